@@ -21,7 +21,7 @@ segment(const Eigen::Vector2d& start, const Eigen::Vector2d& end)
   return e;
 }
 
-/** The arc about `centre` from one angle to another, degrees; counter-clockwise where
+/** Returns the arc about `centre` between two angles in degrees, counter-clockwise if
  * the second is larger. A difference of 360 is a whole circle with coinciding ends. */
 inline pcl::sedr::PlanElement
 arc(const Eigen::Vector2d& centre, double radius, double from, double to)
@@ -80,8 +80,8 @@ stadium(double length, double radius)
            segment({length, radius}, {0, radius}), arc({0, 0}, radius, 90, 270)}};
 }
 
-/** A rectangle from the origin into whose lower side a half circle bulges: an arc that
- * runs clockwise in a loop that runs counter-clockwise. */
+/** Returns a rectangle from the origin with a half circle cut into its lower side: a
+ * clockwise arc in a counter-clockwise loop. */
 inline pcl::sedr::PlanLoop
 bittenRectangle(double width, double height, double radius)
 {
@@ -92,7 +92,7 @@ bittenRectangle(double width, double height, double radius)
            segment({0, height}, {0, 0})}};
 }
 
-/** The loop turned about the origin by degrees, then shifted. */
+/** Returns the loop turned about the origin by degrees, then shifted. */
 inline pcl::sedr::PlanLoop
 placed(pcl::sedr::PlanLoop loop, double degrees, const Eigen::Vector2d& shift)
 {

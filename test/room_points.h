@@ -20,7 +20,7 @@
 
 namespace sedr_test {
 
-/** Which indices the parts of a room got. */
+/** The indices of the points of a room's parts. */
 struct RoomParts {
   std::vector<int> floor;   ///< platforms included
   std::vector<int> ceiling; ///< the main one
@@ -28,8 +28,8 @@ struct RoomParts {
   std::vector<int> walls;   ///< and faces of columns
 };
 
-/** Points on floors, ceilings and walls in closed form: at the middle of squares of one
- * size, off their surface by Gaussian noise of a fixed seed. */
+/** Generates points on floors, ceilings and walls in closed form: one in the middle of
+ * each square of a grid, with Gaussian noise of a fixed seed along the normal. */
 class RoomPoints {
 public:
   using InPlan = std::function<bool(double x, double y)>;
@@ -42,7 +42,7 @@ public:
       , random_(seed)
   {}
 
-  /** Points of a plane above the inside of a loop, where `keep` says so. */
+  /** Adds points of a plane above the inside of a loop, where `keep` returns true. */
   std::vector<int> slab(
       const pcl::sedr::PlanLoop& loop,
       const pcl::sedr::PlanSlab& plane,
@@ -62,7 +62,7 @@ public:
     return from(first);
   }
 
-  /** Points of a horizontal plane. */
+  /** Adds points of a horizontal plane. */
   std::vector<int> slab(
       const pcl::sedr::PlanLoop& loop,
       double height,
@@ -71,7 +71,7 @@ public:
     return slab(loop, slabAt(height), keep);
   }
 
-  /** Points upright above an element, where `keep` says so. */
+  /** Adds points of a vertical face above an element, where `keep` returns true. */
   std::vector<int> wall(
       const pcl::sedr::PlanElement& element,
       double low,
@@ -85,7 +85,7 @@ public:
     return from(first);
   }
 
-  /** All surfaces of a room; of its walls, columns and risers what `keep` leaves. */
+  /** Adds a room's surfaces; `keep` selects points of walls, columns and risers. */
   RoomParts room(
       const pcl::sedr::PlanRoom& room,
       const InSpace& keep = [](const Eigen::Vector3d&) { return true; })
@@ -128,7 +128,7 @@ public:
     return parts;
   }
 
-  /** All surfaces of a room without details. */
+  /** Adds all surfaces of a room without details. */
   RoomParts room(const pcl::sedr::PlanLoop& boundary, double floor, double ceiling)
   {
     pcl::sedr::PlanRoom plan = roomOf(boundary, ceiling);
@@ -136,7 +136,7 @@ public:
     return room(plan);
   }
 
-  /** One point as it is. */
+  /** Adds a single point without noise. */
   int point(double x, double y, double z)
   {
     points_.emplace_back(static_cast<float>(x), static_cast<float>(y),
@@ -181,7 +181,7 @@ private:
     return indices;
   }
 
-  /** Number of equal parts of about the spacing. */
+  /** Returns the number of equal parts whose length is closest to the spacing. */
   double parts(double length) const
   {
     return std::max(1.0, std::round(length / spacing_));
@@ -231,7 +231,7 @@ private:
   std::vector<Eigen::Vector3f> points_;
 };
 
-/** Both lists as one. */
+/** Returns both lists as one. */
 inline std::vector<int>
 joined(std::vector<int> a, const std::vector<int>& b)
 {
@@ -239,7 +239,7 @@ joined(std::vector<int> a, const std::vector<int>& b)
   return a;
 }
 
-/** The indices in the form that PCL's setters take. */
+/** Returns the indices in the form that PCL's setters take. */
 inline std::shared_ptr<pcl::Indices>
 shared(const std::vector<int>& indices)
 {

@@ -5,7 +5,7 @@
 
 namespace sedr_test {
 
-/** A room of a storey: its floor and ceiling at heights of their own. */
+/** A room of a storey with its own floor and ceiling heights. */
 inline pcl::sedr::PlanRoom
 roomBetween(const pcl::sedr::PlanLoop& boundary,
             double floor,
@@ -17,8 +17,9 @@ roomBetween(const pcl::sedr::PlanLoop& boundary,
   return room;
 }
 
-/** Two rooms with a wall of 10 cm between them, ids from `first_id`: 4 x 3 m and
- * 5 x 3 m, the wall between them and the one behind shifted by `shift` metres. */
+/** Two rooms, 4 x 3 m and 5 x 3 m, with 10 cm of wall between them; ids from
+ * `first_id`. That wall and the back wall of the second room are shifted by `shift`
+ * metres. */
 inline std::vector<pcl::sedr::PlanRoom>
 storeyBetween(double floor, double ceiling, std::uint32_t first_id, double shift = 0)
 {
@@ -27,8 +28,8 @@ storeyBetween(double floor, double ceiling, std::uint32_t first_id, double shift
                       first_id + 1)};
 }
 
-/** Rooms 1 and 2 from 0 to 2.5 m, and 3 and 4 from 2.8 to 5.2 m that lie above them,
- * with walls shifted by `shift`. */
+/** Rooms 1 and 2 from 0 to 2.5 m, and rooms 3 and 4 above them from 2.8 to 5.2 m, with
+ * walls shifted by `shift`. */
 inline pcl::sedr::Floorplan
 twoStoreys(double shift = 0)
 {

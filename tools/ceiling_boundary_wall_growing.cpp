@@ -41,16 +41,16 @@ struct Settings {
   PcdData format() const { return compress ? PcdData::Compressed : PcdData::Binary; }
 };
 
-/** @brief What the walls of one room are grown from. */
+/** @brief The input of wall growing in one room. */
 struct Room {
-  std::uint32_t id = 0; ///< 0: a file without rooms
+  std::uint32_t id = 0; ///< 0 in a file without rooms
   pcl::Indices ceiling;
   pcl::Indices floor;
   pcl::Indices details;
   pcl::Indices candidates;
 };
 
-/** @brief The points of a room: those of its own number, and candidates without one. */
+/** @brief Returns the points of a room, and candidates without a room. */
 Room
 pointsOfRoom(const ToolCloud& cloud, std::uint32_t id)
 {
@@ -76,8 +76,7 @@ pointsOfRoom(const ToolCloud& cloud, std::uint32_t id)
   return room;
 }
 
-/** @brief The given slice height or, where there are details, that of the lowest one.
- */
+/** @brief Returns the given slice height, or else the minimum height of the details. */
 double
 sliceHeight(const Settings& settings, const ToolCloud& cloud, const Room& room)
 {
@@ -115,8 +114,8 @@ growIn(const Settings& settings, const ToolCloud& cloud, const Room& room)
   return roomWallsOf(growing, room.id);
 }
 
-/** @brief In a file that room segmentation has parted into rooms the candidates of each
- * are all that lies in its territory: no room reaches for the walls of another. */
+/** @brief Takes all points in a room's territory as its wall candidates, if room
+ * segmentation has labelled the rooms. No room can then claim another room's walls. */
 void
 takeTerritories(const ToolCloud& cloud, unsigned threads, std::vector<Room>& rooms)
 {
@@ -146,7 +145,7 @@ squareDistanceToBoundary(const ToolCloud& cloud,
   return least;
 }
 
-/** @brief Labels the walls. One that two rooms claim goes to the nearer boundary.
+/** @brief Labels the walls. A point that two rooms claim goes to the nearer boundary.
  * @return number of wall points */
 std::size_t
 labelWalls(const std::vector<RoomWalls>& rooms, ToolCloud& cloud)

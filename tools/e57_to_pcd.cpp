@@ -19,7 +19,7 @@ struct Settings {
   ScanOptions scan;
 };
 
-/** @brief Prints a line a scan. */
+/** @brief Prints a line for each scan. */
 int
 listScans(const std::string& path)
 {

@@ -37,22 +37,22 @@ struct RoomPoints {
   pcl::Indices floor;
   pcl::Indices ceiling;
   pcl::Indices detail;
-  pcl::sedr::PlanSlab plane; ///< of its floor, where the file says the floor's room
+  pcl::sedr::PlanSlab plane; ///< of its floor, if the file assigns floors to rooms
   bool has_plane = false;
 };
 
-/** @brief What the recovery of all rooms comes to. */
+/** @brief The recovered floors of all rooms. */
 struct Recovered {
-  std::vector<bool> removed; ///< of each row of the input
+  std::vector<bool> removed; ///< per row of the input
   pcl::Indices sources;      ///< rows that the new floor points copy
   std::vector<Eigen::Vector3f> points;
   std::vector<std::uint32_t> rooms;
   std::vector<FloorCells> cells; ///< for the picture
 };
 
-/** @brief The points by room; room 0 alone if no ceiling point has one. Floor and
- * detail points without a room take that of the ceiling over or beside them, in
- * `cloud.room` too. */
+/** @brief Splits the points by room; all get room 0 if no ceiling point has one. Floor
+ * and detail points without a room get that of the ceiling above or beside them, also
+ * in `cloud.room`. */
 std::map<std::uint32_t, RoomPoints>
 splitRooms(const Settings& settings, ToolCloud& cloud)
 {
@@ -98,7 +98,7 @@ recoverRoom(const Settings& settings,
   const auto shared = [](const pcl::Indices& indices) {
     return pcl::IndicesConstPtr(new pcl::Indices(indices));
   };
-  if (points.ceiling.empty()) { // nothing above it: outside
+  if (points.ceiling.empty()) { // no ceiling above: outside
     for (const auto i : points.floor)
       result.removed[static_cast<std::size_t>(i)] = true;
     const pcl::sedr::CellSet outside(pcl::sedr::CellGrid(settings.grid),
@@ -141,7 +141,7 @@ recoverRoom(const Settings& settings,
   }
 }
 
-/** @brief Writes what was recovered into the fields and rows of the cloud. */
+/** @brief Writes the recovered points to the fields and rows of the cloud. */
 void
 apply(const Settings& settings, const Recovered& result, ToolCloud& cloud)
 {
@@ -183,7 +183,7 @@ run(const Settings& settings)
   checkPictureOutput(settings.picture);
   ToolCloud cloud = loadCloud(settings.input);
   const auto rooms = splitRooms(settings, cloud);
-  // For rooms whose own floor was not seen at all.
+  // For rooms whose own floor is hidden.
   const double height = settings.has_height
                             ? settings.height
                             : meanFloorHeight(cloud, "--height would stand for them");

@@ -16,7 +16,7 @@ using pcl::sedr::Floorplan;
 
 namespace {
 
-/** @brief The sheet of one storey. */
+/** @brief Returns the drawing sheet of one storey. */
 DrawingSheet
 sheetOf(const std::string& output, const Floorplan& plan, std::uint32_t number)
 {
@@ -30,7 +30,7 @@ sheetOf(const std::string& output, const Floorplan& plan, std::uint32_t number)
                   " in the plan; there are: " + known);
 }
 
-/** @brief In the order of PaperSize. */
+/** @brief Names of PaperSize, in its order. */
 const std::vector<std::string> paper_names{"A4", "A3", "A2", "A1", "A0"};
 
 pcl::sedr::PaperSize

@@ -24,7 +24,7 @@ struct Settings {
   std::string picture;
 };
 
-/** @brief Draws a solid, whose triangles face out of the rooms. */
+/** @brief Draws a solid, whose triangles face outwards. */
 void
 saveSolidPicture(const std::string& path, pcl::sedr::TriangleMesh solid)
 {

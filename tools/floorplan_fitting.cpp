@@ -30,8 +30,8 @@ struct Settings {
   std::string picture;
 };
 
-/** @brief Gives the fitting the points by label, and the rooms unless the file has
- * none. */
+/** @brief Passes the points by label to the fitting, and the rooms if the file has any.
+ */
 void
 setEvidence(const ToolCloud& cloud, Fitting& fitting)
 {

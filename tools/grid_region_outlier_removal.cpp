@@ -39,7 +39,7 @@ struct Settings {
   }
 };
 
-/** @brief The points to work on: those with the label, all in a file without labels. */
+/** @brief Returns the points with the label, or all points of a file without labels. */
 pcl::Indices
 selectPoints(const Settings& settings, const ToolCloud& cloud)
 {
@@ -81,7 +81,7 @@ compute(const Settings& settings,
   return kept;
 }
 
-/** @brief Writes what was found into the fields of the cloud. */
+/** @brief Writes the result to the fields of the cloud. */
 void
 apply(const Settings& settings,
       const pcl::Indices& selected,

@@ -29,7 +29,7 @@ struct Settings {
   bool compress = false;
 };
 
-/** @brief The details of one room. */
+/** @brief Finds the details of one room. */
 pcl::Indices
 analyse(Analysis& analysis,
         const ToolCloud& cloud,
@@ -69,9 +69,9 @@ tell(const Analysis& analysis, const DetailRoom& room, const pcl::Indices& detai
   say(text);
 }
 
-/** @brief Labels what was found in a room. What was taken for a ceiling or floor, and
- * is neither the main one nor a detail, is other; but of a room that was parted from
- * the others by its air all other ceilings are details. */
+/** @brief Labels the points of a room. Planes that are neither the main ceiling or
+ * floor nor a detail become other. If the file comes from room segmentation, all other
+ * ceilings of a room are details. */
 void
 label(const DetailRoom& room, const pcl::Indices& details, ToolCloud& cloud)
 {
@@ -106,7 +106,7 @@ run(const Settings& settings, Analysis& analysis)
   parameters.seed = analysis.getSeed();
   parameters.threads = analysis.getNumberOfThreads();
   std::vector<DetailRoom> rooms;
-  // For rooms whose own floor was not seen at all.
+  // For rooms whose own floor is hidden.
   const double height =
       settings.has_floor_height
           ? settings.floor_height

@@ -33,7 +33,7 @@ namespace {
 using Detection = pcl::HorizontalPlaneDetection<pcl::PointXYZ>;
 using Planes = std::vector<pcl::HorizontalPlane>;
 
-/** Radians. PCL's own conversion is a little more, which 45 degrees must not be. */
+/** Radians. PCL's factor is slightly larger and would exceed a limit of 45 degrees. */
 constexpr double degree = M_PI / 180;
 
 struct Settings {
@@ -62,8 +62,8 @@ allOf(const ToolCloud& cloud)
   return all;
 }
 
-/** @brief Whether another axis than z seems to be up, or the scan leans, a sentence;
- * empty if not, or if z is to be trusted. */
+/** @brief Returns a sentence if an axis other than z seems to be up, or the scan is
+ * tilted; empty if not, or if z is trusted. */
 std::string
 turned(const Settings& settings, const ToolCloud& cloud, RoomsAlongZ rooms)
 {
@@ -77,8 +77,8 @@ turned(const Settings& settings, const ToolCloud& cloud, RoomsAlongZ rooms)
   return problem.empty() ? "" : problem + ", or say --z-up if it is right as it is";
 }
 
-/** @brief Whether another axis than z seems to be up although there are rooms along z,
- * a sentence; empty if not. */
+/** @brief Returns a sentence if another axis than z seems to be up although rooms were
+ * found along z; empty if not. */
 std::string
 doubtOf(const Planes& planes, const ToolCloud& cloud)
 {
@@ -88,7 +88,7 @@ doubtOf(const Planes& planes, const ToolCloud& cloud)
   return problem.empty() ? "" : problem + ", or say --z-up if it is right as it is";
 }
 
-/** @brief Refuses what is no scan of rooms in metres with z up. */
+/** @brief Throws unless the input is a scan of rooms in metres with z up. */
 void
 checkScan(const Settings& settings, const ToolCloud& cloud)
 {
@@ -100,8 +100,8 @@ checkScan(const Settings& settings, const ToolCloud& cloud)
     throw ToolError("'" + cloud.path + "': " + problem, NothingFound);
 }
 
-/** @brief Planes whose inliers cover less than the smallest plane are neither: the ends
- * of walls just below a ceiling look like a ceiling until walls are left out. */
+/** @brief Makes planes other whose inliers cover less than the minimum area: the tops
+ * of walls just below a ceiling look like a ceiling until walls are excluded. */
 void
 dropSmall(Planes& planes, double minimum_area)
 {
@@ -110,7 +110,7 @@ dropSmall(Planes& planes, double minimum_area)
       plane.kind = LevelKind::Other;
 }
 
-/** @brief Labels the inliers. Rooms belong to labels that are gone, so they go too. */
+/** @brief Labels the inliers and clears the rooms, which refer to the old labels. */
 void
 apply(const Settings& settings, const Planes& planes, ToolCloud& cloud)
 {
@@ -128,7 +128,7 @@ apply(const Settings& settings, const Planes& planes, ToolCloud& cloud)
     setField(cloud.blob, "room", std::vector<std::uint32_t>(cloud.size(), 0));
 }
 
-/** @brief The planes of a file with rooms, ceilings and floors labelled. */
+/** @brief Labels ceilings and floors in a file with rooms; returns its planes. */
 Planes
 planesByRoom(const Settings& settings, const Detection& detection, ToolCloud& cloud)
 {
@@ -143,7 +143,7 @@ planesByRoom(const Settings& settings, const Detection& detection, ToolCloud& cl
   return labelPlanesOfRooms(parameters, detection.getGridSize(), building, cloud);
 }
 
-/** @brief The planes of a file without rooms, ceilings and floors labelled. */
+/** @brief Labels ceilings and floors in a file without rooms; returns its planes. */
 Planes
 planesOfAll(const Settings& settings, Detection& detection, ToolCloud& cloud)
 {

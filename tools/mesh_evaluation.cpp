@@ -46,7 +46,7 @@ load(const std::string& path)
   return mesh;
 }
 
-/** @brief A mesh counted from `origin`. */
+/** @brief Loads a mesh relative to `origin`. */
 std::shared_ptr<const TriangleMesh>
 loadFrom(const pcl::sedr::Origin& origin, const std::string& path)
 {
@@ -60,7 +60,7 @@ loadFrom(const pcl::sedr::Origin& origin, const std::string& path)
   return moved;
 }
 
-/** @brief The labels of a list such as "1,2,3". */
+/** @brief Parses a list of labels such as "1,2,3". */
 std::vector<std::uint32_t>
 parseLabels(const std::string& list)
 {
@@ -77,7 +77,7 @@ parseLabels(const std::string& list)
   return labels;
 }
 
-/** @brief The points with one of the labels of a list. */
+/** @brief Returns the points with one of the labels of a list. */
 pcl::Indices
 withLabels(const ToolCloud& cloud, const std::string& list)
 {
@@ -95,7 +95,7 @@ withLabels(const ToolCloud& cloud, const std::string& list)
   return indices;
 }
 
-/** @brief Those of `indices` within a distance of a mesh. */
+/** @brief Returns those of `indices` within a distance of a mesh. */
 pcl::Indices
 nearMesh(const Settings& settings, const ToolCloud& cloud, const pcl::Indices& indices)
 {
@@ -128,7 +128,7 @@ nearMesh(const Settings& settings, const ToolCloud& cloud, const pcl::Indices& i
   return near;
 }
 
-/** @brief The points that are measured. */
+/** @brief Returns the points to measure. */
 pcl::IndicesPtr
 select(const Settings& settings, const ToolCloud& cloud)
 {

@@ -37,7 +37,7 @@ struct Settings {
   bool compress = false;
 };
 
-/** @brief Refuses what is no scan of rooms in metres with z up. */
+/** @brief Throws unless the input is a scan of rooms in metres with z up. */
 void
 checkScan(const Settings& settings, const ToolCloud& cloud, unsigned threads)
 {
@@ -68,7 +68,7 @@ segment(const Settings& settings, const ToolCloud& cloud, Segmentation& segmenta
                     NothingFound);
 }
 
-/** @brief Millimetres are enough for people, and none is minus zero. */
+/** @brief Rounds to millimetres and turns -0 into 0. */
 double
 rounded(double metres)
 {

@@ -35,7 +35,7 @@ main(int argc, char** argv)
       std::cout << explained(chain.getPriors()) << std::flush;
     settings.input = joinedNames(settings.inputs);
     return makeModel(settings, chain, [&] {
-      // What is not in its header is read while it is thinned.
+      // Everything but the headers is read during thinning.
       const auto scan =
           std::make_shared<JointScan>(settings.inputs, settings.scan.resolved());
       chain.setInputSource(scan);

@@ -30,7 +30,7 @@ namespace {
 
 constexpr const char* tool_name = "pcl_sedr_mpi";
 
-/** @brief How many threads each of the ranks on this machine may have. */
+/** @brief Returns the share of threads of each rank on this machine. */
 unsigned
 fairThreads(const boost::mpi::communicator& ranks)
 {
@@ -40,7 +40,7 @@ fairThreads(const boost::mpi::communicator& ranks)
   MPI_Comm_size(here, &ranks_here);
   MPI_Comm_free(&here);
   const long processors = std::max(1L, sysconf(_SC_NPROCESSORS_ONLN));
-  // mpirun may have bound this rank to a few of them.
+  // mpirun may have bound this rank to a few processors.
   return std::min(pcl::sedr::resolveThreads(0),
                   static_cast<unsigned>(std::max(1L, processors / ranks_here)));
 }
@@ -63,8 +63,8 @@ thinOrders(const std::vector<ScanInput>& inputs,
   return orders;
 }
 
-/** @brief Adds up at rank 0 what the ranks have sent each other, in bytes; for all of
- * them. */
+/** @brief Returns at rank 0 the total bytes that the ranks have sent each other. All
+ * ranks must call it. */
 std::uint64_t
 trafficOf(RankMail& mail)
 {
@@ -74,7 +74,7 @@ trafficOf(RankMail& mail)
   return sent;
 }
 
-/** @brief What the program was called with. */
+/** @brief The parsed command line. */
 struct Call {
   std::vector<std::string> scans;
   ModelSettings settings{Reconstruction()};
@@ -82,8 +82,8 @@ struct Call {
 };
 
 /** @brief Makes the model with the help of the other ranks.
- * @param fair_threads of this rank while the others work too, where none were asked
- * for; what it does alone may take all processors */
+ * @param fair_threads default number of threads while other ranks work; alone, this
+ * rank may use all processors */
 int
 makeModelTogether(const std::string& tool,
                   Call& call,
@@ -135,7 +135,7 @@ makeModelTogether(const std::string& tool,
   return losses.empty() ? Done : Incomplete;
 }
 
-/** @brief What rank 0 does.
+/** @brief Runs rank 0.
  * @return the exit code */
 int
 lead(int argc, char** argv, RankMail& mail, EndWatch& watch, unsigned fair_threads)

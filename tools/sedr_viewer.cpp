@@ -13,7 +13,7 @@ using namespace pcl::sedr::tools;
 
 namespace {
 
-/** @brief What the command line sets. */
+/** @brief The options of the command line. */
 struct Settings {
   std::string path;
   std::string screenshot;
@@ -81,7 +81,7 @@ windowSettings(const Settings& settings)
   return window;
 }
 
-/** @brief The state to begin with, checked before anything is read. */
+/** @brief Returns the initial state, checked before any file is read. */
 ViewState
 stateOf(const Settings& settings)
 {
@@ -98,7 +98,7 @@ stateOf(const Settings& settings)
   return state;
 }
 
-/** @brief Throws a ToolError where a storey that was asked for is not there. */
+/** @brief Throws a ToolError if the requested storey does not exist. */
 void
 checkStorey(const Painter& painter, std::uint32_t storey)
 {

@@ -34,13 +34,13 @@ endsIn(const std::string& path, const std::string& end)
          path.compare(path.size() - end.size(), end.size(), end) == 0;
 }
 
-/** @brief A plan, and what it is counted from. */
+/** @brief A plan and the origin of its coordinates. */
 struct PlacedPlan {
   Floorplan plan;
   Origin origin;
 };
 
-/** @brief The plan of a scan, as pcl_sedr finds it. */
+/** @brief Returns the plan of a scan, as pcl_sedr finds it. */
 PlacedPlan
 planOfScan(const std::string& path, const ScanSettings& reading)
 {
@@ -54,7 +54,7 @@ planOfScan(const std::string& path, const ScanSettings& reading)
   return {*chain.getFloorplan(), scan->origin()};
 }
 
-/** @brief The plan of a model: a folder of pcl_sedr's, a plan, or a scan. */
+/** @brief Returns the plan of a folder of pcl_sedr, of a plan file, or of a scan. */
 PlacedPlan
 planOf(const std::string& path, const ScanSettings& reading)
 {
@@ -72,7 +72,7 @@ planOf(const std::string& path, const ScanSettings& reading)
   return planOfScan(path, reading);
 }
 
-/** @brief A plan counted from another origin. */
+/** @brief Returns a plan relative to another origin. */
 Floorplan
 inFrameOf(const Origin& origin, const PlacedPlan& placed)
 {
@@ -83,7 +83,7 @@ inFrameOf(const Origin& origin, const PlacedPlan& placed)
   return transformed(placed.plan, shift);
 }
 
-/** @brief What the command line sets. */
+/** @brief The options of the command line. */
 struct Settings {
   std::string before;
   std::string after;

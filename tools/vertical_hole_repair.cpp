@@ -23,9 +23,9 @@ struct Settings {
   bool compress = false;
 };
 
-/** @brief Turns the cloud into the repaired one: the rows that stay, then those that
+/** @brief Replaces the cloud by the repaired one: the retained rows, then those that
  * fill holes.
- * @return number of the latter */
+ * @return number of rows that fill holes */
 std::size_t
 apply(const Repair& repair, ToolCloud& cloud)
 {

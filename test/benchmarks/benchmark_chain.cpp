@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The chain against one written by hand from PCL's parts, from the file on:
+// The chain and one written by hand from PCL's classes, both including reading:
 //
 //     benchmark_chain SCAN.pcd [options of google-benchmark]
 #include "scan_file.h"
@@ -39,8 +39,8 @@ readScan()
   return scan;
 }
 
-// What PCL's tutorials chain: voxels of 5 cm, the ten largest planes, their points'
-// normals, Poisson.
+// The chain of PCL's tutorials: voxels of 5 cm, the ten largest planes, normals of
+// their points, Poisson.
 
 Cloud::Ptr
 thinnedByPcl(const Cloud::Ptr& scan)
@@ -117,8 +117,8 @@ ChainOfPclsParts(benchmark::State& state)
 
 using Chain = pcl::IndoorStructureReconstruction<pcl::PointXYZ>;
 
-/** @brief A chain that reads the scan as pcl_sedr does: thinned where it stands in its
- * file. */
+/** @brief Returns a chain that reads the scan as pcl_sedr does: it thins while reading.
+ */
 std::unique_ptr<Chain>
 chainFromTheFile()
 {
@@ -127,7 +127,7 @@ chainFromTheFile()
   return chain;
 }
 
-/** @brief Up to the stage after the fit of the plan. */
+/** @brief Measures up to the stage after the plan is fitted. */
 void
 SedrToThePlan(benchmark::State& state)
 {
@@ -172,7 +172,7 @@ SedrToTheSolid(benchmark::State& state)
   state.counters["rooms"] = static_cast<double>(rooms);
 }
 
-/** @brief The bytes of the file, from the page cache. */
+/** @brief Reads the bytes of the file from the page cache. */
 void
 Reading(benchmark::State& state)
 {
@@ -184,7 +184,7 @@ Reading(benchmark::State& state)
   }
 }
 
-/** @brief pcl::VoxelGrid alone, on a scan that is in memory. */
+/** @brief Measures pcl::VoxelGrid alone, on a scan in memory. */
 void
 VoxelGrid(benchmark::State& state)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// pcl::ParallelVoxelGrid against pcl::VoxelGrid and pcl::ApproximateVoxelGrid, 5 cm.
+// pcl::ParallelVoxelGrid, pcl::VoxelGrid and pcl::ApproximateVoxelGrid at 5 cm.
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
 
 #include <pcl/filters/approximate_voxel_grid.h>
@@ -24,8 +24,8 @@ enum class Order { Scan, Random };
 constexpr float leaf = 0.05f;
 constexpr std::size_t points_a_room = 1000000;
 
-/** @brief The n-th of the points of a terrestrial scan of rooms of 6 x 5 x 2.8 m side
- * by side: column after column of a turning mirror, noise of 2 mm along the ray. */
+/** @brief Returns point @p i of a terrestrial scan of adjacent rooms of 6 x 5 x 2.8 m.
+ * A turning mirror scans column by column, with noise of 2 mm along the ray. */
 pcl::PointXYZ
 pointOf(std::size_t i, std::mt19937& random)
 {
@@ -49,7 +49,7 @@ pointOf(std::size_t i, std::mt19937& random)
           static_cast<float>(z * range)};
 }
 
-/** @brief The cloud of a benchmark, kept for the next. */
+/** @brief Returns the cloud of a benchmark and caches it for the next one. */
 const Cloud::Ptr&
 cloudOf(std::size_t points, Order order)
 {
@@ -68,7 +68,7 @@ cloudOf(std::size_t points, Order order)
   return cloud;
 }
 
-/** @brief A line of /proc/self/status in MiB; 0 where there is none. */
+/** @brief Returns a line of /proc/self/status in MiB; 0 if it is missing. */
 double
 memoryLine(const std::string& name)
 {
@@ -82,8 +82,8 @@ memoryLine(const std::string& name)
   return 0;
 }
 
-/** @brief Thins a cloud and tells the time, the most memory beside the input and how
- * many points are left. */
+/** @brief Thins a cloud; reports the time, the peak memory beside the input and the
+ * number of remaining points. */
 template <typename FilterT>
 void
 thin(benchmark::State& state, FilterT& filter)
@@ -95,7 +95,7 @@ thin(benchmark::State& state, FilterT& filter)
   double memory = 0;
   std::size_t left = 0;
   for (auto _ : state) {
-    std::ofstream("/proc/self/clear_refs") << 5; // the peak begins again
+    std::ofstream("/proc/self/clear_refs") << 5; // resets the peak
     const double before = memoryLine("VmRSS:");
     filter.setInputCloud(cloud);
     Cloud output;

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-/** @file Scenes and rows whose figures are known by hand. */
+/** @file Scenes and rows whose figures are known in closed form. */
 
 namespace benchmark_test {
 
@@ -25,8 +25,8 @@ truthOfRoom(sim::Room room)
   return truthOf(sim::test::makeScene(std::move(room), {}, 1));
 }
 
-/** A room of 4 x 3 x 2.5 m with a soffit of 2 x 1 m in the middle of its ceiling, that
- * hangs `drop` metres below it. */
+/** A room of 4 x 3 x 2.5 m with a soffit of 2 x 1 m in the middle of its ceiling,
+ * `drop` metres below it. */
 inline sim::Room
 roomWithSoffit(double drop)
 {

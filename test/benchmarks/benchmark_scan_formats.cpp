@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How fast scans of each format are read, and thinned as they are read:
+// Measures how fast scans of each format are read, and thinned while reading:
 //
 //     benchmark_scan_formats FOLDER MILLIONS [options of google-benchmark]
 //
-// writes a room of so many million points, in the order of a scanner, as scan.pcd,
-// scan.e57 (scaled integers of 18 bits, 0.1 mm), scan.las and scan.xyz into FOLDER,
-// unless they are there, and reads them from the page cache.
+// The files are scan.pcd, scan.e57 (scaled integers of 18 bits, 0.1 mm), scan.las and
+// scan.xyz in FOLDER, read from the page cache. Missing ones are written: a room of
+// MILLIONS million points in the order of a scanner.
 #include "scan_file.h"
 #include "tools/sample_files.h"
 #include "tools/scans/e57_writer.h"
@@ -29,7 +29,7 @@ using pcl::sedr::tools::ScanFile;
 
 constexpr double unit = 1e-4; // metres
 
-/** Where rays of a sweep meet the box of a room of 8 x 6 x 2.8 m around them. */
+/** The points where the rays of a sweep hit a box room of 8 x 6 x 2.8 m. */
 std::vector<std::array<std::int32_t, 3>>
 roomPoints(std::size_t n)
 {

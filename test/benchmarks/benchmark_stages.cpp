@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Seconds of each stage over points and over cells: rooms of 5 m x 4 m side by side.
+// Seconds of each stage by number of points and of cells: adjacent rooms of 5 m x 4 m.
 #include "room_points.h"
 
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
@@ -15,7 +15,7 @@ using namespace sedr_test;
 
 constexpr int most_in_a_row = 8;
 
-/** @brief A soffit along one wall and noise of 5 mm in each room. */
+/** @brief Makes rooms with a soffit along one wall and noise of 5 mm. */
 pcl::PointCloud<pcl::PointXYZ>::Ptr
 storey(int rooms, double spacing)
 {
@@ -30,7 +30,7 @@ storey(int rooms, double spacing)
   return points.cloud();
 }
 
-/** @brief The counters are the seconds of each stage. */
+/** @brief Reports the seconds of each stage as counters. */
 void
 Stages(benchmark::State& state)
 {
@@ -57,7 +57,7 @@ Stages(benchmark::State& state)
   state.counters["thinned"] = static_cast<double>(thinned);
 }
 
-// Points at the same cells, then cells at the same density.
+// First more points in the same cells, then more cells at the same density.
 BENCHMARK(Stages)
     ->ArgNames({"rooms", "mm"})
     ->ArgsProduct({{4}, {40, 20, 10}})

@@ -22,7 +22,7 @@
 
 namespace contract {
 
-/** What the stages find in the sample room. */
+/** The results of the stages in the sample room. */
 struct StageFigures {
   std::size_t thinned = 0;
   std::size_t planes = 0;
@@ -35,8 +35,8 @@ struct StageFigures {
   std::size_t refined = 0;
   std::size_t repaired = 0;
   double solid_volume = 0;   ///< cubic metres
-  double poisson_volume = 0; ///< cubic metres, below 0: normals look into the room
-  double chain_volume = 0;   ///< of the mesh of the whole chain, likewise
+  double poisson_volume = 0; ///< cubic metres, below 0: normals point into the room
+  double chain_volume = 0;   ///< likewise, of the mesh of the whole chain
 
   bool operator==(const StageFigures& o) const
   {
@@ -48,8 +48,8 @@ struct StageFigures {
   }
 };
 
-/** Runs all twelve stages on the sample room as a cloud of any point type, one after
- * the other by hand: what one returns goes into the next as it is. */
+/** Runs all twelve stages on the sample room, one after the other, for any point type.
+ * The results of a stage are passed to the next one unchanged. */
 template <typename PointT>
 StageFigures
 runAllStages()
@@ -165,7 +165,7 @@ runAllStages()
 
   pcl::StructuralPoisson<PointT> poisson;
   poisson.setFloorplan(plan);
-  poisson.setCellRatio(4); // coarse, so that it is quick
+  poisson.setCellRatio(4); // coarse, to save time
   EXPECT_TRUE(poisson.makeMesh()) << poisson.getErrorMessage();
   figures.poisson_volume = poisson.getMesh().signedVolume();
 
@@ -178,7 +178,7 @@ runAllStages()
   return figures;
 }
 
-/** What is true of the sample room, whatever the type of its points. */
+/** Expected figures of the sample room, for any point type. */
 inline void
 expectSampleRoom(const StageFigures& figures)
 {
@@ -186,7 +186,7 @@ expectSampleRoom(const StageFigures& figures)
   EXPECT_EQ(figures.regions, 1u);
   EXPECT_EQ(figures.rooms, 1u);
   EXPECT_EQ(figures.details, 0u);
-  EXPECT_GT(figures.floor, 4400u); // nearly a point of each cell of 4 x 3 m
+  EXPECT_GT(figures.floor, 4400u); // about one point per cell of 4 x 3 m
   EXPECT_GT(figures.walls, 5000u);
   EXPECT_NEAR(figures.area, 12, 0.05);
   EXPECT_GT(figures.refined, 8000u);

@@ -19,14 +19,13 @@ namespace contract {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-/** What one run of a class gave. */
+/** The result of a run of a class. */
 struct Outcome {
-  std::size_t size =
-      0; ///< of the result: points kept, regions found, faces ...; 0 for none
+  std::size_t size = 0; ///< points kept, regions found, faces ...; 0 without result
   std::string error;    ///< getErrorMessage()
-  std::string geometry; ///< the result without indices into the input, byte for byte
-  std::string all;      ///< the whole result, indices and parameters too, byte for byte
-  std::optional<pcl::Indices> kept;    ///< where each input point is kept or removed
+  std::string geometry; ///< the result without indices into the input, as bytes
+  std::string all;      ///< the whole result with indices and parameters, as bytes
+  std::optional<pcl::Indices> kept;    ///< if the class keeps or removes each point
   std::optional<pcl::Indices> removed; ///< likewise
 };
 
@@ -57,8 +56,8 @@ append(std::string& bytes, const pcl::PointCloud<PointT>& cloud)
       append(bytes, value);
 }
 
-/** A room of 4 x 3 x 2.5 m about the origin, floor at z = 0: ceiling, floor and four
- * walls as lattices of 5 cm, points off by up to 2 mm, in no order. */
+/** A room of 4 x 3 x 2.5 m about the origin, floor at z = 0. Ceiling, floor and four
+ * walls are lattices of 5 cm; points deviate by up to 2 mm and are in random order. */
 inline Cloud::Ptr
 sampleRoom(unsigned seed = 1, double length = 4)
 {
@@ -96,7 +95,7 @@ sampleRoom(unsigned seed = 1, double length = 4)
   return cloud;
 }
 
-/** `cloud` with a point that is not finite before every seventh point. */
+/** Returns `cloud` with a non-finite point before every seventh point. */
 inline Cloud::Ptr
 withHoles(const Cloud& cloud)
 {
@@ -122,8 +121,8 @@ isFinite(const pcl::PointXYZ& p)
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-/** The points of `cloud` between two heights, as indices: what adaptors take for a
- * ceiling or a floor. */
+/** Returns the points of `cloud` between two heights, which adaptors use as ceiling or
+ * floor. */
 inline pcl::IndicesPtr
 between(const Cloud& cloud, float low, float high)
 {
@@ -134,8 +133,8 @@ between(const Cloud& cloud, float low, float high)
   return indices;
 }
 
-/** Gives a stage the points at 2.5 m for its ceiling and those at 0 m for its floor,
- * among the indices that its input has. */
+/** Sets the points at 2.5 m as ceiling and those at 0 m as floor of a stage, restricted
+ * to the given indices. */
 template <typename Stage>
 void
 setSlabs(const pcl::Indices& indices, Stage& stage)
@@ -156,26 +155,24 @@ setSlabs(const pcl::Indices& indices, Stage& stage)
   stage.setFloorIndices(floor);
 }
 
-/** What an adaptor of a class may inherit: the answers most classes give. An adaptor
- * has
+/** Defaults that adaptors inherit. An adaptor overrides them where necessary, and has
  *
- *     void setInput(const Cloud::ConstPtr&);   // and what else the class needs, made
- * from it void setIndices(const pcl::IndicesPtr&); Outcome run(); // into an output
- * that already holds something void spoil(int which);                   // sets the bad
- * parameter of this number void mend();                             // sets good
- * parameters again static constexpr int spoils;             // how many bad parameters
- * there are
- *
- * and overrides what is not so. */
+ *     void setInput(const Cloud::ConstPtr&); // and other inputs made from it
+ *     void setIndices(const pcl::IndicesPtr&);
+ *     Outcome run();                         // into an output that is not empty
+ *     void spoil(int which);                 // sets the bad parameter of this number
+ *     void mend();                           // sets good parameters again
+ *     static constexpr int spoils;           // number of bad parameters
+ */
 struct AdaptorDefaults {
-  static constexpr bool uses_indices = true;       ///< honours setIndices()
+  static constexpr bool uses_indices = true;       ///< respects setIndices()
   static constexpr bool has_negative = false;      ///< has setNegative(bool)
   static constexpr bool works_in_place = false;    ///< has runInPlace(Cloud::Ptr)
-  static constexpr bool finds_in_one_point = true; ///< one point gives a result
+  static constexpr bool finds_in_one_point = true; ///< a single point gives a result
   static constexpr bool far_rooms_add_up =
-      true; ///< two rooms 10 km apart give twice as much
+      true; ///< two rooms 10 km apart double the result
   static constexpr bool takes_one_room =
-      false; ///< works on one room: two of them are no input for it
+      false; ///< works on one room; two are invalid input
 
   void setThreads(unsigned) {}
 };

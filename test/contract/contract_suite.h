@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cctype>
 
-// What every stage promises, tested over adaptors: see contract.h for what an adaptor
-// is. A test program instantiates the suite:
+// Tests of the requirements for every stage, through adaptors as described in
+// contract.h. A test program instantiates the suite:
 //
 //     using Adaptors = ::testing::Types<MyStageAdaptor, ...>;
 //     INSTANTIATE_TYPED_TEST_SUITE_P(Segmentation, Contract, Adaptors);

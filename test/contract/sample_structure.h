@@ -10,9 +10,9 @@
 
 namespace contract {
 
-/** What the stages before would say of a cloud of sample rooms: which point is ceiling,
- * floor or wall of which room, and the plan. A room far away is room 2; where there are
- * no walls the plan is of a room of 6 m x 6 m about the origin. */
+/** The results of earlier stages for a cloud of sample rooms: the label and room of
+ * each point, and the plan. A room far away is room 2. Without walls, the plan is a
+ * room of 6 m x 6 m about the origin. */
 struct SampleStructure {
   std::shared_ptr<pcl::sedr::Floorplan> plan = std::make_shared<pcl::sedr::Floorplan>();
   std::vector<std::uint32_t> labels;
@@ -20,7 +20,7 @@ struct SampleStructure {
 
   SampleStructure() = default;
 
-  /** @param indices the points that the plan is made from */
+  /** @param indices the points that define the plan */
   SampleStructure(const Cloud& cloud, const pcl::Indices& indices)
   {
     for (const auto& p : cloud) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// With this the headers of all stages bring their templates along.
+// With this macro the headers of all stages include their templates.
 #define PCL_NO_PRECOMPILE
 
 #include <pcl/memory.h>
 #include <pcl/pcl_macros.h>
 #include <pcl/point_types.h>
 
-/** A point type that no library was compiled for. */
+/** A point type for which no library has compiled classes. */
 struct EIGEN_ALIGN16 WeighedPoint {
   PCL_ADD_POINT4D
   float weight;

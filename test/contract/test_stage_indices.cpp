@@ -10,7 +10,7 @@ using pcl::sedr::StageIndices;
 
 namespace {
 
-/** What a setter sees of its argument. */
+/** Returns the argument as a setter sees it. */
 pcl::shared_ptr<const pcl::Indices>
 seenOf(const StageIndices& indices)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// libFuzzer's entry for one reader of scans, FUZZED_FORMAT: whatever bytes come, they
-// are read or refused with a ToolError, and nothing else.
+// libFuzzer's entry point for one scan reader, FUZZED_FORMAT: any bytes must be read or
+// rejected with a ToolError.
 #include "scan_file.h"
 #include "tool_error.h"
 #include "tools/scans/e57_writer.h"
@@ -16,8 +16,8 @@ namespace {
 
 using namespace pcl::sedr::tools;
 
-/** What each reader is chosen by, kept in place: else most bytes would be of no format.
- */
+/** Overwrites the start with the format's magic, since most inputs would be rejected
+ * without it. */
 std::string
 withMagic(std::string bytes)
 {
@@ -32,7 +32,7 @@ withMagic(std::string bytes)
   return bytes;
 }
 
-/** The bytes of an E57 file with its checksums, which no chance would find. */
+/** Adds the checksums of an E57 file, which random changes would never match. */
 std::string
 sealed(const std::string& payload)
 {
@@ -46,7 +46,7 @@ sealed(const std::string& payload)
   return file;
 }
 
-/** A file in memory that has a path. */
+/** A file in memory with a path. */
 class MemoryFile {
 public:
   explicit MemoryFile(const std::string& bytes)
@@ -71,7 +71,7 @@ private:
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  constexpr std::size_t most_points = 100000; // zeros of no bits cost no bytes
+  constexpr std::size_t most_points = 100000; // zeros of zero bits take no bytes
   std::string bytes = withMagic({reinterpret_cast<const char*>(data), size});
   if (std::strcmp(FUZZED_FORMAT, "e57") == 0)
     bytes = sealed(bytes);
@@ -91,7 +91,7 @@ LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
       return true;
     });
     static volatile unsigned seen;
-    seen = sum; // every byte was looked at
+    seen = sum; // every byte was read
   }
   catch (const ToolError&) {
     return 0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes small good files of every format, which the fuzzers begin with:
-// write_fuzz_seeds FOLDER makes FOLDER/e57, FOLDER/las, FOLDER/pcd, FOLDER/ply and
-// FOLDER/text.
+// Writes small valid files of every format as seeds of the fuzzers: write_fuzz_seeds
+// FOLDER makes FOLDER/e57, FOLDER/las, FOLDER/pcd, FOLDER/ply and FOLDER/text.
 #include "tools/scans/e57_writer.h"
 #include "tools/scans/las_writer.h"
 
@@ -34,7 +33,7 @@ private:
   int number_ = 0;
 };
 
-/** The pages of an E57 file without their checksums. */
+/** Returns the pages of an E57 file without their checksums. */
 std::string
 unsealed(const std::string& file)
 {
@@ -94,7 +93,7 @@ writeLas(Seeds& seeds)
   seeds.write("las", las.bytes());
 }
 
-/** PCD, PLY and text, written out. */
+/** Writes PCD, PLY and text from literals. */
 void
 writeClouds(Seeds& seeds)
 {

@@ -9,7 +9,7 @@ namespace {
 
 using namespace pcl::sedr;
 
-/** A square of 2 m in two triangles that look up, z rising along x, and one aside. */
+/** A square of 2 m in two upward triangles, z rising along x, and a separate one. */
 TriangleMesh
 slope()
 {

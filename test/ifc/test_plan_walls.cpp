@@ -13,7 +13,7 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** The area of a straight wall's plan. */
+/** Returns the area of a straight wall in plan. */
 double
 areaOf(const PlanWall& wall)
 {
@@ -98,7 +98,7 @@ TEST(PlanWalls, FacesThatTouchHaveNoWall)
 
 TEST(PlanWalls, ArcsAboutOneCentreAreAPair)
 {
-  // A rotunda within a ring of which half was seen.
+  // A rotunda inside a ring, half of which was scanned.
   const PlanLoop half{{arc({0, 0}, 5, 0, 180), segment({-5, 0}, {-3.3, 0}),
                        arc({0, 0}, 3.3, 180, 0), segment({3.3, 0}, {5, 0})}};
   const auto walls = findWalls({{roomOf(circle({0, 0}, 3), 3), roomOf(half, 3, 2)}});
@@ -169,7 +169,7 @@ TEST(PlanWalls, OneThatStandsFreeHasTwoFaces)
 
 TEST(PlanWalls, StandAroundTheIslandsOfARoomButNotAroundItsColumns)
 {
-  // A ring about a core with a room in it, 10 cm behind one side of the core.
+  // A ring around a core that contains a room, 10 cm behind one side of the core.
   PlanRoom ring = roomOf(rectangle(0, 0, 12, 12), 2.5);
   ring.columns = {reversed(rectangle(3, 3, 9, 9)), reversed(rectangle(1, 1, 1.5, 1.5))};
   const Floorplan plan{{ring, roomOf(rectangle(3.1, 3.2, 8, 8), 2.5, 2)}};
@@ -190,7 +190,7 @@ TEST(PlanWalls, StandAroundTheIslandsOfARoomButNotAroundItsColumns)
 
 TEST(PlanWalls, AnAssumedThicknessKeepsOutOfTheRoomBehind)
 {
-  // Not parallel, so no pair: 8 cm at one end, 0.5 m at the other.
+  // Not parallel and therefore no pair: 8 cm apart at one end, 0.5 m at the other.
   const Floorplan plan{
       {roomOf(rectangle(0, 0, 4, 3), 2.5),
        roomOf(polygon({{4.08, 0}, {8, 0}, {8, 3}, {4.5, 3}}), 2.5, 2)}};

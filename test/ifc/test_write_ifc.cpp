@@ -7,7 +7,7 @@
 
 #include <string>
 
-// Read by others in test_ifc_schema.py and test_ifc_web.py.
+// The output is checked by test_ifc_schema.py and test_ifc_web.py.
 
 namespace {
 
@@ -55,7 +55,7 @@ TEST(WriteIfc, TellsWhatIsInIt)
   EXPECT_EQ(model.openings, 1u);
   EXPECT_EQ(count(model.text, "=IFCWALL("), 7u);
   EXPECT_EQ(count(model.text, "=IFCRELVOIDSELEMENT("), 1u);
-  // 4 walls a room, the one between them twice, floor and ceiling.
+  // 4 walls per room, the shared one twice, plus floor and ceiling.
   EXPECT_EQ(count(model.text, "=IFCRELSPACEBOUNDARY1STLEVEL("), 8u + 4u);
 }
 
@@ -112,7 +112,7 @@ TEST(WriteIfc, BelowARoofOfPlanesWallsAreSweptAndCut)
   EXPECT_EQ(count(writeIfc(plan).text, "IFCTRIANGULATEDFACESET"), 0u);
   plan.rooms[0].ceiling = slabAt(2.5, 0.3, 0);
   const std::string text = writeIfc(plan).text;
-  // The space and the slab of the ceiling are triangles.
+  // The space and the ceiling slab are triangulated.
   EXPECT_EQ(count(text, "=IFCTRIANGULATEDFACESET("), 2u);
   EXPECT_EQ(count(text, "=IFCBOOLEANCLIPPINGRESULT("), 4u);
   // A ridge is cut twice; in a valley the lowest plane is not the top.

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-// Stands in front of the function of sedr_surface.
+// Replaces the function of sedr_surface.
 
 pcl::sedr::RoomSurface
 pcl::sedr::surfaceOf(const RoomSamples& samples,

@@ -28,7 +28,7 @@ using Points = std::vector<std::vector<float>>;
 
 constexpr std::size_t excerpt_step = 7;
 
-/** A room of 6 x 6 x 2 m, every so many points of it not finite. */
+/** A room of 6 x 6 x 2 m; one in `nans` points is not finite, none if 0. */
 Points
 roomPoints(std::size_t n, unsigned seed, std::size_t nans = 0)
 {
@@ -62,7 +62,7 @@ asciiPcd(const Points& points)
   return text;
 }
 
-/** A folder that rank 0 fills, and all ranks thin scans of. */
+/** A folder that rank 0 fills with scans, which all ranks thin. */
 class JointThinningTest : public ::testing::Test {
 protected:
   JointThinningTest()
@@ -72,7 +72,7 @@ protected:
 
   ~JointThinningTest() override
   {
-    mail_.fromFirst(""); // the folder stays until all are done
+    mail_.fromFirst(""); // the folder is kept until all are done
     mail_.gather("");
   }
 
@@ -102,7 +102,7 @@ protected:
     return thinTogether(mail_, order, 1);
   }
 
-  /** What one process makes of one file. */
+  /** The result of one process for a whole file. */
   struct Whole {
     pcl::PointCloud<pcl::PointXYZ> points;
     std::shared_ptr<const std::vector<Eigen::Vector3f>> excerpt;
@@ -142,7 +142,7 @@ protected:
 
 TEST_F(JointThinningTest, OfSeveralFilesGivesTheBytesOfOneProcess)
 {
-  // More points than are looked at for the check, in files of all kinds.
+  // More points than are sampled for the check, in files of all kinds.
   const Points first = roomPoints(90000, 1, 50);
   const Points second = roomPoints(40000, 2);
   const Points third = roomPoints(120001, 3, 11);

@@ -12,7 +12,7 @@ namespace {
 
 using namespace pcl::sedr::tools;
 
-/** What rank `from` has for rank `to`: some of it more than one sheet of paper. */
+/** Returns the message of rank `from` for rank `to`; one exceeds 64 MiB. */
 std::string
 letter(int from, int to)
 {

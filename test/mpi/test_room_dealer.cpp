@@ -21,7 +21,7 @@ jobOf(std::size_t number)
   return job;
 }
 
-/** Counts the points of a room; room 3 cannot be done, by whomever. */
+/** Counts the points of a room; room 3 fails on every rank. */
 RoomResult
 countPoints(const RoomJob& job)
 {

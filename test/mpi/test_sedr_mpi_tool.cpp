@@ -32,7 +32,7 @@ protected:
     return (folder_.path() / name).string();
   }
 
-  /** mpirun works for root too, and with more ranks than processors. */
+  /** Allows mpirun for root and with more ranks than processors. */
   static void SetUpTestSuite()
   {
     for (const char* name : {"OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM",
@@ -47,7 +47,7 @@ protected:
     return run(MPIEXEC, all);
   }
 
-  /** The same files in two folders, but for the times in the report. */
+  /** Expects the same files in two folders, except for the times in the report. */
   static void expectSame(const fs::path& a, const fs::path& b)
   {
     std::size_t files = 0;
@@ -75,7 +75,7 @@ protected:
     return report;
   }
 
-  /** What the program itself says; mpirun has more to tell of failures. */
+  /** Returns the program's own messages, without those of mpirun. */
   static Strings saidIn(const std::string& err)
   {
     Strings said;
@@ -120,8 +120,8 @@ TEST_F(SedrMpiTool, GivesTheBytesOfOneProcessForAnyNumberOfRanks)
   }
 }
 
-/** The points as E57 of two scans, the first half from one place and the rest from
- * another. */
+/** Returns the points as an E57 file of two scans from two positions, half of the
+ * points each. */
 std::string
 asE57(const RoomScan& scan)
 {
@@ -277,7 +277,7 @@ TEST_F(SedrMpiTool, ARoomThatFailsIsToldAndTheOthersAreThere)
   EXPECT_EQ(rooms[1].at("mesh").at("closed_manifold"), false);
 }
 
-/** The process of a rank of the program that writes to `folder`; 0: there is none. */
+/** Returns the process of a rank of the program that writes to `folder`; 0 if none. */
 pid_t
 processOf(int rank, const std::string& folder)
 {

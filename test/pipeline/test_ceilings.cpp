@@ -19,8 +19,8 @@ namespace sim = pcl::sedr::sim;
 struct ExpectedCeiling {
   std::string scene;
   std::size_t walls;
-  std::size_t facets; ///< beside the main one
-  double radius;      ///< of the curves; 0: there are none
+  std::size_t facets; ///< besides the main one
+  double radius;      ///< of the curves; 0: none
 };
 
 std::ostream&
@@ -31,7 +31,7 @@ operator<<(std::ostream& stream, const ExpectedCeiling& e)
 
 class Ceiling : public testing::TestWithParam<ExpectedCeiling> {};
 
-/** @brief The closed structural mesh of a scene, in the frame of its scan. */
+/** @brief Returns the closed structural mesh of a scene, in the frame of its scan. */
 std::shared_ptr<const pcl::sedr::TriangleMesh>
 truthOf(const sim::Scene& scene)
 {

@@ -17,7 +17,7 @@ namespace {
 
 using Reconstruction = pcl::IndoorStructureReconstruction<pcl::PointXYZ>;
 
-/** @brief A real scan from the folder that SEDR_DATA names; null without it. */
+/** @brief Returns a real scan from the folder SEDR_DATA; null if it is not set. */
 pcl::PointCloud<pcl::PointXYZ>::Ptr
 realScan(const std::string& name)
 {
@@ -49,7 +49,7 @@ TEST(RealScan, synth1_has_its_four_rooms_with_corners_to_the_centimetre)
   Reconstruction chain;
   chain.setInputCloud(cloud);
   ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
-  // Corners of the planes fitted to the scan's walls, see the data's own description.
+  // Corners of the planes fitted to the scan's walls: see the data's description.
   const std::vector<Eigen::Vector2d> corners{
       {-1.4, -2.8},  {2.4, -2.8},  {2.4, 1.0},  {1.4, 1.9},  {-1.4, 1.9},
       {2.5, -2.8},   {5.9, -2.8},  {5.9, 1.9},  {3.5, 1.9},  {2.5, 1.0},
@@ -104,7 +104,7 @@ TEST(RealScan, apartment_rooms_close_but_for_a_handle_at_most)
   chain.setInputCloud(cloud);
   pcl::PolygonMesh mesh;
   chain.reconstruct(mesh);
-  // Passages without doors between some of them may be rooms of their own.
+  // Some passages without doors may be separate rooms.
   ASSERT_GE(chain.getFloorplan()->rooms.size(), 13u) << chain.getErrorMessage();
   ASSERT_LE(chain.getFloorplan()->rooms.size(), 15u);
   const auto topology = topologyOf(mesh);

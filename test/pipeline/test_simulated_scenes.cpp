@@ -20,7 +20,7 @@ namespace {
 namespace sim = pcl::sedr::sim;
 using Reconstruction = pcl::IndoorStructureReconstruction<pcl::PointXYZ>;
 
-/** @brief A scan of a scene. */
+/** @brief Returns a scan of a scene. */
 pcl::PointCloud<pcl::PointXYZ>::ConstPtr
 cloudOf(const std::string& scene, const sim::ScanOptions& options = {})
 {
@@ -30,7 +30,7 @@ cloudOf(const std::string& scene, const sim::ScanOptions& options = {})
   return cloud;
 }
 
-/** @brief A scene as it is scanned, simulated once for all tests. */
+/** @brief Returns the scan of a scene, simulated once for all tests. */
 pcl::PointCloud<pcl::PointXYZ>::ConstPtr
 scanOf(const std::string& scene)
 {
@@ -41,7 +41,7 @@ scanOf(const std::string& scene)
   return scan;
 }
 
-/** @brief The closed structural mesh of a scene, in the frame of its scan. */
+/** @brief Returns the closed structural mesh of a scene, in the frame of its scan. */
 std::shared_ptr<const pcl::sedr::TriangleMesh>
 truthOf(const std::string& scene)
 {
@@ -128,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Expected{"syn_flat", 4, 19, 0, 0, 98.85, 0.001}),
     [](const auto& scene) { return scene.param.scene; });
 
-/** @brief Options of a scan with other noise and another seed than usual. */
+/** @brief Returns scan options with the given noise and seed. */
 sim::ScanOptions
 noiseAndSeed(double noise, std::uint64_t seed)
 {

@@ -5,11 +5,12 @@
 
 #include <utility>
 
-/** @file Small scenes whose measures can be worked out by hand. */
+/** @file Small scenes whose measures are known in closed form. */
 
 namespace pcl::sedr::sim::test {
 
-/** @brief A room of @p width x @p depth x @p height with its corner at the origin. */
+/** @brief Returns a room of @p width x @p depth x @p height with its corner at the
+ * origin. */
 inline Room
 makeBoxRoom(double width, double depth, double height)
 {
@@ -20,8 +21,7 @@ makeBoxRoom(double width, double depth, double height)
   return room;
 }
 
-/** @brief A scene of one room, scanned from one place with @p rays rays, without noise.
- */
+/** @brief Returns a scene of one room, scanned from one station without noise. */
 inline Scene
 makeScene(Room room, Vec3 station, std::size_t rays)
 {

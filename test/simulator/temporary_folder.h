@@ -10,7 +10,7 @@
 
 namespace pcl::sedr::sim::test {
 
-/** @brief An empty folder that vanishes with its owner. */
+/** @brief An empty folder that is removed with its owner. */
 class TemporaryFolder {
 public:
   TemporaryFolder()
@@ -38,7 +38,7 @@ private:
   std::filesystem::path path_;
 };
 
-/** @brief All bytes of a file; empty if there is none. */
+/** @brief Returns all bytes of a file; empty if it does not exist. */
 inline std::string
 bytesOf(const std::filesystem::path& path)
 {

@@ -11,7 +11,7 @@
 namespace pcl::sedr::sim::test {
 namespace {
 
-/** @brief How a run of the program ended. */
+/** @brief Exit code and output of a run of the program. */
 struct Outcome {
   int exit_code = -1;
   std::string output;
@@ -36,7 +36,7 @@ protected:
     return folder_.path() / name;
   }
 
-  /** @brief Expects exit code 1 and a single line on stderr that holds @p part. */
+  /** @brief Expects exit code 1 and a single line on stderr that contains @p part. */
   void expectRefused(const std::string& arguments, const std::string& part) const
   {
     const Outcome outcome = run(arguments);

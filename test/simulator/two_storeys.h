@@ -7,9 +7,9 @@
 
 namespace pcl::sedr::sim::test {
 
-/** @brief Below 6 x 5 x 2.6 m, a slab of 0.3 m, above 6 x 5 x 2.5 m, stairs between
- * them; a hall of 4 x 5 x 5.4 m behind 0.2 m of wall, open to both.
- */
+/** @brief Returns a file of three rooms: a lower one of 6 x 5 x 2.6 m, and above a slab
+ * of 0.3 m an upper one of 6 x 5 x 2.5 m, with stairs. A hall of 4 x 5 x 5.4 m behind
+ * 0.2 m of wall is open to both. */
 inline json
 twoStoreyFile()
 {

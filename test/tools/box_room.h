@@ -13,7 +13,7 @@ namespace programs {
 
 using Label = pcl::sedr::StructureLabel;
 
-/** What a room of the tests is like; metres. */
+/** The geometry of a test room; metres. */
 struct BoxRoom {
   double x = 0.37; ///< its corner
   double y = -1.21;
@@ -24,14 +24,14 @@ struct BoxRoom {
   bool has_soffit = false; ///< 0.6 m wide along the wall at `x`, 0.4 m deep
 };
 
-/** A point of a scan, and what it is in truth. */
+/** A point of a scan with its true label and room. */
 struct RoomPoint {
   float x, y, z;
   Label label;
   std::uint32_t room;
 };
 
-/** A scan made of flat pieces, points 5 cm apart, each off its piece by up to 2 mm. */
+/** A scan of flat pieces with points 5 cm apart, each up to 2 mm off its piece. */
 class RoomScan {
 public:
   std::vector<RoomPoint> points;
@@ -59,8 +59,8 @@ public:
       }
   }
 
-  /** Floor, ceiling and walls; a doorway in the wall at y, a cupboard that hides a part
-   * of the wall at y + depth, and a table. */
+  /** Adds floor, ceiling and walls, a doorway in the wall at y, a cupboard that hides a
+   * part of the wall at y + depth, and a table. */
   void addRoom(const BoxRoom& room)
   {
     const auto add = [&](double x1, double y1, double z1, double x2, double y2,
@@ -85,8 +85,8 @@ public:
     addFurniture(room);
   }
 
-  /** The bytes of a PCD with x, y, z and the number of the point as intensity, and with
-   * label and room if they are asked for. */
+  /** Returns a PCD of x, y, z and the number of the point as intensity, and with label
+   * and room if requested. */
   std::string pcd(bool with_labels) const
   {
     const std::string n = std::to_string(points.size());
@@ -114,7 +114,7 @@ public:
     return bytes;
   }
 
-  /** Adds another scan, raised by `height`, its rooms numbered on from `rooms`. */
+  /** Adds another scan raised by `height`; its rooms are numbered from `rooms` + 1. */
   void addRaised(const RoomScan& other, double height, std::uint32_t rooms)
   {
     for (RoomPoint p : other.points) {
@@ -124,7 +124,7 @@ public:
     }
   }
 
-  /** The scan without the points for which `test` holds. */
+  /** Returns the scan without the points for which `test` is true. */
   template <typename Test>
   RoomScan without(Test test) const
   {

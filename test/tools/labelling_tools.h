@@ -10,7 +10,7 @@ namespace programs {
 
 using Strings = std::vector<std::string>;
 
-/** Runs a tool that labels a scan or fits a plan to it, in a folder of its own. */
+/** Runs a tool that labels a scan or fits a plan to it, in a temporary folder. */
 class LabellingTools : public ::testing::Test {
 protected:
   std::string in(const std::string& name) const
@@ -29,7 +29,7 @@ protected:
     return run(tool, arguments);
   }
 
-  /** Exit code 2, one sentence that holds `words`, and no output. */
+  /** Expects exit code 2, a sentence with `words`, and no output. */
   void expectNothingFound(const ProgramRun& result, const std::string& words) const
   {
     EXPECT_EQ(result.exit_code, 2) << result.err;
@@ -39,7 +39,7 @@ protected:
     EXPECT_FALSE(std::filesystem::exists(in("output.json")));
   }
 
-  /** Share of the points that were `truth` and are `found` now. */
+  /** Returns the share of points with label `truth` that now have label `found`. */
   static double share(const RoomScan& scan,
                       const pcl::sedr::tools::ToolCloud& cloud,
                       Label truth,

@@ -7,21 +7,20 @@
 
 namespace programs {
 
-/** What a program's help says of an option: its name without dashes, and all words
- * after it. */
+/** An option in a program's help: its name without dashes, and its text. */
 struct OptionHelp {
   std::string name;
   std::string text;
 
   bool takesValue() const { return text.compare(0, 4, "arg ") == 0; }
 
-  /** A switch has none, whatever takes a value must tell it. */
+  /** Returns true for switches, and for options whose text gives the default. */
   bool tellsDefault() const
   {
     return !takesValue() || text.find("default ") != std::string::npos;
   }
 
-  /** Whether it takes a number that may not be just any. */
+  /** Returns true if the text gives a range of values. */
   bool hasRange() const
   {
     return text.find("(above ") != std::string::npos ||
@@ -30,7 +29,7 @@ struct OptionHelp {
   }
 };
 
-/** The options in the help of a program, but for -h. */
+/** Returns the options in the help of a program, except -h. */
 inline std::vector<OptionHelp>
 optionsIn(const std::string& help)
 {

@@ -15,13 +15,13 @@ namespace programs {
 using pcl::sedr::sim::test::bytesOf;
 using pcl::sedr::sim::test::TemporaryFolder;
 
-/** What a program left behind. */
+/** The result of a program run. */
 struct ProgramRun {
-  int exit_code = -1; ///< 124: it took over a minute; above 128: it crashed
+  int exit_code = -1; ///< 124: took over a minute; above 128: crashed
   std::string out;
   std::string err;
 
-  /** Whether stderr is one line, which a program is to say when it fails. */
+  /** Returns true if stderr is a single line, as required of failing programs. */
   bool failsInOneSentence() const
   {
     return err.size() > 20 && std::count(err.begin(), err.end(), '\n') == 1 &&

@@ -12,7 +12,7 @@
 
 namespace programs {
 
-/** Bytes of a PCD of floats x y z, and a label where `labels` are given. */
+/** Returns a PCD of floats x y z, and a label if `labels` are given. */
 inline std::string
 pcdBytes(const std::vector<std::vector<float>>& points,
          const std::vector<std::uint32_t>& labels = {})
@@ -37,7 +37,7 @@ inline void
 writeFile(const std::filesystem::path& path, const std::string& bytes)
 {
   std::filesystem::remove(
-      path); // rewriting a file waits for the disk, a new one does not
+      path); // rewriting a file waits for the disk, creating one does not
   std::ofstream(path, std::ios::binary) << bytes;
 }
 

@@ -16,16 +16,16 @@
 
 namespace programs {
 
-/** Two box rooms side by side, 0.2 m of wall between, with all that a run leaves of
- * them: known in closed form. */
+/** Two box rooms with 0.2 m of wall between them, and all results of a run, known in
+ * closed form. */
 struct SampleResult {
   BoxRoom first;
   BoxRoom second;
   RoomScan scan;
   pcl::sedr::Floorplan plan;
-  pcl::sedr::TriangleMesh solid; ///< faces out of the rooms
+  pcl::sedr::TriangleMesh solid; ///< normals out of the rooms
   std::vector<pcl::sedr::SolidElement> elements;
-  pcl::sedr::TriangleMesh mesh; ///< the same, faces into the rooms
+  pcl::sedr::TriangleMesh mesh; ///< the same, normals into the rooms
 
   SampleResult()
   {
@@ -47,13 +47,13 @@ struct SampleResult {
     mesh.flip();
   }
 
-  /** A file of `folder` with these bytes. */
+  /** Writes the bytes to a file. */
   static void write(const std::filesystem::path& path, const std::string& bytes)
   {
     std::ofstream(path, std::ios::binary) << bytes;
   }
 
-  /** Leaves the files of a run in `folder`, and the scan beside it. */
+  /** Writes the files of a run to `folder`, and the scan beside it. */
   void writeTo(const std::filesystem::path& folder) const
   {
     std::filesystem::create_directories(folder);

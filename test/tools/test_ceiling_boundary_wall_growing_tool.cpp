@@ -30,7 +30,7 @@ protected:
     ++count_;
   }
 
-  /** @brief 21 x 21 points over 2 m x 2 m. */
+  /** @brief Adds 21 x 21 points over 2 m x 2 m. */
   void addSlab(double x, double z, int label, int room)
   {
     for (int i = 0; i < 441; ++i)
@@ -46,7 +46,7 @@ protected:
     return run(CEILING_BOUNDARY_WALL_GROWING, options);
   }
 
-  /** @brief Labels of the points from the `first` on. */
+  /** @brief Returns the labels of the points from index `first` on. */
   std::vector<std::uint32_t> labelsFrom(std::size_t first) const
   {
     const ToolCloud cloud = loadCloud(in("output.pcd"));
@@ -67,10 +67,10 @@ TEST_F(WallGrowingTool, GrowsEveryRoomByItselfAndGivesSharedPointsToTheNearer)
   addSlab(2.1, 2.5, 1, 2); // behind a wall of 10 cm
   const std::size_t first = count_;
   add(2.03, 1, 1, 0, 0); // face of the wall in room 1
-  add(2.07, 1, 1, 0, 0); // and in room 2
-  add(2.03, 1, 2, 0, 2); // known to be of room 2
+  add(2.07, 1, 1, 0, 0); // face of the wall in room 2
+  add(2.03, 1, 2, 0, 2); // labelled room 2
   add(-0.05, 1, 1, 3, 1);
-  add(1, 1, 1, 3, 1); // was taken for a wall
+  add(1, 1, 1, 3, 1); // labelled wall
   add(-0.05, 1, 2, 5, 1);
   const ProgramRun result = grow();
   EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -94,7 +94,7 @@ TEST_F(WallGrowingTool, SlicesAtTheLowestDetailUnlessToldOtherwise)
   addSlab(2.1, 0, 2, 0);
   const std::size_t first = count_;
   add(2.05, 1, 2.2, 0, 0); // at the riser
-  add(2.05, 1, 1.9, 0, 0); // below it there is room, not wall
+  add(2.05, 1, 1.9, 0, 0); // below the riser is air, not wall
   add(4.15, 1, 1.9, 0, 0);
   EXPECT_EQ(grow().exit_code, 0);
   EXPECT_EQ(labelsFrom(first), (Whole{3, 0, 3}));

@@ -26,7 +26,7 @@ protected:
 
   ToolCloud output() const { return loadCloud(in("output.pcd")); }
 
-  /** Runs a tool on an ascii PCD with the fields x y z label room intensity. */
+  /** Runs a tool on an ASCII PCD with the fields x y z label room intensity. */
   ProgramRun onPoints(const std::string& tool,
                       const std::vector<std::string>& lines,
                       const std::vector<std::string>& options = {})
@@ -118,7 +118,7 @@ ceilings()
   for (int y = 0; y < 5; ++y)
     for (int x = 10; x < 15; ++x)
       add(x, y);
-  lines.push_back("40.5 40.5 0 2 8 100"); // a floor point, none of this tool's business
+  lines.push_back("40.5 40.5 0 2 8 100"); // a floor point, which this tool ignores
   return lines;
 }
 

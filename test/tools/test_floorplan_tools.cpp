@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <filesystem>
 
-// What the tools write is read back by test_floorplan_outputs.py.
+// The output of the tools is checked by test_floorplan_outputs.py.
 
 namespace {
 
@@ -22,7 +22,7 @@ using namespace programs;
 using namespace sedr_test;
 using Strings = std::vector<std::string>;
 
-/** Both tools: PLAN.json in, one file out. */
+/** Both tools convert PLAN.json into one file. */
 class FloorplanTools
     : public ::testing::TestWithParam<std::pair<std::string, std::string>> {
 protected:
@@ -95,7 +95,7 @@ TEST_P(FloorplanTools, BadUseIsRefused)
   expectFailure(run(program(), {plan_file, in("output.txt")}), 1);
   expectFailure(run(program(), {plan_file, in("no_folder/" + output())}), 1);
   for (const auto& option : optionsIn(run(program(), {"-h"}).out)) {
-    if (option.name == "title") // any text is one
+    if (option.name == "title") // any text is valid
       continue;
     for (const char* value : {"many", "-1"})
       expectFailure(
@@ -154,7 +154,7 @@ TEST(FloorplanExtrusionTool, ARoomThatCannotBeBuiltIsTold)
   EXPECT_FALSE(std::filesystem::exists(solid));
 }
 
-/** pcl_floorplan_drawing with a plan of two storeys. */
+/** Runs pcl_floorplan_drawing on a plan of two storeys. */
 class StoreyDrawings : public ::testing::Test {
 protected:
   std::string in(const std::string& name) const
@@ -206,7 +206,7 @@ TEST_F(StoreyDrawings, OfOneThatIsNotThereAreRefused)
   EXPECT_FALSE(has("out.svg"));
 }
 
-/** The names of the files of a folder, in their order. */
+/** Returns the sorted names of the files of a folder. */
 Strings
 filesOf(const std::string& folder)
 {
@@ -237,7 +237,7 @@ TEST_F(StoreyDrawings, OfAnEarlierRunMakeWay)
   EXPECT_EQ(write(three).size(), 9u);
   EXPECT_EQ(write(twoStoreys()), of_two);
   EXPECT_EQ(write(one), of_one);
-  writeFile(in("model/floorplan_7.svg"), "a scan"); // whatever its name is
+  writeFile(in("model/floorplan_7.svg"), "a scan"); // no drawing, despite its name
   pcl::sedr::tools::writeDrawings(folder, one, in("model/floorplan_7.svg"));
   EXPECT_EQ(filesOf(in("model")).size(), 4u) << "what was read stays";
 }

@@ -27,7 +27,7 @@ TEST_F(HorizontalPlaneDetectionTool, LabelsCeilingAndFloorAndKeepsAllFields)
   EXPECT_EQ(result.err, "");
   const ToolCloud cloud = loadCloud(in("output.pcd"));
   expectIntensity(cloud);
-  // Columns of walls are neither, so one row of points along each wall is lost.
+  // Profiles of walls get no label, so one row of points along each wall is lost.
   EXPECT_GT(share(scan, cloud, Label::Ceiling, Label::Ceiling), 0.93);
   EXPECT_GT(share(scan, cloud, Label::Floor, Label::Floor), 0.9);
   EXPECT_EQ(share(scan, cloud, Label::Floor, Label::Ceiling), 0);
@@ -122,7 +122,7 @@ TEST_F(HorizontalPlaneDetectionTool, SuspectsATurnedScanWhereNothingIsFound)
 {
   BoxRoom room;
   room.width = 6;
-  room.depth = 4.4; // as a height it would do
+  room.depth = 4.4; // plausible as a height
   RoomScan scan = scanOf(room);
   for (auto& p : scan.points)
     std::swap(p.y, p.z);

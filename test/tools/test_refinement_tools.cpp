@@ -66,8 +66,8 @@ protected:
   TemporaryFolder folder_;
 };
 
-/** Distance of a point from the surface of its label in the true room, and whether its
- * normal is that of the surface, into the room. */
+/** Returns the distance of a point from the surface of its label in the true room, and
+ * whether its normal is that of the surface, pointing into the room. */
 std::pair<double, bool>
 errorOf(const BoxRoom& room,
         const Eigen::Vector3f& p,
@@ -113,8 +113,7 @@ TEST_F(RefinementTools, RefinementMovesPointsOntoTheirSurfaces)
   const ToolCloud cloud = loadCloud(in("output.pcd"));
   expectOnSurfaces(cloud, normalsOf(cloud));
 
-  // Every labelled point is there, in order, with its fields and its place on the
-  // surface.
+  // Every labelled point is present, in order, with its fields and on its surface.
   const auto intensity = floatField(cloud.blob, "intensity");
   std::size_t next = 0;
   for (std::size_t i = 0; i < scan.points.size(); ++i) {
@@ -168,17 +167,16 @@ TEST_F(RefinementTools, RepairClosesTheDoorAndWhatTheCupboardHid)
   EXPECT_EQ(result.out + result.err, "") << "quiet when piped";
   const ToolCloud cloud = loadCloud(in("output.pcd"));
   expectOnSurfaces(cloud, normalsOf(cloud));
-  // 59 square metres of surface, 400 cells of each.
+  // 59 square metres of surface, 400 cells per square metre.
   EXPECT_NEAR(static_cast<double>(cloud.size()), 400 * (24 + 35), 300);
 
-  // Points that were seen come first and keep their fields, new ones have zeros in
-  // them.
+  // Scanned points come first and keep their fields; new points have zeros in them.
   const auto intensity = floatField(cloud.blob, "intensity");
   const auto added = std::find_if(intensity.rbegin(), intensity.rend(),
                                   [](float v) { return v != 0; }) -
                      intensity.rbegin();
   EXPECT_LE(std::count(intensity.begin(), intensity.end() - added, 0.f), 1);
-  // The doorway of 2 square metres, the wall of 1.8 and the floor of 2 at the cupboard.
+  // The doorway of 2 square metres; at the cupboard 1.8 of wall and 2 of floor.
   EXPECT_NEAR(static_cast<double>(added), 400 * 5.8, 250);
 
   const auto countNear = [&](float x, float y, float z) {

@@ -40,7 +40,7 @@ protected:
     return run(SEDR, arguments);
   }
 
-  /** The exit code, one sentence that holds `words`, and no file but the input. */
+  /** Expects the exit code, a sentence with `words`, and no new file. */
   void expectFailure(const ProgramRun& result, int exit_code, const std::string& words)
   {
     EXPECT_EQ(result.exit_code, exit_code) << result.err;
@@ -190,7 +190,7 @@ TEST_F(SedrTool, LeavesNothingOfAnEarlierRunBesideItsOwnFiles)
     EXPECT_FALSE(std::filesystem::exists(in(drawing))) << drawing;
   for (const char* mine : {"model/notes.txt", "model/floorplan_old.svg"})
     EXPECT_TRUE(std::filesystem::exists(in(mine))) << mine;
-  writeFile(in("model/mesh.ply"), scan); // a scan's type is told by its content
+  writeFile(in("model/mesh.ply"), scan); // the type of a scan follows from its content
   const ProgramRun third = run(SEDR, {in("model/mesh.ply"), in("model"), "--no-mesh"});
   ASSERT_EQ(third.exit_code, 0) << third.err;
   EXPECT_TRUE(bytesOf(in("model/mesh.ply")) == scan) << "what was read stays";
@@ -386,7 +386,7 @@ TEST_F(SedrTool, ScansWithoutAStructureAreToldWhichStageFoundNothing)
   expectFailure(onFile(scan.withoutLabel(Label::Wall).pcd(false)), 2, "walls");
 }
 
-/** A room of 12 m2, and beside it 48 m2 of floor and ceiling without a wall. */
+/** A room of 12 m2, and beside it 48 m2 of floor and ceiling without walls. */
 RoomScan
 roomBesideOpenHall()
 {

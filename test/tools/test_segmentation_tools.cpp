@@ -31,11 +31,11 @@ TEST_F(SegmentationTools, SliceDetailFindsTheSoffitOfEveryRoom)
     if (p.z > 2.11f)
       p.label = Label::Other;
   RoomScan input = scan;
-  for (auto& p : input.points) // as plane detection leaves it: the soffit is a ceiling
+  for (auto& p : input.points) // plane detection labels the soffit ceiling
     if (p.label == Label::Detail)
       p.label = p.z < 2.11f ? Label::Ceiling : Label::Other;
     else if (p.label == Label::Other && p.z < 0.76f && p.z > 0.74f)
-      p.label = Label::Floor; // a table that was taken for a floor
+      p.label = Label::Floor; // a table that is labelled floor
     else if (p.label != Label::Ceiling && p.label != Label::Floor)
       p.label = Label::Other;
   const ProgramRun result = runOn(GRID_SLICE_DETAIL, input.pcd(true), "output.pcd");
@@ -98,7 +98,7 @@ TEST_F(SegmentationTools, FloorplanFittingGivesTheWallsOfEveryRoom)
 
 TEST_F(SegmentationTools, FloorplanFittingFollowsTheRawScan)
 {
-  // A raw scan 6 mm higher and 5 mm to the side of what was labelled.
+  // A raw scan shifted by 6 mm upwards and 5 mm sideways from the labelled points.
   const RoomScan scan = scanOf();
   RoomScan raw = scan;
   for (auto& p : raw.points) {

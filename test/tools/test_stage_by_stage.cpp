@@ -36,7 +36,7 @@ twoRooms()
   return scan;
 }
 
-/** The programs of the stages, with their defaults. */
+/** Runs the programs of the stages with their defaults. */
 class StageByStage : public ::testing::Test {
 protected:
   std::string in(const std::string& name) const
@@ -54,7 +54,7 @@ protected:
     EXPECT_EQ(result.err, "") << tool;
   }
 
-  /** One after the other, up to the floor plan. */
+  /** Runs the stages in order, up to the floor plan. */
   void fitPlan(const RoomScan& scan)
   {
     writeFile(in("scan.pcd"), scan.pcd(false));
@@ -81,7 +81,7 @@ protected:
   TemporaryFolder folder_;
 };
 
-/** That each corner of a loop is one of the other to a millimetre. */
+/** Expects each corner of a loop within a millimetre of one of the other. */
 void
 expectSameLoop(const pcl::sedr::PlanLoop& found, const pcl::sedr::PlanLoop& expected)
 {

@@ -55,7 +55,7 @@ roomOf(std::uint32_t id, double x0, double y0, double x1, double y1)
   return room;
 }
 
-/** Two rooms 4.5 m deep, 9 m long together, a partition of 10 cm between them. */
+/** Two rooms 4.5 m deep, 9 m long in total, with a partition of 10 cm between them. */
 Floorplan
 twoRooms(double partition = 5)
 {
@@ -184,7 +184,7 @@ TEST(StructureCompare, ARoundWallThatMoves)
   ASSERT_EQ(changes.size(), 1u);
   EXPECT_EQ(changes[0].what, "wall");
   EXPECT_EQ(changes[0].kind, ChangeKind::Moved);
-  // From the depth of one arc, 1 m, to that of the other.
+  // From the depth of one arc, 1 m, to the depth of the other.
   EXPECT_NEAR(changes[0].shift.x(), (2.1 - std::sqrt(2.1 * 2.1 - 4)) - 1, 0.02);
 }
 
@@ -232,7 +232,7 @@ TEST(PlanAlignment, OfPlansWithoutCommonWallsThereIsNone)
   EXPECT_FALSE(alignPlans(transformed(twoRooms(), away), twoRooms()).has_value());
 }
 
-/** The program on plans. */
+/** Runs the program on plans. */
 class CompareTool : public ::testing::Test {
 protected:
   std::string in(const std::string& name) const
@@ -360,7 +360,7 @@ TEST_F(CompareTool, NamesExactlyWhatChangedBetweenTwoScans)
   EXPECT_EQ(changes[2].at("change"), "vanished");
 }
 
-/** The two rooms, and two that lie above them, with ids from 3. */
+/** The two rooms, and two above them with ids from 3. */
 Floorplan
 twoStoreys(double lower_partition = 5, double upper_partition = 5, double up = 3)
 {
@@ -420,7 +420,7 @@ TEST(StoreysCompare, ColumnsAndSlabsOfEachStorey)
 
 TEST(StoreysCompare, AnAlignmentDoesNotMixThem)
 {
-  // The walls of the storeys are 0.4 m apart: those of the wrong one lie within reach.
+  // The walls of the storeys are 0.4 m apart: the wrong one's are within reach.
   const Floorplan plan = twoStoreys(5, 4.6);
   PlanTransform away;
   away.angle = 0.01;
@@ -430,7 +430,7 @@ TEST(StoreysCompare, AnAlignmentDoesNotMixThem)
   EXPECT_NEAR(found->angle, -0.01, 1e-3);
   EXPECT_NEAR(found->shift.z(), -0.3, 1e-6);
   EXPECT_EQ(told(plan, transformed(transformed(plan, away), *found)), Lines{});
-  // Of one storey alone, the floor says which it is.
+  // The floor of a single storey identifies it.
   Floorplan upper = plan;
   upper.rooms.erase(upper.rooms.begin(), upper.rooms.begin() + 2);
   const auto of_upper = alignPlans(transformed(upper, away), plan);

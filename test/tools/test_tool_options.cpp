@@ -11,7 +11,7 @@ namespace {
 
 using namespace pcl::sedr::tools;
 
-/** A tool's options, as tests see them. */
+/** The options of a tool for tests. */
 struct SampleOptions {
   std::string input;
   float leaf = 0.05f;
@@ -40,7 +40,7 @@ struct SampleOptions {
     return options.parse(static_cast<int>(arguments.size()), arguments.data());
   }
 
-  /** The sentence of refusal. */
+  /** Returns the error sentence. */
   std::string refusal(const std::vector<const char*>& arguments)
   {
     try {

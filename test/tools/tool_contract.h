@@ -14,15 +14,15 @@
 #include <ostream>
 #include <utility>
 
-// What every tool of the form "pcl_x INPUT OUTPUT [options]" or "pcl_x INPUT PLAN.json
-// OUTPUT [options]" promises. A test program instantiates it with the tools it knows:
+// Tests of the requirements for every tool of the form "pcl_x INPUT OUTPUT [options]"
+// or "pcl_x INPUT PLAN.json OUTPUT [options]". A test program instantiates it:
 //
 //     INSTANTIATE_TEST_SUITE_P(Tools, ToolContract, ::testing::Values("/path/to/pcl_x",
 //     ...));
 
 namespace programs {
 
-/** A tool, and what it is called with. */
+/** A tool and its arguments. */
 struct Tool {
   Tool(const char* path)
       : program(path)
@@ -69,7 +69,7 @@ protected:
     return runOn(in("input.pcd"), in(GetParam().output));
   }
 
-  /** One sentence, the exit code, and no file but those that were there. */
+  /** Expects the exit code, one sentence, and no new file. */
   void expectFailure(const ProgramRun& result, int exit_code) const
   {
     EXPECT_EQ(result.exit_code, exit_code) << result.err;

@@ -25,7 +25,7 @@ struct Settings {
   std::string labelled;
   std::string map;
   double radius = 0.0866; ///< the diagonal of a voxel of 5 cm
-  double off_surface = 0; ///< metres, 0: any
+  double off_surface = 0; ///< metres; 0: no limit
   unsigned threads = 0;
 };
 
@@ -74,7 +74,7 @@ print(const LabelScores& of_scan, const LabelScores& of_structure)
                 percent(of_structure[k].precision()).c_str());
 }
 
-/** @brief What the points of each label of the scan were taken for. */
+/** @brief Prints the predicted labels of the points of each input label. */
 void
 print(const LabelTable& table)
 {

@@ -28,7 +28,7 @@ namespace sim = pcl::sedr::sim;
 
 namespace {
 
-/** @brief What the command line asks for. */
+/** @brief The options of the command line. */
 struct Settings {
   std::string scenes = "all";
   std::string noises = "0.001,0.005,0.01,0.02";
@@ -71,7 +71,7 @@ addOptions(Options& options, Settings& s)
                  Range::between(0, 256));
 }
 
-/** @brief A run that is to be done. */
+/** @brief A run to execute. */
 struct Task {
   const sim::Scene* scene;
   RunSettings settings;
@@ -93,8 +93,8 @@ loadScenes(const std::string& list)
   return scenes;
 }
 
-/** @brief Every scene at every noise and seed, in this order; of them the part asked
- * for. */
+/** @brief Returns the requested part of all runs: every scene at every noise and seed,
+ * in this order. */
 std::vector<Task>
 tasksOf(const std::vector<sim::Scene>& scenes, const Settings& settings)
 {
@@ -112,8 +112,7 @@ tasksOf(const std::vector<sim::Scene>& scenes, const Settings& settings)
   return tasks;
 }
 
-/** @brief Does a run in a process of its own: whatever happens there, there is a row.
- */
+/** @brief Executes a run in a separate process, so that even a crash yields a row. */
 RunRow
 run(const Task& task)
 {
@@ -157,7 +156,7 @@ print(const RunRow& row)
   std::fflush(stdout);
 }
 
-/** @brief Does all runs that are not there yet, and returns their rows with those. */
+/** @brief Executes all runs that are missing; returns the existing and the new rows. */
 std::vector<RunRow>
 runAll(const std::vector<Task>& tasks, const Settings& settings)
 {

@@ -27,9 +27,9 @@ namespace sim = pcl::sedr::sim;
 
 namespace {
 
-constexpr int kNameWidth = 16; ///< of scenes in a list
+constexpr int kNameWidth = 16; ///< of scene names in a list
 
-/** @brief What the command line asks for. Signed, or -1 would become a huge number. */
+/** @brief The command line. Numbers are signed so that -1 is not read as a huge one. */
 struct Arguments {
   std::string scene;
   std::filesystem::path folder;
@@ -45,7 +45,7 @@ struct Arguments {
   bool list = false;
   std::string print;
 
-  /** @brief Whether something is to be told and nothing to be scanned. */
+  /** @brief Returns true if only information is requested and nothing is scanned. */
   bool isQuestion() const { return help || version || list || !print.empty(); }
 };
 
@@ -107,7 +107,7 @@ printScenes()
   }
 }
 
-/** @brief Says no to a value out of its range. */
+/** @brief Throws @p sentence unless a value is valid. */
 void
 require(bool is_valid, const std::string& sentence)
 {
@@ -115,7 +115,7 @@ require(bool is_valid, const std::string& sentence)
     throw std::invalid_argument(sentence);
 }
 
-/** @brief Checks the numbers and takes them over.
+/** @brief Checks the numbers and applies them to the scan options.
  * @throw std::invalid_argument if one is out of range
  */
 void
@@ -159,7 +159,7 @@ parse(int argc, char** argv)
 
   po::options_description all;
   all.add(options).add(positional_options);
-  // -rays for --rays, as the other programs and PCL's own have it.
+  // Accept -rays for --rays, as the other programs and PCL's tools do.
   const int style = (po::command_line_style::default_style |
                      po::command_line_style::allow_long_disguise) &
                     ~po::command_line_style::allow_guessing;
@@ -188,7 +188,7 @@ showProgress(double share)
   std::fprintf(stderr, "\rscanning %3.0f %%%s", 100.0 * share, share < 1.0 ? "" : "\n");
 }
 
-/** @brief Makes sure of the folder before the long work begins. */
+/** @brief Creates the folder, or fails, before the long work begins. */
 void
 prepareFolder(const std::filesystem::path& folder)
 {

@@ -12,8 +12,8 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Calls `f` with a value of the C++ type behind `datatype`, a constant of
- * PCLPointField; not at all if it is none. */
+/** @brief Calls `f` with a value of the C++ type of `datatype`, a constant of
+ * PCLPointField; does nothing for an unknown type. */
 template <typename FunctionT>
 void
 withFieldType(std::uint8_t datatype, FunctionT f)
@@ -46,7 +46,7 @@ withFieldType(std::uint8_t datatype, FunctionT f)
   }
 }
 
-/** @brief The number at `where`, of type `datatype`; NaN for an unknown type. */
+/** @brief Reads the number at `where`, of type `datatype`; NaN for an unknown type. */
 inline double
 readField(const std::uint8_t* where, std::uint8_t datatype)
 {
@@ -58,8 +58,8 @@ readField(const std::uint8_t* where, std::uint8_t datatype)
   return value;
 }
 
-/** @brief Writes `value` to `where` as a `datatype`: rounded to the nearest and kept
- * within the range where that is an integer, NaN as 0. */
+/** @brief Writes `value` to `where` as type `datatype`. Integers are rounded to the
+ * nearest and clamped to the range; NaN becomes 0. */
 inline void
 writeField(std::uint8_t* where, std::uint8_t datatype, double value)
 {
@@ -69,8 +69,7 @@ writeField(std::uint8_t* where, std::uint8_t datatype, double value)
     constexpr auto high = std::numeric_limits<T>::max();
     if constexpr (!std::is_integral<T>::value)
       typed = static_cast<T>(value);
-    else if (value >=
-             static_cast<double>(high)) // itself perhaps above any T, once a double
+    else if (value >= static_cast<double>(high)) // as a double perhaps above any T
       typed = high;
     else if (value <= static_cast<double>(low))
       typed = low;
@@ -80,7 +79,7 @@ writeField(std::uint8_t* where, std::uint8_t datatype, double value)
   });
 }
 
-/** @brief Bytes of one value of type `datatype`, 0 for an unknown type. */
+/** @brief Returns the size of a `datatype` in bytes, 0 for an unknown type. */
 inline std::size_t
 fieldSize(std::uint8_t datatype)
 {

@@ -16,7 +16,7 @@ void
 expectLarge(void* begin, std::size_t bytes)
 {
 #ifdef __linux__
-  // Only pages that lie in it as a whole: others stand in what is left of them.
+  // Only whole pages: the others also hold neighbouring memory.
   const auto address = reinterpret_cast<std::uintptr_t>(begin);
   const std::size_t skipped = (large_page - address % large_page) % large_page;
   if (bytes >= skipped + large_page)

@@ -6,21 +6,20 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What a processor's large pages hold, bytes. */
+/** @brief Size of a large page, bytes. */
 constexpr std::size_t large_page = std::size_t{1} << 21;
 
-/** @brief Tells the system that all of this memory will soon be written for the first
- * time: it may then give it by large pages, which takes a small part of the time. A
- * hint, that changes nothing else. */
+/** @brief Announces that all of this memory will soon be written for the first time.
+ * The system may then use large pages, which saves most of the time. Only a hint. */
 void expectLarge(void* begin, std::size_t bytes);
 
-/** @brief Takes memory that holds nothing yet from the system, by large pages where it
- * gives them, on up to `threads` threads (0 = all): whoever fills it then need not wait
- * for it. Some of its bytes are zero after that. */
+/** @brief Makes the system provide fresh memory on up to `threads` threads (0 = all),
+ * by large pages if it can. Writing to it later does not wait for the system. Sets some
+ * of its bytes to zero. */
 void takeLarge(void* begin, std::size_t bytes, unsigned threads);
 
-/** @brief Empties a vector, and reserves and takes the memory for `size` values, plain
- * ones, with which it will soon be filled. O(bytes); `threads` 0 = all. */
+/** @brief Clears a vector, and reserves and touches the memory for `size` values of a
+ * plain type, before it is filled. O(bytes); `threads` 0 = all. */
 template <typename Values>
 void
 reserveLarge(Values& values, std::size_t size, unsigned threads)

@@ -15,8 +15,7 @@ namespace {
 constexpr std::size_t bins = 1024;
 constexpr std::size_t fewest_for_bins = 65;
 
-/** @brief Of values spread over a range, leaves those that share a part of it with the
- * one at `rank`, which becomes the rank among these. */
+/** @brief Keeps the values in the bin of the one at `rank`, and updates the rank. */
 void
 keepBinOf(std::size_t& rank, std::vector<double>& values)
 {
@@ -29,8 +28,8 @@ keepBinOf(std::size_t& rank, std::vector<double>& values)
   const double scale = (bins - 1) / (high - low);
   if (!std::isnormal(scale))
     return;
-  // Rises with the value, so that all values of a bin are below those of the next; the
-  // last one is for what is no number, lest the bins be left.
+  // Monotonic, so all values of a bin are below those of the next. The last bin is for
+  // NaN, which must not index outside.
   const auto binOf = [&](double v) {
     return v <= high ? static_cast<std::size_t>((v - low) * scale) : bins;
   };
@@ -50,7 +49,7 @@ keepBinOf(std::size_t& rank, std::vector<double>& values)
 double
 middleValue(std::vector<double> values)
 {
-  std::size_t rank = values.size() / 2; // among the values that are left
+  std::size_t rank = values.size() / 2; // among the remaining values
   if (values.size() >= fewest_for_bins)
     keepBinOf(rank, values);
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(rank);

@@ -6,9 +6,9 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The value at position n / 2 of n sorted values, n > 0: their median, of an
- * even number the upper one. None may be NaN. O(n): faster than std::nth_element()
- * where they are spread over a range, as distances are. */
+/** @brief Returns the median: the value at position n / 2 of n > 0 sorted values, the
+ * upper one if n is even. NaN is not allowed. O(n); faster than std::nth_element() for
+ * values spread over a range, such as distances. */
 double middleValue(std::vector<double> values);
 
 } // namespace sedr

@@ -7,7 +7,7 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A number for a sentence, six digits whatever its size: std::to_string()
+/** @brief Formats a number with six significant digits for a message: std::to_string()
  * writes 1e-300 as 0.000000 and 1e300 with 301 digits. */
 inline std::string
 numberText(double value)

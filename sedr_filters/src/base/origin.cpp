@@ -58,7 +58,7 @@ Origin::fromComment(const std::string& line, Origin& origin)
   return at != std::string::npos && fromText(line.substr(at + word.size()), origin);
 }
 
-// Not in the header: this alone takes five seconds of everybody's compiler.
+// Not in the header: it takes five seconds to compile.
 Levelling
 Levelling::of(const Eigen::Vector3d& up, const Eigen::Vector3d& about)
 {

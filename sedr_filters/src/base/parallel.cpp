@@ -21,15 +21,16 @@ namespace {
 
 using Body = std::function<void(std::size_t, std::size_t)>;
 
-/** @brief Who works on a call and on those within it: so many may be asked to help that
- * together they are as many threads as the outermost call asked for. */
+/** @brief The threads that work on a call and on the calls nested in it; together no
+ * more than the outermost call requested. */
 class Crew {
 public:
   explicit Crew(std::size_t others)
       : idle_(others)
   {}
 
-  /** @brief Engages up to `count` of those who are idle; how many these are. */
+  /** @brief Engages up to `count` idle threads.
+   * @return number of threads engaged */
   std::size_t engage(std::size_t count)
   {
     std::size_t idle = idle_;
@@ -45,10 +46,10 @@ private:
   std::atomic<std::size_t> idle_;
 };
 
-/** @brief The crew that this thread works in, none outside of all calls. */
+/** @brief The crew of this thread, null outside of all calls. */
 thread_local std::shared_ptr<Crew> own_crew;
 
-/** @brief The blocks of a call, which threads take one after another. */
+/** @brief The blocks of a call, taken by threads one after another. */
 class Blocks {
 public:
   Blocks(std::size_t n, std::size_t block, const Body& body)
@@ -60,8 +61,8 @@ public:
 
   std::size_t count() const { return count_; }
 
-  /** @brief Works on blocks until none is left to take. Who comes later does nothing,
-   * and not look at the body, which may be gone. */
+  /** @brief Works on blocks until none is left. A thread that comes later does nothing
+   * and does not access the body, which may no longer exist. */
   void work()
   {
     for (std::size_t b = next_++; b < count_; b = next_++) {
@@ -80,8 +81,7 @@ public:
     }
   }
 
-  /** @brief Waits for those that others have taken. Throws the first exception of any.
-   */
+  /** @brief Waits for the blocks of other threads; rethrows the first exception. */
   void finish()
   {
     std::unique_lock<std::mutex> lock(mutex_);
@@ -102,19 +102,19 @@ private:
   std::exception_ptr failure_;
 };
 
-/** @brief Threads that sleep until there is work for them: such that wait busily, as
- * OpenMP's do, take the processor from those who work where other programs run. */
+/** @brief Worker threads that sleep until there is work. Active waiting, as in OpenMP,
+ * takes time from working threads when other programs run. */
 class Helpers {
 public:
-  /** @brief Never destroyed: a process may end while they sleep. */
+  /** @brief Returns the instance, which is never destroyed: a process may end while the
+   * threads sleep. */
   static Helpers& shared()
   {
     static auto* const helpers = new Helpers;
     return *helpers;
   }
 
-  /** @brief Sees to it that there are `count` threads, or as many as the system gives.
-   */
+  /** @brief Starts threads up to `count`, or as many as the system allows. */
   void attach(std::size_t count)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -122,12 +122,12 @@ public:
       for (; threads_ < count; ++threads_)
         std::thread([this] { pool_.attach(); }).detach();
     }
-    catch (const std::system_error&) { // those there are do the work
+    catch (const std::system_error&) { // the existing threads do the work
     }
   }
 
-  /** @brief Lets `count` threads of a crew help with blocks; fewer where memory is
-   * short, as whoever works on the blocks can do without. */
+  /** @brief Lets `count` threads of a crew help with blocks; fewer if memory is short,
+   * because the caller can work alone. */
   void help(const std::shared_ptr<Blocks>& blocks,
             const std::shared_ptr<Crew>& crew,
             std::size_t count)
@@ -146,8 +146,8 @@ public:
   }
 
 private:
-  /** @brief Two at least: to a pool of one, what a thread of it posts is for the same
-   * thread, when it is done with what it works on. */
+  /** @brief At least two: in a pool of one thread, work posted by that thread waits
+   * until its current work is done. */
   static constexpr std::size_t first_threads = 2;
 
   Helpers()
@@ -182,7 +182,7 @@ parallelBlocks(std::size_t n, std::size_t block, unsigned threads, const Body& b
   const bool is_outermost = !own_crew;
   if (is_outermost) {
     own_crew = std::make_shared<Crew>(resolveThreads(threads) - 1);
-    // One takes the place of the caller when that has no block left and sleeps.
+    // One thread replaces the caller, which sleeps when no block is left.
     Helpers::shared().attach(resolveThreads(threads));
   }
   if (const std::size_t others = own_crew->engage(team - 1))

@@ -7,16 +7,14 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The number of threads a `requested` number stands for: 0 means all
- * processors. */
+/** @brief Returns the number of threads to use; 0 requests all processors. */
 unsigned resolveThreads(unsigned requested);
 
 /** @brief Calls `body(begin, end)` for consecutive blocks of at most `block` numbers
- * that together make up [0, n), on up to `threads` threads (0 = all). The blocks are
- * the same for any number of threads, their order is not. Within a body, further calls
- * are helped with by those of its threads that have run out of blocks. The first
- * exception of a body is thrown again when all have ended.
- */
+ * that make up [0, n), on up to `threads` threads (0 = all). The blocks are the same
+ * for any number of threads; their order is not. Nested calls are helped by threads of
+ * the outer call that have no blocks left. The first exception of a body is rethrown
+ * when all have ended. */
 void parallelBlocks(std::size_t n,
                     std::size_t block,
                     unsigned threads,

@@ -17,7 +17,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief Leaves in `inside` the points within `band` of the slab. */
+/** @brief Copies the points within `band` of the slab to `inside`. */
 void
 keepWithinBand(const Positions& points,
                const PlanSlab& slab,
@@ -33,8 +33,8 @@ keepWithinBand(const Positions& points,
   inside.resize(count);
 }
 
-/** @brief Notes how far each point is from the slab; the root mean square of that, 0
- * of none. */
+/** @brief Stores the distance of each point from the slab.
+ * @return their root mean square, 0 without points */
 double
 residualOf(const Positions& points,
            const PlanSlab& slab,
@@ -49,16 +49,14 @@ residualOf(const Positions& points,
   return points.empty() ? 0 : std::sqrt(sum / static_cast<double>(points.size()));
 }
 
-/** @brief 1.4826 times the median distance: the standard deviation, outliers left
- * aside. */
+/** @brief Returns 1.4826 times the median distance: a robust standard deviation. */
 double
 robustDeviation(std::vector<double> distances)
 {
   return 1.4826 * middleValue(std::move(distances));
 }
 
-/** @brief Half width of the band that holds what deviates so, no wider than `widest`.
- */
+/** @brief Returns the half width of the band for a deviation, at most `widest`. */
 double
 shrunk(double deviation, double widest)
 {
@@ -66,8 +64,8 @@ shrunk(double deviation, double widest)
   return std::min(widest, std::max(2.5 * deviation, least));
 }
 
-/** @brief The plane through three points, c > 0; false where it leans more than
- * allowed. */
+/** @brief Computes the plane through three points, c > 0.
+ * @return false if it is tilted by more than allowed */
 bool
 planeThrough(const Eigen::Vector3d& a,
              const Eigen::Vector3d& b,
@@ -86,8 +84,7 @@ planeThrough(const Eigen::Vector3d& a,
   return true;
 }
 
-/** @brief The horizontal plane at the height around which, within the tolerance, most
- * points lie. */
+/** @brief Returns the horizontal plane with most points within the tolerance. */
 PlanSlab
 densestLevel(const Positions& points, double tolerance)
 {
@@ -108,7 +105,7 @@ densestLevel(const Positions& points, double tolerance)
   return horizontalSlab(heights.empty() ? 0 : heights[(best_first + best_last) / 2]);
 }
 
-/** @brief The slab that fits best; its residual is left to the caller. */
+/** @brief Returns the least-squares slab, without its residual. */
 PlanSlab
 bestSlab(const Positions& points)
 {
@@ -152,7 +149,7 @@ fitParallel(const Positions& points,
   slab.plane.head<3>() = direction.plane.head<3>();
   Positions inside;
   keepWithinBand(points, start, band, inside);
-  // Turned about the points, not about the origin, which may be far away.
+  // Rotated about the points, not about the origin, which may be far away.
   std::vector<double> offsets;
   for (const auto& p : inside)
     offsets.push_back(distanceAbove(slab, p));
@@ -205,7 +202,7 @@ fitSlabRobustly(const Positions& points, const PlanSlab& start, double band)
   Positions fitted;
   for (int round = 0; round < 6; ++round) {
     keepWithinBand(points, slab, band, inside);
-    if (inside.size() < 3 || inside == fitted) // the same again gives the same
+    if (inside.size() < 3 || inside == fitted) // the same points give the same fit
       break;
     slab = bestSlab(inside);
     std::vector<double> distances;

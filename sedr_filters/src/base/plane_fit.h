@@ -11,31 +11,31 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Finite points, metres, side by side: those of a plane are all over the cloud,
- * and looked at many times. */
+/** @brief Finite points, metres, in contiguous memory: the points of a plane are
+ * scattered over the cloud and read many times. */
 using Positions = std::vector<Eigen::Vector3f>;
 
-/** @brief `points[indices]`. */
+/** @brief Returns `points[indices]`. */
 Positions positionsOf(const PointView& points, const std::vector<int>& indices);
 
-/** @brief Least squares of a horizontal or leaning plane through some points, in the
- * distance along its normal. Fewer than three points, or points on one line, give the
- * horizontal plane through their mean height. O(n). */
+/** @brief Fits a horizontal or tilted plane to points by least squares of the distance
+ * along its normal. Fewer than three points, or points on one line, give the horizontal
+ * plane through their mean height. O(n). */
 PlanSlab fitSlab(const Positions& points);
 
-/** @brief The same of `points[indices]`. */
+/** @brief Fits a plane to `points[indices]`. */
 inline PlanSlab
 fitSlab(const PointView& points, const std::vector<int>& indices)
 {
   return fitSlab(positionsOf(points, indices));
 }
 
-/** @brief As fitSlab(), but outliers are left out: starting from `start`, the points
- * within `band` metres are fitted, and the band then shrinks to 2.5 robust standard
- * deviations of what it holds, a few times over. */
+/** @brief Fits a plane as fitSlab(), without outliers. The points within `band` metres
+ * of `start` are fitted; then the band shrinks to 2.5 robust standard deviations of its
+ * points, a few times. */
 PlanSlab fitSlabRobustly(const Positions& points, const PlanSlab& start, double band);
 
-/** @brief The same of `points[indices]`. */
+/** @brief Fits a plane robustly to `points[indices]`. */
 inline PlanSlab
 fitSlabRobustly(const PointView& points,
                 const std::vector<int>& indices,
@@ -45,16 +45,16 @@ fitSlabRobustly(const PointView& points,
   return fitSlabRobustly(positionsOf(points, indices), start, band);
 }
 
-/** @brief As fitSlabRobustly(), but the plane keeps the direction of `direction`. */
+/** @brief Fits a plane as fitSlabRobustly(), with the normal of `direction`. */
 PlanSlab fitParallel(const PointView& points,
                      const std::vector<int>& indices,
                      const PlanSlab& direction,
                      const PlanSlab& start,
                      double band);
 
-/** @brief RANSAC of a plane that leans at most `maximum_tilt` radians from the
- * horizontal, with inliers within `tolerance` metres, refined by fitSlabRobustly().
- * Deterministic for a `seed`, for any number of threads, 0: as many as there are
+/** @brief Finds a plane by RANSAC, tilted at most `maximum_tilt` radians from the
+ * horizontal, with inliers within `tolerance` metres, and refines it by
+ * fitSlabRobustly(). Deterministic for a `seed` and any number of threads; 0 for all
  * processors. */
 PlanSlab findSlab(const Positions& points,
                   double tolerance,
@@ -62,7 +62,7 @@ PlanSlab findSlab(const Positions& points,
                   std::uint64_t seed,
                   unsigned threads = 1);
 
-/** @brief The same of `points[indices]`. */
+/** @brief Finds a plane in `points[indices]`. */
 inline PlanSlab
 findSlab(const PointView& points,
          const std::vector<int>& indices,
@@ -74,15 +74,15 @@ findSlab(const PointView& points,
   return findSlab(positionsOf(points, indices), tolerance, maximum_tilt, seed, threads);
 }
 
-/** @brief The same, but of two parallel surfaces side by side, a small step apart, the
- * larger one, where findSlab() lays a plane that leans across both. */
+/** @brief Finds a plane as findSlab(), but of two parallel surfaces a small step apart
+ * it returns the larger. findSlab() fits a tilted plane across both. */
 PlanSlab findLargerSlab(const Positions& points,
                         double tolerance,
                         double maximum_tilt,
                         std::uint64_t seed,
                         unsigned threads = 1);
 
-/** @brief The same of `points[indices]`. */
+/** @brief Finds the larger plane in `points[indices]`. */
 inline PlanSlab
 findLargerSlab(const PointView& points,
                const std::vector<int>& indices,
@@ -95,8 +95,8 @@ findLargerSlab(const PointView& points,
                         threads);
 }
 
-/** @brief Distance of a point from a slab, metres, positive above it; of a curve to
- * first order. */
+/** @brief Returns the distance of a point from a slab, metres, positive above it; to
+ * first order for a curve. */
 inline double
 distanceAbove(const PlanSlab& slab, const Eigen::Vector3f& p)
 {
@@ -105,7 +105,7 @@ distanceAbove(const PlanSlab& slab, const Eigen::Vector3f& p)
   return slab.plane.head<3>().dot(p.cast<double>()) + slab.plane[3];
 }
 
-/** @brief The horizontal plane at `height`. */
+/** @brief Returns the horizontal plane at `height`. */
 inline PlanSlab
 horizontalSlab(double height)
 {

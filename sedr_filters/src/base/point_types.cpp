@@ -5,7 +5,7 @@
 #include <pcl/filters/impl/filter_indices.hpp>
 #include <pcl/impl/pcl_base.hpp>
 
-// PCL holds its base classes compiled for its own point types only.
+// PCL has compiled base classes only for its own point types.
 template class PCL_EXPORTS pcl::PCLBase<pcl::PointStructure>;
 template class PCL_EXPORTS pcl::Filter<pcl::PointStructure>;
 template class PCL_EXPORTS pcl::FilterIndices<pcl::PointStructure>;

@@ -9,8 +9,8 @@ namespace sedr {
 
 namespace {
 
-// Group, unit, range, source, and the folders of the sources in which it acts, which a
-// test compares with these.
+// Group, unit, range, source and the source folders that use the value; a test compares
+// these with the code.
 const std::vector<Prior> table = {
     {"min_headroom", &Priors::min_headroom, "rooms", "m", 1.2, 3,
      "building codes ask 2.0 to 2.4 m; less for cellars and attics",

@@ -16,8 +16,8 @@ namespace {
 /** @brief Four numbers, one for each of four slabs. */
 using Four = Eigen::Array4d;
 
-/** @brief Slabs side by side: a sum for one of them waits for each of its terms, four
- * sums do not wait for each other. */
+/** @brief Four slabs side by side: each sum depends on its previous term, so four
+ * independent sums are faster than one. */
 struct FourSlabs {
   Four a;
   Four b;
@@ -35,7 +35,7 @@ struct FourSlabs {
     }
   }
 
-  /** @brief As distanceAbove() of each, its terms added in the same order. */
+  /** @brief Returns distanceAbove() for each slab, adding in the same order. */
   Four distancesAbove(const Eigen::Vector3f& p) const
   {
     const Eigen::Vector3d q = p.cast<double>();
@@ -43,8 +43,8 @@ struct FourSlabs {
   }
 };
 
-/** @brief How well the points agree with each of four slabs. Less than it is where none
- * of them can exceed `least`: most of the points need not be looked at then. */
+/** @brief Scores the agreement of the points with each of four slabs. Stops early, with
+ * lower scores, if none of them can exceed `least`: then most points are not read. */
 Four
 agreement(const Positions& points,
           const FourSlabs& slabs,
@@ -52,7 +52,7 @@ agreement(const Positions& points,
           double least)
 {
   constexpr std::size_t stretch = 64;
-  constexpr double rounding = 1e-6; // of the sum
+  constexpr double rounding = 1e-6; // bound of the rounding error of the sum
   Four sum = Four::Zero();
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Four d = slabs.distancesAbove(points[k]) / tolerance;
@@ -75,7 +75,7 @@ mostAgreed(const std::vector<PlanSlab>& slabs,
 {
   constexpr std::size_t at_once = 4;
   constexpr std::size_t block = 6 * at_once;
-  using Choice = std::pair<double, const PlanSlab*>; // with its score
+  using Choice = std::pair<double, const PlanSlab*>; // score and slab
   const FourSlabs start_alone({&start, &start, &start, &start});
   const Choice least{agreement(points, start_alone, tolerance, 0)[0], &start};
   std::vector<Choice> choices((slabs.size() + block - 1) / block, least);

@@ -8,11 +8,10 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Of some slabs the one that most of the points agree with, the first of
- * equals; `start` where none does better. A point agrees by 1 with a slab that it is
- * on, down to 0 at the tolerance, so that a thin layer wins over a thick one. O(slabs
- * times points); the same for any number of threads, 0: as many as there are
- * processors. */
+/** @brief Returns the slab with the highest agreement, the first of equals; `start` if
+ * none is better. A point scores 1 on the slab, falling to 0 at the tolerance, so a
+ * thin layer wins over a thick one. O(slabs times points). The result does not depend
+ * on `threads`; 0 for all processors. */
 PlanSlab mostAgreed(const std::vector<PlanSlab>& slabs,
                     const PlanSlab& start,
                     const Positions& points,

@@ -15,9 +15,9 @@ namespace sedr {
 
 namespace {
 
-/** @brief Joins every cell with its eight neighbours: the one before it in the row, and
- * of the up to three in the row below, which a second cursor follows, those that
- * nothing has joined with it yet. */
+/** @brief Joins every cell with its eight neighbours: the previous one in its row, and
+ * up to three in the row below, followed by a second cursor. Skips those that are
+ * already joined. */
 void
 joinNeighbours(const CellSet& cells, DisjointSets<std::size_t>& sets)
 {
@@ -34,15 +34,15 @@ joinNeighbours(const CellSet& cells, DisjointSets<std::size_t>& sets)
     const CellKey first = keyOf({cell.x - 1, cell.y - 1});
     while (keys[below] < first)
       ++below;
-    const CellKey fresh = goes_on ? first + 2 : first; // beside none before this cell
+    const CellKey fresh = goes_on ? first + 2 : first; // without a left neighbour
     for (std::size_t j = below; keys[j] <= first + 2; ++j)
       if (keys[j] >= fresh && (keys[j] == first || !followsAnother(j)))
         sets.join(i, j);
   }
 }
 
-/** @brief Sorts `keys` and leaves out repetitions: by a bit for every cell of the
- * rectangle around them, where that is no larger than the keys themselves. */
+/** @brief Sorts `keys` and removes repetitions. Uses one bit for every cell of the
+ * bounding rectangle if that takes no more memory than the keys. */
 void
 sortOnce(std::vector<CellKey>& keys)
 {
@@ -58,7 +58,7 @@ sortOnce(std::vector<CellKey>& keys)
   constexpr std::uint64_t bits = 64;
   const auto width = static_cast<std::uint64_t>(std::int64_t{high.x} - low.x + 1);
   const auto height = static_cast<std::uint64_t>(std::int64_t{high.y} - low.y + 1);
-  const std::uint64_t words = width / bits + 1; // a row
+  const std::uint64_t words = width / bits + 1; // words of a row
   if (words > keys.size() || height > keys.size() / words) {
     std::sort(keys.begin(), keys.end());
     keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
@@ -102,7 +102,7 @@ CellSet::fromSorted(std::vector<CellKey> keys)
   return set;
 }
 
-/** @brief Notes where rows begin, unless there are few cells a row. */
+/** @brief Stores the starts of the rows, unless there are more rows than cells. */
 void
 CellSet::indexRows()
 {
@@ -152,8 +152,7 @@ labelRegions(const CellSet& cells)
   DisjointSets<std::size_t> sets(cells.size());
   joinNeighbours(cells, sets);
 
-  // Roots are the first cells of their regions, so regions are met in the order of the
-  // keys.
+  // Roots are the first cells of regions, so these come in the order of keys.
   CellRegions regions;
   regions.label.resize(cells.size());
   std::vector<std::size_t> region_of_root(cells.size());

@@ -102,7 +102,7 @@ CellMask::toSet() const
     if (values_[i])
       keys.push_back(keyOf(cellAt(i)));
   return CellSet::fromSorted(
-      std::move(keys)); // the box is walked through in their order
+      std::move(keys)); // cells are visited in the order of the keys
 }
 
 CellMask
@@ -116,7 +116,7 @@ inverted(const CellMask& mask)
 
 namespace {
 
-/** @brief `op(a, b)` cell by cell in the box of `a`. */
+/** @brief Returns `op(a, b)` for each cell in the box of `a`. */
 template <typename Op>
 CellMask
 combined(const CellMask& a, const CellMask& b, Op op)

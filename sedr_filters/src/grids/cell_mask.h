@@ -16,39 +16,38 @@ struct CellBox {
   Cell low;
   Cell high; ///< inclusive
 
-  /** @brief Number of cells, 0 for an empty box. */
+  /** @brief Returns the number of cells, 0 for an empty box. */
   std::uint64_t count() const;
 };
 
 CellBox boxOf(const CellSet& cells);
 
-/** @brief `box` with `margin` more cells on each side. */
+/** @brief Returns `box` enlarged by `margin` cells on each side. */
 CellBox grown(const CellBox& box, int margin);
 
-/** @brief The cells of both; empty where there are none. */
+/** @brief Returns the intersection of two boxes; empty if they do not overlap. */
 CellBox overlapOf(const CellBox& a, const CellBox& b);
 
-/** @brief The smallest box around both. */
+/** @brief Returns the smallest box around both. */
 CellBox around(const CellBox& a, const CellBox& b);
 
-/** @brief The most cells a mask may have: a region of 579 m by 579 m at 5 cm. What
- * works on masks (distances, labels, fronts) takes 20 bytes a cell and more: this keeps
- * it at a few GiB. */
+/** @brief The maximum number of cells of a mask: a region of 579 m by 579 m at 5 cm.
+ * Algorithms on masks (distances, labels, fronts) take 20 bytes a cell and more, so
+ * memory stays within a few GiB. */
 constexpr std::uint64_t most_mask_cells = std::uint64_t{1} << 27;
 
-/** @brief What is wrong with a mask of that box, a sentence; empty if nothing is. */
+/** @brief Returns a sentence why a mask of this box is impossible, else empty. */
 std::string maskProblem(const CellBox& box);
 
-/** @brief A bounded part of the grid with one byte a cell; outside of the box every
- * cell is 0. */
+/** @brief A bounded part of the grid with one byte a cell; cells outside are 0. */
 class CellMask {
 public:
   CellMask() = default;
 
-  /** @brief All cells 0. maskProblem(box) must be empty. */
+  /** @brief Sets all cells to 0. maskProblem(box) must be empty. */
   explicit CellMask(const CellBox& box);
 
-  /** @brief 1 for the cells of `cells` within `box`, else 0. */
+  /** @brief Sets the cells of `cells` within `box` to 1, the others to 0. */
   CellMask(const CellSet& cells, const CellBox& box);
 
   const CellBox& box() const { return box_; }
@@ -89,7 +88,7 @@ public:
   std::vector<std::uint8_t>& values() { return values_; }
   const std::vector<std::uint8_t>& values() const { return values_; }
 
-  /** @brief Number of cells that are not 0. */
+  /** @brief Returns the number of cells that are not 0. */
   std::size_t count() const;
 
   CellSet toSet() const;
@@ -101,85 +100,80 @@ private:
   std::vector<std::uint8_t> values_;
 };
 
-/** @brief Cells within `radius` cells (Euclidean) of a set cell; the box stays.
+/** @brief Returns the cells of the box within `radius` cells of a set cell (Euclidean).
  * O(cells). */
 CellMask dilated(const CellMask& mask, double radius);
 
-/** @brief Cells of the mask farther than `radius` cells from every cell that is not
- * set; what lies outside of the box counts as not set. O(cells). */
+/** @brief Returns the cells of the mask farther than `radius` cells from every cell
+ * that is not set. Cells outside the box count as not set. O(cells). */
 CellMask eroded(const CellMask& mask, double radius);
 
-/** @brief The complement within the box. */
+/** @brief Returns the complement within the box. */
 CellMask inverted(const CellMask& mask);
 
-/** @brief Squared distance, in cells, of each cell of the box from the nearest set cell
- * (Felzenszwalb and Huttenlocher 2012); infinity where nothing is set. Exact up to
- * distances of 4096 cells, whose square a float still holds; rounded to a float beyond.
+/** @brief Returns the squared distance, in cells, of each cell of the box from the
+ * nearest set cell (Felzenszwalb and Huttenlocher 2012); infinity if no cell is set.
+ * Exact up to 4096 cells, whose square fits the digits of a float; rounded beyond.
  * O(cells). */
 std::vector<float> squaredDistances(const CellMask& mask);
 
-/** @brief Connected regions of a mask. */
+/** @brief The connected regions of a mask. */
 struct MaskRegions {
-  std::vector<std::int32_t>
-      label; ///< of each cell of the box: -1 where not set, else from 0
-  std::vector<std::size_t>
-      sizes; ///< in cells, in the order in which regions are met row by row
-  std::vector<std::uint8_t>
-      touches_border; ///< whether the region reaches the edge of the box
+  std::vector<std::int32_t> label; ///< region of each cell of the box; -1 if not set
+  std::vector<std::size_t> sizes;  ///< cells, in the order of the first cells
+  std::vector<std::uint8_t> touches_border; ///< 1 if at the edge of the box
 };
 
-/** @brief Regions of the set cells, four- or eight-connected. O(cells). */
+/** @brief Labels the regions of the set cells, four- or eight-connected. O(cells). */
 MaskRegions labelRegions(const CellMask& mask, bool eight_connected);
 
-/** @brief The cells of region `region`, 1 in a mask of the same box. */
+/** @brief Returns the cells of region `region` as a mask of the same box. */
 CellMask
 regionMask(const CellMask& mask, const MaskRegions& regions, std::int32_t region);
 
-/** @brief The regions of `mask`, four- or eight-connected, of which a cell is set in
- * `marks`, a mask of the same box. O(cells). */
+/** @brief Returns the regions of `mask`, four- or eight-connected, with at least one
+ * cell set in `marks`, a mask of the same box. O(cells). */
 CellMask
 markedRegions(const CellMask& mask, const CellMask& marks, bool eight_connected);
 
-/** @brief The largest four-connected region, the first of several as large. O(cells).
- */
+/** @brief Returns the largest four-connected region, the first of equals. O(cells). */
 CellMask largestRegion(const CellMask& mask);
 
-/** @brief Gives `number` to those of some cells that have no label (-1) yet; labels are
- * of the cells of `frame`. O(the cells' box). */
+/** @brief Labels with `number` those of `cells` that have no label (-1) yet; `label`
+ * belongs to the cells of `frame`. O(box of the cells). */
 void labelCells(const CellMask& cells,
                 const CellMask& frame,
                 std::int32_t number,
                 std::vector<std::int32_t>& label);
 
-/** @brief Takes labels (-1: none) outwards through the cells of `domain`, step by step
- * to the four neighbours, at most `steps` steps: each cell gets the label that reaches
- * it first. O(cells). */
+/** @brief Grows labels (-1: none) through the cells of `domain` to the four neighbours,
+ * at most `steps` steps: each cell gets the label that reaches it first. O(cells). */
 void growLabels(const CellMask& domain, int steps, std::vector<std::int32_t>& label);
 
-/** @brief As growLabels(), but tells the ways too, at 8 bytes a cell.
- * @return for each cell the index of the one it was reached from, CellSet::npos for
+/** @brief Grows labels as growLabels() and returns the paths, 8 bytes a cell.
+ * @return for each cell the index of the cell it was reached from; CellSet::npos for
  * seeds and for cells not reached */
 std::vector<std::size_t> growLabelsWithParents(const CellMask& domain,
                                                int steps,
                                                std::vector<std::int32_t>& label);
 
-/** @brief The cells that are not set from which no four-connected way of such cells
- * leads to the edge of the box: the holes of the mask. O(cells). */
+/** @brief Returns the holes of the mask: unset cells without a four-connected path of
+ * unset cells to the edge of the box. O(cells). */
 CellMask enclosedCells(const CellMask& mask);
 
-/** @brief `a` and `b` joined cell by cell; `b` may have another box, `a`'s is kept. */
+/** @brief Returns the union of `a` and `b`, in the box of `a`; boxes may differ. */
 CellMask unite(const CellMask& a, const CellMask& b);
 
-/** @brief `a` without `b`; `b` may have another box, `a`'s is kept. */
+/** @brief Returns `a` without `b`, in the box of `a`; boxes may differ. */
 CellMask subtract(const CellMask& a, const CellMask& b);
 
-/** @brief The part of `a` that is in `b` too; `a`'s box is kept. */
+/** @brief Returns what `a` and `b` share, in the box of `a`; boxes may differ. */
 CellMask intersect(const CellMask& a, const CellMask& b);
 
-/** @brief The same cells within another box. */
+/** @brief Returns the cells of `mask` within another box. */
 CellMask cropped(const CellMask& mask, const CellBox& box);
 
-/** @brief Adds to `mask` the `cells` within its box. O(the cells' box). */
+/** @brief Adds to `mask` those `cells` within its box. O(box of the cells). */
 void add(const CellMask& cells, CellMask& mask);
 
 } // namespace sedr

@@ -14,16 +14,16 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Lists of numbers by cell: what may be near a place, found in O(1). */
+/** @brief Lists of numbers by cell, to look up in O(1) what may be near a place. */
 class CellTable {
 public:
-  /** @brief A number in the lists of the cells of a rectangle. */
+  /** @brief A number and the rectangle of cells that list it. */
   struct Entry {
     CellBox box;
     std::uint32_t number;
   };
 
-  /** @brief The numbers near a place, increasing, each once. */
+  /** @brief The numbers near a place, increasing and unique. */
   struct Numbers {
     const std::uint32_t* first = nullptr;
     const std::uint32_t* last = nullptr;
@@ -36,17 +36,17 @@ public:
       : grid_(cell_size)
   {}
 
-  /** @brief The cells of the rectangle from `low` to `high`; an empty one where these
-   * are too far away for cells. */
+  /** @brief Returns the cells of the rectangle from `low` to `high`; empty if these are
+   * too far away for a grid. */
   CellBox boxAround(const Eigen::Vector2d& low, const Eigen::Vector2d& high) const;
 
   /** @brief Fills the table with entries of increasing numbers.
-   * @return why it cannot be filled, a sentence; empty otherwise */
+   * @return why it cannot be filled, as a sentence; empty otherwise */
   std::string fill(const std::vector<Entry>& entries);
 
   const CellGrid& grid() const { return grid_; }
 
-  /** @brief The cells that may have numbers. */
+  /** @brief Returns the cells that may have numbers. */
   const CellBox& box() const { return frame_.box(); }
 
   Numbers at(const Eigen::Vector2d& p) const
@@ -54,7 +54,7 @@ public:
     return grid_.holds(p.x(), p.y()) ? ofCell(grid_.at(p.x(), p.y())) : Numbers();
   }
 
-  /** @brief The same of a cell of its grid(). */
+  /** @brief Returns the numbers of a cell of grid(). */
   Numbers ofCell(Cell cell) const
   {
     if (!frame_.isInside(cell))
@@ -65,7 +65,7 @@ public:
 
 private:
   CellGrid grid_;
-  CellMask frame_; ///< numbers the cells
+  CellMask frame_; ///< gives the index of each cell
   std::vector<std::size_t> first_;
   std::vector<std::size_t> last_;
   std::vector<std::uint32_t> numbers_;

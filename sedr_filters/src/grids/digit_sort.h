@@ -11,9 +11,8 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Sorts values by their keys, 32-bit numbers, digit by digit, none compared to
- * another: equal ones stay as they stand. O(n), with room for them twice; values that
- * are in order are left alone.
+/** @brief Sorts values by 32-bit keys with a stable radix sort. O(n) in time, with
+ * memory for a second copy; sorted values are left as they are.
  * @param keyOf e.g. `[](const Candidate& c) { return orderOf(c.z); }` */
 template <typename Value, typename KeyOf>
 void
@@ -36,7 +35,7 @@ sortByDigits(std::vector<Value>& values, KeyOf keyOf)
   for (std::size_t d = 0; d < digits; ++d) {
     auto& place = counts[d];
     if (place[digitOf(values.front(), d)] == values.size())
-      continue; // all share it
+      continue; // all values share this digit
     std::size_t next = 0;
     for (std::size_t& count : place) {
       const std::size_t own = count;
@@ -49,7 +48,7 @@ sortByDigits(std::vector<Value>& values, KeyOf keyOf)
   }
 }
 
-/** @brief A key that rises with a finite number; the same for 0 and -0. */
+/** @brief Returns a key that increases with a finite number; the same for 0 and -0. */
 inline std::uint32_t
 orderOf(float number)
 {

@@ -11,7 +11,7 @@ namespace pcl {
 namespace sedr {
 
 /** @brief Disjoint sets of 0 .. n - 1 (union-find with path halving). The lowest member
- * stands for its set, so that results do not depend on the order of joins. */
+ * represents its set, so results do not depend on the order of joins. */
 template <typename Index = std::uint32_t>
 class DisjointSets {
 public:
@@ -21,7 +21,7 @@ public:
     std::iota(parent_.begin(), parent_.end(), Index{0});
   }
 
-  /** @brief The member that stands for the set of i. */
+  /** @brief Returns the member that represents the set of i. */
   Index find(Index i)
   {
     while (parent_[i] != i)

@@ -11,8 +11,8 @@ namespace sedr {
 
 namespace {
 
-/** @brief The largest whole number up to `most` whose square is at most `square`; -1 if
- * that is below 0. */
+/** @brief Returns the largest integer up to `most` whose square is at most `square`; -1
+ * if `square` is below 0. */
 std::int32_t
 rootOf(double square, std::int32_t most)
 {
@@ -26,8 +26,9 @@ rootOf(double square, std::int32_t most)
   return root;
 }
 
-/** @brief For each cell, how far above the nearest one of its column is that is set, or
- * that is not, up to `most`; `beside` for the row above the box. */
+/** @brief Returns for each cell the number of rows up to the nearest set (or unset)
+ * cell of its column, at most `most`. `beside` is the value of the row above the box.
+ */
 std::vector<std::int32_t>
 distancesAbove(const CellMask& mask,
                bool is_set,
@@ -48,18 +49,17 @@ distancesAbove(const CellMask& mask,
   return distances;
 }
 
-/** @brief Marks the cells within a radius of those that are set, or of those that are
- * not, which includes all beside the box.
+/** @brief Marks the cells within a radius of the set cells, or of the unset cells,
+ * which include all cells outside the box.
  *
- * Every cell covers a stretch of each row, the shorter the farther the row: a cell is
- * covered where a stretch that starts before it reaches it, or one that ends behind it.
- * O(cells). */
+ * A set cell covers an interval of each row, shorter in rows farther away. A cell is
+ * covered if an interval centred to its left or right reaches it. O(cells). */
 CellMask
 nearThose(const CellMask& mask, bool is_set, double radius)
 {
   const double square = radius * radius;
   const std::int32_t far = rootOf(square, std::max(mask.width(), mask.height()));
-  std::vector<std::int32_t> half; // of the stretch in a row so far away; -1 is none
+  std::vector<std::int32_t> half; // half interval at this row distance; -1: none
   for (std::int32_t d = 0; d <= far; ++d)
     half.push_back(rootOf(square - static_cast<double>(d) * d, mask.width()));
   half.push_back(-1);
@@ -74,7 +74,7 @@ nearThose(const CellMask& mask, bool is_set, double radius)
       row[x] = std::min(above[static_cast<std::size_t>(y * width + x)], row[x] + 1);
     std::uint8_t* const covered = result.values().data() + y * width;
     const std::int32_t* const reach = half.data();
-    std::int32_t ahead = reach[beside] - 1; // cells that are still covered
+    std::int32_t ahead = reach[beside] - 1; // number of cells still covered
     std::int32_t behind = ahead;
     for (std::ptrdiff_t x = 0, back = width - 1; x < width; ++x, --back) {
       ahead = std::max(ahead, reach[row[x]]);

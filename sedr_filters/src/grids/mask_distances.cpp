@@ -11,9 +11,9 @@ namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
-/** @brief Lower envelope of the parabolas (x - i)^2 + f[i], sampled at the integers:
- * one pass of the distance transform along a row or a column of n values `stride`
- * apart. */
+/** @brief Lower envelope of the parabolas (x - i)^2 + f[i], sampled at the integers.
+ * This is one pass of the distance transform along a row or column of n values,
+ * `stride` apart. */
 class ParabolaPass {
 public:
   explicit ParabolaPass(std::size_t n)

@@ -95,7 +95,7 @@ labelCells(const CellMask& cells,
 
 namespace {
 
-/** @brief Grows labels; `parent` may be null. */
+/** @brief Grows labels by breadth-first search; `parent` may be null. */
 void
 growFrom(const CellMask& domain,
          int steps,

@@ -13,25 +13,25 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Tells which of some numbered things in plan may be at a place, however many
- * there are. What is too far apart for a CellTable may be anywhere. */
+/** @brief Finds which of many numbered objects may be at a place in plan. If they lie
+ * too far apart for a CellTable, that is all of them. */
 class PlaceTable {
 public:
-  /** @param cell_size metres; about the size of most things */
+  /** @param cell_size metres; about the size of most objects */
   explicit PlaceTable(double cell_size)
       : table_(cell_size)
   {}
 
-  /** @brief Adds what is in a box; the numbers must not decrease. */
+  /** @brief Adds an object within a box; the numbers must not decrease. */
   void addIn(const Eigen::AlignedBox2d& box, std::uint32_t number);
 
-  /** @brief Adds what is within `reach` metres of an element. */
+  /** @brief Adds an object that lies within `reach` metres of an element. */
   void addAlong(const PlanElement& element, double reach, std::uint32_t number);
 
-  /** @brief To be called after the last was added, before the first question. */
+  /** @brief Completes the table after the last addition; required before at(). */
   void finish();
 
-  /** @brief The numbers of what may be at a place, increasing, each once. */
+  /** @brief Returns the objects that may be at a place, increasing and unique. */
   CellTable::Numbers at(const Eigen::Vector2d& p) const
   {
     return all_.empty() ? table_.at(p)
@@ -41,7 +41,7 @@ public:
 private:
   CellTable table_;
   std::vector<CellTable::Entry> entries_;
-  std::vector<std::uint32_t> all_; ///< numbers, where there is no table
+  std::vector<std::uint32_t> all_; ///< all numbers, if there is no table
 };
 
 } // namespace sedr

@@ -16,8 +16,7 @@ namespace {
 
 constexpr std::size_t unlabelled = CellSet::npos;
 
-/** @brief Where the eight neighbours of each cell stand in the set, npos for the
- * absent. */
+/** @brief Positions of the eight neighbours of each cell in the set, npos if absent. */
 using Neighbours = std::vector<std::array<std::size_t, 8>>;
 
 Neighbours
@@ -33,8 +32,8 @@ neighboursOf(const CellSet& cells)
   return neighbours;
 }
 
-/** @brief How many times, up to `most`, the set can be eroded until it loses each cell:
- * a square of 2 depth + 1 cells about it is full. */
+/** @brief Returns for each cell how many erosions of the set it survives, up to `most`:
+ * the square of 2 depth + 1 cells around it is full. */
 std::vector<int>
 depthsOf(const Neighbours& neighbours, int most)
 {
@@ -50,8 +49,8 @@ depthsOf(const Neighbours& neighbours, int most)
   return depth;
 }
 
-/** @brief Grows labels over the unlabelled cells at least `least` deep, ring by ring;
- * where rings of several labels meet the smallest label wins. */
+/** @brief Grows labels over unlabelled cells at least `least` deep, ring by ring; where
+ * several labels meet, the smallest wins. */
 void
 growRings(const Neighbours& neighbours,
           const std::vector<int>& depth,
@@ -84,8 +83,8 @@ growRings(const Neighbours& neighbours,
   }
 }
 
-/** @brief Gives each eight-connected region of the unlabelled cells at least `least`
- * deep a label, from `count` on. */
+/** @brief Labels each eight-connected region of the unlabelled cells at least `least`
+ * deep, from `count` on. */
 void
 seedRegions(const CellSet& cells,
             const std::vector<int>& depth,
@@ -106,8 +105,7 @@ seedRegions(const CellSet& cells,
   count += regions.sizes.size();
 }
 
-/** @brief Whether some of `cells` that touch each other reach over `width` cells in x
- * or y. */
+/** @brief Checks for a connected part of at least `width` cells in x or y. */
 bool
 hasFront(const CellSet& cells, int width)
 {
@@ -120,8 +118,8 @@ hasFront(const CellSet& cells, int width)
   });
 }
 
-/** @brief Joins labels whose cells touch along a front of `width` cells: what parts
- * them is no neck, but holes in what was measured. */
+/** @brief Joins labels whose cells touch along a front of `width` cells: they were
+ * separated by holes in the scan, not by a neck. */
 void
 joinAlongFronts(const CellSet& cells,
                 const Neighbours& neighbours,
@@ -149,8 +147,7 @@ joinAlongFronts(const CellSet& cells,
     l = root(l);
 }
 
-/** @brief Gives the cells of parts under `minimum_part` cells to the larger parts that
- * reach them. */
+/** @brief Assigns parts under `minimum_part` cells to the larger parts around them. */
 void
 absorbSmallParts(const Neighbours& neighbours,
                  const std::vector<int>& depth,
@@ -170,7 +167,7 @@ absorbSmallParts(const Neighbours& neighbours,
       label[i] = large[i];
 }
 
-/** @brief Regions numbered by decreasing size, equal ones by their first cell. */
+/** @brief Numbers the regions by decreasing size, equal ones by their first cell. */
 CellRegions
 rankBySize(const std::vector<std::size_t>& label)
 {
@@ -223,11 +220,11 @@ labelOpenedRegions(const CellSet& cells, int radius, std::size_t minimum_part)
   std::vector<std::size_t> label(cells.size(), unlabelled);
   std::size_t count = 0;
   seedRegions(cells, depth, radius, count, label);
-  // From the deepest cells outwards, so that no label slips through a neck before those
-  // beyond it have grown up to it.
+  // Deepest cells first, so no label passes a neck before the labels beyond have grown
+  // up to it.
   for (int least = radius; least >= 0; --least)
     growRings(neighbours, depth, least, label);
-  // The front of a neck may reach over a cell beside it at either end.
+  // The front of a neck may extend one cell beyond it at either end.
   joinAlongFronts(cells, neighbours, 2 * radius + 3, label);
   absorbSmallParts(neighbours, depth, minimum_part, label);
   seedRegions(cells, depth, 0, count, label);

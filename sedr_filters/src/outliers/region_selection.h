@@ -9,34 +9,34 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The adaptive threshold of the paper (section 2.3.1): the smaller side of the
- * largest difference between consecutive sizes. Regions above it are structure.
+/** @brief Returns the adaptive threshold of the paper (section 2.3.1): the smaller size
+ * at the largest difference between consecutive sizes. Larger regions are structure.
  *
- * 0, so that all are kept, for fewer than two regions and for equal ones. Of equal
- * differences the one between the smaller regions counts, which keeps more of them.
+ * It is 0, so all are kept, for fewer than two regions and for regions of one size.
+ * Among equal differences the one between the smaller regions counts, which keeps more
+ * regions.
  * @param sizes in cells, decreasing */
 std::size_t largestGapThreshold(const std::vector<std::size_t>& sizes);
 
-/** @brief The regions of `cells` when necks narrower than 2 radius + 1 cells do not
- * join.
+/** @brief Labels the regions of `cells`, where necks narrower than 2 radius + 1 cells
+ * do not connect.
  *
- * Labels start where the set can be eroded by `radius` cells and grow outwards, the
- * deeper cells first: each cell goes to the label that reaches it over the shortest
- * way. Holes in thin data part the eroded set as well, so labels that meet along an
- * unbroken front of 2 radius + 3 cells are joined again, and parts under `minimum_part`
- * cells fall to larger ones that touch them. What is too narrow everywhere keeps its
- * eight-connected regions. Radius 0 is labelRegions(). O(n log n + radius n). */
+ * Labels start in the set eroded by `radius` cells and grow outwards, deeper cells
+ * first; each cell gets the label that reaches it by the shortest path. Holes in sparse
+ * data also split the eroded set. So labels that meet along an unbroken front of 2
+ * radius + 3 cells are merged, and parts under `minimum_part` cells join larger ones
+ * that they touch. Regions that are narrow everywhere remain as they are. Radius 0 is
+ * labelRegions(). O(n log n + radius n). */
 CellRegions
 labelOpenedRegions(const CellSet& cells, int radius, std::size_t minimum_part);
 
-/** @brief Grows labels over eight-connected cells: each that is CellSet::npos takes the
- * label that reaches it first, of several the smallest; what none reaches stays. O(n
- * log n).
- * @param label of each cell of the set */
+/** @brief Grows labels over eight-connected cells. A cell labelled CellSet::npos takes
+ * the label that reaches it first, the smallest of several; unreached cells stay as
+ * they are. O(n log n).
+ * @param label label of each cell of the set */
 void growLabels(const CellSet& cells, std::vector<std::size_t>& label);
 
-/** @brief Of each region, how many of its cells lie on or beside a cell of `support`.
- */
+/** @brief Counts for each region its cells on or next to a cell of `support`. */
 std::vector<std::size_t> supportedCells(const CellSet& cells,
                                         const CellRegions& regions,
                                         const CellSet& support);

@@ -10,15 +10,15 @@ namespace sedr {
 
 namespace {
 
-/** @brief Number of chords that stay within `tolerance` metres of an arc, 3 to 10000.
+/** @brief Returns the number of chords within `tolerance` metres of an arc, 3 to 10000.
  */
 std::size_t
 chordsOf(const PlanElement& arc, double tolerance)
 {
   constexpr double least = 3;
   constexpr double most = 10000;
-  // The sagitta r (1 - cos (step / 2)) is 2 r sin^2 (step / 4): no difference of nearly
-  // equal numbers however large the radius.
+  // The sagitta r (1 - cos (step / 2)) is 2 r sin^2 (step / 4): this form has no
+  // cancellation for large radii.
   const double slack = std::min(1.0, std::max(tolerance, 1e-6) / arc.radius);
   const double step = 4 * std::asin(std::sqrt(slack / 2));
   return static_cast<std::size_t>(
@@ -105,7 +105,7 @@ reversed(const PlanLoop& loop)
 
 namespace {
 
-/** @brief Whether `p` is inside the outer loop and outside the others. */
+/** @brief Checks whether `p` is inside the outer loop and outside the inner ones. */
 bool
 isBetween(const PlanLoop& outer,
           const std::vector<PlanLoop>& inner,
@@ -132,7 +132,7 @@ PlanRoom::contains(const Eigen::Vector2d& p) const
 
 namespace {
 
-/** @brief The last of some details that contains `p`, or -1. */
+/** @brief Returns the index of the last detail that contains `p`, or -1. */
 int
 lastAround(const std::vector<PlanDetail>& details, const Eigen::Vector2d& p)
 {

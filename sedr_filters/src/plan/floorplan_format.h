@@ -10,26 +10,25 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What floorplan.json says of itself. */
+/** @brief Name and versions of the format of floorplan.json. */
 constexpr const char* floorplan_format_name = "sedr-floorplan";
 constexpr int floorplan_format_version = 1;
-constexpr int floorplan_facets_version = 2; ///< of plans of which ceilings have facets
+constexpr int floorplan_facets_version = 2; ///< of plans with ceiling facets
 
-/** @brief The farthest coordinate that is read: beyond it no room was ever scanned, and
- * double precision, grids and files of single precision lose the millimetres. Metres.
- */
+/** @brief The maximum coordinate that is read, metres. No scanned room lies beyond it,
+ * and double precision, grids and single precision files lose millimetres there. */
 constexpr double most_coordinate = 1e6;
 
-/** @brief Adds to a slab what curves it, and what of it is inferred. */
+/** @brief Adds the curve and the inferred share of a slab to its JSON. */
 void addCurveToJson(const PlanSlab& slab, nlohmann::ordered_json& json);
 
-/** @brief Reads what addCurveToJson() wrote. Throws a std::exception with the reason
- * where that is no curve. */
+/** @brief Reads the output of addCurveToJson().
+ * @throw std::exception with the reason if it is not valid */
 void readCurve(const nlohmann::ordered_json& json, PlanSlab& slab);
 
 nlohmann::ordered_json pointToJson(const Eigen::Vector2d& p);
 
-/** @brief Throws a std::exception with the reason where that is no place in plan. */
+/** @brief Reads a place in plan; throws a std::exception with the reason on failure. */
 Eigen::Vector2d pointFromJson(const nlohmann::ordered_json& json);
 
 } // namespace sedr

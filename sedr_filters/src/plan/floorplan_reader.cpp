@@ -19,13 +19,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/** @brief Limits of what is read, metres. */
+/** @brief Limits of values that are read, metres. */
 constexpr double most_radius = 1e5;
 constexpr double most_gap_of_arc = 1e-3; ///< of an arc's ends from its circle
 constexpr double least_upward =
     0.5; ///< c of a floor or ceiling: at most 60 degrees of slope
 
-/** @brief A share as it was written, if it was. */
+/** @brief Reads the shares of an element, if there are any. */
 ElementEvidence
 evidenceFrom(const Json& json)
 {
@@ -42,7 +42,7 @@ evidenceFrom(const Json& json)
   return evidence;
 }
 
-/** @brief Throws where start and end of an arc are not on its circle. */
+/** @brief Throws if start or end of an arc are not on its circle. */
 void
 checkArc(const PlanElement& e)
 {
@@ -98,7 +98,7 @@ loopFrom(const Json& json)
   return loop;
 }
 
-/** @brief A loop that must run counter-clockwise around some area. */
+/** @brief Reads a loop that must run counter-clockwise and enclose an area. */
 PlanLoop
 outerLoopFrom(const Json& json)
 {
@@ -111,8 +111,7 @@ outerLoopFrom(const Json& json)
   return loop;
 }
 
-/** @brief Loops of what is not the room's, columns or holes, which must run clockwise.
- */
+/** @brief Reads the loops of columns or holes, which must run clockwise. */
 std::vector<PlanLoop>
 innerLoopsFrom(const Json& json)
 {
@@ -128,8 +127,8 @@ innerLoopsFrom(const Json& json)
   return loops;
 }
 
-/** @brief Brings a normal that was rounded to unit length, and leaves one that was not
- * as it is. Throws where the plane is none of a floor or ceiling. */
+/** @brief Normalises a normal that was rounded; one of exact unit length is not
+ * changed. Throws if the plane cannot be a floor or ceiling. */
 void
 makeUpward(Eigen::Vector4d& plane)
 {
@@ -142,7 +141,7 @@ makeUpward(Eigen::Vector4d& plane)
     throw std::invalid_argument(
         "the plane of a floor or ceiling must face up, its c is " +
         numberText(plane[2]) + ", at least " + numberText(least_upward) + " is needed");
-  // Of a place whose coordinates are within the limit: sqrt(3) times it.
+  // Bound for a place whose coordinates are within the limit: sqrt(3) times the limit.
   if (!(std::abs(plane[3]) <= 2 * most_coordinate))
     throw std::invalid_argument("the d of a floor or ceiling must lie within " +
                                 numberText(2 * most_coordinate) + " m, it is " +
@@ -179,7 +178,7 @@ detailsFrom(const Json& json, bool are_facets = false)
   return details;
 }
 
-/** @brief The id of a room, which none of `rooms` may have. */
+/** @brief Reads the id of a room, which must not occur in `rooms`. */
 std::uint32_t
 idFrom(const Json& json, const std::vector<PlanRoom>& rooms)
 {
@@ -208,7 +207,7 @@ roomFrom(const Json& json, const std::vector<PlanRoom>& rooms)
     room.details = detailsFrom(json.at("facets"), true);
   for (PlanDetail& detail : detailsFrom(json.at("details")))
     room.details.push_back(std::move(detail));
-  // Files of before there were these do not have them.
+  // Older files do not have these.
   if (json.contains("floor_details"))
     room.floor_details = detailsFrom(json.at("floor_details"));
   if (json.contains("niches"))

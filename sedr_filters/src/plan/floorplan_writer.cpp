@@ -62,7 +62,7 @@ toJson(const PlanSlab& slab)
           {"residual", slab.residual}};
 }
 
-/** @brief The same with what only facets have. */
+/** @brief Writes a slab with the fields that only facets have. */
 Json
 facetToJson(const PlanSlab& slab)
 {
@@ -95,7 +95,7 @@ detailsToJson(const std::vector<PlanDetail>& details)
   return json;
 }
 
-/** @brief The boundary of a room, with the thickness of its walls where it is known. */
+/** @brief Writes the boundary of a room, with wall thicknesses where known. */
 Json
 wallsToJson(const Floorplan& plan, std::size_t room)
 {

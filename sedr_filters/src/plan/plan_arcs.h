@@ -14,19 +14,18 @@ cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/** @brief Whether an arc is a whole circle. */
+/** @brief Checks whether an arc is a whole circle. */
 inline bool
 isWhole(const PlanElement& arc)
 {
   return (arc.start - arc.end).norm() <= 1e-9 * std::max(1.0, arc.radius);
 }
 
-/** @brief What an element adds to the winding number of its loop around `p`. */
+/** @brief Returns an element's share of the winding number of its loop around `p`. */
 inline int
 windingOf(const PlanElement& e, const Eigen::Vector2d& p)
 {
-  // The chords give a winding number; a circular segment between arc and chord corrects
-  // it.
+  // The winding of the chord, corrected for the circular segment beside it.
   int winding = 0;
   const double side = cross(e.end - e.start, p - e.start);
   const bool starts_below = e.start.y() <= p.y();

@@ -17,7 +17,7 @@ angleOf(const Eigen::Vector2d& v)
   return std::atan2(v.y(), v.x());
 }
 
-/** @brief `angle` brought into [0, 2 pi). */
+/** @brief Returns `angle` normalised to [0, 2 pi). */
 double
 positiveAngle(double angle)
 {
@@ -79,7 +79,7 @@ PlanElement::project(const Eigen::Vector2d& p) const
     const double to = angleOf(p - centre);
     const double s = radius * (counter_clockwise ? positiveAngle(to - from)
                                                  : positiveAngle(from - to));
-    // What is before the start by rounding alone is a whole turn behind it.
+    // A place before the start only by rounding comes out a whole turn later.
     if (s <= length())
       return s;
   }

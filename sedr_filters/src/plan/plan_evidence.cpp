@@ -22,17 +22,17 @@ namespace {
 
 // Metres.
 constexpr double cell_size = 0.1;
-constexpr double rim = 0.03;        ///< of a wall, where points may be those of a slab
-constexpr double fill_reach = 0.08; ///< of a point from the place that it fills
-constexpr double beside_corner = 0.06; ///< where points may be those of the next wall
-constexpr double reach_before = 1.0;   ///< of what hides a cell
+constexpr double rim = 0.03; ///< edge of a wall where points may belong to a slab
+constexpr double fill_reach = 0.08;    ///< reach of a point that fills a place
+constexpr double beside_corner = 0.06; ///< points in it may belong to the next wall
+constexpr double reach_before = 1.0;   ///< reach of objects that hide a cell
 constexpr double off_slab = 0.07;  ///< points nearer to floor or ceiling hide nothing
-constexpr double low_cell = 1.0;   ///< below it shadows of furniture are looked for
-constexpr double foot_from = 0.15; ///< the floor at the foot of a wall
+constexpr double low_cell = 1.0;   ///< below it furniture may cast shadows
+constexpr double foot_from = 0.15; ///< start of the floor at the foot of a wall
 constexpr double foot_to = 0.55;
-constexpr double least_seen = 0.05; ///< share; below it a wall was not in view
+constexpr double least_seen = 0.05; ///< share; with less, a wall was not in view
 
-/** @brief A room with its niches, and what may stand before or behind its walls. */
+/** @brief Returns the box of a room and its niches with a margin of 0.5 m. */
 Eigen::AlignedBox3d
 boxOf(const PlanRoom& room)
 {
@@ -51,13 +51,12 @@ boxOf(const PlanRoom& room)
   return {box.min() - margin, box.max() + margin};
 }
 
-/** @brief How many cells of a surface are what, and how many of them are proved
- * openings. */
+/** @brief Numbers of seen, hidden, open and proved open cells of a surface. */
 struct CellCount : ElementEvidence {
   double proved = 0;
 };
 
-/** @brief A cell of an upright surface. */
+/** @brief A cell of a vertical surface. */
 struct Cell {
   Eigen::Vector3d middle;
   Eigen::Vector3d normal; ///< into the room
@@ -77,7 +76,7 @@ public:
       , sight_(sight)
   {}
 
-  /** @brief Counts of seen, hidden and open cells of a surface. */
+  /** @brief Counts the seen, hidden and open cells of a surface. */
   CellCount countOf(const UprightSurface& surface) const
   {
     CellCount count;
@@ -112,8 +111,8 @@ private:
         1, static_cast<std::size_t>(std::lround(length / cell_size)));
   }
 
-  /** @brief Counts a cell. A ray through it proves an opening; one that ends before it
-   * proves nothing, as others may have gone through without an end. */
+  /** @brief Counts a cell. A ray through it proves an opening. A ray that ends before
+   * it proves nothing, because other rays may have passed without an echo. */
   void add(const Cell& cell, CellCount& count) const
   {
     const bool is_seen = isSeen(cell);
@@ -179,8 +178,8 @@ sumOf(const CellCount& a, const CellCount& b)
           a.proved + b.proved};
 }
 
-/** @brief Shares of counted cells. Of a surface that was not in view all is hidden that
- * no ray went through. */
+/** @brief Returns the shares of counted cells. If the surface was not in view, all
+ * cells that no ray passed through are hidden. */
 ElementEvidence
 sharesOf(const CellCount& count)
 {
@@ -239,8 +238,7 @@ measureRoom(PlanRoom& room,
     note(counts, niche.boundary);
 }
 
-/** @brief Adds entries for the places at which points may tell of the uprights of a
- * room. */
+/** @brief Adds entries where points may be evidence for vertical surfaces of a room. */
 void
 appendEntries(const PlanRoom& room,
               std::uint32_t number,
@@ -248,7 +246,7 @@ appendEntries(const PlanRoom& room,
               const CellTable& table,
               std::vector<CellTable::Entry>& entries)
 {
-  constexpr double step = 0.5; // metres, along an upright
+  constexpr double step = 0.5; // metres, along a vertical surface
   const Eigen::Vector2d reach =
       Eigen::Vector2d::Constant(reach_before + step / 2 + fill_reach + tolerance);
   for (const UprightSurface& surface : uprightSurfaces(room)) {
@@ -260,8 +258,8 @@ appendEntries(const PlanRoom& room,
   }
 }
 
-/** @brief The points that may tell of the uprights of each room; all of them where the
- * rooms are too far apart for a table. */
+/** @brief Returns the points that may be evidence for the vertical surfaces of each
+ * room; all points if the rooms are too far apart for a table. */
 std::vector<std::vector<int>>
 pointsNearRooms(const Floorplan& plan,
                 const PointView& points,

@@ -11,24 +11,27 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Looks what a scan shows of every wall, column, riser and side of a niche, and
- * notes it in PlanElement::evidence.
+/** @brief Measures which shares of every wall, column, riser and niche side a scan
+ * shows, and stores them in PlanElement::evidence.
  *
- * The surface is cut into cells of 10 cm. One with a point of the scan within
- * `tolerance` of it is seen. Of the others, one that has points in the metre before it,
- * below 1 m of height also one without floor at its foot, is hidden: by furniture, or
- * in its shadow. What is left is an opening. Of a surface of which next to nothing was
- * seen all is hidden. Without the places of the scanner this is a guess: the shadow of
- * what stands more than a metre away counts as an opening. Where they are known, a cell
- * that was not seen and that a ray went through is an opening in any case.
+ * The surface is divided into cells of 10 cm. A cell is seen if a point of the scan
+ * lies within `tolerance` of it. Otherwise it is hidden (by furniture or its shadow) if
+ * there are points within a metre in front of it. Below 1 m of height it is also hidden
+ * if no floor was seen at its foot. The remaining cells are openings. A surface that
+ * was hardly seen counts as hidden.
  *
- * @param points thinned to a point in 5 cm or denser; not finite ones are left out
- * @param indices those of them that count
+ * Without scanner positions this is a guess: the shadow of objects more than a metre
+ * away counts as an opening. With known positions, a cell that was not seen and that a
+ * ray passed through is always an opening.
+ *
+ * @param points thinned to 5 cm or denser; non-finite points are ignored
+ * @param indices the points to use
  * @param tolerance metres, above 0
- * @param threads rooms looked at at a time; 0: as many as there are processors
- * @param sight rays of the scanners; null: not known
+ * @param threads number of rooms processed in parallel; 0: all processors
+ * @param sight rays of the scanners; null: unknown
  *
- * O(n log n + c) for n points and c cells; the same for any number of threads. */
+ * O(n log n + c) for n points and c cells; the result does not depend on the number of
+ * threads. */
 void measureEvidence(Floorplan& plan,
                      const PointView& points,
                      const std::vector<int>& indices,

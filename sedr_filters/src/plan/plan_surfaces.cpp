@@ -11,10 +11,10 @@ namespace sedr {
 
 namespace {
 
-/** @brief How far from an element its two sides are looked at, metres. */
+/** @brief Distance from an element at which its two sides are examined, metres. */
 constexpr double inside_step = 0.01;
 
-/** @brief The two sides of an element at one place of it. */
+/** @brief A place on an element, and places on its two sides. */
 struct Sides {
   Eigen::Vector2d place;
   Eigen::Vector2d left;
@@ -29,8 +29,7 @@ sidesOf(const PlanElement& element, double s)
   return {p, p + across, p - across};
 }
 
-/** @brief Heights of a wall or a column's face: from whatever floor is there to
- * whatever ceiling is. */
+/** @brief Returns the heights of a wall or column face: floor and ceiling in front. */
 UprightSpan
 wallSpan(const RoomLookup& room, const Sides& at)
 {
@@ -39,7 +38,7 @@ wallSpan(const RoomLookup& room, const Sides& at)
   return {floor, room.ceilingAt(at.left), true};
 }
 
-/** @brief The part of a wall below a niche, or above it, where there is one. */
+/** @brief Returns the part of a wall below a niche, or above it, if there is one. */
 UprightSpan
 wallBesideNiche(const RoomLookup& room, const Sides& at, bool is_above)
 {
@@ -55,9 +54,9 @@ wallBesideNiche(const RoomLookup& room, const Sides& at, bool is_above)
   return span;
 }
 
-/** @brief Heights of a riser of the ceiling: between what is above the two sides of the
- * edge. An edge between two details belongs to the later one; an edge on a wall is no
- * riser. */
+/** @brief Returns the heights of a ceiling riser: between the ceilings on the two sides
+ * of its edge. An edge between two details belongs to the later one; an edge on a wall
+ * is not a riser. */
 UprightSpan
 ceilingRiserSpan(const RoomLookup& room, const Sides& at, int detail)
 {
@@ -69,7 +68,7 @@ ceilingRiserSpan(const RoomLookup& room, const Sides& at, int detail)
   return {std::min(a, b), std::max(a, b), a > b};
 }
 
-/** @brief Likewise of the floor: the room is on the side of the lower one. */
+/** @brief Likewise returns the heights of a floor riser, which faces the lower side. */
 UprightSpan
 floorRiserSpan(const RoomLookup& room, const Sides& at, int detail)
 {
@@ -81,8 +80,7 @@ floorRiserSpan(const RoomLookup& room, const Sides& at, int detail)
   return {std::min(a, b), std::max(a, b), a < b};
 }
 
-/** @brief Heights of a side of a niche; where the room is on the other side, the niche
- * is open. */
+/** @brief Returns the heights of a niche side; none where it is open to the room. */
 UprightSpan
 nicheSpan(const RoomLookup& room, const Sides& at, int part)
 {
@@ -98,8 +96,8 @@ clampedTo(const UprightSpan& span, double z)
   return std::min(std::max(z, span.low), std::max(span.low, span.high));
 }
 
-/** @brief The nearest place of an upright surface, by the distance in plan and what z
- * lies beside the surface's heights; infinity where that is not below `least`. */
+/** @brief Finds the nearest point of a vertical surface.
+ * @return its distance; infinity if it is not below `least` */
 double
 nearestOn(const UprightSurface& surface,
           const Eigen::Vector3d& p,
@@ -122,7 +120,7 @@ nearestOn(const UprightSurface& surface,
   return std::hypot((foot - place).norm(), p.z() - z);
 }
 
-/** @brief Which upright surfaces a point with a label may belong to. */
+/** @brief Checks whether a point with a label may belong to a vertical surface. */
 bool
 mayBelong(StructureLabel label, StructureLabel surface)
 {
@@ -166,7 +164,7 @@ UprightSurface::normalAt(double s) const
 
 namespace {
 
-/** @brief Whether some niche is open along a part of the element. */
+/** @brief Checks whether a niche is open along a part of the element. */
 bool
 hasNiche(const PlanRoom& room, const PlanElement& element)
 {
@@ -215,7 +213,7 @@ uprightSurfaces(const PlanRoom& room)
 
 namespace {
 
-/** @brief The point of a slab at a place, its normal up or down. */
+/** @brief Returns the point of a slab at a place, with the normal up or down. */
 SurfacePoint
 pointOn(const PlanSlab& slab,
         const Eigen::Vector2d& place,
@@ -259,8 +257,8 @@ nichePointAt(const PlanRoom& room,
 
 namespace {
 
-/** @brief The bottom or top of the niche around a place that is nearer to a point;
- * infinity where there is no niche. */
+/** @brief Finds the nearer of bottom and top of the niche around a place.
+ * @return the distance; infinity if there is no niche */
 double
 nearestInNiche(const RoomLookup& lookup,
                const Eigen::Vector3d& p,
@@ -279,8 +277,8 @@ nearestInNiche(const RoomLookup& lookup,
   return std::min(to_bottom, to_top);
 }
 
-/** @brief The point of the structure that a point stands for, which no upright surface
- * beside the `near` ones can be nearest to. */
+/** @brief Projects a point onto the structure; `near` lists the only vertical surfaces
+ * that can be nearest. */
 template <typename Numbers>
 bool
 snapTo(const RoomLookup& room,
@@ -300,7 +298,7 @@ snapTo(const RoomLookup& room,
       const SurfacePoint candidate = slabPointAt(room, position.head<2>(), is_floor);
       double d = std::abs(position.z() - candidate.position.z());
       if (!is_floor && room.room().hasFacets())
-        d *= candidate.normal.cwiseAbs().z(); // a slope is nearer than that
+        d *= candidate.normal.cwiseAbs().z(); // the distance to a slope is shorter
       if (d < least)
         snapped = candidate;
       least = std::min(least, d);

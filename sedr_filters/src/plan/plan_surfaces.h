@@ -13,53 +13,52 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The stretch of heights that an upright surface covers at one place, metres.
- */
+/** @brief The range of heights of a vertical surface at one place, metres. */
 struct UprightSpan {
   double low = 0;
-  double high = 0;        ///< not above low where there is no surface
-  bool faces_left = true; ///< whether the room is on the left of the element's way
+  double high = 0;        ///< not above `low` where there is no surface
+  bool faces_left = true; ///< whether the room is to the left of the element
 };
 
-/** @brief A wall, the face of a column, the riser of a detail or a side of a niche: an
- * element of a room's plan, upright from one height to another. */
+/** @brief A vertical surface: an element of a room's plan between two heights. It is a
+ * wall, a column face, a riser of a detail or a niche side. */
 struct UprightSurface {
   const PlanRoom* room = nullptr;
   const PlanElement* element = nullptr;
   UprightKind kind = UprightKind::Wall;
   StructureLabel label = StructureLabel::Wall; ///< Wall, Column or Detail
-  int part = -1; ///< of a riser or a niche: index in the room's list
-  std::shared_ptr<const RoomLookup> lookup; ///< what is where in the room
+  int part = -1; ///< of a riser or niche: index in the room's list
+  std::shared_ptr<const RoomLookup> lookup; ///< queries on the room
 
-  /** @brief What the surface covers at distance `s` along the element. */
+  /** @brief Returns the heights of the surface at distance `s` along the element. */
   UprightSpan spanAt(double s) const;
 
-  /** @brief Unit normal into the room at distance `s`. */
+  /** @brief Returns the unit normal into the room at distance `s`. */
   Eigen::Vector3d normalAt(double s) const;
 };
 
-/** @brief The upright surfaces of a room: walls, then columns, risers of ceiling and
- * floor, and niches. They point into `room`, which must stay where it is. */
+/** @brief Returns the vertical surfaces of a room: walls, then columns, risers of
+ * ceiling and floor, and niche sides. They point into `room`, which must not move. */
 std::vector<UprightSurface> uprightSurfaces(const PlanRoom& room);
 
-/** @brief The point at a place in plan of whatever floor is below, or of whatever
- * ceiling or detail is above the place; whether the place is in the room is not asked.
- * Parts at a height of their own are labelled Detail. */
+/** @brief Returns the point of the floor, or of the ceiling, at a place in plan,
+ * details included. Does not check that the place is in the room. Parts at their own
+ * height are labelled Detail. */
 SurfacePoint
 slabPointAt(const RoomLookup& room, const Eigen::Vector2d& place, bool is_floor);
 
-/** @brief The point at a place in plan of a niche's bottom or top. */
+/** @brief Returns the point of a niche's bottom or top at a place in plan. */
 SurfacePoint nichePointAt(const PlanRoom& room,
                           const PlanNiche& niche,
                           const Eigen::Vector2d& place,
                           bool is_bottom);
 
-/** @brief The point of the room's structure that a scanned point with a label stands
- * for (paper, section 2.4): ceiling and floor points move to the plane, wall and column
- * points to their line or circle in x and y while z stays, detail points to the
- * underside, the riser or the niche, whichever is nearest.
- * @return false where that would be farther than `farthest` metres, or beside the room:
- * then the point is not of this structure */
+/** @brief Projects a labelled point onto the structure of a room (paper, section 2.4).
+ * Ceiling and floor points move to the plane. Wall and column points move to their line
+ * or circle in x and y and keep z. Detail points move to the nearest underside, riser
+ * or niche.
+ * @return false if the point would move more than `farthest` metres or lies outside the
+ * room: it is not part of this structure */
 bool snapToRoom(const PlanRoom& room,
                 const std::vector<UprightSurface>& uprights,
                 const Eigen::Vector3d& position,
@@ -67,15 +66,15 @@ bool snapToRoom(const PlanRoom& room,
                 double farthest,
                 SurfacePoint& snapped);
 
-/** @brief The structure of a room made ready for snapToRoom() of many points: each
- * looks at the surfaces near it only. */
+/** @brief The structure of a room prepared for snapToRoom() of many points: a query
+ * only looks at nearby surfaces. */
 class RoomSurfaces {
 public:
-  /** @param room must stay as and where it is
-   * @param farthest that a point may be from its surface, metres */
+  /** @param room must not move or change while this object exists
+   * @param farthest maximum distance of a point from its surface, metres */
   RoomSurfaces(const PlanRoom& room, double farthest);
 
-  /** @brief As snapToRoom(). */
+  /** @brief Projects a point as snapToRoom(). */
   bool snap(const Eigen::Vector3d& position,
             StructureLabel label,
             SurfacePoint& snapped) const;
@@ -84,7 +83,7 @@ private:
   RoomLookup lookup_;
   std::vector<UprightSurface> uprights_;
   double farthest_;
-  PlaceTable near_; ///< the surfaces within reach
+  PlaceTable near_; ///< surfaces within reach of a place
 };
 
 } // namespace sedr

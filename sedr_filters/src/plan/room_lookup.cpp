@@ -50,7 +50,7 @@ LoopLookup::contains(const Eigen::Vector2d& p) const
 
 namespace {
 
-constexpr double table_cell = 0.5; // of the tables, metres
+constexpr double table_cell = 0.5; // cell size of the tables, metres
 
 void
 addTo(PlaceTable& places, const PlanLoop& loop, std::size_t number)

@@ -13,14 +13,14 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A loop made ready for being asked many times what it contains: a question
- * looks at the elements at the height of its place in plan only. */
+/** @brief A loop prepared for many containment queries: a query only looks at the
+ * elements near its y coordinate. */
 class LoopLookup {
 public:
-  /** @param loop must stay where it is */
+  /** @param loop must not move while this object exists */
   explicit LoopLookup(const PlanLoop& loop);
 
-  /** @brief As PlanLoop::contains(). */
+  /** @brief Checks as PlanLoop::contains(). */
   bool contains(const Eigen::Vector2d& p) const;
 
 private:
@@ -31,11 +31,11 @@ private:
   std::vector<std::vector<std::uint32_t>> bands_;
 };
 
-/** @brief A room made ready for being asked many times what is at a place in plan. Its
- * answers are those of PlanRoom, in a time that does not grow with the room. */
+/** @brief A room prepared for many queries of what is at a place in plan. Results are
+ * those of PlanRoom, in a time independent of the size of the room. */
 class RoomLookup {
 public:
-  /** @param room must stay as and where it is */
+  /** @param room must not move or change while this object exists */
   explicit RoomLookup(const PlanRoom& room);
 
   const PlanRoom& room() const { return *room_; }

@@ -13,7 +13,7 @@ namespace {
 
 using Votes = std::map<std::uint32_t, std::size_t>;
 
-/** @brief How many points of each room lie in each cell; of no room, none. */
+/** @brief Counts the points of each room in each cell, without those of no room. */
 std::vector<Votes>
 countRooms(const CellGrid& grid,
            const PointView& points,
@@ -51,8 +51,8 @@ RoomMap::RoomMap(const CellGrid& grid,
     , points_(points)
     , cells_(unite(CellSet(grid, points, ceiling), CellSet(grid, points, detail)))
 {
-  // Details speak where there is no ceiling: those with a room for it, the others take
-  // it.
+  // Without ceiling, details decide: a detail with a room gives it to the cell, the
+  // others take the cell's room.
   const auto by_ceiling = countRooms(grid, points, room, ceiling, cells_);
   const auto by_detail = countRooms(grid, points, room, detail, cells_);
   std::vector<std::size_t> label(cells_.size(), CellSet::npos);
@@ -97,7 +97,7 @@ RoomMap::roomOver(pcl::index_t index) const
   const std::size_t cell = cells_.find(grid_.at(p.x(), p.y()));
   if (cell == CellSet::npos)
     return 0;
-  // Rooms that lie beside each other have ceilings less than a storey apart.
+  // Neighbouring rooms have ceilings less than a storey apart.
   constexpr double noise = 0.15;       // metres
   constexpr double least_storey = 1.5; // metres
   const std::vector<Above>& here = above_[cell];

@@ -21,8 +21,8 @@ struct Ray {
   Eigen::Vector2d way; ///< unit
 };
 
-/** @brief Where a ray meets an element at more than `least` metres; infinite where it
- * does not. */
+/** @brief Returns the distance at which a ray meets an element, above `least` metres;
+ * infinite if it does not. */
 double
 distanceAlong(const Ray& ray, const PlanElement& e, double least)
 {
@@ -51,8 +51,8 @@ distanceAlong(const Ray& ray, const PlanElement& e, double least)
   return nearest;
 }
 
-/** @brief The distance from a place of a boundary through its wall to a parallel face;
- * infinite where the first thing behind it is none. */
+/** @brief Returns the distance from a place of a boundary through its wall to a
+ * parallel face; infinite if the first face behind it is not parallel. */
 double
 thicknessAt(const std::vector<const PlanRoom*>& rooms,
             const PlanElement& element,
@@ -60,7 +60,7 @@ thicknessAt(const std::vector<const PlanRoom*>& rooms,
             double most)
 {
   constexpr double parallel = 0.996; // cosine of 5 degrees
-  constexpr double least = 0.005;    // thinner than any wall: the wall itself
+  constexpr double least = 0.005;    // below any thickness: this is the face itself
   const Eigen::Vector2d inward = element.normalAt(s);
   const Ray ray{element.pointAt(s), -inward};
   double nearest = most;
@@ -78,7 +78,7 @@ thicknessAt(const std::vector<const PlanRoom*>& rooms,
   return thickness;
 }
 
-/** @brief A room and those at its heights. */
+/** @brief Returns a room and the rooms that share its heights. */
 std::vector<const PlanRoom*>
 roomsBeside(const Floorplan& plan, std::size_t room)
 {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double steepest = 1000; ///< rise in metres per metre
 
-/** @brief A place in the frame of a curve: along its axis, and to the left of it. */
+/** @brief Returns a place along the axis of a curve, and to the left of it. */
 Eigen::Vector2d
 localPlace(const SlabCurve& curve, const Eigen::Vector2d& p)
 {
@@ -21,7 +21,7 @@ localPlace(const SlabCurve& curve, const Eigen::Vector2d& p)
   return {curve.axis.dot(off), curve.axis.x() * off.y() - curve.axis.y() * off.x()};
 }
 
-/** @brief 1 on the rim of the unit sphere that a curve is a stretched one of. */
+/** @brief Returns the squared distance from the axis, scaled to 1 on the rim. */
 double
 squareOut(const SlabCurve& curve, const Eigen::Vector2d& local)
 {
@@ -30,7 +30,7 @@ squareOut(const SlabCurve& curve, const Eigen::Vector2d& local)
   return u * u + v * v;
 }
 
-/** @brief The cell of a relief around a place, and where in it that is, 0 to 1. */
+/** @brief The cell of a relief around a place, and the position in it, 0 to 1. */
 struct ReliefPlace {
   std::size_t column = 0;
   std::size_t row = 0;
@@ -53,8 +53,7 @@ reliefPlace(const SlabCurve& curve, const Eigen::Vector2d& p)
   return place;
 }
 
-/** @brief The four heights about a place: low and high x of the lower row, then of the
- * upper one. */
+/** @brief Returns the heights around a place by x: lower row, then upper row. */
 Eigen::Vector4d
 heightsAbout(const SlabCurve& curve, const ReliefPlace& place)
 {

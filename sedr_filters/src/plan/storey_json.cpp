@@ -29,7 +29,7 @@ idsOf(const Floorplan& plan)
   return ids;
 }
 
-/** @brief The two rooms of a doorway or of stairs, 0 for one that is not there. */
+/** @brief Returns the rooms of a doorway or stair; 0 for those that do not exist. */
 template <typename Link>
 std::array<std::uint32_t, 2>
 knownRooms(const Link& link, const Ids& ids)
@@ -46,7 +46,7 @@ isNowhere(const std::array<std::uint32_t, 2>& rooms)
   return rooms[0] == rooms[1];
 }
 
-/** @brief A whole number from `least` up that fits 32 bits. */
+/** @brief Reads an integer of at least `least` that fits 32 bits. */
 std::uint32_t
 wholeFrom(const Json& json, std::uint32_t least, const char* what)
 {
@@ -70,7 +70,7 @@ heightFrom(const Json& json, const char* what)
   return height;
 }
 
-/** @brief The id of a room of the plan, or 0 where that is allowed. */
+/** @brief Reads the id of a room of the plan, or 0 where allowed. */
 std::uint32_t
 roomFrom(const Json& json, const Ids& ids, std::uint32_t least, const std::string& of)
 {
@@ -104,8 +104,8 @@ storeyFrom(const Json& json, std::size_t place, const Ids& ids, Ids& placed)
   return storey;
 }
 
-/** @brief Rooms and heights of a doorway or of stairs.
- * @param what "a doorway" */
+/** @brief Reads the rooms and heights of a doorway or stair.
+ * @param what its name with article: "a doorway" */
 template <typename Link>
 void
 readLink(const Json& json, const Ids& ids, const std::string& what, Link& link)

@@ -8,19 +8,19 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The storeys of a plan as storeysOf() tells them. */
+/** @brief Writes the storeys of a plan, see storeysOf(). */
 nlohmann::ordered_json storeysToJson(const Floorplan& plan);
 
-/** @brief Doorways of a plan. A room that it does not have is outside, 0; one without
- * any room is left out. */
+/** @brief Writes the doorways of a plan. Unknown rooms become 0, outside; doorways
+ * without any room are left out. */
 nlohmann::ordered_json doorwaysToJson(const Floorplan& plan);
 
-/** @brief Stairs likewise. */
+/** @brief Writes the stairs of a plan by the same rules. */
 nlohmann::ordered_json stairsToJson(const Floorplan& plan);
 
-/** @brief Reads `storeys`, `doorways` and `stairs`, each of which may be missing, into
- * a plan whose rooms are read already. Throws a std::exception with the reason where
- * they are none. */
+/** @brief Reads `storeys`, `doorways` and `stairs`, all optional, into a plan that
+ * already has its rooms.
+ * @throw std::exception with the reason if they are not valid */
 void readStoreys(const nlohmann::ordered_json& json, Floorplan& plan);
 
 } // namespace sedr

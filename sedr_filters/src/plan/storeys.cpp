@@ -12,8 +12,7 @@ namespace pcl {
 namespace sedr {
 namespace {
 
-/** @brief The share of the lower range that two have in common; 0 where they have
- * none. */
+/** @brief Returns the overlap of two ranges as a share of the shorter one. */
 double
 commonShare(const RoomHeights& a, const RoomHeights& b)
 {
@@ -28,7 +27,7 @@ isListed(const std::vector<std::uint32_t>& ids, std::uint32_t id)
   return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
-/** @brief Sets the heights of a storey from those of its rooms and sorts these. */
+/** @brief Sets the heights of a storey from its rooms, and sorts the rooms. */
 void
 complete(PlanStorey& storey,
          const Floorplan& plan,
@@ -44,8 +43,7 @@ complete(PlanStorey& storey,
   std::sort(storey.rooms.begin(), storey.rooms.end());
 }
 
-/** @brief The rooms that are reached from a first one over rooms that lie beside each
- * other, which are marked as placed. */
+/** @brief Collects and marks the rooms connected to a first one by shared heights. */
 PlanStorey
 storeyAround(std::size_t first,
              const Floorplan& plan,
@@ -96,7 +94,7 @@ nearestOf(std::vector<PlanStorey>& storeys, double floor)
                            });
 }
 
-/** @brief The storeys that a plan names, with just the rooms that it has. */
+/** @brief Returns the storeys listed in a plan, reduced to its rooms. */
 std::vector<PlanStorey>
 namedStoreys(const Floorplan& plan, const std::vector<RoomHeights>& heights)
 {

@@ -11,11 +11,11 @@ namespace sedr {
 
 namespace {
 
-/** @brief Cosine of what two faces may turn by and be parallel still: 15 degrees. */
+/** @brief Minimum cosine of the angle between parallel faces: 15 degrees. */
 constexpr double parallel = 0.966;
 
-/** @brief How far from a wall that leans its surroundings give way, beyond what it
- * moves by, metres. */
+/** @brief Distance over which the surroundings of a tilted wall are deformed, beyond
+ * its own displacement, metres. */
 constexpr double reach = 1;
 
 Eigen::Vector2d
@@ -30,22 +30,21 @@ directionOf(const LeaningFace& face)
   return (face.end - face.start).normalized();
 }
 
-/** @brief How far a face leans out of where it is at its head, at a height. */
+/** @brief Returns the displacement of a face at a height, relative to its head. */
 double
 shiftAt(const LeaningFace& face, double z)
 {
   return z < face.low ? 0 : face.run * std::min(z - face.head, 0.0);
 }
 
-/** @brief A place by a face: along its foot line, and off it, on lines that go as the
- * walls at its ends do. */
+/** @brief Coordinates along a face and off it, parallel to the walls at its ends. */
 struct FacePlace {
   double along = 0;
   double off = 0;
 };
 
-/** @brief A face's lines, which go as the wall at its start does up to `first`, as that
- * at its end from `last` on, and turn evenly in between. */
+/** @brief The coordinate lines of a face. They are parallel to the wall at its start up
+ * to `first`, to the wall at its end from `last` on, and turn evenly in between. */
 class FaceFrame {
 public:
   template <typename Ends>
@@ -63,7 +62,7 @@ public:
 
   FacePlace placeOf(const Eigen::Vector2d& p) const
   {
-    constexpr double least_stretch = 0.1; // lines that cross are of no use
+    constexpr double least_stretch = 0.1; // crossing lines would be ambiguous
     const Eigen::Vector2d from = p - face_.start;
     const double off = from.dot(left_);
     const double along = from.dot(way_);
@@ -76,7 +75,7 @@ public:
     return {at, off};
   }
 
-  /** @brief Way in plan for a metre to the left. */
+  /** @brief Returns the direction in plan for one metre to the left. */
   Eigen::Vector2d wayOff(double along) const
   {
     const double at = std::clamp(along, first_, last_);
@@ -102,7 +101,7 @@ private:
   double turn_;
 };
 
-/** @brief Where a face is on a line off another one, in the scan and straightened. */
+/** @brief Position of a face on a line across it, in the scan and straightened. */
 struct Anchor {
   double scan = 0;
   double straight = 0;
@@ -114,8 +113,8 @@ areParallel(const LeaningFace& a, const LeaningFace& b)
   return std::abs(directionOf(a).dot(directionOf(b))) > parallel;
 }
 
-/** @brief Where a face crosses the line p + off * way at a height.
- * @return whether it does, within its ends */
+/** @brief Intersects a face with the line p + off * way at a height.
+ * @return whether they meet within the ends of the face */
 bool
 anchorOn(const LeaningFace& face,
          const Eigen::Vector2d& p,
@@ -168,8 +167,9 @@ std::array<Straightening::End, 2>
 Straightening::endsOf(std::size_t face) const
 {
   constexpr double least_turn = 0.2; // sine
-  constexpr double farthest = 0.5;   // of a corner from the ends of both, metres
-  constexpr double most = 1.0 / 3;   // of a face whose lines go as those at one end
+  constexpr double farthest = 0.5; // distance of a corner from the ends of both, metres
+  constexpr double most =
+      1.0 / 3; // maximum share of a face with the direction of one end
   const LeaningFace& own = faces_[face];
   const Eigen::Vector2d way = directionOf(own);
   const Eigen::Vector2d left = leftOf(way);
@@ -186,7 +186,7 @@ Straightening::endsOf(std::size_t face) const
       const Eigen::Vector2d at = other.start + shiftAt(other, z) * leftOf(beside);
       return (at - own.start).dot(way) - (at - own.start).dot(left) * skew;
     };
-    // Where it is at its head, and at the foot of both.
+    // The crossing with the other wall at its head, and at the higher foot of both.
     const double high = crossing(other.head);
     const double low = crossing(std::max(own.low, other.low));
     const Eigen::Vector2d corner = own.start + high * way;
@@ -213,7 +213,7 @@ Straightening::endsOf(std::size_t face) const
 Eigen::Vector3d
 Straightening::move(const Group& group, const Eigen::Vector3d& p, bool is_forth) const
 {
-  // The face of the group that the place is nearest to tells the line it moves along.
+  // The nearest face of the group defines the line that the place moves along.
   std::size_t nearest = faces_.size();
   FacePlace place;
   double least = 0;
@@ -239,7 +239,7 @@ Straightening::move(const Group& group, const Eigen::Vector3d& p, bool is_forth)
   const Anchor own{shiftAt(face, p.z()), 0};
   const auto here = [&](const Anchor& a) { return is_forth ? a.scan : a.straight; };
   const auto there = [&](const Anchor& a) { return is_forth ? a.straight : a.scan; };
-  // The next faces on both sides, or where nothing moves any more.
+  // The next faces on both sides, or the limits of the deformation.
   const double width = reach + 2 * std::abs(face.run) * (face.head - face.low);
   const double low = std::min(own.scan, own.straight) - width;
   const double high = std::max(own.scan, own.straight) + width;
@@ -259,7 +259,7 @@ Straightening::move(const Group& group, const Eigen::Vector3d& p, bool is_forth)
   }
   double moved = place.off;
   if (place.off <= here(before) || place.off >= here(behind))
-    return p; // another face, or none, moves it
+    return p; // another face moves it, or none
   if (place.off < here(own))
     moved = between(place.off, here(before), here(own), there(before), there(own));
   else

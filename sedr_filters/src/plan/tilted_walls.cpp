@@ -12,7 +12,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief An element moved to its left. */
+/** @brief Returns an element shifted to its left. */
 PlanElement
 shifted(PlanElement element, double shift)
 {
@@ -24,8 +24,8 @@ shifted(PlanElement element, double shift)
   return element;
 }
 
-/** @brief How far a place is off an element's line or circle, to its left, and the way
- * in which that grows most. */
+/** @brief Returns the signed distance of a place from an element's line or circle,
+ * positive to its left; `way` is the gradient. */
 double
 offLine(const PlanElement& element, const Eigen::Vector2d& p, Eigen::Vector2d& way)
 {
@@ -39,8 +39,8 @@ offLine(const PlanElement& element, const Eigen::Vector2d& p, Eigen::Vector2d& w
   return sign * (from.norm() - element.radius);
 }
 
-/** @brief Where two elements that met in `corner` meet now: by Newton's method, as
- * circles know no other; where they are tangent, between their ends. */
+/** @brief Returns the intersection of two elements that met in `corner`, by Newton's
+ * method because of arcs; where they are tangent, the middle between their ends. */
 Eigen::Vector2d
 meetingOf(const PlanElement& before, const PlanElement& after)
 {
@@ -66,7 +66,7 @@ meetingOf(const PlanElement& before, const PlanElement& after)
   return p.allFinite() ? p : between;
 }
 
-/** @brief Height of the floor at a wall, from which its tilt counts. */
+/** @brief Returns the height of the floor at a wall, where its tilt starts. */
 double
 footOf(const PlanRoom& room, const PlanElement& wall)
 {
@@ -177,7 +177,7 @@ straightened(const Floorplan& plan, const WallTilts& tilts)
 std::vector<LeaningFace>
 leaningFaces(const Floorplan& plan, const WallTilts& tilts)
 {
-  constexpr double beside = 0.1; // metres, of what stands at the foot
+  constexpr double beside = 0.1; // margin at floor and ceiling, metres
   std::vector<LeaningFace> faces;
   bool any = false;
   for (const PlanRoom& room : plan.rooms) {

@@ -13,8 +13,7 @@ namespace {
 
 using CellPoint = std::pair<CellKey, pcl::index_t>;
 
-/** @brief The points of `indices` that lie in one of `cells`, with their cells, sorted.
- */
+/** @brief Returns the points of `indices` in `cells`, with their cells, sorted. */
 std::vector<CellPoint>
 pointsByCell(const CellSet& cells,
              const CellGrid& grid,

@@ -14,8 +14,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief Those of some points that lie within a band of a slab, or those that do not.
- */
+/** @brief Returns the points inside a band around a slab, or those outside. */
 Positions
 inBand(const Positions& points, const PlanSlab& slab, double band, bool is_inside)
 {
@@ -26,7 +25,7 @@ inBand(const Positions& points, const PlanSlab& slab, double band, bool is_insid
   return chosen;
 }
 
-/** @brief The cells of 10 cm that hold some points. */
+/** @brief Returns the 10 cm cells in plan that hold points. */
 CellSet
 placesOf(const Positions& points)
 {
@@ -38,8 +37,8 @@ placesOf(const Positions& points)
   return CellSet(std::move(keys));
 }
 
-/** @brief Whether the places of the second points are hardly any of the first: the
- * tails of noise lie above and below the surface that they are of. */
+/** @brief Checks that the second points share few places with the first. Noise of one
+ * surface would lie above and below the same places. */
 bool
 areSideBySide(const Positions& first, const Positions& second)
 {
@@ -56,15 +55,15 @@ findLargerSlab(const Positions& points,
                std::uint64_t seed,
                unsigned threads)
 {
-  constexpr double least_spread = 0.15;  // of a plane across a step, of the tolerance
-  constexpr double least_contrast = 2.5; // of its spread and that of one surface
-  constexpr double most_turned = 0.01;   // radians, of one surface to the other
+  constexpr double least_spread = 0.15;  // residual across a step / tolerance
+  constexpr double least_contrast = 2.5; // this residual / that of one surface
+  constexpr double most_turned = 0.01;   // radians, between the two surfaces
   const PlanSlab wide = findSlab(points, tolerance, maximum_tilt, seed, threads);
   if (wide.residual < least_spread * tolerance)
     return wide;
   const double thickness = tolerance / 3;
   const auto findThin = [&](const Positions& among) {
-    // A leaning plane comes close to two surfaces within half of it.
+    // A tilted plane would come near both surfaces within half of the thickness.
     const PlanSlab found = findSlab(among, thickness / 2, maximum_tilt, seed, threads);
     const PlanSlab refined = fitSlabRobustly(among, found, thickness);
     return refined.plane[2] >= std::cos(maximum_tilt) ? refined : found;

@@ -14,7 +14,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief A strip of a room whose first cell is point `first` of all. */
+/** @brief Converts a strip of a room; its first cell is output point `first`. */
 RepairedStrip
 repairedStrip(const SurfaceCells::Strip& strip, std::uint32_t room, std::size_t first)
 {

@@ -13,15 +13,15 @@ namespace sedr {
 
 namespace {
 
-/** @brief Number of equal parts of about `size`, at least one. */
+/** @brief Returns the number of equal parts of about `size`, at least one. */
 std::size_t
 partsOf(double length, double size)
 {
   return std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(length / size)));
 }
 
-/** @brief Into how many parts to each side a cell of a surface with that normal is cut,
- * that points stay as near to each other on it as in plan. */
+/** @brief Returns the number of parts in x and y of a grid cell on a surface with this
+ * normal. Parts keep points on a slope as close as in plan. */
 std::size_t
 partsOf(const Eigen::Vector3d& normal)
 {
@@ -33,7 +33,7 @@ partsOf(const Eigen::Vector3d& normal)
              : static_cast<std::size_t>(std::ceil(std::min(1 / upward, most)));
 }
 
-/** @brief A riser lower than this is no step but two fits of one height, metres. */
+/** @brief Lower risers are not steps but two fits of the same height, metres. */
 constexpr double least_riser = 0.01;
 
 struct PlanBox {
@@ -53,8 +53,8 @@ boxOf(const PlanLoop& loop, double tolerance)
   return box;
 }
 
-/** @brief The greatest difference of height between any two slabs of a room at one
- * place of its box, or more: of planes it is linear in between, so the corners tell. */
+/** @brief Returns an upper bound of the height difference between any two slabs of a
+ * room within its box. Planes are linear, so the corners decide. */
 double
 greatestHeight(const PlanRoom& room, const PlanBox& box)
 {
@@ -85,8 +85,8 @@ greatestHeight(const PlanRoom& room, const PlanBox& box)
   return greatest;
 }
 
-/** @brief About how many cells a room has, the empty ones of its box in plan included,
- * for they take memory too. */
+/** @brief Estimates the number of cells of a room, including empty ones of its box in
+ * plan, which also take memory. */
 double
 estimatedCells(const PlanRoom& room, double size)
 {
@@ -302,7 +302,7 @@ SurfaceCells::findUpright(const SurfacePoint& point) const
 bool
 SurfaceCells::occupy(const SurfacePoint& point, std::size_t source)
 {
-  // Undersides and risers of details share a label: the normal tells them apart.
+  // Undersides and risers of details share a label: the normal distinguishes them.
   const bool is_slab = point.label == StructureLabel::Ceiling ||
                        point.label == StructureLabel::Floor ||
                        std::abs(point.normal.z()) > 0.5;

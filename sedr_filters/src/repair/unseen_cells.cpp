@@ -17,7 +17,7 @@ namespace {
 /** @brief The scanned points of one surface. */
 class SeenPoints {
 public:
-  /** @param begin, end the cells of the surface */
+  /** @param begin,end range of the cells of the surface */
   SeenPoints(const std::vector<SurfaceCell>& cells,
              std::size_t begin,
              std::size_t end,
@@ -33,7 +33,7 @@ public:
       tree_.setInputCloud(cloud_);
   }
 
-  /** @brief Distance from each of the points to the nearest other one. */
+  /** @brief Appends the distance from each point to its nearest neighbour. */
   void addDistances(std::vector<float>& distances)
   {
     if (cloud_->size() < 2)
@@ -48,14 +48,14 @@ public:
   }
 
 private:
-  /** @brief From where a float has digits to spare. */
+  /** @brief Returns local coordinates, which keep their precision as floats. */
   pcl::PointXYZ local(const Eigen::Vector3d& place) const
   {
     const Eigen::Vector3f p = (place - origin_).cast<float>();
     return {p.x(), p.y(), p.z()};
   }
 
-  /** @brief Of the k-th nearest point. */
+  /** @brief Returns the squared distance of the k-th nearest point. */
   float squaredDistance(const pcl::PointXYZ& place, int k)
   {
     tree_.nearestKSearch(place, k, indices_, squared_);
@@ -69,8 +69,8 @@ private:
   std::vector<float> squared_;
 };
 
-/** @brief Half the diagonal of a square of the scan's spacing, metres; 0 for no points.
- */
+/** @brief Returns half the diagonal of a square with the scan's spacing, metres; 0
+ * without points. */
 double
 reachOf(std::vector<float> distances)
 {
@@ -90,8 +90,8 @@ share(std::size_t part, std::size_t whole)
   return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
 }
 
-/** @brief Share of the walls' columns of which less than a fifth was seen: so little is
- * no evidence of a wall in the fit of its line, either. */
+/** @brief Returns the share of wall profiles of which less than a fifth was seen; the
+ * fit of the wall lines ignores these, too. */
 double
 shareOfWalls(const SurfaceCells& cells, const std::vector<std::uint8_t>& is_unseen)
 {

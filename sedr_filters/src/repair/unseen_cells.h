@@ -9,18 +9,17 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief How much of a room's surfaces its scanned points do not support, at their own
- * density: an empty cell is unseen where no point of its surface is within the reach of
- * these points.
+/** @brief Computes the share of a room's surfaces without support by scanned points, at
+ * their own density. An empty cell is unseen if no point of its surface lies within the
+ * reach.
  *
- * Points of a square grid leave no place farther from all of them than half the
- * diagonal of a square. The reach is that of the square whose side is the distance
- * beyond which only one in twenty points of the room has its nearest neighbour on its
- * surface: of points that lie quite at random it leaves out a fifth of a surface, of
- * even ones nothing.
+ * In a square grid of points no place is farther from all points than half the diagonal
+ * of a square. The reach is this half diagonal, with the 95th percentile of the
+ * distances between nearest neighbours on a surface as the side. Random points leave a
+ * fifth of a surface unseen, evenly spaced ones nothing.
  *
- * @param cells of one room, occupied by its points
- * @param points that the sources of the cells are indices of
+ * @param cells cells of one room, occupied by its points
+ * @param points the points that the sources of the cells refer to
  *
  * O(c log c) for c cells. */
 UnseenShares unseenSharesOf(const SurfaceCells& cells,

@@ -15,12 +15,12 @@ namespace sedr {
  * `rgb` and `rgba` by channel, `label` and `room` by majority. */
 class FieldMeans {
 public:
-  /** @param fields those to average; others of a row are left alone */
+  /** @param fields the fields to average; the others of a row are not changed */
   FieldMeans(const std::vector<pcl::PCLPointField>& fields, std::size_t voxels);
 
   void add(std::size_t voxel, const std::uint8_t* row);
 
-  /** @brief Writes the means of the `count` rows that were added to a voxel. */
+  /** @brief Writes the means of the `count` rows added to a voxel. */
   void write(std::size_t voxel, std::size_t count, std::uint8_t* row) const;
 
 private:
@@ -29,9 +29,9 @@ private:
   /** @brief One value of a row. */
   struct Value {
     Kind kind;
-    std::size_t offset; ///< in the row, bytes
+    std::size_t offset; ///< offset in the row, bytes
     std::uint8_t datatype;
-    std::size_t place; ///< among the sums, or votes, of a voxel
+    std::size_t place; ///< position among the sums or votes of a voxel
   };
 
   std::vector<Value> values_;

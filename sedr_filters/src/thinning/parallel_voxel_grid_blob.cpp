@@ -23,7 +23,7 @@ isCoordinate(const pcl::PCLPointField& field)
   return field.name == "x" || field.name == "y" || field.name == "z";
 }
 
-/** @brief Whether the sums of voxels hold the mean of a field. */
+/** @brief Checks whether the voxel sums contain the mean of a field. */
 bool
 isSummed(const pcl::PCLPointField& field)
 {
@@ -31,7 +31,7 @@ isSummed(const pcl::PCLPointField& field)
          field.count <= 1;
 }
 
-/** @brief A blob in one piece. */
+/** @brief A PCLPointCloud2 as a source of one piece. */
 class BlobRows : public sedr::RowSource {
 public:
   explicit BlobRows(const pcl::PCLPointCloud2& blob)
@@ -63,8 +63,7 @@ private:
   const pcl::PCLPointCloud2& blob_;
 };
 
-/** @brief Makes the normal at `point` unit length, if there is one and it is not null.
- */
+/** @brief Normalises the normal at `point`, if there is one and it is not zero. */
 void
 normalise(const std::vector<pcl::PCLPointField>& fields, std::uint8_t* point)
 {
@@ -103,7 +102,7 @@ ParallelVoxelGrid<pcl::PCLPointCloud2>::filter(PCLPointCloud2& output)
     Filter<pcl::PCLPointCloud2>::filter(output);
     return;
   }
-  // PCL would list the indices of all points first.
+  // pcl::Filter would first create the indices of all points.
   PCLPointCloud2 thinned;
   thin(BlobRows(*input_), nullptr, thinned);
   thinned.header = input_->header;

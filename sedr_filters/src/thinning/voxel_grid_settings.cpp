@@ -19,7 +19,7 @@ namespace {
 constexpr std::int64_t int_max = std::numeric_limits<int>::max();
 constexpr std::int64_t layout_limit = std::int64_t{1} << 27;
 
-/** @brief Voxels sort by z, then y, then x. */
+/** @brief Compares voxels by z, then y, then x. */
 bool
 precedes(const Eigen::Vector3i& a, const Eigen::Vector3i& b)
 {

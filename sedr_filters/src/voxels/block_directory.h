@@ -14,9 +14,9 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Finds blocks by their corner: a hash table, at most half full, that all
- * threads share. To find a block nobody waits; blocks are made one at a time. A table
- * that has become too small stays until the end, for others may still look into it. */
+/** @brief A hash table of blocks by their corner, at most half full, shared by all
+ * threads. Lookups never wait; insertions are made one at a time. An outgrown table is
+ * kept until the end, because other threads may still read it. */
 class BlockDirectory {
 public:
   BlockDirectory()
@@ -25,10 +25,10 @@ public:
     newest_ = tables_.back().get();
   }
 
-  /** @brief How many blocks there are, while none is made. */
+  /** @brief Returns the number of blocks; not during insertions. */
   std::size_t size() const { return size_; }
 
-  /** @brief Shows all blocks, while none is made. */
+  /** @brief Calls `see` for all blocks; not during insertions. */
   template <typename See>
   void forEach(const See& see) const
   {
@@ -38,7 +38,7 @@ public:
         see(*block);
   }
 
-  /** @brief The block with this corner, made in `memory` if there is none. */
+  /** @brief Returns the block with this corner, created in `memory` if needed. */
   VoxelBlock& find(const VoxelCode& corner, BlockMemory& memory)
   {
     const std::uint32_t hash = hashOf(corner);
@@ -46,28 +46,28 @@ public:
     return block ? *block : make(corner, hash, memory);
   }
 
-  /** @brief The block with this corner, null if there is none. */
+  /** @brief Returns the block with this corner, null if there is none. */
   VoxelBlock* find(const VoxelCode& corner, std::uint32_t hash) const
   {
     return findIn(newest(), corner, hash);
   }
 
-  /** @brief Where the search for a block begins, to be prefetched. */
+  /** @brief Returns the address where the search begins, for prefetching. */
   const void* placeOf(std::uint32_t hash) const
   {
     const Table& table = newest();
     return &table.slots[hash & table.mask];
   }
 
-  /** @brief The block where the search begins, null if there is none: most often the
-   * one that is looked for. */
+  /** @brief Returns the block at which the search begins, null if there is none:
+   * usually the one sought. */
   const VoxelBlock* guess(std::uint32_t hash) const
   {
     const Table& table = newest();
     return table.at(hash & table.mask);
   }
 
-  std::atomic<std::uint32_t> meetings{0}; ///< of threads that add to the same block
+  std::atomic<std::uint32_t> meetings{0}; ///< times that threads met
 
 private:
   struct Table {
@@ -81,14 +81,14 @@ private:
       return slots[slot].load(std::memory_order_acquire);
     }
 
-    std::size_t mask; ///< one less than its size, a power of two
+    std::size_t mask; ///< table size - 1; the size is a power of two
     std::unique_ptr<std::atomic<VoxelBlock*>[]> slots;
   };
 
   const Table& newest() const { return *newest_.load(std::memory_order_acquire); }
 
-  /** @brief The slot of a block, or the empty one where it belongs, while none is made.
-   */
+  /** @brief Returns the slot of a block, or the empty slot where it belongs; not during
+   * insertions. */
   static std::size_t
   slotOf(const Table& table, const VoxelCode& corner, std::uint32_t hash)
   {
@@ -99,8 +99,8 @@ private:
     return slot;
   }
 
-  /** @brief Null if there is none. Each slot is read once: another thread may fill one
-   * that was empty with a block that was not looked for. */
+  /** @brief Returns a block, null if there is none. Each slot is read only once,
+   * because another thread may fill an empty slot with a different block. */
   static VoxelBlock*
   findIn(const Table& table, const VoxelCode& corner, std::uint32_t hash)
   {

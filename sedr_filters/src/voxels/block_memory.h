@@ -13,8 +13,8 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Where the blocks that a thread made, and the sums in them, stand: taken from
- * the system in large portions, and given back all at once. */
+/** @brief Memory for the blocks and sums created by one thread: allocated in large
+ * portions and released all at once. */
 class BlockMemory {
 public:
   VoxelBlock& makeBlock(const VoxelCode& corner)
@@ -22,7 +22,7 @@ public:
     return *new (take(sizeof(VoxelBlock))) VoxelBlock(corner);
   }
 
-  /** @brief Makes the sum of a voxel that holds none; the block is locked. */
+  /** @brief Creates the sum of a voxel that has none; the block must be locked. */
   BlockSum& makeSum(VoxelBlock& block, unsigned local)
   {
     if (block.size == rooms[block.room_class])
@@ -35,12 +35,12 @@ public:
   }
 
 private:
-  /** @brief The rooms that sums may have, in sums. */
+  /** @brief Capacities of the storage of a block, in sums. */
   static constexpr std::array<std::uint8_t, 12> rooms{0,  1,  2,  4,  6,  8,
                                                       12, 16, 24, 32, 48, 64};
   static constexpr std::size_t least_portion = std::size_t{1} << 16;
 
-  /** @brief What stands in a room that was left. */
+  /** @brief Entry of the free list, stored in unused storage. */
   struct LeftRoom {
     LeftRoom* next;
   };
@@ -57,7 +57,7 @@ private:
     ++block.room_class;
   }
 
-  /** @brief One that other sums have left, or a new one. */
+  /** @brief Returns storage from the free list, or new storage. */
   BlockSum* makeRoom(std::size_t room_class)
   {
     void* room = left_rooms_[room_class];
@@ -88,9 +88,9 @@ private:
   }
 
   std::vector<std::unique_ptr<char, decltype(&std::free)>> portions_;
-  std::size_t taken_ = 0; ///< bytes in all
+  std::size_t taken_ = 0; ///< bytes allocated in total
   char* next_ = nullptr;
-  std::size_t free_ = 0; ///< bytes from there on
+  std::size_t free_ = 0; ///< bytes free from `next_` on
   std::array<LeftRoom*, rooms.size()> left_rooms_{};
 };
 

@@ -12,11 +12,11 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The blocks that a thread has locked. It gives none back while it adds points
- * to a few that lie side by side, between which a scanner goes to and fro; but all of
- * them before it waits for one, so that no two threads wait for each other. For memory
- * and for the directory of blocks it may wait while it holds some: who has these never
- * waits for a block. */
+/** @brief The blocks locked by one thread. It keeps its locks while it adds points to a
+ * few adjacent blocks, between which a scanner alternates. Before it waits for a block
+ * it releases all of them, so two threads never wait for each other. It may wait for
+ * memory and for the directory while it holds blocks: their owners never wait for a
+ * block. */
 class HeldBlocks {
 public:
   /** @param meetings counts how often a thread had to wait for another */
@@ -26,7 +26,7 @@ public:
   HeldBlocks(const HeldBlocks&) = delete;
   HeldBlocks& operator=(const HeldBlocks&) = delete;
 
-  /** @brief The block with this corner, null where it is not held. */
+  /** @brief Returns the block with this corner, null if it is not held. */
   VoxelBlock* find(std::size_t slot, const VoxelCode& corner) const
   {
     return by_slot_.find(slot, corner);
@@ -56,8 +56,8 @@ public:
     }
   }
 
-  /** @brief Begins with the next points. Where threads have met in a block since the
-   * last time, one is held at a time for a while. */
+  /** @brief Starts a batch of points. If threads met in a block since the last call,
+   * only one block is held at a time for a while. */
   void begin()
   {
     const std::uint32_t meetings = meetings_.load(std::memory_order_relaxed);
@@ -65,7 +65,7 @@ public:
     seen_meetings_ = meetings;
   }
 
-  /** @brief How often a block was locked so far. */
+  /** @brief Returns the number of locks taken so far. */
   std::size_t count() const { return count_; }
 
 private:

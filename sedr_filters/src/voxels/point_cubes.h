@@ -14,12 +14,12 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Points of a box by cubes, to be found by place: columns of cubes side by
- * side, those of each by height. O(n + columns of the box). */
+/** @brief The points within a box, sorted into cubes for spatial queries: by profile in
+ * plan, then by height. O(n + profiles of the box). */
 class PointCubes {
 public:
-  /** @param size of a cube, metres, of large boxes more
-   * @param threads 0: as many as there are processors; the result is the same */
+  /** @param size edge of a cube, metres; larger for large boxes
+   * @param threads 0: all processors; the result does not depend on it */
   PointCubes(const PointView& points,
              const std::vector<int>& indices,
              const Eigen::AlignedBox3d& box,
@@ -33,7 +33,7 @@ public:
     if (box.isEmpty() || !extent.allFinite())
       return;
     while ((extent.x() / size_ + 1) * (extent.y() / size_ + 1) > most_columns)
-      size_ *= 2; // whoever asks sees more points, of which most are too far away
+      size_ *= 2; // queries then see more points, most of them too far away
     const Cube far = cubeOf(box.max());
     width_ = far.x() + 1;
     height_ = far.y() + 1;
@@ -41,8 +41,8 @@ public:
     sortColumns(threads);
   }
 
-  /** @brief Whether any point within a cube's size of `place` is one that is asked for.
-   */
+  /** @brief Checks whether `asked(point)` is true for any point within one cube size of
+   * `place`; it may also see points slightly farther away. */
   template <typename Asked>
   bool anyNear(const Eigen::Vector3d& place, Asked asked) const
   {
@@ -69,7 +69,7 @@ private:
 
   struct Entry {
     Eigen::Vector3f place;
-    std::int32_t level; ///< of its cube above the lowest
+    std::int32_t level; ///< level of its cube above the lowest
   };
 
   static constexpr std::uint32_t outside = static_cast<std::uint32_t>(-1);
@@ -79,7 +79,7 @@ private:
     return ((p - origin_) / size_).array().floor().cast<std::int64_t>();
   }
 
-  /** @brief The column of each of the points, `outside` for those beside the box. */
+  /** @brief Returns the profile of each point, `outside` for points outside the box. */
   std::vector<std::uint32_t> columnsOf(const PointView& points,
                                        const std::vector<int>& indices,
                                        const Eigen::AlignedBox3d& box,
@@ -134,7 +134,7 @@ private:
                      for (std::size_t c = begin; c < end; ++c) {
                        Entry* const low = entries_.get() + first_[c];
                        Entry* const high = entries_.get() + first_[c + 1];
-                       if (!std::is_sorted(low, high, isLower)) // as they mostly are
+                       if (!std::is_sorted(low, high, isLower)) // usually the case
                          std::sort(low, high, isLower);
                      }
                    });
@@ -142,9 +142,9 @@ private:
 
   Eigen::Vector3d origin_;
   double size_;
-  std::int64_t width_ = 0;         ///< columns along x
-  std::int64_t height_ = 0;        ///< and along y
-  std::vector<std::size_t> first_; ///< of each column, row by row, and the end
+  std::int64_t width_ = 0;         ///< profiles along x
+  std::int64_t height_ = 0;        ///< profiles along y
+  std::vector<std::size_t> first_; ///< first of each profile, row by row, then the end
   std::unique_ptr<Entry[]> entries_;
 };
 

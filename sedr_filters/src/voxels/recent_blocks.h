@@ -10,11 +10,11 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Blocks by the place where they lie, as many as stand close to one another: a
- * later one takes the place of an earlier one that is 16 blocks or a multiple away. */
+/** @brief A cache of blocks by position. A new block replaces an earlier one at a
+ * multiple of 16 blocks from it. */
 class RecentBlocks {
 public:
-  /** @brief The slot of the block with this corner. */
+  /** @brief Returns the slot of the block with this corner. */
   static std::uint32_t slotOf(const VoxelCode& corner)
   {
     const auto digit = [&](std::size_t axis) {
@@ -25,7 +25,7 @@ public:
 
   VoxelBlock*& at(std::size_t slot) { return blocks_[slot]; }
 
-  /** @brief The block with this corner, null where it is not among these. */
+  /** @brief Returns the block with this corner, null if it is not cached. */
   VoxelBlock* find(std::size_t slot, const VoxelCode& corner) const
   {
     VoxelBlock* const block = blocks_[slot];

@@ -14,12 +14,12 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Adds the points of one thread to the blocks that all threads share.
+/** @brief Adds the points of one thread to the blocks shared by all threads.
  *
- * A scanner sees many points of a few blocks, to and fro, before it turns away: a
- * block is mostly locked once for all of its points in a batch, and looked for among
- * those seen last. Where the points come in no such order, each would wait for memory
- * four times over; then blocks and sums of a whole batch are sent for beforehand. */
+ * A scanner alternates between a few blocks before it moves on. So a block is usually
+ * locked once for all of its points in a batch, and found in the cache of recent
+ * blocks. Points in random order would each wait four times for memory; then the blocks
+ * and sums of a whole batch are prefetched. */
 class VoxelAdder {
 public:
   VoxelAdder(const VoxelFrame& frame, BlockDirectory& blocks)
@@ -45,7 +45,7 @@ public:
     }
   }
 
-  /** @brief Adds what was added up before; the count must not be 0. */
+  /** @brief Adds a finished sum; its count must not be 0. */
   void add(const VoxelSum& voxel)
   {
     const VoxelCode corner = VoxelBlock::cornerOf(voxel.code);
@@ -83,7 +83,7 @@ private:
     is_scattered_ = 2 * (held_.count() - held_before) > batch_.size();
   }
 
-  /** @brief Locks the block of a point that is not held. */
+  /** @brief Locks the block of a point, which is not held yet. */
   VoxelBlock& hold(std::size_t i)
   {
     VoxelBlock& block = is_scattered_ && guesses_[i]
@@ -93,7 +93,7 @@ private:
     return block;
   }
 
-  /** @brief Finds the blocks of a batch, all at once, and sends for their sums. */
+  /** @brief Finds the blocks of a batch and prefetches their sums. */
   void lookAhead()
   {
     const std::size_t n = batch_.size();
@@ -136,7 +136,7 @@ private:
   BlockDirectory& blocks_;
   BlockMemory memory_;
   VoxelBatch batch_;
-  bool is_scattered_ = false; ///< whether fewer than two points came to each lock
+  bool is_scattered_ = false; ///< fewer than two points for each lock
   std::array<std::uint32_t, VoxelBatch::most> hashes_{};
   std::array<VoxelBlock*, VoxelBatch::most> guesses_{};
   RecentBlocks recent_;

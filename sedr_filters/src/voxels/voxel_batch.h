@@ -14,15 +14,14 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Some points, axis by axis, and what is made of them several at once: loops
- * without branches. */
+/** @brief A batch of points stored by axis, with vectorised loops without branches. */
 class VoxelBatch {
 public:
   static constexpr std::size_t most = 256;
 
   std::size_t size() const { return size_; }
 
-  /** @brief Takes those of the points pointAt(i), i < n, that are finite. */
+  /** @brief Takes the finite points among pointAt(i), i < n. */
   template <typename PointAt>
   void fill(std::size_t n, const PointAt& pointAt)
   {
@@ -36,7 +35,7 @@ public:
       leaveOutOthers();
   }
 
-  /** @brief Finds block, place in it and steps of every point. */
+  /** @brief Computes block, place in the block and steps of every point. */
   void find(const VoxelFrame& frame)
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -52,10 +51,10 @@ public:
 
   std::uint64_t steps(std::size_t axis, std::size_t i) const { return steps_[axis][i]; }
 
-  /** @brief VoxelBlock::localOf() the voxel. */
+  /** @brief Returns VoxelBlock::localOf() of the voxel. */
   unsigned local(std::size_t i) const { return locals_[i]; }
 
-  /** @brief RecentBlocks::slotOf() the block. */
+  /** @brief Returns RecentBlocks::slotOf() of the block. */
   std::size_t slot(std::size_t i) const { return slots_[i]; }
 
 private:
@@ -71,7 +70,7 @@ private:
 
   bool areAllFinite() const
   {
-    constexpr std::uint32_t exponent = 0x7f800000u; // none but those have all its bits
+    constexpr std::uint32_t exponent = 0x7f800000u; // all bits set: not finite
     std::uint32_t others = 0;
     for (const Column<float>& values : points_)
       for (std::size_t i = 0; i < size_; ++i)

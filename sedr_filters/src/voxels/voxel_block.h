@@ -13,7 +13,7 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Tells the processor what will soon be needed. */
+/** @brief Prefetches memory that will soon be written. */
 inline void
 prefetch(const void* where)
 {
@@ -24,29 +24,29 @@ prefetch(const void* where)
 #endif
 }
 
-/** @brief The sum of the points of a voxel, told by its place in its block. */
+/** @brief The sum of the points of a voxel and its place in its block. */
 struct BlockSum {
   std::array<std::uint64_t, 3> steps; ///< along x, y and z, modulo 2^64
-  std::uint32_t count;                ///< points
-  std::uint32_t local;                ///< VoxelBlock::localOf() the voxel
+  std::uint32_t count;                ///< number of points
+  std::uint32_t local;                ///< VoxelBlock::localOf() of the voxel
 };
 
-/** @brief A cube of 4 x 4 x 4 voxels and the sums of those that hold points, in the
- * order in which they were found. Surfaces fill a quarter of it and more, so that a sum
- * costs little more than its 32 bytes; and points that a scanner saw one after the
- * other lie mostly in one. Whoever adds to it locks it. */
+/** @brief A cube of 4 x 4 x 4 voxels and the sums of its occupied voxels, in order of
+ * creation. Surfaces fill at least a quarter of it, so a sum takes little more than its
+ * 32 bytes. Consecutive points of a scanner mostly lie in one block. It must be locked
+ * for additions. */
 struct alignas(32) VoxelBlock {
   static constexpr unsigned edge_bits = 2;
   static constexpr unsigned edge = 1u << edge_bits; ///< voxels
   static constexpr unsigned volume = edge * edge * edge;
 
-  /** @brief The corner of the block of a voxel, in blocks. */
+  /** @brief Returns the corner of the block of a voxel, in blocks. */
   static VoxelCode cornerOf(const VoxelCode& code)
   {
     return {code[0] >> edge_bits, code[1] >> edge_bits, code[2] >> edge_bits};
   }
 
-  /** @brief The place of a voxel in its block: by z, then y, then x. */
+  /** @brief Returns the place of a voxel in its block: by z, then y, then x. */
   static unsigned localOf(const VoxelCode& code)
   {
     const auto digit = [&](std::size_t axis) {
@@ -79,7 +79,7 @@ struct alignas(32) VoxelBlock {
 
   void unlock() { locked.store(false, std::memory_order_release); }
 
-  /** @brief One more than the place of a voxel's sum, 0: it has none yet. */
+  /** @brief Returns the place of a voxel's sum plus one; 0 if it has none yet. */
   unsigned placeOf(unsigned local) const
   {
     return places[local].load(std::memory_order_relaxed);
@@ -87,12 +87,11 @@ struct alignas(32) VoxelBlock {
 
   VoxelCode corner;
   std::atomic<bool> locked{false};
-  std::uint8_t size = 0;       ///< voxels that hold points
-  std::uint8_t room_class = 0; ///< of the room for sums, see BlockMemory
-  /// One for each voxel, the lowest for the first: whether it holds points.
+  std::uint8_t size = 0;       ///< number of occupied voxels
+  std::uint8_t room_class = 0; ///< capacity class of the storage, see BlockMemory
+  /// One bit for each voxel, the lowest for the first: whether it is occupied.
   std::uint64_t occupied = 0;
-  /// Of these two another thread, that has not locked the block, makes a guess at what
-  /// will be needed.
+  /// Another thread may read these two without the lock, to guess what to prefetch.
   std::atomic<BlockSum*> sums{nullptr};
   std::array<std::atomic<std::uint8_t>, volume> places{};
 };

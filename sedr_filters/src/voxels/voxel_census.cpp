@@ -16,7 +16,7 @@ constexpr unsigned edge_bits = 2;
 constexpr double cube_volume = 64; // voxels
 constexpr std::size_t most_counted = 4096;
 
-/** @brief What has nothing over so many cubes (13 m at 5 cm) is no room. */
+/** @brief Larger gaps, in cubes (13 m at 5 cm), are not within a room. */
 constexpr double highest_room = 64;
 
 VoxelCode
@@ -32,7 +32,7 @@ saturatedSum(std::uint32_t a, std::uint32_t b)
   return a > most - b ? most : a + b;
 }
 
-/** @brief The cubes by column, lowest first, each once. */
+/** @brief Returns the cubes by profile, lowest first, and merges duplicates. */
 std::vector<VoxelCensus::Cube>
 joined(std::vector<VoxelCensus::Cube> cubes)
 {
@@ -51,8 +51,8 @@ joined(std::vector<VoxelCensus::Cube> cubes)
   return cubes;
 }
 
-/** @brief Cubes from one up to the next of the same column; 0 where they are of two, or
- * too far apart for a room. */
+/** @brief Returns the number of cubes from one up to the next in the same profile; 0 if
+ * they are in two profiles or too far apart for a room. */
 double
 stepUp(const VoxelCensus::Cube& from, const VoxelCensus::Cube& to)
 {
@@ -93,7 +93,7 @@ VoxelCensus::pointsInAir() const
   const std::vector<Cube> cubes = joined(cubes_);
   std::vector<std::uint32_t> occupied;
   double all = 0;
-  double below = 0; // cubes from the last one of the column to this one
+  double below = 0; // cubes from the previous one of the profile to this one
   for (std::size_t i = 0; i < cubes.size(); ++i) {
     const double above = i + 1 < cubes.size() ? stepUp(cubes[i], cubes[i + 1]) : 0;
     if (below > 0)
@@ -128,11 +128,11 @@ VoxelCensus::middleCount() const
 std::uint32_t
 VoxelCensus::leastPoints() const
 {
-  constexpr double denser = 10; // surfaces, than strays
+  constexpr double denser = 10; // ratio of the densities of surfaces and strays
   const double in_air = pointsInAir();
   if (in_air == 0)
     return 0;
-  // Strays are independent: their numbers scatter by their roots.
+  // Counts of independent strays deviate by their square roots.
   const double mean = (in_air + std::sqrt(in_air)) / cube_volume;
   const double least = 2 + std::floor(mean + 2.5 * std::sqrt(mean));
   return static_cast<double>(middleCount()) >= denser * least

@@ -11,17 +11,17 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Tells from how many points on a voxel is more than points scattered in the
- * air.
+/** @brief Estimates how many points distinguish a voxel on a surface from one with
+ * points scattered in the air.
  *
- * To a voxel a single stray counts as much as a thousand points of a wall. In a dense
- * scan, one stray in a hundred points is enough to fill a tenth of a room's voxels.
- * Most of what lies between a floor and its ceiling is air, so strays are what cubes of
- * 4 x 4 x 4 voxels there hold, if most of them hold any: those that have both a lower
- * and a higher one in their column, which may be the floor's and the ceiling's. */
+ * A single stray occupies a voxel as a thousand points of a wall do. In a dense scan,
+ * one stray in a hundred points is enough to fill a tenth of a room's voxels. Most of
+ * the space between floor and ceiling is air. So the cubes of 4 x 4 x 4 voxels between
+ * a lower and a higher cube of their profile hold strays, if most of them hold points.
+ */
 class VoxelCensus {
 public:
-  /** @brief A cube and its points; plain bytes. */
+  /** @brief A cube and the number of its points; trivially copyable. */
   struct Cube {
     VoxelCode corner;     ///< in cubes
     std::uint32_t points; ///< saturated
@@ -29,48 +29,48 @@ public:
 
   VoxelCensus() = default;
 
-  /** @brief From what cubes() and pointsByCount() gave. */
+  /** @brief Restores a census from cubes() and pointsByCount(). */
   VoxelCensus(std::vector<Cube> cubes, std::vector<std::uint64_t> points_by_count)
       : cubes_(std::move(cubes))
       , points_by_count_(std::move(points_by_count))
   {}
 
-  /** @brief Counts a voxel; those of a cube cost least one after the other. */
+  /** @brief Counts a voxel; fastest if voxels of a cube come in succession. */
   void add(const VoxelCode& voxel, std::uint32_t points);
 
-  /** @brief Counts a cube whose voxels are not told one by one. */
+  /** @brief Counts a whole cube without its voxels. */
   void addCube(const VoxelCode& corner, std::uint32_t points)
   {
     cubes_.push_back({corner, points});
   }
 
-  /** @brief Counts what another one has counted. */
+  /** @brief Adds the counts of another census. */
   void join(const VoxelCensus& other);
 
-  /** @brief The cubes with points; those that were counted in parts stand here as
-   * often. */
+  /** @brief Returns the cubes with points; cubes counted in parts occur several times.
+   */
   const std::vector<Cube>& cubes() const { return cubes_; }
 
-  /** @brief How many points lie in voxels of 0, 1, 2, ... points; the last number is
-   * that of all larger ones. */
+  /** @brief Returns the total number of points in voxels of 0, 1, 2, ... points; the
+   * last entry is for all larger counts. */
   const std::vector<std::uint64_t>& pointsByCount() const { return points_by_count_; }
 
-  /** @brief Whether four fifths of the cubes above the lowest and below the highest of
-   * their column hold points, and there are 50 of them. */
+  /** @brief Checks whether there are at least 50 cubes between the lowest and the
+   * highest of their profile, and four fifths of them hold points. */
   bool hasStrays() const { return pointsInAir() > 0; }
 
-  /** @brief The least points of a voxel that are no strays; 0 unless
-   * hasStrays(), and where half of the points lie in voxels of less than ten times as
-   * many: too sparse a scan to tell. Of the voxels that hold strays alone one in a
-   * hundred or so holds as many. O(n log n) for n cubes. */
+  /** @brief Returns the minimum number of points of a voxel on a surface; about one in
+   * a hundred voxels of strays reaches it. 0 without hasStrays(), or if half of the
+   * points lie in voxels with less than ten times as many: the scan is too sparse to
+   * decide. O(n log n) for n cubes. */
   std::uint32_t leastPoints() const;
 
 private:
-  /** @brief Points that a fifth of the cubes above the lowest and below the highest of
-   * their column stay below, or reach; 0 of few. */
+  /** @brief Returns the 20th percentile of the points of the cubes between the lowest
+   * and the highest of their profile, empty ones included; 0 if there are few. */
   double pointsInAir() const;
 
-  /** @brief Half of the points lie in voxels of so many points or more. */
+  /** @brief Returns the count that half of the points have in their voxel, or more. */
   std::size_t middleCount() const;
 
   std::vector<Cube> cubes_;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxel_frame.h"
 
-/** @brief Compiles a function twice, for processors with AVX2 as well, of which the
- * loader chooses one as a program starts: glibc's can, and it is too early for a thread
- * sanitizer. All products here are with powers of two and exact, so that both give the
- * same. */
+/** @brief Compiles a function twice, also for processors with AVX2; the loader chooses
+ * one at program start. Only the loader of glibc can, and too early for a thread
+ * sanitizer. All products are by powers of two and exact, so both give the same result.
+ */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) &&                 \
     defined(__GLIBC__) && !defined(__SANITIZE_THREAD__)
 #define SEDR_FOR_WIDE_VECTORS_TOO __attribute__((target_clones("avx2", "default")))
@@ -25,7 +25,7 @@ VoxelFrame::find(std::size_t axis,
   const float inverse = inverse_leaf_[static_cast<Eigen::Index>(axis)];
   const std::uint32_t limit = bitsOf(static_cast<float>(near_limit));
   std::uint32_t far = 0;
-  for (std::size_t i = 0; i < n; ++i) { // without branches, several at once
+  for (std::size_t i = 0; i < n; ++i) { // without branches, so that it vectorises
     const float scaled = values[i] * inverse;
     const std::uint32_t is_far = bitsOf(std::abs(scaled)) >= limit ? 1 : 0;
     far |= is_far;

@@ -14,14 +14,14 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A voxel and the sum of its points; plain bytes that may be sent to another
- * process as they are. What the numbers mean only its VoxelFrame knows. */
+/** @brief A voxel and the sum of its points; trivially copyable, also to another
+ * process. Its VoxelFrame interprets the numbers. */
 struct VoxelSum {
-  std::array<std::int32_t, 3> code; ///< of the voxel along x, y and z, see codeOf()
-  std::uint32_t count;              ///< points in it
-  std::array<std::uint64_t, 3> sum; ///< of their steps along x, y and z, modulo 2^64
+  std::array<std::int32_t, 3> code; ///< voxel along x, y and z, see codeOf()
+  std::uint32_t count;              ///< number of points
+  std::array<std::uint64_t, 3> sum; ///< sums of steps along x, y and z, modulo 2^64
 
-  /** @brief Adds other points of the same voxel. */
+  /** @brief Adds another sum of the same voxel. */
   VoxelSum& operator+=(const VoxelSum& other)
   {
     count += other.count;
@@ -49,8 +49,8 @@ floatOf(std::uint32_t bits)
 
 constexpr float code_limit = 1073741824.f; // 2^30
 
-/** @brief A number that orders floor(scaled) among all others, whatever its size: the
- * integer itself up to 2^30, beyond that the floats there are, counted. */
+/** @brief Returns a code that increases with floor(scaled) for any magnitude: the
+ * integer itself up to 2^30, beyond that the index of the float. */
 inline std::int32_t
 codeOf(float scaled)
 {
@@ -64,7 +64,7 @@ codeOf(float scaled)
   return scaled < 0 ? -code : code;
 }
 
-/** @brief The floor(scaled) that a code stands for. */
+/** @brief Returns the floor(scaled) of a code. */
 inline double
 cellOf(std::int32_t code)
 {
@@ -75,8 +75,7 @@ cellOf(std::int32_t code)
   return std::copysign(static_cast<double>(floatOf(bitsOf(code_limit) + beyond)), code);
 }
 
-/** @brief The voxel coordinates that codes stand for, saturated to the range of an int.
- */
+/** @brief Returns the voxel coordinates of codes, saturated to int. */
 inline Eigen::Vector3i
 voxelAt(const std::array<std::int32_t, 3>& code)
 {
@@ -89,16 +88,16 @@ voxelAt(const std::array<std::int32_t, 3>& code)
   return voxel;
 }
 
-/** @brief Where the voxels lie, and how their points are added up so that the order
- * does not matter: as whole steps, whose sums are exact.
+/** @brief The positions of the voxels and the arithmetic of their sums: coordinates are
+ * integer steps, so sums are exact in any order.
  *
- * A step is a power of two of between 2^-31 and 2^-30 leaves. The coordinates of points
- * farther from 0 than 2^-7 leaves are whole numbers of steps as they are; nearer ones
- * are rounded to one, 0.05 nm at a leaf of 5 cm. Sums are taken modulo 2^64, and means
- * from the voxel's corner on: its points lie within 1.5 leaves of it, less than 1.5 x
- * 2^31 steps, so that 2^31 points add up to less than 2^63. Along an axis where the
- * voxel is more than 2^19 leaves from 0 (26 km at 5 cm), the floats that there are up
- * to the coordinate are counted instead, which are fewer than 2^31 too. */
+ * A step is a power of two between 2^-31 and 2^-30 leaves. Coordinates farther from 0
+ * than 2^-7 leaves are exact multiples of a step; nearer ones are rounded, to 0.05 nm
+ * at a leaf of 5 cm. Sums are taken modulo 2^64, and means relative to the voxel's
+ * corner. Points lie within 1.5 leaves of it, less than 1.5 x 2^31 steps, so 2^31
+ * points add up to less than 2^63. Along an axis where the voxel is more than 2^19
+ * leaves from 0 (26 km at 5 cm), the index of the float replaces the step. It is below
+ * 2^31, too. */
 class VoxelFrame {
 public:
   /** @param inverse_leaf one over the edges of a voxel, per metre, finite and > 0 */
@@ -114,27 +113,27 @@ public:
 
   const Eigen::Array3f& inverseLeaf() const { return inverse_leaf_; }
 
-  /** @brief The voxel of a finite point. */
+  /** @brief Returns the codes of the voxel of a finite point. */
   std::array<std::int32_t, 3> codes(const float* point) const
   {
     return {codeOf(point[0] * inverse_leaf_[0]), codeOf(point[1] * inverse_leaf_[1]),
             codeOf(point[2] * inverse_leaf_[2])};
   }
 
-  /** @brief A coordinate in steps, of a point whose code along this axis is `code`. */
+  /** @brief Converts a coordinate whose code along the axis is `code` to steps. */
   std::uint64_t steps(float value, std::size_t axis, std::int32_t code) const
   {
     return isNear(code) ? nearSteps(value, axis) : floatsTo(value);
   }
 
-  /** @brief Codes and steps of `n` finite coordinates along an axis. */
+  /** @brief Computes codes and steps of `n` finite coordinates along an axis. */
   void find(std::size_t axis,
             const float* values,
             std::size_t n,
             std::int32_t* codes,
             std::uint64_t* steps) const;
 
-  /** @brief The mean of a voxel's points; its count must not be 0. */
+  /** @brief Returns the mean of a voxel's points; its count must not be 0. */
   Eigen::Vector3f mean(const VoxelSum& voxel) const
   {
     return {meanAlong(voxel, 0), meanAlong(voxel, 1), meanAlong(voxel, 2)};
@@ -148,10 +147,10 @@ private:
     return code >= -near_limit && code < near_limit;
   }
 
-  /** @brief The whole number nearest to a coordinate in steps, of less than 2^51. */
+  /** @brief Rounds a coordinate to steps; the result must be below 2^51. */
   std::uint64_t nearSteps(float value, std::size_t axis) const
   {
-    // In a number as large as this one, the last bit stands for 1.
+    // In a double of this size the last bit has the value 1.
     constexpr double shift = 6755399441055744.; // 1.5 x 2^52
     constexpr std::uint64_t shift_bits = 0x4338000000000000u;
     const double shifted = static_cast<double>(value) * steps_[axis] + shift;
@@ -160,14 +159,14 @@ private:
     return bits - shift_bits;
   }
 
-  /** @brief The floats between 0 and this one. */
+  /** @brief Returns the signed number of floats between 0 and `value`. */
   static std::uint64_t floatsTo(float value)
   {
     const auto floats = static_cast<std::int64_t>(bitsOf(std::abs(value)));
     return static_cast<std::uint64_t>(std::signbit(value) ? -floats : floats);
   }
 
-  /** @brief llround(), of less than 2^51, without a call. */
+  /** @brief Computes llround() of a number below 2^51, without a function call. */
   static std::int64_t rounded(double value)
   {
     return static_cast<std::int64_t>(value + std::copysign(0.5, value));
@@ -191,8 +190,8 @@ private:
   }
 
   Eigen::Array3f inverse_leaf_;
-  std::array<double, 3> steps_{};        ///< per metre, powers of two
-  std::array<double, 3> corner_steps_{}; ///< from a voxel's corner to the next
+  std::array<double, 3> steps_{};        ///< steps per metre, powers of two
+  std::array<double, 3> corner_steps_{}; ///< steps from a voxel to the next
 };
 
 } // namespace sedr

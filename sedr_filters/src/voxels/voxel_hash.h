@@ -9,7 +9,7 @@ namespace sedr {
 
 using VoxelCode = std::array<std::int32_t, 3>;
 
-/** @brief Scatters the codes of a voxel over all 32-bit numbers. */
+/** @brief Hashes the codes of a voxel to 32 bits. */
 inline std::uint32_t
 hashOf(const VoxelCode& code)
 {
@@ -24,7 +24,7 @@ hashOf(const VoxelCode& code)
   return static_cast<std::uint32_t>(h >> 32);
 }
 
-/** @brief Whether two voxels are the same; faster than by memcmp(). */
+/** @brief Checks whether two voxels are the same; faster than memcmp(). */
 inline bool
 isSame(const VoxelCode& a, const VoxelCode& b)
 {

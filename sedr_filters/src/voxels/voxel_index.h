@@ -11,15 +11,15 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Finds the voxel of a point among those that VoxelSums gave. 8 bytes a voxel.
- */
+/** @brief An index to find the voxel of a point among the output of VoxelSums. 8 bytes
+ * a voxel. */
 class VoxelIndex {
 public:
-  /** @param voxels must outlive this */
+  /** @param voxels must outlive this object */
   VoxelIndex(const VoxelFrame& frame, const std::vector<VoxelSum>& voxels);
 
-  /** @brief Place of the voxel that holds a point, -1 if there is none or the point is
-   * not finite. */
+  /** @brief Returns the index of the voxel that holds a point, -1 if there is none or
+   * the point is not finite. */
   std::int64_t find(const Eigen::Vector3f& point) const;
 
 private:
@@ -27,7 +27,7 @@ private:
 
   VoxelFrame frame_;
   const std::vector<VoxelSum>& voxels_;
-  std::vector<std::uint32_t> slots_; ///< one more than the place of a voxel, 0: empty
+  std::vector<std::uint32_t> slots_; ///< index of a voxel plus one; 0: empty
 };
 
 } // namespace sedr

@@ -13,12 +13,12 @@ namespace {
 constexpr unsigned edge = VoxelBlock::edge;
 constexpr std::size_t rows_at_once = 4;
 
-/** @brief The bits of the voxels of a block that come first along an axis. */
+/** @brief Bits of the first layer of voxels of a block along each axis. */
 constexpr std::array<std::uint64_t, 3> first_layer{0x1111111111111111u,
                                                    0x000f000f000f000fu, 0xffffu};
 constexpr std::array<unsigned, 3> layer_bits{1, edge, edge* edge};
 
-/** @brief How many of four bits are set. */
+/** @brief Returns how many of four bits are set. */
 unsigned
 countOf(unsigned bits)
 {
@@ -26,14 +26,14 @@ countOf(unsigned bits)
   return (bits & 3u) + (bits >> 2);
 }
 
-/** @brief The bits of the voxels on a line along x. */
+/** @brief Returns the bits of the voxels on a line along x. */
 unsigned
 lineOf(std::uint64_t voxels, std::size_t line)
 {
   return static_cast<unsigned>(voxels >> edge * line) & ((1u << edge) - 1);
 }
 
-/** @brief Few blocks are not worth waking threads for. */
+/** @brief Returns the number of threads: 1 for few blocks, to wake no others. */
 unsigned
 threadsFor(std::size_t blocks, unsigned threads)
 {
@@ -92,8 +92,8 @@ VoxelOrder::leaveOut(std::uint32_t least_points)
   }
 }
 
-/** By the bytes of their corners, counted from that of the box, from the last one of x
- * to the first one of z; those that all blocks share are passed over. */
+/** Radix sort by the bytes of the corners relative to the box, from the last byte of x
+ * to the first of z; skips bytes that all blocks share. */
 void
 VoxelOrder::sortBlocks()
 {
@@ -129,7 +129,7 @@ VoxelOrder::findRows()
     return i == 0 || blocks_[i].corner[1] != blocks_[i - 1].corner[1] ||
            blocks_[i].corner[2] != blocks_[i - 1].corner[2];
   };
-  std::size_t count = 0; // of large entries, which are not to be moved
+  std::size_t count = 0; // counted first, so that the large entries are not moved
   for (std::size_t i = 0; i < blocks_.size(); ++i)
     count += begins(i) ? 1 : 0;
   rows_.reserve(count);

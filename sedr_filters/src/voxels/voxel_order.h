@@ -13,25 +13,25 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The voxels of blocks by z, then y, then x, without comparing any of them: the
- * blocks are sorted by digits; in a row of blocks along x, each of the 16 lines of
- * voxels has its first place, and what comes before a voxel on its line is counted by
- * bits. O(n); 64 bytes a block while they are sorted, then 32, and 144 a row. */
+/** @brief The order of the voxels of all blocks by z, then y, then x, found without
+ * comparisons. The blocks are radix sorted. For each row of blocks along x, the output
+ * positions of its 16 lines of voxels are stored; the position on a line comes from a
+ * bit count. O(n); 64 bytes a block while sorting, then 32, and 144 a row. */
 class VoxelOrder {
 public:
-  /** @brief Counts the voxels that hold `least_points` points or more. No point may be
-   * added before all have been seen. */
+  /** @brief Counts the voxels with at least `least_points` points. Until the last
+   * forEach(), no point may be added. */
   VoxelOrder(const BlockDirectory& blocks,
              std::uint32_t least_points,
              unsigned threads);
 
-  /** @brief Voxels that were counted. */
+  /** @brief Returns the number of counted voxels. */
   std::size_t size() const { return size_; }
 
-  /** @brief The box of all voxels, counted or not; there must be one. */
+  /** @brief Returns the box of all voxels, counted or not; there must be one. */
   const VoxelBox& box() const { return box_; }
 
-  /** @brief Shows each of them with its place, from several threads, in no order. */
+  /** @brief Calls `see` for each counted voxel, from several threads in any order. */
   void forEach(unsigned threads, const VoxelSums::See& see) const;
 
 private:
@@ -40,14 +40,14 @@ private:
   struct Entry {
     VoxelCode corner;
     const VoxelBlock* block;
-    std::uint64_t counted; ///< a bit for each voxel, the lowest for the first
+    std::uint64_t counted; ///< one bit for each voxel, the lowest for the first
   };
 
-  /** @brief Blocks that differ along x alone. */
+  /** @brief Blocks that differ only in x. */
   struct Row {
     std::size_t begin;
     std::size_t end;
-    std::array<std::size_t, lines> places; ///< of the first voxel of each line
+    std::array<std::size_t, lines> places; ///< position of the first voxel of each line
   };
 
   void findBox();
@@ -60,7 +60,7 @@ private:
 
   void countVoxels(unsigned threads);
 
-  /** @brief Sends for blocks that will soon be shown. */
+  /** @brief Prefetches blocks that will soon be visited. */
   void prefetchAfter(std::size_t i) const;
 
   void showBlock(const Entry& entry,

@@ -10,12 +10,12 @@ namespace sedr {
 
 namespace {
 
-/** @brief So many stay close to the processor from when they are read first. */
+/** @brief Number of points that stay in the processor cache after the first read. */
 constexpr std::size_t points_at_once = std::size_t{1} << 14;
 
 } // namespace
 
-/** @brief The blocks, and the adders in whose memory they stand, a thread each. */
+/** @brief The blocks, and the adders of the threads, which own their memory. */
 class VoxelSums::State {
 public:
   explicit State(const Eigen::Array3f& inverse_leaf)
@@ -61,7 +61,7 @@ public:
 
   VoxelFrame frame;
   std::unique_ptr<BlockDirectory> blocks;
-  std::unique_ptr<VoxelOrder> order; ///< null where points came since
+  std::unique_ptr<VoxelOrder> order; ///< null if points were added since
 
 private:
   template <typename Use>
@@ -141,7 +141,7 @@ VoxelSums::census() const
   state_->blocks->forEach(
       [&](const VoxelBlock& block) { cubes.addCube(block.corner, block.size); });
   VoxelCensus census;
-  if (!cubes.hasStrays()) // as mostly: the sums need not be looked at
+  if (!cubes.hasStrays()) // usually the case: the sums need not be read
     return census;
   state_->blocks->forEach([&](const VoxelBlock& block) {
     const BlockSum* const sums = block.sums.load(std::memory_order_relaxed);

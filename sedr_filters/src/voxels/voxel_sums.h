@@ -17,24 +17,22 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A box of voxels; both ends are in it. */
+/** @brief A box of voxels; both ends are inclusive. */
 struct VoxelBox {
   VoxelCode low{};
   VoxelCode high{};
 };
 
-/** @brief Adds up the points of voxels (paper, section 2.2), a cloud or one piece of it
- * after the other.
+/** @brief Sums the points of each voxel (paper, section 2.2), for a whole cloud or
+ * piece by piece.
  *
- * Any extent works: nothing is as large as the bounding box, and a stray point costs no
- * more than another. The sums are whole numbers (see VoxelFrame): the same bytes in
- * whatever order, pieces and number of threads the points are added, and on however
- * many machines.
+ * Works at any extent: memory does not depend on the bounding box. The sums are
+ * integers (see VoxelFrame), so the result is identical for any order of the points,
+ * any pieces, and any number of threads or machines.
  *
- * Sums stand in cubes of 4 x 4 x 4 voxels, found by their corner, that all threads
- * share, so that no voxel stands in memory twice however many threads there are. O(n)
- * for n points; some 50 bytes a voxel of a surface, up to 350 where each lies far from
- * all others.
+ * Sums are stored in cubes of 4 x 4 x 4 voxels, hashed by their corner and shared by
+ * all threads, so no voxel is stored twice. O(n) for n points; about 50 bytes a voxel
+ * on a surface, up to 350 where each lies far from all others.
  * @code
  * VoxelSums sums(Eigen::Array3f::Constant(20));
  * for (const PointView& piece : pieces)
@@ -52,49 +50,47 @@ public:
 
   const VoxelFrame& frame() const;
 
-  /** @brief Adds points; those that are not finite are left out. A voxel may be given
-   * 2^31 points in all.
+  /** @brief Adds points; non-finite ones are skipped. A voxel can hold at most 2^31
+   * points.
    * @param threads 0 = all processors
-   * @param beside also called for runs of these points, on the same threads, before
-   * they are added */
+   * @param beside also called for runs of points, on their thread, before the addition
+   */
   void add(const PointView& points,
            unsigned threads = 0,
            const RowSource::SeeRun& beside = {});
 
-  /** @brief The same for `points[indices]`, which must be within the cloud. */
+  /** @brief Adds `points[indices]`; all indices must be valid. */
   void add(const PointView& points, const pcl::Indices& indices, unsigned threads = 0);
 
-  /** @brief Adds what another one with the same leaf has added up, here or on another
-   * machine. */
+  /** @brief Adds sums of another object of equal leaf, also from another machine. */
   void add(const std::vector<VoxelSum>& sums);
 
-  /** @brief Voxels so far. */
+  /** @brief Returns the number of voxels so far. */
   std::size_t size() const;
 
-  /** @brief What tells strays from surfaces, of all voxels so far; of none where there
-   * are no strays. */
+  /** @brief Returns the census of all voxels so far, which separates strays from
+   * surfaces; empty if there are no strays. */
   VoxelCensus census() const;
 
-  /** @brief Some voxels and the places that they have among all, sorted by z, then y,
-   * then x. */
+  /** @brief Function of some voxels and their positions by z, then y, then x. */
   using See = std::function<
       void(const VoxelSum* voxels, const std::size_t* places, std::size_t n)>;
 
   /** @brief Sorts the voxels, without a copy of them.
-   * @param least_points those with fewer points are left out
-   * @return how many are left */
+   * @param least_points minimum number of points of a voxel that is kept
+   * @return number of voxels kept */
   std::size_t arrange(std::uint32_t least_points = 0, unsigned threads = 0);
 
-  /** @brief The box of all voxels, those with few points too; arrange() must have come
-   * since the last point, and there must be a voxel. */
+  /** @brief Returns the box of all voxels, also of those not kept. Requires arrange()
+   * after the last point, and at least one voxel. */
   VoxelBox box() const;
 
-  /** @brief Shows all voxels that are left, each once, from several threads at once;
-   * arrange() must have come since the last point. */
+  /** @brief Calls `see` for all kept voxels, each once, from several threads at once.
+   * Requires arrange() after the last point. */
   void forEach(const See& see, unsigned threads = 0) const;
 
-  /** @brief Hands out the voxels that are left, or all if points came since, sorted by
-   * z, then y, then x, and forgets all. */
+  /** @brief Returns the kept voxels (all, if points were added after arrange()), sorted
+   * by z, then y, then x, and clears the object. */
   std::vector<VoxelSum> take(unsigned threads = 0);
 
 private:
@@ -103,7 +99,7 @@ private:
   std::unique_ptr<State> state_;
 };
 
-/** @brief Whether voxel `a` is given out before `b`. */
+/** @brief Checks whether voxel `a` comes before `b` in the output. */
 inline bool
 isBefore(const VoxelSum& a, const VoxelSum& b)
 {

@@ -10,11 +10,11 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Calls `see(voxel, i)` for every point i that lies in one of the `voxels` of
- * `index`. The points of a voxel come in their order and from one thread, so that what
- * is made of them does not depend on the number of threads. O(n) for each thread, a few
- * bytes for each of a million points.
- * @param indices the points that count; null: all */
+/** @brief Calls `see(voxel, i)` for every point i in one of the `voxels` of `index`.
+ * The points of a voxel come in order and from one thread, so results do not depend on
+ * the number of threads. O(n) for each thread, and a few bytes for each of at most a
+ * million points.
+ * @param indices the points to use; null: all */
 template <typename See>
 void
 visitVoxels(const VoxelIndex& index,

@@ -15,14 +15,14 @@ namespace sedr {
 
 namespace {
 
-/** @brief What a number to describe a shape by costs, as a share of the points. */
+/** @brief Cost of a shape parameter, as a share of the points. */
 constexpr double per_parameter = 0.01;
 
 /** @brief A shape that a column may have. */
 struct Shape {
   PlanLoop loop;
-  double parameters = 0;              ///< numbers that describe it
-  std::vector<double> distances = {}; ///< of the points from it
+  double parameters = 0;              ///< number of parameters of the shape
+  std::vector<double> distances = {}; ///< of the points from the shape
 };
 
 PlanLoop
@@ -38,7 +38,7 @@ polygonOf(const Contour& contour)
   return loop;
 }
 
-/** @brief The points in a hole, and those beside it that may be of its column. */
+/** @brief Returns the points in a hole and those within `beside` of it. */
 std::vector<Eigen::Vector2d>
 pointsOfColumn(const Contour& hole,
                const PlanLoop& outline,
@@ -60,7 +60,7 @@ pointsOfColumn(const Contour& hole,
   return points;
 }
 
-/** @brief The distances of points from a loop. */
+/** @brief Returns the distances of points from a loop. */
 std::vector<double>
 distancesFrom(const PlanLoop& loop, const std::vector<Eigen::Vector2d>& points)
 {
@@ -71,19 +71,19 @@ distancesFrom(const PlanLoop& loop, const std::vector<Eigen::Vector2d>& points)
   return distances;
 }
 
-/** @brief Whether a shape keeps within the hole and fills it. */
+/** @brief Returns whether a shape lies within the hole and fills it. */
 bool
 fitsIn(const PlanLoop& shape, const PlanLoop& hole, const LoopParameters& parameters)
 {
   // A hole is up to a cell wider on each side.
   if (std::abs(shape.area()) < parameters.priors.share_half / 2 * std::abs(hole.area()))
     return false;
-  // Cells of the ceiling, and its noise, lie over the edge of a column.
+  // Ceiling cells and their noise reach over the edge of a column.
   const double farthest = 2 * parameters.priors.min_wall;
   const auto isNear = [&](const Eigen::Vector2d& p, double reach) {
     return hole.contains(p) || hole.distance(p) < reach;
   };
-  // Where cells lie over two sides, their corner is farther from the hole than these.
+  // Where cells cover two sides, the corner is farther from the hole than the sides.
   return std::all_of(
       shape.elements.begin(), shape.elements.end(), [&](const PlanElement& e) {
         if (!e.isArc())
@@ -110,8 +110,8 @@ circleShape(const PlanCurve& circle)
   return {{{e}}, 3};
 }
 
-/** @brief The circle through most points, by seeded RANSAC and robust least squares.
- * @return radius 0 where there is none */
+/** @brief Finds a circle through most points by seeded RANSAC and robust least squares.
+ * @return radius 0 if there is none */
 PlanCurve
 findCircle(const std::vector<Eigen::Vector2d>& points,
            double largest_radius,
@@ -205,7 +205,7 @@ fitColumn(const Contour& hole,
   std::vector<Shape> shapes =
       shapesOf(hole, points, evidence, directions, parameters, places);
 
-  // The noise is what the best shape leaves.
+  // The noise is the residual of the best shape.
   double noise = parameters.tolerance / 3;
   for (const auto& shape : shapes)
     noise = std::min(noise, 1.4826 * middleValue(shape.distances));

@@ -9,18 +9,18 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The outline of a column.
+/** @brief Fits the outline of a column.
  *
- * A circle, a rectangle along the given directions, a rectangle that is turned and any
- * loop of segments and arcs compete: what leaves fewer points unexplained wins, the
- * simpler where that is equal. A side of a rectangle that nobody saw is where those
- * beside it end.
+ * The candidates are a circle, a rectangle along the given directions, a rotated
+ * rectangle, and a free loop of segments and arcs. The shape that leaves the fewest
+ * points unexplained wins, the simpler one on a tie. An unseen side of a rectangle lies
+ * where the adjacent sides end.
  *
  * @param hole the contour of the column's hole in the room, clockwise; up to a cell
  * wider than the column
  * @param evidence points of walls and columns, in plan
  * @param directions unit directions of the room's walls
- * @param[out] places the samples of the contour, if wanted
+ * @param[out] places the samples of the contour; optional
  * @return a clockwise loop; empty for a contour of fewer than four corners. O(n) for n
  * points of the column. */
 PlanLoop fitColumn(const Contour& hole,

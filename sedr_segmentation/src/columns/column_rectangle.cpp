@@ -25,15 +25,15 @@ framed(const std::vector<Eigen::Vector2d>& points, const Rectangle& r)
   return in_frame;
 }
 
-/** @brief Lines by how many of the points lie within `band` of them, those near it
- * counting more. */
+/** @brief Sorts lines by the number of points within `band`, with nearer points
+ * weighted more. */
 std::vector<PlanCurve>
 bestFirst(const std::vector<PlanCurve>& lines,
           const std::vector<Eigen::Vector2d>& points,
           double band)
 {
   const auto n = static_cast<Eigen::Index>(lines.size());
-  // All lines at a time: sums that do not wait for each other.
+  // All lines at once, so the sums are independent of each other.
   Eigen::ArrayXd x(n), y(n), left_x(n), left_y(n);
   for (Eigen::Index k = 0; k < n; ++k) {
     const PlanCurve& line = lines[static_cast<std::size_t>(k)];
@@ -172,7 +172,7 @@ findRectangle(const std::vector<Eigen::Vector2d>& points,
         for (const double y1 : places[1])
           if (x1 - x0 >= least_side && y1 - y0 >= least_side)
             tryOne(x0, x1, y0, y1);
-  // Sides by all their points, then those that nobody saw.
+  // Fits the sides with points, then places the others.
   for (int round = 0; round < 3; ++round) {
     const auto sides = pointsOfSides(in_frame, best, tolerance);
     for (std::size_t k = 0; k < 4; ++k) {
@@ -206,7 +206,7 @@ fitTurnedRectangle(const std::vector<Eigen::Vector2d>& points,
   Rectangle r = start;
   for (int round = 0; round < 8 && r.isSound(parameters.priors); ++round) {
     const auto sides = pointsOfSides(framed(points, r), r, tolerance);
-    // Unknown: a turn about the origin of the frame, and a shift of each side.
+    // Unknowns: a rotation about the centre, and a shift of each side.
     Eigen::Matrix<double, 5, 5> normal = Eigen::Matrix<double, 5, 5>::Identity() * 1e-9;
     Eigen::Matrix<double, 5, 1> right = Eigen::Matrix<double, 5, 1>::Zero();
     const Eigen::Vector2d middle((r.side[0] + r.side[1]) / 2,
@@ -226,7 +226,7 @@ fitTurnedRectangle(const std::vector<Eigen::Vector2d>& points,
     const double turn = step[4];
     if (!step.allFinite() || std::abs(turn) > 0.3)
       return start;
-    // The side turns about the middle, which keeps its place.
+    // The rectangle rotates about its centre, which stays in place.
     const Eigen::Vector2d centre =
         middle.x() * r.direction + middle.y() * leftOf(r.direction);
     r.direction = (r.direction + turn * leftOf(r.direction)).normalized();

@@ -14,7 +14,7 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A rectangle: low and high along its direction, then across it. */
+/** @brief A rectangle, given by its bounds along and across its direction. */
 struct Rectangle {
   Eigen::Vector2d direction = Eigen::Vector2d::UnitX();
   std::array<double, 4> side{}; ///< low x, high x, low y, high y in its own frame
@@ -28,31 +28,31 @@ struct Rectangle {
     return {p.dot(direction), p.dot(leftOf(direction))};
   }
 
-  /** @brief Signed distance of a point of its frame from the line of a side. */
+  /** @brief Returns the signed distance of a point in its frame from a side's line. */
   double fromSide(const Eigen::Vector2d& in_frame, std::size_t k) const
   {
     return in_frame[static_cast<Eigen::Index>(k / 2)] - side[k];
   }
 
-  /** @brief Distance of a point of its frame from the outline. */
+  /** @brief Returns the distance of a point in its frame from the outline. */
   double distance(const Eigen::Vector2d& in_frame) const;
 
-  /** @brief The outline, clockwise. */
+  /** @brief Returns the outline, clockwise. */
   PlanLoop loop() const;
 };
 
-/** @brief Directions of lines through many of the points, by seeded RANSAC: the best
- * and the best of those that differ from it, if there are any. */
+/** @brief Returns the directions of lines through many points, by seeded RANSAC: the
+ * best, and the best clearly different one, if any. */
 std::vector<Eigen::Vector2d> directionsOf(const std::vector<Eigen::Vector2d>& points,
                                           const LoopParameters& parameters);
 
-/** @brief The rectangle along a direction that explains most of the points; a side that
- * no points show is where those beside it end. Not sound where there is none. */
+/** @brief Finds the rectangle along a direction that explains most points. A side
+ * without points lies where its neighbours end. Not sound if there is none. */
 Rectangle findRectangle(const std::vector<Eigen::Vector2d>& points,
                         const Eigen::Vector2d& direction,
                         const LoopParameters& parameters);
 
-/** @brief Fits direction and sides of a rectangle by robust least squares. */
+/** @brief Fits the direction and sides of a rectangle by robust least squares. */
 Rectangle fitTurnedRectangle(const std::vector<Eigen::Vector2d>& points,
                              const Rectangle& start,
                              const LoopParameters& parameters);

@@ -10,11 +10,11 @@ namespace sedr {
 
 namespace {
 
-/** @brief Least share of the points that shows a side. */
+/** @brief Minimum share of the points that supports a side. */
 constexpr double least_share = 0.06;
 
-/** @brief Moves the only side that is not shown so that all are equal, unless that is
- * farther than `slack`: to a voxel, nothing shows where it is. */
+/** @brief Moves a single unsupported side by at most `slack` to make the rectangle
+ * square, as its position is only known to a voxel. */
 void
 makeSquare(const std::array<bool, 4>& is_shown, double slack, Rectangle& r)
 {

@@ -11,24 +11,24 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A value below which a share of the sorted values lies. */
+/** @brief Returns the quantile of sorted values. */
 double quantile(const std::vector<double>& sorted, double share);
 
-/** @brief Where the points of a side end. A point stands for those of a voxel, so that
- * the last is short of the end. */
+/** @brief Returns the end of a side from its points. Points are voxel means, so the
+ * last one lies short of the end. */
 double endOf(const std::vector<double>& sorted, bool is_high, double voxel);
 
-/** @brief Values around which many of the sorted ones are: places of sides. */
+/** @brief Returns the peaks of the density of sorted values: the positions of sides. */
 std::vector<double> peaksOf(std::vector<double> sorted, double width);
 
-/** @brief The points of each side, those near a corner left out. */
+/** @brief Returns the points of each side, without those near a corner. */
 std::array<std::vector<Eigen::Vector2d>, 4>
 pointsOfSides(const std::vector<Eigen::Vector2d>& in_frame,
               const Rectangle& rectangle,
               double band);
 
-/** @brief Puts sides that no points show where the points beside them end, and says
- * how well the others are shown. */
+/** @brief Moves sides without points to the end of the points of adjacent sides, and
+ * sets inliers and residuals of the others. */
 void
 judgeSides(const std::vector<Eigen::Vector2d>& in_frame, double band, Rectangle& r);
 

@@ -12,10 +12,10 @@ namespace sedr {
 
 namespace {
 
-constexpr int reach = 2; ///< cells in which the ceiling of a column is looked for
+constexpr int reach = 2; ///< search radius for the ceiling of a profile, cells
 
-/** @brief Whether something stands, or hangs, in the upper half of a column that ends
- * at `top`. */
+/** @brief Returns whether an object occupies the upper half of a profile below `top`.
+ */
 bool
 isUpright(Cell cell, double top, const RoomColumns& room)
 {

@@ -10,11 +10,11 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The cells of a box in which something stands, or hangs, in the upper half of
- * a room. O(cells of the box).
- * @param columns all points around the room
+/** @brief Returns the cells of a box with an object in the upper half of a room.
+ * O(cells of the box).
+ * @param columns profiles of all points around the room
  * @param ceiling,floor planes of the room
- * @param threads 0: as many as there are processors */
+ * @param threads 0: all processors */
 CellMask uprightCells(const CellBox& box,
                       const CellGrid& grid,
                       const ColumnTable& columns,
@@ -22,18 +22,17 @@ CellMask uprightCells(const CellBox& box,
                       const PlanSlab& floor,
                       unsigned threads);
 
-/** @brief The cells of what stands, or hangs, in the upper half of a room and stops
- * short of its ceiling: wardrobes, cupboards and dividers, however small the gap above
- * them, screens, lamps.
+/** @brief Returns the cells of objects in the upper half of a room that do not reach
+ * its ceiling: wardrobes, cupboards and dividers with any gap above, screens, lamps.
  *
- * A wall ends what is seen of a ceiling. So of something upright that has no point in
- * `gap`, and above and around half of which the ceiling was seen, is known that it is
- * no wall; of a wall whose top is hidden it is not. O(cells of the box).
+ * The visible ceiling ends at a wall. A vertical object without points in `gap`, with
+ * the ceiling seen above and around half of it, is therefore no wall. This does not
+ * hold for a wall with a hidden top. O(cells of the box).
  * @param seen cells in which ceilings and soffits of the room were seen
  * @param upright uprightCells() of the same box
- * @param columns all points around the room
+ * @param columns profiles of all points around the room
  * @param ceiling,floor planes of the room
- * @param gap what is below the ceiling's noise */
+ * @param gap the band just below the ceiling's noise */
 CellMask tallFurniture(const CellMask& seen,
                        const CellMask& upright,
                        const CellGrid& grid,
@@ -42,10 +41,9 @@ CellMask tallFurniture(const CellMask& seen,
                        const PlanSlab& floor,
                        const CeilingGap& gap);
 
-/** @brief Places smaller than a room, up to 1 m2, of whose ceiling three tenths and
- * more were seen, and what stands in the upper half of the room all around them, with
- * it: nobody sees the ceiling within a column; over a cabinet one does, whatever noise
- * says of how high that is. O(cells of the box).
+/** @brief Returns enclosed areas up to 1 m2 with at least three tenths of their ceiling
+ * seen, and the vertical objects around them. The ceiling is visible above a cabinet,
+ * whatever its height, but not within a column. O(cells of the box).
  * @param seen cells in which ceilings and soffits of the room were seen
  * @param upright uprightCells() of the same box */
 CellMask aroundSeenCeiling(const CellMask& seen,

@@ -10,11 +10,11 @@ namespace sedr {
 
 namespace {
 
-/** @brief The four ways along cell edges: east, north, west, south. */
+/** @brief The four directions of cell edges: east, north, west, south. */
 constexpr std::array<Cell, 4> ways{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
-/** @brief The cell on the left of the edge that leaves `corner` in direction `way`;
- * corners carry the index of the cell to their north-east. */
+/** @brief Returns the cell on the left of the edge from `corner` in direction `way`. A
+ * corner has the index of the cell to its north-east. */
 Cell
 cellLeftOf(Cell corner, int way)
 {
@@ -30,8 +30,8 @@ cellLeftOf(Cell corner, int way)
   }
 }
 
-/** @brief Whether a contour runs from `corner` in direction `way`: set on its left, not
- * on its right. */
+/** @brief Returns whether a contour runs from `corner` in direction `way`, i.e. only
+ * the cell on its left is set. */
 bool
 isEdge(const CellMask& mask, Cell corner, int way)
 {
@@ -53,7 +53,7 @@ follow(const CellMask& mask,
     corner = {corner.x + ways[static_cast<std::size_t>(way)].x,
               corner.y + ways[static_cast<std::size_t>(way)].y};
     for (const int turn :
-         {1, 0, 3}) // left first: cells that share a corner only stay apart
+         {1, 0, 3}) // left first: cells that share only a corner stay separate
       if (isEdge(mask, corner, (way + turn) % 4)) {
         way = (way + turn) % 4;
         break;
@@ -88,7 +88,7 @@ edgesMeet(const Eigen::Vector2d& a,
   return abc * abd <= 0 && cda * cdb <= 0;
 }
 
-/** @brief Marks the corners to keep between `first` and `last`, both kept already. */
+/** @brief Marks the corners to keep between the kept corners `first` and `last`. */
 void
 simplify(const std::vector<Eigen::Vector2d>& p,
          std::size_t first,
@@ -176,7 +176,7 @@ crossesItself(const std::vector<Eigen::Vector2d>& polygon)
     const Eigen::Vector2d& b = polygon[(i + 1) % n];
     edges[i] = {i, a.cwiseMin(b), a.cwiseMax(b)};
   }
-  // From left to right: only edges that begin before one ends can meet it.
+  // Sweep from left to right: only edges that begin before another ends can meet it.
   std::sort(edges.begin(), edges.end(),
             [](const Edge& a, const Edge& b) { return a.low.x() < b.low.x(); });
   for (auto a = edges.begin(); a != edges.end(); ++a)
@@ -197,7 +197,8 @@ simplified(const std::vector<Eigen::Vector2d>& polygon, double tolerance)
 {
   if (polygon.size() < 4)
     return polygon;
-  // Two corners that surely stay: the first in x, and the one farthest from it.
+  // Two corners that always stay: the one with minimum x + y, and the one farthest from
+  // it.
   std::size_t first = 0;
   for (std::size_t i = 1; i < polygon.size(); ++i)
     if (polygon[i].x() + polygon[i].y() < polygon[first].x() + polygon[first].y())

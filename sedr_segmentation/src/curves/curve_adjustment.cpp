@@ -13,7 +13,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief Parameters of a curve: angle and offset at the pivot, or centre and radius.
+/** @brief Returns the parameters: angle and offset at the pivot, or centre and radius.
  */
 Eigen::Vector3d
 stateOf(const MeasuredCurve& m)
@@ -38,7 +38,7 @@ setState(const Eigen::Vector3d& state, MeasuredCurve& m)
   c.point = m.pivot + state[1] * leftOf(c.direction);
 }
 
-/** @brief Covariance of a curve's parameters; 0 for those that a line has not. */
+/** @brief Returns the covariance of a curve's parameters; 0 for the third of a line. */
 Eigen::Matrix3d
 covarianceOf(const MeasuredCurve& m)
 {
@@ -51,8 +51,7 @@ covarianceOf(const MeasuredCurve& m)
   return covariance;
 }
 
-/** @brief A root of a curve's covariance: the covariance is this times its transpose.
- */
+/** @brief Returns a root r of a curve's covariance, i.e. r times its transpose. */
 Eigen::Matrix3d
 spreadOf(const MeasuredCurve& m)
 {
@@ -63,8 +62,8 @@ spreadOf(const MeasuredCurve& m)
          Eigen::Matrix3d(lower * deviations.asDiagonal());
 }
 
-/** @brief An equation of a tie at given states, by the parameters of its two curves in
- * standard deviations. */
+/** @brief A linearised equation of a tie, with respect to the parameters of its two
+ * curves in standard deviations. */
 struct TieRow {
   double value = 0;
   std::size_t a = 0;
@@ -79,7 +78,7 @@ struct TieRow {
   }
 };
 
-/** @brief Solves the equations of ties for the least step, again and again. */
+/** @brief Iteratively solves the equations of ties for the minimum step. */
 class TieSolver {
 public:
   TieSolver(const std::vector<MeasuredCurve>& curves, const std::vector<CurveTie>& ties)
@@ -97,14 +96,14 @@ public:
     force_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows_.size()));
   }
 
-  /** @brief Parameters of a curve as they are now. */
+  /** @brief Returns the current parameters of a curve. */
   Eigen::Vector3d state(std::size_t c) const
   {
     return starts_[c] +
            spreads_[c] * step_.segment<3>(3 * static_cast<Eigen::Index>(c));
   }
 
-  /** @brief By how much the worst equation is not fulfilled. */
+  /** @brief Returns the largest residual of the equations. */
   double worst() const
   {
     double most = 0;
@@ -113,14 +112,14 @@ public:
     return most;
   }
 
-  /** @brief Goes to the least step from the start that solves the equations as they
-   * are; false where there is none. */
+  /** @brief Moves to the minimum step from the start that solves the linearised
+   * equations; returns false if there is none. */
   bool solve()
   {
-    // Each equation has the parameters of two curves, so the matrix of the steps, which
-    // stand for themselves, and of the forces that the ties exert on them is sparse,
-    // however many curves are tied to one. Ties that repeat each other would make it
-    // singular: the damping of the forces, which is taken back in turns, prevents it.
+    // Each equation involves two curves, so the matrix of steps and multipliers is
+    // sparse, however many curves are tied to one. Redundant ties would make it
+    // singular. The damping of the multipliers, whose effect the turns remove, prevents
+    // this.
     constexpr double damping = 1e-8;
     constexpr int turns = 4;
     const Eigen::Index steps = step_.size();
@@ -183,8 +182,8 @@ private:
   std::vector<Eigen::Vector3d> starts_;
   std::vector<TieSide> sides_;
   std::vector<TieRow> rows_;
-  Eigen::VectorXd step_;  ///< from the start, three a curve, in standard deviations
-  Eigen::VectorXd force_; ///< of each row
+  Eigen::VectorXd step_;  ///< from the start, three per curve, in standard deviations
+  Eigen::VectorXd force_; ///< multiplier of each row
 };
 
 } // namespace
@@ -266,8 +265,8 @@ touchingPoint(const PlanCurve& a, const PlanCurve& b)
   const double apart = way.norm();
   if (apart < 1e-12)
     return a.point + a.radius * Eigen::Vector2d::UnitX();
-  // From the larger circle's centre the point lies towards the smaller one's, from
-  // inside beyond it.
+  // Seen from the larger circle's centre, the point lies in the direction of the
+  // smaller one's centre, beyond it if inside.
   const bool is_inside = apart < std::max(a.radius, b.radius);
   if (is_inside && a.radius < b.radius)
     return b.project(a.point);

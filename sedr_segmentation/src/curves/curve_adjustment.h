@@ -11,61 +11,60 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A curve that was measured, and how well: what a least-squares adjustment
- * weighs.
+/** @brief A measured curve with its accuracy, the input of a least-squares adjustment.
  *
- * The parameters of a line are its turn about the pivot, radians, and its shift to the
- * left, metres; those of a circle its centre and its radius, metres. */
+ * The parameters of a line are its rotation about the pivot, radians, and its shift to
+ * the left, metres. Those of a circle are its centre and radius, metres. */
 struct MeasuredCurve {
   PlanCurve curve;
-  Eigen::Vector2d pivot = Eigen::Vector2d::Zero(); ///< of a line: where it was measured
+  Eigen::Vector2d pivot =
+      Eigen::Vector2d::Zero(); ///< of a line: centre of the measured part
 
-  /** @brief Inverse covariance of the parameters; of a line the upper left 2 x 2. */
+  /** @brief Inverse covariance of the parameters; for a line the upper left 2 x 2. */
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
 
   int parameters() const { return curve.isCircle() ? 3 : 2; }
 };
 
-/** @brief What a line is worth that `count` points, off by `deviation`, show evenly
- * along `length` metres. */
+/** @brief Returns the information matrix of a line measured by `count` points evenly
+ * along `length` metres, with standard deviation `deviation`. */
 Eigen::Matrix3d lineInformation(double count, double deviation, double length);
 
-/** @brief What a circle is worth that `count` points show evenly from angle `from` over
- * the signed angle `sweep`, radians. */
+/** @brief Returns the information matrix of a circle measured by `count` points evenly
+ * from angle `from` over the signed angle `sweep`, radians. */
 Eigen::Matrix3d
 circleInformation(double count, double deviation, double from, double sweep);
 
-/** @brief What two curves have in common. */
+/** @brief Kind of a constraint between two curves. */
 enum class TieKind {
   Parallel,
   Perpendicular,
-  Collinear, ///< parts of one line
-  Tangent,   ///< a line and a circle, or two circles, touch
+  Collinear, ///< on one line
+  Tangent,   ///< of a line and a circle, or two circles
   EqualRadius,
   Concentric
 };
 
 struct CurveTie {
   TieKind kind = TieKind::Parallel;
-  std::size_t a = 0; ///< index of a curve; of Tangent the line, if there is one
+  std::size_t a = 0; ///< index of a curve; for Tangent the line, if there is one
   std::size_t b = 0;
 };
 
-/** @brief How much two curves contradict a tie: the least sum of squares of what they
- * have to move by to fulfil it, in standard deviations. Chi-squared with one degree of
- * freedom (two for Collinear and Concentric) where the tie is true. */
+/** @brief Returns the minimum sum of squared moves, in standard deviations, with which
+ * two curves fulfil a tie. If the tie is true, it is chi-squared with one degree of
+ * freedom, or two for Collinear and Concentric. */
 double contradiction(const MeasuredCurve& a, const MeasuredCurve& b, TieKind kind);
 
-/** @brief Moves the curves by as little as possible, in units of what they are worth,
- * so that every tie is fulfilled: least squares with constraints, by Gauss-Newton.
- * Which tangency is meant, from inside or outside, is read off the curves as they are.
- * Ties may repeat each other. The equations are sparse: of curves that are tied to a
- * few each, time grows with their number.
- * @return false where the ties cannot all be fulfilled to 1e-9; the curves stay then */
+/** @brief Moves the curves by the minimum amount, weighted by their information, that
+ * fulfils every tie: constrained least squares by Gauss-Newton. The current curves
+ * decide between inner and outer tangency. Ties may be redundant. The equations are
+ * sparse, so time grows linearly if each curve has few ties.
+ * @return false, with unchanged curves, if not all ties can be fulfilled to 1e-9 */
 bool adjustCurves(std::vector<MeasuredCurve>& curves,
                   const std::vector<CurveTie>& ties);
 
-/** @brief Where two tangent curves touch, a line first. */
+/** @brief Returns the point where two tangent curves touch; a line must come first. */
 Eigen::Vector2d touchingPoint(const PlanCurve& a, const PlanCurve& b);
 
 } // namespace sedr

@@ -15,7 +15,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief The distances along every element of a loop at which it is cut. */
+/** @brief Cut positions of every element of a loop, as distances along it. */
 using Cuts = std::vector<std::vector<double>>;
 
 void
@@ -35,7 +35,7 @@ findCuts(const PlanLoop& a, const PlanLoop& b, Cuts& cuts_a, Cuts& cuts_b)
     }
 }
 
-/** @brief The elements of a loop, cut. */
+/** @brief Returns the elements of a loop, divided at the cuts. */
 std::vector<PlanElement>
 partsOf(const PlanLoop& loop, const Cuts& cuts)
 {
@@ -53,7 +53,7 @@ partsOf(const PlanLoop& loop, const Cuts& cuts)
   return parts;
 }
 
-/** @brief Those of some parts whose middle lies inside of a loop. */
+/** @brief Returns the parts whose midpoint lies inside a loop. */
 std::vector<PlanElement>
 within(const std::vector<PlanElement>& parts, const PlanLoop& loop)
 {
@@ -66,8 +66,8 @@ within(const std::vector<PlanElement>& parts, const PlanLoop& loop)
   return kept;
 }
 
-/** @brief Those of some parts of a counter-clockwise loop of which what is just within
- * lies inside of another loop, or outside: so also where both run along each other. */
+/** @brief Returns the parts of a counter-clockwise loop whose inner side lies inside
+ * (or outside) another loop. This also decides parts that coincide. */
 std::vector<PlanElement>
 onSide(const std::vector<PlanElement>& parts, const PlanLoop& other, bool is_inside)
 {
@@ -81,7 +81,7 @@ onSide(const std::vector<PlanElement>& parts, const PlanLoop& other, bool is_ins
   return kept;
 }
 
-/** @brief Chains parts that start where others end to closed loops. */
+/** @brief Joins parts end to start into closed loops. */
 std::vector<PlanLoop>
 chained(std::vector<PlanElement> parts)
 {
@@ -104,14 +104,14 @@ chained(std::vector<PlanElement> parts)
       parts.erase(next);
     }
     if ((loop.elements.back().end - loop.elements.front().start).norm() > slack)
-      continue; // an end that nothing goes on from
+      continue; // an open end
     loop.elements.back().end = loop.elements.front().start;
     loops.push_back(std::move(loop));
   }
   return loops;
 }
 
-/** @brief Chains parts to closed loops, the largest first. */
+/** @brief Joins parts into closed loops, largest first. */
 std::vector<PlanLoop>
 largestFirst(std::vector<PlanElement> parts)
 {
@@ -122,7 +122,7 @@ largestFirst(std::vector<PlanElement> parts)
   return loops;
 }
 
-/** @brief Elements that nothing was fitted to. */
+/** @brief Removes the inliers and evidence of elements. */
 std::vector<PlanElement>
 withoutInliers(std::vector<PlanElement> elements)
 {
@@ -134,7 +134,7 @@ withoutInliers(std::vector<PlanElement> elements)
   return elements;
 }
 
-/** @brief An element `by` metres to the right. */
+/** @brief Returns an element shifted by `by` metres to the right. */
 PlanElement
 shifted(const PlanElement& e, double by)
 {

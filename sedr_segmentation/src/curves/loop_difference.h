@@ -9,26 +9,25 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The parts of two loops between where they meet: `first` those of the first
- * loop that lie inside of the second, `second` those of the second inside of the first.
- * Loops that do not overlap have none. O(n m). */
+/** @brief Cuts two loops at their intersections. Returns the parts of the first inside
+ * the second, and of the second inside the first; none if they do not overlap. O(n m).
+ */
 std::pair<std::vector<PlanElement>, std::vector<PlanElement>>
 partsInside(const PlanLoop& first, const PlanLoop& second);
 
-/** @brief A counter-clockwise loop `by` metres farther out all around, farther in where
- * that is negative. Arcs stay arcs; where neighbours part, a short segment joins them.
- */
+/** @brief Offsets a counter-clockwise loop outwards by `by` metres, inwards if
+ * negative. Arcs stay arcs; short segments close gaps between neighbours. */
 PlanLoop widened(const PlanLoop& loop, double by);
 
-/** @brief What is left of the inside of `loop` without that of `cutter`, both
- * counter-clockwise: outer loops counter-clockwise, largest first, then clockwise ones
- * for holes. Segments and arcs of `cutter` that bound it come without inliers. Empty
- * where nothing is left. O(n m). */
+/** @brief Returns the interior of `loop` minus that of `cutter`, both
+ * counter-clockwise. Outer loops come first, counter-clockwise and largest first, then
+ * clockwise loops of holes. Elements taken from `cutter` have no inliers. Empty if
+ * nothing is left. O(n m). */
 std::vector<PlanLoop> difference(const PlanLoop& loop, const PlanLoop& cutter);
 
-/** @brief What of the inside of `loop` is inside of `other` as well, both
- * counter-clockwise, largest first. Segments and arcs of `other` that bound it come
- * without inliers. Empty where they do not overlap. O(n m). */
+/** @brief Returns the common interior of `loop` and `other`, both counter-clockwise,
+ * largest first. Elements taken from `other` have no inliers. Empty if they do not
+ * overlap. O(n m). */
 std::vector<PlanLoop> intersection(const PlanLoop& loop, const PlanLoop& other);
 
 } // namespace sedr

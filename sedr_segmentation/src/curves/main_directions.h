@@ -10,15 +10,15 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A straight wall, or a line that may be one. */
+/** @brief A straight wall or a candidate line of one. */
 struct DirectedLine {
   double length = 0; ///< metres
   Eigen::Vector2d direction = Eigen::Vector2d::UnitX();
 };
 
-/** @brief Unit directions: of the lines, the longest first, and square to them; at most
- * five pairs. Of short lines, to which noise would lend any direction, only the longest
- * counts, and that only if there are no longer ones. */
+/** @brief Returns the distinct unit directions of the lines, the longest first, each
+ * followed by its perpendicular; at most five pairs. Short lines have unreliable
+ * directions: only the longest is used, and only if there are no long lines. */
 std::vector<Eigen::Vector2d> mainDirections(std::vector<DirectedLine> lines,
                                             const Priors& priors = {});
 

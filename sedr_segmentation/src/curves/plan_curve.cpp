@@ -162,12 +162,12 @@ fitLine(const std::vector<WeightedPoint>& points)
 
 namespace {
 
-/** @brief The normal matrix, of which only the lower half is filled, and the right side
- * of a Gauss-Newton step of a circle. */
+/** @brief Returns the normal matrix, only its lower half filled, and the right-hand
+ * side of a Gauss-Newton step of a circle. */
 std::pair<Eigen::Matrix3d, Eigen::Vector3d>
 normalEquations(const std::vector<WeightedPoint>& points, const PlanCurve& circle)
 {
-  // Some at a time: roots and quotients of neighbours are taken together.
+  // In batches, so that roots and quotients are vectorised.
   constexpr Eigen::Index stretch = 64;
   using Values = Eigen::Array<double, Eigen::Dynamic, 1, Eigen::ColMajor, stretch, 1>;
   const auto n = static_cast<Eigen::Index>(points.size());
@@ -231,7 +231,7 @@ areSame(const std::vector<WeightedPoint>& a, const std::vector<WeightedPoint>& b
                     });
 }
 
-/** @brief Fits by `fit(points, start)` to the points within `band`, which shrinks. */
+/** @brief Fits by `fit(points, start)` to the points within a shrinking `band`. */
 template <typename Fit>
 PlanCurve
 fitShrinking(const std::vector<WeightedPoint>& points,
@@ -254,7 +254,7 @@ fitShrinking(const std::vector<WeightedPoint>& points,
         inside.push_back(p);
     if (inside.size() < least_points)
       return round == 0 ? start : curve;
-    if (areSame(inside, fitted)) // the same again gives the same
+    if (areSame(inside, fitted)) // converged
       return curve;
     curve = fit(inside, curve);
     if (round + 1 < rounds)

@@ -12,19 +12,20 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief `v` turned by 90 degrees counter-clockwise. */
+/** @brief Returns `v` rotated by 90 degrees counter-clockwise. */
 inline Eigen::Vector2d
 leftOf(const Eigen::Vector2d& v)
 {
   return {-v.y(), v.x()};
 }
 
-/** @brief What carries a wall in plan: an infinite line or a whole circle, metres. */
+/** @brief Carrier curve of a wall in plan: an infinite line or a full circle, metres.
+ */
 struct PlanCurve {
   Eigen::Vector2d point =
       Eigen::Vector2d::Zero(); ///< on the line, or the circle's centre
   Eigen::Vector2d direction = Eigen::Vector2d::UnitX(); ///< of the line, unit
-  double radius = 0; ///< of the circle; 0 says that this is a line
+  double radius = 0;                                    ///< of the circle; 0 for a line
 
   std::size_t inliers = 0;
   double residual = 0; ///< root mean square distance of the inliers, metres
@@ -36,21 +37,22 @@ struct PlanCurve {
     return std::abs(signedDistance(p));
   }
 
-  /** @brief As distance(), positive to the left of a line, outside of a circle. */
+  /** @brief Returns the signed distance, positive left of a line and outside a circle.
+   */
   double signedDistance(const Eigen::Vector2d& p) const
   {
     return isCircle() ? (p - point).norm() - radius
                       : (p - point).dot(leftOf(direction));
   }
 
-  /** @brief The point of the curve nearest to `p`. */
+  /** @brief Returns the point of the curve nearest to `p`. */
   Eigen::Vector2d project(const Eigen::Vector2d& p) const;
 
-  /** @brief Unit tangent at the point nearest to `p`; its sense is arbitrary. */
+  /** @brief Returns the unit tangent at the point nearest to `p`, of arbitrary sign. */
   Eigen::Vector2d tangentAt(const Eigen::Vector2d& p) const;
 };
 
-/** @brief A point that a curve is fitted to, and how much it counts. */
+/** @brief A point of a curve fit with its weight. */
 struct WeightedPoint {
   Eigen::Vector2d position;
   double weight = 1;
@@ -58,38 +60,36 @@ struct WeightedPoint {
 
 PlanCurve lineThrough(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
 
-/** @brief The line or circle that an element is a part of. */
+/** @brief Returns the line or circle of an element. */
 PlanCurve carrierOf(const PlanElement& element);
 
-/** @brief The circle through three points; radius 0 (a line) where they are on one. */
+/** @brief Returns the circle through three points; a line (radius 0) if collinear. */
 PlanCurve circleThrough(const Eigen::Vector2d& a,
                         const Eigen::Vector2d& b,
                         const Eigen::Vector2d& c);
 
-/** @brief Line of least squared distances. At least two points are needed. */
+/** @brief Fits a line by least squares. At least two points are required. */
 PlanCurve fitLine(const std::vector<WeightedPoint>& points);
 
-/** @brief Circle of least squared distances: Gauss-Newton from `start`. At least three
- * points are needed; where it does not converge, `start` comes back. */
+/** @brief Fits a circle by least squares, with Gauss-Newton from `start`. At least
+ * three points are required. Returns `start` if it does not converge. */
 PlanCurve fitCircle(const std::vector<WeightedPoint>& points, const PlanCurve& start);
 
-/** @brief Fits a curve of the kind of `start` to the points within `band` of it, the
- * band shrinking to 2.5 robust standard deviations, so that outliers do not pull.
- * Circles outside [minimum_radius, maximum_radius] are refused and `start` comes back.
- */
+/** @brief Fits a curve of the kind of `start` to the points within `band` of it. The
+ * band shrinks to 2.5 robust standard deviations to exclude outliers. Returns `start`
+ * for a circle outside [minimum_radius, maximum_radius]. */
 PlanCurve fitRobustly(const std::vector<WeightedPoint>& points,
                       const PlanCurve& start,
                       double band,
                       double minimum_radius,
                       double maximum_radius);
 
-/** @brief As fitRobustly() for a line, but it keeps the direction of `start`. */
+/** @brief Fits a line like fitRobustly(), but keeps the direction of `start`. */
 PlanCurve fitParallel(const std::vector<WeightedPoint>& points,
                       const PlanCurve& start,
                       double band);
 
-/** @brief Points where two curves meet: none, one or two. Parallel lines meet nowhere.
- */
+/** @brief Returns the intersections of two curves: none, one or two. */
 std::vector<Eigen::Vector2d> intersections(const PlanCurve& a, const PlanCurve& b);
 
 } // namespace sedr

@@ -26,9 +26,9 @@ curveThrough(const PlanElement& e)
   return curve;
 }
 
-/** @brief What an element is worth. However many points there are, its place is not
- * known better than scanners and walls are exact, nor than a share of the noise. One
- * that nobody saw has a point at the edge of what a wall's points may be off. */
+/** @brief Returns the information of an element. Its accuracy is limited by that of
+ * scanners and walls and by a share of the noise, whatever the number of points. An
+ * unseen element counts as one point with the tolerance of a wall. */
 Eigen::Matrix3d
 informationOf(const PlanElement& e, double length, const Priors& priors)
 {
@@ -43,7 +43,7 @@ informationOf(const PlanElement& e, double length, const Priors& priors)
   if (!e.isArc())
     return lineInformation(count, noise, std::max(length, 0.01));
   const Eigen::Vector2d outward = e.start - e.centre;
-  // A short arc says little about its radius, but not nothing.
+  // Keeps the radius of a short arc weakly determined.
   return circleInformation(count, noise, std::atan2(outward.y(), outward.x()),
                            e.sweep()) +
          Eigen::Matrix3d::Identity() * (1e-4 * count / (noise * noise));
@@ -113,7 +113,7 @@ PlanCurves::isAlong(const PlanElement& e, const PlanCurve& curve) const
   return curve.distance(e.start) < same_place && curve.distance(e.end) < same_place;
 }
 
-/** @brief A further element on a curve: it is measured along both. */
+/** @brief Extends the measured part of a curve by a further element. */
 void
 PlanCurves::measure(std::size_t curve, const PlanElement& e)
 {
@@ -167,9 +167,9 @@ PlanCurves::meetSmoothly(const PlanElement& e, const PlanElement& next, double a
   return a.dot(b) > 0 && std::abs(a.dot(leftOf(b))) < std::sin(angle);
 }
 
-/** @brief Where element `i` of a loop starts on the curves as they are: where they
- * touch or cross near by. What nobody saw follows what it meets.
- * @return false where they do not meet within `farthest` metres */
+/** @brief Finds the start of element `i` of a loop on the current curves: their nearby
+ * point of tangency or intersection. Unseen elements follow their neighbours.
+ * @return false if they do not meet within `farthest` metres */
 bool
 PlanCurves::cornerOf(const Loop& loop,
                      std::size_t i,
@@ -190,7 +190,7 @@ PlanCurves::cornerOf(const Loop& loop,
   if (tangents.count({std::min(a, b), std::max(a, b)}) > 0) {
     corner =
         after.isCircle() ? touchingPoint(before, after) : touchingPoint(after, before);
-    // Where along a smooth way the joint lies is hardly known.
+    // The position of a smooth joint along the curves is uncertain.
     return curveThrough(elements[i]).distance(corner) <= farthest &&
            (corner - old).norm() <= priors_.patch;
   }
@@ -210,7 +210,7 @@ PlanCurves::cornerOf(const Loop& loop,
   return !unseen.isArc() && (corner - old).norm() <= farthest;
 }
 
-/** @brief A loop on the curves as they are; false where it would be broken. */
+/** @brief Rebuilds a loop on the current curves; returns false if it would break. */
 bool
 PlanCurves::moved(const Loop& loop, double farthest, PlanLoop& result) const
 {

@@ -13,45 +13,44 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The curves that the elements of a plan run along, each once: elements of one
- * room on the same line or circle share it, as the edge of a soffit shares a wall's.
+/** @brief The carrier curves of the elements of a plan, without duplicates. Elements of
+ * one room on the same line or circle share it, like the edge of a soffit and a wall.
  *
- * Curves can be moved and the plan be built anew on them: its corners are where
- * neighbouring curves meet. */
+ * After curves were moved, the plan can be rebuilt on them; its corners are the
+ * intersections of neighbouring curves. */
 class PlanCurves {
 public:
-  /** @brief One loop of the plan. */
+  /** @brief A loop of the plan. */
   struct Loop {
     PlanLoop* loop = nullptr;
     std::size_t room = 0;            ///< index in the plan
     bool is_boundary = false;        ///< of the room
-    std::vector<std::size_t> curves; ///< of each element
+    std::vector<std::size_t> curves; ///< curve of each element
   };
 
-  /** @brief `plan` must outlive this, its rooms stay where they are. */
+  /** @brief `plan` must outlive this object, and its rooms must not be moved in memory.
+   */
   explicit PlanCurves(Floorplan& plan, const Priors& priors = {});
 
   std::vector<MeasuredCurve> curves;
   std::vector<Loop> loops;
 
-  /** @brief Pairs of curves, the smaller first, that shall touch where they meet. */
+  /** @brief Pairs of tangent curves, the smaller index first. */
   std::set<std::pair<std::size_t, std::size_t>> tangents;
 
-  /** @brief Half of the length along which a curve was measured, metres. */
+  /** @brief Returns half of the measured length of a curve, metres. */
   double reach(std::size_t curve) const { return reach_[curve]; }
 
-  /** @brief What curve `c` is worth now, as its inliers and their residual say. */
+  /** @brief Updates the information of curve `c` from its inliers and residual. */
   void remeasure(std::size_t c);
 
-  /** @brief Whether neighbours meet smoothly where they do: at less than `angle`
-   * radians. */
+  /** @brief Returns whether adjacent elements meet at less than `angle` radians. */
   static bool meetSmoothly(const PlanElement& e, const PlanElement& next, double angle);
 
-  /** @brief Builds the loops anew on the curves.
-   * @param farthest no corner may move farther, metres
-   * @return the indices of the loops that this would break: they would cross
-   * themselves, turn an element around or lose a corner. The plan is changed only where
-   * there are none. */
+  /** @brief Rebuilds the loops on the curves.
+   * @param farthest maximum move of a corner, metres
+   * @return the indices of the loops that would break, i.e. cross themselves, reverse
+   * an element or lose a corner. The plan is changed only if there are none. */
   std::vector<std::size_t> rebuild(double farthest);
 
 private:
@@ -68,7 +67,7 @@ private:
   std::vector<double> reach_;
 };
 
-/** @brief All loops of a room: boundary, columns, then those of details and niches. */
+/** @brief Returns all loops of a room: boundary, columns, then details and niches. */
 std::vector<PlanLoop*> loopsOf(PlanRoom& room);
 
 } // namespace sedr

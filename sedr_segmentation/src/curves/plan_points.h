@@ -13,11 +13,12 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Points in plan, found by place: sorted by the cells of a grid. Exact; results
- * come in the order of cells and then of the points, so they are repeatable. */
+/** @brief Spatial index of points in plan, sorted by the cells of a grid. Queries are
+ * exact; results are ordered by cell and then by point, so they are repeatable. */
 class PlanPoints {
 public:
-  /** @param cell_size edge of the cells, metres; about the radius of most queries */
+  /** @param cell_size edge of the cells, metres; ideally about the usual query radius
+   */
   PlanPoints(std::vector<Eigen::Vector2d> points, double cell_size);
 
   std::size_t size() const { return points_.size(); }
@@ -31,7 +32,7 @@ public:
     forEachIndexWithin(p, radius, [&](std::size_t k) { visit(points_[k]); });
   }
 
-  /** @brief As forEachWithin(), but calls `visit` with the place of the point in all().
+  /** @brief Calls `visit` with the index in all() of each point within `radius` of `p`.
    */
   template <typename Visitor>
   void forEachIndexWithin(const Eigen::Vector2d& p, double radius, Visitor visit) const
@@ -42,8 +43,8 @@ public:
     });
   }
 
-  /** @brief Calls `visit(point)` for every point in the cells that a box meets: those
-   * in it, and some beside it. */
+  /** @brief Calls `visit(point)` for every point in the cells that overlap a box,
+   * including some outside it. */
   template <typename Visitor>
   void forEachIn(const Eigen::AlignedBox2d& box, Visitor visit) const
   {
@@ -59,16 +60,16 @@ public:
           visit(points_[k]);
   }
 
-  /** @brief Whether there is a point within `radius` of `p`. */
+  /** @brief Returns whether there is a point within `radius` of `p`. */
   bool hasWithin(const Eigen::Vector2d& p, double radius) const
   {
     return !visitWithin(p, radius, [](std::size_t) { return false; });
   }
 
 private:
-  /** @brief Calls `visit` with the place of every point within `radius` of `p` until it
+  /** @brief Calls `visit` with the index of every point within `radius` of `p` until it
    * returns false.
-   * @return whether it never did */
+   * @return true if `visit` never returned false */
   template <typename Visitor>
   bool visitWithin(const Eigen::Vector2d& p, double radius, Visitor visit) const
   {
@@ -77,7 +78,7 @@ private:
     const Cell low = grid_.at(p.x() - radius, p.y() - radius);
     const Cell high = grid_.at(p.x() + radius, p.y() + radius);
     for (std::int32_t y = low.y; y <= high.y; ++y) {
-      // Cells side by side follow one another in the set.
+      // Adjacent cells of a row are consecutive in the set.
       for (std::size_t i = cells_.firstFrom({low.x, y});
            i < cells_.size() && cells_.keys()[i] <= keyOf({high.x, y}); ++i)
         for (std::size_t k = first_[i]; k < first_[i + 1]; ++k)
@@ -90,7 +91,7 @@ private:
   CellGrid grid_;
   std::vector<Eigen::Vector2d> points_; ///< sorted by cell
   CellSet cells_;
-  std::vector<std::size_t> first_; ///< of the points of each cell, and the end
+  std::vector<std::size_t> first_; ///< first point of each cell, and the end
 };
 
 } // namespace sedr

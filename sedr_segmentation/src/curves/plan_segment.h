@@ -8,7 +8,7 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The straight element from one place to another. */
+/** @brief Returns the straight element from `start` to `end`. */
 inline PlanElement
 segment(const Eigen::Vector2d& start, const Eigen::Vector2d& end)
 {

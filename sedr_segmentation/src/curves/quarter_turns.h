@@ -6,14 +6,14 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Grows with the direction of (x, y), counter-clockwise, from 0 to 4, by one in
- * every quadrant: like its angle, without an arc tangent. Where it grows by 1, the
- * direction turns by 1 to 2 radians. (x, y) must not be (0, 0). */
+/** @brief Returns a pseudo-angle of (x, y), 0 to 4 counter-clockwise, one per quadrant,
+ * without an arc tangent. A difference of 1 corresponds to 1 to 2 radians. (x, y) must
+ * not be (0, 0). */
 template <typename Scalar>
 Scalar
 quarterTurns(Scalar x, Scalar y)
 {
-  // Looked up, not branched to: nothing foretells the quadrants of points around one.
+  // Table lookup instead of branches, as the quadrants of points are unpredictable.
   constexpr Scalar turns_at_axis[] = {0, 4, 2, 2};
   constexpr Scalar sense[] = {1, 1, -1, -1};
   const Scalar part = y / (std::abs(x) + std::abs(y));

@@ -18,13 +18,13 @@ struct Strip {
   double width = 0;
 };
 
-/** @brief The straight strip that cells spread along: one of length l has the variance
- * l^2 / 12. No cells give one of length 0. O(cells of the box). */
+/** @brief Fits a straight strip to cells by their variance, l^2 / 12 for length l. The
+ * length is 0 without cells. O(cells of the box). */
 Strip stripOf(const CellMask& cells, const CellGrid& grid);
 
-/** @brief Whether a wall goes on in line with a strip, 0.15 to 0.3 m beyond one of its
- * ends.
- * @param is_wall says it of a cell */
+/** @brief Returns whether a wall continues in line with a strip, 0.15 to 0.3 m beyond
+ * one of its ends.
+ * @param is_wall returns whether a cell is a wall */
 bool wallGoesOn(const Strip& strip,
                 const CellGrid& grid,
                 const std::function<bool(Cell)>& is_wall);

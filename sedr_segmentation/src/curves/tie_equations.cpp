@@ -31,7 +31,7 @@ tieSideOf(const MeasuredCurve& a, const MeasuredCurve& b, TieKind kind)
 
 namespace {
 
-/** @brief An angle brought into [-90, 90) degrees: lines have no sense. */
+/** @brief Returns an angle reduced to [-90, 90) degrees, as lines are undirected. */
 double
 lineAngle(double angle)
 {
@@ -73,7 +73,7 @@ circleTouchesCircle(const Eigen::Vector3d& a,
   return {apart - a[2] - b[2], {-u.x(), -u.y(), -1}, {u.x(), u.y(), -1}};
 }
 
-/** @brief That the middle of the second line lies on the first. */
+/** @brief Returns the equation that the centre of the second line lies on the first. */
 TieEquation
 onLineEquation(const MeasuredCurve& first,
                const MeasuredCurve& second,

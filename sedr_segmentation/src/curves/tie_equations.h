@@ -10,29 +10,29 @@
 namespace pcl {
 namespace sedr {
 
-// A curve in three numbers: angle and offset at the pivot of a line, centre and radius
-// of a circle.
+// A curve is given by three numbers: angle and offset at the pivot for a line, centre
+// and radius for a circle.
 
-/** @brief The direction of a line, unit. */
+/** @brief Returns the unit direction of a line. */
 Eigen::Vector2d directionOf(const Eigen::Vector3d& line);
 
-/** @brief One equation that shall be zero, and how it changes with both curves. */
+/** @brief An equation of a tie, 0 if fulfilled, and its derivatives by both curves. */
 struct TieEquation {
   double value = 0;
   Eigen::Vector3d by_a = Eigen::Vector3d::Zero();
   Eigen::Vector3d by_b = Eigen::Vector3d::Zero();
 };
 
-/** @brief What is fixed about a tie before curves move: from which side they touch. */
+/** @brief Side from which two tangent curves touch, fixed before curves move. */
 struct TieSide {
   double sign = 1;
-  bool is_inside = false; ///< one circle within the other
+  bool is_inside = false; ///< one circle is inside the other
 };
 
-/** @brief From which side two tied curves touch now. */
+/** @brief Returns the side from which two tied curves currently touch. */
 TieSide tieSideOf(const MeasuredCurve& a, const MeasuredCurve& b, TieKind kind);
 
-/** @brief The equations of a tie at the states `a` and `b` of its curves. */
+/** @brief Returns the equations of a tie at the states `a` and `b` of its curves. */
 std::vector<TieEquation> equationsOf(TieKind kind,
                                      const TieSide& side,
                                      const MeasuredCurve& first,

@@ -12,7 +12,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief What lies across a beam's way at one place. */
+/** @brief Content of a cross-section of a beam's extension. */
 enum class Across { Unseen, MainSlab, End };
 
 class Extender {
@@ -29,7 +29,7 @@ public:
       , priors_(priors)
   {}
 
-  /** @brief Follows a detail beyond both of its ends. */
+  /** @brief Extends a detail beyond both ends. */
   void extend(std::int32_t of)
   {
     const CellMask cells = cellsOf(of);
@@ -49,7 +49,7 @@ private:
     return cells;
   }
 
-  /** @brief Whether cells fill a straight strip that is longer than wide. */
+  /** @brief Returns whether cells fill a strip at least twice as long as wide. */
   bool isBeam(const Strip& strip, const CellMask& cells) const
   {
     const double area =
@@ -58,7 +58,8 @@ private:
            area >= 0.75 * strip.length * strip.width;
   }
 
-  /** @brief The cells across a strip `s` metres from its middle, its edges left out. */
+  /** @brief Returns the cells across a strip `s` metres from its centre, without edges.
+   */
   std::vector<Cell> cellsAcross(const Strip& strip, double s) const
   {
     const Eigen::Vector2d across(-strip.direction.y(), strip.direction.x());
@@ -73,7 +74,7 @@ private:
     return cells;
   }
 
-  /** @brief What lies there, and which detail it is, if one ends the way. */
+  /** @brief Returns the content of a cross-section; `met` is a detail in it, if any. */
   Across
   lookAcross(const std::vector<Cell>& cells, std::int32_t of, std::int32_t& met) const
   {
@@ -96,7 +97,7 @@ private:
     return 2 * end >= cells.size() ? Across::End : Across::Unseen;
   }
 
-  /** @brief Distance of the detail's last cells from its middle. */
+  /** @brief Returns the distance of the detail's last cell from its centre. */
   double endOf(const Strip& strip, double side, std::int32_t of) const
   {
     double farthest = 0;
@@ -127,8 +128,7 @@ private:
     }
   }
 
-  /** @brief Gives the cells of the strip without a height, from one place to another,
-   * to a detail. */
+  /** @brief Assigns unlabelled cells of the strip between two positions to a detail. */
   void claim(const Strip& strip, double side, double from, double to, std::int32_t of)
   {
     const Eigen::Vector2d across(-strip.direction.y(), strip.direction.x());
@@ -143,7 +143,7 @@ private:
     }
   }
 
-  /** @brief Whether another detail is a piece of the same beam. */
+  /** @brief Returns whether another detail is a part of the same beam. */
   bool isSameStrip(const Strip& strip, std::int32_t of, std::int32_t other) const
   {
     const Strip there = stripOf(cellsOf(other), grid_);
@@ -151,7 +151,7 @@ private:
     const Eigen::Vector2d between = there.middle - strip.middle;
     const double step =
         slabOf(of).heightAt(there.middle) - slabOf(other).heightAt(there.middle);
-    // A short piece has no direction of its own.
+    // The direction of a short part is undefined.
     const bool is_parallel =
         there.length < 2 * there.width || std::abs(across.dot(there.direction)) < 0.1;
     return is_parallel && std::abs(step) < priors_.min_ceiling_step &&

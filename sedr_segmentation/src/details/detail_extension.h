@@ -11,18 +11,17 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Lets beams go on over what was not seen of them.
+/** @brief Extends beams over their hidden parts.
  *
- * A detail that is a straight strip, at least twice as long as wide, is followed beyond
- * both ends over cells without a height, at most half of its length. Where nothing of
- * the main slab was seen in its way until the room or another detail ends it, those
- * cells are its own; and what it meets, if that is the same strip at the same height,
- * behind a column or in its shadow, becomes a part of it.
+ * A beam is a straight strip at least twice as long as wide. It is extended beyond both
+ * ends over cells without a height, by at most half of its length. The extension is
+ * accepted if it meets the end of the room or another detail before any cell of the
+ * main slab. A detail that continues the strip at the same height, e.g. behind a
+ * column, is merged with it.
  * @param room    cells of the room
- * @param details planes of the details, of labels 1, 2, ...
- * @param[in,out] label of every cell of the box: 0 the main slab, k the k-th detail, -1
- *   none. A detail that became a part of another keeps no cell.
- * O(cells) for each detail. */
+ * @param details planes of the details with labels 1, 2, ...
+ * @param[in,out] label label of every cell of the box: 0 the main slab, k the k-th
+ * detail, -1 none. A merged detail keeps no cell. O(cells) per detail. */
 void extendDetails(const CellMask& room,
                    const std::vector<PlanSlab>& details,
                    const CellGrid& grid,

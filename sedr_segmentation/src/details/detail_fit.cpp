@@ -16,7 +16,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief Adds what of a loop others may follow. */
+/** @brief Appends the elements that other loops may reuse: those over `shortest`. */
 void
 appendElements(const PlanLoop& loop,
                double shortest,
@@ -27,8 +27,8 @@ appendElements(const PlanLoop& loop,
       elements.push_back(e);
 }
 
-/** @brief Points along a loop, a centimetre apart: edges of details beside a wall lie
- * on it. */
+/** @brief Appends points along a loop, 1 cm apart, as edges of details at a wall
+ * coincide with it. */
 void
 appendPoints(const PlanLoop& loop, std::vector<Eigen::Vector2d>& points)
 {
@@ -37,8 +37,8 @@ appendPoints(const PlanLoop& loop, std::vector<Eigen::Vector2d>& points)
       points.push_back(e.pointAt(s));
 }
 
-/** @brief The cells of a detail, less those unseen that are within larger ones: behind
- * what hides an edge, it goes on straight. */
+/** @brief Returns the cells of a detail without unseen cells inside larger details, as
+ * their edges continue straight where hidden. */
 CellMask
 seenCellsOf(const HeightMap& map,
             std::int32_t label,
@@ -59,7 +59,7 @@ seenCellsOf(const HeightMap& map,
   return cells;
 }
 
-/** @brief The labels of the details, the widest first. */
+/** @brief Returns the labels of the details, the one with the most cells first. */
 std::vector<std::int32_t>
 widestFirst(const HeightMap& map)
 {
@@ -76,7 +76,7 @@ widestFirst(const HeightMap& map)
   return labels;
 }
 
-/** @brief Of each of `count` boxes, those before it that it meets. */
+/** @brief Returns for each of `count` boxes the earlier boxes that it overlaps. */
 template <typename BoxAt>
 std::vector<std::vector<std::size_t>>
 overlapsBefore(std::size_t count, BoxAt boxAt)
@@ -89,7 +89,7 @@ overlapsBefore(std::size_t count, BoxAt boxAt)
   return before;
 }
 
-/** @brief Parts what waits for others into turns: each waits for earlier ones only. */
+/** @brief Divides tasks into turns such that each depends only on earlier turns. */
 std::vector<std::vector<std::size_t>>
 turnsOf(const std::vector<std::vector<std::size_t>>& waits_for)
 {
@@ -104,8 +104,7 @@ turnsOf(const std::vector<std::vector<std::size_t>>& waits_for)
   return turns;
 }
 
-/** @brief Lets beams go on over what was not seen of them; joined pieces share their
- * label. */
+/** @brief Extends beams over their hidden parts; merged parts get one label. */
 void
 extendBeams(HeightMap& map, const CellGrid& grid)
 {
@@ -115,9 +114,8 @@ extendBeams(HeightMap& map, const CellGrid& grid)
       map.seen[i] = map.label[i];
 }
 
-/** @brief The cells of a room that its boundary holds, and what it holds besides,
- * strips narrower than three cells left out: a beam may hide the corner between it and
- * the wall. */
+/** @brief Returns the cells inside a room's boundary: those of the room, and others in
+ * strips at least three cells wide, as a beam may hide the corner at a wall. */
 CellMask
 withinBoundary(const CellMask& cells, const PlanLoop& boundary, const CellGrid& grid)
 {
@@ -129,8 +127,8 @@ withinBoundary(const CellMask& cells, const PlanLoop& boundary, const CellGrid& 
   return unite(intersect(cells, held), dilated(eroded(hidden, 1), 1));
 }
 
-/** @brief The points at the rim of a detail: those of others, perhaps more and clearer,
- * are not its. No furniture hides the rim of what is at a ceiling. */
+/** @brief Returns the points at the rim of a detail, so that denser points of others do
+ * not attract it. At a ceiling, no furniture hides the rim. */
 std::vector<Eigen::Vector2d>
 atRim(const PlanPoints& points,
       const CellMask& cells,
@@ -162,15 +160,13 @@ fitDetail(const HeightMap& map,
 {
   PlanDetail detail;
   detail.slab = map.slabOf(label);
-  // The cells of a riser belong to the lower of its two ceilings, the higher of its
-  // floors.
+  // The cells of a riser belong to the lower of two ceilings, the higher of two floors.
   const bool is_low =
       heightOverMain(map.main, detail.slab, cells, CellGrid(parameters.cell_size)) < 0;
   LoopParameters loop = parameters.loop;
   loop.expected_offset = (is_low != is_floor ? 0.5 : -0.5) * parameters.cell_size;
   loop.reach = 2 * parameters.cell_size;
-  loop.evidence_span =
-      2 * parameters.cell_size; // a riser has few points above each other
+  loop.evidence_span = 2 * parameters.cell_size; // a riser has few points in height
   loop.corner_reach = 3 * parameters.cell_size;
   loop.threads = parameters.threads;
   const std::vector<Contour> contours = traceContours(cells, parameters.cell_size);
@@ -231,7 +227,7 @@ fitDetails(const PointView& points,
   const auto boxOfRank = [&](std::size_t k) -> const CellBox& {
     return boxes[static_cast<std::size_t>(order[k])];
   };
-  // A detail is fitted after the larger ones near it, side by side with all others.
+  // A detail is fitted after the larger ones near it, and in parallel with all others.
   const std::vector<std::vector<std::size_t>> larger =
       overlapsBefore(order.size(), [&](std::size_t k) {
         return grown(boxOfRank(k), cellsFor(priors.max_wall, grid.size()));

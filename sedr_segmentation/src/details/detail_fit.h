@@ -10,26 +10,24 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What the details of a ceiling or of a floor are fitted to: indices into the
- * points. */
+/** @brief Points for the details of a ceiling or a floor: indices into the points. */
 struct SlabEvidence {
   std::vector<int> main;    ///< of the main ceiling or floor
-  std::vector<int> details; ///< of its parts at heights of their own, risers included
+  std::vector<int> details; ///< of its parts at other heights, including risers
   bool is_floor = false;
 };
 
-/** @brief Fits the details of the ceiling, or of the floor, of a room whose walls are
- * known.
+/** @brief Fits the details of the ceiling or the floor of a room with known walls.
  *
- * The levels of the detail points give their heights; cells of the room in which
- * neither the main slab nor a detail was seen go to the nearest one, so that every cell
- * has a height. Each connected part becomes a detail: its plane, and a loop whose edges
- * are the room's walls where it meets them and lines or arcs through the risers' points
- * elsewhere. Largest first.
+ * The levels of the detail points give the heights. Unseen cells take the height of the
+ * nearest seen cell. Each connected region becomes a detail with a plane and a loop.
+ * Edges of the loop are the room's walls where they meet, else lines or arcs through
+ * the points of risers. Largest first.
  *
  * @param room with boundary, columns, floor and ceiling
  * @param cells the cells of the room
- * @param columns all points of the room and near it, in a box around the cells */
+ * @param columns profiles of all points in and near the room, in a box around the cells
+ */
 std::vector<PlanDetail> fitDetails(const PointView& points,
                                    const SlabEvidence& evidence,
                                    const PlanRoom& room,

@@ -32,8 +32,8 @@ isAboveFloor(const SliceScene& scene, Cell cell)
                                  scene.floor_height + 0.1);
 }
 
-/** @brief Whether the floor goes on below a quarter of a region or more. Below the head
- * of a window there is a sill. */
+/** @brief Returns whether the floor is seen below at least a quarter of a region. Below
+ * a window head there is a sill. */
 bool
 hasFloorBelow(const SliceScene& scene, const CellMask& region)
 {
@@ -43,8 +43,9 @@ hasFloorBelow(const SliceScene& scene, const CellMask& region)
   return 4 * above_floor >= region.count();
 }
 
-/** @brief Whether the floor is hidden before a region as well, below the ceiling beside
- * it: by furniture deeper than a soffit. Before a window it goes on up to the wall. */
+/** @brief Returns whether the floor is hidden in front of a region as well, below the
+ * adjacent ceiling, by furniture deeper than a soffit. In front of a window the floor
+ * reaches the wall. */
 bool
 isFloorHiddenBefore(const SliceScene& scene, const CellMask& region)
 {
@@ -58,8 +59,8 @@ isFloorHiddenBefore(const SliceScene& scene, const CellMask& region)
   return hidden > 0 && 5 * hidden >= 4 * front.count();
 }
 
-/** @brief Whether a wall stands below most of the other edges of a region: behind a
- * window one looks out. */
+/** @brief Returns whether a wall stands below most of a region's edges away from the
+ * ceiling. Behind a window there is none. */
 bool
 hasWallBehind(const SliceScene& scene, const Tops& tops, const CellMask& region)
 {
@@ -79,8 +80,8 @@ hasWallBehind(const SliceScene& scene, const Tops& tops, const CellMask& region)
   return walled > 0 && 5 * walled >= 4 * edge.count();
 }
 
-/** @brief Whether a region is a soffit above furniture that hides the floor: at least
- * 10 cm below the ceiling, what is nearer may be the edge of the ceiling itself. */
+/** @brief Returns whether a region is a soffit above furniture that hides the floor. It
+ * must be at least 10 cm below the ceiling, to exclude the ceiling's own edge. */
 bool
 isAboveFurniture(const SliceScene& scene, const Tops& tops, const CellMask& region)
 {
@@ -95,9 +96,9 @@ isAboveFurniture(const SliceScene& scene, const Tops& tops, const CellMask& regi
          isFloorHiddenBefore(scene, region) && hasWallBehind(scene, tops, region);
 }
 
-/** @brief Whether a region is the head of a door or a window rather than a soffit:
- * shallow, it meets the rest of the ceiling along one straight line, on which the wall
- * goes on beside it; or that line is as short as a door is wide. */
+/** @brief Returns whether a region is the head of a door or window rather than a
+ * soffit. A head is shallow and meets the rest of the ceiling along one straight line
+ * on which the wall continues. A line shorter than a door's width suffices as well. */
 bool
 isNiche(const SliceScene& scene, const Tops& tops, const CellMask& region)
 {
@@ -125,8 +126,8 @@ isNiche(const SliceScene& scene, const Tops& tops, const CellMask& region)
          (depth < deepest && wallGoesOn(strip, scene.grid, isWall));
 }
 
-/** @brief Whether the rim of an island is closed up to the ceiling: then it is built,
- * not hung. */
+/** @brief Returns whether the rim of an island is closed up to the ceiling, i.e. the
+ * island is built, not hung. */
 bool
 hasRisers(const SliceScene& scene, const CellMask& island)
 {
@@ -150,8 +151,8 @@ hasRisers(const SliceScene& scene, const CellMask& island)
   return 2 * closed >= rim.count();
 }
 
-/** @brief Whether a region of one height is a part of the ceiling. What the ceiling
- * encloses all around is an island: small or unattached ones are lamps. */
+/** @brief Returns whether a region of one height is part of the ceiling. A region
+ * enclosed by the ceiling is an island; small or unattached islands are lamps. */
 bool
 isDetail(const SliceScene& scene,
          const Tops& tops,
@@ -168,8 +169,8 @@ isDetail(const SliceScene& scene,
   return is_open_below && !isNiche(scene, tops, region);
 }
 
-/** @brief The regions of `cells` that come within two cells of `ceiling`, or of one
- * that does. */
+/** @brief Returns the regions of `cells` within two cells of `ceiling`, directly or
+ * through other regions. */
 CellMask
 joinedWith(const CellMask& ceiling, const CellMask& cells)
 {
@@ -178,8 +179,8 @@ joinedWith(const CellMask& ceiling, const CellMask& cells)
   return intersect(cells, markedRegions(bridged, ceiling, true));
 }
 
-/** @brief The risers that join a kept underside: they do not reach below it and the
- * ceiling, as the wall above a window under a soffit does. */
+/** @brief Returns the risers that adjoin a kept underside. They must not extend below
+ * it and the ceiling, as the wall above a window under a soffit does. */
 CellMask
 risersBeside(const SliceScene& scene, const Tops& tops, const CellMask& kept)
 {
@@ -203,7 +204,7 @@ risersBeside(const SliceScene& scene, const Tops& tops, const CellMask& kept)
   return risers;
 }
 
-/** @brief `seeds` and what can be reached from them through `domain`. */
+/** @brief Returns `seeds` and the cells reachable from them through `domain`. */
 CellMask
 grownInto(const CellMask& seeds, const CellMask& domain)
 {
@@ -238,8 +239,8 @@ detailCells(const SliceScene& scene,
   kept = joinedWith(scene.ceiling, kept);
   const CellMask risers = risersBeside(scene, tops, kept);
   kept = unite(kept, risers);
-  // What was not seen of a detail, the slices' outline encloses with it; walls and
-  // heads of windows bound it.
+  // The outline of the slices encloses the unseen parts of a detail; walls and window
+  // heads bound it.
   const CellMask bounds = unite(refused, subtract(tops.risers, risers));
   const MaskRegions outlined = labelRegions(enclosed_by_slices, true);
   for (std::size_t r = 0; r < outlined.sizes.size(); ++r) {

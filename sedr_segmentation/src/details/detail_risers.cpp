@@ -14,7 +14,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief Lowest and highest slab around a cell; no step where there is one only. */
+/** @brief Minimum and maximum slab height around a cell; no step with only one slab. */
 struct StepBeside {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
@@ -25,7 +25,7 @@ struct StepBeside {
   }
 };
 
-/** @brief The step within two cells of a cell of a map. */
+/** @brief Returns the step within two cells of a cell of a map. */
 StepBeside
 stepBeside(const HeightMap& map, const CellGrid& grid, Cell cell)
 {
@@ -46,7 +46,7 @@ stepBeside(const HeightMap& map, const CellGrid& grid, Cell cell)
   return step;
 }
 
-/** @brief The steps within two cells of all cells of a map, row by row. */
+/** @brief Returns the steps within two cells of all cells of a map, row by row. */
 std::vector<StepBeside>
 stepsBeside(const HeightMap& map, const CellGrid& grid)
 {
@@ -57,8 +57,8 @@ stepsBeside(const HeightMap& map, const CellGrid& grid)
   return steps;
 }
 
-/** @brief Whether what shows at a point goes on beyond the riser between two heights: a
- * shelf that stands before it, or hangs from it. */
+/** @brief Returns whether the surface at a point extends beyond the riser between two
+ * heights, like a shelf in front of it. */
 bool
 goesOn(const ColumnTable& columns,
        Cell cell,
@@ -76,8 +76,8 @@ goesOn(const ColumnTable& columns,
   });
 }
 
-/** @brief Whether a point is at the height of any slab of the floor, such as the tread
- * of a step before a platform, of which little may have been seen. */
+/** @brief Returns whether a point is at the height of any slab of the floor, such as a
+ * barely visible tread in front of a platform. */
 bool
 isOnFloor(const HeightMap& map, const Eigen::Vector3f& p, double margin)
 {
@@ -87,8 +87,8 @@ isOnFloor(const HeightMap& map, const Eigen::Vector3f& p, double margin)
          });
 }
 
-/** @brief Whether a point is at the height of a slab around it. What is elsewhere at
- * the ceiling does not matter: its coffers may be of many heights. */
+/** @brief Returns whether a point is at the height of a nearby slab. Distant slabs do
+ * not matter: the coffers of a ceiling may have many heights. */
 bool
 isOnSlabAround(const HeightMap& map, Cell cell, const Eigen::Vector3f& p, double margin)
 {
@@ -104,8 +104,8 @@ isOnSlabAround(const HeightMap& map, Cell cell, const Eigen::Vector3f& p, double
   return false;
 }
 
-/** @brief Whether what stands at a step of a ceiling goes up to the higher side of it:
- * a duct ends below. True where the step is too low to tell. */
+/** @brief Returns whether the riser at a ceiling step reaches the higher side; a duct
+ * ends below. True if the step is too low to decide. */
 bool
 reachesCeiling(const ColumnTable& columns,
                Cell cell,
@@ -114,15 +114,15 @@ reachesCeiling(const ColumnTable& columns,
                const PlanSlab& higher,
                const Priors& priors)
 {
-  const double least_body = priors.wall_band; // of what would end in a gap
+  const double least_body = priors.wall_band; // minimum riser below the gap
   const CeilingGap gap = gapBelow(higher);
   return high - gap.low < low + least_body ||
          columns.share(cell, high - gap.low, high - gap.high, 1, 2) >= 1;
 }
 
-/** @brief Whether something closes the step along most of the edge between a detail and
- * what is beside it. A shelf below a soffit has no riser, that of a duct ends below the
- * ceiling: they are furniture. */
+/** @brief Returns whether risers close at least half of the edge between a detail and
+ * its neighbours. A shelf below a soffit has no riser, and that of a duct ends below
+ * the ceiling; neither is a detail. */
 bool
 hasRisers(const HeightMap& map,
           const ColumnTable& columns,
@@ -148,7 +148,7 @@ hasRisers(const HeightMap& map,
       ++edges;
       const double low = std::min(a, b) + 0.02;
       const double high = std::max(a, b) - 0.02;
-      // Bins that hold a voxel each, at most four.
+      // At most four bins, each at least a voxel high.
       const int bins = std::min(4, cellsFor(high - low, 1.2 * grid.size()));
       const PlanSlab& higher = map.slabOf(a > b ? label : other);
       if (high - low < map.priors.min_floor_step ||

@@ -10,20 +10,19 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Points in plan that show edges of details: those between two heights beside
- * each other. */
+/** @brief Returns the points of risers in plan: points between two adjacent heights. */
 std::vector<Eigen::Vector2d> riserPoints(const PointView& points,
                                          const SlabEvidence& evidence,
                                          const HeightMap& map,
                                          const ColumnTable& columns,
                                          const RoomFitParameters& parameters);
 
-/** @brief Gives the parts of a floor that platforms and walls enclose, but no riser
- * does, to the platforms: where one is hidden, the recovered floor lies below it. */
+/** @brief Assigns floor parts enclosed by platforms and walls but without risers to the
+ * platforms. Where a platform is hidden, the recovered floor lies below it. */
 void fillHiddenParts(HeightMap& map, const ColumnTable& columns, const CellGrid& grid);
 
-/** @brief Takes out the details without risers, one by one, and gives their cells to
- * what is beside them. */
+/** @brief Removes the details without risers, one by one, and assigns their cells to
+ * their neighbours. */
 void dropUnsupported(HeightMap& map,
                      const ColumnTable& columns,
                      const CellGrid& grid,

@@ -12,9 +12,9 @@ namespace sedr {
 
 namespace {
 
-/** @brief The cells between two stretches of ceiling eight cells apart or less, two of
- * a narrow beam and on each side three that its riser may be spread over by noise;
- * beside the wall above a window, ceiling is on one side only. */
+/** @brief Returns the cells between two ceiling parts at most eight cells apart: two of
+ * a narrow beam, and three per side over which noise may spread its riser. The wall
+ * above a window has ceiling on one side only. */
 CellMask
 betweenCeilings(const SliceScene& scene)
 {
@@ -22,7 +22,7 @@ betweenCeilings(const SliceScene& scene)
   return eroded(dilated(scene.ceiling, half_of_beam), half_of_beam);
 }
 
-/** @brief Mean height of a column's points from `low` on. */
+/** @brief Returns the mean height of a profile's points from `low` upwards. */
 double
 meanAbove(const ColumnTable& columns, Cell cell, float low)
 {
@@ -36,8 +36,9 @@ meanAbove(const ColumnTable& columns, Cell cell, float low)
   return sum / count;
 }
 
-/** @brief The cells of steps between undersides, see cellsOfDrops(): those lower than
- * the tolerance, too, and slopes, as from a cove to the head of a window. */
+/** @brief Returns the cells of steps between undersides, see cellsOfDrops(). They
+ * include steps lower than the tolerance, and slopes, as from a cove to a window head.
+ */
 CellMask
 stepsBetween(const Tops& tops, const Priors& priors)
 {
@@ -53,7 +54,7 @@ stepsBetween(const Tops& tops, const Priors& priors)
 }
 
 /** @brief Labels the regions of a mask in which neighbours differ by less than the
- * tolerance in height, from `first` on.
+ * tolerance in height; the first label is `first`.
  * @return the next label */
 std::int32_t
 labelHeights(const Tops& tops,
@@ -86,7 +87,7 @@ labelHeights(const Tops& tops,
   return next;
 }
 
-/** @brief Takes the labels of regions of fewer cells away. */
+/** @brief Removes the labels of regions with fewer than `least_cells`. */
 void
 dropSmall(std::size_t least_cells, std::int32_t count, std::vector<std::int32_t>& label)
 {
@@ -99,8 +100,8 @@ dropSmall(std::size_t least_cells, std::int32_t count, std::vector<std::int32_t>
       l = -1;
 }
 
-/** @brief Gives the undersides without a label, those of steps and what little is
- * between them, the one beside them that is nearest in height. */
+/** @brief Assigns undersides without a label (steps and small areas between them) to
+ * the adjacent region nearest in height. */
 void
 labelSteps(const Tops& tops,
            double tolerance,

@@ -16,8 +16,8 @@ namespace sedr {
 
 namespace {
 
-/** @brief Whether a corner of a loop lies beyond a boundary, or a stretch of the
- * boundary within the loop. */
+/** @brief Returns whether a corner of a loop lies outside a boundary, or a part of the
+ * boundary inside the loop. */
 bool
 reachesOut(const PlanLoop& loop, const PlanLoop& boundary)
 {
@@ -35,7 +35,7 @@ reachesOut(const PlanLoop& loop, const PlanLoop& boundary)
          });
 }
 
-/** @brief The lines of a boundary's segments that a side all but runs along. */
+/** @brief Returns the lines of a boundary's segments that a side nearly follows. */
 std::vector<PlanCurve>
 linesAlong(const PlanElement& side, const PlanLoop& boundary)
 {
@@ -53,8 +53,8 @@ linesAlong(const PlanElement& side, const PlanLoop& boundary)
   return lines;
 }
 
-/** @brief A loop whose segments run along those of a boundary that they all but run
- * along. */
+/** @brief Returns a loop with its segments moved onto the boundary's segments with
+ * which they nearly coincide. */
 PlanLoop
 snapped(PlanLoop loop, const PlanLoop& boundary)
 {
@@ -77,8 +77,8 @@ snapped(PlanLoop loop, const PlanLoop& boundary)
   return loop;
 }
 
-/** @brief What of a counter-clockwise loop is within a boundary; the loop itself where
- * that cannot be told, as where both run along each other by rounding only. */
+/** @brief Returns the parts of a counter-clockwise loop inside a boundary. Returns the
+ * loop itself if the result is inconsistent, e.g. when both coincide up to rounding. */
 std::vector<PlanLoop>
 within(const PlanLoop& loop, const PlanLoop& boundary)
 {
@@ -98,8 +98,7 @@ within(const PlanLoop& loop, const PlanLoop& boundary)
   return inside;
 }
 
-/** @brief The parts of a detail within a boundary, with what of its holes is in them.
- */
+/** @brief Returns the parts of a detail inside a boundary, with their holes. */
 std::vector<PlanDetail>
 trimmed(const PlanDetail& detail, const PlanLoop& boundary)
 {

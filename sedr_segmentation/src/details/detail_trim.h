@@ -6,10 +6,9 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Cuts off what of the details of a room, of its ceiling and of its floor, is
- * outside of its boundary by more than a millimetre. A detail of which several parts
- * are left becomes as many, and one of which none is left goes. O(n m) for n elements
- * of the boundary and m of the details. */
+/** @brief Clips the ceiling and floor details of a room to its boundary where they
+ * exceed it by more than a millimetre. A detail may be split into several or removed.
+ * O(n m) for n elements of the boundary and m of the details. */
 void trimDetails(PlanRoom& room);
 
 } // namespace sedr

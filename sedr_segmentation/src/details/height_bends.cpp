@@ -18,7 +18,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief The points of a cell, over the main slab, metres. */
+/** @brief Heights of a cell's points above the main slab, metres. */
 struct CellHeights {
   double sum = 0;
   double count = 0;
@@ -34,15 +34,15 @@ struct CellHeights {
   }
 };
 
-/** @brief Notes what was seen of a ceiling in the cells of its room.
- * @return marks those at steps */
+/** @brief Records the relief of a ceiling in the cells of its room.
+ * @return a mark per cell for steps */
 std::vector<std::uint8_t>
 noteRelief(const PointView& points,
            const SlabEvidence& evidence,
            const CellGrid& grid,
            HeightMap& map)
 {
-  const double most_spread = map.priors.surface_band; // more is a riser
+  const double most_spread = map.priors.surface_band; // a larger spread is a riser
   const CellMask& room = map.room;
   std::vector<CellHeights> seen(room.values().size());
   for (const auto* indices : {&evidence.main, &evidence.details})
@@ -72,21 +72,21 @@ noteRelief(const PointView& points,
   return steps;
 }
 
-/** @brief Where two labels meet. */
+/** @brief Common border of two labels. */
 struct Meeting {
-  double cells = 0; ///< edges between cells of the two, seen ones and steps
-  double bends = 0; ///< those where the ceiling goes on without a step
-  double drop = 0;  ///< between their planes there, sum of metres
+  double cells = 0; ///< edges between seen or step cells of the two
+  double bends = 0; ///< edges without a step
+  double drop = 0;  ///< sum of the height differences of the planes there, metres
 
   bool isBend() const { return 2 * bends > cells; }
 };
 
 using Meetings = std::vector<std::map<std::int32_t, Meeting>>;
 
-/** @brief Two cells side by side. */
+/** @brief Two adjacent cells. */
 using CellPair = std::pair<std::size_t, std::size_t>;
 
-/** @brief The labels, once what is near one goes to the nearest. */
+/** @brief Returns the labels grown into nearby unlabelled cells. */
 std::vector<std::int32_t>
 grownLabels(const HeightMap& map)
 {
@@ -96,7 +96,8 @@ grownLabels(const HeightMap& map)
   return label;
 }
 
-/** @brief Where cells of two labels meet that were seen, or hold a step. */
+/** @brief Returns the adjacent cells of different labels that were seen or hold a step.
+ */
 std::vector<CellPair>
 borderOf(const HeightMap& map,
          const std::vector<std::int32_t>& label,
@@ -120,10 +121,10 @@ borderOf(const HeightMap& map,
   return border;
 }
 
-/** @brief Where each label meets others, kept while labels are joined. */
+/** @brief Common borders of all labels, updated as labels are joined. */
 class LabelMeetings {
 public:
-  /** @param label of the cells on both sides of borders; O(cells) */
+  /** @param label labels of the cells; O(cells) */
   LabelMeetings(const HeightMap& map,
                 const CellGrid& grid,
                 const std::vector<std::uint8_t>& steps,
@@ -145,7 +146,7 @@ public:
 
   const Meetings& all() const { return meetings_; }
 
-  /** @brief Gives a label's cells to another. O(its border). */
+  /** @brief Merges a label into another. O(its border). */
   void join(std::int32_t from, std::int32_t to)
   {
     auto& own = border_of_[static_cast<std::size_t>(from)];
@@ -194,8 +195,9 @@ private:
   Meetings meetings_;
 };
 
-/** @brief The label that a sliver goes to: that a good part of it borders on, without a
- * step, and that is nearest in height; -1 if none is near. */
+/** @brief Returns the label to merge a sliver with, -1 if none is close. It must share
+ * at least a quarter of the border, mostly without a step; the nearest in height wins.
+ */
 std::int32_t
 besideSliver(const std::map<std::int32_t, Meeting>& meetings, const Priors& priors)
 {
@@ -214,20 +216,20 @@ besideSliver(const std::map<std::int32_t, Meeting>& meetings, const Priors& prio
   return beside;
 }
 
-/** @brief Joins slivers with what is beside them, the smallest first.
- * @return the meetings of what is left */
+/** @brief Merges slivers with their neighbours, the smallest first.
+ * @return the borders of the remaining labels */
 Meetings
 joinSlivers(const std::vector<std::uint8_t>& steps,
             const CellGrid& grid,
             HeightMap& map)
 {
-  // Where labels grow to does not depend on what they are: joined ones stay there.
+  // The grown cells do not depend on the merges, so they are computed once.
   LabelMeetings meetings(map, grid, steps, grownLabels(map));
   std::vector<double> area(map.details.size() + 1, 0);
   for (const std::int32_t l : map.label)
     if (l >= 0)
       area[static_cast<std::size_t>(l)] += grid.size() * grid.size();
-  std::vector<std::int32_t> now(area.size()); // what each label has become
+  std::vector<std::int32_t> now(area.size()); // current label of each original one
   std::iota(now.begin(), now.end(), 0);
   for (bool has_changed = true; has_changed;) {
     has_changed = false;
@@ -257,8 +259,7 @@ joinSlivers(const std::vector<std::uint8_t>& steps,
   return meetings.all();
 }
 
-/** @brief The label within some cells of one whose plane is nearest to what was seen
- * there. */
+/** @brief Returns the nearby label whose plane is closest to the relief of a cell. */
 std::int32_t
 nearestLabel(const HeightMap& map, const CellGrid& grid, std::size_t at)
 {
@@ -288,7 +289,7 @@ nearestLabel(const HeightMap& map, const CellGrid& grid, std::size_t at)
   return nearest;
 }
 
-/** @brief Lets the cells that no step holds follow their heights. */
+/** @brief Relabels the cells without a step by their heights. */
 void
 followHeights(const std::vector<std::uint8_t>& steps,
               const CellGrid& grid,
@@ -307,7 +308,7 @@ followHeights(const std::vector<std::uint8_t>& steps,
   }
 }
 
-/** @brief Leaves of each detail its largest part. */
+/** @brief Keeps only the largest region of each detail. */
 void
 keepLargestParts(HeightMap& map)
 {
@@ -347,8 +348,8 @@ tidyBends(const PointView& points,
 
 namespace {
 
-/** @brief How far from one cell to the next the ceiling is midway between the planes of
- * their labels, from 0 to 1: lines of one height go through between the cells. */
+/** @brief Returns where between two cells, from 0 to 1, the ceiling is midway between
+ * the planes of their labels. This interpolates contour lines between cells. */
 double
 shareOfWay(const HeightMap& map, std::size_t from, std::size_t to, const CellGrid& grid)
 {

@@ -6,27 +6,27 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Notes the relief of a ceiling, and tidies the labels where a ceiling bends.
- * There levels are cut out of it that are as high as their tolerance lets them be, and
- * what is left between two of them are slivers with ragged edges.
+/** @brief Records the relief of a ceiling and cleans its labels where it bends. There
+ * the level detection cuts it into bands as high as the tolerance, with slivers and
+ * ragged edges between them.
  *
- * Slivers that no step bounds go to what is beside them: those smaller than a square
- * metre and less than 6 cm from it. Then each cell goes to the label near it whose
- * plane is nearest to what was seen there, so that the edges are lines of one height.
- * What a step parts, see cellsOfSteps(), stays as it is. O(n) a sliver. */
+ * Slivers without a step are merged with a neighbour if smaller than a square metre and
+ * less than 6 cm from it. Then each cell takes the nearby label whose plane is closest
+ * to its relief, so edges follow contour lines. Labels separated by a step, see
+ * cellsOfSteps(), do not change. O(n) per sliver. */
 void tidyBends(const PointView& points,
                const SlabEvidence& evidence,
                const CellGrid& grid,
                HeightMap& map);
 
-/** @brief Where two labels meet though the ceiling goes on from one to the other
- * without a step. No riser is there: an edge is where the labels say. */
+/** @brief Edges between two labels without a step in the ceiling. There is no riser;
+ * the labels define the edge. */
 struct BentEdges {
-  std::vector<Eigen::Vector2d> points; ///< along them, a centimetre apart
-  CellMask cells; ///< up to two cells from them, farther from steps
+  std::vector<Eigen::Vector2d> points; ///< along the edges, 1 cm apart
+  CellMask cells; ///< cells within two cells of the edges and farther from steps
 };
 
-/** @brief The bent edges between the labels of a map. O(n). */
+/** @brief Returns the bent edges between the labels of a map. O(n). */
 BentEdges bentEdges(const HeightMap& map, const CellGrid& grid);
 
 } // namespace sedr

@@ -15,7 +15,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief The levels among the detail points. */
+/** @brief Finds the levels among the detail points. */
 std::vector<Level>
 detailLevels(const PointView& points,
              const SlabEvidence& evidence,
@@ -31,8 +31,8 @@ detailLevels(const PointView& points,
   return findLevels(points, evidence.details, p);
 }
 
-/** @brief The plane of the detail over some cells: parallel to the main slab, unless it
- * is wide enough for its points to say clearly otherwise. */
+/** @brief Returns the plane of the detail over some cells: parallel to the main slab,
+ * unless the detail is wide and a free fit is clearly better. */
 PlanSlab
 detailSlab(const PointView& points,
            const SlabEvidence& evidence,
@@ -61,9 +61,9 @@ detailSlab(const PointView& points,
   return is_wide && is_clear ? leaning : parallel;
 }
 
-/** @brief Whether a piece of a ceiling is a lamp below it: small, away from the walls,
- * which beams and soffits start from, and the ceiling was seen all around it, as it is
- * not around the strip of a vault.
+/** @brief Returns whether a region below a ceiling is a lamp: small, away from the
+ * walls, with the ceiling seen all around. Beams and soffits start at walls, and the
+ * strip of a vault has no such ceiling around it.
  * @param main cells of the main ceiling */
 bool
 isLamp(const CellMask& region,
@@ -82,10 +82,9 @@ isLamp(const CellMask& region,
          10 * intersect(rim, main).count() >= 8 * rim.count();
 }
 
-/** @brief Adds a piece of a ceiling or floor to a map as a detail, or as one for each
- * field into which what is below it parts it, such as beams below a soffit. What is
- * left of it beside these goes with the largest.
- * @param least cells of a detail */
+/** @brief Adds a region of a ceiling or floor to a map, as one detail per field if
+ * existing details divide it, like beams. Small remaining fields join the largest.
+ * @param least minimum number of cells of a detail */
 void
 addFields(const PointView& points,
           const SlabEvidence& evidence,
@@ -96,7 +95,7 @@ addFields(const PointView& points,
           const RoomFitParameters& parameters,
           HeightMap& map)
 {
-  constexpr std::size_t least_part = 4; // of the least area of a detail
+  constexpr std::size_t least_part = 4; // one part in this many of `least`
   for (std::size_t i = 0; i < map.label.size(); ++i)
     if (map.label[i] > 0)
       piece.values()[i] = 0;
@@ -157,7 +156,7 @@ withFieldsOfMain(const PointView& points,
   const auto near_main = static_cast<double>(std::count_if(
       details.begin(), details.end(), [&](int i) { return isNear(main_slab, i); }));
   if (near_main * grid.size() * grid.size() < parameters.minimum_detail_area)
-    return evidence; // most have none: levels need not be looked for
+    return evidence; // the usual case; avoids the level detection
   for (const Level& level : detailLevels(points, evidence, parameters)) {
     const CellMask cells(level.cells, boxOf(level.cells));
     if (std::abs(heightOverMain(main_slab, level.slab, cells, grid)) >=
@@ -183,7 +182,7 @@ seenHeights(const PointView& points,
 {
   const CellGrid grid(parameters.cell_size);
   const Priors& priors = parameters.loop.priors;
-  // Furniture leaves small and thin pieces at the heights of a floor.
+  // Furniture causes small and thin regions near the heights of a floor.
   const double least_area =
       evidence.is_floor ? priors.min_slab_area : parameters.minimum_detail_area;
   const double step =
@@ -196,7 +195,7 @@ seenHeights(const PointView& points,
   map.main = main_slab;
   const CellMask main =
       intersect(CellMask(CellSet(grid, points, evidence.main), room.box()), room);
-  // Between two stretches of the ceiling a beam may be narrow.
+  // A beam between two parts of the ceiling may be narrow.
   const CellMask beams =
       evidence.is_floor ? CellMask(room.box()) : eroded(dilated(main, 2), 2);
   for (std::size_t i = 0; i < map.label.size(); ++i)

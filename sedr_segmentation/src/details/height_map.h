@@ -14,19 +14,17 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The height of every cell of a room: 0 the main slab, k the k-th detail, -1
- * none. */
+/** @brief Height labels of a room's cells: 0 main slab, k the k-th detail, -1 none. */
 struct HeightMap {
   Priors priors;
   CellMask room{CellBox{{0, 0}, {-1, -1}}};
   std::vector<std::int32_t> label;
-  std::vector<std::int32_t> seen; ///< the labels of what was seen, -1 where filled
+  std::vector<std::int32_t> seen; ///< labels of seen cells, -1 for filled cells
   PlanSlab main;
-  std::vector<PlanSlab> details; ///< of labels 1, 2, ...
-  std::vector<double> relief;    ///< of a ceiling: what was seen of each cell, over the
-                                 ///< main slab, metres; NaN where nothing was
+  std::vector<PlanSlab> details; ///< with labels 1, 2, ...
+  std::vector<double> relief;    ///< seen height over the main slab, metres, else NaN
   std::set<std::pair<std::int32_t, std::int32_t>>
-      bends; ///< labels from one to the other of which a ceiling goes on without a step
+      bends; ///< labels joined without a step
 
   const PlanSlab& slabOf(std::int32_t of) const
   {
@@ -34,14 +32,14 @@ struct HeightMap {
   }
 };
 
-/** @brief Mean height of a slab over the main one, above the cells of a mask. */
+/** @brief Returns the mean height of a slab above the main one over masked cells. */
 double heightOverMain(const PlanSlab& main,
                       const PlanSlab& slab,
                       const CellMask& cells,
                       const CellGrid& grid);
 
-/** @brief The evidence of a ceiling, with what is no step off its main slab among that
- * of it: the fields into which beams part a ceiling may be of several levels. */
+/** @brief Moves detail points less than a step from the main slab to the main points.
+ * Beams may divide a ceiling into fields of several levels. */
 SlabEvidence withFieldsOfMain(const PointView& points,
                               SlabEvidence evidence,
                               const PlanSlab& main_slab,
@@ -54,13 +52,14 @@ HeightMap seenHeights(const PointView& points,
                       const CellMask& room,
                       const RoomFitParameters& parameters);
 
-/** @brief The box of the cells of each label, 0 first; empty for those without any. */
+/** @brief Returns the bounding box of each label's cells, label 0 first; empty for
+ * labels without cells. */
 std::vector<CellBox> boxesOf(const HeightMap& map);
 
-/** @brief The cells of a label; `box` holds them. */
+/** @brief Returns the cells of a label; `box` must contain them. */
 CellMask cellsOf(const HeightMap& map, std::int32_t label, const CellBox& box);
 
-/** @brief Gives every other cell of the room the label that is nearest by steps. */
+/** @brief Assigns the nearest label, by grid steps, to every other cell of the room. */
 void fillHeights(HeightMap& map);
 
 } // namespace sedr

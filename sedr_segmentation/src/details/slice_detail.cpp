@@ -14,7 +14,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief Cells with points in the slice. */
+/** @brief Returns the cells with points in the slice. */
 CellMask
 sliceMask(const SliceScene& scene, double fraction)
 {
@@ -28,8 +28,8 @@ sliceMask(const SliceScene& scene, double fraction)
   return slice;
 }
 
-/** @brief Sorts zero-valued regions into those of at least the minimum size where in
- * most cells something is seen between the slice and the ceiling, and the others. */
+/** @brief Accepts zero-valued regions of the minimum size with points between slice and
+ * ceiling in at least half of their cells, and rejects the others. */
 void
 judgeRegions(const SliceScene& scene,
              const CellMask& enclosed,
@@ -59,8 +59,8 @@ judgeRegions(const SliceScene& scene,
   }
 }
 
-/** @brief The zero-valued cells that the slices of a trial and the ceiling enclose and
- * the ceiling alone does not, and which of their regions may be detail. */
+/** @brief Returns the zero-valued cells enclosed by slices and ceiling but not by the
+ * ceiling alone, and which of their regions may be detail. */
 SliceTrial
 makeTrial(const SliceScene& scene,
           int number,
@@ -73,7 +73,7 @@ makeTrial(const SliceScene& scene,
   trial.fractions = fractions;
   CellMask slices(scene.ceiling.box());
   for (const double fraction : fractions) {
-    // One cell more on each side closes the pinholes of a sparse wall.
+    // Dilation by one cell closes the pinholes of a sparse wall.
     slices = unite(slices, dilated(sliceMask(scene, fraction), 1));
     trial.heights.push_back(scene.sliceAt(middle, fraction));
   }
@@ -85,8 +85,8 @@ makeTrial(const SliceScene& scene,
   return trial;
 }
 
-/** @brief Makes trials until the slices of one enclose a detail.
- * @return the cells of what it enclosed */
+/** @brief Runs trials until the slices of one enclose a detail.
+ * @return the accepted cells */
 CellMask
 runTrials(const SliceScene& scene, SliceDetails& details)
 {
@@ -114,8 +114,8 @@ runTrials(const SliceScene& scene, SliceDetails& details)
   return found;
 }
 
-/** @brief The points of the details: of each column the uppermost run, if it starts
- * above half the room's height; walls, which come up from below, are left out. */
+/** @brief Collects the points of the details: the uppermost run of each profile if it
+ * starts above half the room's height. This leaves out walls, which rise from below. */
 void
 collectPoints(const SliceScene& scene, const CellMask& found, SliceDetails& details)
 {
@@ -169,7 +169,7 @@ findSliceDetails(const PointView& points,
                  std::string& problem)
 {
   SliceDetails details;
-  // Points farther beyond the ceiling are not looked at.
+  // Points farther beyond the ceiling are ignored.
   const double farthest_detail = parameters.priors.max_soffit_reach;
   const CellGrid grid(parameters.cell_size);
   const CellSet ceiling_cells(grid, points, ceiling);

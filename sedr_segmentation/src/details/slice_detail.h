@@ -14,23 +14,22 @@ namespace sedr {
 
 /** @brief Grid-slices analysis (paper, section 2.3.1).
  *
- * Slices of the points at a quarter and a half, then at an eighth and three eighths of
- * the room's height below the ceiling are laid over the ceiling's cells; empty cells
- * that ceiling and slice enclose together, and the ceiling alone does not, are
- * structural detail if points are seen there between slice and ceiling. Beyond the
- * paper, what those points are is looked at: regions of undersides of one height, above
- * half the room's height, that join the ceiling, have floor below and are not the head
- * of a door or window are detail, whether or not an opening breaks the slice's outline;
- * empty cells that a slice encloses with them belong to them. Nothing farther than 5 m
- * beyond the ceiling's bounding box is looked at.
+ * Slices at 1/4 and 1/2, then at 1/8 and 3/8 of the room height below the ceiling are
+ * overlaid on the ceiling's cells. Empty cells enclosed by ceiling and slice together,
+ * but not by the ceiling alone, are structural detail if points lie between slice and
+ * ceiling. Beyond the paper, detail consists of regions of undersides of one height
+ * above half the room height. They must adjoin the ceiling, have floor below and not be
+ * the head of a door or window; an opening in the slice's outline does not matter.
+ * Empty cells that a slice encloses with them belong to them. Points more than 5 m
+ * beyond the ceiling's bounding box are ignored.
  *
  * @param points the scan
  * @param indices the points of the room
- * @param ceiling those of its main ceiling
+ * @param ceiling the points of its main ceiling
  * @param slab the plane of the ceiling
  * @param floor_height z of the floor
- * @param[out] problem why nothing could be done, a sentence; empty otherwise
- * O(n log n) in the points plus the cells of their bounding box. */
+ * @param[out] problem the reason for a failure, a sentence; else empty. O(n log n) in
+ * the points plus the cells of their bounding box. */
 SliceDetails findSliceDetails(const PointView& points,
                               const std::vector<int>& indices,
                               const std::vector<int>& ceiling,

@@ -9,7 +9,7 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief One room on the grid. */
+/** @brief A room on the grid. */
 struct SliceScene {
   const SliceParameters& parameters;
   const PlanSlab& slab;
@@ -18,8 +18,8 @@ struct SliceScene {
   CellMask ceiling;
   ColumnTable columns;
 
-  /** @brief Calls `see(i)` for the number of every cell of the box, in any order and
-   * from several threads at once. */
+  /** @brief Calls `see(i)` for every cell number of the box, in any order and from
+   * several threads concurrently. */
   template <typename See>
   void forEachCell(const See& see) const
   {
@@ -32,8 +32,8 @@ struct SliceScene {
 
   double ceilingAt(Cell cell) const { return slab.heightAt(grid.centre(cell)); }
 
-  /** @brief Height of the slice at `fraction` of the room's height below the ceiling.
-   */
+  /** @brief Returns the height of a slice at `fraction` of the room height from the
+   * top. */
   double sliceAt(Cell cell, double fraction) const
   {
     const double top = ceilingAt(cell);
@@ -41,14 +41,14 @@ struct SliceScene {
   }
 };
 
-/** @brief The uppermost run of a column if it starts above half the room's height and
- * is not the ceiling: an underside, or a riser between two heights. */
+/** @brief Finds the uppermost run of a profile if it starts above half the room's
+ * height and is not the ceiling: an underside or a riser. */
 bool hasOwnTop(const SliceScene& scene, Cell cell, ColumnRun& top);
 
-/** @brief The cells of all details: regions of one height that join the ceiling,
- * directly or through each other, their risers, and what else the slices enclosed with
- * them.
- * @param[out] refused cells of the regions of one height that are no details */
+/** @brief Returns the cells of all details: regions of one height connected to the
+ * ceiling, directly or through each other, their risers, and other cells that the
+ * slices enclose with them.
+ * @param[out] refused cells of the regions of one height that are no detail */
 CellMask detailCells(const SliceScene& scene,
                      const CellMask& enclosed_by_slices,
                      CellMask& refused);

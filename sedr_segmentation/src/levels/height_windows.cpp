@@ -10,7 +10,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief Counts the cells of a stretch of candidates that only ever rises. */
+/** @brief Counts the cells of a range of candidates whose ends only increase. */
 class CellsOfStretch {
 public:
   CellsOfStretch(const std::vector<Candidate>& sorted, std::size_t cell_count)
@@ -18,7 +18,7 @@ public:
       , points_in_(cell_count, 0)
   {}
 
-  /** @brief The number of cells of the candidates [first, last). */
+  /** @brief Returns the number of cells of the candidates [first, last). */
   std::size_t count(std::size_t first, std::size_t last)
   {
     for (; first_ < std::min(first, last_); ++first_)
@@ -31,7 +31,7 @@ public:
 
 private:
   const std::vector<Candidate>& sorted_;
-  std::vector<std::uint32_t> points_in_; ///< each cell
+  std::vector<std::uint32_t> points_in_; ///< of each cell
   std::size_t first_ = 0;
   std::size_t last_ = 0;
   std::size_t occupied_ = 0;
@@ -52,7 +52,7 @@ densestWindow(const std::vector<Candidate>& sorted,
   for (std::size_t last = 0; last < sorted.size(); ++last) {
     while (sorted[last].z - sorted[first].z > height)
       ++first;
-    if (last + 1 - first <= best.cells) // in no more cells than there are points
+    if (last + 1 - first <= best.cells) // cells cannot outnumber points
       continue;
     const std::size_t occupied = cells.count(first, last + 1);
     if (occupied > best.cells)
@@ -67,7 +67,7 @@ histogramOf(const std::vector<Candidate>& sorted,
             std::size_t cell_count)
 {
   HeightHistogram histogram{bin_height, {}};
-  std::vector<std::size_t> last_bin_of(cell_count, 0); // that counted a cell, from 1
+  std::vector<std::size_t> last_bin_of(cell_count, 0); // last bin of a cell, from 1
   for (std::size_t k = 0; k < sorted.size();) {
     const double bin = std::floor(sorted[k].z / bin_height);
     histogram.bins.push_back({bin * bin_height, 0});

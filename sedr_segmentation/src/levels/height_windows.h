@@ -9,17 +9,15 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A stretch [first, last) of candidates sorted by height, and its number of
- * cells. */
+/** @brief A range [first, last) of candidates sorted by height, with its cell count. */
 struct HeightWindow {
   std::size_t first = 0;
   std::size_t last = 0;
   std::size_t cells = 0;
 };
 
-/** @brief The lowest of the windows of the given height that hold points in most cells,
- * in more than `fewer`, of candidates sorted by height; none where there is no such.
- * Cells are counted only where there are points enough. O(n). */
+/** @brief Returns the height window with the most occupied cells, the lowest among
+ * equals; empty if none has more than `fewer`. `sorted` is sorted by height. O(n). */
 HeightWindow densestWindow(const std::vector<Candidate>& sorted,
                            double height,
                            std::size_t cell_count,
@@ -30,7 +28,7 @@ HeightHistogram histogramOf(const std::vector<Candidate>& sorted,
                             double bin_height,
                             std::size_t cell_count);
 
-/** @brief Takes `positions`, increasing, out of the candidates. O(n). */
+/** @brief Removes the candidates at `positions`, increasing. O(n). */
 void erase(std::vector<Candidate>& candidates,
            const std::vector<std::size_t>& positions);
 

@@ -20,7 +20,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief A plane is fitted to its regions and these found anew at most so often. */
+/** @brief Maximum number of rounds of plane fit and region search. */
 constexpr int most_rounds = 10;
 
 /** @brief Marks the cells that hold a chosen candidate. */
@@ -35,7 +35,7 @@ cellsOf(const std::vector<Candidate>& candidates,
   return marked;
 }
 
-/** @brief Positions of the candidates within `band` of the plane of a level. */
+/** @brief Returns the positions of the candidates within `band` of a level's plane. */
 std::vector<std::size_t>
 nearPlane(const LevelColumns& columns,
           const std::vector<Candidate>& candidates,
@@ -50,8 +50,8 @@ nearPlane(const LevelColumns& columns,
   return near;
 }
 
-/** @brief Height of a level in the middle of its cells: far from there, a small one may
- * be anywhere. */
+/** @brief Returns the height of a level at the centre of its cells. Far from there the
+ * plane of a small level is unreliable. */
 double
 heightOverOwnCells(const Level& level, const CellGrid& grid)
 {
@@ -61,9 +61,9 @@ heightOverOwnCells(const Level& level, const CellGrid& grid)
   return level.slab.heightAt(middle);
 }
 
-/** @brief How far from a plane the noise of its own points reaches: six standard
- * deviations, at least the tolerance, at most twice. What lies evenly within the
- * tolerance is no noise but a surface that bends away. */
+/** @brief Returns the maximum distance of a plane's noise: six standard deviations,
+ * between one and two tolerances. Points evenly spread within the tolerance are no
+ * noise but a surface that bends away. */
 double
 reachOfNoise(const PlanSlab& slab, double tolerance)
 {
@@ -71,8 +71,9 @@ reachOfNoise(const PlanSlab& slab, double tolerance)
   return is_noise ? std::clamp(6 * slab.residual, tolerance, 2 * tolerance) : tolerance;
 }
 
-/** @brief The points of a level, and its tails in and beside its own cells, which would
- * look like further levels just above and below. What is there elsewhere may be one. */
+/** @brief Returns the points of a level and the tails of its noise in and next to its
+ * own cells. The tails would look like further levels just above and below; elsewhere
+ * such points may be a level. */
 std::vector<std::size_t>
 withTails(const LevelColumns& columns,
           const std::vector<Candidate>& candidates,
@@ -83,7 +84,7 @@ withTails(const LevelColumns& columns,
   std::vector<std::size_t> near =
       nearPlane(columns, candidates, draft, reachOfNoise(slab, tolerance));
   const auto isElsewhere = [&](std::size_t k) {
-    if (draft.cells[candidates[k].cell]) // as most are
+    if (draft.cells[candidates[k].cell]) // the usual case
       return false;
     const CellBlock block = blockAround(columns.cells(), candidates[k].cell);
     return std::none_of(block.begin(), block.end(),
@@ -93,7 +94,7 @@ withTails(const LevelColumns& columns,
   return near;
 }
 
-/** @brief The plane of the candidates in marked cells, near which it is looked for. */
+/** @brief Fits a plane to candidates in marked cells within the tolerance of `near`. */
 PlanSlab
 slabOver(const LevelColumns& columns,
          const std::vector<Candidate>& candidates,
@@ -108,8 +109,8 @@ slabOver(const LevelColumns& columns,
   return fitSlabRobustly(own, near, tolerance);
 }
 
-/** @brief Leaves a level that stands out as it is, and of any other only the regions
- * that do: at the height of a small ceiling there may be clutter all over the building.
+/** @brief Keeps a level that stands out, or else only its regions that do. At the
+ * height of a small ceiling there may be clutter throughout the building.
  * @return whether anything is left */
 bool
 keepWhatStandsOut(const LevelColumns& columns,
@@ -142,8 +143,8 @@ keepWhatStandsOut(const LevelColumns& columns,
   return true;
 }
 
-/** @brief The plane of the candidates of a window; those just outside count, as it may
- * lean. */
+/** @brief Fits a plane to the candidates in and just outside a window, as it may tilt.
+ */
 PlanSlab
 slabOfWindow(const std::vector<Candidate>& candidates,
              const HeightWindow& window,
@@ -166,7 +167,7 @@ slabOfWindow(const std::vector<Candidate>& candidates,
                         parameters.threads);
 }
 
-/** @brief The cells of a level and those up to two cells away: its walls. */
+/** @brief Returns the cells of a level and those up to two cells away: its walls. */
 CellSet
 withRim(const CellSet& all, const CellSet& cells)
 {
@@ -178,8 +179,8 @@ withRim(const CellSet& all, const CellSet& cells)
   return markedCells(all, marked);
 }
 
-/** @brief A level that was parted from earlier ones has no points in the cells of
- * these, nor in those of their walls. */
+/** @brief Excludes from a level the cells and wall cells of earlier levels from which
+ * it was separated. */
 void
 keepApart(const CellSet& all,
           const std::vector<Level>& earlier,
@@ -231,7 +232,7 @@ findLevels(const LevelColumns& columns,
              std::ceil(parameters.minimum_area / (grid.size() * grid.size()) - 1e-9)));
 
   std::vector<Level> levels;
-  std::vector<CellSet> with_rims; // those of the levels that were needed
+  std::vector<CellSet> with_rims; // computed on demand per level
   while (true) {
     const HeightWindow window = densestWindow(candidates, 2 * parameters.tolerance,
                                               cells.size(), minimum_cells - 1);
@@ -262,7 +263,7 @@ findLevels(const LevelColumns& columns,
       keepApart(cells, levels, with_rims, level);
       levels.push_back(std::move(level));
     }
-    else { // no plane there after all: the window's points are clutter
+    else { // no plane: the window's points are clutter
       own.resize(window.last - window.first);
       std::iota(own.begin(), own.end(), window.first);
     }

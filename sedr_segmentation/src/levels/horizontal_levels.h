@@ -16,19 +16,19 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A horizontal plane of a scan, with all points within the tolerance. */
+/** @brief A horizontal plane of a scan with all points within the tolerance. */
 struct Level {
   PlanSlab slab;
-  double height = 0; ///< of the slab in the middle of its cells, metres
-  CellSet cells;     ///< cells where the plane was seen, walls left out
+  double height = 0; ///< of the slab at the centre of its cells, metres
+  CellSet cells;     ///< cells where the plane was seen, without walls
   std::vector<int>
       inliers; ///< indices into the points, increasing; see collectInliers()
   LevelKind kind = LevelKind::Other;
   CellSet within;  ///< if not empty, only points of these cells are inliers
-  CellSet without; ///< points of these cells are not: they belong to another level
+  CellSet without; ///< points of these cells belong to another level
 };
 
-/** @brief The columns that levels of these points are looked for in. */
+/** @brief Builds the profiles of points for the level detection. */
 LevelColumns columnsOf(const PointView& points,
                        const std::vector<int>& indices,
                        const LevelParameters& parameters);
@@ -36,43 +36,42 @@ LevelColumns columnsOf(const PointView& points,
 /** @brief Finds the horizontal planes of `points[indices]`, lowest first (paper,
  * section 2.3.1).
  *
- * Points of walls are set aside first: those with neighbours both above and below in
- * their own grid column. The density of the others' heights, counted in distinct cells,
- * says where a level is; RANSAC finds the plane there, regions that walls part from
- * each other are parted where their own planes are a step apart, and the search goes on
- * without its points until the best level left is smaller than the minimum area. O(n
- * log n) plus O(n) for each level.
- * @param[out] histogram of all heights before the search, if wanted */
+ * Points of walls, i.e. with points both above and below them in their profile, are
+ * left out first. The height window with the maximum number of occupied cells is the
+ * next candidate, and RANSAC fits its plane. Regions separated by walls become separate
+ * levels if their own planes are a step apart. The search continues without the level's
+ * points down to the minimum area. O(n log n) plus O(n) per level.
+ * @param[out] histogram of all heights before the search; optional */
 std::vector<Level> findLevels(const PointView& points,
                               const std::vector<int>& indices,
                               const LevelParameters& parameters,
                               HeightHistogram* histogram = nullptr);
 
-/** @brief The same of columns made before, see columnsOf(). */
+/** @brief Overload for existing profiles, see columnsOf(). */
 std::vector<Level> findLevels(const LevelColumns& columns,
                               const LevelParameters& parameters,
                               HeightHistogram* histogram = nullptr);
 
-/** @brief Collects the inliers of classified levels: the points within the tolerance,
- * but for those of columns that go on below a ceiling or above a floor, and of narrow
- * fringes where no point is on the plane itself. So the wall points that reach a slab
- * are not the slab's, and the ceilings of two rooms stay apart at a thin partition. O(n
- * log n). */
+/** @brief Collects the inliers of classified levels: the points within the tolerance.
+ * Points of profiles that continue below a ceiling or above a floor are left out, and
+ * so are narrow fringes without a point on the plane itself. This excludes wall points
+ * near a slab and separates the ceilings of two rooms at a thin partition. O(n log n).
+ */
 void collectInliers(std::vector<Level>& levels,
                     const PointView& points,
                     const std::vector<int>& indices,
                     const LevelParameters& parameters);
 
-/** @brief The same of columns made before, see columnsOf(). */
+/** @brief Overload for existing profiles, see columnsOf(). */
 void collectInliers(std::vector<Level>& levels,
                     const LevelColumns& columns,
                     const LevelParameters& parameters);
 
-/** @brief Decides what each level is. A ceiling is the highest level over most of its
- * cells and has a level at least a room's height below; where only some regions of a
- * level are so, a soffit at the height of shelves elsewhere, it keeps those alone;
- * under each of its regions the lowest level that is seen in a tenth of the region is
- * its floor. All others (table tops, shelves, the ground outside) are neither. */
+/** @brief Classifies each level as ceiling, floor or other. A ceiling is the highest
+ * level over most of its cells and has a level at least a room's height below. If only
+ * some regions meet this (a soffit at the height of shelves elsewhere), the level keeps
+ * only those. The floor of a ceiling region is the lowest level in a tenth of the
+ * region. All others (table tops, shelves, the ground outside) are neither. */
 void classifyLevels(std::vector<Level>& levels, const LevelParameters& parameters);
 
 } // namespace sedr

@@ -60,7 +60,7 @@ StretchesNear::operator()(std::size_t cell) const
   const float* const all = columns_.heights().data();
   const float* first = all + columns_.first(cell);
   const float* last = all + columns_.last(cell);
-  if (first == last || *first > to || last[-1] < from) // as most columns are
+  if (first == last || *first > to || last[-1] < from) // the usual case
     return {};
   first = std::lower_bound(first, last, from);
   last = std::upper_bound(first, last, to);
@@ -70,7 +70,7 @@ StretchesNear::operator()(std::size_t cell) const
 HeightRange
 heightsNear(const LevelColumns& columns, const PlanSlab& slab, double reach)
 {
-  const CellBox box = grown(columns.box(), 1); // for what rounding does at its edge
+  const CellBox box = grown(columns.box(), 1); // margin for rounding at the edge
   double lowest = std::numeric_limits<double>::infinity();
   double highest = -lowest;
   for (const std::int32_t x : {box.low.x, box.high.x})

@@ -13,7 +13,7 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The marked cells of a set. */
+/** @brief Returns the marked cells of a set. */
 CellSet markedCells(const CellSet& cells, const std::vector<std::uint8_t>& marked);
 
 /** @brief Positions of up to nine cells. */
@@ -29,18 +29,17 @@ private:
   std::size_t size_ = 0;
 };
 
-/** @brief Positions of a cell and of the eight around it, those that are in the set. */
+/** @brief Returns the positions of a cell and its eight neighbours in the set. */
 CellBlock blockAround(const CellSet& cells, std::size_t at);
 
-/** @brief A stretch [first, last) of the points of a column, columns.all(). */
+/** @brief A range [first, last) of the points of a profile, columns.all(). */
 struct ColumnStretch {
   std::size_t first = 0;
   std::size_t last = 0;
 };
 
-/** @brief The points of a cell's column that may lie between `low` and `high`, metres
- * above a plane, all of them and few others: by height, as a plane hardly rises within
- * a cell. */
+/** @brief Returns the points of a cell between `low` and `high` metres above a plane,
+ * and few others. The selection is by height, as a plane hardly rises within a cell. */
 class StretchesNear {
 public:
   StretchesNear(const LevelColumns& columns,
@@ -54,22 +53,22 @@ private:
   const LevelColumns& columns_;
   const PlanSlab& slab_;
   double rise_; ///< of the plane within a cell
-  double low_;  ///< upright, not square to the plane
+  double low_;  ///< vertical, not normal to the plane
   double high_;
 };
 
-/** @brief Heights from `low` to `high`, metres. */
+/** @brief A height interval from `low` to `high`, metres. */
 struct HeightRange {
   double low = 0;
   double high = 0;
 };
 
-/** @brief The heights at which points of some columns may lie within `reach` metres of
- * a plane. */
+/** @brief Returns the height interval of all points within `reach` metres of a plane.
+ */
 HeightRange
 heightsNear(const LevelColumns& columns, const PlanSlab& slab, double reach);
 
-/** @brief A stretch [first, last) of candidates sorted by height. */
+/** @brief A range [first, last) of candidates sorted by height. */
 struct HeightStretch {
   const Candidate* first = nullptr;
   const Candidate* last = nullptr;
@@ -78,19 +77,18 @@ struct HeightStretch {
   const Candidate* end() const { return last; }
 };
 
-/** @brief The candidates of some columns that may lie within `reach` metres of a plane,
- * all of them and few others where it is level: by the heights of the plane over these
- * columns. O(log n). */
+/** @brief Returns the candidates within `reach` metres of a plane, and few others if it
+ * is level. The selection is by the heights of the plane over the grid. O(log n). */
 HeightStretch stretchNear(const LevelColumns& columns,
                           const std::vector<Candidate>& sorted,
                           const PlanSlab& slab,
                           double reach);
 
-/** @brief Marks, of the `asked` cells, the columns of walls: those that go on beyond a
- * plane, with points one and a half to four tolerances above it where `direction` is 1,
- * below it where it is -1, and right beside it, up to 2.25 tolerances, in a block of
- * three by three; below a ceiling in the gap that gapBelow() gives, too: a tall
- * cupboard ends before. O(points of those). */
+/** @brief Marks the `asked` cells whose profile continues beyond a plane, as at walls.
+ * Such a profile has points 1.5 to 4 tolerances from the plane, above it for
+ * `direction` 1, below it for -1. Its block of 3 x 3 cells has points within 2.25
+ * tolerances and, below a ceiling, in the gap of gapBelow(), where a tall cupboard has
+ * none. O(points of those cells). */
 std::vector<std::uint8_t> columnsThatGoOn(const LevelColumns& columns,
                                           const std::vector<std::uint8_t>& asked,
                                           const PlanSlab& slab,

@@ -18,8 +18,8 @@ namespace sedr {
 
 namespace {
 
-/** @brief Whether any of some columns holds a point within a window of height that
- * only ever rises. */
+/** @brief Tests whether any profile has a point in a height window that only moves up.
+ */
 class RisingWindow {
 public:
   RisingWindow(const LevelColumns& columns, const CellBlock& block)
@@ -31,7 +31,7 @@ public:
 
   bool holds(float low, float high)
   {
-    if (holdsIn(columns_[held_last_], low, high)) // a wall goes on in its column
+    if (holdsIn(columns_[held_last_], low, high)) // a wall continues in its profile
       return true;
     for (std::size_t k = 0; k < size_; ++k)
       if (holdsIn(columns_[k], low, high)) {
@@ -50,7 +50,8 @@ private:
   }
 
   const float* heights_;
-  std::array<ColumnStretch, 9> columns_{}; ///< from the first point not below it
+  std::array<ColumnStretch, 9>
+      columns_{}; ///< remaining points, from the first one not below the window
   std::size_t size_ = 0;
   std::size_t held_last_ = 0;
 };
@@ -61,8 +62,7 @@ isLower(const Candidate& a, const Candidate& b)
   return a.z != b.z ? a.z < b.z : a.index < b.index;
 }
 
-/** @brief Sorts by height, and those as high as each other by index. O(n) where few
- * are. */
+/** @brief Sorts by height, then by index. O(n) if few heights are equal. */
 void
 sortByHeight(std::vector<Candidate>& candidates)
 {
@@ -76,11 +76,11 @@ sortByHeight(std::vector<Candidate>& candidates)
   }
 }
 
-/** @brief Heights, rising, between which about as many of some candidates lie. */
+/** @brief Returns increasing heights that divide the candidates about equally. */
 std::vector<float>
 evenHeights(const std::vector<std::vector<Candidate>>& blocks, std::size_t stretches)
 {
-  constexpr std::size_t step = 256; // a sample does
+  constexpr std::size_t step = 256; // a sample suffices
   std::vector<float> sample;
   for (const auto& block : blocks)
     for (std::size_t k = 0; k < block.size(); k += step)
@@ -92,8 +92,8 @@ evenHeights(const std::vector<std::vector<Candidate>>& blocks, std::size_t stret
   return heights;
 }
 
-/** @brief All candidates of some blocks sorted by height, stretches of height side by
- * side. */
+/** @brief Returns all candidates of the blocks sorted by height; height intervals are
+ * sorted in parallel. */
 std::vector<Candidate>
 sortedByHeight(const std::vector<std::vector<Candidate>>& blocks, unsigned threads)
 {
@@ -107,7 +107,7 @@ sortedByHeight(const std::vector<std::vector<Candidate>>& blocks, unsigned threa
       return (s == 0 || c.z >= heights[s - 1]) &&
              (s == heights.size() || c.z < heights[s]);
     };
-    std::vector<Candidate> own; // not next to what other threads write
+    std::vector<Candidate> own; // avoids false sharing between threads
     own.reserve(count / stretches.size() + count / 16);
     for (const auto& block : blocks)
       std::copy_if(block.begin(), block.end(), std::back_inserter(own), isWithin);

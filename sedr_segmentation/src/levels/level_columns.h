@@ -14,8 +14,8 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A point on its way to a level: with its coordinates, as those of neighbours
- * in a column are far apart in the cloud. */
+/** @brief A candidate point of a level. It holds its coordinates because neighbours in
+ * a profile are far apart in the cloud. */
 struct Candidate {
   int index;
   std::uint32_t cell; ///< position of its cell in the set of all cells
@@ -26,16 +26,15 @@ struct Candidate {
   Eigen::Vector3f position() const { return {x, y, z}; }
 };
 
-/** @brief The points of a scan by grid column and by height: what the levels of a scan
- * are looked for in, what mirrors, and what is whose, made once for all of them. Points
- * that are not finite or too far away for cells are left out. O(n log n); the same for
- * any number of threads. */
+/** @brief The points of a scan, sorted into profiles and by height, for the detection
+ * of levels, reflections and inliers. Points not finite or beyond the grid are left
+ * out. O(n log n); the result does not depend on the number of threads. */
 class LevelColumns {
 public:
   /** @param points    must outlive this
    * @param cell_size of the grid, metres
    * @param tolerance distance of an inlier from its plane, metres
-   * @param threads   0: as many as there are processors */
+   * @param threads 0: all processors */
   LevelColumns(const PointView& points,
                const std::vector<int>& indices,
                double cell_size,
@@ -45,32 +44,31 @@ public:
   const PointView& points() const { return points_; }
   const CellGrid& grid() const { return grid_; }
 
-  /** @brief How many threads may go through them side by side; 0: as many as there are
-   * processors. */
+  /** @brief Returns the number of threads to use; 0: all processors. */
   unsigned threads() const { return threads_; }
 
-  /** @brief Cells with a point in them. */
+  /** @brief Returns the occupied cells. */
   const CellSet& cells() const { return cells_; }
 
-  /** @brief The smallest rectangle around them. */
+  /** @brief Returns the bounding rectangle of the occupied cells. */
   const CellBox& box() const { return box_; }
 
-  /** @brief All points, sorted by cell and height. */
+  /** @brief Returns all points, sorted by cell and height. */
   const std::vector<Candidate>& all() const { return all_; }
 
-  /** @brief Their heights alone, side by side: of most columns no more is looked at. */
+  /** @brief Returns the heights of all(), contiguous, as most searches read only these.
+   */
   const std::vector<float>& heights() const { return heights_; }
 
-  /** @brief Where the points of a cell of cells() begin in all(), and end. */
+  /** @brief Returns the begin and end of a cell's points in all(). */
   std::size_t first(std::size_t cell) const { return first_[cell]; }
   std::size_t last(std::size_t cell) const { return first_[cell + 1]; }
 
-  /** @brief Those that are not of vertical surfaces, sorted by height. Left out are
-   * those that see others both above and below, between one and three tolerances away,
-   * in their own column or one of the eight around it. Noise spreads a wall over
-   * several columns, of which the outer ones alone hold too few points to tell. A
-   * ceiling has nothing above it, a floor nothing below, and a soffit hides the wall
-   * that it meets. */
+  /** @brief Returns the points not on vertical surfaces, sorted by height. Points are
+   * left out if others lie one to three tolerances both above and below, in the 3 x 3
+   * profiles around them. Noise spreads a wall over several profiles, and the outer
+   * ones alone have too few points. A ceiling has nothing above it, a floor nothing
+   * below, and a soffit hides the wall above. */
   const std::vector<Candidate>& withoutWalls() const { return without_walls_; }
 
 private:
@@ -84,7 +82,7 @@ private:
   CellBox box_;
   std::vector<Candidate> all_;
   std::vector<float> heights_;
-  std::vector<std::size_t> first_; ///< of the points of each cell, and the end
+  std::vector<std::size_t> first_; ///< first point of each cell, and the end
   std::vector<Candidate> without_walls_;
 };
 

@@ -15,14 +15,14 @@ namespace sedr {
 
 namespace {
 
-/** @brief Points at a slab and beside it. */
+/** @brief Numbers of points at a slab, above and below it. */
 struct Contrast {
   std::size_t at_slab = 0;
   std::size_t above = 0;
   std::size_t below = 0;
 };
 
-/** @brief Counts the points of some columns, each as often as its cell weighs. */
+/** @brief Counts the points at, above and below a slab, weighted per cell. */
 Contrast
 contrastOf(const LevelColumns& columns,
            const std::vector<std::uint8_t>& weights,
@@ -56,8 +56,8 @@ contrastOf(const LevelColumns& columns,
   return contrast;
 }
 
-/** @brief For each cell the number of marked ones up to `reach` cells away, itself left
- * out. */
+/** @brief Returns for each cell the number of marked cells up to `reach` cells away,
+ * without itself. */
 std::vector<std::uint8_t>
 markedAround(const CellSet& cells, const std::vector<std::uint8_t>& marked, int reach)
 {
@@ -69,8 +69,7 @@ markedAround(const CellSet& cells, const std::vector<std::uint8_t>& marked, int 
   return around;
 }
 
-/** @brief The marked cells and those around them: those side by side in a row at once.
- */
+/** @brief Returns the marked cells and their neighbours, by runs of cells in a row. */
 std::vector<std::uint8_t>
 withNeighbours(const CellSet& cells, const std::vector<std::uint8_t>& marked)
 {
@@ -110,7 +109,7 @@ standsOut(const LevelColumns& columns,
   const auto count = [](const std::vector<std::uint8_t>& mask) {
     return std::count(mask.begin(), mask.end(), 1);
   };
-  if (2 * count(marked) > count(about)) // cells side by side
+  if (2 * count(marked) > count(about)) // mostly adjacent cells
     return true;
   const Contrast around =
       contrastOf(columns, markedAround(cells, marked, 2), slab, tolerance);

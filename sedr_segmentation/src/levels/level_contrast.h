@@ -9,14 +9,13 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Whether the points about some cells are denser at a slab than beside it:
- * within half a tolerance there are more than twice as many as between one and two
- * tolerances above, and below. Clutter is as dense everywhere, and has an end.
+/** @brief Returns whether the points around some cells are denser at a slab than above
+ * and below it. Within half a tolerance there must be more than twice as many as one to
+ * two tolerances above, and below. Clutter has no such maximum.
  *
- * Single points, each in a cell of its own, stand out there whatever they are, for the
- * cells were chosen for them. So where a level is made of such, what lies around its
- * cells counts, not what is in them: points of a surface have others at their height
- * around them, strays at any. O(n).
+ * Isolated points always stand out in their own cells, as the cells were chosen for
+ * them. For a level of such points, only the cells around its own are counted: points
+ * of a surface have neighbours at their height, outliers at any height. O(n).
  * @param marked 1 for the cells of the slab */
 bool standsOut(const LevelColumns& columns,
                const std::vector<std::uint8_t>& marked,

@@ -17,10 +17,9 @@ namespace sedr {
 
 namespace {
 
-/** @brief The level of each point within the tolerance of some: the nearest of those
- * that were found in its cell; where none was, of those that may have points there. The
- * plane of one room's ceiling may pass close to that of another, but does not reach it.
- * The number of levels for the other points. */
+/** @brief Returns the level of each point: the nearest within the tolerance among those
+ * found in its cell, or else among those allowed there. The plane of one room's ceiling
+ * may pass close to another's. Other points get the number of levels. */
 std::vector<std::size_t>
 ownLevels(const std::vector<Level>& levels,
           const LevelColumns& columns,
@@ -37,7 +36,7 @@ ownLevels(const std::vector<Level>& levels,
     double least = tolerance;
     bool is_found_there = false;
     for (std::size_t l = 0; l < levels.size(); ++l) {
-      if (all[k].z < reach[l].low || all[k].z > reach[l].high) // as most are
+      if (all[k].z < reach[l].low || all[k].z > reach[l].high) // the usual case
         continue;
       const double d = std::abs(distanceAbove(levels[l].slab, all[k].position()));
       if (d > tolerance)
@@ -61,10 +60,9 @@ ownLevels(const std::vector<Level>& levels,
   return own;
 }
 
-/** @brief Marks the cells that a level has no inliers in: those of walls, for just
- * below a ceiling, or just above a floor, a room has nothing, and those that it is not
- * within.
- * @param asked marks those that matter */
+/** @brief Marks the cells where a level has no inliers: cells of walls and cells
+ * outside `within`. Just below a ceiling or above a floor, only walls have points.
+ * @param asked marks the cells to test */
 std::vector<std::uint8_t>
 cellsLeftOut(const LevelColumns& columns,
              const std::vector<std::uint8_t>& asked,
@@ -83,8 +81,8 @@ cellsLeftOut(const LevelColumns& columns,
   return left_out;
 }
 
-/** @brief Gives a level its inliers and their cells: those of its own points, positions
- * among all, that are no wall's. */
+/** @brief Sets the inliers and cells of a level: its own points without those of walls.
+ */
 void
 takeInliers(const LevelColumns& columns,
             const std::vector<std::size_t>& own,
@@ -99,7 +97,7 @@ takeInliers(const LevelColumns& columns,
     asked[all[k].cell] = 1;
   const std::vector<std::uint8_t> left_out =
       cellsLeftOut(columns, asked, tolerance, level);
-  // Cells with points on the plane itself, and cells with points near it only.
+  // Cells with points on the plane (`on`) or only near it (`near`).
   const double on_plane = noiseOf(level.slab, tolerance, parameters.priors);
   std::vector<std::uint8_t> on(cells.size(), 0);
   for (const std::size_t k : own)

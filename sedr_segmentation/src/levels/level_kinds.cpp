@@ -11,8 +11,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief The grid of the classification, coarse enough to bridge what furniture hides.
- */
+/** @brief Returns the grid of the classification, coarse enough to bridge furniture. */
 CellGrid
 coarseGrid(const LevelParameters& parameters)
 {
@@ -32,15 +31,15 @@ coarsened(const CellSet& cells, const LevelParameters& parameters)
   return CellSet(std::move(keys));
 }
 
-/** @brief Height of a level above the middle of a coarse cell. */
+/** @brief Returns the height of a level at the centre of a coarse cell. */
 double
 heightAt(const Level& level, Cell cell, const LevelParameters& parameters)
 {
   return level.slab.heightAt(coarseGrid(parameters).centre(cell));
 }
 
-/** @brief Share of the cells of `region` that level `f` covers at least a room's height
- * below `ceiling`. */
+/** @brief Returns the share of the cells of `region` that level `f` covers at least a
+ * room's height below `ceiling`. */
 double
 shareBelow(const std::vector<Level>& levels,
            const CellSet& region,
@@ -62,7 +61,7 @@ shareBelow(const std::vector<Level>& levels,
              : static_cast<double>(covered) / static_cast<double>(region.size());
 }
 
-/** @brief Share of a level's cells above which there is no other level. */
+/** @brief Returns the share of a level's cells without another level above. */
 double
 shareOnTop(const std::vector<Level>& levels,
            const std::vector<CellSet>& coarse,
@@ -83,7 +82,7 @@ shareOnTop(const std::vector<Level>& levels,
   return static_cast<double>(topmost) / static_cast<double>(coarse[of].size());
 }
 
-/** @brief Whether another level is a room's height below a tenth of a part of one. */
+/** @brief Returns whether a level lies a room's height below a tenth of `part`. */
 bool
 isHigh(const std::vector<Level>& levels,
        const std::vector<CellSet>& coarse,
@@ -97,8 +96,8 @@ isHigh(const std::vector<Level>& levels,
   return false;
 }
 
-/** @brief Whether no level is seen above most cells of a region: of one as narrow as a
- * soffit that takes the cells themselves, coarse ones reach over its edge. */
+/** @brief Returns whether most cells of a region have no level above. This needs the
+ * fine cells: coarse ones reach beyond the edge of a narrow soffit. */
 bool
 isOpenAbove(const std::vector<Level>& levels,
             std::size_t level,
@@ -112,9 +111,8 @@ isOpenAbove(const std::vector<Level>& levels,
   return 2 * covered.size() < region.size();
 }
 
-/** @brief The cells of those regions of a level that are ceilings though most of it is
- * not: a soffit at the height of shelves, of the heads of windows, or of lamps
- * elsewhere. */
+/** @brief Returns the cells of the regions that are ceilings in a level that mostly is
+ * not, such as a soffit at the height of shelves, window heads or lamps elsewhere. */
 CellSet
 ceilingsWithin(const std::vector<Level>& levels,
                const std::vector<CellSet>& coarse,
@@ -132,7 +130,7 @@ ceilingsWithin(const std::vector<Level>& levels,
   return found;
 }
 
-/** @brief What of a level is ceiling: nothing, all of it, or some of its cells alone.
+/** @brief The ceiling part of a level: none, all of it, or only the cells in `alone`.
  */
 struct CeilingPart {
   bool is_any = false;
@@ -151,11 +149,11 @@ ceilingOf(const std::vector<Level>& levels,
   return {!soffits.empty(), std::move(soffits)};
 }
 
-/** @brief A connected part of all ceilings together: roughly a room, steps and soffits
- * included. */
+/** @brief A connected region of the union of all ceilings: roughly a room, including
+ * steps and soffits. */
 struct CeilingRegion {
   CellSet coarse;
-  std::size_t main_level = 0; ///< the one with most cells
+  std::size_t main_level = 0; ///< the level with the maximum number of cells
 };
 
 std::vector<CeilingRegion>
@@ -187,8 +185,8 @@ ceilingRegions(const std::vector<Level>& levels, const LevelParameters& paramete
   return result;
 }
 
-/** @brief Marks the floor below a region of ceilings: the lowest level with a tenth of
- * the region, and any other that has half of it. */
+/** @brief Marks the floors below a ceiling region: the lowest level with a tenth of the
+ * region, and any other with half of it. */
 void
 markFloorsBelow(std::vector<Level>& levels,
                 const std::vector<CellSet>& coarse,

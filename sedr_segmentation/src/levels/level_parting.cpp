@@ -14,10 +14,10 @@ namespace sedr {
 
 namespace {
 
-/** @brief Whether a plane fits each of some regions. Through the slabs of two rooms a
- * step apart, the best one lies a quarter of the step off either, root mean square; a
- * sixth where there is half a room between them. It must stand out from the regions'
- * own unevenness: twice that is no step yet. */
+/** @brief Returns whether a plane fits each of the regions. The best plane through two
+ * rooms' slabs a step apart is a quarter of the step off either, root mean square, or a
+ * sixth with half a room between. Twice the regions' own unevenness is not yet a step.
+ */
 bool
 fitsAll(const Eigen::Vector3d& normal,
         const Eigen::Vector3d& point,
@@ -30,7 +30,7 @@ fitsAll(const Eigen::Vector3d& normal,
   });
 }
 
-/** @brief Whether one plane through all of some regions fits each of them. */
+/** @brief Returns whether the common plane of the regions fits each of them. */
 bool
 areOnOnePlane(const std::vector<const LevelRegion*>& regions)
 {
@@ -40,7 +40,7 @@ areOnOnePlane(const std::vector<const LevelRegion*>& regions)
   return fitsAll(all.normal(), all.mean, regions);
 }
 
-/** @brief Whether the plane of a level fits each of some regions of it. */
+/** @brief Returns whether the plane of a level fits each of the regions. */
 bool
 isTheirPlane(const PlanSlab& slab, const std::vector<const LevelRegion*>& regions)
 {
@@ -48,8 +48,9 @@ isTheirPlane(const PlanSlab& slab, const std::vector<const LevelRegion*>& region
   return fitsAll(normal, -slab.plane[3] * normal, regions);
 }
 
-/** @brief The least step from the regions that stay to another: low ones are told where
- * there is one between them, not across a wall, where no two slabs are quite alike. */
+/** @brief Returns the minimum step between a region and those that stay. Low steps
+ * count only where a step lies between the regions; across a wall, two slabs always
+ * differ slightly. */
 double
 leastStep(const LevelRegion& region,
           const std::vector<LevelRegion>& regions,
@@ -64,8 +65,8 @@ leastStep(const LevelRegion& region,
                    : parameters.least_step;
 }
 
-/** @brief Marks cells and those within two of them as apart, unless they are kept, or
- * cells of a step. */
+/** @brief Marks cells and those within two cells of them as apart, except kept cells
+ * and cells of a step. */
 void
 setApart(const CellSet& cells,
          const std::vector<std::size_t>& positions,
@@ -79,8 +80,8 @@ setApart(const CellSet& cells,
         apart[k] = kept[k] || (edges[k] && k != i) ? apart[k] : 1;
 }
 
-/** @brief Those cells of steps that are beside regions which do not stay and at the
- * height of one of them, rather than at that of a region beside them which does. */
+/** @brief Returns the step cells next to regions that do not stay, if they are closer
+ * in height to such a region than to an adjacent one that stays. */
 std::vector<std::size_t>
 edgesOf(const LevelColumns& columns,
         const std::vector<const LevelRegion*>& others,

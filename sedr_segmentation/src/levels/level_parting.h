@@ -12,25 +12,25 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A level that is being looked for: its plane, and what it does not reach. */
+/** @brief A level during its detection. */
 struct LevelDraft {
   PlanSlab slab;
-  std::vector<double> relief;      ///< two tolerances about the plane, see reliefOf()
-  std::vector<std::uint8_t> cells; ///< marks those with a candidate on the plane
-  std::vector<std::uint8_t> apart; ///< marks those at a level of their own
+  std::vector<double> relief; ///< within two tolerances of the plane, see reliefOf()
+  std::vector<std::uint8_t> cells; ///< marks cells with a candidate on the plane
+  std::vector<std::uint8_t> apart; ///< marks cells of other levels
 };
 
-/** @brief Parts a level whose connected regions lie in different planes: the ceilings
- * of two rooms, a few centimetres apart, which one leaning plane comes near to as well.
+/** @brief Splits a level whose connected regions lie in different planes, such as the
+ * ceilings of two rooms a few centimetres apart that one tilted plane approximates.
  *
- * Every region of at least `minimum_cells`, walls left out, is fitted by itself. The
- * largest keeps the level, and so do the others, one by one, as long as one plane fits
- * all of them: as two levels less than a step apart have one between them. O(n).
+ * Every region of at least `minimum_cells`, without walls, is fitted separately. The
+ * largest region stays in the level. The others stay, one by one, as long as one plane
+ * fits all of them, as it does for levels less than a step apart. O(n).
  * @param columns    all points
- * @param candidates those that no level has taken yet
- * @param[in,out] draft gets the plane of the regions that stay, and the others' cells,
- *   with those around them, apart
- * @return whether there were others; then its relief and cells are out of date */
+ * @param candidates points not yet assigned to a level
+ * @param[in,out] draft gets the plane of the regions that stay; the cells of the others
+ * and around them are marked apart
+ * @return whether the draft changed; its relief and cells are then out of date */
 bool partLevel(const LevelColumns& columns,
                const std::vector<Candidate>& candidates,
                const LevelParameters& parameters,

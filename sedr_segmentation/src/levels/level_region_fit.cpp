@@ -42,7 +42,7 @@ momentsOf(const Positions& points)
   return moments;
 }
 
-/** @brief A slab moved up. */
+/** @brief Returns a slab moved up by `by` metres. */
 PlanSlab
 raised(PlanSlab slab, double by)
 {
@@ -50,8 +50,8 @@ raised(PlanSlab slab, double by)
   return slab;
 }
 
-/** @brief Mean square distance of a surface from its plane: of the means of squares of
- * half a metre, which noise hardly moves. */
+/** @brief Returns the mean square distance of a surface from its plane, over the means
+ * of half-metre squares, which noise hardly affects. */
 double
 unevennessOf(const Positions& points, const PlanSlab& slab)
 {
@@ -73,7 +73,7 @@ unevennessOf(const Positions& points, const PlanSlab& slab)
   return squares / std::max(1.0, static_cast<double>(points.size()));
 }
 
-/** @brief The different numbers of the cells within reach, those of none left out. */
+/** @brief Returns the distinct numbers of the cells within `reach`, without `npos`. */
 std::vector<std::size_t>
 numbersAround(const CellSet& cells,
               std::size_t at,
@@ -89,7 +89,7 @@ numbersAround(const CellSet& cells,
   return numbers;
 }
 
-/** @brief Notes which regions lie on both sides of a step. */
+/** @brief Records the pairs of regions separated by a step. */
 void
 findStepsBetween(const CellSet& cells,
                  const std::vector<std::uint8_t>& edges,
@@ -117,7 +117,7 @@ findStepsBetween(const CellSet& cells,
       regions[pair.first].beyond_steps.push_back(pair.second);
 }
 
-/** @brief The regions that walls and steps part. */
+/** @brief Returns the regions separated by walls and steps. */
 std::vector<LevelRegion>
 partedRegions(const CellSet& cells,
               const LevelRelief& relief,
@@ -136,7 +136,7 @@ partedRegions(const CellSet& cells,
   return regions;
 }
 
-/** @brief Gives every region the candidates in its cells. */
+/** @brief Collects for every region the candidates in its cells. */
 void
 findPoints(const LevelColumns& columns,
            const std::vector<Candidate>& candidates,
@@ -149,14 +149,14 @@ findPoints(const LevelColumns& columns,
   for (std::size_t r = 0; r < regions.size(); ++r)
     for (const std::size_t cell : regions[r].cells)
       region_of[cell] = r;
-  // The common plane may pass a region's own at some distance.
+  // The common plane may be some distance from a region's own plane.
   for (const Candidate& c : stretchNear(columns, candidates, start, 2 * tolerance))
     if (region_of[c.cell] < regions.size() &&
         std::abs(distanceAbove(start, c.position())) <= 2 * tolerance)
       regions[region_of[c.cell]].points.push_back(c.position());
 }
 
-/** @brief Fits a region to its points, of which it keeps those on its plane. */
+/** @brief Fits a plane to a region's points and keeps only the points on it. */
 void
 fitRegion(const LevelRelief& relief,
           double tolerance,
@@ -183,7 +183,7 @@ fitRegion(const LevelRelief& relief,
     else
       region.unevenness = unevennessOf(region.points, own);
   };
-  parallelBlocks(2, 1, threads, measure); // mostly there is one region, a large one
+  parallelBlocks(2, 1, threads, measure); // usually there is one large region
   region.variance =
       region.moments.variance(region.moments.normal(), region.moments.mean);
 }

@@ -14,13 +14,13 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Number, mean and covariance of points: what a plane through them needs. */
+/** @brief Number, mean and covariance of points, sufficient for a plane fit. */
 struct Moments {
   double count = 0;
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 
-  /** @brief The moments of the points of both. */
+  /** @brief Returns the moments of the union of two point sets. */
   friend Moments operator+(const Moments& a, const Moments& b)
   {
     const double share = b.count / (a.count + b.count);
@@ -30,44 +30,45 @@ struct Moments {
                 share * (1 - share) * between * between.transpose()};
   }
 
-  /** @brief Mean square of the points' distances from a plane, square metres. */
+  /** @brief Returns the mean square distance of the points from a plane, square metres.
+   */
   double variance(const Eigen::Vector3d& normal, const Eigen::Vector3d& point) const
   {
     const double distance = normal.dot(mean - point);
     return normal.dot(covariance * normal) + distance * distance;
   }
 
-  /** @brief Unit normal, upwards, of the plane that fits the points best. */
+  /** @brief Returns the upward unit normal of the least-squares plane. */
   Eigen::Vector3d normal() const;
 };
 
-/** @brief A connected region of a level, fitted by itself. */
+/** @brief A connected region of a level with its own plane. */
 struct LevelRegion {
   std::vector<std::size_t> cells; ///< positions
   Positions points;               ///< on its own plane
   PlanSlab slab;
   Moments moments;
-  std::vector<std::size_t> beyond_steps; ///< numbers of the regions across a step
-  double height = 0;     ///< median, over the plane of the level, metres
-  double least_step = 0; ///< a plane that misses it by less may be its own, metres
-  double variance = 0;   ///< of its points about its own plane, square metres
-  double unevenness = 0; ///< that of the surface alone, noise left out
+  std::vector<std::size_t> beyond_steps; ///< regions on the other side of a step
+  double height = 0;     ///< median above the plane of the level, metres
+  double least_step = 0; ///< minimum distance from a plane of another level, metres
+  double variance = 0;   ///< of its points around its own plane, square metres
+  double unevenness = 0; ///< variance of the surface without noise, square metres
 };
 
-/** @brief What is around a level before it is parted. */
+/** @brief Relief and step cells of a level before it is split. */
 struct LevelRelief {
   std::vector<double> heights;     ///< see reliefOf(); NaN for walls
   std::vector<std::uint8_t> edges; ///< see cellsOfSteps()
 };
 
-/** @brief The relief up to two tolerances from a level: with what noise puts within one
- * tolerance of it comes the whole of the surface that it belongs to. O(n). */
+/** @brief Returns the relief up to two tolerances from a level. Surfaces with noise
+ * within one tolerance are thus included completely. O(n). */
 LevelRelief reliefAround(const LevelColumns& columns,
                          const LevelParameters& parameters,
                          const LevelDraft& draft);
 
-/** @brief The regions of at least `minimum_cells` that walls and steps part, the
- * largest first, each fitted by itself. O(n log n).
+/** @brief Returns the regions of at least `minimum_cells`, separated by walls and steps
+ * and fitted separately, largest first. O(n log n).
  * @param slab the plane of the level */
 std::vector<LevelRegion> fittedRegions(const LevelColumns& columns,
                                        const std::vector<Candidate>& candidates,

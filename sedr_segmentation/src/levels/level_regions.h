@@ -10,24 +10,24 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The marked cells of a level less those of walls, which go on above or below
- * it. O(n).
+/** @brief Returns the marked cells of a level without those of walls, which continue
+ * above or below it. O(n).
  * @param marked 1 for the cells of the level */
 std::vector<std::uint8_t> withoutWalls(const LevelColumns& columns,
                                        const std::vector<std::uint8_t>& marked,
                                        const PlanSlab& slab,
                                        double tolerance);
 
-/** @brief The eight-connected regions of marked cells that are large enough, largest
- * first. O(n log n).
- * @param minimum_cells least size of a region
+/** @brief Returns the eight-connected regions of marked cells of the minimum size,
+ * largest first. O(n log n).
+ * @param minimum_cells minimum size of a region
  * @return the positions of each region's cells, increasing */
 std::vector<std::vector<std::size_t>> regionsOf(const CellSet& cells,
                                                 const std::vector<std::uint8_t>& marked,
                                                 std::size_t minimum_cells);
 
-/** @brief The regions of a level's cells that are large enough, see regionsOf(); walls
- * part them. O(n log n).
+/** @brief Returns the regions of a level's cells of the minimum size, separated by
+ * walls, see regionsOf(). O(n log n).
  * @param marked 1 for the cells of the level */
 std::vector<std::vector<std::size_t>>
 levelRegions(const LevelColumns& columns,

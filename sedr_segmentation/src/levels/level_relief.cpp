@@ -17,7 +17,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief The relief around a cell, up to four cells away. */
+/** @brief The relief around a cell, up to `reach` cells away. */
 class Surroundings {
 public:
   static constexpr int reach = 4;
@@ -32,16 +32,16 @@ public:
     });
   }
 
-  /** @brief The step across the cell, from what is on one side of it to what is on the
-   * other; 0 where too little was seen, or where it is lower than `lowest`. */
+  /** @brief Returns the height step across the cell; 0 if too few cells were seen or it
+   * is lower than `lowest`. */
   double step(bool along_x, double lowest) const
   {
     constexpr std::size_t least = 8;
     return difference(along_x, reach, 2, least, lowest);
   }
 
-  /** @brief Whether a step is there at once: of what slopes, the two cells on either
-   * side of the middle differ by no more than three fifths of the whole. */
+  /** @brief Returns whether a step is abrupt. On a slope, the two cells on either side
+   * of the centre differ by at most three fifths of the whole step. */
   bool isSharp(double step, bool along_x, const Priors& priors) const
   {
     const auto least = static_cast<std::size_t>(priors.min_evidence);
@@ -57,9 +57,9 @@ private:
 
   double at(int dx, int dy) const { return values_[indexOf(dx, dy)]; }
 
-  /** @brief How much higher what is behind the cell lies than what is before it; 0
-   * where fewer than `least` cells were seen on a side, or where it is less than
-   * `lowest`, which is mostly told without sorting. */
+  /** @brief Returns the height behind the cell minus that before it. It is 0 if a side
+   * has fewer than `least` seen cells, or below `lowest`, which rarely needs sorting.
+   */
   double difference(bool along_x,
                     int length,
                     int half_width,
@@ -87,8 +87,8 @@ private:
   std::array<double, side * side> values_{};
 };
 
-/** @brief Marks the cells around which a step may be: where the means of squares of
- * 20 cm differ by half of it. Most of a slab is flat. */
+/** @brief Marks the cells around which a step may be: means of neighbouring squares of
+ * 20 cm differ by at least half of `step`. This skips most of a slab, which is flat. */
 std::vector<std::uint8_t>
 unevenCells(const CellSet& cells, const std::vector<double>& relief, double step)
 {
@@ -105,7 +105,7 @@ unevenCells(const CellSet& cells, const std::vector<double>& relief, double step
   std::vector<double> sum(squares.size(), 0);
   std::vector<double> count(squares.size(), 0);
   std::vector<std::size_t> square_of(cells.size(), CellSet::npos);
-  std::size_t last = 0; // where the next cell in a row mostly is, too
+  std::size_t last = 0; // the next cell in a row is mostly in the same square
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (std::isnan(relief[i]))
       continue;
@@ -131,31 +131,32 @@ unevenCells(const CellSet& cells, const std::vector<double>& relief, double step
   return uneven;
 }
 
-/** @brief What a cell is of a step. */
+/** @brief Role of a cell at a step. */
 enum : std::uint8_t { none = 0, edge = 1, sharp_edge = 2 };
 
-/** @brief Whether one in ten of the edge cells about a cell is sharp. A slope has edge
- * cells alone, and noise makes few of them sharp. */
+/** @brief Returns whether one in ten of the edge cells around a cell is sharp. A slope
+ * has edge cells only, and noise makes few of them sharp. */
 bool
 isOfStep(const CellSet& cells,
          const std::vector<std::uint8_t>& kind,
          std::size_t at,
          int reach)
 {
-  constexpr int least_share = 10; // one in so many
+  constexpr int least_share = 10; // one in this many
   std::array<int, 3> count{};
   forEachAround(cells, cells[at], reach, [&](std::size_t i) { ++count[kind[i]]; });
   return least_share * count[sharp_edge] >= count[edge] + count[sharp_edge];
 }
 
-/** @brief The kind of each cell: whether a drop is across it, and a sharp one. */
+/** @brief Returns the kind of each cell: whether a drop crosses it, and a sharp one. */
 std::vector<std::uint8_t>
 edgeKinds(const CellSet& cells,
           const std::vector<double>& relief,
           unsigned threads,
           const Priors& priors)
 {
-  // Between two such means of twenty cells noise is 0.35 times what it is of a cell.
+  // The difference of two such means of twenty cells has 0.35 times the noise of a
+  // cell.
   const double step = std::max(priors.slab_noise, 2 * noiseOfRelief(cells, relief));
   const std::vector<std::uint8_t> uneven = unevenCells(cells, relief, step);
   std::vector<std::uint8_t> kind(relief.size(), none);

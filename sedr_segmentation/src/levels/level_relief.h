@@ -11,46 +11,45 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The relief about a level: mean distance from its plane of what was seen in
- * each cell, metres, up is positive; NaN where nothing was. Means of cells tell steps
- * that are lost in the noise of single points. O(n).
- * @param candidates of the columns, sorted by height
- * @param reach how far from the plane is looked, metres */
+/** @brief Returns the relief of a level: the mean signed distance of each cell's points
+ * from its plane, metres, positive up; NaN for empty cells. Cell means show steps that
+ * the noise of single points hides. O(n).
+ * @param candidates points of the profiles, sorted by height
+ * @param reach maximum distance from the plane, metres */
 std::vector<double> reliefOf(const LevelColumns& columns,
                              const std::vector<Candidate>& candidates,
                              const PlanSlab& slab,
                              double reach);
 
-/** @brief Standard deviation of the cells of a relief from their neighbours: noise
- * alone, whatever the surface does. Metres; O(n). */
+/** @brief Returns the noise of a relief: the standard deviation between neighbouring
+ * cells, metres. It does not depend on the shape of the surface. O(n). */
 double noiseOfRelief(const CellSet& cells, const std::vector<double>& relief);
 
-/** @brief The median of a cell and its eight neighbours, NaN where the cell is. Steps
- * keep their place in it. O(n).
- * @param flat medians no farther than that from 0 are given as 0, metres; negative:
- * none is */
+/** @brief Returns the median of each cell and its eight neighbours, NaN where the cell
+ * is NaN. The median preserves the position of steps. O(n).
+ * @param flat medians within this distance of 0 become 0, metres; negative: none */
 std::vector<double> smoothRelief(const CellSet& cells,
                                  const std::vector<double>& relief,
                                  unsigned threads,
                                  double flat = -1);
 
-/** @brief Marks the cells of drops: where the middle means of what is on either side,
- * in the 20 cm from a cell on, differ by 1.5 cm or more, and clearly more than noise
- * lets them. O(n); the same for any number of threads. */
+/** @brief Marks the cells of drops: the trimmed means of the 20 cm on either side
+ * differ by at least 1.5 cm and clearly more than by noise. O(n); the result does not
+ * depend on the number of threads. */
 std::vector<std::uint8_t> cellsOfDrops(const CellSet& cells,
                                        const std::vector<double>& relief,
                                        unsigned threads,
                                        const Priors& priors = {});
 
-/** @brief Marks the cells of steps: of drops of which four fifths are there within 10
- * cm, along one in ten of these cells. What bends or leans, however steep it is, has
- * none: three fifths of its height are. O(n); the same for any number of threads. */
+/** @brief Marks the cells of steps: drops with four fifths of their height within 10
+ * cm, at one in ten of their cells. A bent or tilted surface of any slope reaches only
+ * three fifths. O(n); the result does not depend on the number of threads. */
 std::vector<std::uint8_t> cellsOfSteps(const CellSet& cells,
                                        const std::vector<double>& relief,
                                        unsigned threads,
                                        const Priors& priors = {});
 
-/** @brief How far from a step what is beside it is looked for, cells. */
+/** @brief Returns the search distance for the regions beside a step, cells. */
 inline int
 stepReach(const Priors& priors)
 {

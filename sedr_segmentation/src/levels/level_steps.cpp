@@ -14,7 +14,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief Whether a cell on the plane lies within some cells. */
+/** @brief Returns whether a cell on the plane lies within `reach` cells. */
 bool
 isNearPlane(const CellSet& cells,
             std::size_t at,
@@ -26,7 +26,8 @@ isNearPlane(const CellSet& cells,
                    [&](std::size_t near) { return std::abs(offsets[near]) <= noise; });
 }
 
-/** @brief Whether a region off a plane is a step: it is so at its border, too. */
+/** @brief Returns whether a region off a plane is a step, i.e. also off at its border.
+ */
 bool
 isStep(const CellSet& cells,
        const std::vector<std::size_t>& region,
@@ -37,12 +38,12 @@ isStep(const CellSet& cells,
   std::vector<double> border;
   for (const std::size_t i : region) {
     all.push_back(std::abs(offsets[i]));
-    // The cells at the very border hold points of both.
+    // Cells directly at the border contain points of both surfaces.
     if (isNearPlane(cells, i, 3, offsets, noise) &&
         !isNearPlane(cells, i, 1, offsets, noise))
       border.push_back(all.back());
   }
-  // What leaves the plane gradually is at its border just beyond the noise.
+  // A surface that deviates gradually is barely beyond the noise at its border.
   const double height = middleValue(all);
   return height >= 2 * noise &&
          (border.empty() || middleValue(border) >= 0.75 * height);
@@ -86,7 +87,7 @@ setStepsApart(const LevelColumns& columns,
   std::vector<double> relief = draft.relief;
   const double noise = std::min(
       tolerance, std::max(2 * noiseOfRelief(cells, relief), priors.slab_noise));
-  // Of what is about as far as that, the noise alone is within reach.
+  // Cells at about this distance contain only the noise of a farther surface.
   for (double& height : relief)
     if (std::abs(height) > reach - noise)
       height = std::numeric_limits<double>::quiet_NaN();

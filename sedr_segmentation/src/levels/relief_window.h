@@ -11,7 +11,7 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What up to 25 values of a window agree on. */
+/** @brief Robust statistics of up to 25 values of a window. */
 class ReliefWindow {
 public:
   void add(double value)
@@ -22,7 +22,7 @@ public:
 
   std::size_t size() const { return size_; }
 
-  /** @brief Whether the median is no farther than that from 0: told by counting. */
+  /** @brief Returns whether the median is within `flat` of 0, by counting. */
   bool isWithin(double flat) const
   {
     std::size_t above = 0;
@@ -34,8 +34,8 @@ public:
     return above < size_ - size_ / 2 && below <= size_ / 2;
   }
 
-  /** @brief Where the mean of the middle half is, at least and at most: it is off the
-   * mean of all by no more than half of what the farthest value is. There must be one.
+  /** @brief Returns bounds of middleMean(): it deviates from the mean of all values by
+   * at most half the deviation of the farthest value. There must be at least one value.
    */
   std::pair<double, double> middleRange() const
   {
@@ -54,8 +54,8 @@ public:
     return *middle;
   }
 
-  /** @brief Mean of the middle half. Heights of voxels come in layers, between which a
-   * median may jump. */
+  /** @brief Returns the mean of the middle half of the values. Heights of voxels lie in
+   * layers, between which a median may jump. */
   double middleMean()
   {
     std::sort(values_.begin(), at(size_));

@@ -15,8 +15,8 @@ namespace sedr {
 
 namespace {
 
-/** @brief The corners of a chain found anew, near where they were.
- * @return false where two links do not meet */
+/** @brief Recomputes the corners of a chain near their old positions.
+ * @return false if two links do not meet */
 bool
 moveCorners(LoopChain& chain, const LoopParameters& parameters)
 {
@@ -29,8 +29,8 @@ moveCorners(LoopChain& chain, const LoopParameters& parameters)
   return true;
 }
 
-/** @brief Bridges lead from where one curve passes the corner to where the next does.
- */
+/** @brief Places each bridge between the projections of its midpoint on the
+ * neighbouring curves. */
 void
 layBridges(LoopChain& chain)
 {
@@ -47,8 +47,8 @@ layBridges(LoopChain& chain)
   }
 }
 
-/** @brief Sine of the angle between a line and the nearest of the directions of the
- * other lines of a chain. */
+/** @brief Returns the sine of the angle between a line and the closest main direction
+ * of the other lines of a chain. */
 double
 askew(const LoopChain& chain,
       std::size_t link,
@@ -65,8 +65,9 @@ askew(const LoopChain& chain,
   return least;
 }
 
-/** @brief Whether a fit to little of a line turns it away from where it was and from
- * all other walls: points in a few places tell little of a direction. */
+/** @brief Returns whether a fit with points on a small share of a line rotates it away
+ * from its old direction and all other walls. Such points hardly determine a direction.
+ */
 bool
 turnsAway(const LoopChain& chain,
           std::size_t link,

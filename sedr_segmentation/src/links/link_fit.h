@@ -8,15 +8,15 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The points of the evidence that show a link: those near it, but for what is
- * at its corners and may be the neighbour's. */
+/** @brief Returns the evidence points of a link: those near it, except points at its
+ * corners that may belong to a neighbour. */
 std::vector<WeightedPoint> pointsAlong(const LoopChain& chain,
                                        std::size_t i,
                                        const PlanPoints& evidence,
                                        const LoopParameters& parameters);
 
-/** @brief Fits every link to the evidence along it, away from its corners, and joins
- * them again. The chain stays where they no longer meet. */
+/** @brief Fits every link to the evidence along it, away from its corners, and rejoins
+ * them. The chain stays unchanged if links no longer meet. */
 void refitLinks(LoopChain& chain,
                 const PlanPoints& evidence,
                 const LoopParameters& parameters);

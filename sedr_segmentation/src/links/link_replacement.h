@@ -8,16 +8,16 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Puts a line in the place of a link; false where it does not meet those beside
- * it, or one would run backwards. */
+/** @brief Replaces the curve of a link by a line; returns false if it does not meet its
+ * neighbours or an element would run backwards. */
 bool putLine(std::size_t i,
              const PlanCurve& line,
              const LoopParameters& parameters,
              LoopChain& chain);
 
-/** @brief Leaves a link out where those beside it meet near it; false where they do
- * not, or one would run backwards.
- * @param farthest where they may meet, from its middle, metres */
+/** @brief Removes a link if its neighbours meet near it; returns false if they do not
+ * or an element would run backwards.
+ * @param farthest maximum distance of their corner from the link's midpoint, metres */
 bool dropLink(std::size_t i,
               double farthest,
               const LoopParameters& parameters,

@@ -12,7 +12,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief Points along every link, for each metre. */
+/** @brief Returns the number of points per metre along every link. */
 std::vector<double>
 densitiesOf(const LoopChain& chain,
             const PlanPoints& evidence,
@@ -39,7 +39,7 @@ sharesSeen(const LoopChain& chain,
            const LoopParameters& parameters)
 {
   const std::vector<double> densities = densitiesOf(chain, evidence, parameters);
-  std::vector<std::pair<double, double>> ordered; // and lengths
+  std::vector<std::pair<double, double>> ordered; // densities and lengths
   double all = 0;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     ordered.emplace_back(densities[i], chain.element(i).length());

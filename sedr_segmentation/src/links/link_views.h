@@ -9,13 +9,13 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief How well each link is seen, as a share of what is usual: half of the loop's
- * length is seen better than that. Known ones are seen well: 1. */
+/** @brief Returns the point density of each link relative to the length-weighted median
+ * of the loop; 1 for known links. */
 std::vector<double> sharesSeen(const LoopChain& chain,
                                const PlanPoints& evidence,
                                const LoopParameters& parameters);
 
-/** @brief Whether points show a link along less than half of its length. */
+/** @brief Returns whether points support a link along less than half of its length. */
 bool isSeenInPart(const LoopChain& chain,
                   std::size_t i,
                   const PlanPoints& evidence,

@@ -15,21 +15,20 @@ namespace sedr {
 
 namespace {
 
-/** @brief Cosine of the largest angle between a contour and the curve it follows. */
+/** @brief Cosine of the maximum angle between a contour and its curve. */
 const double least_cosine = std::cos(35.0 * M_PI / 180.0);
 
-/** @brief The cost from which on it grows slowly only, in units of (half a tolerance)
- * squared: so far off, a sample is an outlier. */
+/** @brief Returns the cost of an outlier, in units of (half a tolerance) squared;
+ * beyond it the cost grows only slowly. */
 double
 outlierCost(const Priors& priors)
 {
   return priors.sigmas * priors.sigmas;
 }
 
-/** @brief What a sample that no points support costs on a curve. The wall may be hidden
- * behind furniture, so that it runs outside of the contour, or an opening may have led
- * the contour astray, so that it runs inside: both are cheap over some tenths of a
- * metre, beyond which it is costly. */
+/** @brief Returns the cost of an unsupported sample on a curve. The wall may run
+ * outside the contour, hidden behind furniture, or inside it at an opening. Both are
+ * cheap over some tenths of a metre and costly beyond. */
 double
 costUnsupported(const ContourSample& sample,
                 const PlanCurve& curve,
@@ -46,7 +45,7 @@ costUnsupported(const ContourSample& sample,
                      : sample.weight() * outlierCost(priors) + priors.far_cost * d;
 }
 
-/** @brief Calls `see(i)` for each of `n` samples, on several threads. */
+/** @brief Calls `see(i)` for each of `n` samples, from several threads. */
 template <typename See>
 void
 forEachSample(std::size_t n, unsigned threads, See see)
@@ -58,7 +57,7 @@ forEachSample(std::size_t n, unsigned threads, See see)
   });
 }
 
-/** @brief The curves as seen from one sample. */
+/** @brief The positions and tangents of all curves at one sample. */
 class CurvesAt {
 public:
   void look(const ContourSample& sample, const std::vector<PlanCurve>& curves)
@@ -71,8 +70,8 @@ public:
     }
   }
 
-  /** @brief What it costs to step from one curve to another that runs beside it, as
-   * walls rarely do; nothing where they meet at an angle or touch. */
+  /** @brief Returns the extra cost of a change between adjacent parallel curves, which
+   * is rare for walls; 0 if they meet at an angle or touch. */
   double sideStep(std::size_t a, std::size_t b, double tolerance) const
   {
     if (std::abs(tangents_[a].dot(tangents_[b])) < 0.97)
@@ -102,7 +101,7 @@ CurveAssignment::CurveAssignment(const std::vector<ContourSample>& samples,
   });
 }
 
-/** @brief How far a curve may be from the contour and still be the wall there. */
+/** @brief Returns the maximum distance of the wall from the contour. */
 double
 CurveAssignment::reach() const
 {
@@ -120,7 +119,7 @@ CurveAssignment::lookAround(std::size_t i)
   wall_[i] = wallAcross(evidence_, sample.place, sample.tangent, parameters_).count;
 }
 
-/** @brief Costs of all curves for a sample. */
+/** @brief Computes the costs of all curves for a sample. */
 void
 CurveAssignment::judge(std::size_t i,
                        const std::vector<PlanCurve>& curves,
@@ -176,7 +175,7 @@ CurveAssignment::costSupported(const ContourSample& sample,
                                const Testimony& heard,
                                double most) const
 {
-  // A curve that most of the points here are on lacks nothing.
+  // A curve with most of the points here costs nothing for lack of points.
   const Priors& priors = parameters_.priors;
   const double enough = 1 - priors.share_unseen;
   const double outlier_cost = outlierCost(priors);
@@ -197,7 +196,7 @@ CurveAssignment::assign(const std::vector<PlanCurve>& curves) const
   forEachSample(n, parameters_.threads,
                 [&](std::size_t i) { judge(i, curves, costs.data() + i * k); });
 
-  // Two rounds: by the second, what the first sample was given no longer matters.
+  // Two rounds, so that the start no longer affects the second.
   const std::size_t rounds = 2 * n;
   std::vector<double> cost(k, 0);
   std::vector<double> next(k, 0);
@@ -231,7 +230,7 @@ CurveAssignment::assign(const std::vector<PlanCurve>& curves) const
                                           cost.begin());
   std::vector<std::size_t> assigned(n);
   for (std::size_t step = rounds; step-- > 0;) {
-    // The middle of the two rounds has neighbours on both sides.
+    // The central part of the two rounds has neighbours on both sides.
     if (step >= n / 2 && step < n / 2 + n)
       assigned[step % n] = current;
     current = from[step * k + current];

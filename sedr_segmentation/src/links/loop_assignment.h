@@ -9,28 +9,27 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Assigns the samples of a loop to curves. What the points around each sample
- * are does not depend on the curves: they are looked up once, however often these
- * change. */
+/** @brief Assigns the samples of a loop to curves. The points around each sample do not
+ * depend on the curves, so they are collected only once. */
 class CurveAssignment {
 public:
-  /** @brief All must outlive this. */
+  /** @brief All arguments must outlive this object. */
   CurveAssignment(const std::vector<ContourSample>& samples,
                   const PlanPoints& evidence,
                   const LoopParameters& parameters);
 
-  /** @brief The curve of every sample: the cheapest closed sequence, where a sample
-   * costs what the evidence around it has against the curve, and every change of curve
-   * costs a constant, more where the two run side by side (Viterbi 1967, around the
-   * loop). O(n k log k) for n samples and k curves
-   * of which few are as cheap as the best, O(n k^2) at worst. */
+  /** @brief Returns the curve of every sample: the closed sequence of minimum cost
+   * (Viterbi 1967, around the loop). The cost of a sample grows with the evidence
+   * around it against the curve. Every change of curve costs a constant, more between
+   * adjacent parallel curves. O(n k log k) for n samples and k curves if few curves
+   * cost about the minimum, O(n k^2) in the worst case. */
   std::vector<std::size_t> assign(const std::vector<PlanCurve>& curves) const;
 
 private:
-  /** @brief What the points around a sample say about a curve. */
+  /** @brief Evidence of the points around a sample for a curve. */
   struct Testimony {
-    double count = 0;  ///< of the points on the curve, those near it counting more
-    double offset = 0; ///< of their mean from the curve, metres
+    double count = 0;  ///< number of points on the curve, nearer ones weighted more
+    double offset = 0; ///< mean signed distance from the curve, metres
   };
 
   double reach() const;
@@ -46,7 +45,7 @@ private:
   const PlanPoints& evidence_;
   const LoopParameters& parameters_;
   std::vector<std::vector<Eigen::Vector2d>> points_; ///< around each sample
-  std::vector<std::size_t> wall_; ///< points of the densest wall across each sample
+  std::vector<std::size_t> wall_; ///< points of the densest wall at each sample
 };
 
 } // namespace sedr

@@ -11,17 +11,16 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A curve that a loop follows for a while. */
+/** @brief A link: the curve of one or more consecutive samples of a loop. */
 struct LoopLink {
-  PlanCurve curve;               ///< the direction of a line is the way it runs
-  bool counter_clockwise = true; ///< the way a circle runs
-  bool is_known = false;         ///< stays as it is
-  bool keeps_direction = false;  ///< a line that is shifted only
-  bool is_bridge = false;        ///< between curves that do not meet, seen by nobody
+  PlanCurve curve;               ///< a line points along the loop
+  bool counter_clockwise = true; ///< sense of a circle
+  bool is_known = false;         ///< must not change
+  bool keeps_direction = false;  ///< a line that may only be shifted
+  bool is_bridge = false;        ///< unseen connection of curves that do not meet
 };
 
-/** @brief A loop as the curves it follows and the corners between them: corner i is
- * where link i starts. */
+/** @brief A loop as a sequence of links and corners: link i starts at corner i. */
 struct LoopChain {
   std::vector<LoopLink> links;
   std::vector<Eigen::Vector2d> corners;
@@ -45,31 +44,30 @@ struct LoopChain {
   PlanLoop loop() const;
 };
 
-/** @brief Sine of the angle between two curves at a place, as lines: 0 to 1. */
+/** @brief Returns the sine of the angle between two curves at a position, 0 to 1. */
 double
 sineBetween(const PlanCurve& a, const PlanCurve& b, const Eigen::Vector2d& place);
 
-/** @brief The middle between two curves where they pass each other most closely. */
+/** @brief Returns the midpoint between two curves at their closest approach. */
 Eigen::Vector2d nearestPass(const PlanCurve& a, const PlanCurve& b);
 
-/** @brief A straight link that nobody saw. */
+/** @brief Returns a straight unseen link. */
 LoopLink bridgeBetween(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
 
-/** @brief How many corner reaches from its place a corner may be. */
+/** @brief Maximum distance of a corner from its place, in corner reaches. */
 constexpr double corner_reaches = 4;
 
-/** @brief Where two curves that follow each other join, near `place`: where they cross
- * or, of curves that run alike there and pass each other within half the tolerance,
- * where they are nearest to each other.
- * @return false where they do neither */
+/** @brief Finds the corner of two consecutive curves near `place`: their intersection.
+ * For nearly parallel curves within half the tolerance it is their closest approach.
+ * @return false if there is neither */
 bool findCorner(const PlanCurve& a,
                 const PlanCurve& b,
                 const Eigen::Vector2d& place,
                 const LoopParameters& parameters,
                 Eigen::Vector2d& corner);
 
-/** @brief Joins links to a chain; `places` tell where, place i where link i starts.
- * Between links that do not meet a bridge is built. */
+/** @brief Joins links into a chain; link i starts near place i. Bridges connect links
+ * that do not meet. */
 LoopChain joinLinks(const std::vector<LoopLink>& links,
                     const std::vector<Eigen::Vector2d>& places,
                     const LoopParameters& parameters);

@@ -14,11 +14,11 @@ namespace sedr {
 
 namespace {
 
-/** @brief Cosine of the largest angle between a contour and the curve it follows. */
+/** @brief Cosine of the maximum angle between a contour and its curve. */
 const double least_cosine_of_tangents = std::cos(35.0 * M_PI / 180.0);
 
-/** @brief How well a sample agrees with a curve: from its weight down to 0 at the
- * tolerance; where only the contour shows the wall that is its staircase, half a cell.
+/** @brief Returns the agreement of a sample with a curve: its weight, decreasing to 0
+ * at the tolerance. Without points it is at least the contour's staircase, half a cell.
  */
 double
 agreement(const ContourSample& sample,
@@ -36,8 +36,8 @@ agreement(const ContourSample& sample,
   return sample.weight() * (1 - d * d);
 }
 
-/** @brief The RANSAC of one loop: draws neighbouring samples, so that most draws lie on
- * one wall. */
+/** @brief RANSAC for one loop. It draws nearby samples, so most draws lie on one wall.
+ */
 class CurveSearch {
 public:
   CurveSearch(const std::vector<ContourSample>& samples,
@@ -50,7 +50,7 @@ public:
                              [](const ContourSample& s) { return s.isSupported(); }))
   {}
 
-  /** @brief The best line through open samples, refined. */
+  /** @brief Returns the best line through open samples, refined. */
   PlanCurve bestLine(const std::vector<std::size_t>& open, double& best_score)
   {
     std::vector<PlanCurve> drawn;
@@ -63,8 +63,8 @@ public:
     return refined(bestOf(drawn, open, best_score), open, best_score);
   }
 
-  /** @brief The best circle within the limits of radius, refined; radius 0 where there
-   * is none. */
+  /** @brief Returns the best circle within the radius limits, refined; radius 0 if
+   * there is none. */
   PlanCurve bestCircle(const std::vector<std::size_t>& open, double& best_score)
   {
     std::vector<PlanCurve> drawn;
@@ -86,9 +86,9 @@ public:
 private:
   static constexpr int trials = 400;
 
-  /** @brief How much of the open samples a curve explains. Where nothing was seen,
-   * walls are taken for straight, unless nothing was seen of the whole loop. Where that
-   * cannot exceed `least` it is not added up to the end. */
+  /** @brief Returns the score of a curve over the open samples. Unsupported samples
+   * count for circles only if the whole loop is unsupported, as hidden walls are
+   * assumed straight. The sum is aborted if it cannot exceed `least`. */
   double scoreOf(const PlanCurve& curve,
                  const std::vector<std::size_t>& open,
                  double least) const
@@ -106,8 +106,8 @@ private:
     return sum;
   }
 
-  /** @brief The first of those drawn that explain most; a line through nothing where
-   * all explain nothing. */
+  /** @brief Returns the first drawn curve of maximum score, a default line if all are
+   * 0. */
   PlanCurve bestOf(const std::vector<PlanCurve>& drawn,
                    const std::vector<std::size_t>& open,
                    double& best_score) const
@@ -159,7 +159,7 @@ private:
   const std::vector<ContourSample>& samples_;
   const LoopParameters& parameters_;
   std::mt19937_64 random_;
-  bool is_seen_; ///< any sample shows a wall
+  bool is_seen_; ///< any sample is supported
 };
 
 void
@@ -175,7 +175,7 @@ eraseExplained(const std::vector<ContourSample>& samples,
              open.end());
 }
 
-/** @brief The increasing `all` without the increasing `some`. */
+/** @brief Returns the sorted `all` without the sorted `some`. */
 std::vector<std::size_t>
 difference(const std::vector<std::size_t>& all, const std::vector<std::size_t>& some)
 {
@@ -185,7 +185,7 @@ difference(const std::vector<std::size_t>& all, const std::vector<std::size_t>& 
   return rest;
 }
 
-/** @brief Adds up to six lines through the open samples, best first. */
+/** @brief Appends up to six lines through the open samples, best first. */
 void
 proposeLines(CurveSearch& search,
              const std::vector<ContourSample>& samples,
@@ -212,7 +212,8 @@ findCurves(const std::vector<ContourSample>& samples,
            const LoopParameters& parameters)
 {
   constexpr std::size_t most_curves = 120;
-  // A circle must explain clearly more than a line, or straight walls would bend.
+  // A circle must explain clearly more than a line, or straight walls would become
+  // arcs.
   constexpr double circle_advantage = 1.15;
   const double circle_surplus = parameters.priors.min_evidence;
 
@@ -242,7 +243,7 @@ findCurves(const std::vector<ContourSample>& samples,
     curves.push_back(is_circle ? circle : line);
     std::vector<std::size_t> left = open;
     eraseExplained(samples, curves.back(), parameters, left);
-    if (is_circle) // a square column is nearly a circle: its sides are proposed as well
+    if (is_circle) // a square column resembles a circle, so its sides are proposed, too
       proposeLines(search, samples, difference(open, left), parameters, least_score,
                    curves);
     open.swap(left);

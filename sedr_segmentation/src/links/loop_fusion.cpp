@@ -12,7 +12,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief The point half way along the inner links of a window. */
+/** @brief Returns the point midway along the inner links of a window. */
 Eigen::Vector2d
 halfWay(const Window& window)
 {
@@ -29,7 +29,7 @@ halfWay(const Window& window)
   return window.path.back().start;
 }
 
-/** @brief Lines and arcs that may stand for all inner links of a window. */
+/** @brief Returns lines and arcs that may replace all inner links of a window. */
 std::vector<LoopLink>
 fusionsOf(const LoopChain& chain,
           const Window& window,
@@ -80,8 +80,8 @@ fusionsOf(const LoopChain& chain,
   return links;
 }
 
-/** @brief All of a window that its fusions depend on: the curves of its links, those
- * before and after among them, and the corners between them. */
+/** @brief Returns all values on which the fusions of a window depend: the curves of its
+ * links, including those before and after, and their corners. */
 std::vector<double>
 dependenciesOf(const LoopChain& chain, const Window& window)
 {

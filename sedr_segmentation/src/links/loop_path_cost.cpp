@@ -23,7 +23,7 @@ placesOf(const std::vector<ContourSample>& samples, bool are_supported)
   return {std::move(places), 0.1};
 }
 
-/** @brief An element made ready for many distances. */
+/** @brief An element prepared for many distance queries. */
 class Reach {
 public:
   Reach(const PlanElement& e)
@@ -50,7 +50,7 @@ private:
   Eigen::Vector2d along_;
 };
 
-/** @brief Distance of a point from the nearest of some elements; infinite without any.
+/** @brief Returns the distance of a point from the nearest element; infinite if none.
  */
 double
 distanceFrom(const std::vector<PlanElement>& elements, const Eigen::Vector2d& p)
@@ -61,7 +61,7 @@ distanceFrom(const std::vector<PlanElement>& elements, const Eigen::Vector2d& p)
   return nearest;
 }
 
-/** @brief As distanceFrom(), squared. */
+/** @brief Returns the squared distance from the nearest element; infinite if none. */
 double
 nearestOf(const std::vector<Reach>& reaches, const Eigen::Vector2d& p)
 {
@@ -71,7 +71,7 @@ nearestOf(const std::vector<Reach>& reaches, const Eigen::Vector2d& p)
   return nearest;
 }
 
-/** @brief Median number of points that show a metre of wall. */
+/** @brief Returns the median number of points per metre of wall. */
 double
 densityAlong(const std::vector<ContourSample>& samples, double evidence_span)
 {
@@ -141,8 +141,8 @@ PathCost::zoneAround(const Eigen::Vector2d& middle,
 PathCost::Zone
 PathCost::zoneAlong(const std::vector<PlanElement>& elements) const
 {
-  constexpr std::size_t most_points = 20000; // of the whole loop
-  const double stretch = priors_.patch;      // looked along at a time
+  constexpr std::size_t most_points = 20000; // per loop
+  const double stretch = priors_.patch;      // search length, metres
   const std::size_t step = evidence_.size() / most_points + 1;
   std::vector<std::size_t> indices;
   for (const auto& e : elements) {
@@ -174,7 +174,7 @@ PathCost::ofChange(const std::vector<PlanElement>& before,
   const Zone zone = zoneAlong(both);
   const std::vector<Reach> reaches_before(before.begin(), before.end());
   const std::vector<Reach> reaches_after(after.begin(), after.end());
-  // The rest matters where what is replaced and what replaces it differ only.
+  // The rest matters only where old and new elements differ.
   struct Change {
     Eigen::Vector2d point;
     double before;
@@ -254,7 +254,7 @@ PathCost::unseen(const PlanElement& e, const Zone& zone) const
     return 0;
   std::vector<double> bins(static_cast<std::size_t>(std::ceil(length / bin)) + 2, 0);
   for (const auto& p : zone.points) {
-    // The tail of a wall beside it shows none here.
+    // The tail of an adjacent wall does not count as a wall here.
     const double found = 1 - missed(reach.squaredDistance(p));
     if (found > 0)
       bins[1 + static_cast<std::size_t>(e.project(p) / bin)] += found;
@@ -286,7 +286,7 @@ PathCost::astray(const PlanElement& e) const
 PathCost::Zone
 PathCost::zoneOn(const PlanCurve& curve, const Zone& zone) const
 {
-  // An element ends up to a quarter of the tolerance beside its curve: see
+  // An element may end up to a quarter of the tolerance off its curve, see
   // findCorner().
   Zone on_curve;
   on_curve.density = zone.density;

@@ -13,14 +13,14 @@ namespace sedr {
 
 namespace {
 
-/** @brief The curves of a loop and which of them each sample follows. */
+/** @brief The curves of a loop and the curve of each sample. */
 struct Assignment {
   std::vector<PlanCurve> curves;
-  std::size_t known = 0; ///< so many of the curves, the first ones, stay as they are
+  std::size_t known = 0; ///< number of known curves, which come first
   std::vector<std::size_t> curve_of;
 };
 
-/** @brief How many samples follow each curve. */
+/** @brief Returns the number of samples of each curve. */
 std::vector<std::size_t>
 followersOf(const Assignment& a)
 {
@@ -49,15 +49,15 @@ runsOf(const Assignment& a)
   return runs;
 }
 
-/** @brief What a curve is fitted to: the points of the wall along the samples that
- * follow it, and these samples themselves. */
+/** @brief Data for a curve fit: wall points along the curve's samples, and the samples.
+ */
 struct CurveEvidence {
   std::vector<WeightedPoint> walls;
   std::vector<WeightedPoint> places;
 };
 
-/** @brief Adds the points along a sample that are on its curve and on none of the
- * neighbours, `others`. */
+/** @brief Appends the points along a sample that are on its curve and on none of the
+ * neighbours `others`. */
 void
 appendWall(const ContourSample& sample,
            double half,
@@ -79,8 +79,8 @@ appendWall(const ContourSample& sample,
   });
 }
 
-/** @brief Collects the evidence of a curve but for what is at the corners: points on
- * the next curve, where that leaves at an angle, and the samples beside it. */
+/** @brief Collects the evidence of a curve without that at its corners: points on a
+ * next curve at an angle, and the samples near it. */
 CurveEvidence
 collectEvidence(const Assignment& a,
                 std::size_t c,
@@ -97,7 +97,7 @@ collectEvidence(const Assignment& a,
     if (a.curve_of[i] != c)
       continue;
     std::vector<PlanCurve> others;
-    bool is_beside = false; // a curve that leaves smoothly
+    bool is_beside = false; // near a smooth transition to another curve
     for (const std::size_t other :
          {a.curve_of[(i + margin) % n], a.curve_of[(i + n - margin) % n]}) {
       if (other == c)
@@ -115,7 +115,8 @@ collectEvidence(const Assignment& a,
       own.places.push_back({samples[i].position, samples[i].weight()});
     if (!samples[i].isSupported())
       continue;
-    // Half of the way to the next sample on each side, so that no point counts twice.
+    // Half of the distance to the next sample on each side, so that no point counts
+    // twice.
     const double half = 0.5 * std::abs((samples[(i + 1) % n].place - samples[i].place)
                                            .dot(curve.tangentAt(samples[i].position))) +
                         1e-9;
@@ -124,8 +125,8 @@ collectEvidence(const Assignment& a,
   return own;
 }
 
-/** @brief Whether an arc does no better than a line: it hardly bends along its samples,
- * which belong to a curve within `tolerance`. */
+/** @brief Returns whether a line fits the samples of an arc about as well, or well
+ * within `tolerance`. */
 bool
 isStraight(const PlanCurve& arc,
            const std::vector<WeightedPoint>& places,
@@ -144,7 +145,7 @@ isStraight(const PlanCurve& arc,
          line_sum < std::pow(0.4 * tolerance, 2) * static_cast<double>(places.size());
 }
 
-/** @brief Fits every curve that is in use anew to all that follows it.
+/** @brief Refits every curve in use to its evidence.
  * @param of_samples sampleTolerance() */
 void
 refit(Assignment& a,
@@ -171,7 +172,7 @@ refit(Assignment& a,
   a.curves = std::move(fitted);
 }
 
-/** @brief Keeps the curves that enough samples follow. */
+/** @brief Removes the curves with fewer than `least_samples`. */
 void
 dropUnused(Assignment& a, std::size_t least_samples)
 {
@@ -184,9 +185,8 @@ dropUnused(Assignment& a, std::size_t least_samples)
     a.curves = std::move(kept);
 }
 
-/** @brief Proposes curves, then assigns samples and fits the curves in turn (as Isack
- * and Boykov's PEARL, 2012, does), so that doubles and accidents of the first search
- * go. */
+/** @brief Proposes curves, then alternates between assigning samples and fitting curves
+ * (PEARL, Isack and Boykov 2012). This removes duplicate and spurious curves. */
 Assignment
 findAssignment(const std::vector<ContourSample>& samples,
                const PlanPoints& walls,
@@ -212,7 +212,7 @@ findAssignment(const std::vector<ContourSample>& samples,
   return a;
 }
 
-/** @brief Whether two runs lie on one curve, seen from the samples of both. */
+/** @brief Returns whether two runs lie on one curve, tested at the samples of both. */
 bool
 isSameCurve(const Run& a,
             const Run& b,
@@ -229,7 +229,8 @@ isSameCurve(const Run& a,
          isOnBoth(b, b.count - 1);
 }
 
-/** @brief Whether a run is an accident: a few samples between two of one curve. */
+/** @brief Returns whether a run is spurious: a few samples between runs of one curve.
+ */
 bool
 isBlur(const Run& before,
        const Run& run,
@@ -241,7 +242,7 @@ isBlur(const Run& before,
          isSameCurve(before, after, samples, parameters.tolerance / 2);
 }
 
-/** @brief Joins neighbouring runs that lie on one curve, and takes out blurs. */
+/** @brief Joins adjacent runs on one curve and removes spurious ones. */
 std::vector<Run>
 tidied(std::vector<Run> runs,
        const std::vector<ContourSample>& samples,

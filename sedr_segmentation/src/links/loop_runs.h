@@ -9,8 +9,7 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Samples first .. first + count - 1 (around the loop) that follow one curve.
- */
+/** @brief A run: samples first .. first + count - 1 (modulo the loop) on one curve. */
 struct Run {
   PlanCurve curve;
   std::size_t first = 0;
@@ -18,9 +17,9 @@ struct Run {
   bool is_known = false;
 };
 
-/** @brief The curves that the samples of a loop follow, one after the other around it,
- * first as found, then as fitted to the evidence; `known` ones stay as they are. Empty
- * where there are none. */
+/** @brief Finds the runs of a loop's samples, in order around it. Curves are found
+ * among the samples and fitted to the evidence; `known` ones are not changed. Empty if
+ * there are none. */
 std::vector<Run> findRuns(const std::vector<ContourSample>& samples,
                           const PlanPoints& evidence,
                           const std::vector<PlanCurve>& known,

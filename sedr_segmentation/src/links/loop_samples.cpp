@@ -14,8 +14,8 @@ namespace sedr {
 
 namespace {
 
-/** @brief Measures the evidence of each sample by that of the others; thin evidence is
- * none. */
+/** @brief Sets the support of samples relative to the median; too few points give none.
+ */
 void
 judgeSupport(const Priors& priors, std::vector<ContourSample>& samples)
 {
@@ -34,7 +34,7 @@ judgeSupport(const Priors& priors, std::vector<ContourSample>& samples)
   }
 }
 
-/** @brief Takes the support from stretches too short to be a wall of their own. */
+/** @brief Removes the support of sequences of samples too short for a wall. */
 void
 dropShortSupport(std::size_t least_samples, std::vector<ContourSample>& samples)
 {
@@ -71,7 +71,7 @@ sampleContour(const Contour& contour,
   std::vector<Eigen::Vector2d> walls(n);
   const auto takeSample = [&](std::size_t i) {
     ContourSample& sample = samples[i];
-    // The staircase of cells is evened out before looking across it.
+    // The staircase of cells is smoothed first.
     sample.place.setZero();
     for (std::size_t k = 0; k < 4; ++k)
       sample.place += corner(i + n - 1 + k) / 4;
@@ -121,11 +121,11 @@ sampleTolerance(const std::vector<ContourSample>& samples,
       of_points.push_back(sample.deviation);
   if (deviations.empty())
     return parameters.tolerance;
-  // The deviation from the middle of two neighbours has 1.5 times the variance of a
+  // The deviation from the midpoint of two neighbours has 1.5 times the variance of a
   // sample.
   const double noise = 1.4826 * middleValue(deviations) / std::sqrt(1.5);
   const Priors& priors = parameters.priors;
-  // Of a contour alone it is the staircase of its cells.
+  // For a contour without points, it is the staircase of its cells.
   const double of_wall =
       of_points.empty() ? parameters.tolerance : priors.sigmas * middleValue(of_points);
   const double least =

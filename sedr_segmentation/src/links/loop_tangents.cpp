@@ -11,7 +11,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief Whether a corner lies on both curves. */
+/** @brief Returns whether a corner lies on both curves. */
 bool
 isExact(const PlanCurve& a, const PlanCurve& b, const Eigen::Vector2d& corner)
 {
@@ -68,7 +68,7 @@ closeTangents(LoopChain& chain, const LoopParameters& parameters)
       return;
     }
   }
-  // Bridges in place of what cannot be closed.
+  // Bridges where the curves cannot be made tangent.
   LoopChain bridged;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const PlanCurve& a = chain.links[chain.before(i)].curve;

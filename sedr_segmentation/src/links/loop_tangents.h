@@ -6,8 +6,8 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Makes links that pass each other at a corner touch there, moving them as
- * little as possible; where that fails, a bridge remains. */
+/** @brief Makes links that miss each other at a corner tangent there, with minimum
+ * moves; inserts a bridge if that fails. */
 void closeTangents(LoopChain& chain, const LoopParameters& parameters);
 
 } // namespace sedr

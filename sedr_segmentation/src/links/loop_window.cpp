@@ -11,7 +11,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief How much of the links before and after a window is looked at, metres. */
+/** @brief Returns the evaluated length of the links beside a window, metres. */
 double
 leadOf(const Priors& priors)
 {

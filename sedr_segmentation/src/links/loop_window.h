@@ -15,43 +15,44 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What a change of a chain must save to be made, metres of wall. */
+/** @brief Returns the minimum gain of a change of a chain, metres of wall. */
 inline double
 leastGain(const Priors& priors)
 {
   return priors.element_cost / 2;
 }
 
-/** @brief Some links of a chain that follow each other, and what comes before and after
- * them. */
+/** @brief Consecutive links of a chain, with the ends of the links before and after. */
 struct Window {
   std::size_t before = 0;
   std::size_t after = 0;
   std::vector<std::size_t> inner;
   PlanElement lead_in;           ///< the end of the link before
-  PlanElement lead_out;          ///< the begin of the link after
+  PlanElement lead_out;          ///< the beginning of the link after
   std::vector<PlanElement> path; ///< from lead_in to lead_out
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   double radius = 0;
 };
 
-/** @brief The window of the `inner` links that follow link `before`; there must be at
- * least two more in the chain. */
+/** @brief Returns the window of the `inner` links after link `before`; the chain must
+ * have at least two more links. */
 Window windowOf(const LoopChain& chain,
                 std::size_t before,
                 std::size_t inner,
                 const Priors& priors);
 
-/** @brief All of the loop that is not on the path of a window. */
+/** @brief Returns the elements of the loop that are not on the path of a window. */
 std::vector<PlanElement>
 restOf(const LoopChain& chain, const Window& window, const Priors& priors);
 
-/** @brief Whether an element runs the way its link does, and not around. */
+/** @brief Returns whether an element runs in the direction of its link and has the
+ * minimum length. */
 bool runsForward(const LoopLink& link, const PlanElement& e, double least_length);
 
-/** @brief Puts other links in the place of a window's inner ones. `corners`: where the
- * new links and the link after them start.
- * @return false where the loop would cross itself or save nothing; it stays then */
+/** @brief Replaces a window's inner links. `corners` are the starts of the new links
+ * and of the link after them.
+ * @return false if the loop would cross itself or save too little; it is then unchanged
+ */
 bool replaceLinks(LoopChain& chain,
                   const Window& window,
                   const std::vector<LoopLink>& links,
@@ -59,14 +60,15 @@ bool replaceLinks(LoopChain& chain,
                   const PathCost& cost,
                   const Priors& priors);
 
-/** @brief Lines that a chain may be led along. */
+/** @brief Candidate directions and lines for the links of a chain. */
 struct Guides {
-  std::vector<Eigen::Vector2d> directions; ///< of walls, and square to them
-  std::vector<PlanCurve> known;            ///< that are walls already
+  std::vector<Eigen::Vector2d> directions; ///< of walls, and perpendicular to them
+  std::vector<PlanCurve> known;            ///< curves of existing walls
 };
 
-/** @brief Tries other ways around the links of a window, along known lines and lines of
- * the given directions; whether it found one. `zone`: what is around the window. */
+/** @brief Tries other paths for a window, along known lines and lines of the given
+ * directions; returns whether one was better. `zone` holds the points around the
+ * window. */
 bool tryDetour(LoopChain& chain,
                const Window& window,
                const PathCost& cost,
@@ -74,13 +76,13 @@ bool tryDetour(LoopChain& chain,
                const Guides& guides,
                const LoopParameters& parameters);
 
-/** @brief The lines and arcs that were fitted to links, by all that they depend on:
- * most windows are tried again and again while the chain changes elsewhere. */
+/** @brief Cache of lines and arcs fitted to links, by all values on which they depend.
+ * Most windows are tried repeatedly while the chain changes elsewhere. */
 using FusionMemo = std::map<std::vector<double>, std::vector<LoopLink>>;
 
-/** @brief Tries one line or arc in place of a window's inner links; whether it found
- * one. `zone`: what is around the window. `memo` is of this evidence, these guides and
- * parameters only. */
+/** @brief Tries one line or arc in place of a window's inner links; returns whether one
+ * was better. `zone` holds the points around the window. `memo` is valid for one
+ * evidence, guides and parameters only. */
 bool tryFusion(LoopChain& chain,
                const Window& window,
                const PathCost& cost,

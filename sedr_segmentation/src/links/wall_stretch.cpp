@@ -10,9 +10,8 @@ namespace sedr {
 
 namespace {
 
-/** @brief Mean and number of the offsets within `width` of each other, for the stretch
- * with most of them, near ones before far ones: the wall is looked for at `expected`,
- * within `reach`. */
+/** @brief Finds the interval of `width` with the most offsets, with its mean within
+ * `reach` of `expected` and a preference for near ones. */
 WallStretch
 densestStretch(std::vector<double>& offsets,
                double width,

@@ -10,16 +10,15 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Points within a tolerance of each other across a contour: a wall. */
+/** @brief A wall across a contour: points within a tolerance of each other. */
 struct WallStretch {
   double offset = 0; ///< their mean, to the left of the contour, metres
   std::size_t count = 0;
   double deviation = 0; ///< their root mean square distance from the mean, metres
 };
 
-/** @brief The densest stretch of the evidence beside `place`, along a wall that runs in
- * the direction `along` there: most points, those near the expected offset before
- * others. */
+/** @brief Finds the wall at `place` with direction `along`: the densest interval of
+ * evidence offsets, with a preference for the expected offset. */
 WallStretch wallAcross(const PlanPoints& evidence,
                        const Eigen::Vector2d& place,
                        const Eigen::Vector2d& along,

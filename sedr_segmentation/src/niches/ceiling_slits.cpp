@@ -15,10 +15,10 @@ namespace sedr {
 
 namespace {
 
-/** @brief Sides of what stands before a wall. */
+/** @brief Maximum number of sides of furniture at a wall. */
 constexpr std::size_t most_sides = 5;
 
-/** @brief Sides of an outline, or a column, that may be those of furniture. */
+/** @brief Sides of an outline, or a column, that may belong to furniture. */
 struct Suspect {
   PlanRoom* room = nullptr;
   std::vector<PlanElement> sides;
@@ -44,8 +44,9 @@ elementAt(const PlanLoop& loop, std::size_t i)
   return loop.elements[i % loop.elements.size()];
 }
 
-/** @brief Whether the sides from `first` on lead into the room, square to the wall
- * before them, and back to that wall, or square to the one around its corner. */
+/** @brief Returns whether the `count` sides from `first` outline furniture at a wall.
+ * They start perpendicular to the wall before them and return to that wall, or to the
+ * one around its corner. */
 bool
 standsBefore(const PlanLoop& loop,
              std::size_t first,
@@ -99,7 +100,7 @@ suspectsOf(Floorplan& plan, const Priors& priors)
   std::vector<Suspect> suspects;
   for (PlanRoom& room : plan.rooms) {
     for (std::size_t i = 0; i < room.boundary.elements.size(); ++i)
-      for (std::size_t count = most_sides; count >= 2; --count) { // whole fronts first
+      for (std::size_t count = most_sides; count >= 2; --count) { // longest first
         if (!standsBefore(room.boundary, i, count, priors))
           continue;
         std::vector<PlanElement> sides;
@@ -114,8 +115,8 @@ suspectsOf(Floorplan& plan, const Priors& priors)
   return suspects;
 }
 
-/** @brief Whether a slit was seen above most of what stands there, and above none of it
- * a wall. */
+/** @brief Returns whether a slit was seen above at least half of the sides, and no side
+ * reaches the ceiling. */
 bool
 isBelowSlit(const Suspect& suspect)
 {
@@ -137,8 +138,8 @@ isSame(const PlanElement& a, const PlanElement& b)
   return a.start == b.start && a.end == b.end;
 }
 
-/** @brief Leads an outline past the sides from `first` on: straight on along the wall
- * that they stand before, or to the corner. */
+/** @brief Removes `count` sides from `first` of an outline: joins the walls on both
+ * sides, or intersects them in a corner. */
 bool
 leadPast(PlanLoop& loop, std::size_t first, std::size_t count, const Priors& priors)
 {
@@ -180,7 +181,7 @@ takeOut(const Suspect& suspect, const Priors& priors)
   for (std::size_t i = 0; i < loop.elements.size(); ++i)
     if (isSame(loop.elements[i], side) && standsBefore(loop, i, count, priors))
       return leadPast(loop, i, count, priors);
-  return false; // with what stands beside it
+  return false; // already removed with an adjacent one
 }
 
 } // namespace

@@ -11,25 +11,22 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Takes out of a plan what a slit parts from the ceiling: wardrobes that the
- * outline of a room goes around, before a wall or in a corner, and cabinets and tanks
- * taken for columns.
+/** @brief Removes from a plan the furniture that a slit separates from the ceiling:
+ * wardrobes at walls or in corners, and cabinets and tanks taken for columns.
  *
- * Over what ends 5 cm below the ceiling nothing of it is seen, and the means of voxels
- * do not tell the slit. The scan does: a wall has as many points in every centimetre up
- * to where the noise of the ceiling begins, furniture has hardly any from 4.5 cm below
- * the ceiling on. How far the ceiling's noise reaches down is measured before the face
- * in question; where it leaves nothing of the slit, or the face has too few points, the
- * plan stays. So it does where one face goes up to the ceiling, and where so few of a
- * face's points are expected in the slit that none may be by chance. Walls in line are
- * joined again, those around a corner meet in it.
+ * The ceiling above furniture that ends 5 cm below it is hidden, and voxel means do not
+ * resolve the slit. The raw scan does: a wall has the same point density up to the
+ * noise of the ceiling, furniture hardly any points within 4.5 cm of the ceiling. The
+ * ceiling's noise is measured in front of each face. The plan stays if the noise fills
+ * the slit or a face has too few points. It also stays if one face reaches the ceiling,
+ * or if so few points are expected in the slit that none may be chance. Collinear walls
+ * are joined again; walls around a corner are intersected.
  *
- * O(n) for n points if there is anything to ask of, and a pass over few of them; of
- * more than a million, every k-th is taken.
+ * O(n) for n points if there are candidates; over a million, every k-th is used.
  * @param raw the scan, not thinned
- * @param indices those of its points that count; empty: all
- * @param threads 0: as many as there are processors
- * @return how many were taken out */
+ * @param indices the points to use; empty: all
+ * @param threads 0: all processors
+ * @return the number of removed objects */
 std::size_t leaveOutBelowSlits(Floorplan& plan,
                                const PointView& raw,
                                const std::vector<int>& indices = {},

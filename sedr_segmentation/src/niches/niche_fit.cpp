@@ -20,15 +20,15 @@ namespace sedr {
 
 namespace {
 
-/** @brief Whether a wall may have niches. */
+/** @brief Returns whether a wall may have niches. */
 bool
 mayHaveNiches(const PlanElement& wall, const NicheParameters& parameters)
 {
   return !wall.isArc() && wall.length() >= parameters.priors.min_recess;
 }
 
-/** @brief Of each wall of a room, those of some points that are on it or within reach
- * behind it, and some others near it. */
+/** @brief Returns for each wall of a room the points on it or within `reach` behind it,
+ * and some others nearby. */
 std::vector<std::vector<int>>
 pointsByWall(const PointView& points,
              const std::vector<int>& indices,
@@ -49,7 +49,7 @@ pointsByWall(const PointView& points,
   return near;
 }
 
-/** @brief The points of a wall and of what is behind it. */
+/** @brief Returns a wall with the points on it and behind it. */
 UnrolledWall
 unroll(const PointView& points,
        const std::vector<int>& around,
@@ -98,8 +98,7 @@ nicheOf(const PlanRoom& room, const UnrolledWall& wall, const Recess& recess)
   return niche;
 }
 
-/** @brief Whether a niche reaches into its own room, another wing of which lies behind
- * the wall. */
+/** @brief Returns whether a niche reaches into another wing of its own room. */
 bool
 reachesInto(const PlanRoom& room, const PlanNiche& niche, double step)
 {
@@ -114,8 +113,8 @@ reachesInto(const PlanRoom& room, const PlanNiche& niche, double step)
   return false;
 }
 
-/** @brief Of recesses one above the other those with the largest mouths: a plan has one
- * floor and one ceiling at a place. */
+/** @brief Returns the recesses with the largest mouths among those above each other, as
+ * a plan has one floor and one ceiling per position. */
 std::vector<Recess>
 largestOf(std::vector<Recess> recesses)
 {
@@ -132,7 +131,7 @@ largestOf(std::vector<Recess> recesses)
   return kept;
 }
 
-/** @brief The niches of a straight wall. */
+/** @brief Finds the niches of a straight wall. */
 std::vector<PlanNiche>
 nichesIn(const UnrolledWall& wall,
          const PlanRoom& room,

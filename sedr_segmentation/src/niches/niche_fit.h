@@ -10,22 +10,22 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What a niche is; lengths in metres. */
+/** @brief Parameters of the niche detection; lengths in metres. */
 struct NicheParameters {
   Priors priors;
   double cell_size = 0.05;
-  unsigned threads = 1; ///< that share the walls; 0: as many as there are processors
+  unsigned threads = 1; ///< 0: all processors
 };
 
-/** @brief How far beyond a back is looked for what is seen there, metres. */
+/** @brief Returns the depth searched for points behind the back of a niche, metres. */
 inline double
 viewBehind(const Priors& priors)
 {
   return 2 * priors.run_gap;
 }
 
-/** @brief How far from a room's ceiling the points that fitNiches() looks at may be,
- * metres: walls stand up to two cells beyond it. */
+/** @brief Returns the maximum distance in plan from a room's ceiling of the points used
+ * by fitNiches(), metres. Walls stand up to two cells beyond the ceiling. */
 inline double
 nicheReach(const NicheParameters& parameters = {})
 {
@@ -33,18 +33,17 @@ nicheReach(const NicheParameters& parameters = {})
          2 * parameters.cell_size;
 }
 
-/** @brief Finds the niches in the straight walls of a room: where nothing is on the
- * wall but a closed back is behind it.
+/** @brief Finds the niches in the straight walls of a room: openings in the wall with a
+ * closed back behind.
  *
- * Each wall is unrolled into cells along it and up it. A region of cells without wall
- * points, behind which most points lie at one depth and hardly any farther away, is a
- * niche: through a window and an open door one sees on, and where furniture hides the
- * wall nothing is seen behind it. A shallow recess that starts at the floor is a closed
- * door. The head of one that reaches the ceiling is the ceiling; what also starts at
- * the floor is a part of the room. Where another wing of the room lies behind the wall,
- * there is none. Of niches one above the other the one with the largest mouth counts,
- * for a plan has one floor and one ceiling at a place. The sides, the bottom and the
- * top go through the points seen on them. O(n) a wall.
+ * Each wall is unrolled into a grid along and up. A niche is a region of cells without
+ * wall points, with most points behind it at one depth and hardly any farther away.
+ * Windows and open doors show points farther away; furniture before the wall shows
+ * none. A shallow recess from the floor is a closed door; one from floor to ceiling is
+ * part of the room. The top of a recess that reaches the ceiling is the ceiling. There
+ * is no niche where another wing of the room lies behind the wall. Of niches above each
+ * other, only the one with the largest mouth is kept, as a plan has one floor and one
+ * ceiling per position. Sides, bottom and top fit their points. O(n) per wall.
  * @param room with boundary, floor and ceiling
  * @param around indices of all points of the room and up to nicheReach() from it */
 std::vector<PlanNiche> fitNiches(const PointView& points,

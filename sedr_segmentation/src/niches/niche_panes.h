@@ -11,22 +11,21 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Takes niches out of a plan whose back is the pane of a window.
+/** @brief Removes from a plan the niches whose back is a window pane.
  *
- * A pane sends a few of the rays back that it lets through. Where the scanner stood
- * near it for long these fill the voxels of the pane, as those of a wall are filled,
- * and where nothing is within reach behind it, it looks like the back of a niche. The
- * scan tells: the back of a niche is hit as often as the wall around its mouth, but for
- * what its sides hide. So a niche stays if the quarter of its back that most points are
- * on has two fifths of their density on the wall within 0.3 m of the mouth, where too
- * little of that wall was seen, and if it is deeper than half of its mouth.
+ * A pane reflects a few rays. Near the scanner they fill the voxels of the pane like
+ * those of a wall. With nothing in range behind it, the pane looks like the back of a
+ * niche. In the raw scan, the back of a niche has the point density of the wall around
+ * its mouth, except for parts hidden by its sides. A niche stays if the densest quarter
+ * of its back has two fifths of the density of the wall within 0.3 m of the mouth. It
+ * also stays if too little of that wall was seen or it is deeper than half its mouth.
  *
- * O(n) for n points if there are niches; of more than two million, every k-th is taken.
- * The same for any number of threads.
+ * O(n) for n points if there are niches; of more than two million, every k-th is used.
+ * The result does not depend on the number of threads.
  * @param raw the scan, not thinned
- * @param indices those of its points that count; empty: all
- * @param threads 0: as many as there are processors
- * @return how many were taken out */
+ * @param indices the points to use; empty: all
+ * @param threads 0: all processors
+ * @return the number of removed niches */
 std::size_t leaveOutPanes(Floorplan& plan,
                           const PointView& raw,
                           const std::vector<int>& indices = {},

@@ -18,12 +18,12 @@ namespace sedr {
 
 namespace {
 
-/** @brief Of a larger scan, every so-manieth point is taken. */
+/** @brief Maximum number of points; a larger scan is subsampled. */
 constexpr std::size_t most_face_points = 1000000;
 
 using Bins = std::array<std::size_t, SlitFace::Counts::bins>;
 
-/** @brief The bin of a distance below the ceiling. */
+/** @brief Returns the bin of a distance below the ceiling. */
 std::size_t
 binOf(double below)
 {
@@ -42,7 +42,7 @@ countBetween(const Bins& counts, double low, double high)
                          std::size_t{0});
 }
 
-/** @brief The distance below the ceiling that a share of the points is above. */
+/** @brief Returns the quantile of the distances below the ceiling. */
 double
 quantileOf(const Bins& counts, double share)
 {
@@ -60,11 +60,12 @@ quantileOf(const Bins& counts, double share)
   return 0;
 }
 
-/** @brief The chance to see so few points or fewer where so many are expected. */
+/** @brief Returns the probability of at most `seen` points if `expected` are expected.
+ */
 double
 chanceOf(std::size_t seen, double expected)
 {
-  double one = std::exp(-expected); // Poisson's distribution
+  double one = std::exp(-expected); // Poisson distribution
   double chance = one;
   for (std::size_t k = 1; k <= seen; ++k) {
     one *= expected / static_cast<double>(k);
@@ -139,8 +140,8 @@ SlitFace::lowest() const
 SlitFace::Top
 SlitFace::top() const
 {
-  constexpr double sigma = 0.341; // share of the points up to one above: no lamps there
-  // Where the face is for sure.
+  constexpr double sigma = 0.341; // share of points to one sigma above: no lamps there
+  // The band that certainly belongs to the face.
   const double body_low = priors_.surface_band;
   const double body_high = priors_.surface_band + priors_.run_gap;
   const double plane = quantileOf(counts_.ceiling, 0.5);
@@ -151,7 +152,7 @@ SlitFace::top() const
   const double slit = std::max(priors_.min_slit, noise + 2 * Counts::step);
   if (slit > body_low)
     return Top::Unknown;
-  // What ends within the body has points in its lower half only.
+  // A face that ends within the body has points only in its lower half.
   const std::size_t lower =
       countBetween(counts_.face, plane + (body_low + body_high) / 2, plane + body_high);
   const double bins = static_cast<double>(binOf(plane + slit)) -
@@ -171,12 +172,12 @@ SlitFace::top() const
 
 namespace {
 
-/** @brief Which faces may be near a place; all of them where they are too far apart for
- * a table. */
+/** @brief Finds the faces near a position; all if they are too far apart for a table.
+ */
 class FacesNear {
 public:
   explicit FacesNear(const std::vector<SlitFace*>& faces)
-      : table_(0.5) // metres; any size will do
+      : table_(0.5) // metres; the size is not critical
       , all_(faces.size())
   {
     std::iota(all_.begin(), all_.end(), 0u);

@@ -12,11 +12,11 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief An upright face below a ceiling, and how many points of a scan are how far
- * below it: on the face, and on the ceiling before it. */
+/** @brief A vertical face below a ceiling, with histograms of the point distances below
+ * the ceiling: on the face, and on the ceiling in front of it. */
 class SlitFace {
 public:
-  /** @brief What the face ends at. */
+  /** @brief Upper end of the face. */
   enum class Top { Unknown, Ceiling, Slit };
 
   /** @param priors must outlive this */
@@ -33,17 +33,17 @@ public:
     void add(const Counts& other);
   };
 
-  /** @brief Counts a point, if it is near the face. */
+  /** @brief Counts a point if it is near the face. */
   void count(const Eigen::Vector3f& point, Counts& counts) const;
 
   void add(const Counts& counts) { counts_.add(counts); }
 
-  /** @brief The corners of the rectangle in plan that holds all points near the face.
+  /** @brief Returns the corners of the rectangle in plan of all points near the face.
    */
   const Eigen::Array2d& low() const { return low_; }
   const Eigen::Array2d& high() const { return high_; }
 
-  /** @brief No point below it is near the face, metres. */
+  /** @brief Returns the minimum height of points near the face, metres. */
   double lowest() const;
 
   double length() const { return element_.length(); }
@@ -51,20 +51,20 @@ public:
   Top top() const;
 
 private:
-  /** @brief How far before the face the ceiling is looked at, metres. */
+  /** @brief Returns the depth of the ceiling strip in front of the face, metres. */
   double farthestBefore() const { return 4 * priors_.evidence_cell; }
 
   PlanElement element_;
   const Priors& priors_;
   PlanSlab ceiling_;
-  Eigen::Array2d low_; ///< of what is near the face, in plan
+  Eigen::Array2d low_; ///< of the bounding rectangle, in plan
   Eigen::Array2d high_;
   Counts counts_;
 };
 
-/** @brief Counts the points of a scan at each face. O(n) for n points, each of which is
- * shown to the faces near it only; the same for any number of threads.
- * @param indices those of the points that count; empty: all */
+/** @brief Counts the points of a scan at each face. O(n) for n points; the result does
+ * not depend on the number of threads.
+ * @param indices the points to use; empty: all */
 void countAtFaces(const std::vector<SlitFace*>& faces,
                   const PointView& raw,
                   const std::vector<int>& indices,

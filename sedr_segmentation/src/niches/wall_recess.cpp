@@ -19,7 +19,7 @@ cellOf(const CellGrid& grid, const WallPoint& p)
   return grid.at(p.along, p.up);
 }
 
-/** @brief The depth at which most of the points behind a region lie. */
+/** @brief Returns the depth with the most points behind a region. */
 double
 depthOfBack(const std::vector<WallPoint>& region, double tolerance)
 {
@@ -41,7 +41,7 @@ depthOfBack(const std::vector<WallPoint>& region, double tolerance)
   return best;
 }
 
-/** @brief Moves the edges of a recess onto the points seen on its sides. */
+/** @brief Moves the edges of a recess onto the points of its sides. */
 void
 fitEdges(const UnrolledWall& wall, const Priors& priors, Recess& recess)
 {
@@ -76,8 +76,8 @@ fitEdges(const UnrolledWall& wall, const Priors& priors, Recess& recess)
     recess.depth = middleValue(std::move(depths));
 }
 
-/** @brief Whether the back of a region is closed and nothing is seen beyond it, neither
- * through it nor along its sides: the reveal of a window goes on behind the pane. */
+/** @brief Returns whether the back of a region is closed and no points lie beyond it or
+ * its sides. The reveal of a window continues behind the pane. */
 bool
 isClosed(const CellMask& region,
          const std::vector<WallPoint>& behind,

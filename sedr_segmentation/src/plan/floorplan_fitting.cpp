@@ -76,7 +76,7 @@ orNone(const pcl::IndicesConstPtr& indices)
   return indices ? *indices : pcl::Indices();
 }
 
-/** @brief Fits the plan to the scan that its points were thinned from. */
+/** @brief Fits the plan to the raw scan. */
 void
 fitToRaw(const PointView& raw,
          const pcl::Indices& indices,
@@ -125,7 +125,7 @@ fitFloorplan(const PlanInput& input,
                  &sheets);
   if (!problem.empty())
     return problem;
-  // Without indices all points of the raw cloud count; an empty list of them is none.
+  // Null indices mean all points of the raw cloud, an empty list means none.
   const bool has_raw =
       input.raw.size() > 0 && !(input.raw_indices && input.raw_indices->empty());
   const pcl::Indices all;

@@ -13,17 +13,17 @@ namespace sedr {
 
 namespace {
 
-/** @brief Those around a point of a sheet: its neighbours in it, one a cell, cornerwise
- * too; the other face of a thin partition is farther away. */
+/** @brief Radius of the neighbourhood of a point: adjacent points of its wall face,
+ * also diagonally. The other face of a thin partition is farther away. */
 constexpr double neighbourhood = 1.5; // cells
 
-/** @brief Cells of a frontier that a thread takes at a time: each holds many points. */
+/** @brief Number of frontier cells per block of a thread; each has many points. */
 constexpr std::size_t frontiers_a_block = 64;
 
-/** @brief The cells that these may lie in, to each side. */
+/** @brief Half size of the neighbourhood in cells. */
 constexpr auto reach_cells = static_cast<int>(neighbourhood + 0.5);
 
-/** @brief The points of the cells along frontiers and around these, by height. */
+/** @brief The points of the cells at and around frontiers, sorted by height. */
 class FrontierColumns {
 public:
   FrontierColumns(const PointView& points,
@@ -43,16 +43,16 @@ public:
     sortColumns(threads);
   }
 
-  /** @brief Number of cells along frontiers. */
+  /** @brief Returns the number of frontier cells. */
   std::size_t size() const { return frontier_.size(); }
 
-  /** @brief Gives each point of a frontier's cell the room of most points around it,
-   * its own of several as frequent. */
+  /** @brief Assigns to each point of a frontier cell the most frequent room around it,
+   * its own on a tie. */
   void vote(std::size_t frontier, std::vector<std::int32_t>& rooms) const
   {
     constexpr std::size_t side = 2 * reach_cells + 1;
     struct Window {
-      const Member* next; ///< the first that is not too low
+      const Member* next; ///< first point within the height window
       const Member* end;
     };
     std::array<Window, side * side> block{};
@@ -86,14 +86,14 @@ public:
   }
 
 private:
-  /** @brief A point and the room in whose territory it lies. */
+  /** @brief A point and the room of its territory. */
   struct Member {
     Eigen::Vector3f place;
     std::int32_t room;
     std::size_t index;
   };
 
-  /** @brief The cell of each point that is of a room, npos for those elsewhere. */
+  /** @brief Returns the cell of each point of a room, npos for other points. */
   std::vector<std::size_t> cellsOf(const PointView& points,
                                    const CellGrid& grid,
                                    const std::vector<std::int32_t>& rooms,
@@ -136,7 +136,7 @@ private:
                      for (std::size_t c = first; c < last; ++c) {
                        Member* const low = members_.data() + first_[c];
                        Member* const high = members_.data() + first_[c + 1];
-                       if (!std::is_sorted(low, high, isLower)) // as they mostly are
+                       if (!std::is_sorted(low, high, isLower)) // the usual case
                          std::sort(low, high, isLower);
                      }
                    });
@@ -158,7 +158,7 @@ private:
   float reach_;
   CellSet frontier_;
   CellSet cells_;
-  std::vector<std::size_t> first_; ///< member of each cell, and the end
+  std::vector<std::size_t> first_; ///< first member of each cell, and the end
   std::vector<Member> members_;
 };
 

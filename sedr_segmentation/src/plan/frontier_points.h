@@ -10,10 +10,10 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The room of every point, -1 for none: that whose territory it lies in; where
- * two meet, that of most of the points within a cell and a half. A wall is one sheet
- * whose points belong together, be some of them, for the noise or for how the cells
- * lie, nearer to the ceiling on the other side. O(n log n). */
+/** @brief Returns the room of every point, -1 for none: the room whose territory
+ * contains it. Where two territories meet, the majority of the points within 1.5 cells
+ * decides, so that all points of a wall face get one room. Noise and grid position may
+ * put some of them nearer to the other room's ceiling. O(n log n). */
 std::vector<std::int32_t> roomsOfPoints(const PointView& points,
                                         const RoomTerritory& territory,
                                         unsigned threads);

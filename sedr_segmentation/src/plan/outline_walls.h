@@ -10,7 +10,8 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Which columns of a grid hold walls of a room, partitions and columns. */
+/** @brief Classifies the profiles of a grid as walls of a room, partitions and columns.
+ */
 class OutlineWalls {
 public:
   /** @param priors must outlive this */
@@ -24,45 +25,44 @@ public:
 
   const CellGrid& grid() const { return columns_.grid(); }
 
-  /** @brief Whether the upper half of the column is occupied. */
+  /** @brief Returns whether the upper half of the profile is occupied. */
   bool isUpright(Cell cell) const;
 
-  /** @brief Whether a wall goes up to the ceiling in the column or beside it: a
-   * cupboard does not. */
+  /** @brief Returns whether a wall reaches the ceiling in the profile or its
+   * neighbours; a cupboard does not. */
   bool isWall(Cell cell) const;
 
-  /** @brief The same where the ceiling is seen on both sides of a slit: no cupboard
-   * reaches it. */
+  /** @brief Returns whether a wall reaches the ceiling seen on both sides of a slit; a
+   * cupboard does not. */
   bool isPartition(Cell cell) const;
 
-  /** @brief Whether a hole is large enough and closed by a wall from the floor up to
-   * the ceiling, along two fifths of its rim: from where people stand, half of a column
-   * is in view. */
+  /** @brief Returns whether a hole is large enough and closed by a wall from floor to
+   * ceiling along two fifths of its rim. Often only half of a column is visible. */
   bool isColumn(const CellMask& hole) const;
 
-  /** @brief Whether a hole of so many cells is as large as the smallest column. */
+  /** @brief Returns whether a number of cells is at least the minimum area of a column.
+   */
   bool isLargeEnough(std::size_t cells) const;
 
-  /** @brief Share of the common edge of `part` and `other` along which a wall stands.
-   */
+  /** @brief Returns the share of the common edge of `part` and `other` with a wall. */
   double wallShare(const CellMask& part, const CellMask& other) const;
 
 private:
-  /** @brief Whether the upper half of the column, or of those beside it, is occupied up
-   * to a ceiling at `top`. */
+  /** @brief Returns whether the upper half of the profile or its neighbours is occupied
+   * up to a ceiling at `top`. */
   bool isWallUpTo(Cell cell, double top) const;
 
-  /** @brief Whether something stands in the column or beside it, up to just below the
-   * ceiling, over half of the room's height and of its upper half too: a lamp above a
-   * cupboard leaves that open. */
+  /** @brief Returns whether points reach the ceiling and occupy half of the room's
+   * height in the profile or its neighbours. The upper half must be a surface, unlike a
+   * lamp above a cupboard. */
   bool isFloorToCeiling(Cell cell) const;
 
-  /** @brief Whether points fill half of the parts, a cell high, of the column or of one
-   * beside it: a surface does in one column, points scattered in the air only here and
-   * there in all of them. */
+  /** @brief Returns whether any single profile among the cell and its neighbours is
+   * half occupied, in bins one cell high. A surface fills one profile; outliers scatter
+   * over all of them. */
   bool isSurface(Cell cell, double low, double high) const;
 
-  /** @brief Height of the ceiling seen around a slit or a hole. */
+  /** @brief Returns the height of the ceiling seen around a slit or a hole. */
   double topAroundGap(Cell cell) const;
 
   RoomColumns columns_;

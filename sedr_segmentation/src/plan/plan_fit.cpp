@@ -24,7 +24,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief Number of each room, 0 left out; the rooms of their index. */
+/** @brief Returns the room numbers, increasing, without 0. */
 std::vector<std::uint32_t>
 roomNumbers(const PlanEvidence& evidence)
 {
@@ -39,8 +39,7 @@ roomNumbers(const PlanEvidence& evidence)
   return numbers;
 }
 
-/** @brief The room of each index that `roomOf(index)` gives, -1 for none; asked on
- * several threads. */
+/** @brief Returns `roomOf(index)` for each index, -1 for none, computed in parallel. */
 template <typename RoomOf>
 std::vector<std::int32_t>
 roomsOf(const std::vector<int>& indices, unsigned threads, RoomOf roomOf)
@@ -54,7 +53,7 @@ roomsOf(const std::vector<int>& indices, unsigned threads, RoomOf roomOf)
   return rooms;
 }
 
-/** @brief The indices of each room. */
+/** @brief Returns the indices of each room. */
 std::vector<std::vector<int>>
 sharesOf(const std::vector<int>& indices,
          const std::vector<std::int32_t>& room_of,
@@ -67,8 +66,8 @@ sharesOf(const std::vector<int>& indices,
   return shares;
 }
 
-/** @brief The heights that each room takes up, of points that are shared out to the
- * rooms; none where a room has no points of its floor. */
+/** @brief Returns the height range of each room; empty if a room has no floor points.
+ */
 std::vector<RoomHeights>
 heightsOfRooms(const PointView& points,
                const std::vector<std::vector<int>>& floors,
@@ -88,14 +87,13 @@ heightsOfRooms(const PointView& points,
   return heights;
 }
 
-/** @brief What a room was fitted to. */
+/** @brief Input and record of a room's fit. */
 struct RoomWork {
   RoomEvidence evidence;
   RoomRecord record;
 };
 
-/** @brief Fits every room for itself; what is wrong with those of which there is a
- * problem. */
+/** @brief Fits every room separately; returns the problem of each, empty on success. */
 std::vector<std::string>
 fitRooms(const PointView& points,
          const RoomFitParameters& parameters,
@@ -116,9 +114,9 @@ fitRooms(const PointView& points,
   return problems;
 }
 
-/** @brief Fits rooms again without the points of their neighbours' walls where they run
- * along them; one stays where that makes it no simpler.
- * @return whether any changed */
+/** @brief Refits rooms along their neighbours' walls without the points of those walls.
+ * A room keeps its old fit if the new one is no simpler.
+ * @return whether any room changed */
 bool
 leaveToOthers(const PointView& points,
               const RoomFitParameters& parameters,
@@ -134,7 +132,7 @@ leaveToOthers(const PointView& points,
     if (!faces.back().empty())
       among_others.push_back(r);
   }
-  // The threads that no other room keeps busy share the work on one.
+  // Idle threads share the work on a room.
   parallelBlocks(
       among_others.size(), 1, parameters.threads, [&](std::size_t k, std::size_t) {
         const std::size_t r = among_others[k];
@@ -155,14 +153,14 @@ leaveToOthers(const PointView& points,
   return std::count(has_changed.begin(), has_changed.end(), 1) > 0;
 }
 
-/** @brief The ceiling of a room as it is known before its walls are: a relief of its
- * facets; null where there are none, or they explain too little of it. */
+/** @brief Returns the preliminary ceiling of a room, a relief of its facets; null if
+ * there are none or they explain too little of it. */
 std::shared_ptr<const PlanSlab>
 seenSheet(const std::vector<Eigen::Vector3d>& points,
           const Priors& priors,
           unsigned threads)
 {
-  SheetParameters parameters; // coarse: only the tops of walls are asked for
+  SheetParameters parameters; // coarse: used only for the tops of walls
   parameters.cell_size = 0.15;
   parameters.most_cells = 6000;
   parameters.threads = threads;
@@ -290,7 +288,7 @@ fitPlan(const PointView& points,
       sheets->push_back({numbers[r], placesOf(points, of_sheets[r])});
     work.push_back(std::move(all_work[r]));
   }
-  // What a room leaves may show it a further wall of its neighbours.
+  // A changed room may reveal another shared wall.
   constexpr int most_rounds = 3;
   for (int round = 0; round < most_rounds; ++round)
     if (!leaveToOthers(points, parameters, work, plan))

@@ -32,7 +32,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief Does what does not depend on each other, on several threads. */
+/** @brief Runs independent tasks in parallel. */
 void
 sideBySide(const std::vector<std::function<void()>>& tasks, unsigned threads)
 {
@@ -40,8 +40,8 @@ sideBySide(const std::vector<std::function<void()>>& tasks, unsigned threads)
                  [&](std::size_t k, std::size_t) { tasks[k](); });
 }
 
-/** @brief The parameters of a loop along an outline of cells: the wall runs half a cell
- * outside. */
+/** @brief Returns the parameters of a loop along an outline of cells; the wall runs
+ * half a cell outside. */
 LoopParameters
 loopOnCells(const RoomFitParameters& parameters)
 {
@@ -54,8 +54,8 @@ loopOnCells(const RoomFitParameters& parameters)
   return loop;
 }
 
-/** @brief The plane of a slab: RANSAC with the small tolerance first, as the
- * detection's was wide. */
+/** @brief Fits the plane of a slab, with RANSAC at the small tolerance first, as the
+ * detection's tolerance is wide. */
 PlanSlab
 slabOf(const PointView& points,
        const std::vector<int>& indices,
@@ -66,7 +66,7 @@ slabOf(const PointView& points,
                         parameters.loop.seed, parameters.threads);
 }
 
-/** @brief The contour around the largest region. */
+/** @brief Returns the contour of the largest region. */
 Contour
 outerContour(const CellMask& mask, double cell_size)
 {
@@ -82,14 +82,14 @@ outerContour(const CellMask& mask, double cell_size)
   return best;
 }
 
-/** @brief The loop along the walls of a room, boards that hang before them left out. */
+/** @brief Fits the loop along the walls of a room without boards mounted on them. */
 PlanLoop
 boundaryOf(const Contour& contour,
            std::vector<UprightPlace> walls,
            const RoomFitParameters& parameters,
            std::vector<ContourSample>* samples)
 {
-  constexpr int most_rounds = 4; // the loop may run along parts of a board only
+  constexpr int most_rounds = 4; // the loop may follow only parts of a board
   const LoopParameters loop = loopOnCells(parameters);
   PlanLoop boundary = fitLoop(contour, inPlan(walls), {}, loop, samples);
   for (int round = 0; round < most_rounds &&
@@ -99,7 +99,7 @@ boundaryOf(const Contour& contour,
   return boundary;
 }
 
-/** @brief The ceiling's points, and its main slab, of all fields that are of it. */
+/** @brief Returns the ceiling's points and fits its main slab to all of its fields. */
 SlabEvidence
 ceilingEvidence(const PointView& points,
                 const RoomEvidence& evidence,
@@ -116,7 +116,7 @@ ceilingEvidence(const PointView& points,
   return slab;
 }
 
-/** @brief The floor's points, those beyond the noise of the main plane apart. */
+/** @brief Returns the floor's points; those off the main plane are details. */
 SlabEvidence
 floorEvidence(const PointView& points,
               const RoomEvidence& evidence,
@@ -132,7 +132,7 @@ floorEvidence(const PointView& points,
   return slab;
 }
 
-/** @brief The directions of a loop's straight walls. */
+/** @brief Returns the main directions of a loop's straight walls. */
 std::vector<Eigen::Vector2d>
 directionsOf(const PlanLoop& loop, const Priors& priors)
 {
@@ -143,7 +143,7 @@ directionsOf(const PlanLoop& loop, const Priors& priors)
   return mainDirections(std::move(lines), priors);
 }
 
-/** @brief Whether two loops share more than a side. */
+/** @brief Returns whether two loops overlap, not only share a side. */
 bool
 overlapWidely(const PlanLoop& a, const PlanLoop& b)
 {
@@ -153,7 +153,7 @@ overlapWidely(const PlanLoop& a, const PlanLoop& b)
   });
 }
 
-/** @brief Adds niches where there is none. */
+/** @brief Adds the niches that do not overlap existing ones. */
 void
 addWhereNoneIs(std::vector<PlanNiche> more, std::vector<PlanNiche>& niches)
 {
@@ -174,8 +174,7 @@ columnLoop(const CellMask& column,
            const RoomFitParameters& parameters,
            std::vector<ContourSample>& samples)
 {
-  // The hole is up to a cell wider than the column on every side, so its contour is the
-  // hole's.
+  // The hole may exceed the column by up to a cell on every side; its contour is used.
   Contour contour = outerContour(column, parameters.cell_size);
   std::reverse(contour.begin(), contour.end());
   return fitColumn(contour, walls, directionsOf(boundary, parameters.loop.priors),
@@ -268,7 +267,7 @@ fitRoom(const PointView& points,
     const CellMask& column = outline.columns[c];
     if (2 * intersect(column, open).count() >= column.count())
       return;
-    // What the growing took for no wall may still be the column's.
+    // Points rejected by the wall growing may still belong to the column.
     const PlanPoints own = inPlan(uprightPlaces(
         points, columns.indicesIn(dilated(column, 1)), room, columns, grid, 1, priors));
     of_columns[c].label = StructureLabel::Column;

@@ -15,33 +15,33 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What a room's plan is fitted to: indices into the points. */
+/** @brief Input of a room's fit: indices into the points. */
 struct RoomEvidence {
-  std::vector<int> around;  ///< all points of the room and near it
+  std::vector<int> around;  ///< all points in and near the room
   std::vector<int> ceiling; ///< of the main ceiling
   std::vector<int> details; ///< of soffits, beams, recesses; may be empty
   std::vector<int> floor;
   std::vector<int> walls;
-  /** @brief Walls of other rooms: what is on them shows none of this one. */
+  /** @brief Walls of other rooms, whose points do not belong to this room. */
   std::vector<PlanElement> faces_of_others;
-  std::vector<int> behind; ///< points farther out than `around`: backs of deep niches
-  std::shared_ptr<const PlanSlab> sheet{}; ///< the ceiling where it is not level, as a
-                                           ///< relief; null: planes
+  std::vector<int> behind; ///< points beyond `around`, for the backs of deep niches
+  std::shared_ptr<const PlanSlab>
+      sheet{}; ///< relief of a ceiling not level; null: planes
 };
 
-/** @brief What the fit of a room knows beside the room. */
+/** @brief Further results of a room's fit. */
 struct RoomRecord {
-  std::vector<FittedBoundary> boundaries; ///< those of walls and columns
-  double lost_area = 0; ///< of ceiling that is far from the rest, square metres
+  std::vector<FittedBoundary> boundaries; ///< of walls and columns
+  double lost_area = 0; ///< of disconnected ceiling parts, square metres
 };
 
-/** @brief Fits one room (paper, section 2.4): planes of ceiling and floor by robust
- * least squares, the loop of walls along the outline of ceiling and details, the loops
- * of columns in it, and for every detail its plane and its loop.
- * @param[out] problem why there is no room, a sentence; empty otherwise
- * @param[out] record what else is known, if wanted
- * @param fewer_than elements that its walls must be to be fitted on: otherwise the
- * problem is that they are too many, which is known long before the details are */
+/** @brief Fits one room (paper, section 2.4). Planes of ceiling and floor are fitted by
+ * robust least squares, the loop of walls along the outline of ceiling and details.
+ * Columns get loops, and every detail a plane and a loop.
+ * @param[out] problem the reason if there is no room, a sentence; else empty
+ * @param[out] record further results; optional
+ * @param fewer_than upper limit of the number of wall elements; if reached, the fit
+ * stops early with a problem */
 PlanRoom fitRoom(const PointView& points,
                  const RoomEvidence& evidence,
                  const RoomFitParameters& parameters,

@@ -14,10 +14,10 @@ namespace sedr {
 
 namespace {
 
-/** @brief Share of a notch's width along which the wall that it opens towards stands
- * behind it. The faces of a pilaster end at the wall, and behind it is none.
- * @param outer cells of the notch at its mouth in that wall
- * @param outside what is beyond them */
+/** @brief Returns the share of a notch's width with a wall behind its mouth. The faces
+ * of a pilaster end at the wall, and there is none behind.
+ * @param outer cells of the notch at its mouth in the wall
+ * @param outside cells beyond the mouth */
 double
 wallBehind(const CellMask& notch,
            const CellMask& outer,
@@ -25,10 +25,10 @@ wallBehind(const CellMask& notch,
            const OutlineWalls& walls)
 {
   const CellGrid& grid = walls.grid();
-  constexpr double margin = 2;   // cells at both ends in which its faces are
+  constexpr double margin = 2;   // cells at both ends, which contain the faces
   constexpr double farthest = 4; // cells from the mouth to the wall
   const Strip mouth = stripOf(outer, grid);
-  if (mouth.width > 3 * grid.size()) // around a corner of the wall
+  if (mouth.width > 3 * grid.size()) // the mouth is at a corner of the wall
     return 0;
   const Eigen::Vector2d along = mouth.direction / grid.size();
   double low = std::numeric_limits<double>::infinity();
@@ -56,8 +56,8 @@ wallBehind(const CellMask& notch,
          static_cast<double>(is_walled.size());
 }
 
-/** @brief What a notch leaves if the wall of the room goes on behind it: a column
- * just off that wall, and what is in its shadow. Nothing if it does not. */
+/** @brief Returns the column in a notch, including its shadow, if the wall of the room
+ * continues behind the notch; else nothing. */
 CellMask
 columnBeforeWall(const CellMask& notch,
                  const CellMask& closed,

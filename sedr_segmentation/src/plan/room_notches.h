@@ -8,9 +8,9 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A room without the notches of its outline along which no wall stands:
- * something hid the ceiling there, a column just off the wall perhaps.
- * @param columns those columns are added to it */
+/** @brief Closes the notches of a room's outline that have no wall along them. There
+ * the ceiling was hidden, possibly by a column close to the wall.
+ * @param[in,out] columns gets such columns */
 CellMask withoutFalseNotches(const CellMask& room,
                              const OutlineWalls& walls,
                              std::vector<CellMask>& columns);

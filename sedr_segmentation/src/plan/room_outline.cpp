@@ -25,7 +25,7 @@ public:
   RoomOutline outline(const CellMask& seen) const
   {
     RoomOutline result;
-    // What was not hit: gaps of up to two cells each way.
+    // Closes scan gaps of up to two cells each way.
     const double gap = cellsFor(priors_.evidence_cell, grid_.size());
     CellMask room = eroded(dilated(seen, gap), gap);
     room = subtract(room, thinPartitions(subtract(room, seen), room));
@@ -66,9 +66,9 @@ private:
     return walls;
   }
 
-  /** @brief The cells of partitions with those between them in which the ceiling was
-   * seen: a stray point within one is no way through. Where most of a piece was seen,
-   * scattered points in the air look like a wall. */
+  /** @brief Returns partition cells including cells between them with stray ceiling
+   * points, which are no passage. Pieces with mostly visible ceiling are left out, as
+   * there scattered points in the air look like a wall. */
   CellMask withStraysOfTheCeiling(const CellMask& walls, double gap) const
   {
     const CellMask closed = eroded(dilated(walls, gap), gap);
@@ -88,15 +88,15 @@ private:
     return result;
   }
 
-  /** @brief Those of the bridged cells that are a partition: a wall up to the ceiling
-   * that reaches well into the room. What is near the room's edge is the edge's, what
-   * is near a hole a column's. */
+  /** @brief Returns the bridged cells of partitions, i.e. walls up to the ceiling that
+   * reach well into the room. Cells near the room's edge belong to the edge, those near
+   * a hole to a column. */
   CellMask thinPartitions(const CellMask& bridged, const CellMask& room) const
   {
     CellMask walls = partitionsAmong(bridged);
     const double gap = cellsFor(priors_.evidence_cell, grid_.size());
     walls = withStraysOfTheCeiling(walls, gap);
-    // Where a partition is wider it was not bridged.
+    // Wider parts of a partition were not bridged.
     const double reach = cellsFor(priors_.max_pilaster, grid_.size());
     const CellMask filled = eroded(dilated(room, reach), reach);
     const CellMask slits = unite(walls, subtract(filled, room));
@@ -123,12 +123,12 @@ private:
     return result;
   }
 
-  /** @brief The room without what was seen of a ceiling through an opening, or in a
-   * mirror: wider than a false protrusion, but nothing at all stands along it. */
+  /** @brief Removes parts of a ceiling seen through an opening or in a mirror. They are
+   * wider than a false protrusion, but have almost no walls along them. */
   CellMask withoutSights(const CellMask& room) const
   {
-    constexpr double rim = 1.5; // cells: by it, corners hang together
-    // What was seen through an opening is no wider than a door.
+    constexpr double rim = 1.5; // cells; keeps corners connected
+    // Parts seen through an opening are no wider than a door.
     const double radius = cellsFor(priors_.door_width / 2, grid_.size());
     const CellMask opened = dilated(eroded(room, radius), radius);
     if (opened.count() == 0) // a narrow room

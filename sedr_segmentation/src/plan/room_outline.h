@@ -12,29 +12,27 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The cells of a room, and of the columns that stand in it. */
+/** @brief The cells of a room and of its columns. */
 struct RoomOutline {
-  CellMask room; ///< what lies below its ceilings, gaps of the scan closed
-  std::vector<CellMask>
-      columns;          ///< holes of the room with a wall around, floor to ceiling
-  double lost_area = 0; ///< of the parts that are far from the largest, square metres
+  CellMask room;                 ///< cells below its ceilings, with scan gaps closed
+  std::vector<CellMask> columns; ///< holes with walls around from floor to ceiling
+  double lost_area = 0; ///< of parts disconnected from the largest, square metres
 };
 
-/** @brief Makes a room's cells whole.
+/** @brief Finds the complete cells of a room and its columns.
  *
- * `seen` are the cells in which a ceiling or a detail was seen. Notches of its outline
- * are closed and thin protrusions cut off where no wall stands along them: there,
- * something hid the ceiling, or it was seen through an opening. Slits of a few cells
- * are closed, too, unless they are a partition: a wall up to the ceiling that reaches
- * well into the room. Holes are closed unless a wall goes up to the ceiling around
- * them: such a hole is a column; a lamp, a cupboard, and the one above the other are
- * not. Of several parts too far from each other to be joined the largest is the room.
+ * `seen` are the cells with a visible ceiling or detail. Notches and thin protrusions
+ * without a wall along them are removed: there the ceiling was hidden, or seen through
+ * an opening. Slits of a few cells are closed unless they are a partition, i.e. a wall
+ * up to the ceiling that reaches well into the room. A hole with a wall up to the
+ * ceiling around it is a column; other holes (lamps, cupboards, or both above each
+ * other) are closed. If several parts cannot be joined, the largest is the room.
  *
- * @param seen in a box with a margin of at least 12 cells
- * @param columns all points around the room
+ * @param seen its box must have a margin of at least 12 cells
+ * @param columns profiles of all points around the room
  * @param ceiling,floor planes of the room
- * @param gap what is below the ceiling's noise: what has no point there ends short of
- * it */
+ * @param gap band below the ceiling's noise; objects without points there end below it
+ */
 RoomOutline outlineRoom(const CellMask& seen,
                         const CellGrid& grid,
                         const ColumnTable& columns,

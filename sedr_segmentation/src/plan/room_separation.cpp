@@ -24,7 +24,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief Smallest box around loops; one around none meets nothing. */
+/** @brief Bounding box of loops. */
 struct Bounds {
   Eigen::Vector2d low = Eigen::Vector2d::Constant(infinite);
   Eigen::Vector2d high = Eigen::Vector2d::Constant(-infinite);
@@ -41,7 +41,7 @@ struct Bounds {
 
   bool meets(const Bounds& other) const
   {
-    // The polygon is within its arcs.
+    // The polygon may lie inside its arcs.
     return (low.array() <= other.high.array() + 2 * chord).all() &&
            (other.low.array() <= high.array() + 2 * chord).all();
   }
@@ -56,8 +56,8 @@ overlap(const PlanLoop& a, const PlanLoop& b)
   return !of_a.empty() || !of_b.empty();
 }
 
-/** @brief The hole of another room in which most of a room lies, or none: it stands in
- * a core of that, or was cut out of it. */
+/** @brief Returns the hole of another room that contains most of a room, or null. Such
+ * a room lies in the core of the other one or was cut out of it. */
 const PlanLoop*
 holeAround(const PlanRoom& room, const PlanRoom& other)
 {
@@ -71,7 +71,7 @@ holeAround(const PlanRoom& room, const PlanRoom& other)
   return nullptr;
 }
 
-/** @brief Length of those walls of a room that were seen inside of another one. */
+/** @brief Returns the seen length of a room's walls inside another room. */
 double
 seenInside(const PlanRoom& room,
            const PlanLoop& other,
@@ -88,7 +88,7 @@ seenInside(const PlanRoom& room,
   return length;
 }
 
-/** @brief What is left of a loop within a room without `cutter`: its largest part. */
+/** @brief Returns the largest part of a loop outside `cutter`. */
 PlanLoop
 largestPart(const PlanLoop& loop, const PlanLoop& cutter)
 {
@@ -120,8 +120,8 @@ cutDetails(std::vector<PlanDetail>& details, const PlanLoop& cutter)
       details.end());
 }
 
-/** @brief Takes the inside of `cutter` from a room.
- * @param parts what that leaves of its boundary */
+/** @brief Removes the inside of `cutter` from a room.
+ * @param parts the remaining parts of its boundary */
 void
 cutRoom(PlanRoom& room, const PlanLoop& cutter, const std::vector<PlanLoop>& parts)
 {
@@ -133,7 +133,7 @@ cutRoom(PlanRoom& room, const PlanLoop& cutter, const std::vector<PlanLoop>& par
   room.columns.erase(
       std::remove_if(room.columns.begin(), room.columns.end(), isOutside),
       room.columns.end());
-  // The other room may stand free within this one.
+  // The other room may lie completely inside this one.
   for (std::size_t p = 1; p < parts.size(); ++p)
     if (parts[p].area() < 0 && room.boundary.contains(parts[p].elements[0].start))
       room.columns.push_back(parts[p]);
@@ -150,7 +150,7 @@ cutRoom(PlanRoom& room, const PlanLoop& cutter, const std::vector<PlanLoop>& par
                     room.niches.end());
 }
 
-/** @brief Whether a niche reaches into a room or into one of its niches. */
+/** @brief Returns whether a niche overlaps a room or one of its niches. */
 bool
 reachesInto(const PlanNiche& niche, const PlanRoom& room)
 {
@@ -195,9 +195,9 @@ sentenceOf(const PlanRoom& room, const PlanRoom& other, double area)
   return text;
 }
 
-/** @brief Cuts a room back from another one. Where curves of both coincide, what is
- * left may be broken or missing; a millimetre more is tried then.
- * @return false where nothing is left of it */
+/** @brief Cuts a room back from another one. If coinciding curves break the result, it
+ * is tried again with a slightly larger cutter.
+ * @return false if nothing is left of the room */
 bool
 cutBack(PlanRoom& room, const PlanRoom& from, const Priors& priors)
 {
@@ -227,8 +227,8 @@ cutBack(PlanRoom& room, const PlanRoom& from, const Priors& priors)
   return true;
 }
 
-/** @brief Ends a room that lies mostly in a hole of another one at that hole.
- * @return whether it lies there */
+/** @brief Clips a room that lies mostly in a hole of another one to that hole.
+ * @return whether there is such a hole */
 bool
 keepInHole(PlanRoom& room, const PlanRoom& other, const Priors& priors)
 {
@@ -244,8 +244,8 @@ keepInHole(PlanRoom& room, const PlanRoom& other, const Priors& priors)
   return true;
 }
 
-/** @brief Parts the rooms once.
- * @param[in,out] gone of which nothing was left
+/** @brief Resolves all pairwise overlaps once.
+ * @param[in,out] gone rooms of which nothing is left
  * @return whether any two overlapped */
 bool
 separateOnce(Floorplan& plan,
@@ -256,7 +256,7 @@ separateOnce(Floorplan& plan,
              std::vector<std::string>& sentences)
 {
   bool has_changed = false;
-  std::vector<Bounds> bounds; // a cut makes a room smaller only
+  std::vector<Bounds> bounds; // a cut can only shrink a room
   for (const auto& room : plan.rooms)
     bounds.emplace_back(room.boundary);
   for (std::size_t a = 0; a < plan.rooms.size(); ++a)
@@ -286,7 +286,7 @@ separateOnce(Floorplan& plan,
   return has_changed;
 }
 
-/** @brief Cuts off slits and spikes of a room, and what of its details is in them. */
+/** @brief Cuts off slits and spikes of a room and of its details. */
 void
 cutNecksOf(PlanRoom& room, const Priors& priors)
 {
@@ -305,7 +305,7 @@ separateRooms(Floorplan& plan,
               const std::vector<int>& indices,
               const Priors& priors)
 {
-  constexpr int most_rounds = 4; // what is cut back from one room may touch a third
+  constexpr int most_rounds = 4; // a cut room may overlap a third
   std::vector<std::string> sentences;
   std::set<std::size_t> gone;
   for (int round = 0; round < most_rounds; ++round)

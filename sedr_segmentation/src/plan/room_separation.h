@@ -11,21 +11,21 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Parts the rooms of a plan that run into each other, so that none do.
+/** @brief Resolves overlaps between the rooms of a plan.
  *
- * Where a wall was hidden, a room may be closed beyond that of its neighbour. What two
- * rooms of one storey have in common is left to the one whose walls were seen there;
- * where none were, to the smaller one. The other is cut back to a centimetre from it,
- * and its columns and details with it. Niches that reach into another room are dropped.
- * Last, slits and spikes of any outline are cut off, see cutNecks(), and what of the
- * details reaches out of their room.
+ * Where a wall was hidden, a room may extend beyond its neighbour's wall. The overlap
+ * of two rooms of one storey is assigned to the room with more wall length seen there,
+ * else to the smaller one. The other room is cut back to 1 cm from it, with its columns
+ * and details. Niches that reach into another room are removed. Finally, slits and
+ * spikes are cut off, see cutNecks(), and details are clipped to their rooms.
  *
- * @param points thinned to a point in 5 cm or denser: they tell which walls were seen
- * @param indices those of them that count
- * @return a sentence for every cut of more than a tenth of a square metre
+ * @param points thinned to 5 cm or denser, to measure which walls were seen
+ * @param indices the points to use
+ * @return a sentence for every cut of more than 0.1 m2
  *
- * The boxes of any two rooms are compared, O(r^2), the walls of those whose boxes meet,
- * O(n m); for every overlap, the evidence of two rooms is measured. Deterministic. */
+ * Cost: O(r^2) for the boxes of r rooms, O(n m) for the walls of rooms whose boxes
+ * overlap, and a measurement of the evidence of two rooms per overlap. Deterministic.
+ */
 std::vector<std::string> separateRooms(Floorplan& plan,
                                        const PointView& points,
                                        const std::vector<int>& indices,

@@ -17,9 +17,9 @@ namespace sedr {
 
 namespace {
 
-/** @brief Rooms by layers, lowest first: a room that would lie above one of a layer
- * starts the next. A room beside several layers, a hall of two storeys, is in each of
- * them, so that it ends where its neighbours begin. */
+/** @brief Divides rooms into layers, lowest first; a room above a room of the layer
+ * starts the next. A room next to several layers, such as a hall of two storeys, is in
+ * each of them, so that its neighbours limit its growth. */
 std::vector<std::vector<std::size_t>>
 layersOf(std::size_t rooms, const std::vector<RoomHeights>& heights)
 {
@@ -50,7 +50,7 @@ layersOf(std::size_t rooms, const std::vector<RoomHeights>& heights)
   return layers;
 }
 
-/** @brief How far a height is from those of a room, 0 within. */
+/** @brief Returns the distance of a height from a height range, 0 inside. */
 double
 awayFrom(const RoomHeights& range, double z)
 {
@@ -108,7 +108,7 @@ RoomTerritory::addLayer(const std::vector<CellSet>& scopes,
     for (const std::size_t r : rooms)
       for (std::size_t i = 0; i < scopes[r].size(); ++i) {
         if (!quarter.frame.isInside(scopes[r][i]))
-          break; // a room lies in one quarter wholly
+          break; // a room lies completely in one quarter
         auto& room = quarter.room[quarter.frame.indexOf(scopes[r][i])];
         room = room < 0 ? static_cast<std::int32_t>(r) : room;
       }

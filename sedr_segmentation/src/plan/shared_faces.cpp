@@ -11,7 +11,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief Whether no place of an element is near one of another. */
+/** @brief Returns whether two elements are certainly farther apart than `farthest`. */
 bool
 areApart(const PlanElement& a, const PlanElement& b, double farthest)
 {
@@ -19,9 +19,9 @@ areApart(const PlanElement& a, const PlanElement& b, double farthest)
   return (a.pointAt(a.length() / 2) - b.pointAt(b.length() / 2)).norm() > reach;
 }
 
-/** @brief Whether a place of a wall is on another one, with its room on the other side:
- * nearer than the thinnest partition. Where two rooms share the points of one face,
- * each has the half of the noise that is on its side. */
+/** @brief Returns whether a position of a wall is on another wall with its room on the
+ * other side, i.e. closer than the minimum partition thickness. Where two rooms share
+ * the points of one face, each has the half of the noise on its side. */
 bool
 isOtherSideOf(const PlanElement& e,
               double s,
@@ -34,8 +34,8 @@ isOtherSideOf(const PlanElement& e,
              -cosineOf(priors.other_direction);
 }
 
-/** @brief The walls of other rooms, at the heights of a room, that a wall comes so near
- * to in any place. */
+/** @brief Returns the walls of other rooms, at the same heights, to which a wall comes
+ * that close anywhere. */
 std::vector<PlanElement>
 facesAlong(const PlanElement& e,
            const Floorplan& plan,

@@ -10,11 +10,10 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Walls of other rooms, seen from the other side, that a part of a room's
- * boundary comes nearer to than any partition is thick, though the room has no business
- * there: what is between two rooms has two faces, and the points of one do not show the
- * other. The part may lie along it or, where furniture hides the room's own face but
- * for its ends, lead from the one to the other. The longer wall is right. */
+/** @brief Returns the walls of other rooms to which a part of a room's boundary wrongly
+ * comes closer than the minimum partition thickness. A partition has two faces, and the
+ * points of one face do not belong to the other. The part may run along that wall or
+ * lead to it where furniture hides the room's own face. The longer wall is right. */
 std::vector<PlanElement>
 facesOfOthers(const Floorplan& plan, std::size_t room, const Priors& priors = {});
 

@@ -17,7 +17,8 @@ namespace sedr {
 
 namespace {
 
-/** @brief Whether the floor is seen below a tenth of the region, its rim left out. */
+/** @brief Returns whether the floor is seen below more than a tenth of the region,
+ * without its rim. */
 bool
 hasFloorBelow(const Level& floor, const CellMask& region)
 {
@@ -26,7 +27,7 @@ hasFloorBelow(const Level& floor, const CellMask& region)
          inside.count();
 }
 
-/** @brief The part of a region that is as wide as asked for. */
+/** @brief Returns the part of a region that has the given minimum width. */
 CellMask
 widePart(const CellMask& region, double width, double cell_size)
 {
@@ -34,8 +35,8 @@ widePart(const CellMask& region, double width, double cell_size)
   return intersect(region, dilated(eroded(region, radius), radius));
 }
 
-/** @brief The lower floor that goes on most beside a region, or null if that is at none
- * of the heights of platforms. */
+/** @brief Returns the lower floor with the most cells beside a region, or null if the
+ * step to it is not a platform's. */
 const Level*
 floorBeside(const CellMask& region,
             const Level& level,
@@ -65,9 +66,9 @@ floorBeside(const CellMask& region,
   return is_platform ? best : nullptr;
 }
 
-/** @brief Whether one can step onto a region, from the floor or from a tread between
- * that and the region: one at least half as wide as a door along its rim. A stage that
- * is larger than furniture has its steps somewhere, be they too small for a level. */
+/** @brief Returns whether a region can be reached by a step from the floor or from a
+ * tread at least 0.4 m long at its rim. A stage larger than furniture has steps
+ * somewhere, even if they are too small for a level. */
 bool
 isWithinAStep(const CellMask& region,
               const Level& level,
@@ -95,8 +96,8 @@ isWithinAStep(const CellMask& region,
   });
 }
 
-/** @brief Whether a level may be as high above a floor as a platform anywhere within a
- * box: each of two planes is highest above the other one in a corner. */
+/** @brief Returns whether a level may have a platform's height above a floor anywhere
+ * in a box. The height difference of two planes is extreme at the corners. */
 bool
 mayStepUp(const Level& level,
           const Level& floor,
@@ -117,9 +118,9 @@ mayStepUp(const Level& level,
          highest >= priors.min_floor_step - same_place;
 }
 
-/** @brief The platforms among the cells of `level`, above one of `floors`; `higher` are
- * those found already, `steps_up` tells what else one may step up to from it: few
- * levels come so far that it is asked. */
+/** @brief Returns the cells of the platforms of `level` above one of `floors`. `higher`
+ * are the platforms found so far; `steps_up` returns further cells a step above and is
+ * rarely called. */
 CellSet
 platformCells(const Level& level,
               const std::vector<Level>& levels,
@@ -148,7 +149,7 @@ platformCells(const Level& level,
     const CellBox box = grown(boxOf(cells), margin);
     if (!maskProblem(box).empty())
       continue;
-    // What stands on a platform hides parts of it.
+    // Objects on a platform hide parts of it.
     const CellMask closed = eroded(dilated(CellMask(cells, box), 2), 2);
     const CellMask above = intersect(dilated(CellMask(higher, box), 3), closed);
     const CellMask whole = unite(closed, enclosedCells(closed));
@@ -191,7 +192,7 @@ floorsOf(const std::vector<Level>& levels)
   return floors;
 }
 
-/** @brief The wide parts of levels that one may step up to from another one. */
+/** @brief Returns the wide parts of levels that are a step above `level`. */
 CellSet
 stepsUpFrom(const Level& level,
             const std::vector<Level>& levels,
@@ -231,12 +232,11 @@ markPlatforms(std::vector<Level>& levels,
     level.kind = LevelKind::Floor;
     level.within = cells;
   };
-  // From the highest to the lowest: a step is told by the platform that it leads to.
+  // From the highest to the lowest: a step is recognised by the platform above it.
   for (std::size_t l = levels.size(); l-- > 0;)
     if (levels[l].kind == LevelKind::Other)
       tryLevel(levels[l], [] { return CellSet(); });
-  // From the lowest to the highest: rows of seats stand on each other, and only the
-  // first on the floor.
+  // From the lowest to the highest: of tiers of seats, only the first is on the floor.
   for (auto& level : levels)
     if (level.kind == LevelKind::Other)
       tryLevel(level, [&] {

@@ -11,7 +11,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief Where a level is, in cells wide enough to bridge what hides parts of it. */
+/** @brief Returns the footprint of a level in cells that bridge its hidden parts. */
 CellSet
 footprintOf(const Level& level, const CellGrid& grid, const Priors& priors)
 {
@@ -26,8 +26,8 @@ footprintOf(const Level& level, const CellGrid& grid, const Priors& priors)
   return CellSet(std::move(keys));
 }
 
-/** @brief Whether a room may stand on a level: ceilings are a room's height above half
- * of its cells. */
+/** @brief Returns whether ceilings are a room's height above half of a level's cells.
+ */
 bool
 isBelowCeilings(const std::vector<Level>& levels,
                 std::size_t floor,
@@ -47,13 +47,13 @@ hasPointsBelow(const Level& level,
                const Priors& priors)
 {
   const auto least_points = static_cast<std::size_t>(5 * priors.min_points);
-  std::size_t below = 0; // counted up to what is enough
+  std::size_t below = 0; // counted up to `least_points`
   for (auto c = all.begin(); c != all.end() && below < least_points; ++c)
     below += distanceAbove(level.slab, c->position()) < -priors.run_gap ? 1 : 0;
   return below >= least_points;
 }
 
-/** @brief Those of some points that are below a level, over its footprint. */
+/** @brief Returns the points below a level and within its footprint. */
 std::vector<Candidate>
 belowFootprint(const Level& level,
                const CellSet& footprint,
@@ -69,7 +69,7 @@ belowFootprint(const Level& level,
   return below;
 }
 
-/** @brief Tells whether there is a point near a place. */
+/** @brief Tests whether there is a point near a position. */
 class NearPoints {
 public:
   explicit NearPoints(const LevelColumns& columns)
@@ -77,7 +77,7 @@ public:
       , reach_(1.5 * columns.grid().size())
   {}
 
-  /** @brief Whether a point that is below a level has its like above it. */
+  /** @brief Returns whether a point below a level has a mirror image above it. */
   bool holdImage(const Candidate& c, const Level& level) const
   {
     const double above = distanceAbove(level.slab, c.position());
@@ -113,8 +113,8 @@ private:
   double reach_;
 };
 
-/** @brief Whether hardly any of the points below a level, of which a few hundred are
- * looked at, have their like above it. */
+/** @brief Returns whether few of some hundred points below a level have a mirror image.
+ */
 bool
 hardlyMirrors(const Level& level,
               const CellSet& footprint,
@@ -123,7 +123,7 @@ hardlyMirrors(const Level& level,
               const Priors& priors)
 {
   constexpr std::size_t looked_at = 5000;
-  constexpr std::size_t enough = 200; // of them below
+  constexpr std::size_t enough = 200; // sampled points below the level
   std::vector<Candidate> some;
   const std::vector<Candidate>& all = columns.withoutWalls();
   for (std::size_t k = 0; k < all.size(); k += all.size() / looked_at + 1)
@@ -138,8 +138,8 @@ hardlyMirrors(const Level& level,
              priors.share_half * static_cast<double>(below.size());
 }
 
-/** @brief Whether so many of some points below a level have their like above it that it
- * mirrors. Mostly the first few hundred say no. */
+/** @brief Returns whether enough points below a level have a mirror image. The first
+ * few hundred usually decide against it. */
 bool
 mirrors(const Level& level,
         const std::vector<Candidate>& below,
@@ -158,7 +158,7 @@ mirrors(const Level& level,
   return true;
 }
 
-/** @brief What a level mirrors of the room above it, if that is a floor. */
+/** @brief Returns the reflections in a level, none if it does not mirror. */
 std::vector<int>
 reflectionsIn(const LevelColumns& columns,
               const std::vector<Level>& levels,

@@ -8,16 +8,15 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Finds the points that are reflections in a floor: a glossy one, polished
- * stone or lacquer, shows the scanner the room once more below it, upside down.
+/** @brief Finds the points that are reflections in a floor. A glossy floor, such as
+ * polished stone or lacquer, produces a mirror image of the room below it.
  *
- * A level mirrors if it has a ceiling a room's height above half of its cells or more
- * and if, of what is seen below it and is no wall, four fifths have their like as high
- * above it as they are below: a storey below has a ceiling of its own, under which
- * nothing is where the mirror image would have it. Then all points below it that have
- * their like are reflections.
- * @param columns the points, by the cell size and tolerance of `parameters`
- * @param levels  of these points, after classifyLevels()
+ * A level mirrors if a ceiling is a room's height above at least half of its cells, and
+ * four fifths of the non-wall points below have a mirror image above. A lower storey
+ * fails this test, as its ceiling has no such images. All points below a mirroring
+ * level with a mirror image are reflections.
+ * @param columns profiles with the cell size and tolerance of `parameters`
+ * @param levels levels of these points, after classifyLevels()
  * @return indices into the points, increasing; empty for nearly all scans. O(n log n)
  * for each level that may mirror */
 std::vector<int> findReflections(const LevelColumns& columns,

@@ -20,19 +20,19 @@ namespace sedr {
 
 namespace {
 
-constexpr double cell_size = 0.1; ///< and height of a slab, metres
+constexpr double cell_size = 0.1; ///< also the height of a slab, metres
 
-/** @brief What lies within a decimetre along an axis. */
+/** @brief The points within a height of `cell_size` along an axis. */
 struct Slab {
-  std::int32_t level = 0; ///< in such heights
+  std::int32_t level = 0; ///< in multiples of `cell_size`
   std::vector<int> points;
-  std::size_t cells = 0; ///< different ones, once they were counted
+  std::size_t cells = 0; ///< distinct cells, after counting
 };
 
 constexpr std::int32_t no_level = std::numeric_limits<std::int32_t>::min();
 
-/** @brief The level of each of some points; that of one that is not finite, or farther
- * away than any building, is none. */
+/** @brief Returns the level of each point, `no_level` if it is not finite or farther
+ * away than any building. */
 std::vector<std::int32_t>
 levelsOf(const PointView& points,
          const std::vector<int>& indices,
@@ -43,9 +43,9 @@ levelsOf(const PointView& points,
     const Eigen::Vector3d p = points[static_cast<std::size_t>(i)].cast<double>();
     const bool is_near = std::abs(p.x()) < farthest_place &&
                          std::abs(p.y()) < farthest_place &&
-                         std::abs(p.z()) < farthest_place; // no NaN is
+                         std::abs(p.z()) < farthest_place; // false for NaN
     const double height = is_near ? across.dot(p) / cell_size : 0;
-    const auto whole = static_cast<std::int32_t>(height); // std::floor() is a call
+    const auto whole = static_cast<std::int32_t>(height); // faster than std::floor()
     return is_near ? whole - (height < whole ? 1 : 0) : no_level;
   };
   std::vector<std::int32_t> levels(indices.size());
@@ -57,7 +57,7 @@ levelsOf(const PointView& points,
   return levels;
 }
 
-/** @brief The slabs of at least so many points. */
+/** @brief Returns the slabs with at least `least` points. */
 std::vector<Slab>
 slabsOf(const PointView& points,
         const std::vector<int>& indices,
@@ -156,7 +156,7 @@ bestPair(const PointView& points,
 
 namespace {
 
-/** @brief The box around all points that are finite. */
+/** @brief Returns the bounding box of all finite points. */
 Eigen::AlignedBox3f
 boxAround(const PointView& points, const std::vector<int>& indices, unsigned threads)
 {

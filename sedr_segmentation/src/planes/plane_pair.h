@@ -13,22 +13,22 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Two large planes across a direction: cells of a decimetre of the smaller one,
- * and their distance in metres. */
+/** @brief Two large planes normal to a direction: the number of 0.1 m cells of the
+ * smaller one, and their distance in metres. */
 struct PlanePair {
   std::size_t cells = 0;
   double distance = 0;
-  std::size_t largest_cells = 0; ///< of the largest level there is, in a pair or not
+  std::size_t largest_cells = 0; ///< of the largest level, in a pair or not
 
   double area() const { return 0.01 * static_cast<double>(cells); } ///< square metres
   double largestArea() const { return 0.01 * static_cast<double>(largest_cells); }
 };
 
-/** @brief The best pair of levels that are between `nearest` and `farthest` metres
- * apart along the third of three axes, the rows of `axes`: slabs of a decimetre,
- * measured in distinct cells. O(n), and for every two slabs that may be the best.
- * @param least_cells pairs of fewer may be left out
- * @param threads     0: as many as there are processors; any number gives the same */
+/** @brief Returns the largest pair of levels between `nearest` and `farthest` metres
+ * apart along the third row of `axes`. Levels are slabs of 0.1 m, measured in occupied
+ * cells. O(n), plus the pairs of slabs that may be the best.
+ * @param least_cells pairs with fewer cells may be skipped
+ * @param threads 0: all processors; the result does not depend on it */
 PlanePair bestPair(const PointView& points,
                    const std::vector<int>& indices,
                    const Eigen::Matrix3d& axes,
@@ -37,17 +37,18 @@ PlanePair bestPair(const PointView& points,
                    std::size_t least_cells = 0,
                    unsigned threads = 1);
 
-/** @brief Planes at the distance of a floor and a ceiling across y or x. */
+/** @brief A pair of planes normal to x or y, a room's height apart. */
 struct SidePair : PlanePair {
-  char axis = 0; ///< 'x' or 'y', 0 where there are none
+  char axis = 0; ///< 'x' or 'y', 0 if there is no pair
 
-  /** @brief What pcl_transform_point_cloud takes to turn the axis up. */
+  /** @brief Returns the argument of pcl_transform_point_cloud that turns the axis up.
+   */
   const char* turn() const { return axis == 'y' ? "1,0,0,1.5708" : "0,-1,0,1.5708"; }
 };
 
-/** @brief The larger one of the pairs across those of y and x that are square to `up`,
- * unit, of at least two square metres and more than `least`. Not looked for where the
- * points do not reach far enough for that. */
+/** @brief Returns the largest pair normal to x or y, for those perpendicular to the
+ * unit vector `up`. Its area must be at least two square metres and more than `least`.
+ * Axes whose extent is too small for that are skipped. */
 SidePair bestSidePair(const PointView& points,
                       const std::vector<int>& indices,
                       const Eigen::Vector3d& up,
@@ -55,8 +56,8 @@ SidePair bestSidePair(const PointView& points,
                       unsigned threads = 1,
                       const Priors& priors = {});
 
-/** @brief The sentence that the axis of `side` is up rather than `up`, across which
- * `pair` is, and what turns it. */
+/** @brief Returns a message that the axis of `side` seems to be up instead of `up`, the
+ * normal of `pair`, and how to turn the scan. */
 std::string sideProblem(const SidePair& side,
                         const Eigen::Vector3d& up,
                         const PlanePair& pair,

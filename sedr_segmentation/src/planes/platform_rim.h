@@ -12,11 +12,11 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Whether a region is larger than furniture: than two beds side by side. */
+/** @brief Returns whether a region is larger than furniture, i.e. two adjacent beds. */
 bool
 isLargerThanFurniture(const CellMask& region, double cell_size, const Priors& priors);
 
-/** @brief A level that may be a platform, and the floor below it. */
+/** @brief A candidate platform and the floor below it. */
 struct PlatformStep {
   const Level& level;
   const Level& floor;
@@ -29,24 +29,23 @@ struct PlatformStep {
   double topAt(Cell cell) const { return level.slab.heightAt(grid.centre(cell)); }
   double floorAt(Cell cell) const { return floor.slab.heightAt(grid.centre(cell)); }
 
-  /** @brief Whether a wall rises from the platform here. */
+  /** @brief Returns whether a wall rises from the platform in a cell. */
   bool isWall(Cell cell) const;
 
-  /** @brief Whether something stands on the platform here, which hides how it goes on
-   * behind. */
+  /** @brief Returns whether an object on the platform hides its rim in a cell. */
   bool isFurnished(Cell cell) const;
 
-  /** @brief Whether something closes the platform here, down to the floor or to a tread
-   * before it. */
+  /** @brief Returns whether a riser closes the platform down to the floor or a tread.
+   */
   bool isRiser(Cell cell) const;
 
-  /** @brief Height of the highest level below the platform within three cells. */
+  /** @brief Returns the height of the highest level below within three cells. */
   double treadAt(Cell cell) const;
 };
 
-/** @brief Whether the rim of a region is closed all around, by risers or what stands on
- * it, in part by walls or what rises from it: along a fifth of what nothing hides, for
- * furniture is closed, too. What is larger than any needs no wall. */
+/** @brief Returns whether the rim of a region is closed by risers, objects on it, walls
+ * and higher platforms. A fifth of the visible rim must be walls or higher platforms,
+ * as furniture has closed sides, too. Larger regions need no wall. */
 bool isClosed(const PlatformStep& step, const CellMask& region);
 
 } // namespace sedr

@@ -37,7 +37,7 @@ clusterBoxes(const std::vector<CellBox>& boxes, int margin)
         ++i;
         continue;
       }
-      joined = hull(joined, clusters[i]); // which may reach clusters looked at before
+      joined = hull(joined, clusters[i]); // may overlap clusters tested before
       clusters.erase(clusters.begin() + static_cast<std::ptrdiff_t>(i));
       i = 0;
     }

@@ -8,9 +8,8 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Boxes that hold all given ones grown by `margin` cells and do not overlap
- * each other: what lies far apart is looked at apart, so that no grid spans the empty
- * space between. O(n^2). */
+/** @brief Merges boxes, grown by `margin` cells, into disjoint boxes. Distant parts are
+ * thus processed separately, without a grid over the empty space between. O(n^2). */
 std::vector<CellBox> clusterBoxes(const std::vector<CellBox>& boxes, int margin);
 
 } // namespace sedr

@@ -8,16 +8,16 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The band below a ceiling, metres under it, that a wall crosses and a cupboard
- * does not reach: it begins where the ceiling's own noise ends and is so wide that
- * every wall of voxels has a point in it. A gap of less than `low` cannot be told. */
+/** @brief A band below a ceiling, metres, that a wall crosses and a cupboard does not
+ * reach. It begins below the ceiling's noise and is wide enough that every wall of
+ * voxels has a point in it. Gaps of less than `low` cannot be detected. */
 struct CeilingGap {
   double high = 0.03;
   double low = 0.085;
 };
 
-/** @brief The band below a ceiling of that noise: four standard deviations of its
- * points, at least 3 cm and at most 10 cm. */
+/** @brief Returns the band below a ceiling. It begins at four standard deviations of
+ * the ceiling's points, at least 3 cm and at most 10 cm. */
 inline CeilingGap
 gapBelow(const PlanSlab& ceiling)
 {

@@ -7,8 +7,8 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief So many cells make up a length, rounded, at least `least`: what is meant in
- * metres stays the same for any cell size. */
+/** @brief Returns the number of cells of a length, rounded, at least `least`. Lengths
+ * in metres thus hold for any cell size. */
 inline int
 cellsFor(double metres, double cell_size, int least = 1)
 {

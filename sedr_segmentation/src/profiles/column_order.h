@@ -17,19 +17,18 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The column of a point that is in none. */
+/** @brief Profile number of a point in no profile. */
 constexpr auto no_column = std::numeric_limits<std::uint32_t>::max();
 
-/** @brief Puts points into columns, one column after another, each from its lowest
- * point to its highest: the cells of a set or of a box. O(n) where the points of a
- * column come in this order, as thinned ones mostly do; the same for any number of
- * threads. */
+/** @brief Sorts points into profiles (one per cell of a set or box), each from its
+ * lowest to its highest point. O(n) if the points are already in this order, as thinned
+ * ones mostly are; the result does not depend on the number of threads. */
 class ColumnOrder {
 public:
-  /** @param columns  how many there are
-   * @param columnOf number of the column of a cell, or no_column; points that are not
-   *                 finite or too far away for cells are in none
-   * @param threads  0: as many as there are processors */
+  /** @param columns number of profiles
+   * @param columnOf returns the profile number of a cell, or no_column; points that are
+   * not finite or beyond the grid are in no profile
+   * @param threads 0: all processors */
   template <typename ColumnOf>
   ColumnOrder(const CellGrid& grid,
               const PointView& points,
@@ -56,19 +55,19 @@ public:
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
   }
 
-  /** @brief Where the points of each column begin, and the end. */
+  /** @brief Returns the first point of each profile, and the end. */
   const std::vector<std::size_t>& first() const { return first_; }
 
-  /** @brief The points in their order.
-   * @param make  of indices[k], in a column: `make(k, column)`
-   * @param isLower orders the points of a column */
+  /** @brief Returns the points in sorted order.
+   * @param make makes the point of indices[k]: `make(k, column)`
+   * @param isLower order of the points of a profile */
   template <typename Point, typename Make, typename IsLower>
   std::vector<Point> sorted(Make make, IsLower isLower) const
   {
     std::vector<Point> all(first_.back());
     const std::size_t stretches = resolveThreads(threads_);
-    // Each thread looks for the points of its own columns, which hold as many as those
-    // of any other.
+    // Each thread collects the points of its own profiles, about the same number per
+    // thread.
     const auto firstOf = [&](std::size_t stretch) {
       const std::size_t before = first_.back() * stretch / stretches;
       return static_cast<std::size_t>(

@@ -44,7 +44,7 @@ ColumnTable::hasWithin(Cell cell, double low, double high) const
 
 namespace {
 
-/** @brief A part of the height of a column, from the end of the part below it on. */
+/** @brief A height bin of a profile, from the end of the bin below. */
 struct Part {
   double end;
   bool is_occupied;

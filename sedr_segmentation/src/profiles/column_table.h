@@ -10,25 +10,25 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A stretch of a grid column that is occupied without a gap, metres. */
+/** @brief A height interval of a profile without a gap, metres. */
 struct ColumnRun {
   float low = 0;
   float high = 0;
 };
 
-/** @brief The points of each grid column within a box of cells, sorted by height.
- * Points that are not finite or outside of the box are left out. O(n log n); the same
- * for any number of threads. */
+/** @brief The profiles (points per grid cell, sorted by height) in a box of cells.
+ * Points that are not finite or outside the box are left out. O(n log n); the result
+ * does not depend on the number of threads. */
 class ColumnTable {
 public:
-  /** @param threads to make it with, 0: as many as there are processors */
+  /** @param threads for the construction; 0: all processors */
   ColumnTable(const CellGrid& grid,
               const CellBox& box,
               const PointView& points,
               const std::vector<int>& indices,
               unsigned threads = 1);
 
-  /** @brief One point of a column. */
+  /** @brief A point of a profile. */
   struct Entry {
     float z;
     int index;
@@ -45,22 +45,21 @@ public:
            (frame_.isInside(cell) ? first_[frame_.indexOf(cell) + 1] : 0);
   }
 
-  /** @brief Whether a point of the column lies within [low, high]. */
+  /** @brief Returns whether a point of the profile lies within [low, high]. */
   bool hasWithin(Cell cell, double low, double high) const;
 
-  /** @brief Share of the `bins` equal parts of [low, high] in which the column or one
-   * of its neighbours within `radius` cells holds a point. O(points of these columns
-   * there). */
+  /** @brief Returns the share of the `bins` equal parts of [low, high] that contain a
+   * point of the profiles within `radius` cells. O(points of these profiles there). */
   double share(Cell cell, double low, double high, int bins, int radius) const;
 
-  /** @brief The stretches of the column that gaps of more than `gap` metres part,
-   * lowest first. */
+  /** @brief Returns the runs of the profile separated by gaps of more than `gap`
+   * metres, lowest first. */
   std::vector<ColumnRun> runs(Cell cell, double gap) const;
 
-  /** @brief The same table without the points of some cells. */
+  /** @brief Returns the table without the points of some cells. */
   ColumnTable without(const CellMask& cells) const;
 
-  /** @brief The indices of the points in some cells, increasing. */
+  /** @brief Returns the indices of the points in some cells, increasing. */
   std::vector<int> indicesIn(const CellMask& cells) const;
 
   const CellBox& box() const { return frame_.box(); }
@@ -70,7 +69,7 @@ private:
       : frame_(box)
   {}
 
-  CellMask frame_; ///< holds the box and numbers the cells
+  CellMask frame_; ///< box and cell numbers
   std::vector<std::size_t> first_;
   std::vector<Entry> entries_;
 };

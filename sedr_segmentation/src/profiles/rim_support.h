@@ -12,8 +12,7 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Which cells of space hold points: cubes in columns over the cells of a plan.
- */
+/** @brief Occupied voxels: cubes in profiles over the cells of a plan. */
 class ColumnOccupancy {
 public:
   /** @param grid gives the edge of the cubes; its cells must reach all points
@@ -22,9 +21,8 @@ public:
                   const CellGrid& grid,
                   const pcl::Indices& standing);
 
-  /** @brief Share, 0 to 1, of the cubes wholly between two heights that hold a point in
-   * the column of `cell` or of its eight neighbours; 1 where no cube fits in between.
-   */
+  /** @brief Returns the occupied share, 0 to 1, of the cubes fully between two heights,
+   * in the profile of `cell` or its eight neighbours; 1 if no cube fits. */
   double share(Cell cell, double bottom, double top) const;
 
   const CellGrid& grid() const { return grid_; }
@@ -32,13 +30,12 @@ public:
 private:
   CellGrid grid_;
   std::vector<std::pair<CellKey, std::int64_t>>
-      occupied_; ///< cell and level, ascending
+      occupied_; ///< cell and level, increasing
 };
 
-/** @brief Those of `seeds` below or above which something stands. Seeds in touching
- * cells are one rim; a rim is kept if on average its columns, from the seeds to
- * `other_height`, are occupied to at least `minimum_share`: a door interrupts a wall, a
- * lamp is hardly ever there. */
+/** @brief Returns the seeds of supported rims. Seeds in adjacent cells form a rim. A
+ * rim is kept if the mean occupancy of its profiles, from the seeds to `other_height`,
+ * is at least `minimum_share`. A wall reaches it despite doors, a lamp does not. */
 pcl::Indices supportedSeeds(const PointView& points,
                             const pcl::Indices& seeds,
                             const ColumnOccupancy& occupancy,

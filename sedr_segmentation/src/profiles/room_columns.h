@@ -8,8 +8,8 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What the columns of a grid tell between the floor and the ceiling of a room.
- * What it is made of must outlive it. */
+/** @brief Queries on the profiles of a grid between the floor and the ceiling of a
+ * room. The constructor's arguments must outlive it. */
 class RoomColumns {
 public:
   RoomColumns(const CellGrid& grid,
@@ -30,20 +30,18 @@ public:
 
   double ceilingAt(Cell cell) const { return ceiling_.heightAt(grid_.centre(cell)); }
 
-  /** @brief Halfway between the floor and a height above it. */
+  /** @brief Returns the height midway between the floor and `top`. */
   double middleBelow(Cell cell, double top) const { return (floorAt(cell) + top) / 2; }
 
-  /** @brief Height of whatever ceiling was seen within `reach` cells, a soffit's
-   * perhaps; the floor's where nothing was. */
+  /** @brief Returns the height of the highest point within `reach` cells, at most the
+   * ceiling's; the floor's height if there is none. It may be that of a soffit. */
   double topAround(Cell cell, int reach) const;
 
-  /** @brief Share of the six parts of the upper half below `top`, but for the `below`
-   * metres next to it, in which the column or those within `radius` cells hold a
-   * point. */
+  /** @brief Returns the occupied share of six height bins in the upper half below
+   * `top`, without the top `below` metres, of the profiles within `radius` cells. */
   double upperShare(Cell cell, double top, double below, int radius) const;
 
-  /** @brief Whether something in the column or beside it goes up to a ceiling at `top`.
-   */
+  /** @brief Returns whether the profile or a neighbour reaches a ceiling at `top`. */
   bool reaches(Cell cell, double top, const CeilingGap& gap) const;
 
 private:

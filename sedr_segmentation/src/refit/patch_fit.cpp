@@ -12,14 +12,14 @@ namespace sedr {
 
 namespace {
 
-/** @brief How much more a patch at the top of a wall counts for where the wall is. */
+/** @brief Weight of a patch at the top of a wall, relative to others. */
 constexpr double top_weight = 3;
 
-/** @brief What the mean of a patch is not known better than: no wall is quite plane,
- * metres. */
+/** @brief Minimum standard deviation of a patch mean, as walls are not plane, metres.
+ */
 constexpr double least_patch_deviation = 0.0003;
 
-/** @brief Scatter of the points of any patch that shows one surface, metres. */
+/** @brief Minimum limit of the scatter within a patch of one surface, metres. */
 constexpr double least_scatter = 0.002;
 
 double
@@ -28,7 +28,7 @@ biweight(double share)
   return std::abs(share) < 1 ? std::pow(1 - share * share, 2) : 0;
 }
 
-/** @brief The patches of one surface that hold enough points. */
+/** @brief The patches of a surface with enough points. */
 class PatchSolver {
 public:
   PatchSolver(std::vector<const PatchSums*> patches,
@@ -38,7 +38,7 @@ public:
       , weight_(patches_.size(), 1)
   {
     for (std::size_t i = 0; i < patches_.size(); ++i) {
-      // A patch near the scanner holds a hundred times as many points as a far one.
+      // A patch near the scanner has a hundred times as many points as a distant one.
       vote_.push_back(std::sqrt(patches_[i]->count) * (is_top[i] ? top_weight : 1));
       variance_.push_back(varianceWithin(*patches_[i]));
     }
@@ -76,7 +76,7 @@ private:
            std::max(1.0, p.count - 1);
   }
 
-  /** @brief Variance within most of the patches that have enough points for one. */
+  /** @brief Returns the median variance within the patches with enough points. */
   double usualVariance(double noise) const
   {
     constexpr double least_points = 4;
@@ -87,8 +87,8 @@ private:
     return medianOf(std::move(variances));
   }
 
-  /** @brief Whether a patch shows another surface too, such as the reveal of a door: it
-   * scatters more than most. */
+  /** @brief Returns whether a patch contains another surface as well, such as a door
+   * reveal, by its larger scatter. */
   bool isMixed(std::size_t i) const
   {
     constexpr double least_points = 8;
@@ -98,8 +98,8 @@ private:
     return patches_[i]->count >= least_points && variance_[i] > scatter * scatter;
   }
 
-  /** @brief Weighs the patches by how far a step leaves them from the surface: by their
-   * noise, at the start by what most of them are off. */
+  /** @brief Weighs the patches by their residuals after a step, relative to their
+   * noise, or to the median residual at the start. */
   void weigh(const Eigen::Vector3d& step, bool is_start)
   {
     constexpr double sigmas = 4;
@@ -156,7 +156,7 @@ private:
   std::vector<const PatchSums*> patches_;
   std::vector<double> weight_;
   std::vector<double> vote_;
-  std::vector<double> variance_;  ///< of the points within each patch
+  std::vector<double> variance_;  ///< within each patch
   std::vector<double> deviation_; ///< of the mean of each patch, metres
   double usual_variance_ = 0;
 };
@@ -169,7 +169,7 @@ fitPatches(const std::vector<PatchSums>& patches,
            Eigen::Index parameters,
            double noise)
 {
-  // Where a wall is open, a few points of something else are seen.
+  // At an opening of a wall, a few points of other objects are seen.
   constexpr double least_share = 0.05;
   std::vector<Weighted> counts;
   for (const PatchSums& patch : patches)

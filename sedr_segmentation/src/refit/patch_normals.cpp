@@ -14,7 +14,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief The points of a patch: their sums. */
+/** @brief Sums over the points of a patch. */
 struct PatchMoments {
   double count = 0;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -35,7 +35,7 @@ struct PatchMoments {
   }
 };
 
-/** @brief Where a patch is, in patches from the origin. */
+/** @brief Position of a patch, in patches from the origin. */
 struct PatchKey {
   std::int64_t x;
   std::int64_t y;
@@ -53,7 +53,7 @@ struct PatchKey {
     return a.y != b.y ? a.y < b.y : a.z < b.z;
   }
 
-  /** @brief In patches, too. */
+  /** @brief Returns the lower corner, in patches. */
   Eigen::Vector3d corner() const
   {
     return {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
@@ -62,8 +62,8 @@ struct PatchKey {
 
 using Patches = std::map<PatchKey, PatchMoments>;
 
-/** @brief The turned points indices[begin, end) by patches, about whose corners they
- * are summed: squares of large coordinates leave no digits. */
+/** @brief Sums the rotated points indices[begin, end) per patch, relative to its
+ * corner, as squares of large coordinates lose precision. */
 Patches
 patchesOf(const PointView& points,
           const std::vector<int>& indices,
@@ -75,14 +75,14 @@ patchesOf(const PointView& points,
 {
   constexpr double farthest = 1e5;
   Patches patches;
-  auto last = patches.end(); // where most of the next points are too
+  auto last = patches.end(); // the next point is mostly in the same patch
   for (std::size_t n = begin; n < end; ++n) {
     const Eigen::Vector3d p =
         turn * points[static_cast<std::size_t>(indices[n])].cast<double>() +
         Eigen::Vector3d::Constant(offset * patch);
     if (!p.allFinite() || p.cwiseAbs().maxCoeff() > farthest)
       continue;
-    const auto alongAxis = [&](double v) { // rounds down, without a call
+    const auto alongAxis = [&](double v) { // floor without a function call
       const auto whole = static_cast<std::int64_t>(v / patch);
       return whole - (v / patch < static_cast<double>(whole) ? 1 : 0);
     };
@@ -94,14 +94,14 @@ patchesOf(const PointView& points,
   return patches;
 }
 
-/** @brief A patch that is a plane.
- * @param corner from which its points are counted */
+/** @brief Returns the plane of a patch if its points lie on one.
+ * @param corner origin of its sums */
 std::optional<PlanePatch>
 planeOf(const PatchMoments& patch, const Eigen::Vector3d& corner)
 {
   constexpr double fewest = 20;
-  constexpr double most_scatter = 0.02; // across a plane, metres
-  constexpr double least_spread = 0.08; // along it
+  constexpr double most_scatter = 0.02; // normal to the plane, metres
+  constexpr double least_spread = 0.08; // within the plane, metres
   if (patch.count < fewest)
     return {};
   const Eigen::Vector3d mean = patch.sum / patch.count;

@@ -10,15 +10,15 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A cube whose points are a plane. */
+/** @brief A cube whose points lie on a plane. */
 struct PlanePatch {
   Eigen::Vector3d middle; ///< mean of its points
   Eigen::Vector3d normal; ///< unit, z not below 0
   double count = 0;       ///< of its points
 };
 
-/** @brief The cubes of `patch` metres whose points are a plane, turned by `turn`, as
- * normalsOf() has them. */
+/** @brief Returns the cubes of `patch` metres whose points, rotated by `turn`, lie on a
+ * plane, see normalsOf(). */
 std::vector<PlanePatch> planesOf(const PointView& points,
                                  const std::vector<int>& indices,
                                  const Eigen::Matrix3d& turn,
@@ -26,9 +26,9 @@ std::vector<PlanePatch> planesOf(const PointView& points,
                                  unsigned threads,
                                  double offset = 0);
 
-/** @brief The normals of the cubes of `patch` metres whose points are a plane, z not
- * below 0, all turned by `turn`; the cubes lie `offset` patches off along all axes.
- * O(n log n); the same for any number of threads. */
+/** @brief Returns the normals (z >= 0) of the cubes of `patch` metres whose points,
+ * rotated by `turn`, lie on a plane. The cubes are shifted by `offset` patches along
+ * all axes. O(n log n); the result does not depend on the number of threads. */
 std::vector<Eigen::Vector3d> normalsOf(const PointView& points,
                                        const std::vector<int>& indices,
                                        const Eigen::Matrix3d& turn,

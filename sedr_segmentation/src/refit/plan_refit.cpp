@@ -13,8 +13,8 @@ namespace sedr {
 
 namespace {
 
-/** @brief The noise that a surface may have been misplaced by: that of what it was
- * found on, or of the scan. */
+/** @brief Returns the noise that may have displaced a surface: that of its original
+ * inliers, or of the scan. */
 double
 noiseOf(std::size_t inliers, double residual, double noise)
 {
@@ -22,7 +22,7 @@ noiseOf(std::size_t inliers, double residual, double noise)
   return std::max(noise, inliers > 0 ? residual : unseen);
 }
 
-/** @brief Places along what a plan shows of each of its curves. */
+/** @brief Returns positions along the elements of each curve of a plan. */
 std::vector<std::vector<Eigen::Vector2d>>
 placesAlong(const PlanCurves& curves)
 {
@@ -38,8 +38,8 @@ placesAlong(const PlanCurves& curves)
   return places;
 }
 
-/** @brief The farthest that a curve is from where it was. An arc moves less than its
- * centre does. */
+/** @brief Returns the maximum distance of a curve from its old positions. An arc moves
+ * less than its centre. */
 double
 moveOf(const std::vector<Eigen::Vector2d>& were, const PlanCurve& curve)
 {
@@ -59,7 +59,7 @@ moveOf(const PlanSlab& from, const PlanSlab& to, const PlanLoop& loop)
   return farthest;
 }
 
-/** @brief The slabs of a room in the order of RefitTargets, and the loops they cover.
+/** @brief Returns the slabs of a room, in the order of RefitTargets, with their loops.
  */
 std::vector<std::pair<PlanSlab*, const PlanLoop*>>
 slabsOf(PlanRoom& room)
@@ -78,9 +78,8 @@ slabsOf(PlanRoom& room)
   return slabs;
 }
 
-/** @brief Ties the joints that are smooth, to be kept so, and those that are nearly so
- * and agree with the scan: corners of curves that hardly differ in direction run away
- * along them. */
+/** @brief Returns tangent ties for smooth joints, and for nearly smooth ones consistent
+ * with the scan. Otherwise the intersection of nearly parallel curves is unstable. */
 std::vector<CurveTie>
 tangentTies(PlanCurves& curves)
 {
@@ -110,7 +109,7 @@ tangentTies(PlanCurves& curves)
   return ties;
 }
 
-/** @brief Why a plan cannot be fitted, a sentence: a loop of it is empty. */
+/** @brief Returns the reason, an empty loop, why a plan cannot be fitted, or "". */
 std::string
 loopProblem(Floorplan& plan)
 {
@@ -197,7 +196,7 @@ refitToRaw(Floorplan& plan,
     for (const std::size_t l : broken)
       restore(curves.loops[l]);
   }
-  if (!is_whole) { // the loops stayed as they were
+  if (!is_whole) { // the loops were not changed
     curves.curves = was;
     is_fitted.assign(was.size(), false);
   }

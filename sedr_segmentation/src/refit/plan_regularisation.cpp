@@ -40,7 +40,7 @@ private:
     return contradiction(plan_.curves[a], plan_.curves[b], kind);
   }
 
-  /** @brief Curves of a kind, those that are known best first. */
+  /** @brief Returns the curves of a kind, the most accurate first. */
   std::vector<std::size_t> ordered(bool are_circles) const
   {
     std::vector<std::size_t> order;
@@ -75,7 +75,7 @@ private:
     }
   }
 
-  /** @brief Ties every line to the best known of those that it agrees with. */
+  /** @brief Ties every line to the reference line with the least contradiction. */
   void findDirections()
   {
     std::vector<std::size_t> references;
@@ -105,10 +105,10 @@ private:
     }
   }
 
-  /** @brief Ties walls of one room that continue each other. */
+  /** @brief Ties collinear walls of one room. */
   void findCollinear()
   {
-    constexpr double most_freedom = 1.3; // of two equations, against one
+    constexpr double most_freedom = 1.3; // threshold of two equations relative to one
     std::vector<bool> is_tied(plan_.curves.size(), false);
     for (const auto& loop : plan_.loops) {
       if (!loop.is_boundary)
@@ -160,7 +160,7 @@ private:
   std::vector<CurveTie> ties_;
 };
 
-/** @brief How far a curve has moved, in standard deviations. */
+/** @brief Returns the move of a curve, in standard deviations. */
 double
 moveOf(const MeasuredCurve& from, const MeasuredCurve& to)
 {
@@ -197,9 +197,9 @@ reportOf(const std::vector<CurveTie>& ties)
   return report;
 }
 
-/** @brief Adjusts the curves; ties of a curve that would move farther than what was
- * measured allows are given up, one curve at a time.
- * @return whether any ties are left */
+/** @brief Adjusts the curves. Removes the ties of curves that would move more than the
+ * measurements allow, one curve at a time.
+ * @return whether any ties remain */
 bool
 adjust(PlanCurves& plan,
        std::vector<CurveTie>& ties,
@@ -210,7 +210,7 @@ adjust(PlanCurves& plan,
     std::size_t worst = 0;
     double most = parameters.most_sigmas;
     if (!adjustCurves(moved, ties)) {
-      // Too much was asked of the joints: they are the hardest to keep.
+      // The ties are infeasible; tangent ties are the most demanding.
       const auto last = std::find_if(ties.rbegin(), ties.rend(), [](const CurveTie& t) {
         return t.kind == TieKind::Tangent;
       });
@@ -235,7 +235,7 @@ adjust(PlanCurves& plan,
   return false;
 }
 
-/** @brief Gives up the ties of all curves of a loop. */
+/** @brief Removes the ties of all curves of a loop. */
 void
 release(const PlanCurves::Loop& loop, std::vector<CurveTie>& ties)
 {

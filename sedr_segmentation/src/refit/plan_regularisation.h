@@ -9,34 +9,33 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What makes two curves of a plan related. */
+/** @brief Parameters of the regularisation of a plan. */
 struct RegularisationParameters {
   Priors priors;
-  /** @brief A relation that contradicts what was measured by more standard deviations
-   * is none. */
+  /** @brief Maximum contradiction of a relation by measurements, standard deviations.
+   */
   double most_sigmas = 3.0;
-  double largest_angle = 0.05;        ///< radians, from parallel or square
-  double largest_tangent_angle = 0.2; ///< radians, at a tangent joint
-  double farthest = 0.03;             ///< no corner moves farther, metres
+  double largest_angle = 0.05;        ///< from parallel or perpendicular, radians
+  double largest_tangent_angle = 0.2; ///< at a tangent joint, radians
+  double farthest = 0.03;             ///< maximum move of a corner, metres
 };
 
-/** @brief What became of a plan. */
+/** @brief Result of regularisePlan(): numbers of relations. */
 struct RegularisationReport {
-  std::size_t parallel = 0; ///< lines that follow the direction of another, or square
+  std::size_t parallel = 0; ///< lines made parallel or perpendicular to another
   std::size_t collinear = 0;
   std::size_t tangent = 0; ///< joints
   std::size_t equal_radius = 0;
 };
 
-/** @brief Makes a plan regular as a draughtsman would: what agrees within what was
- * measured becomes equal.
+/** @brief Regularises a plan: relations that hold within the measurement uncertainty
+ * become exact.
  *
- * Lines whose directions agree, or are square to each other, within their uncertainty
- * become parallel and perpendicular, parts of one wall collinear, smooth joints of arcs
- * tangent, radii that agree equal. Every curve moves by as little as possible, weighted
- * by its inliers, its residual and its length; one that is clearly otherwise keeps its
- * place, such as a wall that is a degree off. Corners are then where the curves meet. A
- * loop that this would break stays as it is, with all that is tied to it.
+ * Lines become parallel or perpendicular, parts of one wall collinear, smooth joints of
+ * arcs tangent, and similar radii equal. Every curve moves by the minimum amount,
+ * weighted by its inliers, residual and length. Curves that clearly deviate, such as a
+ * wall that is a degree off, do not move. Corners are then the intersections of the
+ * curves. A loop that would break is not changed, nor are the curves tied to it.
  * Deterministic. */
 RegularisationReport regularisePlan(Floorplan& plan,
                                     const RegularisationParameters& parameters = {});

@@ -13,7 +13,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief Sets to -1 what has a neighbour of another value. */
+/** @brief Sets values with a different neighbour to -1. */
 std::vector<std::int32_t>
 withoutEdges(const std::vector<std::int32_t>& values,
              std::int32_t width,

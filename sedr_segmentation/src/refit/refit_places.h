@@ -15,7 +15,7 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A part of an upright surface with one height. */
+/** @brief A part of a vertical surface of constant height. */
 struct RefitStretch {
   std::size_t curve = 0;
   PlanElement part; ///< away from corners
@@ -27,16 +27,15 @@ struct RefitStretch {
 struct RefitSlab {
   PlanSlab* slab = nullptr;
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-  std::size_t parent = 0; ///< whose direction it has
+  std::size_t parent = 0; ///< slab with the same direction
   Eigen::Vector2d half =
-      Eigen::Vector2d::Zero(); ///< extent of its loop about the middle
-  double width = 0;            ///< of its loop, where that is narrowest, metres
+      Eigen::Vector2d::Zero(); ///< half extents of its loop around the centre
+  double width = 0;            ///< minimum width of its loop, metres
   std::size_t along = 0;       ///< patches along x
   std::size_t rows = 0;        ///< patches along y
 };
 
-/** @brief Which slabs are above and below the cells of a room, -1 none, away from
- * edges. */
+/** @brief Slabs above and below the cells of a room, -1 for none and near edges. */
 struct RefitRoomMap {
   double cell = 0.05;
   Eigen::Vector2d low = Eigen::Vector2d::Zero();
@@ -45,7 +44,7 @@ struct RefitRoomMap {
   std::vector<std::int32_t> ceiling;
   std::vector<std::int32_t> floor;
 
-  /** @brief The slabs above and below a place, -1 none. */
+  /** @brief Returns the slabs above and below a position, -1 for none. */
   std::array<std::int32_t, 2> slabsAt(const Eigen::Vector2d& p) const
   {
     const Eigen::Vector2d at = (p - low) / cell;
@@ -64,7 +63,7 @@ struct RefitNiche {
   std::size_t top = 0;
 };
 
-/** @brief Where the surfaces of a plan are: by the cells that they may be seen in. */
+/** @brief Spatial index of the surfaces of a plan, by the cells of their points. */
 struct RefitPlaces {
   static constexpr double table_cell = 0.2; ///< metres
 
@@ -76,23 +75,22 @@ struct RefitPlaces {
   CellTable rooms_near{table_cell};
   CellTable niches_near{table_cell};
 
-  /** @brief Adds the map of a room, `ceiling` and `floor` being the numbers of its own
-   * slabs. */
+  /** @brief Adds the map of a room; `ceiling` and `floor` are its main slabs' numbers.
+   */
   void addRoom(const PlanRoom& room,
                std::size_t ceiling,
                std::size_t floor,
                unsigned threads);
 
-  /** @brief Sorts stretches, rooms and niches by cells; stretches are seen from
-   * `reach` metres.
-   * @return why that cannot be done, a sentence; empty otherwise */
+  /** @brief Sorts stretches (within `reach` metres), rooms and niches by cells.
+   * @return the reason for a failure, a sentence; else empty */
   std::string tabulate(double reach);
 };
 
-/** @brief Smallest box around a loop, which must not be empty. */
+/** @brief Returns the bounding box of a non-empty loop. */
 std::pair<Eigen::Vector2d, Eigen::Vector2d> boundsOf(const PlanLoop& loop);
 
-/** @brief The least extent of a loop square to any of its elements' chords. */
+/** @brief Returns the minimum extent of a loop perpendicular to any element's chord. */
 double widthOf(const PlanLoop& loop);
 
 } // namespace sedr

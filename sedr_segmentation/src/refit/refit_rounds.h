@@ -15,7 +15,7 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The surfaces of a plan while they are fitted. */
+/** @brief Iterative fit of the surfaces of a plan. */
 class Refit {
 public:
   Refit(Floorplan& plan,
@@ -63,22 +63,21 @@ public:
   const RefitTargets& targets() const { return targets_; }
 
 private:
-  /** @brief Lines and slabs whose points tell their direction no better are shifted
-   * only, radians. */
+  /** @brief Lines and slabs with a larger standard deviation of their direction are
+   * only shifted, radians. */
   static constexpr double largest_deviation_of_turn = 0.005;
 
-  /** @brief A narrower slab, such as the bottom of a niche, is shifted only: the walls
-   * on its sides would turn it, metres. */
+  /** @brief Narrower slabs, such as the bottom of a niche, are only shifted, as
+   * adjacent walls would rotate them, metres. */
   static constexpr double least_width = 0.5;
 
-  /** @brief Half width of the band of points that count, in standard deviations. */
+  /** @brief Half width of the inlier band, in standard deviations. */
   static constexpr double band_sigmas = 3;
 
-  /** @brief Half width of the narrowest band, metres. */
+  /** @brief Minimum half width of the inlier band, metres. */
   static constexpr double least_band = 0.0015;
 
-  /** @brief Half width of the band of points that count: narrower where those of
-   * another surface are beside it. */
+  /** @brief Returns the half width of the inlier band, reduced near another surface. */
   double bandOf(std::size_t t, double deviation) const
   {
     const double band =
@@ -87,7 +86,7 @@ private:
                                     targets_.gap(t) - band_sigmas * deviation}));
   }
 
-  /** @brief How many parameters of a surface are fitted. */
+  /** @brief Returns the number of fitted parameters of a surface. */
   Eigen::Index parametersOf(std::size_t t) const
   {
     const auto tellsDirection = [&](double extent) {
@@ -107,7 +106,7 @@ private:
     return tellsDirection(targets_.lengthOf(t)) ? 2 : 1;
   }
 
-  /** @brief Where the patches of each surface say that it is. */
+  /** @brief Fits each surface to its patches. */
   std::vector<PatchFit> fitsOf(const std::vector<std::vector<PatchSums>>& sums) const
   {
     std::vector<PatchFit> fits(targets_.size());
@@ -155,7 +154,7 @@ private:
   static void
   moveSlab(PlanSlab& slab, const Eigen::Vector2d& middle, const PatchFit& fit)
   {
-    // Its height falls by the distance of what is above it.
+    // Points above the slab have positive distances.
     const double height = slab.heightAt(middle) + fit.step[0] / slab.plane[2];
     Eigen::Vector3d normal = slab.plane.head<3>();
     normal.head<2>() -= fit.step.tail<2>();
@@ -174,7 +173,7 @@ private:
     slab.plane[3] = -normal.dot(Eigen::Vector3d(place.x(), place.y(), height));
   }
 
-  /** @brief Slabs that are parallel to another stay so. */
+  /** @brief Keeps slabs parallel to their parents. */
   void followParents()
   {
     for (std::size_t k = 0; k < targets_.slabCount(); ++k) {

@@ -17,8 +17,8 @@ namespace {
 /** @brief Width of a bin of distances, metres. */
 constexpr double bin = 0.0005;
 
-/** @brief Calls `note(number, place)` for every surface that a finite point may show by
- * its place: those before which it is, and slabs nearer than `far` metres. */
+/** @brief Calls `note(number, place)` for every surface to which a finite point may
+ * belong: vertical surfaces nearby, and slabs within `far` metres. */
 template <typename Note>
 void
 findSurfaces(const RefitTargets& targets,
@@ -87,8 +87,8 @@ Sightings::lookAt(const RawPoints& raw, std::size_t begin, std::size_t end) cons
   return sightings;
 }
 
-/** @brief Calls `see(view, p, d, place)` for the points within reach of a surface, at
- * distance `d`, in their order. */
+/** @brief Calls `see(view, p, d, place)`, with distance `d`, for the points within
+ * reach of a surface, in order. */
 template <typename See>
 void
 Sightings::forEach(std::size_t surface, See see) const

@@ -14,8 +14,8 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Sums over the points of a patch: their distances from the surface, and how
- * the distance falls with each parameter of the surface. */
+/** @brief Sums over the points of a patch: distances from the surface, and their
+ * negative derivatives by its parameters. */
 struct PatchSums {
   double count = 0;
   double sum = 0;     ///< of the distances
@@ -33,14 +33,14 @@ struct PatchSums {
   double mean() const { return count > 0 ? sum / count : 0; }
 };
 
-/** @brief Where most of the points near a surface are, and how far they scatter. */
+/** @brief Mode and scatter of the points near a surface. */
 struct Scatter {
   double count = 0;
   double centre = 0;    ///< distance from the surface, metres
-  double deviation = 0; ///< standard deviation about it, metres
+  double deviation = 0; ///< standard deviation around the centre, metres
 };
 
-/** @brief The points of a scan that are looked at. */
+/** @brief The points of a scan in use. */
 struct RawPoints {
   PointView points;
   const std::vector<int>* indices = nullptr; ///< null: all
@@ -58,26 +58,26 @@ struct RawPoints {
   }
 };
 
-/** @brief The points of a scan by the surface that they may show. Found once, since
- * that hardly changes while the surfaces move by millimetres. */
+/** @brief The points of a scan sorted by surface. Computed once, as the assignment
+ * hardly changes while surfaces move by millimetres. */
 class Sightings {
 public:
-  /** @brief Looks at all points, O(n). `targets` must outlive this. */
+  /** @brief Assigns all points, O(n). `targets` must outlive this object. */
   Sightings(const RawPoints& raw, const RefitTargets& targets);
 
-  /** @brief How the points within `reach` scatter about each surface, on this side of
-   * the middle between it and another that runs along it: by the shortest interval that
-   * holds half of them (Rousseeuw 1984), which objects beside a wall hardly move. */
+  /** @brief Returns the scatter of the points within `reach` of each surface, up to
+   * midway to an adjacent parallel surface. It is the shortest interval with half of
+   * them (Rousseeuw 1984), hardly affected by objects at a wall. */
   std::vector<Scatter> scatters(double reach) const;
 
-  /** @brief Sums over the patches of each surface of the points within its `band` about
-   * its `centre`. The same for any number of threads. */
+  /** @brief Returns the patch sums of each surface over the points within its `band`
+   * around its `centre`. The result does not depend on the number of threads. */
   std::vector<std::vector<PatchSums>> patchSums(const std::vector<double>& centre,
                                                 const std::vector<double>& band) const;
 
 private:
-  /** @brief A point and the part of its patch number that does not change: the row of
-   * patches of an upright, the patch of a slab. */
+  /** @brief A point and the constant part of its patch number: the row of a vertical
+   * surface, the patch of a slab. */
   struct Sighting {
     Eigen::Vector3f point;
     std::uint32_t place;
@@ -92,22 +92,22 @@ private:
 
   const RefitTargets& targets_;
   unsigned threads_;
-  std::vector<BySurface> blocks_; ///< of the scan, in the order of its points
+  std::vector<BySurface> blocks_; ///< blocks of the scan in point order
 };
 
-/** @brief A surface fitted to its patches. */
+/** @brief Result of the fit of a surface to its patches. */
 struct PatchFit {
-  Eigen::Vector3d step = Eigen::Vector3d::Zero(); ///< of its parameters
-  double count = 0;     ///< points of the patches that show it
-  double deviation = 0; ///< standard deviation of these within their patches, metres
+  Eigen::Vector3d step = Eigen::Vector3d::Zero(); ///< change of its parameters
+  double count = 0;     ///< number of points of its inlier patches
+  double deviation = 0; ///< standard deviation within the patches, metres
 };
 
 /** @brief Fits the first `parameters` parameters of a surface to its patches.
  *
- * The mean of a patch is known to a fraction of the noise. A patch that shows something
- * else lies clearly off and is left out by its biweight (Beaton and Tukey 1974), as is
- * one that scatters more than most. The fit starts where half of the patches are
- * nearest to each other (Rousseeuw 1984); `is_top` patches count more.
+ * The mean of a patch is accurate to a fraction of the noise. Patches of other objects
+ * deviate clearly and are excluded by the biweight (Beaton and Tukey 1974), as are
+ * patches with a large scatter. The fit starts at the shortest half of the patch means
+ * (Rousseeuw 1984); `is_top` patches have more weight.
  * @param noise expected standard deviation of the points, metres */
 PatchFit fitPatches(const std::vector<PatchSums>& patches,
                     const std::vector<bool>& is_top,

@@ -9,19 +9,20 @@ namespace sedr {
 
 namespace {
 
-/** @brief How far from the ends of an element its points are its own only, metres. */
+/** @brief Distance from an element's ends beyond which points are unambiguous, metres.
+ */
 constexpr double corner_margin = 0.06;
 
-/** @brief How far from floor, ceiling and steps the points of an upright are its own
- * only, metres. */
+/** @brief Distance from floor, ceiling and steps beyond which the points of a vertical
+ * surface are unambiguous, metres. */
 constexpr double height_margin = 0.08;
 
-/** @brief Edge of the patches of the shortest uprights, metres. */
+/** @brief Minimum edge of a patch of a short vertical surface, metres. */
 constexpr double least_patch = 0.02;
 
-/** @brief The heights at which a surface shows its own points: of walls the upper half,
- * as furniture hides the lower. Of a narrow one, such as the side of a pilaster, so
- * little is seen that all of it counts. */
+/** @brief Returns the heights in use of a surface: the upper half of walls, as
+ * furniture hides the lower half. Narrow surfaces, such as the side of a pilaster, have
+ * few points and use all heights. */
 UprightSpan
 heightsOf(const UprightSurface& surface, UprightSpan span)
 {
@@ -83,7 +84,7 @@ RefitTargets::addUprights(Floorplan& plan)
     }
 }
 
-/** @brief Adds the parts of a surface between which its heights change. */
+/** @brief Adds the parts of a surface of constant height. */
 void
 RefitTargets::addStretches(const UprightSurface& surface, std::size_t curve)
 {
@@ -132,7 +133,7 @@ RefitTargets::addStretch(const UprightSurface& surface,
   depth_[curve] = std::max(depth_[curve], heights.high - heights.low);
 }
 
-/** @brief Looks for stretches that run along each other at the same heights. */
+/** @brief Finds the distances between parallel stretches at the same heights. */
 void
 RefitTargets::findGaps()
 {
@@ -163,7 +164,8 @@ RefitTargets::findGaps()
     }
 }
 
-/** @brief Numbers a slab; one that is parallel to `parallel_to` follows `parent`. */
+/** @brief Adds and numbers a slab; if parallel to `parallel_to`, it follows `parent`.
+ */
 std::size_t
 RefitTargets::addSlab(PlanSlab& slab,
                       const PlanLoop& loop,

@@ -20,73 +20,73 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The surfaces of a plan, by place: which of them a point of the scan may show.
+/** @brief The surfaces of a plan and the assignment of scan points to them.
  *
- * Numbered are first the curves of the plan, then its slabs. Each is divided into
- * patches: a tenth of a metre of an upright, less of a short one, a quarter of a slab.
- * Each has up to three parameters: a line its shift to the left and its turn about the
- * pivot, a circle its centre and radius, a slab its rise and its slopes about the
- * middle of its room; one that is parallel to another only its rise. */
+ * Curves of the plan are numbered first, then its slabs. Patches of vertical surfaces
+ * are 0.1 m long, or less for short ones; those of slabs 0.25 m. Each surface has up to
+ * three parameters. A line has its shift to the left and its rotation about the pivot,
+ * a circle its centre and radius. A slab has its height and its slopes about the centre
+ * of its loop, or only its height if parallel to another. */
 class RefitTargets {
 public:
-  /** @brief `plan` must stay where it is; moved curves and slabs are seen.
+  /** @brief `plan` must not be moved in memory; changed curves and slabs take effect.
    * @pre none of its loops is empty */
   RefitTargets(Floorplan& plan,
                const PlanCurves& curves,
                double reach,
                unsigned threads);
 
-  /** @brief Why there is nothing to look up, a sentence; empty otherwise. */
+  /** @brief Returns the reason for a failure, a sentence; else empty. */
   const std::string& problem() const { return problem_; }
 
   std::size_t size() const { return curves_.curves.size() + places_.slabs.size(); }
 
-  /** @brief Points farther from a surface are not its own, metres. */
+  /** @brief Returns the maximum distance of a surface's points, metres. */
   double reach() const { return reach_; }
 
   std::size_t slabCount() const { return places_.slabs.size(); }
   PlanSlab& slab(std::size_t k) const { return *places_.slabs[k].slab; }
   const Eigen::Vector2d& middle(std::size_t k) const { return places_.slabs[k].middle; }
 
-  /** @brief The slab whose direction slab `k` has; `k` itself where it has its own. */
+  /** @brief Returns the slab that sets the direction of slab `k`, or `k` itself. */
   std::size_t parent(std::size_t k) const { return places_.slabs[k].parent; }
 
-  /** @brief Width of a slab where it is narrowest, metres. */
+  /** @brief Returns the minimum width of a slab, metres. */
   double widthOfSlab(std::size_t k) const { return places_.slabs[k].width; }
 
-  /** @brief Length of the shown part of a curve that is looked at, metres. */
+  /** @brief Returns the length of a curve in use, metres. */
   double lengthOf(std::size_t curve) const { return length_[curve]; }
 
-  /** @brief Distance to the nearest other upright that runs along a surface, such as
-   * the other face of a partition, metres; infinite where none is near. */
+  /** @brief Returns the distance to the nearest parallel vertical surface, such as the
+   * other face of a partition, metres; infinite if none is near. */
   double gap(std::size_t number) const
   {
     return number < gap_.size() ? gap_[number]
                                 : std::numeric_limits<double>::infinity();
   }
 
-  /** @brief Number of the patches of a surface. */
+  /** @brief Returns the number of patches of a surface. */
   std::size_t patchCount(std::size_t number) const { return patch_count_[number]; }
 
-  /** @brief Whether a patch, from the first of its surface, is at the top of a wall,
-   * where least stands before it. */
+  /** @brief Returns whether a patch of a surface is at the top of a wall, where
+   * furniture hides it least. */
   bool isTop(std::size_t number, std::size_t patch) const
   {
     constexpr std::size_t rows = 3;
     return number < curves_.curves.size() && patch < rows * along_[number];
   }
 
-  /** @brief Where the surfaces are, and their slabs. */
+  /** @brief Returns the spatial index of the surfaces. */
   const RefitPlaces& places() const { return places_; }
 
-  /** @brief The row of patches at a height of an upright whose highest is `top`, from
-   * there down. */
+  /** @brief Returns the patch row at height `z` of a vertical surface, down from `top`.
+   */
   static std::size_t rowOf(double top, double z)
   {
     return static_cast<std::size_t>((top - z) / upright_patch);
   }
 
-  /** @brief The patch of a slab at a place, from its first. */
+  /** @brief Returns the patch number of a slab at a position. */
   static std::size_t patchOf(const RefitSlab& slab, const Eigen::Vector2d& p)
   {
     const Eigen::Vector2d at =
@@ -96,8 +96,8 @@ public:
     return y * slab.along + x;
   }
 
-  /** @brief Calls `see(view)` by the kind of a surface: a LineView, CircleView or
-   * SlabView. */
+  /** @brief Calls `see(view)` with the LineView, CircleView or SlabView of a surface.
+   */
   template <typename See>
   void view(std::size_t number, See see) const
   {
@@ -115,7 +115,7 @@ public:
   }
 
 private:
-  /** @brief Edge of a patch of an upright and of a slab, metres. */
+  /** @brief Edge of a patch of a vertical surface and of a slab, metres. */
   static constexpr double upright_patch = 0.1;
   static constexpr double slab_patch = 0.25;
 
@@ -139,10 +139,10 @@ private:
   double reach_;
   std::string problem_;
   std::vector<double> length_;
-  std::vector<double> depth_;      ///< of each curve's stretches, below their tops
-  std::vector<double> gap_;        ///< of each curve, to the next that runs along it
-  std::vector<double> patch_;      ///< length of the patches of each curve
-  std::vector<std::size_t> along_; ///< patches along each curve, and along x of a slab
+  std::vector<double> depth_; ///< height of each curve's stretches, metres
+  std::vector<double> gap_;   ///< distance of each curve to the nearest parallel one
+  std::vector<double> patch_; ///< length of each curve's patches
+  std::vector<std::size_t> along_; ///< patches along each curve, or x of a slab
   std::vector<std::size_t> patch_count_;
   RefitPlaces places_;
 };

@@ -15,11 +15,12 @@
 namespace pcl {
 namespace sedr {
 
-// How points are seen from a surface, while it stays where it is: distance(p), signed,
-// metres; row(p), how that falls with each parameter; patch(row, place), number of the
-// patch within the surface, `place` as RefitCandidates gives it.
+// Views of points from a fixed surface: distance(p), signed, metres; row(p), its
+// negative derivative by each parameter; patch(row, place), the patch number for a
+// `place` of Sightings.
 
-/** @brief The patches of an upright: columns along it, rows from the top down. */
+/** @brief Patch grid of a vertical surface: `count` along it, rows from the top down.
+ */
 struct PatchColumns {
   double width = 0; ///< metres
   std::size_t count = 0;

@@ -13,22 +13,23 @@ namespace sedr {
 
 namespace {
 
-/** @brief A place on a wall, in the scan: along it, off it, and how high. */
+/** @brief A scan point in the frame of a wall: along it, normal to it, and its height.
+ */
 struct WallPoint {
   double along = 0;
   double off = 0;
   double z = 0;
 };
 
-/** @brief off = at + turn along + run (z - floor), and how well. */
+/** @brief Plane off = at + turn along + run (z - floor) with its residual. */
 struct WallPlane {
   Eigen::Vector3d parameters = Eigen::Vector3d::Zero();
   double residual = 0; ///< root mean square of the inliers, metres
   std::size_t inliers = 0;
 };
 
-/** @brief The face that leans on which a wall stands, and which way it does, 1 or -1;
- * null if there is none. */
+/** @brief Returns the tilted face of a wall, null if there is none; `sign` is 1 or -1
+ * for equal or opposite directions. */
 const LeaningFace*
 faceBehind(const PlanElement& wall, const std::vector<LeaningFace>& faces, double& sign)
 {
@@ -55,8 +56,8 @@ faceBehind(const PlanElement& wall, const std::vector<LeaningFace>& faces, doubl
   return behind;
 }
 
-/** @brief The plane of most of the points, by weights that fall to 0 at three times
- * their usual distance from it (Tukey). */
+/** @brief Fits a plane with weights that are 0 from three robust deviations on (Tukey).
+ */
 WallPlane
 fitted(const std::vector<WallPoint>& points, WallPlane plane, double floor)
 {
@@ -95,7 +96,7 @@ fitted(const std::vector<WallPoint>& points, WallPlane plane, double floor)
   return plane;
 }
 
-/** @brief The points of a wall, less what is near its ends, floor and ceiling. */
+/** @brief Returns the points of a wall except near its ends, floor and ceiling. */
 std::vector<WallPoint>
 pointsOf(const PlanElement& wall,
          double floor,
@@ -164,7 +165,7 @@ fitTilts(const Straightening& map,
       const Eigen::Vector2d middle = wall.pointAt(wall.length() / 2);
       const double floor = room.floor.heightAt(middle);
       const double head = room.ceilingAt(middle + 0.01 * wall.normalAt(0));
-      WallPlane plane; // as the map has it, where the points do not tell
+      WallPlane plane; // of the map, the fallback if there are too few points
       plane.parameters << sign * face->run * (floor - face->head), 0, sign * face->run;
       plane.residual = wall.residual;
       plane.inliers = wall.inliers;

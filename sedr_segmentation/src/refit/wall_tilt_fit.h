@@ -9,16 +9,17 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Lets the walls of a plan lean that was fitted in the frame of vertical walls.
+/** @brief Fits the tilts of the walls of a plan that was fitted in the frame of
+ * vertical walls.
  *
- * Each wall that stands on a face that leans is fitted, as a plane, to the points near
- * it over all heights; its element becomes the foot of that plane, and corners are
- * where walls meet at the floor. Details that reach to it follow.
- * @param map to the frame of vertical walls
- * @param faces that the map was made of
- * @param raw points in that frame; no indices: all
- * @param[in,out] plan with vertical walls, then with their feet
- * @return the walls that lean */
+ * A plane is fitted to the nearby points, over all heights, of each wall on a tilted
+ * face. The wall's element becomes the foot of that plane, and corners are the
+ * intersections of walls at the floor. Adjacent details follow.
+ * @param map transformation to the frame of vertical walls
+ * @param faces wall faces of the map
+ * @param raw points in that frame; without indices: all
+ * @param[in,out] plan with vertical walls on input, with their feet on output
+ * @return the tilted walls */
 WallTilts fitTilts(const Straightening& map,
                    const std::vector<LeaningFace>& faces,
                    const PointView& raw,

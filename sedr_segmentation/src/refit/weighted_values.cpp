@@ -31,8 +31,7 @@ shortestHalf(std::vector<Weighted> values)
   return best;
 }
 
-/** @brief By halves: of those that hold the quantile, what is below the middle one is
- * weighed. O(n). */
+/** @brief Uses quickselect on the weights. O(n). */
 double
 quantileOf(std::vector<Weighted> values, double share)
 {

@@ -6,7 +6,7 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A number that counts. */
+/** @brief A number with a weight. */
 struct Weighted {
   double value;
   double weight;
@@ -20,14 +20,14 @@ struct Interval {
   double width = 0;
 };
 
-/** @brief The shortest interval that holds half of the weight (Rousseeuw 1984). */
+/** @brief Returns the shortest interval with half of the weight (Rousseeuw 1984). */
 Interval shortestHalf(std::vector<Weighted> values);
 
-/** @brief The smallest value that has so large a share of the weight at or below it; 0
- * of none. */
+/** @brief Returns the weighted quantile: the smallest value with the given share of the
+ * weight at or below it; 0 if empty. */
 double quantileOf(std::vector<Weighted> values, double share);
 
-/** @brief The same for half of the weight. */
+/** @brief Returns the weighted median. */
 double medianOf(std::vector<Weighted> values);
 
 } // namespace sedr

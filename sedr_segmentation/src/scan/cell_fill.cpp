@@ -15,7 +15,7 @@ namespace {
 constexpr std::int32_t square_size = 20;
 constexpr std::size_t least_of_square = 10;
 
-/** @brief Cells between two occupied ones. */
+/** @brief Numbers of cells between two occupied ones. */
 struct Between {
   std::size_t all = 0;
   std::size_t occupied = 0;
@@ -30,11 +30,11 @@ squareOf(Cell cell)
   return keyOf({down(cell.x), down(cell.y)});
 }
 
-/** @brief Counts the cells that follow an occupied one in `way` and precede another. */
+/** @brief Counts the cells between two occupied ones in direction `way`. */
 void
 countBetween(const CellSet& cells, Cell way, std::map<CellKey, Between>& squares)
 {
-  auto last = squares.end(); // where the next one in a row mostly is, too
+  auto last = squares.end(); // the next cell in a row is mostly in the same square
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const Cell middle{cells[i].x + way.x, cells[i].y + way.y};
     if (!cells.contains({middle.x + way.x, middle.y + way.y}))
@@ -47,8 +47,7 @@ countBetween(const CellSet& cells, Cell way, std::map<CellKey, Between>& squares
   }
 }
 
-/** @brief The share of each square that is occupied; its occupied cells are the weight.
- */
+/** @brief Returns the fill of each square, weighted by its occupied cells. */
 std::vector<Weighted>
 sharesOf(const std::vector<CellSet>& ceilings)
 {

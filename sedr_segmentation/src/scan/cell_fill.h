@@ -9,19 +9,18 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The size of cells, metres, at least `size`, that a scan fills on its
- * ceilings.
+/** @brief Returns the cell size, metres, at least `size`, at which a scan fills the
+ * cells of its ceilings.
  *
- * In every square of 20 by 20 cells, of the cells between two occupied ones in a row or
- * in a column, some share is occupied. What hides a ceiling leaves gaps many cells
- * wide, which do not count; a scan with too few points leaves single cells empty all
- * over. Points scattered independently fill 1 - exp(-density * size^2) of the cells.
- * Where the median share is below 97 %, cells are enlarged so that at the share that a
- * tenth of the squares stay below, 97 % would be filled; at most to 2.5 times `size`,
- * and to whole centimetres. Squares count by their occupied cells: the ghosts that a
- * window shows of a ceiling may be larger than it, but few points make them.
- * @param ceilings their cells of `size` that hold points
- * O(n log n) for n cells. */
+ * The fill of a square of 20 by 20 cells is the occupied share of its cells between two
+ * occupied ones in a row or grid column. Hidden parts of a ceiling leave gaps many
+ * cells wide, which do not count; a sparse scan leaves single empty cells everywhere.
+ * Independently scattered points fill 1 - exp(-density * size^2) of the cells. If the
+ * median fill is below 97 %, cells are enlarged such that a square at the 10 % quantile
+ * would reach 97 %. The limit is 2.5 times `size`, and the result is rounded to
+ * centimetres. Squares are weighted by their occupied cells, as reflections in windows
+ * may be large but have few points.
+ * @param ceilings occupied cells, of edge `size`. O(n log n) for n cells. */
 double cellSizeFor(const std::vector<CellSet>& ceilings,
                    double size,
                    const Priors& priors = {});

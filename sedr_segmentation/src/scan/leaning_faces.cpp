@@ -21,12 +21,13 @@ namespace {
 constexpr double one_degree = M_PI / 180;
 constexpr double cube_size = 0.4; // metres
 
-/** @brief Less is out of plumb, or the drift of a scanner that was carried through a
- * building; more is a roof. */
+/** @brief Limits of the tilt. Less is construction tolerance or the drift of a mobile
+ * scanner; more is a roof. */
 constexpr double least_lean = 5 * one_degree;
 constexpr double most_lean = 28 * one_degree;
 
-/** @brief A face is at least so high, covers so much, and begins so low: metres. */
+/** @brief Minimum height and area of a face, and maximum start above the floor, metres.
+ */
 constexpr double least_height = 1.5;
 constexpr double least_area = 1.5;
 constexpr double most_above_floor = 1;
@@ -39,7 +40,7 @@ struct Plane {
   double distance(const Eigen::Vector3d& p) const { return normal.dot(p) - offset; }
 };
 
-/** @brief The plane through weighted places: least squares. */
+/** @brief Sums for a least-squares plane through weighted points. */
 class PlaneSums {
 public:
   void add(const Eigen::Vector3d& p, double weight)
@@ -52,7 +53,7 @@ public:
     squares_.noalias() += weight * d * d.transpose();
   }
 
-  /** @brief With a normal on the side of `like`. */
+  /** @brief Returns the plane with its normal on the side of `like`. */
   Plane plane(const Eigen::Vector3d& like) const
   {
     const Eigen::Vector3d mean = sum_ / weight_;
@@ -72,7 +73,7 @@ private:
   Eigen::Matrix3d squares_ = Eigen::Matrix3d::Zero();
 };
 
-/** @brief The patches of walls, by where they are. */
+/** @brief The patches of walls with a spatial index. */
 class WallPatches {
 public:
   explicit WallPatches(const std::vector<PlanePatch>& patches)
@@ -86,7 +87,7 @@ public:
     reached_.assign(patches_.size(), 0);
   }
 
-  /** @brief The patches of one face after another, the largest patch's first. */
+  /** @brief Returns the patches of each face, grown from the largest patches first. */
   std::vector<std::vector<std::size_t>> faces()
   {
     std::vector<std::size_t> order(patches_.size());
@@ -109,7 +110,7 @@ public:
 
   const PlanePatch& operator[](std::size_t i) const { return patches_[i]; }
 
-  /** @brief The plane of some patches. */
+  /** @brief Fits the plane of some patches. */
   Plane planeOf(const std::vector<std::size_t>& members) const
   {
     PlaneSums sums;
@@ -121,7 +122,7 @@ public:
 private:
   using Cell = std::array<std::int64_t, 3>;
   static constexpr double cell_size =
-      2 * cube_size; // what is so far off hangs together
+      2 * cube_size; // patches in adjacent cells are connected
 
   static Cell cellOf(const Eigen::Vector3d& p)
   {
@@ -132,8 +133,7 @@ private:
     return cell;
   }
 
-  /** @brief What hangs together with a patch in its plane, which is fitted anew as it
-   * grows. */
+  /** @brief Grows a face from a patch in its plane, which is refitted repeatedly. */
   std::vector<std::size_t> grown(std::size_t seed)
   {
     Plane plane{patches_[seed].normal,
@@ -180,7 +180,7 @@ private:
   std::vector<PlanePatch> patches_;
   std::map<Cell, std::vector<std::size_t>> cells_;
   std::vector<bool> is_used_;
-  std::vector<std::size_t> reached_; ///< the round in which each was reached last
+  std::vector<std::size_t> reached_; ///< round in which each patch was last reached
   std::size_t round_ = 0;
 };
 
@@ -193,16 +193,16 @@ quantile(std::vector<double> values, double share)
   return values[static_cast<std::size_t>(at)];
 }
 
-/** @brief Fits a face to the points about its patches.
- * @return none where that is no wall from near the floor */
+/** @brief Fits a face to the points around its patches.
+ * @return none if it is no wall that begins near the floor */
 std::optional<LeaningFace>
 faceOf(const WallPatches& patches,
        const std::vector<std::size_t>& members,
        const PointView& points,
        const std::vector<int>& indices)
 {
-  constexpr double reach = 0.06; // of points, off the plane of patches
-  constexpr double beside = 0.6; // where its floor is looked for
+  constexpr double reach = 0.06; // of points from the plane of patches
+  constexpr double beside = 0.6; // search distance for the floor
   constexpr double stray = 0.005;
   Eigen::AlignedBox3d box;
   for (const std::size_t i : members)
@@ -269,11 +269,11 @@ faceOf(const WallPatches& patches,
 std::vector<LeaningFace>
 leaningFaces(const PointView& points, const std::vector<int>& indices, unsigned threads)
 {
-  constexpr double least_share = 0.6; // of a tilt, as patches tell it
+  constexpr double least_share = 0.6; // of the minimum tilt, for the tilt of patches
   WallPatches patches(
       planesOf(points, indices, Eigen::Matrix3d::Identity(), cube_size, threads));
   std::vector<LeaningFace> faces;
-  std::vector<std::vector<std::size_t>> others; // looked at only if some wall leans
+  std::vector<std::vector<std::size_t>> others; // used only if some wall is tilted
   for (std::vector<std::size_t>& members : patches.faces()) {
     const bool may_lean = std::abs(patches.planeOf(members).normal.z()) >
                           least_share * std::sin(least_lean);

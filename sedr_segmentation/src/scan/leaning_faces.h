@@ -9,14 +9,14 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The wall faces of a scan that lean, by 5 to 28 degrees, and the vertical ones
- * beside them; none where no wall leans.
+/** @brief Finds the tilted wall faces of a scan, by 5 to 28 degrees, and the vertical
+ * ones; empty if no wall is tilted.
  *
- * Patches of 0.4 m that are planes and hang together in one plane are a face where they
- * cover 1.5 m2 and 1.5 m of height, and begin within 1 m of the floor before them: what
- * begins higher is the slope of a roof. Each is fitted to its points.
+ * A face is a connected set of planar patches of 0.4 m in one plane. It must cover 1.5
+ * m2 and 1.5 m of height and begin within 1 m of the floor in front of it; higher ones
+ * are roof slopes. Each face is fitted to its points.
  * @param points thinned, level
- * @param threads 0: as many as there are processors; any number gives the same
+ * @param threads 0: all processors; the result does not depend on it
  *
  * O(n log n). */
 std::vector<LeaningFace> leaningFaces(const PointView& points,

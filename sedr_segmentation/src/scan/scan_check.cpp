@@ -26,8 +26,7 @@ text(const char* format, double a, double b = 0, double c = 0, double d = 0)
   return buffer.data();
 }
 
-/** @brief Extent along one axis of all but the outermost hundredth of the points at
- * each end. */
+/** @brief Returns the extent along an axis without 1 % of the points at each end. */
 double
 extentAlong(const std::vector<Eigen::Vector3f>& points, int axis)
 {
@@ -56,15 +55,15 @@ exceedsBuildings(const Eigen::Vector3d& extents, const Priors& priors)
          std::min(extents.x(), extents.y()) > priors.max_building_extent;
 }
 
-/** @brief Points that are counted together. */
+/** @brief Number of points per block. */
 constexpr std::size_t block = std::size_t{1} << 16;
 
-/** @brief Number of the finite points from `begin` to `end`. */
+/** @brief Counts the finite points from `begin` to `end`. */
 std::size_t
 countFinite(const PointView& points, std::size_t begin, std::size_t end)
 {
-  // Mostly all are: then each adds 0 to a sum that any other makes NaN. Four sums do
-  // not wait for each other.
+  // Usually all are finite: then the sums of 0 * value are 0, else NaN. Four sums avoid
+  // data dependencies.
   std::array<float, 4> zero{};
   for (std::size_t i = begin; i < end; ++i)
     zero[i % 4] += 0 * points[i].sum();
@@ -131,7 +130,7 @@ ScanSample::problem(const Priors& priors) const
   const double y = extents.y();
   const double z = extents.z();
   if (exceedsBuildings(extents, priors)) {
-    // The unit in which the scan would be up to a few storeys high.
+    // The unit in which the scan would have the height of a building.
     const bool is_centimetre = z < 10 * priors.max_building_height &&
                                std::min(x, y) < priors.max_building_extent;
     return text(is_centimetre
@@ -174,7 +173,7 @@ upProblem(const PointView& points,
   if (rooms == RoomsAlongZ::Found &&
       !bestSidePair(points, indices, z, times_of_rooms * found_area, threads, priors)
            .axis)
-    return {}; // whatever there is along z, as is so with most scans
+    return {}; // the usual case, whatever lies along z
   const PlanePair up =
       bestPair(points, indices, Eigen::Matrix3d::Identity(), priors.min_headroom,
                priors.max_room_height, 0, threads);
@@ -193,7 +192,7 @@ namespace {
 
 constexpr double foot = 0.3048; ///< metres
 
-/** @brief Whether the middle one of the doorways is as high as a door is in feet. */
+/** @brief Returns whether the median doorway has the height of a door in feet. */
 bool
 hasDoorsAsHighAsInFeet(const Floorplan& plan, const Priors& priors)
 {
@@ -212,7 +211,7 @@ hasDoorsAsHighAsInFeet(const Floorplan& plan, const Priors& priors)
 std::string
 footProblem(const Floorplan& plan, const Priors& priors)
 {
-  constexpr double sliver = 0.1; // of the largest room: smaller ones tell nothing
+  constexpr double sliver = 0.1; // of the largest room; smaller rooms are ignored
   std::vector<double> heights;
   std::vector<double> areas;
   double whole_area = 0;

@@ -14,26 +14,26 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Looks at no more than 100,000 of the finite points of a scan that comes piece
- * by piece, and says what is wrong with it. */
+/** @brief Checks a scan that is read in pieces, by a sample of at most 100,000 of its
+ * finite points. */
 class ScanSample {
 public:
-  /** @param size of the whole scan, points
-   * @param finite_before how many finite points of the scan come before those that will
-   * be added, where they are a part of it */
+  /** @param size number of points of the whole scan
+   * @param finite_before number of finite points before the added ones, if these are a
+   * part of the scan */
   explicit ScanSample(std::size_t size, std::size_t finite_before = 0)
       : size_(size)
       , step_(size / most_points + 1)
       , finite_(finite_before)
   {}
 
-  /** @brief Takes the next points of the scan, in their order; `threads` 0: all. */
+  /** @brief Adds the next points of the scan, in order; `threads` 0: all processors. */
   void add(const PointView& points, unsigned threads = 0);
 
-  /** @brief Reads points, and calls `see_run` for all of them as they are at hand. */
+  /** @brief Function that reads points and calls `see_run` for each available range. */
   using Read = std::function<void(const RowSource::SeeRun& see_run)>;
 
-  /** @brief The same, while another purpose makes `read` go through them. */
+  /** @brief Adds the next points during another pass `read` over them. */
   void add(const PointView& points, const Read& read);
 
   void add(const Eigen::Vector3f& point)
@@ -42,25 +42,25 @@ public:
       sample_.push_back(point);
   }
 
-  /** @brief Adds what was looked at of the part of the scan that comes next, of which
-   * `finite` points are finite. */
+  /** @brief Adds the sample of the next part of the scan, with `finite` finite points.
+   */
   void join(const std::vector<Eigen::Vector3f>& points, std::size_t finite)
   {
     sample_.insert(sample_.end(), points.begin(), points.end());
     finite_ += finite;
   }
 
-  /** @brief Finite points so far, those before the first one added among them. */
+  /** @brief Returns the number of finite points so far, including those before the
+   * first added one. */
   std::size_t finite() const { return finite_; }
 
-  /** @brief The points looked at. */
+  /** @brief Returns the sample. */
   const std::vector<Eigen::Vector3f>& points() const { return sample_; }
 
-  /** @brief The sentence of scanProblem(). */
+  /** @brief Returns the sentence of scanProblem(). */
   std::string problem(const Priors& priors = {}) const;
 
-  /** @brief Whether what was seen so far is so large that the metre cannot be the unit.
-   */
+  /** @brief Returns whether the sample is too large for the unit to be the metre. */
   bool isTooLarge(const Priors& priors = {}) const;
 
 private:
@@ -72,28 +72,28 @@ private:
   std::vector<Eigen::Vector3f> sample_;
 };
 
-/** @brief What is wrong with a scan as a whole, a sentence with its numbers; empty if
- * it may be one of rooms in metres: too few finite points, too small, or so large that
- * its unit cannot be the metre. Looks at no more than 100,000 of the points. */
+/** @brief Returns the problem of a scan as a whole, a sentence with numbers; empty if
+ * it may show rooms in metres. Problems are too few finite points, too small a scan, or
+ * too large for the unit to be the metre. Uses at most 100,000 of the points. */
 std::string scanProblem(const PointView& points,
                         const std::vector<int>& indices,
                         const Priors& priors = {});
 
-/** @brief What is known of rooms along z when upProblem() is asked. */
+/** @brief Knowledge about rooms along z for upProblem(). */
 enum class RoomsAlongZ {
   NotLookedFor,
   None, ///< there is no floor with a ceiling above it
   Found
 };
 
-/** @brief Whether the scan looks as if another axis than z were up: a sentence with the
- * turn that mends it, else empty. Then across another axis there are two planes at the
- * distance of a floor and a ceiling that are half as large again as across z, where z
- * gives rooms higher than 4.5 m or none; where there are rooms, they are four times as
- * large as across z, and half as large again as any level of z. For thinned points.
- * @param found_area of the rooms that were found along z, the smaller one of all floors
- * and all ceilings, square metres: these may lean
- * @param threads    0: as many as there are processors; any number gives the same */
+/** @brief Returns a sentence with the required rotation if an axis other than z seems
+ * to be up, else an empty one. The evidence is a pair of planes normal to another axis,
+ * a room height apart. It must be 1.5 times as large as the pair along z, if z gives no
+ * rooms or rooms higher than 4.5 m. If there are rooms along z, it must be four times
+ * as large as the pair along z and 1.5 times as large as any level. For thinned points.
+ * @param found_area area of the rooms found along z, the minimum of all floors and all
+ * ceilings, square metres; they may be tilted
+ * @param threads 0: all processors; the result does not depend on it */
 std::string upProblem(const PointView& points,
                       const std::vector<int>& indices,
                       RoomsAlongZ rooms = RoomsAlongZ::NotLookedFor,
@@ -101,10 +101,10 @@ std::string upProblem(const PointView& points,
                       unsigned threads = 1,
                       const Priors& priors = {});
 
-/** @brief Whether a plan looks as if its unit were the foot: a sentence, else empty.
- * Then rooms with four fifths of the area are 7 to 12 high, and half of them or more
- * have an area below 300: halls of that height are larger. Two rooms alone may be halls
- * all the same, unless the doors between them are 5.9 to 8.5 high. O(rooms). */
+/** @brief Returns a sentence if the unit of a plan seems to be the foot, else an empty
+ * one. Rooms with four fifths of the area must be 7 to 12 high. At least half of them
+ * must have an area below 300, as halls of that height are larger. Two rooms alone
+ * could still be halls, so their doors must be 5.9 to 8.5 high. O(rooms). */
 std::string footProblem(const Floorplan& plan, const Priors& priors = {});
 
 } // namespace sedr

@@ -53,7 +53,7 @@ ScanExcerpt::forEachPiece(const std::function<bool(const Piece&)>& see) const
     bool goes_on = true;
     addToExcerpt(points, piece.first, step_, sample, *points_,
                  [&](const SeeRun& see_run) { goes_on = show(piece, see_run, see); });
-    // Whenever twice as much has been seen, which costs next to nothing.
+    // Checked whenever the amount read has doubled, so the cost is negligible.
     const std::size_t seen = piece.first + piece.size;
     if (seen >= 2 * looked_at && seen < scan_.size()) {
       looked_at = seen;

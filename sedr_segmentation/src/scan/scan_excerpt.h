@@ -14,9 +14,9 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Takes the next points of a scan while `read` goes through them: adds them to
- * a sample of it, and every `step`-th, those that are not finite too, to an excerpt.
- * @param first number of the first of them in the whole scan */
+/** @brief Adds the next points of a scan to a sample during the pass `read`, and every
+ * `step`-th one, including non-finite ones, to an excerpt.
+ * @param first index of the first point in the whole scan */
 void addToExcerpt(const PointView& points,
                   std::size_t first,
                   std::size_t step,
@@ -24,13 +24,13 @@ void addToExcerpt(const PointView& points,
                   std::vector<Eigen::Vector3f>& excerpt,
                   const ScanSample::Read& read);
 
-/** @brief A scan that is gone through once, and what is noted of it on the way: whether
- * it may be one of rooms in metres, and every k-th of its points. */
+/** @brief A scan that is read once, with a check of its unit and size and an excerpt of
+ * every k-th point. */
 class ScanExcerpt : public RowSource {
 public:
-  /** @param scan must outlive this
-   * @param most_points how many points are kept, see rawStep()
-   * @param threads 0: as many as there are processors */
+  /** @param scan must outlive this object
+   * @param most_points maximum number of points to keep, see rawStep()
+   * @param threads 0: all processors */
   ScanExcerpt(const RowSource& scan, std::size_t most_points, unsigned threads);
 
   const std::vector<pcl::PCLPointField>& fields() const override
@@ -41,22 +41,22 @@ public:
   std::size_t size() const override { return scan_.size(); }
   std::string problem() const override { return problem_; }
 
-  /** @brief Goes through the scan, and no farther where it is so large that its unit
-   * cannot be the metre: then it would not get any smaller by thinning. What is noted
-   * is taken beside what `see` does with a piece, if it calls RowSource::Piece::beside,
-   * or after it; std::logic_error if it calls that for a part of the rows. */
+  /** @brief Reads the scan; stops if it is too large for the unit to be the metre, as
+   * thinning would not reduce it. The points are recorded while `see` processes a
+   * piece, if it calls RowSource::Piece::beside, else after it. Throws std::logic_error
+   * if `see` calls that for only a part of the rows. */
   void forEachPiece(const std::function<bool(const Piece&)>& see) const override;
 
-  /** @brief Every k-th point, those that are not finite too. */
+  /** @brief Returns every k-th point, including non-finite ones. */
   std::shared_ptr<std::vector<Eigen::Vector3f>> points() const { return points_; }
 
 private:
-  /** @brief Shows a piece to `see`, and its rows to `see_run` meanwhile. */
+  /** @brief Passes a piece to `see` and its rows to `see_run`. */
   bool show(const Piece& piece,
             const SeeRun& see_run,
             const std::function<bool(const Piece&)>& see) const;
 
-  /** @brief What is wrong with the whole scan, looked at without anything else. */
+  /** @brief Checks the whole scan in a separate pass; returns its problem. */
   std::string problemOfAll() const;
 
   const RowSource& scan_;

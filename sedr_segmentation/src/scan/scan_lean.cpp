@@ -16,7 +16,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief How many normals stand along a direction. */
+/** @brief Returns the number of normals parallel to a direction. */
 double
 countAlong(const Eigen::Vector3d& direction,
            const std::vector<Eigen::Vector3d>& normals,
@@ -29,7 +29,8 @@ countAlong(const Eigen::Vector3d& direction,
       }));
 }
 
-/** @brief How many normals are square to one direction but not to another one. */
+/** @brief Returns the number of normals perpendicular to a direction but not to
+ * `other`. */
 double
 countSquareTo(const Eigen::Vector3d& direction,
               const Eigen::Vector3d& other,
@@ -43,7 +44,8 @@ countSquareTo(const Eigen::Vector3d& direction,
       }));
 }
 
-/** @brief The direction, more upright than level, along which most normals stand. */
+/** @brief Returns the direction within 45 degrees of z with the most parallel normals.
+ */
 Eigen::Vector3d
 commonUp(const std::vector<Eigen::Vector3d>& normals, const Priors& priors)
 {
@@ -79,8 +81,8 @@ leanOf(const PointView& points,
        unsigned threads,
        const Priors& priors)
 {
-  // Twice that once the scan is put right, as thinning makes a plane that leans uneven
-  // over half a metre.
+  // Doubled after the scan is levelled, as thinning makes tilted planes uneven over
+  // half a metre.
   const double patch_size = priors.patch;
   constexpr double times_more_level = 3;
   constexpr double times_more_upright = 2;
@@ -97,7 +99,7 @@ leanOf(const PointView& points,
   ScanLean lean;
   turnUp(patch_size);
   if (isUpright())
-    return lean; // what agrees with it agrees with z
+    return lean; // the common direction agrees with z
   turnUp(patch_size);
   const double level = countAlong(z, normals, priors);
   const Eigen::Vector3d was_z = turn * z;
@@ -124,8 +126,8 @@ leanProblem(const PointView& points,
   const ScanLean lean = leanOf(points, indices, threads, priors);
   if (!(lean.angle > 0))
     return {};
-  // A scan whose y is up, turned about it: what stands at an angle to z are walls. But
-  // those of a corridor are larger than its floor, too.
+  // In a scan with y up, rotated about y, the tilted planes are walls. But the walls of
+  // a corridor are larger than its floor, too.
   const double times = priors.upright_ratio;
   const double times_of_rooms = priors.corridor_ratio;
   const Eigen::Matrix3d turn =

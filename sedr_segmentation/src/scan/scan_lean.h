@@ -12,30 +12,28 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief How a scan stands to z. */
+/** @brief Orientation of a scan relative to z. */
 struct ScanLean {
-  Eigen::Vector3d up = Eigen::Vector3d::UnitZ(); ///< across its floors, unit
-  double angle = 0; ///< between that and z, radians; 0 where the scan does not lean
-  double area = 0;  ///< of what stands so and is level in the building, square metres
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ(); ///< unit normal of its floors
+  double angle = 0; ///< between `up` and z, radians; 0 if the scan is not tilted
+  double area = 0;  ///< area of the planes normal to `up`, square metres
 };
 
-/** @brief Whether a scan leans as a whole, by 3 to 45 degrees: the planes of most of
- * what is more level than upright agree in one direction, few are across z, and the
- * walls stand along that direction rather than along z. A sloping roof between upright
- * walls does not lean. For thinned points; patches of half a metre are looked at,
- * O(n log n).
- * @param threads 0: as many as there are processors */
+/** @brief Finds the tilt of a scan as a whole, 3 to 45 degrees. Most planes closer to
+ * level than to vertical must share one normal direction, and few be normal to z. The
+ * walls must be parallel to that direction rather than to z, so a sloping roof between
+ * vertical walls is no tilt. For thinned points; uses half-metre patches, O(n log n).
+ * @param threads 0: all processors */
 ScanLean leanOf(const PointView& points,
                 const std::vector<int>& indices,
                 unsigned threads = 1,
                 const Priors& priors = {});
 
-/** @brief What to do about a scan that leans, a sentence with its numbers; empty if it
- * does not. Walls that stand at an angle to z lean too where y or x is up: then the
- * sentence says that, if across that axis two planes at the distance of a floor and a
- * ceiling are half as large again as across the direction that leans; where they are
- * about as large, it names the turns of both.
- * @param threads 0: as many as there are processors */
+/** @brief Returns a sentence with numbers on how to correct a tilted scan; empty if it
+ * is not tilted. If y or x is up, the tilted planes may be walls. The sentence then
+ * reports that axis if it has a pair of planes, a room height apart, 1.5 times as large
+ * as along the tilted direction. If the pairs are about equal, it names both rotations.
+ * @param threads 0: all processors */
 std::string leanProblem(const PointView& points,
                         const std::vector<int>& indices,
                         unsigned threads = 1,

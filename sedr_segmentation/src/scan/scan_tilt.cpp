@@ -16,12 +16,12 @@ namespace {
 
 constexpr double degree = M_PI / 180;
 
-/** @brief Limits of what agrees with a direction, one round of the fit after another:
- * first what may be tilted at all and unevenly scanned besides. */
+/** @brief Maximum deviations from a direction, one per round of the fit; the first
+ * allows for the maximum tilt and uneven patches. */
 constexpr double limits[] = {5 * degree, 2.5 * degree, 1.5 * degree, 1 * degree,
                              1 * degree};
 
-/** @brief Patches that a direction is taken from, at least: 4 square metres. */
+/** @brief Returns the minimum number of patches for a direction: 4 square metres. */
 std::size_t
 fewestPatches(const Priors& priors)
 {
@@ -29,12 +29,12 @@ fewestPatches(const Priors& priors)
                                   (priors.patch * priors.patch));
 }
 
-/** @brief The direction that vertical patches are square to; z where they do not tell:
- * too few, or all along one direction in plan. */
+/** @brief Returns the direction perpendicular to the normals of vertical patches.
+ * Returns z if they are too few or all have one direction in plan. */
 Eigen::Vector3d
 upOfWalls(const std::vector<Eigen::Vector3d>& normals, const Priors& priors)
 {
-  // Of squared normals, across the main direction.
+  // Of the squared normals, perpendicular to the main direction.
   const double least_share = priors.share_unseen;
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
   for (const double limit : limits) {
@@ -55,8 +55,7 @@ upOfWalls(const std::vector<Eigen::Vector3d>& normals, const Priors& priors)
   return up;
 }
 
-/** @brief The mean normal of level patches, about a direction; that itself where there
- * are few. */
+/** @brief Returns the mean normal of level patches; z if there are too few. */
 Eigen::Vector3d
 upOfSlabs(const std::vector<Eigen::Vector3d>& normals, const Priors& priors)
 {
@@ -82,15 +81,15 @@ angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/** @brief What the patches of a turned scan tell. */
+/** @brief Up directions from the patches of a rotated scan. */
 struct PatchView {
   Eigen::Vector3d up_of_walls = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d up_of_slabs = Eigen::Vector3d::UnitZ();
 };
 
-/** @brief A face of the patches that runs within the noise of a plane slices it askew,
- * into twice as many patches: of two places of the patches that one tells which gives
- * fewer of them. */
+/** @brief Returns the up directions from the patches of a rotated scan. A patch
+ * boundary within the noise of a plane splits it obliquely into twice as many patches,
+ * so the one of two grid offsets with fewer patches is used. */
 PatchView
 look(const PointView& points,
      const std::vector<int>& indices,
@@ -120,11 +119,12 @@ tiltOf(const PointView& points,
   const PatchView scan =
       look(points, indices, Eigen::Matrix3d::Identity(), patch, threads, priors);
   const double angle = angleBetween(scan.up_of_walls, z);
-  // Nearer to what the slabs say than to z.
+  // The walls must agree better with the slabs than with z.
   if (angle < radians(priors.min_tilt) ||
       2 * angleBetween(scan.up_of_walls, scan.up_of_slabs) > angle)
     return {};
-  // Once it is level, larger patches tell the rest: thinning makes smaller ones uneven.
+  // After levelling, larger patches give the remaining tilt, as thinning makes smaller
+  // ones uneven.
   const Eigen::Matrix3d turn =
       Eigen::Quaterniond::FromTwoVectors(scan.up_of_walls, z).toRotationMatrix();
   ScanTilt tilt;

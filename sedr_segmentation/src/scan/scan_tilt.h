@@ -11,19 +11,18 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief How far a scan is off level. */
+/** @brief Deviation of a scan from level. */
 struct ScanTilt {
-  Eigen::Vector3d up = Eigen::Vector3d::UnitZ(); ///< along its walls, unit
-  double angle = 0; ///< between that and z, radians; 0 where the scan is level
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ(); ///< unit, along its walls
+  double angle = 0; ///< between `up` and z, radians; 0 if the scan is level
 };
 
-/** @brief Whether a scan is tilted as a whole, by 0.3 degrees or more, up to the 3 from
- * which leanOf() tells it. The walls say it: up is the direction that those of two
- * directions in plan are square to. Floors and ceilings must be tilted likewise: a
- * ceiling that slopes between vertical walls is no tilt, nor are walls that are out of
- * plumb between level floors. For thinned points; patches of half a metre are looked
- * at, O(n log n).
- * @param threads 0: as many as there are processors; any number gives the same */
+/** @brief Finds the tilt of a scan as a whole from 0.3 to 3 degrees; leanOf() finds
+ * larger ones. Up is the direction perpendicular to the normals of walls with at least
+ * two directions in plan. Floors and ceilings must be tilted equally: a sloping ceiling
+ * between vertical walls is no tilt, nor are tilted walls between level floors. For
+ * thinned points; uses patches of half a metre, O(n log n).
+ * @param threads 0: all processors; the result does not depend on it */
 ScanTilt tiltOf(const PointView& points,
                 const std::vector<int>& indices,
                 unsigned threads = 1,

@@ -12,7 +12,7 @@ std::string
 inchProblem(const PointView& points, std::size_t storeys)
 {
   constexpr float lowest = 60;   // metres, if the metre is the unit
-  constexpr float highest = 200; // above, the check of the scan tells the unit
+  constexpr float highest = 200; // above, the check of the scan detects the unit
   constexpr float most_a_storey = 30;
   std::vector<float> heights;
   for (std::size_t i = 0; i < points.size(); ++i)

@@ -9,11 +9,11 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Whether a scan looks as if its unit were the inch: a sentence, else empty.
- * Then it is 60 to 200 high, as one storey or two are in inches, and more than 30 for
- * each storey that was found, as no tower is. The outermost hundredths of the points do
- * not count. Above 200 the check of the scan tells the unit. O(points).
- * @param storeys that were found; 0 where nothing was */
+/** @brief Returns a sentence if the unit of a scan seems to be the inch, else an empty
+ * one. The scan must be 60 to 200 high, like one or two storeys in inches, and more
+ * than 30 per storey found, unlike any tower. The outermost 1 % of the points at each
+ * end is ignored. Above 200, the check of the scan detects the unit. O(points).
+ * @param storeys number of storeys found */
 std::string inchProblem(const PointView& points, std::size_t storeys);
 
 } // namespace sedr

@@ -9,7 +9,7 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief 0, 1, ..., n - 1. */
+/** @brief Returns 0, 1, ..., n - 1. */
 inline pcl::IndicesPtr
 allIndices(std::size_t n)
 {

@@ -11,7 +11,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief What is smaller is the edge of a room, square metres. */
+/** @brief Smaller areas are edges of rooms, square metres. */
 constexpr double worth_telling = 0.5;
 
 const PlanRoom*
@@ -28,8 +28,8 @@ middleOf(const std::vector<Eigen::Vector2d>& places)
   return places.empty() ? Eigen::Vector2d(0, 0) : places[places.size() / 2];
 }
 
-/** @brief The columns of a room that lie outside its plan, farther than noise and cells
- * explain; all of them where it has none. */
+/** @brief Returns the columns of a room that lie outside its plan by more than noise
+ * and cells explain; all of them if it has none. */
 std::vector<Eigen::Vector2d>
 placesLeftOut(const BuildingRoom& room, const PlanRoom* plan, const CellGrid& grid)
 {

@@ -30,7 +30,7 @@ secondsSince(std::chrono::steady_clock::time_point start)
 StructureChain::StructureChain()
 {
   reset(Cloud::ConstPtr(new Cloud));
-  // Of a round room, facets of 0.5 mm would be all that is between the solid and truth.
+  // In a round room, facets of 0.5 mm would dominate the distance from solid to truth.
   extrusion.setChordTolerance(0.00025);
 }
 
@@ -63,7 +63,8 @@ StructureChain::setCells(double size)
   hole_repair.setGridSize(size);
 }
 
-/** @brief Larger cells for what looks at the scan; repaired points stay as dense. */
+/** @brief Enlarges the cells of the stages that analyse the scan; repaired points keep
+ * their density. */
 void
 StructureChain::enlargeCells(double size)
 {
@@ -80,7 +81,7 @@ void
 StructureChain::restoreCells()
 {
   if (enlarged_from_ > 0)
-    enlargeCells(enlarged_from_); // smaller ones, in truth
+    enlargeCells(enlarged_from_); // back to smaller cells
   enlarged_from_ = 0;
 }
 
@@ -88,7 +89,7 @@ void
 StructureChain::reset(const Cloud::ConstPtr& thinned)
 {
   restoreCells();
-  // Points are added where something hides a ceiling: a thirtieth at most, mostly.
+  // Points are added where a ceiling is hidden: usually at most a thirtieth.
   cloud.reset(new Cloud);
   reserveLarge(cloud->points, thinned->size() + thinned->size() / 30,
                room_segmentation.getNumberOfThreads());
@@ -209,8 +210,8 @@ StructureChain::findStructure(const Cloud::ConstPtr& thinned)
 
 namespace {
 
-/** @brief Gives the system back what threads have freed: each of them keeps its own,
- * and what comes next is done by others. */
+/** @brief Returns freed memory to the system. Each thread keeps its own, and other
+ * threads run the next stage. */
 void
 giveFreedMemoryBack()
 {

@@ -14,7 +14,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief Where `part` is within `all`, which holds it; both increasing. */
+/** @brief Returns the places of `part` within `all`, a superset; both increasing. */
 pcl::Indices
 placesOf(const pcl::Indices& part, const pcl::Indices& all)
 {
@@ -146,7 +146,7 @@ StructureChain::refineElsewhere(StageReport& report)
       return fail(repaired.problem);
     report.points_out += repaired.refined;
     addStructure(room, repaired);
-    results[r] = LostRoom(); // the points of all rooms, twice, would be most of memory
+    results[r] = LostRoom(); // points kept twice would be most of the memory
   }
   return report.points_out > 0 || fail("no labelled point lies on the floor plan");
 }

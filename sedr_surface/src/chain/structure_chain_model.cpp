@@ -64,12 +64,12 @@ StructureChain::repair(StageReport& report)
   const std::string excess = size > 0 ? surfaceCellsProblem(*straight_plan_, size) : "";
   if (!excess.empty())
     return fail(excess);
-  for (std::size_t r = 0; r < refined_.size(); ++r) { // none if done elsewhere
+  for (std::size_t r = 0; r < refined_.size(); ++r) { // empty if done elsewhere
     const PlanRoom& room = straight_plan_->rooms[r];
     StructureCloud whole;
     hole_repair.setInputCloud(refined_[r]);
     hole_repair.setFloorplan(planOf(room));
-    refined_[r].reset(); // the points of all rooms, twice, would be most of the memory
+    refined_[r].reset(); // points kept twice would be most of the memory
     hole_repair.filter(whole);
     if (!hole_repair.getErrorMessage().empty())
       return fail(hole_repair.getErrorMessage());
@@ -118,7 +118,8 @@ StructureChain::extrude(StageReport& report)
   report.points_out = extrusion.getMesh().vertices.size();
   warnings.insert(warnings.end(), extrusion.getWarnings().begin(),
                   extrusion.getWarnings().end());
-  // The mesh may do without: a room that has no solid is told, and the others go on.
+  // The mesh does not need the solids: rooms without one are reported, the run
+  // continues.
   if (!extrusion.getErrorMessage().empty())
     warnings.push_back(extrusion.getErrorMessage());
   return true;

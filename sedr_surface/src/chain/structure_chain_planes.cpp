@@ -39,7 +39,8 @@ StructureChain::checkScan()
 
 namespace {
 
-/** @brief Square metres: rooms above each other say no more of what is up than one. */
+/** @brief Returns the largest area of a storey, square metres. Rooms above each other
+ * count once as evidence for the up direction. */
 double
 areaOfLargestStorey(const Building& building)
 {
@@ -170,7 +171,7 @@ void
 StructureChain::findPlatforms()
 {
   constexpr double highest = 1;   // metres above the floor
-  constexpr double largest = 200; // square metres: in halls it takes too long
+  constexpr double largest = 200; // square metres; halls would take too long
   const PointView points(*cloud);
   parallelBlocks(
       regions_.size(), 1, room_segmentation.getNumberOfThreads(),

@@ -24,11 +24,11 @@ namespace sedr {
 
 namespace {
 
-/** @brief Of a ceiling, less than this is no matter, square metres. */
+/** @brief Smaller parts of a ceiling cause no warning, square metres. */
 constexpr double worth_word = 1;
 
-/** @brief How far a height is from those of a room's ceiling over a column about a
- * place and its neighbours, metres: a slope has many. */
+/** @brief Returns the distance of a height from the range of a room's ceiling heights
+ * around a place, metres. On a slope, that range is wide. */
 double
 distanceFromCeiling(const PlanRoom& room,
                     const Eigen::Vector2d& place,
@@ -111,7 +111,7 @@ StructureChain::findDetails(StageReport& report)
       warn(room, slice_detail.getErrorMessage());
     tellResult("GridSliceDetail", room);
     slice_height_.push_back(slice_detail.getSliceHeight());
-    // Of a vault or a roof, slices tell nothing.
+    // Slices do not apply to vaults and roofs.
     const CellGrid columns(getBuilding().cell_size);
     const CellSet level = levelColumns(r);
     for (const int i : details[r].indices) {
@@ -150,14 +150,14 @@ StructureChain::labelLowerCeilings(std::size_t region)
       continue;
     rooms[at] = static_cast<std::uint32_t>(region + 1);
     if (!level.contains(columns.at(points[at].x(), points[at].y()))) {
-      labels[at] = valueOf(StructureLabel::Ceiling); // of a vault or a roof
+      labels[at] = valueOf(StructureLabel::Ceiling); // vault or roof
       continue;
     }
     labels[at] = valueOf(StructureLabel::Detail);
     ++found;
     lowest = std::min<double>(lowest, points[at].z());
   }
-  // Walls below a soffit grow from the floor's boundary, as below any detail.
+  // Below a soffit, walls grow from the floor's boundary, as below any detail.
   double& slice = slice_height_[region];
   if (found > 0 && !(slice < lowest))
     slice = lowest - plane_detection.getGridSize();
@@ -169,7 +169,7 @@ StructureChain::ceilingOff(
     std::size_t region,
     const std::function<double(const Eigen::Vector2d&, double)>& distance) const
 {
-  constexpr double off = 0.1; // metres from what stands for it
+  constexpr double off = 0.1; // metres from the model
   const Building& building = getBuilding();
   const CellGrid columns(building.cell_size);
   PlaceOff place;
@@ -199,7 +199,7 @@ StructureChain::seenCeiling(std::size_t region) const
 {
   pcl::Indices seen;
   for (const int i : regions_[region].ceiling)
-    if (static_cast<std::size_t>(i) < scanned_points_) // else put where it was hidden
+    if (static_cast<std::size_t>(i) < scanned_points_) // others fill hidden ceilings
       seen.push_back(i);
   return seen;
 }
@@ -212,7 +212,7 @@ StructureChain::sheetPoints() const
     if (!hasSheet(r))
       continue;
     for (const int i : seenCeiling(r))
-      if (rooms[static_cast<std::size_t>(i)] == r + 1) // not the floor of one above it
+      if (rooms[static_cast<std::size_t>(i)] == r + 1) // else floor of the one above
         sheets->push_back(i);
   }
   std::sort(sheets->begin(), sheets->end());
@@ -339,7 +339,7 @@ StructureChain::fitPlan(StageReport& report)
   if (!floorplan_fitting.segment(*plan))
     return fail(floorplan_fitting.getErrorMessage());
   if (sight_) {                        // rays prove openings
-    constexpr double tolerance = 0.05; // metres, of what lies on a wall
+    constexpr double tolerance = 0.05; // metres; points within lie on a wall
     measureEvidence(*plan, PointView(*cloud), *allIndices(cloud->size()), tolerance,
                     room_segmentation.getNumberOfThreads(), sight_.get());
   }

@@ -16,7 +16,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief The middle of the box of the finite points. */
+/** @brief Returns the centre of the bounding box of the finite points. */
 Eigen::Vector3d
 middleOf(const StructureChain::Cloud& cloud)
 {
@@ -157,7 +157,7 @@ StructureChain::meshInScanFrame() const
 {
   TriangleMesh mesh = inScanFrame(leanedMesh());
   if (isMeshMoved())
-    partEqualPositions(mesh); // a float may hold two turned places alike
+    partEqualPositions(mesh); // as floats, two rotated positions may coincide
   return mesh;
 }
 

@@ -13,10 +13,10 @@ namespace {
 
 using namespace sheet_measures;
 
-constexpr double beyond = 1.5; ///< of thin lines over the line of the row
+constexpr double beyond = 1.5; ///< overshoot of extension lines over the dimension line
 
-/** @brief The thin line from a corner to its place on the line: only the last of it
- * where it would be long. */
+/** @brief Returns the extension line from a corner to the dimension line; only its last
+ * part if it would be long. */
 std::pair<Eigen::Vector2d, Eigen::Vector2d>
 thinLine(const Eigen::Vector2d& corner, const Eigen::Vector2d& at)
 {
@@ -28,14 +28,14 @@ thinLine(const Eigen::Vector2d& corner, const Eigen::Vector2d& at)
   return {corner + (length > longest ? length - stub : gap) * off, at + beyond * off};
 }
 
-/** @brief Places for the text of a dimension, the best first. */
+/** @brief Returns candidate boxes for the text of a dimension, the best first. */
 std::vector<TextBox>
 boxesFor(const PlacedDimension& dimension,
          const std::string& text,
          const Eigen::Vector2d& along,
          const Eigen::Vector2d& off)
 {
-  constexpr double rise = 2.1; // of the text from its line
+  constexpr double rise = 2.1; // of the text above its line
   const Eigen::Vector2d up(-along.y(), along.x());
   const Eigen::Vector2d half = small_font * halfSizeOf({text});
   const Eigen::Vector2d middle = (dimension.start + dimension.end) / 2;
@@ -76,7 +76,7 @@ placedChain(TextPlaces& texts,
          {std::make_pair(from, row[k].start), std::make_pair(to, row[k].end)})
       texts.keepOff(thinLine(corner, at).first, thinLine(corner, at).second);
   }
-  // Longer ones first: they have the better places.
+  // Longer ones are placed first, in the better places.
   std::vector<std::size_t> order(row.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto length = [&](std::size_t k) {

@@ -12,28 +12,28 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A dimension in its place on a sheet, millimetres. */
+/** @brief A dimension placed on a sheet, millimetres. */
 struct PlacedDimension {
-  Eigen::Vector2d from; ///< corners of the plan that it is between
+  Eigen::Vector2d from; ///< corners of the plan that it measures
   Eigen::Vector2d to;
-  Eigen::Vector2d start; ///< ends of its line
+  Eigen::Vector2d start; ///< ends of its dimension line
   Eigen::Vector2d end;
-  std::optional<SheetText> text{}; ///< none where nothing was free
+  std::optional<SheetText> text{}; ///< empty if there was no free space
 };
 
-/** @brief Places a row of dimensions. Texts keep off its thin lines and off each other:
- * a length that is longer than its stretch stands below the ends of these lines, or
- * beside.
+/** @brief Places a row of dimensions. Texts overlap neither extension lines nor each
+ * other. A length that does not fit its dimension line is placed beyond or beside its
+ * extension lines.
  * @param chain in metres
- * @param frame from there to the sheet
- * @param line where the row is: off the origin of the sheet along wayOff(), mm */
+ * @param frame maps the plan to the sheet
+ * @param line place of the row: distance from the sheet's origin along wayOff(), mm */
 std::vector<PlacedDimension> placedChain(TextPlaces& texts,
                                          const DimensionChain& chain,
                                          const PlanFrame& frame,
                                          double line);
 
-/** @brief Draws a row: a line with a stroke at each place, thin lines from there to the
- * corners, lengths. */
+/** @brief Draws a row: a line with a tick at each place, extension lines to the
+ * corners, and lengths. */
 void addChain(Sheet& sheet, const std::vector<PlacedDimension>& row);
 
 } // namespace sedr

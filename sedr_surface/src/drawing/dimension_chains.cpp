@@ -29,14 +29,14 @@ public:
     return p.x() * along_ + p.y() * in_;
   }
 
-  /** @brief Where walls begin and end along the side, in order. */
+  /** @brief Returns the ends of walls along the side, sorted. */
   std::vector<double> ends() const
   {
     std::vector<double> ends;
     for (const Wall& wall : walls_) {
       ends.push_back(wall.start.x());
       ends.push_back(wall.end.x());
-      // An arc reaches farthest at two places of its circle.
+      // The extremes of an arc are two points of its circle.
       const PlanElement& e = wall.element;
       for (const double sign : {-1.0, 1.0}) {
         const Eigen::Vector2d place = e.centre + sign * e.radius * along_;
@@ -48,8 +48,7 @@ public:
     return ends;
   }
 
-  /** @brief What one sees at a place along the side: a wall and how deep it is there.
-   */
+  /** @brief What is visible at a place along the side: a wall and its depth there. */
   struct Sight {
     std::size_t wall = no_wall;
     double depth = nowhere;
@@ -68,7 +67,7 @@ public:
     return nearest;
   }
 
-  /** @brief Whether two walls lie in one line across a place. */
+  /** @brief Returns whether two walls are collinear at a place. */
   bool areInLine(std::size_t a, std::size_t b) const
   {
     constexpr double parallel = 0.01;
@@ -88,7 +87,7 @@ public:
 private:
   struct Wall {
     PlanElement element;
-    Eigen::Vector2d start; ///< in the view
+    Eigen::Vector2d start; ///< in the frame of the view
     Eigen::Vector2d end;
   };
 
@@ -122,8 +121,8 @@ private:
   std::vector<Wall> walls_;
 };
 
-/** @brief Places along a side, at least so far from each other, with the first and the
- * last one. */
+/** @brief Returns the ends with a minimum distance, including the first and last
+ * one. */
 std::vector<double>
 placesOf(const std::vector<double>& ends, double least)
 {
@@ -136,8 +135,8 @@ placesOf(const std::vector<double>& ends, double least)
   return places;
 }
 
-/** @brief What lies deep between two nearer walls, no wider than a wall is thick, is
- * the gap between faces of one wall. */
+/** @brief Marks as gap a place between two nearer walls that is no wider than a wall:
+ * it lies between the faces of one wall. */
 void
 closeGaps(const std::vector<double>& places, std::vector<SideView::Sight>& sights)
 {
@@ -155,7 +154,7 @@ closeGaps(const std::vector<double>& places, std::vector<SideView::Sight>& sight
   }
 }
 
-/** @brief Whether two chains tell the same. */
+/** @brief Returns whether two chains have the same dimensions. */
 bool
 areAlike(const DimensionChain& a, const DimensionChain& b, double least)
 {
@@ -210,7 +209,7 @@ chainAlong(const std::vector<PlanElement>& walls, DrawingSide side, double least
         (before.isWall() && after.isWall() && view.areInLine(before.wall, after.wall));
     if (goes_on)
       continue;
-    // Where walls meet here, the nearer of their ends.
+    // Where walls meet, the nearer of their ends.
     const double off = least / 4;
     double depth = std::min(view.sightAt(places[k] - off).depth,
                             view.sightAt(places[k] + off).depth);

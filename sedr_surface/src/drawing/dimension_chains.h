@@ -13,13 +13,13 @@ namespace sedr {
 /** @brief A side of a drawing. */
 enum class DrawingSide { Bottom, Left, Top, Right };
 
-/** @brief The way along a side, to the right or upwards, and the way off the plan. */
+/** @brief Returns the direction along a side, to the right or upwards; wayOff() the
+ * direction away from the plan. */
 Eigen::Vector2d wayAlong(DrawingSide side);
 Eigen::Vector2d wayOff(DrawingSide side);
 
-/** @brief Dimensions in a row beside a plan: from place to place, each seen from there
- * without a wall between. Metres, in the frame
- * of the walls. */
+/** @brief A row of dimensions beside a plan, between places that are visible from that
+ * side without a wall in front. Metres, in the frame of the walls. */
 struct DimensionChain {
   DrawingSide side = DrawingSide::Bottom;
   std::vector<Eigen::Vector2d> places; ///< corners, in order along the side
@@ -27,28 +27,28 @@ struct DimensionChain {
   double along(std::size_t place) const { return places[place].dot(wayAlong(side)); }
 };
 
-/** @brief The corners of walls that one sees from a side.
+/** @brief Finds the corners of walls that are visible from a side.
  *
- * Corners nearer to each other along the side than `least` are one. A gap as narrow as
- * a wall is a wall: what one sees through it does not count. Cost: walls squared.
- * @param walls of all rooms, arcs too, metres
- * @param least metres: 0.03, say */
+ * Corners nearer to each other along the side than `least` are merged. A gap as narrow
+ * as a wall counts as a wall: what is visible through it is ignored. Cost: walls
+ * squared.
+ * @param walls of all rooms, including arcs, metres
+ * @param least metres, e.g. 0.03 */
 DimensionChain
 chainAlong(const std::vector<PlanElement>& walls, DrawingSide side, double least);
 
-/** @brief A chain of which no two neighbours are both shorter than `room`: of a ragged
- * wall the place between them goes, the shortest pair first. A short one between longer
- * ones, such as a wall, stays. */
+/** @brief Removes places until no two neighbouring dimensions are both shorter than
+ * `room`, as on ragged walls; the shortest pair first. A single short one, such as a
+ * wall thickness, stays. */
 DimensionChain uncrowded(DimensionChain chain, double room);
 
-/** @brief The chains that a drawing needs: at the bottom and on the left, and on the
- * other two sides where these say something else. Chains of a single dimension, the
- * overall one, are left out.
- * @param room that a length takes up along its chain, metres */
+/** @brief Returns the chains that a drawing needs: bottom and left, and the opposite
+ * sides where they differ. Chains with only the overall dimension are omitted.
+ * @param room space for the text of a length along its chain, metres */
 std::vector<DimensionChain>
 wallChains(const std::vector<PlanElement>& walls, double least, double room);
 
-/** @brief The overall dimensions of a box, at its bottom and on its left. */
+/** @brief Returns the overall dimensions of a box, at its bottom and on its left. */
 std::vector<DimensionChain> overallChains(const Eigen::AlignedBox2d& box);
 
 } // namespace sedr

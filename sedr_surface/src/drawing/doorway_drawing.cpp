@@ -8,7 +8,7 @@ namespace pcl {
 namespace sedr {
 namespace {
 
-constexpr double farthest_face = 0.5; ///< from the middle of a wall, metres
+constexpr double farthest_face = 0.5; ///< metres, from the middle of a wall
 
 const PlanRoom*
 roomOf(const Floorplan& plan, std::uint32_t id)
@@ -18,12 +18,12 @@ roomOf(const Floorplan& plan, std::uint32_t id)
   return found == plan.rooms.end() ? nullptr : &*found;
 }
 
-/** @brief How far a face is from the two ends of a doorway, to the left of its way;
- * negative: to the right. */
+/** @brief Distances of a face from the two ends of a doorway; positive to the left of
+ * the doorway's direction. */
 using FaceOffsets = Eigen::Vector2d;
 
-/** @brief Those of a room's wall that is nearest to the middle of a doorway; 0 where it
- * is too far to be of that wall. A straight wall may run a little aslant of it. */
+/** @brief Returns the offsets of the room's wall nearest to the middle of a doorway; 0
+ * if it is too far to belong to that wall. A straight wall may be slightly oblique. */
 FaceOffsets
 offsetsOf(const PlanRoom& room,
           const PlanDoorway& doorway,

@@ -16,16 +16,16 @@ namespace sedr {
 
 namespace {
 
-constexpr double usual_step = 0.05;     ///< metres between the places looked at
+constexpr double usual_step = 0.05;     ///< metres between samples
 constexpr std::size_t most_steps = 400; ///< along the longer side of a room
 
-/** @brief Heights of a ceiling over the floor on a grid over a room. */
+/** @brief Heights of a ceiling above the floor, on a grid over a room. */
 struct HeightGrid {
   Eigen::Vector2d origin = Eigen::Vector2d::Zero();
   double step = usual_step;
   std::size_t columns = 0;
   std::size_t rows = 0;
-  std::vector<double> height; ///< NaN beside the room
+  std::vector<double> height; ///< NaN outside the room
 
   Eigen::Vector2d placeOf(std::size_t k) const
   {
@@ -44,7 +44,7 @@ heightsOf(const PlanRoom& room)
   if (box.isEmpty())
     return grid;
   grid.step = std::max(usual_step, box.sizes().maxCoeff() / most_steps);
-  // A hair within the walls, where the first and last places lie on them.
+  // Shifted slightly, or the first and last samples would lie on the walls.
   grid.origin = box.min() + Eigen::Vector2d::Constant(1e-6);
   grid.columns = static_cast<std::size_t>(box.sizes().x() / grid.step) + 2;
   grid.rows = static_cast<std::size_t>(box.sizes().y() / grid.step) + 2;
@@ -58,11 +58,10 @@ heightsOf(const PlanRoom& room)
   return grid;
 }
 
-/** @brief The side of a square of the grid: its first place, and whether it runs along
- * x. */
+/** @brief A side of a grid square: its first sample, and whether it runs along x. */
 using Side = std::pair<std::size_t, bool>;
 
-/** @brief Joins the crossings of a height with the sides of squares to lines. */
+/** @brief Joins the crossings of a height with the sides of squares into lines. */
 class LineTracer {
 public:
   LineTracer(const HeightGrid& grid, double height)
@@ -137,7 +136,7 @@ private:
   std::map<Side, bool> is_used_;
 };
 
-/** @brief Adds a line from place to place as few straight pieces, 5 mm off at most. */
+/** @brief Appends a line as few straight pieces, at most 5 mm off. */
 void
 addPieces(const std::vector<Eigen::Vector2d>& line,
           std::size_t first,

@@ -9,13 +9,13 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The lines in plan along which the ceiling of a room is `height` metres above
- * its floor, as under a roof: pieces of straight lines, to a few millimetres. Empty
- * where the ceiling is level. */
+/** @brief Returns the lines in plan along which the ceiling of a room is `height`
+ * metres above its floor, as under a roof. Straight pieces, accurate to a few
+ * millimetres; empty if the ceiling is level. */
 std::vector<PlanElement> heightLines(const PlanRoom& room, double height);
 
-/** @brief The least and the greatest height of the ceiling over the floor of a room,
- * metres: at the eaves and at the ridge. */
+/** @brief Returns the minimum and maximum height of the ceiling above the floor,
+ * metres: at eaves and ridge. */
 std::pair<double, double> heightRange(const PlanRoom& room);
 
 } // namespace sedr

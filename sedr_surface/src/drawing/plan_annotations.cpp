@@ -12,7 +12,7 @@ namespace {
 
 using namespace sheet_measures;
 
-/** @brief Dimensions about the plan: by wall, and farther out overall. */
+/** @brief Places dimensions around the plan: by wall, and overall farther out. */
 void
 placeRows(const Floorplan& plan,
           const PlanFrame& frame,

@@ -9,17 +9,17 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief All texts of a plan in their places on a sheet, none of them on another one,
- * on a wall or on a line of a dimension. */
+/** @brief All texts of a plan, placed on a sheet. They overlap neither each other nor
+ * walls nor dimension lines. */
 struct PlanAnnotations {
   std::vector<SheetText> texts;
   std::vector<PlacedDimension> walls;             ///< on the walls themselves
   std::vector<std::vector<PlacedDimension>> rows; ///< beside the plan
 };
 
-/** @brief Rows of dimensions, then what is within the plan, what matters most first.
+/** @brief Places rows of dimensions, then the texts within the plan by importance.
  * @param drawn the plan's lines
- * @param frame from the plan to the sheet */
+ * @param frame maps the plan to the sheet */
 PlanAnnotations annotationsOf(const Floorplan& plan,
                               const std::vector<DrawnElement>& drawn,
                               const PlanFrame& frame);

@@ -18,9 +18,9 @@ namespace sedr {
 
 namespace {
 
-/** @brief Below a roof rules for areas count half of what is lower than the first, as
- * DIN 277 of old and most of its kind, and ask for the second over half of a room that
- * people live in, as building codes do; metres. */
+/** @brief Headrooms drawn below a roof, metres. Area rules such as the former DIN 277
+ * count half of what is lower than the first. Building codes require the second over
+ * half of a habitable room. */
 constexpr double headrooms[] = {1.5, 2.3};
 
 bool
@@ -36,7 +36,8 @@ liesOn(const PlanElement& element, const PlanRoom& room)
   return isOn(0) && isOn(0.25) && isOn(0.5) && isOn(0.75) && isOn(1);
 }
 
-/** @brief Where, between two distances along an element, it enters or leaves a room. */
+/** @brief Returns where, between two distances along an element, it enters or leaves a
+ * room. */
 double
 crossingOf(const PlanElement& element, const PlanRoom& room, double from, double to)
 {
@@ -48,8 +49,8 @@ crossingOf(const PlanElement& element, const PlanRoom& room, double from, double
   return (from + to) / 2;
 }
 
-/** @brief The pieces of an edge of a detail that are in the room: a fitted detail may
- * reach beyond its walls, which nobody draws. Pieces shorter than 2 cm do not show. */
+/** @brief Returns the pieces of a detail's edge within the room; a fitted detail may
+ * reach beyond the walls. Pieces shorter than 2 cm are omitted. */
 std::vector<PlanElement>
 piecesInside(const PlanElement& element, const PlanRoom& room)
 {
@@ -61,7 +62,7 @@ piecesInside(const PlanElement& element, const PlanRoom& room)
   const auto at = [&](std::size_t i) {
     return length * static_cast<double>(i) / static_cast<double>(steps);
   };
-  // From the middle of each step: the ends may lie on a wall.
+  // Sampled at the middle of each step, as the ends may lie on a wall.
   const auto middleOf = [&](std::size_t i) { return (at(i) + at(i + 1)) / 2; };
   std::vector<PlanElement> pieces;
   double from = 0;
@@ -82,7 +83,8 @@ piecesInside(const PlanElement& element, const PlanRoom& room)
   return pieces;
 }
 
-/** @brief Distance from all edges, negative outside of the loop or in an obstacle. */
+/** @brief Returns the distance from all edges; negative outside the loop or in an
+ * obstacle. */
 double
 clearanceAt(const Eigen::Vector2d& p,
             const PlanLoop& loop,
@@ -107,7 +109,7 @@ circleAbout(const Eigen::Vector2d& centre, double radius)
   return {{circle}};
 }
 
-/** @brief Whether a line has been drawn, there or back. */
+/** @brief Returns whether a line has been drawn, in either direction. */
 bool
 isDrawn(const PlanElement& line, const std::vector<DrawnElement>& drawn)
 {
@@ -120,8 +122,8 @@ isDrawn(const PlanElement& line, const std::vector<DrawnElement>& drawn)
   });
 }
 
-/** @brief The lines at some heights below a ceiling; the longest piece of each tells
- * its height. */
+/** @brief Adds the lines of the headrooms below a ceiling. The longest piece of each
+ * carries its height. */
 void
 addHeadroom(const PlanRoom& room, std::vector<DrawnElement>& drawn)
 {
@@ -191,9 +193,9 @@ drawnElements(const Floorplan& plan)
 TextSpot
 textSpotIn(const PlanLoop& loop, const std::vector<PlanLoop>& obstacles)
 {
-  // A lattice over the loop, then finer ones about the best place so far.
+  // A lattice over the loop, then finer ones around the best place.
   constexpr int steps = 24;
-  constexpr double pull = 0.05; // towards the middle, where many places are as good
+  constexpr double pull = 0.05; // towards the middle, among equally good places
   Eigen::AlignedBox2d box = boundsOf(loop);
   const Eigen::Vector2d middle = box.center();
   TextSpot best{middle, 0};
@@ -246,13 +248,13 @@ std::vector<LevelNote>
 levelNotes(const PlanRoom& room, const TextSpot& room_spot)
 {
   constexpr double level = 0.997;      // cosine of 4.4 degrees
-  constexpr double around_name = 0.35; // of the space that there is
+  constexpr double around_name = 0.35; // share of the free space
   std::vector<LevelNote> notes;
   const auto add = [&](const std::vector<PlanDetail>& details, std::size_t d,
                        const std::vector<Eigen::AlignedBox2d>& boxes,
                        DrawnLayer layer) {
     const PlanDetail& detail = details[d];
-    std::vector<PlanLoop> others = detail.holes; // and what lies over it
+    std::vector<PlanLoop> others = detail.holes; // and details above it
     for (std::size_t later = d + 1; later < details.size(); ++later)
       if (boxes[later].intersects(boxes[d]))
         others.push_back(details[later].boundary);
@@ -263,7 +265,7 @@ levelNotes(const PlanRoom& room, const TextSpot& room_spot)
     const Eigen::Vector2d& p = note.spot.place;
     const double height = detail.slab.heightAt(p) - room.floor.heightAt(p);
     if (detail.is_facet && (detail.slab.curve || detail.slab.plane[2] < level))
-      return; // it has no one height
+      return; // its height is not constant
     const bool is_floor = layer == DrawnLayer::FloorDetail;
     note.text = (is_floor && height > 0 ? "+" : "") + decimalText(height, 2);
     notes.push_back(note);

@@ -12,12 +12,12 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What a line of a drawing shows. */
+/** @brief What a line of a drawing represents. */
 enum class DrawnLayer {
   Wall,
   Column,
-  Detail, ///< of a ceiling that is not level: springing lines, steps
-  Ridge,  ///< ridges, hips and valleys of a ceiling that is not level
+  Detail, ///< of a sloping or curved ceiling: springing lines, steps
+  Ridge,  ///< ridges, hips and valleys of a sloping ceiling
   FloorDetail,
   Niche,
   Headroom ///< where a ceiling that is not level is 1.5 or 2.3 m above the floor
@@ -27,16 +27,16 @@ struct DrawnElement {
   PlanElement element;
   DrawnLayer layer = DrawnLayer::Wall;
   std::uint32_t room = 0;
-  std::string note{}; ///< to be written along it: "ridge 4.35", "h 1.50"; mostly none
+  std::string note{}; ///< text along it: "ridge 4.35", "h 1.50"; usually empty
 };
 
-/** @brief All lines and arcs of a plan; edges of details and niches that lie on a wall
- * or a column, as near as they are known, are drawn as such only, and of edges of
- * details what is within the room. A border that two facets share is drawn once. */
+/** @brief Returns all lines and arcs of a plan. Edges of details and niches that
+ * coincide with a wall or column, within tolerance, are drawn only as such. Edges of
+ * details are cut off at the room; a border of two facets is drawn once. */
 std::vector<DrawnElement> drawnElements(const Floorplan& plan);
 
-/** @brief A place for text within a loop, and its distance from what is around it,
- * metres: that of the place farthest from the loop and from `obstacles`. */
+/** @brief A place for text within a loop, as far as possible from the loop and from
+ * `obstacles`, and that distance in metres. */
 struct TextSpot {
   Eigen::Vector2d place = Eigen::Vector2d::Zero();
   double radius = 0;
@@ -44,25 +44,26 @@ struct TextSpot {
 
 TextSpot textSpotIn(const PlanLoop& loop, const std::vector<PlanLoop>& obstacles);
 
-/** @brief The size of an element as a drawing has it: its length, or "R" and its
+/** @brief Returns the size of an element for a drawing: its length, or "R" and its
  * radius; metres, two decimals. */
 std::string sizeText(const PlanElement& element);
 
-/** @brief The size of a column: "Ø 0.40", "0.30 x 0.50"; nothing of other shapes. */
+/** @brief Returns the size of a column: "Ø 0.40", "0.30 x 0.50"; empty for other
+ * shapes. */
 std::string columnText(const PlanLoop& column);
 
-/** @brief A level of the plan to be noted where it is: text such as "2.20", heights
- * above the room's floor, with a sign where it is a floor itself. */
+/** @brief A note of a level at its place: the height above the room's floor, such as
+ * "2.20", with a sign for levels of the floor. */
 struct LevelNote {
   TextSpot spot;
   std::string text;
   DrawnLayer layer = DrawnLayer::Detail;
 };
 
-/** @param room_spot where the text about the room stands: notes keep out of its way */
+/** @param room_spot place of the room's text, which notes avoid */
 std::vector<LevelNote> levelNotes(const PlanRoom& room, const TextSpot& room_spot);
 
-/** @brief The lines about a room: "Room 1", "23.65 m2", "h 2.40 m". */
+/** @brief Returns the text lines of a room: "Room 1", "23.65 m2", "h 2.40 m". */
 std::vector<std::string> roomTexts(const PlanRoom& room,
                                    const Eigen::Vector2d& place,
                                    const std::string& square);

@@ -19,7 +19,8 @@ namespace {
 
 using namespace sheet_measures;
 
-/** @brief The look of a line; of walls, columns and niches none: they are areas. */
+/** @brief Returns the look of a line; null for walls, columns and niches, which are
+ * areas. */
 const char*
 lookOf(DrawnLayer layer)
 {
@@ -78,7 +79,7 @@ public:
       addArea("wall_body", body);
   }
 
-  /** @brief Gaps in the walls, over both faces. */
+  /** @brief Draws gaps in the walls, over both faces. */
   void addDoorways()
   {
     for (const DrawnDoorway& doorway : drawnDoorways(plan_)) {

@@ -8,8 +8,8 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A plan, or one of its storeys, on a sheet: what floorplanToSvg() and
- * floorplanToPdf() write. */
+/** @brief Draws a plan, or one of its storeys, on a sheet; used by floorplanToSvg() and
+ * floorplanToPdf(). */
 Sheet planSheet(const Floorplan& plan, const DrawingSettings& settings);
 
 } // namespace sedr

@@ -16,7 +16,7 @@ namespace {
 using namespace sheet_measures;
 
 constexpr double smallest_font = 1.8;
-constexpr double beside_line = 0.95; ///< of a text from its line, over the font
+constexpr double beside_line = 0.95; ///< distance from a line over the font size
 
 SheetText
 textIn(const std::string& look,
@@ -107,7 +107,7 @@ PlanTexts::placeAlong(const PlanElement& element,
                       const std::string& look,
                       const std::string& text)
 {
-  constexpr double clear = 1; // of the text from the ends, millimetres
+  constexpr double clear = 1; // distance of the text from the ends, millimetres
   if (text.empty())
     return std::nullopt;
   const PlanElement drawn = frame_(element);

@@ -8,20 +8,20 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Places the texts within a plan on a sheet: of rooms, heights, columns,
- * doorways, walls. What matters more takes its place first; what finds none is left
- * out, or told in fewer words. */
+/** @brief Places the texts within a plan on a sheet: rooms, heights, columns, doorways,
+ * walls. More important texts are placed first; texts without space are shortened or
+ * omitted. */
 class PlanTexts {
 public:
-  /** @param frame from the plan to the sheet */
+  /** @param frame maps the plan to the sheet */
   PlanTexts(PlanAnnotations& annotations, TextPlaces& places, const PlanFrame& frame);
 
-  /** @param drawn its lines, whose notes are written along them */
+  /** @param drawn lines, whose notes are placed along them */
   void place(const Floorplan& plan, const std::vector<DrawnElement>& drawn);
 
 private:
   void writeRoom(const PlanRoom& room, const TextSpot& spot);
-  /** @brief A text beside a line, where there is space along it. */
+  /** @brief Places a text beside a line, if there is space. */
   std::optional<SheetText> placeAlong(const PlanElement& element,
                                       const std::string& look,
                                       const std::string& text);
@@ -31,7 +31,7 @@ private:
   void writeSize(const PlanElement& wall);
   void writeColumn(const PlanLoop& column);
   void writeWays(const Floorplan& plan);
-  /** @brief The largest font at which lines about a place are free there. */
+  /** @brief Writes lines at a place in the largest font that fits there. */
   bool writeAt(const std::string& look,
                const Eigen::Vector2d& place,
                const std::vector<std::string>& lines,

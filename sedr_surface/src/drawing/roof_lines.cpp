@@ -10,7 +10,7 @@ namespace pcl {
 namespace sedr {
 namespace {
 
-constexpr double level = 0.05; ///< heights along a line that is level differ by less
+constexpr double level = 0.05; ///< maximum height difference along a level line, metres
 
 } // namespace
 
@@ -26,8 +26,8 @@ RoofLine
 roofLineAt(const PlanRoom& room, const PlanElement& line)
 {
   constexpr double beside = 0.05;
-  constexpr double step = 0.03;  // a higher one is no crease
-  constexpr double falls = 0.02; // of what is beside the line, a slope of 4 %
+  constexpr double step = 0.03;  // metres; a higher step is no crease
+  constexpr double falls = 0.02; // slope beside the line: 2 %
   const double s = line.length() / 2;
   const Eigen::Vector2d middle = line.pointAt(s);
   const Eigen::Vector2d off = line.normalAt(s);
@@ -57,10 +57,10 @@ eavesText(const PlanRoom& room, const PlanElement& wall)
 {
   constexpr double beside = 0.03;
   constexpr double inward = 0.4;
-  constexpr double rises = 0.03; // over that distance
+  constexpr double rises = 0.03; // metres, over that distance
   if (!room.hasFacets() || wall.isArc() || wall.length() < 4 * beside)
     return "";
-  // What of the ceiling is beside the wall, and how high it is at the wall.
+  // Height at the wall of the ceiling slab beside it.
   const auto heightAt = [&](double share, double distance) {
     const double s = share * wall.length();
     const Eigen::Vector2d inside = wall.pointAt(s) + beside * wall.normalAt(s);

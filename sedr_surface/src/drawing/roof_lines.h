@@ -8,22 +8,22 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What two facets of a ceiling make where they meet. */
+/** @brief The line in which two facets of a ceiling meet. */
 struct RoofLine {
-  bool is_crease = false; ///< they meet; else one is higher than the other
+  bool is_crease = false; ///< they meet at one height; otherwise there is a step
   bool is_ridge = false;  ///< both fall away from it: a ridge or a hip
-  double height = 0;      ///< over the room's floor at its middle, metres
+  double height = 0;      ///< at its middle, above the room's floor, metres
   bool is_level = false;
 
-  /** @brief "ridge 4.35", "valley 2.90"; nothing where it is neither or not level. */
+  /** @brief Returns "ridge 4.35" or "valley 2.90"; empty for other or sloping lines. */
   std::string text() const;
 };
 
-/** @param line within the room, a border of one of its facets */
+/** @param line border of a facet, within the room */
 RoofLine roofLineAt(const PlanRoom& room, const PlanElement& line);
 
-/** @brief "eaves 1.05" at a wall where a sloping ceiling begins, level along the wall;
- * nothing at others. The height is over the floor beside the wall. */
+/** @brief Returns "eaves 1.05" for a wall from which a sloping ceiling rises, if level
+ * along the wall; empty for others. The height is above the floor beside the wall. */
 std::string eavesText(const PlanRoom& room, const PlanElement& wall);
 
 } // namespace sedr

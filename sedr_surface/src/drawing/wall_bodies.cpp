@@ -18,7 +18,8 @@ segmentBetween(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
   return e;
 }
 
-/** @brief The part of an element between two of its places, the way it runs. */
+/** @brief Returns the part of an element between two of its places, in its
+ * direction. */
 PlanElement
 partBetween(const PlanElement& element,
             const Eigen::Vector2d& a,
@@ -28,8 +29,8 @@ partBetween(const PlanElement& element,
   return element.part(from, to);
 }
 
-/** @brief Whether walls meet at a place: rooms lie in three of four directions aslant
- * of a wall. Outside of the building there are two at most. */
+/** @brief Returns whether walls meet at a place: three of the four diagonals to a
+ * wall's direction lead into rooms. At the outside of a building at most two do. */
 bool
 isJunction(const Floorplan& plan,
            const Eigen::Vector2d& place,
@@ -48,8 +49,8 @@ isJunction(const Floorplan& plan,
   return rooms >= 3;
 }
 
-/** @brief A wall goes on into a junction, to fill it.
- * @param near,far its faces, which run opposite ways */
+/** @brief Extends a wall into a junction, to fill it.
+ * @param near,far its faces, in opposite directions */
 void
 addEnd(const Floorplan& plan,
        const Eigen::Vector2d& near,
@@ -86,8 +87,8 @@ wallBodies(const Floorplan& plan)
       bodies.push_back({{{element}}, {{other}}});
       continue;
     }
-    // Faces of a wall run opposite ways, so that both parts make a loop; at a corner
-    // one reaches beyond the other by the thickness of the next wall.
+    // The faces of a wall run in opposite directions, so both parts form a loop. At a
+    // corner one face is longer by the thickness of the next wall.
     const PlanElement far =
         partBetween(other, element.pointAt(std::max(wall.stretch.from, 0.0)),
                     element.pointAt(std::min(wall.stretch.to, element.length())));

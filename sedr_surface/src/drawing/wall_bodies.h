@@ -8,9 +8,9 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What is between the faces of walls of which both were seen: the outline of
- * each, and of a wall all around a room its hole. The walls are those of the IFC model,
- * without their assumed thickness and without their mitres. */
+/** @brief Returns the bodies of walls with both faces seen: the outline of each, and
+ * the hole of a wall that surrounds a room. These are the walls of the IFC model
+ * without mitres; walls of assumed thickness are omitted. */
 std::vector<std::vector<PlanLoop>> wallBodies(const Floorplan& plan);
 
 } // namespace sedr

@@ -34,7 +34,7 @@ DxfDimensions::add(const DxfDimension& dimension)
   }
   blocks_.label("0", text, text_height_, decimalText(length, 2), degrees);
   blocks_.group(0, "ENDBLK").group(8, "0");
-  constexpr int rotated = 0; // which all programs measure along the angle
+  constexpr int rotated = 0; // all programs measure it along the angle
   constexpr int has_place_of_text = 128;
   entities_.group(0, "DIMENSION").group(8, layer_).group(2, block).group(3, style_name);
   entities_.place(end).place(text, 11).group(70, rotated + has_place_of_text);

@@ -10,28 +10,29 @@ namespace sedr {
 
 /** @brief A dimension of a DXF, metres. */
 struct DxfDimension {
-  Eigen::Vector2d from; ///< what it is between
+  Eigen::Vector2d from; ///< measured points
   Eigen::Vector2d to;
-  Eigen::Vector2d start; ///< ends of its line
+  Eigen::Vector2d start; ///< ends of its dimension line
   Eigen::Vector2d end;
-  Eigen::Vector2d text; ///< the middle of its text
-  double degrees = 0;   ///< of its text
+  Eigen::Vector2d text; ///< centre of its text
+  double degrees = 0;   ///< angle of its text
 };
 
-/** @brief Dimensions as entities that programs measure anew, and the blocks that show
- * them, which release 12 asks for. */
+/** @brief Writes dimensions as entities that programs measure again, and the blocks
+ * that display them, as release 12 requires. */
 class DxfDimensions {
 public:
-  /** @brief Dimensions go on a layer, their text is `text_height` metres high. */
+  /** @brief Sets the layer and the text height, metres. */
   DxfDimensions(std::string layer, double text_height)
       : layer_(std::move(layer))
       , text_height_(text_height)
   {}
 
-  /** @brief Thin lines lead from its places to its line where that is apart. */
+  /** @brief Adds a dimension, with extension lines where its line is apart from its
+   * points. */
   void add(const DxfDimension& dimension);
 
-  /** @brief The table of their style, between other tables. */
+  /** @brief Returns the table of the dimension style, one of the file's tables. */
   DxfText table() const;
 
   const DxfText& blocks() const { return blocks_; }

@@ -10,7 +10,7 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Text of a DXF file: pairs of a group code and a value, a line each. */
+/** @brief Text of a DXF file: pairs of a group code and a value, one per line. */
 class DxfText {
 public:
   DxfText& group(int code, const std::string& value)
@@ -34,7 +34,7 @@ public:
     return group(0, "LINE").group(8, layer).place(from).place(to, 11);
   }
 
-  /** @brief A line of text about a place, `height` metres high. */
+  /** @brief Appends a line of text centred at a place, `height` metres high. */
   DxfText& label(const std::string& layer,
                  const Eigen::Vector2d& at,
                  double height,

@@ -25,17 +25,17 @@ constexpr const char* name_layer = "A-AREA-IDEN";
 constexpr const char* size_layer = "A-ANNO-DIMS";
 constexpr const char* text_layer = "A-ANNO-TEXT";
 constexpr const char* height_layer = "A-CLNG-IDEN";
-constexpr double letters = 0.72; ///< height of capital letters over the size of a font
+constexpr double letters = 0.72; ///< height of capital letters over the font size
 
-/** @brief A layer of the drawing: its colour is an index of AutoCAD's palette. */
+/** @brief A layer of the drawing; its colour is an index of AutoCAD's palette. */
 struct Layer {
   const char* name;
   int colour;
   const char* line_type;
 };
 
-/** As the US National CAD Standard (AIA) names them: discipline, what, and what of it.
- */
+/** Named after the US National CAD Standard (AIA): discipline, major and minor
+ * group. */
 constexpr Layer layers[] = {
     {"A-WALL", 7, "CONTINUOUS"},      {"A-WALL-NICH", 6, "CONTINUOUS"},
     {"A-COLS", 1, "CONTINUOUS"},      {door_layer, 4, "CONTINUOUS"},
@@ -45,7 +45,7 @@ constexpr Layer layers[] = {
     {name_layer, 7, "CONTINUOUS"},    {size_layer, 8, "CONTINUOUS"},
     {text_layer, 7, "CONTINUOUS"}};
 
-/** @brief The layer of a line. */
+/** @brief Returns the layer of a line. */
 const char*
 layerOf(DrawnLayer layer)
 {
@@ -67,7 +67,7 @@ layerOf(DrawnLayer layer)
   }
 }
 
-/** @brief The layer of a text, by its look on the sheet. */
+/** @brief Returns the layer of a text, by its look on the sheet. */
 const char*
 layerOf(const std::string& look)
 {
@@ -83,7 +83,7 @@ layerOf(const std::string& look)
   return height_layer;
 }
 
-/** @brief A text in ASCII: release 12 knows no other letters. */
+/** @brief Converts a text to ASCII, the only character set of release 12. */
 std::string
 asciiOf(std::string text)
 {
@@ -161,22 +161,23 @@ writeElement(DxfText& dxf, const PlanElement& e, const char* layer)
   dxf.group(40, e.radius);
   if (is_circle)
     return;
-  // Always counter-clockwise from the first angle to the second.
+  // DXF arcs run counter-clockwise from the first angle to the second.
   const Eigen::Vector2d& from = e.counter_clockwise ? e.start : e.end;
   const Eigen::Vector2d& to = e.counter_clockwise ? e.end : e.start;
   dxf.group(50, degreesOf(from - e.centre)).group(51, degreesOf(to - e.centre));
 }
 
-/** @brief A vertex of a polyline; `turn` is the angle of the arc that starts there. */
+/** @brief Writes a vertex of a polyline; `turn` is the angle of the arc that starts
+ * there. */
 void
 writeVertex(DxfText& dxf, const Eigen::Vector2d& place, double turn)
 {
   dxf.group(0, "VERTEX").group(8, area_layer).place(place);
   if (turn != 0)
-    dxf.group(42, std::tan(turn / 4)); // its bulge
+    dxf.group(42, std::tan(turn / 4)); // bulge
 }
 
-/** @brief A loop as one closed polyline, to be hatched and measured. */
+/** @brief Writes a loop as one closed polyline, for hatching and measuring. */
 void
 writeOutline(DxfText& dxf, const PlanLoop& loop)
 {
@@ -185,7 +186,7 @@ writeOutline(DxfText& dxf, const PlanLoop& loop)
   dxf.group(70, closed);
   for (const PlanElement& e : loop.elements) {
     const double turn = e.isArc() ? e.sweep() : 0;
-    const bool is_long = std::abs(turn) > M_PI; // no bulge tells a whole circle
+    const bool is_long = std::abs(turn) > M_PI; // a bulge cannot express a whole circle
     writeVertex(dxf, e.start, is_long ? turn / 2 : turn);
     if (is_long)
       writeVertex(dxf, e.pointAt(e.length() / 2), turn / 2);
@@ -193,7 +194,7 @@ writeOutline(DxfText& dxf, const PlanLoop& loop)
   dxf.group(0, "SEQEND").group(8, area_layer);
 }
 
-/** @brief What stands in a place of a sheet, in the plan. */
+/** @brief Maps items of a sheet to the plan. */
 class FromSheet {
 public:
   explicit FromSheet(const PlanFrame& frame)
@@ -221,7 +222,7 @@ private:
   PlanFrame frame_;
 };
 
-/** @brief A line of text below the plan, `rows` rows below it. */
+/** @brief Writes a line of text `rows` rows below the plan. */
 void
 writeBelow(DxfText& dxf,
            const Eigen::AlignedBox2d& bounds,
@@ -270,7 +271,7 @@ floorplanToDxf(const Floorplan& whole, const DrawingSettings& settings)
   for (const SheetText& text : annotations.texts)
     from_sheet.write(dxf, text);
   dxf.append(dimensions.entities());
-  constexpr double below = 5; // rows; dimensions stand nearer
+  constexpr double below = 5; // rows, beyond the dimensions
   const double height = from_sheet.height(sheet_measures::large_font);
   if (settings.storey)
     writeBelow(dxf, bounds, settings.storey->name, height, below);

@@ -7,7 +7,7 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A number with so many decimals, as programs read it whatever the locale. */
+/** @brief Formats a number with fixed decimals, independent of the locale. */
 inline std::string
 decimalText(double value, int decimals)
 {
@@ -20,7 +20,7 @@ decimalText(double value, int decimals)
              : result;
 }
 
-/** @brief The same without needless zeros behind the point. */
+/** @brief As above, without trailing zeros. */
 inline std::string
 shortDecimalText(double value, int decimals)
 {

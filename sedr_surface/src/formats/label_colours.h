@@ -8,8 +8,7 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The colour that parts of a label have in meshes for other programs, channels
- * from 0 to 1. */
+/** @brief Colour of a label in exported meshes, channels from 0 to 1. */
 struct LabelColour {
   StructureLabel label;
   double red, green, blue;
@@ -21,7 +20,7 @@ constexpr LabelColour label_colours[] = {{StructureLabel::Ceiling, 0.93, 0.93, 0
                                          {StructureLabel::Detail, 0.42, 0.62, 0.78},
                                          {StructureLabel::Column, 0.80, 0.45, 0.35}};
 
-/** @brief That of a label's number; grey for others. */
+/** @brief Returns the colour of a label's number; grey for others. */
 inline LabelColour
 colourOf(std::uint32_t label)
 {

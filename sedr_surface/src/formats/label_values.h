@@ -8,7 +8,7 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A label as a point's field holds it. */
+/** @brief Returns a label as the value of a point's field. */
 inline std::uint32_t
 valueOf(StructureLabel label)
 {

@@ -21,13 +21,13 @@ template <typename T>
 void
 appendBytes(std::string& bytes, T value)
 {
-  // PLY has its byte order in the header; all that PCL runs on is little-endian.
+  // The PLY header says little-endian, like all platforms of PCL.
   char raw[sizeof(T)];
   std::memcpy(raw, &value, sizeof(T));
   bytes.append(raw, sizeof(T));
 }
 
-/** @brief From here on floats are off by up to 0.015 mm and more, metres. */
+/** @brief Beyond this, floats are off by 0.015 mm or more, metres. */
 constexpr double farthest_float = 256;
 
 bool
@@ -78,7 +78,8 @@ plyHeader(const TriangleMesh& mesh, const std::vector<std::string>& comments)
   return header.str();
 }
 
-/** @brief What a vertex has beside its place: the colour of its label, label, room. */
+/** @brief Properties of a vertex besides its position: colour of its label, label,
+ * room. */
 class VertexExtras {
 public:
   explicit VertexExtras(const TriangleMesh& mesh)

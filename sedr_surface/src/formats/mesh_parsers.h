@@ -9,14 +9,14 @@ namespace pcl {
 namespace sedr {
 
 /** @brief Reads the content of a PLY file into `mesh`.
- * @return an empty string or what is wrong with it, to stand behind the file's name */
+ * @return an empty string or an error message, to follow the file's name */
 std::string parsePly(const std::string& content, TriangleMesh& mesh);
 
-/** @brief True if there is a vertex as OBJ writes it before anything that no text
- * holds. */
+/** @brief Returns true if a vertex line of OBJ occurs before any byte that text cannot
+ * contain. */
 bool looksLikeObj(const std::string& content);
 
-/** @brief The same for an OBJ file. */
+/** @brief As parsePly(), for an OBJ file. */
 std::string parseObj(const std::string& content, TriangleMesh& mesh);
 
 } // namespace sedr

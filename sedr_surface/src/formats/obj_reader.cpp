@@ -8,8 +8,8 @@ namespace pcl {
 namespace sedr {
 namespace {
 
-// An index as OBJ writes it, "7", "7/1/2" or "-1" for the last vertex, counted from 0;
-// or -1.
+// Returns the zero-based index of an OBJ word, "7", "7/1/2" or "-1" for the last
+// vertex; -1 if invalid.
 std::int64_t
 objIndex(const std::string& word, std::size_t vertices)
 {

@@ -12,11 +12,11 @@ namespace ply {
 /** @brief Number types of a PLY file. */
 enum class Type { None, Int8, UInt8, Int16, UInt16, Int32, UInt32, Float, Double };
 
-/** @brief A number, or a list of numbers, of every row of an element. */
+/** @brief A number, or a list of numbers, in every row of an element. */
 struct Property {
   std::string name;
   Type type = Type::None;
-  Type count_type = Type::None; ///< of a list
+  Type count_type = Type::None; ///< type of a list's length; None: not a list
 };
 
 /** @brief A table of the file: vertices, faces, ... */
@@ -26,21 +26,21 @@ struct Element {
   std::vector<Property> properties;
 };
 
-/** @brief How numbers are written. */
+/** @brief Encoding of numbers. */
 enum class Encoding { Ascii, LittleEndian, BigEndian };
 
-/** @brief What a PLY file says of its content. */
+/** @brief Content of a PLY header. */
 struct Header {
   Encoding encoding = Encoding::Ascii;
   std::vector<Element> elements;
-  std::size_t size = 0; ///< bytes up to the first value
+  std::size_t size = 0; ///< bytes before the first value
 };
 
-/** @brief Bytes of a number. */
+/** @brief Returns the number of bytes of a type. */
 std::size_t sizeOf(Type type);
 
 /** @brief Reads the header of a PLY file.
- * @return an empty string or what is wrong with it, to stand behind the file's name */
+ * @return an empty string or an error message, to follow the file's name */
 std::string parseHeader(const std::string& content, Header& header);
 
 } // namespace ply

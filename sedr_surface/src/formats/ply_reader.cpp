@@ -13,7 +13,7 @@ namespace {
 
 using namespace ply;
 
-// Numbers one after the other, from text or from bytes.
+// Reads successive numbers from text or bytes.
 class ValueReader {
 public:
   ValueReader(const char* first, const char* last, Encoding encoding)
@@ -88,10 +88,10 @@ private:
   Encoding encoding_;
 };
 
-// Where the values of a row go.
+// Values of a row.
 struct Row {
-  std::vector<double> scalars;            ///< one a property; of a list its length
-  std::vector<std::vector<double>> lists; ///< one a property
+  std::vector<double> scalars;            ///< one per property; a list's length
+  std::vector<std::vector<double>> lists; ///< one per property
 };
 
 bool
@@ -106,8 +106,7 @@ readRow(ValueReader& reader, const Element& element, Row& row)
       return false;
     if (!is_list)
       continue;
-    if (!(row.scalars[p] >= 0 &&
-          row.scalars[p] < 1e6)) // no polygon has that many corners
+    if (!(row.scalars[p] >= 0 && row.scalars[p] < 1e6)) // no polygon has more corners
       return false;
     row.lists[p].resize(static_cast<std::size_t>(row.scalars[p]));
     for (double& value : row.lists[p])
@@ -161,7 +160,7 @@ std::string
 readFaces(ValueReader& reader, const Element& element, TriangleMesh& mesh)
 {
   const int corners = findProperty(element, {"vertex_indices", "vertex_index"}, true);
-  // In the order of attributes().
+  // In the order of TriangleMesh::attributes().
   const int columns[] = {findProperty(element, {"label"}, false),
                          findProperty(element, {"room"}, false),
                          findProperty(element, {"element"}, false)};

@@ -18,7 +18,7 @@ void
 appendNumber(std::string& bytes, std::uint32_t value)
 {
   char raw[4];
-  std::memcpy(raw, &value, 4); // glTF is little-endian, as all that PCL runs on
+  std::memcpy(raw, &value, 4); // glTF is little-endian, like all platforms of PCL
   bytes.append(raw, 4);
 }
 
@@ -32,14 +32,14 @@ appendFloats(std::string& bytes, const Eigen::Vector3d& p)
   bytes.append(raw, 12);
 }
 
-/** @brief z up as y up. */
+/** @brief Rotates z up to y up. */
 Eigen::Vector3d
 turned(const Eigen::Vector3d& p)
 {
   return {p.x(), p.z(), -p.y()};
 }
 
-/** @brief Builds the file's JSON and its bytes. */
+/** @brief Builds the file's JSON and its binary part. */
 class GlbBuilder {
 public:
   GlbBuilder(const TriangleMesh& mesh, const std::vector<SolidElement>& elements)
@@ -70,7 +70,7 @@ public:
     if (!roots.empty())
       json_["scenes"][0]["nodes"] = roots;
     for (const char* list : {"nodes", "meshes", "accessors", "bufferViews"})
-      if (json_[list].empty()) // the schema has no empty lists
+      if (json_[list].empty()) // the schema forbids empty lists
         json_.erase(list);
     if (!bytes_.empty())
       json_["buffers"] = Json::array({{{"byteLength", bytes_.size()}}});
@@ -122,7 +122,7 @@ private:
     const SolidElement& e = elements_[element - 1];
     const auto& triangles = triangles_of_[element];
     Eigen::AlignedBox3f box;
-    std::map<std::uint32_t, std::uint32_t> number_of; // of a vertex, in this element
+    std::map<std::uint32_t, std::uint32_t> number_of; // of a vertex within this element
     std::string corners;
     const std::size_t start = bytes_.size();
     for (const std::size_t t : triangles)
@@ -151,7 +151,7 @@ private:
     return addNode({{"name", e.name}, {"mesh", json_["meshes"].size() - 1}});
   }
 
-  struct Kind { ///< of numbers, as glTF has them
+  struct Kind { ///< number type in glTF
     int target;
     int component;
     const char* type;
@@ -159,7 +159,7 @@ private:
   static constexpr Kind vertices{34962, 5126, "VEC3"}; ///< floats
   static constexpr Kind triangle_list{34963, 5125, "SCALAR"};
 
-  /** @brief Of what has been appended to the bytes since `start`. */
+  /** @brief Adds an accessor for the bytes appended since `start`. */
   std::size_t addAccessor(std::size_t start, std::size_t count, const Kind& kind)
   {
     json_["bufferViews"].push_back({{"buffer", 0},
@@ -190,7 +190,7 @@ private:
     glb += text;
     if (bytes_.empty())
       return glb;
-    appendNumber(glb, static_cast<std::uint32_t>(bytes_.size())); // whole floats
+    appendNumber(glb, static_cast<std::uint32_t>(bytes_.size())); // multiple of four
     appendNumber(glb, binary_chunk);
     return glb + bytes_;
   }

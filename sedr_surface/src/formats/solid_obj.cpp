@@ -14,7 +14,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief The triangles in the order of their elements. */
+/** @brief Returns the triangles sorted by element. */
 std::vector<std::size_t>
 byElement(const TriangleMesh& mesh)
 {

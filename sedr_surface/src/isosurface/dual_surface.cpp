@@ -17,12 +17,12 @@ namespace {
 
 constexpr auto none = std::numeric_limits<std::uint32_t>::max();
 
-// Which cells hold a vertex, and which one.
+// Cells that hold a vertex, and its index.
 struct CellVertices {
-  std::vector<std::uint32_t> table; // of each block with a vertex, for its 512 cells
-  std::vector<std::size_t> row;     // of the table, for each block
-  std::vector<std::size_t> blocks;  // with a vertex
-  std::vector<std::size_t> first;   // vertex of each of those, and the end
+  std::vector<std::uint32_t> table; // per block with a vertex, for its 512 cells
+  std::vector<std::size_t> row;     // of the table, per block
+  std::vector<std::size_t> blocks;  // blocks with a vertex
+  std::vector<std::size_t> first;   // first vertex of each of those, and the end
 };
 
 CellVertices
@@ -44,7 +44,7 @@ numberCells(const BandGrid& grid, const std::vector<float>& values, unsigned thr
       return;
     for (int i = 0; i < static_cast<int>(BandGrid::nodes); ++i) {
       const int n[3] = {i & 7, i >> 3 & 7, i >> 6};
-      // Cells at the rim are of one sign, what lies around the band counted.
+      // Counting values around the band, cells at the rim have one sign.
       if (crossed(halo + BandGrid::haloIndex(n[0], n[1], n[2])) &&
           grid.holdsCell(b, n[0], n[1], n[2]))
         visit(static_cast<std::size_t>(i));
@@ -91,8 +91,8 @@ vertexOf(const BandGrid& grid,
                      BandGrid::nodeIndex(cell[0] & 7, cell[1] & 7, cell[2] & 7)];
 }
 
-// Cuts a quad along the diagonal that follows an edge of the surface, or is shorter,
-// unless that would turn a triangle away from `towards`.
+// Cuts a quad along the diagonal that follows an edge of the surface, otherwise along
+// the shorter one, unless that would turn a triangle away from `towards`.
 void
 cutQuad(const std::array<std::uint32_t, 4>& quad,
         const TriangleMesh& mesh,
@@ -105,7 +105,7 @@ cutQuad(const std::array<std::uint32_t, 4>& quad,
   const auto normal = [&](std::size_t i, std::size_t j, std::size_t k) {
     return Eigen::Vector3d((corner(j) - corner(i)).cross(corner(k) - corner(i)));
   };
-  // How well the two triangles of a cut face the same way, and how thin they are.
+  // Rates a cut by the agreement of its triangles' normals and by their thinness.
   const auto rate = [&](std::size_t i) {
     const Eigen::Vector3d a = normal(i, i + 1, (i + 2) % 4);
     const Eigen::Vector3d b = normal(i, (i + 2) % 4, (i + 3) % 4);
@@ -132,7 +132,7 @@ cutQuad(const std::array<std::uint32_t, 4>& quad,
   }
 }
 
-// The triangles across the grid's edges that begin in block `b`.
+// Adds the triangles across the grid's edges that begin in block `b`.
 void
 addTriangles(const BandGrid& grid,
              const std::vector<float>& values,

@@ -11,21 +11,21 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The surface between nodes of values above zero and the others: dual
- * contouring with a vertex in every cell that the surface crosses and two triangles
- * across every edge of the grid that it crosses. Closed and manifold if the values are
- * well composed (makeWellComposed()) and the surface keeps off the rim of the blocks.
+/** @brief Extracts the surface between nodes with values above zero and the others by
+ * dual contouring. Each cell that the surface crosses has a vertex, each crossed grid
+ * edge two triangles. The surface is closed and manifold if the values are well
+ * composed (makeWellComposed()) and it stays away from the rim of the blocks.
  *
- * The crossings of the edges are drawn onto the planes of the samples nearby, and each
- * vertex to where the planes of its cell meet: edges and corners of the surface stay
- * sharp, flat faces flat.
+ * Crossings of edges are projected onto the planes of nearby samples, and each vertex
+ * is placed where the planes of its cell meet. Edges and corners stay sharp, flat faces
+ * flat.
  *
  * @param values at the nodes of `grid`
  * @param samples in blocks of the same grid
- * @param radius cells within which samples tell the plane
- * @param mesh vertices in cells, normals towards values above zero; the same for any
+ * @param radius range of samples that contribute to a plane, cells
+ * @param mesh vertices in cells, normals towards values above zero; independent of the
  * number of threads
- * @param vertices what is known of each of them */
+ * @param vertices properties of each vertex */
 void extractDualSurface(const BandGrid& grid,
                         const std::vector<float>& values,
                         const SortedSamples& samples,

@@ -31,7 +31,7 @@ constexpr std::array<CellEdge, 12> cell_edges = {{{0, 0},
                                                   {2, 2},
                                                   {3, 2}}};
 
-// Each face counts once, however many of the planes are its own.
+// Returns the mean normal, counting each face once, however many planes it has.
 Eigen::Vector3f
 meanOfFaces(const std::vector<SurfacePlane>& planes)
 {
@@ -94,7 +94,7 @@ Eigen::Vector3f
 DualVertices::meet(const Eigen::Vector3f& centre, SurfaceVertex& vertex) const
 {
   constexpr float flat = 0.05f;   // share of squared normals, at an edge of 25 degrees
-  constexpr float farthest = 1.f; // cells from the middle of the cell, along an axis
+  constexpr float farthest = 1.f; // cells from the centre of the cell, along an axis
   Eigen::Vector3f mean = Eigen::Vector3f::Zero();
   for (const SurfacePlane& plane : cell_planes_)
     mean += plane.point;
@@ -117,13 +117,13 @@ DualVertices::meet(const Eigen::Vector3f& centre, SurfaceVertex& vertex) const
     ++rank;
   }
   vertex.sharpness = static_cast<std::uint8_t>(rank - 1);
-  // On a round face the mean lies as far inside as where the planes meet lies outside.
+  // On a curved face, the mean lies as far inside as the planes' intersection lies
+  // outside.
   if (rank == 1)
     shift /= 2;
   vertex.line = solver.eigenvectors().col(0);
   vertex.normal = meanOfFaces(cell_planes_);
-  // Not further from the cell than where the rounding of the function may have moved
-  // it.
+  // Limits the distance from the cell to what the rounding of the function may cause.
   float share = 1;
   for (int k = 0; k < 3; ++k) {
     const float from = mean[k] - centre[k];

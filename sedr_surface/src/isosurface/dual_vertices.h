@@ -27,9 +27,9 @@ public:
   {}
 
   /** @brief Places the vertices of a block's cells.
-   * @param table the vertex of each of the 512 cells, or the largest number
-   * @param places of all vertices of the mesh, in cells
-   * @param vertices what is known of each of them */
+   * @param table the vertex of each of the 512 cells, or the largest number if none
+   * @param places positions of all vertices of the mesh, in cells
+   * @param vertices properties of each vertex */
   void place(std::size_t b,
              const std::uint32_t* table,
              Eigen::Vector3d* places,
@@ -45,7 +45,7 @@ private:
   const SortedSamples& samples_;
   SurfacePlanes planes_;
   std::array<float, BandGrid::halo_nodes> halo_;
-  std::array<std::int16_t, 3 * 729> known_; ///< of each edge its plane, or -1
+  std::array<std::int16_t, 3 * 729> known_; ///< plane of each edge, or -1
   std::vector<SurfacePlane> found_;
   std::vector<SurfacePlane> cell_planes_;
 };

@@ -16,10 +16,10 @@ constexpr int gentle_rounds = 8;
 
 using Corners = std::array<int, 4>;
 
-// Of every cell the faces through its lowest node, as corners in a ring.
+// The faces of a cell through its lowest node, as rings of corners.
 constexpr std::array<Corners, 3> faces = {{{0, 1, 3, 2}, {0, 2, 6, 4}, {0, 1, 5, 4}}};
 
-// The node of a cell whose sign must change, or -1. Values of the eight corners.
+// Returns the corner of a cell whose sign must change, or -1, given the eight values.
 int
 findFlip(const float* value, bool gentle)
 {
@@ -53,8 +53,8 @@ findFlip(const float* value, bool gentle)
   return -1;
 }
 
-// The place among the values of the node of a cell of block `b` whose sign must change,
-// or one behind all.
+// Returns the index in the values of the node whose sign must change in a cell of block
+// `b`, or one past the end.
 std::size_t
 findFlipOfCell(const BandGrid& grid,
                std::size_t b,
@@ -80,7 +80,7 @@ findFlipOfCell(const BandGrid& grid,
     const int n[3] = {cell[0] + (c & 1), cell[1] + (c >> 1 & 1), cell[2] + (c >> 2)};
     const std::size_t block = grid.neighbour(b, n[0] >> 3, n[1] >> 3, n[2] >> 3);
     if (block == grid.size())
-      return none; // no cell of the band: what lies around it has no sign here
+      return none; // no cell of the band, as a node is missing
     if (c == flip)
       place =
           block * BandGrid::nodes + BandGrid::nodeIndex(n[0] & 7, n[1] & 7, n[2] & 7);
@@ -125,7 +125,7 @@ makeWellComposed(const BandGrid& grid, std::vector<float>& values, unsigned thre
     all.erase(std::unique(all.begin(), all.end()), all.end());
     suspects.clear();
     for (const std::size_t place : all) {
-      // So near to zero that it may well change again.
+      // Near zero, so that it may easily change again.
       values[place] = values[place] > 0 ? -1e-4f : 1e-4f;
       for (std::size_t i = 0; i < 27; ++i) {
         const int n = static_cast<int>(i);

@@ -9,13 +9,13 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Makes the nodes above zero well composed: wherever such nodes (or the others)
- * would touch along an edge or at a corner of a cell alone, the sign of one of them
- * changes. Then the faces between nodes of different sign make up a closed manifold
- * surface, and each cell holds one piece of it at most.
+/** @brief Makes the nodes above zero well composed: where such nodes (or the others)
+ * touch only along an edge or at a corner of a cell, one of them changes sign. The
+ * faces between nodes of different sign then form a closed manifold surface, and each
+ * cell holds at most one piece of it.
  *
- * Those nodes go first whose values are nearest to zero; if that does not settle it,
- * nodes above zero go, which comes to an end. O(blocks) a round.
+ * Nodes with values nearest to zero change first. If that does not converge, nodes
+ * above zero change, which terminates. O(blocks) per round.
  * @return the number of nodes that changed */
 std::size_t
 makeWellComposed(const BandGrid& grid, std::vector<float>& values, unsigned threads);

@@ -44,13 +44,14 @@ public:
     return bad;
   }
 
-  // Whether vertices may leave their edge or face, by less than half a cell.
+  // Sets whether vertices must stay on their edge or face; otherwise they may move less
+  // than half a cell off it.
   void setStrict(bool strict) { strict_ = strict; }
 
   bool isBad(std::uint32_t t) const { return alive_[t] && cost(t) > 0; }
 
-  // Improves what is about triangle t, by the best collapse, else by the best shift,
-  // else by turning an edge; adds the triangles that changed.
+  // Improves the surroundings of triangle t by the best collapse, else the best shift,
+  // else an edge flip. Appends the triangles that changed.
   bool mend(std::uint32_t t, double longest, std::vector<std::uint32_t>& changed)
   {
     Step best;
@@ -107,7 +108,7 @@ private:
     return triangle[0] == v || triangle[1] == v || triangle[2] == v;
   }
 
-  // How bad a triangle over these places would be.
+  // Returns the badness of a triangle with these corners.
   int cost(const Eigen::Vector3d* p, const Eigen::Vector3d& towards) const
   {
     const Eigen::Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]);
@@ -120,7 +121,7 @@ private:
 
   int cost(std::uint32_t t) const { return cost(t, 0, 0, nullptr); }
 
-  // With vertex `from` become `to`, at another place.
+  // As above, with vertex `from` replaced by `to` at another position.
   int cost(std::uint32_t t,
            std::uint32_t from,
            std::uint32_t to,
@@ -152,7 +153,7 @@ private:
            around(link.common[1]).size() > 3;
   }
 
-  // Whether `v` stays on the surface on its way to `other`: on its face, or its edge.
+  // Returns whether `v` stays on its face or edge when it moves to `other`.
   bool mayGoTo(std::uint32_t v, std::uint32_t other) const
   {
     const SurfaceVertex& from = vertices_[v];
@@ -167,7 +168,7 @@ private:
     return off < (strict_ ? 0.1 * std::max(way.norm(), 0.5) : 0.5);
   }
 
-  // Whether `gone` should become one with `kept`.
+  // Considers collapsing `gone` into `kept`.
   void consider(std::uint32_t kept, std::uint32_t gone, double longest, Step& best)
   {
     if (!mayGoTo(gone, kept))
@@ -185,8 +186,8 @@ private:
     best = {gain, length, kept, gone, target};
   }
 
-  // Whether `v` should lie in the middle of its neighbours, or half-way to one of them;
-  // on an edge, of those there.
+  // Considers moving `v` to the mean of its neighbours or half-way to one of them;
+  // along an edge only, if it lies on one.
   void considerShifts(std::uint32_t v, Step& best)
   {
     if (vertices_[v].sharpness > 1)
@@ -212,7 +213,7 @@ private:
     }
   }
 
-  // Replaces an edge of the triangle by the other diagonal of the two triangles there.
+  // Flips an edge of the triangle.
   bool turnEdge(std::uint32_t t, std::vector<std::uint32_t>& changed)
   {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -272,9 +273,9 @@ private:
   std::vector<SurfaceVertex>& vertices_;
   double least_height_;
   std::vector<bool> alive_;
-  std::vector<std::uint32_t> first_; // of corners_, for each vertex
+  std::vector<std::uint32_t> first_; // index into corners_, per vertex
   std::vector<std::uint32_t> corners_;
-  std::vector<std::vector<std::uint32_t>> around_; // filled when asked for
+  std::vector<std::vector<std::uint32_t>> around_; // filled on demand
   std::size_t collapsed_ = 0;
   bool strict_ = true;
 };

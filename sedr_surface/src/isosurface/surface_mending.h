@@ -12,24 +12,23 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What is known of a vertex of a surface besides its place. */
+/** @brief Properties of a surface vertex besides its position. */
 struct SurfaceVertex {
   Eigen::Vector3f normal = Eigen::Vector3f::Zero(); ///< mean of the faces that meet
-  Eigen::Vector3f line = Eigen::Vector3f::Zero();   ///< of the edge that it lies on
+  Eigen::Vector3f line = Eigen::Vector3f::Zero();   ///< direction of its edge
   std::uint8_t sharpness = 0; ///< 0 on a face, 1 at an edge, 2 at a corner
 };
 
-/** @brief Takes folds (triangles that face against the normals of their vertices) and
- * slivers out of a closed manifold surface, by collapsing short edges and shifting
- * vertices; it stays closed and manifold. Of two vertices the sharper one stays where
- * it is.
+/** @brief Removes folds (triangles that face against the normals of their vertices) and
+ * slivers from a closed manifold surface by edge collapses and vertex shifts. The
+ * surface stays closed and manifold. In a collapse, the sharper vertex stays in place.
  *
- * @param vertices what is known of each vertex of the mesh
- * @param least_height triangles of less height are slivers
- * @param longest edges to collapse
- * @return the number of edges collapsed
+ * @param vertices properties of each vertex of the mesh
+ * @param least_height slivers are triangles of less height
+ * @param longest maximum length of edges to collapse
+ * @return the number of collapsed edges
  *
- * O(n), in one order. */
+ * O(n), in a fixed order. */
 std::size_t mendSurface(TriangleMesh& mesh,
                         std::vector<SurfaceVertex>& vertices,
                         double least_height,

@@ -46,7 +46,7 @@ SurfacePlanes::find(const Eigen::Vector3f& place,
                     SurfacePlane& plane)
 {
   constexpr float agree = 0.9f;        // cosine of 25 degrees
-  constexpr float least_share = 0.15f; // of the weight around: less is a stray sample
+  constexpr float least_share = 0.15f; // of the weight; below it, an outlier
   const std::size_t n = x_.size();
   for (std::size_t i = 0; i < n; ++i) {
     const float dx = x_[i] - place[0];
@@ -79,7 +79,7 @@ SurfacePlanes::find(const Eigen::Vector3f& place,
     if (weight < least_share * all)
       continue;
     plane.normal = sum.normalized();
-    // Half its own normal and half the mean one: exact on planes and on round surfaces.
+    // The mean of own and mean normal is exact on planes and on round surfaces.
     float height = 0;
     for (const Near& other : near_) {
       const Eigen::Vector3f normal = normalOf(other.index);

@@ -11,28 +11,28 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A plane that touches the surface. */
+/** @brief A tangent plane of the surface. */
 struct SurfacePlane {
   Eigen::Vector3f point;
   Eigen::Vector3f normal;
 };
 
-/** @brief The samples in and around one block of the finest grid, to ask how the
- * surface runs near a place there. Lengths in cells, from the block's first node. */
+/** @brief The samples in and around one block of the finest grid, for queries of
+ * tangent planes. Lengths in cells, from the block's first node. */
 class SurfacePlanes {
 public:
-  /** @brief Samples further than `radius` from a place say nothing about it; 8 cells at
-   * most. */
+  /** @brief Samples further than `radius`, at most 8 cells, do not contribute to a
+   * plane. */
   explicit SurfacePlanes(float radius)
       : radius_(std::min(radius, 8.f))
   {}
 
-  /** @brief Takes the samples around block `b`. */
+  /** @brief Loads the samples around block `b`. */
   void load(const BandGrid& grid, std::size_t b, const SortedSamples& samples);
 
-  /** @brief The plane through the samples around `place` whose normals agree with that
-   * of the nearest one, of those that face the way of `slope`; where an edge is near,
-   * so that of one of its sides. Follows curved surfaces.
+  /** @brief Fits a plane to samples around `place` on the side of `slope` whose normals
+   * agree with that of the nearest one. Near an edge, the plane is that of one of its
+   * sides. Follows curved surfaces.
    * @return false if there are no samples */
   bool
   find(const Eigen::Vector3f& place, const Eigen::Vector3f& slope, SurfacePlane& plane);

@@ -15,22 +15,22 @@ namespace pcl {
 namespace sedr {
 namespace {
 
-constexpr float thickest = 2.f;  // cells: what is thicker holds a layer of nodes
-constexpr float thinnest = 0.1f; // cells: what is thinner has no sides to tell apart
+constexpr float thickest = 2.f;  // cells; thicker sheets hold a layer of nodes
+constexpr float thinnest = 0.1f; // cells; thinner sheets have no distinct sides
 constexpr float opposite =
     -0.9f;                       // cosine of the angle between the normals: 154 degrees
-constexpr float certain = 0.25f; // value of a node half-way from the surface to afar
+constexpr float certain = 0.25f; // half-way between surface and far field
 
-// A sample as its neighbours see it, from the first node of some block.
+// A sample seen from its neighbours, relative to the first node of a block.
 struct Sheet {
   Eigen::Vector3f place;
   Eigen::Vector3f normal;
 };
 
-// What a sheet says of a node.
+// The sign that a sheet implies for a node.
 struct Vote {
   std::size_t node;
-  float off; // of the node from the middle of the sheet, cells
+  float off; // distance of the node from the middle of the sheet, cells
   bool above;
 
   bool operator<(const Vote& other) const
@@ -50,7 +50,7 @@ public:
       , reach_(thickest + spacing)
   {}
 
-  // The votes of the samples of block `s` of the samples' grid.
+  // Collects the votes of the samples of block `s` of the samples' grid.
   void collect(std::size_t s, std::vector<Vote>& votes)
   {
     const std::size_t first = load(s);
@@ -61,7 +61,7 @@ public:
   }
 
 private:
-  // The samples in and about a block, its own first; returns their number.
+  // Loads the samples in and around a block, its own first; returns their number.
   std::size_t load(std::size_t s)
   {
     around_.clear();
@@ -92,7 +92,7 @@ private:
     }
   }
 
-  // What the two samples say of the nodes between them, if they face opposite ways.
+  // Adds votes for the nodes between two samples that face opposite ways.
   void vote(const Sheet& one,
             const Sheet& other,
             std::size_t b,
@@ -107,7 +107,7 @@ private:
         (way - apart * normal).norm() > spacing_)
       return;
     const Eigen::Vector3f middle = one.place + way / 2;
-    // As many nodes deep as leave no way through between two of them.
+    // Deep enough that no path leads between two such nodes.
     const float depth = normal.cwiseAbs().sum() / 2;
     const float radius = 0.75f * spacing_;
     const float farthest = std::max(depth, radius);

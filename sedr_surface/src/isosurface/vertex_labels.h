@@ -9,9 +9,9 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A label, or a room, a vertex: that of the largest part of the area around it,
- * of equal ones the smallest; 0 for a vertex without triangles.
- * @param values one a triangle: TriangleMesh::labels or rooms */
+/** @brief Returns a label or room per vertex: that with the largest area around it, the
+ * smallest of equals; 0 for a vertex without triangles.
+ * @param values one per triangle: TriangleMesh::labels or rooms */
 std::vector<std::uint32_t> vertexValues(const TriangleMesh& mesh,
                                         const std::vector<std::uint32_t>& values);
 

@@ -6,9 +6,9 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Works on rooms side by side, on the threads of this process: threads that
- * share one room wait for each other at every step. A room that is more than its share
- * of the work for one thread comes first, and has all of them. */
+/** @brief Processes rooms in parallel on the threads of this process, one thread per
+ * room. Threads that share one room wait for each other at every step. Only rooms that
+ * exceed one thread's share of the work run first, on all threads. */
 class RoomThreads : public RoomWorkers {
 public:
   /** @param threads 0: all processors */

@@ -17,8 +17,8 @@ namespace sedr {
 
 namespace {
 
-/** @brief Makes the surfaces of rooms; `samples(i)` is asked for once each, `sizes` say
- * how much work each is. */
+/** @brief Makes the surfaces of rooms. `samples(i)` is called once for each, `sizes`
+ * give the work of each. */
 void
 addRooms(const std::vector<std::size_t>& sizes,
          const std::function<RoomSamples(std::size_t)>& samples,

@@ -14,17 +14,17 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief One side of a triangle, filed under the edge that it lies on. */
+/** @brief One side of a triangle, indexed by its edge. */
 struct EdgeUse {
   std::uint32_t low = 0;      ///< vertex of the edge with the lower index
   std::uint32_t high = 0;     ///< the other one
   std::uint32_t triangle = 0; ///< the triangle
-  std::uint8_t side = 0;      ///< the side from its corner `side` to the next
+  std::uint8_t side = 0;      ///< from corner `side` to the next
   bool forward = false;       ///< the triangle runs from low to high
 };
 
-/** @brief The sides of all triangles, sorted by edge and then by triangle. Sides
- * between a vertex and itself are left out. O(n). */
+/** @brief Returns the sides of all triangles, sorted by edge, then by triangle. Sides
+ * between a vertex and itself are omitted. O(n). */
 inline std::vector<EdgeUse>
 collectEdges(const std::vector<Triangle>& triangles)
 {
@@ -32,7 +32,7 @@ collectEdges(const std::vector<Triangle>& triangles)
   for (const Triangle& triangle : triangles)
     for (const auto v : triangle)
       vertices = std::max(vertices, v + 1);
-  // Filed under the lower vertex, which has few.
+  // Bucketed by the lower vertex, which has few edges.
   std::vector<std::size_t> ends(vertices + std::size_t(1), 0);
   const auto forEachSide = [&triangles](auto visit) {
     for (std::uint32_t t = 0; t < triangles.size(); ++t)
@@ -72,15 +72,15 @@ forEachEdge(const std::vector<EdgeUse>& uses, Visit visit)
   }
 }
 
-/** @brief Number of the corner of `use.triangle` that sits on the lower vertex of the
- * edge: 3 * triangle + corner. */
+/** @brief Returns the corner of `use.triangle` at the lower vertex of the edge: 3 *
+ * triangle + corner. */
 inline std::uint32_t
 lowCorner(const EdgeUse& use)
 {
   return 3 * use.triangle + (use.forward ? use.side : (use.side + 1u) % 3u);
 }
 
-/** @brief The same for the higher vertex. */
+/** @brief As above, for the higher vertex. */
 inline std::uint32_t
 highCorner(const EdgeUse& use)
 {

@@ -16,7 +16,7 @@ measureMesh(const TriangleMesh& mesh)
   MeshFigures figures;
   figures.topology = checkTopology(mesh);
   figures.closed = figures.topology.isClosedManifold();
-  TriangleMesh welded; // without what is kept of every triangle
+  TriangleMesh welded; // without attributes of triangles
   welded.vertices = mesh.vertices;
   welded.triangles = mesh.triangles;
   figures.closed_when_welded = weldVertices(welded) == 0
@@ -34,7 +34,7 @@ namespace {
 
 constexpr const char* class_name = "MeshEvaluation";
 
-/** @brief What is less deep may be the rounding of a file of floats, metres. */
+/** @brief Shallower intersections may be rounding to floats in files, metres. */
 constexpr double least_intersection = 1e-5;
 
 } // namespace

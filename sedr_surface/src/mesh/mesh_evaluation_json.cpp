@@ -13,7 +13,7 @@ namespace pcl {
 namespace sedr {
 namespace {
 
-// Members of an object as text, in the order in which they were added.
+// Members of an object as text, in the order of insertion.
 class JsonObject {
 public:
   explicit JsonObject(int indent)
@@ -129,7 +129,7 @@ toJson(const MeshFigures& figures, int indent)
   if (figures.self_intersections)
     object.add("self_intersections", *figures.self_intersections);
   object.add("component_count", topology.components.size());
-  // A broken mesh can have thousands of crumbs; they are sorted, the first tell.
+  // A broken mesh can have thousands of small components; the largest are listed.
   std::vector<std::string> components;
   for (std::size_t i = 0; i < topology.components.size() && i < 100; ++i)
     components.push_back(toJson(topology.components[i], object.inner()));

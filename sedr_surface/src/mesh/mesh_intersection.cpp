@@ -20,8 +20,8 @@ cornersOf(const TriangleMesh& mesh, std::uint32_t t)
   return {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
 }
 
-/** @brief How deep a place in the plane of a triangle lies within it, metres: its
- * distance from the nearest side, negative outside. */
+/** @brief Returns the distance of a point in a triangle's plane from the nearest side,
+ * metres; negative outside. */
 double
 depthWithin(const Corners& triangle,
             const Eigen::Vector3d& normal,
@@ -35,7 +35,7 @@ depthWithin(const Corners& triangle,
   return depth;
 }
 
-/** @brief Whether the segment from p to q goes through a triangle. */
+/** @brief Returns whether the segment from p to q passes through a triangle. */
 bool
 pierces(const Eigen::Vector3d& p,
         const Eigen::Vector3d& q,
@@ -51,8 +51,8 @@ pierces(const Eigen::Vector3d& p,
          tolerance;
 }
 
-/** @brief Whether two triangles of one plane have an area in common: no side of either
- * parts them. */
+/** @brief Returns whether two coplanar triangles share an area: no side of either
+ * separates them. */
 bool
 overlap(const Corners& a,
         const Corners& b,

@@ -11,14 +11,14 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Pairs of triangles that go through each other or lie upon each other, however
- * the mesh hangs together: a solid has none.
+/** @brief Finds pairs of triangles that intersect or overlap, whatever their
+ * connectivity. A valid solid has none.
  *
- * @param mesh must be one (TriangleMesh::problem() empty)
- * @param tolerance metres above 0: what reaches less deep is taken for rounding. Of a
- * file of floats, 1e-5 for coordinates up to 100 m
- * @param most pairs to look for
- * @return indices of two triangles each, the lesser first, sorted
+ * @param mesh must be valid (TriangleMesh::problem() empty)
+ * @param tolerance metres above 0; shallower intersections count as rounding. For
+ * floats from files, 1e-5 for coordinates up to 100 m
+ * @param most maximum number of pairs
+ * @return indices of two triangles each, the lower first, sorted
  *
  * Triangles are swept along the longest axis of the mesh: some seconds for 200000 small
  * ones. Deterministic. */

@@ -27,7 +27,7 @@ toVector(const Place& place)
   return {place[0], place[1], place[2]};
 }
 
-// The vertices that stand where another of a lower number does.
+// Returns the vertices at the position of another one with a lower number.
 std::vector<std::uint32_t>
 doublesAmong(const std::vector<Place>& places)
 {
@@ -45,8 +45,8 @@ doublesAmong(const std::vector<Place>& places)
   return doubles;
 }
 
-// Where the surface runs from each of some vertices: to the middle of its triangles,
-// then to the middle of each.
+// Returns directions along the surface from some vertices: to the centre of all
+// triangles there, then to the centre of each.
 std::map<std::uint32_t, std::vector<Eigen::Vector3d>>
 waysAlongSurface(const TriangleMesh& mesh, const std::vector<std::uint32_t>& vertices)
 {
@@ -67,8 +67,8 @@ waysAlongSurface(const TriangleMesh& mesh, const std::vector<std::uint32_t>& ver
   return ways;
 }
 
-// A place of its own for a vertex: a little along one of the ways, farther where others
-// stand there; where the ways are too short for a float, the next place in x.
+// Returns a free position for a vertex: a little along one of the directions, farther
+// if occupied. If they are too short for a float, the next value of x.
 Place
 freePlace(const Eigen::Vector3d& from,
           const std::vector<Eigen::Vector3d>& ways,

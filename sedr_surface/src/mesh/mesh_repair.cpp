@@ -23,7 +23,7 @@ weldVertices(TriangleMesh& mesh)
   std::sort(order.begin(), order.end(), [&key](std::uint32_t a, std::uint32_t b) {
     return key(a) != key(b) ? key(a) < key(b) : a < b;
   });
-  std::vector<std::uint32_t> target(vertices.size()); // the lowest at a position
+  std::vector<std::uint32_t> target(vertices.size()); // lowest one per position
   std::size_t welded = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {
     const bool is_equal = i > 0 && key(order[i]) == key(order[i - 1]);

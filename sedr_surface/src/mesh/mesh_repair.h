@@ -8,28 +8,28 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Makes one vertex of those at equal positions. Triangles may become
- * degenerate. O(n log n).
- * @return the number of vertices that joined another */
+/** @brief Merges vertices at equal positions. Triangles may become degenerate. O(n log
+ * n).
+ * @return the number of vertices merged into another */
 std::size_t weldVertices(TriangleMesh& mesh);
 
-/** @brief Moves vertices apart that are at equal positions, as those of two sheets are
- * that both follow one edge: afterwards no two are, also in a file of floats, and a
- * reader that welds equal positions joins no sheets.
+/** @brief Moves vertices at equal positions apart, such as those of two sheets along
+ * one edge. Afterwards all positions differ, even in a file of floats, so that readers
+ * that weld equal positions join no sheets.
  *
- * All positions become what a float holds of them. Of several vertices in one place
- * the first stays; each other one goes 2 % of the way to the middle of its own
- * triangles, or farther or towards one of them where that place is taken. O(n log n).
+ * All positions are rounded to float. Of several vertices at one position the first
+ * stays. Each other one moves 2 % towards the centre of its triangles, or farther, or
+ * towards one of them if that position is taken. O(n log n).
  * @return the number of vertices moved */
 std::size_t partEqualPositions(TriangleMesh& mesh);
 
-/** @brief What keepLargestComponent() took away. */
+/** @brief What keepLargestComponent() removed. */
 struct RemovedComponents {
   std::size_t components = 0;
-  std::size_t triangles = 0; ///< of these components
+  std::size_t triangles = 0; ///< triangles of these components
 };
 
-/** @brief Keeps the component of the largest area. O(n). */
+/** @brief Keeps only the component with the largest area. O(n). */
 RemovedComponents keepLargestComponent(TriangleMesh& mesh);
 
 } // namespace sedr

@@ -8,7 +8,7 @@ namespace pcl {
 namespace sedr {
 namespace {
 
-// The splitmix64 generator: a well mixed number for every count.
+// The splitmix64 generator: a well-mixed number for every count.
 std::uint64_t
 mix(std::uint64_t x)
 {
@@ -18,7 +18,7 @@ mix(std::uint64_t x)
   return x ^ (x >> 31);
 }
 
-// From [0, 1).
+// Maps to [0, 1).
 double
 unit(std::uint64_t x)
 {
@@ -31,8 +31,8 @@ fraction(double x)
   return x - std::floor(x);
 }
 
-// The j-th point of a sequence that fills the triangle evenly (Roberts' R2, folded),
-// begun at a place that the seed chooses.
+// Returns the j-th point of a low-discrepancy sequence in the triangle (Roberts' R2,
+// folded), which starts at a position chosen by the seed.
 Eigen::Vector3d
 pointInTriangle(const TriangleMesh& mesh,
                 std::size_t t,
@@ -67,7 +67,7 @@ sampleMesh(const TriangleMesh& mesh,
     summed_area.push_back(area += mesh.scaledNormal(t).norm() / 2);
   if (area <= 0)
     return samples;
-  // Less a hair, so that rounding does not add a sample.
+  // Slightly less, so that rounding does not add a sample.
   const double wanted = std::ceil(area / (spacing * spacing) * (1 - 1e-12));
   const std::size_t count = wanted < static_cast<double>(max_samples)
                                 ? static_cast<std::size_t>(wanted)

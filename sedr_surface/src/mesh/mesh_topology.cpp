@@ -65,7 +65,7 @@ countEdges(const std::vector<EdgeUse>& uses, MeshTopology& topology)
   });
 }
 
-// Corners at a vertex that are joined across edges form a fan.
+// Counts fans: sets of corners at a vertex that are joined across edges.
 void
 countFans(const TriangleMesh& mesh,
           const std::vector<EdgeUse>& uses,
@@ -97,7 +97,7 @@ labelComponents(const TriangleMesh& mesh,
   std::vector<std::uint32_t> component(mesh.triangles.size());
   count = 0;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const std::uint32_t root = sets.find(t); // the lowest, so it has its number already
+    const std::uint32_t root = sets.find(t); // the lowest, so it already has its number
     component[t] = root == t ? count++ : component[root];
   }
   return component;
@@ -129,7 +129,7 @@ measureComponents(const TriangleMesh& mesh,
   });
 }
 
-/** @brief How the triangles of a mesh, or of a part of one, hang together. */
+/** @brief Computes the connectivity of a mesh or of a part of one. */
 MeshTopology
 topologyOf(const TriangleMesh& mesh)
 {
@@ -143,7 +143,7 @@ topologyOf(const TriangleMesh& mesh)
   return topology;
 }
 
-/** @brief Triangles [first, last), whose vertices [low, high] no other has. */
+/** @brief Triangles [first, last) with vertices [low, high] that no other part uses. */
 struct MeshPart {
   std::size_t first;
   std::size_t last;
@@ -151,8 +151,8 @@ struct MeshPart {
   std::uint32_t high;
 };
 
-/** @brief The rooms of a mesh where they follow one another, else all of it: what hangs
- * together is looked at room by room, as that takes much more memory than the mesh. */
+/** @brief Returns the rooms of a mesh if they are contiguous, else all of it. Room by
+ * room, connectivity takes much less memory. */
 std::vector<MeshPart>
 partsByRoom(const TriangleMesh& mesh)
 {

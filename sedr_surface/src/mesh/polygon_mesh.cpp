@@ -9,7 +9,7 @@ namespace pcl {
 namespace sedr {
 namespace {
 
-// Newell's normal: right for concave polygons too.
+// Newell's normal, which is also correct for concave polygons.
 Eigen::Vector3d
 polygonNormal(const std::vector<Eigen::Vector3d>& vertices,
               const std::vector<std::uint32_t>& polygon)
@@ -24,7 +24,8 @@ polygonNormal(const std::vector<Eigen::Vector3d>& vertices,
   return normal;
 }
 
-// Corner i of the remaining polygon can be cut off: convex, and no other corner within.
+// Returns whether corner i of the remaining polygon can be clipped: it is convex and no
+// other corner lies inside.
 bool
 isEar(const std::vector<Eigen::Vector3d>& vertices,
       const std::vector<std::uint32_t>& polygon,
@@ -49,7 +50,7 @@ isEar(const std::vector<Eigen::Vector3d>& vertices,
       continue;
     const Eigen::Vector3d& p = vertices[other];
     if (p == a || p == b || p == c)
-      continue; // a cut that joins a hole to the outline visits its ends twice
+      continue; // a bridge from a hole to the outline visits its ends twice
     if (side(a, b, p) >= 0 && side(b, c, p) >= 0 && side(c, a, p) >= 0)
       return false;
   }
@@ -65,7 +66,7 @@ findField(const pcl::PCLPointCloud2& cloud, const char* name)
   return nullptr;
 }
 
-// Why the field cannot be read, or an empty string.
+// Returns why the field cannot be read, or an empty string.
 std::string
 fieldProblem(const pcl::PCLPointCloud2& cloud, const char* name)
 {

@@ -10,7 +10,7 @@ namespace {
 
 using Attribute = std::vector<std::uint32_t>;
 
-// Attributes of two meshes one after the other; a missing one counts as zeros.
+// Appends attributes of another mesh; missing ones count as zeros.
 void
 appendAttribute(Attribute& own,
                 std::size_t own_triangles,
@@ -40,7 +40,7 @@ TriangleMesh::signedVolume() const
 {
   if (empty())
     return 0;
-  // Relative to a vertex of the mesh: large coordinates must not eat up the digits.
+  // Relative to a vertex of the mesh, to keep precision at large coordinates.
   const Eigen::Vector3d origin = corner(0, 0);
   double six_fold = 0;
   for (std::size_t t = 0; t < triangles.size(); ++t)

@@ -15,9 +15,10 @@ namespace sedr {
 namespace {
 
 constexpr std::size_t most_in_leaf = 6;
-constexpr std::size_t block = 4096; ///< triangles or boxes at once
+constexpr std::size_t block = 4096; ///< triangles or boxes per block
 
-/** @brief Of the origin from the segment between two points. */
+/** @brief Returns the squared distance of the origin from the segment between two
+ * points. */
 double
 squaredToSegment(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 {
@@ -27,7 +28,8 @@ squaredToSegment(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   return (a + t * way).squaredNorm();
 }
 
-/** @brief Of the origin from a triangle, one without area too. */
+/** @brief Returns the squared distance of the origin from a triangle, which may be
+ * degenerate. */
 double
 squaredToTriangle(const Eigen::Vector3d& a,
                   const Eigen::Vector3d& b,
@@ -95,7 +97,7 @@ TriangleTree::centres(unsigned threads) const
   return result;
 }
 
-/** @brief Sorts the triangles of a box into its two halves, across its longest side. */
+/** @brief Sorts the triangles of a box into two halves, across its longest side. */
 void
 TriangleTree::split(unsigned level, std::size_t k, const std::vector<Centre>& centres)
 {
@@ -148,10 +150,10 @@ TriangleTree::distance(const Eigen::Vector3d& point) const
 {
   struct Step {
     std::size_t box;
-    double least; ///< squared distance of anything in it
+    double least; ///< minimum squared distance of its content
   };
   constexpr std::size_t deepest = 64;
-  std::array<Step, deepest> steps; // one more at most for each level
+  std::array<Step, deepest> steps; // at most one more per level
   const Eigen::Array3d p = point - origin_;
   const std::size_t first_leaf = (std::size_t{1} << levels_) - 1;
   double best = std::numeric_limits<double>::infinity();

@@ -13,22 +13,23 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The triangles of a mesh in boxes within boxes, each of which holds as many as
- * the one beside it: finds what is nearest to a point in about O(log n).
+/** @brief A balanced tree of boxes over the triangles of a mesh. Finds the nearest
+ * triangle of a point in about O(log n).
  *
- * Building takes O(n log n); about 12 bytes a triangle, and 6 more while it is built.
- */
+ * Construction is O(n log n); about 12 bytes per triangle, and 6 more during
+ * construction. */
 class TriangleTree {
 public:
-  /** @param mesh must have triangles, and outlive this
+  /** @param mesh must have triangles, and outlive this object
    * @param threads 0: all processors; the tree does not depend on it */
   TriangleTree(const TriangleMesh& mesh, unsigned threads);
 
-  /** @brief Distance of a finite point from the nearest triangle, metres. */
+  /** @brief Returns the distance of a finite point from the nearest triangle,
+   * metres. */
   double distance(const Eigen::Vector3d& point) const;
 
 private:
-  /** @brief Relative to the origin of the tree, not smaller than what it holds. */
+  /** @brief Relative to the tree's origin; rounded outwards. */
   struct Box {
     Eigen::Array3f low;
     Eigen::Array3f high;
@@ -43,9 +44,10 @@ private:
     }
   };
 
-  using Centre = std::array<std::uint16_t, 3>; ///< of a triangle, in the box of all
+  using Centre = std::array<std::uint16_t, 3>; ///< of a triangle, in the root box
 
-  /** @brief The first triangle of box `k` of a level, a place in `order_`. */
+  /** @brief Returns the first triangle of box `k` of a level, as a place in
+   * `order_`. */
   std::size_t first(unsigned level, std::size_t k) const
   {
     return order_.size() * k >> level;
@@ -58,9 +60,9 @@ private:
   const TriangleMesh& mesh_;
   Eigen::AlignedBox3d bounds_;
   Eigen::Vector3d origin_;
-  unsigned levels_ = 0;              ///< above that of the leaves
+  unsigned levels_ = 0;              ///< number of levels above the leaves
   std::vector<std::uint32_t> order_; ///< triangles, leaf by leaf
-  std::vector<Box> boxes_;           ///< level by level from that of all
+  std::vector<Box> boxes_;           ///< level by level from the root
 };
 
 } // namespace sedr

@@ -16,9 +16,9 @@ namespace sedr {
 
 namespace {
 
-constexpr double sharp = 0.94;       ///< cosine of 20 degrees between two faces
-constexpr double zone = 2;           ///< spacings from an edge
-constexpr double edge_spacing = 0.4; ///< over the spacing
+constexpr double sharp = 0.94;       ///< cosine of 20 degrees, between two faces
+constexpr double zone = 2;           ///< in spacings, around an edge
+constexpr double edge_spacing = 0.4; ///< relative to the spacing
 constexpr std::uint64_t sample_seed = 1;
 
 struct Edge {
@@ -26,7 +26,7 @@ struct Edge {
   Eigen::Vector3d to;
 };
 
-/** @brief The edges at which a solid's surface bends. */
+/** @brief Returns the edges at which a solid's surface bends. */
 std::vector<Edge>
 sharpEdgesOf(const TriangleMesh& solid)
 {
@@ -43,7 +43,7 @@ sharpEdgesOf(const TriangleMesh& solid)
   return edges;
 }
 
-/** @brief Whether a place lies within `reach` of an edge. */
+/** @brief Tests whether a place lies within `reach` of an edge. */
 class EdgeZone {
 public:
   EdgeZone(std::vector<Edge> edges, double reach)

@@ -11,16 +11,16 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Points spread over the surface of a room. */
+/** @brief Points on the surface of a room. */
 struct PlanSamples {
   std::vector<OrientedPoint> points; ///< normals into the room
-  std::vector<std::uint32_t> labels; ///< StructureLabel of each
+  std::vector<std::uint32_t> labels; ///< StructureLabel of each point
   std::string problem;               ///< why there are none, or empty
 };
 
-/** @brief Samples the solid of a room (extrudeRoom()): a point in `spacing`, and within
- * two spacings of an edge where two faces meet at more than 20 degrees, five in two,
- * so that edges and corners are covered evenly and sharply.
+/** @brief Samples the solid of a room (extrudeRoom()): one point per `spacing`. Within
+ * two spacings of an edge of more than 20 degrees there are five points per two
+ * spacings, which keeps edges and corners sharp.
  *
  * @param spacing metres, above 0
  *

@@ -15,7 +15,7 @@ namespace pcl {
 namespace sedr {
 namespace {
 
-// The same points near the origin, where a float has digits to spare.
+// Returns the points near the origin, where floats have precision to spare.
 std::vector<OrientedPoint>
 centred(const std::vector<OrientedPoint>& points, const Eigen::Vector3d& centre)
 {
@@ -34,14 +34,14 @@ extentOf(const std::vector<OrientedPoint>& points)
   return box.sizes().maxCoeff();
 }
 
-// To where a float puts them: what is checked is what will be written.
+// Rounds to float, so that what is checked is what is written.
 void
 roundToFloat(TriangleMesh& mesh)
 {
   for (Eigen::Vector3d& v : mesh.vertices)
     for (int k = 0; k < 3; ++k) {
       volatile float rounded =
-          static_cast<float>(v[k]); // or g++ 12 leaves it out at -O2
+          static_cast<float>(v[k]); // volatile, or g++ 12 omits the rounding at -O2
       v[k] = static_cast<double>(rounded);
     }
 }
@@ -61,7 +61,7 @@ move(TriangleMesh& mesh, const Eigen::Vector3d& centre)
   roundToFloat(mesh);
 }
 
-// What keeps the mesh from being one closed surface, into the report.
+// Reports why the mesh is not one closed surface.
 void
 checkRoom(const TriangleMesh& mesh, RoomPoissonReport& report)
 {
@@ -75,7 +75,7 @@ checkRoom(const TriangleMesh& mesh, RoomPoissonReport& report)
   report.closed = report.problem.empty();
 }
 
-// Into the surface of the points, which are near the origin.
+// Solves for the surface of points near the origin.
 bool
 solveOnBand(const std::vector<OrientedPoint>& local,
             const Eigen::Vector3d& centre,
@@ -84,7 +84,7 @@ solveOnBand(const std::vector<OrientedPoint>& local,
             TriangleMesh& mesh,
             RoomPoissonReport& report)
 {
-  constexpr double margin = 1.1; // of the cube of the octree that the depth speaks of
+  constexpr double margin = 1.1; // of the octree's cube, to which the depth refers
   const double wanted = report.spacing * parameters.cell_ratio;
   const auto depth =
       static_cast<int>(std::ceil(std::log2(margin * extent / wanted) - 1e-9));
@@ -109,7 +109,7 @@ solveOnBand(const std::vector<OrientedPoint>& local,
   report.removed_triangles = removed.triangles;
   mesh.removeUnusedVertices();
   checkRoom(mesh, report);
-  if (!report.closed) { // far from the origin, where a float puts vertices in one place
+  if (!report.closed) { // far from the origin, floats may coincide
     report.parted_vertices = partEqualPositions(mesh);
     checkRoom(mesh, report);
   }

@@ -11,17 +11,16 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The surface of one room by screened Poisson: solved near the origin, its
- * largest component kept, repaired, and solved again a little differently until it is
- * closed.
+/** @brief Reconstructs the surface of one room by screened Poisson. It is solved near
+ * the origin, reduced to its largest component and repaired. If it is not closed, it is
+ * solved again with slightly different parameters.
  *
  * @param points finite, with unit normals into the room
  * @param parameters in range
- * @param mesh the surface, its normals on the side of those of the points; empty
- * without one
- * @param nearest for each triangle the index of the point nearest to its middle
- * @param report what was done; `room`, `skipped_points` and `scaled_normals` stay as
- * they are
+ * @param mesh the surface, its normals on the side of those of the points; empty if
+ * there is none
+ * @param nearest for each triangle the index of the point nearest to its centre
+ * @param report results; `room`, `skipped_points` and `scaled_normals` are not changed
  * @return true if there is a surface; it is closed if report.closed */
 bool reconstructRoom(const std::vector<OrientedPoint>& points,
                      const RoomPoissonParameters& parameters,
@@ -29,7 +28,7 @@ bool reconstructRoom(const std::vector<OrientedPoint>& points,
                      std::vector<std::uint32_t>& nearest,
                      RoomPoissonReport& report);
 
-/** @brief The surface of a room from its samples; parameters in range. */
+/** @brief Makes the surface of a room from its samples; parameters in range. */
 RoomSurface surfaceOf(const RoomSamples& samples,
                       const RoomPoissonParameters& parameters);
 

@@ -29,7 +29,7 @@ buildTree(const std::vector<OrientedPoint>& points,
   tree.setInputCloud(cloud);
 }
 
-// Whether a triangle may lie on the face of a point, whichever way it faces.
+// Returns whether a triangle may lie on the face of a point, in either orientation.
 bool
 sameFace(const OrientedPoint& point, const Eigen::Vector3d& normal)
 {
@@ -37,8 +37,8 @@ sameFace(const OrientedPoint& point, const Eigen::Vector3d& normal)
   return std::abs(point.normal.cast<double>().dot(normal)) > same * normal.norm();
 }
 
-// Which of the points, nearest first, lies on the face of a triangle with this normal:
-// at an edge there are points of two faces. The first if none does.
+// Returns which of the points, nearest first, lies on the face of a triangle with this
+// normal; near an edge there are points of two faces. The first if none does.
 std::size_t
 onSameFace(const std::vector<OrientedPoint>& points,
            const pcl::Indices& indices,
@@ -50,7 +50,7 @@ onSameFace(const std::vector<OrientedPoint>& points,
   return 0;
 }
 
-// The point nearest to the middle of each triangle, and how far that is.
+// Finds the point nearest to the centre of each triangle, and its distance.
 void
 findNearest(const std::vector<OrientedPoint>& points,
             const TriangleMesh& mesh,
@@ -58,7 +58,7 @@ findNearest(const std::vector<OrientedPoint>& points,
             std::vector<std::uint32_t>& nearest,
             std::vector<float>& distance)
 {
-  constexpr int around = 6; // of which one lies on the right face
+  constexpr int around = 6; // candidates, one of which lies on the right face
   const Eigen::Vector3d origin = centroidOf(points);
   Tree tree(true);
   buildTree(points, origin, tree);
@@ -85,13 +85,13 @@ findNearest(const std::vector<OrientedPoint>& points,
       });
 }
 
-// Share of a surface far from all points that makes it none of theirs.
+// Minimum share of area far from all points at which a surface is rejected.
 constexpr double most_unsupported = 0.5;
 
-// Share of the triangles on other surfaces that is worth a word.
+// Minimum share of triangles on other surfaces that causes a warning.
 constexpr double most_left_out = 1. / 3;
 
-// What to know of the surfaces that were left out beside the largest, or empty.
+// Returns a warning about surfaces left out beside the largest, or empty.
 std::string
 leftOutBeside(const TriangleMesh& largest, const RoomPoissonReport& report)
 {

@@ -12,15 +12,15 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief With as many digits as people want to read. */
+/** @brief Formats a number with few digits, for messages. */
 std::string shortNumber(double value);
 
-/** @brief Mean of the points; there must be one. */
+/** @brief Returns the mean of the points; at least one. */
 Eigen::Vector3d centroidOf(const std::vector<OrientedPoint>& points);
 
-/** @brief Turns the surface to the side of the points' normals and sees how much of it
- * they bear out: area, volume, what is a guess.
- * @param nearest for each triangle the index of the point nearest to its middle */
+/** @brief Orients the surface like the points' normals and measures its area, volume
+ * and unsupported share.
+ * @param nearest for each triangle the index of the point nearest to its centre */
 void compareWithPoints(const std::vector<OrientedPoint>& points,
                        const RoomPoissonParameters& parameters,
                        TriangleMesh& mesh,

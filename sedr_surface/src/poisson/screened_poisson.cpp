@@ -18,22 +18,22 @@ namespace pcl {
 namespace sedr {
 namespace {
 
-// Blocks of 512 nodes that a band takes for one with samples in it.
+// Blocks of 512 nodes in a band per block that contains samples.
 constexpr double band_blocks = 2.5;
 
-// Of triangles and of edges that may collapse, in cells.
+// For slivers and edge collapses, in cells.
 constexpr double least_height = 0.02;
 constexpr double longest_collapse = 1;
 
-// Where the grid begins, less than a cell below `low`: so that the faces square to each
-// axis lie as far from its nodes as they can. Values there are near zero, of either
-// sign.
+// Returns the origin of the grid, less than a cell below `low`. It maximises the
+// distance of nodes from faces normal to each axis, where values are near zero and of
+// either sign.
 Eigen::Vector3d
 gridOrigin(const std::vector<OrientedPoint>& points,
            const Eigen::Vector3d& low,
            double cell)
 {
-  constexpr int bins = 32; // of a cell
+  constexpr int bins = 32; // per cell
   Eigen::Vector3d origin = low;
   for (int k = 0; k < 3; ++k) {
     std::array<int, bins> counts{};
@@ -72,7 +72,7 @@ toCells(const std::vector<OrientedPoint>& points,
   return samples;
 }
 
-// True if the normals point away from what the points enclose.
+// Returns true if the normals point away from the volume enclosed by the points.
 bool
 facesOutwards(const std::vector<SurfaceSample>& samples)
 {

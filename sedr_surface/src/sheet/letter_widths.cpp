@@ -7,8 +7,8 @@ namespace pcl {
 namespace sedr {
 namespace {
 
-/** @brief Helvetica's widths from the blank to the tilde, thousandths of its size, as
- * Adobe's font metrics have them. */
+/** @brief Helvetica's widths from blank to tilde, thousandths of the font size, from
+ * Adobe's font metrics. */
 constexpr int widths[] = {
     278,  278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278,
     556,  556, 556, 556, 556, 556, 556, 556, 556, 556, 278, 278, 584, 584, 584, 556,
@@ -20,7 +20,7 @@ constexpr char32_t first = U' ';
 constexpr char32_t last = U'~';
 constexpr int other = 556;
 
-/** @brief How many bytes follow the first one of a letter. */
+/** @brief Returns how many bytes follow the first one of a UTF-8 letter. */
 std::size_t
 bytesAfter(unsigned char byte)
 {

@@ -6,13 +6,13 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The width of a line of text in Helvetica, and in fonts made to its measure
- * (Arial, Liberation Sans), over the size of the font.
+/** @brief Returns the width of a line of text over the font size, in Helvetica and
+ * metrically compatible fonts (Arial, Liberation Sans).
  * @param utf8 letters that are not ASCII count as wide as a digit */
 double textWidth(const std::string& utf8);
 
-/** @brief The letters of a text one by one, as numbers of Unicode; bytes that are no
- * UTF-8 become "?". */
+/** @brief Returns the letters of a text as Unicode code points; invalid UTF-8 becomes
+ * "?". */
 std::u32string lettersOf(const std::string& utf8);
 
 } // namespace sedr

@@ -9,8 +9,8 @@ namespace pcl {
 namespace sedr {
 namespace {
 
-/** @brief The angle of a straight wall within a quarter turn: above -45 degrees, up to
- * 45. */
+/** @brief Returns the angle of a straight wall modulo a quarter turn: above -45
+ * degrees, up to 45. */
 double
 quarterAngle(const PlanElement& e)
 {
@@ -78,7 +78,7 @@ boundsOf(const PlanLoop& loop)
   Eigen::AlignedBox2d box;
   for (const PlanElement& e : loop.elements) {
     box.extend(e.start);
-    // An arc reaches farthest at quarters of its circle.
+    // The extremes of an arc are quarters of its circle.
     for (const Eigen::Vector2d& way :
          {Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1), Eigen::Vector2d(-1, 0),
           Eigen::Vector2d(0, -1)}) {

@@ -8,14 +8,14 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The direction that most of a plan's walls run along, by length, within 45
- * degrees of x; radians. 0 where it is within half a degree of x, or where walls agree
- * on none, as those of a round room. */
+/** @brief Returns the direction of most walls by length, within 45 degrees of x;
+ * radians. 0 if it is within half a degree of x, or if there is no common direction, as
+ * in a round room. */
 double mainDirection(const Floorplan& plan);
 
-/** @brief Where places of a plan are on a drawing: turned, to scale, shifted. */
+/** @brief Maps a plan to a drawing: rotation, scale, shift. */
 struct PlanFrame {
-  double turn = 0; ///< radians, against the clock
+  double turn = 0; ///< radians, counter-clockwise
   double scale = 1;
   Eigen::Vector2d shift = Eigen::Vector2d::Zero();
 
@@ -32,10 +32,11 @@ struct PlanFrame {
   }
 };
 
-/** @brief Box around a loop. */
+/** @brief Returns the bounding box of a loop. */
 Eigen::AlignedBox2d boundsOf(const PlanLoop& loop);
 
-/** @brief Box around all that is drawn of a plan, in a frame; empty without rooms. */
+/** @brief Returns the bounding box of all that is drawn of a plan, in a frame; empty
+ * without rooms. */
 Eigen::AlignedBox2d boundsOf(const Floorplan& plan, const PlanFrame& frame = {});
 
 } // namespace sedr

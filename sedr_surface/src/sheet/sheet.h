@@ -13,28 +13,29 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Lines and arcs of a sheet that look alike: one of sheet_looks. Places are
- * millimetres of paper from its lower left corner, y up. */
+/** @brief Lines and arcs of a sheet with the same look, one of sheet_looks. Coordinates
+ * are millimetres of paper from the lower left corner, y up. */
 struct SheetPath {
   std::string look;
-  std::vector<PlanLoop> chains; ///< each goes on where the last element ended
+  std::vector<PlanLoop> chains; ///< consecutive elements are connected
   bool is_closed = false;
 };
 
 enum class TextAnchor { Middle, Start };
 
-/** @brief A line of text of a sheet: one of text_looks. */
+/** @brief A line of text of a sheet, with one of text_looks. */
 struct SheetText {
   std::string look;
-  Eigen::Vector2d place = Eigen::Vector2d::Zero(); ///< half the letters' height up
-  double font = 0;                                 ///< millimetres
+  Eigen::Vector2d place = Eigen::Vector2d::Zero(); ///< anchor, at half letter height
+  double font = 0;                                 ///< font size, millimetres
   std::string text;                                ///< UTF-8
-  double degrees = 0;                              ///< against the clock
+  double degrees = 0;                              ///< counter-clockwise
   TextAnchor anchor = TextAnchor::Middle;
-  bool has_halo = false; ///< lines stop before it
+  bool has_halo = false; ///< lines are interrupted around it
 };
 
-/** @brief What follows belongs together, until a SheetGroup without a name. */
+/** @brief Starts a group of items, up to the next SheetGroup; without a name it ends
+ * one. */
 struct SheetGroup {
   std::string name; ///< such as "room_1"
 };
@@ -43,7 +44,7 @@ struct SheetGroup {
 struct Sheet {
   Eigen::Vector2d size = Eigen::Vector2d::Zero(); ///< millimetres
   std::string title;
-  std::string description; ///< for programs; may be empty
+  std::string description; ///< metadata; may be empty
   std::vector<std::variant<SheetPath, SheetText, SheetGroup>> items{};
 
   template <typename Item>
@@ -52,17 +53,17 @@ struct Sheet {
     items.emplace_back(std::move(item));
   }
 
-  /** @brief Straight lines from place to place. */
+  /** @brief Adds a polyline. */
   void addLine(const std::string& look,
                const std::vector<Eigen::Vector2d>& places,
                bool is_closed = false);
 };
 
-/** @brief The sheet as SVG in millimetres. */
+/** @brief Writes the sheet as SVG in millimetres. */
 std::string sheetSvg(const Sheet& sheet);
 
-/** @brief The sheet as a page of PDF 1.4, in Helvetica, which every viewer has. Letters
- * that are not of Western Europe become "?". The same sheet gives the same bytes. */
+/** @brief Writes the sheet as a page of PDF 1.4 in Helvetica, which every viewer has.
+ * Letters outside Western European become "?". The same sheet gives the same bytes. */
 std::string sheetPdf(const Sheet& sheet);
 
 } // namespace sedr

@@ -25,7 +25,7 @@ constexpr std::array<Paper, 5> papers{{{"A4", 297, 210},
                                        {"A1", 841, 594},
                                        {"A0", 1189, 841}}};
 
-/** @brief What of a sheet is not for the plan. */
+/** @brief Space around the plan's field. */
 const Eigen::Vector2d surround(margin_left + margin + chain_room + chain_room_far,
                                2 * margin + title_height + chain_room + chain_room_far);
 
@@ -44,7 +44,7 @@ fits(const Eigen::Vector2d& plan, double scale, const Eigen::Vector2d& paper)
   return needed.x() <= paper.x() + hair && needed.y() <= paper.y() + hair;
 }
 
-/** @brief 10, 20, 50, 100, ... */
+/** @brief Returns the k-th usual scale: 10, 20, 50, 100, ... */
 double
 usualScale(int k)
 {
@@ -52,7 +52,7 @@ usualScale(int k)
   return steps[static_cast<std::size_t>(k % 3)] * std::pow(10.0, k / 3);
 }
 
-/** @brief Takes the first way of the paper that the plan fits on. */
+/** @brief Chooses the first orientation of the paper that the plan fits on. */
 bool
 takePaper(SheetLayout& layout, const Eigen::Vector2d& plan, const Paper& paper)
 {
@@ -90,7 +90,7 @@ layoutOf(const Floorplan& plan, double scale, PaperSize paper)
   layout.field = Eigen::AlignedBox2d(
       Eigen::Vector2d(margin_left, margin + title_height),
       Eigen::Vector2d(layout.size.x() - margin, layout.size.y() - margin));
-  // The plan in the middle of what dimensions leave of the field.
+  // Centres the plan in the field without the dimensions.
   const Eigen::Vector2d middle =
       layout.field.center() +
       Eigen::Vector2d::Constant((chain_room - chain_room_far) / 2);

@@ -15,14 +15,14 @@ constexpr SheetColour paper_colour = 0xffffff;
 constexpr SheetColour room_colour = 0xf6f3ec;
 constexpr SheetColour ink = 0x111111;
 
-/** @brief How lines and areas of a sheet look; widths and dashes in millimetres of
+/** @brief Look of lines and areas of a sheet; widths and dashes in millimetres of
  * paper. */
 struct SheetLook {
   const char* name;
   SheetColour fill;
   SheetColour stroke;
   double width;
-  double dash[4] = {0, 0, 0, 0}; ///< lengths of strokes and gaps; 0 at first: solid
+  double dash[4] = {0, 0, 0, 0}; ///< strokes and gaps; solid if the first is 0
 };
 
 constexpr SheetLook sheet_looks[] = {

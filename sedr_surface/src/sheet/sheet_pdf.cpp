@@ -26,7 +26,7 @@ at(const Eigen::Vector2d& p)
   return number(p.x()) + " " + number(p.y());
 }
 
-/** @brief "0.5 0.5 0.5 rg": a colour and what it is for. */
+/** @brief Returns a colour and its use: "0.5 0.5 0.5 rg". */
 std::string
 colourText(SheetColour colour, const char* use)
 {
@@ -36,8 +36,8 @@ colourText(SheetColour colour, const char* use)
   return text + use + "\n";
 }
 
-/** @brief A text in brackets, one byte a letter (WinAnsi, which is Unicode up to 255
- * but for what nobody needs). */
+/** @brief Returns a text in brackets, one byte per letter in WinAnsi, which practically
+ * equals Unicode up to 255. */
 std::string
 stringText(const std::string& utf8)
 {
@@ -53,8 +53,7 @@ stringText(const std::string& utf8)
   return text + ")";
 }
 
-/** @brief Writes the items of a sheet as operators of a page whose unit is a
- * millimetre. */
+/** @brief Writes the items of a sheet as operators of a page with millimetre units. */
 class PdfWriter {
 public:
   void operator()(const SheetPath& path)
@@ -111,8 +110,8 @@ public:
   std::string text;
 
 private:
-  /** @brief Arcs are cubic curves of at most 30 degrees, a millionth of the radius
-   * off. */
+  /** @brief Writes arcs as cubic curves of at most 30 degrees, accurate to a millionth
+   * of the radius. */
   void writeElement(const PlanElement& e)
   {
     if (!e.isArc()) {
@@ -157,7 +156,7 @@ sheetPdf(const Sheet& sheet)
       ">>",
       "<< /Title " + stringText(sheet.title) + " /Subject " +
           stringText(sheet.description) + " >>"};
-  std::string file = "%PDF-1.4\n%\xe2\xe3\xcf\xd3\n"; // bytes that tell it is no text
+  std::string file = "%PDF-1.4\n%\xe2\xe3\xcf\xd3\n"; // marks the file as binary
   std::string table = "0000000000 65535 f \n";
   for (std::size_t k = 0; k < objects.size(); ++k) {
     const std::string offset = std::to_string(file.size());

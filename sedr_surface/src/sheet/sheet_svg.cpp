@@ -9,14 +9,14 @@ namespace pcl {
 namespace sedr {
 namespace {
 
-/** @brief A length on paper, millimetres. */
+/** @brief Formats a length on paper, millimetres. */
 std::string
 mm(double value)
 {
   return shortDecimalText(value, 4);
 }
 
-/** @brief A text as it may stand in XML: control characters are blanks. */
+/** @brief Escapes a text for XML; control characters become blanks. */
 std::string
 escaped(const std::string& text)
 {
@@ -66,7 +66,7 @@ styleSheet()
          "; stroke-width: 0.8; stroke-linejoin: round; }\n";
 }
 
-/** @brief Writes the items of a sheet; y runs down there. */
+/** @brief Writes the items of a sheet; y points down in SVG. */
 class SvgWriter {
 public:
   explicit SvgWriter(double height)
@@ -113,7 +113,7 @@ private:
     return mm(p.x()) + " " + mm(height_ - p.y());
   }
 
-  /** @brief The path of an element whose start has been reached. */
+  /** @brief Returns the path of an element from the current point, its start. */
   std::string pathTo(const PlanElement& e) const
   {
     if (!e.isArc())
@@ -126,7 +126,7 @@ private:
     };
     if (std::abs(sweep) < 1.9 * M_PI)
       return arcTo(e.end, sweep);
-    // Ends that coincide say nothing of a circle: two halves do.
+    // An arc with equal ends is ambiguous, so a circle is written as two halves.
     return arcTo(e.pointAt(e.length() / 2), sweep / 2) + " " + arcTo(e.end, sweep / 2);
   }
 

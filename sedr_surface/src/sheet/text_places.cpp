@@ -16,7 +16,7 @@ left(const Eigen::Vector2d& way)
   return {-way.y(), way.x()};
 }
 
-/** @brief Whether a straight line leads from box to box without meeting either. */
+/** @brief Returns whether a straight line separates two boxes. */
 bool
 isParted(const TextBox& a, const TextBox& b)
 {
@@ -49,7 +49,7 @@ TextBox::meets(const TextBox& other) const
 bool
 TextBox::meets(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const
 {
-  // What of the line is within each pair of sides.
+  // Clips the line to each pair of sides.
   double first = 0;
   double last = 1;
   for (int k = 0; k < 2; ++k) {
@@ -72,7 +72,7 @@ TextBox::meets(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const
 Eigen::Vector2d
 halfSizeOf(const std::vector<std::string>& lines)
 {
-  constexpr double reserve = 1.2; // DejaVu Sans is wider than Helvetica by 15 %
+  constexpr double reserve = 1.2; // DejaVu Sans is 15 % wider than Helvetica
   constexpr double line_height = 1.3;
   double width = 0;
   for (const std::string& line : lines)

@@ -13,41 +13,40 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The rectangle that some text takes up on paper, turned with it; millimetres.
- */
+/** @brief The rectangle that a text occupies on paper, rotated with it; millimetres. */
 struct TextBox {
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   Eigen::Vector2d half_size = Eigen::Vector2d::Zero();
-  double degrees = 0; ///< against the clock
+  double degrees = 0; ///< counter-clockwise
 
   Eigen::Vector2d way() const;
   bool meets(const TextBox& other) const;
   bool meets(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
 };
 
-/** @brief Half the width and height of some lines of text, over the size of the font.
- * With a reserve: where a viewer has no Helvetica, its letters are wider. */
+/** @brief Returns half the width and height of lines of text over the font size, with a
+ * reserve for viewers without Helvetica. */
 Eigen::Vector2d halfSizeOf(const std::vector<std::string>& lines);
 
-/** @brief The angle, degrees, at which text along a way is read from below or from the
- * right: above -89, up to 91, so that walls not quite vertical agree. */
+/** @brief Returns the angle, degrees, at which text along a direction is readable from
+ * below or from the right: above -89, up to 91, so that nearly vertical lines agree. */
 double readableAngle(const Eigen::Vector2d& way);
 
-/** @brief The places of a page that texts stand in, and lines that they keep off. */
+/** @brief Occupied places of a page: texts, and lines that texts avoid. */
 class TextPlaces {
 public:
-  /** @brief Texts do not stand on these; arcs by chords. */
+  /** @brief Adds a loop that texts avoid; arcs as chords. */
   void keepOff(const PlanLoop& loop);
   void keepOff(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
   {
     lines_.emplace_back(from, to);
   }
 
-  /** @brief Takes a rectangle.
-   * @return false where another text stands there already, or a line */
+  /** @brief Occupies a rectangle.
+   * @return false if a text or a line is already there */
   bool take(const TextBox& box);
 
-  /** @brief Takes the first of some rectangles that is free. */
+  /** @brief Occupies the first free one of some rectangles. */
   std::optional<TextBox> takeFirst(const std::vector<TextBox>& boxes);
 
 private:

@@ -15,7 +15,7 @@ using namespace sheet_measures;
 
 constexpr double row_height = title_height / 3;
 constexpr double caption_font = 1.8;
-constexpr double indent = 1.5;     ///< of texts in their cell
+constexpr double indent = 1.5;     ///< of texts within their cell
 constexpr double north_width = 20; ///< of the cell with the arrow
 
 /** @brief Draws the strip, row by row. */
@@ -37,7 +37,7 @@ public:
            {high.x(), low_.y() + title_height});
   }
 
-  /** @brief A cell from one share of the width to another; its text is made to fit. */
+  /** @brief Adds a cell between two shares of the width; its text is made to fit. */
   void addCell(int row,
                double from,
                double to,
@@ -53,7 +53,7 @@ public:
     addText("title", corner + Eigen::Vector2d(indent, 3), font, text, width);
   }
 
-  /** @brief A bar of 25 to 62.5 mm in four parts. */
+  /** @brief Adds a scale bar of 25 to 62.5 mm in four parts. */
   void addScaleBar(int row, double from)
   {
     const double per_metre = 1000 / layout_.scale;
@@ -71,8 +71,8 @@ public:
                            shortDecimalText(length * k / 4, 3) + (k == 4 ? " m" : "")});
   }
 
-  /** @brief An arrow along y of the plan: north where its origin is a place of a grid.
-   */
+  /** @brief Adds an arrow along y of the plan, which is north if the origin belongs to
+   * a map grid. */
   void addNorth(const Origin& origin)
   {
     const Eigen::Vector2d middle(layout_.size.x() - margin - north_width / 2,

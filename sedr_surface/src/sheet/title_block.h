@@ -11,18 +11,18 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What the strip at the foot of a sheet tells. */
+/** @brief Contents of the title strip. */
 struct TitleBlock {
   std::string title;
-  std::string storey; ///< "" where all storeys are drawn
+  std::string storey; ///< "" for all storeys
   std::size_t rooms = 0;
   double area = 0; ///< square metres
   Origin origin;
-  bool has_slopes = false; ///< lines of headroom are to be told
+  bool has_slopes = false; ///< whether to explain the lines of headroom
 };
 
-/** @brief Adds the frame of the sheet, and at its foot title, storey, rooms and area,
- * scale and bar, an arrow to the north, and fields to be filled in by hand. */
+/** @brief Adds the frame of the sheet and the strip at its foot: title, storey, rooms
+ * and area, scale and bar, north arrow, and fields to be filled in by hand. */
 void addTitleBlock(Sheet& sheet, const SheetLayout& layout, const TitleBlock& block);
 
 } // namespace sedr

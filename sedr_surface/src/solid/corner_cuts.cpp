@@ -11,8 +11,8 @@ namespace sedr {
 
 namespace {
 
-/** @brief What stands above the sectors of a vertex; `changed` of them, if below their
- * number, as if its region were another one about the vertex. */
+/** @brief Returns the solid spans above the sectors of a vertex. Sector `changed`, if
+ * valid, is taken as `region`. */
 std::vector<SolidSpan>
 spansAt(const VertexLevels& levels,
         const std::vector<Spoke>& spokes,
@@ -30,12 +30,12 @@ spansAt(const VertexLevels& levels,
   return spans;
 }
 
-/** @brief A corner to cut off: a sector of a vertex, and the region it goes to. */
+/** @brief A corner to cut off: a sector of a vertex and its new region. */
 struct CornerCut {
   std::size_t sector = 0;
   PlanRegion region;
   double angle = 0;   ///< radians
-  bool heals = false; ///< whether the solid then touches itself no more
+  bool heals = false; ///< whether the solid then no longer touches itself
 
   bool isBetterThan(const CornerCut& o) const
   {
@@ -43,8 +43,8 @@ struct CornerCut {
   }
 };
 
-/** @brief The corners that might be cut off, the best first: those that heal a vertex,
- * sharp ones before blunt ones. */
+/** @brief Returns the candidate cuts, the best first: those that heal a vertex, then by
+ * increasing angle. */
 std::vector<CornerCut>
 cutsAt(const RoomLayers& layers,
        const PlanSubdivision& plan,
@@ -86,8 +86,8 @@ segmentsMeet(const GridPoint& a,
   return !apart(turn(a, b, c), turn(a, b, d)) && !apart(turn(c, d, a), turn(c, d, b));
 }
 
-/** @brief Whether nothing but the two edges at v is met by the segment p to q, which
- * cuts off their corner. */
+/** @brief Returns whether the segment p to q, which cuts off the corner of two edges at
+ * v, meets no other edge. */
 bool
 isFree(const PlanSubdivision& plan,
        std::uint32_t v,
@@ -100,7 +100,7 @@ isFree(const PlanSubdivision& plan,
   });
 }
 
-/** @brief The place on a spoke at a distance from its vertex, metres. */
+/** @brief Returns the place on a spoke at a distance from its vertex, metres. */
 GridPoint
 placeOn(const PlanSubdivision& plan,
         std::uint32_t v,
@@ -112,9 +112,9 @@ placeOn(const PlanSubdivision& plan,
   return plan.grid.toGrid(from + distance * way);
 }
 
-/** @brief Finds where on two spokes a corner can be cut off: a millimetre from it, less
- * where something else is as near, more where the corner is so sharp or so blunt that
- * the grid shows no triangle. */
+/** @brief Finds where to cut off the corner of two spokes: a millimetre from it. Less
+ * if something else is as near; more if the angle is so sharp or so blunt that the
+ * triangle degenerates on the grid. */
 bool
 placeCut(const PlanSubdivision& plan,
          std::uint32_t v,
@@ -140,8 +140,8 @@ placeCut(const PlanSubdivision& plan,
   return place() && isFree(plan, v, p, q);
 }
 
-/** @brief Cuts a spoke in two at a place; the part at the vertex gets other regions, or
- * goes where both are the same.
+/** @brief Splits a spoke at a place. The part at the vertex gets other regions, or is
+ * removed if both are equal.
  * @return the new vertex */
 std::uint32_t
 cutSpoke(PlanSubdivision& plan,

@@ -25,7 +25,7 @@ toleranceProblem(double value, double low, double high, const char* name)
   return text.str();
 }
 
-/** @brief Which rooms run into each other, a sentence each. */
+/** @brief Adds a sentence for each pair of rooms that overlap. */
 void
 warnOfCrossings(const TriangleMesh& mesh, std::vector<std::string>& warnings)
 {

@@ -18,14 +18,14 @@ namespace {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-/** @brief One of the surfaces that a vertex lies on. */
+/** @brief A surface that a vertex lies on. */
 struct Surface {
   const PlanSlab* slab = nullptr;       ///< a floor or ceiling
-  const PlanElement* element = nullptr; ///< else what stands on it
-  double run = 0;                       ///< of a wall
-  double off = 0; ///< how far the vertex was off it, rounded as plans are
+  const PlanElement* element = nullptr; ///< else an element of a loop
+  double run = 0; ///< tilt of a wall, metres into the room per metre of height
+  double off = 0; ///< initial offset of the vertex, from rounding of the plan
 
-  /** @brief How far a place is off it, and the way in which that grows. */
+  /** @brief Returns the offset of a place, and its gradient. */
   double offset(const Eigen::Vector3d& p, double head, Eigen::Vector3d& way) const
   {
     if (slab) {
@@ -116,7 +116,7 @@ private:
         offsets[k] = surfaces[static_cast<std::size_t>(k)].offset(vertex, head_, way);
         ways.row(k) = way;
       }
-      // Of surfaces that are all but parallel none tells where along them it is.
+      // Nearly parallel surfaces do not determine the position along them.
       Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
       solver.setThreshold(1e-3);
       solver.compute(ways);
@@ -135,7 +135,7 @@ private:
     return faces_up;
   }
 
-  /** @brief Triangulates the slabs anew of which a triangle has turned over. */
+  /** @brief Triangulates the slabs again that have a triangle turned over. */
   std::string unfold(const std::vector<bool>& faced_up)
   {
     const std::vector<bool> faces_up = facingUp();
@@ -197,7 +197,7 @@ private:
     for (std::size_t t = 0; t < solid_.triangles.size(); ++t)
       if (solid_.elements[t] == element) {
         if (next == inside.size())
-          return false; // as many triangles as before, unless the rim crosses itself
+          return false; // only if the rim crosses itself
         solid_.triangles[t] = inside[next++];
       }
     return next == inside.size();

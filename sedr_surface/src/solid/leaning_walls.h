@@ -10,14 +10,14 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Lets the walls of a solid lean that was built with vertical ones: every
- * vertex moves to where the surfaces about it meet, walls, ceilings, floors and risers,
- * by Newton's method; floors and ceilings are triangulated anew where that folds them.
- * Which surfaces meet stays as it was.
- * @param layers of the room with its walls vertical, where they are at `head`
- * @param runs of each wall: metres into the room for a metre up
+/** @brief Tilts walls of a solid that was built with vertical ones. Every vertex moves
+ * to the intersection of its surfaces (walls, ceilings, floors, risers) by Newton's
+ * method. Floors and ceilings that would fold are triangulated again. The adjacency of
+ * surfaces does not change.
+ * @param layers of the room with vertical walls, which are exact at height `head`
+ * @param runs of each wall: metres into the room per metre of height
  * @param[in,out] solid with indices into layers.elements
- * @return an empty string, or what cannot be built so, a sentence's end */
+ * @return an empty string, or what cannot be built, as the end of a sentence */
 std::string leanWalls(const RoomLayers& layers,
                       const std::vector<double>& runs,
                       double head,

@@ -44,7 +44,7 @@ PlanCells::classify()
   using Winding = std::vector<int>;
   const Winding outside(layers_.loops.size(), 0);
   std::vector<Winding> winding(region_.size());
-  // The winding numbers on the inner side of a triangle's side, from those beyond it.
+  // Winding numbers inside a triangle's side, given those beyond it.
   const auto inside = [&](std::uint32_t t, std::size_t side, Winding beyond) {
     if (const Arrangement::Edge* edge = edgeAt(t, side))
       for (const SegmentUse& use : edge->uses) {
@@ -184,7 +184,7 @@ PlanCells::assign(const Part& part, const PlanRegion& region)
 void
 PlanCells::mergeSlivers()
 {
-  // One by one, the narrowest first: what it goes to gets wider.
+  // One by one, the narrowest first, since a merge widens the other part.
   for (;;) {
     const std::vector<Part> parts = regions();
     const Part* narrowest = nullptr;

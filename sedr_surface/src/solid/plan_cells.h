@@ -14,20 +14,20 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Where the segments of an arrangement come from. */
+/** @brief Origin of a segment of an arrangement. */
 struct SegmentSource {
   static constexpr std::size_t no_loop = static_cast<std::size_t>(-1);
 
-  std::size_t loop = 0;    ///< index of RoomLayers::loops; no_loop: of a crease
-  std::size_t element = 0; ///< of RoomLayers::elements; of a crease that of its slab
+  std::size_t loop = 0;    ///< index of RoomLayers::loops; no_loop for a crease
+  std::size_t element = 0; ///< of RoomLayers::elements; for a crease, its slab's
 };
 
-/** @brief A room's plan in triangles, each with its region: how what the loops say is
- * told, and mended where it cannot be built. */
+/** @brief A triangulated room plan with a region per triangle. Regions that cannot be
+ * built are replaced. */
 class PlanCells {
 public:
-  /** @param tolerance of each SolidElement, metres: parts narrower than those of the
-   * elements around them are none */
+  /** @param tolerance of each SolidElement, metres: parts narrower than that of the
+   * elements around them are slivers */
   PlanCells(const RoomLayers& layers,
             const PlanGrid& grid,
             const Arrangement& arrangement,
@@ -35,78 +35,78 @@ public:
             const std::vector<SegmentSource>& sources,
             const std::vector<double>& tolerance);
 
-  /** @brief Gives parts that are too narrow to what is beside them. */
+  /** @brief Merges slivers into neighbouring parts. */
   void mergeSlivers();
 
-  /** @brief Takes out details and niches, and then what else, that leave no height
-   * between floor and ceiling, or that could not be told from what is beside them. */
+  /** @brief Removes details and niches, then other regions, that leave no height
+   * between floor and ceiling or would touch a neighbour. */
   void dropUnbuildable(std::vector<std::string>& warnings);
 
-  /** @brief Takes out crumbs that columns or crossing walls cut off, and tells of
-   * larger pieces. */
+  /** @brief Removes small pieces cut off by columns or crossing walls, and warns of
+   * larger ones. */
   void checkPieces(std::vector<std::string>& warnings);
 
-  /** @brief The edges between different regions. */
+  /** @brief Returns the edges between different regions. */
   std::vector<SubdivisionEdge> edges() const;
 
-  /** @brief The creases of curved slabs, where these are. */
+  /** @brief Returns the visible creases of curved slabs. */
   std::vector<SubdivisionCrease> creases() const;
 
 private:
   static constexpr std::uint32_t none = PlanTriangulation::none;
 
-  /** @brief Triangles of one region that hang together. */
+  /** @brief Connected triangles of one region. */
   struct Part {
     PlanRegion region;
     std::vector<std::uint32_t> triangles;
-    double area = 0;         ///< square metres
-    double perimeter = 0;    ///< metres
-    double tolerance = 0;    ///< the largest of the elements around it, metres
-    bool is_outside = false; ///< beside the hull, in no room
-    std::map<PlanRegion, double> beside; ///< length of edge to other regions
+    double area = 0;                     ///< square metres
+    double perimeter = 0;                ///< metres
+    double tolerance = 0;                ///< maximum of the elements around it, metres
+    bool is_outside = false;             ///< adjacent to the hull, in no room
+    std::map<PlanRegion, double> beside; ///< shared length with other regions
   };
 
   void classify();
 
-  /** @brief Parts of triangles for which `alike(t, u)` holds across their sides. */
+  /** @brief Returns sets of triangles connected by sides with `alike(t, u)`. */
   template <typename Alike>
   std::vector<Part> partsOf(Alike alike) const;
 
   std::vector<Part> regions() const;
 
-  /** @brief What of the room hangs together, whatever its regions. */
+  /** @brief Returns the connected pieces of the room, regardless of regions. */
   std::vector<Part> roomPieces() const;
 
   void measure(Part& part, std::uint32_t t, std::size_t side) const;
 
-  /** @brief The region that a narrow part goes to: of those in the room, or else of
-   * all, the one with the longest edge beside it. */
+  /** @brief Returns the region that absorbs a sliver: the room region with the longest
+   * common edge; `nothing` if there is none. */
   static PlanRegion heirOf(const Part& part);
 
   void assign(const Part& part, const PlanRegion& region);
 
   double heightOf(int slab, std::uint32_t vertex) const;
 
-  /** @brief A ceiling nearer to its floor than this leaves no room: a millimetre, more
-   * only where the grid is coarse. */
+  /** @brief Returns the minimum distance of ceiling and floor: a millimetre, more only
+   * on a coarse grid. */
   double leastClearance() const { return 20 * solidSeparation(grid_); }
 
-  /** @brief Least height of a part's ceiling over its floor, metres. */
+  /** @brief Returns the minimum height of a part's ceiling above its floor, metres. */
   double clearance(const Part& part) const;
 
-  /** @brief Whether a part's floor meets the ceiling of what is beside it along an
-   * edge, or the other way round. */
+  /** @brief Returns whether a part's floor meets a neighbour's ceiling along an edge,
+   * or vice versa. */
   bool touchesBeside(const Part& part) const;
 
-  /** @brief Whether a part is open to a part of the room beside it. */
+  /** @brief Returns whether a part is open to a neighbouring part of the room. */
   bool isOpen(const Part& part) const;
 
-  /** @brief Why a part cannot be built, or empty. */
+  /** @brief Returns why a part cannot be built, or empty. */
   std::string problemOf(const Part& part) const;
 
   PlanRegion across(std::uint32_t t, std::size_t side) const;
 
-  /** @brief The edge that is a triangle's side, or null. */
+  /** @brief Returns the edge on a triangle's side, or null. */
   const Arrangement::Edge* edgeAt(std::uint32_t t, std::size_t side) const;
 
   std::uint32_t corner(std::uint32_t t, std::size_t i) const
@@ -122,7 +122,7 @@ private:
   const PlanTriangulation& triangulation_;
   const std::vector<SegmentSource>& sources_;
   const std::vector<double>& tolerance_;
-  std::vector<PlanRegion> region_; ///< of each triangle
+  std::vector<PlanRegion> region_; ///< per triangle
 };
 
 } // namespace sedr

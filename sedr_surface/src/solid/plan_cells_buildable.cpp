@@ -11,7 +11,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief A piece of a room smaller than this is a crumb, square metres. */
+/** @brief Pieces of a room with a smaller area are removed, square metres. */
 constexpr double crumb = 0.01;
 
 template <typename... Values>

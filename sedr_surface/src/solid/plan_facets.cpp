@@ -13,17 +13,17 @@ namespace sedr {
 
 namespace {
 
-/** @brief Bounds of the tolerance that residuals tell, metres: a plan is drawn to the
- * millimetre at best, and of what is 5 cm apart it is not said to be the same. */
+/** @brief Bounds of the tolerance from residuals, metres. Plans are accurate to a
+ * millimetre at best; what is 5 cm apart is distinct. */
 constexpr double least_snap = 0.002;
 constexpr double most_snap = 0.05;
 
-/** @brief A corner of a chain on its way to its place. */
+/** @brief A corner of a chain while it is being fitted. */
 struct Corner {
   Eigen::Vector2d place = Eigen::Vector2d::Zero();
-  std::size_t element = 0;   ///< of the facet after it
-  double tolerance = 0;      ///< metres, of the elements that meet here
-  double edge_tolerance = 0; ///< of the element after it
+  std::size_t element = 0;   ///< element of the next facet
+  double tolerance = 0;      ///< maximum of the elements that meet here, metres
+  double edge_tolerance = 0; ///< of the next facet's element
   bool is_joint = false;     ///< between two elements, not within an arc
 };
 
@@ -44,7 +44,7 @@ cornersOf(const RoomLayers::Loop& loop, double chord_tolerance, double snap_tole
   return corners;
 }
 
-/** @brief The place of the segment from a to b that is nearest to p. */
+/** @brief Returns the point of the segment from a to b nearest to p. */
 Eigen::Vector2d
 nearestOn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& p)
 {
@@ -54,7 +54,7 @@ nearestOn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vecto
   return a + std::clamp(share, 0.0, 1.0) * way;
 }
 
-/** @brief Fits one loop after the other to those before it. */
+/** @brief Fits loops one by one to the previous ones. */
 class LoopFitter {
 public:
   std::vector<Corner> fit(std::vector<Corner> corners)
@@ -75,7 +75,7 @@ private:
     Eigen::Vector2d to;
   };
 
-  /** @brief Some facets one after the other, and a box around what is near to them. */
+  /** @brief Consecutive facets, with a box around their reach. */
   struct Group {
     std::vector<Facet> facets;
     Eigen::AlignedBox2d box;
@@ -95,7 +95,7 @@ private:
     groups_.back().facets.push_back(facet);
   }
 
-  /** @brief Calls `visit` for the facets that may be near to a box. */
+  /** @brief Calls `visit` for the facets that may be near a box. */
   template <typename Visit>
   void visitNear(const Eigen::AlignedBox2d& box, Visit visit) const
   {
@@ -134,8 +134,8 @@ private:
     double least = std::numeric_limits<double>::infinity();
   };
 
-  /** @brief Where a corner goes: to a corner that stands, else to an edge. One that was
-   * put on an edge already stays where it is along it. */
+  /** @brief Returns the place for a corner: a fixed corner, else a point of an edge. A
+   * corner already on an edge keeps its place along it. */
   Eigen::Vector2d placeOf(const Corner& corner) const
   {
     const Eigen::Vector2d on_edge = nearestOnEdges(corner);
@@ -146,7 +146,7 @@ private:
     return joint != corner.place ? joint : on_edge;
   }
 
-  /** @brief The nearest joint that stands within reach, else the corner itself. */
+  /** @brief Returns the nearest fixed joint within reach, else the corner itself. */
   Eigen::Vector2d nearestJoint(const Corner& corner, double most) const
   {
     Nearest nearest(corner);
@@ -183,8 +183,8 @@ private:
     return led;
   }
 
-  /** @brief Standing corners beside the facet from `from` to `end`, in order. Those
-   * above its ends are beside the facets there. */
+  /** @brief Returns the fixed corners beside the facet from `from` to `end`, in order,
+   * except those near its ends. */
   std::vector<Eigen::Vector2d> cornersBeside(const Corner& from,
                                              const Eigen::Vector2d& end) const
   {
@@ -210,7 +210,7 @@ private:
     return places;
   }
 
-  /** @brief Drops facets of no length. */
+  /** @brief Removes facets of zero length. */
   static void dropShort(std::vector<Corner>& corners)
   {
     std::vector<Corner> kept;

@@ -11,26 +11,24 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A loop of a plan in straight facets. */
+/** @brief A loop of a plan as straight facets. */
 struct FacetChain {
   std::vector<Eigen::Vector2d> corners; ///< metres; the last is followed by the first
   std::vector<std::size_t> elements;    ///< SolidElement of the facet after each corner
 };
 
-/** @brief How near is the same, metres, for setSnapTolerance() and its like: `fixed` if
- * that is above 0, else twice the residual of the plan's element, from 2 mm to 5 cm. */
+/** @brief Returns the snap distance, metres, see setSnapTolerance(): `fixed` if above
+ * 0, else twice the residual of the plan's element, 2 mm to 5 cm. */
 double snapTolerance(const PlanElement& element, double fixed);
 
-/** @brief The loops of a room in facets, one chain a loop, arcs within
+/** @brief Converts the loops of a room to facets, one chain per loop, arcs within
  * `chord_tolerance` metres.
  *
- * Loops of a fitted plan that should share an edge or a corner miss each other by what
- * the points' noise leaves. Each loop is fitted to those before it, so that walls stay
- * where they are: a corner goes to a corner nearer than the tolerance, else to an edge
- * that is, and an edge is led through corners beside it. The tolerance is the larger of
- * those of the two elements. A chain that shrinks to fewer than three corners is left
- * empty. O(n) in the facets but for those that are near to each other, O(n^2 / 32) at
- * worst. */
+ * Noise makes loops of a fitted plan miss shared edges and corners. Each loop is fitted
+ * to the previous ones, so that walls stay in place. A corner snaps to a corner within
+ * tolerance, else to an edge; an edge is led through corners beside it. The tolerance
+ * is the larger one of the two elements. A chain that shrinks below three corners
+ * becomes empty. O(n) in the facets except near ones, O(n^2 / 32) at worst. */
 std::vector<FacetChain>
 facetLoops(const RoomLayers& layers, double chord_tolerance, double snap_tolerance);
 

@@ -77,7 +77,8 @@ tolerancesOf(const RoomLayers& layers, double fixed)
   return tolerances;
 }
 
-/** @brief Whether a way is in the half of directions from east to just before west. */
+/** @brief Returns whether a direction lies in the half plane from east to just before
+ * west. */
 bool
 isUpper(const GridPoint& from, const GridPoint& to)
 {
@@ -173,7 +174,7 @@ subdivideRoom(const RoomLayers& layers,
   dropNeedlessVertices(cornersOf(segments, sources), subdivision);
   splitWhereHeightsCross(layers, subdivision);
   const std::size_t cuts = cutTouchingCorners(layers, subdivision);
-  // A corner less may be a height less, which was the same as others.
+  // Cutting corners may change heights that coincided.
   if (cuts > 0)
     splitWhereHeightsCross(layers, subdivision);
   if (cuts > 0)

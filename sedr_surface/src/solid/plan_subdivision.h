@@ -17,33 +17,32 @@ namespace sedr {
 
 struct SolidParameters;
 
-/** @brief A straight edge of a subdivision, with another region on either side. */
+/** @brief A straight edge of a subdivision, with different regions on its sides. */
 struct SubdivisionEdge {
   std::uint32_t a = 0; ///< index of a vertex
   std::uint32_t b = 0;
-  PlanRegion left; ///< of the way from a to b
+  PlanRegion left; ///< on the left from a to b
   PlanRegion right;
-  std::vector<std::size_t> elements; ///< SolidElements of the plan that lie on it
+  std::vector<std::size_t> elements; ///< SolidElements of the plan on this edge
 };
 
-/** @brief A straight line within a region along which its curved slab is folded. */
+/** @brief A straight fold of a curved slab within a region. */
 struct SubdivisionCrease {
   std::uint32_t a = 0; ///< index of a vertex
   std::uint32_t b = 0;
   int slab = PlanRegion::nothing;
 };
 
-/** @brief A room's plan cut into regions with one floor and one ceiling each.
+/** @brief A room's plan divided into regions with one floor and one ceiling each.
  *
- * Edges have nothing in common but their ends, and around every vertex the regions
- * follow one another without contradiction, so that what is built from the edges fits
- * together without gaps. */
+ * Edges meet only at their ends, and the regions around every vertex are consistent, so
+ * that surfaces built from the edges fit together without gaps. */
 struct PlanSubdivision {
   PlanGrid grid;
-  std::vector<GridPoint> vertices; ///< no two the same
+  std::vector<GridPoint> vertices; ///< all distinct
   std::vector<SubdivisionEdge> edges;
   std::vector<SubdivisionCrease> creases;
-  /// Slabs that cross at a vertex: there they have one height.
+  /// Slabs that cross at a vertex, where they have the same height.
   std::map<std::uint32_t, std::pair<int, int>> crossings;
 
   Eigen::Vector2d placeOf(std::uint32_t vertex) const
@@ -51,50 +50,49 @@ struct PlanSubdivision {
     return grid.toPlan(vertices[vertex]);
   }
 
-  /** @brief The way from one vertex to another, grid units. */
+  /** @brief Returns the vector between two vertices, grid units. */
   Eigen::Vector2d wayFrom(std::uint32_t from, std::uint32_t to) const
   {
     return Eigen::Vector2d(vertices[to].x, vertices[to].y) -
            Eigen::Vector2d(vertices[from].x, vertices[from].y);
   }
 
-  /** @brief Takes out the edges with `is_dropped[e]` true; one entry an edge. */
+  /** @brief Removes the edges with `is_dropped[e]` true; one entry per edge. */
   void dropEdges(const std::vector<bool>& is_dropped);
 };
 
-/** @brief An edge of a subdivision as it leaves a vertex. */
+/** @brief An edge of a subdivision, seen from one of its vertices. */
 struct Spoke {
   std::uint32_t edge = 0;
-  bool forward = true; ///< whether the vertex is the edge's a
+  bool forward = true; ///< whether that vertex is the edge's a
   std::uint32_t end = 0;
   PlanRegion left; ///< the sector from this spoke to the next, counter-clockwise
   PlanRegion right;
 };
 
-/** @brief The spokes of every vertex, counter-clockwise. */
+/** @brief Returns the spokes of every vertex, counter-clockwise. */
 std::vector<std::vector<Spoke>> spokesOf(const PlanSubdivision& subdivision);
 
-/** @brief What lies nearer together than this in a solid is one, metres: 0.05 mm, small
- * beside what a scan can tell, large beside the rounding of files with single
- * precision; more only in rooms so large that the grid is coarser. */
+/** @brief Returns the distance below which points of a solid are merged, metres. 0.05
+ * mm: small against scans, large against rounding in single-precision files. Larger
+ * only in rooms so large that the grid is coarser. */
 double solidSeparation(const PlanGrid& grid);
 
-/** @brief Cuts the plan of a room at all its loops.
+/** @brief Divides the plan of a room along all its loops.
  *
  * - Loops are fitted to each other (facetLoops()), then cut exactly where they cross.
- * - Of what overlaps, columns win over the room and later details over earlier ones
- *   (RoomLayers::regionOf()); what leaves the boundary is cut off.
- * - A part of the plan narrower than 2 mm, or than its loops are sure to, goes to what
- *   is beside it.
- * - Details are left out where they leave less than 1 mm between floor and ceiling,
- *   niches that are not open to the room, and both where their floor is as high as the
- *   ceiling beside it.
+ * - Where they overlap, columns override the room and later details earlier ones
+ *   (RoomLayers::regionOf()). Parts beyond the boundary are cut off.
+ * - Slivers, narrower than 2 mm or than the tolerance of their loops, are merged into
+ *   neighbours.
+ * - Left out are details with less than 1 mm between floor and ceiling, niches closed
+ *   to the room, and both where their floor meets a neighbour's ceiling.
  *
- * @param layers of a room whose coordinates are finite
+ * @param layers of a room with finite coordinates
  * @param parameters in range
  * @param[out] subdivision the result
- * @param[out] warnings what was done to contradictions of the plan, a sentence each
- * @return an empty string, or why there is none, a sentence */
+ * @param[out] warnings a sentence for each contradiction of the plan that was resolved
+ * @return an empty string, or a sentence on why there is no result */
 std::string subdivideRoom(const RoomLayers& layers,
                           const SolidParameters& parameters,
                           PlanSubdivision& subdivision,

@@ -12,8 +12,8 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What bounds a room below and above some place in plan: indices of
- * RoomLayers::slabs, or `nothing` outside of the room. */
+/** @brief Floor and ceiling of a room at a place in plan: indices of RoomLayers::slabs,
+ * or `nothing` outside the room. */
 struct PlanRegion {
   static constexpr int nothing = -1;
 
@@ -33,16 +33,16 @@ struct PlanRegion {
   }
 };
 
-/** @brief What stands on the elements of a loop. */
+/** @brief The vertical surface above the elements of a loop. */
 enum class LoopRole { Wall, ColumnFace, NicheSide, CeilingRiser, FloorRiser };
 
-/** @brief A room's plan as a pile of loops: which lie over which, and what each means.
- * All that the solid knows of the parts of a PlanRoom stands here. */
+/** @brief A room's plan as an ordered list of loops with their meanings. The solid's
+ * only source on the parts of a PlanRoom. */
 struct RoomLayers {
   struct Slab {
     PlanSlab slab;
     std::size_t element = 0;        ///< index of its SolidElement
-    const PlanLoop* loop = nullptr; ///< around all of it
+    const PlanLoop* loop = nullptr; ///< around all parts of the slab
     bool is_facet = false;          ///< of a ceiling that is not level
   };
 
@@ -53,15 +53,15 @@ struct RoomLayers {
   };
 
   std::vector<SolidElement> elements;
-  std::vector<Slab> slabs; ///< floor, ceiling, then those of details and niches
-  std::vector<Loop> loops; ///< the boundary first: later ones are fitted to earlier
+  std::vector<Slab> slabs; ///< floor, ceiling, then details and niches
+  std::vector<Loop> loops; ///< boundary first; later ones are fitted to earlier
 
-  /** @param room must stay where it is */
+  /** @param room must outlive this object */
   explicit RoomLayers(const PlanRoom& room);
 
-  /** @brief What is at a place that the loops run around `winding` times. Columns are
-   * cut out of all; of details of the ceiling, and of the floor, the last is there; of
-   * niches, beside the boundary, the first. */
+  /** @brief Returns the region at a place, given the winding number of each loop.
+   * Columns are cut out of everything. Of overlapping details of the ceiling, or of the
+   * floor, the last counts; of niches, outside the boundary, the first. */
   PlanRegion regionOf(const std::vector<int>& winding) const;
 
   bool isNiche(const PlanRegion& region) const
@@ -69,19 +69,18 @@ struct RoomLayers {
     return region.isRoom() && region.floor >= first_niche_slab_;
   }
 
-  /** @brief What may be there instead of a region that cannot be built, the nearest to
-   * it first: without its detail of the floor, of the ceiling, of both, and nothing. */
+  /** @brief Returns replacements for a region that cannot be built, the most similar
+   * first: without its floor detail, its ceiling detail, both, and nothing. */
   std::vector<PlanRegion> plainRegions(const PlanRegion& region) const;
 
-  /** @brief Of what role an element's loop is; of a slab's element Wall. */
+  /** @brief Returns the role of an element's loop; Wall for a slab's element. */
   LoopRole roleOf(std::size_t element) const;
 
 private:
-  /** @brief A detail or niche: its region where it is all there is, `nothing` for what
-   * it leaves as it was. */
+  /** @brief A detail or niche. Its region has `nothing` for what it does not change. */
   struct Part {
     PlanRegion region;
-    std::size_t boundary = 0; ///< index of its loop; those of its holes follow
+    std::size_t boundary = 0; ///< index of its loop, followed by those of its holes
     std::size_t holes = 0;
 
     bool contains(const std::vector<int>& winding) const;
@@ -99,8 +98,7 @@ private:
                   const std::string& name);
 
   std::uint32_t room_ = 0;
-  std::vector<Part>
-      details_; ///< of ceiling and floor, in the order in which they count
+  std::vector<Part> details_; ///< of ceiling and floor, by increasing precedence
   std::vector<Part> niches_;
   int first_niche_slab_ = 0;
 };

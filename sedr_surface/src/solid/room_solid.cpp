@@ -12,7 +12,7 @@ namespace sedr {
 
 namespace {
 
-constexpr double most_coordinate = 1e6; // metres, as floorplanFromJson() has it
+constexpr double most_coordinate = 1e6; // metres, as in floorplanFromJson()
 
 bool
 isSound(const PlanElement& element)
@@ -40,7 +40,7 @@ std::string
 slabProblem(const PlanSlab& slab, const std::string& name)
 {
   const Eigen::Vector4d& plane = slab.plane;
-  constexpr double least_upward = 0.49; // a slope of 60 degrees, and what rounding adds
+  constexpr double least_upward = 0.49; // a slope of 60 degrees, and rounding
   const bool is_sound = plane.allFinite() &&
                         plane[2] >= least_upward * plane.head<3>().norm() &&
                         plane[2] > 0 && (!slab.curve || slab.curve->isFinite()) &&
@@ -50,7 +50,7 @@ slabProblem(const PlanSlab& slab, const std::string& name)
                            "beyond 1000000 m";
 }
 
-/** @brief Adds up the areas of triangles by what they are and where they face. */
+/** @brief Sums the areas of triangles by label and orientation. */
 void
 measure(const TriangleMesh& solid, RoomSolidReport& report)
 {
@@ -61,7 +61,7 @@ measure(const TriangleMesh& solid, RoomSolidReport& report)
     report.area += area;
     if (label == StructureLabel::Wall || label == StructureLabel::Column)
       report.wall_area += area;
-    else if (label == StructureLabel::Detail && std::abs(normal.z()) < area) // upright
+    else if (label == StructureLabel::Detail && std::abs(normal.z()) < area) // vertical
       report.riser_area += area;
     else
       (normal.z() < 0 ? report.floor_area : report.ceiling_area) += area;

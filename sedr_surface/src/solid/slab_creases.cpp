@@ -9,10 +9,10 @@ namespace sedr {
 
 namespace {
 
-constexpr double margin = 0.01; ///< metres: beyond the bounds, and of the springing
+constexpr double margin = 0.01;       ///< metres: beyond bounds, off springing lines
 constexpr double most_creases = 2000; ///< of a cylinder, or rays of a dome
 
-/** @brief The angle between two creases of a circle of that radius, radians. */
+/** @brief Returns the angle between two creases of a circle of this radius, radians. */
 double
 stepOf(double radius, double tolerance)
 {
@@ -20,7 +20,7 @@ stepOf(double radius, double tolerance)
   return std::max(step, M_PI / most_creases);
 }
 
-/** @brief The box about `bounds` in the frame of a curve. */
+/** @brief Returns the bounding box of `bounds` in the frame of a curve. */
 Eigen::AlignedBox2d
 localBounds(const SlabCurve& curve, const Eigen::AlignedBox2d& bounds)
 {
@@ -45,7 +45,7 @@ cylinderCreases(const SlabCurve& curve,
   std::vector<Crease> creases;
   for (int k = 0; k <= count; ++k) {
     const double offset = curve.across * std::sin(M_PI * k / count - M_PI / 2);
-    // A crease on the springing line would part a hair's breadth from the wall.
+    // A crease on the springing line would form a sliver along the wall.
     const double reach = k == 0 || k == count ? 2 * margin : 0;
     if (offset - reach > local.min().y() && offset + reach < local.max().y())
       creases.emplace_back(Eigen::Vector2d(local.min().x(), offset),
@@ -54,7 +54,8 @@ cylinderCreases(const SlabCurve& curve,
   return creases;
 }
 
-/** @brief Rings about the top, with rays between them, fewer towards it. */
+/** @brief Returns rings around the top with rays between them, fewer towards the
+ * top. */
 std::vector<Crease>
 domeCreases(const SlabCurve& curve, const Eigen::AlignedBox2d& bounds, double tolerance)
 {
@@ -108,7 +109,7 @@ reliefCreases(const SlabCurve& curve, const Eigen::AlignedBox2d& bounds)
   return creases;
 }
 
-/** @brief Cuts a crease off at a box.
+/** @brief Clips a crease to a box.
  * @return whether anything is left */
 bool
 clip(const Eigen::AlignedBox2d& box, Crease& crease)

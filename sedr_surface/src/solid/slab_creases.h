@@ -12,13 +12,14 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A straight line in plan along which a curve is folded to flat pieces. */
+/** @brief A straight line in plan along which a curved slab is folded. */
 using Crease = std::pair<Eigen::Vector2d, Eigen::Vector2d>;
 
-/** @brief The lines in plan that part a curve into flat pieces within a tolerance of
- * it: of a cylinder along its axis, of a dome rings and rays, of a relief its grid.
- * @param bounds in plan of what the curve covers, metres, not empty; creases reach a
- * little farther
+/** @brief Returns the lines in plan that divide a curve into flat pieces within a
+ * tolerance: parallels to the axis of a cylinder, rings and rays of a dome, the grid of
+ * a relief.
+ * @param bounds of the curved area in plan, metres, not empty; creases reach slightly
+ * farther
  * @param tolerance metres, above 0 */
 std::vector<Crease>
 creasesOf(const SlabCurve& curve, const Eigen::AlignedBox2d& bounds, double tolerance);

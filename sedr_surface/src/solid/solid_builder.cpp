@@ -12,7 +12,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief The triangles on the inner side of edges that go round an area. */
+/** @brief Returns which triangles lie inside the area enclosed by edges. */
 std::vector<bool>
 insideOf(const PlanTriangulation& mesh,
          const std::vector<std::pair<std::uint32_t, std::uint32_t>>& sorted_edges)
@@ -94,7 +94,7 @@ SolidBuilder::addTriangle(const std::array<Corner, 3>& corners, std::size_t elem
 bool
 SolidBuilder::addSlab(int slab)
 {
-  // The rim of the slab's regions, on vertices numbered anew.
+  // The rim of the slab's regions, with renumbered vertices.
   std::vector<std::uint32_t> number(plan_.vertices.size(), PlanTriangulation::none);
   std::vector<std::uint32_t> vertices;
   std::vector<GridPoint> points;
@@ -126,7 +126,7 @@ SolidBuilder::addSlab(int slab)
     }
   std::sort(folds.begin(), folds.end());
   PlanTriangulation faces;
-  // A corner that was cut off may lie on a crease: then the curve does without them.
+  // A corner that was cut off may lie on a crease; then the curve has no creases.
   if (!triangulateConstrained(points, folds, faces) &&
       !triangulateConstrained(points, rim, faces))
     return false;
@@ -187,7 +187,7 @@ SolidBuilder::addStrip(std::uint32_t a,
 void
 SolidBuilder::addUpright(const SubdivisionEdge& edge)
 {
-  // Of two slabs one is higher over the whole edge: they do not cross there.
+  // Slabs do not cross along an edge, so the sum of both heights orders them.
   const auto heightOf = [&](int slab) {
     return levels_[edge.a].levelOf(slab) + levels_[edge.b].levelOf(slab);
   };
@@ -232,7 +232,7 @@ std::size_t
 SolidBuilder::elementOn(const SubdivisionEdge& edge,
                         const std::vector<LoopRole>& roles) const
 {
-  // Of several the last: the later of two details is the one that is there.
+  // The last, because the later of two details counts.
   for (const LoopRole role : roles)
     for (auto e = edge.elements.rbegin(); e != edge.elements.rend(); ++e)
       if (layers_.roleOf(*e) == role)

@@ -16,34 +16,32 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Builds the surface of a room over the subdivision of its plan: a face a slab
- * and region, and upright strips on the edges. */
+/** @brief Builds the surface of a room from the subdivision of its plan: a face per
+ * slab and region, and vertical strips on the edges. */
 class SolidBuilder {
 public:
   SolidBuilder(const RoomLayers& layers, const PlanSubdivision& plan);
 
-  /** @brief Fills `mesh`: triangles with label and, from 0, element.
+  /** @brief Fills `mesh` with triangles that have label and, from 0, element.
    * @return an empty string, or why there is no solid */
   std::string build(TriangleMesh& mesh);
 
 private:
-  /** @brief A place where the solid's surface may have a vertex. */
+  /** @brief A possible vertex of the solid. */
   using Corner = std::pair<std::uint32_t, std::int64_t>; ///< plan vertex, level
 
   /** @brief Adds the face of a slab.
    * @return false if it could not be triangulated */
   bool addSlab(int slab);
 
-  /** @brief Level of a slab above a vertex, which may lie within the slab. */
+  /** @brief Returns the level of a slab at a vertex, which may be inside the slab. */
   std::int64_t levelOf(int slab, std::uint32_t vertex) const;
 
-  /** @brief Adds what stands on an edge: where one of its sides is solid and the other
-   * is not. */
+  /** @brief Adds the vertical strips on an edge, where exactly one side is solid. */
   void addUpright(const SubdivisionEdge& edge);
 
-  /** @brief Adds the strip over the way from a to b, with the solid on its left,
-   * between two slabs. Its ends take up all levels there, as the strips beside it do.
-   */
+  /** @brief Adds the strip over the line from a to b between two slabs, with the solid
+   * on its left. Its ends include all levels there, like the adjacent strips. */
   void addStrip(std::uint32_t a,
                 std::uint32_t b,
                 int low_slab,
@@ -53,13 +51,14 @@ private:
   std::vector<std::int64_t>
   levelsBetween(std::uint32_t vertex, int low_slab, int high_slab) const;
 
-  /** @brief What stands on an edge where one side is solid and the other is not.
+  /** @brief Returns the possible roles of a strip that separates solid from empty
+   * space.
    * @param above whether it reaches up from the other side's ceiling */
   std::vector<LoopRole>
   rolesOn(const PlanRegion& solid, const PlanRegion& other, bool above) const;
 
-  /** @brief The element of one of the roles that lies on an edge; where none does,
-   * since a sliver went to what is beside it, the nearest. */
+  /** @brief Returns the element on an edge with one of the roles. If there is none,
+   * because a sliver was merged, returns the nearest. */
   std::size_t elementOn(const SubdivisionEdge& edge,
                         const std::vector<LoopRole>& roles) const;
 

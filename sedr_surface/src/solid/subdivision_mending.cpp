@@ -13,7 +13,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief Elements that lie on both of two edges. */
+/** @brief Returns the elements on both of two edges. */
 std::vector<std::size_t>
 commonElements(const SubdivisionEdge& e, const SubdivisionEdge& f)
 {
@@ -28,7 +28,7 @@ commonElements(const SubdivisionEdge& e, const SubdivisionEdge& f)
 void
 dropNeedlessVertices(const FacetCorners& corners, PlanSubdivision& plan)
 {
-  constexpr double straight = 4; // grid units: what rounding leaves
+  constexpr double straight = 4; // grid units, for rounding
   auto spokes = spokesOf(plan);
   std::vector<bool> is_dropped(plan.edges.size(), false);
   std::vector<bool> is_creased(plan.vertices.size(), false);
@@ -54,8 +54,7 @@ dropNeedlessVertices(const FacetCorners& corners, PlanSubdivision& plan)
     const bool is_between = plan.wayFrom(v, in.end).dot(plan.wayFrom(v, out.end)) < 0;
     if (common.empty() || is_double || !is_between || std::abs(off) > straight * length)
       continue;
-    // The first edge goes on to where the second ends; what was on the left of the way
-    // to v stays there.
+    // The first edge is extended to the end of the second and keeps its sides.
     plan.edges[in.edge] = {in.end, out.end, in.right, in.left, common};
     is_dropped[out.edge] = true;
     for (const auto& [vertex, other] :
@@ -72,8 +71,7 @@ dropNeedlessVertices(const FacetCorners& corners, PlanSubdivision& plan)
 
 namespace {
 
-/** @brief Cuts edges at crossings of heights, which it tells by levels: by what will be
- * built. */
+/** @brief Splits edges where heights cross, judged by the levels that will be built. */
 class CrossingCutter {
 public:
   CrossingCutter(const RoomLayers& layers, PlanSubdivision& plan)
@@ -87,7 +85,7 @@ public:
 
   void run()
   {
-    // What is cut off an edge is added behind the others.
+    // Cut-off parts of edges are appended and visited later.
     for (std::size_t e = 0; e < plan_.edges.size(); ++e)
       while (cutOnce(e))
         continue;
@@ -105,7 +103,7 @@ private:
     return false;
   }
 
-  /** @brief Cuts an edge where two slabs cross, if they do. */
+  /** @brief Splits an edge where two slabs cross, if they do. */
   bool cutAt(std::size_t e, int slab, int other)
   {
     const SubdivisionEdge edge = plan_.edges[e];

@@ -9,7 +9,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief A step of less than this between two facets of a ceiling is none, metres. */
+/** @brief Smaller steps between two facets of a ceiling are ignored, metres. */
 constexpr double facet_step = 0.002;
 
 } // namespace
@@ -25,7 +25,7 @@ VertexLevels::VertexLevels(const RoomLayers& layers,
   const auto isFacet = [&](int slab) {
     return layers.slabs[static_cast<std::size_t>(slab)].is_facet;
   };
-  // Where two facets meet, their borders are known to some tenths of a millimetre.
+  // Borders of adjacent facets are accurate to some tenths of a millimetre.
   const auto sameFor = [&](int slab, int other) {
     return static_cast<std::int64_t>((isFacet(slab) && isFacet(other)
                                           ? std::max(separation, facet_step)
@@ -42,7 +42,7 @@ VertexLevels::VertexLevels(const RoomLayers& layers,
   std::sort(heights.begin(), heights.end());
   heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
   std::int64_t level = 0;
-  int first = 0; // slab of the level
+  int first = 0; // slab that defines the level
   for (std::size_t i = 0; i < heights.size(); ++i) {
     const auto [height, slab] = heights[i];
     if (i == 0 || height - level >= sameFor(first, slab)) {
@@ -90,8 +90,8 @@ VertexLevels::levelOf(int slab) const
 
 namespace {
 
-/** @brief Number of pieces into which the cells of one kind fall: cells above and below
- * a level, sector by sector around a line. */
+/** @brief Returns the number of connected pieces of cells of one kind: cells above and
+ * below a level, sector by sector around a line. */
 std::size_t
 piecesOf(const std::vector<bool>& above, const std::vector<bool>& below, bool kind)
 {

@@ -11,9 +11,9 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Heights at which the floors and ceilings about a vertex of a subdivision meet
- * it, in grid units: those that are nearer than solidSeparation(), or cross there, are
- * one. */
+/** @brief Heights of the floors and ceilings that meet at a vertex of a subdivision,
+ * grid units. Heights that cross there or differ by less than solidSeparation() are
+ * merged. */
 class VertexLevels {
 public:
   VertexLevels() = default;
@@ -24,31 +24,31 @@ public:
                std::uint32_t vertex,
                const std::vector<Spoke>& spokes);
 
-  /** @brief Whether one of the regions about the vertex has the slab. */
+  /** @brief Returns whether a region at the vertex has the slab. */
   bool has(int slab) const;
 
-  /** @brief Level of a slab that one of the regions about the vertex has. */
+  /** @brief Returns the level of a slab of a region at the vertex. */
   std::int64_t levelOf(int slab) const;
 
-  /** @brief The levels of slabs that end here, from low to high, each once. */
+  /** @brief Returns the distinct levels of slabs that end here, increasing. */
   const std::vector<std::int64_t>& levels() const { return levels_; }
 
 private:
-  /** @brief Gives two slabs, and what is between them, one level. */
+  /** @brief Merges the levels of two slabs and all between them. */
   void join(int slab, int other);
 
   std::vector<std::pair<int, std::int64_t>> of_slab_;
   std::vector<std::int64_t> levels_;
 };
 
-/** @brief Heights between which the solid stands above a sector of a vertex. */
+/** @brief Height range of the solid above a sector of a vertex. */
 struct SolidSpan {
   std::int64_t low = 0;
-  std::int64_t high = 0; ///< equal to low outside of the room
+  std::int64_t high = 0; ///< equal to low outside the room
 };
 
-/** @brief Whether the solid above sectors around a vertical line, counter-clockwise,
- * touches itself there: whether its surface is no manifold at the line. */
+/** @brief Returns whether the solid touches itself along a vertical line, that is, its
+ * surface is not manifold there. Sectors are counter-clockwise. */
 bool touchesItself(const std::vector<SolidSpan>& sectors);
 
 } // namespace sedr

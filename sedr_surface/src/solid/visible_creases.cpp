@@ -14,7 +14,8 @@ cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/** @brief How often a closed chain runs around a place, counter-clockwise. */
+/** @brief Returns the winding number of a closed chain around a point,
+ * counter-clockwise. */
 int
 turnsAround(const std::vector<Eigen::Vector2d>& corners, const Eigen::Vector2d& p)
 {

@@ -11,24 +11,24 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The creases of the curved slabs of a room, cut off where another slab is in
- * their place. */
+/** @brief The creases of a room's curved slabs, clipped where another slab replaces
+ * them. */
 class VisibleCreases {
 public:
-  /** @param chains the loops of the layers in facets; both must outlive this */
+  /** @param chains facets of the layers' loops; both must outlive this object */
   VisibleCreases(const RoomLayers& layers, const std::vector<FacetChain>& chains);
 
-  /** @brief Those of one slab, facets within `tolerance` metres of it.
+  /** @brief Returns the creases of one slab, for facets within `tolerance` metres.
    *
-   * O(k n), k creases and n corners of the loops whose boxes they meet. */
+   * O(k n) for k creases and n corners of the loops whose boxes they meet. */
   std::vector<Crease> of(std::size_t slab, double tolerance) const;
 
 private:
-  /** @brief Where the loops cross a line, as shares of its length, sorted, 0 and 1
-   * with them. */
+  /** @brief Returns where the loops cross a line, as shares of its length, sorted, with
+   * 0 and 1. */
   std::vector<double> crossings(const Crease& crease) const;
 
-  /** @brief The layers over a place. */
+  /** @brief Returns the region at a place. */
   PlanRegion regionAt(const Eigen::Vector2d& p) const;
 
   const RoomLayers& layers_;

@@ -9,13 +9,12 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The cells of a regular grid along a surface: blocks of 8 x 8 x 8 nodes, of
- * which only those that are listed exist. Values at the nodes lie in one array, 512 a
- * block with x running fastest, and 512 zeros behind the last block that stand for
- * every block that does not exist.
+/** @brief A sparse regular grid along a surface: blocks of 8 x 8 x 8 nodes, of which
+ * only the listed ones exist. Node values are in one array, 512 per block with x
+ * fastest. After the last block come 512 zeros that represent all missing blocks.
  *
- * Coordinates of nodes and blocks are whole numbers of either sign; a block holds the
- * nodes from 8 times its coordinates on. */
+ * Coordinates of nodes and blocks are signed integers; a block holds the nodes from 8
+ * times its coordinates on. */
 class BandGrid {
 public:
   using Block = std::array<std::int64_t, 3>;
@@ -23,22 +22,22 @@ public:
 
   static constexpr std::int64_t edge = 8;
   static constexpr std::size_t nodes = 512;
-  /// Blocks that a thread takes at a time; sums are formed in their order.
+  /// Blocks per work item of a thread; sums are formed in their order.
   static constexpr std::size_t blocks_at_once = 32;
-  static constexpr std::size_t halo_edge = 10; ///< a block with a layer of nodes around
+  static constexpr std::size_t halo_edge = 10; ///< block with one layer around it
   static constexpr std::size_t halo_nodes = 1000;
-  static constexpr std::int64_t reach = 1 << 20; ///< coordinates of blocks stay below
+  static constexpr std::int64_t reach = 1 << 20; ///< limit of block coordinates
 
   BandGrid() = default;
 
-  /** @brief The blocks of the keys, which may come in any order and more than once. */
+  /** @brief Makes the blocks of the keys, in any order; duplicates are allowed. */
   explicit BandGrid(std::vector<Key> keys);
 
   static Key keyOf(const Block& block);
 
   static Block blockOf(Key key);
 
-  /** @brief The node's place within its block. */
+  /** @brief Returns the place of a node within its block. */
   static std::size_t nodeIndex(std::int64_t x, std::int64_t y, std::int64_t z)
   {
     return static_cast<std::size_t>((z * edge + y) * edge + x);
@@ -51,31 +50,31 @@ public:
 
   std::size_t size() const { return keys_.size(); }
 
-  /** @brief Entries of an array of values, zeros included. */
+  /** @brief Returns the size of an array of values, including the zeros. */
   std::size_t valueCount() const { return (size() + 1) * nodes; }
 
   Block at(std::size_t b) const { return blockOf(keys_[b]); }
 
   const std::vector<Key>& keys() const { return keys_; }
 
-  /** @brief Number of a block, size() if it does not exist. O(log n). */
+  /** @brief Returns the index of a block, size() if it does not exist. O(log n). */
   std::size_t find(const Block& block) const;
 
-  /** @brief Number of the block next to block `b`, each step -1, 0 or 1. */
+  /** @brief Returns the index of a neighbour of block `b`, each step -1, 0 or 1. */
   std::size_t neighbour(std::size_t b, int dx, int dy, int dz) const
   {
     return neighbours_[b]
                       [static_cast<std::size_t>((dz + 1) * 9 + (dy + 1) * 3 + dx + 1)];
   }
 
-  /** @brief True if all eight corners exist of the cell above node (x, y, z) of block
-   * `b`, each 0 to 7. */
+  /** @brief Returns true if all eight corners exist of the cell above node (x, y, z) of
+   * block `b`, each 0 to 7. */
   bool holdsCell(std::size_t b, int x, int y, int z) const;
 
-  /** @brief True if one of the 26 blocks around block `b` does not exist. */
+  /** @brief Returns true if one of the 26 neighbours of block `b` does not exist. */
   bool atRim(std::size_t b) const { return at_rim_[b]; }
 
-  /** @brief Copies a block with the layer of nodes around it. */
+  /** @brief Copies a block and the layer of nodes around it. */
   void gatherHalo(const std::vector<float>& values, std::size_t b, float* halo) const;
 
 private:
@@ -84,7 +83,7 @@ private:
   std::vector<bool> at_rim_;
 };
 
-/** @brief n / divisor, rounded down. */
+/** @brief Returns n / divisor, rounded down. */
 inline std::int64_t
 floorDivide(std::int64_t n, std::int64_t divisor)
 {

@@ -8,13 +8,11 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Offsets in a halo of a BandGrid from the lowest corner of a cell to all
- * eight.
- */
+/** @brief Offsets in a halo of a BandGrid from a cell's lowest corner to all eight. */
 constexpr std::array<std::uint32_t, 8> corners = {0, 1, 10, 11, 100, 101, 110, 111};
 
-/** @brief The weights of the corners for a value within the cell, trilinear.
- * @param share of the way along each axis, 0 to 1 */
+/** @brief Computes the trilinear weights of the corners for a point within the cell.
+ * @param share position along each axis, 0 to 1 */
 inline void
 cornerShares(const float* share, float* shares)
 {

@@ -12,9 +12,8 @@ namespace pcl {
 namespace sedr {
 namespace {
 
-// The spacing that half of the surface has or exceeds: where points lie twice as dense,
-// each stands for a quarter of the area. Stray points would stand for too much of it,
-// so that is capped.
+// Returns the median spacing by area. Points twice as dense stand for a quarter of the
+// area each. The weight of isolated points is limited.
 double
 medianByArea(std::vector<double> spacings)
 {
@@ -53,7 +52,7 @@ measureSpacing(const std::vector<OrientedPoint>& points)
   std::vector<float> squared;
   for (std::size_t i = 0; i < points.size(); i += step) {
     tree.nearestKSearch((*cloud)[i], neighbours + 1, indices, squared);
-    // A disc as far as the eighth neighbour holds seven points: the rim counts half.
+    // The disc to the eighth neighbour counts as seven points: its rim counts half.
     spacings.push_back(std::sqrt(M_PI * squared.back() / (neighbours - 1)));
   }
   return medianByArea(spacings);

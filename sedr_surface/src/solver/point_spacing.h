@@ -8,9 +8,9 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Typical distance between neighbouring points of a surface, metres: the side
- * of the square that each has for itself, median over the area, from at most 4000 of
- * the points. Zero for fewer than 10 points. O(n log n). */
+/** @brief Estimates the distance between neighbouring points of a surface, metres: the
+ * side of the square per point, median by area, from at most 4000 points. Zero for
+ * fewer than 10 points. O(n log n). */
 double measureSpacing(const std::vector<OrientedPoint>& points);
 
 } // namespace sedr

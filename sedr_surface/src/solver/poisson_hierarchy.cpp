@@ -14,10 +14,11 @@ namespace {
 constexpr float outside = -0.5f;
 constexpr std::size_t least_for_threads = 8000; // samples
 
-// Nodes of the coarser grid, from the one before a block on, that a halo lies between.
+// Nodes of the coarser grid that surround a halo, starting one node before the block.
 constexpr std::size_t patch_edge = 6;
 
-// From `patch_edge` values two cells apart to ten one cell apart, the first in between.
+// Refines `patch_edge` values two cells apart to ten values one cell apart, starting
+// between the first two.
 void
 refineRow(const float* coarse, std::size_t stride, float* fine, std::size_t fine_stride)
 {
@@ -69,7 +70,7 @@ PoissonHierarchy::interpolate(std::size_t level,
   std::int64_t first[3];
   for (std::size_t k = 0; k < 3; ++k)
     first[k] = block[k] * (BandGrid::edge / 2) - 1;
-  // The patch lies in two blocks along each axis at most.
+  // The patch lies in at most two blocks along each axis.
   std::size_t blocks[8];
   std::int64_t base[3];
   for (int k = 0; k < 3; ++k)
@@ -155,7 +156,7 @@ PoissonHierarchy::solveLevel(std::size_t level,
   constexpr int most_rounds = 40;
   const double scale = std::ldexp(1., static_cast<int>(level));
   const bool coarsest = level + 1 == levels_.size();
-  // A grid of less takes less time than threads take to come together.
+  // Small grids are faster with one thread.
   const unsigned threads = samples.size() < least_for_threads ? 1 : options.threads;
   PoissonLevel before;
   widened_ = -1;

@@ -9,24 +9,24 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief How the screened Poisson equation is solved on a hierarchy of grids. */
+/** @brief Options of solving the screened Poisson equation on a hierarchy of grids. */
 struct HierarchyOptions {
   float weight = 10;          ///< of the samples against smoothness
   double tolerance = 1e-2;    ///< of the residual, see PoissonLevel::solve()
   int max_iterations = 200;   ///< on each grid
-  std::size_t max_blocks = 0; ///< of a grid
+  std::size_t max_blocks = 0; ///< per grid
   unsigned threads = 1;
 };
 
-/** @brief The screened Poisson equation on grids from one of a few cells across the
- * whole, down to one of cells along the surface alone: each solved to its end, with
- * what the next coarser one found as its start and as the values around its blocks
- * (cascading multigrid). On each the blocks lie about the samples, about where the
- * coarser grid saw the surface, and wherever the surface would leave them. */
+/** @brief Solves the screened Poisson equation on a sequence of grids (cascading
+ * multigrid), from a few cells across the whole to cells along the surface only. Each
+ * grid starts from the solution of the next coarser one, which also gives the values
+ * around its blocks. Blocks are placed around the samples, around the surface on the
+ * coarser grid, and wherever the surface would leave them. */
 class PoissonHierarchy {
 public:
-  /** @brief Solves it.
-   * @param samples in cells of the finest grid, in which the result is
+  /** @brief Solves the equation.
+   * @param samples in cells of the finest grid, like the result
    * @return an empty string, or why there is no result */
   std::string solve(const std::vector<SurfaceSample>& samples,
                     const HierarchyOptions& options);
@@ -35,18 +35,18 @@ public:
 
   std::size_t levels() const { return levels_.size(); }
 
-  /** @brief Mean of the finest grid's function at the samples. */
+  /** @brief Returns the mean of the finest grid's function at the samples. */
   double meanAtSamples() const { return mean_; }
 
-  /** @brief On the finest grid, that is. */
+  /** @brief Returns the report of the finest grid. */
   const SolveReport& report() const { return report_; }
 
-  /** @brief How often blocks were added on the finest grid for a surface that left
-   * them. */
+  /** @brief Returns how often the finest grid was extended because the surface left
+   * it. */
   int widened() const { return widened_; }
 
-  /** @brief The halo of a finest block; around the blocks with the values of coarser
-   * grids. */
+  /** @brief Fills the halo of a block of the finest grid; outside its blocks with
+   * values of coarser grids. */
   void gather(std::size_t b, float* halo) const { gather(0, b, halo); }
 
 private:

@@ -10,8 +10,8 @@ namespace pcl {
 namespace sedr {
 namespace {
 
-// Calls visit(x, y, z) for the lowest nodes, from `first` to 7, of cells that the
-// surface crosses.
+// Calls visit(x, y, z) for cells that the surface crosses, by their lowest nodes from
+// `first` to 7.
 template <typename Visit>
 void
 forCrossedCells(const float* halo, float iso, int first, Visit visit)
@@ -44,7 +44,7 @@ std::vector<BandGrid::Key>
 PoissonHierarchy::blocksOfBox(const std::vector<SurfaceSample>& samples,
                               double scale) const
 {
-  constexpr double pad = 5; // cells in which the function comes to rest
+  constexpr double pad = 5; // cells within which the function settles
   Eigen::Vector3d low = samples.front().position;
   Eigen::Vector3d high = low;
   for (const SurfaceSample& sample : samples) {
@@ -78,8 +78,8 @@ PoissonHierarchy::blocksAtSurface(std::size_t level) const
     std::array<bool, 64> wanted{};
     gather(level, b, halo);
     forCrossedCells(halo, 0, 0, [&](int x, int y, int z) {
-      // The finer cells of this one and two more to each side, in blocks from -1 to 2
-      // of those that this one holds.
+      // The finer cells of this one and two more on each side, in blocks -1 to 2 of
+      // those within this one.
       const int cell[3] = {x, y, z};
       int lo[3];
       int hi[3];

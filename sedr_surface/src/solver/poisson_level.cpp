@@ -12,8 +12,8 @@ namespace pcl {
 namespace sedr {
 namespace {
 
-// The right side that one sample gives the nodes from two before its block on to two
-// behind it.
+// Adds a sample's right-hand side to the nodes from two before its block to two behind
+// it.
 void
 splatNormal(const BlockSample& sample, float* nodes12)
 {
@@ -88,8 +88,8 @@ PoissonLevel::addBlocks(const std::vector<BandGrid::Key>& more)
 void
 PoissonLevel::addScreens(float weight)
 {
-  // Of each block the samples in its cells and in those that end at its first nodes:
-  // found from the samples of the blocks before it.
+  // For each block, the samples in its cells and in those that end at its first nodes,
+  // which come from the preceding blocks.
   screen_starts_.assign(grid_.size() + 1, 0);
   std::vector<std::vector<Screen>> lists(grid_.size());
   for (std::size_t s = 0; s < sorted_.grid.size(); ++s) {
@@ -133,8 +133,8 @@ void
 PoissonLevel::addNormals(unsigned threads)
 {
   right_.assign(grid_.valueCount(), 0.f);
-  // Blocks two apart never add to the same node: they go in parallel, the eight sets of
-  // them one after the other.
+  // Blocks two apart never share a node: eight sets run in sequence, the blocks of each
+  // in parallel.
   std::vector<std::size_t> sets[8];
   for (std::size_t s = 0; s < sorted_.grid.size(); ++s) {
     const BandGrid::Block block = sorted_.grid.at(s);

@@ -10,10 +10,10 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief How well a linear system was solved. */
+/** @brief Accuracy of solving a linear system. */
 struct SolveReport {
   int iterations = 0;
-  double residual = 0; ///< length over that of the right side, both scaled by diagonal
+  double residual = 0; ///< norm relative to the right-hand side, scaled by the diagonal
 };
 
 /** @brief Writes the halo of a block (BandGrid::halo_nodes values). */
@@ -21,28 +21,28 @@ using GatherHalo = std::function<void(std::size_t, float*)>;
 
 /** @brief The screened Poisson equation on one grid of a hierarchy.
  *
- * Unknown is a function that is -1/2 behind the surface and 1/2 before it, at the nodes
- * of the blocks along the surface. It makes least, in cells,
+ * The unknown is a function at the nodes of the blocks along the surface, -1/2 behind
+ * the surface and 1/2 in front of it. It minimises, in cells,
  *
  *     sum over edges (difference along the edge - normal field there)^2
  *   + weight * sum over samples area * (value at the sample)^2,
  *
- * which is equation 4 of the paper with the gradient taken along the edges of the grid.
- * The normal field is the sum of the samples' normals, each smeared by a quadratic
- * B-spline as wide as three cells; values between nodes are trilinear. What lies around
- * the blocks is given. */
+ * which is equation 4 of the paper with the gradient along the grid's edges. The
+ * normal field is the sum of the samples' normals, each spread by a quadratic
+ * B-spline three cells wide. Values between nodes are trilinear. Values around the
+ * blocks are given. */
 class PoissonLevel {
 public:
-  /** @brief Cells beside a sample in which the smeared normals and the change of the
-   * function have room. */
+  /** @brief Cells around a sample that contain its spread normal and the function's
+   * change. */
   static constexpr float margin = 3;
 
   PoissonLevel() = default;
 
-  /** @brief The level for samples in cells of the finest grid.
-   * @param scale of this level's cells, in those
+  /** @brief Makes the level for samples in cells of the finest grid.
+   * @param scale of this level's cells, relative to those
    * @param weight of the samples against smoothness
-   * @param more blocks wanted besides those around samples */
+   * @param more further blocks besides those around samples */
   PoissonLevel(const std::vector<SurfaceSample>& samples,
                double scale,
                float weight,
@@ -57,25 +57,25 @@ public:
   std::vector<float> values;
 
   /** @brief Improves the values by conjugate gradients, until the residual is
-   * `tolerance` times the right side or `max_iterations` are over.
-   * @param gather writes the halo of a block, with what is given around the blocks
+   * `tolerance` times the right-hand side or `max_iterations` are reached.
+   * @param gather writes the halo of a block, including given values around the blocks
    *
-   * The sums run in blocks of fixed size: the same bits for any number of threads. */
+   * Sums use blocks of fixed size: the same bits for any number of threads. */
   SolveReport solve(const GatherHalo& gather,
                     double tolerance,
                     int max_iterations,
                     unsigned threads);
 
-  /** @brief Mean of the values at the samples, weighted by their areas. */
+  /** @brief Returns the mean of the values at the samples, weighted by area. */
   double meanAtSamples(unsigned threads) const;
 
 private:
-  /** @brief What a sample adds to the equations of one block. */
+  /** @brief Contribution of a sample to the equations of one block. */
   struct Screen {
     std::uint32_t corner; ///< lowest node of its cell, an index of the halo
-    float share[3];       ///< of the way to the next node
+    float share[3];       ///< position towards the next node
     float weight;
-    float area; ///< zero in the blocks beside its own
+    float area; ///< zero in blocks other than its own
   };
 
   void addBlocks(const std::vector<BandGrid::Key>& more);

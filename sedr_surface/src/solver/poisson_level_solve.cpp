@@ -11,8 +11,8 @@ namespace pcl {
 namespace sedr {
 namespace {
 
-// Sums body(begin, end) over parts of [0, n) that are the same for any number of
-// threads, in their order.
+// Sums body(begin, end) in order over parts of [0, n) that do not depend on the number
+// of threads.
 template <typename Body>
 double
 sumInOrder(std::size_t n, std::size_t part, unsigned threads, Body body)
@@ -97,7 +97,7 @@ PoissonLevel::solve(const GatherHalo& gather,
   std::vector<float> step(grid_.valueCount(), 0.f);
   std::vector<float> applied(n);
   double right_length = 0;
-  // What is left of the right side, the given values around the blocks in their place.
+  // The residual, with the given values around the blocks.
   double length = sumInOrder(grid_.size(), BandGrid::blocks_at_once, threads,
                              [&](std::size_t begin, std::size_t end) {
                                float halo[BandGrid::halo_nodes];

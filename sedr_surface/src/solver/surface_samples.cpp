@@ -40,7 +40,7 @@ sortedKeys(const std::vector<SurfaceSample>& samples, double size)
   return order;
 }
 
-// Weights of the three nodes around `place`, the first of which is returned.
+// Computes the weights of the three nodes around `place`; returns the first node.
 std::int64_t
 splineWeights(float place, float* weights)
 {
@@ -50,8 +50,8 @@ splineWeights(float place, float* weights)
   return static_cast<std::int64_t>(nearest) - 1;
 }
 
-// Calls visit(block, node, weight) for the 27 nodes that a sample of block `b` bears
-// on.
+// Calls visit(block, node, weight) for the 27 nodes influenced by a sample of block
+// `b`.
 template <typename Visit>
 void
 forNodesAround(const BandGrid& grid, std::size_t b, const float* place, Visit visit)
@@ -71,7 +71,7 @@ forNodesAround(const BandGrid& grid, std::size_t b, const float* place, Visit vi
   }
 }
 
-// With the blocks around those that hold a sample.
+// Adds the blocks around those that hold a sample.
 BandGrid
 widened(const BandGrid& grid)
 {
@@ -148,10 +148,10 @@ mergeSamples(const std::vector<SurfaceSample>& samples, double size)
 void
 setAreas(std::vector<SurfaceSample>& samples, double spacing)
 {
-  // A disc of four neighbours: what is less would count the grain of the samples.
+  // A disc of four neighbours; a smaller one would pick up the sampling pattern.
   const double scale = 2 * spacing;
   const double size = scale * static_cast<double>(BandGrid::edge);
-  // What a plane with one sample a square cell would read, averaged over its position.
+  // Mean density of a plane with one sample per square cell, over all its positions.
   constexpr float plane = 0.55f;
   const SortedSamples sorted = sortSamples(samples, scale);
   const BandGrid grid = widened(sorted.grid);

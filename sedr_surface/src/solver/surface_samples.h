@@ -12,8 +12,8 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A sample of the surface and the piece of it that it stands for; lengths in
- * cells of some grid. */
+/** @brief A surface sample with the area that it represents; lengths in cells of some
+ * grid. */
 struct SurfaceSample {
   Eigen::Vector3d position;
   Eigen::Vector3f normal; ///< its length is the area
@@ -27,27 +27,27 @@ struct BlockSample {
   float area;
 };
 
-/** @brief Samples in the order of the blocks that they lie in. */
+/** @brief Samples sorted by block. */
 struct SortedSamples {
-  BandGrid grid; ///< the blocks that hold any
+  BandGrid grid; ///< blocks with samples
   std::vector<BlockSample> samples;
   std::vector<std::size_t> starts; ///< first sample of each block, and the end
 };
 
-/** @brief Sorts samples into the blocks of a grid whose cells are `scale` times as
- * large; O(n log n). */
+/** @brief Sorts samples into the blocks of a grid with cells `scale` times as large.
+ * O(n log n). */
 SortedSamples sortSamples(const std::vector<SurfaceSample>& samples, double scale);
 
-/** @brief One sample for those that lie in the same cube with an edge of `size` cells:
- * their mean by area, the sum of their areas. O(n log n). */
+/** @brief Merges samples in the same cube of `size` cells: mean weighted by area, sum
+ * of areas. O(n log n). */
 std::vector<SurfaceSample> mergeSamples(const std::vector<SurfaceSample>& samples,
                                         double size);
 
-/** @brief Sets each sample's area from how densely the others lie around it.
+/** @brief Sets each sample's area from the local density of samples.
  * @param spacing typical distance of neighbours, cells */
 void setAreas(std::vector<SurfaceSample>& samples, double spacing);
 
-/** @brief Value at `t` of the quadratic B-spline: 0.75 at 0, zero from 1.5 on. */
+/** @brief Returns the quadratic B-spline at `t`: 0.75 at 0, zero from 1.5 on. */
 float quadraticSpline(float t);
 
 } // namespace sedr

@@ -12,8 +12,8 @@ namespace {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-/** @brief Cuts the polygon of points on one circle, counter-clockwise, into triangles
- * with area. */
+/** @brief Cuts a polygon of cocircular points, counter-clockwise, into triangles of
+ * non-zero area. */
 bool
 cutPolygon(const std::vector<GridPoint>& points,
            std::vector<std::uint32_t> polygon,
@@ -34,8 +34,8 @@ cutPolygon(const std::vector<GridPoint>& points,
   return true;
 }
 
-/** @brief The Delaunay triangulation: around each vertex of the Voronoi diagram, the
- * points of its cells. */
+/** @brief Computes the Delaunay triangulation: a polygon around each vertex of the
+ * Voronoi diagram, from the points of its cells. */
 bool
 delaunay(const std::vector<GridPoint>& points, Triangles& triangles)
 {
@@ -58,7 +58,7 @@ delaunay(const std::vector<GridPoint>& points, Triangles& triangles)
   return true;
 }
 
-/** @brief Twice the area of the convex hull of two points or more. */
+/** @brief Returns twice the area of the convex hull of two or more points. */
 std::int64_t
 hullArea(std::vector<GridPoint> points)
 {
@@ -71,7 +71,7 @@ hullArea(std::vector<GridPoint> points)
         chain.pop_back();
       chain.push_back(p);
     }
-    // A fan from the chain's first point, which with its last is on both chains.
+    // A fan from the chain's first point; both chains share their end points.
     for (std::size_t i = 2; i < chain.size(); ++i)
       area += turn(chain[0], chain[i - 1], chain[i]);
     std::reverse(points.begin(), points.end());

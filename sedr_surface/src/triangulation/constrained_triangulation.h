@@ -12,30 +12,29 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A triangulation of points in plan, each triangle counter-clockwise. */
+/** @brief A triangulation of points in plan; triangles are counter-clockwise. */
 struct PlanTriangulation {
   static constexpr std::uint32_t none = 0xffffffff;
 
   std::vector<std::array<std::uint32_t, 3>> triangles; ///< indices of points
-  /** @brief The triangle across the edge from corner i to corner i + 1, or none. */
+  /** @brief Triangle across the edge from corner i to corner i + 1, or none. */
   std::vector<std::array<std::uint32_t, 3>> neighbours;
 };
 
-/** @brief Triangulates the convex hull of `points` so that every one of `edges` is a
- * side of triangles: Boost.Polygon's Delaunay triangulation, in which sides that cross
- * an edge are swapped until none does, and others where that makes the triangles
- * better.
+/** @brief Triangulates the convex hull of `points` so that each of `edges` is a side of
+ * triangles. Starts with Boost.Polygon's Delaunay triangulation. Sides that cross an
+ * edge are swapped until none does; other sides are swapped to improve the triangles.
  *
- * No triangle is without area, and none holds a point, on its sides included.
+ * All triangles have a non-zero area, and none contains another point, not even on its
+ * sides.
  *
- * @param points no two the same
- * @param edges indices of two points each; they may meet in their ends only and pass
+ * @param points all distinct
+ * @param edges indices of two points each; they may meet only at their ends and pass
  * through no other point
- * @param[out] triangulation the result; empty where all points lie on one line
- * @return false if an edge cannot be had, since it crosses another or passes through a
- * point
+ * @param[out] triangulation the result; empty if all points are collinear
+ * @return false if an edge crosses another or passes through a point
  *
- * Deterministic. O(n log n) and what the swaps take. */
+ * Deterministic. O(n log n) plus the swaps. */
 bool triangulateConstrained(
     const std::vector<GridPoint>& points,
     const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges,

@@ -46,7 +46,7 @@ SwappableTriangulation::Side
 SwappableTriangulation::across(const Side& side) const
 {
   const std::uint32_t other = neighbour(side);
-  // There the side runs the other way: from this side's end.
+  // There the side has the opposite direction: it starts at this side's end.
   return {other, numberOf(other, corner(side.triangle, side.number + 1))};
 }
 
@@ -58,7 +58,7 @@ SwappableTriangulation::visitAround(std::uint32_t point, Visit visit) const
   if (first == none)
     return;
   std::uint32_t t = first;
-  do { // counter-clockwise, to the hull or all round
+  do { // counter-clockwise, to the hull or once around
     const std::size_t i = numberOf(t, point);
     if (visit(t, i))
       return;
@@ -75,7 +75,7 @@ SwappableTriangulation::visitAround(std::uint32_t point, Visit visit) const
 SwappableTriangulation::Side
 SwappableTriangulation::find(const Ends& ends) const
 {
-  // About the end with fewer triangles: the other may be the hub of thousands.
+  // Around the end with fewer triangles, as the other may have thousands.
   const bool first_is_less = degree_[ends.first] <= degree_[ends.second];
   const std::uint32_t here = first_is_less ? ends.first : ends.second;
   const std::uint32_t there = first_is_less ? ends.second : ends.first;
@@ -114,7 +114,7 @@ SwappableTriangulation::crossedBy(std::uint32_t a,
     const std::int64_t at = turn(pa, pb, points_[apex]);
     if (at == 0)
       return false;
-    // The twin runs from the left of the way to its right.
+    // The twin runs from left to right of the direction.
     side = {twin.triangle, (twin.number + (at > 0 ? 1 : 2)) % 3};
   }
   return false;
@@ -165,7 +165,7 @@ SwappableTriangulation::isWorse(const Side& side) const
     sum += square[i] * (x[j] * y[k] - x[k] * y[j]);
     size += square[i] * (std::abs(x[j] * y[k]) + std::abs(x[k] * y[j]));
   }
-  // What is on the circle but for rounding stays, or it would be swapped for ever.
+  // Tolerates rounding for cocircular points; otherwise they would be swapped forever.
   return sum > 1e-13L * size;
 }
 
@@ -223,8 +223,8 @@ SwappableTriangulation::insertEdge(std::uint32_t a, std::uint32_t b)
     for (const Ends& side : crossed)
       if (fixed_.count(side) > 0)
         return false;
-    // A side of a concave pair waits until others have been swapped: some pair is
-    // always convex, so this ends.
+    // A side of a concave pair waits until others are swapped. Some pair is always
+    // convex, so the loop terminates.
     std::deque<Ends> waiting(crossed.begin(), crossed.end());
     while (!waiting.empty()) {
       const Side side = find(waiting.front());
@@ -248,7 +248,7 @@ SwappableTriangulation::improve()
 {
   struct Waiting {
     Side side;
-    Ends ends; ///< of the side when it began to wait
+    Ends ends; ///< of the side when it was queued
   };
   std::vector<Waiting> waiting;
   const auto add = [&](std::uint32_t t) {
@@ -258,12 +258,12 @@ SwappableTriangulation::improve()
   };
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
     add(t);
-  // Swaps that make the triangulation Delaunay's cannot go round in circles.
+  // Swaps towards the Delaunay triangulation cannot cycle.
   while (!waiting.empty()) {
     const Side side = waiting.back().side;
     const Ends ends = waiting.back().ends;
     waiting.pop_back();
-    // A triangle that was swapped since has had its new sides added.
+    // The new sides of a triangle swapped since are already queued.
     const Ends now = std::minmax(corner(side.triangle, side.number),
                                  corner(side.triangle, side.number + 1));
     if (now != ends || fixed_.count(ends) > 0 || !isConvex(side) || !isWorse(side))

@@ -15,20 +15,20 @@ namespace pcl {
 namespace sedr {
 
 /** @brief A triangulation whose inner sides can be swapped for the other diagonal of
- * the two triangles beside them. */
+ * their two triangles. */
 class SwappableTriangulation {
 public:
   static constexpr std::uint32_t none = PlanTriangulation::none;
 
-  /** @param triangles counter-clockwise, a triangulation of the points' hull */
+  /** @param triangles counter-clockwise, covering the points' convex hull */
   SwappableTriangulation(const std::vector<GridPoint>& points,
                          std::vector<std::array<std::uint32_t, 3>> triangles);
 
-  /** @brief Swaps sides until one joins a and b, which then stays.
-   * @return false if a point, or a side that has to stay, is in the way */
+  /** @brief Swaps sides until one joins a and b, and fixes that side.
+   * @return false if a point or a fixed side is in the way */
   bool insertEdge(std::uint32_t a, std::uint32_t b);
 
-  /** @brief Swaps the sides that need not stay until all are Delaunay's. */
+  /** @brief Swaps sides that are not fixed until all are Delaunay. */
   void improve();
 
   const PlanTriangulation& triangulation() const { return mesh_; }
@@ -39,7 +39,7 @@ private:
     std::uint32_t triangle = none;
     std::size_t number = 0;
   };
-  using Ends = std::pair<std::uint32_t, std::uint32_t>; ///< the lesser first
+  using Ends = std::pair<std::uint32_t, std::uint32_t>; ///< lower index first
 
   void connect();
 
@@ -53,34 +53,35 @@ private:
     return mesh_.neighbours[side.triangle][side.number % 3];
   }
 
-  /** @brief The corner across a side that is not of the hull, and that side's number
-   * there. */
+  /** @brief Returns the same side seen from the triangle across it, starting at the
+   * other end; the side must be inner. */
   Side across(const Side& side) const;
 
-  /** @brief Number of the corner of t that is point p. */
+  /** @brief Returns which corner of t is point p. */
   std::size_t numberOf(std::uint32_t t, std::uint32_t p) const;
 
-  /** @brief Calls `visit(triangle, number of the corner)` for the triangles at a point
-   * until it returns true. */
+  /** @brief Calls `visit(triangle, corner number)` for the triangles at a point until
+   * it returns true. */
   template <typename Visit>
   void visitAround(std::uint32_t point, Visit visit) const;
 
-  /** @brief The side that joins two points; its triangle is none where there is none.
-   */
+  /** @brief Returns the side that joins two points; its triangle is none if there is
+   * none. */
   Side find(const Ends& ends) const;
 
-  /** @brief The sides that cross the way from a to b, in order.
-   * @return false if a point is on the way */
+  /** @brief Finds the sides that the segment from a to b crosses, in order.
+   * @return false if a point lies on the segment */
   bool crossedBy(std::uint32_t a, std::uint32_t b, std::vector<Ends>& crossed) const;
 
   bool crosses(const Ends& side, std::uint32_t a, std::uint32_t b) const;
 
   bool isConvex(const Side& side) const;
 
-  /** @brief Whether the corner across a side is within the circle of its triangle. */
+  /** @brief Returns whether the opposite corner lies within the triangle's
+   * circumcircle. */
   bool isWorse(const Side& side) const;
 
-  /** @brief Swaps a side for the other diagonal, whose ends it returns. */
+  /** @brief Swaps a side for the other diagonal and returns the ends of that. */
   Ends swap(const Side& side);
 
   void relink(std::uint32_t triangle, std::uint32_t from, std::uint32_t to);

@@ -27,8 +27,8 @@ using Pieces = std::vector<Piece>;
 constexpr std::int32_t highest = 1 << 30; ///< beyond all coordinates
 constexpr std::int32_t lowest = -highest;
 
-/** @brief Takes out what has no length, and what a segment runs there and back: led
- * through one vertex after the other it may fold. */
+/** @brief Removes pieces of zero length and pieces that a segment traverses in both
+ * directions. Leading it through vertices may fold it. */
 void
 unfold(Pieces& pieces)
 {
@@ -54,8 +54,8 @@ way(const GridPoint& from, const GridPoint& to)
   return Eigen::Vector2d(to.x, to.y) - Eigen::Vector2d(from.x, from.y);
 }
 
-/** @brief Cuts the pieces where they cross or touch; exactly, but for the rounding of
- * crossings to the grid. */
+/** @brief Splits the pieces where they cross or touch; exactly, except for the rounding
+ * of crossings to the grid. */
 void
 cutAtCrossings(Pieces& pieces)
 {
@@ -74,7 +74,7 @@ cutAtCrossings(Pieces& pieces)
     const GridPoint low{polygon::low(part).x(), polygon::low(part).y()};
     const GridPoint high{polygon::high(part).x(), polygon::high(part).y()};
     const Piece& whole = pieces[parent];
-    // Rounding keeps the order along either axis, so that this is never in doubt.
+    // Rounding keeps the order along either axis, so the sign is certain.
     const bool forward = way(whole.from, whole.to).dot(way(low, high)) > 0;
     cut.push_back(forward ? Piece{low, high, whole.segment}
                           : Piece{high, low, whole.segment});
@@ -97,9 +97,9 @@ verticesOf(const Pieces& pieces)
   return vertices;
 }
 
-/** @brief Which of two vertices that are too near stays: the one of lower rank. Ends of
- * early segments come first, then what crossings brought, in the order of its coming;
- * since what has stayed once stays, the rounds come to an end. */
+/** @brief Ranks of vertices: of two that are too near, the lower rank stays. Ends of
+ * early segments come first, then crossings in order of appearance. Vertices that
+ * stayed once keep staying, so the rounds terminate. */
 class Ranks {
 public:
   explicit Ranks(const std::vector<GridSegment>& segments)
@@ -125,8 +125,8 @@ private:
   std::map<GridPoint, std::size_t> rank_;
 };
 
-/** @brief Joins each vertex with one of lower rank that is nearer than `separation`.
- * @return whether any was joined */
+/** @brief Merges each vertex into one of lower rank that is nearer than `separation`.
+ * @return whether any was merged */
 bool
 weld(double separation, Ranks& ranks, Pieces& pieces)
 {
@@ -152,9 +152,9 @@ weld(double separation, Ranks& ranks, Pieces& pieces)
   return !joins.empty();
 }
 
-/** @brief The vertices beside a piece that are nearer than `separation`, in the order
- * along it. Seen from them the ends are more than a right angle apart: a piece led
- * through one that is above its end would be led back in the next round. */
+/** @brief Returns the vertices nearer to a piece than `separation`, in order along it.
+ * They see the ends at more than a right angle. A piece led through a vertex above its
+ * end would be led back in the next round. */
 std::vector<GridPoint>
 verticesBeside(const Piece& piece,
                const std::vector<GridPoint>& vertices,
@@ -185,7 +185,7 @@ verticesBeside(const Piece& piece,
 }
 
 /** @brief Leads pieces through the vertices beside them.
- * @return whether any was led */
+ * @return whether any piece changed */
 bool
 bend(double separation, Pieces& pieces)
 {

@@ -11,12 +11,12 @@ namespace pcl {
 namespace sedr {
 namespace {
 
-constexpr double shortest = 0.05;         ///< of a wall, metres
+constexpr double shortest = 0.05;         ///< length of a wall, metres
 constexpr double cosine_parallel = 0.996; ///< 5 degrees
-constexpr double one_centre = 0.1;        ///< of arcs about one centre, metres
+constexpr double one_centre = 0.1; ///< distance of centres of concentric arcs, metres
 
-/** @brief The distance of a parallel face behind a straight one and the stretch of the
- * latter that it is behind. */
+/** @brief Computes the distance of a parallel face behind a straight one, and the
+ * stretch of the latter in front of it. */
 bool
 straightBehind(const PlanElement& face,
                const PlanElement& other,
@@ -29,7 +29,7 @@ straightBehind(const PlanElement& face,
   if (way.dot(other_way) > -cosine_parallel)
     return false;
   const WallFrame frame{face.start, way};
-  const Eigen::Vector2d a = frame.toLocal(other.end); // the other way round
+  const Eigen::Vector2d a = frame.toLocal(other.end); // in the opposite direction
   const Eigen::Vector2d b = frame.toLocal(other.start);
   stretch = {std::max(0.0, a.x()), std::min(length, b.x())};
   if (stretch.length() < shortest)
@@ -38,7 +38,7 @@ straightBehind(const PlanElement& face,
   return true;
 }
 
-/** @brief The same of arcs about one centre. */
+/** @brief As above, for concentric arcs. */
 bool
 arcBehind(const PlanElement& face,
           const PlanElement& other,
@@ -50,7 +50,7 @@ arcBehind(const PlanElement& face,
     return false;
   distance =
       face.counter_clockwise ? other.radius - face.radius : face.radius - other.radius;
-  // The longest run of samples that see the other arc.
+  // The longest run of samples opposite the other arc.
   constexpr double step = 0.01;
   constexpr std::size_t most = 5000;
   const double length = face.length();
@@ -73,8 +73,8 @@ arcBehind(const PlanElement& face,
   return stretch.length() >= shortest;
 }
 
-/** @brief Takes a stretch out of stretches; what is left shorter than a millimetre is
- * nothing. */
+/** @brief Removes a stretch from stretches; remainders shorter than a millimetre are
+ * dropped. */
 void
 cutOut(std::vector<Stretch>& free, const Stretch& taken)
 {
@@ -117,7 +117,7 @@ FacePairs::consider(const WallFace& face, const WallFace& other)
   FacePair pair{face, other, {}, 0};
   const bool is_behind = a.isArc() ? arcBehind(a, b, pair.stretch, pair.thickness)
                                    : straightBehind(a, b, pair.stretch, pair.thickness);
-  // Faces that were fitted apart may overlap by as much as faces of no wall.
+  // Faces fitted independently may overlap by up to the minimum thickness.
   if (is_behind && pair.thickness > -parameters_.least_thickness &&
       pair.thickness <= parameters_.greatest_thickness)
     candidates_.push_back(pair);
@@ -160,7 +160,7 @@ FacePairs::take(const FacePair& candidate)
                      std::min({here.to, behind.to, candidate.stretch.to})};
       if (common.length() < shortest)
         continue;
-      // Faces that were fitted apart do not quite end at one place.
+      // Faces fitted independently do not end exactly at the same place.
       if (common.from - here.from < shortest)
         common.from = here.from;
       if (here.to - common.to < shortest)

@@ -9,54 +9,54 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A stretch of a face with a face of another room, or of the same one, behind
- * it. */
+/** @brief A stretch of a face that has a face of another room, or of the same one,
+ * behind it. */
 struct FacePair {
   WallFace face;
   WallFace other;
-  Stretch stretch; ///< of the first face
+  Stretch stretch; ///< on the first face
   double thickness = 0;
 };
 
-/** @brief A stretch of a face with nothing seen behind it. */
+/** @brief A stretch of a face without a known face behind it. */
 struct FreeFace {
   WallFace face;
   Stretch stretch;
 };
 
-/** @brief Which faces of a plan are the two sides of one wall. */
+/** @brief Pairs the faces of a plan that are the two sides of one wall. */
 class FacePairs {
 public:
   FacePairs(const Floorplan& plan, const WallParameters& parameters);
 
-  /** @brief The pairs with a wall between them. */
+  /** @brief Returns the pairs with a wall between them. */
   const std::vector<FacePair>& walls() const { return walls_; }
 
-  /** @brief What no face is behind, in the order of the faces. */
+  /** @brief Returns the unpaired stretches, in the order of the faces. */
   std::vector<FreeFace> freeFaces() const;
 
 private:
   void consider(const WallFace& face, const WallFace& other);
   void pairNearestFirst();
 
-  /** @brief Takes what is free of a stretch of both faces. */
+  /** @brief Pairs the free parts of a stretch of both faces. */
   void take(const FacePair& candidate);
 
-  /** @brief How deep the reveal of a doorway with a lintel is that a face is at the end
-   * of, as the rooms were parted at one side of their wall; 0 where it is none. */
+  /** @brief Returns the depth of the reveal of a doorway with a lintel that ends in a
+   * face, where the rooms were parted at one side of their wall; 0 if there is none. */
   double revealDepth(const WallFace& face, const WallFace& other) const;
 
-  /** @brief Adds the wall of a doorway whose reveal is part of one of two rooms that
-   * touch. */
+  /** @brief Adds the wall of a doorway whose reveal belongs to one of two adjoining
+   * rooms. */
   void addWallOfReveal(FacePair pair);
 
-  /** @brief What a stretch of a face is on the other one. */
+  /** @brief Maps a stretch of a face to the other face. */
   Stretch
   mapped(const WallFace& from, const Stretch& stretch, const WallFace& to) const;
 
   const Floorplan& plan_;
   WallParameters parameters_;
-  std::map<WallFace, std::vector<Stretch>> free_; ///< what is of no wall yet
+  std::map<WallFace, std::vector<Stretch>> free_; ///< stretches without a wall yet
   std::vector<FacePair> candidates_;
   std::vector<FacePair> walls_;
 };

@@ -13,9 +13,9 @@ namespace pcl {
 namespace sedr {
 namespace {
 
-constexpr double touching = 1e-6; ///< ends this near to each other are one, metres
+constexpr double touching = 1e-6; ///< metres; ends within this distance coincide
 
-/** @brief Makes the walls of a plan. */
+/** @brief Finds the walls of a plan. */
 class WallFinder {
 public:
   WallFinder(const Floorplan& plan, const WallParameters& parameters)
@@ -39,7 +39,7 @@ public:
   }
 
 private:
-  /** @brief Lets a wall of two faces go on over a short rest of one of them. */
+  /** @brief Extends a wall of two faces over a short remainder of one of them. */
   bool continueWall(const FreeFace& free)
   {
     constexpr double longest = 0.7;
@@ -55,7 +55,7 @@ private:
       double to = frame.toLocal(faceAt(element, free.stretch.to).first).x();
       if (from > to)
         std::swap(from, to);
-      constexpr double beside = 0.02; // faces of a pair need not be quite parallel
+      constexpr double beside = 0.02; // metres; faces may not be exactly parallel
       if (std::abs(from - wall.stretch.to) < beside)
         wall.stretch.to = to;
       else if (std::abs(to - wall.stretch.from) < beside)
@@ -67,7 +67,8 @@ private:
     return false;
   }
 
-  /** @brief A wall of the assumed thickness, or thinner where another room is near. */
+  /** @brief Adds a wall of the assumed thickness, or thinner if another room is
+   * near. */
   void addAssumed(const FreeFace& free)
   {
     double thickness = parameters_.assumed_thickness;
@@ -98,7 +99,7 @@ private:
     const double length = wall.stretch.length();
     double at_start = -wall.thickness;
     double at_end = -wall.thickness;
-    if (wall.other) { // as the other face runs
+    if (wall.other) { // parallel to the other face
       const PlanElement& other = elementOf(plan_, *wall.other);
       const WallFrame frame = frameOf(plan_, wall);
       const Eigen::Vector2d a = frame.toLocal(other.start);
@@ -113,8 +114,8 @@ private:
     return {{{0, 0}, {length, 0}, {length, at_end}, {0, at_start}}};
   }
 
-  /** @brief The straight wall of a face that goes to the end (start) of the face's
-   * element, or beyond; null where it is another room's or does not reach it. */
+  /** @brief Returns the straight wall of a face that reaches the end (start) of the
+   * face's element; null if there is none. */
   PlanWall* wallAtCorner(const WallFace& face, bool is_end)
   {
     const PlanElement& element = elementOf(plan_, face);
@@ -139,8 +140,8 @@ private:
     }
   }
 
-  /** @brief Lets the far sides of two walls meet, unless they are nearly parallel or
-   * one of them is too short. */
+  /** @brief Joins the far sides of two walls, unless they are nearly parallel or one is
+   * too short. */
   void cutMitre(PlanWall& before, PlanWall& after)
   {
     const WallFrame f = frameOf(plan_, before);
@@ -150,7 +151,7 @@ private:
     const Eigen::Vector2d q = g.toPlan(after.outline[3]);
     const Eigen::Vector2d v = g.toPlan(after.outline[2]) - q;
     const double across = u.x() * v.y() - u.y() * v.x();
-    constexpr double least_sine = 0.17; // of 10 degrees
+    constexpr double least_sine = 0.17; // 10 degrees
     if (std::abs(across) < least_sine * u.norm() * v.norm())
       return;
     const Eigen::Vector2d w = q - p;

@@ -15,22 +15,21 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Whether a loop within a room is an island, so that there are walls around it,
- * as about the core of an office floor, and no column: a column is at most four times
- * as deep as it is wide, and at least three times as high as it is deep (EN 1992-1-1,
- * 5.3.1). Width and depth are those of the smallest rectangle along one of its sides.
- */
+/** @brief Returns whether a loop within a room is an island, surrounded by walls like
+ * the core of an office floor, and no column. A column is at most four times as deep as
+ * wide and at least three times as high as deep (EN 1992-1-1, 5.3.1). Width and depth
+ * are those of the smallest rectangle along one of its sides. */
 bool isIsland(const PlanRoom& room, const PlanLoop& column);
 
-/** @brief The boundary of a room, and its islands. */
+/** @brief Returns the boundary of a room, and its islands. */
 std::vector<PlanLoop> wallLoops(const PlanRoom& room);
 
-/** @brief What one room sees of a wall: indices into Floorplan::rooms and into the
- * elements of the room's boundary, or of one of its islands. */
+/** @brief A wall face: indices into Floorplan::rooms and into the elements of the
+ * room's boundary or of one of its islands. */
 struct WallFace {
   std::size_t room = 0;
   std::size_t element = 0;
-  std::size_t loop = 0; ///< 0: the boundary; else of island `loop - 1` of the columns
+  std::size_t loop = 0; ///< 0: the boundary; else island `loop - 1` of the columns
 
   bool operator==(const WallFace& o) const
   {
@@ -42,15 +41,15 @@ struct WallFace {
   }
 };
 
-/** @brief The loop that a face is part of. */
+/** @brief Returns the loop that a face belongs to. */
 const PlanLoop& wallLoop(const Floorplan& plan, const WallFace& face);
 
 const PlanElement& elementOf(const Floorplan& plan, const WallFace& face);
 
-/** @brief All faces of a plan, loop by loop. */
+/** @brief Returns all faces of a plan, loop by loop. */
 std::vector<WallFace> wallFaces(const Floorplan& plan);
 
-/** @brief Along an element: metres from its start. Ends beyond those of the element are
+/** @brief A range along an element: metres from its start. Ends beyond the element lie
  * on its straight continuation. */
 struct Stretch {
   double from = 0;
@@ -60,43 +59,44 @@ struct Stretch {
   double middle() const { return (from + to) / 2; }
 };
 
-/** @brief A wall: two faces with a thickness, or one and an assumed thickness. It
- * stands behind its face: to the right of the way of the face's element. */
+/** @brief A wall: two faces with a thickness, or one with an assumed thickness. It lies
+ * behind its face: to the right of the element's direction. */
 struct PlanWall {
   WallFace face;
-  std::optional<WallFace> other; ///< the face of its other side, where one was seen
-  Stretch stretch;               ///< of the face's element
-  double thickness = 0;          ///< metres; the mean
-  /** @brief Of a straight wall: its plan in the frame whose origin is the start of the
-   * stretch on the face, x along the face, y into the room: the two ends of the face,
-   * then the far sides of the end and of the start. */
+  std::optional<WallFace> other; ///< the opposite face, if it was seen
+  Stretch stretch;               ///< on the face's element
+  double thickness = 0;          ///< mean, metres
+  /** @brief Outline of a straight wall: both ends of the face, then the far sides of
+   * the end and of the start. Frame: origin at the start of the stretch on the face, x
+   * along the face, y into the room. */
   std::array<Eigen::Vector2d, 4> outline{};
 
   bool isAssumed() const { return !other; }
 };
 
-/** @brief What is believed of walls, metres. */
+/** @brief Parameters of walls, metres. */
 struct WallParameters {
-  double assumed_thickness = 0.2; ///< of a wall of which one face was seen
-  double greatest_thickness =
-      0.6; ///< farther faces are those of two walls, as wallThickness() has it
-  double least_thickness = 0.02; ///< nearer faces have no wall between them
+  double assumed_thickness = 0.2;  ///< of a wall with one face seen
+  double greatest_thickness = 0.6; ///< maximum distance of faces, see wallThickness()
+  double least_thickness = 0.02;   ///< nearer faces have no wall between them
 };
 
-/** @brief The walls of a plan, from pairs of faces: each face, and each part of one, is
- * of one wall. Faces are of one wall where they are parallel (to 5 degrees; arcs about
- * one centre to 10 cm), face away from each other and are nearest to each other. What
- * remains of a face at an end of such a wall, up to 0.7 m, is where other walls meet
- * it: the wall goes on there. Straight walls that one room sees at a corner are cut at
- * a mitre. Faces nearer than the least thickness have no wall, nor has a face with
- * another room so near behind it; but where a doorway with a lintel leads from one to
- * the other, and one of them is the end of a reveal, the wall is as thick as that is
- * deep.
- * Cost: faces squared. */
+/** @brief Finds the walls of a plan from pairs of faces; each part of a face belongs to
+ * one wall at most.
+ *
+ * Faces belong to one wall if they are parallel (5 degrees; arcs concentric within 10
+ * cm), face away from each other and are nearest to each other. A remainder of a face
+ * at the end of such a wall, up to 0.7 m, is where other walls join; the wall is
+ * extended over it. Straight walls that meet at a corner of a room are mitred. Faces
+ * nearer than the minimum thickness have no wall, nor has a face with another room that
+ * near behind it. An exception is a doorway with a lintel that ends the reveal of one
+ * of two adjoining rooms: its wall is as thick as the reveal is deep. Cost: faces
+ * squared.
+ */
 std::vector<PlanWall> findWalls(const Floorplan& plan,
                                 const WallParameters& parameters = {});
 
-/** @brief The frame of a straight wall: its origin in plan, and the way of its x. */
+/** @brief Frame of a straight wall: its origin in plan, and the direction of x. */
 struct WallFrame {
   Eigen::Vector2d origin;
   Eigen::Vector2d way;
@@ -112,12 +112,12 @@ struct WallFrame {
   }
 };
 
-/** @brief Of a straight wall as PlanWall::outline has it; of a curved one at the start
- * of its stretch, along the chord of it. */
+/** @brief Returns the frame of PlanWall::outline; for a curved wall, at the start of
+ * its stretch along its chord. */
 WallFrame frameOf(const Floorplan& plan, const PlanWall& wall);
 
-/** @brief A place on the face, `s` metres from the start of its element, and the way
- * into the room there. */
+/** @brief Returns the point on a face `s` metres from the start of its element, and the
+ * direction into the room there. */
 std::pair<Eigen::Vector2d, Eigen::Vector2d> faceAt(const PlanElement& element,
                                                    double s);
 

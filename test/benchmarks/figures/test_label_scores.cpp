@@ -70,7 +70,7 @@ TEST(LabelScores, predict_by_the_nearest_point_within_the_radius)
                                         {0.94f, 0, 0, 3},     // wall, near wall
                                         {0, 0, 0.05f, 0},     // furniture near floor
                                         {0, 0, 0.09f, 2},     // floor, too far
-                                        {1, 0, 0.0861f, 3}}); // just near enough
+                                        {1, 0, 0.0861f, 3}}); // just within reach
   const auto predicted = predictedLabels(structure, *scan.points, 0.0866);
   EXPECT_EQ(predicted, (std::vector<std::uint32_t>{2, 3, 2, 0, 3}));
   const LabelScores scores = scoreLabels(structure, scan, 0.0866);
@@ -103,12 +103,12 @@ TEST(LabelScores, without_a_structure_everything_is_other)
 TEST(LabelScores, dense_places_count_as_much_as_sparse_ones)
 {
   std::vector<Point> points{{1.01f, 0.01f, 0.01f, 1}};
-  for (int i = 0; i < 100; ++i) // a hundred points within a cube of 2 cm
+  for (int i = 0; i < 100; ++i) // a hundred points in a cube of 2 cm
     points.push_back({0.001f + 0.0001f * static_cast<float>(i), 0.001f, 0.001f, 2});
   const LabelledPoints thin = thinned(labelled(points), 0.02);
   ASSERT_EQ(thin.points->size(), 2u);
   EXPECT_EQ(thin.labels, (std::vector<std::uint32_t>{2, 1}));
-  EXPECT_FLOAT_EQ((*thin.points)[0].x, 0.001f); // the first of them, as it was
+  EXPECT_FLOAT_EQ((*thin.points)[0].x, 0.001f); // the first of them, unchanged
 }
 
 TEST(LabelScores, thinning_keeps_each_point_with_its_label)
@@ -131,7 +131,7 @@ TEST(LabelScores, of_the_structure_count_only_where_it_was_scanned)
 {
   const LabelledPoints structure = labelled({{0, 0, 0, 2},   // on the floor
                                              {1, 0, 0, 2},   // below a table's leg
-                                             {2, 0, 0, 2}}); // never seen
+                                             {2, 0, 0, 2}}); // not scanned
   const LabelledPoints scan =
       labelled({{0, 0, 0.01f, 2}, {1, 0, 0.02f, 0}, {0, 0, 0.06f, 0}});
   const LabelScores scores = scoreStructure(structure, scan, 0.0866);

@@ -10,15 +10,15 @@
 namespace benchmark_test {
 namespace {
 
-// Of the room with a soffit of 2 x 1 m that hangs 30 cm down: floor, ceiling with
-// underside, walls, risers.
+// Areas of the room with a soffit of 2 x 1 m, 30 cm below the ceiling: floor, ceiling
+// with underside, walls, risers.
 constexpr double underside = 2.0;
 constexpr double soffit_perimeter = 6.0;
 constexpr double drop = 0.3;
 constexpr double zone_width = 0.1; // by the definition of the bar
 constexpr double true_area = 12 + 12 + 14 * 2.5 + soffit_perimeter * drop;
 
-/** The truth against a model whose soffit hangs lower by `shift`. */
+/** Compares the truth with a model whose soffit is lower by `shift`. */
 ModelFigures
 withSoffitMoved(double shift)
 {
@@ -45,14 +45,14 @@ TEST(ModelFigures, a_soffit_moved_by_3_cm_is_3_cm_off)
   constexpr double shift = 0.03;
   const ModelFigures figures = withSoffitMoved(shift);
   EXPECT_NEAR(figures.truth_to_mesh_max, shift, 1e-9);
-  // The underside is 3 cm away, but for its rim, where the longer riser is nearer.
+  // The underside is 3 cm away, except near its rim, where the longer riser is nearer.
   const double rim = soffit_perimeter * shift;
   EXPECT_NEAR(figures.truth_to_mesh_mean,
               ((underside - rim) * shift + rim * shift / 2) / true_area, 2e-5);
   EXPECT_EQ(figures.truth_within_5cm, 1);
   EXPECT_EQ(figures.mesh_beyond_5cm, 0);
   EXPECT_EQ(figures.detail_within_5cm, 1);
-  // Beyond 1 cm lies the underside without a rim of 1 cm.
+  // The underside without a rim of 1 cm is farther than 1 cm.
   EXPECT_NEAR(figures.truth_within_1cm, 1 - 1.98 * 0.98 / true_area, 5e-4);
 }
 
@@ -65,7 +65,7 @@ TEST(ModelFigures, a_soffit_moved_by_6_cm_shows_in_the_zone_of_details)
                       soffit_perimeter * zone_width + M_PI * zone_width * zone_width;
   EXPECT_NEAR(figures.detail_within_5cm, 1 - 1.9 * 0.9 / zone, 2e-3);
   EXPECT_NEAR(figures.truth_within_5cm, 1 - 1.9 * 0.9 / true_area, 5e-4);
-  // The model's whole underside, and the last centimetre of its risers.
+  // The model's whole underside, and the lowest centimetre of its risers.
   const double model_area = true_area + soffit_perimeter * shift;
   EXPECT_NEAR(figures.mesh_beyond_5cm,
               (underside + soffit_perimeter * 0.01) / model_area, 5e-4);
@@ -80,7 +80,7 @@ TEST(ModelFigures, columns_have_a_zone_too)
   const SceneTruth truth = truthOfRoom(room);
   const ModelFigures figures =
       measureModel(std::make_shared<const TriangleMesh>(without), truth.mesh);
-  // Its sides are lost but for 5 cm at floor and ceiling, which are there.
+  // Its sides are missing, except within 5 cm of floor and ceiling.
   const double sides = 1.6 * 2.5;
   const double around = 2 * (1.6 * zone_width + M_PI * zone_width * zone_width);
   EXPECT_NEAR(figures.detail_within_5cm, 1 - 1.6 * 2.4 / (sides + around), 2e-3);

@@ -14,7 +14,7 @@ using pcl::sedr::Floorplan;
 using pcl::sedr::PlanRoom;
 using namespace sedr_test;
 
-/** A room of 4 x 3 m with a half circle of 1.5 m radius at its east. */
+/** A room of 4 x 3 m with a half circle of 1.5 m radius on its east side. */
 std::vector<sim::RoomTruth>
 apse()
 {

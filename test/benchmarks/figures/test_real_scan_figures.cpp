@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What doc/real_scans.md says of the scans in the folder that SEDR_DATA names, as the
-// programs tell it.
+// Figures of doc/real_scans.md for the scans in the folder SEDR_DATA, as printed by the
+// programs.
 #include "tools/run_program.h"
 #include "tools/sample_files.h"
 
@@ -24,7 +24,7 @@ dataFile(const std::string& name)
   return (std::filesystem::path(folder ? folder : "") / name).string();
 }
 
-/** The numbers after `start` in the last line that begins so. */
+/** Returns the numbers after `start` in the last line that begins with it. */
 std::vector<double>
 figuresAfter(const std::string& start, const std::string& text)
 {
@@ -61,7 +61,7 @@ TEST(RealScanFigures, synth1_lies_on_the_model_as_closely_as_on_its_reference)
   ASSERT_GE(own.size(), 7u);
   ASSERT_GE(ours.size(), 7u);
   EXPECT_LE(ours[1], 0.06 + own[1]);
-  // Edges of furniture up to 5 cm off the reference are as far from any model.
+  // Furniture edges up to 5 cm off the reference are as far from any model.
   const auto nearest = figuresOf(model + "/solid.ply", "0.03");
   ASSERT_GE(nearest.size(), 7u);
   EXPECT_LE(nearest[6], 3.0);

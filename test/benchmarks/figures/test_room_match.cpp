@@ -16,7 +16,7 @@ using pcl::sedr::PlanRoom;
 using sedr_test::rectangle;
 using sedr_test::roomOf;
 
-/** Rooms of 4 x 3 and 2 x 3 m beside each other, 2.5 m high, a partition between. */
+/** Rooms of 4 x 3 and 2 x 3 m, 2.5 m high, with a partition between them. */
 std::vector<sim::RoomTruth>
 twoRooms()
 {
@@ -88,7 +88,7 @@ TEST(RoomMatch, a_room_elsewhere_is_no_match)
   const auto pairs = matchRooms(plan, twoRooms());
   ASSERT_EQ(pairs.size(), 1u);
   EXPECT_EQ(pairs[0].found, 1u);
-  EXPECT_EQ(measureRooms(plan, twoRooms()).rooms_matched, 0u); // too little in common
+  EXPECT_EQ(measureRooms(plan, twoRooms()).rooms_matched, 0u); // too little overlap
 }
 
 TEST(RoomMatch, columns_are_no_floor)

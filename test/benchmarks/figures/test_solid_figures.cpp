@@ -15,7 +15,7 @@ namespace {
 using pcl::sedr::Floorplan;
 using namespace sedr_test;
 
-/** A true room of 4 x 3 x 2.5 m against the solid of a plan of it. */
+/** Compares a true room of 4 x 3 x 2.5 m with the solid of a plan. */
 SolidFigures
 measured(const pcl::sedr::PlanRoom& room, const sim::Room& real)
 {
@@ -52,7 +52,7 @@ TEST(SolidFigures, a_wall_off_by_1_cm_shows_in_all_of_them)
 
 TEST(SolidFigures, corners_count_for_the_maximum)
 {
-  // The corner at (4, 3) is cut off by 1 cm: no sample is likely to lie there.
+  // The corner at (4, 3) is cut off by 1 cm, where samples are unlikely.
   const SolidFigures figures =
       measured(roomOf(polygon({{0, 0}, {4, 0}, {4, 2.99}, {3.99, 3}, {0, 3}}), 2.5),
                sim::test::makeBoxRoom(4.0, 3.0, 2.5));
@@ -67,7 +67,7 @@ TEST(SolidFigures, the_truth_is_round_where_it_is_round)
   const auto truth = truthOfRoom(round);
   for (const auto& vertex : truth.fine_mesh->vertices)
     EXPECT_NEAR(vertex.head<2>().norm(), 2, 1e-9);
-  // The solid's facets alone are off, by up to 0.5 mm.
+  // Only the solid's facets deviate, by up to 0.5 mm.
   const SolidFigures figures = measured(roomOf(circle({0, 0}, 2), 2.5), round);
   EXPECT_LE(figures.truth_to_solid_max, 0.00051);
   EXPECT_GT(figures.truth_to_solid_max, 0.0001);

@@ -46,8 +46,8 @@ TEST(StructureFigures, tell_how_far_points_are_off)
 
 TEST(StructureFigures, tell_what_no_point_shows)
 {
-  // The floor of a cube, and of its walls a strip as high as a point reaches, or lower
-  // by what lies between points 2.5 cm apart.
+  // The cube's floor, and a strip of its walls as high as a point's reach, reduced by
+  // up to half the point spacing of 2.5 cm.
   const StructureFigures figures = measureStructure(square(0), cube());
   EXPECT_NEAR(figures.truth_covered, (4 + 8 * 0.08) / 24, 1e-3);
 }

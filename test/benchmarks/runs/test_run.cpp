@@ -76,7 +76,7 @@ TEST(Run, that_finds_nothing_is_a_row_with_the_reason)
 TEST(Run, of_a_scene_that_cannot_be_built_is_a_row_with_the_reason)
 {
   sim::Scene scene = emptyRoom();
-  scene.rooms[0].openings.push_back({17, 0.1, 1.0, 0.0, 2.0}); // there is no wall 17
+  scene.rooms[0].openings.push_back({17, 0.1, 1.0, 0.0, 2.0}); // wall 17 does not exist
   EXPECT_NE(runScene(scene, quick()).failure, "");
 }
 

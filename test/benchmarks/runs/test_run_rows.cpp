@@ -87,7 +87,7 @@ TEST(RunRow, reads_back_with_every_column)
 
 TEST(RunRow, has_a_column_for_every_figure)
 {
-  // Figures that all differ come back in their places only if none is left out.
+  // All figures differ, so a missing one would shift the others.
   const std::string line = toCsv(goodRow());
   const auto names = splitCells(csvHeader());
   EXPECT_EQ(splitCells(line).size(), names.size());

@@ -18,7 +18,7 @@ barsMissedBy(const RunRow& row)
   return bars;
 }
 
-/** The bars that a good run misses when `spoil` has changed it. */
+/** Returns the bars that a good run misses after `spoil` has changed it. */
 template <typename Spoil>
 std::vector<Bar>
 missedAfter(Spoil spoil, bool with_mesh = true)

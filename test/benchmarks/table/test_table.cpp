@@ -36,7 +36,7 @@ cellsOf(const std::string& line)
   return cells;
 }
 
-/** The cell of a column in the first row of a scene at a noise. */
+/** Returns the cell of a column in the first row that begins with `row`. */
 std::string
 cell(const std::string& table, const std::string& row, const std::string& column)
 {
@@ -119,7 +119,7 @@ TEST(Table, tells_which_runs_failed_and_why)
 
   const std::string mixed = tableOf({goodRow("hall"), failed});
   EXPECT_EQ(cell(mixed, "| hall", "rooms"), "**0-4/4**");
-  EXPECT_EQ(cell(mixed, "| hall", "mean, cm"), "0.100"); // of those that did not fail
+  EXPECT_EQ(cell(mixed, "| hall", "mean, cm"), "0.100"); // of the successful runs
   EXPECT_EQ(cell(mixed, "| hall", "missed"), "failed 1/2");
 }
 

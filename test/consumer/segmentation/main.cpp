@@ -5,13 +5,13 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
-/** @brief A point type that the library was not compiled for. */
+/** @brief A point type for which the library has no compiled classes. */
 struct OwnPoint {
   PCL_ADD_POINT4D
   float intensity;
 };
 
-/** @brief Finds the walls of a ceiling of 21 x 21 points and of a pole beside it. */
+/** @brief Finds the walls of a ceiling of 21 x 21 points and a pole beside it. */
 template <typename PointT>
 bool
 findsThePole()

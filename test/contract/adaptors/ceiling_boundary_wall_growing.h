@@ -9,8 +9,8 @@
 
 namespace contract {
 
-/** Ceiling and floor are the slabs of the sample room, among the indices where there
- * are any. */
+/** Ceiling and floor are the slabs of the sample room, restricted to the indices if
+ * set. */
 class CeilingBoundaryWallGrowingAdaptor : public AdaptorDefaults {
 public:
   static constexpr bool finds_in_one_point = false;
@@ -80,7 +80,7 @@ protected:
   pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ> growing_;
 };
 
-/** With a slice, and support asked for. */
+/** With slice height and minimum support. */
 class SlicedCeilingBoundaryWallGrowingAdaptor
     : public CeilingBoundaryWallGrowingAdaptor {
 public:

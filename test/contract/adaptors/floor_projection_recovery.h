@@ -9,8 +9,8 @@
 
 namespace contract {
 
-/** The indices are taken for the floor only where they lie low: its ceiling is the
- * sample room's. */
+/** Only low points among the indices are floor; the ceiling is that of the sample room.
+ */
 class FloorProjectionRecoveryAdaptor : public AdaptorDefaults {
 public:
   static constexpr bool works_in_place = true;

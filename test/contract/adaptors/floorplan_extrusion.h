@@ -8,10 +8,10 @@
 
 namespace contract {
 
-/** The plan is that of the sample room; of too few points there is none. Its size is
+/** The plan is that of the sample room, or null for fewer than 100 points. The size is
  * the number of triangles.
  *
- * What does not apply: it takes a plan, so it looks at no points, and has no threads.
+ * Not applicable: it uses no points, since it takes a plan, and no threads.
  */
 class FloorplanExtrusionAdaptor : public AdaptorDefaults {
 public:

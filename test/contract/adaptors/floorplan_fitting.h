@@ -7,10 +7,10 @@
 
 namespace contract {
 
-/** Ceiling and floor are the slabs of the sample room, among the indices where there
- * are any; a room far away is room 2. Its size is the number of elements of all loops.
+/** Ceiling and floor are the slabs of the sample room, restricted to the indices if
+ * set; a room far away is room 2. The size is the number of elements of all loops.
  *
- * What does not apply: it writes no cloud and removes no points. */
+ * Not applicable: it writes no cloud and removes no points. */
 class FloorplanFittingAdaptor : public AdaptorDefaults {
 public:
   static constexpr bool finds_in_one_point = false;

@@ -78,7 +78,7 @@ protected:
   pcl::GridRegionOutlierRemoval<pcl::PointXYZ> removal_{true};
 };
 
-/** The same with everything beyond the paper turned on. */
+/** The same with all extensions of the paper's method enabled. */
 class OpenedGridRegionOutlierRemovalAdaptor : public GridRegionOutlierRemovalAdaptor {
 public:
   OpenedGridRegionOutlierRemovalAdaptor() { mend(); }

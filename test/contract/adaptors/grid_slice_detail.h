@@ -9,12 +9,11 @@
 
 namespace contract {
 
-/** In the sample room a soffit is built first, point by point: what is beyond y = 0.9
- * of the ceiling hangs 0.4 m lower, and the wall above it stands before it as its
- * riser.
+/** Adds a soffit to the sample room point by point: the ceiling beyond y = 0.9 is
+ * lowered by 0.4 m, and the wall above it becomes the riser.
  *
- * What does not apply: it works on one room, so two of them are no input; it writes no
- * cloud and removes no points. */
+ * Not applicable: two rooms, since it works on one; it writes no cloud and removes no
+ * points. */
 class GridSliceDetailAdaptor : public AdaptorDefaults {
 public:
   static constexpr bool finds_in_one_point = false;

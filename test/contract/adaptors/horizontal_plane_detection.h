@@ -7,8 +7,8 @@
 
 namespace contract {
 
-/** Its size is the number of inliers of all planes. What does not apply: it writes no
- * cloud and removes no points. */
+/** The size is the number of inliers of all planes. Not applicable: it writes no cloud
+ * and removes no points. */
 class HorizontalPlaneDetectionAdaptor : public AdaptorDefaults {
 public:
   static constexpr bool finds_in_one_point = false;

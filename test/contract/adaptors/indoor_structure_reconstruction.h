@@ -7,11 +7,10 @@
 
 namespace contract {
 
-/** Its size is the number of points of the structure that it finds. The mesh that it
- * makes of them is that of StructuralPoisson, which has a contract of its own; here it
- * is not made, so that it is quick.
+/** The size is the number of points of the structure. The mesh is not made, to save
+ * time; StructuralPoisson has a contract of its own.
  *
- * What does not apply: it writes no cloud in place and removes no points. */
+ * Not applicable: it writes no cloud in place and removes no points. */
 class IndoorStructureReconstructionAdaptor : public AdaptorDefaults {
 public:
   static constexpr bool finds_in_one_point = false;

@@ -7,7 +7,7 @@
 
 namespace contract {
 
-/** Voxels of 10 cm, of which some hold several points. */
+/** Voxels of 10 cm, some of which contain several points. */
 class ParallelVoxelGridAdaptor : public AdaptorDefaults {
 public:
   static constexpr bool works_in_place = true;

@@ -7,7 +7,7 @@
 
 namespace contract {
 
-/** Its size is the number of points of all ceilings and floors. What does not apply: it
+/** The size is the number of points of all ceilings and floors. Not applicable: it
  * writes no cloud and removes no points. */
 class RoomSegmentationAdaptor : public AdaptorDefaults {
 public:

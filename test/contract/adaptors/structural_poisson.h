@@ -8,10 +8,10 @@
 
 namespace contract {
 
-/** The points of the sample room get the normals of its faces. The cells are coarse, so
- * that it is quick. Its size is the number of triangles.
+/** The points of the sample room get the normals of its faces. Coarse cells save time.
+ * The size is the number of triangles.
  *
- * What does not apply: it makes a mesh, so it removes no points and has no in place. */
+ * Not applicable: it makes a mesh, so it removes no points and has no in-place run. */
 class StructuralPoissonAdaptor : public AdaptorDefaults {
 public:
   static constexpr bool finds_in_one_point = false;

@@ -9,8 +9,8 @@
 
 namespace contract {
 
-/** Its size is the number of scanned points that stayed: what fills holes depends on
- * the plan alone, and is there without any points as well. It has no threads. */
+/** The size is the number of retained scan points. Points that fill holes depend only
+ * on the plan, and exist even without scan points. It has no threads. */
 class VerticalHoleRepairAdaptor : public AdaptorDefaults {
 public:
   static constexpr bool works_in_place = true;

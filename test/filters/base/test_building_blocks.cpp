@@ -12,7 +12,7 @@
 #include <iostream>
 #include <sstream>
 
-// The examples of doc/building_blocks.md, word for word.
+// The examples of doc/building_blocks.md, verbatim.
 
 namespace {
 
@@ -93,7 +93,7 @@ TEST(BuildingBlocks, EveryPublicHeaderHasARowOrAPage)
     for (const auto& entry :
          fs::directory_iterator(root / name / "include" / "pcl" / name)) {
       const fs::path header = entry.path().filename();
-      if (header.extension() != ".h") // folders: the insides of classes
+      if (header.extension() != ".h") // folders contain the implementation
         continue;
       ++headers;
       const fs::path own_page = root / "doc" / (header.stem().string() + ".md");

@@ -73,8 +73,8 @@ TEST(ParallelBlocks, WithinBlocksAreWorkedOnByNoMoreThreadsThanTheOutermostAsked
   EXPECT_LE(most_here, most);
 }
 
-/** Whether another thread helps within the last block of two, which the caller works on
- * or the other. Gives up in the end, as nothing but help ends the wait. */
+/** Returns true if another thread helps within the last block of two, whichever of them
+ * the caller works on. Gives up after a time limit, since only help ends the wait. */
 bool
 isHelpedWithin(bool last_is_callers)
 {
@@ -83,12 +83,12 @@ isHelpedWithin(bool last_is_callers)
   std::atomic<int> here{0};
   std::atomic<bool> is_shared{false};
   pcl::sedr::parallelBlocks(2, 1, 2, [&](std::size_t, std::size_t) {
-    for (++here; here < 2;) // each thread has one
+    for (++here; here < 2;) // once per thread
       std::this_thread::yield();
     const auto own = std::this_thread::get_id();
     if ((own == caller) != last_is_callers)
       return;
-    // The other may still be on its way back from the outer blocks at the first calls.
+    // In the first calls the other thread may still be returning from the outer blocks.
     while (!is_shared && std::chrono::steady_clock::now() < end)
       pcl::sedr::parallelBlocks(100, 1, 2, [&](std::size_t, std::size_t) {
         std::this_thread::yield();
@@ -120,7 +120,7 @@ TEST(ParallelBlocks, AnExceptionOfAnInnerBodyReachesTheOutermostCaller)
 
 TEST(ParallelBlocks, AreWorkedOnByAsManyThreadsAsAreAskedFor)
 {
-  // Each waits for the others: fewer threads would never end.
+  // Each waits for the others, so fewer threads would never end.
   for (const unsigned threads : {2u, 5u}) {
     std::atomic<unsigned> here{0};
     pcl::sedr::parallelBlocks(threads, 1, threads, [&](std::size_t, std::size_t) {

@@ -157,7 +157,7 @@ TEST(FitParallel, StartsFromALeaningPlaneAmongThePointsHoweverFarTheOrigin)
 {
   Points cloud;
   cloud.add(slabAt(2.4), 50, 0.5);
-  // Leans by two degrees and passes through the middle of the points.
+  // Tilted by two degrees, through the middle of the points.
   const double slope = std::tan(2 * M_PI / 180);
   const PlanSlab start = slabAt(2.4 - slope * 50.25, slope, 0);
   const PlanSlab slab = fitParallel(cloud.view(), cloud.all(), slabAt(0), start, 0.05);
@@ -167,7 +167,7 @@ TEST(FitParallel, StartsFromALeaningPlaneAmongThePointsHoweverFarTheOrigin)
 
 TEST(FitParallel, OfAPlaneThatLeansOtherwiseHasItsDeviationForResidual)
 {
-  // Over 4 m it is off by up to 2 cm each way, evenly: 4 cm / sqrt(12).
+  // Over 4 m it deviates by up to 2 cm each way, uniformly: 4 cm / sqrt(12).
   Points cloud;
   cloud.add(slabAt(2.4, 0.01), 0, 4);
   const PlanSlab slab =
@@ -270,7 +270,7 @@ TEST(FindLargerSlab, OfTwoFloorsAStepApartIsTheLargerNotOneAcrossBoth)
 
 TEST(FindLargerSlab, TailsOfNoiseAboveASurfaceAreNoSecondOne)
 {
-  // As voxels have them: the surface, and what is above and below it, layer by layer.
+  // As voxels sample it: the surface, and layers above and below it.
   Points cloud;
   cloud.add(slabAt(2.5), 0, 6);
   cloud.add(slabAt(2.46), 0, 4);

@@ -9,7 +9,7 @@
 
 constexpr pcl::sedr::CellBox box{{-7, 3}, {16, 20}}; // 24 x 18 cells
 
-/** Cells of `where`, each set with the given chance. */
+/** A mask of `where`, each cell set with the given probability. */
 inline pcl::sedr::CellMask
 randomMask(const pcl::sedr::CellBox& where, double chance, unsigned seed)
 {

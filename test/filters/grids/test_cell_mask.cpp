@@ -10,8 +10,8 @@ namespace {
 
 using namespace pcl::sedr;
 
-/** Squared distance of a cell from the nearest one that is set (or, with `outside`,
- * that is not set or not in the box), found by looking at all. */
+/** Returns the squared distance of a cell from the nearest one that is set, by
+ * comparison with all. With `outside`, the nearest is unset or outside the box. */
 double
 nearestSquared(const CellMask& mask, Cell cell, bool outside)
 {
@@ -113,7 +113,7 @@ TEST(SquaredDistances, AreInfiniteWhereNothingIsSet)
 
 TEST(SquaredDistances, StayExactInAHallOfAFewHundredMetres)
 {
-  // 4000 cells of 5 cm, with many borders between the realms of two cells far apart.
+  // 4000 cells of 5 cm, with many borders between the regions of two distant cells.
   const CellBox strip{{0, 0}, {3999, 63}};
   std::mt19937 random(5);
   for (int trial = 0; trial < 30; ++trial) {

@@ -13,7 +13,7 @@
 namespace {
 
 using pcl::sedr::orderOf;
-using Value = std::pair<std::uint32_t, int>; // what is sorted by, and where it stood
+using Value = std::pair<std::uint32_t, int>; // sorting key and original position
 
 std::uint32_t
 keyOf(const Value& value)
@@ -21,7 +21,7 @@ keyOf(const Value& value)
   return value.first;
 }
 
-/** @brief Keys of so many low bits, each value with its place. */
+/** @brief Returns keys of the given number of low bits with their positions. */
 std::vector<Value>
 valuesOf(int n, unsigned bits)
 {

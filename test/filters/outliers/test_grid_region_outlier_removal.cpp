@@ -179,7 +179,7 @@ TEST(GridRegionOutlierRemoval, SupportSavesSmallRoomsAndNothingElse)
   removal.setMinimumSupportedCells(401);
   EXPECT_EQ(keptOf(removal), room);
   removal.setMinimumSupportedCells(400);
-  removal.setMinimumSupport(0.66); // 13 of 20 rows lie on or beside the floor
+  removal.setMinimumSupport(0.66); // 13 of 20 rows are on or beside the floor
   EXPECT_EQ(keptOf(removal), room);
   removal.setSupportIndices(std::make_shared<pcl::Indices>(pcl::Indices{100000}));
   pcl::Indices kept;
@@ -223,7 +223,7 @@ TEST(GridRegionOutlierRemoval, AnOrganisedCloudKeepsItsShape)
   EXPECT_EQ(output[0].x, (*scene.cloud)[0].x);
   EXPECT_EQ(output[100].x, -1.f);
   EXPECT_EQ(output[101].z, -1.f);
-  removal.setGridSize(-1); // nothing passes a filter that failed
+  removal.setGridSize(-1); // a failed filter passes no points
   removal.filter(output);
   for (const auto& p : output)
     ASSERT_EQ(p.x, -1.f);

@@ -88,9 +88,9 @@ TEST(LabelOpenedRegions, SmallPartsFallToTheLargeOneTheyTouch)
 {
   std::vector<pcl::sedr::CellKey> keys;
   addBlock(keys, 0, 20, 0, 20);
-  addBlock(keys, 20, 22, 9, 10); // a neck of one cell, which halves go to either side
+  addBlock(keys, 20, 22, 9, 10); // a neck of one cell, split between both sides
   addBlock(keys, 22, 27, 7, 12);
-  addBlock(keys, 40, 45, 0, 5); // of the same size, alone
+  addBlock(keys, 40, 45, 0, 5); // isolated, of the same size
   const CellSet cells(keys);
   EXPECT_EQ(pcl::sedr::labelOpenedRegions(cells, 1, 26).sizes, (Sizes{401, 26, 25}));
   EXPECT_EQ(pcl::sedr::labelOpenedRegions(cells, 1, 27).sizes, (Sizes{427, 25}));
@@ -98,8 +98,8 @@ TEST(LabelOpenedRegions, SmallPartsFallToTheLargeOneTheyTouch)
 
 TEST(LabelOpenedRegions, HolesInThinDataPartNothingButAPartitionStillDoes)
 {
-  // Two rooms of 60 x 60 cells with random holes, a partition of two cells with noise
-  // in it.
+  // Two rooms of 60 x 60 cells with random holes and a partition of two cells with
+  // noise.
   struct Case {
     int radius;
     unsigned holes; // percent
@@ -144,7 +144,7 @@ TEST(SupportedCells, CountsCellsOnOrBesideSupport)
 TEST(RoomMap, CellsTakeTheRoomOfMostCeilingPointsAndDetailsThatOfTheCeilingBeside)
 {
   // Cells of 1 m along x: ceiling of room 1 at 0 and 1, of room 2 at 5; detail at 2, 3
-  // and 9; cell 1 holds a point of room 2 and two of room 1.
+  // and 9. Cell 1 contains a point of room 2 and two of room 1.
   std::vector<float> x;
   std::vector<std::uint32_t> room;
   pcl::Indices ceiling;

@@ -43,7 +43,7 @@ TEST(PlanLoop, AreaDoesNotDependOnThePlace)
   }
 }
 
-/** Compares contains() with a truth on a lattice, both ways around and turned. */
+/** Compares contains() with a truth on a lattice, in both directions and turned. */
 template <typename Inside>
 void
 expectContains(const PlanLoop& loop, Inside inside)
@@ -105,7 +105,7 @@ TEST(PlanLoop, ContainsNothingOfWhatAnArcBulgingInTakesAway)
 
 TEST(PlanLoop, ContainsWhatAnArcOfMoreThanHalfACircleEncloses)
 {
-  // A keyhole: the chord of the arc lies inside of the loop.
+  // A keyhole: the chord of the arc lies inside the loop.
   const double a = M_PI / 6;
   const Vector2d left(-2 * std::sin(a), -2 * std::cos(a));
   const Vector2d right(2 * std::sin(a), -2 * std::cos(a));
@@ -189,8 +189,8 @@ TEST(PlanSlab, HeightFollowsTheLean)
   EXPECT_NEAR(slab.heightAt({0, 10}), 2.3, 1e-12);
 }
 
-/** 6 m x 4 m, 2.5 m high, with a square and a round column, and three details: a soffit
- * all around, a beam across that lies on it, and a recess. */
+/** A room of 6 m x 4 m, 2.5 m high, with a square and a round column. Three details: a
+ * soffit all around, a beam across that intersects it, and a recess. */
 PlanRoom
 richRoom()
 {

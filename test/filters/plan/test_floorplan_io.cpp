@@ -13,7 +13,7 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** A plan of all there is, of numbers that no short decimal is equal to. */
+/** A plan with all kinds of parts, whose numbers have no short decimal form. */
 Floorplan
 samplePlan()
 {
@@ -94,7 +94,7 @@ problemOf(const std::string& text)
   return problem;
 }
 
-/** The sample plan as text with one place of it replaced. */
+/** Returns the text of the sample plan with one part replaced. */
 std::string
 spoiled(const std::string& what, const std::string& by)
 {

@@ -18,7 +18,7 @@ cross(const Vector2d& a, const Vector2d& b)
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/** A segment and arcs of both senses, short, more than half, and whole. */
+/** A segment and arcs of both directions: short, more than half, and whole circles. */
 std::vector<PlanElement>
 elements()
 {

@@ -21,7 +21,7 @@ class PlanEvidenceTest : public ::testing::Test {
 protected:
   using Place = Eigen::Vector3d;
 
-  /** Points of a face between two corners, but for what `isMissing`. */
+  /** Adds points of a face between two corners, except where `isMissing` is true. */
   void addFace(
       const Place& origin,
       const Place& u,
@@ -64,7 +64,7 @@ TEST_F(PlanEvidenceTest, TellsAWallADoorAndACupboardApart)
   const auto isCupboard = [](const Place& p) {
     return p.x() > 1 && p.x() < 3 && p.z() < 1.5;
   };
-  addFace({0, 0, 0}, {4, 0, 0}, {0, 3, 0}, // the floor, but below the cupboard
+  addFace({0, 0, 0}, {4, 0, 0}, {0, 3, 0}, // the floor, except below the cupboard
           [&](const Place& p) { return p.y() > 2.5 && isCupboard(p); });
   addFace({0, 0, 0}, {4, 0, 0}, {0, 0, 2.5}, isDoor);
   addFace({4, 0, 0}, {0, 3, 0}, {0, 0, 2.5});
@@ -72,14 +72,14 @@ TEST_F(PlanEvidenceTest, TellsAWallADoorAndACupboardApart)
   addFace({1, 2.5, 0}, {2, 0, 0}, {0, 0, 1.5}); // its front
   addFace({1, 2.5, 1.5}, {2, 0, 0}, {0, 0.5, 0});
   const Floorplan plan = measured();
-  // A rim of up to half a cell and a point's reach counts as seen.
+  // A rim of up to half a cell plus a point's reach counts as seen.
   EXPECT_NEAR(wall(plan, 0).opening, 2.0 / 10, 0.03);
   EXPECT_NEAR(wall(plan, 0).seen, 8.0 / 10, 0.03);
   EXPECT_EQ(wall(plan, 0).hidden, 0);
   EXPECT_NEAR(wall(plan, 1).seen, 1, 1e-9);
   EXPECT_NEAR(wall(plan, 2).hidden, 3.0 / 10, 0.03);
   EXPECT_NEAR(wall(plan, 2).opening, 0, 1e-9);
-  // Of the fourth there is nothing: it was not in view.
+  // The fourth wall was out of view and has no points.
   EXPECT_LT(wall(plan, 3).seen, 0.05);
   EXPECT_EQ(wall(plan, 3).opening, 0);
   EXPECT_NEAR(wall(plan, 3).seen + wall(plan, 3).hidden, 1, 1e-9);
@@ -87,7 +87,7 @@ TEST_F(PlanEvidenceTest, TellsAWallADoorAndACupboardApart)
 
 TEST_F(PlanEvidenceTest, RaysProveAnOpeningBehindWhatStandsBeforeIt)
 {
-  // The walls y = 0 and y = 3 have a hole each, 0.5 m before which a screen stands; the
+  // The walls y = 0 and y = 3 have a hole each, with a screen 0.5 m in front of it. The
   // scanner is between the first screen and its wall.
   const auto isMiddle = [](const Place& p) {
     return p.x() > 1 && p.x() < 3 && p.z() > 0.5 && p.z() < 2;
@@ -105,7 +105,7 @@ TEST_F(PlanEvidenceTest, RaysProveAnOpeningBehindWhatStandsBeforeIt)
   for (double x = 0.02; x < 4; x += 0.04)
     for (double z = 0.02; z < 2.5; z += 0.04) {
       look({x, 0, z}, isMiddle({x, 0, z}) ? 4 : 1);
-      look({x, 3, z}, 0.1); // the screen is in the way
+      look({x, 3, z}, 0.1); // blocked by the screen
     }
   const Floorplan guessed = measured();
   EXPECT_NEAR(wall(guessed, 0).hidden, 0.3, 0.04); // 2 x 1.5 of 4 x 2.5 m
@@ -158,7 +158,7 @@ TEST_F(PlanEvidenceTest, RoomsWallToWallAreEachAsAloneForAnyNumberOfThreads)
                                     roomOf(rectangle(4.1, 0, 7, 3), 2.5),
                                     roomOf(rectangle(20, 0, 23, 3), 2.5)};
   for (const double x : {0.0, 4.0, 4.1, 7.0, 20.0})
-    for (int copies = 0; copies < 5; ++copies) // so many points are shared out in parts
+    for (int copies = 0; copies < 5; ++copies) // enough points for several threads
       addFace({x, 0, 0}, {0, 3, 0}, {0, 0, 2.5},
               [&](const Place& p) { return x == 4.1 && p.y() > 1 && p.y() < 2; });
   std::vector<int> all(cloud_.size());
@@ -183,7 +183,7 @@ TEST_F(PlanEvidenceTest, RoomsWallToWallAreEachAsAloneForAnyNumberOfThreads)
 TEST_F(PlanEvidenceTest, AWallThatNobodyCouldSeeIsHiddenAsOneBehindAWardrobe)
 {
   addFace({0, 0, 0}, {4, 0, 0}, {0, 3, 0});
-  addFace({0, 2.4, 0}, {4, 0, 0}, {0, 0, 2.5}); // a front before wall 2
+  addFace({0, 2.4, 0}, {4, 0, 0}, {0, 0, 2.5}); // a front in front of wall 2
   const Floorplan plan = measured();
   EXPECT_EQ(wall(plan, 0).hidden, 1);
   EXPECT_EQ(wall(plan, 2).hidden, 1);

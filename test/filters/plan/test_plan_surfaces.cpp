@@ -19,8 +19,8 @@ box()
   return roomOf(rectangle(0, 0, 4, 3), 2.5, 7);
 }
 
-/** The upright surface that passes through a place of the plan, of a label; the one
- * with a span if there are several. */
+/** Returns the vertical surface through a place of the plan with a label, preferably
+ * one with a span. */
 const UprightSurface*
 through(const std::vector<UprightSurface>& surfaces,
         const Vector2d& place,
@@ -39,7 +39,7 @@ through(const std::vector<UprightSurface>& surfaces,
   return found;
 }
 
-/** Heights and normal of the one surface through a place; NaN if there is none. */
+/** Expects heights and normal of the only surface through a place; NaN: no surface. */
 void
 expectSpan(const PlanRoom& room,
            const Vector2d& place,
@@ -119,7 +119,7 @@ TEST(WallSpan, ReachesFromFloorToCeiling)
   expectSpan(room, {0, 1}, Wall, 0, 2.5, {1, 0, 0});
   room.floor = slabAt(-0.5, 0.1);
   room.ceiling = slabAt(2.5, 0, 0.1);
-  expectSpan(room, {2, 0}, Wall, -0.3, 2.501, {0, 1, 0}); // looked at 1 cm inside
+  expectSpan(room, {2, 0}, Wall, -0.3, 2.501, {0, 1, 0}); // seen 1 cm inside
 }
 
 TEST(WallSpan, EndsAtTheSoffitAboveAndReachesIntoARecess)
@@ -196,7 +196,7 @@ TEST(RiserSpan, BetweenTwoDetailsThereIsOneAndItFacesTheHigher)
     PlanRoom room = box();
     room.details = {detailOf(rectangle(2, 0, 3, 3), lower_first ? 1.9 : 2.2),
                     detailOf(rectangle(3, 0, 4, 3), lower_first ? 2.2 : 1.9)};
-    // through() fails the test where both details have a riser there.
+    // through() fails the test if both details have a riser there.
     expectSpan(room, {3, 1.5}, Detail, 1.9, 2.2, {lower_first ? 1.0 : -1.0, 0.0, 0.0});
     expectSpan(room, {2, 1.5}, Detail, lower_first ? 1.9 : 2.2, 2.5, {-1, 0, 0});
   }
@@ -274,9 +274,9 @@ TEST(SnapToRoom, DetailPointsGoToTheUndersideOrTheRiserWhicheverIsNearer)
     EXPECT_NEAR((riser.normal - Vector3d(-1, 0, 0)).norm(), 0, 1e-12);
     EXPECT_EQ(riser.label, Detail);
   }
-  // A point that was called detail below the main ceiling is the ceiling's.
+  // A point labelled detail below the main ceiling belongs to the ceiling.
   EXPECT_EQ(snapped(room, {1, 1, 2.45}, Detail, 0.15).label, Ceiling);
-  // And one called ceiling below the soffit is the soffit's.
+  // A point labelled ceiling below the soffit belongs to the soffit.
   EXPECT_EQ(snapped(room, {3.5, 1, 2.15}, Ceiling, 0.15).label, Detail);
 }
 

@@ -36,8 +36,8 @@ detailOf(const PlanLoop& boundary, double height)
   return detail;
 }
 
-/** 20 m x 10 m with a round end, a round column, beams, of which some cross, a coffer
- * within one, a platform and a niche. */
+/** A hall of 20 m x 10 m with a round end, a round column, beams, some of which cross,
+ * a coffer inside another, a platform and a niche. */
 PlanRoom
 hall()
 {
@@ -58,7 +58,7 @@ hall()
   return room;
 }
 
-/** Random places in and around a hall, many on round numbers, where edges are. */
+/** Returns random places in and around a hall, many on round numbers and edges. */
 std::vector<Vector2d>
 places()
 {

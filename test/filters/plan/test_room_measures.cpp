@@ -41,7 +41,7 @@ TEST(RoomMeasures, APartitionIsAsThickAsItsFacesAreApart)
 
 TEST(RoomMeasures, RoundAndInnerWallsHaveAThicknessToo)
 {
-  // A rotunda within a ring's outer part, 20 cm between; a slit 30 cm deep in a room.
+  // A rotunda inside the outer part of a ring, with 20 cm between; a slit 30 cm deep.
   const Floorplan round{{roomOf(circle({0, 0}, 2), 2.5),
                          roomOf({{arc({0, 0}, 2.2, 90, 0), segment({2.2, 0}, {4, 0}),
                                   segment({4, 0}, {4, 4}), segment({4, 4}, {0, 4}),

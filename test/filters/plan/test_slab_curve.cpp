@@ -49,7 +49,7 @@ relief()
   return curve;
 }
 
-/** The way to the left of a curve's axis. */
+/** Returns the direction to the left of a curve's axis. */
 Eigen::Vector2d
 asideOf(const SlabCurve& curve)
 {

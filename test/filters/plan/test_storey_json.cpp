@@ -29,7 +29,7 @@ readOf(const std::string& text, std::string& problem)
   return floorplanFromJson(text, problem);
 }
 
-/** What is wrong with the sample plan once one place of its text is replaced. */
+/** Returns the fault of the sample plan after one part of its text is replaced. */
 std::string
 problemWith(const std::string& what, const std::string& by)
 {

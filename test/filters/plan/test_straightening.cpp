@@ -15,7 +15,7 @@ using namespace sedr_test;
 
 constexpr double degree = M_PI / 180;
 
-/** A room with corners of all angles, of which two walls lean that do not meet. */
+/** A room with corners of various angles; two walls that do not meet are tilted. */
 Floorplan
 obliquePlan()
 {

@@ -85,7 +85,7 @@ TEST(StageError, IndicesOutOfRangeAreNamedAndLeftOut)
   EXPECT_EQ(indicesInRange({3, -1, 0, 2, 2}, 3), (pcl::Indices{0, 2, 2}));
 }
 
-/** Gives up on every cloud. */
+/** Fails on every cloud. */
 class Failing : public StageFilter<pcl::PointXYZ> {
 public:
   Failing()

@@ -17,9 +17,9 @@ using pcl::sedr::PointView;
 using pcl::sedr::positionOfRow;
 using pcl::sedr::ScanPositions;
 
-/** A room with some boxes in it, 6 x 5 x 2.6 m, seen from a place in it. The wall at x
- * = 6 has a pane of 3.4 x 2 m, which returns few of the rays; behind it are a second
- * room and, in a mirror, the first one again. */
+/** A room of 6 x 5 x 2.6 m with some boxes, seen from one position. The wall at x = 6
+ * has a pane of 3.4 x 2 m, which returns few of the rays. Behind it are a second room
+ * and the mirror image of the first. */
 class GlazedRoom {
 public:
   double mirrored = 0.25; ///< share of the rays at the pane
@@ -48,13 +48,13 @@ public:
   }
 
   std::vector<Eigen::Vector3f> rows;
-  std::vector<bool> is_image; ///< of each row
+  std::vector<bool> is_image; ///< per row
   ScanPositions positions;
 
 private:
   using Box = Eigen::AlignedBox3d;
 
-  /** How far a ray goes until it leaves a box. */
+  /** Returns the distance at which a ray leaves a box. */
   static double
   exitFrom(const Box& box, const Vector3d& from, const Vector3d& direction)
   {
@@ -68,7 +68,7 @@ private:
     return exit;
   }
 
-  /** How far a ray goes until it enters a box. */
+  /** Returns the distance at which a ray enters a box. */
   static double entryTo(const Box& box, const Vector3d& from, const Vector3d& direction)
   {
     double low = 0;
@@ -154,7 +154,7 @@ TEST(MirroredPoints, WhatAPaneShowsASecondTimeIsFoundAndNothingElse)
   }
   EXPECT_GT(images, 1500u);
   EXPECT_LT(missed, images / 8);
-  EXPECT_EQ(found.of_thinned, found.of_rows); // the same points here
+  EXPECT_EQ(found.of_thinned, found.of_rows); // all points are retained here
 }
 
 TEST(MirroredPoints, ARoomBehindGlassThatDoesNotMirrorStays)
@@ -210,8 +210,7 @@ TEST(MirroredPoints, WhatIsSeenFreelyTooStays)
   room.scanFrom({2.8, 2.4, 1.5}, 1);
   const std::size_t mirrored = countOf(room.found().of_rows);
   ASSERT_GT(mirrored, 300u);
-  // The same points once more, from a place behind the pane, to which nothing is
-  // between.
+  // The same points again, seen from a position behind the pane with nothing between.
   const std::size_t rows = room.rows.size();
   room.positions.push_back({rows, Eigen::Vector3f(9, 2.4F, 1.5F)});
   for (std::size_t i = 0; i < rows; ++i)

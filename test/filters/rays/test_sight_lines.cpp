@@ -32,7 +32,7 @@ randomLines(std::size_t n)
   return lines;
 }
 
-/** The same count, ray by ray. */
+/** Counts the crossings ray by ray. */
 SightLines::Crossings
 counted(const std::vector<SightLine>& lines,
         const Vector3d& place,
@@ -92,7 +92,7 @@ TEST(SightLines, TellWhatIsOpenWhatIsHiddenAndWhatIsNotKnown)
   EXPECT_EQ(sight.across({2, 2, 1}, normal, 0.05).through, 0u);
   const auto unknown = sight.across({2, 1, 1}, normal, 0.05);
   EXPECT_EQ(unknown.through + unknown.before, 0u);
-  // A wall that a ray ended on, within noise, is neither.
+  // A wall on which a ray ended, within noise, counts for neither.
   EXPECT_EQ(sight.across({5, 0, 1}, normal, 0.05).before, 0u);
   EXPECT_EQ(sight.across({5.1, 0, 1}, normal, 0.05).before, 0u);
 }

@@ -18,7 +18,7 @@ using Recovery = pcl::FloorProjectionRecovery<Point>;
 
 constexpr float cell = 0.05f;
 
-/** A ceiling of 20 x 20 cells at z = 2.5, two points a cell; a floor of 20 x 20 cells
+/** A ceiling of 20 x 20 cells at z = 2.5, two points per cell. A floor of 20 x 20 cells
  * about z = 0 without the 6 x 4 cells of a cupboard, and a piece outside. */
 struct Scene {
   Cloud::Ptr cloud = std::make_shared<Cloud>();
@@ -86,8 +86,7 @@ TEST(FloorProjectionRecovery, FillsCellsWithoutFloorFromTheCeilingAndDropsTheOut
   ASSERT_EQ(output.size(), scene.floor.size() + 2 * 24);
   EXPECT_EQ(recovery.getNumberOfProjected(), 48u);
   EXPECT_EQ(*recovery.getRemovedIndices(), scene.outside);
-  pcl::Indices expected =
-      scene.floor; // ceiling points were made cell by cell, row by row
+  pcl::Indices expected = scene.floor; // ceiling points are ordered by cell and row
   expected.insert(expected.end(), scene.hidden.begin(), scene.hidden.end());
   EXPECT_EQ(recovery.getProjectedIndices(), expected);
   for (std::size_t i = 0; i < scene.floor.size(); ++i)

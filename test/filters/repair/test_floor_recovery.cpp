@@ -21,9 +21,9 @@ TEST(RecoverFloor, FillsFromTheCeilingFirstAndDropsWhatNoRoomIsAbove)
     pcl::PointCloud<pcl::PointXYZ> c;
     c.push_back({0.5F, 0.5F, 0});    // 0 floor below the ceiling
     c.push_back({5.5F, 0.5F, 0});    // 1 floor outside
-    c.push_back({nan, 0.5F, 0});     // 2 floor nowhere
+    c.push_back({nan, 0.5F, 0});     // 2 floor, not finite
     c.push_back({0.5F, 0.5F, 2});    // 3 ceiling above it
-    c.push_back({1.5F, 0.5F, 2});    // 4 ceiling above no floor
+    c.push_back({1.5F, 0.5F, 2});    // 4 ceiling without floor below
     c.push_back({1.6F, 0.5F, 2});    // 5 beside it, in the same cell
     c.push_back({1.5F, 0.5F, 1.8F}); // 6 detail there
     c.push_back({2.5F, 0.5F, 1.8F}); // 7 detail alone

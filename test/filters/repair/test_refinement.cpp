@@ -20,8 +20,8 @@ constexpr auto ceiling = static_cast<std::uint32_t>(StructureLabel::Ceiling);
 constexpr auto ground = static_cast<std::uint32_t>(StructureLabel::Floor);
 constexpr auto wall = static_cast<std::uint32_t>(StructureLabel::Wall);
 
-/** Two rooms of 2 m x 1.5 m with 10 cm of wall between, as points off by 1 cm and as a
- * plan. */
+/** Two rooms of 2 m x 1.5 m with 10 cm of wall between them, as points with errors of 1
+ * cm and as a plan. */
 struct TwoRooms {
   RoomPoints points{0.05, 0.01};
   Floorplan plan;
@@ -61,7 +61,7 @@ TEST(RefineToPlan, PutsEveryPointOnItsRoomExactly)
 {
   const TwoRooms scene;
   const Refinement result = refine(scene);
-  // Noise puts some slab points beside the plan of a room, but none of the walls'.
+  // Noise moves some slab points outside the plan of a room, but no wall points.
   EXPECT_EQ(result.sources.size(), scene.points.size());
   ASSERT_EQ(result.points.size(), result.sources.size());
   for (std::size_t k = 0; k < result.points.size(); ++k) {
@@ -152,7 +152,7 @@ TEST(RepairHoles, GivesOnePointForEveryCellOfEveryRoom)
   const Refinement refined = refine(scene);
   const std::vector<RepairedPoint> repaired =
       repairHoles(refined.points, scene.plan, 0.05);
-  // Both rooms hold 5 cm squares without a rest.
+  // Both rooms divide into 5 cm squares without remainder.
   const double area = 2 * 2 * 3.0 + 7 * 2.4 + 7 * 2.7;
   EXPECT_EQ(repaired.size(), std::lround(area / 0.0025));
   for (std::size_t k = 1; k < repaired.size(); ++k)
@@ -181,8 +181,8 @@ TEST(RepairHoles, WithoutPointsMakesTheWholeRoom)
   EXPECT_TRUE(repairHoles({}, Floorplan(), 0.1).empty());
 }
 
-/** Points at random on all surfaces of a room of 6 m x 4 m x 2.5 m, so many a square
- * metre; on two of the walls none where `is_open`. */
+/** Random points on all surfaces of a room of 6 m x 4 m x 2.5 m, `density` per square
+ * metre. With `is_open`, the walls x = 0 and y = 0 have none. */
 std::vector<SurfacePoint>
 scattered(const PlanRoom& room, double density, bool is_open)
 {

@@ -27,8 +27,8 @@ label(Structure& cloud, const std::vector<int>& indices, StructureLabel what)
   }
 }
 
-/** A room of 4 m x 3 m x 2.5 m with a round column, a door in the wall at y = 0 from
- * x = 1 to 2 up to 2 m, and a table; points off by up to a few centimetres. */
+/** A room of 4 m x 3 m x 2.5 m with a round column and a table. The wall at y = 0 has a
+ * door from x = 1 to 2 up to 2 m. Points have errors of up to a few centimetres. */
 struct FurnishedRoom {
   RoomPoints points;
   std::shared_ptr<Floorplan> plan = std::make_shared<Floorplan>();

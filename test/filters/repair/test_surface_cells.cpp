@@ -15,8 +15,8 @@ using namespace pcl::sedr;
 using namespace sedr_test;
 using Eigen::Vector3d;
 
-/** An L with a curved wall, two columns, a soffit around with a beam on it, a recess, a
- * platform in a corner, a pit and a niche: every kind of surface there is. */
+/** An L-shaped room with every kind of surface: a curved wall, two columns, a soffit
+ * around with a beam on it, a recess, a platform in a corner, a pit and a niche. */
 PlanRoom
 richRoom()
 {
@@ -45,7 +45,7 @@ countsOf(const SurfaceCells& cells)
   return counts;
 }
 
-/** Whether the air of the room is at `p`. */
+/** Returns true if `p` is in the air of the room. */
 bool
 isAir(const PlanRoom& room, const Vector3d& p)
 {
@@ -83,7 +83,7 @@ TEST(SurfaceCells, OfAnyRoomAreNearlyAsManyAsItsAreaHolds)
   EXPECT_NEAR(static_cast<double>(counts[StructureLabel::Floor]) * size * size,
               room.area() - 1 - 0.8 * 1.3, 0.01 * room.area()); // platform and pit
   const double around = 4 * 0.3 * 2.6 + M_PI / 2 * (2.6 + 2.3) / 2;
-  // The round column stands half below the soffit: its lower edge is at y = 0.75.
+  // Half of the round column is below the soffit: its lower edge is at y = 0.75.
   EXPECT_NEAR(static_cast<double>(counts[StructureLabel::Column]) * size * size, around,
               0.08 * around);
 }
@@ -129,7 +129,7 @@ TEST(SurfaceCells, CoverTheStructureEvenly)
     for (const auto& b : cells.cells())
       if (&a != &b)
         nearest = std::min(nearest, (a.centre.position - b.centre.position).norm());
-    ASSERT_GE(nearest, 0.7 * size); // across an edge: half a cell from it each
+    ASSERT_GE(nearest, 0.7 * size); // across an edge: each half a cell from it
     ASSERT_LE(nearest, 1.001 * size);
   }
 }

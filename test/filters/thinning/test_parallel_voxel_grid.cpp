@@ -32,7 +32,7 @@ randomCloud(std::size_t n, float low, float high, unsigned seed)
   return cloud;
 }
 
-/** Runs both classes with the same settings. */
+/** Expects the same result of both classes with the same settings. */
 template <typename PointT, typename SetUpT>
 void
 expectSameAsVoxelGrid(const typename pcl::PointCloud<PointT>::Ptr& cloud,
@@ -199,7 +199,7 @@ TEST(ParallelVoxelGrid, RemovedAreThePointsOfNoOutputVoxel)
   add(0.2f, 1);   // 2
   add(5.f, 1);    // 3: alone in its voxel
   add(0.3f, 9);   // 4: beyond the limits
-  add(0.3f, nan); // 5: neither inside nor outside
+  add(0.3f, nan); // 5: not comparable with the limits
   add(0.4f, 1);   // 6: not among the indices
   pcl::ParallelVoxelGrid<pcl::PointXYZI> grid(true);
   grid.setInputCloud(cloud);
@@ -237,7 +237,7 @@ TEST(ParallelVoxelGrid, RoomsOfStructurePointsAreTakenByMajority)
 
 TEST(ParallelVoxelGrid, StraysInTheAirOfADenseScanAreLeftOutIfAskedFor)
 {
-  // A box of 2 m: 100 points a voxel on its faces, one in five voxels of the air.
+  // A box of 2 m: 100 points per voxel on its faces, one per five voxels of the air.
   auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   std::mt19937 random(2);
   std::uniform_real_distribution<float> along(0, 2);

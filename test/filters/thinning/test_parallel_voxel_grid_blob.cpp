@@ -12,7 +12,7 @@
 
 namespace {
 
-/** A blob of points of fields of one value each. */
+/** Builds a blob of points with fields of one value each. */
 class BlobMaker {
 public:
   void field(const std::string& name, std::uint8_t datatype, unsigned count = 1)

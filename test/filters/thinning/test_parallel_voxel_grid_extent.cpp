@@ -53,14 +53,13 @@ TEST(ParallelVoxelGrid, StrayPointsFarAwayLeaveTheOtherVoxelsAsTheyAre)
               1e-5);
   EXPECT_EQ(thinned[expected.size() + 1].z, 600.f);
   EXPECT_EQ(thinned.back().z, 1e6f);
-  // Even the layout: only its dense form is refused.
+  // The layout also works: only its dense form is refused.
   EXPECT_EQ(grid.getCentroidIndex({1e6f, 1e6f, 1e6f}),
             static_cast<int>(thinned.size()) - 1);
   EXPECT_TRUE(grid.getLeafLayout().empty());
 }
 
-/** n points, all coordinates of an axis different: voxels of 1 m hold one point each.
- */
+/** Returns n points whose coordinates all differ, so that each has a voxel of 1 m. */
 pcl::PointCloud<pcl::PointXYZ>::Ptr
 scattered(std::uint32_t n, std::uint32_t modulus)
 {

@@ -20,7 +20,7 @@ field(const std::string& name, std::uint8_t type, unsigned offset)
   return f;
 }
 
-/** Rows of 40 bytes in which x, y and z of row i are i, i + 0.25 and -i. */
+/** Returns rows of 40 bytes; x, y and z of row i are i, i + 0.25 and -i. */
 std::vector<std::uint8_t>
 rowsOf(const std::vector<Field>& fields, std::size_t size)
 {

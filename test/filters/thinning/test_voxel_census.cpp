@@ -14,8 +14,8 @@ using namespace pcl::sedr;
 
 constexpr std::int32_t edge = 80; ///< voxels of a room of 4 m, at 5 cm
 
-/** A room of 80 x 80 x 60 voxels with so many points in each voxel of its shell, and in
- * those within so many of strays on average. */
+/** A room of 80 x 80 x 60 voxels with `on_surfaces` points in each voxel of its shell
+ * and `in_air` strays per voxel on average inside. */
 VoxelCensus
 room(std::uint32_t on_surfaces, double in_air)
 {
@@ -65,18 +65,18 @@ TEST(VoxelCensus, SurfacesHardlyDenserThanStraysAreKept)
 {
   EXPECT_EQ(room(10, 0.3).leastPoints(), 0u);
   EXPECT_EQ(room(10, 8).leastPoints(), 0u);
-  // Three points are no strays, so a surface has ten times as many.
+  // Three points per voxel are no strays: a surface has ten times that number.
   EXPECT_EQ(room(20, 0.3).leastPoints(), 0u);
   EXPECT_EQ(room(45, 0.3).leastPoints(), 3u);
 }
 
-/** Columns of five cubes, so three of air in each, all of them full of strays. */
+/** Profiles of five cubes, three of them air, all full of strays. */
 struct AirColumns {
-  static constexpr std::uint32_t strays = 640; ///< of a cube
+  static constexpr std::uint32_t strays = 640; ///< per cube
 
   AirColumns() { census.add({-1000, -1000, -1000}, 4000000); } // a surface
 
-  /** A column, `empty` cubes of its air without a point. */
+  /** Adds a profile; `empty` cubes of its air have no points. */
   void add(std::int32_t x, std::int32_t y, std::int32_t low = 0, int empty = 0)
   {
     for (std::int32_t z = 0; z < 5; ++z)
@@ -109,7 +109,7 @@ TEST(VoxelCensus, OfFewCubesNothingIsTold)
 
 TEST(VoxelCensus, WhatHasNothingOverAHighRoomIsOutdoors)
 {
-  for (const std::int32_t roof : {60, 70}) { // cubes above the columns' uppermost
+  for (const std::int32_t roof : {60, 70}) { // cubes above the profiles' uppermost
     AirColumns air;
     for (std::int32_t x = 0; x < 100; ++x) {
       air.add(x, 0);
@@ -123,7 +123,7 @@ TEST(VoxelCensus, NoAirIsBetweenOneColumnAndTheNext)
 {
   AirColumns along_x;
   AirColumns along_y;
-  for (std::int32_t k = 0; k < 100; ++k) { // each begins above the end of the last
+  for (std::int32_t k = 0; k < 100; ++k) { // each begins above the previous one
     along_x.add(k, 0, 10 * k);
     along_y.add(0, k, 10 * k);
   }
@@ -143,7 +143,7 @@ TEST(VoxelCensus, ACupboardFullOfSurfacesIsNoAir)
 
 TEST(VoxelCensus, GroundWhoseDensityFallsWithDistanceIsNoAir)
 {
-  for (const std::int32_t height : {1, 2, 7}) { // voxels: as it may lie across cubes
+  for (const std::int32_t height : {1, 2, 7}) { // voxels, since it may cross cubes
     VoxelCensus census;
     for (std::int32_t x = 1; x < 200; ++x)
       for (std::int32_t y = 1; y < 200; ++y)
@@ -159,7 +159,7 @@ TEST(VoxelCensus, MayBeTakenInParts)
   const VoxelCensus whole = room(400, 0.3);
   VoxelCensus left;
   VoxelCensus right;
-  for (const auto& cube : whole.cubes()) { // of every cube a part here, a part there
+  for (const auto& cube : whole.cubes()) { // split every cube in two parts
     left.join({{{cube.corner, cube.points / 3}}, {}});
     right.join({{{cube.corner, cube.points - cube.points / 3}}, {}});
   }

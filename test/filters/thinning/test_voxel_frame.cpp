@@ -14,8 +14,8 @@ using namespace pcl::sedr;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/** Numbers of voxels, with both neighbours of each: about 0, where floats are no longer
- * finer than 1, where codes begin to count floats, and the largest. */
+/** Returns voxel numbers with both neighbours of each: near 0, where floats resolve no
+ * less than 1, where codes begin to count floats, and the largest. */
 std::vector<float>
 scaledNumbers()
 {
@@ -54,7 +54,7 @@ TEST(VoxelCode, OfAVoxelThatNoIntHoldsIsSaturated)
 
 TEST(VoxelFrame, FindsInARowWhatItFindsOneByOne)
 {
-  // A leaf that is no power of two; far numbers stand alone among near ones.
+  // A leaf that is no power of two; distant numbers are isolated among near ones.
   const VoxelFrame frame(Eigen::Array3f(20.f, 1 / 0.3f, 1e-3f));
   std::vector<float> values;
   for (int i = -300; i <= 300; ++i)
@@ -101,7 +101,7 @@ TEST(VoxelFrame, PointsAddUpToTheMeanBetweenThem)
           frame.steps(p[static_cast<Eigen::Index>(axis)], axis, voxel.code[axis]);
     return voxel;
   };
-  // Each pair in one voxel: about a corner below 0, and far away along z.
+  // Each pair is in one voxel: near a corner below 0, and far away along z.
   VoxelSum sum = sumOf({-1.03125f, 2.015625f, 40000.f});
   sum += sumOf({-1.015625f, 2.03125f, 40000.0078125f});
   sum += sumOf({-1.0234375f, 2.0234375f, 40000.00390625f});
@@ -111,8 +111,8 @@ TEST(VoxelFrame, PointsAddUpToTheMeanBetweenThem)
 
 TEST(VoxelHash, ScattersTheVoxelsOfARoom)
 {
-  // Of 64^3 voxels side by side, high and low bits alike: no slot of 4096 has twice as
-  // many as it should, 64 each.
+  // 64^3 adjacent voxels: for high and low bits alike, no slot of 4096 has more than
+  // twice its share of 64.
   std::vector<int> low(4096);
   std::vector<int> high(4096);
   std::set<std::uint32_t> all;

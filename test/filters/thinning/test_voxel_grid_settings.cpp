@@ -16,7 +16,7 @@ using namespace pcl::sedr;
 using Eigen::Vector3f;
 using Eigen::Vector3i;
 
-/** The settings alone, without a filter around them. */
+/** The settings without a filter. */
 struct Settings : VoxelGridSettings {
   using VoxelGridSettings::clearLayout;
   using VoxelGridSettings::parameterProblem;
@@ -30,7 +30,7 @@ struct Settings : VoxelGridSettings {
   }
 };
 
-/** 1 m voxels at (0, 0, 0) with two points, (2, 0, 0) and (0, 1, 3). */
+/** Voxels of 1 m at (0, 0, 0) with two points, (2, 0, 0) and (0, 1, 3). */
 std::vector<Vector3f>
 threeVoxels()
 {

@@ -24,8 +24,8 @@ middleOf(int x, int y, int z)
          Eigen::Vector3f::Constant(0.5f);
 }
 
-/** Points in all voxels of 1 m from `low` to below `high` along each axis, one in every
- * third voxel, three in the others, shuffled. */
+/** Returns points in all voxels of 1 m from `low` to below `high` along each axis, one
+ * in every third voxel, three in the others, shuffled. */
 std::vector<Eigen::Vector3f>
 filledCube(int low, int high)
 {
@@ -107,7 +107,7 @@ TEST(VoxelOrder, WhatComesAfterSortingOrTakingIsNotForgotten)
 TEST(VoxelOrder, StraysFarApartAreSortedLikeOthers)
 {
   // Voxels that differ in every byte of their codes, on both sides of 0, up to the last
-  // ones there are; each first alone, and then in a cube that holds others.
+  // valid ones. Each is first isolated, then in a cube with others.
   const std::vector<float> places{-3e38f, -1e20f, -2e9f, -4e5f, -70000, -300, 0.5f,
                                   6,      300,    70000, 4e5f,  2e9f,   1e20f};
   std::vector<Eigen::Vector3f> points;

@@ -21,7 +21,7 @@ using voxel_test::viewOf;
 
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
-/** Points of a room about `middle`, some far away, some not finite. */
+/** Points of a room about `middle`, some of them far away, some not finite. */
 std::vector<Eigen::Vector3f>
 roomWithStrays(std::size_t n, const Eigen::Vector3f& middle)
 {
@@ -81,7 +81,7 @@ TEST(VoxelSums, OrderPiecesAndThreadsLeaveTheSameBytes)
 
 TEST(VoxelSums, ThreadsThatMakeBlocksAtOnceDoNotMistakeThem)
 {
-  // Hardly two points in a block: each is made while others are looked for.
+  // Fewer than two points per block: blocks are created during look-ups.
   constexpr std::uint32_t n = 300000;
   std::vector<Eigen::Vector3f> points;
   for (std::uint32_t i = 0; i < n; ++i)
@@ -96,8 +96,8 @@ TEST(VoxelSums, ThreadsThatMakeBlocksAtOnceDoNotMistakeThem)
 
 TEST(VoxelSums, ThreadsThatMeetInBlocksDoNotWaitForEachOtherForEver)
 {
-  // Each goes to and fro through a row of blocks, now forwards and now backwards: a few
-  // that it comes back to at once, or more than it keeps.
+  // Points alternate forwards and backwards through a row of blocks: few that are
+  // revisited at once, or more than are cached.
   for (const int blocks : {3, 20, 100}) {
     std::vector<Eigen::Vector3f> points;
     for (int k = 0; k < 400000; ++k) {
@@ -139,7 +139,7 @@ TEST(VoxelSums, VoxelsComeByZThenYThenXEachOnce)
   }
 }
 
-/** Means against sums in long double, voxels told apart as pcl::VoxelGrid does. */
+/** Compares means with sums in long double, with the voxels of pcl::VoxelGrid. */
 void
 expectMeansAreExact(const std::vector<Eigen::Vector3f>& points,
                     const Eigen::Array3f& inverse_leaf)
@@ -170,7 +170,7 @@ expectMeansAreExact(const std::vector<Eigen::Vector3f>& points,
     const std::array<long double, 3> exact{sum.x / n, sum.y / n, sum.z / n};
     for (int axis = 0; axis < 3; ++axis) {
       const auto e = static_cast<float>(exact[static_cast<std::size_t>(axis)]);
-      // A unit in the last place, or what points beside 0 are cut off by.
+      // A unit in the last place, or the truncation of points near 0.
       const float unit = std::nextafter(std::abs(e), 1e38f) - std::abs(e);
       const float step = std::ldexp(1.f / inverse_leaf[axis], -30);
       ASSERT_LE(std::abs(mean[axis] - e), std::max(unit, step)) << e;
@@ -211,7 +211,7 @@ TEST(VoxelSums, APointAloneInItsVoxelStaysAsItIs)
 
 TEST(VoxelSums, TwoToTheThirtyFirstPointsInAVoxelDoNotOverflow)
 {
-  // Leaves just above and below a power of two, at both ends of voxels near and far.
+  // Leaves just above and below a power of two, at both ends of near and far voxels.
   for (const float leaf : {0.05f, 0.0624f, 0.0625f, 0.0626f, 1.f, 1.99f}) {
     const Eigen::Array3f inverse = Eigen::Array3f::Constant(1 / leaf);
     const VoxelFrame frame(inverse);

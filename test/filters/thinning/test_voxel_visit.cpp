@@ -11,8 +11,8 @@ namespace {
 
 using namespace voxel_test;
 
-/** More points than are looked at at once, each voxel's far apart in the order; some
- * are not finite. */
+/** More points than one batch, those of a voxel far apart in the order; some are not
+ * finite. */
 std::vector<Eigen::Vector3f>
 manyPoints()
 {
@@ -25,7 +25,7 @@ manyPoints()
   return points;
 }
 
-/** The points that each voxel sees. */
+/** Returns the points that are visited for each voxel. */
 std::vector<std::vector<std::size_t>>
 visited(const std::vector<Eigen::Vector3f>& points,
         const std::vector<VoxelSum>& voxels,

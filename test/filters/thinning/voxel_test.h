@@ -5,7 +5,7 @@
 
 #include <vector>
 
-/** @file The sums of points that stand in a vector. */
+/** @file Voxel sums of points in a vector. */
 
 namespace voxel_test {
 

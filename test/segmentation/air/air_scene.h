@@ -9,15 +9,15 @@
 
 namespace sedr_test {
 
-/** Where a wall is open, along it and up to a height. */
+/** A hole in a wall: range along it and height of the head. */
 struct Hole {
   double from = 0;
   double to = 0;
   double head = 0;
 };
 
-/** Surfaces of a building, a point every 5 cm, its plan turned about the origin. Faces
- * at 0.05 m, 0.15 m, ... lie in the middle of columns of 10 cm. */
+/** Surfaces of a building with a point every 5 cm; its plan is turned about the origin.
+ * Faces at 0.05 m, 0.15 m, ... are in the middle of profiles of 10 cm. */
 class AirScene {
 public:
   explicit AirScene(double degrees = 0)
@@ -39,7 +39,7 @@ public:
     points.wall(edge({x0, y0}, {x1, y1}), low, high);
   }
 
-  /** Floor, ceiling and walls of a room without doors. */
+  /** Adds floor, ceiling and walls of a room without doors. */
   void room(double x0, double y0, double x1, double y1, double low, double high)
   {
     slab(x0, y0, x1, y1, low);
@@ -47,22 +47,22 @@ public:
     sides(x0, y0, x1, y1, low, high);
   }
 
-  /** The four upright faces of a box. */
+  /** Adds the four vertical faces of a box. */
   void sides(double x0, double y0, double x1, double y1, double low, double high)
   {
     for (const auto& e : loop(x0, y0, x1, y1).elements)
       points.wall(e, low, high);
   }
 
-  /** What is seen of a box that hangs from above: underside and sides. */
+  /** Adds the visible faces of a box that hangs from above: underside and sides. */
   void hanging(double x0, double y0, double x1, double y1, double low, double high)
   {
     slab(x0, y0, x1, y1, low);
     sides(x0, y0, x1, y1, low, high);
   }
 
-  /** Both faces of a wall of 10 cm along y, at x and x + 0.1, with a hole in it, whose
-   * head is seen where it is below `high`; its threshold is. */
+  /** Adds both faces of a wall of 10 cm along y, at x and x + 0.1, with the reveal of a
+   * hole: its jambs, threshold and head. */
   void partition(double x, double y0, double y1, double low, double high, Hole hole)
   {
     const auto isWall = [&](double s, double z) {
@@ -76,7 +76,7 @@ public:
     slab(x, hole.from, x + 0.1, hole.to, hole.head);
   }
 
-  /** A place of the scene after the turn. */
+  /** Returns a place of the scene after the turn. */
   Eigen::Vector2d place(double x, double y) const
   {
     return Eigen::Rotation2Dd(degrees_ * M_PI / 180) * Eigen::Vector2d(x, y);
@@ -93,7 +93,7 @@ private:
   double degrees_;
 };
 
-/** The air of a scene, with what is asked of it by places of the scene. */
+/** The air of a scene, with queries by places of the scene. */
 struct SceneAir {
   explicit SceneAir(const AirScene& of, unsigned threads = 1)
       : scene(of)
@@ -108,7 +108,7 @@ struct SceneAir {
     return parameters;
   }
 
-  /** The gap at a place, `none` where it is no air. */
+  /** Returns the gap at a place, or `none` if there is no air. */
   std::uint32_t at(double x, double y, double z) const
   {
     const Eigen::Vector2d p = scene.place(x, y);

@@ -24,7 +24,7 @@ always(double /*x*/, double /*y*/)
   return true;
 }
 
-/** Two rooms above each other, and which parts of the slab between them were seen. */
+/** Two rooms above each other, and the scanned parts of the slab between them. */
 AirScene
 storeys(const Seen& ceiling, const Seen& floor)
 {
@@ -80,7 +80,7 @@ TEST(SlabFaces, AFloorIsFoundThoughThatOfTheStoreyBelowWasHiddenAtTheSamePlace)
 TEST(SlabFaces, FurnitureAlongTheRimIsNotTakenForTheFloor)
 {
   AirScene scene = storeys(always, isAside);
-  // A sideboard along three sides of the place that it hides.
+  // A sideboard along three sides of the area that it hides.
   scene.slab(1.55, 0.55, 2.05, 3.45, 3.71);
   scene.slab(2.05, 0.55, 4.05, 1.05, 3.71);
   scene.slab(2.05, 3.05, 4.05, 3.45, 3.71);

@@ -17,7 +17,7 @@ using namespace sedr_test;
 constexpr double cell = 0.1;
 constexpr double voxel_height = 0.05;
 
-/** A voxel by the cell of its column and its height. */
+/** A voxel: the cell of its profile and its height. */
 using Voxel = std::tuple<std::int32_t, std::int32_t, std::int32_t>;
 using Voxels = std::set<Voxel>;
 
@@ -37,7 +37,7 @@ pointsIn(const Voxels& voxels)
   return points;
 }
 
-/** All that is occupied, read by runs. */
+/** Returns all occupied voxels, read by runs. */
 Voxels
 voxelsOf(const VoxelColumns& columns)
 {
@@ -50,7 +50,7 @@ voxelsOf(const VoxelColumns& columns)
   return voxels;
 }
 
-/** Voxels at random around the corner of four tiles and of their words. */
+/** Returns random voxels around the corner of four tiles and of their words. */
 Voxels
 cloudOfVoxels(int n)
 {
@@ -80,7 +80,7 @@ TEST(VoxelColumns, HoldThePointsOfTheirVoxelsOnBothSidesOfTheOrigin)
 
 TEST(VoxelColumns, AreFoundByTheirCellsAndThoseBesideThem)
 {
-  // Four tiles that meet at the origin, and none beyond.
+  // Four tiles that meet at the origin, and no others.
   const VoxelColumns columns =
       columnsOf(pointsIn({{0, 0, 0}, {-1, 0, 0}, {0, -1, 0}, {-1, -1, 0}}));
   ASSERT_EQ(columns.tiles(), 4u);
@@ -129,13 +129,13 @@ TEST(VoxelColumns, HalvedTheyHoldWhatOneOfFourHeld)
   const Voxels voxels = cloudOfVoxels(60);
   Voxels expected;
   for (const auto& [x, y, k] : voxels)
-    expected.emplace(x >> 1, y >> 1, k); // floors below 0, too
+    expected.emplace(x >> 1, y >> 1, k); // rounds down below 0, too
   for (const unsigned threads : {1u, 3u}) {
     const VoxelColumns half = columnsOf(pointsIn(voxels)).halved(threads);
     EXPECT_EQ(half.cellSize(), 2 * cell);
     EXPECT_EQ(voxelsOf(half), expected);
   }
-  // Tiles of other heights in one, and two of another row.
+  // Tiles of different heights in one, and two of another row.
   const Voxels apart{{0, 0, 500}, {64, 0, -500}, {0, 127, 3}, {-1, -129, 0}};
   EXPECT_EQ(voxelsOf(columnsOf(pointsIn(apart)).halved(1)),
             (Voxels{{0, 0, 500}, {32, 0, -500}, {0, 63, 3}, {-1, -65, 0}}));
@@ -216,7 +216,7 @@ TEST(VoxelColumns, StraysAHundredKilometresOffAreNoBurden)
   for (const double far : {-1e5, 1e5}) {
     points.point(far, 1, 1);
     points.point(1, far, 1);
-    points.point(1, 1, far); // a column up to it would fill a gigabyte
+    points.point(1, 1, far); // a profile up to it would take a gigabyte
   }
   const VoxelColumns columns = columnsOf(points);
   EXPECT_EQ(columns.tiles(), 5u);
@@ -248,7 +248,7 @@ TEST(VoxelColumns, DotsNearerThanTheReachAreClosedAndWiderHolesAreNot)
 {
   RoomPoints points(0.05);
   const auto isSeen = [](double x, double y) {
-    const bool is_narrow = x > -1 && x < -0.6 && y > 0 && y < 2; // four columns
+    const bool is_narrow = x > -1 && x < -0.6 && y > 0 && y < 2; // four profiles
     const bool is_wide = x > 1 && x < 1.6 && y > 0 && y < 0.6;   // six by six
     return !is_narrow && !is_wide;
   };

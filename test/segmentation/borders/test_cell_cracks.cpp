@@ -10,7 +10,7 @@ namespace {
 
 using namespace pcl::sedr;
 
-/** Cells by rows, the first row the lowest. */
+/** Makes cells from rows, the lowest row first. */
 CellCracks
 cracksOf(const std::vector<std::string>& rows)
 {
@@ -24,7 +24,7 @@ cracksOf(const std::vector<std::string>& rows)
   return cracksOf(grid, label);
 }
 
-/** Twice the area that the loops of a piece run around, in cells. */
+/** Returns twice the area enclosed by the loops of a piece, in cells. */
 int
 areaOf(const CellCracks& cracks, std::size_t piece)
 {

@@ -13,8 +13,8 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** Points of the sides as thinning leaves them: the means of 5 cm along, 20 above each
- * other, off by noise, where they are seen. */
+/** Returns points of the sides as after thinning: means of 5 cm along, 20 above each
+ * other, with noise, where they are seen. */
 PlanPoints
 pointsOf(const PlanLoop& column, double noise, const Where& seen = everywhere)
 {
@@ -34,8 +34,8 @@ pointsOf(const PlanLoop& column, double noise, const Where& seen = everywhere)
 
 const std::vector<Vector2d> along_axes{{1, 0}, {0, 1}};
 
-/** That the loop has the kinds of elements of the truth, clockwise, and the farthest
- * that a corner or a side is from it. */
+/** Expects the kinds of elements of the truth, clockwise; returns the maximum distance
+ * of a corner or side from it. */
 double
 errorOf(const PlanLoop& loop, const PlanLoop& truth)
 {
@@ -92,7 +92,7 @@ TEST(FitColumn, APlateHasTwoFaces)
 
 TEST(FitColumn, KeepsTheDirectionsOfTheRoomWhereItCan)
 {
-  // Turned by what noise would turn it.
+  // Turned by about the effect of the noise.
   const PlanLoop truth = rectangle(1.01, 1.02, 1.41, 1.32);
   const PlanLoop loop =
       fitColumn(holeOf(truth), pointsOf(truth, 0.015), along_axes, {});
@@ -174,7 +174,7 @@ TEST(FitColumn, WithoutPointsItIsTheHole)
 
 TEST(FitColumn, NeverReachesFarBeyondItsHole)
 {
-  // The sides of a column that others continue, as beside a low wall.
+  // The sides of a column that continue in others, as beside a low wall.
   const PlanLoop truth = rectangle(1, 1, 1.4, 1.4);
   std::vector<Vector2d> points = pointsOf(truth, 0.003).all();
   for (double x = 1.4; x < 2.2; x += 0.0025)
@@ -187,7 +187,7 @@ TEST(FitColumn, NeverReachesFarBeyondItsHole)
 
 TEST(FitColumn, ACornerWhoseHoleIsCutOffIsThere)
 {
-  // Ceiling cells lie over both sides at a corner.
+  // Ceiling cells cover both sides at a corner.
   const PlanLoop truth = rectangle(1, 1, 1.4, 1.4);
   const Contour hole = holeOf(
       polygon({{1.04, 1.04}, {1.24, 1.04}, {1.36, 1.16}, {1.36, 1.36}, {1.04, 1.36}}));

@@ -11,7 +11,7 @@ using namespace sedr_test;
 
 constexpr double height = 2.5;
 
-/** What stops short of the ceiling of a room, by all its points. */
+/** Returns the cells of objects that end below the ceiling of a room. */
 CellMask
 furnitureIn(const RoomPoints& points, const CellMask& seen)
 {
@@ -22,8 +22,8 @@ furnitureIn(const RoomPoints& points, const CellMask& seen)
       columns, slabAt(height), slabAt(0), {});
 }
 
-/** A room of 4 m x 3 m with a box of 2 m x 0.6 m at its left wall, up to `top`, above
- * which the ceiling is seen for `depth` metres. */
+/** A room of 4 m x 3 m with a box of 2 m x 0.6 m at its left wall, up to `top`. The
+ * ceiling above it is seen for `depth` metres. */
 struct WardrobeRoom {
   WardrobeRoom(double top, double depth)
   {
@@ -97,8 +97,8 @@ TEST(TallFurniture, IsNoWallUpToTheCeilingNorOneThatEndsWhatIsSeenOfIt)
 
 TEST(TallFurniture, IsSeenBelowTheCeilingAlongHalfOfItOrIsNone)
 {
-  // A screen across a room of 4 m x 3 m, 30 cm short of the ceiling, which is seen
-  // beyond it along `seen` metres, for half a metre.
+  // A screen across a room of 4 m x 3 m, 30 cm below the ceiling. Beyond it the ceiling
+  // is seen along `seen` metres, half a metre deep.
   const auto furnitureFor = [](double seen) {
     RoomPoints points;
     const PlanLoop loop = rectangle(0.01, 0.01, 4.01, 3.01);
@@ -130,8 +130,8 @@ TEST(TallFurniture, BelowANoisyCeilingNeedsALargerGap)
   EXPECT_NEAR(gapBelow(ceiling).low, 0.115, 1e-9);
 }
 
-/** A room of 4 m x 3 m with a box in it, 5 cm short of the ceiling, which is seen above
- * the box, or not. */
+/** A room of 4 m x 3 m with a box 5 cm below the ceiling, which is seen above the box
+ * if `is_seen_above`. */
 struct BoxRoom {
   BoxRoom(const PlanLoop& box, bool is_seen_above)
   {
@@ -194,7 +194,7 @@ TEST(FitRoom, AWardrobeTenCentimetresShortOfTheCeilingIsNoWall)
 {
   const WardrobeRoom room(height - 0.1, 0.12);
   RoomEvidence evidence = evidenceOf(room.points, room.parts);
-  evidence.walls = joined(evidence.walls, room.box); // as the growing takes it
+  evidence.walls = joined(evidence.walls, room.box); // as wall growing labels it
   std::string problem;
   const PlanRoom plan = fitRoom(room.points.view(), evidence, {}, problem);
   EXPECT_EQ(problem, "");

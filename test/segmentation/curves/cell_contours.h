@@ -21,8 +21,8 @@ using Where = std::function<bool(const Vector2d&)>;
 
 inline const Where everywhere = [](const Vector2d&) { return true; };
 
-/** The largest contour, counter-clockwise, of the cells about a loop of which
- * `is_taken(middle)` says so. */
+/** Returns the largest contour, counter-clockwise, of the cells around a loop for which
+ * `is_taken(middle)` is true. */
 inline Contour
 contourOfCells(const PlanLoop& loop, const Where& is_taken)
 {
@@ -42,8 +42,8 @@ contourOfCells(const PlanLoop& loop, const Where& is_taken)
   });
 }
 
-/** The contour of the cells that lie wholly inside of a loop, as the ceiling cells of a
- * room do, where `keep` says so of their middle. */
+/** Returns the contour of the cells inside a loop, as those of a room's ceiling, for
+ * whose middle `keep` returns true. */
 inline Contour
 contourIn(const PlanLoop& truth, const Where& keep = everywhere)
 {
@@ -56,8 +56,8 @@ contourIn(const PlanLoop& truth, const Where& keep = everywhere)
   });
 }
 
-/** The clockwise contour of the cells that a column touches: those whose ceiling is not
- * seen. */
+/** Returns the clockwise contour of the cells that a column touches, whose ceiling is
+ * hidden. */
 inline Contour
 holeOf(const PlanLoop& column)
 {

@@ -11,7 +11,7 @@ namespace {
 using namespace pcl::sedr;
 using Eigen::Vector2d;
 
-/** A line about a pivot, by its angle in degrees, shown by so many points. */
+/** Returns a line through a pivot, angle in degrees, measured by `count` points. */
 MeasuredCurve
 line(const Vector2d& pivot, double degrees, double count = 100, double length = 4)
 {
@@ -46,14 +46,14 @@ TEST(AdjustCurves, ParallelLinesMeetInTheirWeightedMean)
   ASSERT_TRUE(adjustCurves(curves, {{TieKind::Parallel, 0, 1}}));
   EXPECT_NEAR(angle(curves[0]), 0.25, 1e-9);
   EXPECT_NEAR(angle(curves[1]), 0.25, 1e-9);
-  // Each turns about its own middle.
+  // Each turns about its own centre.
   EXPECT_NEAR(curves[0].curve.distance({0, 0}), 0, 1e-12);
   EXPECT_NEAR(curves[1].curve.distance({0, 3}), 0, 1e-12);
 }
 
 TEST(AdjustCurves, ALongLineIsWorthMoreThanAShortOne)
 {
-  // As the cube of the length at equal density.
+  // The shares follow the cube of the length at equal density.
   std::vector<MeasuredCurve> curves{line({0, 0}, 0, 200, 2),
                                     line({0, 3}, 90.9, 100, 1)};
   ASSERT_TRUE(adjustCurves(curves, {{TieKind::Perpendicular, 0, 1}}));
@@ -128,7 +128,7 @@ TEST(AdjustCurves, EqualRadiiAndCommonCentresAreWeightedMeans)
 
 TEST(AdjustCurves, TiesThatRepeatEachOtherAreFine)
 {
-  // A rectangle: four right angles, of which the last follows from the others.
+  // A rectangle: four right angles, the last of which follows from the others.
   std::vector<MeasuredCurve> curves{line({2, 0}, 0.1), line({4, 2}, 90),
                                     line({2, 4}, 180.1), line({0, 2}, 270.3)};
   ASSERT_TRUE(adjustCurves(curves, {{TieKind::Perpendicular, 0, 1},
@@ -142,7 +142,7 @@ TEST(AdjustCurves, TiesThatRepeatEachOtherAreFine)
 
 TEST(AdjustCurves, WhatCannotBeFulfilledChangesNothing)
 {
-  // Both circles are fixed to different centres by a third that is far too certain.
+  // Contradictory ties have no solution.
   std::vector<MeasuredCurve> curves{line({0, 0}, 0), line({0, 1}, 0)};
   ASSERT_FALSE(adjustCurves(
       curves, {{TieKind::Parallel, 0, 1}, {TieKind::Perpendicular, 0, 1}}));
@@ -152,8 +152,8 @@ TEST(AdjustCurves, WhatCannotBeFulfilledChangesNothing)
 
 TEST(Contradiction, IsTheSquareOfTheStandardDeviations)
 {
-  // The direction of 100 points off by 1 cm along 4 m is known to 0.87 mrad, that of
-  // two such lines against each other to 1.22 mrad.
+  // The direction of 100 points with noise of 1 cm along 4 m has a deviation of 0.87
+  // mrad, the angle between two such lines 1.22 mrad.
   const double deviation = std::sqrt(2.0) * 0.01 / (4 / std::sqrt(12.0) * 10);
   for (const double sigmas : {0.5, 1.0, 4.0})
     EXPECT_NEAR(contradiction(line({0, 0}, 0),
@@ -169,7 +169,7 @@ TEST(Contradiction, IsOneOnAverageWhereTheTieIsTrue)
   double sum = 0;
   constexpr int trials = 300;
   for (int trial = 0; trial < trials; ++trial) {
-    // A line and a circle that touch, each fitted to 200 points.
+    // A line and a tangent circle, each fitted to 200 points.
     std::vector<WeightedPoint> on_line;
     std::vector<WeightedPoint> on_circle;
     for (int k = 0; k < 200; ++k) {

@@ -34,7 +34,7 @@ TEST(LoopDifference, ACutThroughLeavesTheLargerPartFirst)
 
 TEST(LoopDifference, ArcsStayArcs)
 {
-  // Of the unit circle, the segment beyond x = 0.5 spans 120 degrees.
+  // The segment of the unit circle beyond x = 0.5 spans 120 degrees.
   const auto parts = difference(circle({0, 0}, 1), rectangle(0.5, -2, 2, 2));
   ASSERT_EQ(parts.size(), 1u);
   const double taken = M_PI / 3 - std::sqrt(3.0) / 4;

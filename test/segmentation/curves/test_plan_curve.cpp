@@ -51,7 +51,7 @@ alongCircle(const PlanCurve& circle, double from, double to, double off = 0)
   return points;
 }
 
-/** The angle between two lines whichever way they run, radians. */
+/** Returns the angle between two lines regardless of direction, radians. */
 double
 angleBetween(const PlanCurve& a, const PlanCurve& b)
 {
@@ -124,7 +124,7 @@ TEST(FitLine, WeighsItsPoints)
   }
   const PlanCurve line = fitLine(points);
   EXPECT_NEAR(line.distance({1, 0.075}), 0, 1e-9);
-  // A quarter of the weight lies 7.5 cm off, the rest 2.5 cm.
+  // A quarter of the weight is 7.5 cm away, the rest 2.5 cm.
   EXPECT_NEAR(line.residual, std::sqrt(0.25 * 0.075 * 0.075 + 0.75 * 0.025 * 0.025),
               1e-9);
 }

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-/** @file Rooms with details whose points are known. */
+/** @file Rooms with details, whose points are known. */
 
 namespace sedr_test {
 
@@ -26,7 +26,7 @@ plainRoom()
   return roomOf(rectangle(0.01, 0.01, 5.01, 4.01), height);
 }
 
-/** With a soffit 0.6 m wide along two walls. */
+/** The plain room with a soffit 0.6 m wide along two walls. */
 inline pcl::sedr::PlanRoom
 soffitRoom(double drop)
 {
@@ -41,7 +41,7 @@ soffitRoom(double drop)
   return room;
 }
 
-/** The points of a room, and what the analysis finds in them. */
+/** The points of a room and the result of the analysis. */
 struct DetailScene {
   RoomPoints points;
   RoomParts parts;
@@ -67,7 +67,7 @@ struct DetailScene {
     return details;
   }
 
-  /** The points of details in whose cell neither wall nor main ceiling is. */
+  /** Returns the detail points in cells without wall and main ceiling. */
   std::vector<int> clearDetails() const
   {
     const pcl::sedr::CellGrid grid(0.05);
@@ -81,8 +81,8 @@ struct DetailScene {
   }
 };
 
-/** That all clear detail points but a share were found, and nothing but details and
- * what of a wall is above the room's middle. */
+/** Expects that all clear detail points but a share `missing` were found, and nothing
+ * else except wall points above the room's middle. */
 inline void
 expectFound(const DetailScene& scene,
             const pcl::sedr::SliceDetails& details,

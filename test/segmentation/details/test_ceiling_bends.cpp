@@ -13,15 +13,14 @@ constexpr double width = 5;
 constexpr double crown = 2.85;
 constexpr double rise = 0.35;
 
-/** Height of a vault across a room of 5 m x 4 m that runs along y. */
+/** Returns the height of a vault along y in a room of 5 m x 4 m. */
 double
 vaultAt(double x)
 {
   return crown - rise * std::pow((x - width / 2) / (width / 2), 2);
 }
 
-/** The room as fitted; of its ceiling what is within 5 cm of the crown is the main one.
- */
+/** Returns the fitted room; the main ceiling is within 5 cm of the crown. */
 PlanRoom
 vaultedRoom()
 {

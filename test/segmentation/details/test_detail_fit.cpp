@@ -8,7 +8,7 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** The details of the ceiling, or floor, of a room that is known but for them. */
+/** Returns the details of the ceiling or floor of a room known except for them. */
 std::vector<PlanDetail>
 detailsOf(const PlanRoom& truth, bool is_floor = false, double noise = 0)
 {
@@ -79,7 +79,7 @@ TEST(FitDetails, BeamsBelowASoffitPartItIntoFields)
 
 TEST(FitDetails, FieldsBetweenBeamsMayBeSmallerThanADetail)
 {
-  // Of 0.27 square metres, of which beams take their edges.
+  // Fields of 0.27 square metres, whose edges belong to beams.
   PlanRoom room = roomOf(rectangle(0.01, 0.01, 6.01, 5.01), 2.7);
   room.details = {detailOf(rectangle(0.01, 4.11, 6.01, 5.01), 2.35)};
   for (double x = 0.31; x < 6; x += 0.6)

@@ -10,7 +10,7 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** What is left of a detail in a room of 4 m x 3 m. */
+/** Returns the rest of a detail after trimming in a room of 4 m x 3 m. */
 std::vector<PlanDetail>
 trimmed(const PlanLoop& detail, const PlanLoop& room = rectangle(0, 0, 4, 3))
 {

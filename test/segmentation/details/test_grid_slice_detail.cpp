@@ -78,7 +78,7 @@ TEST(GridSliceDetail, FollowsACeilingThatLeans)
 
 TEST(GridSliceDetail, LooksAtTheRoomsOwnPointsOnly)
 {
-  // Two rooms side by side: the analysis of one does not see the soffit of the other.
+  // Two adjacent rooms: the analysis of one does not use the soffit of the other.
   RoomPoints points;
   const RoomParts plain = points.room(plainRoom());
   const std::vector<int> own = points.all();

@@ -16,14 +16,14 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** A strip of a ceiling across a room: from where, and at which height a level stands
- * for it, metres. */
+/** A strip of a ceiling across a room: its start and the height of its level, metres.
+ */
 struct Strip {
   double from = 0;
   double height = 0;
 };
 
-/** A ceiling over 4 m x 3 m whose height depends on x alone, labelled in strips: the
+/** A ceiling over 4 m x 3 m whose height depends on x alone, labelled in strips; the
  * first is the main slab. */
 struct Ceiling {
   Ceiling(const std::function<double(double)>& height, const std::vector<Strip>& strips)
@@ -65,7 +65,7 @@ struct Ceiling {
   HeightMap map;
 };
 
-/** Falls by so much a metre from x = 1 on. */
+/** Falls by `fall` metres per metre from x = 1 on. */
 std::function<double(double)>
 slopeOf(double fall)
 {
@@ -76,7 +76,7 @@ using Labels = std::set<std::int32_t>;
 
 TEST(HeightBends, EdgesOfStripsAreMidwayBetweenTheirHeights)
 {
-  // 2.47 m, midway, is at x = 1.6, wherever the levels were cut.
+  // The middle height, 2.47 m, is at x = 1.6, wherever the levels were cut.
   for (const double cut : {1.4, 1.6, 2.0}) {
     const Ceiling ceiling(slopeOf(0.05), {{0, 2.5}, {cut, 2.44}});
     EXPECT_EQ(ceiling.labelAt(1.57), 0) << cut;
@@ -119,7 +119,7 @@ TEST(HeightBends, WhatAStepPartsStaysAsItIs)
 
 TEST(HeightBends, BentEdgesAreWhereTheCeilingIsMidwayBetweenTwoPlanes)
 {
-  // 2.4695 m, midway, is at x = 1.61: within a cell.
+  // The middle height, 2.4695 m, is at x = 1.61: within a cell.
   const Ceiling ceiling(slopeOf(0.05), {{0, 2.5}, {1.6, 2.439}});
   const BentEdges edges = bentEdges(ceiling.map, ceiling.grid);
   ASSERT_FALSE(edges.points.empty());

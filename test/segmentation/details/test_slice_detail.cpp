@@ -41,8 +41,8 @@ TEST(SliceDetails, ASoffitAlongTwoWallsIsOneInTheFirstTrial)
     EXPECT_EQ(region, 0u);
 }
 
-/** A room with a soffit 0.6 m wide, below which a row of cupboards hides the floor: it
- * is 0.9 m high and `depth` deep. */
+/** A room with a soffit 0.6 m wide, below which cupboards hide the floor: they are 0.9
+ * m high and `depth` deep. */
 Scene
 kitchenWithSoffit(double depth, double noise)
 {
@@ -80,7 +80,7 @@ TEST(SliceDetails, ASoffitOverCupboardsThatHideTheFloorBelowItIsFound)
 
 TEST(SliceDetails, TheHeadOfARecessAboveASillIsNone)
 {
-  // What stands below it stands in line with its front.
+  // The cupboards below it are in line with its front.
   EXPECT_TRUE(kitchenWithSoffit(0.61, 0).find().indices.empty());
 }
 
@@ -125,7 +125,7 @@ TEST(SliceDetails, TellWhatEveryTrialSaw)
     EXPECT_EQ(trial.enclosed.size(), cells) << "every region is one or the other";
   }
   EXPECT_TRUE(details.trials[0].accepted.empty());
-  // At half of the height the walls stand along the whole outline.
+  // At half the height the walls run along the whole outline.
   EXPECT_TRUE(details.trials[1].slice.contains(CellGrid(0.05).at(0.02, 2)));
   EXPECT_FALSE(details.trials[1].slice.contains(CellGrid(0.05).at(2, 2)));
   ASSERT_EQ(details.trials[1].accepted.size(), 1u);
@@ -147,7 +147,7 @@ TEST(SliceDetails, TellThatWhatATrialEnclosesIsTooSmall)
 
 TEST(SliceDetails, BehindARibbonOfWindowsItIsFoundInTheThirdTrial)
 {
-  // Neither at a quarter (1.875 m) nor at half of the height (1.25 m) is there a wall.
+  // There is no wall at a quarter (1.875 m) or half of the height (1.25 m).
   const Scene scene(soffitRoom(0.2), [](const Eigen::Vector3d& p) {
     return p.y() > 0.02 || p.z() < 1.1 || p.z() > 2.0;
   });
@@ -198,7 +198,7 @@ TEST(SliceDetails, ALampIsNone)
     const PlanRoom room = plainRoom();
     Scene scene(room);
     const PlanLoop lamp = rectangle(2.01, 1.51, 2.01 + size, 1.51 + size);
-    // It hides the ceiling above it, and hangs free.
+    // It hides the ceiling above it, and is not attached.
     scene.parts.ceiling.erase(
         std::remove_if(scene.parts.ceiling.begin(), scene.parts.ceiling.end(),
                        [&](int i) {

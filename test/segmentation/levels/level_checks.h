@@ -41,7 +41,7 @@ kindsOf(const std::vector<Level>& levels)
   return kinds;
 }
 
-/** Heights of the levels at the origin, to be within `tolerance` of these. */
+/** Expects the heights of the levels at the origin, within `tolerance`. */
 inline void
 expectHeights(const std::vector<Level>& levels,
               const std::vector<double>& heights,
@@ -52,7 +52,7 @@ expectHeights(const std::vector<Level>& levels,
     EXPECT_NEAR(heightOf(levels[l]), heights[l], tolerance) << "level " << l;
 }
 
-/** Those of a slab's points in whose cell no wall goes on. */
+/** Returns the points of a slab in cells without wall points. */
 inline std::vector<int>
 besideWalls(const RoomPoints& points,
             const std::vector<int>& slab,

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t cell_count = 40;
 
-/** Points in random cells, at heights that come in clusters. */
+/** Returns points in random cells at clustered heights. */
 std::vector<Candidate>
 scattered(std::size_t count, unsigned seed)
 {
@@ -30,7 +30,7 @@ scattered(std::size_t count, unsigned seed)
   return candidates;
 }
 
-/** The same by counting the cells of every window. */
+/** Finds the densest window by counting the cells of every one. */
 HeightWindow
 densestOfAll(const std::vector<Candidate>& sorted, double height, std::size_t fewer)
 {

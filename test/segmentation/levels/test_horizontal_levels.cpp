@@ -51,7 +51,7 @@ TEST(Levels, ACupboardAlmostAsHighAsTheCeilingCutsNothingOffIt)
     EXPECT_EQ(levelsOf(points).back().inliers, ceiling) << top;
   }
 
-  // A wall does.
+  // A wall separates them.
   RoomPoints parted;
   parted.slab(room, 0);
   parted.slab(room, 2.6);
@@ -64,7 +64,7 @@ TEST(Levels, TailsOfANoisySlabAreNoLevelsOfTheirOwn)
   RoomPoints points(0.01, 0.02);
   points.slab(rectangle(0, 0, 5, 4), 2.5);
   LevelParameters parameters;
-  parameters.tolerance = 0.05; // one in eighty points lies farther off
+  parameters.tolerance = 0.05; // one in eighty points is farther away
   parameters.minimum_area = 0.25;
   const auto levels = findLevels(points.view(), points.all(), parameters);
   expectHeights(levels, {2.5}, 1e-3);
@@ -72,7 +72,7 @@ TEST(Levels, TailsOfANoisySlabAreNoLevelsOfTheirOwn)
 
 TEST(Levels, TheTailsOfASlabAreNotThoseOfAnotherRoomsSoffit)
 {
-  // Thirteen centimetres below the ceiling next door: less than its noise may reach.
+  // Thirteen centimetres below the ceiling next door: less than the reach of its noise.
   RoomPoints points(0.05, 0.025);
   points.room(rectangle(0, 0, 6, 5), 0, 2.57);
   PlanRoom room = roomOf(rectangle(6.12, 0, 12.12, 5), 2.9);
@@ -109,7 +109,7 @@ TEST(Levels, TheHeadOfAWindowJustBelowTheCeilingIsNoneOfIt)
 
 TEST(Levels, ACeilingThatSagsIsOne)
 {
-  // 5 cm in the middle of 5 m.
+  // A sag of 5 cm in the middle of 5 m.
   RoomPoints points(0.05, 0.005);
   const PlanLoop outline = rectangle(0.01, 0.01, 5.01, 4.01);
   points.slab(outline, 0);
@@ -184,8 +184,8 @@ TEST(Levels, RoomsUnderOneLeaningSlabShareALevel)
 
 TEST(Levels, OfOneRoomTakeNothingFromTheCeilingOfAnother)
 {
-  // The plane of the small room's ceiling, which leans, passes through the large one's,
-  // which is bent, and is nearer to many of its points than its own.
+  // The plane of the small room's tilted ceiling passes through the bent ceiling of the
+  // large one. It is nearer to many of its points than their own plane.
   RoomPoints points;
   points.slab(rectangle(0, 0, 10, 6), 0);
   points.slab(rectangle(10.2, 0, 13.2, 6), 0);
@@ -234,8 +234,8 @@ TEST(Levels, AreAsLargeAsTheMinimumAreaAsksFor)
 
 TEST(Levels, CountCellsNotPoints)
 {
-  // A stack of paper of 0.5 m x 0.5 m, scanned from near, has as many points as the
-  // ceiling; half of the floor is a hundred times as dense as the other.
+  // A stack of paper of 0.5 m x 0.5 m, scanned from nearby, has as many points as the
+  // ceiling. One half of the floor is a hundred times as dense as the other.
   RoomPoints points;
   points.room(rectangle(0, 0, 4, 3), 0, 2.5);
   RoomPoints near(0.005);
@@ -299,7 +299,7 @@ TEST(Levels, ARoomTenKilometresAwayChangesNothingHere)
   both.room(rectangle(8192, -8192, 8196, -8189), 1, 4);
   EXPECT_EQ(kindsOf(levelsOf(both)),
             (std::vector<LevelKind>{Floor, Floor, Ceiling, Ceiling}));
-  expectHeights(levelsOf(both), {0, 1, 2.5, 4}, 0.002); // a float is that fine there
+  expectHeights(levelsOf(both), {0, 1, 2.5, 4}, 0.002); // a float's resolution there
 }
 
 } // namespace

@@ -72,7 +72,7 @@ TEST(Levels, AStepInTheCeilingIsTwoCeilingsOverOneFloor)
 
 TEST(Levels, ASoffitIsACeilingWhereTheSameHeightIsNoneElsewhere)
 {
-  // A soffit of half a metre; beside it a hall with canopies at its height, above which
+  // A soffit of half a metre; a hall beside it has canopies at its height, above which
   // the hall's ceiling is seen.
   RoomPoints points;
   PlanRoom room = roomOf(rectangle(0, 0, 4, 3), 2.5);

@@ -8,8 +8,8 @@ namespace {
 
 using namespace sedr_test;
 
-/** The levels of a room of 6 m x 5 m, turned, whose ceiling is lower by `drop` beyond
- * x = `from`; four points a cell. */
+/** Levels of a turned room of 6 m x 5 m, whose ceiling is lower by `drop` beyond x =
+ * `from`; four points per cell. */
 std::vector<Level>
 levelsOfAStep(double drop, double from, double noise)
 {
@@ -23,8 +23,7 @@ levelsOfAStep(double drop, double from, double noise)
 
 TEST(LevelSteps, StandOutFromTheNoiseOfTheirPoints)
 {
-  // As large as each other, and a strip; from a step that is lost between its own
-  // points to one as high as the tolerance.
+  // Equal halves and a strip; steps from within the noise to the tolerance.
   for (const double from : {3.0, 4.7})
     for (const double drop : {0.05, 0.08, 0.1}) {
       const auto levels = levelsOfAStep(drop, from, 0.02);
@@ -52,7 +51,7 @@ TEST(LevelSteps, NoiseAloneHasNone)
 
 TEST(LevelSteps, LowOnesPartRegionsThatTheyBoundButNotRoomsBeyondAWall)
 {
-  // 3 cm within a room, and between two rooms: no two slabs are quite alike.
+  // 3 cm within a room, and between two rooms: real slabs are never quite equal.
   EXPECT_EQ(levelsOfAStep(0.03, 3.0, 0.002).size(), 3u);
   RoomPoints points(0.025, 0.002);
   points.room(rectangle(0, 0, 4, 4), 0, 2.7);
@@ -62,7 +61,7 @@ TEST(LevelSteps, LowOnesPartRegionsThatTheyBoundButNotRoomsBeyondAWall)
 
 TEST(LevelSteps, WhatNoiseBringsNearALevelStaysWithItsOwn)
 {
-  // Beyond a partition, ten centimetres above: half of its points within the tolerance.
+  // Ten centimetres higher beyond a partition: half its points within the tolerance.
   RoomPoints points(0.025, 0.02);
   points.room(rectangle(0, 0, 5, 5), 0, 2.6);
   const RoomParts small = points.room(rectangle(5.1, 0, 6.9, 1.8), 0, 2.69);

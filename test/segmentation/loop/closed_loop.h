@@ -9,7 +9,7 @@
 
 namespace sedr_test {
 
-/** @brief Every element begins where the one before it ends. */
+/** @brief Expects that every element starts where the previous one ends. */
 inline void
 expectClosed(const pcl::sedr::PlanLoop& loop)
 {

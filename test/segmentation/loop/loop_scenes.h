@@ -17,8 +17,8 @@ namespace sedr_test {
 using namespace pcl::sedr;
 using Eigen::Vector2d;
 
-/** Points of the walls in plan as a scan has them: 20 one above the other every 5 cm,
- * off by Gaussian noise, where `keep` says so. */
+/** Points of the walls in plan as in a scan: 20 above each other every 5 cm, with
+ * Gaussian noise, where `keep` returns true. */
 inline std::vector<Vector2d>
 wallPoints(const PlanLoop& truth, double noise = 0, const Where& keep = everywhere)
 {
@@ -42,9 +42,8 @@ fitted(const Contour& contour, std::vector<Vector2d> walls)
   return fitLoop(contour, PlanPoints(std::move(walls), 0.1), {}, {});
 }
 
-/** That both loops have the same number of segments and of arcs, that for every end of
- * an element of the truth there is one within `tolerance`, and that they enclose the
- * same. */
+/** Expects the same number of segments and of arcs, an end within `tolerance` for every
+ * end of an element of the truth, and the same area. */
 inline void
 expectLoop(const PlanLoop& loop, const PlanLoop& truth, double tolerance)
 {
@@ -72,8 +71,8 @@ expectLoop(const PlanLoop& loop, const PlanLoop& truth, double tolerance)
   }
 }
 
-/** All but the cells near the inner corners of a loop: what closing the gaps of a
- * ceiling leaves of them. */
+/** Selects all cells except those near the inner corners of a loop, as the closing of a
+ * ceiling's gaps does. */
 inline Where
 awayFromCorners(const PlanLoop& truth, double distance)
 {

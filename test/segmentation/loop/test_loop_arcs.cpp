@@ -6,7 +6,7 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** That a loop has the elements of the truth, and arcs of its radius within a share. */
+/** Expects the elements of the truth, and arcs of its radius within a share. */
 void
 expectArcs(const PlanLoop& truth, double radius, double noise, double share)
 {
@@ -23,7 +23,7 @@ expectArcs(const PlanLoop& truth, double radius, double noise, double share)
   EXPECT_EQ(arcs, 0u);
 }
 
-/** A room whose lower wall turns by `degrees` over an arc tangent to both its parts. */
+/** A room whose lower wall turns by `degrees` along an arc tangent to both parts. */
 PlanLoop
 bentWall(double radius, double degrees)
 {

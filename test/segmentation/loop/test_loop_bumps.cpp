@@ -15,7 +15,7 @@ using namespace sedr_test;
 
 constexpr double narrowest = 0.2; // metres
 
-/** 4 m x 3 m with something at the wall y = 0. */
+/** A room of 4 m x 3 m with a bump on the wall y = 0. */
 PlanLoop
 roomWith(const Corners& bump)
 {
@@ -104,7 +104,7 @@ TEST(LoopBumps, AreNarrowAlongTheWallAndAcross)
       PlanLoop deep = roomWith({{2, 0}, {2.05, size * side}, {2.1, 0}});
       EXPECT_EQ(dropBumps(deep, narrowest), expected) << size;
     }
-    // Both walls are as long as a bump is wide, or longer.
+    // Both walls are at least as long as a bump is wide.
     PlanLoop short_wall = polygon({{0, 0},
                                    {2, 0},
                                    {2.03, 0.05},
@@ -130,8 +130,8 @@ TEST(LoopBumps, HaveSixSidesAtMost)
 
 TEST(LoopBumps, WallsThatTurnByLessThanFiveDegreesAreOne)
 {
-  // After the bump the wall is 3 cm aside and goes on at an angle: one wall is left
-  // with a step in it, two walls meet.
+  // Behind the bump the wall is offset by 3 cm and continues at an angle. Either one
+  // wall with a step remains, or two walls meet.
   for (const double degrees : {4.0, 6.0}) {
     const double rise = 2 * std::tan(degrees * M_PI / 180);
     PlanLoop loop = polygon(

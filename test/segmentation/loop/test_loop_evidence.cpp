@@ -8,8 +8,8 @@ using namespace sedr_test;
 
 TEST(FitLoop, AWallHiddenBehindACupboardIsBridged)
 {
-  // A cupboard up to the ceiling, 40 cm deep: neither ceiling nor wall is seen behind,
-  // and what is before it is no wall.
+  // A cupboard up to the ceiling, 40 cm deep, hides ceiling and wall behind it; its
+  // front is no wall.
   const PlanLoop truth = rectangle(0.01, 0.02, 5.01, 3.02);
   const auto isHidden = [](const Vector2d& p) {
     return p.x() > 1.5 && p.x() < 2.7 && p.y() < 0.42;
@@ -22,8 +22,8 @@ TEST(FitLoop, AWallHiddenBehindACupboardIsBridged)
 
 TEST(FitLoop, AWallThatNobodySawIsSquareAndWhereTheCeilingReaches)
 {
-  // Before the wall at x = 5 a wardrobe as wide as the room hides it, and the ceiling
-  // before it in a shadow that runs askew or bends.
+  // A wardrobe in front of the wall at x = 5 is as wide as the room and hides it. Its
+  // shadow on the ceiling has an oblique or bent edge.
   const PlanLoop truth = rectangle(0.01, 0.02, 5.01, 3.02);
   const Where shadows[] = {
       [](const Vector2d& p) { return p.x() < 5.01 - 0.1 * p.y(); },
@@ -42,7 +42,7 @@ TEST(FitLoop, AWallThatNobodySawIsSquareAndWhereTheCeilingReaches)
 
 TEST(FitLoop, WhereTheViewEndedObliquelyWallsMeetSquarely)
 {
-  // Through an opening in the wall at x = 5 a corner of the ceiling beyond was seen.
+  // A corner of the ceiling beyond an opening in the wall at x = 5 was scanned.
   const PlanLoop truth = rectangle(0.01, 0.02, 5.01, 3.02);
   const PlanLoop seen =
       polygon({{0.01, 0.02}, {5.46, 0.02}, {5.01, 0.92}, {5.01, 3.02}, {0.01, 3.02}});
@@ -85,8 +85,8 @@ TEST(FitLoop, WhereTheViewEndedObliquelyParallelWallsAreJoinedSquarely)
 
 TEST(FitLoop, TheUnseenEndOfAPassageIsSquareToItsWalls)
 {
-  // A wall elsewhere runs as the edge of what was seen of the ceiling does by chance;
-  // beside that edge a few points lie askew.
+  // The edge of the scanned ceiling happens to be in line with another wall; a few
+  // points near that edge are oblique to it.
   const PlanLoop truth = polygon({{0.01, 0.02},
                                   {6.01, 0.02},
                                   {6.01, 2.02},
@@ -126,13 +126,13 @@ TEST(FitLoop, AnObliqueWindowOfWhichOnlyTheLintelWasSeenStays)
 
 TEST(FitLoop, PointsInOnePlaceDoNotTurnAWall)
 {
-  // Of the window wall at x = 6 only a curtain was seen, askew.
+  // Only an oblique curtain of the window wall at x = 6 was scanned.
   const PlanLoop truth = rectangle(0, 0, 6, 5);
   auto walls = wallPoints(truth, 0, [](const Vector2d& p) { return p.x() < 5.99; });
   for (double s = 0; s < 1; s += 0.01)
     for (int k = 0; k < 8; ++k)
       walls.emplace_back(6.04 - 0.08 * s, 0.6 + s);
-  // A few points of something else, near its other end.
+  // A few points of another object, near its other end.
   const std::vector<Vector2d> strays{{6.02, 4.6}, {5.97, 4.1}, {5.99, 3.8}};
   for (const bool has_strays : {false, true}) {
     if (has_strays)
@@ -179,7 +179,7 @@ TEST(FitLoop, WithoutEvidenceTheOutlineIsThatOfTheCells)
 
 TEST(FitLoop, KnownCurvesStayExactlyAsTheyAre)
 {
-  // A soffit whose edge was scanned, between the walls of the room, which were not.
+  // A soffit with a scanned edge, between walls of the room that were not scanned.
   const PlanLoop truth = rectangle(0.013, 0.021, 1.2, 3.017);
   const PlanLoop room = rectangle(0.013, 0.021, 4, 3.017);
   const std::vector<PlanElement> walls = {room.elements[0], room.elements[2],
@@ -199,7 +199,7 @@ TEST(FitLoop, KnownCurvesStayExactlyAsTheyAre)
 
 TEST(FitLoop, AShortPieceOfAnArcDoesNotRunAroundItsCircle)
 {
-  // A soffit beside an apse, whose edge meets the apse 10 cm behind its begin.
+  // A soffit beside an apse; its edge meets the apse 10 cm behind its start.
   PlanElement apse = segment({16, 2.5}, {16, 9.5});
   apse.radius = 3.5;
   apse.centre = {16, 6};
@@ -232,7 +232,7 @@ TEST(FitLoop, AShortPieceOfAnArcDoesNotRunAroundItsCircle)
 
 TEST(FitLoop, NeverCrossesItself)
 {
-  // Random cells, random points: whatever comes, it is a sound outline.
+  // Random cells and points always give a valid outline.
   std::mt19937 random(23);
   for (int trial = 0; trial < 12; ++trial) {
     CellMask mask(CellBox{{0, 0}, {39, 39}});
@@ -249,7 +249,7 @@ TEST(FitLoop, NeverCrossesItself)
                          static_cast<double>(random() % 2000) / 1000);
     for (const auto& contour : traceContours(mask, cell)) {
       if (crossesItself(simplified(contour, 1e-9)))
-        continue; // cells touch by a corner: so does any outline
+        continue; // cells touch at a corner, so outlines do, too
       const PlanLoop loop = fitted(contour, walls);
       ASSERT_FALSE(loop.elements.empty());
       EXPECT_FALSE(crossesItself(loop.polygon(0.005))) << trial;

@@ -105,8 +105,8 @@ TEST(FitLoop, ArcsTangentToWallsAreOneArcEach)
 
 TEST(FitLoop, AnSCurveIsTwoArcs)
 {
-  // The right wall of a room leads over two arcs of 2 m to another line, each tangent
-  // to the next.
+  // The right wall of a room continues over two arcs of 2 m into another line, each
+  // tangent to the next.
   const double a = 50 * M_PI / 180;
   const Vector2d middle(2 - 2 * std::cos(a), 2 * std::sin(a));
   const double x = 2 * middle.x();
@@ -149,7 +149,7 @@ TEST(FitLoop, ASquareColumnHasFourStraightSides)
       const double half = side / 2;
       const PlanLoop truth =
           placed(rectangle(-half, -half, half, half), degrees, {2.013, 1.027});
-      // Around a column the room's cells run outside of it: the next whole cells.
+      // The room's cells around a column are the next complete cells outside it.
       const PlanLoop around =
           placed(rectangle(-half - 0.05, -half - 0.05, half + 0.05, half + 0.05),
                  degrees, {2.013, 1.027});
@@ -177,7 +177,7 @@ TEST(FitLoop, ARoundColumnIsACircleThatRunsClockwise)
 
 TEST(FitLoop, APilasterOfTenCentimetresIsKept)
 {
-  // Its sides are too short for curves of their own: they stand where the cells end.
+  // Its sides are too short for curves of their own and stay at the edges of the cells.
   const PlanLoop truth =
       polygon({{0, 0}, {2, 0}, {2, 0.1}, {2.5, 0.1}, {2.5, 0}, {5, 0}, {5, 3}, {0, 3}});
   for (const double degrees : {0.0, 25.0}) {

@@ -61,7 +61,7 @@ TEST(CutLobes, CutsEveryLobe)
 
 TEST(CutLobes, CutsAnArcOnItsCircle)
 {
-  // The wall at x = 4 goes on to y = -0.5, the arc begins below it.
+  // The wall at x = 4 continues to y = -0.5; the arc starts below it.
   PlanLoop loop;
   loop.elements = {segment({0, 0}, {4, 0}),       segment({4, 0}, {4, 3}),
                    arc({2, 3}, 2, 0, 180),        segment({0, 3}, {0, -0.5}),

@@ -66,7 +66,7 @@ TEST(CutNecks, CutsWhatStandsOutTooThinForAWall)
 
 TEST(CutNecks, LeavesRoomsThatANarrowWayJoins)
 {
-  // Two rooms, and a slit of 3 cm between them: each is too large to be cut off.
+  // Two rooms with a slit of 3 cm between them: each is too large to be cut off.
   PlanLoop loop = polygon({{0, 0},
                            {2, 0},
                            {2, 1},

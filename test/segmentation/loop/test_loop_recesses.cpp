@@ -11,7 +11,7 @@ using namespace pcl::sedr;
 using namespace sedr_test;
 using Eigen::Vector3d;
 
-/** 5 m x 4 m with a part of 2 m behind the wall y = 4, to which the ceiling goes on. */
+/** A room of 5 m x 4 m with a recess 2 m wide in the wall y = 4, up to the ceiling. */
 PlanLoop
 withRecess(double depth)
 {
@@ -25,9 +25,9 @@ withRecess(double depth)
                   {0, 4}});
 }
 
-/** What the fit makes of that room where above `sill` all was seen, below it the wall
- * that goes on there; of the back what `isSeen` leaves. A soffit of 0.6 m that goes on
- * into the recess, if there is one. */
+/** Fits that room. Above `sill` everything was scanned, below it the wall in front of
+ * the recess, and of the back the points where `isSeen` is true. An optional soffit of
+ * 0.6 m continues into the recess. */
 PlanRoom
 fittedAbove(double sill,
             double depth,
@@ -136,17 +136,17 @@ TEST(LoopRecesses, FromFloorToCeilingTheyArePartsOfIt)
   }
 }
 
-/** A recess in the wall y = 4 of a room of 5 m x 4 m, 2.6 m high, and what was seen
- * there. */
+/** A recess in the wall y = 4 of a room of 5 m x 4 m, 2.6 m high, and its scanned
+ * parts. */
 struct RecessScene {
   double depth = 0.25;
   double width = 2;
-  double wall_at = 0;     ///< of what goes on below, metres behind the wall
+  double wall_at = 0;     ///< of the wall below, metres behind the face
   double wall_share = 1;  ///< of the width
   double back_from = 0.9; ///< metres above the floor
   double back_share = 1;  ///< of the width
 
-  /** Whether the boundary goes straight past it. */
+  /** Returns true if the boundary passes it in a straight line. */
   bool isClosed() const
   {
     const double low = 2.5 - width / 2;
@@ -245,7 +245,7 @@ TEST(LoopRecesses, SeveralOfOneWallAreClosedOneAfterTheOther)
 
 TEST(LoopRecesses, WhatIsAStepInAWallIsNone)
 {
-  // Behind the step the wall goes on 10 cm farther back.
+  // Behind the step the wall continues 10 cm farther back.
   PlanRoom room = roomOf(polygon({{0, 0},
                                   {5, 0},
                                   {5, 4},

@@ -8,7 +8,7 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** Links along the sides of a polygon. */
+/** Returns links along the sides of a polygon. */
 LoopChain
 chainAlong(const Corners& corners)
 {
@@ -23,7 +23,7 @@ chainAlong(const Corners& corners)
   return chain;
 }
 
-/** The same corners, the first `by` of them last. */
+/** Returns the corners rotated by `by` places. */
 Corners
 rotated(Corners corners, std::size_t by)
 {
@@ -34,8 +34,8 @@ rotated(Corners corners, std::size_t by)
 
 TEST(SquareUnseenLinks, AStepThatIsHardlySeenGivesWay)
 {
-  // The end of a passage: a slanted link that nobody saw, and a short one, of which a
-  // third was seen, before it or after it; wherever the chain begins.
+  // The end of a passage: an oblique link that was not scanned, and a short one, a
+  // third of which was. They come in either order, with any start of the chain.
   const Corners after{{0, 0},     {6, 0},   {6, 2.6}, {4, 2.6}, {4, 4},
                       {3.3, 3.8}, {3, 3.8}, {3, 2.6}, {0, 2.6}};
   const Corners before{{0, 0},     {6, 0}, {6, 2.6}, {4, 2.6}, {4, 3.8},
@@ -62,8 +62,8 @@ TEST(SquareUnseenLinks, AStepThatIsHardlySeenGivesWay)
 
 TEST(SquareUnseenLinks, WallsMeetInACornerThatAWardrobeAcrossItHides)
 {
-  // The ceiling was seen up to the shadow of the wardrobe, which starts a little before
-  // one of the walls.
+  // The ceiling was scanned up to the shadow of the wardrobe, which starts a little
+  // before one of the walls.
   const PlanLoop truth = rectangle(0, 0, 5, 4);
   for (const double hidden : {0.9, 1.5}) {
     const Corners straight{{hidden, 0}, {5, 0}, {5, 4}, {0, 4}, {0, hidden}};

@@ -13,7 +13,7 @@ namespace sedr_test {
 
 using namespace pcl::sedr;
 
-/** 5 m x 4 m, 2.6 m high, with the recess of the wall x = 5 that is asked for. */
+/** A room of 5 m x 4 m, 2.6 m high, with the given recess in the wall x = 5. */
 inline PlanRoom
 recessed(double from, double to, double low, double high, double depth)
 {
@@ -22,7 +22,7 @@ recessed(double from, double to, double low, double high, double depth)
   return room;
 }
 
-/** What fitNiches() finds when the room is known but for its niches. */
+/** Returns the result of fitNiches() in a room that is known except for its niches. */
 inline std::vector<PlanNiche>
 nichesOf(const RoomPoints& points, PlanRoom room, double noise = 0)
 {

@@ -15,7 +15,7 @@ namespace {
 constexpr double top = 2.5;
 constexpr double noise = 0.003;
 
-/** A room of 4 x 3 metres whose outline goes around what stands before its far wall. */
+/** A room of 4 x 3 metres whose outline excludes a wardrobe at its far wall. */
 PlanLoop
 aroundWardrobe()
 {
@@ -23,15 +23,15 @@ aroundWardrobe()
       {{0, 0}, {4, 0}, {4, 3}, {2.5, 3}, {2.5, 2.4}, {1, 2.4}, {1, 3}, {0, 3}});
 }
 
-/** The same of what stands in a corner of it. */
+/** The room with an object in a corner excluded. */
 PlanLoop
 aroundCorner()
 {
   return polygon({{0, 0}, {4, 0}, {4, 2.4}, {2.5, 2.4}, {2.5, 3}, {0, 3}});
 }
 
-/** Points of the ceiling within a loop and of walls on it, of those within 0.2 metres
- * of its sides up to `high`. */
+/** Points of the ceiling within a loop and of the walls on it; within 0.2 metres of its
+ * sides only up to `high`. */
 RoomPoints
 scanOf(const PlanRoom& room, double high)
 {
@@ -108,7 +108,7 @@ TEST(CeilingSlits, ACabinetBelowTheCeilingIsNoColumn)
 
 TEST(CeilingSlits, AColumnOfWhichFewPointsWereSeenStays)
 {
-  // Of 90 points down to 25 cm below the ceiling 18 would be expected in the slit.
+  // Of 90 points down to 25 cm below the ceiling, 18 are expected in the slit.
   struct Seen {
     int in_slit;
     std::size_t columns;
@@ -137,7 +137,7 @@ TEST(CeilingSlits, AColumnOfWhichFewPointsWereSeenStays)
 
 TEST(CeilingSlits, AreNotToldFromNoiseOfTheCeiling)
 {
-  // Of 2 cm: three times that is more than the slit.
+  // With noise of 2 cm: three times that exceeds the slit.
   Floorplan plan = planOf(roomOf(aroundWardrobe(), top));
   RoomPoints points(0.01, 0.02);
   points.slab(plan.rooms.front().boundary, top);

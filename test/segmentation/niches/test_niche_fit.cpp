@@ -41,7 +41,7 @@ TEST(Niches, AreFoundUpToAMetreDeep)
 
 TEST(Niches, AnotherWingBehindAHiddenWallIsNone)
 {
-  // Two wings of a U with 0.6 m between them; of the wall of one, nothing was seen.
+  // Two wings of a U, 0.6 m apart; the wall of one was not scanned.
   PlanRoom room = roomOf(rectangle(0, 0, 5, 4), 2.6);
   room.boundary = polygon(
       {{0, 0}, {5, 0}, {5, 4}, {3.1, 4}, {3.1, 1.5}, {2.5, 1.5}, {2.5, 4}, {0, 4}});
@@ -86,7 +86,7 @@ TEST(Niches, TheHeadOfOneThatReachesTheCeilingIsTheCeiling)
 
 TEST(Niches, OfTwoAboveEachOtherTheLargerIsFound)
 {
-  // The points of a wall with both: of each room what it has that the other has not.
+  // The points of a wall with both niches: of each room those where the other has none.
   const PlanRoom large = recessed(1, 2.2, 0.5, 1.4, 0.3);
   const PlanRoom small = recessed(1.4, 2.4, 1.6, 2.1, 0.2);
   RoomPoints of_large(0.03);

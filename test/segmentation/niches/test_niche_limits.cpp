@@ -11,14 +11,14 @@ using namespace sedr_test;
 
 using Seen = std::function<bool(const Eigen::Vector3d&)>;
 
-/** A room with a niche of which a part is seen, and pieces of wall in it. */
+/** A room with a partly scanned niche, and pieces of wall in it. */
 struct Scene {
   PlanRoom room = recessed(1, 2.4, 0.8, 2.2, 0.3);
   RoomPoints points{0.03};
 
   explicit Scene(const Seen& isSeen) { points.room(room, isSeen); }
 
-  /** A piece of wall at `x`. */
+  /** Adds a piece of wall at `x`. */
   void wallAt(double x, double from, double to, double low, double high)
   {
     points.wall(segment({x, from}, {x, to}), low, high);
@@ -65,7 +65,7 @@ TEST(NicheLimits, WhatReachesFromFloorToCeilingIsAPartOfTheRoom)
 
 TEST(NicheLimits, ABackThatThingsHideIsNotClosed)
 {
-  // Books, 15 cm deep, before 45 % of the back in strips of 9 cm.
+  // Books, 15 cm deep, in front of 45 % of the back in strips of 9 cm.
   const auto isBook = [](double y) { return std::fmod(y, 0.2) < 0.09; };
   Scene scene([&](const Eigen::Vector3d& p) { return p.x() < 5.29 || !isBook(p.y()); });
   for (double y = 1; y < 2.3; y += 0.2)

@@ -10,8 +10,8 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** How many niches are left of a plan with one, of 1.2 x 1 m, when `share` of the
- * points that are on a wall are on its back. */
+/** Returns the number of niches that remain of a plan with one of 1.2 x 1 m, when
+ * `share` of the wall points are on its back. */
 std::size_t
 leftOf(double depth, double share, double spacing = 0.01, unsigned threads = 0)
 {

@@ -32,7 +32,7 @@ TEST(DistanceToRim, IsThatToTheNearestWallInCells)
 
 TEST(DistanceToRim, GoesRoundCorners)
 {
-  // Only one gap is not inside: all others are as far as the way to it is.
+  // Three by three gaps are inside.
   AirScene scene;
   scene.room(0.05, 0.05, 6.05, 4.05, 0.01, 2.51);
   const SceneAir air(scene);
@@ -48,7 +48,7 @@ TEST(DistanceToRim, GoesRoundCorners)
 
 TEST(DistanceToRim, DiffersFromThatOfTheCrowByEightHundredthsAtMost)
 {
-  // A round room: how far its middle is from all of its wall.
+  // A round room: its centre has the same distance from the whole wall.
   AirScene scene;
   const PlanLoop round = circle({0, 0}, 4);
   scene.points.slab(round, 0.01);

@@ -16,21 +16,21 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** A scene with its air parted. */
+/** A scene with its air split into rooms. */
 struct Parted : SceneAir {
   explicit Parted(const AirScene& of, unsigned threads = 1)
       : SceneAir(of, threads)
       , parted(partRooms(gaps, PartingParameters()))
   {}
 
-  /** The room at a place, -1 for none. */
+  /** Returns the room at a place, -1 for none. */
   int roomAt(double x, double y, double z = 1) const
   {
     const std::uint32_t g = at(x, y, z);
     return g == AirGaps::none ? PartedAir::no_room : parted.room[g];
   }
 
-  /** Rooms of more than a square metre. */
+  /** Returns the number of rooms larger than a square metre. */
   std::size_t rooms() const
   {
     std::map<std::int32_t, int> size;
@@ -45,7 +45,7 @@ struct Parted : SceneAir {
   PartedAir parted;
 };
 
-/** Runs a test on a scene as it is and turned by 30 degrees. */
+/** Runs a test on a scene with and without a turn of 30 degrees. */
 void
 forBothTurns(const std::function<void(AirScene&)>& test)
 {
@@ -56,7 +56,7 @@ forBothTurns(const std::function<void(AirScene&)>& test)
   }
 }
 
-/** Rooms of 4 m x 3 m and 3 m x 3 m, 2.5 m high, 10 cm of wall and a hole between. */
+/** Adds rooms of 4 m x 3 m and 3 m x 3 m, 10 cm of wall and a hole between them. */
 void
 addTwoRooms(AirScene& scene, Hole hole)
 {
@@ -91,7 +91,7 @@ TEST(PartRooms, ADoorWithALintelPartsTwoRooms)
   });
 }
 
-/** The same rooms, 4 m deep, with two openings of a width beside a pier of 40 cm. */
+/** Adds the same rooms, 4 m deep, with two equal openings beside a pier of 40 cm. */
 void
 addRoomsWithPier(AirScene& scene, double width, double head)
 {
@@ -207,7 +207,7 @@ TEST(PartRooms, NorDoLampsThatHangInARow)
   });
 }
 
-/** A hall of 8 m x 6 m, and in the middle of its side a corridor of 6 m. */
+/** Adds a hall of 8 m x 6 m with a corridor of 6 m in the middle of its side. */
 void
 addHallWithCorridor(AirScene& scene, double width, double lintel)
 {

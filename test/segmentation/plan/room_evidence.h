@@ -13,8 +13,8 @@ namespace sedr_test {
 
 using namespace pcl::sedr;
 
-/** A room's points as the stages before find them: what a wall's column holds is not
- * the ceiling's. */
+/** Returns a room's points as the previous stages label them: points in a cell with a
+ * wall are not ceiling. */
 inline RoomEvidence
 evidenceOf(const RoomPoints& points, const RoomParts& parts)
 {
@@ -45,8 +45,7 @@ fitted(const RoomPoints& points, const RoomParts& parts)
   return room;
 }
 
-/** The largest distance of an end of an element of `truth` from the nearest of `loop`.
- */
+/** Returns the maximum distance from an end in `truth` to the nearest in `loop`. */
 inline double
 cornerError(const PlanLoop& loop, const PlanLoop& truth)
 {
@@ -60,7 +59,7 @@ cornerError(const PlanLoop& loop, const PlanLoop& truth)
   return worst;
 }
 
-/** The largest distance of the outline of `truth` from `loop`. */
+/** Returns the maximum distance from the outline of `truth` to `loop`. */
 inline double
 outlineError(const PlanLoop& loop, const PlanLoop& truth)
 {

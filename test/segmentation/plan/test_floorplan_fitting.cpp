@@ -40,7 +40,7 @@ TEST(FloorplanFitting, FitsTheRoomsThatAreSetOrOneForAll)
   EXPECT_LT(cornerError(plan.rooms[0].boundary, scene.left), 0.001);
 }
 
-/** A fitting to thinned points that are 4 mm off the room of the raw cloud. */
+/** A fit to thinned points that deviate by 4 mm from the room of the raw cloud. */
 class OffRaw : public ::testing::Test {
 protected:
   OffRaw()
@@ -131,7 +131,7 @@ TEST(FloorplanFitting, TellsTheBoundaryPointsOfWallsAndColumns)
   const PlanLoop* loops[] = {&truth.boundary, &truth.columns[0]};
   for (std::size_t b = 0; b < 2; ++b) {
     EXPECT_EQ(boundaries[b].room, 1u);
-    // One a cell edge, and all but those at corners on the wall itself.
+    // One per cell edge; all but those at corners are on the wall itself.
     const double edges = loops[b]->length() / 0.05;
     EXPECT_NEAR(static_cast<double>(boundaries[b].samples.size()), edges, 0.4 * edges);
     std::size_t supported = 0;

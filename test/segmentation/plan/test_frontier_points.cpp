@@ -16,8 +16,8 @@ using namespace pcl::sedr;
 using namespace sedr_test;
 
 /** Two rooms with a partition of 10 cm between y = 0 and y = 0.1, from x = 0 to x = 2,
- * turned about z: of the upper one the face of the partition and the ceiling beyond the
- * ends of this wall, of the lower one the ceiling up to the partition. */
+ * turned about z. The upper room has its face of the partition and the ceiling beyond
+ * the ends of this wall. The lower one has the ceiling up to the partition. */
 class Partition {
 public:
   explicit Partition(double degrees)
@@ -28,10 +28,10 @@ public:
     face(0.1, 0, upper_);
   }
 
-  /** The lower room's own face, from a height on. */
+  /** Adds the lower room's own face above a height. */
   void addLowerFace(double from) { face(0, from, lower_); }
 
-  /** Rooms of the points of the upper and of the lower face. */
+  /** Returns the rooms of the points of the upper and of the lower face. */
   std::pair<std::vector<std::int32_t>, std::vector<std::int32_t>>
   rooms(unsigned threads) const
   {
@@ -67,14 +67,14 @@ private:
     return CellSet(CellGrid(0.05), points.view(), points.all());
   }
 
-  /** Points of a wall within the ends of the partition, as its noise leaves them. */
+  /** Adds noisy points of a wall within the ends of the partition. */
   void face(double y, double from, std::vector<int>& indices)
   {
     constexpr double noise = 0.01;
     int k = 0;
     for (double x = 0.2; x <= 1.8; x += step)
       for (double z = from; z <= 2.4; z += step) {
-        // A normal distribution without chance: its quantiles in a shuffled order.
+        // A deterministic normal distribution: its quantiles in a shuffled order.
         const double u = (++k * 89 % 997 + 0.5) / 997;
         const Eigen::Vector2d p =
             turned(x, y + noise * std::log(u / (1 - u)) * std::sqrt(3) / M_PI);
@@ -104,7 +104,7 @@ TEST(RoomsOfPoints, AFaceWhoseOtherSideWasNotSeenIsOfOneRoomHoweverItIsTurned)
 
 TEST(RoomsOfPoints, BothFacesOfAThinPartitionStayApart)
 {
-  for (const double from : {0.0, 2.0}) // a wardrobe hides what is lower
+  for (const double from : {0.0, 2.0}) // a wardrobe hides the lower part
     for (double degrees = 0; degrees < 180; degrees += 7.3) {
       Partition partition(degrees);
       partition.addLowerFace(from);
@@ -114,8 +114,8 @@ TEST(RoomsOfPoints, BothFacesOfAThinPartitionStayApart)
     }
 }
 
-/** Of two rooms that meet at x = 0 the room of a point `from` cells before it, with
- * others `away` cells farther on and as high. */
+/** Of two rooms that meet at x = 0, returns that of a point `from` cells before it,
+ * with `others` points at the same height `away` cells farther on. */
 std::int32_t
 roomBeside(double from, double away, std::size_t others)
 {

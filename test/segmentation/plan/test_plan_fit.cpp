@@ -32,7 +32,7 @@ TEST(FitPlan, SeesTheBacksOfDeepNiches)
 TEST(FitPlan, FitsEachRoomToItsOwnFaceOfThePartition)
 {
   TwoRooms scene;
-  // What is no ceiling carries no room: it goes to the nearest.
+  // Points other than ceiling have no room here; they go to the nearest.
   for (const auto* part : {&scene.evidence.floor, &scene.evidence.walls})
     for (const int i : *part)
       scene.evidence.room[static_cast<std::size_t>(i)] = 0;
@@ -86,8 +86,8 @@ TEST(FitPlan, ARoomKeepsItsFloorThoughSomeOfItsCeilingIsThatOfTheStoreyAbove)
 
 TEST(FitPlan, AWallSeenFromNextDoorIsNoNiche)
 {
-  // The left room's face of the partition is hidden over half a metre, and a bit of
-  // ceiling labelled as its own lies in the partition: behind is the other room's face.
+  // The left room's face of the partition is hidden along half a metre. Ceiling points
+  // labelled as its own are inside the partition, before the other room's face.
   TwoRooms scene;
   const auto isHidden = [&](int i) {
     const Eigen::Vector3f& p = scene.points[i];

@@ -61,7 +61,7 @@ TEST(FitRoom, FurnitureDoesNotMoveTheWallsBehindIt)
   const PlanLoop truth = rectangle(0.01, 0.01, 4.01, 3.01);
   RoomPoints points(0.05, 0.005);
   RoomParts parts = points.room(truth, 0, 2.5);
-  // A cupboard 5 cm before the wall up to 1.2 m, which the growing took for wall, too.
+  // A cupboard 5 cm in front of the wall up to 1.2 m, also labelled wall.
   parts.walls =
       joined(parts.walls, points.wall(segment({0.5, 0.06}, {3.5, 0.06}), 0, 1.2));
   EXPECT_LT(cornerError(fitted(points, parts).boundary, truth), 0.004);
@@ -252,7 +252,7 @@ TEST(FitRoom, TheRisersOfACofferAreItsOwnWhateverHeightsOthersHave)
   }
 }
 
-/** The plan of a room of which nothing was seen where `isHidden` says so. */
+/** Returns the plan of a room without the points for which `isHidden` is true. */
 PlanRoom
 fittedWithout(const RoomPoints& points,
               const RoomParts& parts,
@@ -283,7 +283,7 @@ TEST(FitRoom, ABeamWhoseEndWasNotSeenGoesOnToTheWall)
   const PlanRoom truth = roomWithABeam();
   RoomPoints points(0.05, 0.002);
   const RoomParts parts = points.room(truth);
-  // A shadow that reaches farther on one side.
+  // A shadow that is longer on one side.
   const PlanRoom room = fittedWithout(points, parts, [](const Eigen::Vector3d& p) {
     return p.z() > 2.3 && p.x() > 2.6 && p.x() < 3.5 && p.y() > 4.4 - 0.4 * p.x();
   });
@@ -320,7 +320,7 @@ TEST(FitRoom, AShelfBelowTheCeilingWithoutRisersIsNoDetail)
   RoomPoints points(0.05, 0.002);
   RoomParts parts = points.room(truth);
   const PlanLoop shelf = rectangle(3.91, 0.01, 5.01, 4.01);
-  // The ceiling above it was not seen.
+  // The ceiling above it was not scanned.
   parts.ceiling.erase(std::remove_if(parts.ceiling.begin(), parts.ceiling.end(),
                                      [&](int i) { return points[i].x() > 3.91f; }),
                       parts.ceiling.end());

@@ -15,8 +15,8 @@ using namespace sedr_test;
 
 constexpr double height = 2.5;
 
-/** A room of 4 m x 3 m whose ceiling was seen where `isSeen` says so, and the wall y =
- * 0.01 but for the x from `hidden_from` to `hidden_to`. */
+/** A room of 4 m x 3 m. Its ceiling was scanned where `isSeen` is true, and its wall y
+ * = 0.01 except from `hidden_from` to `hidden_to` along x. */
 class Scene {
 public:
   explicit Scene(
@@ -33,7 +33,7 @@ public:
     ceiling = points.slab(loop, height, isSeen);
   }
 
-  /** The four sides of an upright box. */
+  /** Adds the four vertical sides of a box. */
   void box(double x0, double y0, double x1, double y1, double low, double high)
   {
     for (const auto& e : rectangle(x0, y0, x1, y1).elements)
@@ -54,7 +54,7 @@ public:
   std::vector<int> ceiling;
 };
 
-/** Whether these are the cells in which a full ceiling of the room has points. */
+/** Returns true if these are the cells of the room's complete ceiling. */
 bool
 isWholeRoom(const CellMask& room)
 {
@@ -145,8 +145,8 @@ TEST(OutlineRoom, AColumnIsKeptAsAHoleOfTheRoomThatItStandsIn)
   EXPECT_EQ(outline.columns[0].at(CellGrid(0.05).at(1.7, 1.6)), 0);
 }
 
-/** A box of 40 cm up to the ceiling, `off` the wall y = 0.01, and in its shadow no
- * ceiling; the wall goes on behind it if it stands off. */
+/** A box of 40 cm up to the ceiling, `off` metres from the wall y = 0.01, with no
+ * ceiling in its shadow. The wall continues behind it if `off` is not 0. */
 RoomOutline
 withColumnBefore(double off)
 {
@@ -208,7 +208,7 @@ TEST(OutlineRoom, EveryColumnIsKept)
 
 TEST(OutlineRoom, AnObjectShortOfTheCeilingIsNoColumn)
 {
-  // Scanned from below, it hides the ceiling above it.
+  // Scanned from below, the box hides the ceiling above it.
   Scene scene([](double x, double y) { return !within(x, y, 1.5, 1, 2.3, 1.6); });
   scene.box(1.5, 1, 2.3, 1.6, 0, height - 0.3);
   const RoomOutline outline = scene.outline();
@@ -218,7 +218,7 @@ TEST(OutlineRoom, AnObjectShortOfTheCeilingIsNoColumn)
 
 TEST(OutlineRoom, ADividerTenCentimetresShortOfTheCeilingIsNoColumn)
 {
-  // From nearby, the ceiling is seen a few centimetres beyond its faces.
+  // From nearby, the ceiling is seen a few centimetres beyond the box's faces.
   Scene scene([](double x, double y) { return !within(x, y, 1.55, 1.05, 2.25, 1.55); });
   scene.box(1.5, 1, 2.3, 1.6, 0, height - 0.1);
   const RoomOutline outline = scene.outline();
@@ -254,20 +254,20 @@ TEST(OutlineRoom, AHoleSmallerThanAColumnIsFilled)
 
 TEST(OutlineRoom, AFalseNotchIsClosed)
 {
-  // A cupboard at the wall that ends below the ceiling hides a part of it.
+  // A cupboard at the wall that ends below the ceiling hides a part of the ceiling.
   for (const double top : {1.2, 1.9, 2.1}) {
     Scene scene([](double x, double y) { return !within(x, y, 1.5, 0, 2.1, 0.5); });
     scene.box(1.51, 0.01, 2.11, 0.51, 0, top);
     const CellMask room = scene.outline().room;
     EXPECT_EQ(room.at(CellGrid(0.05).at(1.8, 0.2)), 1) << top;
-    // The disc that closes it leaves a shallow dent at the wall.
+    // The closing disc leaves a shallow dent at the wall.
     EXPECT_NEAR(areaOf(room), 12, 0.06) << top;
   }
 }
 
 TEST(OutlineRoom, ANotchWithAWallAroundStaysUnderASoffitToo)
 {
-  // The soffit hangs 0.5 m below the ceiling along the wall; a pillar ends at it.
+  // The soffit is 0.5 m below the ceiling along the wall; a pillar ends at it.
   const double soffit = 2.0;
   Scene scene([](double, double y) { return y > 0.81; }, 1.5, 2.1);
   const auto under = scene.points.slab(
@@ -362,7 +362,7 @@ TEST(OutlineRoom, AThinPartitionShortOfTheCeilingIsNone)
 
 TEST(OutlineRoom, PointsScatteredInTheAirBelowASeenCeilingAreNoColumn)
 {
-  // A ceiling of which every third cell each way was not hit, over a cloud of strays.
+  // A ceiling with points in every third cell each way, above a cloud of strays.
   const auto isInCloud = [](double x, double y) {
     return within(x, y, 1.5, 1, 2.5, 2);
   };
@@ -384,8 +384,8 @@ TEST(OutlineRoom, PointsScatteredInTheAirBelowASeenCeilingAreNoColumn)
 
 TEST(OutlineRoom, PointsScatteredInTheAirBelowAHoleAreNoColumn)
 {
-  // The edges of what stands there send a scanner points from in front of the wall
-  // behind: 2000 in a cubic metre, in a quarter of the voxels.
+  // Edges of the object cause mixed points in front of the wall behind: 2000 per cubic
+  // metre, in a quarter of the voxels.
   Scene scene([](double x, double y) { return !within(x, y, 1.51, 1.01, 1.91, 1.41); });
   std::mt19937 random(1);
   std::uniform_real_distribution<double> part(0, 1);

@@ -11,7 +11,7 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-constexpr double partition = 0.01; // where nothing is known of it
+constexpr double partition = 0.01; // where its thickness is unknown
 
 PlanRoom
 roomAt(std::uint32_t id, const PlanLoop& boundary, double floor = 0)
@@ -22,7 +22,7 @@ roomAt(std::uint32_t id, const PlanLoop& boundary, double floor = 0)
   return room;
 }
 
-/** A room of 4 m x 3 m that was closed half a metre into one of 3 m x 3 m. */
+/** A room of 4 m x 3 m that was closed half a metre inside one of 3 m x 3 m. */
 Floorplan
 overlappingRooms()
 {
@@ -61,7 +61,7 @@ TEST(SeparateRooms, WhatTwoRoomsShareIsLeftToTheOneWhoseWallWasSeen)
     const auto sentences = separate(plan, points);
     EXPECT_TRUE(areApart(plan));
     EXPECT_NEAR(plan.rooms[seen].boundary.area(), kept, 1e-9);
-    // 0.5 m x 2 m in common, and the partition around it
+    // 0.5 m x 2 m in common, plus the partition around it
     const double left = seen == 0 ? 7 - 2 * (0.5 + partition)
                                   : 12 - (0.5 + partition) * (2 + 2 * partition);
     EXPECT_NEAR(plan.rooms[1 - seen].boundary.area(), left, 1e-9);
@@ -130,7 +130,7 @@ TEST(SeparateRooms, ARoomOfACoreEndsAtTheHoleOfTheRoomAroundIt)
 
 TEST(SeparateRooms, CutsThatCoincideAreMadeApart)
 {
-  // The second is cut back from the first, and the third from the arc that leaves.
+  // The second is cut by the first, and the third by the resulting arc.
   Floorplan plan;
   plan.rooms = {roomAt(1, circle({0, 3}, 0.8)),
                 roomAt(2, placed(rectangle(0, 0, 3.7, 4.4), 49, {-0.7, -1.1})),
@@ -142,7 +142,7 @@ TEST(SeparateRooms, CutsThatCoincideAreMadeApart)
 
 TEST(SeparateRooms, WhereCutsNearlyCoincideARoomIsNotLost)
 {
-  // The second room and a centimetre around it end where the first does, but for a few
+  // The second room, widened by a centimetre, ends where the first does, up to a few
   // micrometres.
   Floorplan plan;
   plan.rooms = {roomAt(1, rectangle(0.999995, 4, 5, 7.99999995)),
@@ -222,7 +222,7 @@ TEST(SeparateRooms, ASlitIsCutOffFromTheRoomAndItsSoffit)
 
 TEST(SeparateRooms, DetailsEndAtTheWallsOfTheirRoom)
 {
-  // An L of which the soffit goes through the wall at its inner corner.
+  // An L whose soffit passes through the wall at its inner corner.
   PlanRoom room = roomAt(
       1, polygon({{0, 0}, {6, 0}, {6, 2}, {4, 2}, {4, 4}, {2, 4}, {2, 2}, {0, 2}}));
   PlanDetail soffit = detailOf(rectangle(-0.1, 1.5, 6.2, 3), 2.2);

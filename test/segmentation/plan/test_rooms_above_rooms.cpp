@@ -16,7 +16,7 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** The greatest distance of any corner from where it is in the other plan. */
+/** Returns the maximum distance between corresponding corners of two plans. */
 double
 farthestCorner(const Floorplan& a, const Floorplan& b)
 {
@@ -54,7 +54,7 @@ TEST(RoomsAboveRooms, AreNotSeparatedFromEachOther)
 TEST(RoomsAboveRooms, NorWhereACeilingWasFoundTooHigh)
 {
   Floorplan plan = twoStoreys(0.3);
-  plan.rooms[0].ceiling = slabAt(3.1); // 0.3 m above the floor of the rooms above it
+  plan.rooms[0].ceiling = slabAt(3.1); // 0.3 m above the floor of the upper rooms
   const RoomPoints nothing;
   EXPECT_TRUE(separateRooms(plan, nothing.view(), {}).empty());
   EXPECT_NEAR(plan.rooms[2].boundary.area(), 4.3 * 3, 1e-9);
@@ -74,7 +74,7 @@ TEST(RoomsAboveRooms, AHallOfBothStoreysIsSeparatedFromEither)
 TEST(RoomsAboveRooms, KeepTheirNiches)
 {
   Floorplan plan = twoStoreys(0.5);
-  // Into the wall to the next room, below a room that is there.
+  // A niche in the wall to the next room, below an existing room.
   plan.rooms[0].niches = {{rectangle(1, 3, 2, 3.2), slabAt(1), slabAt(2)}};
   plan.rooms[2].boundary = rectangle(0, 0, 4.5, 3.5);
   const RoomPoints nothing;
@@ -84,7 +84,7 @@ TEST(RoomsAboveRooms, KeepTheirNiches)
 
 TEST(RoomsAboveRooms, HaveNoFacesOfEachOther)
 {
-  // The short wall of the lower room lies on the other side of a long one of the upper.
+  // The short wall of the lower room is on the other side of a long one of the upper.
   Floorplan plan;
   plan.rooms = {
       roomBetween(rectangle(0, 1, 4, 2), 0, 2.5, 1),
@@ -97,7 +97,7 @@ TEST(RoomsAboveRooms, HaveNoFacesOfEachOther)
 
 TEST(RoomsAboveRooms, AreFittedToTheirOwnPoints)
 {
-  // Walls 3 cm apart: those of the one storey lie within reach of the other's.
+  // Walls 3 cm apart: those of one storey are within reach of the other's.
   const Floorplan truth = twoStoreys(0.03);
   Floorplan plan = truth;
   for (PlanRoom& room : plan.rooms) {

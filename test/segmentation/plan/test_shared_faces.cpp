@@ -10,7 +10,7 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** Rooms of the given outlines. */
+/** Returns a plan of rooms with the given outlines. */
 Floorplan
 planOf(const std::vector<PlanLoop>& outlines)
 {
@@ -29,7 +29,7 @@ TEST(SharedFaces, RoomsWithAPartitionBetweenThemHaveNone)
 
 TEST(SharedFaces, AShortWallOnALongOneOfTheNextRoomIsThatRooms)
 {
-  // The room on the left reaches through the partition over one metre.
+  // The room on the left extends through the partition over one metre.
   PlanLoop left;
   left.elements = {segment({0, 0}, {4, 0}),   segment({4, 0}, {4, 1}),
                    segment({4, 1}, {4.1, 1}), segment({4.1, 1}, {4.1, 2}),
@@ -55,7 +55,7 @@ TEST(SharedFaces, NoiseSharedOutBetweenTheRoomsPartsTheTwoByLessThanAnyPartition
 
 TEST(SharedFaces, OneThatLeadsFromTheRoomsOwnFaceToTheOtherIsDrawnByThat)
 {
-  // A wardrobe hides the left room's own wall beyond 1 m but for its end.
+  // A wardrobe hides the left room's own wall beyond 1 m, except its end.
   const auto leftUpTo = [](double x) {
     return polygon({{0, 0}, {4, 0}, {4, 1}, {x, 3}, {0, 3}});
   };
@@ -79,7 +79,7 @@ TEST(SharedFaces, HalfOfAWallOnTheNextRoomsWholeOneIsThatRooms)
 
 TEST(SharedFaces, OneThatRunsAlongTwoRoomsAndTheWallBetweenThemIsTheirs)
 {
-  // Two rooms at the right, parted by 20 cm; the left one's wall lies on both.
+  // Two rooms on the right, 20 cm apart; the left one's wall coincides with both.
   PlanLoop left;
   left.elements = {segment({0, 0}, {4, 0}),       segment({4, 0}, {4, 2.5}),
                    segment({4, 2.5}, {4.1, 2.5}), segment({4.1, 2.5}, {4.1, 3.7}),
@@ -92,7 +92,7 @@ TEST(SharedFaces, OneThatRunsAlongTwoRoomsAndTheWallBetweenThemIsTheirs)
 
 TEST(SharedFaces, HowThickThePartitionIsAtLeastCanBeSet)
 {
-  // The middle of the left room's wall comes within 5 cm of the other room's face.
+  // The middle of the left room's wall is within 5 cm of the other room's face.
   const PlanLoop left =
       polygon({{0, 0}, {4, 0}, {4, 1}, {4.05, 1}, {4.05, 2}, {4, 2}, {4, 3}, {0, 3}});
   const Floorplan plan = planOf({left, rectangle(4.1, 0, 8, 3)});

@@ -9,7 +9,7 @@
 
 namespace sedr_test {
 
-/** Two rooms of different heights with a partition of 10 cm, their points numbered. */
+/** Two rooms of different heights, with room numbers and a partition of 10 cm. */
 struct TwoRooms {
   RoomPoints points{0.05, 0.003};
   PlanEvidence evidence;

@@ -9,7 +9,7 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** A room of 8 m x 6 m whose ceiling at 2.5 m hangs by `sag(x, y)` metres. */
+/** A room of 8 m x 6 m whose ceiling at 2.5 m sags by `sag(x, y)` metres. */
 template <typename Sag>
 RoomPoints
 roomWithCeiling(Sag sag)
@@ -35,7 +35,7 @@ TEST(LevelSteps, WhatStandsOutAtOnceIsAStepAndLessThanOneAndAHalfCentimetresUnev
 
 TEST(LevelSteps, WhatLeavesThePlaneGraduallyIsUnevenness)
 {
-  // A bulge of 6 cm, 5 m wide, like a drop: level around it and in its middle.
+  // A drop-shaped bulge of 6 cm, 5 m wide: level around it and in its middle.
   const auto levels = levelsOf(roomWithCeiling([](double x, double y) {
     const double r = std::min(1.0, std::hypot(x - 4, y - 3) / 2.5);
     return 0.03 * (1 + std::cos(M_PI * r));
@@ -45,7 +45,7 @@ TEST(LevelSteps, WhatLeavesThePlaneGraduallyIsUnevenness)
 
 TEST(LevelSteps, WhatSlopesOrBendsHasNoStepHoweverSteepItIs)
 {
-  // Scallops 13 cm deep, which slope by a fifth; 6 cm that are lost over 60 cm.
+  // Scallops 13 cm deep with slopes of a fifth; a ramp of 6 cm over 60 cm.
   const auto levels = levelsOf(
       roomWithCeiling([](double x, double) { return 0.065 * std::cos(M_PI * x); }));
   EXPECT_EQ(levels.size(), 2u);

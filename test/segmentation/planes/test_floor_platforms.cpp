@@ -17,7 +17,7 @@ hall()
   return roomOf(rectangle(0, 0, 5, 4), 2.6);
 }
 
-/** Heights of the levels that are floors, lowest first. */
+/** Returns the heights of the floor levels, lowest first. */
 std::vector<double>
 floorsOf(const RoomPoints& points)
 {
@@ -41,7 +41,7 @@ expectFloors(const RoomPoints& points, const std::vector<double>& heights)
     EXPECT_NEAR(found[i], heights[i], 0.005);
 }
 
-/** A closed box on the floor. */
+/** Adds a closed box on the floor. */
 void
 addBox(RoomPoints& points, const PlanLoop& footprint, double height)
 {
@@ -122,7 +122,7 @@ TEST(Platforms, WhatStandsOnOneHidesHowItGoesOn)
 {
   PlanRoom room = hall();
   room.floor_details = {detailOf(rectangle(2.7, 0, 5, 4), 0.3)};
-  RoomPoints points; // a desk of the platform's length, nothing seen behind it
+  RoomPoints points; // a desk as long as the platform, nothing seen behind it
   points.room(room,
               [](const Eigen::Vector3d& p) { return p.x() < 4.3 || p.z() > 1.1; });
   RoomPoints seen;

@@ -13,8 +13,8 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** A furnished room: 6 m x 4 m, 2.6 m high, two tables and a cupboard that hide parts
- * of the floor. */
+/** A furnished room of 6 m x 4 m, 2.6 m high; two tables and a cupboard hide parts of
+ * the floor. */
 RoomPoints
 furnished(double floor = 0)
 {
@@ -30,8 +30,8 @@ furnished(double floor = 0)
   return points;
 }
 
-/** The points and those of `share` of them once more, upside down below the plane z =
- * 0, off by noise of 1 cm. */
+/** Returns the points, and mirrored below the plane z = 0 a `share` of them with noise
+ * of 1 cm. */
 RoomPoints
 mirrored(const RoomPoints& points, double share)
 {
@@ -100,11 +100,11 @@ TEST(FloorReflections, ARoomUpsideDownBelowItsFloorIsLeftOut)
     ASSERT_EQ(floors.size(), 1u);
     EXPECT_NEAR(floors[0], 0, 0.01);
     ASSERT_FALSE(detection.getReflections().empty());
-    // Nothing of the room itself is one.
+    // No point of the room itself is one.
     EXPECT_GE(detection.getReflections().front(), static_cast<int>(room.size()));
     for (const auto& plane : planes)
       EXPECT_GT(plane.height, -0.1);
-    // Walls too: all but what is as near to the floor as its noise.
+    // Walls, too, except points that are as near to the floor as its noise.
     const auto mirror_images = static_cast<double>(points.size() - room.size());
     EXPECT_GT(static_cast<double>(detection.getReflections().size()),
               0.65 * mirror_images);
@@ -113,8 +113,8 @@ TEST(FloorReflections, ARoomUpsideDownBelowItsFloorIsLeftOut)
 
 TEST(FloorReflections, HaveTheirLikeAboveForFourFifthsOfWhatIsBelow)
 {
-  // The ceiling and what stands in the room, 29 square metres, and a slab above which
-  // nothing is as high.
+  // The ceiling and the furniture, 29 square metres, and a slab with nothing at its
+  // mirrored height.
   for (const double share : {0.88, 0.72}) {
     RoomPoints points = mirrored(furnished(), 1);
     points.slab(rectangle(0.5, 0.2, 5.5, 0.2 + 29 * (1 / share - 1) / 5), -1.5);
@@ -135,7 +135,7 @@ TEST(FloorReflections, ARoomAloneHasNone)
 
 TEST(FloorReflections, AStoreyBelowIsNone)
 {
-  // As high as it has to be for its floor to lie where the ceiling would be reflected.
+  // At the height where the floor is the reflection of the ceiling.
   RoomPoints points = furnished();
   const RoomPoints below = furnished(-2.6);
   for (const int i : below.all())
@@ -164,7 +164,7 @@ TEST(FloorReflections, TheFloorBelowATableHalfWayUpIsNone)
 
 TEST(FloorReflections, SinglePointsBelowTheFloorAreNoLevels)
 {
-  // One in twelve cells holds one in each 14 cm: more cells than a level needs.
+  // One in twelve cells has points every 14 cm of height: more than a level needs.
   RoomPoints points = furnished();
   std::mt19937 random(2);
   std::uniform_real_distribution<double> share(0, 1);

@@ -12,7 +12,7 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** Horizontal squares, `per_cell` points in each of side x side decimetres. */
+/** Horizontal squares, `per_cell` points in each of side x side cells of 10 cm. */
 class Planes {
 public:
   void add(int side, int per_cell, double height)
@@ -38,7 +38,7 @@ private:
 TEST(BestPair, IsTheLargestByAreaNotByNumberOfPoints)
 {
   Planes planes;
-  planes.add(10, 20, 0); // what a scanner beside them sees
+  planes.add(10, 20, 0); // as seen by a nearby scanner
   planes.add(10, 20, 2);
   planes.add(25, 1, 4);
   planes.add(20, 1, 7);
@@ -52,7 +52,7 @@ TEST(BestPair, IsTheLargestByAreaNotByNumberOfPoints)
 
 TEST(BestPair, IsTheLowestOfThoseOfOneArea)
 {
-  for (const int per_cell : {1, 2}) { // looked at first, or after the others
+  for (const int per_cell : {1, 2}) { // examined before or after the others
     Planes planes;
     planes.add(20, 1, 0);
     planes.add(20, per_cell, 2);

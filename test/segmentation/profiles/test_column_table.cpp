@@ -19,7 +19,7 @@ using namespace sedr_test;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr CellBox box{{-3, -2}, {4, 5}};
 
-/** Random points over the box and beyond it, of heights 0 to 3. */
+/** Returns random points in and around the box, with heights from 0 to 3. */
 RoomPoints
 randomPoints(int count)
 {
@@ -32,7 +32,7 @@ randomPoints(int count)
   return points;
 }
 
-/** The heights of one column, found by looking at all points. */
+/** Returns the heights of one profile by a scan of all points. */
 std::vector<float>
 heightsIn(const RoomPoints& points, const std::vector<int>& indices, Cell cell)
 {
@@ -88,7 +88,7 @@ TEST(ColumnTable, WithoutSomeCellsHoldsThePointsOfTheOthersAsBefore)
   const RoomPoints points = randomPoints(2000);
   const CellGrid grid(0.05);
   const ColumnTable table(grid, box, points.view(), points.all());
-  CellMask some(CellBox{{-10, 0}, {0, 2}}); // some of it beside the table
+  CellMask some(CellBox{{-10, 0}, {0, 2}}); // partly outside the table
   some.set({0, 0}, 1);
   some.set({-3, 2}, 1);
   some.set({-10, 1}, 1);

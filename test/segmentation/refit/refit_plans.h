@@ -11,7 +11,7 @@ namespace sedr_test {
 
 using namespace pcl::sedr;
 
-/** The elements of a loop as a fit to `residual` would leave them. */
+/** Sets the elements of a loop to the state after a fit with `residual`. */
 inline void
 setSeen(PlanLoop& loop, double residual)
 {
@@ -28,7 +28,7 @@ plainRoom()
   return roomOf(rectangle(0, 0, 4, 3), 2.6);
 }
 
-/** A plan of a room that is off: its rectangle by up to 8 mm, its slabs by 5 mm. */
+/** A plan with errors: its rectangle is off by up to 8 mm, its slabs by 5 mm. */
 inline Floorplan
 offPlan(double floor = 0.005, double ceiling = 2.595)
 {

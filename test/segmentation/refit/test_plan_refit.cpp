@@ -29,7 +29,7 @@ TEST(RefitToRaw, ANoiseFreeRoomIsMetExactly)
 
 TEST(RefitToRaw, NoiseIsAveragedAwayAndTold)
 {
-  // 20,000 points a wall: its middle is known to 0.15 mm, its ends to 0.3 mm.
+  // 20,000 points per wall: the deviation is 0.15 mm at its middle, 0.3 mm at its ends.
   for (const double noise : {0.001, 0.01, 0.02}) {
     RoomPoints raw(0.015, noise);
     raw.room(plainRoom());
@@ -47,7 +47,7 @@ TEST(RefitToRaw, NoiseIsAveragedAwayAndTold)
 
 TEST(RefitToRaw, WhatStandsBeforeAWallIsLeftOut)
 {
-  // A cupboard 4 cm before a third of the wall, up to the ceiling.
+  // A cupboard 4 cm in front of a third of the wall, up to the ceiling.
   const PlanRoom truth = plainRoom();
   const auto isHidden = [](const Vector3d& p) { return p.y() < 1e-9 && p.x() < 1.3; };
   for (const double noise : {0.001, 0.01}) {
@@ -73,7 +73,7 @@ TEST(RefitToRaw, FurnitureInTheLowerHalfDoesNotCount)
 
 TEST(RefitToRaw, ASurfaceThatWouldMoveFartherThanItsNoiseExplainsStays)
 {
-  // All points of a wall are 5 cm off what was found with a residual of 2 mm.
+  // All points of a wall are 5 cm away from an element with a residual of 2 mm.
   RoomPoints raw(0.02);
   raw.room(roomOf(rectangle(0, -0.05, 4, 3), 2.6));
   Floorplan plan;
@@ -83,7 +83,7 @@ TEST(RefitToRaw, ASurfaceThatWouldMoveFartherThanItsNoiseExplainsStays)
   EXPECT_EQ(report.curves, 3u);
   EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 1e-5);
 
-  // With a residual of 5 cm it is believed.
+  // A residual of 5 cm makes that plausible.
   setSeen(plan.rooms[0].boundary, 0.05);
   EXPECT_EQ(refitToRaw(plan, raw.view()).curves, 4u);
   EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, -0.05, 4, 3)), 1e-4);
@@ -106,7 +106,7 @@ TEST(RefitToRaw, LeaningSlabsLean)
 
 TEST(RefitToRaw, TheSlabsOfANicheDoNotLeanHoweverItIsTurned)
 {
-  // Noise spreads the points of its back and of the wall before it over both slabs.
+  // Noise spreads the points of its back and of the wall in front over both slabs.
   for (const auto& [depth, tolerance] :
        {std::pair(0.15, 0.004), std::pair(0.25, 0.003)})
     for (const double degrees : {0.0, 45.0}) {
@@ -157,7 +157,7 @@ TEST(RefitToRaw, ADetailParallelToItsCeilingStaysSo)
 
 TEST(RefitToRaw, TheCircleOfASmallColumnIsUnbiased)
 {
-  // Seen from one side only, as the means of voxels of it would be 1 mm outside.
+  // Scanned from one side only; means of voxels would be 1 mm outside.
   PlanRoom truth = plainRoom();
   PlanLoop column = circle({2, 1.5}, 0.2);
   column.elements[0].counter_clockwise = false; // the room is outside
@@ -182,7 +182,7 @@ TEST(RefitToRaw, TheCircleOfASmallColumnIsUnbiased)
 
 TEST(RefitToRaw, ALongFlatArcIsJudgedByWhatItMovesNotByItsCentre)
 {
-  // An arc of 8 m with a radius of 7: 5 mm at its ends are 5 cm at its centre.
+  // An arc of 8 m with a radius of 7: 5 mm at its ends move its centre by 5 cm.
   const double half = std::asin(4.0 / 7) * 180 / M_PI;
   const double sagitta = 7 - std::sqrt(33.0);
   const auto hall = [&](double ends) {
@@ -193,7 +193,7 @@ TEST(RefitToRaw, ALongFlatArcIsJudgedByWhatItMovesNotByItsCentre)
         segment({0, 0}, {8, 0}), segment({8, 0}, {8, 5}),
         arc({4, 5 + std::sqrt(radius * radius - 16)}, radius, 270 + angle, 270 - angle),
         segment({0, 5}, {0, 0})};
-    for (std::size_t i : {1, 2, 3}) // as exact as the corners are written
+    for (std::size_t i : {1, 2, 3}) // to the precision of the written corners
       loop.elements[i].start = loop.elements[i - 1].end;
     return loop;
   };
@@ -232,7 +232,7 @@ TEST(RefitToRaw, SmoothJointsStaySmooth)
 
 TEST(RefitToRaw, AJointThatIsSmoothInTheScanBecomesSo)
 {
-  // Found with an arc 2 cm larger that meets its walls at 3 degrees, 23 cm away.
+  // Fitted with an arc 2 cm larger that meets its walls at 3 degrees, 23 cm away.
   const auto hall = [](const Vector2d& centre, double angle) {
     const double radius = (8 - centre.x()) / std::cos(angle);
     const double degrees = angle * 180 / M_PI;

@@ -11,7 +11,7 @@ using namespace pcl::sedr;
 using namespace sedr_test;
 using Eigen::Vector3d;
 
-/** Adds points that have a density or noise of their own. */
+/** Adds points with a different density or noise. */
 void
 addPoints(const RoomPoints& more, RoomPoints& points)
 {
@@ -21,7 +21,7 @@ addPoints(const RoomPoints& more, RoomPoints& points)
 
 TEST(RefitToRaw, OfANarrowFaceAllThatWasSeenCounts)
 {
-  // The far side of a pilaster, seen below 1.2 m only and found 4 mm off.
+  // The far side of a pilaster, scanned below 1.2 m only and fitted 4 mm off.
   const Corners corners{{0, 0},     {1.5, 0}, {1.5, 0.15}, {1.8, 0.15},
                         {1.8, 0.0}, {4, 0},   {4, 3},      {0, 3}};
   RoomPoints raw(0.02, 0.001);
@@ -40,7 +40,7 @@ TEST(RefitToRaw, OfANarrowFaceAllThatWasSeenCounts)
 
 TEST(RefitToRaw, TheFacesOfAThinPartitionKeepApart)
 {
-  // 8 cm between the faces, noise of 2 cm: each face's points reach to the other's.
+  // 8 cm between the faces, noise of 2 cm: the points of both faces overlap.
   PlanRoom left = roomOf(rectangle(0, 0, 4, 3), 2.6);
   PlanRoom right = roomOf(rectangle(4.08, 0, 8, 3), 2.6, 2);
   RoomPoints raw(0.015, 0.02);
@@ -60,7 +60,7 @@ TEST(RefitToRaw, TheFacesOfAThinPartitionKeepApart)
 
 TEST(RefitToRaw, AShortFaceIsTurnedWherePointsTellItsDirection)
 {
-  // A pilaster of 12 cm whose front was found 2 degrees askew.
+  // A pilaster of 12 cm whose front was fitted with an error of 2 degrees.
   const Corners corners{{0, 0},      {1.5, 0}, {1.5, 0.12}, {1.62, 0.12},
                         {1.62, 0.0}, {4, 0},   {4, 3},      {0, 3}};
   RoomPoints raw(0.005, 0.0005);
@@ -77,8 +77,8 @@ TEST(RefitToRaw, AShortFaceIsTurnedWherePointsTellItsDirection)
 
 TEST(RefitToRaw, RevealsWithinAThinPartitionDoNotDrawItsFaceIn)
 {
-  // A door in most of a short wall: its reveals are seen far better than the face. Of
-  // the noise of the points, 10 cm to the next room are five.
+  // A door takes most of a short wall, so its reveals have far more points than the
+  // face. The 10 cm to the next room are five times the noise.
   const double noise = 0.02;
   RoomPoints raw(0.02, noise, 4);
   const PlanRoom closet = roomOf(rectangle(0, 0, 1.6, 1.25), 2.6);

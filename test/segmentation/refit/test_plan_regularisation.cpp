@@ -14,7 +14,7 @@ using namespace pcl::sedr;
 using namespace sedr_test;
 using Eigen::Vector2d;
 
-/** The loop with its elements said to be fitted to so many points a metre. */
+/** Returns the loop with elements marked as fitted to `per_metre` points per metre. */
 PlanLoop
 seen(PlanLoop loop, double noise, double per_metre = 400)
 {
@@ -25,8 +25,8 @@ seen(PlanLoop loop, double noise, double per_metre = 400)
   return loop;
 }
 
-/** A polygon each of whose sides was turned about its middle by some degrees, and the
- * corners found again. */
+/** Returns a polygon with each side turned about its middle and the corners recomputed.
+ */
 PlanLoop
 turned(const PlanLoop& polygon_loop, const std::vector<double>& degrees)
 {
@@ -110,7 +110,7 @@ TEST(RegularisePlan, AWallThatIsADegreeOffStays)
 
 TEST(RegularisePlan, ADegreeIsNothingToAWallThatIsHardlyKnown)
 {
-  // A side of 30 cm that 12 points show at 2 cm noise: its direction is known to 4
+  // A side of 30 cm with 12 points at 2 cm noise: its direction has a deviation of 4
   // degrees.
   const PlanLoop truth =
       polygon({{0, 0}, {5, 0}, {5, 3}, {0.3, 3}, {0.3, 2.7}, {0, 2.7}});
@@ -161,7 +161,7 @@ TEST(RegularisePlan, TheEdgesOfADetailStayOnTheWallsThatMove)
 
 TEST(RegularisePlan, SmoothJointsBecomeTangent)
 {
-  // The arcs were found a little too large or small, and the corners where they cross.
+  // The arcs were fitted a little too large or small; the corners are the crossings.
   PlanLoop loop = roundedRectangle(6, 4, 1);
   for (const std::size_t i : {1u, 5u}) {
     PlanElement& arc_element = loop.elements[i];
@@ -247,7 +247,7 @@ TEST(RegularisePlan, PartsOfOneWallAreCollinear)
   const auto& e = plan.rooms[0].boundary.elements;
   EXPECT_NEAR(lineThrough(e[0].start, e[0].end).distance(e[4].start), 0, 1e-9);
   EXPECT_NEAR(lineThrough(e[0].start, e[0].end).distance(e[4].end), 0, 1e-9);
-  // Two centimetres apart they are two walls.
+  // Two centimetres apart they are separate walls.
   loop = polygon(
       {{0, 0}, {2, 0}, {2, 0.2}, {2.4, 0.2}, {2.4, 0.02}, {5, 0.02}, {5, 3}, {0, 3}});
   plan.rooms[0] = roomOf(seen(loop, 0.005), 2.5);
@@ -257,7 +257,7 @@ TEST(RegularisePlan, PartsOfOneWallAreCollinear)
 
 TEST(RegularisePlan, WhatNobodySawFollows)
 {
-  // Three walls were seen; the fourth only connects them.
+  // Three walls were scanned; the fourth only connects them.
   PlanLoop loop = seen(turned(rectangle(0, 0, 5, 4), {0.02, -0.03, 0.03, 0}), 0.01);
   loop.elements[3].inliers = 0;
   loop.elements[3].residual = 0;
@@ -302,7 +302,7 @@ TEST(PlanCurves, RefusesToBreakALoop)
       2.5));
   const PlanLoop was = plan.rooms[0].boundary;
   PlanCurves curves(plan);
-  // One face of the slot passes the other.
+  // One face of the slot passes beyond the other.
   curves.curves[curves.loops[0].curves[3]].curve.point.x() -= 0.15;
   EXPECT_EQ(curves.rebuild(1), std::vector<std::size_t>{0});
   EXPECT_EQ(cornerError(plan.rooms[0].boundary, was), 0);

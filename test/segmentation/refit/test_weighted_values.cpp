@@ -10,7 +10,7 @@ namespace pcl {
 namespace sedr {
 namespace {
 
-/** The same by sorting all values. */
+/** Computes the same by sorting all values. */
 double
 sortedQuantile(std::vector<Weighted> values, double share)
 {
@@ -29,7 +29,7 @@ TEST(WeightedValues, QuantilesAreThoseOfTheSortedValues)
 {
   std::mt19937 random(1);
   for (std::size_t n = 1; n < 60; ++n)
-    for (const int kinds : {3, 1000}) { // of values: with many equal ones, and few
+    for (const int kinds : {3, 1000}) { // number of different values
       std::vector<Weighted> values;
       for (std::size_t i = 0; i < n; ++i)
         values.push_back({static_cast<double>(random() % kinds),

@@ -12,14 +12,14 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** What is found of a scene. */
+/** The building that is found in a scene. */
 struct Found {
   explicit Found(const AirScene& of, const BuildingParameters& parameters = {})
       : scene(of)
       , building(findBuilding(of.points.view(), {}, parameters, problem))
   {}
 
-  /** The room above a place, 0 for none. */
+  /** Returns the room above a place, 0 for none. */
   std::uint32_t roomAt(double x, double y, double z = 1) const
   {
     const Eigen::Vector2d p = scene.place(x, y);
@@ -36,7 +36,7 @@ struct Found {
   Building building;
 };
 
-/** Two rooms of 4 m x 3 m and 3 m x 3 m with a door of 0.9 m x 2.1 m between. */
+/** Two rooms of 4 m x 3 m and 3 m x 3 m with a door of 0.9 m x 2.1 m between them. */
 AirScene
 flat(double degrees)
 {
@@ -108,7 +108,7 @@ TEST(FindBuilding, LabelsThePointsOfCeilingsAndFloorsAndNoneOfWalls)
         }
         return n / static_cast<double>(part.size());
       };
-      // Those in the columns of walls may be either.
+      // Points in the profiles of walls may have either label.
       EXPECT_GT(labelled(parts.ceiling, 1), 0.92);
       EXPECT_GT(labelled(parts.floor, 2), 0.92);
       EXPECT_EQ(labelled(parts.ceiling, 2) + labelled(parts.floor, 1), 0);
@@ -154,7 +154,7 @@ TEST(FindBuilding, RoomsAboveRoomsAreOfTwoStoreysAndAHallBesideThemOfTheLower)
   EXPECT_EQ(found.roomAt(8, 1.5), 1u);
   EXPECT_EQ(found.building.rooms[0].storey, 1u);
   EXPECT_NE(found.roomAt(2, 1.5, 1), found.roomAt(2, 1.5, 4));
-  // Points of the slab between are told apart by their height.
+  // Points of the slab between them differ only in height.
   for (const int i : scene.points.all()) {
     const Eigen::Vector3f& p = scene.points[i];
     if (p.x() < 0.3f || p.x() > 3.8f || p.y() < 0.3f || p.y() > 2.8f)
@@ -324,7 +324,7 @@ TEST(FindBuilding, WhatWasSeenOnlyThroughPanesIsNoRoom)
   EXPECT_NE(building.left_out[0].reason.find("panes"), std::string::npos);
 }
 
-/** A glass front along x = 4.15: what is behind it has walls on a side only. */
+/** A glass front along x = 4.15: the area behind it has walls on one side only. */
 TEST(FindBuilding, WhatIsSeenThroughGlassIsNoRoom)
 {
   AirScene scene;

@@ -9,7 +9,7 @@ using namespace pcl::sedr;
 
 constexpr double surface = 0.1;
 
-/** A part of 10 x 10 columns. */
+/** A part of a room with 10 x 10 profiles. */
 BuildingRoom
 part(float floor, float ceiling)
 {

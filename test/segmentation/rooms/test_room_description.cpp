@@ -12,7 +12,7 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** All air of a scene as one room. */
+/** Describes all air of a scene as one room. */
 BuildingRoom
 describe(const AirScene& scene)
 {
@@ -24,7 +24,7 @@ describe(const AirScene& scene)
   return describeRooms(air.gaps, all).at(0);
 }
 
-/** Columns in a row, `n` of them. */
+/** Adds a row of `n` profiles. */
 void
 addColumns(BuildingRoom& room, int n, float floor, float ceiling)
 {
@@ -155,7 +155,7 @@ TEST(NoRoomBecause, ItIsNowhereHighEnough)
   addColumns(room, 200, 0, 1.7f);
   addColumns(room, 90, 0, 2);
   EXPECT_NE(reasonOf(room).find("headroom of 1.8 m"), std::string::npos);
-  addColumns(room, 20, 0.8f, 2.5f); // above a table one could stand without it
+  addColumns(room, 20, 0.8f, 2.5f); // above a table, which leaves no height to stand
   EXPECT_EQ(reasonOf(room), "");
 }
 
@@ -164,7 +164,7 @@ TEST(NoRoomBecause, MostOfItIsTooLow)
   BuildingRoom room;
   room.enclosure = 1;
   addColumns(room, 1000, 0, 0.6f);
-  addColumns(room, 300, 0, 2.5f); // where the slab below was not seen
+  addColumns(room, 300, 0, 2.5f); // where the slab below was not scanned
   EXPECT_NE(reasonOf(room).find("headroom of 1.8 m"), std::string::npos);
 }
 

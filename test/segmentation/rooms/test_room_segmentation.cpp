@@ -13,7 +13,7 @@ namespace {
 
 using namespace sedr_test;
 
-/** Rooms of 4 m x 3 m and 6 m x 3 m, 20 cm of wall between them. */
+/** Rooms of 4 m x 3 m and 6 m x 3 m with 20 cm of wall between them. */
 RoomPoints
 twoRooms()
 {
@@ -82,7 +82,7 @@ TEST(RoomSegmentation, TakesItsDefaultsFromTheParameters)
   EXPECT_EQ(segmentation.getNumberOfThreads(), defaults.threads);
 }
 
-/** A hall of 6 m x 4 m and another behind an opening in the wall between them. */
+/** Returns the number of rooms in two halls of 6 m x 4 m with an opening. */
 std::size_t
 roomsWithOpening(double width,
                  double head,

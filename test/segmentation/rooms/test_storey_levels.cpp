@@ -9,7 +9,7 @@ using namespace pcl::sedr;
 
 constexpr double step = 1.6;
 
-/** Rooms with these floors and ceilings, of 10 square metres each. */
+/** Rooms of 10 square metres each with these floors and ceilings. */
 std::vector<BuildingRoom>
 roomsBetween(const std::vector<std::pair<double, double>>& heights)
 {

@@ -10,8 +10,8 @@ namespace {
 
 using namespace pcl::sedr;
 
-/** The cells of `size` that hold a point of a ceiling of 6 m x 5 m with so many points
- * a square metre, scattered independently. */
+/** Returns the cells of `size` with points of a ceiling of 6 m x 5 m, scattered
+ * independently at `density` per square metre. */
 CellSet
 scattered(double density, double size, double x0 = -2, double y0 = -1)
 {
@@ -71,7 +71,7 @@ TEST(CellSize, IsNotChangedByWhatHidesALargePart)
 
 TEST(CellSize, IsThatOfTheScanNotOfOnePlace)
 {
-  // Beside a dense ceiling, the patch that a mirror shows.
+  // A dense ceiling, and a patch beside it that a mirror shows.
   const CellSet ghost = scattered(60, 0.05, 20, 1);
   EXPECT_EQ(0.05, cellSizeFor({full(300, 200), ghost}, 0.05));
 }
@@ -85,7 +85,7 @@ TEST(CellSize, IsNotChangedByGhostsLargerThanTheCeiling)
 
 TEST(CellSize, GrowsForASparseThirdOfAScanOnlyWhereTheRestIsNotFilled)
 {
-  // Of cells of 5 cm, 1000 points a square metre fill 92 % and 2200 fill 99.6 %.
+  // 1000 points per square metre fill 92 % of the cells of 5 cm, 2200 fill 99.6 %.
   for (const double rest : {1000.0, 2200.0}) {
     const std::vector<CellSet> ceilings{
         scattered(rest, 0.05), scattered(rest, 0.05, 20), scattered(400, 0.05, 40)};

@@ -13,7 +13,7 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** The points of a room 6 m x 4 m x 2.5 m, each coordinate changed by `change`. */
+/** Points of a room of 6 m x 4 m x 2.5 m, transformed by `change`. */
 template <typename Change>
 RoomPoints
 changed(Change change)
@@ -114,7 +114,7 @@ TEST(ScanProblem, LooksAtTheIndexedPointsOnly)
   EXPECT_NE(scanProblemOf(points), "");
 }
 
-/** Rooms of these heights side by side, each of the same area. */
+/** Adjacent rooms of the given heights and equal area. */
 Floorplan
 planOf(const std::vector<double>& heights, double area)
 {
@@ -183,7 +183,7 @@ TEST(UpProblem, OfARoomThatStandsIsNone)
 
 TEST(UpProblem, NamesTheAxisThatSeemsToBeUp)
 {
-  // Six metres between the walls that now are floor and ceiling.
+  // Six metres between the walls that are now floor and ceiling.
   const std::string y = upProblemOf(changed([](auto p) -> Eigen::Vector3d {
     return {p.y(), p.z(), p.x()};
   }));
@@ -197,7 +197,7 @@ TEST(UpProblem, NamesTheAxisThatSeemsToBeUp)
 
 TEST(UpProblem, WhereTheFloorThatWasFoundLeansItsAreaCounts)
 {
-  // A corridor that leans along its length: its floor is in many levels of a decimetre.
+  // A corridor tilted along its length: its floor covers many levels of a decimetre.
   RoomPoints corridor;
   corridor.room(rectangle(0, 0, 30, 2), 0, 2.7);
   RoomPoints points;
@@ -212,8 +212,8 @@ TEST(UpProblem, WhereTheFloorThatWasFoundLeansItsAreaCounts)
 
 TEST(UpProblem, IsAlsoLookedForWhereZGivesNoRooms)
 {
-  // On its side, with 4 m between the walls that now are floor and ceiling: z might be
-  // right, unless no room was found along it.
+  // On its side, with 4 m between the walls that are now floor and ceiling: z may be
+  // up, unless no room was found along it.
   const RoomPoints points = changed([](auto p) -> Eigen::Vector3d {
     return {p.x(), p.z(), p.y()};
   });
@@ -226,7 +226,7 @@ TEST(UpProblem, IsAlsoLookedForWhereZGivesNoRooms)
 
 TEST(UpProblem, FourTimesTheAreaIsMoreThanTheHeightOfAnyRoomExplains)
 {
-  // 12 m x 10 m, a partition across it, on its side: two walls are 4 m apart.
+  // A flat of 12 m x 10 m with a partition, on its side: two walls are 4 m apart.
   RoomPoints flat;
   flat.room(rectangle(0, 0, 12, 10), 0, 2.5);
   flat.wall(segment({4, 0}, {4, 10}), 0, 2.5);

@@ -23,8 +23,8 @@ using pcl::sedr::ScanSample;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-/** @brief Points (k, 0, 0), every 1000th not finite; `last` has the largest float, with
- * which sums overflow. */
+/** @brief Returns points (k, 0, 0), every 1000th not finite; `last` has the largest
+ * float, which makes sums overflow. */
 std::vector<Eigen::Vector3f>
 countedPoints(std::size_t n, std::size_t last)
 {
@@ -43,7 +43,7 @@ part(const std::vector<Eigen::Vector3f>& points, std::size_t begin, std::size_t 
 
 TEST(Excerpt, HasEveryKthPointWhateverThePiecesAndThreads)
 {
-  // Pieces of several blocks of the threads, and some of less than a step.
+  // Pieces of several blocks per thread, and some shorter than a step.
   const std::vector<Eigen::Vector3f> points = countedPoints(300000, 299999);
   const std::vector<std::size_t> cuts{0, 3, 200001, 200002, 300000};
   for (const std::size_t step : {std::size_t{1}, std::size_t{7}})
@@ -64,7 +64,7 @@ TEST(Excerpt, HasEveryKthPointWhateverThePiecesAndThreads)
     }
 }
 
-/** @brief Points of a room of 4 x 3 x 2.5 m, three floats a row, in pieces. */
+/** @brief Points of a room of 4 x 3 x 2.5 m, three floats per row, in pieces. */
 class RoomInPieces : public RowSource {
 public:
   RoomInPieces()

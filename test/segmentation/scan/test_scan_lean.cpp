@@ -14,7 +14,7 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** A room of 6 m x 4 m x 2.5 m, turned by `degrees` about `axis`, 30 m off the origin.
+/** A room of 6 m x 4 m x 2.5 m, turned by `degrees` about `axis`, 30 m from the origin.
  */
 RoomPoints
 turnedRoom(double degrees,
@@ -26,7 +26,7 @@ turnedRoom(double degrees,
   return turned(plan, turn.toRotationMatrix(), noise);
 }
 
-/** The turn that a sentence names. */
+/** Returns the rotation that a sentence names. */
 Eigen::AngleAxisd
 namedTurn(const std::string& sentence)
 {
@@ -61,7 +61,7 @@ TEST(ScanLean, OfALeaningRoomIsItsAngleAndAxis)
 
 TEST(ScanLean, IsTheSameForAnyNumberOfThreads)
 {
-  // Every block has but a few points of each patch; those between are nowhere.
+  // Every block has only a few points of each patch; the others are not finite.
   const RoomPoints room = turnedRoom(7, {0.6, -0.8, 0}, 0.01);
   const auto size = static_cast<int>(room.size());
   constexpr int apart = 40;
@@ -134,8 +134,8 @@ TEST(ScanLean, AboutAnAxisOfCoordinatesIsStillALean)
 
 TEST(ScanLean, OfACorridorThatMayLieOnItsSideBothTurnsAreNamed)
 {
-  // Its walls are 2.4 m apart and larger than its floor: y is up, or it leans by 20
-  // degrees.
+  // Its walls are 2.4 m apart and larger than its floor: either y is up, or it is
+  // tilted by 20 degrees.
   RoomPoints corridor;
   corridor.room(rectangle(0, 0, 15, 2.4), 0, 2.7);
   RoomPoints points;

@@ -59,7 +59,7 @@ TEST(ScanTilt, SlopingSlabsBetweenVerticalWallsAreNone)
 
 TEST(ScanTilt, WallsOutOfPlumbBetweenLevelSlabsAreNone)
 {
-  // All walls lean by 1.5 degrees the same way: what is told of them is sheared.
+  // All walls are tilted by 1.5 degrees in the same direction: the room is sheared.
   RoomPoints room(0.05, 0.003);
   room.room(rectangle(0, 0, 6, 4), 0, 2.5);
   RoomPoints sheared;

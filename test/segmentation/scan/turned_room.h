@@ -7,8 +7,8 @@
 
 namespace sedr_test {
 
-/** The points of a room, 5 cm apart, after a turn about the origin; then 30 m off it.
- */
+/** Returns the points of a room, 5 cm apart, turned about the origin and shifted by 30
+ * m. */
 inline RoomPoints
 turned(const pcl::sedr::PlanRoom& plan, const Eigen::Matrix3d& turn, double noise)
 {

@@ -16,18 +16,18 @@ using pcl::sedr::PlanRoom;
 using pcl::sedr::Sheet;
 using Height = std::function<double(double, double)>;
 
-/** A rectangular room below a ceiling in closed form, and points of it. */
+/** A rectangular room with a ceiling in closed form, and points of it. */
 struct Scene {
   double width = 6;
   double depth = 4;
   Height height;
   std::vector<Eigen::Vector3d> points;
-  std::vector<Eigen::Vector3d> risers; ///< points of upright faces
+  std::vector<Eigen::Vector3d> risers; ///< points of vertical faces
   PlanRoom room;
   double turn = 0; ///< of the room about the origin, radians
 };
 
-/** The room and its points turned about the origin. */
+/** Returns the room and its points turned about the origin. */
 inline Scene
 turned(Scene scene, double radians)
 {
@@ -43,7 +43,7 @@ turned(Scene scene, double radians)
   return scene;
 }
 
-/** Points of a ceiling every 4 cm, noise along the normal. */
+/** Makes points of a ceiling every 4 cm, with noise along the normal. */
 inline Scene
 sceneOf(double width, double depth, Height height, double noise = 0.01, int seed = 1)
 {
@@ -78,7 +78,7 @@ fitted(const Scene& scene, const pcl::sedr::SheetParameters& parameters = {})
       pcl::sedr::wallDirections(scene.room.boundary), parameters);
 }
 
-/** The room with the ceiling that its points say. */
+/** Returns the room with the ceiling that is fitted to its points. */
 inline PlanRoom
 fittedRoom(const Scene& scene)
 {
@@ -87,8 +87,8 @@ fittedRoom(const Scene& scene)
   return room;
 }
 
-/** How far the ceiling of a room is from the truth, by the slope: mean and share of
- * places that are farther off than a centimetre. */
+/** Deviation of a ceiling from the truth along the normal: mean, and share of places
+ * beyond a centimetre. */
 struct Off {
   double mean = 0;
   double beyond = 0;

@@ -34,7 +34,7 @@ TEST(BinaryEnergy, FindsTheLeastOfAllAnswers)
     for (std::size_t a = 0; a < variables; ++a)
       for (std::size_t b = a + 1; b < variables; b += 2) {
         PairCosts pair{a, b, {cost(random), cost(random), cost(random), cost(random)}};
-        // Alike must not cost more than different.
+        // Equal labels must not cost more than different ones.
         const double excess =
             pair.costs[0] + pair.costs[3] - pair.costs[1] - pair.costs[2];
         if (excess > 0)

@@ -12,7 +12,7 @@ namespace {
 
 using namespace pcl::sedr;
 
-/** Points of a height field over 4 m x 3 m, a tenth of them strays below it. */
+/** Points of a height field over 4 m x 3 m; a tenth of them are strays below it. */
 std::vector<Eigen::Vector3d>
 pointsOf(const std::function<double(double, double)>& height, double noise)
 {

@@ -33,21 +33,21 @@ hip(double x, double y)
   return 2 + tangent(30) * std::min({x, 6 - x, y, 4 - y});
 }
 
-/** A barrel along x that springs from the walls. */
+/** Height of a barrel vault along x that starts at the walls. */
 double
 barrel(double, double y)
 {
   return 1.5 + std::sqrt(std::max(0.0, 4 - (y - 2) * (y - 2)));
 }
 
-/** A segment of a vault of 4 m radius that starts with a slope of 30 degrees. */
+/** Height of a segmental vault of 4 m radius that starts with a slope of 30 degrees. */
 double
 segmental(double, double y)
 {
   return std::sqrt(16 - (y - 2) * (y - 2));
 }
 
-/** A dome of 2 m radius in the middle, whose rim is level with the ceiling around. */
+/** Height of a dome of 2 m radius, whose rim is level with the ceiling around. */
 double
 domed(double x, double y)
 {
@@ -55,7 +55,7 @@ domed(double x, double y)
   return square < 1.5 * 1.5 ? 3 + std::sqrt(4 - square) - std::sqrt(4 - 1.5 * 1.5) : 3;
 }
 
-/** Four arches side by side, of 1.5 m span and 0.16 m rise. */
+/** Height of four adjacent arches of 1.5 m span and 0.16 m rise. */
 double
 jackArches(double x, double)
 {
@@ -90,7 +90,7 @@ TEST(FitSheet, AGableHasTwoSlopesThatMeetInTheRidge)
   const Off off = offBy(scene, room);
   EXPECT_LT(off.mean, 0.0005);
   EXPECT_LT(off.beyond, 0.001);
-  // The border is one straight line, the ridge.
+  // The border is a single straight line, the ridge.
   int on_ridge = 0;
   for (const PlanElement& element : room.details[0].boundary.elements)
     if (std::abs(element.start.y() - 2) < 0.005 &&
@@ -164,7 +164,7 @@ TEST(FitSheet, LampsAndPlacesThatWereNotSeenGoWithWhatIsAround)
   std::vector<Eigen::Vector3d> points;
   for (Eigen::Vector3d p : scene.points) {
     if (std::abs(p.x() - 4.5) < 0.6 && std::abs(p.y() - 2) < 0.7)
-      continue; // hidden about the ridge
+      continue; // hidden near the ridge
     if (std::abs(p.x() - 2) < 0.25 && std::abs(p.y() - 1.2) < 0.25)
       p.z() = 1.7; // a lamp
     points.push_back(p);
@@ -190,7 +190,7 @@ TEST(FitSheet, ABeamIsAFacetWithStepsOnBothSides)
 
 TEST(FitSheet, AStepIsWhereItsRiserWasSeen)
 {
-  // Of the ceiling nothing was seen for 40 cm, the riser is not in their middle.
+  // 40 cm of the ceiling are hidden; the riser is not in their middle.
   Scene scene = sceneOf(
       6, 4, [](double x, double y) { return x < 3.07 ? 2.2 : segmental(x, y) - 1; });
   scene.points.erase(std::remove_if(scene.points.begin(), scene.points.end(),

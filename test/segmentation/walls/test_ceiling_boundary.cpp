@@ -50,7 +50,7 @@ TEST(CeilingBoundaryWallGrowing, BoundaryIsThatOfPclBoundaryEstimation)
 
 TEST(CeilingBoundaryWallGrowing, BoundaryOfRepeatedPointsIsThatOfPclBoundaryEstimation)
 {
-  const Scene scene = irregularCeiling(5, 15, 40); // the nearest 40 points are one spot
+  const Scene scene = irregularCeiling(5, 15, 40); // the nearest 40 points coincide
   Growing growing = growingOn(scene, allOf(scene));
   growing.setNumberOfNeighbors(400);
   wallsOf(growing);

@@ -71,7 +71,7 @@ TEST(CeilingBoundaryWallGrowing, SliceDividesSeedsOfCeilingAndScopeFromThoseOfTh
   EXPECT_EQ(wallsOf(growing), united(walls, room.soffit));
   EXPECT_EQ(growing.getWallIndices(), walls);
 
-  // The edge of the soffit is boundary of the ceiling, but neither of scope nor floor.
+  // The soffit's edge is a boundary of the ceiling, but not of scope or floor.
   EXPECT_EQ(growing.getBoundaryIndices().size(), 4u * 48u);
   EXPECT_EQ(growing.getFloorBoundaryIndices().size(), 2u * 48u + 2u * 64u);
   for (const auto i : growing.getScopeBoundaryIndices()) {
@@ -131,7 +131,7 @@ TEST(CeilingBoundaryWallGrowing, SupportTakesTheFloorHeightThatIsSet)
   const FurnishedRoom room;
   Growing growing = room.growing();
   growing.setMinimumSupport(0.5);
-  growing.setFloorHeight(2.0); // down to there even the lamp reaches far enough
+  growing.setFloorHeight(2.0); // the lamp extends down to this height
   EXPECT_EQ(commonOf(wallsOf(growing), room.lamp), room.lamp);
   growing.setFloorHeight(0.0);
   EXPECT_TRUE(commonOf(wallsOf(growing), room.lamp).empty());

@@ -18,8 +18,8 @@ namespace {
 using namespace pcl::sedr;
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-/** @brief The boundary, of which nothing is taken from cells: every point is compared
- * with every other one. */
+/** @brief Returns the boundary without the use of cells: every point is compared with
+ * every other one. */
 pcl::Indices
 boundaryByDistance(const Cloud& cloud, const BoundaryOptions& options)
 {
@@ -49,7 +49,7 @@ boundaryByCells(const Cloud& cloud, const BoundaryOptions& options)
   return boundaryPoints(PointView(cloud), all, Nearness::Space, options);
 }
 
-/** @brief `n` points anywhere in a square about `middle`. */
+/** @brief Adds `n` random points in a square about `middle`. */
 void
 scatter(Cloud& cloud, std::mt19937& random, int n, float middle, float edge)
 {

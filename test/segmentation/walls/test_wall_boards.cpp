@@ -12,8 +12,8 @@ using namespace sedr_test;
 
 constexpr double ceiling = 2.8;
 
-/** A room of 5 m x 4 m; before its first wall, from 0.5 to 4.5 m, something hangs
- * `depth` before it between two heights. */
+/** A room of 5 m x 4 m; an object is `depth` in front of its first wall, from 0.5 to
+ * 4.5 m and between two heights. */
 struct RoomWithBoard {
   RoomWithBoard(double depth, double low, double high, double noise)
       : points(0.05, noise)
@@ -72,8 +72,8 @@ TEST(FitRoom, APartOfAWallThatStandsForwardUpToTheCeilingStays)
   EXPECT_LT(cornerError(room.boundary, outline), 0.005);
 }
 
-/** How far before its line, metres, a wall is seen at a place along it; NaN: nowhere.
- */
+/** Distance in metres at which a wall is seen in front of its line, by place along it;
+ * NaN: not seen. */
 using Offset = std::function<double(double x)>;
 
 Offset
@@ -88,10 +88,10 @@ upTo(double end, double offset)
   return [=](double x) { return x < end ? offset : std::nan(""); };
 }
 
-/** How many of what was seen of the wall along y = 0 of a room of 4 m x 3 m, below its
- * top 40 cm, are left out as a board.
- * @param above offsets there, one after the other over its height
- * @param under those below */
+/** Returns the number of points below the top 40 cm of a wall that are left out as a
+ * board. The wall is y = 0 in a room of 4 m x 3 m.
+ * @param above offsets in the top 40 cm, in turn over the height
+ * @param under offsets below them */
 std::size_t
 leftOut(const std::vector<Offset>& above,
         const Offset& under,
@@ -116,7 +116,7 @@ leftOut(const std::vector<Offset>& above,
 
 TEST(WallBoards, WhatHangsBeforeTheWallThatTheTopShowsIsLeftOut)
 {
-  // 76 columns of ten: 10 cm at both ends may be the next wall's.
+  // 76 columns of ten points; 10 cm at both ends may belong to the next wall.
   EXPECT_EQ(leftOut({everywhere(-0.03)}, everywhere(0.01)), 760u);
   EXPECT_EQ(leftOut({everywhere(-0.03)}, everywhere(-0.02)), 0u) << "1 cm is no board";
   EXPECT_EQ(leftOut({everywhere(-0.005)}, everywhere(0.03)), 0u) << "the line is right";
@@ -132,7 +132,7 @@ TEST(WallBoards, ABoardIsThreeTenthsOfAWallAndTheTopIsSeenAlongMostOfIt)
 
 TEST(WallBoards, WhatGoesOnUpToTheCeilingIsNone)
 {
-  // Of ten points of the top, one and three stand as far forward as what is below.
+  // One and three of ten points of the top are as far forward as those below.
   const Offset wall = everywhere(-0.03);
   const Offset forward = everywhere(0.01);
   EXPECT_EQ(
@@ -151,7 +151,7 @@ TEST(WallBoards, AWallThatIsNotStraightHidesNone)
 
 TEST(WallBoards, TheFaceOfAPartitionIsNone)
 {
-  // Behind the wall along y = 0 the room goes on: 20 cm, but not 40 cm behind.
+  // The room continues behind the wall along y = 0: a partition if 20 cm thick, not 40.
   for (const double thickness : {0.2, 0.4}) {
     const PlanLoop around = polygon({{0, 0},
                                      {4, 0},

@@ -20,7 +20,7 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Growing = pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ>;
 
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
-constexpr float step = 0.0625f; // sums and differences of its multiples are exact
+constexpr float step = 0.0625f; // multiples add and subtract without rounding
 
 inline pcl::IndicesPtr
 indexList(pcl::Indices indices = {})
@@ -28,7 +28,7 @@ indexList(pcl::Indices indices = {})
   return pcl::make_shared<pcl::Indices>(std::move(indices));
 }
 
-/** @brief A cloud that grows part by part and remembers which indices each part got. */
+/** @brief A cloud that is built part by part; each part returns its indices. */
 struct Scene {
   Cloud::Ptr cloud = pcl::make_shared<Cloud>();
 
@@ -38,8 +38,8 @@ struct Scene {
     return static_cast<pcl::index_t>(cloud->size() - 1);
   }
 
-  /** @brief Points every step over [x0, x1] x [y0, y1] at height z, where `keep` says
-   * so. */
+  /** @brief Adds points every step over [x0, x1] x [y0, y1] at height z, where `keep`
+   * returns true. */
   template <typename Keep>
   pcl::Indices slab(float x0, float x1, float y0, float y1, float z, Keep keep)
   {
@@ -56,7 +56,7 @@ struct Scene {
     return slab(x0, x1, y0, y1, z, [](float, float) { return true; });
   }
 
-  /** @brief A vertical line of points every step over [z0, z1]. */
+  /** @brief Adds a vertical line of points every step over [z0, z1]. */
   pcl::Indices pole(float x, float y, float z0, float z1)
   {
     pcl::Indices indices;
@@ -66,7 +66,7 @@ struct Scene {
   }
 };
 
-/** @brief All elements of both, ascending, each once. */
+/** @brief Returns the union of both lists in ascending order. */
 inline pcl::Indices
 united(pcl::Indices a, const pcl::Indices& b)
 {
@@ -89,7 +89,7 @@ inline Growing
 growingOn(const Scene& scene, const pcl::Indices& ceiling)
 {
   Growing growing;
-  growing.setDistanceThreshold(0.1); // a point and a half
+  growing.setDistanceThreshold(0.1); // 1.6 times the point spacing
   growing.setInputCloud(scene.cloud);
   growing.setCeilingIndices(indexList(ceiling));
   return growing;
@@ -103,7 +103,7 @@ wallsOf(Growing& growing)
   return walls.indices;
 }
 
-/** @brief A ceiling of irregular spacing with a round hole, as a scan leaves it. */
+/** @brief Returns a ceiling of irregular spacing with a round hole, as in a scan. */
 inline Scene
 irregularCeiling(unsigned int seed, int columns = 70, int points_a_spot = 1)
 {
@@ -134,7 +134,7 @@ allOf(const Scene& scene)
 }
 
 /** @brief A room of 4 m x 3 m x 2.5 m: ceiling with two holes of 0.5 m, floor, four
- * walls with a door. In one hole hangs a lamp 0.3 m high, in the other stands a column.
+ * walls with a door. A lamp 0.3 m high hangs in one hole, a column stands in the other.
  */
 struct FurnishedRoom : Scene {
   pcl::Indices ceiling, floor, walls, lamp, column, lintel;
@@ -165,7 +165,7 @@ struct FurnishedRoom : Scene {
   {
     Growing growing = growingOn(*this, ceiling);
     growing.setFloorIndices(indexList(floor));
-    growing.setNumberOfNeighbors(50); // 200 see across holes of this size
+    growing.setNumberOfNeighbors(50); // 200 would reach across holes of this size
     return growing;
   }
 
@@ -189,9 +189,9 @@ private:
   }
 };
 
-/** @brief A room of 4 m x 3 m x 2.5 m whose ceiling hangs 0.75 m lower for x > 3:
- * farther than the neighbours of a ceiling point reach, so that the two are one only in
- * plan. */
+/** @brief A room of 4 m x 3 m x 2.5 m whose ceiling is 0.75 m lower for x > 3. The step
+ * is larger than the neighbourhood of a ceiling point, so both parts are connected only
+ * in plan. */
 struct SoffitRoom : Scene {
   pcl::Indices ceiling = slab(0, 3, 0, 3, 2.5f);
   pcl::Indices soffit = slab(3, 4, 0, 3, 1.75f);

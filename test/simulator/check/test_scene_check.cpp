@@ -64,7 +64,7 @@ TEST(SceneCheck, findsFaultyRooms)
   EXPECT_FALSE(problemsOf(scene).empty());
 }
 
-/** @brief Expects that the first problem begins with @p place and holds @p part. */
+/** @brief Expects that the first problem begins with @p place and contains @p part. */
 void
 expectProblem(const Scene& scene, const std::string& place, const std::string& part)
 {
@@ -74,7 +74,7 @@ expectProblem(const Scene& scene, const std::string& place, const std::string& p
   EXPECT_NE(problems.front().find(part), std::string::npos) << problems.front();
 }
 
-/** @brief Two rooms of 5 x 4 m with a door in the 0.1 m between them. */
+/** @brief Returns two rooms of 5 x 4 m with a door in the 0.1 m between them. */
 Scene
 pairOfRooms()
 {
@@ -96,14 +96,14 @@ TEST(SceneCheck, findsRoomsThatOverlap)
                            rectangleLoop({2.0, 2.0}, {3.0, 3.0}),   // within it
                            rectangleLoop({-1.0, -1.0}, {6.0, 6.0}), // around it
                            rectangleLoop({2.0, -1.0}, {3.0, 5.0}),  // a cross
-                           rectangleLoop({0.0, 0.0}, {5.0, 4.0})};  // the same again
+                           rectangleLoop({0.0, 0.0}, {5.0, 4.0})};  // identical
   for (const Loop& outline : outlines) {
     Scene scene = saneScene();
     scene.rooms.push_back(makeBoxRoom(5.0, 4.0, 3.0));
     scene.rooms[1].outline = outline;
     expectProblem(scene, "rooms[1]", "overlaps room 'box'");
   }
-  Scene scene = saneScene(); // wall to wall is no overlap
+  Scene scene = saneScene(); // adjacent rooms do not overlap
   scene.rooms.push_back(makeBoxRoom(5.0, 4.0, 3.0));
   scene.rooms[1].outline = rectangleLoop({5.0, 0.0}, {10.0, 4.0});
   EXPECT_TRUE(problemsOf(scene).empty());
@@ -117,7 +117,7 @@ TEST(SceneCheck, findsDoorsBelowTheFloorBehindThem)
                 "below the floor of room 'right' at 0.17");
   scene.rooms[0].openings[0].sill = 0.17;
   EXPECT_TRUE(problemsOf(scene).empty());
-  // A platform behind the door counts as well.
+  // A platform behind the door is checked, too.
   scene.rooms[1].floor_details.push_back(
       {rectangleLoop({5.1, 0.0}, {6.1, 4.0}), {0.3}});
   expectProblem(scene, "rooms[0].openings[0].sill", "0.3");
@@ -134,7 +134,7 @@ TEST(SceneCheck, findsOpeningsAndNichesThatOverlap)
   scene.rooms[0].openings.back().from = 2.0; // side by side
   scene.rooms[0].openings.back().depth = 0.05;
   EXPECT_TRUE(problemsOf(scene).empty());
-  // The other side of the door is an opening of the other room.
+  // The door is also an opening of the other room.
   scene = pairOfRooms();
   scene.rooms[1].niches.push_back({3, 2.5, 3.5, 0.5, 1.5, 0.05});
   expectProblem(scene, "rooms[1].niches[0]", "overlaps rooms[0].openings[0]");
@@ -209,12 +209,12 @@ TEST(SceneCheck, knowsPlatformsSlopesAndSoffitsAboveFurniture)
   EXPECT_TRUE(problemsOf(scene).empty());
   scene.furniture.back() = makeBlock("pole", {{4.0, 1.0}, 0.0, 0.3}, tall);
   expectProblem(scene, "the pole", "above the ceiling");
-  // A soffit so small that it does not reach the edge of what stands below it.
+  // A soffit too small to reach the edge of the object below it.
   scene = saneScene();
   scene.rooms[0].details.push_back({rectangleLoop({3.9, 0.9}, {4.1, 1.1}), {2.4}});
   scene.furniture.push_back(makeBlock("pole", {{4.0, 1.0}, 0.0, 0.0}, tall));
   expectProblem(scene, "the pole", "above the ceiling");
-  // On a slope of 0.5 degrees a cupboard stands by its middle.
+  // On a slope of 0.5 degrees a cupboard touches the floor at its middle.
   scene = saneScene();
   scene.rooms[0].floor.gradient = {std::tan(0.5 * pi / 180.0), 0.0};
   const double floor = heightAt(scene.rooms[0].floor, {4.0, 1.0});

@@ -36,7 +36,7 @@ sameBytes(const Scan& a, const Scan& b)
          std::memcmp(a.points.data(), b.points.data(), size) == 0;
 }
 
-/** @brief Distance to the faces of the point's own label and room. */
+/** @brief Returns the distance to the faces of the point's own label and room. */
 double
 distanceToTruth(const ScanPoint& point, const Mesh& truth)
 {
@@ -165,7 +165,7 @@ TEST(Scan, nothingIsRecordedBeyondTheRange)
     EXPECT_LE(length(positionOf(point) - Vec3{1.5, 1.5, 1.5}), 4.0 + 1e-5);
 }
 
-/** @brief A room with a window in its east wall, 5 m away a facade. */
+/** @brief Returns a room with a window in its east wall, 5 m from a facade. */
 Scene
 windowScene(const Glazing& glazing)
 {
@@ -207,7 +207,7 @@ TEST(Scan, glassReturnsAndMirrorsItsShares)
 
 TEST(Scan, wallsSeenFromBehindAreNoStructure)
 {
-  // Through the window of the first room one sees the back of the second.
+  // The back of the second room is visible through the window of the first.
   Scene scene = windowScene({0.0, 0.0});
   scene.outside.clear();
   Room shed = makeBoxRoom(1.0, 1.0, 3.0);
@@ -223,7 +223,7 @@ TEST(Scan, wallsSeenFromBehindAreNoStructure)
 
 TEST(Scan, ceilingsSeenFromAboveAreNoStructure)
 {
-  // From an upper room one looks down through a window on the top of a lower one.
+  // The top of a lower room is visible through a window of an upper room.
   Room upper = makeBoxRoom(5.0, 5.0, 6.8);
   upper.floor.height = 4.0;
   upper.openings.push_back({1, 1.0, 4.0, 4.5, 6.0, 0.3});

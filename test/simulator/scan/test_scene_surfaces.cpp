@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kNotHit = -1.0;
 
-/** @brief Two rooms of 4 x 3 m beside each other, a door in the 10 cm between them. */
+/** @brief Returns two rooms of 4 x 3 m with a door in the 10 cm between them. */
 Scene
 twoRooms()
 {
@@ -69,7 +69,7 @@ TEST(SceneSurfaces, raysPassTheDoorAndMeetItsReveals)
 
 TEST(SceneSurfaces, roomsAreTightBesideTheirOpenings)
 {
-  // A fan of rays from within the right room: the only way out is the door.
+  // Rays from inside the right room in all directions: the only exit is the door.
   const RayCaster caster(surfacesOf(twoRooms()));
   const Vec3 origin{6.0, 1.2, 1.3};
   for (int i = 0; i < 2000; ++i) {
@@ -111,7 +111,7 @@ TEST(SceneSurfaces, nichesAndPlatformsAreDetails)
                             Vec3{5.2, 1.0, 1.5},    // its sides
                             Vec3{5.2, 3.0, 1.5},    //
                             Vec3{5.2, 2.0, 0.8},    // its bottom
-                            Vec3{5.2, 2.0, 2.0}}) { // and lid
+                            Vec3{5.2, 2.0, 2.0}}) { // and its lid
     const Vec3 eye{2.0, 2.0, 1.5};
     const Hit hit = hitFrom(caster, eye, target);
     ASSERT_NE(hit.surface, nullptr);
@@ -130,7 +130,7 @@ TEST(SceneSurfaces, openingKeepsItsPlaceOnAWallThatASoffitDivides)
 {
   Room room = makeBoxRoom(5.0, 4.0, 3.0);
   room.details.push_back({rectangleLoop({1.0, 0.0}, {3.0, 1.0}), {2.5}});
-  room.openings.push_back({0, 2.5, 3.5, 1.0, 2.0, 0.2}); // half of it under the soffit
+  room.openings.push_back({0, 2.5, 3.5, 1.0, 2.0, 0.2}); // half of it below the soffit
   const RayCaster caster(surfacesOf(makeScene(room, {}, 1)));
   const auto is_open = [&caster](double x) {
     return hitFrom(caster, {x, 2.0, 1.5}, {x, 0.0, 1.5}).surface == nullptr;

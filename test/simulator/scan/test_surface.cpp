@@ -13,7 +13,7 @@ rayTowards(Vec3 origin, Vec3 target)
   return {origin, (1.0 / length(way)) * way};
 }
 
-/** @brief Expects that the ray from @p origin first meets @p shape in @p target. */
+/** @brief Expects that the ray from @p origin first hits @p shape at @p target. */
 void
 expectHit(const Shape& shape, Vec3 origin, Vec3 target)
 {
@@ -36,13 +36,13 @@ TEST(Surface, slabPatchIsHitInsideItsOutlineOnly)
   expectHit(patch, {1.0, 1.0, 1.0}, {3.0, 2.5, 2.5});
   expectMiss(patch, {1.0, 1.0, 1.0}, {4.1, 2.0, 2.5});
   expectMiss(patch, {1.0, 1.0, 1.0}, {2.4, 1.1, 2.5}); // through the hole
-  expectMiss(patch, {1.0, 1.0, 1.0}, {3.0, 2.5, 0.5}); // away from it
-  expectMiss(patch, {1.0, 1.0, 2.5}, {3.0, 2.5, 2.5}); // within its plane
+  expectMiss(patch, {1.0, 1.0, 1.0}, {3.0, 2.5, 0.5}); // away from the patch
+  expectMiss(patch, {1.0, 1.0, 2.5}, {3.0, 2.5, 2.5}); // in its plane
 }
 
 TEST(Surface, slabPatchMayLean)
 {
-  // Rises by 0.1 m a metre along x: 2.5 m high at x = 1, 2.8 m at x = 4.
+  // Rises by 0.1 m per metre along x: 2.5 m high at x = 1, 2.8 m at x = 4.
   const SlabPatch patch{{2.5, {0.1, 0.0}, {1.0, 0.0}},
                         rectangleLoop({0.0, 0.0}, {4.0, 3.0}),
                         {}};
@@ -77,7 +77,7 @@ TEST(Surface, tellsFromWhichSideItIsSeen)
   const SlabPatch slab{{2.5, {0.1, 0.0}}, rectangleLoop({0.0, 0.0}, {4.0, 3.0}), {}};
   EXPECT_EQ(side(slab, {1.0, 1.0, 1.0}, {1.0, 1.0, 2.6}), Side::BelowOrRight);
   EXPECT_EQ(side(slab, {1.0, 1.0, 3.0}, {1.0, 1.0, 2.6}), Side::AboveOrLeft);
-  // Almost level, but the slab rises faster: seen from above.
+  // The ray is almost level, but the slab rises faster: it is seen from above.
   EXPECT_EQ(side(slab, {0.0, 1.0, 2.55}, {1.0, 1.0, 2.6}), Side::AboveOrLeft);
 
   const Shape plane = verticalPatch({{0.0, 0.0}, {4.0, 0.0}, 0.0}, {0.0}, {3.0});
@@ -147,7 +147,7 @@ TEST(Surface, turnedBoxIsHitOnItsNearFace)
   expectHit(box, {2.0, 0.0, 5.0}, {2.0, 0.0, 2.0});
   expectMiss(box, {-1.0, 1.5, 1.0}, {5.0, 1.5, 1.0});
   expectMiss(box, {-1.0, 0.0, 2.1}, {5.0, 0.0, 2.1});
-  expectHit(box, {2.0, 0.0, 1.0}, {2.0, 0.0, 2.0}); // from inside: where it leaves
+  expectHit(box, {2.0, 0.0, 1.0}, {2.0, 0.0, 2.0}); // from inside: the exit point
 }
 
 TEST(Surface, cylinderIsHitOnMantleAndLids)

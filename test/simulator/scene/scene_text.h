@@ -7,13 +7,14 @@
 
 #include <string>
 
-/** @file Small scene files to change and to read. */
+/** @file Small scene files for tests to modify and read. */
 
 namespace pcl::sedr::sim::test {
 
 using nlohmann::json;
 
-/** @brief The file of a room of 5 x 4 x 3 m with one scanner and nothing else. */
+/** @brief Returns the file of a room of 5 x 4 x 3 m with one scanner and nothing else.
+ */
 inline json
 minimalFile()
 {
@@ -31,7 +32,7 @@ read(const json& file)
   return parseScene(file.dump(), "test.json");
 }
 
-/** @brief The scene of the minimal file with a value at a JSON pointer. */
+/** @brief Returns the scene of the minimal file with a value set at a JSON pointer. */
 inline Scene
 readWith(const std::string& pointer, const json& value)
 {

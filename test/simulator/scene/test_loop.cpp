@@ -6,7 +6,7 @@
 namespace pcl::sedr::sim {
 namespace {
 
-/** @brief A stadium: a 4 x 2 rectangle with half circles at its left and right. */
+/** @brief Returns a 4 x 2 rectangle with half circles at its left and right. */
 Loop
 stadium()
 {

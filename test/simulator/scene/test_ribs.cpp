@@ -36,7 +36,7 @@ TEST(Ribs, beginWhereTheyAreToldTo)
 {
   const auto loops =
       ribLoops(rectangleLoop({0, 0}, {5, 4}), {{0.0, 1.0, 0.2, 0.3, 0.05}}).at(0);
-  ASSERT_EQ(loops.size(), 3U); // the first would reach through the wall
+  ASSERT_EQ(loops.size(), 3U); // the first would extend through the wall
   EXPECT_NEAR(boundsOf(loops[0]).min.y, 0.95, 1e-9);
 }
 
@@ -55,7 +55,7 @@ TEST(Ribs, areCutAtTheWallsOfAnL)
 {
   const Loop outline{{{0, 0}}, {{6, 0}}, {{6, 2.05}}, {{3, 2.05}}, {{3, 4}}, {{0, 4}}};
   const auto loops = ribLoops(outline, {{0.0, 1.0, 0.2, 0.3, 1.0}}).at(0);
-  // At 1 over 6 m, at 2 over 6 m up to the corner in the rib and over 3 m beyond.
+  // At 1: 6 m; at 2: 6 m up to the corner inside the rib, and 3 m beyond it.
   EXPECT_NEAR(areaOfAll(loops), 0.2 * 6.0 + 0.15 * 6.0 + 0.05 * 3.0 + 0.2 * 3.0, 1e-9);
 }
 

@@ -59,7 +59,7 @@ TEST(SceneFile, minimalSceneIsWhatItSays)
   expectNear(scanner.stations[0], {2.0, 2.0, 1.5});
   EXPECT_EQ(scanner.rays_per_station, 100U);
   EXPECT_EQ(scanner.noise, 0.005);
-  // What is not given is as in Scanner itself.
+  // Values that are not given are those of Scanner.
   EXPECT_EQ(scanner.min_elevation, Scanner{}.min_elevation);
   EXPECT_EQ(scanner.jitter, Scanner{}.jitter);
   EXPECT_EQ(scanner.max_range, Scanner{}.max_range);
@@ -190,20 +190,20 @@ TEST(SceneFile, doorsHaveLeavesAndLobbies)
     {"wall": 2, "from": 1, "to": 2, "head": 2, "depth": 0.2,
      "leaf": {"hinge": "to", "angle": 0}}])");
   const Scene scene = read(file);
-  // Open, it stands at right angles to the wall beside the opening, in the room.
+  // An open leaf stands in the room, perpendicular to the wall beside the opening.
   ASSERT_EQ(scene.furniture.size(), 1U);
   const Box& open = scene.furniture[0].boxes.at(0);
   expectNear(plan(open.center), {0.97, 0.03 + 0.5});
   expectNear(rotated({1.0, 0.0}, open.yaw), {0.0, 1.0});
   EXPECT_EQ(scene.furniture[0].place, "rooms[0].openings[0].leaf");
-  // The lobby: floor, ceiling and three walls from the outer face of the wall.
+  // The lobby: floor, ceiling and three walls, from the outer face of the wall.
   ASSERT_EQ(scene.outside.size(), 2U);
   ASSERT_EQ(scene.outside[0].boxes.size(), 5U);
   expectNear(scene.outside[0].boxes[0].center, {1.5, -0.2 - 1.0, -0.05});
   expectNear(scene.outside[0].boxes[0].size, {3.0, 2.0, 0.1});
   expectNear(scene.outside[0].boxes[1].center, {1.5, -1.2, 2.55});
   expectNear(scene.outside[0].boxes[4].center, {1.5, -2.25, 1.25});
-  // Shut, it fills the opening in the middle of the wall.
+  // A shut leaf fills the opening in the middle of the wall.
   const Box& shut = scene.outside[1].boxes.at(0);
   expectNear(shut.center, {3.5, 4.1, 1.0});
   expectNear(shut.size, {1.0, 0.04, 2.0});
@@ -230,7 +230,7 @@ TEST(SceneFile, stationsAreListedOrWalked)
   ASSERT_EQ(scene.scanners[1].stations.size(), 6U);
   for (std::size_t i = 0; i < 6; ++i)
     expectNear(scene.scanners[1].stations[i], walk[i]);
-  // The floor of the second room is 0.2 m up.
+  // The floor of the second room is at 0.2 m.
   expectNear(scene.scanners[2].stations.at(1), {7.0, 1.0, 1.7});
 }
 

@@ -10,7 +10,7 @@
 namespace pcl::sedr::sim::test {
 namespace {
 
-/** @brief What reading a text fails with; empty if it does not. */
+/** @brief Returns the error of reading a text; empty if there is none. */
 std::string
 messageOf(const std::string& text)
 {
@@ -23,7 +23,7 @@ messageOf(const std::string& text)
   }
 }
 
-/** @brief A file in which every kind of element occurs. */
+/** @brief Returns a file with every kind of element. */
 json
 fullFile()
 {
@@ -63,8 +63,8 @@ fullFile()
   })");
 }
 
-/** @brief Expects the file, changed at a JSON pointer, to be refused with @p sentence
- * behind its name. */
+/** @brief Expects that the file, changed at a JSON pointer, is rejected with
+ * @p sentence after its name. */
 void
 expectRefused(const std::string& pointer,
               const char* value,
@@ -300,7 +300,7 @@ TEST(SceneFileErrors, filesThatCannotBeRead)
   }
 }
 
-/** @brief The pointers to all values of a document. */
+/** @brief Collects the pointers to all values of a document. */
 void
 collectPointers(const json& value,
                 const json::json_pointer& here,

@@ -7,7 +7,7 @@
 namespace pcl::sedr::sim::test {
 namespace {
 
-/** @brief The furniture of the minimal room, given as JSON. */
+/** @brief Returns the furniture of the minimal room, given as JSON. */
 std::vector<Object>
 readFurniture(const std::string& text)
 {
@@ -30,7 +30,7 @@ expectSame(Vec3 a, Vec3 b)
   EXPECT_NEAR(a.z, b.z, 1e-12);
 }
 
-/** @brief Expects the same name and parts; where it is described does not matter. */
+/** @brief Expects the same name and parts; the place in the file may differ. */
 void
 expectSame(const Object& a, const Object& b)
 {

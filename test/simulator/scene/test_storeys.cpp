@@ -21,7 +21,7 @@ twoStoreys()
   return read(twoStoreyFile());
 }
 
-/** @brief What the file is refused with after a value at a JSON pointer is changed. */
+/** @brief Returns the error of the file after a value at a JSON pointer is changed. */
 std::string
 refusalOf(const std::string& pointer, const char* value)
 {
@@ -36,7 +36,7 @@ refusalOf(const std::string& pointer, const char* value)
   }
 }
 
-/** @brief What is recorded of room @p room within a box, per label. */
+/** @brief Counts the points of a label of room @p room within a box. */
 std::size_t
 countWithin(const Scan& scan, std::uint32_t room, Label label, Vec3 low, Vec3 high)
 {
@@ -52,23 +52,23 @@ TEST(Storeys, areCountedByTheHeightsOfTheFloors)
 {
   Scene scene = twoStoreys();
   EXPECT_EQ(storeysOf(scene), (std::vector<std::size_t>{1, 2, 1}));
-  scene.rooms[2].floor.height = 1.6; // farther than a landing above the lowest
+  scene.rooms[2].floor.height = 1.6; // higher than a landing above the lowest
   EXPECT_EQ(storeysOf(scene), (std::vector<std::size_t>{1, 2, 2}));
   scene.rooms[2].storey = 1;
   scene.rooms[0].storey = 1;
   scene.rooms[1].storey = 3;
   EXPECT_EQ(storeysOf(scene), (std::vector<std::size_t>{1, 3, 1}));
-  scene.rooms[0].storey.reset(); // goes with the hall's floor, 1.6 m above it
+  scene.rooms[0].storey.reset(); // takes the hall's, whose floor is 1.6 m higher
   EXPECT_EQ(storeysOf(scene), (std::vector<std::size_t>{1, 3, 1}));
 }
 
 TEST(Storeys, roomsMayLieAboveEachOtherButNotInEachOther)
 {
   EXPECT_TRUE(problemsOf(twoStoreys()).empty());
-  EXPECT_EQ(refusalOf("/rooms/1/floor", "2.6"), ""); // slab on slab
+  EXPECT_EQ(refusalOf("/rooms/1/floor", "2.6"), ""); // the slabs touch
   EXPECT_NE(refusalOf("/rooms/1/floor", "2.5").find("rooms[1] overlaps room 'below'"),
             std::string::npos);
-  // A detail in the middle of a room counts as its outline does.
+  // A detail in the middle of a room is checked as its outline is.
   EXPECT_NE(refusalOf("/rooms/0/ceiling_details",
                       R"([{"loop": {"rectangle": [[2, 1], [3, 2]]}, "drop": -0.4}])")
                 .find("rooms[1] overlaps room 'below'"),
@@ -199,7 +199,7 @@ TEST(Plenums, areSeenThroughMissingTilesOnly)
     EXPECT_LT(point.z, 3.4001F);
   const auto rooms = roomTruths(read(file));
   EXPECT_NEAR(rooms[0].volume, 60.0, 1e-9);
-  EXPECT_TRUE(rooms[0].voids.empty()); // what it opens to is no room
+  EXPECT_TRUE(rooms[0].voids.empty()); // the void leads to no room
 }
 
 TEST(RoomLinks, sayWhatJoinsWhich)
@@ -245,7 +245,7 @@ TEST(RoomTruth, knowsHeightsAndStoreys)
 {
   json file = twoStoreyFile();
   file["placement"] = json::parse(R"({"shift": [0, 0, 10]})");
-  // 45 degrees over 6 m of depth: 3 m at the middle above the wall's 5.4.
+  // 45 degrees over a depth of 6 m: 3 m at the middle above the wall's 5.4.
   file["rooms"][2]["ceiling"] =
       json::parse(R"({"height": 5.4, "slope": 45, "towards": 0, "at": [6.2, 0]})");
   const Scene scene = read(file);

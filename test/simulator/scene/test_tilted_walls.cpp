@@ -54,7 +54,7 @@ TEST(TiltedWalls, besideEachOtherTheyMeetInACornerThatLeansBothWays)
     tiltWalls(room, {{0, -10 * degree}, {1, second * degree}});
     const Mesh mesh = truthOfRoom(room);
     EXPECT_TRUE(isClosedManifold(mesh)) << second;
-    // Of sections (6 - a z) (4 - b z).
+    // The sections are (6 - a z) (4 - b z).
     const double a = std::tan(second * degree);
     const double b = std::tan(-10 * degree);
     const double h = kHeight;
@@ -83,7 +83,7 @@ TEST(TiltedWalls, aRoofAboveCutsThemOff)
   tiltWalls(room, {{1, 15 * degree}});
   const Mesh mesh = truthOfRoom(room);
   EXPECT_TRUE(isClosedManifold(mesh));
-  // Of a section with the corners (0, 0) (6, 0) (x, z) (0, top).
+  // The section has the corners (0, 0) (6, 0) (x, z) (0, top).
   const double run = std::tan(15 * degree);
   const double z = kHeight / (1 - 0.2 * run); // z = height + 0.2 run z
   const double x = 6 - run * z;

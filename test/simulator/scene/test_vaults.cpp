@@ -35,7 +35,7 @@ TEST(Vaults, aBarrelHoldsHalfACylinder)
   const Mesh mesh = truthOf(roomBelow(facetsOf(vault, rectangleLoop({0, 0}, {6, 4}))));
   EXPECT_TRUE(isClosedManifold(mesh));
   EXPECT_NEAR(signedVolume(mesh), 6 * (4 * 1.2 + pi * 2), 0.002);
-  // The last centimetres above the springing lines are as upright as the walls.
+  // The last centimetres above the springing lines are as steep as the walls.
   EXPECT_NEAR(areaOf(mesh, Label::Ceiling), 6 * pi * 2, 0.3);
   EXPECT_EQ(areaOf(mesh, Label::Detail), 0.0);
 }

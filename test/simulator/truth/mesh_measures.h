@@ -22,7 +22,7 @@ isOf(const Face& face, std::uint32_t room)
   return room == 0 || face.room == room;
 }
 
-/** @brief Enclosed volume, positive for normals that point outwards. */
+/** @brief Returns the enclosed volume, positive if normals point outwards. */
 inline double
 signedVolume(const Mesh& mesh, std::uint32_t room = 0)
 {
@@ -36,7 +36,7 @@ signedVolume(const Mesh& mesh, std::uint32_t room = 0)
   return volume;
 }
 
-/** @brief Twice the area of a face, as a vector along its normal. */
+/** @brief Returns the normal of a face with twice its area as length. */
 inline Vec3
 doubledNormal(const Mesh& mesh, const Face& face)
 {
@@ -55,8 +55,7 @@ areaOf(const Mesh& mesh, Label label, std::uint32_t room = 0)
   return area;
 }
 
-/** @brief True if every directed edge has exactly one partner in the other direction.
- */
+/** @brief Returns true if every directed edge has exactly one opposite edge. */
 inline bool
 isClosedManifold(const Mesh& mesh)
 {
@@ -70,7 +69,7 @@ isClosedManifold(const Mesh& mesh)
   });
 }
 
-/** @brief Vertices - edges + faces of a closed mesh. */
+/** @brief Returns vertices - edges + faces of a closed mesh. */
 inline long
 eulerCharacteristic(const Mesh& mesh, std::uint32_t room = 0)
 {
@@ -84,7 +83,7 @@ eulerCharacteristic(const Mesh& mesh, std::uint32_t room = 0)
   return static_cast<long>(vertices.size()) - faces * 3 / 2 + faces;
 }
 
-/** @brief Number of edge-connected components. */
+/** @brief Returns the number of edge-connected components. */
 inline std::size_t
 componentCount(const Mesh& mesh)
 {
@@ -105,7 +104,7 @@ componentCount(const Mesh& mesh)
   return roots.size();
 }
 
-/** @brief Distance of a point from a segment. */
+/** @brief Returns the distance of a point from a segment. */
 inline double
 distanceToSegment(Vec3 p, Vec3 a, Vec3 b)
 {

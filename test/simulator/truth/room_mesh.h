@@ -8,7 +8,7 @@
 
 namespace pcl::sedr::sim::test {
 
-/** @brief The truth of a scene that is this room only. */
+/** @brief Returns the truth of a scene with only this room. */
 inline Mesh
 meshOf(const Room& room, double chord_tolerance = kChordTolerance)
 {

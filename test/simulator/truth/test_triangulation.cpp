@@ -9,7 +9,7 @@
 namespace pcl::sedr::sim {
 namespace {
 
-/** @brief Points and rings that grow together. */
+/** @brief Points and rings that are added together. */
 struct Drawing {
   std::vector<Vec2> points;
   std::vector<Ring> rings;
@@ -35,7 +35,7 @@ clockwiseCircle(Vec2 center, double radius, int count)
   return points;
 }
 
-/** @brief Expects triangles that cover the polygon and whose border are its rings. */
+/** @brief Expects triangles that cover the polygon, with its rings as border. */
 void
 expectTriangulated(const Drawing& drawing)
 {

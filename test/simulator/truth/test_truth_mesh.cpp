@@ -32,7 +32,7 @@ TEST(TruthMesh, soffitOnTwoWallsAndRecessAreConforming)
   EXPECT_NEAR(areaOf(mesh, Label::Ceiling), 20.0 - 8.0 - 1.0, 1e-12);
   // Undersides 8 and 1, risers (3 + 4) * 0.5 and 4 * 0.25.
   EXPECT_NEAR(areaOf(mesh, Label::Detail), 9.0 + 3.5 + 1.0, 1e-12);
-  // 9 m of the outline are under the soffit, another 2 m end walls of it.
+  // 9 m of the outline are below the soffit, another 2 m are its end walls.
   EXPECT_NEAR(areaOf(mesh, Label::Wall), (3.0 + 4.0) * 3.0 + 11.0 * 2.5, 1e-12);
 }
 
@@ -72,7 +72,7 @@ TEST(TruthMesh, eachColumnIsAHandle)
   EXPECT_NEAR(areaOf(mesh, Label::Floor), 48.0 - 2.0 * 0.36, 1e-12);
 }
 
-/** @brief Area of a regular polygon whose corners lie on a circle. */
+/** @brief Returns the area of a regular polygon inscribed in a circle. */
 double
 inscribedArea(double radius, int corners)
 {
@@ -95,7 +95,7 @@ TEST(TruthMesh, curvedWallConvergesToTheTrueArea)
 {
   Room room = makeBoxRoom(4.0, 4.0, 3.0);
   room.outline[1].bulge = 0.4;
-  // An arc detail that lies on a part of the curved wall.
+  // A detail with an arc that coincides with a part of the curved wall.
   const Element wall = elementOf(room.outline, 1);
   const Element part = pieceOf(wall, 1.0, 3.0);
   room.details.push_back({{{part.start, part.bulge}, {part.end}, {{3.0, 2.0}}}, {2.6}});

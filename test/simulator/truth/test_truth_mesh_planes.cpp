@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-/** @file The truth of rooms with steps, niches and slabs that lean. */
+/** @file The truth of rooms with steps, niches and tilted slabs. */
 
 namespace pcl::sedr::sim::test {
 namespace {
@@ -114,7 +114,7 @@ TEST(TruthMesh, nicheInACurvedWallConvergesToTheTrueVolume)
 
 TEST(TruthMesh, leaningCeilingEndsTheWalls)
 {
-  // 2.5 m high at x = 0, rises by 0.1 m a metre: 2.75 m on average, 3 m at x = 5.
+  // 2.5 m high at x = 0, rises by 0.1 m per metre: 2.75 m on average, 3 m at x = 5.
   Room room = makeBoxRoom(5.0, 4.0, 0.0);
   room.ceiling = {2.5, {0.1, 0.0}};
   const Mesh mesh = meshOf(room);
@@ -149,7 +149,7 @@ TEST(TruthMesh, detailsAndColumnsUnderALeaningCeiling)
 
 TEST(TruthMesh, rampRisesFromTheFloor)
 {
-  // From z = 0 at x = 1 to z = 0.4 at x = 3, where a platform goes on.
+  // From z = 0 at x = 1 to z = 0.4 at x = 3, where a platform follows.
   Room room = makeBoxRoom(5.0, 4.0, 3.0);
   room.floor_details.push_back(
       {rectangleLoop({1.0, 1.0}, {3.0, 2.0}), {0.0, {0.2, 0.0}, {1.0, 0.0}}});

@@ -14,8 +14,8 @@
 
 namespace sedr_test {
 
-/** A room in closed form: blocks of half a metre that are air, and at most one round
- * column. Gives its exact surface, normals into the room, and evenly spaced points on
+/** A room in closed form: blocks of air of half a metre, and at most one round column.
+ * Provides its exact surface with normals into the room, and evenly spaced points on
  * it. */
 class LatticeRoom {
 public:
@@ -32,7 +32,7 @@ public:
       , is_air_(std::move(is_air))
   {}
 
-  /** A floor-to-ceiling column about lattice point (x, y), its radius below `step`. */
+  /** Adds a floor-to-ceiling column about lattice point (x, y). */
   LatticeRoom& withColumn(int x, int y, double radius)
   {
     column_ = {x * step, y * step};
@@ -40,7 +40,7 @@ public:
     return *this;
   }
 
-  /** The pose of the room: turned about z, then shifted. */
+  /** Sets the pose of the room: turned about z, then shifted. */
   LatticeRoom& placed(double yaw_degrees, const Eigen::Vector3d& shift)
   {
     pose_ = Eigen::Translation3d(shift) *
@@ -79,7 +79,7 @@ public:
     return mesh;
   }
 
-  /** Points at the middle of squares of the given side, with exact normals. */
+  /** Returns points in the middle of squares of the given side, with exact normals. */
   std::vector<pcl::sedr::OrientedPoint> points(double spacing) const
   {
     std::vector<pcl::sedr::OrientedPoint> points;
@@ -157,12 +157,12 @@ private:
     return {column_.x() + r.x(), column_.y() + r.y(), height_share * n_[2] * step};
   }
 
-  // The wall of the column and, on floor and ceiling, what is left of the square about
-  // it.
+  // Adds the wall of the column and, on floor and ceiling, the rest of the square
+  // around it.
   template <typename AddTriangle>
   void addColumn(AddTriangle add) const
   {
-    constexpr int around = 96; // a multiple of the eight lattice points of the square
+    constexpr int around = 96; // multiple of the eight lattice points of the square
     for (int i = 0; i < around; ++i) {
       const double t0 = static_cast<double>(i) / around;
       const double t1 = static_cast<double>((i + 1) % around) / around;
@@ -181,7 +181,7 @@ private:
     }
   }
 
-  // The eight lattice points of the square about the column, an eighth of a turn apart.
+  // Returns one of the eight lattice points of the square around the column.
   Eigen::Vector3d onSquare(int i, double height_share) const
   {
     const Eigen::Vector3d r = radial((i % 8) / 8.);
@@ -203,7 +203,7 @@ boxRoom()
   return LatticeRoom(12, 10, 6);
 }
 
-/** The same without a quarter. */
+/** The box without a quarter. */
 inline LatticeRoom
 lRoom()
 {

@@ -10,7 +10,7 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** A room of the building over x from `x0` to `x1` and y from 0 to 3 m. */
+/** A room of the building with x from `x0` to `x1` and y from 0 to 3 m. */
 BuildingRoom
 seenRoom(std::uint32_t id, double x0, double x1)
 {

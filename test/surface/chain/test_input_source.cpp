@@ -17,7 +17,7 @@ namespace {
 using namespace sedr_test;
 using pcl::sedr::RowSource;
 
-/** A cloud that is given out a few thousand points at a time. */
+/** A cloud that is read in pieces of some thousand points. */
 class CloudInPieces : public RowSource {
 public:
   CloudInPieces(const pcl::PointCloud<pcl::PointXYZ>& cloud, std::size_t piece)
@@ -46,7 +46,7 @@ private:
   std::size_t piece_;
 };
 
-/** Another source, whose rows are shown to `beside` as they are at hand. */
+/** Passes the rows of another source to `beside` as they are read. */
 class RowsShown : public RowSource {
 public:
   RowsShown(const RowSource& source, SeeRun beside)

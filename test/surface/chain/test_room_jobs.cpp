@@ -18,7 +18,7 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** Works on the largest room first, and may fail at one of them. */
+/** Processes the largest room first, and may fail at one of them. */
 class Neighbours : public RoomWorkers {
 public:
   template <typename Kind>
@@ -45,7 +45,7 @@ public:
     }
   }
 
-  std::vector<std::uint32_t> jobs; ///< rooms, in the order of the work
+  std::vector<std::uint32_t> jobs; ///< rooms, in the order of processing
 
 private:
   std::function<bool(const RoomJob&)> fails_;
@@ -162,7 +162,7 @@ TEST(RoomJobs, ARoomThatIsLostIsLeftOutAndToldAndTheOthersStay)
   }
 }
 
-/** Sizes of five rooms of which the first two outweigh what follows them. */
+/** Sizes of five rooms; the first two outweigh the later ones. */
 const std::vector<std::size_t> sizes{10, 100, 400, 20, 30};
 
 TEST(RoomThreads, TakeEachRoomOnceAndTheLargestFirst)

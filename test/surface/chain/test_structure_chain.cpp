@@ -19,7 +19,7 @@ using namespace sedr_test;
 
 TEST(StructureChain, TellsEveryResultWhileItsStageStillKnowsIt)
 {
-  // Two rooms 10 cm apart, of one height.
+  // Two rooms of the same height, 10 cm apart.
   RoomPoints points;
   points.room(rectangle(0.01, 0.01, 4.01, 3.01), 0, 2.5);
   points.room(rectangle(4.11, 0.01, 8.11, 3.01), 0, 2.5);
@@ -94,7 +94,7 @@ TEST(StructureChain, TakesLargerCellsForASparseScanAndTheOldOnesForTheNext)
 
 TEST(StructureChain, KeepsTheSmallRoomsOfASparseScan)
 {
-  // Three rooms of one size and one of 4 square metres.
+  // Three rooms of equal size and one of 4 square metres.
   RoomPoints points(0.1);
   for (const double x : {0.01, 5.21, 10.41})
     points.room(rectangle(x, 0.01, x + 5, 4.01), 0, 2.5);
@@ -106,7 +106,7 @@ TEST(StructureChain, KeepsTheSmallRoomsOfASparseScan)
 
 TEST(StructureChain, KeepsASmallRoomWhoseFloorIsMostlyHidden)
 {
-  // Three rooms of 20 square metres and one of 6, which shows a third of its floor.
+  // Three rooms of 20 square metres and one of 6, a third of whose floor was scanned.
   RoomPoints points;
   for (const double x : {0.01, 5.21, 10.41})
     points.room(rectangle(x, 0.01, x + 5, 4.01), 0, 2.5);
@@ -124,7 +124,7 @@ TEST(StructureChain, KeepsASmallRoomWhoseFloorIsMostlyHidden)
 
 TEST(StructureChain, LabelsTheCeilingOfEachRoomAsItsOwn)
 {
-  // Two rooms of one height and a higher one.
+  // Two rooms of equal height and a higher one.
   RoomPoints points;
   points.room(rectangle(0.01, 0.01, 4.01, 3.01), 0, 2.5);
   points.room(rectangle(4.11, 0.01, 8.11, 3.01), 0, 2.5);
@@ -157,7 +157,7 @@ TEST(StructureChain, LabelsTheCeilingOfEachRoomAsItsOwn)
   EXPECT_EQ(rooms, (std::set<std::uint32_t>{1, 2, 3}));
 }
 
-// Rooms end before cupboards up to the ceiling since they are found by their air.
+// Rooms found by their air end in front of cupboards up to the ceiling.
 TEST(StructureChain, DISABLED_FindsTheWallBehindCupboardsUpToTheCeiling)
 {
   RoomPoints points;
@@ -244,7 +244,7 @@ TEST(StructureChain, WhatAFloorReflectsIsOfNoRoomAndTold)
 
 TEST(StructureChain, WarnsOfRoomsOfWhichMuchWasNotSeen)
 {
-  // A high room, whose walls show in every fourth column of the scan only.
+  // A high room with wall points in every fourth profile only.
   RoomPoints points;
   const PlanLoop room = rectangle(0.01, 0.01, 4.01, 3.01);
   points.slab(room, 0);
@@ -265,7 +265,7 @@ TEST(StructureChain, WarnsOfRoomsOfWhichMuchWasNotSeen)
 
 TEST(StructureChain, ARoomThatWasLookedIntoThroughADoorIsARoom)
 {
-  // Behind a door a hall, of whose wall with the door nothing was seen from within.
+  // A hall behind a door; the hall's side of the wall with the door was not scanned.
   const auto isDoor = [](const Eigen::Vector3d& p) {
     return p.y() > 1 && p.y() < 2 && p.z() < 2;
   };
@@ -301,7 +301,7 @@ TEST(StructureChain, WarnsOfRoomsInFeet)
 
 TEST(StructureChain, RoomsOnTheirSideAreToldThoughTheyHaveWallsLikeAFloorAndACeiling)
 {
-  // 12 m x 10 m, a partition across it, on its side: two walls are 4 m apart.
+  // A flat of 12 m x 10 m with a partition, on its side: two walls are 4 m apart.
   RoomPoints flat(0.1);
   flat.room(rectangle(0, 0, 12, 10), 0, 2.5);
   flat.wall(segment({4, 0}, {4, 10}), 0, 2.5);

@@ -31,7 +31,7 @@ TEST(StructureChain, ARoomIsWholeThoughItsFarCeilingWasSeenInLinesOnly)
   EXPECT_EQ(chain.labels.size(), chain.cloud->size());
 }
 
-/** A room of 6 m x 4 m x 2.5 m, one point at random in every square of `spacing`. */
+/** A room of 6 m x 4 m x 2.5 m with a random point in every square of `spacing`. */
 StructureChain::Cloud::Ptr
 sparseRoom(double spacing, const RoomPoints::InSpace& keep)
 {

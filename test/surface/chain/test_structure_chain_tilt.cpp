@@ -14,7 +14,7 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** Two rooms with a partition, turned by `degrees` about an odd axis far off. */
+/** Two rooms with a partition, turned by `degrees` about an oblique, distant axis. */
 StructureChain::Cloud::Ptr
 turnedFlat(double degrees)
 {

@@ -8,7 +8,7 @@
 
 #include <string>
 
-// Read by other programs in test/tools/test_floorplan_outputs.py.
+// The output is checked with other programs in test/tools/test_floorplan_outputs.py.
 
 namespace {
 
@@ -27,7 +27,7 @@ holds(const std::string& text, const std::string& part)
   return text.find(part) != std::string::npos;
 }
 
-/** A setting, to be written as one. */
+/** Settings with the given scale. */
 DrawingSettings
 scaled(double scale)
 {
@@ -70,8 +70,8 @@ TEST(FloorplanDrawing, AScaleThatIsAskedForHasThePaperItNeeds)
 TEST(FloorplanDrawing, LengthsOnPaperAreToScale)
 {
   const Floorplan plan = planOf(rectangle(10, 20, 16, 24));
-  // The middle of the plan is that of what dimensions leave of the sheet: 219 mm from
-  // the left, 131 mm from above.
+  // The plan is centred in the area that the dimensions leave: 219 mm from the left,
+  // 131 mm from above.
   EXPECT_TRUE(holds(floorplanToSvg(plan, scaled(50)),
                     "M 159 171 L 279 171 L 279 91 L 159 91 L 159 171 Z"));
   EXPECT_TRUE(holds(floorplanToSvg(plan, scaled(100)),
@@ -80,15 +80,15 @@ TEST(FloorplanDrawing, LengthsOnPaperAreToScale)
 
 TEST(FloorplanDrawing, ArcsKeepTheirSenseAndSize)
 {
-  // From 270 to 180 degrees against the clock: the larger part of the circle.
+  // From 270 to 180 degrees counter-clockwise: the larger part of the circle.
   const PlanLoop keyhole{{arc({0, 0}, 1, 270, 540), segment({-1, 0}, {-1, -1}),
                           segment({-1, -1}, {0, -1})}};
   EXPECT_TRUE(
       holds(floorplanToSvg(planOf(keyhole), scaled(10)), "A 100 100 0 1 0 119"));
-  // With the clock.
+  // Clockwise.
   EXPECT_TRUE(holds(floorplanToSvg(planOf(bittenRectangle(6, 4, 1)), scaled(100)),
                     "A 10 10 0 0 1 229"));
-  // A whole circle in two halves, in DXF as such.
+  // SVG draws a whole circle in two halves, DXF as a circle.
   const std::string round = floorplanToSvg(planOf(circle({0, 0}, 1)), scaled(10));
   EXPECT_TRUE(holds(round, "A 100 100 0 0 0 119 131 A 100 100 0 0 0 319 131"));
   EXPECT_TRUE(
@@ -100,19 +100,19 @@ TEST(FloorplanDrawing, APlanThatStandsAslantIsTurnedUpright)
   const Floorplan plan = planOf(placed(rectangle(0, 0, 6, 4), 30, {0, 0}));
   const std::string svg = floorplanToSvg(plan, scaled(50));
   EXPECT_TRUE(holds(svg, "M 159 171 L 279 171 L 279 91 L 159 91")) << svg;
-  // The arrow along y leans to the right, by 30 degrees, and DXF keeps the coordinates.
+  // The arrow along y is turned by 30 degrees, and DXF keeps the coordinates.
   EXPECT_TRUE(holds(floorplanToDxf(plan), "11\n5.1961524\n21\n3.0000000\n"));
 }
 
 TEST(FloorplanDrawing, RowsOfDimensionsTellEachWall)
 {
-  // A step of 1 m in the lower wall, which one does not see from above.
+  // A step of 1 m in the lower wall, which is hidden from above.
   const Floorplan plan = planOf(
       {{segment({0, 0}, {4, 0}), segment({4, 0}, {4, 1}), segment({4, 1}, {6, 1}),
         segment({6, 1}, {6, 5}), segment({6, 5}, {0, 5}), segment({0, 5}, {0, 0})}});
   const std::string svg = floorplanToSvg(plan, scaled(50));
-  // 120 mm by 100 mm about (219, 131): the first row 9 mm below, at 190, the second at
-  // 198; texts 2.1 mm above them.
+  // 120 mm by 100 mm about (219, 131): the first row is 9 mm below, at 190, the second
+  // at 198; texts are 2.1 mm above them.
   EXPECT_TRUE(
       holds(svg, "x=\"199\" y=\"187.9\" dy=\"0.35em\" font-size=\"2.5\">4.00<"));
   EXPECT_TRUE(
@@ -123,7 +123,7 @@ TEST(FloorplanDrawing, RowsOfDimensionsTellEachWall)
 
 TEST(FloorplanDrawing, RoofsHaveRidgesEavesAndHeadroom)
 {
-  // Slopes of one in one from eaves of 1 m along both long walls to a ridge at 3 m.
+  // Slopes of 45 degrees from eaves of 1 m along both long walls to a ridge at 3 m.
   Floorplan plan = planOf(rectangle(0, 0, 8, 4));
   const auto facet = [](const PlanLoop& loop, const PlanSlab& slab) {
     PlanDetail detail = detailOf(loop, 0);
@@ -163,7 +163,7 @@ TEST(FloorplanDrawing, ThePdfIsThatOfTheSvg)
   const Floorplan plan = planOf(rectangle(10, 20, 16, 24));
   const std::string pdf = floorplanToPdf(plan, scaled(50));
   EXPECT_TRUE(holds(pdf, "/MediaBox [0 0 1190.5512 841.8898]"));
-  // y runs up there.
+  // In PDF y points up.
   EXPECT_TRUE(holds(pdf, "159 126 m\n279 126 l\n279 206 l\n159 206 l\n"));
   EXPECT_TRUE(holds(pdf, "(24.00 m\xb2) Tj")) << "WinAnsi";
   EXPECT_EQ(pdf, floorplanToPdf(plan, scaled(50)));
@@ -189,7 +189,7 @@ TEST(FloorplanDrawing, DetailsEndAtTheWalls)
   Floorplan plan = planOf(rectangle(0, 0, 6, 4));
   plan.rooms[0].details = {detailOf(rectangle(4, -1, 7, 5), 2.2)};
   const std::string dxf = floorplanToDxf(plan);
-  // Of its four edges one lies in the room, from wall to wall.
+  // One of its four edges is inside the room, from wall to wall.
   const std::string line = "0\nLINE\n8\nA-CLNG\n";
   const std::size_t first = dxf.find(line);
   ASSERT_NE(first, std::string::npos);
@@ -204,18 +204,18 @@ TEST(FloorplanDrawing, DetailsEndAtTheWalls)
 
 TEST(FloorplanDrawing, ALevelDoesNotHideTheSizeOfAWall)
 {
-  // A soffit 40 cm wide along a wall of 6 m: its height and the wall's length do not
-  // fit one above the other at 1:100, so the length moves aside.
+  // A soffit 40 cm wide along a wall of 6 m. Its height and the wall's length do not
+  // fit above each other at 1:100, so the length moves aside.
   Floorplan plan = planOf(rectangle(0, 0, 6, 4));
   plan.rooms[0].details = {detailOf(rectangle(0, 0, 6, 0.4), 2.2)};
   const std::string svg = floorplanToSvg(plan, scaled(100));
   EXPECT_TRUE(holds(svg, ">2.20<"));
-  EXPECT_TRUE(holds(svg, "x=\"209\"")) << svg; // a third along the wall
+  EXPECT_TRUE(holds(svg, "x=\"209\"")) << svg; // at a third of the wall
 }
 
 TEST(FloorplanDrawing, EveryStepOfAStairTellsItsHeight)
 {
-  // Each later one lies on those before it.
+  // Each detail is drawn over the previous ones.
   Floorplan plan = planOf(rectangle(0, 0, 6, 4));
   plan.rooms[0].floor_details = {detailOf(rectangle(3, 0, 6, 4), 0.15),
                                  detailOf(rectangle(4, 0, 6, 4), 0.3)};
@@ -233,7 +233,7 @@ TEST(FloorplanDrawing, ADetailOutsideOfTheRoomTellsNothing)
 
 TEST(FloorplanDrawing, TextsKeepOutOfEachOthersWay)
 {
-  // A closet 30 cm wide: no sizes, no name that could be read at 1:100.
+  // A closet 30 cm wide: sizes and name would not be legible at 1:100.
   const std::string closet =
       floorplanToSvg(planOf(rectangle(0, 0, 0.3, 0.3)), scaled(100));
   EXPECT_FALSE(holds(closet, ">Room 1<"));
@@ -243,7 +243,7 @@ TEST(FloorplanDrawing, TextsKeepOutOfEachOthersWay)
   EXPECT_TRUE(holds(room, ">30.00 m²<"));
 }
 
-/** The text from one word to the next one after it. */
+/** Returns the text from one word to the next occurrence of another. */
 std::string
 between(const std::string& text, const std::string& from, const std::string& to)
 {
@@ -267,8 +267,8 @@ TEST(FloorplanDrawing, SheetsOfStoreysLieOverEachOther)
   EXPECT_TRUE(holds(upper, ">attic<"));
   EXPECT_TRUE(holds(lower, "id=\"room_2\"") && !holds(lower, "id=\"room_3\""));
   EXPECT_TRUE(holds(upper, "id=\"room_3\"") && !holds(upper, "id=\"room_2\""));
-  // The origin of the plan, 3.05 m to the left of the middle of both storeys, which is
-  // 219 mm from the left, and 1 m below it, 131 mm from above.
+  // The centre of both storeys is 219 mm from the left and 131 mm from above. The
+  // origin of the plan is 3.05 m to the left of it and 1 m below.
   EXPECT_TRUE(holds(upper, "M 158 151 L")) << upper;
   const std::string dxf = floorplanToDxf(plan, sheetOf(storeys[1]));
   EXPECT_TRUE(holds(dxf, "$EXTMIN\n10\n-3.0000000\n20\n-1.0000000\n"));

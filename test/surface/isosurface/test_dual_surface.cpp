@@ -15,7 +15,7 @@ using namespace pcl::sedr;
 
 namespace {
 
-// The blocks of a cube, `edge` of them a side.
+// Returns the blocks of a cube with `edge` blocks per side.
 BandGrid
 cubeOfBlocks(std::int64_t edge)
 {
@@ -55,7 +55,7 @@ extract(const BandGrid& grid, const std::vector<float>& values)
   return mesh;
 }
 
-// True within the blocks of a cube of three a side, two nodes off its rim.
+// Returns true inside the blocks of a cube of three per side, two nodes off its rim.
 bool
 isInside(const Eigen::Vector3d& p)
 {
@@ -102,7 +102,7 @@ TEST(DualSurface, a_ball_without_samples_is_where_its_values_say)
   const MeshTopology topology = checkTopology(mesh);
   EXPECT_TRUE(topology.isClosedManifold()) << topology.problem();
   EXPECT_EQ(topology.euler_characteristic, 2);
-  EXPECT_LT(mesh.signedVolume(), 0); // normals to what is above zero
+  EXPECT_LT(mesh.signedVolume(), 0); // normals towards values above zero
   for (const auto& v : mesh.vertices)
     EXPECT_NEAR((v - centre).norm(), 7.3, 0.1);
 }
@@ -140,7 +140,7 @@ TEST(DualSurface, well_composed_values_stay_as_they_are)
 
 TEST(SurfaceMending, a_fold_in_a_face_is_taken_out)
 {
-  // A box with its top at 6.5, of which one vertex lies two cells off its place.
+  // A box with its top at 6.5, with one vertex two cells away from its position.
   const BandGrid grid = cubeOfBlocks(3);
   const auto values = valuesOf(grid, [](const Eigen::Vector3d& p) {
     const Eigen::Array3d off = (p - Eigen::Vector3d(3.5, 3.5, 3)).array().abs();

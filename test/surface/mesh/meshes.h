@@ -32,8 +32,8 @@ unitCube()
   return box({0, 0, 0}, {1, 1, 1});
 }
 
-/** A grid of n by m quads whose vertices `position(i, j)` gives, closed in both
- * directions. */
+/** Returns a grid of n by m quads, closed in both directions, with vertices
+ * `position(u, v)`. */
 template <typename Position>
 TriangleMesh
 closedGrid(std::uint32_t n, std::uint32_t m, Position position)
@@ -53,7 +53,7 @@ closedGrid(std::uint32_t n, std::uint32_t m, Position position)
   return mesh;
 }
 
-/** Radii 2 and 0.5, normals outwards. */
+/** A torus of radii 2 and 0.5, normals outwards. */
 inline TriangleMesh
 torus()
 {
@@ -63,8 +63,7 @@ torus()
   });
 }
 
-/** An octahedron of which each face is split into n * n, its vertices moved to the
- * sphere. */
+/** A sphere made of an octahedron with each face split into n * n. */
 inline TriangleMesh
 sphere(const Eigen::Vector3d& centre, double radius, int n)
 {
@@ -89,7 +88,7 @@ sphere(const Eigen::Vector3d& centre, double radius, int n)
           triangle(vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1));
       }
   }
-  return mesh; // every triangle has vertices of its own: to be welded
+  return mesh; // each triangle has vertices of its own, which must be welded
 }
 
 inline TriangleMesh

@@ -115,7 +115,7 @@ TEST(MeshDistance, of_a_square_of_many_triangles_is_that_of_the_square)
 
 TEST(MeshSampling, every_part_gets_its_share_of_area_without_clumps)
 {
-  // Two squares of 1 m and 9 m^2, the large one of two triangles, the small one of
+  // Two squares of 1 m^2 and 9 m^2; the large one has two triangles, the small one
   // many.
   TriangleMesh mesh = box({0, 0, 0}, {3, 3, 0});
   mesh.triangles.resize(2);
@@ -141,7 +141,7 @@ TEST(MeshSampling, every_part_gets_its_share_of_area_without_clumps)
       ++tiles[static_cast<std::size_t>(3 * static_cast<int>(p.x()) +
                                        static_cast<int>(p.y()))];
   EXPECT_NEAR(static_cast<double>(on_fine), 400, 2);
-  for (const int count : tiles) // at random they would scatter by twenty
+  for (const int count : tiles) // random ones would deviate by twenty
     EXPECT_NEAR(count, 400, 20);
 }
 

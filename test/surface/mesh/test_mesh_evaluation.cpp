@@ -47,7 +47,7 @@ cloudOf(const std::vector<Eigen::Vector3d>& points)
 
 TEST(MeshEvaluation, a_shifted_plate_is_off_by_the_shift)
 {
-  // The middle of a large plate against one 3 cm above it: every distance is 3 cm.
+  // The middle of a large plate and one 3 cm above it: every distance is 3 cm.
   TriangleMesh plate = box({0, 0, 0}, {4, 4, 0});
   plate.triangles.resize(2);
   TriangleMesh model = box({1, 1, 0.03}, {3, 3, 0.03});
@@ -61,7 +61,7 @@ TEST(MeshEvaluation, a_shifted_plate_is_off_by_the_shift)
   EXPECT_NEAR(result.mesh_to_truth->max, 0.03, 1e-12);
   EXPECT_EQ(result.mesh_to_truth->within_1cm, 0);
   EXPECT_EQ(result.mesh_to_truth->within_5cm, 1);
-  // The other way round three quarters of the plate have nothing above them.
+  // In the other direction, three quarters of the plate have nothing above them.
   EXPECT_NEAR(result.truth_to_mesh->max, std::hypot(std::sqrt(2), 0.03), 0.02);
   EXPECT_NEAR(result.truth_to_mesh->within_5cm,
               (4 + 8 * 0.04 + 0.04 * 0.04 * M_PI) / 16, 0.002);
@@ -75,7 +75,7 @@ TEST(MeshEvaluation, a_cube_grown_by_a_centimetre_is_a_centimetre_off)
   evaluation.setSampleSpacing(0.005);
   MeshEvaluationResult result;
   ASSERT_TRUE(evaluation.compute(result));
-  EXPECT_NEAR(result.truth_to_mesh->mean, 0.01, 1e-9); // the faces hang over
+  EXPECT_NEAR(result.truth_to_mesh->mean, 0.01, 1e-9); // the faces overhang
   EXPECT_NEAR(result.truth_to_mesh->max, 0.01, 1e-9);
   EXPECT_LE(result.mesh_to_truth->max, 0.01 * std::sqrt(3) + 1e-9);
   EXPECT_GT(result.mesh_to_truth->max, 0.014);
@@ -163,7 +163,7 @@ TEST(MeshEvaluation, vertices_at_equal_places_count_when_welded)
   MeshEvaluationResult result;
   pcl::MeshEvaluation evaluation;
   evaluation.setInputMesh(
-      share(sphere({0, 0, 0}, 1, 5))); // a soup that closes when welded
+      share(sphere({0, 0, 0}, 1, 5))); // a soup that is closed after welding
   ASSERT_TRUE(evaluation.compute(result));
   EXPECT_FALSE(result.mesh.closed);
   EXPECT_TRUE(result.mesh.closed_when_welded);

@@ -33,7 +33,7 @@ TEST(MeshRepair, welding_a_soup_of_triangles_closes_it)
 
 TEST(MeshRepair, sheets_that_follow_one_edge_get_vertices_of_their_own)
 {
-  // Closed and manifold as they are; a reader that welds would join them at an edge.
+  // Closed and manifold; a reader that welds vertices would join them at an edge.
   for (const double far : {0.0, 3000.0}) {
     TriangleMesh mesh =
         both(box({far, 0, 0}, {far + 1, 1, 1}), box({far + 1, 1, 0}, {far + 2, 2, 1}));
@@ -50,7 +50,7 @@ TEST(MeshRepair, sheets_that_follow_one_edge_get_vertices_of_their_own)
 
 TEST(MeshRepair, vertices_that_a_float_does_not_tell_apart_get_different_floats)
 {
-  // At 100 km a float is 8 mm wide; these boxes are 1 cm.
+  // At 100 km a float resolves 8 mm; these boxes are 1 cm.
   TriangleMesh mesh;
   for (int i = 0; i < 8; ++i) {
     const Eigen::Vector3d low(1e5 + 0.005 * i, 1e5, 0);

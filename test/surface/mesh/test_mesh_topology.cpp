@@ -51,7 +51,7 @@ TEST(MeshTopology, cubes_that_share_an_edge_are_one_component_with_one_bad_edge)
 {
   TriangleMesh mesh = both(unitCube(), box({1, 1, 0}, {2, 2, 1}));
   EXPECT_EQ(checkTopology(mesh).components.size(),
-            2u); // as long as the vertices are two each
+            2u); // as long as the vertices are separate
   EXPECT_TRUE(checkTopology(mesh).isClosedManifold());
   EXPECT_EQ(weldVertices(mesh), 2u);
   const MeshTopology topology = checkTopology(mesh);
@@ -102,8 +102,8 @@ TEST(MeshTopology, degenerate_duplicate_and_unused_are_counted)
   mesh.vertices.emplace_back(5, 5, 5);
   mesh.vertices.emplace_back(0.5, 0, 0);
   mesh.triangles.push_back({0, 0, 1});
-  mesh.triangles.push_back({0, 9, 1}); // no area: vertex 9 lies on the edge
-  mesh.triangles.push_back({2, 3, 0}); // the first one again
+  mesh.triangles.push_back({0, 9, 1}); // zero area: vertex 9 is on the edge
+  mesh.triangles.push_back({2, 3, 0}); // duplicate of the first one
   const MeshTopology topology = checkTopology(mesh);
   EXPECT_EQ(topology.degenerate_triangles, 1u);
   EXPECT_EQ(topology.zero_area_triangles, 1u);
@@ -125,8 +125,8 @@ TEST(MeshTopology, components_come_largest_first_with_their_own_volume)
 
 TEST(MeshTopology, of_rooms_is_that_of_the_mesh_whether_or_not_they_share_vertices)
 {
-  // Two boxes and a torus in rooms of their own; then the first room's last triangle
-  // becomes the third's.
+  // Two boxes and a torus in separate rooms; then the last triangle of the first room
+  // moves to the third.
   TriangleMesh mesh = box({0, 0, 0}, {1, 1, 1});
   mesh.append(box({2, 0, 0}, {5, 1, 1}));
   mesh.append(torus());

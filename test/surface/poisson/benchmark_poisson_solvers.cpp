@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares StructuralPoisson with pcl::Poisson on structures with a truth: prints the
-// table of doc/structural_poisson.md.
+// Compares StructuralPoisson with pcl::Poisson on structures with a truth, and prints
+// the table of doc/structural_poisson.md.
 //
 //     benchmark_poisson_solvers RUNS THREADS FOLDER...
-//     benchmark_poisson_solvers STRUCTURE.pcd MESH.ply    the mesh of pcl::Poisson
-//     alone
+//     benchmark_poisson_solvers STRUCTURE.pcd MESH.ply  (only pcl::Poisson's mesh)
 //
 // Each FOLDER holds structure.pcd and truth.ply, as pcl_sedr_benchmark --keep leaves
-// them. Seconds are the median of RUNS runs, in which the solvers take turns: of the
-// processor with one thread, by the clock with more.
+// them. Seconds are the median of RUNS runs in which the solvers alternate: processor
+// time with one thread, wall-clock time with more.
 #include <pcl/io/pcd_io.h>
 #include <pcl/sedr_surface/mesh_distance.h>
 #include <pcl/sedr_surface/mesh_io.h>
@@ -77,8 +76,8 @@ runSedr(const Cloud::ConstPtr& cloud,
   mesh = poisson.getMesh();
 }
 
-/** @brief Room by room, with cells of the size that StructuralPoisson takes: the octree
- * is as deep as needed, and its cube as large as that gives. */
+/** @brief Runs pcl::Poisson room by room, with cells of the size of StructuralPoisson:
+ * depth and scale of the octree are chosen accordingly. */
 void
 runPcl(const Cloud::ConstPtr& cloud,
        unsigned threads,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Prints the table of doc/structural_poisson.md: rooms of perfect points, reconstructed
+// Prints the table of doc/structural_poisson.md: rooms of exact points, reconstructed
 // and compared with their exact surface.
 #include "surface/chain/lattice_room.h"
 

@@ -43,7 +43,7 @@ TEST(PlanSamples, AreDenserAtEdgesAndEvenElsewhere)
   for (const OrientedPoint& point : samples.points) {
     const Eigen::Vector3f& p = point.position;
     if (point.normal.z() < 0.5f)
-      continue; // the floor alone
+      continue; // only the floor
     const float off = std::min(std::min(p.x(), 4 - p.x()), std::min(p.y(), 3 - p.y()));
     ++(off < 2 * spacing ? at_edges : elsewhere);
   }

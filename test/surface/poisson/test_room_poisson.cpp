@@ -19,7 +19,7 @@ struct Case {
   int euler;
 };
 
-// A result good enough to be called the room.
+// Expects a mesh close enough to the room.
 void
 expectGood(const LatticeRoom& room,
            const TriangleMesh& mesh,
@@ -84,8 +84,7 @@ TEST(RoomPoisson, rooms_of_perfect_points_come_back)
     TriangleMesh mesh;
     std::vector<std::uint32_t> nearest;
     RoomPoissonReport report;
-    const auto points =
-        c.room.points(1. / 12); // wider than the default for the sake of time
+    const auto points = c.room.points(1. / 12); // coarser than the default to save time
     ASSERT_TRUE(reconstructRoom(points, {}, mesh, nearest, report)) << report.problem;
     expectGood(c.room, mesh, report, c.euler);
     EXPECT_EQ(report.points, points.size());
@@ -98,8 +97,8 @@ TEST(RoomPoisson, rooms_of_perfect_points_come_back)
 
 TEST(RoomPoisson, sheets_that_meet_in_one_vertical_edge_stay_apart)
 {
-  // Two pillars, or a soffit above what stands beside it: the vertices of both sheets
-  // seek their edge, and some find the same place on it.
+  // Two pillars, or a soffit above an object: the vertices of both sheets move to the
+  // common edge, and some to the same point on it.
   const auto pillars = [](int x, int y, int) {
     return !((x == 2 && y == 2) || (x == 3 && y == 3));
   };
@@ -180,7 +179,7 @@ TEST(RoomPoisson, two_dense_walls_do_not_make_the_cells_finer_than_the_rest_bear
   for (const auto& p : boxRoom().points(0.125))
     if (std::abs(p.normal.x()) < 0.5)
       points.push_back(p);
-  EXPECT_GT(dense, points.size() / 2); // of the points, not of the area
+  EXPECT_GT(dense, points.size() / 2); // share of points, not of area
   EXPECT_NEAR(measureSpacing(points), 0.125, 0.02);
 }
 
@@ -188,8 +187,8 @@ TEST(RoomPoisson, crumbs_and_bubbles_are_dropped)
 {
   const LatticeRoom room = LatticeRoom(6, 5, 5);
   auto points = room.points(0.125);
-  // A ball of 0.5 m radius in the middle of the room, its normals outwards: a closed
-  // shell of its own.
+  // A ball of 0.5 m radius in the middle of the room with normals outwards: a separate
+  // closed shell.
   for (int i = 0; i < 400; ++i) {
     const double z = 1 - (2 * i + 1) / 400.;
     const double turn = 2.399963229728653 * i; // the golden angle

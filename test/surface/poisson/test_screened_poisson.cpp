@@ -47,7 +47,7 @@ expectClosed(const TriangleMesh& mesh, std::size_t components, std::int64_t eule
   EXPECT_EQ(topology.euler_characteristic, euler);
 }
 
-// Greatest distance of a vertex from the sphere.
+// Returns the maximum distance of a vertex from the sphere.
 double
 worstRadius(const TriangleMesh& mesh, const Eigen::Vector3d& centre, double radius)
 {
@@ -68,7 +68,7 @@ TEST(ScreenedPoisson, a_sphere_comes_back_and_smaller_cells_are_more_exact)
     const auto mesh =
         solve(sphere(centre, 1, spacing), cellsOf(0.8 * spacing, spacing), &report);
     expectClosed(mesh, 1, 2);
-    EXPECT_GT(mesh.signedVolume(), 0); // as the normals: outwards
+    EXPECT_GT(mesh.signedVolume(), 0); // normals outwards
     const double error = worstRadius(mesh, centre, 1);
     EXPECT_LT(error, 0.1 * spacing * spacing);
     EXPECT_LT(error, 0.5 * before);
@@ -105,7 +105,7 @@ TEST(ScreenedPoisson, edges_and_corners_of_rooms_stay_sharp)
     const auto off = summarizeDistances(
         MeshDistance(mesh).distances(sampleMesh(room.first.truth(), 0.05, 1).points));
     EXPECT_LT(off.mean, 1e-4);
-    EXPECT_LT(off.max, 0.3 * spacing); // rounded ones would be off by 0.7 spacings
+    EXPECT_LT(off.max, 0.3 * spacing); // rounded edges would deviate by 0.7 spacings
   }
 }
 
@@ -266,7 +266,7 @@ TEST(ScreenedPoisson, too_few_points_are_refused_and_those_in_one_place_do_no_ha
 
 namespace {
 
-// A plate of the given thickness, turned about an axis that is none of the grid's.
+// A plate of the given thickness, turned about an axis oblique to the grid.
 std::vector<OrientedPoint>
 turnedPlate(double thickness, double angle, double spacing)
 {
@@ -298,7 +298,7 @@ TEST(ScreenedPoisson, a_plate_thinner_than_a_cell_has_no_holes)
 
 TEST(ScreenedPoisson, a_slot_thinner_than_a_cell_stays_open)
 {
-  // The same plates of air, in a block.
+  // The same plates as air in a block.
   constexpr double spacing = 0.05;
   for (const double thickness : {0.03, 0.05}) {
     auto points = box({1, 0.7, thickness}, spacing);

@@ -15,7 +15,7 @@ using namespace sedr_test;
 
 namespace {
 
-constexpr double coarse = 0.125; // metres between points: quick
+constexpr double coarse = 0.125; // metres between points, to save time
 
 template <typename PointNT>
 typename pcl::PointCloud<PointNT>::Ptr
@@ -37,7 +37,7 @@ smallRoom()
   return LatticeRoom(6, 5, 5);
 }
 
-// Two rooms with a wall of 10 cm between them, as one cloud; room 7 and room 3.
+// Two rooms, 7 and 3, with a wall of 10 cm between them, as one cloud.
 pcl::PointCloud<pcl::PointStructure>::Ptr
 twoRooms()
 {

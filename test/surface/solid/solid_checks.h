@@ -15,7 +15,7 @@
 
 namespace sedr_test {
 
-/** A room's solid and all that is told of it. */
+/** The solid of a room, its elements and its report. */
 struct Solid {
   pcl::sedr::TriangleMesh mesh;
   std::vector<pcl::sedr::SolidElement> elements;
@@ -27,7 +27,7 @@ struct Solid {
       : report(pcl::sedr::extrudeRoom(room, parameters, mesh, elements, tilts))
   {}
 
-  /** Names of the elements that have triangles. */
+  /** Returns the names of the elements that have triangles. */
   std::set<std::string> names() const
   {
     std::set<std::string> names;
@@ -36,7 +36,7 @@ struct Solid {
     return names;
   }
 
-  /** Square metres of the triangles of an element. */
+  /** Returns the area in square metres of an element's triangles. */
   double areaOf(const std::string& name) const
   {
     double area = 0;
@@ -46,7 +46,7 @@ struct Solid {
     return area;
   }
 
-  /** Whether there is a vertex at a place, to a micrometre. */
+  /** Returns true if a vertex is within a micrometre of a place. */
   bool hasVertex(double x, double y, double z) const
   {
     return std::any_of(mesh.vertices.begin(), mesh.vertices.end(), [&](const auto& v) {
@@ -55,7 +55,7 @@ struct Solid {
   }
 };
 
-/** What every solid has to be, whatever its plan. */
+/** Expects the properties of every valid solid. */
 inline void
 expectSound(const Solid& solid)
 {
@@ -76,7 +76,7 @@ expectSound(const Solid& solid)
   }
 }
 
-/** A sound solid of one piece. */
+/** Expects a valid solid of one component. */
 inline void
 expectPiece(const Solid& solid, double volume, int euler = 2)
 {
@@ -86,7 +86,7 @@ expectPiece(const Solid& solid, double volume, int euler = 2)
   EXPECT_NEAR(solid.report.volume, volume, 1e-5);
 }
 
-/** Area of the polygon whose corners a loop's facets have: not that of the arcs. */
+/** Returns the area of the polygon of a loop's facets, not that of the arcs. */
 inline double
 facetArea(const pcl::sedr::PlanLoop& loop, double tolerance = 0.0005)
 {

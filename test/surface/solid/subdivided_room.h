@@ -16,7 +16,7 @@
 
 namespace sedr_test {
 
-/** A room of 4 m x 3 m, 2.5 m high, with a detail along the wall y = 3, 1 m wide. */
+/** A room of 4 m x 3 m, 2.5 m high, with a detail 1 m wide along the wall y = 3. */
 inline pcl::sedr::PlanRoom
 roomWithSoffit(const pcl::sedr::PlanSlab& slab)
 {

@@ -76,7 +76,7 @@ TEST(FloorplanExtrusion, PointsGetRoomAndNormalWhereTheyHaveSuch)
     EXPECT_EQ(p.room, p.x < 4.05f ? 3u : 8u);
     EXPECT_NEAR(p.getNormalVector3fMap().norm(), 1, 1e-5);
   }
-  // The low south-west corner of the first room: away from the room.
+  // At the low south-west corner of the first room, normals point out of the room.
   for (const auto& p : points)
     if (p.x == 0 && p.y == 0 && p.z == 0) {
       EXPECT_LT(p.getNormalVector3fMap().maxCoeff(), 0);

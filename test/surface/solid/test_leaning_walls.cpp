@@ -25,7 +25,7 @@ TEST(LeaningWalls, OneIntoTheRoomTakesATriangleOfEverySection)
 
 TEST(LeaningWalls, MeetInCornersOfThreeSurfaces)
 {
-  // In and out, turned, far away; sections are (6 - a z) (4 - b z).
+  // Tilted in and out, turned, far away; the sections are (6 - a z) (4 - b z).
   const PlanLoop loop = placed(rectangle(0, 0, 6, 4), 23, {4000, -2500});
   const double a = std::tan(20 * degree);
   const double b = std::tan(-25 * degree);
@@ -63,7 +63,7 @@ TEST(LeaningWalls, ARoundOneIsACone)
 
 TEST(LeaningWalls, AFloorThatTheyReachOverIsTriangulatedAnew)
 {
-  // An L whose notch all but vanishes below the wall that leans out.
+  // An L whose notch almost vanishes below the wall that tilts outwards.
   const PlanLoop l = polygon({{0, 0}, {6, 0}, {6, 3}, {5.2, 3}, {5.2, 4}, {0, 4}});
   const double run = std::tan(15 * degree);
   const Solid solid(roomOf(l, height), {}, {{1, 1, 15 * degree}});

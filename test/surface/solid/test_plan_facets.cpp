@@ -61,11 +61,11 @@ TEST(FacetLoops, OfArcsLieWithinTheChordTolerance)
     EXPECT_GT(((chain.corners[i] + next) / 2 - Eigen::Vector2d(3, 0)).norm(),
               1 - 0.0005);
   }
-  // A facet over the angle t is off by 1 - cos(t / 2).
+  // A facet over the angle t deviates by 1 - cos(t / 2).
   EXPECT_EQ(of_arc, std::ceil(M_PI / (2 * std::acos(1 - 0.0005))));
 }
 
-/** A room with a soffit that ends `gap` before the walls on three sides. */
+/** A room with a soffit that ends `gap` in front of the walls on three sides. */
 PlanRoom
 roomWithGap(double gap)
 {
@@ -114,7 +114,7 @@ TEST(FacetLoops, ACornerThatLiesOnAWallStaysWhereItIsAlongIt)
 
 TEST(FacetLoops, AnEdgeIsLedThroughTheCornersBesideIt)
 {
-  // The wall has a corner at x = 2 that lies 1.5 mm beside the soffit's edge.
+  // The wall has a corner at x = 2, 1.5 mm off the soffit's edge.
   PlanRoom room = roomOf(polygon({{0, 0}, {4, 0}, {4, 3}, {2, 3.0015}, {0, 3}}), 2.5);
   room.details = {detailOf(rectangle(0, 2, 4, 3), 2.2)};
   expectCorners(facetsOf(room)[1], {{0, 2}, {4, 2}, {4, 3}, {2, 3.0015}, {0, 3}});
@@ -132,7 +132,7 @@ TEST(FacetLoops, AChainThatShrinksToALineIsLeftEmpty)
 
 TEST(FacetLoops, FarAmongManyFacetsToo)
 {
-  // Facets stand in groups of 32: a niche beside the last of a hundred walls.
+  // Facets are stored in groups of 32: a niche beside the last of a hundred walls.
   Corners zigzag;
   for (int i = 0; i < 100; ++i)
     zigzag.push_back({i, i % 2 == 0 ? 0.0 : 0.3});

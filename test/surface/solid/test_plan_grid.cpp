@@ -25,7 +25,7 @@ TEST(PlanGrid, TellsOnWhichSideOfALineAPlaceIsThoughItIsAUnitOff)
   EXPECT_EQ(turn(a, b, b), 0);
   EXPECT_EQ(turn(a, b, {far, far}), std::int64_t{2} * far);
   EXPECT_EQ(turn(a, b, {far, far - 2}), std::int64_t{-2} * far);
-  // Twice the area of the triangle, whichever corner comes first.
+  // Twice the area of the triangle, from any first corner.
   EXPECT_EQ(turn({0, 0}, {3, 0}, {0, 4}), 12);
   EXPECT_EQ(turn({0, 4}, {0, 0}, {3, 0}), 12);
   EXPECT_EQ(turn({3, 0}, {0, 0}, {0, 4}), -12);

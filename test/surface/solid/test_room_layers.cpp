@@ -10,8 +10,8 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** A room with all that a room may have: a column, a soffit with a hole, a beam over
- * it, a step, and a niche. */
+/** A room with every kind of part: a column, a soffit with a hole, a beam over it, a
+ * step, and a niche. */
 PlanRoom
 richRoom()
 {
@@ -32,7 +32,7 @@ richRoom()
 enum Slab { floor_slab, ceiling_slab, soffit, beam, platform, niche_bottom, niche_top };
 enum Loop { boundary, column, soffit_edge, soffit_hole, beam_edge, step_edge, niche };
 
-/** What is where the given loops run around once and the others do not. */
+/** Returns the region with winding number 1 in the given loops and 0 in the others. */
 PlanRegion
 within(const RoomLayers& layers, const std::vector<Loop>& loops)
 {

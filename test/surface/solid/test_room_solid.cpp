@@ -65,7 +65,7 @@ TEST(RoomSolid, TangentArcsAndASCurve)
   const PlanLoop rounded = roundedRectangle(6, 4, 1);
   expectPiece(Solid(roomOf(rounded, 2.5)), facetArea(rounded) * 2.5);
   EXPECT_NEAR(facetArea(rounded), 6 * 4 - 4 + M_PI, 0.005);
-  // Below, a wall that swings out and then in: two quarters of radius 2.
+  // The lower wall curves out and then in: two quarter circles of radius 2.
   const PlanLoop s{{arc({0, 2}, 2, 270, 360), arc({4, 2}, 2, 180, 90),
                     segment({4, 4}, {4, 7}), segment({4, 7}, {0, 7}),
                     segment({0, 7}, {0, 0})}};
@@ -124,7 +124,7 @@ TEST(RoomSolid, ABeamACofferAndASoffitAllAround)
 
 TEST(RoomSolid, DetailsThatMeetShareTheirEdge)
 {
-  // The second begins within the first's edge: three heights meet in (3, 4).
+  // A corner of the second is on the first's edge: three heights meet in (3, 4).
   PlanRoom room = roomOf(rectangle(0, 0, 6, 5), 2.5);
   room.details.push_back(detailOf(rectangle(0, 4, 6, 5), 2.2));
   room.details.push_back(detailOf(rectangle(3, 2, 6, 4), 2.0));
@@ -207,7 +207,7 @@ TEST(RoomSolid, ANicheInAWall)
   EXPECT_NEAR(solid.areaOf("room_1_wall_3"), 6 * 2.5 - 1, 1e-5);
   room.niches[0].bottom = slabAt(0); // down to the floor
   expectPiece(Solid(room), 30 * 2.5 + 0.3 * 1.8);
-  // In a round wall: its front is where the facets are.
+  // In a round wall, its front coincides with the facets.
   PlanRoom round = roomOf(circle({0, 0}, 3), 2.5);
   round.niches.push_back({rectangle(2.9, -0.5, 3.4, 0.5), slabAt(0.8), slabAt(1.8)});
   const Solid in_round(round);

@@ -26,7 +26,7 @@ TEST(RoomSolidContradictions, NoiseWidensTheTolerance)
   room.details = {detailOf(rectangle(0, 4, 6, 4.98), 2.2)};
   EXPECT_NEAR(Solid(room).report.volume, 30 * 2.5 - 6 * 0.98 * 0.3, 1e-5);
   for (auto& element : room.details[0].boundary.elements)
-    element.residual = 0.015; // twice that is more than the gap of 2 cm
+    element.residual = 0.015; // twice that exceeds the gap of 2 cm
   EXPECT_NEAR(Solid(room).report.volume, 30 * 2.5 - 6 * 0.3, 1e-5);
   SolidParameters parameters;
   parameters.snap_tolerance = 0.001;
@@ -35,7 +35,7 @@ TEST(RoomSolidContradictions, NoiseWidensTheTolerance)
 
 TEST(RoomSolidContradictions, ASoffitFollowsACurvedWall)
 {
-  // Its arc is 1 mm off the wall's, and begins elsewhere on the circle.
+  // Its arc is 1 mm off the wall's and starts at another angle.
   const PlanLoop hall{{segment({0, 0}, {6, 0}), arc({6, 4}, 4, -90, 90),
                        segment({6, 8}, {0, 8}), segment({0, 8}, {0, 0})}};
   const PlanLoop soffit{{segment({6, 0}, {6, 0.001}), arc({6, 4}, 3.999, -90, 90),
@@ -73,7 +73,7 @@ TEST(RoomSolidContradictions, AColumnThatTouchesAWall)
   PlanRoom room = roomOf(rectangle(0, 0, 6, 5), 2.5);
   room.columns.push_back(reversed(rectangle(2, 4, 3, 5)));
   expectPiece(Solid(room), 29 * 2.5);
-  // With a corner only: without a cut the room would touch itself there.
+  // Only a corner: without a cut the room would touch itself there.
   const double h = std::sqrt(0.5);
   room.columns[0] =
       reversed(polygon({{2, 5}, {2 - h, 5 - h}, {2, 5 - 2 * h}, {2 + h, 5 - h}}));
@@ -97,7 +97,7 @@ TEST(RoomSolidContradictions, DetailsThatMeetInACorner)
     EXPECT_EQ(solid.report.topology.components.size(), 1u);
     EXPECT_NEAR(solid.report.volume, 30 * 2.5 - 4 * 0.3 - 2 * (2.5 - second), 1e-5);
   }
-  // Four about one corner, high and low by turns.
+  // Four around one corner, alternately high and low.
   room.details = {
       detailOf(rectangle(1, 1, 3, 3), 2.2), detailOf(rectangle(3, 3, 5, 4), 2.1),
       detailOf(rectangle(1, 3, 3, 4), 2.9), detailOf(rectangle(3, 1, 5, 3), 2.8)};
@@ -127,7 +127,7 @@ TEST(RoomSolidContradictions, NichesThatCannotBeBuiltAreLeftOut)
   const Solid solid(room);
   expectPiece(solid, 30 * 2.5);
   EXPECT_EQ(solid.report.warnings.size(), 3u);
-  // Beside a soffit as low as the niche's bottom, and a platform as high.
+  // Beside a soffit at the height of the niche's bottom, and a platform at its top.
   room.niches = {{rectangle(1, 5, 3, 6), slabAt(2.2), slabAt(2.4)}};
   room.details.push_back(detailOf(rectangle(0, 4, 2, 5), 2.2));
   expectPiece(Solid(room), 30 * 2.5 - 2 * 0.3);
@@ -138,7 +138,7 @@ TEST(RoomSolidContradictions, NichesThatCannotBeBuiltAreLeftOut)
 
 TEST(RoomSolidContradictions, ABoundaryThatCrossesItself)
 {
-  // A bow tie turned inside out, and a loop that runs over itself.
+  // A bow tie turned inside out, and a loop that overlaps itself.
   const Solid tie(roomOf(polygon({{0, 0}, {4, 4}, {4, 0}, {0, 4}}), 2.5));
   expectSound(tie);
   EXPECT_NEAR(tie.report.volume, 8 * 2.5, 0.01);

@@ -28,7 +28,7 @@ barrel(const Eigen::Vector2d& at, double degrees, double base, double radius)
   return curve;
 }
 
-/** Mean and greatest distance of the ceiling's vertices and edges from a curve. */
+/** Returns the maximum distance of the ceiling's vertices and edges from a curve. */
 double
 farthestFrom(const SlabCurve& curve, const Solid& solid)
 {

@@ -9,7 +9,7 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** A room with what a bad fit may do to it: everything crosses everything. */
+/** Returns a room with the faults of a bad fit: all parts cross each other. */
 PlanRoom
 randomRoom(std::mt19937& random)
 {
@@ -17,7 +17,7 @@ randomRoom(std::mt19937& random)
     return std::uniform_real_distribution<double>(low, high)(random);
   };
   const auto loop = [&](double size, const Eigen::Vector2d& place) {
-    // Often a little beside a round number, so that much nearly coincides.
+    // Often slightly off a round number, so that many positions nearly coincide.
     const auto step = [&](double v) {
       return between(0, 1) < 0.6 ? std::round(2 * v) / 2 + between(-0.003, 0.003) : v;
     };
@@ -66,7 +66,7 @@ TEST(RoomSolidRandom, AnyPlanGivesASoundSolid)
   }
 }
 
-/** A loop of any elements: open, arcs off their circle, of any size. */
+/** Returns a loop of arbitrary elements: open, arcs off their circle, of any size. */
 PlanLoop
 wildLoop(std::mt19937& random)
 {
@@ -107,7 +107,7 @@ TEST(RoomSolidRandom, NumbersThatNoScanGivesAreBuiltSoundlyToo)
                              : slabAt(height, slope(random), slope(random));
   };
   SolidParameters parameters;
-  parameters.chord_tolerance = 0.05; // or arcs of a kilometre have 10000 facets
+  parameters.chord_tolerance = 0.05; // otherwise arcs of a kilometre have 10000 facets
   for (int trial = 0; trial < 150; ++trial) {
     PlanRoom room = roomOf(wildLoop(random), 0);
     room.ceiling = slab(2.5);

@@ -18,7 +18,7 @@ using namespace pcl::sedr;
 using namespace sedr_test;
 using Extrusion = pcl::FloorplanExtrusion<pcl::PointXYZ>;
 
-/** The solids of two storeys, walls of the upper one 0.3 m aside. */
+/** The solids of two storeys; the walls of the upper one are shifted by 0.3 m. */
 struct Building {
   Floorplan plan = twoStoreys(0.3);
   Extrusion extrusion;

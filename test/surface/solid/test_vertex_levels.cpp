@@ -8,7 +8,7 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** The levels at a vertex of a room. */
+/** Returns the levels at a vertex of a room. */
 VertexLevels
 levelsAt(const SubdividedRoom& room, double x, double y)
 {
@@ -20,7 +20,7 @@ levelsAt(const SubdividedRoom& room, double x, double y)
   return {};
 }
 
-/** The same in metres. */
+/** Returns the levels in metres. */
 std::vector<double>
 heightsAt(const SubdividedRoom& room, double x, double y)
 {
@@ -71,7 +71,7 @@ TEST(VertexLevels, HeightsNearerThanTheSeparationAreOne)
 
 TEST(VertexLevels, SlabsThatCrossHaveOneLevelThere)
 {
-  // The soffit's plane goes through the ceiling's at x = 2.
+  // The soffit's plane crosses the ceiling's at x = 2.
   const SubdividedRoom room(roomWithSoffit(slabAt(2.6, -0.05, 0)));
   ASSERT_EQ(room.problem, "");
   ASSERT_FALSE(room.subdivision.crossings.empty());

@@ -23,8 +23,8 @@ areaOf(const std::vector<GridPoint>& points, const PlanTriangulation& mesh)
   return area;
 }
 
-/** Triangles with area, every edge a side, neighbours that know each other, sides of
- * one triangle or two: a triangulation. */
+/** Expects a triangulation: triangles with area, every edge a side, consistent
+ * neighbours, each side in one or two triangles. */
 void
 expectSound(const std::vector<GridPoint>& points,
             const Edges& edges,
@@ -56,7 +56,7 @@ TEST(ConstrainedTriangulation, AnLIsFilledToItsHull)
   PlanTriangulation mesh;
   ASSERT_TRUE(triangulateConstrained(points, edges, mesh));
   expectSound(points, edges, mesh);
-  EXPECT_EQ(areaOf(points, mesh), 2 * 30 - 4 * 3); // 6 x 5 less the hull's cut corner
+  EXPECT_EQ(areaOf(points, mesh), 2 * 30 - 4 * 3); // 6 x 5 minus the hull's cut corner
 }
 
 TEST(ConstrainedTriangulation, PointsOnOneLineGiveNothing)
@@ -108,7 +108,7 @@ TEST(ConstrainedTriangulation, PointsOnCirclesAndLattices)
 
 TEST(ConstrainedTriangulation, NearlyStraightChains)
 {
-  // Arcs of large radius, at the limit of the grid: points almost on a line.
+  // Arcs of large radius, at the limit of the grid: points almost collinear.
   std::vector<GridPoint> points;
   Edges edges;
   for (int i = 0; i <= 2000; ++i) {

@@ -18,7 +18,7 @@ isOn(const GridPoint& p, const GridPoint& a, const GridPoint& b)
          std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
 }
 
-/** Whether two different edges have more in common than ends. */
+/** Returns true if two different edges share more than ends. */
 bool
 meetInside(const Arrangement& plan,
            const Arrangement::Edge& e,
@@ -37,7 +37,7 @@ meetInside(const Arrangement& plan,
          sign(turn(c, d, a)) * sign(turn(c, d, b)) < 0;
 }
 
-/** Whether a vertex that is no end of an edge is nearer to it than `separation`. */
+/** Returns true if a vertex is closer than `separation` to another edge. */
 bool
 isBeside(const Arrangement& plan,
          const Arrangement::Edge& edge,
@@ -58,7 +58,7 @@ expectExact(const Arrangement& plan)
       ASSERT_FALSE(meetInside(plan, plan.edges[i], plan.edges[j])) << i << " and " << j;
 }
 
-/** At every vertex, what comes in of a segment goes out, but at the segment's ends. */
+/** Expects equal numbers of in and out edges at all but a segment's ends. */
 void
 expectWhole(const Arrangement& plan, std::size_t segments)
 {
@@ -161,8 +161,8 @@ TEST(SegmentArrangement, NothingIsNearerThanTheSeparation)
 
 TEST(SegmentArrangement, ClosedLoopsStayClosedHoweverTheyFold)
 {
-  // Steps shorter than the separation: much of each loop becomes one vertex, and a part
-  // may run back over itself.
+  // Steps shorter than the separation: much of each loop becomes one vertex, and parts
+  // may retrace themselves.
   std::mt19937 random(5);
   for (int trial = 0; trial < 60; ++trial) {
     const int step = trial % 2 == 0 ? 8 : 60;

@@ -32,7 +32,7 @@ namespace programs {
 
 using namespace pcl::sedr::tools;
 
-/** The image in the bytes of a PNG file; empty if they are none. */
+/** Decodes a PNG file; empty if the bytes are invalid. */
 inline Image
 imageOf(std::string png)
 {
@@ -53,7 +53,7 @@ imageOf(std::string png)
   return image;
 }
 
-/** The colour of a panel at a place, metres. */
+/** Returns the colour of a panel at a place, metres. */
 inline Colour
 colourAt(const Panel& panel, double x, double y)
 {
@@ -68,7 +68,7 @@ colourAt(const Panel& panel, double x, double y)
   return canvas.image().at(static_cast<int>(at.x()), static_cast<int>(size - at.y()));
 }
 
-/** Panel `i` of a picture, counted row by row. */
+/** Returns panel `i` of a picture, counted row by row. */
 inline const Panel&
 panelOf(const Picture& picture, std::size_t i)
 {
@@ -80,7 +80,7 @@ panelOf(const Picture& picture, std::size_t i)
   throw std::out_of_range("the picture has no such panel");
 }
 
-/** The cells of rows `y0` to `y1` and columns `x0` to `x1`, ends included. */
+/** Returns the cells of rows `y0` to `y1` and columns `x0` to `x1`, inclusive. */
 inline pcl::sedr::CellSet
 block(int x0, int x1, int y0, int y1)
 {

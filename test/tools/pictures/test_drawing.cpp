@@ -256,8 +256,7 @@ TEST(Picture, DecodesToWhatWasDrawnAndIsTheSameEveryTime)
   EXPECT_TRUE(decoded.pixels == drawn.pixels);
   EXPECT_EQ(pngOf(samplePicture().draw()), png);
   EXPECT_LE(drawn.width, 1200);
-  // Four maps and the legend are in the ceiling's colour, the floor's only in the
-  // chart.
+  // Four maps and the legend use the ceiling's colour; only the chart uses the floor's.
   EXPECT_GT(countOf(drawn, colours::ceiling), 4u * 100u * 100u);
   EXPECT_GT(countOf(drawn, colours::floor), 50u * 50u);
 }

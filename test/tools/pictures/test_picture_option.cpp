@@ -14,7 +14,7 @@ namespace {
 
 using namespace programs;
 
-/** A stage's program, and whether it takes a plan as its second file. */
+/** The program of a stage; its second file may be a plan. */
 struct Stage {
   std::string program;
   std::string output;
@@ -27,7 +27,7 @@ operator<<(std::ostream& stream, const Stage& stage)
   return stream << std::filesystem::path(stage.program).filename();
 }
 
-/** What --picture promises for every stage. */
+/** The requirements for --picture of every stage. */
 class PictureOption : public ::testing::TestWithParam<Stage> {
 protected:
   std::string in(const std::string& name) const
@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Stage{STRUCTURE_REFINEMENT, "output.pcd", true},
                       Stage{VERTICAL_HOLE_REPAIR, "output.pcd", true}));
 
-/** The mesh takes what the repair leaves. */
+/** Makes the mesh from the result of the repair. */
 class MeshPictureOption : public ::testing::Test {
 protected:
   std::string in(const std::string& name) const

@@ -31,7 +31,7 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
 constexpr double cell = 0.05;
 
-/** Points in the middle of cells; returns their indices. */
+/** Adds points in the middle of cells; returns their indices. */
 pcl::Indices
 addPoints(Cloud& cloud, const CellSet& cells, float z)
 {
@@ -44,7 +44,7 @@ addPoints(Cloud& cloud, const CellSet& cells, float z)
   return indices;
 }
 
-/** The middle of a cell. */
+/** Returns the middle of a cell. */
 Vector2d
 at(int x, int y)
 {
@@ -160,7 +160,7 @@ TEST(SlicePicture, ShowsEveryTrialTheDetailsAndTheHeightsOfTheSlices)
   EXPECT_EQ(colourAt(picture, 0, at(1, 28)), colours::paper);
   EXPECT_EQ(colourAt(picture, 1, at(1, 28)), colours::detail);
   EXPECT_EQ(colourAt(picture, 1, at(43, 7)), colours::removed);
-  // The section runs along x: the slice at 1.9 m, and above it detail and ceiling.
+  // The section along x shows the slice at 1.9 m, and above it detail and ceiling.
   EXPECT_TRUE(panelOf(picture, 2).isChart());
   EXPECT_EQ(colourAt(picture, 2, {1.1, 1.9}), colours::wall);
   EXPECT_EQ(colourAt(picture, 2, at(3, 0) + Vector2d(0, 2.2 - 0.025)), colours::detail);
@@ -284,7 +284,7 @@ TEST(RefinementPicture, ShowsPointsWhereTheyWereAndWhereTheyWent)
 
 TEST(RepairPicture, ShowsADoorWhereItIsInTheWallSeenFromInside)
 {
-  // Points on all surfaces but for a door in the wall at y = 0, from x = 1 to 2.
+  // Points on all surfaces except a door in the wall at y = 0, from x = 1 to 2.
   const Floorplan plan{{boxRoom()}};
   std::vector<SurfacePoint> seen;
   for (const auto& whole : repairHoles({}, plan, cell)) {
@@ -302,7 +302,7 @@ TEST(RepairPicture, ShowsADoorWhereItIsInTheWallSeenFromInside)
   Box door;
   for (const Box& box : boxes.filled)
     door.extend(box);
-  // Seen from inside, the wall at y = 0 begins on the left at x = 4.
+  // Seen from inside, the wall at y = 0 starts on the left at x = 4.
   EXPECT_NEAR(door.low.x(), 12, 1e-9);
   EXPECT_NEAR(door.high.x(), 13, 1e-9);
   EXPECT_NEAR(door.low.y(), 20, 1e-9);
@@ -339,7 +339,7 @@ TEST(RepairPicture, BreaksWallsIntoLinesThatDoNotOverlap)
   }
 }
 
-/** Columns of a room whose air reaches from the floor to `ceiling`. */
+/** Adds profiles of a room with air from the floor to `ceiling`. */
 void
 addColumns(BuildingRoom& room, const CellSet& cells, float ceiling, bool is_seen)
 {
@@ -381,7 +381,7 @@ TEST(RoomPicture, ShowsRoomsByStoreyWhatWasHiddenOfThemAndTheirHeights)
 
 TEST(MeshPicture, ShowsTheSidesThatFaceTheViewer)
 {
-  // A floor that faces up and a ceiling that faces down.
+  // An upward floor and a downward ceiling.
   TriangleMesh mesh;
   for (const double z : {0.0, 2.5})
     for (const auto& p :

@@ -182,7 +182,7 @@ TEST(DepthImage, ShowsWhatIsNearest)
   DepthImage image(10, 10);
   image.addPoint({10, 10, 1}, red, 8);
   image.addTriangle({{{0, 0, 2}, {20, 0, 2}, {0, 20, 2}}}, blue);
-  image.addPoint({-50, 5, 0}, red, 3); // beside the image
+  image.addPoint({-50, 5, 0}, red, 3); // outside the image
   const Image seen = image.image();
   EXPECT_EQ(seen.width, 10);
   EXPECT_EQ(seen.at(5, 5), red) << "before the triangle, though drawn first";
@@ -219,8 +219,7 @@ TEST(ParallelView, FillsTheImageAndLooksDown)
   EXPECT_FALSE(view.faces({0, 0, -1}));
 }
 
-/** A square plate of n by n squares of 1 cm in a plane, and one standing on its edge.
- */
+/** Two square plates of n by n squares of 1 cm at a right angle with a common edge. */
 TriangleMesh
 angle(int n)
 {
@@ -246,7 +245,7 @@ angle(int n)
 TEST(ReducedMesh, KeepsPlanesEdgesAndLabels)
 {
   TriangleMesh mesh = angle(100);
-  std::map<std::array<double, 3>, std::uint32_t> known; // one vertex at the edge
+  std::map<std::array<double, 3>, std::uint32_t> known; // merges vertices
   for (auto& triangle : mesh.triangles)
     for (auto& v : triangle) {
       const auto& p = mesh.vertices[v];
@@ -271,7 +270,7 @@ TEST(ReducedMesh, KeepsPlanesEdgesAndLabels)
   EXPECT_EQ(reducedMesh(mesh, 1000000).triangles.size(), mesh.triangles.size());
 }
 
-/** The sample, and the same rooms again 2.8 m higher as rooms 3 and 4. */
+/** The sample, and the same rooms 2.8 m higher as rooms 3 and 4. */
 Floorplan
 twoStoreys()
 {

@@ -12,12 +12,12 @@
 
 namespace programs {
 
-/** A field of the points of an E57 file, and its stream. */
+/** A field of the points of an E57 file and its stream. */
 struct E57TestField {
   std::string name;
-  std::string attributes; ///< of the XML, with the type
+  std::string attributes; ///< of the XML, including the type
   unsigned bits = 0;
-  std::vector<std::uint64_t> stored; ///< what the bits hold
+  std::vector<std::uint64_t> stored; ///< the bits of each value
 
   static E57TestField ofFloats(const std::string& name,
                                const std::vector<float>& values)
@@ -43,7 +43,7 @@ struct E57TestField {
     return field;
   }
 
-  /** Whole numbers from `minimum` to `maximum`.
+  /** Returns a field of whole numbers from `minimum` to `maximum`.
    * @param scaling such as `scale="0.001" offset="5"`; empty: Integer */
   static E57TestField ofIntegers(const std::string& name,
                                  const std::vector<std::int64_t>& values,
@@ -80,13 +80,13 @@ struct E57TestField {
   }
 };
 
-/** Writes E57 files for tests, bit by bit as the standard has them. */
+/** Writes E57 files for tests, bit by bit according to the standard. */
 class E57Writer {
 public:
-  std::size_t packet_bytes = 1000; ///< about, of the streams in a packet
-  bool is_uneven = false; ///< whether streams end at other points in each packet
-  bool has_index = false; ///< whether index and empty packets stand between
-  std::string extra_xml;  ///< in the root
+  std::size_t packet_bytes = 1000; ///< approximate bytes of the streams in a packet
+  bool is_uneven = false; ///< true: streams end at different points in each packet
+  bool has_index = false; ///< true: adds index and empty packets
+  std::string extra_xml;  ///< of the root element
 
   /** @param inner_xml pose, limits, ... */
   void addScan(const std::string& name,
@@ -133,7 +133,7 @@ public:
     return xml.str();
   }
 
-  /** The whole file. */
+  /** Returns the whole file. */
   std::string file() const
   {
     return fileWith("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<e57Root "
@@ -142,7 +142,7 @@ public:
                     xml_.str() + "</data3D>" + extra_xml + "</e57Root>");
   }
 
-  /** The same with another XML. */
+  /** Returns the file with another XML. */
   std::string fileWith(const std::string& xml) const
   {
     std::string logical = bytes_ + xml;
@@ -165,7 +165,7 @@ public:
     return whole;
   }
 
-  /** A page's bytes with their checksum, by Boost.CRC. */
+  /** Returns a page's bytes followed by their checksum from Boost.CRC. */
   static std::string sealed(std::string bytes)
   {
     boost::crc_optimal<32, 0x1edc6f41, 0xffffffff, 0xffffffff, true, true> crc;
@@ -207,7 +207,7 @@ private:
   std::string packetsOf(const std::vector<E57TestField>& fields) const
   {
     std::vector<std::string> streams;
-    std::vector<std::size_t> done(fields.size(), 0); // bytes of each
+    std::vector<std::size_t> done(fields.size(), 0); // written bytes of each
     std::size_t total = 0;
     for (const E57TestField& field : fields) {
       streams.push_back(field.stream());

@@ -9,7 +9,7 @@
 
 namespace programs {
 
-/** A LAS file for tests: what its header says, and the points. */
+/** A LAS file for tests: its header fields and points. */
 struct LasSample {
   std::uint8_t minor = 2;
   std::uint8_t format = 0;
@@ -21,7 +21,7 @@ struct LasSample {
   std::array<std::uint16_t, 3> colour{0, 0, 0};
   std::uint16_t intensity = 0;
   std::string before;                ///< bytes between header and points
-  std::uint32_t claimed_records = 0; ///< variable-length ones, in `before`
+  std::uint32_t claimed_records = 0; ///< number of variable-length records in `before`
   long long claimed_points = -1;
 
   std::string bytes() const

@@ -33,7 +33,7 @@ protected:
     return loadCloud(in("cloud"));
   }
 
-  /** The sentence with which `bytes` are refused; "" if they are not. */
+  /** Returns the error for `bytes`; "" if there is none. */
   std::string refusal(const std::string& bytes)
   {
     try {
@@ -206,8 +206,8 @@ TEST_F(CloudFiles, HeadersThatPromiseTooMuchAreRefusedWithTheNumbers)
             std::string::npos);
 }
 
-/** 2^31 bytes come before the coordinates and as many after them: in 32 bits, points of
- * 12 bytes, x of which lies far beyond the end of the file. */
+/** 2^31 bytes precede the coordinates and as many follow them. In 32 bits this looks
+ * like points of 12 bytes, with x far beyond the end of the file. */
 TEST_F(CloudFiles, PointsLargerThanFourGigabytesAreRefused)
 {
   std::string fields = "FIELDS";
@@ -241,8 +241,7 @@ TEST_F(CloudFiles, ACompressedPcdThatIsCutOffIsToldFromADamagedOne)
   std::string bytes = bytesOf(in("a.pcd"));
   EXPECT_NE(refusal(bytes.substr(0, bytes.size() - 1)).find("cut off"),
             std::string::npos);
-  bytes[bytes.find("binary_compressed\n") +
-        18]--; // one byte less is said to be compressed
+  bytes[bytes.find("binary_compressed\n") + 18]--; // declares one compressed byte less
   EXPECT_NE(refusal(bytes).find("damaged"), std::string::npos);
   const std::string lengths =
       std::string("\x04\0\0\0", 4) + "\x80\xc3\xc9\x01"; // 4, 30000000
@@ -254,8 +253,8 @@ TEST_F(CloudFiles, ACompressedPcdThatIsCutOffIsToldFromADamagedOne)
       << "refused before memory is taken";
 }
 
-/** All files that a good one becomes by cutting it off anywhere, or by changing bytes,
- * are read or refused, never worse. */
+/** A valid file that is truncated or changed anywhere must be read or rejected, without
+ * other effects. */
 TEST_F(CloudFiles, DamagedFilesAreReadOrRefused)
 {
   std::vector<std::string> files;
@@ -290,7 +289,7 @@ TEST_F(CloudFiles, CoordinatesTooLargeForAFloatAreRefusedButStrayPointsAreNot)
   EXPECT_EQ(refusal(programs::pcdBytes({{8000, 1, 1}, {8000, 2, 1}, {8000, 3, 1}})),
             "");
   EXPECT_EQ(refusal(programs::pcdBytes({{1, 1, 1}, {1, 2, 1}, {4.5e6f, 3, 1}})), "");
-  // Doubles keep their digits until an origin is subtracted, floats have lost them.
+  // Doubles keep their digits until an origin is subtracted; floats have lost them.
   EXPECT_EQ(refusal("FIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nWIDTH 2\n"
                     "DATA ascii\n412345.5 5650100 90\n412346.5 5650101 91\n"),
             "");

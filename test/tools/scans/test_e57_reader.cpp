@@ -23,7 +23,7 @@ using programs::E57Writer;
 using programs::TemporaryFolder;
 using programs::writeFile;
 
-/** Three coordinates of `n` points within `reach` of 0, in 0.1 mm. */
+/** Returns three coordinates of `n` points within `reach` of 0, in 0.1 mm. */
 std::vector<std::vector<std::int64_t>>
 wholeCoordinates(std::size_t n, std::int64_t reach)
 {
@@ -61,7 +61,7 @@ protected:
     return loadCloud(write(writer.file()), settings);
   }
 
-  /** Why it is refused; fails the test if it is read. */
+  /** Returns the error for the bytes; fails the test if they are read. */
   std::string refusal(const std::string& bytes, const ScanSettings& settings = {})
   {
     try {
@@ -90,7 +90,7 @@ expectPoint(const ToolCloud& cloud, std::size_t row, double x, double y, double 
 
 TEST(Crc32c, IsThatOfBoostAndOfTheStandardsExample)
 {
-  const std::string digits = "123456789"; // RFC 3720, and every list of CRCs
+  const std::string digits = "123456789"; // RFC 3720, and all catalogues of CRCs
   EXPECT_EQ(crc32c(reinterpret_cast<const std::uint8_t*>(digits.data()), 9),
             0xe3069283u);
   std::mt19937 random(3);
@@ -129,7 +129,7 @@ TEST_F(E57Files, WidthsOfNoBitAndOf64AreRead)
   constexpr auto lowest = std::numeric_limits<std::int64_t>::min();
   constexpr auto highest = std::numeric_limits<std::int64_t>::max();
   E57Writer writer;
-  writer.packet_bytes = 37; // eight bytes straddle
+  writer.packet_bytes = 37; // values of eight bytes straddle packets
   writer.addScan(
       "", {E57TestField::ofIntegers("cartesianX", {5, 5, 5, 5}, 5, 5),
            E57TestField::ofIntegers("cartesianY", {-3, 0, 7, 900}, lowest, highest),
@@ -144,7 +144,7 @@ TEST_F(E57Files, WidthsOfNoBitAndOf64AreRead)
 
 TEST_F(E57Files, SphericalPointsOfSeveralPosesStandInOneFrame)
 {
-  // A quarter turn about z, then a shift: range 2 along the scanner's x is along y.
+  // A quarter turn about z, then a shift: range 2 along the scanner's x becomes y.
   const double half = std::sqrt(0.5);
   E57Writer writer;
   writer.addScan("a",
@@ -325,7 +325,7 @@ TEST_F(E57Files, OneBrokenScanOfSeveralIsNamedOrLeftOut)
   ScanSettings settings;
   settings.skip_broken = true;
   EXPECT_EQ(load(writer, settings).size(), 6000u);
-  // Damage within the points is found before they are given out.
+  // Damaged points are detected before they are returned.
   std::string bytes = writer.file();
   bytes[3000] = static_cast<char>(bytes[3000] ^ 1);
   EXPECT_EQ(loadCloud(write(bytes), settings).size(), 3000u);
@@ -352,8 +352,8 @@ TEST_F(E57Files, LargeCoordinatesAreCountedFromWholeMetres)
   EXPECT_NE(refusal(writer.file(), settings).find("too large"), std::string::npos);
 }
 
-/** Good files with some bytes changed, checksums mended or not, and cut off: all are
- * read or refused, and nothing else. */
+/** Valid files with changed bytes, with or without correct checksums, or truncated,
+ * must be read or rejected. */
 TEST_F(E57Files, ChangedBytesAreReadOrRefused)
 {
   E57Writer writer;
@@ -374,7 +374,7 @@ TEST_F(E57Files, ChangedBytesAreReadOrRefused)
       const std::size_t at = random() % (trial % 3 == 0 ? 200 : bytes.size());
       bytes[at] = static_cast<char>(trial % 5 == 0 ? 0xff : random());
     }
-    if (trial % 8 != 0) { // with the right checksums it gets further
+    if (trial % 8 != 0) { // correct checksums reach more code
       std::string sealed;
       for (std::size_t p = 0; p + E57Writer::page <= bytes.size(); p += E57Writer::page)
         sealed += E57Writer::sealed(bytes.substr(p, E57Writer::payload));

@@ -22,7 +22,7 @@ using programs::pcdBytes;
 using programs::TemporaryFolder;
 using programs::writeFile;
 
-const Eigen::Vector3d grid(691600, 5336000, 500); // where all files have their points
+const Eigen::Vector3d grid(691600, 5336000, 500); // origin of all files' points
 
 /** Three files of one site: E57 with a pose, PCD of doubles with a viewpoint, LAS. */
 class JointScans : public ::testing::Test {
@@ -56,7 +56,7 @@ protected:
     return {in("a.e57"), in("b.pcd"), in("c.las")};
   }
 
-  /** All points, in the grid. */
+  /** Returns all points in the grid's coordinates. */
   static std::vector<Eigen::Vector3d> pointsOf(const JointScan& scan)
   {
     std::vector<Eigen::Vector3d> points;

@@ -25,7 +25,7 @@ protected:
     return loadCloud((folder_.path() / "scan.las").string(), settings);
   }
 
-  /** Why it is refused; fails the test if it is read. */
+  /** Returns the error for the bytes; fails the test if they are read. */
   std::string refusal(const std::string& bytes)
   {
     try {

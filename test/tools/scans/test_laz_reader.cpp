@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How the reader of LAZ uses LASzip, by a stand-in that is asked as LASzip is: see
-// laszip_stub. A file packed by LASzip itself is read in test_scan_samples.cpp, where
-// that library is there.
+// Calls of the LAZ reader to LASzip, tested with a substitute: see laszip_stub. A file
+// packed by LASzip itself is read in test_scan_samples.cpp if that library is
+// installed.
 #include "las_writer.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
@@ -34,7 +34,7 @@ manyPoints()
   return las;
 }
 
-/** The bytes of a LAS file that says that it is LAZ. */
+/** Returns a LAS file whose header says LAZ. */
 std::string
 asLaz(const LasSample& las)
 {

@@ -26,7 +26,7 @@ using programs::writeFile;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-/** A room of 6 x 6 x 2 m with a point in `nans` not finite and one far away. */
+/** A room of 6 x 6 x 2 m; one in `nans` points is not finite, and one is far away. */
 std::vector<std::vector<float>>
 roomPoints(std::size_t n, std::size_t nans = 50)
 {
@@ -44,7 +44,7 @@ roomPoints(std::size_t n, std::size_t nans = 50)
   return points;
 }
 
-/** The same points with a colour, a label and a normal each. */
+/** The same points, each with a colour, a label and a normal. */
 pcl::PCLPointCloud2
 colouredRoom(std::size_t n)
 {
@@ -107,7 +107,7 @@ protected:
     return (folder_.path() / name).string();
   }
 
-  /** Pieces that end in the middle of a voxel, of a page and of a field's name. */
+  /** Expects the same from pieces that end inside a voxel, a page or a field's name. */
   void expectPiecesGiveTheSame(const std::string& path)
   {
     const pcl::PCLPointCloud2 expected = thinnedInMemory(path);
@@ -300,7 +300,7 @@ TEST_F(ScanFiles, WhatIsAmissIsToldAsOfAWholeCloud)
 TEST_F(ScanFiles, NearlyAllNaNIsToldFromNothingButNaN)
 {
   std::vector<std::vector<float>> points(250000, {nan, nan, nan});
-  points[100777] = {1, 2, 3}; // between the rows that are looked at first
+  points[100777] = {1, 2, 3}; // between the rows of the first check
   writeFile(in("a.pcd"), programs::pcdBytes(points));
   EXPECT_EQ(thinned(ScanFile(in("a.pcd")), 2).width, 1u);
   points[100777] = {nan, 2, 3};
@@ -329,7 +329,7 @@ TEST_F(ScanFiles, LargeDoublesAndTextAreCountedFromAnOriginThatGoesOn)
       EXPECT_EQ(p.x(), 691600.125 + static_cast<double>(i)) << name;
       EXPECT_EQ(p.y(), 5335900.5 + 2 * static_cast<double>(i)) << name;
     }
-    // What is written tells the origin, and what is read again keeps it.
+    // Written files contain the origin, which is kept when they are read again.
     for (const char* copy : {"copy.pcd", "copy.ply"}) {
       saveCloud(in(copy), cloud);
       const ToolCloud again = loadCloud(in(copy));
@@ -364,7 +364,7 @@ TEST_F(ScanFiles, AnExcerptKeepsEveryKthPointAndTheSentenceOfTheWhole)
     ASSERT_TRUE(p.x() == q.x || (std::isnan(p.x()) && std::isnan(q.x)));
   }
 
-  // A scan in millimetres is not thinned to the end.
+  // Thinning stops early for a scan in millimetres.
   auto points = roomPoints(20000);
   for (auto& p : points)
     for (float& v : p)

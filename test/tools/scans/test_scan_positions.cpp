@@ -23,7 +23,7 @@ protected:
     return (folder_.path() / name).string();
   }
 
-  /** Three points as text, with a file of positions. */
+  /** Reads three points as text with a file of positions. */
   ScanPositions positionsBy(const std::string& positions,
                             ScanSettings settings = {}) const
   {
@@ -49,7 +49,7 @@ protected:
 
 TEST_F(ScanPositionFiles, ALineIsAPositionInTheFrameOfTheScan)
 {
-  // The scan lies more than 1 km from 0 along x: it is counted from 2000 there.
+  // The scan is more than 1 km from 0 along x, so its origin there is 2000.
   const ScanPositions positions =
       positionsBy("# x y z points\n2003.5 -1 1.5 1\n\n2004 1.25 1.6 2\n");
   ASSERT_EQ(positions.size(), 2u);

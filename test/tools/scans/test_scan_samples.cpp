@@ -63,7 +63,7 @@ TEST_F(ScanSamples, E57OfTheSamePointsAsIntegersAndAsDoublesAgree)
     ASSERT_LT(((*real.points)[i].getVector3fMap() - (*whole.points)[i].getVector3fMap())
                   .norm(),
               1e-6f);
-  // The box that the file states.
+  // The bounding box according to the file.
   const Eigen::AlignedBox3f box = boxOf(real);
   EXPECT_NEAR(box.min().x(), -0.094689, 1e-6);
   EXPECT_NEAR(box.max().y(), 0.187321, 1e-6);
@@ -106,7 +106,7 @@ TEST_F(ScanSamples, LasFilesFillTheBoxesOfTheirHeaders)
   struct Sample {
     const char* name;
     std::size_t points;
-    Eigen::Vector3d low, high; ///< as its header says
+    Eigen::Vector3d low, high; ///< according to its header
   };
   const std::vector<Sample> samples{
       {"1.0_0.las", 1, {470692.44, 4602888.9, 16}, {470692.44, 4602888.9, 16}},
@@ -131,7 +131,7 @@ TEST_F(ScanSamples, LasFilesFillTheBoxesOfTheirHeaders)
     const ToolCloud cloud = load(sample.name);
     EXPECT_EQ(cloud.size(), sample.points) << sample.name;
     const Eigen::AlignedBox3f box = boxOf(cloud);
-    // Kilometres from the origin a float is 0.25 mm off.
+    // Kilometres from the origin, a float is off by 0.25 mm.
     EXPECT_LT((cloud.origin.toGiven(box.min().cast<double>()) - sample.low).norm(),
               0.002)
         << sample.name;

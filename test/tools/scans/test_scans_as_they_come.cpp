@@ -68,7 +68,7 @@ protected:
     return run(SEDR, options);
   }
 
-  /** The points of one of three scans, every third. */
+  /** Returns the points of one of three scans, every third point. */
   static std::vector<Eigen::Vector3d> part(std::size_t scan)
   {
     std::vector<Eigen::Vector3d> points;
@@ -77,8 +77,8 @@ protected:
     return points;
   }
 
-  /** The building as E57 of three scans with poses in the grid, one of them with
-   * spherical coordinates. */
+  /** Returns the building as E57 of three scans with poses in the grid, one of them
+   * with spherical coordinates. */
   static std::string e57()
   {
     E57Writer writer;
@@ -143,8 +143,8 @@ protected:
     return las.bytes();
   }
 
-  /** Every corner within 0.1 mm of one of the plan of the PCD, and floor and ceiling
-   * there. */
+  /** Expects every corner within 0.1 mm of one in the PCD's plan, and the same floor
+   * and ceiling. */
   static void expectPlan(const std::string& folder)
   {
     const std::string path = in(folder) + "/floorplan.json";

@@ -25,7 +25,7 @@ protected:
     return loadCloud((folder_.path() / "scan.xyz").string(), settings);
   }
 
-  /** The first point as "x y z". */
+  /** Expects the first point. */
   void expectFirst(const ToolCloud& cloud, float x, float y, float z)
   {
     EXPECT_EQ((*cloud.points)[0].x, x);
@@ -127,7 +127,7 @@ TEST_F(TextFiles, TheCommaOfNumbersPartedByBlanksIsTheirDecimalSign)
   for (const char* const text :
        {"1,5 -2,25 3,125\n4,5 5,5 6,5\n", "1,5\t-2,25\t3,125\t17\n4,5\t5\t6,5\t8\n"})
     expectFirst(load(text), 1.5F, -2.25F, 3.125F);
-  // Elsewhere it parts columns.
+  // In other positions it separates columns.
   expectFirst(load("1,2, 3\n4,5, 6\n"), 1, 2, 3);
   expectFirst(load("1,2,3 255\n4,5,6 255\n"), 1, 2, 3);
 }
@@ -137,7 +137,7 @@ TEST_F(TextFiles, PtxIsRefusedByName)
   const std::string head = "2\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
                            "1 0 0 0\n0 1 0 0\n0 0 1 0\n5 6 7 1\n";
   EXPECT_NE(refusal(head + "1 2 3 0.5\n1 2 4 0.5\n").find("is PTX"), std::string::npos);
-  // A number of points alone, as PTS has it, is none.
+  // A line with only the number of points, as in PTS, is no point.
   expectFirst(load("2\n1 2 3 0.5\n1 2 4 0.5\n"), 1, 2, 3);
 }
 

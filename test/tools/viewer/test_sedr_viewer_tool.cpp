@@ -16,18 +16,18 @@ namespace {
 
 using namespace programs;
 
-/** Runs the viewer where a display is, or where none is. */
+/** Runs the viewer with or without a display. */
 class ViewerTool : public ::testing::Test {
 protected:
   void SetUp() override
   {
     sample_.writeTo(folder_.path() / "model");
-    // Labels of all six kinds in a cloud of its own: squares of 1 m side by side.
+    // A separate cloud with all six labels: adjacent squares of 1 m.
     std::vector<std::vector<float>> points;
     std::vector<std::uint32_t> labels;
     for (std::uint32_t label = 0; label < 6; ++label)
       for (int i = 0; i < 900; ++i) {
-        // The unlabelled one in the midst: the camera stands around the others.
+        // The unlabelled square is in the middle, surrounded by the others.
         points.push_back(
             {static_cast<float>((label + 3) % 6) + static_cast<float>(i % 30) / 33,
              static_cast<float>(i / 30) / 33, 0});
@@ -41,7 +41,7 @@ protected:
     return (folder_.path() / name).string();
   }
 
-  /** A screenshot, taken where nobody looks. */
+  /** Returns a screenshot taken on a virtual screen. */
   Image shoot(const std::string& input, std::vector<std::string> arguments)
   {
     if (!screen_)
@@ -60,10 +60,10 @@ protected:
     return image;
   }
 
-  /** Share of the pixels that have a colour, in some light. */
+  /** Returns the share of the pixels with a colour in any light. */
   static double shareOf(const Image& image, Colour colour)
   {
-    // In any light the channels keep their ratios.
+    // The channels keep their ratios in any light.
     std::size_t count = 0;
     for (const auto pixel : image.pixels) {
       const Eigen::Vector3d p(pixel.red, pixel.green, pixel.blue);

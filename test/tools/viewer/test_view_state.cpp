@@ -67,7 +67,7 @@ TEST(ViewerKeys, AreUniqueAndAllInTheHelp)
   std::set<std::string> keys;
   for (const auto& binding : keyBindings()) {
     EXPECT_TRUE(keys.insert(binding.key).second) << binding.key << " twice";
-    if (binding.does.empty()) // told with another one
+    if (binding.does.empty()) // described with another one
       continue;
     EXPECT_NE(keyHelp().find("  " + binding.shown + " "), std::string::npos);
     EXPECT_NE(keyHelp().find(binding.does), std::string::npos);

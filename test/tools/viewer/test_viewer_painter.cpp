@@ -21,7 +21,7 @@ namespace {
 using namespace programs;
 using namespace pcl::sedr;
 
-/** The sample, written and read. */
+/** The sample after writing and reading. */
 class ViewedSample : public ::testing::Test {
 protected:
   void SetUp() override
@@ -119,7 +119,7 @@ TEST_F(ViewedSample, OfACloudReadInPiecesTheSamePointsAreShown)
   EXPECT_EQ(thinnedCloudOf(ScanFile(path, 1, 100), 0.1).points, result_.thinned.points);
 }
 
-/** One point at 1e6 m would leave of a room no more than a dot. */
+/** A point at 1e6 m would reduce the room to a dot. */
 TEST_F(ViewedSample, OfAScanWithAStrayPointTheRoomFillsTheView)
 {
   std::vector<std::vector<float>> points;
@@ -157,7 +157,7 @@ TEST_F(ViewedSample, ColoursPointsByLabelRoomAndDistance)
   state.colouring = Colouring::Room;
   const std::set<std::uint32_t> rooms{numberOf(roomColour(1)), numberOf(roomColour(2))};
   EXPECT_EQ(coloursIn(painter.points(Layer::Structure, state)), rooms);
-  // Points lie within 2 mm of the model; the table top is 0.75 m above the floor.
+  // Points are within 2 mm of the model; the table top is 0.75 m above the floor.
   for (const double d : painter.distances(Layer::Structure))
     EXPECT_LE(d, 0.0021);
   const auto& raw = painter.distances(Layer::Raw);
@@ -211,7 +211,7 @@ TEST_F(ViewedSample, DrawsPlanLinesAndSolidEdges)
 {
   const Painter painter(result_);
   ViewState state;
-  // A box has four edges below, four above and four upright.
+  // A box has four lower, four upper and four vertical edges.
   EXPECT_EQ(painter.planLines(state).points.size() / 2, 2u * 12);
   EXPECT_EQ(painter.solidEdges(state).points.size() / 2, 2u * 12);
   state.ceiling = false;
@@ -281,7 +281,7 @@ TEST_F(ViewedSample, LegendTellsCountsAreasAndColours)
 TEST_F(ViewedSample, TellsWhatAPickedPointIs)
 {
   const BoxRoom room = sample_.first;
-  // Wall 2 of the plan is that at x + width; 3 cm in front of it.
+  // A point 3 cm in front of wall 2 of the plan, which is at x + width.
   const std::string wall =
       reportPoint(result_, {room.x + room.width - 0.03, room.y + 1.02, 1.23});
   EXPECT_NE(wall.find("wall, room 1"), std::string::npos) << wall;
@@ -349,13 +349,13 @@ TEST(DistanceColour, RunsFromBlueToRedAndStaysThere)
   EXPECT_EQ(distanceText(0.0034), "0.3 cm");
 }
 
-/** The sample, and the same again above it: rooms 3 and 4 from 2.8 to 5.3 m. */
+/** The sample with a copy above it: rooms 3 and 4 from 2.8 to 5.3 m. */
 ViewedResult
 twoStoreys(const ViewedResult& one)
 {
   constexpr double up = 2.8;
   ViewedResult both = one;
-  both.plan.storeys.clear(); // the rooms above are not in them
+  both.plan.storeys.clear(); // they lack the rooms above
   for (PlanRoom room : one.plan.rooms) {
     room.id += 2;
     room.floor.plane[3] -= up;

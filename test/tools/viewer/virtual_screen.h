@@ -9,12 +9,10 @@
 
 namespace programs {
 
-/**
- * @brief An X server without a screen, there as long as this object.
+/** @brief An X server without a screen that ends with this object.
  *
- * It takes a display that is free, and tells which once it answers: xvfb-run looks for
- * a lock file before it starts one, so that servers that start or end meanwhile meet
- * it.
+ * It selects a free display and reports its number once it answers. xvfb-run instead
+ * checks for a lock file first, which fails when other servers start or end meanwhile.
  */
 class VirtualScreen {
 public:
@@ -38,7 +36,7 @@ public:
 
   ~VirtualScreen() { end(); }
 
-  /** What a program's DISPLAY is to be. */
+  /** Returns the value of DISPLAY for programs. */
   const std::string& name() const { return name_; }
 
 private:
@@ -47,7 +45,7 @@ private:
     if (process_ > 0)
       kill(process_, SIGTERM);
     if (output_ != nullptr)
-      pclose(output_); // waits for its end
+      pclose(output_); // waits until the server has ended
     output_ = nullptr;
   }
 

@@ -10,14 +10,14 @@ namespace pcl {
 namespace sedr {
 namespace benchmark {
 
-/** @brief What the labels of a file mean here: a StructureLabel for each. */
+/** @brief Map from the labels of a file to StructureLabel values. */
 using LabelMap = std::map<std::uint32_t, std::uint32_t>;
 
-/** @brief Reads a map such as "7=3,8=3"; empty: none. What is wrong with it is a
- * tools::ToolError of one sentence, in which `option` is named. */
+/** @brief Parses a map such as "7=3,8=3"; an empty text gives an empty map. Throws a
+ * tools::ToolError of one sentence that names `option`. */
 LabelMap labelMapOf(const std::string& text, const std::string& option);
 
-/** @brief The meaning of each label; those that the map does not name stay. */
+/** @brief Returns the mapped labels; those that the map does not name are unchanged. */
 std::vector<std::uint32_t> mapped(std::vector<std::uint32_t> labels,
                                   const LabelMap& map);
 

@@ -8,14 +8,14 @@ namespace pcl {
 namespace sedr {
 namespace benchmark {
 
-/** @brief Keeps the larger of two figures; NaN is none yet. */
+/** @brief Keeps the larger of two figures; NaN means none. */
 inline void
 keepLarger(double& figure, double other)
 {
   figure = std::isnan(figure) ? other : std::max(figure, other);
 }
 
-/** @brief Keeps the larger of two relative errors; NaN is none yet. */
+/** @brief Keeps the larger of two relative errors; NaN means none. */
 inline void
 keepLargerError(double& error, double found, double truth)
 {

@@ -15,7 +15,7 @@ namespace benchmark {
 
 namespace {
 
-/** @brief Those of the points that lie in the zone around details. */
+/** @brief Returns the points in the zone around details. */
 std::vector<Eigen::Vector3d>
 inDetailZone(const std::vector<Eigen::Vector3d>& points,
              const TriangleMesh& details,
@@ -29,7 +29,7 @@ inDetailZone(const std::vector<Eigen::Vector3d>& points,
   return zone;
 }
 
-/** @brief The same samples of the truth that MeshEvaluation takes, near details. */
+/** @brief Measures the zone around details with the samples of MeshEvaluation. */
 void
 measureDetails(const TriangleMesh& mesh,
                const TriangleMesh& truth,

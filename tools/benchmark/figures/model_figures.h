@@ -15,11 +15,11 @@ namespace benchmark {
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
-/** @brief How far from a detail of the truth its zone reaches, metres. */
+/** @brief Radius of the zone around the true details, metres. */
 constexpr double detail_zone = 0.10;
 
-/** @brief How good a mesh is. Lengths are metres, shares from 0 to 1; what was not
- * measured is empty or NaN. */
+/** @brief Quality figures of a mesh. Lengths are metres, shares from 0 to 1; values
+ * that were not measured are empty or NaN. */
 struct ModelFigures {
   std::optional<std::size_t> components;
   std::optional<bool> closed;
@@ -46,9 +46,9 @@ struct ModelFigures {
   bool isMeasured() const { return components.has_value(); }
 };
 
-/** @brief Measures a mesh against the truth, over samples every 2 cm of either.
+/** @brief Measures a mesh against the truth, with samples every 2 cm on both.
  * @param truth with labels, for the zone around details
- * @throw std::runtime_error with MeshEvaluation's sentence if one of them is no mesh */
+ * @throw std::runtime_error with MeshEvaluation's sentence if one of them is invalid */
 ModelFigures measureModel(const std::shared_ptr<const TriangleMesh>& mesh,
                           const std::shared_ptr<const TriangleMesh>& truth,
                           unsigned threads = 0);

@@ -11,9 +11,9 @@ namespace pcl {
 namespace sedr {
 namespace benchmark {
 
-/** @brief The point of `cloud` nearest to each of `queries`, or -1 where none is as
- * near as `radius` metres. The queries must be finite. O((n + q) log n), the same for
- * any number of threads. */
+/** @brief Returns the point of `cloud` nearest to each query, or -1 if none is within
+ * `radius` metres. The queries must be finite. O((n + q) log n); the result does not
+ * depend on the number of threads. */
 std::vector<pcl::index_t>
 nearestWithin(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud,
               const pcl::PointCloud<pcl::PointXYZ>& queries,

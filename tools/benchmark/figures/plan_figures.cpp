@@ -13,11 +13,11 @@ namespace benchmark {
 
 namespace {
 
-constexpr double same_place = 1e-6;   ///< metres, in which curves of a scene agree
-constexpr double sharp_corner = 0.17; ///< sine of the turn, about 10 degrees
-constexpr double arc_reach = 0.1;     ///< metres, from an arc to the plan's element
+constexpr double same_place = 1e-6;   ///< metres; tolerance of equal curves in a scene
+constexpr double sharp_corner = 0.17; ///< sine of the turning angle, about 10 degrees
+constexpr double arc_reach = 0.1;     ///< metres from an arc to the plan's element
 
-/** @brief A true line or arc: one or more elements of a loop that continue each other.
+/** @brief A true line or arc: one or more consecutive elements of a loop on one curve.
  */
 using Curve = std::vector<sim::Element>;
 
@@ -27,7 +27,7 @@ eigen(const sim::Vec2& p)
   return {p.x, p.y};
 }
 
-/** @brief Sine of the turn from one element into the next. */
+/** @brief Returns the sine of the turning angle from one element to the next. */
 double
 turnBetween(const sim::Element& a, const sim::Element& b)
 {
@@ -63,7 +63,7 @@ curvesOf(const sim::Loop& loop)
   return curves;
 }
 
-/** @brief A loop of one curve is a circle. */
+/** @brief Returns the number of corners; a loop of one curve is a circle. */
 std::size_t
 cornersAmong(std::size_t curves)
 {
@@ -82,7 +82,7 @@ elementsOf(const PlanRoom& room)
   return elements;
 }
 
-/** @brief Error of a true arc's radius in the plan; 1 where the plan has no arc. */
+/** @brief Returns the relative error of an arc's radius; 1 if the plan has no arc. */
 double
 radiusErrorOf(const sim::Element& arc, const std::vector<const PlanElement*>& elements)
 {
@@ -105,7 +105,7 @@ distanceOf(const Eigen::Vector2d& corner,
   return nearest;
 }
 
-/** @brief What the loops of one pair of rooms add up to. */
+/** @brief Sums over the loops of one pair of rooms. */
 class PairFigures {
 public:
   PairFigures(const PlanRoom& room, const sim::RoomTruth& truth, PlanFigures& figures)

@@ -15,27 +15,27 @@ namespace pcl {
 namespace sedr {
 namespace benchmark {
 
-/** @brief Whether the walls and columns of a plan are those that there are: over all
- * paired rooms (matchRooms()), details and niches left out. Lengths are metres, errors
- * shares of the truth; what there is none of is empty or NaN.
+/** @brief Errors of a plan's walls and columns over all paired rooms (matchRooms()),
+ * without details and niches. Lengths are metres, errors relative to the truth; values
+ * without data are empty or NaN.
  *
- * A corner is where one line or arc ends and another begins, tangent joints too. Of the
- * truth, lines that go on straight and arcs of one circle count as one; of the plan
- * every element counts, so that a wall in two pieces shows. */
+ * A corner is the joint of two lines or arcs, including tangent joints. In the truth,
+ * collinear lines and arcs of one circle count as one. In the plan every element
+ * counts, so that a wall split in two shows. */
 struct PlanFigures {
   std::optional<std::size_t> corners_true;
   std::optional<std::size_t> corners_found;
-  /// Paired rooms with another number of corners than there are.
+  /// Number of paired rooms with a wrong number of corners.
   std::optional<std::size_t> rooms_with_other_corners;
-  /// The largest distance from a true corner, tangent joints left out, to the plan's
-  /// nearest.
+  /// Maximum distance from a true corner, without tangent joints, to the nearest corner
+  /// of the plan.
   double corner_distance_max = not_known;
 
   std::optional<std::size_t> arcs_true;
   std::optional<std::size_t> arcs_found;
-  double radius_error = not_known; ///< the largest, 1 where an arc is found straight
+  double radius_error = not_known; ///< the maximum; 1 where an arc is missing
 
-  double perimeter_error = not_known; ///< of the outline, the largest of all rooms
+  double perimeter_error = not_known; ///< maximum of all rooms, of the outline
 };
 
 PlanFigures measurePlan(const Floorplan& plan,

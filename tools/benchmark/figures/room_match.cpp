@@ -4,7 +4,6 @@
 #include <pcl/sedr_filters/plan_measures.h>
 #include "largest_error.h"
 
-
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -16,9 +15,9 @@ namespace benchmark {
 
 namespace {
 
-constexpr double overlap_step = 0.05;   ///< of the grid that overlap is counted on
-constexpr double outline_chords = 0.01; ///< tolerance of a box around an outline
-constexpr double least_overlap = 0.5;   ///< of two rooms' union, to be the same room
+constexpr double overlap_step = 0.05;   ///< metres; cell of the grid for overlaps
+constexpr double outline_chords = 0.01; ///< metres; chord tolerance of an outline's box
+constexpr double least_overlap = 0.5;   ///< share of the union of two matched rooms
 
 bool
 holds(const sim::RoomTruth& room, sim::Vec2 p)
@@ -29,7 +28,7 @@ holds(const sim::RoomTruth& room, sim::Vec2 p)
              [p](const sim::Loop& column) { return sim::contains(column, p); });
 }
 
-/** @brief Square metres that a found room shares with each of the true ones. */
+/** @brief Returns the square metres that a found room shares with each true one. */
 std::vector<double>
 overlapsOf(const PlanRoom& room, const std::vector<sim::RoomTruth>& truths)
 {

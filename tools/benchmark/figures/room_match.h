@@ -16,32 +16,32 @@ namespace pcl {
 namespace sedr {
 namespace benchmark {
 
-/** @brief A found room and the true one it stands for. */
+/** @brief A found room and the corresponding true one. */
 struct RoomPair {
   std::size_t found = 0; ///< index in the plan
   std::size_t truth = 0; ///< index in the truths
   double overlap = 0;    ///< square metres in plan
 };
 
-/** @brief How well the rooms were found. Errors are relative to the truth, and the
- * largest of all matched rooms; NaN if there is none. */
+/** @brief Accuracy of the rooms. Errors are relative to the truth; each is the maximum
+ * of all paired rooms, NaN if there is none. */
 struct RoomFigures {
   std::size_t rooms_true = 0;
   std::size_t rooms_found = 0;
-  std::size_t rooms_matched = 0; ///< that share most of their area with a true one
+  std::size_t rooms_matched = 0; ///< whose overlap is at least half the union
   double area_error = not_known;
   double height_error = not_known; ///< of the mean height
-  double volume_error = not_known; ///< of mean height times area, and of niches
+  double volume_error = not_known; ///< of mean height times area, plus niches
   double mesh_volume_error = not_known;
 };
 
-/** @brief Pairs found and true rooms one to one: those of the largest overlap first,
- * none without overlap. Overlap is counted on a grid of 5 cm. */
+/** @brief Pairs found and true rooms one to one in order of decreasing overlap, which
+ * must not be zero. Overlap is counted on a grid of 5 cm. */
 std::vector<RoomPair> matchRooms(const Floorplan& plan,
                                  const std::vector<sim::RoomTruth>& truths);
 
 /** @brief Compares the rooms of a plan with the truth. A pair counts as matched if its
- * overlap is at least half of what either room covers.
+ * overlap is at least half of the union of both rooms.
  * @param mesh_volumes cubic metres of the mesh of each room, by its id; may be empty */
 RoomFigures measureRooms(const Floorplan& plan,
                          const std::vector<sim::RoomTruth>& truths,

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double fine_chord_tolerance = 1e-5; ///< metres
 
-/** @brief A truth in the frame of the scan. */
+/** @brief Returns a truth mesh in the frame of the scan. */
 std::shared_ptr<const TriangleMesh>
 placedMesh(const sim::Scene& scene, const sim::Mesh& truth)
 {

@@ -13,21 +13,22 @@ namespace pcl {
 namespace sedr {
 namespace benchmark {
 
-/** @brief What a reconstruction of a scene is compared with, in the frame of the scan.
+/** @brief The truth that a reconstruction is compared with, in the frame of the scan.
  */
 struct SceneTruth {
   std::shared_ptr<const TriangleMesh> mesh; ///< with label and room of every triangle
   std::vector<sim::RoomTruth> rooms;
-  /// The same surface with chords of at most 0.01 mm off its arcs, which count for
-  /// nothing where solids are measured.
+  /// The same surface with chords at most 0.01 mm off its arcs, which is negligible
+  /// when solids are measured.
   std::shared_ptr<const TriangleMesh> fine_mesh;
 };
 
-/** @brief The truth of a scene.
+/** @brief Builds the truth of a scene.
  * @throw std::invalid_argument as sim::truthMesh() */
 SceneTruth truthOf(const sim::Scene& scene);
 
-/** @brief The triangles of details and columns, labels 4 and 5; empty without. */
+/** @brief Returns the triangles of details and columns, labels 4 and 5; empty without
+ * any. */
 TriangleMesh detailsOf(const TriangleMesh& truth);
 
 } // namespace benchmark

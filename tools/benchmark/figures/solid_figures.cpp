@@ -21,8 +21,8 @@ struct MeanAndMax {
   double max = not_known;
 };
 
-/** @brief Distances from samples of one mesh to the other; vertices count for the
- * maximum only, since there are more of them where facets are fine. */
+/** @brief Returns the distances from samples of one mesh to the other. Vertices only
+ * count for the maximum, since fine facets have more of them. */
 MeanAndMax
 distancesFrom(const TriangleMesh& from, const TriangleMesh& to, unsigned threads)
 {
@@ -46,7 +46,7 @@ partOf(const TriangleMesh& mesh, std::uint32_t room)
   return part;
 }
 
-/** @brief Square metres of walls and columns. */
+/** @brief Returns the square metres of walls and columns. */
 double
 wallAreaOf(const TriangleMesh& mesh)
 {

@@ -15,22 +15,22 @@ namespace pcl {
 namespace sedr {
 namespace benchmark {
 
-/// How densely surfaces are sampled to be compared, in metres, and the seed of it.
+/// Spacing of the samples on surfaces in metres, and their random seed.
 constexpr double sample_spacing = 0.02;
 constexpr std::uint64_t sample_seed = 1;
 
-/** @brief How good the solids of a plan are. Lengths are metres, errors shares of the
- * truth, of all paired rooms the largest; what was not measured is empty or NaN. */
+/** @brief Quality figures of a plan's solids; empty or NaN if not measured. Lengths are
+ * metres; errors are relative, the maximum of all paired rooms. */
 struct SolidFigures {
   std::optional<std::size_t> components;
   std::optional<bool> closed_manifold; ///< closed, manifold, consistently oriented
   std::optional<std::size_t> self_intersections; ///< pairs of triangles
   std::optional<std::size_t> triangles;
 
-  /// Over samples of the truth every 2 cm; its corners count for the maximum too.
+  /// From samples of the truth every 2 cm; the maximum includes its corners.
   double truth_to_solid_mean = not_known;
   double truth_to_solid_max = not_known;
-  double solid_to_truth_mean = not_known; ///< likewise, of the solid
+  double solid_to_truth_mean = not_known; ///< likewise, from samples of the solid
   double solid_to_truth_max = not_known;
 
   double volume_error = not_known;
@@ -41,9 +41,9 @@ struct SolidFigures {
 
 /** @brief Measures solids against the truth.
  *
- * @param solid with label and room of every triangle; empty: nothing is measured
- * @param truth likewise, with facets so fine that they count for nothing
- * @param plan,rooms tell which rooms of both are the same: matchRooms() */
+ * @param solid with label and room of every triangle; if empty, nothing is measured
+ * @param truth likewise, with negligible chord errors
+ * @param plan,rooms define the pairs of rooms: see matchRooms() */
 SolidFigures measureSolid(const TriangleMesh& solid,
                           const TriangleMesh& truth,
                           const Floorplan& plan,

@@ -13,12 +13,12 @@ namespace pcl {
 namespace sedr {
 namespace benchmark {
 
-/** @brief How near a place of the truth a point of the structure must lie to show it,
- * metres: the structure has a point a voxel of 5 cm. */
+/** @brief Maximum distance in metres at which a point of the structure covers a point
+ * of the truth. The structure has a point per voxel of 5 cm. */
 constexpr double point_reach = 0.08;
 
-/** @brief How good the points of a structure are, before any mesh is made of them.
- * Metres and shares from 0 to 1; NaN where not measured. */
+/** @brief Quality figures of a structure's points, before meshing. Metres and shares
+ * from 0 to 1; NaN where not measured. */
 struct StructureFigures {
   double points_to_truth_mean = not_known;
   double points_to_truth_max = not_known;
@@ -28,8 +28,8 @@ struct StructureFigures {
   bool isMeasured() const { return !std::isnan(points_to_truth_mean); }
 };
 
-/** @brief Measures points, all finite, against the truth; none of them: nothing
- * measured. */
+/** @brief Measures points, all finite, against the truth; without points, all is NaN.
+ */
 StructureFigures
 measureStructure(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& structure,
                  const TriangleMesh& truth,

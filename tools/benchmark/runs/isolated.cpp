@@ -27,7 +27,7 @@ writeAll(int file, const std::string& text)
   for (std::size_t done = 0; done < text.size();) {
     const ssize_t n = write(file, text.data() + done, text.size() - done);
     if (n <= 0 && errno != EINTR)
-      return; // the caller is gone
+      return; // the caller has ended
     done += n > 0 ? static_cast<std::size_t>(n) : 0;
   }
 }
@@ -46,13 +46,13 @@ readAll(int file)
   }
 }
 
-/** @brief What the new process does; it never returns to the caller's code, whose
- * files and buffers are not its own. */
+/** @brief Runs the work in the child process. It never returns to the caller's code,
+ * because it must not touch the caller's files and buffers. */
 [[noreturn]] void
 work(const std::function<std::string()>& work, int answer)
 {
 #ifdef __linux__
-  prctl(PR_SET_PDEATHSIG, SIGKILL); // without the caller nobody wants the result
+  prctl(PR_SET_PDEATHSIG, SIGKILL); // the result is useless without the caller
 #endif
   try {
     writeAll(answer, work());
@@ -85,7 +85,7 @@ runIsolated(const std::function<std::string()>& task)
   if (pipe(ends) != 0)
     throw std::runtime_error(std::string("no pipe could be made: ") +
                              std::strerror(errno));
-  std::fflush(nullptr); // or the new process would have the same text in its buffers
+  std::fflush(nullptr); // otherwise the child process writes the buffered text again
   const pid_t process = fork();
   if (process == 0) {
     close(ends[0]);

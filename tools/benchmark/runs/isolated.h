@@ -8,10 +8,11 @@ namespace pcl {
 namespace sedr {
 namespace benchmark {
 
-/** @brief Calls `work` in a process of its own and returns what it returned, so that
- * not even a crash ends the caller, and every run begins with fresh memory. The calling
- * process must have no other thread.
- * @throw std::runtime_error, a sentence: what `work` threw, or which signal ended it */
+/** @brief Calls `work` in a separate process and returns its result. A crash there does
+ * not end the caller, and every run starts with fresh memory. The caller must have no
+ * other thread.
+ * @throw std::runtime_error, a sentence: the error of `work`, or the signal that ended
+ * the process */
 std::string runIsolated(const std::function<std::string()>& work);
 
 } // namespace benchmark

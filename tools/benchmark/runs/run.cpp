@@ -63,7 +63,7 @@ labelled(const StructureChain::StructureCloud& structure)
 }
 
 /** @brief Runs the chain with its defaults.
- * @return why there is no result, empty if there is one */
+ * @return the reason for a missing result; empty on success */
 std::string
 reconstruct(Reconstruction& chain, bool with_mesh)
 {
@@ -102,7 +102,7 @@ noteLabels(const LabelScores& scores, RunRow& row)
     row.labels[k] = {scores[k].recall(), scores[k].precision()};
 }
 
-/** @brief Compares whatever the chain left with the truth. */
+/** @brief Compares the results of the chain with the truth. */
 void
 measure(const Reconstruction& chain,
         const SceneTruth& truth,

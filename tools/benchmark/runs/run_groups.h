@@ -16,33 +16,34 @@ namespace benchmark {
 /** @brief Runs of one scene and noise that differ in their seed. */
 using RunGroup = std::vector<RunRow>;
 
-/** @brief The rows without earlier ones of the same run. */
+/** @brief Returns the last row of each run. */
 std::vector<RunRow> latestRows(const std::vector<RunRow>& rows);
 
-/** @brief The rows by scene, in the order of their first rows. */
+/** @brief Groups rows by scene, in the order of first occurrence. */
 std::vector<RunGroup> groupByScene(const std::vector<RunRow>& rows);
 
-/** @brief The rows by scene, in the order of their first rows, and by noise, rising. */
+/** @brief Groups rows by scene, in the order of first occurrence, and ascending noise.
+ */
 std::vector<RunGroup> groupRuns(const std::vector<RunRow>& rows);
 
-/** @brief The figure of each row that has it, in order of size. */
+/** @brief Returns the known figures of the rows in ascending order. */
 std::vector<double> figuresOf(const RunGroup& group,
                               const std::function<double(const RunRow&)>& figure);
 
-/** @brief The middle one of sorted figures, of two the lower; NaN of none. */
+/** @brief Returns the median of sorted figures, the lower of two; NaN without any. */
 double medianOf(const std::vector<double>& sorted);
 
-/** @brief The number of rows that missed the bar. */
+/** @brief Returns the number of rows that missed the bar. */
 std::size_t missesOf(const RunGroup& group, Bar bar);
 
-/** @brief Which bars are asked for: those of solids or all others. */
+/** @brief Kinds of bars: those of solids, and all others. */
 enum class BarKind { Model, Solid };
 
-/** @brief The bars of a kind that any row missed with the number of those rows: "rooms
- * 1/3, mean 3/3". */
+/** @brief Returns the missed bars of a kind with the number of rows that missed them:
+ * "rooms 1/3, mean 3/3". */
 std::string missesOf(const RunGroup& group, BarKind kind);
 
-/** @brief Whether a row missed any bar of a kind; of a row without a result all. */
+/** @brief Returns true if a row missed a bar of a kind, or has no result. */
 bool missesAny(const RunRow& row, BarKind kind);
 
 } // namespace benchmark

@@ -15,7 +15,7 @@ namespace benchmark {
 
 namespace {
 
-/** @brief A column: its name, and how its cell is written and read. */
+/** @brief A column: its name, and the functions that write and read its cell. */
 struct Column {
   std::string name;
   std::function<std::string(const RunRow&)> write;
@@ -25,7 +25,7 @@ struct Column {
 /** @brief The columns of a row, each declared once. */
 class Columns {
 public:
-  /** @brief Adds a column; `part(row)` is the member of a row that it shows. */
+  /** @brief Adds a column; `part(row)` returns the member it shows. */
   template <typename Part>
   void add(const std::string& name, Part part)
   {
@@ -34,7 +34,7 @@ public:
          [part](const std::string& cell, RunRow& row) { readCell(cell, part(row)); }});
   }
 
-  /** @brief Adds what follows from the others and is not read back. */
+  /** @brief Adds a column computed from others; it is not read back. */
   void addDerived(const std::string& name,
                   const std::function<std::string(const RunRow&)>& write)
   {
@@ -116,8 +116,8 @@ addSolid(Columns& columns)
   add("solid_wall_area_error", &SolidFigures::wall_area_error);
 }
 
-/** @brief The columns of a model: `model(row)` is its figures, `prefix` stands before
- * every name. */
+/** @brief Adds the columns of a model; `model(row)` returns its figures, `prefix`
+ * precedes every name. */
 template <typename Model>
 void
 addModel(Columns& columns, const std::string& prefix, Model model)

@@ -19,7 +19,7 @@ namespace pcl {
 namespace sedr {
 namespace benchmark {
 
-/** @brief Recall and precision of a label, from 0 to 1; NaN where nothing has it. */
+/** @brief Recall and precision of a label, from 0 to 1; NaN without points. */
 struct LabelFigures {
   double recall = not_known;
   double precision = not_known;
@@ -28,7 +28,7 @@ struct LabelFigures {
 /** @brief Name and seconds of each stage, in order. */
 using StageSeconds = std::vector<std::pair<std::string, double>>;
 
-/** @brief One run of the proving ground: what was asked for and what came out. */
+/** @brief Parameters and results of one benchmark run. */
 struct RunRow {
   std::string scene;
   double noise = 0; ///< metres
@@ -36,7 +36,7 @@ struct RunRow {
   bool with_mesh = true;
 
   std::size_t points = 0; ///< of the scan
-  std::string failure;    ///< why there is no result, a sentence; empty if there is
+  std::string failure;    ///< reason for a missing result, a sentence; empty on success
   RoomFigures rooms;
   PlanFigures plan;
   SolidFigures solid;
@@ -47,20 +47,20 @@ struct RunRow {
   StageSeconds stage_seconds;
   std::string warnings;
 
-  /** @brief Whether both are runs of the same scene, noise, seed and kind. */
+  /** @brief Returns true if both rows are of the same scene, noise, seed and kind. */
   bool isSameRun(const RunRow& other) const;
 };
 
-/** @brief The names of all columns, a line of CSV without its end. */
+/** @brief Returns the names of all columns as a line of CSV without line end. */
 std::string csvHeader();
 
-/** @brief A row as a line of CSV, without its end. Text that needs it is quoted, line
- * ends in it become blanks; what is not known is empty. */
+/** @brief Returns a row as a line of CSV without line end. Text is quoted if necessary,
+ * and its line ends become blanks; unknown values are empty. */
 std::string toCsv(const RunRow& row);
 
-/** @brief Reads a row.
- * @param header the line of names of its file: columns may be missing, be in another
- * order or unknown
+/** @brief Parses a row.
+ * @param header the header line of its file; columns may be missing, reordered or
+ * unknown
  * @throw std::invalid_argument, a sentence, if a cell cannot be read */
 RunRow rowFromCsv(const std::string& header, const std::string& line);
 

@@ -12,8 +12,7 @@ namespace benchmark {
 
 namespace {
 
-/** @brief The misses of a row, collected bar by bar. A figure that is not known misses
- * its bar. */
+/** @brief Collects the misses of a row. An unknown figure misses its bar. */
 class Misses {
 public:
   void add(Bar bar, const std::string& text) { all_.push_back({bar, text}); }
@@ -69,7 +68,7 @@ checkModel(const RunRow& row, Misses& misses)
                  "within 5 cm");
   misses.atMost(Bar::ModelBeyond5cm, mesh.mesh_beyond_5cm, most_beyond_5cm,
                 "model beyond 5 cm");
-  if (mesh.detail_within_5cm < least_detail_within_5cm) // NaN where there is none
+  if (mesh.detail_within_5cm < least_detail_within_5cm) // NaN without details
     misses.atLeast(Bar::DetailZone, mesh.detail_within_5cm, least_detail_within_5cm,
                    "details within 5 cm");
 }
@@ -119,7 +118,7 @@ checkPlan(const RunRow& row, Misses& misses)
 {
   misses.atMost(Bar::PlanArea, row.rooms.area_error, most_area_error, "area");
   const PlanFigures& plan = row.plan;
-  if (plan.radius_error > most_radius_error) // NaN where there is none
+  if (plan.radius_error > most_radius_error) // NaN without arcs
     misses.atMost(Bar::Radius, plan.radius_error, most_radius_error, "radius");
   if (plan.rooms_with_other_corners != 0)
     misses.add(Bar::Corners, std::to_string(plan.corners_found.value_or(0)) +

@@ -12,29 +12,29 @@ namespace benchmark {
 
 struct RunRow;
 
-/** @brief What every run of the proving ground is to reach. */
+/** @brief The requirements for every run of the benchmark. */
 enum class Bar {
-  Done,            ///< a structure, and a mesh if one was asked for, came out
-  Rooms,           ///< as many rooms as there are, each on a true one
+  Done,            ///< a structure exists, and a mesh if requested
+  Rooms,           ///< the true number of rooms, each matched to a true one
   Closed,          ///< mesh closed, manifold, oriented
-  Components,      ///< one component a room
+  Components,      ///< one component per room
   Mean,            ///< truth to mesh, at most meanLimit()
   Within1cm,       ///< truth to mesh, at least 95 %
   Within5cm,       ///< truth to mesh, at least 99 %
-  ModelBeyond5cm,  ///< of the model's area, at most 0.5 %
-  DetailZone,      ///< of the zone around details, at least 97 % within 5 cm
-  PointsBeyond5cm, ///< without a mesh: of the structure's points, at most 0.5 %
-  Covered,         ///< without a mesh: of the truth, at least 99 % near a point
-  SolidClosed,     ///< solids closed, manifold, oriented, one a room
-  SolidCrossing,   ///< no two triangles of the solids go through each other
+  ModelBeyond5cm,  ///< at most 0.5 % of the model's area
+  DetailZone,      ///< at least 97 % of the zone around details within 5 cm
+  PointsBeyond5cm, ///< without a mesh: at most 0.5 % of the structure's points
+  Covered,         ///< without a mesh: at least 99 % of the truth near a point
+  SolidClosed,     ///< solids closed, manifold, oriented, one per room
+  SolidCrossing,   ///< no two triangles of the solids intersect
   SolidMean,       ///< truth to solid, at most solidLimits()
   SolidMax,        ///< likewise
-  SolidTriangles,  ///< at most 5000 where all walls are straight
+  SolidTriangles,  ///< at most 5000 if all walls are straight
   PlanArea,        ///< of every room within 1 %
   SolidVolume,     ///< within 0.5 %
   WallArea,        ///< within 2 %
   Radius,          ///< of every arc within 1 %
-  Corners          ///< as many as there are, in every room
+  Corners          ///< the true number in every room
 };
 
 constexpr std::array<Bar, 21> all_bars{
@@ -45,8 +45,8 @@ constexpr std::array<Bar, 21> all_bars{
     Bar::WallArea,   Bar::SolidTriangles,  Bar::PlanArea,    Bar::Radius,
     Bar::Corners};
 
-/** @brief Whether a bar is one of the plan and its solids, which have a table of their
- * own. */
+/** @brief Returns true for a bar of the plan and its solids, which have their own
+ * table. */
 constexpr bool
 isOfSolid(Bar bar)
 {
@@ -58,8 +58,8 @@ constexpr double least_within_5cm = 0.99;
 constexpr double least_detail_within_5cm = 0.97;
 constexpr double most_beyond_5cm = 0.005;
 
-/** @brief Metres that truth and mesh may lie apart on average: 0.2 cm at a noise of
- * 0.1 cm, 0.4 cm at 2 cm; in between on the straight line, beyond as at its ends.
+/** @brief Returns the maximum mean distance from truth to mesh in metres: 0.2 cm up to
+ * a noise of 0.1 cm, 0.4 cm from 2 cm on, linear in between.
  * @param noise metres */
 double meanLimit(double noise);
 
@@ -69,29 +69,29 @@ constexpr double most_wall_area_error = 0.02;
 constexpr double most_radius_error = 0.01;
 constexpr std::size_t most_straight_triangles = 5000;
 
-/** @brief Metres that a solid may be off the truth. */
+/** @brief Maximum distances from truth to solid, metres. */
 struct SolidLimits {
   double mean = 0;
   double max = 0;
 };
 
-/** @brief 0.01 cm on average and 0.1 cm at most up to a noise of 0.1 cm, 0.03 and 0.5
- * cm up to 1 cm, 0.1 and 1 cm above.
+/** @brief Returns the limits for a noise: up to 0.1 cm mean 0.01 and maximum 0.1 cm, up
+ * to 1 cm 0.03 and 0.5 cm, above 0.1 and 1 cm.
  * @param noise metres */
 SolidLimits solidLimits(double noise);
 
-/** @brief A bar that a run missed, and by what: "3 rooms of 4". */
+/** @brief A bar that a run missed and its figure: "3 rooms of 4". */
 struct Miss {
   Bar bar = Bar::Done;
   std::string text;
 };
 
-/** @brief Short name of a bar for tables: "rooms". */
+/** @brief Returns the short name of a bar for tables: "rooms". */
 std::string nameOf(Bar bar);
 
-/** @brief The bars a run missed. Those of a mesh are looked at if the run was to make
- * one, those of points if not; those of solids in any case. Without details or arcs
- * there is no bar for them. */
+/** @brief Returns the bars that a run missed. The bars of a mesh apply if one was
+ * requested, otherwise those of points; those of solids always apply. Without details
+ * or arcs, their bars do not apply. */
 std::vector<Miss> missedBars(const RunRow& row);
 
 } // namespace benchmark

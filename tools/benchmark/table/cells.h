@@ -7,26 +7,25 @@
 #include <optional>
 #include <string>
 
-/** @file
- * Values as the text of a cell, and back. What is not known is an empty cell; text that
- * is no such value throws std::invalid_argument, a sentence without the column.
- */
+/** @file Conversion between values and the text of cells. An unknown value is an empty
+ * cell. Invalid text throws std::invalid_argument with a sentence that does not name
+ * the column. */
 
 namespace pcl {
 namespace sedr {
 namespace benchmark {
 
-/** @brief Seven significant digits; NaN is empty. */
+/** @brief Writes seven significant digits; NaN is empty. */
 std::string cellOf(double value);
 std::string cellOf(std::size_t value);
 std::string cellOf(const std::optional<std::size_t>& value);
 
-/** @brief 1 or 0. */
+/** @brief Writes 1 or 0. */
 std::string cellOf(bool value);
 std::string cellOf(const std::optional<bool>& value);
 std::string cellOf(const std::string& value);
 
-/** @brief "Stage=0.25;Other=1.5". */
+/** @brief Writes "Stage=0.25;Other=1.5". */
 std::string cellOf(const StageSeconds& value);
 
 void readCell(const std::string& cell, double& value);

@@ -21,7 +21,7 @@ namespace {
 using tools::ToolError;
 namespace fs = std::filesystem;
 
-/** @brief The text of a file up to the end of its last whole line. */
+/** @brief Returns the text of a file up to the end of its last complete line. */
 std::string
 wholeLinesOf(const std::string& path)
 {

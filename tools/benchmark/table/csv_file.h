@@ -6,25 +6,23 @@
 #include <string>
 #include <vector>
 
-/** @file
- * The rows of runs as a file that grows run by run, so that an interrupted benchmark
- * loses nothing. What fails is a tools::ToolError of one sentence.
- */
+/** @file A file of rows that is extended after each run, so that an interrupted
+ * benchmark loses nothing. Failures throw a tools::ToolError of one sentence. */
 
 namespace pcl {
 namespace sedr {
 namespace benchmark {
 
-/** @brief The rows of a file. A last line without its end, which an interrupted run may
- * leave, is not one. */
+/** @brief Reads the rows of a file. A last line without line end is ignored, since it
+ * comes from an interrupted run. */
 std::vector<RunRow> readRows(const std::string& path);
 
-/** @brief The rows of a file to which rows are to be added; none if it is not there.
- * Refused is a file of other columns. */
+/** @brief Reads the rows of a file before it is extended; none if it does not exist.
+ * Rejects a file with other columns. */
 std::vector<RunRow> rowsToContinue(const std::string& path);
 
-/** @brief Adds a row at the end, with the names of the columns before the first. A last
- * line without its end is dropped. */
+/** @brief Appends a row; writes the column names before the first one. A last line
+ * without line end is dropped. */
 void appendRow(const std::string& path, const RunRow& row);
 
 } // namespace benchmark

@@ -8,11 +8,11 @@ namespace pcl {
 namespace sedr {
 namespace benchmark {
 
-/** @brief The cells with commas between them (RFC 4180): quoted where they hold a comma
- * or a quote. Line ends in a cell become blanks, so that a row is a line. */
+/** @brief Joins cells with commas (RFC 4180). Cells with a comma or quote are quoted;
+ * line ends in a cell become blanks, so that a row is one line. */
 std::string joinCells(const std::vector<std::string>& cells);
 
-/** @brief The cells of a line that joinCells() made.
+/** @brief Splits a line made by joinCells() into its cells.
  * @throw std::invalid_argument if a quoted cell does not end */
 std::vector<std::string> splitCells(const std::string& line);
 

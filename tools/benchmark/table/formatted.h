@@ -8,8 +8,7 @@ namespace pcl {
 namespace sedr {
 namespace benchmark {
 
-/** @brief Numbers as text of at most 95 characters, by a format as std::printf takes
- * it. */
+/** @brief Formats numbers as std::printf does, as text of at most 95 characters. */
 template <typename... Numbers>
 std::string
 formatted(const char* format, Numbers... numbers)

@@ -47,7 +47,7 @@ runTable(const std::vector<RunRow>& rows, const std::vector<TableColumn>& column
   return text;
 }
 
-/** @brief "1, 2, 3": the seeds of all rows. */
+/** @brief Returns the seeds of all rows: "1, 2, 3". */
 std::string
 seedsOf(const std::vector<RunRow>& rows)
 {
@@ -84,7 +84,7 @@ failuresOf(const std::vector<RunRow>& rows)
   return text.empty() ? "" : "\n## What failed\n\n" + text;
 }
 
-/** @brief The stages of all rows, in the order in which they first occur. */
+/** @brief Returns the stages of all rows in the order of first occurrence. */
 std::vector<std::string>
 stagesOf(const std::vector<RunRow>& rows)
 {

@@ -10,11 +10,12 @@ namespace pcl {
 namespace sedr {
 namespace benchmark {
 
-/** @brief The rows of runs as a page of Markdown for people: how many runs reach every
- * bar, one row a scene and noise with the worst figure over its seeds and, where it
- * reads differently, the median in brackets, missed bars in bold; then what failed, and
- * the seconds of each stage. Scenes stand in the order of their first rows; where a run
- * occurs twice, the later one counts. */
+/** @brief Returns the rows of runs as a Markdown page: how many runs reach every bar,
+ * results, failures, and the seconds of each stage.
+ *
+ * A row is a scene and noise with the worst figure over its seeds. The median follows
+ * in brackets where it differs as text; missed bars are bold. Scenes are in the order
+ * of their first rows. If a run occurs twice, the later row is used. */
 std::string tableOf(const std::vector<RunRow>& rows);
 
 } // namespace benchmark

@@ -23,7 +23,7 @@ marked(const std::string& cell, bool is_missed)
   return is_missed ? "**" + cell + "**" : cell;
 }
 
-/** @brief "0.21 (0.19)": the worst figure and the median, times `scale`. */
+/** @brief Returns the worst figure and the median, times `scale`: "0.21 (0.19)". */
 std::string
 spread(const RunGroup& group,
        const Figure& figure,
@@ -40,7 +40,7 @@ spread(const RunGroup& group,
   return worst == median ? worst : worst + " (" + median + ")";
 }
 
-/** @brief A column of a figure, marked where the bar is missed. */
+/** @brief Returns the column of a figure; cells that miss the bar are marked. */
 TableColumn
 figureColumn(const std::string& title,
              const Figure& figure,
@@ -64,7 +64,7 @@ shareColumn(const std::string& title,
   return figureColumn(title, figure, worse, "%.2f", 100, bar);
 }
 
-/** @brief "4/4", or "3-5/4" where the seeds differ. */
+/** @brief Returns found and true rooms: "4/4", or "3-5/4" if the seeds differ. */
 std::string
 roomsCell(const RunGroup& group)
 {
@@ -79,7 +79,7 @@ roomsCell(const RunGroup& group)
                 missesOf(group, Bar::Rooms) > 0 || missesOf(group, Bar::Done) > 0);
 }
 
-/** @brief "yes", or in how many runs the meshes are not closed or not one a room. */
+/** @brief Returns "yes", or the number of runs with open meshes or extra components. */
 std::string
 closedCell(const RunGroup& group)
 {
@@ -94,7 +94,7 @@ closedCell(const RunGroup& group)
   return marked(text, open + split > 0);
 }
 
-/** @brief "yes", or in how many runs solids are open or cross themselves. */
+/** @brief Returns "yes", or the number of runs with open or crossing solids. */
 std::string
 solidClosedCell(const RunGroup& group)
 {
@@ -108,7 +108,7 @@ solidClosedCell(const RunGroup& group)
   return marked(text, open + crossing > 0);
 }
 
-/** @brief "4/4": found of true, or of each count of the seeds' "4-5/4". */
+/** @brief Returns found and true corners: "4/4", or "4-5/4" if the seeds differ. */
 std::string
 cornersCell(const RunGroup& group)
 {
@@ -137,7 +137,7 @@ extrusionSeconds(const RunRow& row)
   return not_known;
 }
 
-/** @brief Recall and precision of a label, the worst of each. */
+/** @brief Returns a column with the worst recall and the worst precision of a label. */
 TableColumn
 labelColumn(std::size_t k)
 {

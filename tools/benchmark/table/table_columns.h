@@ -11,19 +11,19 @@ namespace pcl {
 namespace sedr {
 namespace benchmark {
 
-/** @brief A column of the table of runs: its title, and the cell of a group of runs
- * that differ in their seed. */
+/** @brief A column of the table of runs: its title, and a function that returns the
+ * cell of a group of runs that differ in their seed. */
 struct TableColumn {
   std::string title;
   std::function<std::string(const RunGroup&)> cell;
 };
 
-/** @brief The columns for runs with or without a mesh. Of a figure a cell shows the
- * worst of all seeds and, where it reads differently, the median in brackets; in bold
- * if any of the runs misses its bar. */
+/** @brief Returns the columns for runs with or without a mesh. A cell shows the worst
+ * figure of all seeds. The median follows in brackets where it differs as text; the
+ * cell is bold if any run misses its bar. */
 std::vector<TableColumn> columnsOf(bool with_mesh);
 
-/** @brief The columns about plans and their solids, whatever the runs made besides. */
+/** @brief Returns the columns about plans and their solids. */
 std::vector<TableColumn> solidColumns();
 
 } // namespace benchmark

@@ -10,18 +10,18 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief The rows with this label. Where there are none, a ToolError that says so,
- * with `remedy` at its end. */
+/** @brief Returns the rows with a label. Throws ToolError with `remedy` at its end if
+ * there are none. */
 pcl::Indices requireLabel(const ToolCloud& cloud,
                           StructureLabel label,
                           const std::string& remedy = "");
 
-/** @brief Numbers of the rooms that have a ceiling, label 1; 0 alone if none of its
- * points has a number. No ceiling at all is a ToolError. */
+/** @brief Returns the numbers of the rooms with a ceiling, label 1; only 0 if its
+ * points have no numbers. Throws ToolError if there is no ceiling. */
 std::set<std::uint32_t> ceilingRooms(const ToolCloud& cloud);
 
-/** @brief Mean height of all floor points, label 2: for rooms whose own floor was not
- * seen. No finite one is a ToolError, with `remedy` at its end. */
+/** @brief Returns the mean height of all floor points, label 2, for rooms whose floor
+ * was not seen. Throws ToolError with `remedy` at its end if none is finite. */
 double meanFloorHeight(const ToolCloud& cloud, const std::string& remedy = "");
 
 } // namespace tools

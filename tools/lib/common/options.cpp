@@ -36,7 +36,7 @@ withUnit(const std::string& unit)
   return unit.empty() ? "" : " " + unit;
 }
 
-/** @brief `left`, and `right` from a fixed column on, broken into lines. */
+/** @brief Joins `left` and, from a fixed column on, `right`, broken into lines. */
 std::string
 helpLine(const std::string& left, const std::string& right)
 {
@@ -56,7 +56,7 @@ helpLine(const std::string& left, const std::string& right)
   return text + "\n";
 }
 
-/** @brief What Boost found wrong, as a sentence. */
+/** @brief Returns Boost's error as a sentence. */
 std::string
 problemOf(const po::error& error)
 {
@@ -80,7 +80,7 @@ Range::text(const std::string& unit) const
     text << value << withUnit(unit);
     return text.str();
   };
-  constexpr double vast = 1e9; // the limits of number types are not worth telling
+  constexpr double vast = 1e9; // limits of number types are not printed
   const bool has_low = low > -vast;
   const bool has_high = high < vast;
   if (has_low && has_high)
@@ -122,7 +122,7 @@ std::string
 Options::textOf(double value)
 {
   std::ostringstream text;
-  text << value; // six digits: a float's 0.05 reads as 0.05
+  text << value; // six digits, so that the float 0.05 is printed as 0.05
   return text.str();
 }
 
@@ -209,7 +209,7 @@ Options::parse(int argc, const char* const* argv)
 
   po::variables_map given;
   try {
-    // -leaf for --leaf, as PCL's own programs have it.
+    // Accepts -leaf for --leaf, like PCL's own programs.
     const int style = (po::command_line_style::default_style |
                        po::command_line_style::allow_long_disguise) &
                       ~po::command_line_style::allow_guessing;

@@ -12,11 +12,11 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief The numbers an option takes. */
+/** @brief The valid values of a numeric option. */
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
-  bool open = false; ///< whether `low` itself is out
+  bool open = false; ///< whether `low` itself is excluded
 
   static Range above(double low)
   {
@@ -35,12 +35,12 @@ struct Range {
     return (open ? value > low : value >= low) && value <= high;
   }
 
-  /** @brief "above 0", "at least 1", "from 0 to 1"; empty for any number. */
+  /** @brief Returns "above 0", "at least 1", "from 0 to 1"; empty without limits. */
   std::string text(const std::string& unit = "") const;
 };
 
-/** @brief The command line of a tool: every option is declared once, with its unit, and
- * its default is what the variable holds.
+/** @brief The command line of a tool. Every option is declared once, with its unit; the
+ * variable's value is the default.
  * @code
  * pcl::ParallelVoxelGrid<pcl::PCLPointCloud2> grid;
  * std::string input, output;
@@ -51,27 +51,28 @@ struct Range {
  * options.number("leaf", leaf, "m", "edge of a voxel", Range::above(0));
  * return runTool(options, argc, argv, [&] { ... return Done; });
  * @endcode
- * An option may begin with one dash, as those of PCL's programs do. What is wrong with
- * a command line is thrown as a ToolError of one sentence. */
+ * An option may begin with one dash, as in PCL's programs. Errors in a command line are
+ * thrown as ToolError with one sentence. */
 class Options {
 public:
   Options(std::string tool, std::string purpose);
 
-  /** @brief A file or folder that must be named, in the order of these calls. */
+  /** @brief Declares a required file or folder; the order of calls is that of the
+   * arguments. */
   void file(const std::string& name, std::string& value, const std::string& help);
 
-  /** @brief A last file that may be left out; there can be no list then. */
+  /** @brief Declares an optional last file; excludes files(). */
   void
   optionalFile(const std::string& name, std::string& value, const std::string& help);
 
-  /** @brief One or more files or folders, at the place of this call among those of
-   * file(); there can be one such list. */
+  /** @brief Declares a list of one or more files or folders at this position among
+   * those of file(). At most one list is allowed. */
   void files(const std::string& name,
              std::vector<std::string>& values,
              const std::string& help);
 
-  /** @brief A number, `--name 0.05`, real or whole as `value` is; `unit` may be empty.
-   */
+  /** @brief Declares a number, `--name 0.05`, of the type of `value`; `unit` may be
+   * empty. */
   template <typename NumberT>
   void number(const std::string& name,
               NumberT& value,
@@ -83,7 +84,7 @@ public:
     constexpr bool whole = std::is_integral<NumberT>::value;
     range.low = std::max(range.low,
                          static_cast<double>(std::numeric_limits<NumberT>::lowest()));
-    // 2^53 is the last number up to which all whole ones are doubles.
+    // Up to 2^53, doubles represent all integers.
     range.high =
         std::min({range.high, static_cast<double>(std::numeric_limits<NumberT>::max()),
                   whole ? 9007199254740992.0 : range.high});
@@ -91,8 +92,8 @@ public:
               [&value](double v) { value = static_cast<NumberT>(v); });
   }
 
-  /** @brief A number without a default: `is_set` tells whether it was given,
-   * `otherwise` is what the help says of its absence. */
+  /** @brief Declares a number without a default. `is_set` returns whether it was given;
+   * `otherwise` describes its absence in the help. */
   void optionalNumber(const std::string& name,
                       double& value,
                       bool& is_set,
@@ -101,24 +102,24 @@ public:
                       const std::string& otherwise,
                       Range range = Range());
 
-  /** @brief A text, `--name text`; one of `choices` unless that is empty. */
+  /** @brief Declares a text, `--name text`; one of `choices` unless that is empty. */
   void text(const std::string& name,
             std::string& value,
             const std::string& help,
             const std::vector<std::string>& choices = {});
 
-  /** @brief A switch, `--name`, which sets `value`. */
+  /** @brief Declares a switch, `--name`, which sets `value`. */
   void flag(const std::string& name, bool& value, const std::string& help);
 
   /** @brief Reads the command line into the variables.
-   * @return false if -h, --help or --version was given, and nothing else matters:
-   * then answer() is what was asked for */
+   * @return false if -h, --help or --version was given; answer() then returns the
+   * text */
   bool parse(int argc, const char* const* argv);
 
-  /** @brief Purpose, usage, files and options with units and defaults. */
+  /** @brief Returns purpose, usage, files and options with units and defaults. */
   std::string help() const;
 
-  /** @brief Name and version, one line. */
+  /** @brief Returns name and version, one line. */
   std::string version() const;
 
   std::string answer() const { return wants_version_ ? version() : help(); }
@@ -129,13 +130,13 @@ private:
   struct File {
     std::string name;
     std::string help;
-    std::string* value;               ///< null of a list
-    std::vector<std::string>* values; ///< of a list, else null
+    std::string* value;               ///< null for a list
+    std::vector<std::string>* values; ///< null unless a list
     bool is_needed = true;
   };
   struct Option {
     std::string name;
-    std::string help; ///< whole, with unit and default
+    std::string help; ///< complete, with unit and default
     bool takes_value;
     std::function<void(const std::string&)> read;
   };
@@ -152,7 +153,7 @@ private:
 
   std::string usage() const;
 
-  /** @brief Hands out the names on the command line. */
+  /** @brief Assigns the file names of the command line. */
   void readFiles(const std::vector<std::string>& names) const;
 
   std::string tool_;

@@ -18,8 +18,8 @@ namespace tools {
 
 namespace {
 
-/** @brief How far below the floor or above the ceiling of a room a point is; 0 between.
- */
+/** @brief Returns how far a point is below the floor or above the ceiling of a room,
+ * else 0. */
 double
 heightBeside(const PlanRoom& room, const Eigen::Vector3d& p)
 {
@@ -27,7 +27,7 @@ heightBeside(const PlanRoom& room, const Eigen::Vector3d& p)
   return std::max({0.0, room.floorAt(place) - p.z(), p.z() - room.ceilingAt(place)});
 }
 
-/** @brief Number of the room that holds `p`, else of the nearest. */
+/** @brief Returns the number of the room that contains `p`, or else of the nearest. */
 std::uint32_t
 roomAt(const Floorplan& plan, const Eigen::Vector3d& p)
 {

@@ -14,26 +14,24 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Reads a floor plan. What is wrong, no room in it too, is a ToolError of one
- * sentence. */
+/** @brief Reads a floor plan. Throws ToolError on failure, including a plan without
+ * rooms. */
 std::shared_ptr<const Floorplan> loadFloorplan(const std::string& path);
 
-/** @brief What the places of a floor plan, or those of a report.json, are counted from.
- */
+/** @brief Returns the origin of the coordinates in a floor plan or a report.json. */
 Origin planOrigin(const std::string& path);
 
-/** @brief Throws a ToolError if no file can be written to `path`, or if its name does
- * not end in .json, so that no scan is overwritten. To be asked before the work. */
+/** @brief Throws ToolError if `path` cannot be written or does not end in .json, which
+ * protects scans. To be called before the work. */
 void checkJsonOutput(const std::string& path);
 
-/** @brief Rooms of the points in a file that has none: that of the plan that holds the
- * point or is nearest to it. Where any labelled point has a room, nothing is
- * changed. */
+/** @brief Assigns rooms to points of a file that has none: the plan's room that
+ * contains the point, or else the nearest. Does nothing if any labelled point has a
+ * room. */
 void giveRooms(const Floorplan& plan, ToolCloud& cloud);
 
-/** @brief Writes points of the structure to the rows of `blob`, as many: x, y, z, and
- * the fields normal_x, normal_y, normal_z, label and room, which are added where
- * missing. */
+/** @brief Writes points of the structure to the same number of rows of `blob`: x, y, z,
+ * normal_x, normal_y, normal_z, label and room. Missing fields are added. */
 void setSurfacePoints(pcl::PCLPointCloud2& blob,
                       const std::vector<SurfacePoint>& points);
 

@@ -9,8 +9,8 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief The walls that lean of the plan in a file that loadFloorplan() has read. What
- * is wrong with them is a ToolError of one sentence. */
+/** @brief Returns the tilted walls in a plan file that loadFloorplan() has read. Throws
+ * ToolError if they are invalid. */
 WallTilts planTilts(const std::string& path);
 
 } // namespace tools

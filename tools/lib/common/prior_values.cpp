@@ -25,7 +25,7 @@ trimmed(const std::string& text)
              : text.substr(first, text.find_last_not_of(blank) - first + 1);
 }
 
-/** @brief Sets one prior of "name = value"; what is wrong is thrown. */
+/** @brief Sets one prior from "name = value"; throws if it is invalid. */
 void
 readPrior(const std::string& line, Priors& priors)
 {

@@ -9,13 +9,13 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief The priors that a command line asks for; throws ToolError with what is wrong.
- * @param list name=value, with commas between them; these come after the file's
- * @param path file with a line of name = value for each, # begins a comment; may be
- * empty */
+/** @brief Returns the priors requested on a command line; throws ToolError if invalid.
+ * @param list name=value, separated by commas; overrides the file
+ * @param path file with one name = value per line, # begins a comment; may be empty */
 Priors priorsOf(const std::string& list, const std::string& path = {});
 
-/** @brief The priors in use as a table of text: value, unit, range, source, where. */
+/** @brief Returns the priors in use as a text table: value, unit, range, source, place
+ * of use. */
 std::string explained(const Priors& priors);
 
 } // namespace tools

@@ -11,8 +11,8 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Tells on a terminal what a tool is at, from its making to its end, if that
- * takes over a second. Silent where stderr is no terminal.
+/** @brief Shows the current step on a terminal during this object's lifetime, if that
+ * exceeds a second. Silent if stderr is no terminal.
  * @code
  * const Progress progress("finding planes");
  * @endcode */

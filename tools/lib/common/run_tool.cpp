@@ -17,7 +17,7 @@ namespace tools {
 
 namespace {
 
-/** @brief Name of the program that runs. */
+/** @brief Returns the name of the running program. */
 std::string&
 runningTool()
 {

@@ -24,7 +24,7 @@ originOfModel(const std::string& path)
   }
   if (fs::path(path).extension() == ".json")
     return planOrigin(path);
-  constexpr int most_lines = 20; // of a header
+  constexpr int most_lines = 20; // in a header
   const MappedFile file(path);
   TextCursor cursor(file, 0);
   Origin origin;

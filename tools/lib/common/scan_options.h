@@ -10,14 +10,15 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief What a command line says of how scans are read. */
+/** @brief Options for reading scans, as given on the command line. */
 struct ScanOptions {
-  ScanSettings settings; ///< those that need no look at other files
+  ScanSettings settings; ///< settings that are independent of other files
   std::string origin;    ///< "x,y,z"
   std::string origin_of; ///< a model or cloud
   bool no_shift = false;
 
-  /** @brief All of it; bad or contradicting options are a ToolError. */
+  /** @brief Returns the complete settings; throws ToolError on invalid or contradictory
+   * options. */
   ScanSettings resolved() const;
 };
 
@@ -39,8 +40,8 @@ void addPositionsOption(Options& options, ScanOptions& scan);
 /** @brief Declares all of them but --positions. */
 void addScanOptions(Options& options, ScanOptions& scan);
 
-/** @brief What the coordinates of a model are counted from: a folder that pcl_sedr has
- * left, its floorplan.json, or a PCD, PLY or OBJ; 0, 0, 0 where that tells none. */
+/** @brief Returns the origin of a model's coordinates, from a folder of pcl_sedr, its
+ * floorplan.json, or a PCD, PLY or OBJ; 0, 0, 0 if none is stated. */
 Origin originOfModel(const std::string& path);
 
 } // namespace tools

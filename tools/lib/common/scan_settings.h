@@ -11,16 +11,16 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief How a scan is read. */
+/** @brief Settings for reading a scan. */
 struct ScanSettings {
-  double unit = 1;              ///< metres that one unit of the file stands for
-  std::optional<Origin> origin; ///< to count coordinates from; none: found by itself
+  double unit = 1;              ///< metres per unit of the file
+  std::optional<Origin> origin; ///< of coordinates; empty: chosen automatically
   bool shifts = true;           ///< whether an origin is subtracted if none is given
-  std::size_t scan = 0;         ///< number, from 1, of the scan of an E57 file; 0: all
-  bool skip_broken = false;     ///< leave out scans of an E57 file that cannot be read
-  std::string positions;        ///< file of scanner positions; empty: as the scan says
-  std::string columns;          ///< names of the columns of a text; empty: as it says
-  std::size_t piece_bytes = std::size_t{1} << 23; ///< about how much makes a piece
+  std::size_t scan = 0;     ///< number, from 1, of a scan within an E57 file; 0: all
+  bool skip_broken = false; ///< skip scans of an E57 file that cannot be read
+  std::string positions;    ///< file of scanner positions; empty: from the scan
+  std::string columns;      ///< names of columns in a text file; empty: from the file
+  std::size_t piece_bytes = std::size_t{1} << 23; ///< approximate size of a piece
 };
 
 } // namespace tools

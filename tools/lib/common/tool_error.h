@@ -8,15 +8,15 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief What a tool's exit code says. */
+/** @brief Meaning of a tool's exit code. */
 enum ExitCode {
   Done = 0,
   BadUse = 1,       ///< bad options, unreadable input, output that cannot be written
-  NothingFound = 2, ///< the input was read, but does not hold what the tool looks for
-  Incomplete = 3    ///< a part of the work was lost; the rest is there
+  NothingFound = 2, ///< the input was read, but lacks what the tool looks for
+  Incomplete = 3    ///< a part of the work was lost; the rest exists
 };
 
-/** @brief Ends a tool with one sentence and an exit code; runTool() prints it. */
+/** @brief Ends a tool with a sentence, printed by runTool(), and an exit code. */
 class ToolError : public std::runtime_error {
 public:
   explicit ToolError(const std::string& sentence, ExitCode exit_code = BadUse)

@@ -16,24 +16,23 @@ enum class ChangeKind { Appeared, Vanished, Moved };
 
 const char* toString(ChangeKind kind);
 
-/** @brief One thing that is no longer as it was. */
+/** @brief A difference between two plans. */
 struct Change {
   ChangeKind kind = ChangeKind::Moved;
-  std::string what; ///< "partition", "wall", "column", "soffit", "room"
-  std::vector<std::string>
-      before;                     ///< elements of the first plan, as a solid names them
-  std::vector<std::string> after; ///< of the second one
-  Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< of what moved, metres
+  std::string what;                ///< "partition", "wall", "column", "soffit", "room"
+  std::vector<std::string> before; ///< elements of the first plan, named as in a solid
+  std::vector<std::string> after;  ///< elements of the second plan
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< of a moved element, metres
   double size = 0;        ///< length of walls (m), area of all else (square metres)
-  bool is_length = false; ///< what `size` is
+  bool is_length = false; ///< whether `size` is a length
 };
 
-/** @brief From when on something counts as a change. */
+/** @brief Thresholds for changes. */
 struct CompareSettings {
-  double tolerance = 0.05;     ///< metres off its place
+  double tolerance = 0.05;     ///< displacement, metres
   double minimum_length = 0.3; ///< of a piece of wall, metres
   double minimum_area = 0.1;   ///< of a slab, square metres
-  double farthest = 1.5; ///< metres: what is farther from where it was is another thing
+  double farthest = 1.5;       ///< maximum distance of corresponding elements, metres
 };
 
 } // namespace tools

@@ -21,8 +21,8 @@ struct ColouredTriangle {
   Colour colour;
 };
 
-/** @brief Colours of elements by the beginning of their names: room_1_column_2 also
- * stands for its faces, room_1 for all of the room. */
+/** @brief Colours of elements by prefixes of their names: room_1_column_2 includes its
+ * faces, room_1 the whole room. */
 using NamedColours = std::map<std::string, Colour>;
 
 const std::string step_name = "_floor_detail";
@@ -34,7 +34,7 @@ colourFor(const std::string& name, const NamedColours& colours, Colour otherwise
     const auto found = colours.find(part);
     if (found != colours.end())
       return found->second;
-    // A step is a part of its room, but none of the floor that it stands on.
+    // A step is part of its room, but not of the floor below it.
     const std::size_t step = part.rfind(step_name);
     const bool is_step =
         step != std::string::npos && step + step_name.size() == part.size();
@@ -44,8 +44,8 @@ colourFor(const std::string& name, const NamedColours& colours, Colour otherwise
   return otherwise;
 }
 
-/** @brief Adds the faces of a plan's solids; those that `keep_others` leaves out have
- * no colour of their own. */
+/** @brief Adds the faces of a plan's solids. `keep_others` includes faces without a
+ * colour of their own. */
 void
 addFaces(const Floorplan& plan,
          const NamedColours& colours,

@@ -11,7 +11,7 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief What a colour of the mesh of changes means. */
+/** @brief Colours of changes in the mesh. */
 namespace change_colours {
 constexpr Colour unchanged{190, 190, 190};
 constexpr Colour appeared{40, 160, 70};
@@ -19,9 +19,9 @@ constexpr Colour vanished{210, 40, 40};
 constexpr Colour moved{240, 150, 30};
 } // namespace change_colours
 
-/** @brief Writes the solids of the second plan as a binary PLY with a colour a face
- * corner: grey where nothing has changed, green what appeared, orange what has moved;
- * and what vanished of the first plan, red. What fails is a ToolError. */
+/** @brief Writes the solids of the second plan as a binary PLY with a colour per face
+ * corner: grey unchanged, green appeared, orange moved. Vanished parts of the first
+ * plan are red. Throws ToolError on failure. */
 void saveChangeMesh(const std::string& path,
                     const Floorplan& before,
                     const Floorplan& after,

@@ -12,7 +12,7 @@ namespace tools {
 
 namespace {
 
-constexpr double chord = 0.005; // between an arc and its lines, metres
+constexpr double chord = 0.005; // metres, between an arc and its chords
 
 using Path = std::vector<Eigen::Vector2d>;
 
@@ -25,7 +25,7 @@ closedPath(const PlanLoop& loop)
   return path;
 }
 
-/** @brief Where the elements of a plan are, by the names that changes have for them. */
+/** @brief Returns the paths of a plan's elements by the names used in changes. */
 std::map<std::string, Path>
 pathsOf(const Floorplan& plan)
 {
@@ -74,7 +74,7 @@ middleOf(const Path& path)
   return sum / static_cast<double>(path.size());
 }
 
-/** @brief Adds elements in a colour; their change's name stands at the last. */
+/** @brief Adds elements in a colour, with the change's name at the last one. */
 void
 addElements(const std::vector<std::string>& names,
             const std::map<std::string, Path>& paths,
@@ -83,7 +83,7 @@ addElements(const std::vector<std::string>& names,
             Panel& panel)
 {
   constexpr double pixels = 3.5;
-  const Eigen::Vector2d above(0, 0.35); // metres: beside what it names
+  const Eigen::Vector2d above(0, 0.35); // metres, from the named element
   for (const auto& name : names) {
     const auto found = paths.find(name);
     if (found == paths.end() || found->second.empty())

@@ -8,9 +8,9 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Both plans over each other, the first one faint, and what has changed in the
- * colours of saveChangeMesh(): walls as lines, columns, details and rooms as outlines.
- */
+/** @brief Draws both plans on top of each other, the first one faint, with changes in
+ * the colours of saveChangeMesh(): walls as lines; columns, details and rooms as
+ * outlines. */
 Picture drawChanges(const Floorplan& before,
                     const Floorplan& after,
                     const std::vector<Change>& changes);

@@ -55,11 +55,11 @@ columnsOf(const Floorplan& plan)
   return columns;
 }
 
-/** @brief How far apart two columns are, if they may be the same one. */
+/** @brief Returns the distance of two columns, if they may be the same one. */
 double
 distanceOf(const Column& a, const Column& b)
 {
-  constexpr double most_ratio = 2; // of areas: hidden sides are guesses
+  constexpr double most_ratio = 2; // of areas; hidden sides are inferred
   const bool is_alike = a.area < most_ratio * b.area && b.area < most_ratio * a.area &&
                         shareHeights(a.heights, b.heights);
   return is_alike ? (a.centre - b.centre).norm()
@@ -75,7 +75,7 @@ isInARoom(const Floorplan& plan, const Column& column)
   });
 }
 
-/** @brief The columns of a list that stand in the room of the other plan. */
+/** @brief Adds the columns of a list that lie in a room of the other plan. */
 void
 addAll(const std::vector<Column>& columns,
        const Floorplan& other,

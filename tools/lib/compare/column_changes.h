@@ -7,9 +7,8 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief The columns that have moved, appeared or vanished. One of another size at
- * its old place has neither; one that has become a part of the walls has not vanished.
- */
+/** @brief Finds columns that moved, appeared or vanished. A column that only changed
+ * its size, or became part of the walls, is not reported. */
 std::vector<Change> columnChanges(const Floorplan& before,
                                   const Floorplan& after,
                                   const CompareSettings& settings);

@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/** @brief A length with its sign: "+0.30". */
+/** @brief Formats a length with its sign: "+0.30". */
 std::string
 signedText(double metres)
 {
@@ -30,7 +30,7 @@ signedText(double metres)
 std::string
 shiftText(const Eigen::Vector3d& shift)
 {
-  constexpr double nothing = 0.005; // metres: what two digits show as 0
+  constexpr double nothing = 0.005; // metres; shown as 0 with two digits
   std::string parts;
   for (int k = 0; k < 3; ++k)
     if (std::abs(shift[k]) >= nothing)
@@ -48,7 +48,7 @@ listOf(const std::vector<std::string>& names)
   return list;
 }
 
-/** @brief Millimetres are enough. */
+/** @brief Rounds to millimetres. */
 double
 rounded(double value)
 {

@@ -10,19 +10,18 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief What has become of the rooms of a plan by the time of another: rooms, walls,
- * columns, slabs and their details, in this order. Both must lie in one frame, see
- * alignPlans(). Two plans of one building that differ by less than the tolerance have
- * no changes. */
+/** @brief Compares two plans of a building: rooms, walls, columns, slabs and their
+ * details, in this order. Both must be in the same frame, see alignPlans(). Plans that
+ * differ by less than the tolerance have no changes. */
 std::vector<Change> comparePlans(const Floorplan& before,
                                  const Floorplan& after,
                                  const CompareSettings& settings);
 
-/** @brief A change in a line: "moved partition by 0.30 m (x +0.30, y +0.00), 3.0 m:
- * room_1_wall_3, room_2_wall_1 -> room_1_wall_3, room_2_wall_1". */
+/** @brief Describes a change in a line: "moved partition by 0.30 m (x +0.30, y +0.00),
+ * 3.0 m: room_1_wall_3, room_2_wall_1 -> room_1_wall_3, room_2_wall_1". */
 std::string describe(const Change& change);
 
-/** @brief The changes as JSON, with the settings; metres and square metres. */
+/** @brief Returns the changes as JSON, with the settings; metres and square metres. */
 std::string changesToJson(const std::vector<Change>& changes,
                           const CompareSettings& settings);
 

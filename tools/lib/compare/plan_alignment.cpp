@@ -16,13 +16,13 @@ namespace tools {
 
 namespace {
 
-constexpr double sample_step = 0.1; // between samples of walls, metres
+constexpr double sample_step = 0.1; // metres, along walls
 constexpr int rounds = 60;
-constexpr double narrowing = 0.85;             // of the reach, a round
+constexpr double narrowing = 0.85;             // factor of the reach per round
 constexpr double last_reach = 0.03;            // metres
-const double alike_walls = std::cos(M_PI / 6); // of directions
+const double alike_walls = std::cos(M_PI / 6); // maximum angle between directions
 
-/** @brief A place of a wall, and the way into its room. */
+/** @brief A point of a wall, and the direction into its room. */
 struct Sample {
   double weight = 1;
   Eigen::Vector2d place = Eigen::Vector2d::Zero();
@@ -30,8 +30,8 @@ struct Sample {
   RoomHeights heights; ///< of the room
 };
 
-/** @brief Whether another room lies behind a wall, up to the thickness of partitions.
- */
+/** @brief Returns whether another room lies behind a wall, within the thickness of
+ * partitions. */
 bool
 isPartition(const Floorplan& plan, const Sample& sample)
 {
@@ -43,8 +43,8 @@ isPartition(const Floorplan& plan, const Sample& sample)
   return false;
 }
 
-/** @brief Places along all walls. What is rebuilt is a partition rather than an outer
- * wall, so those count less. */
+/** @brief Samples all walls. Partitions have less weight, as they are rebuilt more
+ * often than outer walls. */
 std::vector<Sample>
 samplesOf(const Floorplan& plan)
 {
@@ -67,10 +67,10 @@ samplesOf(const Floorplan& plan)
   return samples;
 }
 
-/** @brief The nearest place of a plan's walls that faces the same way, of rooms at the
- * heights of the sample's.
- * @param heights of the rooms of the plan
- * @return false where there is none within `reach` */
+/** @brief Finds the nearest point of a plan's walls with the same orientation, in rooms
+ * at the sample's heights.
+ * @param heights of the plan's rooms
+ * @return false if there is none within `reach` */
 bool
 findPartner(const Floorplan& plan,
             const std::vector<RoomHeights>& heights,
@@ -95,7 +95,7 @@ findPartner(const Floorplan& plan,
   return least < reach;
 }
 
-/** @brief A transform, then a turn about `pivot` and a shift. */
+/** @brief Returns a transform followed by a rotation about `pivot` and a shift. */
 PlanTransform
 after(const PlanTransform& first,
       double angle,
@@ -118,7 +118,8 @@ middleOf(const std::vector<Sample>& samples)
   return sum / static_cast<double>(std::max<std::size_t>(1, samples.size()));
 }
 
-/** @brief How many places have to have a partner: a tenth of the smaller plan's. */
+/** @brief Returns the minimum number of samples with a partner: a tenth of the smaller
+ * plan's. */
 std::size_t
 fewestPartners(const Floorplan& fixed, std::size_t samples)
 {
@@ -127,8 +128,8 @@ fewestPartners(const Floorplan& fixed, std::size_t samples)
   return std::max(unknowns, std::min(samples, samplesOf(fixed).size()) / share);
 }
 
-/** @brief The middle of those values that lie closest together: within half a metre,
- * which storeys are farther apart; of several such ones of the smaller. 0 of none. */
+/** @brief Returns the centre of the densest interval of half a metre, less than the
+ * distance of storeys; the smaller one of equals. 0 without values. */
 double
 commonValue(std::vector<double> values)
 {
@@ -150,7 +151,7 @@ commonValue(std::vector<double> values)
   return common;
 }
 
-/** @brief The rooms that hold a place, which lie above each other. */
+/** @brief Returns the rooms that contain a place in plan, at any height. */
 std::vector<const PlanRoom*>
 roomsOver(const Floorplan& plan, const Eigen::Vector2d& place)
 {
@@ -161,9 +162,9 @@ roomsOver(const Floorplan& plan, const Eigen::Vector2d& place)
   return rooms;
 }
 
-/** @brief How much higher the floors of a plan are than those of another one: the
- * difference on which most places agree. Where rooms lie above each other, each floor
- * of a place differs from each of the other plan. */
+/** @brief Returns the height offset of a plan's floors from another one's: the
+ * difference that most places support. Where rooms lie above each other, all pairs of
+ * floors contribute. */
 double
 riseOf(const Floorplan& moving, const Floorplan& fixed)
 {
@@ -177,7 +178,7 @@ riseOf(const Floorplan& moving, const Floorplan& fixed)
   return commonValue(rises);
 }
 
-/** @brief The plane of a slab that has been turned about the vertical and shifted. */
+/** @brief Transforms the plane of a slab. */
 PlanSlab
 transformedSlab(PlanSlab slab, const PlanTransform& transform)
 {
@@ -276,7 +277,8 @@ alignPlans(const Floorplan& moving, const Floorplan& fixed, double reach)
     double weights = 0;
     std::size_t partners = 0;
     const Eigen::Rotation2Dd turn(transform.angle);
-    // Turning about the plan itself: about a far origin it would bend its own way.
+    // Rotation about the plan's centre, since a far origin would couple rotation and
+    // shift.
     const Eigen::Vector2d pivot = transform(middle);
     for (const auto& sample : samples) {
       const Sample now{sample.weight, transform(sample.place), turn * sample.normal,
@@ -284,7 +286,7 @@ alignPlans(const Floorplan& moving, const Floorplan& fixed, double reach)
       Sample partner;
       if (!findPartner(fixed, heights, now, reach, partner))
         continue;
-      // Point to line: sliding along the wall costs nothing.
+      // Point to line: sliding along the wall has no cost.
       const double residual = partner.normal.dot(partner.place - now.place);
       const Eigen::Vector2d arm = now.place - pivot;
       const Eigen::Vector3d row(partner.normal.x(), partner.normal.y(),
@@ -299,7 +301,7 @@ alignPlans(const Floorplan& moving, const Floorplan& fixed, double reach)
     }
     if (partners < fewest)
       return std::nullopt;
-    // A long corridor says nothing of the way along it: then that stays as it was.
+    // Regularises the direction along a long corridor, which is undetermined.
     normal_matrix += 1e-6 * weights * Eigen::Matrix3d::Identity();
     const Eigen::Vector3d change = normal_matrix.ldlt().solve(right_side);
     transform = after(transform, change.z(), pivot, change.head<2>());

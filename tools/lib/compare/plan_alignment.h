@@ -11,7 +11,7 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief A turn about the vertical through the origin, then a shift. */
+/** @brief A rotation about the vertical through the origin, then a shift. */
 struct PlanTransform {
   double angle = 0;                                ///< radians, counter-clockwise
   Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< metres
@@ -19,16 +19,16 @@ struct PlanTransform {
   Eigen::Vector2d operator()(const Eigen::Vector2d& p) const;
 };
 
-/** @brief The plan, turned and shifted. */
+/** @brief Returns the transformed plan. */
 Floorplan transformed(const Floorplan& plan, const PlanTransform& transform);
 
-/** @brief The transform that brings a roughly aligned plan onto another, by ICP of the
- * walls: each is drawn to the nearest one that faces the same way (point to line), at
- * first up to `reach` metres away and at last as near as most are, so that what has
- * changed does not count; the height follows from the floors. Most walls must
- * lie within the reach of their place.
- * @return nothing where too few places along the walls have a partner: less than a
- * tenth of those of the smaller plan, or than three */
+/** @brief Aligns a roughly aligned plan with another by ICP of the walls (point to
+ * line). Each wall is drawn to the nearest one with the same orientation, first within
+ * `reach` metres. The reach then shrinks to the distance of most walls, so that changes
+ * do not count. The height follows from the floors. Most walls must be within the reach
+ * of their place.
+ * @return empty if too few wall samples have a partner: less than a tenth of those of
+ * the smaller plan, or less than three */
 std::optional<PlanTransform>
 alignPlans(const Floorplan& moving, const Floorplan& fixed, double reach = 0.5);
 

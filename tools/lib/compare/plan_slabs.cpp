@@ -31,7 +31,7 @@ slabsOf(const Floorplan& plan, bool is_floor)
         const int detail = is_floor ? room.floorDetailAt(place) : room.detailAt(place);
         const double height = is_floor ? room.floorAt(place) : room.ceilingAt(place);
         auto& spots = slabs[keyOf({x, y})];
-        // Of rooms that overlap at their heights the last one is there.
+        // Of rooms that overlap at their heights, the last one counts.
         spots.erase(std::remove_if(spots.begin(), spots.end(),
                                    [&](const Spot& spot) {
                                      return shareHeights(spot.heights, heights);

@@ -12,10 +12,9 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-constexpr double slab_cell =
-    0.1; ///< edge of the cells that slabs are compared by, metres
+constexpr double slab_cell = 0.1; ///< edge of the cells for comparing slabs, metres
 
-/** @brief A place of a plan: its room, and what is above or below. */
+/** @brief A place of a plan: its room, and the slab above or below. */
 struct Spot {
   const PlanRoom* room = nullptr;
   int detail = -1;     ///< index in the room's list, -1 for the main slab
@@ -23,16 +22,15 @@ struct Spot {
   RoomHeights heights; ///< of the room
 };
 
-/** @brief A plan seen from below (the ceilings) or above (the floors), cell by cell:
- * rooms that lie above each other have a spot each. */
+/** @brief Floors or ceilings of a plan by cell, with a spot for each room above each
+ * other. */
 using Slabs = std::map<CellKey, std::vector<Spot>>;
 
-/** @brief The cells whose middle lies in a room, with the floor or the ceiling there.
- */
+/** @brief Returns the cells with their centre in a room, with its floor or ceiling. */
 Slabs slabsOf(const Floorplan& plan, bool is_floor);
 
-/** @brief The spot in a cell that shares most of the heights of a spot's room; null
- * where there is none but of rooms above or below. */
+/** @brief Returns the spot in a cell with the largest overlap of room heights; null if
+ * its rooms are all above or below. */
 const Spot* spotBeside(const Slabs& slabs, CellKey cell, const Spot& spot);
 
 } // namespace tools

@@ -9,7 +9,8 @@ namespace tools {
 
 namespace {
 
-/** @brief The rooms of a plan of which less than half is room in the other. */
+/** @brief Returns the rooms of a plan with less than half their area in rooms of the
+ * other. */
 std::vector<Change>
 lostRooms(const Floorplan& plan,
           const Floorplan& other,

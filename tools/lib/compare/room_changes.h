@@ -7,12 +7,12 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Rooms that are new or gone as a whole: less than half of their floor is floor
- * in the other plan. */
+/** @brief Rooms that appeared or vanished: less than half of their floor is floor in
+ * the other plan. */
 struct RoomChanges {
   std::vector<Change> changes;
-  std::vector<std::uint32_t> before; ///< ids of those that vanished
-  std::vector<std::uint32_t> after;  ///< of those that appeared
+  std::vector<std::uint32_t> before; ///< ids of rooms that vanished
+  std::vector<std::uint32_t> after;  ///< ids of rooms that appeared
 };
 
 RoomChanges roomChanges(const Floorplan& before, const Floorplan& after);

@@ -21,16 +21,16 @@ constexpr double half = 0.5;
 /** @brief A slab of a plan: a detail, or a room's main ceiling or floor. */
 using SlabId = std::pair<std::uint32_t, int>;
 
-/** @brief What the other plan has over the cells of a slab. */
+/** @brief The part of the other plan over the cells of a slab. */
 struct Overlap {
   const PlanRoom* room = nullptr;
   std::size_t cells = 0;
   Eigen::Vector3d sum =
-      Eigen::Vector3d::Zero();          ///< of its cells' middles, at its height
-  std::size_t known = 0;                ///< cells that are in rooms of the other plan
-  std::size_t same = 0;                 ///< of them at the same height
+      Eigen::Vector3d::Zero();          ///< mean of its cells' centres, at its height
+  std::size_t known = 0;                ///< cells in rooms of the other plan
+  std::size_t same = 0;                 ///< of those, cells at the same height
   std::map<SlabId, std::size_t> others; ///< cells over each slab of the other plan
-  std::map<SlabId, std::vector<double>> rises; ///< heights of the other less ours
+  std::map<SlabId, std::vector<double>> rises; ///< heights of the other plan minus own
 
   Eigen::Vector3d middle() const { return sum / static_cast<double>(cells); }
 };
@@ -60,7 +60,8 @@ overlapsOf(const Slabs& slabs, const Slabs& others, double tolerance)
   return overlaps;
 }
 
-/** @brief "soffit", "recess", "step" or "pit"; "ceiling" or "floor" for main slabs. */
+/** @brief Returns "soffit", "recess", "step" or "pit"; "ceiling" or "floor" for main
+ * slabs. */
 std::string
 wordFor(const PlanRoom& room, int detail, bool is_floor)
 {
@@ -88,7 +89,7 @@ nameOf(SlabId id, bool is_floor)
          std::to_string(id.second + 1);
 }
 
-/** @brief The slab of the other plan that takes over half of this one's place. */
+/** @brief Returns the slab of the other plan that covers over half of this one. */
 std::optional<SlabId>
 successorOf(const Overlap& overlap)
 {
@@ -98,7 +99,7 @@ successorOf(const Overlap& overlap)
   return std::nullopt;
 }
 
-/** @brief What has become of the slabs of one side, floors or ceilings. */
+/** @brief Compares the slabs of one side, floors or ceilings. */
 class SideComparison {
 public:
   SideComparison(const Floorplan& before,
@@ -146,8 +147,8 @@ public:
   }
 
 private:
-  /** @brief Whether most of a slab's place, as far as it is known to both, is at
-   * another height, and enough of it. */
+  /** @brief Returns whether most of a slab's area known in both plans, and enough of
+   * it, is at another height. */
   bool hasChanged(const Overlap& overlap) const
   {
     const double other = static_cast<double>(overlap.known - overlap.same);
@@ -155,15 +156,16 @@ private:
            other * slab_cell * slab_cell >= settings_.minimum_area;
   }
 
-  /** @brief Whether a slab of the second plan was told as one that has moved there. */
+  /** @brief Returns whether a slab of the second plan was reported as the target of a
+   * move. */
   static bool isSuccessor(const Overlap& overlap)
   {
     const auto predecessor = successorOf(overlap);
     return predecessor && predecessor->second >= 0;
   }
 
-  /** @brief Whether a detail that is gone may be one that has come elsewhere: of one
-   * kind, like size and the same height, not too far away. */
+  /** @brief Returns whether a vanished detail may have moved to an appeared one: same
+   * kind, similar size, same height, not too far away. */
   bool isShifted(SlabId was, SlabId now) const
   {
     constexpr double most_ratio = 1.3; // of areas

@@ -7,9 +7,9 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Ceilings and floors at another height, and soffits, recesses, steps and
- * platforms that have moved up or down, appeared or vanished. A detail is where it was
- * if over half of it the other plan has the same height, whatever it calls it. */
+/** @brief Finds ceilings and floors at another height, and soffits, recesses, steps and
+ * platforms that moved vertically, appeared or vanished. A detail is unchanged if the
+ * other plan has the same height over more than half of it, whatever its kind. */
 std::vector<Change> slabChanges(const Floorplan& before,
                                 const Floorplan& after,
                                 const CompareSettings& settings);

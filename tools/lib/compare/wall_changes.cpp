@@ -12,7 +12,7 @@ namespace tools {
 
 namespace {
 
-/** @brief Faces that are one change. */
+/** @brief Faces that form one change. */
 struct Group {
   std::vector<Face> faces;
   bool is_partition = false;
@@ -45,15 +45,15 @@ grouped(const std::vector<Face>& faces)
   return groups;
 }
 
-/** @brief A face and where it is now. */
+/** @brief A face and its new position. */
 struct Move {
   Face before;
   Face after;
   double distance = 0; ///< along the normal, metres
 };
 
-/** @brief Takes the faces that have moved, the nearest pairs first, out of both lists.
- */
+/** @brief Removes moved faces from both lists and returns them, the nearest pairs
+ * first. */
 std::vector<Move>
 takeMoves(std::vector<Face>& before, std::vector<Face>& after, double farthest)
 {
@@ -78,10 +78,8 @@ takeMoves(std::vector<Face>& before, std::vector<Face>& after, double farthest)
   }
 }
 
-/** @brief Leaves out the pieces of walls before which the other plan has no room: what
- * has appeared there hides them, or what has vanished hid them before, and that is
- * told.
- */
+/** @brief Removes pieces of walls with no room of the other plan in front of them. An
+ * element that appeared or vanished there hides them and is reported itself. */
 void
 dropHidden(std::vector<Face>& faces, const Floorplan& other)
 {
@@ -113,7 +111,7 @@ changeOf(const std::vector<Move>& moves)
   return change;
 }
 
-/** @brief Moves of both faces of a partition by the same way are one. */
+/** @brief Adds moves; equal moves of both faces of a partition are merged. */
 void
 addMoves(std::vector<Move> moves, double tolerance, std::vector<Change>& changes)
 {

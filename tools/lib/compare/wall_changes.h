@@ -7,12 +7,12 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief The walls that have moved, appeared or vanished, by the places of their faces
- * alone: a wall that only became longer, or belongs to another room now, is none. The
- * two faces of a partition that change alike are one change, and so are neighbours in a
- * room's outline that appear or vanish together.
- * @param ignored_before,ignored_after rooms whose walls are not looked at, those that
- * appeared or vanished as a whole */
+/** @brief Finds walls that moved, appeared or vanished, by the positions of their faces
+ * only. A wall that became longer or belongs to another room is not reported. Equal
+ * changes of both faces of a partition are merged, as are neighbours in a room's
+ * outline that appear or vanish together.
+ * @param ignored_before,ignored_after rooms that appeared or vanished as a whole, whose
+ * walls are ignored */
 std::vector<Change> wallChanges(const Floorplan& before,
                                 const Floorplan& after,
                                 const CompareSettings& settings,

@@ -11,10 +11,10 @@ namespace tools {
 
 namespace {
 
-constexpr double step = 0.05;                // between samples of a wall, metres
-constexpr double thickest = 0.6;             // of a partition, metres
-const double alike = std::cos(M_PI / 9);     // of directions of one surface
-const double parallel = std::cos(M_PI / 18); // of a wall that has moved
+constexpr double step = 0.05;                // metres, along a wall
+constexpr double thickest = 0.6;             // metres, of a partition
+const double alike = std::cos(M_PI / 9);     // between directions of the same surface
+const double parallel = std::cos(M_PI / 18); // before and after a move
 
 bool
 isKept(std::uint32_t room, const std::vector<std::uint32_t>& ignored)
@@ -22,7 +22,8 @@ isKept(std::uint32_t room, const std::vector<std::uint32_t>& ignored)
   return std::find(ignored.begin(), ignored.end(), room) == ignored.end();
 }
 
-/** @brief Whether any of some rooms has a wall at a place that faces the same way. */
+/** @brief Returns whether any of the rooms has a wall with the same orientation at a
+ * place. */
 bool
 hasWallAt(const std::vector<const PlanRoom*>& rooms,
           const Eigen::Vector2d& place,
@@ -39,8 +40,8 @@ hasWallAt(const std::vector<const PlanRoom*>& rooms,
   return false;
 }
 
-/** @brief The longest piece of a wall that rooms of another plan do not have; of no
- * length where they have all. */
+/** @brief Returns the longest piece of a wall that rooms of another plan do not have;
+ * empty if they have all of it. */
 Face
 missingPiece(const PlanElement& wall,
              const std::vector<const PlanRoom*>& others,
@@ -64,7 +65,7 @@ missingPiece(const PlanElement& wall,
   return longest;
 }
 
-/** @brief Whether two faces lie side by side over half of the shorter one's length. */
+/** @brief Returns whether two faces are side by side over half of the shorter one. */
 bool
 overlap(const Face& a, const Face& b)
 {

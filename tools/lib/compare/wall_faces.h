@@ -12,12 +12,12 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief The part of a wall that the other plan does not have. */
+/** @brief A part of a wall that the other plan does not have. */
 struct Face {
   const PlanElement* wall = nullptr;
   std::uint32_t room = 0;
   std::size_t number = 0; ///< of the wall in its room, from 0
-  std::size_t walls = 0;  ///< of that room
+  std::size_t walls = 0;  ///< number of walls in that room
   double from = 0;        ///< along the wall, metres
   double to = 0;
   RoomHeights heights; ///< of its room
@@ -29,7 +29,8 @@ struct Face {
 
   double length() const { return to - from; }
 
-  /** @brief Whether nearly all of the wall is missing: only then it may have moved. */
+  /** @brief Returns whether nearly all of the wall is missing, as is required for a
+   * move. */
   bool isWhole() const { return length() > 0.7 * wall->length(); }
 
   double middle() const { return (from + to) / 2; }
@@ -43,23 +44,23 @@ struct Face {
   }
 };
 
-/** @brief The longest missing piece of each wall, where it is long enough to count. Of
- * the other plan the walls at the heights of its room are asked.
- * @param ignored rooms whose walls are not looked at */
+/** @brief Returns the longest missing piece of each wall, if long enough to count. It
+ * is compared with walls of the other plan at the heights of its room.
+ * @param ignored rooms whose walls are ignored */
 std::vector<Face> missingFaces(const Floorplan& plan,
                                const Floorplan& other,
                                const CompareSettings& settings,
                                const std::vector<std::uint32_t>& ignored);
 
-/** @brief How far a face has moved along its normal if `b` is where it is now; infinite
- * if it cannot be, as on another storey. */
+/** @brief Returns the distance between faces `a` and `b` along the normal if `b` may be
+ * the moved `a`; else infinite, e.g. on another storey. */
 double moveOf(const Face& a, const Face& b);
 
-/** @brief Both faces of one partition: opposite each other, closer than it can be
- * thick, at the same heights. */
+/** @brief Returns whether two faces belong to one partition: opposite each other within
+ * its maximum thickness, at the same heights. */
 bool isPartition(const Face& a, const Face& b);
 
-/** @brief Whether the walls follow each other in the outline of one room. */
+/** @brief Returns whether two walls are consecutive in the outline of one room. */
 bool areNeighbours(const Face& a, const Face& b);
 
 } // namespace tools

@@ -11,13 +11,14 @@ namespace tools {
 
 namespace {
 
-/** @brief Fine pixels along the edge of a pixel. */
+/** @brief Fine pixels per pixel along each axis. */
 constexpr int fineness = 3;
 
-/** @brief Fine pixels that a box is wide at least, so that single cells show. */
+/** @brief Minimum width of a box in fine pixels, so that single cells are visible. */
 constexpr double least_fine = 2;
 
-/** @brief The first fine pixel whose middle is not before `x`, within 0 and `limit`. */
+/** @brief Returns the first fine pixel whose centre is not before `x`, within 0 and
+ * `limit`. */
 int
 firstFrom(double x, int limit)
 {
@@ -167,7 +168,7 @@ Canvas::fillTriangle(const std::array<Eigen::Vector3d, 3>& corners, Colour colou
   const double whole = cross(p[1] - p[0], p[2] - p[0]);
   if (whole == 0)
     return;
-  // Neighbours share the fine pixels along their edge, so that no gap shows.
+  // Neighbours share the fine pixels along their common edge, to avoid gaps.
   constexpr double rim = -1e-9;
   const int left = std::max(clip_left_, firstFrom(box.low.x(), fine_.width));
   const int right = std::min(clip_right_, firstFrom(box.high.x(), fine_.width));

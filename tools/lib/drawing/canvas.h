@@ -31,47 +31,47 @@ struct Box {
 
   void extend(const Box& box);
 
-  /** @brief The box with `margin` more on every side. */
+  /** @brief Returns the box grown by `margin` on every side. */
   Box grown(double margin) const;
 };
 
-/** @brief A sheet to draw shapes on, smooth at their edges; coordinates in pixels, x to
- * the right, y down from the top left corner. Shapes are cut off at the clip box. */
+/** @brief An antialiased raster for shapes. Coordinates are pixels, x to the right, y
+ * down from the top left corner. Shapes are clipped to the clip box. */
 class Canvas {
 public:
   Canvas(int width, int height);
 
-  /** @brief What is drawn from now on shows within `box` only. */
+  /** @brief Restricts what is drawn from now on to `box`. */
   void setClip(const Box& box);
 
-  /** @brief Fills a box; one that is thinner than a pixel still shows. */
+  /** @brief Fills a box; boxes thinner than a pixel stay visible. */
   void fillBox(const Box& box, Colour colour);
 
   void drawDisc(const Eigen::Vector2d& centre, double radius, Colour colour);
 
-  /** @brief A line with round ends. */
+  /** @brief Draws a line with round ends. */
   void drawLine(const Eigen::Vector2d& a,
                 const Eigen::Vector2d& b,
                 double width,
                 Colour colour);
 
-  /** @brief Fills a triangle where it is nearer to the viewer than the triangles before
-   * it; corners are x, y and depth, less is nearer. */
+  /** @brief Fills a triangle where it is nearer to the viewer than earlier ones.
+   * Corners are x, y and depth; smaller is nearer. */
   void fillTriangle(const std::array<Eigen::Vector3d, 3>& corners, Colour colour);
 
-  /** @brief Lays a text over all shapes, those drawn later too. */
+  /** @brief Adds a text above all shapes, including later ones. */
   void addText(const Text& text) { texts_.push_back(text); }
 
-  /** @brief What was drawn. */
+  /** @brief Returns the image. */
   Image image() const;
 
 private:
-  /** @brief Fills the fine pixels of a row whose middles lie between two x. */
+  /** @brief Fills the fine pixels of a row with centres between two x. */
   void fillRow(int row, double from, double to, Colour colour);
 
   void fillConvex(const std::vector<Eigen::Vector2d>& corners, Colour colour);
 
-  Image fine_;                ///< several pixels each way for one of the image
+  Image fine_;                ///< supersampled image
   std::vector<float> depths_; ///< of the fine pixels; empty before the first triangle
   int clip_left_ = 0;
   int clip_right_ = 0; ///< one past

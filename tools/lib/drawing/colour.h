@@ -9,7 +9,7 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief A colour of a picture, 0 to 255 a channel. */
+/** @brief A colour of a picture, 0 to 255 per channel. */
 struct Colour {
   std::uint8_t red = 0;
   std::uint8_t green = 0;
@@ -23,11 +23,11 @@ struct Colour {
   friend constexpr bool operator!=(Colour a, Colour b) { return !(a == b); }
 };
 
-/** @brief What a colour means, the same in all pictures. */
+/** @brief Meanings of colours, the same in all pictures. */
 namespace colours {
 constexpr Colour paper{255, 255, 255};
 constexpr Colour ink{34, 34, 34};      ///< text, the lines of a plan
-constexpr Colour faint{214, 214, 214}; ///< frames, what a panel is not about
+constexpr Colour faint{214, 214, 214}; ///< frames and context
 constexpr Colour other{155, 155, 155};
 constexpr Colour ceiling{240, 144, 30};
 constexpr Colour floor{45, 114, 196};
@@ -35,11 +35,11 @@ constexpr Colour wall{54, 160, 74};
 constexpr Colour detail{216, 48, 44};
 constexpr Colour column{141, 68, 176};
 constexpr Colour removed{60, 60, 60};
-constexpr Colour recovered{231, 41, 138}; ///< what a stage has added
+constexpr Colour recovered{231, 41, 138}; ///< added by a stage
 constexpr Colour arc{0, 150, 190};
 } // namespace colours
 
-/** @brief `a` with `share` (0 to 1) of `b` in it. */
+/** @brief Returns `a` blended with `share` (0 to 1) of `b`. */
 constexpr Colour
 mixed(Colour a, Colour b, double share)
 {

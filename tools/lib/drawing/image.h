@@ -11,7 +11,7 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Pixels of 8-bit RGB, row by row from the top left. */
+/** @brief 8-bit RGB pixels, row by row from the top left. */
 struct Image {
   Image() = default;
 
@@ -38,7 +38,7 @@ private:
   }
 };
 
-/** @brief The bytes of a PNG file: the same for the same image. */
+/** @brief Encodes an image as PNG; deterministic. */
 std::string pngOf(const Image& image);
 
 } // namespace tools

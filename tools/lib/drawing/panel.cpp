@@ -10,7 +10,7 @@ namespace tools {
 
 namespace {
 
-/** @brief The points along an element, chords of an arc within half a millimetre. */
+/** @brief Returns points along an element; chords of an arc within 0.5 mm. */
 std::vector<Eigen::Vector2d>
 pointsAlong(const PlanElement& element)
 {
@@ -27,8 +27,8 @@ pointsAlong(const PlanElement& element)
   return points;
 }
 
-/** @brief The range of the sorted values without one in a thousand at each side, if
- * that halves it; else the whole. */
+/** @brief Computes the range of values without one in a thousand at each end if that
+ * halves it, else the whole range. */
 void
 trim(std::vector<double>& values, double& low, double& high)
 {
@@ -76,7 +76,7 @@ Panel::addBoxes(std::vector<Box> boxes, Colour colour)
 void
 Panel::addCells(const CellSet& cells, double cell_size, Colour colour)
 {
-  // Keys run row by row: neighbours in a row become one box.
+  // Keys run row by row, so that neighbours in a row become one box.
   std::vector<Box> boxes;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const Cell cell = cells[i];
@@ -191,7 +191,7 @@ Panel::drawLabels(const Frame& frame, Canvas& canvas) const
     const double left = label.anchor == Anchor::Left     ? p.x()
                         : label.anchor == Anchor::Middle ? p.x() - width / 2
                                                          : p.x() - width;
-    // Labels near the edge move in.
+    // Labels near the edge are moved inside.
     const double moved = std::max(frame.pixels.low.x() + 3,
                                   std::min(left, frame.pixels.high.x() - 3 - width));
     text.x += moved - left;

@@ -15,22 +15,22 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief A triangle seen by the viewer: x to the right, y up, depth away from him. */
+/** @brief A projected triangle: x to the right, y up, depth away from the viewer. */
 struct ViewedTriangle {
   std::array<Eigen::Vector3d, 3> corners;
   Colour colour;
 };
 
-/** @brief A part of a picture: shapes in metres, the later ones over the earlier, x to
- * the right and y up. A map shows both axes at one scale, with a bar to measure by; a
- * chart each at its own, with numbers along them. */
+/** @brief A part of a picture: shapes in metres, later ones on top, x to the right and
+ * y up. A map has the same scale on both axes and a scale bar. A chart scales each axis
+ * separately and has numbers along them. */
 class Panel {
 public:
   explicit Panel(std::string panel_title)
       : title(std::move(panel_title))
   {}
 
-  /** @brief Makes the panel a chart with these words at its axes. */
+  /** @brief Turns the panel into a chart with these axis titles. */
   void setAxes(const std::string& along_x, const std::string& along_y);
 
   bool isChart() const { return is_chart_; }
@@ -43,28 +43,28 @@ public:
 
   void addPoints(std::vector<Eigen::Vector2d> points, Colour colour, double pixels = 2);
 
-  /** @brief A line through points, `pixels` wide. */
+  /** @brief Adds a polyline, `pixels` wide. */
   void addPath(std::vector<Eigen::Vector2d> points, Colour colour, double pixels = 1.5);
 
-  /** @brief The elements of a loop: segments in one colour, arcs in another. */
+  /** @brief Adds the elements of a loop: segments in one colour, arcs in another. */
   void addLoop(const PlanLoop& loop, Colour segments, Colour arcs, double pixels = 1.5);
 
   void addTriangles(std::vector<ViewedTriangle> triangles);
 
-  /** @brief A text at a place; it is left out where an earlier label of the panel is in
-   * its way. */
+  /** @brief Adds a text at a place, unless it overlaps an earlier label of the
+   * panel. */
   void addLabel(const Eigen::Vector2d& place,
                 const std::string& text,
                 Colour colour = colours::ink,
                 Anchor anchor = Anchor::Middle);
 
-  /** @brief Shows this part of the plane; else all shapes with a margin. */
+  /** @brief Sets the visible part of the plane; default: all shapes with a margin. */
   void setView(const Box& view) { view_ = view; }
 
-  /** @brief What is shown, never empty. */
+  /** @brief Returns the visible part, never empty. */
   Box view() const;
 
-  /** @brief Draws the inside of the panel into a box of pixels. */
+  /** @brief Draws the content of the panel into a box of pixels. */
   void draw(Canvas& canvas, const Box& pixels) const;
 
   std::string title;
@@ -92,7 +92,7 @@ private:
   };
   using Triangles = std::vector<ViewedTriangle>;
 
-  /** @brief From metres to pixels. */
+  /** @brief Maps metres to pixels. */
   struct Frame;
 
   static void draw(const Boxes& layer, const Frame& frame, Canvas& canvas);
@@ -111,14 +111,14 @@ private:
   std::string y_axis_;
 };
 
-/** @brief The part of the plane that cells lie in, without the farthest stray ones: a
- * scan may hold points hundreds of metres off. One in a thousand cells at each side may
- * fall off, where that makes the view smaller by half.
+/** @brief Returns the extent of cells without outliers, since a scan may hold points
+ * hundreds of metres away. One in a thousand cells at each end is cut off if that
+ * halves the view.
  * @return empty for no cells */
 Box viewOf(const CellSet& cells, double cell_size);
 
-/** @brief The part of the plane with the connected pieces of at least `least` cells;
- * viewOf() where there are none. */
+/** @brief Returns the extent of connected pieces of at least `least` cells; viewOf() if
+ * there are none. */
 Box viewOfPieces(const CellSet& cells, double cell_size, std::size_t least);
 
 } // namespace tools

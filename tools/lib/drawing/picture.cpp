@@ -22,10 +22,10 @@ constexpr double panel_title_height = 28;
 constexpr double bar_height = 26;      ///< below a map, for its scale bar
 constexpr double axis_height = 46;     ///< below a chart, for its numbers
 constexpr double axis_width = 46;      ///< beside a chart, likewise
-constexpr double chart_width = 330;    ///< the least, numbers included
-constexpr double chart_height = 240;   ///< the least, without numbers
-constexpr double tallest = 620;        ///< a row of maps
-constexpr double tallest_of_all = 800; ///< all rows of maps together
+constexpr double chart_width = 330;    ///< minimum, including numbers
+constexpr double chart_height = 240;   ///< minimum, without numbers
+constexpr double tallest = 620;        ///< of a row of maps
+constexpr double tallest_of_all = 800; ///< of all rows of maps together
 constexpr double line_height = 24;
 constexpr double inside = widest - 2 * margin;
 
@@ -54,7 +54,7 @@ textAt(const std::string& line, double x, double y, int size)
   return text;
 }
 
-/** @brief Adds a text, smaller where it would be wider than `most` pixels. */
+/** @brief Adds a text, shrunk to at most `most` pixels. */
 void
 addFitted(Text text, double most, Canvas& canvas)
 {
@@ -76,7 +76,7 @@ drawFrame(const Box& box, Canvas& canvas)
     canvas.drawLine(corners[i], corners[(i + 1) % 4], 1, colours::faint);
 }
 
-/** @brief A bar of a round length below the left corner of a map. */
+/** @brief Draws a scale bar of a round length below the left corner of a map. */
 void
 drawScaleBar(const Panel& map, const Box& box, Canvas& canvas)
 {
@@ -93,7 +93,7 @@ drawScaleBar(const Panel& map, const Box& box, Canvas& canvas)
   canvas.addText(textAt(lengthText(length), end.x() + 8, y, 13));
 }
 
-/** @brief Numbers along one axis of a chart, with thin lines across it. */
+/** @brief Draws numbers along one axis of a chart, with grid lines. */
 void
 drawTicks(const Panel& chart, const Box& box, int axis, Canvas& canvas)
 {
@@ -155,7 +155,8 @@ Picture::addMaps(const std::vector<Panel>& panels)
     const std::vector<Panel> row(panels.begin(),
                                  panels.begin() + static_cast<std::ptrdiff_t>(columns));
     const double height = heightOfMaps(row, tallest_of_all / static_cast<double>(rows));
-    // Panels beside each other compare better: more rows must be worth it.
+    // More rows are used only if maps become much larger, as adjacent panels compare
+    // better.
     const double worth = n % columns == 0 ? 1.5 : 2;
     if (height > worth * best_height) {
       best_height = height;

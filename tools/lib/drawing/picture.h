@@ -10,8 +10,8 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief What a stage did, to be looked at: a title, rows of panels, and what the
- * colours mean. The same contents give the same pixels.
+/** @brief A picture of a stage's result: a title, rows of panels, and a legend. The
+ * same content gives the same pixels.
  * @code
  * Panel map("ceiling");
  * map.addCells(cells, 0.05, colours::ceiling);
@@ -26,20 +26,20 @@ public:
       : title_(std::move(title))
   {}
 
-  /** @brief Panels beside each other, of one height: maps as wide as they need, charts
-   * share what is left. */
+  /** @brief Adds panels of equal height side by side. Maps are as wide as needed;
+   * charts share the rest. */
   void addRow(std::vector<Panel> panels);
 
-  /** @brief Maps of one view in as many rows as let them be largest. */
+  /** @brief Adds maps with the same view in as many rows as make them largest. */
   void addMaps(const std::vector<Panel>& panels);
 
-  /** @brief What a colour means; in the order in which they are added. */
+  /** @brief Adds a legend entry, in the order of calls. */
   void addLegend(const std::string& meaning, Colour colour);
 
-  /** @brief A line of words below the panels. */
+  /** @brief Adds a line of text below the panels. */
   void addNote(const std::string& note) { notes_.push_back(note); }
 
-  /** @brief The panels row by row. */
+  /** @brief Returns the panels row by row. */
   const std::vector<std::vector<Panel>>& rows() const { return rows_; }
 
   Image draw() const;
@@ -47,7 +47,7 @@ public:
 private:
   struct Row {
     std::vector<Panel> panels;
-    std::vector<Box> boxes; ///< of the panels' insides, pixels
+    std::vector<Box> boxes; ///< of the panels' contents, pixels
   };
   struct Meaning {
     std::string text;
@@ -57,11 +57,11 @@ private:
   static double heightOfMaps(const std::vector<Panel>& panels, double most);
 
   /** @brief Places the panels of a row whose top is at `top`.
-   * @return where the row ends */
+   * @return the bottom of the row */
   double place(Row& row, double top) const;
 
   /** @brief Draws legend and notes below `top`.
-   * @return where they end */
+   * @return their bottom */
   double drawLegend(Canvas& canvas, double top, double width) const;
 
   std::string title_;

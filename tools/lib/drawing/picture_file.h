@@ -13,12 +13,11 @@ namespace tools {
 /** @brief Adds the option `--picture FILE.png` to a stage's program. */
 void addPictureOption(Options& options, std::string& path);
 
-/** @brief Throws a ToolError if a picture is wanted (`path` is not empty) and none can
- * be written there, or if the name does not end in .png. To be asked before the work.
- */
+/** @brief Throws ToolError if `path` is not empty and cannot be written or does not end
+ * in .png. To be called before the work. */
 void checkPictureOutput(const std::string& path);
 
-/** @brief Writes a picture as PNG, whole or not at all. */
+/** @brief Writes a picture as PNG, completely or not at all. */
 void savePicture(const std::string& path, const Picture& picture);
 
 } // namespace tools

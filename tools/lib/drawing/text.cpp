@@ -18,13 +18,13 @@ namespace tools {
 
 namespace {
 
-constexpr int dots_per_inch = 72; // a point is a pixel
+constexpr int dots_per_inch = 72; // one point is one pixel
 
-/** @brief How much ink a text puts on each pixel, 0 to 1, around its left end on the
- * base line. */
+/** @brief Coverage of each pixel by a text, 0 to 1, relative to its left end on the
+ * baseline. */
 struct TextMask {
   int left = 0;
-  int bottom = 0; ///< of the lowest row, upwards from the base line
+  int bottom = 0; ///< lowest row, upwards from the baseline
   int width = 0;
   int height = 0;
   std::vector<double> ink; ///< row by row from the bottom
@@ -100,7 +100,7 @@ drawText(const Text& text, Image& image)
                        : text.anchor == Anchor::Middle ? 0.5
                                                        : 1;
   const auto left = static_cast<int>(std::lround(text.x - share * width));
-  // A capital letter is seven tenths as high as the size of its font.
+  // A capital letter is 0.7 times as high as its font size.
   const auto base = static_cast<int>(std::lround(text.y + 0.35 * text.size));
   if (text.has_halo)
     for (int dy = -2; dy <= 2; ++dy)

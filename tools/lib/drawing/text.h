@@ -9,25 +9,25 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Where a text stands from its place. */
+/** @brief Horizontal alignment of a text. */
 enum class Anchor { Left, Middle, Right };
 
-/** @brief A line of text, ASCII only: the font that is built in has no more. */
+/** @brief A line of ASCII text, the range of the built-in font. */
 struct Text {
   std::string line;
-  double x = 0; ///< pixels; of its left end, middle or right end
-  double y = 0; ///< of the middle of its letters, from the top
+  double x = 0; ///< of its left end, centre or right end, pixels
+  double y = 0; ///< of the centre of its letters, from the top
   int size = 13;
   Colour colour = colours::ink;
   Anchor anchor = Anchor::Left;
   bool is_bold = false;
-  bool has_halo = false; ///< a white rim, to be read on any ground
+  bool has_halo = false; ///< white outline, readable on any background
 };
 
-/** @brief Width of a text, pixels. */
+/** @brief Returns the width of a text, pixels. */
 int widthOf(const Text& text);
 
-/** @brief Draws a text into an image, cut off at its edges. */
+/** @brief Draws a text into an image, clipped at its edges. */
 void drawText(const Text& text, Image& image);
 
 } // namespace tools

@@ -15,8 +15,8 @@ namespace tools {
 
 namespace {
 
-/** @brief The thinned points, reflections left out: what the chain's cloud begins with.
- */
+/** @brief Returns the thinned points without reflections, the first points of the
+ * chain's cloud. */
 PointView
 thinnedPoints(const ChainPictures::Chain& chain)
 {

@@ -16,30 +16,29 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief A PNG file to be. */
+/** @brief A PNG file to be written. */
 struct PictureFile {
   std::string name; ///< "05_grid_slice_detail.png"
   std::string bytes;
 };
 
-/** @brief The pictures of all stages of one run of the chain: notes during the run what
- * the stages decide plane by plane and room by room, and draws it when the run is over.
- */
+/** @brief Pictures of all stages of a run of the chain. Records the decisions of stages
+ * per plane and room during the run; draws them afterwards. */
 class ChainPictures {
 public:
   using Chain = pcl::IndoorStructureReconstruction<pcl::PointXYZ>;
 
-  /** @brief Listens to `chain`, which must have an input source when it runs and
-   * outlive this, until the end of this. */
+  /** @brief Observes `chain` during this object's lifetime. The chain must have an
+   * input source when it runs, and outlive this object. */
   explicit ChainPictures(Chain& chain);
   ~ChainPictures();
   ChainPictures(const ChainPictures&) = delete;
   ChainPictures& operator=(const ChainPictures&) = delete;
 
-  /** @brief The names of all pictures, in the order of the stages. */
+  /** @brief Returns the names of all pictures, in the order of the stages. */
   static std::vector<std::string> names();
 
-  /** @brief The pictures of a run that has left a mesh. */
+  /** @brief Draws the pictures of a run that made a mesh. */
   std::vector<PictureFile> draw() const;
 
 private:

@@ -13,12 +13,11 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief The drawings in a folder of results, of a plan of one storey. */
+/** @brief Drawings in a result folder of a plan with one storey. */
 extern const std::vector<std::string> drawing_names;
 
-/** @brief Writes the drawings of a plan into a folder, as SVG, PDF and DXF: of
- * several storeys one each, with its number. Those of an earlier run, which may have
- * had other storeys, make way; what the run has read, `input`, stays. */
+/** @brief Writes the drawings of a plan as SVG, PDF and DXF; with several storeys one
+ * each, with its number. Drawings of an earlier run are removed, except `input`. */
 void writeDrawings(OutputFolder& folder,
                    const Floorplan& plan,
                    const std::string& input,

@@ -11,7 +11,7 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief What the command line says of the IFC. */
+/** @brief Command line options of the IFC export. */
 struct IfcOptions {
   std::string arcs = "exact";
   IfcSettings settings;
@@ -19,11 +19,11 @@ struct IfcOptions {
 
 void addIfcOptions(Options& options, IfcOptions& ifc);
 
-/** @brief The settings as writeIfc() takes them. */
+/** @brief Converts the options to settings of writeIfc(). */
 IfcSettings settingsOf(const IfcOptions& ifc);
 
-/** @brief Writes a plan as IFC, whole or not at all.
- * @return what is in it, and the warnings of what is not */
+/** @brief Writes a plan as IFC, completely or not at all.
+ * @return the content, with warnings about what is missing */
 IfcModel saveIfc(const std::string& path,
                  const Floorplan& plan,
                  const IfcSettings& settings,

@@ -38,8 +38,8 @@ const std::vector<std::string> output_names{
     "structure.pcd",  "mesh.ply",  "solid.ply", "solid.obj",  "solid.mtl",
     "floorplan.json", "model.ifc", "model.glb", "report.json"};
 
-/** @brief Runs a step that is no stage of the chain, with progress; it is handed its
- * report, to fill in the points. */
+/** @brief Runs a step that is not a stage of the chain, with progress. The step fills
+ * in the points of its report. */
 StageReport
 timed(const std::string& name, const std::function<void(StageReport&)>& step)
 {
@@ -52,8 +52,8 @@ timed(const std::string& name, const std::function<void(StageReport&)>& step)
   return report;
 }
 
-/** @brief How much of the floor that was seen is in the plan. Less than half is no
- * model of the scan, a ToolError, unless that is what is asked for. */
+/** @brief Returns the coverage. Throws ToolError if less than half of the scanned floor
+ * is in the plan, unless a partial model is allowed. */
 Coverage
 checkedCoverage(const Reconstruction& chain, bool takes_partial)
 {
@@ -73,14 +73,14 @@ checkedCoverage(const Reconstruction& chain, bool takes_partial)
                   NothingFound);
 }
 
-/** @brief Runs the chain with progress; what fails is a ToolError that names the stage.
- */
+/** @brief Runs the chain with progress. Throws ToolError that names the failed
+ * stage. */
 void
 reconstruct(const ModelSettings& settings, Reconstruction& chain, RunRecord& record)
 {
   std::unique_ptr<Progress> progress;
   chain.getChain().on_stage = [&](const std::string& stage) {
-    progress.reset(); // one line ends before the next begins
+    progress.reset(); // ends the line before the next one
     progress = std::make_unique<Progress>(stage);
   };
   bool is_done = chain.findStructure();
@@ -89,13 +89,14 @@ reconstruct(const ModelSettings& settings, Reconstruction& chain, RunRecord& rec
     record.coverage = checkedCoverage(chain, settings.partial);
     is_done = settings.no_mesh || chain.makeMesh();
   }
-  chain.getChain().on_stage = nullptr; // it knows `progress`, which ends here
+  chain.getChain().on_stage = nullptr; // it refers to `progress`, which ends here
   progress.reset();
   if (!is_done)
     throw ToolError("no structure found: " + chain.getErrorMessage(), NothingFound);
 }
 
-/** @brief Distances of the labelled scan points, before refinement, from the mesh. */
+/** @brief Measures distances of the labelled scan points, before refinement, from the
+ * mesh. */
 MeshEvaluationResult
 evaluate(const Reconstruction& chain, unsigned threads, StageReport& report)
 {
@@ -107,7 +108,7 @@ evaluate(const Reconstruction& chain, unsigned threads, StageReport& report)
       structure->push_back(static_cast<int>(i));
   pcl::MeshEvaluation evaluation;
   const std::shared_ptr<const TriangleMesh> mesh(
-      std::shared_ptr<void>(), &result.poisson.getMesh()); // the chain's own, no copy
+      std::shared_ptr<void>(), &result.poisson.getMesh()); // not owned, to avoid a copy
   evaluation.setInputMesh(mesh);
   evaluation.setInputCloud(result.cloud);
   evaluation.setIndices(structure);
@@ -120,7 +121,7 @@ evaluate(const Reconstruction& chain, unsigned threads, StageReport& report)
   return figures;
 }
 
-/** @brief Writes the model: all but drawings and report. */
+/** @brief Writes the model without drawings and report. */
 void
 writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_mesh)
 {
@@ -129,14 +130,14 @@ writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_me
   const std::string problem =
       !with_mesh ? std::string()
 
-      : c.isMeshMoved() // else no copy is needed
+      : c.isMeshMoved() // otherwise no copy is needed
           ? savePly(folder.file("mesh.ply"), c.meshInScanFrame(),
                     originComments(c.origin))
           : savePly(folder.file("mesh.ply"), c.poisson.getMesh(),
                     originComments(c.origin));
   if (!problem.empty())
     throw ToolError(problem);
-  std::map<std::uint32_t, double> volumes; // of rooms with walls that lean
+  std::map<std::uint32_t, double> volumes; // of rooms with tilted walls
   for (const RoomSolidReport& report : c.extrusion.getReports())
     for (const WallTilt& tilt : c.tilts)
       if (tilt.room == report.room && report.closed)
@@ -153,7 +154,7 @@ writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_me
               *chain.getFloorplan(), c.origin);
 }
 
-/** @brief The sheets have the building's name for a title, if it has one. */
+/** @brief Returns drawing settings with the building's name, if any, as title. */
 DrawingSettings
 drawingSettings(const Reconstruction& chain, const ModelSettings& settings)
 {
@@ -164,7 +165,7 @@ drawingSettings(const Reconstruction& chain, const ModelSettings& settings)
   return drawing;
 }
 
-/** @brief Writes model.ifc; what is not in it is among the chain's warnings. */
+/** @brief Writes model.ifc; its warnings are added to the chain's. */
 void
 writeBuildingModel(const OutputFolder& folder,
                    Reconstruction& chain,
@@ -188,8 +189,8 @@ writePictures(const OutputFolder& folder, const std::vector<PictureFile>& pictur
   });
 }
 
-/** @brief What an earlier run may have left and this one does not write: beside the
- * new files it would be taken for theirs. */
+/** @brief Returns files of an earlier run that this one does not write, and which could
+ * be mistaken for its results. */
 std::vector<std::string>
 leftOver(const ModelSettings& settings)
 {
@@ -206,13 +207,13 @@ leftOver(const ModelSettings& settings)
   return names;
 }
 
-/** @brief Writes report.html from the files of the model, which are there by now. */
+/** @brief Writes report.html from the model's files, which must exist. */
 void
 writeReportPage(const ModelSettings& settings)
 {
   const Progress progress("writing the page");
   PageSettings page;
-  std::error_code error; // several files are no scan that the page could show
+  std::error_code error; // the page cannot show a scan of several files
   if (std::filesystem::is_regular_file(settings.input, error))
     page.scan = settings.input;
   writePage(settings.folder, page);

@@ -11,9 +11,9 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Reads, reconstructs, measures and writes: from a scan to the folder of its
- * model. What fails is a ToolError.
- * @param open gives the chain its scan, and returns how many points that has
+/** @brief Makes a model folder from a scan: reads, reconstructs, measures and writes.
+ * Throws ToolError on failure.
+ * @param open passes the scan to the chain and returns its number of points
  * @return the exit code */
 int makeModel(const ModelSettings& settings,
               Reconstruction& chain,

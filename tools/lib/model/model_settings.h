@@ -18,12 +18,12 @@ namespace tools {
 
 using Reconstruction = pcl::IndoorStructureReconstruction<pcl::PointXYZ>;
 
-/** @brief What the command line sets; the defaults are the chain's. */
+/** @brief Settings from the command line; the defaults are the chain's. */
 struct ModelSettings {
   explicit ModelSettings(const Reconstruction& chain);
 
-  std::string input;               ///< as report.json names it
-  std::vector<std::string> inputs; ///< what is read, each path by itself
+  std::string input;               ///< name for report.json
+  std::vector<std::string> inputs; ///< paths to read
   std::string folder;
   double voxel;
   bool keep_strays = false;
@@ -36,28 +36,28 @@ struct ModelSettings {
   int depth;
   unsigned threads;
   std::uint64_t seed;
-  ScanOptions scan; ///< how it is read, the unit too
+  ScanOptions scan; ///< settings for reading, including the unit
   bool z_up;
   bool levelled;
   bool fixed_grid = false;
   bool mesh_from_plan;
   bool no_mesh = false;
-  bool partial = false; ///< take what there is, however little
+  bool partial = false; ///< accept a model of a small part
   bool pictures = false;
   bool report = false;
   bool explain = false;   ///< print the priors
-  std::string priors;     ///< name=value, with commas between them
+  std::string priors;     ///< name=value, separated by commas
   std::string prior_file; ///< lines of name = value
   IfcOptions ifc;
 };
 
-/** @brief Declares the options that say how a model is made. */
+/** @brief Declares the options for making a model. */
 void addModelOptions(Options& options, ModelSettings& s);
 
-/** @brief The files of a scan as report.json names them. */
+/** @brief Joins the file names of a scan for report.json. */
 std::string joinedNames(const std::vector<std::string>& paths);
 
-/** @brief Sets the chain as the command line says. */
+/** @brief Applies the settings to the chain. */
 void apply(const ModelSettings& s, Reconstruction& chain);
 
 } // namespace tools

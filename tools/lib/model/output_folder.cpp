@@ -42,7 +42,7 @@ OutputFolder::OutputFolder(const std::string& path, std::vector<std::string> nam
 void
 OutputFolder::spare(const std::string& input) const
 {
-  std::error_code error; // a file that is missing is equivalent to none
+  std::error_code error; // a missing file is equivalent to none
   for (const auto& name : names_)
     if (fs::equivalent(file(name), input, error))
       throw ToolError("'" + input + "' would be written over by the result " + name +
@@ -83,7 +83,7 @@ OutputFolder::fill(const std::function<void()>& write) const
       for (const auto& name : names_)
         fs::remove(file(name), error);
     for (const auto& folder : missing_)
-      fs::remove(folder, error); // only where it is empty
+      fs::remove(folder, error); // only if it is empty
     throw;
   }
 }

@@ -10,32 +10,32 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief A folder of results: asked for before the work, made when there is something
- * to write, and gone again, if it was made here, when writing fails. What cannot be
- * written to is a ToolError. */
+/** @brief A result folder. It is checked before the work, created when there is
+ * something to write, and removed again if it was created here and writing fails.
+ * Throws ToolError if it cannot be written. */
 class OutputFolder {
 public:
-  /** @param path it may be missing, and so may the folders above it
-   * @param names of the files that will be in it */
+  /** @param path may be missing, including parent folders
+   * @param names of the files that will be written */
   OutputFolder(const std::string& path, std::vector<std::string> names);
 
-  /** @brief Refuses to write over a file that is read. */
+  /** @brief Throws ToolError if a file to be written is the input. */
   void spare(const std::string& input) const;
 
   std::string file(const std::string& name) const { return (path_ / name).string(); }
 
-  /** @brief Further files that will be in it. */
+  /** @brief Adds names of files that will be written. */
   void add(const std::vector<std::string>& names);
 
-  /** @brief The names of the files in it that an expression matches as a whole, in
-   * their order; none where there is no folder. */
+  /** @brief Returns the sorted names of files that match a regular expression
+   * completely; none if there is no folder. */
   std::vector<std::string> filesLike(const std::string& expression) const;
 
-  /** @brief Makes the folder and calls `write`, which fills it. */
+  /** @brief Creates the folder and calls `write`, which fills it. */
   void fill(const std::function<void()>& write) const;
 
-  /** @brief Removes what an earlier run has left: files, and folders that are empty by
-   * then, where they are. What the run has read, `input`, stays. */
+  /** @brief Removes files of an earlier run, except `input`, and folders that become
+   * empty. */
   void remove(const std::vector<std::string>& names, const std::string& input) const;
 
 private:
@@ -43,7 +43,7 @@ private:
 
   std::filesystem::path path_;
   std::vector<std::string> names_;
-  std::vector<std::filesystem::path> missing_; ///< what must be made, innermost first
+  std::vector<std::filesystem::path> missing_; ///< folders to create, innermost first
 };
 
 } // namespace tools

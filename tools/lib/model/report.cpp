@@ -23,8 +23,8 @@ using Reconstruction = IndoorStructureReconstruction<pcl::PointXYZ>;
 constexpr const char* format_name = "sedr-report";
 constexpr int format_version = 1;
 
-/** @brief Real numbers to seven digits: those of a float, which as doubles would have
- * more. */
+/** @brief Rounds real numbers to seven digits, the precision of floats, which would
+ * have more digits as doubles. */
 void
 roundNumbers(Json& json)
 {
@@ -38,7 +38,7 @@ roundNumbers(Json& json)
       roundNumbers(part);
 }
 
-/** @brief What was believed before the scan was looked at. */
+/** @brief Returns the priors. */
 Json
 priorsOf(const Reconstruction& chain)
 {
@@ -54,7 +54,7 @@ priorsOf(const Reconstruction& chain)
   return priors;
 }
 
-/** @brief Every parameter used, in the order of the stages. */
+/** @brief Returns all parameters used, in the order of the stages. */
 Json
 parametersOf(const RunRecord& run, const Reconstruction& chain)
 {
@@ -104,7 +104,7 @@ parametersOf(const RunRecord& run, const Reconstruction& chain)
           {"support_distance", c.poisson.getSupportDistance()}};
 }
 
-/** @brief How the scan was made level, or null. */
+/** @brief Returns how the scan was levelled, or null. */
 Json
 levellingOf(const StructureChain& chain)
 {
@@ -120,7 +120,7 @@ levellingOf(const StructureChain& chain)
           {"about", {l.about.x(), l.about.y(), l.about.z()}}};
 }
 
-/** @brief What the scanner's positions told, or null. */
+/** @brief Returns the results from scanner positions, or null. */
 Json
 positionsOf(const MirrorFigures& mirrored)
 {
@@ -240,7 +240,7 @@ coverageOf(const Coverage& coverage)
           {"left_out", left_out}};
 }
 
-/** @brief The scan, and how it was read where that is not as usual. */
+/** @brief Returns the scan, and non-default settings of reading it. */
 Json
 inputOf(const RunRecord& run)
 {
@@ -273,7 +273,7 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"priors", priorsOf(chain)},
             {"stages", stagesOf(run)},
             {"storeys", storeysOf(chain)},
-            {"origin", nullptr}, // has its place here
+            {"origin", nullptr}, // reserves its position here
             {"levelling", levellingOf(chain.getChain())},
             {"positions", positionsOf(chain.getChain().mirrored)},
             {"rooms", roomsOf(chain)},
@@ -282,8 +282,8 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"warnings", chain.getChain().warnings}};
   roundNumbers(json);
   const Eigen::Vector3d& origin = chain.getOrigin().place;
-  json["origin"] = {origin.x(), origin.y(), origin.z()}; // all digits
-  // A path may hold any bytes: what is no UTF-8 becomes U+FFFD.
+  json["origin"] = {origin.x(), origin.y(), origin.z()}; // with full precision
+  // A path may contain any bytes; invalid UTF-8 becomes U+FFFD.
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

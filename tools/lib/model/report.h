@@ -16,24 +16,23 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief What a run of pcl_sedr started from and did. */
+/** @brief Input and results of a run of pcl_sedr. */
 struct RunRecord {
   std::string path;
   std::size_t points = 0;
   ScanSettings reading; ///< of the scan
   Coverage coverage;
   std::vector<StageReport> stages; ///< reading, the chain, MeshEvaluation, writing
-  std::optional<MeshEvaluationResult> figures; ///< none without a mesh
+  std::optional<MeshEvaluationResult> figures; ///< empty without a mesh
 };
 
-/** @brief report.json: input, parameters, stages, rooms, coverage, mesh, distances,
- * warnings.
- * Real numbers have seven significant digits. The same input and options give the same
- * text, but for the `seconds` of the stages, which differ from run to run. */
+/** @brief Returns report.json: input, parameters, stages, rooms, coverage, mesh,
+ * distances, warnings. Real numbers have seven significant digits. The same input and
+ * options give the same text, except for the `seconds` of stages. */
 std::string makeReport(const RunRecord& run,
                        const IndoorStructureReconstruction<pcl::PointXYZ>& chain);
 
-/** @brief "4 rooms, 98.8 square metres, 4 closed meshes, 12.3 s", one line. */
+/** @brief Returns one line: "4 rooms, 98.8 square metres, 4 closed meshes, 12.3 s". */
 std::string summaryOf(const RunRecord& run,
                       const IndoorStructureReconstruction<pcl::PointXYZ>& chain);
 

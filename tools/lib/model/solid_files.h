@@ -15,40 +15,40 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Whether a file's name ends in `extension`, such as ".ply". */
+/** @brief Returns whether a file's name ends in `extension`, such as ".ply". */
 bool hasExtension(const std::string& path, const std::string& extension);
 
-/** @brief Throws a ToolError if the name of a solid does not end in .ply, .obj or .glb,
- * or if it, and the materials of an OBJ, cannot be written. To be asked before the
+/** @brief Throws ToolError if the file name of a solid does not end in .ply, .obj or
+ * .glb, or if it or the materials of an OBJ cannot be written. To be called before the
  * work. */
 void checkSolidOutput(const std::string& path);
 
-/** @brief Writes solids as PLY, or as OBJ with a file of materials beside it, solid.mtl
- * for solid.obj, or as GLB; each whole or not at all. What fails is a ToolError.
- * @param plan whose solids they are: it tells their storeys */
+/** @brief Writes solids as PLY, as OBJ with materials beside it (solid.mtl for
+ * solid.obj), or as GLB; each completely or not at all. Throws ToolError on failure.
+ * @param plan of these solids, for the storeys */
 void saveSolid(const std::string& path,
                const TriangleMesh& mesh,
                const std::vector<SolidElement>& elements,
                const Floorplan& plan,
                const Origin& origin = {});
 
-/** @brief What the header of a mesh says of its origin: nothing of 0. */
+/** @brief Returns header lines with the origin of a mesh; empty if it is 0. */
 std::vector<std::string> originComments(const Origin& origin);
 
-/** @brief Likewise for a drawing: .svg, .pdf or .dxf. */
+/** @brief As checkSolidOutput(), for a drawing: .svg, .pdf or .dxf. */
 void checkDrawingOutput(const std::string& path);
 
-/** @brief A drawing to write: its file, and what is on it. */
+/** @brief A drawing to write: its file and its content. */
 struct DrawingSheet {
   std::string path;
-  std::optional<PlanStorey> storey; ///< nothing: the whole plan
+  std::optional<PlanStorey> storey; ///< empty: the whole plan
 };
 
-/** @brief One sheet of the name `path` for a plan of one storey, else one a storey with
- * its number before the extension: plan_1.svg, plan_2.svg. */
+/** @brief Returns one sheet named `path` for a plan with one storey, else one per
+ * storey with its number before the extension: plan_1.svg, plan_2.svg. */
 std::vector<DrawingSheet> drawingSheets(const std::string& path, const Floorplan& plan);
 
-/** @brief Writes a drawing; the storey is that of the sheet. */
+/** @brief Writes a drawing of the sheet's storey. */
 void saveDrawing(const DrawingSheet& sheet,
                  const Floorplan& plan,
                  DrawingSettings settings = {});

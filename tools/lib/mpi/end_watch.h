@@ -12,13 +12,13 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Tells what every rank held when the run is ended from outside: when a rank
- * dies mpirun ends the others with SIGTERM, as it does when it is interrupted itself.
- * Then one sentence is printed and this process ends with exit code 1; files that are
- * being written under lock() are finished first.
+/** @brief Reports what every rank was working on when the run is ended from outside.
+ * mpirun ends all ranks with SIGTERM when one dies or when it is interrupted. Then one
+ * sentence is printed and this process ends with exit code 1; files being written under
+ * lock() are finished first.
  *
- * To be made before MPI begins, so that no thread of it takes the signal. Only rank 0
- * watches; the others call standDown(). */
+ * To be constructed before MPI starts, so that none of its threads takes the signal.
+ * Only rank 0 watches; the others call standDown(). */
 class EndWatch {
 public:
   explicit EndWatch(std::string tool);
@@ -26,22 +26,22 @@ public:
   EndWatch(const EndWatch&) = delete;
   EndWatch& operator=(const EndWatch&) = delete;
 
-  /** @brief Begins to watch. */
+  /** @brief Starts watching. */
   void begin();
 
-  /** @brief Watches no more. */
+  /** @brief Stops watching. */
   void end();
 
-  /** @brief SIGTERM ends this process at once, as it does any other. */
+  /** @brief Restores the default: SIGTERM ends this process at once. */
   static void standDown();
 
-  /** @brief Notes what a rank works on, in words; empty: nothing. */
+  /** @brief Sets the description of a rank's work; empty: none. */
   void note(int rank, const std::string& held);
 
-  /** @brief Where finished rooms are kept, once there are some; empty: nowhere. */
+  /** @brief Sets the folder of finished rooms, once there are some; empty: none. */
   void noteKept(const std::string& folder);
 
-  /** @brief While this is held the run is not ended. */
+  /** @brief Returns a lock; the run is not ended while it is held. */
   std::unique_lock<std::mutex> lock() { return std::unique_lock<std::mutex>(mutex_); }
 
 private:

@@ -11,23 +11,22 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief What every rank but the first throws where a joint step failed on some rank;
- * the first throws the ToolError, and will tell. */
+/** @brief Thrown on all ranks but the first if a joint step failed on any rank; the
+ * first throws and reports the ToolError. */
 class StepFailed : public std::exception {
 public:
   const char* what() const noexcept override { return "a joint step failed"; }
 };
 
-/** @brief What went wrong, in words; to be called where something was caught. */
+/** @brief Describes the current exception; to be called in a catch block. */
 std::string currentProblem();
 
-/** @brief "rank 2 on 'tower'". */
+/** @brief Returns "rank 2 on 'tower'". */
 std::string nameOf(int rank);
 
-/** @brief What all ranks do at the same time, each with what it holds. If one fails all
- * fail, at the end of this step, so that nobody waits for what will not come: a
- * ToolError on rank 0 that names the ranks that failed and what they held, StepFailed
- * on the others. */
+/** @brief Runs a step on all ranks at the same time. If it fails on one, it fails on
+ * all at its end, so that no rank waits forever. Rank 0 throws ToolError with the
+ * failed ranks and their inputs; the others throw StepFailed. */
 void
 together(RankMail& mail, const std::string& held, const std::function<void()>& step);
 

@@ -29,7 +29,7 @@ listOf(const std::string& bytes)
   return list;
 }
 
-/** @brief A number of every rank, known to all. */
+/** @brief Shares a number of every rank with all ranks. */
 std::vector<std::size_t>
 numbersOfAll(RankMail& mail, std::size_t mine)
 {
@@ -39,7 +39,7 @@ numbersOfAll(RankMail& mail, std::size_t mine)
   return listOf<std::size_t>(mail.fromFirst(all));
 }
 
-/** @brief One run of thinTogether(). */
+/** @brief A run of thinTogether(). */
 class JointThinning {
 public:
   JointThinning(RankMail& mail, const ThinOrder& order, unsigned threads)
@@ -59,7 +59,7 @@ public:
     if (!scan.problem.empty())
       return scan;
     together(mail_, held_, [this] {
-      if (part_.hasStopped()) // a part of it is large, but not the whole
+      if (part_.hasStopped()) // a part of the scan may be large, but not the whole
         part_.thin(false);
       voxels_ = part_.takeVoxels();
     });
@@ -71,7 +71,8 @@ public:
   }
 
 private:
-  /** @brief What ScanSample says of the whole scan, at every rank. */
+  /** @brief Returns the problem that ScanSample finds in the whole scan, on every
+   * rank. */
   std::string checkScan()
   {
     const auto sum = [](const std::vector<std::size_t>& numbers, std::size_t n) {
@@ -109,7 +110,7 @@ private:
     return listOf<VoxelKey>(mail_.fromFirst(bytesOf(bordersOf(keys, ranks))));
   }
 
-  /** @brief Adds up the voxels that this rank is in charge of. */
+  /** @brief Sums the voxels of this rank's share. */
   void addUpShare()
   {
     std::vector<std::size_t> begins = sharesOf(voxels_, borders());
@@ -135,7 +136,7 @@ private:
     });
   }
 
-  /** @brief What VoxelCensus says of the voxels of all ranks, at every rank. */
+  /** @brief Returns the stray limit of VoxelCensus over all ranks, on every rank. */
   std::uint32_t strayLimit()
   {
     VoxelCensus mine;
@@ -150,8 +151,8 @@ private:
     return listOf<std::uint32_t>(mail_.fromFirst(bytesOf(least))).front();
   }
 
-  /** @brief The means of this rank's voxels that hold so many points or more, three
-   * floats each. */
+  /** @brief Returns the means of this rank's voxels with at least that many points,
+   * three floats each. */
   std::vector<float> meansOfShare(std::uint32_t least_points)
   {
     const VoxelFrame frame(order_.inverse_leaf.array());
@@ -176,8 +177,8 @@ private:
     return coordinates;
   }
 
-  /** @brief Appends the points of all ranks, in their order, at rank 0; nobody sends
-   * before the one in front of him is done. */
+  /** @brief Appends the points of all ranks, in order, on rank 0. Each rank sends only
+   * after the previous one is done. */
   template <typename Points>
   void collect(const std::vector<float>& mine, Points& points)
   {
@@ -202,7 +203,7 @@ private:
   const ThinOrder& order_;
   unsigned threads_;
   PartOfScan part_;
-  std::string held_; ///< in words
+  std::string held_; ///< description for messages
   std::vector<VoxelSum> voxels_;
 };
 

@@ -10,14 +10,14 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Thins a scan on all ranks, each its own rows. Voxels are added up by those
- * that are in charge of them, a stretch of the sorted voxels each, which sends their
- * means to rank 0: nobody holds what all ranks have counted.
+/** @brief Thins a scan on all ranks, each its own rows. Each rank sums a range of the
+ * sorted voxels and sends their means to rank 0, so no rank holds the voxel sums of
+ * all.
  *
- * To be called by all ranks at the same time, each with its own order.
- * @return on rank 0 what ParallelVoxelGrid and ScanExcerpt make of the whole scan, the
- * same bytes; nothing on the others. What fails on any rank is thrown, see together()
- */
+ * To be called on all ranks at the same time, each with its own order.
+ * @return on rank 0 the results of ParallelVoxelGrid and ScanExcerpt for the whole
+ * scan, the same bytes; empty on the others. Failures on any rank are thrown, see
+ * together() */
 ThinnedScan thinTogether(RankMail& mail, const ThinOrder& order, unsigned threads);
 
 } // namespace tools

@@ -69,7 +69,7 @@ KeptRooms::keep(std::uint32_t room, const RoomResult& result)
     files_.push_back(file);
   }
   catch (const ToolError&) {
-    return; // the model itself will not fare better, and tells
+    return; // writing the model will fail likewise, and report it
   }
   watch_.noteKept(folder_.string());
 }
@@ -83,7 +83,7 @@ KeptRooms::discard()
     fs::remove(file, error);
   files_.clear();
   for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder)
-    fs::remove(*folder, error); // only where it is empty
+    fs::remove(*folder, error); // only if it is empty
   made_.clear();
 }
 

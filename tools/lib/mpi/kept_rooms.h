@@ -14,22 +14,21 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Writes what is finished of rooms as soon as it is, each file whole or not at
- * all: room_3.pcd, its points, and room_3.ply, its mesh. A run that ends well takes
- * them away. */
+/** @brief Writes results of rooms as soon as they are finished, each file completely or
+ * not at all: points to room_3.pcd, the mesh to room_3.ply. A successful run removes
+ * them. */
 class KeptRooms {
 public:
-  /** @param folder made when the first room is kept */
+  /** @param folder created when the first room is kept */
   KeptRooms(std::string folder, EndWatch& watch);
 
-  /** @brief Takes a result that came; walls alone are not kept, and what cannot be
-   * written is not. */
+  /** @brief Writes a result, if possible; walls alone are not kept. */
   void keep(std::uint32_t room, const RoomResult& result);
 
-  /** @brief Where they are; empty: there are none. */
+  /** @brief Returns the folder of the files; empty if there are none. */
   std::string place() const { return files_.empty() ? "" : folder_.string(); }
 
-  /** @brief Takes all away again, and the folders that were made for them. */
+  /** @brief Removes the files, and the folders created for them. */
   void discard();
 
 private:

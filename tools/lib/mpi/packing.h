@@ -19,14 +19,14 @@
 #include <type_traits>
 #include <vector>
 
-// How what ranks send each other becomes bytes: member by member, long lists of numbers
-// as they stand in memory. All ranks are to be of one build, on machines of one kind.
+// Serialisation of messages between ranks: member by member, long lists of numbers as
+// in memory. All ranks must run the same build on machines of the same kind.
 
 namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Goes over a list whose members are nothing but numbers. */
+/** @brief Serialises a list whose members consist only of numbers. */
 template <typename Archive, typename T>
 void
 packNumbers(Archive& archive, std::vector<T>& list)
@@ -80,7 +80,7 @@ serialize(Archive& archive, pcl::sedr::tools::RowRange& range, unsigned)
   archive& range.path& range.begin& range.end& range.first;
 }
 
-// A plan.
+// Floor plans.
 
 template <typename Archive>
 void
@@ -137,7 +137,7 @@ serialize(Archive& archive, pcl::sedr::PlanRoom& room, unsigned)
   archive& room.details& room.floor_details& room.niches;
 }
 
-// What is done for rooms.
+// Jobs and results of rooms.
 
 template <typename Archive>
 void
@@ -257,7 +257,7 @@ serialize(Archive& archive, pcl::sedr::LostRoom& lost, unsigned)
   archive& lost.reason;
 }
 
-/** @brief A choice of kinds: which one it is, then that. */
+/** @brief Serialises a variant: its index, then its value. */
 template <typename Archive, typename... Kinds>
 void
 save(Archive& archive, const std::variant<Kinds...>& choice, unsigned)

@@ -43,7 +43,7 @@ PartOfScan::thin(bool stops_early)
                  [&](const RowSource::SeeRun& see_run) {
                    sums_->add(points, threads_, see_run);
                  });
-    // Whenever twice as much has been seen, which costs next to nothing.
+    // Checked whenever the number of points has doubled, which costs almost nothing.
     const std::size_t seen = first + points.size() - begin;
     if (stops_early && seen >= 2 * looked_at) {
       looked_at = seen;

@@ -17,44 +17,44 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief What a rank is to thin. */
+/** @brief Input of thinning on one rank. */
 struct ThinOrder {
   std::vector<RowRange> ranges; ///< in the order of the scan
   std::size_t rows = 0;         ///< of the whole scan
-  std::size_t excerpt_step = 1; ///< every so many rows are kept as they are
-  ScanSettings settings;        ///< how its files are read
+  std::size_t excerpt_step = 1; ///< step of the rows that are also kept unchanged
+  ScanSettings settings;        ///< for reading its files
   Eigen::Vector3f inverse_leaf = Eigen::Vector3f::Ones(); ///< per metre
   bool removes_strays = false; ///< see ParallelVoxelGrid::setRemoveStrays()
 };
 
-/** @brief A part of a scan, and what is made of it in one pass. */
+/** @brief A part of a scan, and the results of one pass over it. */
 class PartOfScan {
 public:
   using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
   PartOfScan(const ThinOrder& order, unsigned threads);
 
-  /** @brief Adds up its voxels and keeps its excerpt.
-   * @param stops_early whether it gives up when the part seems so large that the metre
-   * cannot be the unit, and would not get any smaller; then there are no voxels */
+  /** @brief Sums its voxels and collects its excerpt.
+   * @param stops_early whether to stop, without voxels, if the part seems so large that
+   * the unit cannot be the metre and thinning would not reduce it */
   void thin(bool stops_early);
 
   bool hasStopped() const { return has_stopped_; }
 
-  /** @brief Counts its finite points; thin() does so too, unless it stops. */
+  /** @brief Counts its finite points, as thin() does unless it stops. */
   void count();
 
   std::size_t finite() const { return finite_; }
 
-  /** @brief The points of a ScanSample of the whole scan that lie in this part, when so
-   * many finite points of the scan come before. */
+  /** @brief Returns the points of a ScanSample of the whole scan within this part,
+   * given the number of finite points before it. */
   std::vector<Eigen::Vector3f> sampleAfter(std::size_t finite_before) const;
 
-  /** @brief The same from the last pass, for a scan in which every row before this part
-   * is finite. */
+  /** @brief As above from the last pass, for a scan with only finite rows before this
+   * part. */
   const std::vector<Eigen::Vector3f>& sample() const { return sample_; }
 
-  /** @brief The sorted voxels; they are gone then. */
+  /** @brief Moves out the sorted voxels. */
   std::vector<VoxelSum> takeVoxels();
 
   const std::vector<Eigen::Vector3f>& excerpt() const { return excerpt_; }

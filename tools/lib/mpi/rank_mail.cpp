@@ -15,7 +15,7 @@ namespace {
 
 using Requests = std::vector<boost::mpi::request>;
 
-constexpr std::size_t sheet = std::size_t{1} << 26; // MPI counts in int
+constexpr std::size_t sheet = std::size_t{1} << 26; // MPI counts with int
 
 void
 finish(Requests& requests)
@@ -25,8 +25,8 @@ finish(Requests& requests)
       rest();
 }
 
-/** @brief Begins to send: the size, then the bytes, a sheet at a time. All must stay
- * where it is until the requests are done. */
+/** @brief Starts sending: the size, then the bytes, in chunks. The arguments must stay
+ * valid until the requests are done. */
 void
 begin(const boost::mpi::communicator& ranks,
       int to,

@@ -12,15 +12,15 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief What a letter between ranks is about. */
+/** @brief Subject of a message between ranks. */
 enum class Subject : int {
-  Step,   ///< of something that all ranks do together
-  Order,  ///< of rank 0 to another
-  Result, ///< of another rank to rank 0
+  Step,   ///< part of a joint step
+  Order,  ///< from rank 0 to another
+  Result, ///< from another rank to rank 0
 };
 
-/** @brief Bytes from rank to rank, of any size. Who waits for some sleeps: on one
- * machine, ranks that have nothing to do leave the processors to the others. */
+/** @brief Sends bytes of any size between ranks. Waiting ranks sleep, so that idle
+ * ranks on one machine leave the processors to the others. */
 class RankMail {
 public:
   explicit RankMail(const boost::mpi::communicator& ranks);
@@ -37,16 +37,17 @@ public:
 
   std::string receive(int from, Subject subject);
 
-  /** @brief The rank that has sent something; -1: none has. */
+  /** @brief Returns a rank with a pending message; -1 if there is none. */
   int pending(Subject subject) const;
 
-  /** @brief Waits until a rank has sent something. */
+  /** @brief Waits until a rank has sent a message. */
   int waitFor(Subject subject) const;
 
-  /** @brief What every rank gives, in their order, at rank 0; nothing at the others. */
+  /** @brief Collects the bytes of every rank, in order, on rank 0; empty on the
+   * others. */
   std::vector<std::string> gather(const std::string& mine);
 
-  /** @brief What rank 0 gives, at every rank. */
+  /** @brief Distributes the bytes of rank 0 to every rank. */
   std::string fromFirst(const std::string& bytes);
 
   /** @brief Bytes for a rank. */
@@ -55,17 +56,17 @@ public:
     std::size_t size = 0;
   };
 
-  /** @brief Gives every other rank its parcel.
-   * @param parcels of every rank; that of this one stays
-   * @return what every other rank had for this one */
+  /** @brief Sends every other rank its parcel.
+   * @param parcels for every rank; that of this rank is not sent
+   * @return the parcels of the other ranks for this one */
   std::vector<std::string> exchange(const std::vector<Parcel>& parcels);
 
-  /** @brief Notes that something failed here while other ranks wait for an answer: they
-   * can only be aborted. */
+  /** @brief Marks a failure while other ranks wait for an answer, so that they can only
+   * be aborted. */
   void leave() { has_left_ = true; }
   bool hasLeft() const { return has_left_; }
 
-  /** @brief Bytes that this rank has sent. */
+  /** @brief Returns the number of bytes sent by this rank. */
   std::uint64_t sent() const { return sent_; }
 
 private:
@@ -74,7 +75,7 @@ private:
   bool has_left_ = false;
 };
 
-/** @brief A little sleep between two looks at something. */
+/** @brief Sleeps briefly between two polls. */
 void rest();
 
 } // namespace tools

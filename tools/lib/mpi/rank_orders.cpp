@@ -15,13 +15,13 @@ namespace tools {
 
 namespace {
 
-/** @brief The work is done. */
+/** @brief Order to finish. */
 struct GoHome {};
 
 using What = std::variant<GoHome, ThinOrder, RoomJob>;
 
 struct Order {
-  std::uint32_t threads = 0; ///< 0: what the machine has for the rank
+  std::uint32_t threads = 0; ///< 0: the rank's share of its machine
   What what;
 };
 
@@ -39,7 +39,7 @@ void
 serialize(Archive&, pcl::sedr::tools::GoHome&, unsigned)
 {}
 
-/** The origin is settled by then: it is never without a value. */
+/** The origin is known by then, so it always has a value. */
 template <typename Archive>
 void
 serialize(Archive& archive, pcl::sedr::tools::ScanSettings& settings, unsigned)
@@ -111,7 +111,7 @@ RankOrders::thin(const std::vector<ThinOrder>& orders)
     return scan;
   }
   catch (const ToolError&) {
-    throw; // all have stopped
+    throw; // all ranks have stopped
   }
   catch (...) {
     mail_.leave();
@@ -138,7 +138,7 @@ serve(RankMail& mail, unsigned fair_threads)
         thinTogether(mail, *thin, threads);
       }
       catch (const StepFailed&) {
-        continue; // rank 0 tells
+        continue; // rank 0 reports it
       }
     }
     else if (const auto* job = std::get_if<RoomJob>(&order.what))

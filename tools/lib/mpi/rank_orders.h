@@ -16,22 +16,22 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief What rank 0 has the others do. They know nothing of files and options but
- * what an order says. */
+/** @brief Sends orders from rank 0 to the others, with all that they need to know of
+ * files and options. */
 class RankOrders {
 public:
   /** @param mail of rank 0
-   * @param threads of rank 0 for what it does at the same time as the others
-   * @param asked_threads of every rank, 0: what its machine has for it
-   * @param watch is told what the ranks hold
-   * @param kept gets what is finished of rooms */
+   * @param threads of rank 0 for its own concurrent work
+   * @param asked_threads of every rank; 0: its share of the machine
+   * @param watch is informed of the ranks' work
+   * @param kept receives finished results of rooms */
   RankOrders(RankMail& mail,
              unsigned threads,
              unsigned asked_threads,
              EndWatch& watch,
              KeptRooms& kept);
 
-  /** @brief Has a scan thinned, see thinTogether(); an order for every rank. */
+  /** @brief Thins a scan with an order per rank, see thinTogether(). */
   ThinnedScan thin(const std::vector<ThinOrder>& orders);
 
   const std::shared_ptr<RoomDealer>& rooms() const { return rooms_; }
@@ -44,12 +44,11 @@ private:
   std::shared_ptr<RoomDealer> rooms_;
 };
 
-/** @brief Sends the others home: they return from serve(). */
+/** @brief Makes the other ranks return from serve(). */
 void sendHome(RankMail& mail);
 
-/** @brief What a rank that is not the first does: what it is ordered, until it is sent
- * home.
- * @param fair_threads how many threads this rank may have, if it is not told */
+/** @brief Executes orders on a rank other than the first, until told to finish.
+ * @param fair_threads number of threads if an order gives none */
 void serve(RankMail& mail, unsigned fair_threads);
 
 } // namespace tools

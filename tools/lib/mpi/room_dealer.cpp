@@ -15,7 +15,7 @@ namespace tools {
 
 namespace {
 
-/** @brief "the mesh of room 3". */
+/** @brief Describes a job: "the mesh of room 3". */
 std::string
 textOf(const RoomJob& job)
 {
@@ -53,13 +53,13 @@ RoomDealer::work(const std::vector<std::size_t>& sizes,
   std::vector<std::size_t> left(sizes.size());
   std::iota(left.begin(), left.end(), 0);
   std::stable_sort(left.begin(), left.end(), [&](std::size_t a, std::size_t b) {
-    return sizes[a] < sizes[b]; // the largest is at the end
+    return sizes[a] < sizes[b]; // the largest is last
   });
   try {
     dealOut(std::move(left), job, take);
   }
   catch (...) {
-    mail_.leave(); // others work, and will want to tell
+    mail_.leave(); // other ranks are still working and will send results
     throw;
   }
 }
@@ -68,7 +68,7 @@ void
 RoomDealer::dealOut(std::vector<std::size_t> left, const Job& job, const Take& take)
 {
   for (std::size_t to_come = left.size(); to_come > 0;) {
-    // This rank comes last: it has the others to look after.
+    // This rank comes last, as it also serves the others.
     for (int rank = mail_.size() - 1; rank >= 0 && !left.empty(); --rank)
       if (!busy_[static_cast<std::size_t>(rank)]) {
         give(rank, left.back(), job(left.back()));

@@ -16,27 +16,26 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Does a job; workOn() but for tests. */
+/** @brief Runs a job; workOn() except in tests. */
 using RoomWork = std::function<RoomResult(const RoomJob&)>;
 
-/** @brief Does a job, whatever happens: what is thrown makes it a LostRoom that tells
- * the rank. */
+/** @brief Runs a job; an exception becomes a LostRoom that names the rank. */
 RoomResult workSafely(int rank, const RoomJob& job, const RoomWork& work);
 
-/** @brief What a dealer needs of others. */
+/** @brief Callbacks of a dealer. */
 struct RoomHooks {
   RoomWork work; ///< on rank 0
-  /** The letter that asks another rank for a job; it answers with a packed RoomResult.
-   */
+  /** Returns the message that orders a job from another rank, which answers with a
+   * packed RoomResult. */
   std::function<std::string(const RoomJob&)> order;
-  /** Told what a rank begins to work on, in words; empty when it is done. */
+  /** Called when a rank starts a job, with its description; empty when it ends. */
   std::function<void(int rank, const std::string& held)> note;
-  /** Told what came of a room. */
+  /** Called with the result of a room. */
   std::function<void(std::uint32_t room, const RoomResult&)> finished;
 };
 
-/** @brief Deals rooms out to the ranks, this one, rank 0, among them: whoever is free
- * gets the largest room that is left. */
+/** @brief Distributes rooms to all ranks including rank 0: a free rank gets the largest
+ * remaining room. */
 class RoomDealer : public RoomWorkers {
 public:
   RoomDealer(RankMail& mail, RoomHooks hooks);
@@ -45,7 +44,7 @@ public:
             const std::function<RoomJob(std::size_t)>& job,
             const std::function<void(std::size_t, RoomResult)>& take) override;
 
-  /** @brief Why rooms were lost so far, a sentence each. */
+  /** @brief Returns the reasons why rooms were lost so far, a sentence each. */
   const std::vector<std::string>& losses() const { return losses_; }
 
 private:
@@ -57,20 +56,20 @@ private:
   /** @brief Gives job `number` to a rank. */
   void give(int rank, std::size_t number, RoomJob job);
 
-  /** @brief Takes a result if there is one.
-   * @return whether there was */
+  /** @brief Takes a result, if any.
+   * @return whether there was one */
   bool takeOne(const Take& take);
 
   RankMail& mail_;
   RoomHooks hooks_;
 
-  /** @brief What a rank works on. */
+  /** @brief The job of a rank. */
   struct Task {
     std::size_t number;
     std::uint32_t room;
   };
-  std::vector<std::optional<Task>> busy_; ///< of each rank
-  std::future<RoomResult> own_;           ///< of this one
+  std::vector<std::optional<Task>> busy_; ///< per rank
+  std::future<RoomResult> own_;           ///< result of this rank
   std::vector<std::string> losses_;
 };
 

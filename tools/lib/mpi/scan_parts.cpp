@@ -61,7 +61,7 @@ positionsOf(const std::vector<ScanInput>& inputs, const ScanSettings& settings)
     return ScanFile(inputs.front().path, own)
         .positionsIn(settings.positions, rowsOf(inputs));
   JointPositions joint;
-  for (const ScanInput& input : inputs) // one after the other: some are unpacked
+  for (const ScanInput& input : inputs) // sequentially, as some files are unpacked
     joint.add(ScanFile(input.path, own));
   return joint.get();
 }

@@ -15,17 +15,18 @@ namespace tools {
 /** @brief The codes of a voxel. */
 using VoxelKey = std::array<std::int32_t, 3>;
 
-/** @brief Every so many of the keys of a sorted list: enough of it to deal it out. */
+/** @brief Returns a regular sample of the keys of a sorted list, for distributing
+ * it. */
 std::vector<VoxelKey> keysOf(const std::vector<VoxelSum>& voxels);
 
-/** @brief Where to part the voxels of several ranks so that each of `ranks` gets about
- * as many, those of one key in one place.
- * @param keys of keysOf() of all ranks, in any order
- * @return the least key of each rank but the first, ascending */
+/** @brief Computes borders that give each of `ranks` about the same number of voxels,
+ * with equal keys on one rank.
+ * @param keys from keysOf() of all ranks, in any order
+ * @return the lowest key of each rank but the first, ascending */
 std::vector<VoxelKey> bordersOf(std::vector<VoxelKey> keys, std::size_t ranks);
 
-/** @brief Where each rank's voxels begin in a sorted list, and where the last one's
- * end. */
+/** @brief Returns where each rank's voxels begin in a sorted list, and the end of the
+ * last. */
 std::vector<std::size_t> sharesOf(const std::vector<VoxelSum>& voxels,
                                   const std::vector<VoxelKey>& borders);
 

@@ -26,7 +26,7 @@ floorCellsOf(const pcl::FloorProjectionRecovery<pcl::PointXYZ>& recovery)
 Picture
 drawFloor(const std::vector<FloorCells>& rooms)
 {
-  constexpr std::size_t least_piece = 40; // what is smaller lies outside, scattered
+  constexpr std::size_t least_piece = 40; // smaller pieces are scattered outside
   Panel before("floor as detected");
   Panel after("floor completed");
   CellSet all;

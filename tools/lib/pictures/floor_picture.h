@@ -13,7 +13,7 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief What became of the cells of a floor. */
+/** @brief Classification of the cells of a floor. */
 struct FloorCells {
   double cell_size = 0; ///< metres
   CellSet seen;
@@ -21,12 +21,13 @@ struct FloorCells {
   CellSet removed;   ///< outside the room
 };
 
-/** @brief The cells of the last run of a recovery that extracts removed indices. */
+/** @brief Returns the cells of the last run of a recovery that extracts removed
+ * indices. */
 FloorCells floorCellsOf(const pcl::FloorProjectionRecovery<pcl::PointXYZ>& recovery);
 
-/** @brief What FloorProjectionRecovery decided (paper, Figure 5): the floor before,
- * with what is hidden and what lies outside, and after.
- * @param rooms one a run */
+/** @brief Draws the result of FloorProjectionRecovery (paper, Figure 5): the floor
+ * before, with hidden and outside cells, and after.
+ * @param rooms one per run */
 Picture drawFloor(const std::vector<FloorCells>& rooms);
 
 } // namespace tools

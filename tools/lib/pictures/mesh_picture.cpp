@@ -15,7 +15,7 @@ namespace tools {
 
 namespace {
 
-/** @brief A viewer infinitely far away: lengths to the right are true. */
+/** @brief An orthographic viewer; horizontal lengths are true. */
 struct Viewer {
   Eigen::Vector3d towards; ///< unit, from the mesh to the viewer
   Eigen::Vector3d right;
@@ -45,8 +45,8 @@ shaded(Colour colour, const Eigen::Vector3d& normal, const Viewer& viewer)
   return darkened(colour, 1 - brightness);
 }
 
-/** @brief A line in space, so broad in the viewer's plane and a little before what it
- * lies on. */
+/** @brief Adds a line in space as a ribbon in the viewer's plane, slightly in front of
+ * its surface. */
 void
 addRibbon(const Eigen::Vector3d& a,
           const Eigen::Vector3d& b,
@@ -65,13 +65,14 @@ addRibbon(const Eigen::Vector3d& a,
   triangles.push_back({{corners[0], corners[2], corners[3]}, colours::ink});
 }
 
-/** @brief The triangles that face the viewer, and dark lines where they end. */
+/** @brief Returns the triangles that face the viewer, and dark lines at their
+ * borders. */
 std::vector<ViewedTriangle>
 facing(const TriangleMesh& mesh, const Viewer& viewer, double line_width)
 {
   std::vector<ViewedTriangle> triangles;
   using Edge = std::tuple<std::uint32_t, std::uint32_t>;
-  std::set<Edge> open; // edges of one visible triangle only
+  std::set<Edge> open; // edges of a single visible triangle
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Eigen::Vector3d normal = mesh.scaledNormal(t).normalized();
     if (!(normal.dot(viewer.towards) > 0))

@@ -9,9 +9,9 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief A mesh of rooms, triangles facing into them, seen from above without what is
- * turned away from the viewer (the ceilings, the nearer walls), and likewise from
- * below. Its triangles' labels give the colours. */
+/** @brief Draws a mesh of rooms, whose triangles face into them, from above and from
+ * below. Back faces, such as ceilings and nearer walls, are omitted. Labels of
+ * triangles give the colours. */
 Picture drawMesh(const TriangleMesh& mesh);
 
 } // namespace tools

@@ -11,8 +11,8 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief What FloorplanFitting decided (paper, Figure 7a): the boundary points, and
- * the lines and arcs fitted to them, with corners and rooms. */
+/** @brief Draws the result of FloorplanFitting (paper, Figure 7a): boundary points,
+ * fitted lines and arcs, corners and rooms. */
 Picture drawPlan(const Floorplan& plan, const std::vector<FittedBoundary>& boundaries);
 
 } // namespace tools

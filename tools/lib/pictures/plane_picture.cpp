@@ -35,7 +35,7 @@ nameOf(const pcl::HorizontalPlane& plane)
          " m2";
 }
 
-/** @brief The planes, largest first. */
+/** @brief Returns the planes, largest first. */
 std::vector<const pcl::HorizontalPlane*>
 bySize(const Planes& planes)
 {
@@ -47,8 +47,8 @@ bySize(const Planes& planes)
   return sorted;
 }
 
-/** @brief The heights that matter: around the ceilings and floors, or around all planes
- * where there are none. */
+/** @brief Returns the range of heights to show: around the ceilings and floors, or
+ * around all planes if there are none. */
 std::pair<double, double>
 heightsOf(const Planes& planes)
 {
@@ -66,8 +66,8 @@ heightsOf(const Planes& planes)
   return planes.empty() ? std::pair(0.0, 1.0) : std::pair(low, high);
 }
 
-/** @brief Bars of the cells seen at each height, where a plane was found in its colour;
- * what lies far above and below all planes is left out. */
+/** @brief Draws a histogram of cells by height, coloured where a plane was found.
+ * Heights far above and below all planes are cut off. */
 Panel
 histogramPanel(const Planes& planes, const HeightHistogram& histogram)
 {
@@ -93,7 +93,8 @@ histogramPanel(const Planes& planes, const HeightHistogram& histogram)
   const auto [low, high] = heightsOf(planes);
   for (const auto* plane : bySize(planes)) // above the bar
     panel.addLabel({static_cast<double>(most), plane->height + 0.03 * (high - low)},
-                   nameOf(*plane), darkened(colourOfLevel(plane->kind), 0.3), Anchor::Right);
+                   nameOf(*plane), darkened(colourOfLevel(plane->kind), 0.3),
+                   Anchor::Right);
   panel.setView({{0, low}, {1.05 * static_cast<double>(most), high}});
   return panel;
 }
@@ -106,7 +107,7 @@ drawPlanes(const Planes& planes,
            const PointView& points,
            double cell_size)
 {
-  constexpr std::size_t least_piece = 100; // what is smaller lies outside, scattered
+  constexpr std::size_t least_piece = 100; // smaller pieces are scattered outside
   const CellGrid grid(cell_size);
   Panel above("ceilings");
   Panel below("floors, and what is neither");
@@ -132,7 +133,7 @@ drawPlanes(const Planes& planes,
                   std::to_string(planes.size() - count[0] - count[1]) + " neither");
   for (Panel* panel : {&above, &below})
     panel->setView(viewOfPieces(all, cell_size, least_piece));
-  if (histogram.bins.empty()) // planes of rooms, which were not looked for by height
+  if (histogram.bins.empty()) // planes of rooms, which were not found by height
     picture.addMaps({above, below});
   else
     picture.addRow({histogramPanel(planes, histogram), above, below});

@@ -12,9 +12,9 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief What HorizontalPlaneDetection decided: at which heights how much is seen, and
- * the planes in plan, ceilings, floors and others each in their colour.
- * @param points the cloud that the planes' indices are of
+/** @brief Draws the result of HorizontalPlaneDetection: a histogram of heights, and the
+ * planes in plan, coloured as ceilings, floors and others.
+ * @param points the cloud of the planes' indices
  * @param cell_size of the maps, metres */
 Picture drawPlanes(const std::vector<pcl::HorizontalPlane>& planes,
                    const HeightHistogram& histogram,

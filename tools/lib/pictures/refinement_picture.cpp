@@ -20,7 +20,8 @@ wayOf(const MovedPoint& point)
   return (point.after - point.before).norm();
 }
 
-/** @brief A box of that size, metres, around where the points moved most in all. */
+/** @brief Returns a box of a given size, metres, with the largest total movement of
+ * points. */
 Box
 busiestPlace(const RefinedWalls& walls, const Eigen::Vector2d& size)
 {
@@ -46,7 +47,7 @@ wallPanel(const std::string& title,
           double pixels)
 {
   Panel panel(title);
-  if (is_after) // where no point went the plan shows
+  if (is_after) // the plan shows where no point went
     addPlan(plan, 1, panel);
   else
     panel.addPoints(walls.removed, colours::removed, pixels);
@@ -63,7 +64,7 @@ wallPanel(const std::string& title,
   return panel;
 }
 
-/** @brief How many points moved how far. */
+/** @brief Draws a histogram of movements. */
 Panel
 wayPanel(const RefinedWalls& walls)
 {

@@ -13,25 +13,25 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief A point of a wall, column or riser on its way to the plan; metres. */
+/** @brief A point of a wall, column or riser before and after refinement; metres. */
 struct MovedPoint {
   Eigen::Vector2d before;
   Eigen::Vector2d after;
   StructureLabel label = StructureLabel::Wall; ///< of the surface it moved to
 };
 
-/** @brief What became of the upright surfaces' points. */
+/** @brief Points of vertical surfaces after refinement. */
 struct RefinedWalls {
   std::vector<MovedPoint> moved;
   std::vector<Eigen::Vector2d>
-      removed; ///< wall and column points farther from the plan
+      removed; ///< wall and column points too far from the plan
 
-  /** @brief Adds those of another room. */
+  /** @brief Appends the points of another room. */
   RefinedWalls& operator+=(const RefinedWalls& other);
 };
 
-/** @brief The walls of the last run of a refinement.
- * @param labels of every point of its input */
+/** @brief Returns the walls of the last run of a refinement.
+ * @param labels of every input point */
 template <typename PointT>
 RefinedWalls
 refinedWallsOf(const pcl::StructureRefinement<PointT>& refinement,
@@ -60,9 +60,9 @@ refinedWallsOf(const pcl::StructureRefinement<PointT>& refinement,
   return walls;
 }
 
-/** @brief What StructureRefinement did (paper, Figure 7b): the wall points in plan
- * before and after, as a whole and close up where they moved most, and how far they
- * moved. */
+/** @brief Draws the result of StructureRefinement (paper, Figure 7b): wall points in
+ * plan before and after, overall and enlarged where they moved most, and a histogram of
+ * movements. */
 Picture drawRefinement(const RefinedWalls& walls, const Floorplan& plan);
 
 } // namespace tools

@@ -11,14 +11,14 @@ namespace tools {
 
 namespace {
 
-/** @brief How many cells a region has that is large enough to be named. */
+/** @brief Returns the minimum size of named regions, cells. */
 std::size_t
 leastNamed(const RegionMap& map)
 {
   return std::max<std::size_t>(12, map.cells.size() / 1500);
 }
 
-/** @brief The map with every region in a colour of its own, and its size. */
+/** @brief Draws each region in its own colour, with its size. */
 void
 addRegions(const RegionMap& map, std::size_t first_colour, Panel& panel)
 {
@@ -31,7 +31,7 @@ addRegions(const RegionMap& map, std::size_t first_colour, Panel& panel)
   }
 }
 
-/** @brief The map by what became of its regions: C for ceilings, O for outliers. */
+/** @brief Draws regions by decision: C for ceilings, O for outliers. */
 void
 addDecision(const RegionMap& map, std::size_t first_shade, Panel& panel)
 {
@@ -46,8 +46,8 @@ addDecision(const RegionMap& map, std::size_t first_shade, Panel& panel)
   }
 }
 
-/** @brief The sizes of the regions in order, a bar at the threshold, and how many are
- * kept. */
+/** @brief Lists the sizes of the regions in order, with a bar at the threshold, and the
+ * number kept. */
 std::string
 sizesOf(const RegionMap& map)
 {

@@ -11,9 +11,9 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief What GridRegionOutlierRemoval decided (paper, Figure 3b to d): the binary
- * map, the regions with their sizes, and which of them are kept.
- * @param maps one a run: as many as there are ceilings, of any height */
+/** @brief Draws the result of GridRegionOutlierRemoval (paper, Figure 3b to d): the
+ * binary map, the regions with their sizes, and which of them are kept.
+ * @param maps one per run: per ceiling height */
 Picture drawRegions(const std::vector<RegionMap>& maps);
 
 } // namespace tools

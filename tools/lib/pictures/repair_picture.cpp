@@ -16,7 +16,7 @@ namespace tools {
 
 namespace {
 
-/** @brief The share of a column that was filled, 0 to 1. */
+/** @brief Returns the share of a column that was filled, 0 to 1. */
 double
 filledShare(const RepairedStrip::Column& column, const std::vector<bool>& is_seen)
 {
@@ -54,8 +54,7 @@ elevationPanel(const std::vector<NamedStrip>& strips,
   return panel;
 }
 
-/** @brief The plan, every stretch of wall in the colour of how much of it was filled.
- */
+/** @brief Draws the plan with every stretch of wall coloured by its filled share. */
 Panel
 planPanel(const Floorplan& plan,
           const std::vector<NamedStrip>& strips,
@@ -87,7 +86,7 @@ planPanel(const Floorplan& plan,
   return panel;
 }
 
-/** @brief Plan and walls beside each other where the plan is narrow, else below each
+/** @brief Adds plan and walls side by side if the plan is narrow, else below each
  * other. */
 void
 addPanels(const std::vector<NamedStrip>& strips,
@@ -95,7 +94,7 @@ addPanels(const std::vector<NamedStrip>& strips,
           const Floorplan& plan,
           Picture& picture)
 {
-  // Pixels, about.
+  // Approximate, pixels.
   constexpr double sheet_width = 1150;
   constexpr double sheet_height = 480;
   const Panel where = planPanel(plan, strips, is_seen);

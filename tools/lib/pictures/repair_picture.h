@@ -11,18 +11,19 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief What a hole repair left: the points of all surfaces and which were seen. */
+/** @brief Result of a hole repair: the points of all surfaces and whether they were
+ * seen. */
 struct RepairedSurfaces {
   std::vector<RepairedStrip> strips;
-  std::vector<bool> is_seen;        ///< of every point
-  std::size_t repaired_floor = 0;   ///< points that fill holes of floors
-  std::size_t repaired_ceiling = 0; ///< likewise of ceilings and undersides
+  std::vector<bool> is_seen;        ///< per point
+  std::size_t repaired_floor = 0;   ///< points added in holes of floors
+  std::size_t repaired_ceiling = 0; ///< points added in ceilings and undersides
 
-  /** @brief Adds those of another room. */
+  /** @brief Appends the surfaces of another room. */
   RepairedSurfaces& operator+=(const RepairedSurfaces& other);
 };
 
-/** @brief The surfaces of the last run of a repair. */
+/** @brief Returns the surfaces of the last run of a repair. */
 template <typename PointT>
 RepairedSurfaces
 repairedSurfacesOf(const pcl::VerticalHoleRepair<PointT>& repair)
@@ -40,9 +41,9 @@ repairedSurfacesOf(const pcl::VerticalHoleRepair<PointT>& repair)
   return surfaces;
 }
 
-/** @brief What VerticalHoleRepair did: a plan with the walls where they were filled,
- * and all upright surfaces unrolled, as they look from inside, seen and filled cells
- * each in their colour. */
+/** @brief Draws the result of VerticalHoleRepair: a plan with the filled walls, and all
+ * vertical surfaces unrolled, seen from inside. Seen and filled cells have different
+ * colours. */
 Picture drawRepair(const RepairedSurfaces& surfaces, const Floorplan& plan);
 
 } // namespace tools

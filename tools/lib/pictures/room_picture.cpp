@@ -14,7 +14,7 @@ namespace tools {
 
 namespace {
 
-/** @brief The cells of a room, all or those that were not wholly seen. */
+/** @brief Returns the cells of a room, all or those not completely seen. */
 CellSet
 cellsOf(const BuildingRoom& room, bool hidden_only)
 {
@@ -25,7 +25,7 @@ cellsOf(const BuildingRoom& room, bool hidden_only)
   return CellSet(std::move(keys));
 }
 
-/** @brief The rooms of a storey. */
+/** @brief Draws the rooms of a storey. */
 Panel
 roomsOf(const Building& building, const PlanStorey& storey)
 {
@@ -43,7 +43,7 @@ roomsOf(const Building& building, const PlanStorey& storey)
   return panel;
 }
 
-/** @brief The heights of the ceilings above the floors of a storey's rooms. */
+/** @brief Draws a histogram of ceiling heights above the floors of a storey's rooms. */
 Panel
 heightsOf(const Building& building, const PlanStorey& storey)
 {

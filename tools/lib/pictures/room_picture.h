@@ -9,9 +9,8 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief How the air of a building was parted into rooms: for each storey its rooms,
- * each with its number and area, what something hid of them darker, doorways, and the
- * heights of their ceilings beside. */
+/** @brief Draws the rooms of a building, storey by storey: number and area of each
+ * room, its hidden parts darker, doorways, and a histogram of ceiling heights. */
 Picture drawRooms(const Building& building);
 
 } // namespace tools

@@ -16,7 +16,8 @@ namespace {
 constexpr Colour accepted_colour = colours::detail;
 constexpr Colour rejected_colour = colours::removed;
 
-/** @brief "1/4", "3/8"; a decimal number where it is no such fraction. */
+/** @brief Formats a fraction: "1/4", "3/8"; as decimal number if it is no such
+ * fraction. */
 std::string
 fractionText(double fraction)
 {
@@ -37,7 +38,7 @@ sliceNames(const SliceTrial& trial)
   return names;
 }
 
-/** @brief The trial of that number, null if the room needed none. */
+/** @brief Returns a trial by number, null if the room needed none. */
 const SliceTrial*
 findTrial(const RoomSlices& room, int number)
 {
@@ -61,8 +62,8 @@ addRegions(const std::vector<CellSet>& regions,
   }
 }
 
-/** @brief All rooms in one trial; those that had found their details before are faint.
- */
+/** @brief Draws all rooms in one trial; rooms with details from earlier trials are
+ * faint. */
 Panel
 trialPanel(const std::vector<RoomSlices>& rooms, int number, double cell_size)
 {
@@ -102,8 +103,8 @@ detailPanel(const std::vector<RoomSlices>& rooms, double cell_size)
   return panel;
 }
 
-/** @brief The line along which a room is cut: through its details, along the axis on
- * which it meets more of the ceiling. */
+/** @brief The section line of a room: through its details, along the axis that meets
+ * more of the ceiling. */
 struct SectionLine {
   int axis = 0;  ///< 0: along x at one y; 1: along y at one x
   double at = 0; ///< that y or x, metres
@@ -128,7 +129,7 @@ sectionOf(const SliceDetails& analysis, double cell_size)
   return {axis, place[1 - axis]};
 }
 
-/** @brief Points of the room near the line, seen from the side. */
+/** @brief Returns the points of the room near the line, seen from the side. */
 std::vector<Eigen::Vector2d>
 inSection(const PointView& points, const pcl::Indices& indices, const SectionLine& line)
 {
@@ -142,7 +143,7 @@ inSection(const PointView& points, const pcl::Indices& indices, const SectionLin
   return places;
 }
 
-/** @brief Shows the room with its ceiling and what is below it, but not far beyond. */
+/** @brief Returns the view of the room from its ceiling down, with a small margin. */
 Box
 sectionView(const RoomSlices& room, const PointView& points, double cell_size, int axis)
 {
@@ -193,7 +194,8 @@ sectionPanel(const RoomSlices& room, const PointView& points, double cell_size)
   return panel;
 }
 
-/** @brief The room with the largest details or, where none has any, the largest. */
+/** @brief Returns the room with the largest details or, without details, the largest
+ * room. */
 const RoomSlices*
 roomToCut(const std::vector<RoomSlices>& rooms)
 {

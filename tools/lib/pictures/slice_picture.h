@@ -18,14 +18,14 @@ namespace tools {
 struct RoomSlices {
   std::uint32_t room = 0; ///< 0: the only one
   SliceDetails analysis;
-  pcl::Indices points;  ///< what was looked at
-  pcl::Indices ceiling; ///< the main ceiling of these
+  pcl::Indices points;  ///< points analysed
+  pcl::Indices ceiling; ///< main ceiling of these
 };
 
-/** @brief What GridSliceDetail decided (paper, Figure 4): a map a trial with the cells
- * of ceiling and slices and the zero-valued regions, a map of the details, and a
- * vertical section with the heights of the slices.
- * @param points the cloud that the indices are of
+/** @brief Draws the result of GridSliceDetail (paper, Figure 4): a map per trial with
+ * the cells of ceiling and slices and the zero-valued regions, a map of the details,
+ * and a vertical section with the heights of the slices.
+ * @param points the cloud of the indices
  * @param cell_size of the analysis, metres */
 Picture drawSlices(const std::vector<RoomSlices>& rooms,
                    const PointView& points,

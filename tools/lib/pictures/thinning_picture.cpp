@@ -16,7 +16,7 @@ namespace tools {
 
 namespace {
 
-/** @brief A shade for cells with at least so many points. */
+/** @brief The shade of cells with a minimum number of points. */
 struct Shade {
   std::uint32_t least;
   Colour colour;
@@ -31,7 +31,7 @@ constexpr std::array<Shade, 7> shades{{{1, {198, 219, 239}, "1 point a cell"},
                                        {250, {8, 48, 107}, "250"},
                                        {1000, {3, 19, 43}, "1000 or more"}}};
 
-/** @brief The cells that a view shows. */
+/** @brief Returns the cells visible in a view. */
 CellBox
 boxOf(const Box& view, double cell_size)
 {
@@ -42,7 +42,7 @@ boxOf(const Box& view, double cell_size)
           {cell(view.high.x()), cell(view.high.y())}};
 }
 
-/** @brief Some points, all at once or piece by piece. */
+/** @brief Points, at once or piece by piece. */
 struct PointPieces {
   std::size_t size;
   std::function<void(const std::function<void(const PointView&)>&)> forEach;
@@ -88,13 +88,13 @@ densityPanel(const std::string& title,
 Picture
 draw(const PointPieces& before, const PointView& after, double leaf)
 {
-  constexpr std::size_t least_piece = 400; // what is smaller lies outside, scattered
+  constexpr std::size_t least_piece = 400; // smaller pieces are scattered outside
   pcl::Indices all(after.size());
   std::iota(all.begin(), all.end(), 0);
   double size = leaf;
   CellSet cells(CellGrid(size), after, all);
   Box view = viewOfPieces(cells, size, least_piece);
-  // A building much larger than its voxels is looked at in larger cells.
+  // Buildings much larger than their voxels are drawn with larger cells.
   while (!maskProblem(boxOf(view, size)).empty() ||
          view.size().maxCoeff() / size > 4000) {
     size *= 2;

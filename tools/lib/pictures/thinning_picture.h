@@ -10,12 +10,12 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief What ParallelVoxelGrid did: how many points lie in each cell of the plan
- * before and after.
+/** @brief Draws the result of ParallelVoxelGrid: the number of points per cell of the
+ * plan before and after.
  * @param leaf edge of a voxel and of a cell, metres */
 Picture drawThinning(const PointView& before, const PointView& after, double leaf);
 
-/** @brief The same of a scan that comes in pieces. */
+/** @brief As above, for a scan that is read in pieces. */
 Picture drawThinning(const RowSource& before, const PointView& after, double leaf);
 
 } // namespace tools

@@ -32,7 +32,7 @@ sorted(pcl::Indices indices)
   return indices;
 }
 
-/** @brief The walls of a room above or below its slice. */
+/** @brief Returns the walls of a room above or below its slice. */
 pcl::Indices
 onSide(const RoomWalls& room, const PointView& points, bool is_below)
 {
@@ -85,7 +85,7 @@ finalPanel(const std::vector<RoomWalls>& rooms, const PointView& points)
   return panel;
 }
 
-/** @brief Around the boundaries of all rooms. */
+/** @brief Returns the view of the boundaries of all rooms. */
 Box
 viewOf(const std::vector<RoomWalls>& rooms, const PointView& points)
 {

@@ -13,7 +13,7 @@ namespace {
 
 using Json = ResultFolder::Json;
 
-/** @brief A member of an object; null where it is not there. */
+/** @brief Returns a member of an object; null if it is missing. */
 const Json&
 member(const Json& json, const char* name)
 {
@@ -83,7 +83,7 @@ roomOf(const Json& json)
   return room;
 }
 
-/** @brief What the plan alone tells of a room. */
+/** @brief Returns the facts of a room that follow from the plan. */
 RoomFacts
 roomOf(const PlanRoom& plan)
 {

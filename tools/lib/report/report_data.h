@@ -16,7 +16,7 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief A room as the page tells it; what is not known is empty. */
+/** @brief Facts of a room for the page; unknown ones are empty. */
 struct RoomFacts {
   std::uint32_t id = 0;
   double area = 0;      ///< of the floor, square metres
@@ -27,7 +27,7 @@ struct RoomFacts {
   std::size_t columns = 0;
   std::size_t details = 0;
   std::optional<double> wall_area;      ///< of the solid, square metres
-  std::optional<double> repaired_share; ///< of its points, filled in and not seen
+  std::optional<double> repaired_share; ///< of its points, added and not seen
   std::optional<bool> mesh_closed;
   std::optional<bool> solid_closed;
   std::string mesh_problem;
@@ -41,7 +41,7 @@ struct StageFacts {
   double seconds = 0;
 };
 
-/** @brief A part of what was seen that is not in the plan. */
+/** @brief A seen area that is not in the plan. */
 struct GapFacts {
   std::string reason;
   double area = 0; ///< square metres
@@ -52,7 +52,7 @@ struct GapFacts {
   bool counts = true;
 };
 
-/** @brief How much of the floor was modelled. */
+/** @brief Coverage of the floor. */
 struct CoverageFacts {
   double seen = 0;     ///< square metres
   double modelled = 0; ///< square metres
@@ -60,9 +60,9 @@ struct CoverageFacts {
   std::vector<GapFacts> left_out;
 };
 
-/** @brief What report.json and floorplan.json say, as far as they are there. */
+/** @brief Content of report.json and floorplan.json, as far as present. */
 struct ReportData {
-  std::string scan; ///< path as it was given
+  std::string scan; ///< path as given
   std::size_t points = 0;
   double unit = 1; ///< metres
   std::vector<RoomFacts> rooms;
@@ -70,7 +70,7 @@ struct ReportData {
   std::optional<CoverageFacts> coverage;
   std::vector<std::pair<std::string, std::string>> parameters; ///< name, value
   std::vector<std::string> warnings;
-  std::optional<DistanceStatistics> distances; ///< of the labelled scan from the mesh
+  std::optional<DistanceStatistics> distances; ///< from labelled scan to mesh
   std::size_t mesh_triangles = 0;
   Floorplan plan;
   std::vector<PlanStorey> storeys; ///< of the plan, from the lowest up
@@ -79,8 +79,7 @@ struct ReportData {
   double volume() const;
 };
 
-/** @brief Reads both; members that are missing or of another type count as not there.
- */
+/** @brief Reads both files; members that are missing or of another type are skipped. */
 ReportData readReportData(const ResultFolder& folder);
 
 } // namespace tools

@@ -23,22 +23,23 @@ namespace tools {
 
 namespace {
 
-constexpr std::size_t most_scan_points = 1500000;    // of the picture
-constexpr std::size_t most_measured_points = 250000; // of the picture of distances
-constexpr double farthest = 0.5;                     // there, metres
+constexpr std::size_t most_scan_points = 1500000;    // in the picture
+constexpr std::size_t most_measured_points = 250000; // in the picture of distances
+constexpr double farthest = 0.5; // in the picture of distances, metres
 
-/** @brief All that the pictures are made of. */
+/** @brief Data of all pictures. */
 struct Contents {
   ReportData data;
   CeilingRule rule;
-  TriangleMesh mesh;  ///< faces into the rooms
-  TriangleMesh solid; ///< likewise
+  TriangleMesh mesh;  ///< triangles face into the rooms
+  TriangleMesh solid; ///< triangles face into the rooms
   DisplayCloud scan;
   DisplayCloud thinned;
   DisplayCloud structure;
   double voxel_size = 0; ///< metres
 
-  /** @brief What is to be seen in the pictures; empty without a model and points. */
+  /** @brief Returns points that the pictures must show; empty without a model and
+   * points. */
   std::vector<Eigen::Vector3d> outline() const
   {
     for (const auto* model : {&solid, &mesh})
@@ -68,13 +69,13 @@ readContents(const ResultFolder& folder, const PageSettings& settings)
     return contents;
   const ScanFile scan(path, folder.scanSettings());
   contents.scan = displayCloudOf(scan, most_scan_points);
-  contents.scan.labels.clear(); // a scan's own labels mean nothing here
+  contents.scan.labels.clear(); // labels of a raw scan are meaningless
   contents.scan.rooms.clear();
   contents.thinned = thinnedCloudOf(scan, contents.voxel_size);
   return contents;
 }
 
-/** @brief Scan and model beside each other. */
+/** @brief Returns scan and model side by side. */
 std::string
 picturesPart(const Contents& contents, const ModelPictures& pictures)
 {
@@ -97,8 +98,8 @@ picturesPart(const Contents& contents, const ModelPictures& pictures)
                      "<div class=\"pair\">\n" + html + "</div>\n" + labelKey());
 }
 
-/** @brief The points of a cloud that the picture of distances shows: to measure all
- * would take long. */
+/** @brief Selects the points for the picture of distances, as measuring all would take
+ * long. */
 DisplayCloud
 shownOf(const DisplayCloud& cloud, const CeilingRule& rule, Eigen::AlignedBox3d box)
 {
@@ -116,7 +117,7 @@ shownOf(const DisplayCloud& cloud, const CeilingRule& rule, Eigen::AlignedBox3d 
   return shown;
 }
 
-/** @brief The picture of distances and the histogram (paper, Figure 11). */
+/** @brief Returns the picture of distances and the histogram (paper, Figure 11). */
 std::string
 distancesPart(const Contents& contents,
               const ModelPictures& pictures,
@@ -149,7 +150,7 @@ distancesPart(const Contents& contents,
   return html.empty() ? "" : htmlSection("distances", "Distances from the model", html);
 }
 
-/** @brief The page around its sections. */
+/** @brief Returns the page with its frame. */
 std::string
 frame(const std::string& folder, const ReportData& data, const std::string& body)
 {

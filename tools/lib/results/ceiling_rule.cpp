@@ -12,9 +12,9 @@ namespace tools {
 
 namespace {
 
-constexpr double thickness = 0.15; // of what is scanned of a ceiling, metres
+constexpr double thickness = 0.15; // of scanned ceilings, metres
 
-/** @brief The lowest and the highest of some heights, as their middle. */
+/** @brief Returns the mean of the minimum and maximum of heights. */
 template <typename Heights>
 double
 middleOfHeights(std::size_t count, const Heights& height)
@@ -82,7 +82,7 @@ CeilingRule::isAbove(const Eigen::Vector3d& p) const
 {
   if (storeys_.empty())
     return false;
-  // Of the highest storey on whose floors it may lie.
+  // Uses the highest storey whose floors are below the place.
   auto storey = storeys_.rbegin();
   while (std::next(storey) != storeys_.rend() && p.z() < storey->floor - thickness)
     ++storey;

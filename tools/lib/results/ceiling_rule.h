@@ -19,24 +19,24 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief What has to go for a look into the rooms from above: the ceilings with their
- * details, and whatever lies over them.
+/** @brief Decides what to remove for a view into the rooms from above: ceilings with
+ * their details, and everything above.
  *
- * A label says it where there is one; else the floor plan, if it is known: all that is
- * higher than 15 cm below the ceiling at that place and lower than the floor of the
- * next storey. Without both nothing goes. Details go with the ceiling where they are in
- * the upper half of their room: others are steps or niches. */
+ * Labels decide if there are any; otherwise the floor plan, if it is known. It removes
+ * what is above 15 cm below the ceiling at a place and below the next storey's floor.
+ * Without both, nothing is removed. Details in the upper half of their room belong to
+ * the ceiling; others are steps or niches. */
 class CeilingRule {
 public:
   CeilingRule() = default;
 
-  /** @param plan may be without rooms */
+  /** @param plan may have no rooms */
   explicit CeilingRule(const Floorplan& plan);
 
-  /** @brief One flag a point, true for what has to go. */
+  /** @brief Returns one flag per point, true if it is to be removed. */
   std::vector<bool> ofCloud(const DisplayCloud& cloud) const;
 
-  /** @brief One flag a triangle. */
+  /** @brief Returns one flag per triangle. */
   std::vector<bool> ofMesh(const TriangleMesh& mesh) const;
 
 private:
@@ -44,19 +44,19 @@ private:
   struct Storey {
     double floor = 0;                                          ///< metres
     double highest = -std::numeric_limits<double>::infinity(); ///< ceiling, metres
-    std::unordered_map<CellKey, double> ceiling_at;            ///< the lowest, by cell
+    std::unordered_map<CellKey, double> ceiling_at; ///< lowest ceiling by cell
 
-    /** @brief A ceiling over a cell, and over its neighbours: a soffit's riser and a
-     * wall's top stand on the border of cells. */
+    /** @brief Adds a ceiling to a cell and its neighbours, as risers of soffits and
+     * tops of walls lie on the borders of cells. */
     void addCeiling(Cell cell, double height);
   };
 
   void addRoom(const PlanRoom& room, Storey& storey);
 
-  /** @brief Whether a place lies above the inside of the rooms of its storey. */
+  /** @brief Returns whether a place is above the interior of its storey's rooms. */
   bool isAbove(const Eigen::Vector3d& p) const;
 
-  /** @brief Height above which a room's details are of its ceiling. */
+  /** @brief Returns the height above which a room's details belong to its ceiling. */
   double middleOf(std::uint32_t room, double otherwise) const;
 
   CellGrid grid_{0.1};

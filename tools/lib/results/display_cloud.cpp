@@ -17,9 +17,9 @@ namespace tools {
 
 namespace {
 
-/** @brief Where points are shown: around all but the outermost hundredth at each end.
- * What is seen through windows is in it. A stray point is not: camera and depth would
- * be for it alone, and all else a dot. */
+/** @brief Returns the box of points to show, without outliers. It surrounds all but the
+ * outermost hundredth at each end, including what is seen through windows. An outlier
+ * would determine camera and depth and reduce everything else to a dot. */
 Eigen::AlignedBox3d
 shownBox(const std::vector<Eigen::Vector3f>& points)
 {
@@ -55,7 +55,7 @@ keep(const std::vector<bool>& is_kept, std::vector<ValueT>& values)
 void
 dropStrays(DisplayCloud& cloud)
 {
-  constexpr std::size_t few = 100; // points, of which none is a stray
+  constexpr std::size_t few = 100; // points; smaller clouds have no outliers
   if (cloud.size() < few)
     return;
   const Eigen::AlignedBox3d box = shownBox(cloud.points);
@@ -69,7 +69,7 @@ dropStrays(DisplayCloud& cloud)
   keep(is_kept, cloud.normals);
 }
 
-/** @brief Takes what is shown of a row. */
+/** @brief Extracts what is shown of a row. */
 class RowReader {
 public:
   explicit RowReader(const std::vector<pcl::PCLPointField>& fields)

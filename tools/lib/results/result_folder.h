@@ -14,34 +14,35 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief The folder that a run of pcl_sedr has left: which files are there, and what
- * report.json says. What cannot be read is a ToolError. */
+/** @brief A result folder of pcl_sedr: its files and its report.json. Throws ToolError
+ * if a file cannot be read. */
 class ResultFolder {
 public:
   using Json = nlohmann::ordered_json;
 
-  /** @brief Reads report.json where there is one. A folder without any file of
-   * pcl_sedr's is refused. */
+  /** @brief Reads report.json if present. Throws ToolError for a folder without any
+   * file of pcl_sedr. */
   explicit ResultFolder(const std::string& path);
 
   std::string file(const std::string& name) const { return (path_ / name).string(); }
 
   bool has(const std::string& name) const;
 
-  /** @brief report.json, an empty object where there is none. */
+  /** @brief Returns report.json, an empty object if there is none. */
   const Json& report() const { return report_; }
 
-  /** @brief Where the scan lies that the run started from: as report.json names it,
-   * from here, from the folder or from the folder above. Empty if it is not there. */
+  /** @brief Returns the path of the run's scan: the one in report.json, relative to the
+   * working directory, the folder or its parent. Empty if it does not exist. */
   std::string scanPath() const;
 
-  /** @brief How the scan was read: unit, origin and what was chosen of the file. */
+  /** @brief Returns how the scan was read: unit, origin and selections from the
+   * file. */
   ScanSettings scanSettings() const;
 
-  /** @brief Edge of the voxels that the run thinned the scan to, metres. */
+  /** @brief Returns the voxel edge of the run's thinning, metres. */
   double voxelSize() const;
 
-  /** @brief Reads mesh.ply or solid.ply; empty if it is not there. */
+  /** @brief Reads mesh.ply or solid.ply; empty if it does not exist. */
   TriangleMesh mesh(const std::string& name) const;
 
 private:

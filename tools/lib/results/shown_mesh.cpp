@@ -12,7 +12,8 @@ namespace tools {
 Colour
 litColour(Colour colour, const Eigen::Vector3d& normal)
 {
-  // A light from above and one from the side: floors brightest, walls by direction.
+  // One light from above and one from the side: floors are brightest, walls vary by
+  // direction.
   static const Eigen::Vector3d side = Eigen::Vector3d(0.8, 0.6, 0).normalized();
   const double brightness =
       0.72 + 0.16 * std::abs(normal.dot(side)) + 0.28 * std::abs(normal.z());

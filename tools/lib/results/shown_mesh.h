@@ -14,13 +14,13 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief A surface's colour in the light: a wall facing another way has another
- * brightness, whoever looks. Both sides are alike.
+/** @brief Returns the lit colour of a surface, by its orientation and independent of
+ * the viewer. Both sides are equal.
  * @param normal unit length */
 Colour litColour(Colour colour, const Eigen::Vector3d& normal);
 
-/** @brief The lines along which a mesh's elements, or where it has none its labels,
- * meet: each its two ends. Edges of one triangle only count. */
+/** @brief Returns the lines between elements of a mesh, or between labels if it has no
+ * elements, each by its two ends. Edges with a single triangle count. */
 std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>
 elementEdges(const TriangleMesh& mesh);
 

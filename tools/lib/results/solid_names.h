@@ -9,9 +9,9 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief The names of a solid's elements, "room_1_wall_3", by the number that its
- * triangles carry: the comments that elementComments() makes, out of the header of a
- * PLY file. Empty where there are none. */
+/** @brief Returns the names of a solid's elements, "room_1_wall_3", by the number in
+ * its triangles. They come from the comments of elementComments() in the header of a
+ * PLY file. Empty if there are none. */
 std::map<std::uint32_t, std::string> solidNames(const std::string& path);
 
 } // namespace tools

@@ -24,7 +24,7 @@ StoreyRule::find(std::uint32_t number) const
 bool
 StoreyRule::holds(std::uint32_t number, std::uint32_t room, double z) const
 {
-  constexpr double beside = 0.15; // metres, of what is scanned of floors and ceilings
+  constexpr double beside = 0.15; // metres, for scanned floors and ceilings
   const PlanStorey* storey = find(number);
   if (!storey)
     return true;

@@ -14,28 +14,28 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief What of a result is of one storey: what has a room of it, and of the rest,
- * such as the scan, what lies at its heights, 15 cm more at both ends. */
+/** @brief Decides what belongs to a storey: parts with a room by that room, others,
+ * such as the scan, by height with 15 cm more at both ends. */
 class StoreyRule {
 public:
   StoreyRule() = default;
 
-  /** @param plan may be without rooms: then there are no storeys */
+  /** @param plan may have no rooms and thus no storeys */
   explicit StoreyRule(const Floorplan& plan);
 
-  /** @brief From the lowest up. */
+  /** @brief Returns the storeys, from the lowest up. */
   const std::vector<PlanStorey>& storeys() const { return storeys_; }
 
-  /** @brief The storey of this number; null for another number, and for 0. */
+  /** @brief Returns the storey with a number; null for unknown numbers and for 0. */
   const PlanStorey* find(std::uint32_t number) const;
 
-  /** @brief Whether something of a room (0: of none that is known), at a height, is of
-   * a storey; of number 0, which stands for all, it is. */
+  /** @brief Returns whether a part of a room (0: unknown) at a height belongs to a
+   * storey; always true for number 0, all storeys. */
   bool holds(std::uint32_t number, std::uint32_t room, double z) const;
 
 private:
   std::vector<PlanStorey> storeys_;
-  std::map<std::uint32_t, std::uint32_t> storey_of_room_; ///< numbers
+  std::map<std::uint32_t, std::uint32_t> storey_of_room_; ///< storey numbers
 };
 
 } // namespace tools

@@ -12,7 +12,7 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief The triangle of a mesh that is nearest to a point. */
+/** @brief The triangle of a mesh nearest to a point. */
 struct NearestTriangle {
   std::size_t triangle = 0;
   double distance = std::numeric_limits<double>::infinity(); ///< metres
@@ -20,15 +20,15 @@ struct NearestTriangle {
   bool isFound() const { return distance < std::numeric_limits<double>::infinity(); }
 };
 
-/** @brief The point of a triangle that is nearest to `p`. */
+/** @brief Returns the point of a triangle nearest to `p`. */
 Eigen::Vector3d nearestOnTriangle(const Eigen::Vector3d& p,
                                   const Eigen::Vector3d& a,
                                   const Eigen::Vector3d& b,
                                   const Eigen::Vector3d& c);
 
-/** @brief Looks at every triangle: for a question now and then, as a click is; for
- * clouds there is MeshDistance. Of triangles at one distance, to a micrometre, the
- * first. */
+/** @brief Finds the nearest triangle by testing all, for single queries such as a
+ * click; for clouds use MeshDistance. Of triangles at equal distance, to a micrometre,
+ * the first. */
 NearestTriangle nearestTriangle(const TriangleMesh& mesh, const Eigen::Vector3d& p);
 
 } // namespace tools

@@ -135,7 +135,7 @@ jsonOf(const LeftOut& thing)
             {"reason", thing.reason},
             {"area", thing.area}};
   if (thing.kind == LeftOutKind::Void)
-    return json; // all of them, at no place
+    return json; // all rooms together, without a position
   json["floor"] = thing.floor;
   json["ceiling"] = thing.ceiling;
   json["at"] = pairOf(thing.at);

@@ -9,17 +9,16 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief "no headroom", "outdoors" or "void". */
+/** @brief Returns "no headroom", "outdoors" or "void". */
 const char* nameOf(LeftOutKind kind);
 
-/** @brief A building as JSON: {"format": "sedr-building", "version": 1, "unit": "m",
- * "rooms": [...], "storeys": [...], "doorways": [...], "stairs": [...], "left_out":
- * [...]}. Of the columns of a room those are written whose ceiling was hidden; points
- * are not. */
+/** @brief Writes a building as JSON: {"format": "sedr-building", "version": 1, "unit":
+ * "m", "rooms": [...], "storeys": [...], "doorways": [...], "stairs": [...],
+ * "left_out": [...]}. Only the room columns with a hidden ceiling are written; points
+ * are omitted. */
 std::string buildingToJson(const Building& building);
 
-/** @brief Reads what buildingToJson() wrote. What is wrong is a ToolError of one
- * sentence. */
+/** @brief Reads the output of buildingToJson(). Throws ToolError on failure. */
 Building loadBuilding(const std::string& path);
 
 } // namespace tools

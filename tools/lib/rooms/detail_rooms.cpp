@@ -17,7 +17,7 @@ namespace tools {
 
 namespace {
 
-/** @brief The rooms with their ceilings. */
+/** @brief Returns the rooms with their ceilings. */
 std::vector<DetailRoom>
 roomsWithCeilings(const ToolCloud& cloud)
 {
@@ -39,8 +39,7 @@ roomsWithCeilings(const ToolCloud& cloud)
   return rooms;
 }
 
-/** @brief Shares out all points: each belongs to the room whose ceiling is nearest in
- * plan. */
+/** @brief Assigns each point to the room with the nearest ceiling in plan. */
 void
 shareOut(const ToolCloud& cloud, const CellGrid& grid, std::vector<DetailRoom>& rooms)
 {
@@ -62,7 +61,7 @@ shareOut(const ToolCloud& cloud, const CellGrid& grid, std::vector<DetailRoom>& 
   }
 }
 
-/** @brief Of the room's ceilings the largest; the others are looked at anew. */
+/** @brief Returns the largest ceiling of the room; the others are classified again. */
 pcl::Indices
 mainCeiling(const ToolCloud& cloud,
             const DetailRoom& room,
@@ -74,8 +73,8 @@ mainCeiling(const ToolCloud& cloud,
   return pointsOn(points, room.ceilings, slab, planes.tolerance);
 }
 
-/** @brief Of the room's floors the lowest that is seen below a tenth of its ceilings:
- * higher ones are platforms or table tops. All of them if none is so large. */
+/** @brief Returns the lowest floor level that covers at least a tenth of the ceilings,
+ * as higher levels may be platforms or table tops. All floors if none is that large. */
 pcl::Indices
 mainFloor(const ToolCloud& cloud,
           const DetailRoom& room,
@@ -96,7 +95,7 @@ mainFloor(const ToolCloud& cloud,
              : pointsOn(points, room.floors, levels.front().slab, parameters.tolerance);
 }
 
-/** @brief The rooms of a file that says of ceilings at most which rooms they are of. */
+/** @brief Returns the rooms of a file with room numbers at ceilings at most. */
 std::vector<DetailRoom>
 sharedOutRooms(const ToolCloud& cloud,
                const CellGrid& grid,
@@ -111,7 +110,7 @@ sharedOutRooms(const ToolCloud& cloud,
   return rooms;
 }
 
-/** @brief The rooms of a file that room segmentation wrote, as the chain has them. */
+/** @brief Returns the rooms of a file written by room segmentation, as in the chain. */
 std::vector<DetailRoom>
 partedRooms(const ToolCloud& cloud,
             const CellGrid& grid,
@@ -146,8 +145,7 @@ partedRooms(const ToolCloud& cloud,
     room.around.push_back(static_cast<int>(i));
     if (cloud.room[i] == 0 &&
         cloud.label[i] == static_cast<std::uint32_t>(StructureLabel::Floor))
-      room.floors.push_back(
-          static_cast<int>(i)); // of no room: something that stands there
+      room.floors.push_back(static_cast<int>(i)); // outside the rooms: objects
   }
   return rooms;
 }

@@ -13,21 +13,21 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief What the details of the ceiling of one room are looked for in. */
+/** @brief Input of detail detection for one room. */
 struct DetailRoom {
   std::uint32_t id = 0;  ///< 0: a file without rooms
   pcl::Indices ceilings; ///< of all heights, label 1
   pcl::Indices floors;   ///< of all heights, label 2
-  pcl::Indices around;   ///< points in its surroundings, with whatever label
-  pcl::Indices ceiling;  ///< the main one
-  pcl::Indices floor;    ///< likewise
-  double floor_height = std::numeric_limits<double>::quiet_NaN(); ///< that of `floor`
-  bool is_parted = false; ///< room segmentation says that all its ceilings are its own
+  pcl::Indices around;   ///< surrounding points of any label
+  pcl::Indices ceiling;  ///< main ceiling
+  pcl::Indices floor;    ///< main floor
+  double floor_height = std::numeric_limits<double>::quiet_NaN(); ///< of `floor`
+  bool is_parted = false; ///< room segmentation assigned all its ceilings
 };
 
-/** @brief The rooms of a file. Where room segmentation wrote it, each with its own
- * points; else points are of the room whose ceiling is nearest in plan. A room without
- * a finite ceiling point is a ToolError. */
+/** @brief Returns the rooms of a file. If room segmentation wrote it, each room has its
+ * own points; else points belong to the room with the nearest ceiling in plan. Throws
+ * ToolError if a room has no finite ceiling point. */
 std::vector<DetailRoom> detailRooms(const ToolCloud& cloud,
                                     double grid_size,
                                     const RoomPlaneParameters& parameters);

@@ -13,11 +13,11 @@ namespace tools {
 
 namespace {
 
-/** @brief What a room takes up of the height of the building. */
+/** @brief Returns the height range of a room. */
 RoomHeights
 heightsOf(const FileRoom& room, const PointView& points)
 {
-  constexpr double headroom = 1.8; // metres, of a room whose floor was not seen
+  constexpr double headroom = 1.8; // metres, for a room whose floor was not seen
   std::vector<float> above;
   for (const auto* part : {&room.ceiling, &room.details})
     for (const int i : *part)

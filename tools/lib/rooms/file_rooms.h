@@ -13,8 +13,7 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief What a file says of a room: rows with its number, by their label. Rows that
- * are not finite are left out. */
+/** @brief Rows of a room in a file, by label. Non-finite rows are omitted. */
 struct FileRoom {
   std::uint32_t id = 0;
   pcl::Indices ceiling; ///< label 1
@@ -22,25 +21,25 @@ struct FileRoom {
   pcl::Indices details; ///< label 4
 };
 
-/** @brief Whether room segmentation, or a stage after it, wrote this file: ceilings and
- * floors have the number of a room. */
+/** @brief Returns whether room segmentation or a later stage wrote this file: ceilings
+ * and floors have room numbers. */
 bool isByRooms(const ToolCloud& cloud);
 
-/** @brief The rooms that have a ceiling, by their numbers. O(n log n). */
+/** @brief Returns the rooms that have a ceiling, by number. O(n log n). */
 std::vector<FileRoom> roomsOf(const ToolCloud& cloud);
 
-/** @brief The main plane of the floor of a room, which must have points. */
+/** @brief Fits the main plane of the floor of a room, which must have points. */
 PlanSlab floorOf(const FileRoom& room,
                  const ToolCloud& cloud,
                  const RoomPlaneParameters& parameters);
 
-/** @brief The main plane of the ceiling of a room. */
+/** @brief Fits the main plane of the ceiling of a room. */
 PlanSlab ceilingOf(const FileRoom& room,
                    const ToolCloud& cloud,
                    const RoomPlaneParameters& parameters);
 
-/** @brief Which room each place belongs to, of whatever storey, by its place in
- * `rooms`. What cannot be told is a ToolError. */
+/** @brief Assigns each place to a room of any storey, by index in `rooms`. Throws
+ * ToolError on failure. */
 RoomTerritory territoryOf(const std::vector<FileRoom>& rooms,
                           const ToolCloud& cloud,
                           double grid_size);

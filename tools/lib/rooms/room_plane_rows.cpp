@@ -23,7 +23,7 @@ label(StructureLabel label,
   }
 }
 
-/** @brief What the building knows of a room, null where it does not. */
+/** @brief Returns a room of the building, null if it is unknown. */
 const BuildingRoom*
 knownRoom(const Building& building, std::uint32_t id)
 {

@@ -11,15 +11,15 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Finds the main planes of the ceiling and the floor of every room of a file,
- * as the chain does, and labels the file anew: all of a ceiling keeps label 1 and its
- * room, of a floor what lies on the plane keeps label 2. The building says at which
- * heights planes are, and where a ceiling was hidden: there rows are added, copies of
- * another row of that ceiling but for their place.
- * @param grid_size cells in which areas are counted, metres
- * @param building as loadBuilding() reads it; without rooms: heights are
- * those that most of a ceiling and the lowest tenth of a floor have, no row is added
- * @return the planes, a ceiling and a floor a room */
+/** @brief Finds the main planes of ceiling and floor of every room of a file, as the
+ * chain does, and labels the file again. All ceiling points keep label 1 and their
+ * room; floor points keep label 2 if they are on the plane. The building gives the
+ * heights of planes and the hidden ceilings. There, rows are added: copies of another
+ * row of that ceiling with a new position.
+ * @param grid_size cells for measuring areas, metres
+ * @param building from loadBuilding(). Without rooms, no rows are added and heights are
+ * those of most of a ceiling and of the lowest tenth of a floor
+ * @return the planes, a ceiling and a floor per room */
 std::vector<pcl::HorizontalPlane>
 labelPlanesOfRooms(const RoomPlaneParameters& parameters,
                    double grid_size,

@@ -20,36 +20,35 @@ namespace tools {
 
 enum class FileData { Ascii, Binary, BinaryBigEndian, Compressed, Decoded };
 
-/** @brief Where the points of a file stand, and how. */
+/** @brief Position and encoding of the points in a file. */
 struct FileLayout {
   pcl::PCLPointCloud2 blob; ///< fields and sizes as in the file, without the data
   FileData data = FileData::Binary;
-  std::size_t begin = 0; ///< of the points, bytes from the start of the file
+  std::size_t begin = 0; ///< first byte of the points in the file
   bool is_ply = false;
-  std::uint64_t faces = 0; ///< of a mesh, or its strips of triangles
+  std::uint64_t faces = 0; ///< of a mesh, including strips of triangles
   Eigen::Vector3d viewpoint = Eigen::Vector3d::Zero(); ///< in the unit of the file
   Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
-  Origin counted_from; ///< what was subtracted when the file was written
-  std::shared_ptr<const PointReader> reader; ///< of Decoded points
+  Origin counted_from; ///< origin subtracted when the file was written
+  std::shared_ptr<const PointReader> reader; ///< for Decoded points
 };
 
-/** @brief Tells a file by its content and reads its head. What is no scan, wrong or cut
- * off is thrown as a ToolError. */
+/** @brief Detects the format from the content and reads the header. Throws ToolError if
+ * the file is no scan, invalid or truncated. */
 FileLayout readLayout(const MappedFile& file,
                       const std::string& path,
                       const ScanSettings& settings);
 
-/** @brief Reads the header of a PCD 0.5 to 0.7, ascii, binary or binary_compressed, and
- * checks it against the size of the file: what is wrong, or cut off, is thrown as a
- * ToolError. */
+/** @brief Reads the header of a PCD 0.5 to 0.7 (ascii, binary or binary_compressed) and
+ * checks it against the file size. Throws ToolError if it is invalid or truncated. */
 FileLayout readPcdLayout(const MappedFile& file, const std::string& path);
 
-/** @brief The same of a PLY file, ascii or binary of either byte order: its vertices.
- */
+/** @brief As above for the vertices of a PLY file, ascii or binary of either byte
+ * order. */
 FileLayout readPlyLayout(const MappedFile& file, const std::string& path);
 
-/** @brief Reads all points, as they stand in the file. What is cut off or damaged is
- * thrown as a ToolError. */
+/** @brief Reads all points as stored. Throws ToolError if the file is truncated or
+ * damaged. */
 pcl::PCLPointCloud2
 readPoints(const MappedFile& file, const FileLayout& layout, const std::string& path);
 
@@ -68,18 +67,18 @@ void readAsciiPly(const MappedFile& file,
                   const std::string& path,
                   pcl::PCLPointCloud2& blob);
 
-/** @brief Turns the bytes of every value round. */
+/** @brief Reverses the byte order of every value. */
 void swapBytes(pcl::PCLPointCloud2& blob);
 
-/** @brief Gives the properties of a PLY file the names of PCL's fields, and joins red,
- * green, blue and alpha of one byte each into `rgb`, or `rgba` with alpha. */
+/** @brief Renames the properties of a PLY file to PCL's fields, and joins one-byte red,
+ * green, blue and alpha into `rgb`, or `rgba` with alpha. */
 void nameAsPcl(pcl::PCLPointCloud2& blob);
 
 bool looksLikePcd(const MappedFile& file);
 
 bool looksLikePly(const MappedFile& file);
 
-/** @brief Goes through the lines and words of a text, a file's header or body. */
+/** @brief Iterates over the lines and words of a file's header or text. */
 class TextCursor {
 public:
   TextCursor(const MappedFile& file, std::size_t position)
@@ -87,10 +86,10 @@ public:
       , position_(position)
   {}
 
-  /** @brief The next line without its end; false at the end of the file. */
+  /** @brief Reads the next line without its end; false at the end of the file. */
   bool nextLine(std::string_view& line);
 
-  /** @brief Where the next line begins, bytes from the start of the file. */
+  /** @brief Returns the byte offset of the next line in the file. */
   std::size_t position() const { return position_; }
 
 private:
@@ -101,13 +100,13 @@ private:
 std::vector<std::string_view> wordsOf(std::string_view line);
 
 /** @brief Reads the numbers of `line` as the fields of one point.
- * @return how many numbers were read; all of them if that is what the fields take */
+ * @return how many numbers were read, at most the number of values in the fields */
 std::size_t readNumbers(std::string_view line,
                         const std::vector<pcl::PCLPointField>& fields,
                         std::uint8_t* point);
 
-/** @brief Sets width, height, offsets and steps of a blob that has its fields, and
- * makes room for `points`; refuses more points than an index can count. */
+/** @brief Sets width, height, offsets and steps of a blob from its fields and allocates
+ * `points`. Throws ToolError if an index cannot count them. */
 void layOut(pcl::PCLPointCloud2& blob, std::uint64_t points, const std::string& path);
 
 } // namespace tools

@@ -22,7 +22,7 @@ setRows(pcl::PCLPointCloud2& blob, std::size_t rows)
   blob.row_step = blob.width * blob.point_step;
 }
 
-/** @brief Makes room for a field of one value at the end of every row. */
+/** @brief Appends a single-value field to every row. */
 void
 addField(pcl::PCLPointCloud2& blob, const std::string& name, std::uint8_t datatype)
 {
@@ -42,7 +42,7 @@ addField(pcl::PCLPointCloud2& blob, const std::string& name, std::uint8_t dataty
   setRows(blob, rowsOf(blob));
 }
 
-/** @brief Takes field `name` out of every row. */
+/** @brief Removes field `name` from every row. */
 void
 dropField(pcl::PCLPointCloud2& blob, const std::string& name)
 {

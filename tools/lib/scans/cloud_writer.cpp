@@ -21,7 +21,7 @@ namespace tools {
 namespace {
 
 struct TypeName {
-  const char* ply; ///< null: PLY has no such type
+  const char* ply; ///< null if PLY has no such type
   char pcd;
 };
 
@@ -54,14 +54,14 @@ typeName(std::uint8_t datatype)
   }
 }
 
-/** @brief Where a cloud was seen from, and what its coordinates are counted from. */
+/** @brief Viewpoint of a cloud and origin of its coordinates. */
 struct Frame {
   Eigen::Vector4f viewpoint = Eigen::Vector4f::Zero();
   Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
   Origin origin;
 };
 
-/** @param rows of the file, of which the fields are given */
+/** @param rows number of rows in the file */
 std::string
 pcdHeader(const std::vector<pcl::PCLPointField>& fields,
           std::size_t rows,
@@ -100,8 +100,8 @@ writeBytes(std::ostream& stream, const std::vector<std::uint8_t>& bytes)
                static_cast<std::streamsize>(bytes.size()));
 }
 
-/** @brief The compressed form of a PCD's data, field after field; empty where it cannot
- * be. */
+/** @brief Returns the compressed data of a PCD, field by field; empty if it cannot be
+ * compressed. */
 std::vector<std::uint8_t>
 compressed(const pcl::PCLPointCloud2& blob)
 {
@@ -135,7 +135,7 @@ isColour(const pcl::PCLPointField& field)
          fieldSize(field.datatype) == sizeof(std::uint32_t);
 }
 
-/** @brief A property of a PLY file and the bytes of a row it is made of. */
+/** @brief A property of a PLY file and its bytes within a row. */
 struct Property {
   std::string type;
   std::string name;
@@ -256,8 +256,8 @@ save(const std::string& path,
   });
 }
 
-/** @brief The same rows without the gaps that PCL's point types leave between and after
- * their fields: a file's header does not tell of gaps. */
+/** @brief Returns rows without the padding of PCL's point types, which file headers
+ * cannot describe. */
 pcl::PCLPointCloud2
 withoutPadding(const pcl::PCLPointCloud2& blob)
 {
@@ -323,7 +323,7 @@ saveScan(const std::string& path, const ScanFile& scan)
       else
         stream.write(reinterpret_cast<const char*>(piece.rows),
                      static_cast<std::streamsize>(piece.size * scan.rowSize()));
-      return stream.good(); // a full disk is told when the file is closed
+      return stream.good(); // a full disk is reported when the file is closed
     });
   });
 }

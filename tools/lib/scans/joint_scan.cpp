@@ -99,7 +99,7 @@ JointScan::JointScan(const std::vector<std::string>& paths,
   own.positions.clear();
   for (const std::string& path : scanFilesOf(paths)) {
     files_.push_back(std::make_unique<ScanFile>(path, own));
-    own.origin = origin(); // one frame for all
+    own.origin = origin(); // one frame for all files
     size_ += files_.back()->size();
   }
   fields_ = files_.front()->fields();

@@ -11,18 +11,19 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief The files that paths name, in their order; of a folder its .pcd, .ply, .e57,
- * .las and .laz files sorted by name. A folder without any is a ToolError. */
+/** @brief Returns the files named by paths, in order. A folder stands for its .pcd,
+ * .ply, .e57, .las and .laz files sorted by name. Throws ToolError for a folder without
+ * any. */
 std::vector<std::string> scanFilesOf(const std::vector<std::string>& paths);
 
-/** @brief Puts together where the rows of several files were scanned from: each file
- * tells that of its own, NaN where it does not. */
+/** @brief Collects the scanner positions of rows of several files; NaN for files that
+ * do not know theirs. */
 class JointPositions {
 public:
   /** @brief Appends the rows of a file. */
   void add(const ScanFile& scan);
 
-  /** @brief The positions of all rows that were added; empty if none is known. */
+  /** @brief Returns the positions of all added rows; empty if none is known. */
   ScanPositions get() const;
 
 private:
@@ -30,12 +31,12 @@ private:
   std::size_t rows_ = 0;
 };
 
-/** @brief Several files that are one scan: their rows one after the other, with all
- * fields where there is one file, else x, y and z. All are counted from the origin of
- * the first unless the settings give one. */
+/** @brief Several files as one scan: their rows in sequence, with all fields of a
+ * single file, else x, y and z. All coordinates use the origin of the first file unless
+ * the settings give one. */
 class JointScan : public RowSource {
 public:
-  /** @param paths files and folders, see scanFilesOf(); one at least */
+  /** @param paths files and folders, see scanFilesOf(); at least one */
   JointScan(const std::vector<std::string>& paths, const ScanSettings& settings);
 
   const std::vector<pcl::PCLPointField>& fields() const override { return fields_; }
@@ -43,17 +44,17 @@ public:
   std::size_t size() const override { return size_; }
   void forEachPiece(const std::function<bool(const Piece&)>& see) const override;
 
-  /** @brief What all coordinates are counted from. */
+  /** @brief Returns the origin of all coordinates. */
   const Origin& origin() const { return files_.front()->origin(); }
 
-  /** @brief Where the rows were scanned from: by the file of positions that the
-   * settings name, in the frame of the first file, or by what each file tells. */
+  /** @brief Returns the scanner position of each row: from the settings' file of
+   * positions, in the frame of the first file, or else from each file. */
   ScanPositions positions() const;
 
 private:
   std::vector<std::unique_ptr<ScanFile>> files_;
   std::vector<pcl::PCLPointField> fields_;
-  std::string positions_; ///< file of them, may be empty
+  std::string positions_; ///< file, may be empty
   std::size_t row_size_ = 0;
   std::size_t size_ = 0;
 };

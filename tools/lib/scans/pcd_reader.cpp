@@ -18,11 +18,11 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-/** @brief The lines of a header by their keywords, and where the data begins. */
+/** @brief Header lines by keyword, and the offset of the data. */
 struct PcdHeader {
   std::map<std::string, Words, std::less<>> lines;
   std::size_t data_begin = 0;
-  Origin origin; ///< as a comment tells it
+  Origin origin; ///< from a comment
 
   const Words* find(std::string_view keyword) const
   {
@@ -226,7 +226,7 @@ readAsciiPcd(const MappedFile& file,
   std::size_t values = 0;
   for (const auto& field : blob.fields)
     values += field.count;
-  // A number and a blank take two bytes: a header may promise no more than that.
+  // A number and a blank take two bytes, which limits the number of points.
   if ((file.size() - begin + 1) / 2 < std::size_t{blob.width} * values)
     refusePcd(path, "the file is cut off, its header promises " +
                         std::to_string(blob.width) + " points, but " +
@@ -276,7 +276,7 @@ readCompressedPcd(const MappedFile& file,
     refusePcd(path, "its " + std::to_string(blob.width) + " points take " +
                         std::to_string(needed) + " bytes, the compressed ones hold " +
                         std::to_string(whole));
-  // Three bytes unpack to 264 at most: no memory for what cannot come.
+  // Three bytes decompress to at most 264, so larger claims allocate no memory.
   constexpr std::uint64_t most_expansion = 88;
   if (whole > most_expansion * compressed)
     refusePcd(path, "its compressed points are damaged, " + std::to_string(compressed) +

@@ -27,7 +27,7 @@ struct PlyHeader {
   std::string format;
   std::vector<PlyElement> elements;
   std::size_t data_begin = 0;
-  Origin origin; ///< as a comment tells it
+  Origin origin; ///< from a comment
 };
 
 [[noreturn]] void
@@ -118,7 +118,7 @@ refuseCutOff(const std::string& path, std::uint64_t vertices, const std::string&
                       std::to_string(vertices) + " vertices, " + found);
 }
 
-/** @brief Gives the properties the names of PCL's fields. */
+/** @brief Renames the properties to PCL's fields. */
 void
 renameNormals(std::vector<pcl::PCLPointField>& fields)
 {
@@ -128,7 +128,7 @@ renameNormals(std::vector<pcl::PCLPointField>& fields)
         field.name = std::string("normal_") + axis;
 }
 
-/** @brief Joins red, green, blue and alpha of one byte each into `rgb`, or `rgba` with
+/** @brief Joins one-byte red, green, blue and alpha into `rgb`, or `rgba` with
  * alpha. */
 void
 joinColours(pcl::PCLPointCloud2& blob)

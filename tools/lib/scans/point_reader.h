@@ -14,39 +14,39 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Where a part of the points was scanned from. */
+/** @brief Scanner position of a range of points. */
 struct ScanStation {
-  std::size_t first_row = 0; ///< up to that of the next station
+  std::size_t first_row = 0; ///< the range ends at the next station
   Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< in the unit of the file
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
   std::string name; ///< may be empty
 };
 
-/** @brief The points of a file whose rows must be decoded: x, y and z as FLOAT64 in the
- * unit and frame of the file, then what else is kept, without padding. NaN stands for
- * points that are not valid. */
+/** @brief Interface of files whose rows must be decoded: x, y and z as FLOAT64 in the
+ * unit and frame of the file, then further fields, without padding. Invalid points are
+ * NaN. */
 class PointReader {
 public:
   virtual ~PointReader() = default;
 
   virtual const std::vector<pcl::PCLPointField>& fields() const = 0;
 
-  /** @brief Rows in all. */
+  /** @brief Returns the total number of rows. */
   virtual std::size_t size() const = 0;
 
-  /** @brief Decodes `size` rows from `first` on; from several threads at once. What is
-   * damaged is a ToolError. */
+  /** @brief Decodes `size` rows from `first` on; thread-safe. Throws ToolError if
+   * damaged. */
   virtual void read(std::size_t first, std::size_t size, std::uint8_t* rows) const = 0;
 
-  /** @brief Byte of the file near which this row begins; that of size() is the end. */
+  /** @brief Returns the approximate byte offset of a row; size() gives the end. */
   virtual std::size_t placeOf(std::size_t row) const = 0;
 
-  /** @brief Where the points were scanned from, in the order of rows; empty if that is
-   * not known of all. */
+  /** @brief Returns the scanner positions in the order of rows; empty if unknown for
+   * any. */
   virtual std::vector<ScanStation> stations() const { return {}; }
 };
 
-/** @brief The fields of a PointReader: x, y and z, then some of FLOAT32. */
+/** @brief Returns the fields of a PointReader: x, y and z, then some of FLOAT32. */
 inline std::vector<pcl::PCLPointField>
 decodedFields(const std::vector<std::string>& more)
 {

@@ -13,7 +13,7 @@ namespace tools {
 
 namespace {
 
-/** @brief Number of the axis that a field is the coordinate of, -1 if it is none. */
+/** @brief Returns the axis of a coordinate field, -1 for others. */
 int
 axisOf(const pcl::PCLPointField& field)
 {

@@ -13,16 +13,16 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief How rows as they stand in a file become rows as they are given out: without
- * padding, x, y and z as FLOAT32 metres, scaled and counted from an origin in double
- * precision before they are floats. */
+/** @brief Converts rows of a file to output rows: no padding, x, y and z as FLOAT32
+ * metres. Scale and origin are applied in double precision before the conversion to
+ * float. */
 class RowPlan {
 public:
   /** @param raw fields as in the file, with offsets
-   * @param raw_size bytes from one row to the next there
-   * @param unit metres that one unit stands for
-   * @param shift what is subtracted, metres
-   * @param path named where rows would be too long, in a ToolError */
+   * @param raw_size bytes per row in the file
+   * @param unit metres per unit
+   * @param shift subtracted from coordinates, metres
+   * @param path for the ToolError thrown if rows would be too long */
   RowPlan(const std::vector<pcl::PCLPointField>& raw,
           std::size_t raw_size,
           double unit,
@@ -32,19 +32,19 @@ public:
   const std::vector<pcl::PCLPointField>& fields() const { return fields_; }
   std::size_t rowSize() const { return row_size_; }
 
-  /** @brief Whether rows stay as they are. */
+  /** @brief Returns whether rows stay unchanged. */
   bool isPlain() const { return is_plain_; }
 
   void bring(const std::uint8_t* raw, std::size_t rows, std::uint8_t* to) const;
 
 private:
-  /** @brief What is done with a field. */
+  /** @brief Conversion of a field. */
   struct Move {
     std::size_t from = 0;
     std::size_t to = 0;
     std::size_t size = 0;      ///< bytes to copy
-    bool converts = false;     ///< to a float of metres
-    std::uint8_t datatype = 0; ///< as in the file
+    bool converts = false;     ///< to float metres
+    std::uint8_t datatype = 0; ///< in the file
     double shift = 0;          ///< metres
   };
 

@@ -36,7 +36,7 @@ isInPieces(const FileLayout& layout)
   return layout.data != FileData::Ascii && layout.data != FileData::Compressed;
 }
 
-/** @brief Says, once for a file, that of a mesh the vertices alone are read. */
+/** @brief Warns once per file that only the vertices of a mesh are read. */
 void
 warnOfMesh(const std::string& path, const FileLayout& layout)
 {
@@ -70,15 +70,15 @@ readScanHead(const std::string& path, const ScanSettings& settings)
   return {layout.blob.width, isInPieces(layout), layout.faces > 0};
 }
 
-/** @brief Reads the pages of a piece before they are wanted and gives them back when
- * they were, while their neighbours are read. */
+/** @brief Prefetches the pages of a piece and releases them after use, while its
+ * neighbours are read. */
 class ScanFile::PageTurner {
 public:
   explicit PageTurner(const ScanFile& scan)
       : scan_(scan)
   {}
 
-  /** @brief The rows before `begin` are done, those from `end` on come next. */
+  /** @brief Declares rows before `begin` as done and those from `end` on as next. */
   void turn(std::size_t begin, std::size_t end, std::size_t next_end)
   {
     if (!scan_.unpacked_.empty())
@@ -99,7 +99,7 @@ public:
 
 private:
   const ScanFile& scan_;
-  std::size_t done_ = std::string::npos; ///< up to here pages are given back
+  std::size_t done_ = std::string::npos; ///< pages before this byte are released
   std::future<void> turned_;
 };
 
@@ -197,7 +197,7 @@ ScanFile::forEachPiece(std::size_t begin,
                        std::size_t end,
                        const std::function<bool(const Piece&)>& see) const
 {
-  // To decode takes longer than to copy, and to begin with it too.
+  // Larger pieces for decoded files: decoding and its start take longer than copying.
   const std::size_t rows_at_once = std::size_t{1} << (layout_.reader ? 15 : 14);
   if (begin == 0)
     warnOfMesh(path_, layout_);

@@ -13,8 +13,8 @@ namespace tools {
 
 namespace {
 
-/** @brief Numbers of a text are read as doubles, so that an origin can be subtracted
- * before they are floats. */
+/** @brief Widens coordinates of text to doubles, so that the origin is subtracted
+ * before conversion to float. */
 void
 widenCoordinates(FileLayout& layout, const std::string& path)
 {

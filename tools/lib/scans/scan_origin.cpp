@@ -20,13 +20,13 @@ namespace tools {
 namespace {
 
 constexpr double float_step = 1.0 / (1 << 23); // between floats, relative
-constexpr double coarsest = 0.001;             // metres
+constexpr double coarsest = 0.001;             // metres, resolution of floats
 constexpr double far_away = 1000;              // metres, where floats are 0.1 mm apart
-constexpr double farthest_grid = 1e8;          // metres, beyond all grids of the earth
+constexpr double farthest_grid = 1e8;          // metres, beyond all map grids
 constexpr std::size_t sample_size = 20000;
 
-/** @brief Whether heights spread, but for a hundredth at each end, over more metres
- * than any building has. */
+/** @brief Returns whether heights, without a hundredth at each end, exceed the height
+ * of any building. */
 bool
 couldBeMillimetres(std::vector<double> heights)
 {
@@ -36,8 +36,8 @@ couldBeMillimetres(std::vector<double> heights)
   return heights[heights.size() - 1 - cut] - heights[cut] > highest;
 }
 
-/** @brief The middle of all sizes along the axis that is farthest off, when counted
- * from `shift`. */
+/** @brief Returns the median of the largest coordinate of each point, relative to
+ * `shift`. */
 double
 farthestFrom(const Eigen::Vector3d& shift, const ScanPlaces& places)
 {
@@ -49,7 +49,7 @@ farthestFrom(const Eigen::Vector3d& shift, const ScanPlaces& places)
   return middleValue(sizes);
 }
 
-/** @brief The middle of the points in whole metres, along the axes on which that is far
+/** @brief Returns the median of the points in whole metres, on axes where it is far
  * away. */
 Eigen::Vector3d
 wholeMetresNear(const ScanPlaces& places)
@@ -63,7 +63,7 @@ wholeMetresNear(const ScanPlaces& places)
   return shift;
 }
 
-/** @brief Says once for a file what its coordinates are counted from. */
+/** @brief Prints the origin of a file's coordinates once. */
 void
 tellOrigin(const std::string& path, const Origin& origin)
 {
@@ -118,13 +118,13 @@ ScanFile::addPlaces(std::size_t first, std::size_t size, ScanPlaces& places) con
 ScanPlaces
 ScanFile::samplePlaces() const
 {
-  constexpr std::size_t run = 100; // rows beside one another share a page
+  constexpr std::size_t run = 100; // adjacent rows share a page
   ScanPlaces places;
   const std::size_t step = std::max<std::size_t>(1, size() / (sample_size / run));
   if (size() > sample_size)
     for (std::size_t first = 0; first + run <= size(); first += step)
       addPlaces(first, run, places);
-  // All of a small scan, and enough of one in which hardly a point is finite.
+  // Reads all of a small scan, and enough of one with hardly any finite points.
   const bool is_enough = places[0].size() >= run;
   if (!is_enough)
     places = ScanPlaces();
@@ -156,7 +156,7 @@ ScanFile::settleOrigin(const ScanSettings& settings)
     shift = settings.origin->place - layout_.counted_from.place;
   else if (finds_shift)
     shift = wholeMetresNear(places);
-  // What floats have lost already, no origin brings back.
+  // An origin cannot restore the precision that floats have lost.
   const double farthest = are_floats ? std::max(given, farthestFrom(shift, places))
                                      : farthestFrom(shift, places);
   if (farthest * float_step > coarsest) {

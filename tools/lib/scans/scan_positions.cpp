@@ -37,8 +37,8 @@ positionIn(const std::vector<std::string_view>& words)
   return line;
 }
 
-/** @brief The lines of a file of positions; a position without a number of points must
- * be the only one. */
+/** @brief Reads a file of positions. A position without a number of points must be the
+ * only one. */
 std::vector<PositionLine>
 readPositionLines(const std::string& path)
 {
@@ -76,7 +76,7 @@ ScanFile::positions() const
   if (layout_.reader)
     for (const ScanStation& station : layout_.reader->stations())
       positions.push_back({station.first_row, inMetres(station.position)});
-  else if (!layout_.viewpoint.isZero(0)) // 0 is what a PCD says that knows of none
+  else if (!layout_.viewpoint.isZero(0)) // 0 in a PCD means unknown
     positions.push_back({0, inMetres(layout_.viewpoint)});
   return positions;
 }

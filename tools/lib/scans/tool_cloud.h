@@ -12,8 +12,7 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief A cloud as a tool holds it: all fields, and what every stage reads of them.
- */
+/** @brief A cloud in a tool: all fields, and those that every stage uses. */
 struct ToolCloud {
   std::string path;
   pcl::PCLPointCloud2 blob; ///< every field of the file; x, y, z as FLOAT32 metres, no
@@ -21,52 +20,51 @@ struct ToolCloud {
   pcl::PointCloud<pcl::PointXYZ>::Ptr
       points; ///< x, y, z of the rows; carries the viewpoint
   std::vector<std::uint32_t>
-      label; ///< a StructureLabel a row, zeros if the file has none
+      label; ///< StructureLabel per row, zeros if the file has none
   std::vector<std::uint32_t> room; ///< 0 none, zeros if the file has none
-  Origin origin;                   ///< what coordinates are counted from
+  Origin origin;                   ///< origin of the coordinates
   bool has_label = false;
   bool has_room = false;
 
   std::size_t size() const { return label.size(); }
 
-  /** @brief The rows with this label. */
+  /** @brief Returns the rows with this label. */
   pcl::Indices withLabel(StructureLabel wanted) const;
 };
 
-/** @brief Reads all of a scan as ScanFile does; what is amiss is a ToolError of one
- * sentence. */
+/** @brief Reads a whole scan by ScanFile; throws ToolError on failure. */
 ToolCloud loadCloud(const std::string& path, const ScanSettings& settings = {});
 
-/** @param unit metres that one unit of the file stands for */
+/** @param unit metres per unit of the file */
 ToolCloud loadCloud(const std::string& path, double unit);
 
 enum class PcdData { Binary, Compressed };
 
-/** @brief Throws a ToolError if no cloud can be written to `path`: see checkWritable();
- * the name must end in .pcd or .ply. To be asked before the work. */
+/** @brief Throws ToolError if `path` cannot be written, see checkWritable(), or does
+ * not end in .pcd or .ply. To be called before the work. */
 void checkCloudOutput(const std::string& path);
 
-/** @brief Writes `cloud.blob` whole or not at all: PCD, or binary PLY if `path` ends in
- * .ply. What fails is a ToolError. `label` and `room` of the ToolCloud are not looked
- * at: see setField(). */
+/** @brief Writes `cloud.blob` completely or not at all: PCD, or binary PLY if `path`
+ * ends in .ply. `label` and `room` of the ToolCloud are ignored: see setField(). Throws
+ * ToolError on failure. */
 void saveCloud(const std::string& path,
                const ToolCloud& cloud,
                PcdData data = PcdData::Binary);
 
-/** @brief The same for a blob alone, seen from the origin. */
+/** @brief As above for a blob alone, with the viewpoint at the origin. */
 void saveCloud(const std::string& path,
                const pcl::PCLPointCloud2& blob,
                PcdData data = PcdData::Binary);
 
-/** @brief Writes a structure as a binary PCD, whole or not at all, piece by piece: no
- * second copy of it is needed. What fails is a ToolError. */
+/** @brief Writes a structure as a binary PCD, completely or not at all, piece by piece
+ * to avoid a second copy. Throws ToolError on failure. */
 void saveStructure(const std::string& path,
                    const pcl::PointCloud<pcl::PointStructure>& structure,
                    const Origin& origin = {});
 
 class ScanFile;
 
-/** @brief Writes a scan as it is read, piece by piece: binary PCD, or PLY if `path`
+/** @brief Writes a scan while reading it, piece by piece: binary PCD, or PLY if `path`
  * ends in .ply. */
 void saveScan(const std::string& path, const ScanFile& scan);
 

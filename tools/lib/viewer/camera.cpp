@@ -18,7 +18,8 @@ namespace {
 constexpr double eye_height = 1.6;     // metres
 constexpr double wall_clearance = 0.6; // metres
 
-/** @brief The pose from which a box fills the window, looking along `-towards`. */
+/** @brief Returns the pose from which a box fills the window, looking along
+ * `-towards`. */
 CameraPose
 poseAround(const Eigen::AlignedBox3d& box,
            const Eigen::Vector3d& towards,
@@ -44,7 +45,7 @@ poseAround(const Eigen::AlignedBox3d& box,
   return pose;
 }
 
-/** @brief The farthest that one gets from a place towards an angle within a room. */
+/** @brief Returns the free distance from a place in a direction within a room. */
 double
 freeWay(const PlanRoom& room, const Eigen::Vector2d& place, double angle)
 {
@@ -56,7 +57,7 @@ freeWay(const PlanRoom& room, const Eigen::Vector2d& place, double angle)
   return length;
 }
 
-/** @brief Stands away from walls where the way ahead is longest. */
+/** @brief Returns a pose away from walls with the longest free line of sight. */
 CameraPose
 poseInside(const PlanRoom& room, double aspect)
 {

@@ -11,32 +11,32 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief What is to be done after a key, besides drawing anew. */
+/** @brief Action after a key, besides drawing again. */
 enum class KeyCommand {
-  None, ///< the key means nothing
+  None, ///< unknown key
   Redraw,
-  MoveCamera, ///< to the view point of the state
+  MoveCamera, ///< to the state's view point
   Screenshot,
   Help,
   Quit
 };
 
-/** @brief A key, and the option that does the same from the start. */
+/** @brief A key, and the equivalent option at start. */
 struct KeyBinding {
-  std::string key;    ///< its symbol as X and VTK name it: "c", "Up", "plus"
-  std::string shown;  ///< as people call it: "+"
-  std::string does;   ///< "ceilings on and off"; empty where another key tells it
-  std::string option; ///< "--no-ceiling"; empty for none
+  std::string key;    ///< symbol in X and VTK: "c", "Up", "plus"
+  std::string shown;  ///< for display: "+"
+  std::string does;   ///< "ceilings on and off"; empty if another key explains it
+  std::string option; ///< "--no-ceiling"; empty if there is none
   std::function<KeyCommand(ViewState&, HeightRange)> press;
 };
 
-/** @brief Every key of the viewer, once. */
+/** @brief Returns every key of the viewer, once. */
 const std::vector<KeyBinding>& keyBindings();
 
-/** @brief Lets a key change the state. Unknown keys change nothing. */
+/** @brief Applies a key to the state. Unknown keys change nothing. */
 KeyCommand pressKey(const std::string& key, HeightRange heights, ViewState& state);
 
-/** @brief The keys, a line each, with what the mouse does. */
+/** @brief Returns a help text with one key per line, and the mouse actions. */
 std::string keyHelp();
 
 } // namespace tools

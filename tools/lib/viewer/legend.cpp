@@ -22,9 +22,9 @@ constexpr std::array<StructureLabel, 6> label_order{
     StructureLabel::Ceiling, StructureLabel::Floor,  StructureLabel::Wall,
     StructureLabel::Detail,  StructureLabel::Column, StructureLabel::Other};
 
-constexpr std::size_t most_rooms = 14; // that have a line each
+constexpr std::size_t most_rooms = 14; // with a line each
 
-/** @brief What a layer holds, in a line. */
+/** @brief Returns a line on the content of a layer. */
 std::string
 sizeOf(const ViewedResult& result, Layer layer)
 {
@@ -118,7 +118,7 @@ addDistances(const ViewedResult& result,
   }
 }
 
-/** @brief A name in the letters that a legend can be written in. */
+/** @brief Converts a name to characters that the legend supports. */
 std::string
 asciiOf(std::string name)
 {

@@ -10,19 +10,19 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief A line of the legend; a colour of its own says what that colour means. */
+/** @brief A line of the legend, optionally with a colour that it explains. */
 struct LegendLine {
   std::string text; ///< ASCII
   Colour colour = colours::ink;
-  bool is_sample = false; ///< whether a patch of the colour stands before the text
+  bool is_sample = false; ///< whether a colour patch precedes the text
 };
 
-/** @brief What is shown, its counts, and what the colours mean, rooms with their areas;
- * ASCII, from the top down. */
+/** @brief Returns what is shown, counts, and the meanings of colours, rooms with their
+ * areas; ASCII, from top to bottom. */
 std::vector<LegendLine>
 legendOf(const ViewedResult& result, const Painter& painter, const ViewState& state);
 
-/** @brief A count with its thousands apart: "1,234,567". */
+/** @brief Formats a count with separated thousands: "1,234,567". */
 std::string countText(std::size_t count);
 
 } // namespace tools

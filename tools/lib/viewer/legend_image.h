@@ -10,8 +10,8 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief The legend as it lies over a view: a line of text each, with a patch of its
- * colour before what has one. Empty, 0 by 0, for no lines. */
+/** @brief Draws the legend for a view: lines of text, some with a colour patch. Empty,
+ * 0 by 0, for no lines. */
 Image drawLegend(const std::vector<LegendLine>& lines);
 
 } // namespace tools

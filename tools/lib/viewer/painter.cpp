@@ -15,10 +15,10 @@ namespace tools {
 
 namespace {
 
-constexpr double plan_chord = 0.005; // between an arc and its lines, metres
-constexpr double lift = 0.01;        // of lines before the faces they lie on, metres
+constexpr double plan_chord = 0.005; // metres, between an arc and its chords
+constexpr double lift = 0.01;        // metres, of lines in front of their faces
 
-/** @brief A grey that is lighter the higher a point is. */
+/** @brief Returns a grey that becomes lighter with height. */
 Colour
 heightColour(double z, HeightRange heights)
 {
@@ -33,7 +33,7 @@ labelAt(const std::vector<std::uint32_t>& labels, std::size_t i)
                         : static_cast<StructureLabel>(labels[i]);
 }
 
-/** @brief A point's colour in the light, as far as its surface is known. */
+/** @brief Returns the lit colour of a point, if its normal is known. */
 Colour
 litPoint(const DisplayCloud& cloud, std::size_t i, Colour colour)
 {
@@ -82,7 +82,7 @@ Painter::distances(Layer layer) const
   if (!cloud || result_.mesh.empty())
     return distances;
   const Progress progress("measuring distances");
-  // What is far outside takes the locator longest, and its box says enough of it.
+  // Far outside, the locator is slowest, and the distance from the box suffices.
   constexpr double far = 1; // metres
   const Eigen::AlignedBox3d box = result_.mesh.bounds();
   std::vector<std::size_t> near;
@@ -165,7 +165,7 @@ Painter::triangles(Layer layer, const ViewState& state) const
     if (state.colouring == Colouring::Room && !mesh->rooms.empty())
       colour = roomColour(mesh->rooms[t]);
     else if (state.colouring == Colouring::Distance)
-      colour = lightened(colours::other, 0.5); // the points are what counts
+      colour = lightened(colours::other, 0.5); // the points matter more
     colour = litColour(colour, normal);
     for (int k = 0; k < 3; ++k)
       shown.add(mesh->corner(t, k).cast<float>(), colour);

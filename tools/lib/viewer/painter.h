@@ -16,7 +16,7 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Points or corners of triangles, three a triangle, each with its colour. */
+/** @brief Coloured points, or triangle corners in groups of three. */
 struct ColouredPoints {
   std::vector<Eigen::Vector3f> points;
   std::vector<Colour> colours;
@@ -31,30 +31,30 @@ struct ColouredPoints {
 /** @brief Straight lines, two points each. */
 using ColouredLines = ColouredPoints;
 
-/** @brief What of a result is shown in a state, and in which colours; knows nothing of
- * windows. What is costly is worked out once, when it is first asked for. */
+/** @brief Computes what a state shows of a result, and in which colours, independent of
+ * windows. Costly parts are computed once, on first use. */
 class Painter {
 public:
-  /** @param result must stay where it is
-   * @param range distance that has the last colour, metres */
+  /** @param result must outlive this object
+   * @param range distance with the last colour, metres */
   explicit Painter(const ViewedResult& result, double range = 0.05);
 
-  /** @brief The points of a cloud that the state leaves: all, or those of one storey,
-   * or those below the ceilings. Clipping is not done here. */
+  /** @brief Returns the visible points of a cloud: all, those of one storey, or those
+   * below the ceilings. Clipping is not applied. */
   ColouredPoints points(Layer layer, const ViewState& state) const;
 
-  /** @brief The triangles of a mesh likewise. */
+  /** @brief As above for the triangles of a mesh. */
   ColouredPoints triangles(Layer layer, const ViewState& state) const;
 
-  /** @brief The elements of the plan at floor and ceiling and their corners between;
-   * without the ceilings those at the floor only. */
+  /** @brief Returns the plan's elements at floor and ceiling, and vertical lines at
+   * corners; without ceilings, only those at the floor. */
   ColouredLines planLines(const ViewState& state) const;
 
-  /** @brief The edges of the solid's faces. */
+  /** @brief Returns the edges of the solid's faces. */
   ColouredLines solidEdges(const ViewState& state) const;
 
-  /** @brief Distance of a cloud's points from the mesh, metres; of those more than a
-   * metre outside of its box that from the box. Empty without a mesh. */
+  /** @brief Returns the distance of a cloud's points from the mesh, metres; for points
+   * more than a metre outside its box, from the box. Empty without a mesh. */
   const std::vector<double>& distances(Layer layer) const;
 
   double range() const { return range_; }
@@ -64,7 +64,7 @@ public:
 private:
   const std::vector<bool>& ceilingOf(Layer layer) const;
 
-  /** @brief Whether a state shows a triangle of a mesh. */
+  /** @brief Returns whether a state shows a triangle of a mesh. */
   bool shows(Layer layer, std::size_t triangle, const ViewState& state) const;
 
   Colour colourOfPoint(Layer layer, std::size_t i, const ViewState& state) const;
@@ -78,7 +78,7 @@ private:
   mutable std::map<Layer, std::vector<double>> distances_;
 };
 
-/** @brief The colour of a room: grey for none. */
+/** @brief Returns the colour of a room; grey for none. */
 Colour roomColour(std::uint32_t room);
 
 } // namespace tools

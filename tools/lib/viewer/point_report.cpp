@@ -13,9 +13,9 @@ namespace tools {
 
 namespace {
 
-constexpr double farthest = 0.5; // a point farther off says nothing, metres
+constexpr double farthest = 0.5; // metres; points farther away are ignored
 
-/** @brief What label and room say; empty where they say nothing. */
+/** @brief Describes label and room; empty if unknown. */
 std::string
 kindOf(const std::vector<std::uint32_t>& labels,
        const std::vector<std::uint32_t>& rooms,

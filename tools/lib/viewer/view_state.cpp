@@ -12,8 +12,7 @@ namespace tools {
 
 namespace {
 
-/** @brief The place of a name in a list that an option has checked, or that is checked
- * here. */
+/** @brief Returns the index of a name in a list; throws ToolError if it is unknown. */
 std::size_t
 placeOf(const std::string& name,
         const std::vector<std::string>& names,
@@ -99,7 +98,7 @@ ViewState::moveClipping(double by, HeightRange range)
       clip_height = range.high;
     return;
   }
-  constexpr double least = 0.01; // metres above the bottom: something is left
+  constexpr double least = 0.01; // metres above the bottom, to leave something visible
   clip_height += by;
   if (clip_height > range.high)
     clip_height = no_clipping;

@@ -13,7 +13,7 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief What of a result can be shown. */
+/** @brief Parts of a result that can be shown. */
 enum class Layer { Raw, Thinned, Structure, Plan, Mesh, Solid };
 
 constexpr std::array<Layer, 6> all_layers{Layer::Raw,  Layer::Thinned, Layer::Structure,
@@ -40,7 +40,7 @@ private:
   std::bitset<all_layers.size()> bits_;
 };
 
-/** @brief What the colours of points and faces mean. */
+/** @brief Meaning of the colours of points and faces. */
 enum class Colouring {
   Plain, ///< clouds by height, from dark to light; surfaces by label
   Label,
@@ -48,20 +48,20 @@ enum class Colouring {
   Distance ///< from the mesh
 };
 
-/** @brief Where the camera stands. */
+/** @brief Position of the camera. */
 enum class ViewPoint { Top, Iso, Inside };
 
 const std::vector<std::string>& layerNames();
 const std::vector<std::string>& colouringNames();
 const std::vector<std::string>& viewPointNames();
 
-/** @brief The lowest and the highest that can be clipped, metres. */
+/** @brief Range of clipping heights, metres. */
 struct HeightRange {
   double low = 0;
   double high = 0;
 };
 
-/** @brief All that keys and options change of what is seen. */
+/** @brief The state of the display, set by keys and options. */
 struct ViewState {
   static constexpr double no_clipping = std::numeric_limits<double>::infinity();
 
@@ -69,34 +69,33 @@ struct ViewState {
   Colouring colouring = Colouring::Label;
   ViewPoint view_point = ViewPoint::Iso;
   bool ceiling = true;
-  double clip_height = no_clipping; ///< what is higher is not shown, metres
+  double clip_height = no_clipping; ///< metres; higher parts are hidden
   bool edges = true;                ///< of the solid
   bool legend = true;
-  bool two_views = false;             ///< the scan at the left, the model at the right
+  bool two_views = false;             ///< scan on the left, model on the right
   double point_size = 2;              ///< pixels
-  std::uint32_t storey = 0;           ///< number of the only one that is shown; 0: all
-  std::vector<std::uint32_t> storeys; ///< numbers of those that there are
+  std::uint32_t storey = 0;           ///< number of the only visible storey; 0: all
+  std::vector<std::uint32_t> storeys; ///< numbers of existing storeys
 
   bool isClipped() const { return clip_height < no_clipping; }
 
-  /** @brief Moves the clipping height by some metres. From above `range` it comes down
-   * to its top first, and goes back to no clipping from there; it stays above the
-   * bottom. */
+  /** @brief Moves the clipping height by some metres. From above `range` it first jumps
+   * down to its top, and from there back to no clipping. It stays above the bottom. */
   void moveClipping(double by, HeightRange range);
 
-  /** @brief Shows one storey alone, or all again where it was alone already.
-   * @return false where there is no such storey */
+  /** @brief Shows one storey alone, or all again if it was alone.
+   * @return false if there is no such storey */
   bool toggleStorey(std::uint32_t number);
 
-  /** @brief The layers of the left of two views: clouds of the scan. Of them the raw
-   * one if neither is asked for. */
+  /** @brief Returns whether the left of two views shows a layer: clouds of the scan,
+   * the raw one if none is selected. */
   bool isShownLeft(Layer layer) const;
 
-  /** @brief The layers of the only view, or of the right one. */
+  /** @brief Returns whether the only or the right view shows a layer. */
   bool isShownRight(Layer layer) const;
 };
 
-/** @brief Layers by their names, "raw,plan". Throws a ToolError for another name. */
+/** @brief Parses layers by name, "raw,plan". Throws ToolError for another name. */
 LayerSet layersOf(const std::string& names);
 
 Colouring colouringOf(const std::string& name);

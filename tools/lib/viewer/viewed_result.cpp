@@ -19,7 +19,7 @@ namespace tools {
 
 namespace {
 
-/** @brief Around the points with a label; around all where none has one. */
+/** @brief Returns the box of labelled points; of all points if none has a label. */
 Eigen::AlignedBox3d
 boxOf(const DisplayCloud& cloud)
 {
@@ -47,7 +47,7 @@ boxOf(const Floorplan& plan)
   return box;
 }
 
-/** @brief A single file: a plan, a mesh or a cloud. */
+/** @brief Reads a single file: a plan, a mesh or a cloud. */
 ViewedResult
 readFile(const std::string& path, const ReadSettings& settings)
 {
@@ -72,7 +72,7 @@ readFile(const std::string& path, const ReadSettings& settings)
   return result;
 }
 
-/** @brief The scan that a run started from, raw and thinned. */
+/** @brief Reads the scan of a run, raw and thinned. */
 void
 readScan(const ResultFolder& folder, const ReadSettings& settings, ViewedResult& result)
 {
@@ -83,7 +83,7 @@ readScan(const ResultFolder& folder, const ReadSettings& settings, ViewedResult&
   }
   const ScanFile scan(path, folder.scanSettings());
   result.raw = displayCloudOf(scan, settings.most_points);
-  // A scan may bring labels of its own, of which nothing is known here.
+  // Labels in a raw scan have an unknown meaning.
   result.raw.labels.clear();
   result.raw.rooms.clear();
   result.thinned = thinnedCloudOf(scan, folder.voxelSize());

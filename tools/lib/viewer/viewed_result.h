@@ -17,7 +17,7 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief What there is to look at: each part may be missing. */
+/** @brief A result to display; each part may be missing. */
 struct ViewedResult {
   std::string name; ///< of the folder or file
   DisplayCloud raw;
@@ -27,33 +27,34 @@ struct ViewedResult {
   TriangleMesh mesh;
   TriangleMesh solid;
   std::map<std::uint32_t, std::string> solid_names; ///< by TriangleMesh::elements
-  std::vector<std::string> notes; ///< what is missing and why, a sentence each
+  std::vector<std::string> notes; ///< missing parts and reasons, a sentence each
 
   bool has(Layer layer) const;
 
-  /** @brief The cloud of a layer of points, null for other layers. */
+  /** @brief Returns the cloud of a layer of points, null for other layers. */
   const DisplayCloud* cloudOf(Layer layer) const;
 
-  /** @brief The mesh of a layer of triangles, null for other layers. */
+  /** @brief Returns the mesh of a layer of triangles, null for other layers. */
   const TriangleMesh* meshOf(Layer layer) const;
 
-  /** @brief Box around the model, where there is none around the clouds; metres. */
+  /** @brief Returns the box around the model or, without a model, around the clouds;
+   * metres. */
   Eigen::AlignedBox3d bounds() const;
 
-  /** @brief The layers to begin with: the mesh, or the next best that there is. */
+  /** @brief Returns the initial layers: the mesh, or the next best one present. */
   LayerSet firstLayers() const;
 };
 
-/** @brief What a result is read with. */
+/** @brief Settings for reading a result. */
 struct ReadSettings {
-  std::string scan;                  ///< the raw scan; empty: as report.json names it
-  std::size_t most_points = 1000000; ///< of a cloud that are shown; 0: all
+  std::string scan;                  ///< raw scan; empty: from report.json
+  std::size_t most_points = 1000000; ///< maximum to show per cloud; 0: all
 };
 
-/** @brief Reads the folder that a run of pcl_sedr has left, or one file: a floor
- * plan, a mesh, a solid, which names its elements, or a cloud. That is structure where
- * it has labels or rooms, as a stage's is, and else a raw scan. What cannot be read is
- * a ToolError; a missing part is a note. */
+/** @brief Reads a result folder of pcl_sedr, or one file: a floor plan, a mesh, a solid
+ * with its element names, or a cloud. A cloud with labels or rooms, as from a stage, is
+ * structure; others are raw scans. Throws ToolError if the main file cannot be read;
+ * missing parts become notes. */
 ViewedResult readResult(const std::string& path, const ReadSettings& settings);
 
 } // namespace tools

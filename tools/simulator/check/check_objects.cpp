@@ -28,8 +28,7 @@ footprintOf(const Cylinder& cylinder)
   return circleLoop(plan(cylinder.base), cylinder.radius);
 }
 
-/** @brief True if @p point is between the heights of a box or cylinder and above its
- * footprint. */
+/** @brief Returns true if @p point is inside the box or cylinder. */
 template <typename Part>
 bool
 holds(const Part& part, Vec3 point)
@@ -47,7 +46,7 @@ holds(const Object& object, Vec3 point)
          std::any_of(object.cylinders.begin(), object.cylinders.end(), holds_point);
 }
 
-/** @brief The diagonal of the object's bounds in the plan. */
+/** @brief Returns the diagonal of the object's bounds in the plan. */
 double
 sizeOf(const Object& object)
 {
@@ -88,7 +87,7 @@ private:
   void checkFurniture(const Object& object)
   {
     const double size = sizeOf(object);
-    // A thing is reported once, not part by part.
+    // Report an object once, not part by part.
     for (const Box& box : object.boxes)
       if (!checkPart(object, box, size))
         return;
@@ -130,8 +129,8 @@ private:
     });
   }
 
-  /** @brief Nothing is in the way at a point of a part's outline.
-   * @param size of the object in the plan: at a slope it stands or hangs by its middle
+  /** @brief Checks that nothing obstructs the object at a point of a part's outline.
+   * @param size of the object in the plan; on a slope it touches at its middle
    */
   bool checkSample(const Object& object,
                    const Room& room,

@@ -12,9 +12,9 @@ namespace pcl::sedr::sim {
 
 namespace {
 
-constexpr double kBeside = 1e-4; ///< how far into a room its floor is asked for
+constexpr double kBeside = 1e-4; ///< metres into a room, where its floor is measured
 
-/** @brief What an opening or niche takes of a wall, and what to call it. */
+/** @brief The part of a wall that an opening or niche occupies, and its name. */
 struct Gap {
   std::string place;
   std::size_t wall = 0;
@@ -32,14 +32,14 @@ gapOf(const std::string& place, const Part& part)
   return {place, part.wall, part.from, part.to, part.sill, part.head, part.depth};
 }
 
-/** @brief A gap's part of the wall's face on the side of @p room. */
+/** @brief Returns a gap's part of the wall's face on the side of @p room. */
 Element
 faceOf(const Room& room, const Gap& gap)
 {
   return pieceOf(elementOf(room.outline, gap.wall), gap.from, gap.to);
 }
 
-/** @brief The space that a gap takes of a wall. */
+/** @brief The space that a gap occupies in a wall. */
 struct Recess {
   std::string place;
   Loop footprint; ///< clockwise
@@ -122,7 +122,7 @@ private:
     }
   }
 
-  /** @brief Sill and head are between floor and ceiling all along the gap. */
+  /** @brief Checks that sill and head are between floor and ceiling along the gap. */
   void checkHeights(const Room& room, const Gap& gap)
   {
     const Element face = faceOf(room, gap);
@@ -150,7 +150,7 @@ private:
            ceilingAbove(room, point) > gap.sill + kContact;
   }
 
-  /** @brief The room in which a gap's far side ends, if any. */
+  /** @brief Returns the room that a gap's far side reaches, if any. */
   const Room* roomBehind(const Room& room, const Gap& gap) const
   {
     const Element far = offsetRight(faceOf(room, gap), gap.depth);

@@ -20,7 +20,7 @@ touchesOutline(const Loop& loop, Vec2 point)
   return false;
 }
 
-/** @brief Places along the outline and all details of a room. */
+/** @brief Returns sample points along the outline and all details of a room. */
 std::vector<Vec2>
 placesOf(const Room& room)
 {
@@ -34,7 +34,7 @@ placesOf(const Room& room)
   return places;
 }
 
-/** @brief Checks one room for itself. */
+/** @brief Checks a single room. */
 class RoomChecker {
 public:
   RoomChecker(const Room& room, std::string place, Problems& problems)
@@ -43,7 +43,7 @@ public:
       , problems_(problems)
   {}
 
-  /** @brief True if the room is sound. */
+  /** @brief Returns true if the room has no faults. */
   bool run()
   {
     const bool is_sound = checkOutline() &&
@@ -91,8 +91,8 @@ private:
     return true;
   }
 
-  /** @brief The ceiling is above the floor wherever one of them ends or changes; walls
-   * that lean meet the floor or the ceiling in an edge. */
+  /** @brief Checks that the ceiling is above the floor along all loops; at the edge of
+   * a tilted wall they may meet. */
   bool checkHeights()
   {
     const std::vector<Vec2> samples = placesOf(room_);
@@ -123,7 +123,7 @@ private:
   Problems& problems_;
 };
 
-/** @brief True if both rooms take the same height at @p point. */
+/** @brief Returns true if the height ranges of both rooms overlap at @p point. */
 bool
 shareHeight(const Room& a, const Room& b, Vec2 point)
 {
@@ -133,7 +133,7 @@ shareHeight(const Room& a, const Room& b, Vec2 point)
   return low < high - kContact;
 }
 
-/** @brief A point that is in both rooms, if any outline or detail shows one. */
+/** @brief Returns a point in both rooms, if the sampled loops contain one. */
 std::optional<Vec2>
 overlapOf(const Room& a, const Room& b)
 {

@@ -9,14 +9,14 @@ namespace pcl::sedr::sim {
 
 namespace {
 
-/** @brief Points just inside a loop, whichever way it runs. */
+/** @brief Returns points just inside a loop, regardless of its direction. */
 std::vector<Vec2>
 samplesWithin(const Loop& loop)
 {
   return samplesAlong(loop, areaOf(loop) > 0.0 ? kInside : -kInside);
 }
 
-/** @brief Checks one void. */
+/** @brief Checks a single void. */
 class VoidChecker {
 public:
   VoidChecker(const Scene& scene,
@@ -48,7 +48,7 @@ public:
   }
 
 private:
-  /** @brief The loop is within the room and within one part of its floor or ceiling. */
+  /** @brief Checks that the loop is within one part of a room's floor or ceiling. */
   bool checkLayer(const Loop& loop, const Room& room, Layer layer)
   {
     const Region first = regionAt(room, pointInside(loop), layer);
@@ -98,14 +98,14 @@ overlap(const Loop& a, const Loop& b)
   return false;
 }
 
-/** @brief Every hole with its place in the scene. */
+/** @brief A void and its place in the scene. */
 struct PlacedVoid {
   std::string place;
   std::size_t room = 0;
   const CeilingVoid* hole = nullptr;
 };
 
-/** @brief True if two holes are in one ceiling or in one floor. */
+/** @brief Returns true if two holes are in the same ceiling or floor. */
 bool
 shareSlab(const PlacedVoid& a, const PlacedVoid& b)
 {

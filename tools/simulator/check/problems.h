@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-/** @file The parts of problemsOf(): see scene_check.h. */
+/** @file The checks that problemsOf() consists of: see scene_check.h. */
 
 namespace pcl::sedr::sim {
 
-/** @brief Sentences about what is wrong, each beginning with the place in the scene. */
+/** @brief Sentences about faults, each beginning with the place in the scene. */
 class Problems {
 public:
   template <typename... Parts>
@@ -31,7 +31,7 @@ private:
   std::vector<std::string> sentences_;
 };
 
-/** @brief The place of an element of a list, as in "rooms[2]". */
+/** @brief Returns the place of an element of a list, as in "rooms[2]". */
 inline std::string
 placeOf(const std::string& list, std::size_t index)
 {
@@ -39,18 +39,18 @@ placeOf(const std::string& list, std::size_t index)
 }
 
 constexpr double kContact = 1e-6; ///< metres of overlap that count as contact
-constexpr double kInside = 1e-3;  ///< metres: how far inside a loop is not on its edge
+constexpr double kInside = 1e-3;  ///< metres inside a loop, clear of its edge
 
-/** @brief Outlines, heights, details and columns; rooms that overlap. */
+/** @brief Checks outlines, heights, details and columns, and that no rooms overlap. */
 void checkRooms(const Scene& scene, Problems& problems);
 
-/** @brief Holes in ceilings; rooms without problems are taken for granted. */
+/** @brief Checks holes in ceilings; rooms must have no faults. */
 void checkVoids(const Scene& scene, Problems& problems);
 
-/** @brief Openings and niches; rooms without problems are taken for granted. */
+/** @brief Checks openings and niches; rooms must have no faults. */
 void checkOpenings(const Scene& scene, Problems& problems);
 
-/** @brief Furniture and scanners; rooms without problems are taken for granted. */
+/** @brief Checks furniture and scanners; rooms must have no faults. */
 void checkObjects(const Scene& scene, Problems& problems);
 
 } // namespace pcl::sedr::sim

@@ -8,7 +8,7 @@
 
 namespace pcl::sedr::sim {
 
-/** @brief Adds boxes that are given in the frame of the object's spot. */
+/** @brief An object under construction; its boxes are relative to its spot. */
 class Assembly {
 public:
   Assembly(std::string name, const Spot& spot)

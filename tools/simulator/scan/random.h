@@ -18,9 +18,9 @@ scrambled(std::uint64_t x)
   return x ^ (x >> 31);
 }
 
-/** @brief Random numbers of one ray, which depend on its numbers only.
+/** @brief Random numbers of one ray, a function of seed, station and ray number only.
  *
- * So a scan is the same whatever thread casts which ray.
+ * A scan is therefore the same whichever thread casts a ray.
  */
 class RayRandom {
 public:

@@ -12,7 +12,7 @@ namespace pcl::sedr::sim {
 namespace {
 
 constexpr std::uint32_t kLeafSize = 2;
-constexpr double kMargin = 1e-9; ///< keeps flat boxes from being missed
+constexpr double kMargin = 1e-9; ///< metres that thicken flat boxes
 
 Bounds
 merged(const Bounds& a, const Bounds& b)
@@ -45,7 +45,7 @@ longestAxis(const Bounds& bounds)
   return size.y >= size.z ? 1 : 2;
 }
 
-/** @brief Where a ray enters a box; infinite if it misses or enters beyond @p to. */
+/** @brief Returns where a ray enters a box; infinite if it misses or beyond @p to. */
 double
 entryDistance(const Bounds& bounds, const Ray& ray, Vec3 inverse, double to)
 {

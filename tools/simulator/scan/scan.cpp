@@ -13,11 +13,11 @@ namespace pcl::sedr::sim {
 
 namespace {
 
-constexpr std::size_t kBlockSteps = 16; ///< azimuth steps that a thread takes at a time
+constexpr std::size_t kBlockSteps = 16; ///< azimuth steps in a block of work
 constexpr unsigned kMaxThreads = 256;
-constexpr std::uint64_t kTurn = ~0ULL; ///< the "ray" that turns a station's raster
+constexpr std::uint64_t kTurn = ~0ULL; ///< ray number of a station's rotation
 
-/** @brief A scanner's angular raster, from its lowest elevation up to the zenith. */
+/** @brief A scanner's angular raster, from its lowest elevation to the zenith. */
 struct Raster {
   std::size_t azimuths = 1;
   std::size_t elevations = 1;
@@ -25,7 +25,7 @@ struct Raster {
   double step = 0.0; ///< radians of elevation
 };
 
-/** @brief About as many rays as asked for, in steps equal in azimuth and elevation. */
+/** @brief Returns a raster of about the requested rays; equal steps in both angles. */
 Raster
 rasterOf(const Scanner& scanner)
 {
@@ -41,14 +41,14 @@ rasterOf(const Scanner& scanner)
   return raster;
 }
 
-/** @brief Some azimuth steps of one station: what a thread does at a time. */
+/** @brief A block of work for a thread: some azimuth steps of one station. */
 struct Block {
   const Scanner* scanner = nullptr;
   Raster raster;
   Vec3 station;
   std::size_t station_number = 0;
   std::size_t first = 0; ///< azimuth step
-  std::size_t last = 0;  ///< azimuth step, one behind the last
+  std::size_t last = 0;  ///< azimuth step, exclusive
 };
 
 std::vector<Block>
@@ -69,8 +69,7 @@ blocksOf(const Scene& scene)
   return blocks;
 }
 
-/** @brief The middle of a raster cell, jittered; @p turn shifts the raster in azimuth.
- */
+/** @brief Returns a jittered direction in a raster cell; @p turn shifts the azimuth. */
 Vec3
 direction(const Block& block,
           std::size_t i,
@@ -104,7 +103,7 @@ scanBlock(const Tracer& tracer, const Block& block, std::uint64_t seed)
   return points;
 }
 
-/** @brief Calls @p work(i) for all i below @p count, any of them from any thread. */
+/** @brief Calls @p work(i) for all i below @p count, on several threads. */
 template <typename Work>
 void
 parallelFor(std::size_t count, unsigned threads, const Work& work)
@@ -122,7 +121,7 @@ parallelFor(std::size_t count, unsigned threads, const Work& work)
     helper.join();
 }
 
-/** @brief Scans all blocks; the results stand in the order of the blocks. */
+/** @brief Scans all blocks; the results are in the order of the blocks. */
 std::vector<std::vector<ScanPoint>>
 scanBlocks(const Tracer& tracer,
            const std::vector<Block>& blocks,
@@ -173,7 +172,7 @@ scan(const Scene& scene, const ScanOptions& options)
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const Block& block = blocks[i];
     scan.rays += (block.last - block.first) * block.raster.elevations;
-    if (block.first == 0) // of a position the first
+    if (block.first == 0) // first block of a position
       scan.positions.push_back({placed(scene.placement, block.station), 0});
     scan.positions.back().points += results[i].size();
   }

@@ -12,35 +12,34 @@
 
 namespace pcl::sedr::sim {
 
-/** @brief What to change about a scene's scanners, and how to run. */
+/** @brief Settings of a scan; those that are set replace the scanners' own. */
 struct ScanOptions {
   std::uint64_t seed = 1;
   std::optional<double> noise;                 ///< metres along the ray
-  std::optional<std::size_t> rays_per_station; ///< about so many, to fill whole rows
+  std::optional<std::size_t> rays_per_station; ///< approximate, to fill whole rows
   std::optional<double> max_range;             ///< metres
-  unsigned threads = 0;                        ///< 0: as many as the machine has
-  /// Called now and then with the share that is done, from one thread at a time.
+  unsigned threads = 0;                        ///< 0: one per core
+  /// Called from time to time with the completed share, by one thread at a time.
   std::function<void(double)> progress;
 };
 
-/** @brief A position of a scanner, in the frame of the files, and how many points it
- * gave. */
+/** @brief A scanner position in the frame of the files and its number of points. */
 struct ScanPosition {
   Vec3 place;
   std::size_t points = 0;
 };
 
-/** @brief The points of a scan and how many rays it took. */
+/** @brief The points of a scan and the number of rays that were cast. */
 struct Scan {
-  std::vector<ScanPoint> points;       ///< one position after the other
-  std::vector<ScanPosition> positions; ///< in that order
+  std::vector<ScanPoint> points;       ///< grouped by position
+  std::vector<ScanPosition> positions; ///< in the order of their points
   std::size_t rays = 0;
 };
 
-/** @brief Scans a scene: the nearest hit of every ray, in the frame of the files.
+/** @brief Returns the nearest hit of every ray, in the frame of the files.
  *
- * Same scene, seed and options give the same points in the same order for any number of
- * threads. Cost: rays times the logarithm of the number of surfaces.
+ * The same scene, seed and options give the same points in the same order for any
+ * number of threads. Cost: rays times the logarithm of the number of surfaces.
  * @throw std::invalid_argument if the scene cannot be built: see surfacesOf()
  */
 Scan scan(const Scene& scene, const ScanOptions& options = {});

@@ -5,7 +5,7 @@
 
 namespace pcl::sedr::sim {
 
-/** @brief One record of a scan, laid out as in the file. */
+/** @brief One record of a scan, in the layout of the file. */
 struct ScanPoint {
   float x = 0.0F;
   float y = 0.0F;

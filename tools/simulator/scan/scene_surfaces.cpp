@@ -10,7 +10,7 @@ namespace pcl::sedr::sim {
 
 namespace {
 
-constexpr double kBelow = 1e-3; ///< metres: a detail that hides what is behind it
+constexpr double kBelow = 1e-3; ///< metres by which a detail hides what is behind
 
 /** @brief Collects the surfaces of a scene. */
 class SurfaceBuilder {
@@ -31,7 +31,7 @@ public:
         addReveal(scene_.rooms[i], opening);
       for (const Niche& niche : scene_.rooms[i].niches)
         addNiche(scene_.rooms[i], niche);
-      room_ = 0; // what follows is inside the slabs
+      room_ = 0; // the surfaces that follow belong to no room
       for (const CeilingVoid& hole : scene_.rooms[i].voids)
         addShaft(scene_.rooms[i], hole);
       if (scene_.rooms[i].plenum > 0.0)
@@ -57,7 +57,7 @@ private:
     addSlabs(room, Layer::Ceiling, Side::BelowOrRight, ceiling_voids);
   }
 
-  /** @brief Adds a floor or ceiling, its details cut out of what they overlap. */
+  /** @brief Adds a floor or ceiling; details are cut out of what they overlap. */
   void
   addSlabs(const Room& room, Layer layer, Side front, const std::vector<Loop>& voids)
   {
@@ -73,10 +73,10 @@ private:
         labelOf(room, kMain, layer), front);
   }
 
-  /** @brief @p holes and the details that cut a region.
+  /** @brief Adds the details that cut a region to @p holes.
    *
-   * What hangs below a ceiling, or stands on a floor, hides it, and need not be cut
-   * out: a deck has hundreds of ribs.
+   * A detail that hangs below the ceiling or stands on the floor hides it and need not
+   * be cut out. This matters for decks with hundreds of ribs.
    */
   static std::vector<Loop>
   withDetails(std::vector<Loop> holes, const Room& room, Layer layer, Region region)
@@ -100,7 +100,7 @@ private:
                        });
   }
 
-  /** @brief The sides of a void, from the ceiling up to the floor it leads to. */
+  /** @brief Adds the sides of a void, from the ceiling to the floor above. */
   void addShaft(const Room& room, const CeilingVoid& hole)
   {
     if (!hole.leads_to)
@@ -114,7 +114,7 @@ private:
     addSides(hole.loop, low, high);
   }
 
-  /** @brief The sides and the top of the space above a suspended ceiling. */
+  /** @brief Adds the sides and the top of the space above a suspended ceiling. */
   void addPlenum(const Room& room)
   {
     Slab top = room.ceiling;
@@ -161,7 +161,7 @@ private:
     return holes;
   }
 
-  /** @brief Jambs, sill and head between the two faces of the wall, and the pane. */
+  /** @brief Adds jambs, sill and head between the two faces of the wall, and pane. */
   void addReveal(const Room& room, const Opening& opening)
   {
     const std::uint32_t room_number = std::exchange(room_, 0);
@@ -184,14 +184,14 @@ private:
         Label::Detail, Side::AboveOrLeft);
   }
 
-  /** @brief The part of the wall that an opening or niche cuts, on the room's side. */
+  /** @brief Returns the part of the wall's face that an opening or niche cuts. */
   template <typename Gap>
   static Element wallPartOf(const Room& room, const Gap& gap)
   {
     return pieceOf(elementOf(room.outline, gap.wall), gap.from, gap.to);
   }
 
-  /** @brief Bottom, lid and sides behind a part of a wall. */
+  /** @brief Adds bottom, lid and sides behind a part of a wall. */
   template <typename Gap>
   void addRecess(const Element& near, const Gap& gap, Label label)
   {
@@ -220,7 +220,7 @@ private:
   }
 
   const Scene& scene_;
-  std::uint32_t room_ = 0; ///< number of the room that is being built
+  std::uint32_t room_ = 0; ///< number of the current room
   std::vector<Surface> surfaces_;
 };
 

@@ -17,7 +17,7 @@ isWithin(const WallRectangle& rectangle, double s, double z)
          z <= rectangle.high;
 }
 
-/** @brief True if the wall is solid at @p point, @p s metres along it. */
+/** @brief Returns true if the wall is solid at @p point, @p s metres along it. */
 bool
 isSolid(const WallExtent& extent,
         const std::vector<WallRectangle>& holes,
@@ -32,13 +32,13 @@ isSolid(const WallExtent& extent,
   });
 }
 
-/** @brief Distances at which a ray enters and leaves something. */
+/** @brief Distances at which a ray enters and leaves a body. */
 struct Interval {
   double enter = -std::numeric_limits<double>::infinity();
   double leave = std::numeric_limits<double>::infinity();
 };
 
-/** @brief Cuts @p interval down to where the ray is between two parallel planes. */
+/** @brief Restricts @p interval to the part of the ray between two parallel planes. */
 void
 cutToSlab(Interval& interval, double origin, double direction, double low, double high)
 {
@@ -53,7 +53,7 @@ cutToSlab(Interval& interval, double origin, double direction, double low, doubl
   interval.leave = std::min(interval.leave, std::max(t0, t1));
 }
 
-/** @brief Where the plan projection of the ray crosses a circle; empty if it misses. */
+/** @brief Returns where the ray crosses a circle in plan; empty if it misses. */
 std::optional<Interval>
 crossCircle(const Ray& ray, Vec2 center, double radius)
 {
@@ -70,7 +70,7 @@ crossCircle(const Ray& ray, Vec2 center, double radius)
   return Interval{(-b - root) / a, (-b + root) / a};
 }
 
-/** @brief The end of @p interval that comes first beyond @p from. */
+/** @brief Returns the first end of @p interval beyond @p from. */
 std::optional<double>
 firstBeyond(const Interval& interval, double from)
 {
@@ -79,7 +79,7 @@ firstBeyond(const Interval& interval, double from)
   return interval.enter > from ? interval.enter : interval.leave;
 }
 
-/** @brief Metres along the arc of a point on its circle. */
+/** @brief Returns metres along the arc of a point on its circle. */
 double
 alongArc(const Arc& arc, Vec2 point)
 {
@@ -93,7 +93,7 @@ alongArc(const Arc& arc, Vec2 point)
   return arc.radius * angle;
 }
 
-/** @brief How fast a ray rises above the plane of a slab. */
+/** @brief Returns the rate at which a ray rises above the plane of a slab. */
 double
 approach(const Slab& slab, const Ray& ray)
 {

@@ -9,10 +9,8 @@
 #include <variant>
 #include <vector>
 
-/** @file
- * The closed-form surfaces that a ray can hit. intersect() gives the distance along the
- * ray of the first hit beyond @p from, in units of the (unit) direction.
- */
+/** @file The closed-form surfaces that a ray can hit. intersect() returns the distance
+ * in metres along the ray to the first hit beyond @p from; empty if there is none. */
 
 namespace pcl::sedr::sim {
 
@@ -21,7 +19,7 @@ struct Ray {
   Vec3 origin;
   Vec3 direction;
 
-  /** @brief The point at distance @p t. */
+  /** @brief Returns the point at distance @p t. */
   Vec3 at(double t) const { return origin + t * direction; }
 };
 
@@ -31,14 +29,14 @@ struct Bounds {
   Vec3 max;
 };
 
-/** @brief A plane inside an outline and outside its holes. */
+/** @brief The part of a plane inside an outline and outside its holes. */
 struct SlabPatch {
   Slab slab;
   Loop outline;
   std::vector<Loop> holes;
 };
 
-/** @brief A rectangle on a wall: metres along the wall and heights. */
+/** @brief A rectangle on a wall: ranges along the wall and of height, in metres. */
 struct WallRectangle {
   double from = 0.0;
   double to = 0.0;
@@ -72,7 +70,7 @@ struct ArcPatch {
 /** @brief Any closed-form shape. */
 using Shape = std::variant<SlabPatch, PlanePatch, ArcPatch, Box, Cylinder>;
 
-/** @brief The vertical patch above @p element between two planes. */
+/** @brief Returns the vertical patch above @p element between two planes. */
 Shape verticalPatch(const Element& element,
                     const Slab& low,
                     const Slab& high,
@@ -88,17 +86,17 @@ std::optional<double> intersect(const Box& box, const Ray& ray, double from);
 
 std::optional<double> intersect(const Cylinder& cylinder, const Ray& ray, double from);
 
-/** @brief First hit of any shape beyond @p from. */
+/** @brief Returns the distance to the first hit of any shape beyond @p from. */
 std::optional<double> intersect(const Shape& shape, const Ray& ray, double from);
 
-/** @brief The side of a surface: a slab has one above, a wall one to its left. */
+/** @brief A side of a surface: above or below for slabs, left or right for walls. */
 enum class Side { None, AboveOrLeft, BelowOrRight };
 
-/** @brief From which side a ray comes that hits @p shape at @p distance; bodies have
- * none. */
+/** @brief Returns the side of @p shape that a ray hits at @p distance; None for bodies.
+ */
 Side sideSeenFrom(const Shape& shape, const Ray& ray, double distance);
 
-/** @brief Box around the shape. */
+/** @brief Returns the bounding box of the shape. */
 Bounds boundsOf(const Shape& shape);
 
 } // namespace pcl::sedr::sim

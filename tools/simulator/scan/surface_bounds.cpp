@@ -27,7 +27,7 @@ rectangleAround(Vec2 center, double half_x, double half_y)
   return {center - Vec2{half_x, half_y}, center + Vec2{half_x, half_y}};
 }
 
-/** @brief Bounds of what lies between two planes over a rectangle of the plan. */
+/** @brief Returns the bounds of the space between two planes over a rectangle. */
 Bounds
 boundsBetween(const Rectangle& rectangle, const Slab& low, const Slab& high)
 {

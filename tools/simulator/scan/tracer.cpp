@@ -7,10 +7,10 @@ namespace pcl::sedr::sim {
 
 namespace {
 
-constexpr double kStart = 1e-6; ///< a ray goes on this far behind what it passed
-constexpr int kMaxPanes = 16;   ///< panes that a ray may meet
+constexpr double kStart = 1e-6; ///< metres skipped behind a surface that is passed
+constexpr int kMaxPanes = 16;   ///< maximum number of panes along a ray
 
-/** @brief The leg that starts where @p leg meets a flat pane. */
+/** @brief Returns the leg that starts where @p leg meets a flat pane. */
 Ray
 mirroredAt(const PlanePatch& pane, const Ray& leg, double distance)
 {
@@ -42,9 +42,9 @@ Tracer::measure(const Ray& ray, const Scanner& scanner, RayRandom& random) const
 std::optional<Tracer::Echo>
 Tracer::findEcho(const Ray& ray, double max_range, RayRandom& random) const
 {
-  Ray leg = ray;        // turns where a pane mirrors
-  double walked = 0.0;  // length of the legs before
-  double from = kStart; // where on the leg to go on
+  Ray leg = ray;        // changes where a pane mirrors
+  double walked = 0.0;  // length of the previous legs
+  double from = kStart; // start of the search on the leg
   for (int pane = 0; pane < kMaxPanes; ++pane) {
     const auto hit = caster_.nearest(leg, from, max_range - walked);
     if (!hit)
@@ -56,7 +56,7 @@ Tracer::findEcho(const Ray& ray, double max_range, RayRandom& random) const
       return walked > 0.0 ? Echo{walked + echo.range} : echo;
     }
     from = hit->distance + kStart;
-    // Curved panes do not mirror: their images would be no recognisable room.
+    // Curved panes do not mirror: their images would not resemble a room.
     const auto* flat = std::get_if<PlanePatch>(&hit->surface->shape);
     if (flat != nullptr && fate < glazing->return_share + glazing->mirror_share) {
       leg = mirroredAt(*flat, leg, hit->distance);
@@ -71,7 +71,7 @@ Tracer::Echo
 Tracer::echoOf(const Ray& leg, const Hit& hit)
 {
   const Surface& surface = *hit.surface;
-  // What is seen from behind is the outside of the building.
+  // The back of a surface is the outside of the building.
   if (surface.front != Side::None &&
       sideSeenFrom(surface.shape, leg, hit.distance) != surface.front)
     return {hit.distance};

@@ -10,28 +10,27 @@
 
 namespace pcl::sedr::sim {
 
-/** @brief Tells what a scanner records for a single ray. Safe to share among threads.
- */
+/** @brief Computes what a scanner records for a single ray. Threads may share it. */
 class Tracer {
 public:
-  /** @brief Keeps a reference to @p scene, which must live longer.
+  /** @brief Keeps a reference to @p scene, which must outlive the tracer.
    * @throw std::invalid_argument if the scene cannot be built: see surfacesOf()
    */
   explicit Tracer(const Scene& scene);
 
-  /** @brief The record of a ray in the frame of the files; empty if nothing is hit.
+  /** @brief Returns the record of a ray in the frame of the files; empty without a hit.
    *
-   * A window pane returns some of the rays, mirrors some, and lets the others pass. A
-   * mirrored ray is recorded straight ahead, where the scanner believes it to be.
+   * A window pane returns some of the rays, mirrors some and transmits the others. A
+   * mirrored ray is recorded along its original direction, as a real scanner does.
    * @param ray in the scene's own frame, direction of unit length
    */
   std::optional<ScanPoint>
   measure(const Ray& ray, const Scanner& scanner, RayRandom& random) const;
 
 private:
-  /** @brief What ends a ray. */
+  /** @brief The surface point that ends a ray. */
   struct Echo {
-    double range = 0.0; ///< along the whole way
+    double range = 0.0; ///< along all legs of the ray
     Label label = Label::Other;
     std::uint32_t room = 0;
   };

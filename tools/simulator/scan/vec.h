@@ -44,7 +44,7 @@ dot(Vec2 a, Vec2 b)
   return a.x * b.x + a.y * b.y;
 }
 
-/** @brief The z component of the cross product: positive if @p b is left of @p a. */
+/** @brief Returns the z of the cross product: positive if @p b is left of @p a. */
 inline double
 cross(Vec2 a, Vec2 b)
 {
@@ -63,14 +63,14 @@ normalized(Vec2 a)
   return (1.0 / length(a)) * a;
 }
 
-/** @brief @p a turned by a quarter to the left. */
+/** @brief Returns @p a rotated by 90 degrees counter-clockwise. */
 inline Vec2
 leftOf(Vec2 a)
 {
   return {-a.y, a.x};
 }
 
-/** @brief @p a turned by @p angle radians, counter-clockwise. */
+/** @brief Returns @p a rotated counter-clockwise by @p angle radians. */
 inline Vec2
 rotated(Vec2 a, double angle)
 {
@@ -115,14 +115,14 @@ length(Vec3 a)
   return std::sqrt(dot(a, a));
 }
 
-/** @brief The plan position of @p a. */
+/** @brief Returns the position of @p a in the plan. */
 inline Vec2
 plan(Vec3 a)
 {
   return {a.x, a.y};
 }
 
-/** @brief @p a at the height @p z. */
+/** @brief Returns @p a at the height @p z. */
 inline Vec3
 lifted(Vec2 a, double z)
 {

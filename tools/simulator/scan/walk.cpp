@@ -7,7 +7,7 @@ namespace pcl::sedr::sim {
 
 namespace {
 
-/** @brief The point @p s metres along a path, at most its end. */
+/** @brief Returns the point @p s metres along a path, or its end if that is nearer. */
 Vec2
 alongPath(const std::vector<Vec2>& path, double s)
 {

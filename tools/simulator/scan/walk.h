@@ -8,9 +8,9 @@
 
 namespace pcl::sedr::sim {
 
-/** @brief @p count stations in equal steps along a path, first and last at its ends.
+/** @brief Returns @p count stations at equal steps along a path, including both ends.
  *
- * The height sways by @p sway around @p height, as a person's gait does.
+ * The height varies by @p sway around @p height, as a person's gait does.
  * @param path corners of the path, at least two
  */
 std::vector<Vec3>

@@ -13,9 +13,9 @@ namespace pcl::sedr::sim {
 
 namespace {
 
-constexpr double kWall = 0.3; ///< between two copies, metres
+constexpr double kWall = 0.3; ///< metres between two copies
 
-/** @brief A point without noise, and which way noise moves it. */
+/** @brief A point without noise, and the direction of its noise. */
 struct Hit {
   Vec3 place;
   Vec3 ray; ///< unit length
@@ -23,7 +23,7 @@ struct Hit {
   std::uint32_t label = 0;
 };
 
-/** @brief What all stations of a scene see of its rooms. */
+/** @brief Returns the points on the rooms that all stations of a scene see. */
 std::vector<Hit>
 hitsOf(Scene scene, const ScanOptions& options)
 {
@@ -49,8 +49,7 @@ hitsOf(Scene scene, const ScanOptions& options)
   return hits;
 }
 
-/** @brief How far the rooms reach from side to side, and the next copy from this one.
- */
+/** @brief Returns the distances between neighbouring copies along x and y. */
 Vec2
 pitchOf(const Scene& scene)
 {

@@ -9,23 +9,22 @@
 
 namespace pcl::sedr::sim {
 
-/** @brief What writeBuilding() wrote. */
+/** @brief The result of writeBuilding(). */
 struct BuildingScan {
   std::size_t points = 0;
   std::size_t copies = 0; ///< of the scene
 };
 
-/** @brief Writes the scan of a storey of a large building as a binary PCD of x y z
- * (float32) and label (uint32): copies of a scene side by side, 30 cm of wall between
- * them.
+/** @brief Writes a scan of a large storey, made of copies of a scene with 30 cm of wall
+ * between them.
  *
- * The scene is scanned once, without noise and without what lies outside; each copy
- * gets noise of its own along the rays. There are as many copies as come nearest to
- * `points`, one at least, in rows that make about a square. Memory is that of the
- * points of one copy, however many there are. Same scene, number, seed and options:
- * same bytes.
- * @throw std::invalid_argument if the scene cannot be built, std::runtime_error if the
- * file cannot be written
+ * The file is a binary PCD of x y z (float32) and label (uint32). The scene is scanned
+ * once, without noise and without the outside; each copy gets its own noise along the
+ * rays. The number of copies, at least one, comes closest to @p points; they form an
+ * approximately square array. Memory is that of one copy's points. The same scene,
+ * number, seed and options give the same bytes.
+ * @throw std::invalid_argument if the scene cannot be built
+ * @throw std::runtime_error if the file cannot be written
  */
 BuildingScan writeBuilding(const std::filesystem::path& path,
                            const Scene& scene,

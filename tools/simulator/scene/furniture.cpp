@@ -18,8 +18,7 @@ addLegs(Assembly& assembly, double half_width, double half_depth, double height)
       assembly.add({x, y, 0.0}, {x + thickness, y + thickness, height});
 }
 
-/** @brief A row of books on a board: about two thirds of the width, varying in height.
- */
+/** @brief Adds books of varying height on about two thirds of a board's width. */
 void
 addBooks(Assembly& assembly, const Extent& shelf, double board, double room, int row)
 {
@@ -147,7 +146,7 @@ makeDuct(Vec2 from, Vec2 to, double radius, double top)
 Object
 makeStairs(const Spot& spot, const Flight& flight)
 {
-  constexpr double thickness = 0.15; // below the inner corners of the steps
+  constexpr double thickness = 0.15; // metres below the inner corners of the steps
   Assembly stairs(kStairs, spot);
   for (std::size_t i = 0; i < flight.steps; ++i) {
     const double y = static_cast<double>(i) * flight.going;

@@ -7,7 +7,7 @@ namespace pcl::sedr::sim {
 
 namespace {
 
-/** @brief Angle of @p to minus @p from, brought into the direction of @p sweep. */
+/** @brief Returns the angle from @p from to @p to in the direction of @p sweep. */
 double
 angleAlong(double from, double to, double sweep)
 {
@@ -20,7 +20,7 @@ angleAlong(double from, double to, double sweep)
   return angle;
 }
 
-/** @brief True if @p point is right of the chord; ties fall as in crossesChord(). */
+/** @brief Returns true if @p point is right of the chord; ties as in crossesChord(). */
 bool
 isRightOf(const Element& element, Vec2 point)
 {
@@ -31,7 +31,7 @@ isRightOf(const Element& element, Vec2 point)
   return chord.y > 0.0 || (chord.y == 0.0 && chord.x < 0.0);
 }
 
-/** @brief True if @p point is between the chord and the arc of @p element. */
+/** @brief Returns true if @p point is between the chord and the arc of @p element. */
 bool
 inCircularSegment(const Element& element, Vec2 point)
 {
@@ -41,7 +41,7 @@ inCircularSegment(const Element& element, Vec2 point)
   return length(point - arc.center) < arc.radius;
 }
 
-/** @brief True if a ray from @p point along x crosses the chord of @p element. */
+/** @brief Returns true if a ray from @p point along x crosses the element's chord. */
 bool
 crossesChord(const Element& element, Vec2 point)
 {
@@ -59,7 +59,7 @@ extend(Rectangle& bounds, Vec2 p)
   bounds.max = {std::max(bounds.max.x, p.x), std::max(bounds.max.y, p.y)};
 }
 
-/** @brief Adds the points of an arc that are extreme in x or y. */
+/** @brief Extends bounds by the points of an arc that are extreme in x or y. */
 void
 extendByArc(Rectangle& bounds, const Arc& arc)
 {
@@ -154,7 +154,7 @@ locate(const Element& element, Vec2 point, double tolerance)
     const Vec2 chord = element.end - element.start;
     const double aside = cross(chord, point - element.start);
     if (aside * aside > 4 * tolerance * tolerance * dot(chord, chord))
-      return std::nullopt; // far beside its line
+      return std::nullopt; // far from its line
   }
   const double end = lengthOf(element);
   double s = 0.0;

@@ -7,10 +7,10 @@
 
 namespace pcl::sedr::sim {
 
-/** @brief Metres along an element every few centimetres, both ends included. */
+/** @brief Returns metres along an element every few centimetres, both ends included. */
 std::vector<double> stepsAlong(const Element& element);
 
-/** @brief Points along a loop every few centimetres, @p inwards metres to its left. */
+/** @brief Returns points every few centimetres, @p inwards metres left of a loop. */
 std::vector<Vec2> samplesAlong(const Loop& loop, double inwards = 0.0);
 
 } // namespace pcl::sedr::sim

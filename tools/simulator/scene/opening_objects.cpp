@@ -11,7 +11,7 @@ namespace pcl::sedr::sim {
 namespace {
 
 constexpr double kLeafThickness = 0.04;
-constexpr double kLeafStandOff = 0.03; ///< of an open leaf's axis from wall and jamb
+constexpr double kLeafStandOff = 0.03; ///< metres from an open leaf's axis to the wall
 
 Object
 makeShutLeaf(const Element& wall, const Opening& opening)
@@ -34,7 +34,7 @@ makeOpenLeaf(const Element& wall, const Opening& opening, const LeafPose& pose)
   const double s =
       pose.hinge_at_start ? opening.from - kLeafStandOff : opening.to + kLeafStandOff;
   const Vec2 outward = rightNormalAt(wall, s);
-  const Vec2 along = leftOf(outward); // the direction of the wall
+  const Vec2 along = leftOf(outward); // direction of the wall
   const Vec2 hinge = pointAt(wall, s) - kLeafStandOff * outward;
   const double direction = pose.hinge_at_start ? directionOf(along) + pose.angle
                                                : directionOf(-1.0 * along) - pose.angle;
@@ -42,7 +42,7 @@ makeOpenLeaf(const Element& wall, const Opening& opening, const LeafPose& pose)
                       opening.head - opening.sill, opening.sill);
 }
 
-/** @brief How far the outer face of the wall falls back at the ends of the opening. */
+/** @brief Returns how far the wall's outer face recedes at the ends of the opening. */
 double
 recessOf(const Element& wall, const Opening& opening)
 {
@@ -78,7 +78,7 @@ makeLobby(const Room& room,
                   directionOf(outward) - 0.5 * pi, opening.sill};
   const double x = 0.5 * (opening.to - opening.from) + margin;
   const double y = -recessOf(wall, opening);
-  // Along the wall is x, away from the room is y.
+  // x runs along the wall, y away from the room.
   Assembly lobby("lobby", spot);
   lobby.add({-x, y, -thickness}, {x, depth, 0.0});
   lobby.add({-x, y, height}, {x, depth, height + thickness});

@@ -7,22 +7,22 @@
 
 namespace pcl::sedr::sim {
 
-/** @brief How a door leaf stands in its opening. */
+/** @brief The position of a door leaf in its opening. */
 struct LeafPose {
-  bool hinge_at_start = true; ///< else at the opening's end, along the wall
+  bool hinge_at_start = true; ///< otherwise at the opening's end, along the wall
   double angle = 0.0;         ///< radians into the room; 0: shut
 };
 
-/** @brief A leaf as large as the opening.
+/** @brief Makes a leaf as large as the opening.
  *
- * Shut, it stands in the middle of the reveal; open, beside the opening in the room.
+ * A shut leaf stands in the middle of the reveal, an open one beside the opening.
  */
 Object makeLeaf(const Room& room, const Opening& opening, const LeafPose& pose);
 
-/** @brief The space behind a door: floor, ceiling and three walls, 0.1 m thick.
+/** @brief Makes the space behind a door: floor, ceiling and three walls, 0.1 m thick.
  * @param depth away from the room's wall
- * @param margin how much wider it is than the opening, on either side
- * @param height from the opening's sill to its ceiling
+ * @param margin distance by which it is wider than the opening on either side
+ * @param height from the opening's sill to the lobby's ceiling
  */
 Object makeLobby(const Room& room,
                  const Opening& opening,

@@ -8,16 +8,16 @@ namespace pcl::sedr::sim {
 
 namespace {
 
-constexpr double kSame = 1e-6;     ///< metres: places closer than this are one
-constexpr double kThinnest = 1e-3; ///< metres: what is thinner is left out
+constexpr double kSame = 1e-6;     ///< metres; closer positions are equal
+constexpr double kThinnest = 1e-3; ///< metres; thinner pieces are left out
 
-/** @brief The places from low to high across the ribs that one rib takes. */
+/** @brief The range of positions across the ribs that one rib occupies. */
 struct Strip {
   double low = 0.0;
   double high = 0.0;
 };
 
-/** @brief A family with its strips; across is the axis to the left of the ribs. */
+/** @brief A family of ribs with its strips; `across` points to the left of the ribs. */
 struct Deck {
   Vec2 along;
   Vec2 across;
@@ -48,7 +48,7 @@ deckOf(const Loop& outline, const RibFamily& family)
   return deck;
 }
 
-/** @brief The corner's places across the ribs that lie within a strip, and its ends. */
+/** @brief Returns the positions across the ribs of a strip's ends and corners. */
 std::vector<double>
 cutsOf(const Loop& outline, const Deck& deck, const Strip& strip)
 {
@@ -65,7 +65,7 @@ cutsOf(const Loop& outline, const Deck& deck, const Strip& strip)
   return cuts;
 }
 
-/** @brief Where a wall crosses the two sides of a strip that has no corner in it. */
+/** @brief Crossing of a wall with the two sides of a strip without corners. */
 struct Crossing {
   double at_low = 0.0;  ///< along the ribs
   double at_high = 0.0; ///< along the ribs
@@ -95,7 +95,7 @@ crossingsOf(const Loop& outline, const Deck& deck, const Strip& strip)
   return crossings;
 }
 
-/** @brief The parts of a strip within the outline, as quadrangles. */
+/** @brief Returns the parts of a strip within the outline, as quadrangles. */
 std::vector<Corners>
 piecesWithin(const Loop& outline, const Deck& deck, const Strip& strip)
 {
@@ -115,7 +115,7 @@ piecesWithin(const Loop& outline, const Deck& deck, const Strip& strip)
   return pieces;
 }
 
-/** @brief The part of a polygon where @p normal times a point is at most @p limit. */
+/** @brief Returns the part of a polygon where dot(p, normal) is at most @p limit. */
 Corners
 clipped(const Corners& polygon, Vec2 normal, double limit)
 {
@@ -142,7 +142,7 @@ isThin(const Corners& polygon)
   return polygon.size() < 3 || area < kThinnest * kThinnest;
 }
 
-/** @brief What the strips of @p deck leave of @p polygon. */
+/** @brief Returns the parts of @p polygon outside the strips of @p deck. */
 std::vector<Corners>
 outsideOf(const Deck& deck, Corners polygon)
 {

@@ -15,15 +15,15 @@ struct RibFamily {
   double width = 0.0;     ///< metres
   double depth = 0.0;     ///< metres below the ceiling
   /// Metres from the room's right end, seen along the ribs, to the middle of the first
-  /// one; empty: half the spacing.
+  /// rib; empty: half the spacing.
   std::optional<double> first = std::nullopt;
 };
 
-/** @brief The plans of the ribs of every family, which do not overlap.
+/** @brief Returns the footprints of the ribs of every family, which do not overlap.
  *
- * A family's ribs end where they meet those of a later one, as joists do at a beam. A
- * rib that would reach over the outline is cut at it, or left out at the ends of the
- * room. Cost: ribs times corners.
+ * Ribs end where they meet those of a later family, as joists do at a beam. A rib that
+ * crosses the outline is cut at it, or left out at the ends of the room. Cost: ribs
+ * times corners.
  * @param outline counter-clockwise, of straight elements
  */
 std::vector<std::vector<Loop>> ribLoops(const Loop& outline,

@@ -10,15 +10,13 @@
 #include <string>
 #include <vector>
 
-/** @file
- * A scene to scan, as pure data: plain structures without behaviour, all lengths in
- * metres, z up, plan loops as in loop.h. Nothing here refers to how a scene is scanned
- * or meshed.
+/** @file A scene to scan: plain structures without behaviour, all lengths in metres, z
+ * up, plan loops as in loop.h. It is independent of how a scene is scanned or meshed.
  */
 
 namespace pcl::sedr::sim {
 
-/** @brief What a point or a face belongs to: the label field of the files. */
+/** @brief The structure a point or face belongs to: the label field of the files. */
 enum class Label : std::uint32_t {
   Other = 0,
   Ceiling = 1,
@@ -32,10 +30,10 @@ enum class Label : std::uint32_t {
 struct Slab {
   double height = 0.0; ///< z at the origin
   Vec2 gradient{};     ///< rise in metres per metre along x and y
-  Vec2 origin{};       ///< where the height is measured
+  Vec2 origin{};       ///< where the slab has that height
 };
 
-/** @brief z of the slab at @p point. */
+/** @brief Returns z of the slab at @p point. */
 inline double
 heightAt(const Slab& slab, Vec2 point)
 {
@@ -44,16 +42,16 @@ heightAt(const Slab& slab, Vec2 point)
 
 /** @brief A part of a ceiling or floor with a plane of its own.
  *
- * Soffit, recess, coffer, beam; step, platform, pit. Edges of the loop that lie on a
- * wall must coincide with a part of a wall element. Where the details of a ceiling (or
- * of a floor) overlap the later one counts; their outlines may meet along edges, but
- * not cross. What is above does not matter to what is below.
+ * Examples: soffit, recess, coffer, beam; step, platform, pit. Edges of the loop on a
+ * wall must coincide with a part of a wall element. Where details of the same ceiling
+ * or floor overlap, the later one replaces the earlier. Their outlines may touch along
+ * edges, but not cross. Ceiling and floor are independent of each other.
  */
 struct SlabDetail {
   Loop loop;
   Slab slab;
-  bool is_facet = false; ///< of a ceiling that is not level: labelled as the ceiling
-  bool is_wall = false;  ///< a wall that leans, as it is seen from above
+  bool is_facet = false; ///< part of a ceiling that is not level; labelled Ceiling
+  bool is_wall = false;  ///< a tilted wall, as seen from above
 };
 
 /** @brief The pane of a window, in the middle of the reveal. */
@@ -69,14 +67,14 @@ struct Opening {
   double to = 0.0;      ///< end along the element
   double sill = 0.0;    ///< lower z; the floor height for a door
   double head = 0.0;    ///< upper z
-  double depth = 0.1;   ///< thickness of the wall, that is, depth of the reveal
+  double depth = 0.1;   ///< thickness of the wall, which is the depth of the reveal
   /// Room behind the wall, whose wall gets the same opening; empty: the outside.
   std::optional<std::size_t> leads_to = std::nullopt;
   std::optional<Glazing> glazing = std::nullopt;
   bool is_shut = false; ///< a door with its leaf in the opening
 };
 
-/** @brief A recess in a wall, closed all around: back, sides, bottom and lid. */
+/** @brief A recess in a wall with back, sides, bottom and lid. */
 struct Niche {
   std::size_t wall = 0; ///< element of the room's outline
   double from = 0.0;    ///< start along the element
@@ -86,18 +84,18 @@ struct Niche {
   double depth = 0.0;   ///< behind the wall's face
 };
 
-/** @brief A hole in a ceiling: a stairwell, a well over two storeys, a missing tile. */
+/** @brief A hole in a ceiling: a stairwell, an atrium, a missing tile. */
 struct CeilingVoid {
   Loop loop;
   /// Room above, whose floor gets the same hole; empty: the plenum of the room itself.
   std::optional<std::size_t> leads_to = std::nullopt;
 };
 
-/** @brief A room: what is enclosed by floor, walls, ceiling and columns. */
+/** @brief A room: the space enclosed by floor, walls, ceiling and columns. */
 struct Room {
   std::string name;
   Loop outline; ///< counter-clockwise
-  Loop foot; ///< the outline at the floor where walls lean, else empty: see tiltWalls()
+  Loop foot;    ///< outline at the floor; empty without tilts: see tiltWalls()
   std::vector<double> tilts; ///< of its elements, radians, positive into the room
   Slab floor;
   Slab ceiling;
@@ -108,10 +106,10 @@ struct Room {
   std::vector<Niche> niches;
   std::vector<CeilingVoid> voids;
   double plenum = 0.0; ///< height of the closed space above the ceiling; 0: none
-  std::optional<std::size_t> storey = std::nullopt; ///< from 1; empty: by its height
+  std::optional<std::size_t> storey = std::nullopt; ///< from 1; empty: from its height
 };
 
-/** @brief A box that stands upright, turned about z. */
+/** @brief A box with vertical sides, rotated about z. */
 struct Box {
   Vec3 center;
   Vec3 size;        ///< along its own x, y and z
@@ -125,47 +123,47 @@ struct Cylinder {
   double height = 0.0;
 };
 
-/** @brief Something that is no structure: furniture, a door leaf, a tree, a facade. */
+/** @brief An object that is no structure: furniture, a door leaf, a tree, a facade. */
 struct Object {
   std::string name;
   std::vector<Box> boxes;
   std::vector<Cylinder> cylinders;
-  std::string place; ///< where its scene file describes it, for messages
+  std::string place; ///< its place in the scene file, for messages
 };
 
-/** @brief How the scene is scanned.
+/** @brief A scanner and its stations.
  *
- * Every station sends its rays in equal steps of azimuth and elevation, as a
+ * Every station sends its rays at equal steps of azimuth and elevation, as a
  * terrestrial scanner does. A walk with a backpack is a scanner of many stations with
  * few rays each.
  */
 struct Scanner {
   std::vector<Vec3> stations;
   std::size_t rays_per_station = 0;
-  double min_elevation = -65.0; ///< degrees; up to the zenith
-  double jitter = 0.1;          ///< random share of an angle step
+  double min_elevation = -65.0; ///< degrees; the maximum is the zenith
+  double jitter = 0.1;          ///< random share of an angular step
   double max_range = 60.0;
   double noise = 0.0; ///< standard deviation along the ray
 };
 
-/** @brief From the frame in which a scene is described to that of the files. */
+/** @brief The transform from the scene's frame to that of the files. */
 struct Placement {
-  double yaw = 0.0; ///< degrees about z, before the shift
+  double yaw = 0.0; ///< degrees about z, applied before the shift
   Vec3 shift;
 };
 
-/** @brief All there is to scan. */
+/** @brief A complete scene. */
 struct Scene {
   std::string name;
-  std::string summary; ///< one line for people
+  std::string summary; ///< a one-line description
   std::vector<Room> rooms;
   std::vector<Object> furniture; ///< inside the rooms
-  std::vector<Object> outside;   ///< what is seen through openings
+  std::vector<Object> outside;   ///< seen through openings
   std::vector<Scanner> scanners;
   Placement placement;
 };
 
-/** @brief @p point in the frame of the files. */
+/** @brief Returns @p point in the frame of the files. */
 inline Vec3
 placed(const Placement& placement, Vec3 point)
 {

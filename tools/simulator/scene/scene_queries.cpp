@@ -11,7 +11,7 @@ namespace pcl::sedr::sim {
 
 namespace {
 
-constexpr double kMatch = 1e-3; ///< how well the two faces of a partition must fit
+constexpr double kMatch = 1e-3; ///< metres between matching faces of a partition
 
 [[noreturn]] void
 reject(std::size_t room, std::size_t opening, const std::string& reason)

@@ -8,25 +8,25 @@
 
 namespace pcl::sedr::sim {
 
-/** @brief A scene file that comes with the simulator, part of its library. */
+/** @brief A scene file that is part of the simulator's library. */
 struct BuiltInScene {
   std::string name;
   std::string text; ///< of its file: see scene_file.h
 };
 
-/** @brief The files of tools/simulator/scenes. */
+/** @brief Returns the files of tools/simulator/scenes. */
 const std::vector<BuiltInScene>& builtInScenes();
 
-/** @brief All scenes that come with the simulator. */
+/** @brief Returns all built-in scenes. */
 std::vector<Scene> allScenes();
 
-/** @brief The text of a built-in scene, or of a file if the name ends in .json.
+/** @brief Returns the text of a built-in scene, or of a file if the name ends in .json.
  * @throw std::invalid_argument naming the known scenes, or the file
  */
 std::string sceneText(const std::string& name_or_path);
 
-/** @brief A built-in scene, or that of a file if the name ends in .json.
- * @throw std::invalid_argument naming the known scenes, or what is wrong with the file
+/** @brief Returns a built-in scene, or that of a file if the name ends in .json.
+ * @throw std::invalid_argument naming the known scenes, or the fault of the file
  */
 Scene sceneNamed(const std::string& name_or_path);
 

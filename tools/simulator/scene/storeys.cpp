@@ -17,7 +17,7 @@ floorOf(const Room& room)
   return heightAt(room.floor, pointInside(room.outline));
 }
 
-/** @brief Storeys by height alone. */
+/** @brief Returns storey numbers derived from floor heights alone. */
 std::vector<std::size_t>
 storeysByHeight(const std::vector<Room>& rooms)
 {
@@ -34,7 +34,7 @@ storeysByHeight(const std::vector<Room>& rooms)
   return storeys;
 }
 
-/** @brief The numbered room whose floor is nearest in height to that of @p room. */
+/** @brief Returns the numbered room whose floor is nearest in height. */
 const Room*
 nearestNumbered(const std::vector<Room>& rooms, const Room& room)
 {

@@ -8,15 +8,14 @@
 
 namespace pcl::sedr::sim {
 
-/** @brief Floors at least this far above the next lower one, in metres, are a storey of
- * their own. */
+/** @brief Minimum step in metres between the floors of two storeys. */
 constexpr double kStoreyStep = 1.5;
 
-/** @brief The number of every room's storey, the lowest one 1.
+/** @brief Returns the number of every room's storey; the lowest is 1.
  *
- * What the scene says of a room counts; the others go by the heights of their floors: a
- * storey ends where the next higher floor is kStoreyStep or more above it. If the scene
- * numbers some rooms only, the others get the number of the one nearest in height.
+ * A number in the scene takes precedence. Other rooms go by their floors: a storey ends
+ * where the next higher floor is kStoreyStep or more above it. If the scene numbers
+ * only some rooms, the others get the number of the room nearest in height.
  */
 std::vector<std::size_t> storeysOf(const Scene& scene);
 

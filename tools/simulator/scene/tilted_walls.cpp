@@ -16,17 +16,17 @@ namespace {
 constexpr double kNear = 1e-3; ///< metres inside the room
 constexpr double kParallel = 1e-6;
 
-/** @brief A wall of the foot loop as a plane: inwards.p - run z = offset. */
+/** @brief A wall of the foot loop as a plane: dot(inwards, p) - run z = offset. */
 struct Face {
   LoopVertex start;
-  std::size_t wall = 0; ///< of the outline as it was
+  std::size_t wall = 0; ///< of the previous outline
   double run = 0.0;     ///< tangent of the tilt
   Vec2 inwards{};
   double offset = 0.0;
 };
 
-/** @brief The parts of an element that are walls of their own: of an arc that leans
- * its facets. */
+/** @brief Returns the starts of the walls that make up an element: the facets of a
+ * tilted arc. */
 std::vector<Vec2>
 startsAlong(const Element& element, double run)
 {
@@ -70,8 +70,8 @@ facesOf(const Room& room, const std::vector<double>& runs, double floor)
   return faces;
 }
 
-/** @brief Where the corner between two walls meets the ceiling.
- * @param foot where it meets the floor, at height `floor` */
+/** @brief Returns the point where the corner between two walls meets the ceiling; at
+ * height @p floor it is at @p foot. */
 Vec2
 headOf(const Face& before, const Face& after, Vec2 foot, double floor, const Slab& top)
 {
@@ -104,7 +104,7 @@ partOf(const Face& face, const std::vector<Vec2>& corners)
     part.loop.push_back({corner});
   const double slope = 1.0 / face.run;
   part.slab = {-slope * face.offset, slope * face.inwards, {}};
-  // Heights are exact at the foot, where the plane meets the floor.
+  // Place the origin at the foot, where the plane meets the floor exactly.
   const Vec2 foot = corners.front();
   part.slab.height = heightAt(part.slab, foot);
   part.slab.origin = foot;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kSameHeight = 1e-9; ///< metres
 
-/** @brief The part of a convex polygon where dot(p, across) lies in a band. */
+/** @brief Returns the part of a convex polygon where dot(p, across) is in a band. */
 std::vector<Vec2>
 bandOf(const std::vector<Vec2>& polygon, Vec2 across, double low, double high)
 {
@@ -47,8 +47,8 @@ facetOver(const std::vector<Vec2>& corners, const Slab& slab)
   return facet;
 }
 
-/** @brief How far apart facets of a circle turn, radians, and the radius of their
- * edges, such that they stray as far inwards as outwards. */
+/** @brief Angle between the facets of a circle, radians, and radius of their edges, for
+ * equal deviation inwards and outwards. */
 struct Steps {
   double angle = 0.0;
   double radius = 0.0;
@@ -57,7 +57,7 @@ struct Steps {
 Steps
 stepsOf(double radius)
 {
-  constexpr double mean_share = 2.0 / 3.0; // of what a chord strays at most
+  constexpr double mean_share = 2.0 / 3.0; // mean deviation of a chord over its maximum
   return {std::sqrt(8.0 * kFacetTolerance / radius),
           radius + mean_share * kFacetTolerance};
 }
@@ -131,7 +131,7 @@ facetsOf(const Dome& dome)
       const std::vector<Vec2> corners{placeAt(ring + 1, ray),
                                       placeAt(ring + 1, ray + 1),
                                       placeAt(ring, ray + 1), placeAt(ring, ray)};
-      // Its two level edges are parallel.
+      // The two level edges are parallel.
       const Vec2 outer = 0.5 * (corners[0] + corners[1]);
       const Vec2 inner = 0.5 * (corners[2] + corners[3]);
       const Vec2 way = outer - inner;

@@ -15,7 +15,7 @@ namespace {
 
 static_assert(sizeof(ScanPoint) == 20, "a point is written as it lies in memory");
 
-/** @brief Values in the order of a binary file, all little endian as the machine. */
+/** @brief The bytes of a binary file, little endian as the machine. */
 class Bytes {
 public:
   template <typename T>
@@ -38,7 +38,7 @@ failToWrite(const std::filesystem::path& path, const std::string& reason)
   throw std::runtime_error("Cannot write " + path.string() + ": " + reason);
 }
 
-/** @brief Writes header and data beside @p path, then renames. */
+/** @brief Writes header and data to a temporary file, then renames it to @p path. */
 void
 writeWhole(const std::filesystem::path& path,
            const std::string& header,
@@ -78,7 +78,7 @@ writeWhole(const std::filesystem::path& path,
   });
 }
 
-/** @brief The header of points of x y z label, and room if there is one. */
+/** @brief Returns the PCD header of points of x y z label, and room if there is one. */
 std::string
 pcdHeader(std::size_t count, bool has_room)
 {

@@ -12,18 +12,16 @@
 #include <string>
 #include <vector>
 
-/** @file
- * Binary PCD and PLY, and text. Each file is written beside its name and renamed when
- * complete, so that nobody ever reads half of one. Failure throws std::runtime_error
- * with a sentence.
- */
+/** @file Binary PCD and PLY, and text. Each file is written under a temporary name
+ * beside it and renamed when complete, so that no reader sees a partial file. Failure
+ * throws std::runtime_error with a sentence. */
 
 namespace pcl::sedr::sim {
 
 /** @brief Writes x y z (float32) label room (uint32) as an unorganised binary PCD. */
 void writePcd(const std::filesystem::path& path, const std::vector<ScanPoint>& points);
 
-/** @brief A point of a building: what a row of its file holds. */
+/** @brief A point of a building file. */
 struct LabelledPoint {
   float x;
   float y;
@@ -33,27 +31,26 @@ struct LabelledPoint {
 
 using PointSink = std::function<void(const LabelledPoint&)>;
 
-/** @brief Writes x y z (float32) label (uint32) as an unorganised binary PCD, as the
- * points come: `make` is to hand `count` of them to the sink it gets.
- */
+/** @brief Streams @p count points to an unorganised binary PCD of x y z (float32) and
+ * label (uint32); @p make passes them to its sink. */
 void writePcdStream(const std::filesystem::path& path,
                     std::size_t count,
                     const std::function<void(const PointSink&)>& make);
 
 /** @brief Writes the mesh, moved by @p placement, as a binary PLY.
  *
- * Vertices are float32; every face has its int properties label and room.
+ * Vertices are float32; every face has the int properties label and room.
  */
 void writePly(const std::filesystem::path& path,
               const Mesh& mesh,
               const Placement& placement);
 
-/** @brief Writes a line for each position: x y z in metres, and how many of the points
- * of the scan, which stand in the same order, are from there. */
+/** @brief Writes a line for each position: x y z in metres and its number of points,
+ * which are in the same order in the scan. */
 void writePositions(const std::filesystem::path& path,
                     const std::vector<ScanPosition>& positions);
 
-/** @brief Writes the text as it is. */
+/** @brief Writes the text unchanged. */
 void writeText(const std::filesystem::path& path, const std::string& text);
 
 } // namespace pcl::sedr::sim

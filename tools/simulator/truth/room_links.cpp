@@ -11,11 +11,11 @@ namespace pcl::sedr::sim {
 
 namespace {
 
-constexpr double kWindowSill = 0.3; ///< above the floors, metres
-constexpr double kDoorWidth = 1.3;  ///< of the widest door, metres
+constexpr double kWindowSill = 0.3; ///< metres above the floors
+constexpr double kDoorWidth = 1.3;  ///< metres, of the widest door
 constexpr double kTallestStep = 0.4;
 
-/** @brief A point in the room before the middle of an opening. */
+/** @brief Returns a point in the room in front of the middle of an opening. */
 Vec2
 placeBefore(const Room& room, const Opening& opening)
 {
@@ -53,7 +53,7 @@ linkOf(const Scene& scene, std::size_t room, std::size_t index)
   return link;
 }
 
-/** @brief True if the uppermost step of a flight is below a void's upper end. */
+/** @brief Returns true if a flight ends in the void, just below its upper end. */
 bool
 hasStairs(const Scene& scene, const Loop& loop, double top)
 {
@@ -82,7 +82,7 @@ linkOf(const Scene& scene, std::size_t room, const CeilingVoid& hole)
   return link;
 }
 
-/** @brief Moves a link to the frame of the files. */
+/** @brief Transforms a link to the frame of the files. */
 RoomLink
 placed(const Placement& placement, RoomLink link)
 {

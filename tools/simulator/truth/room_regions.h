@@ -3,7 +3,7 @@
 
 #include "simulator/scene/scene.h"
 
-/** @file Which plane of its floor and ceiling a room has where. */
+/** @file The regions of one plane that make up a room's floor and ceiling. */
 
 namespace pcl::sedr::sim {
 
@@ -12,36 +12,36 @@ using Region = int;
 constexpr Region kVoid = -1; ///< outside of the room, or inside a column
 constexpr Region kMain = 0;  ///< the floor or ceiling without its details
 
-constexpr double kSameHeight = 1e-9; ///< heights closer than this are one
+constexpr double kSameHeight = 1e-9; ///< heights closer than this are equal
 
-/** @brief The two that a room's plan is divided into regions for. */
+/** @brief The two surfaces of a room whose plan is divided into regions. */
 enum class Layer { Floor, Ceiling };
 
-/** @brief The details of a room's floor or ceiling. */
+/** @brief Returns the details of a room's floor or ceiling. */
 const std::vector<SlabDetail>& detailsOf(const Room& room, Layer layer);
 
-/** @brief How many regions a floor or ceiling has, kVoid not counted. */
+/** @brief Returns the number of regions of a floor or ceiling, without kVoid. */
 Region regionCount(const Room& room, Layer layer);
 
-/** @brief The region that @p point is in. */
+/** @brief Returns the region that contains @p point. */
 Region regionAt(const Room& room, Vec2 point, Layer layer);
 
-/** @brief A point just inside a loop. */
+/** @brief Returns a point just inside a loop. */
 Vec2 pointInside(const Loop& loop);
 
-/** @brief True if @p point is in the room's plan and in none of its columns. */
+/** @brief Returns true if @p point is in the room's plan and in none of its columns. */
 bool isInRoom(const Room& room, Vec2 point);
 
-/** @brief The plane of a region other than kVoid. */
+/** @brief Returns the plane of a region other than kVoid. */
 const Slab& slabOf(const Room& room, Region region, Layer layer);
 
-/** @brief What the plane of a region other than kVoid is. */
+/** @brief Returns the label of a region other than kVoid. */
 Label labelOf(const Room& room, Region region, Layer layer);
 
-/** @brief z of the floor below @p point, as if the room had no end. */
+/** @brief Returns z of the floor below @p point; beyond the room, its main plane. */
 double floorBelow(const Room& room, Vec2 point);
 
-/** @brief z of the ceiling above @p point, as if the room had no end. */
+/** @brief Returns z of the ceiling above @p point; beyond the room, its main plane. */
 double ceilingAbove(const Room& room, Vec2 point);
 
 } // namespace pcl::sedr::sim

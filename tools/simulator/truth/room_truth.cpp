@@ -23,16 +23,16 @@ placed(const Placement& placement, Loop loop)
   return loop;
 }
 
-/** @brief What a room's faces enclose. Faces have their normals out of the room, so
- * that area in plan is positive above the room and negative below it. */
+/** @brief Integrals over a room's faces. Normals point out of the room, so the area in
+ * plan is positive above the room and negative below it. */
 struct Enclosed {
-  double volume = 0.0;  ///< of all faces
-  double in_plan = 0.0; ///< volume above and below the outline only
-  double area = 0.0;    ///< in plan, of the ceilings over the outline
-  Vec2 moment;          ///< of that area
+  double volume = 0.0;  ///< enclosed by all faces
+  double in_plan = 0.0; ///< volume within the outline only
+  double area = 0.0;    ///< in plan, of the ceilings within the outline
+  Vec2 moment;          ///< first moment of that area
 };
 
-/** @brief Sums up the columns of space between each face and z = 0. */
+/** @brief Sums up the prisms between each face and z = 0. */
 Enclosed
 enclosedBy(const Mesh& mesh, const Room& room, std::uint32_t number)
 {
@@ -112,7 +112,7 @@ toJson(const Loop& loop)
   return elements;
 }
 
-/** @brief The boundary, with the tilts of its elements where they lean. */
+/** @brief Returns the outline as JSON, with the tilts of its elements. */
 Json
 boundaryToJson(const RoomTruth& room)
 {
@@ -151,7 +151,7 @@ toJson(const RoomTruth& room)
           {"floor_voids", toJson(room.floor_voids)}};
 }
 
-/** @brief The storeys that have rooms, from the lowest number to the highest. */
+/** @brief Returns the storeys that have rooms, in ascending order. */
 Json
 storeysToJson(const std::vector<RoomTruth>& rooms)
 {
@@ -236,7 +236,7 @@ roomTruthsToJson(const std::string& scene,
                   {"storeys", storeysToJson(rooms)},
                   {"rooms", std::move(list)},
                   {"links", std::move(joints)}};
-  // A name may hold any bytes: what is no UTF-8 becomes U+FFFD.
+  // A name may hold any bytes: invalid UTF-8 becomes U+FFFD.
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

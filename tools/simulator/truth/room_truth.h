@@ -11,24 +11,23 @@
 
 namespace pcl::sedr::sim {
 
-/** @brief What is true of a room, in the frame of the files: metres, square and cubic
- * metres.
+/** @brief The true measures of a room, in the frame of the files: metres, square and
+ * cubic metres.
  *
- * The loops are exact; height and volume are those of the truth mesh, so that whatever
- * it shows of soffits, steps and niches counts. Its chords are at most kChordTolerance
- * off an arc.
+ * The loops are exact. Height and volume are those of the truth mesh, and so include
+ * its soffits, steps and niches; its chords are at most kChordTolerance off an arc.
  */
 struct RoomTruth {
   std::string name;
-  std::uint32_t id = 0;          ///< the `room` of its points, from 1
+  std::uint32_t id = 0;          ///< the `room` field of its points, from 1
   Loop outline;                  ///< counter-clockwise; at the floor
-  std::vector<double> tilts;     ///< of walls that lean, radians, positive into it
+  std::vector<double> tilts;     ///< of the walls, radians, positive into the room
   std::vector<Loop> columns;     ///< counter-clockwise
   double area = 0.0;             ///< inside the outline, without the columns
   double perimeter = 0.0;        ///< of the outline
   double column_perimeter = 0.0; ///< of all columns
   double height = 0.0;           ///< mean from floor to ceiling inside the outline
-  double volume = 0.0;           ///< of all the mesh encloses, niches included
+  double volume = 0.0;           ///< enclosed by the mesh, including niches
   double floor = 0.0;            ///< z of the floor's main plane, mean over the plan
   double ceiling = 0.0;          ///< z of the ceiling's main plane, mean over the plan
   std::size_t storey = 1;        ///< from 1, the lowest
@@ -36,21 +35,20 @@ struct RoomTruth {
   std::vector<Loop> floor_voids; ///< where its floor is open to a room below
 };
 
-/** @brief The truth of every room of a scene, in its order.
+/** @brief Returns the truth of every room of a scene, in the scene's order.
  * @throw std::invalid_argument as truthMesh()
  */
 std::vector<RoomTruth> roomTruths(const Scene& scene);
 
-/** @brief The same from a mesh that is there already.
+/** @brief Returns the truth of every room from an existing mesh.
  * @param truth truthMesh() of the scene
  */
 std::vector<RoomTruth> roomTruths(const Scene& scene, const Mesh& truth);
 
-/** @brief The truth as JSON: {"format": "sedr-room-truth", "version": 1, "unit": "m",
- * "scene": name, "storeys": [...], "rooms": [...], "links": [...]}. Loops are lists of
- * elements as in a floor plan: start and end, for arcs centre, radius and
- * counter_clockwise.
- */
+/** @brief Returns the truth as JSON: {"format": "sedr-room-truth", "version": 1,
+ * "unit": "m", "scene": name, "storeys": [...], "rooms": [...], "links": [...]}. Loops
+ * are lists of elements as in a floor plan: start and end, for arcs also centre, radius
+ * and counter_clockwise. */
 std::string roomTruthsToJson(const std::string& scene,
                              const std::vector<RoomTruth>& rooms,
                              const std::vector<RoomLink>& links = {});

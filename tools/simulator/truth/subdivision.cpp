@@ -14,10 +14,10 @@ namespace pcl::sedr::sim {
 
 namespace {
 
-constexpr double kTolerance = 1e-6; ///< points closer than this are one node
-constexpr double kSideProbe = 1e-5; ///< how far beside an edge its regions are asked
+constexpr double kTolerance = 1e-6; ///< metres; points closer than this are one node
+constexpr double kSideProbe = 1e-5; ///< metres beside an edge to look up its regions
 
-/** @brief Edges between all loops of a room. */
+/** @brief Builds the edges between all loops of a room. */
 class Subdivider {
 public:
   explicit Subdivider(const Room& room)
@@ -96,7 +96,7 @@ private:
     for (std::size_t node = 0; node < plan_.nodes.size(); ++node)
       if (const auto s = locate(element, plan_.nodes[node], kTolerance))
         cuts[*s] = node;
-    // A closed arc would meet its start again at its end.
+    // The start and end of a closed arc coincide.
     cuts[0.0] = findNode(element.start);
     cuts[lengthOf(element)] = findNode(element.end);
     for (auto cut = cuts.begin(); std::next(cut) != cuts.end(); ++cut) {
@@ -112,7 +112,7 @@ private:
     }
   }
 
-  /** @brief Adds @p edge if it separates two regions and is not there yet. */
+  /** @brief Adds @p edge if it separates two regions and is new. */
   void addEdge(PlanEdge edge)
   {
     if (edge.start == edge.end || isKnown(edge))
@@ -168,7 +168,7 @@ lastNode(const Subdivision& plan, DirectedEdge walk)
   return firstNode(plan, {walk.edge, !walk.forward});
 }
 
-/** @brief The boundary edges that leave each node, members to the left. */
+/** @brief Returns the boundary edge that leaves each node, members to its left. */
 std::map<std::size_t, DirectedEdge>
 leavingEdges(const Subdivision& plan, Layer layer, const std::vector<bool>& member)
 {
@@ -187,7 +187,7 @@ leavingEdges(const Subdivision& plan, Layer layer, const std::vector<bool>& memb
   return leaving;
 }
 
-/** @brief The face of a wall or column, from floor to ceiling. */
+/** @brief Returns the face of a wall or column, from floor to ceiling. */
 VerticalFace
 wallFaceOf(const Room& room, const PlanEdge& edge)
 {
@@ -200,7 +200,7 @@ wallFaceOf(const Room& room, const PlanEdge& edge)
           edge.source == EdgeSource::Column ? Label::Column : Label::Wall};
 }
 
-/** @brief How much higher @p a is than @p b, at the least and at the most. */
+/** @brief Returns minimum and maximum of @p a's height above @p b along the element. */
 std::pair<double, double>
 differenceAlong(const Element& element, const Slab& a, const Slab& b)
 {
@@ -217,7 +217,7 @@ differenceAlong(const Element& element, const Slab& a, const Slab& b)
   return {least, most};
 }
 
-/** @brief The face between two parts of the floor or ceiling of different heights. */
+/** @brief Returns the riser between two parts of the floor or ceiling, if any. */
 std::optional<VerticalFace>
 riserOf(const Room& room, const PlanEdge& edge, Layer layer)
 {

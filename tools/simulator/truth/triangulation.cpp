@@ -11,7 +11,7 @@ namespace {
 
 using Points = std::vector<Vec2>;
 
-constexpr double kFlat = 1e-10; ///< doubled area below which a triangle is degenerate
+constexpr double kFlat = 1e-10; ///< twice the area below which a triangle is degenerate
 constexpr double kNoEar = -1.0;
 
 double
@@ -34,7 +34,7 @@ ringContains(const Points& points, const Ring& ring, Vec2 p)
   return inside;
 }
 
-/** @brief True if two segments have a point in common. */
+/** @brief Returns true if two segments have a point in common. */
 bool
 segmentsTouch(Vec2 a, Vec2 b, Vec2 c, Vec2 d)
 {
@@ -52,7 +52,7 @@ segmentsTouch(Vec2 a, Vec2 b, Vec2 c, Vec2 d)
   return c_side * d_side <= 0 && a_side * b_side <= 0;
 }
 
-/** @brief Joins the holes to the outer ring, one bridge each. */
+/** @brief Joins the holes to the outer ring, each by one bridge. */
 class HoleBridger {
 public:
   HoleBridger(const Points& points, const Polygon& polygon)
@@ -82,7 +82,7 @@ private:
     return std::max_element(ring.begin(), ring.end(), less) - ring.begin();
   }
 
-  /** @brief Splices @p hole into the ring at its nearest visible corner. */
+  /** @brief Connects @p hole to the ring at its nearest visible corner. */
   void insert(const Ring& hole)
   {
     const std::size_t first = rightmost(hole);
@@ -94,7 +94,7 @@ private:
     ring_.insert(ring_.begin() + corner + 1, bridge.begin(), bridge.end());
   }
 
-  /** @brief Position in the ring of the corner to bridge to from point @p from. */
+  /** @brief Returns the ring position of the corner for a bridge from point @p from. */
   std::size_t nearestVisible(std::size_t from) const
   {
     std::vector<std::pair<double, std::size_t>> candidates;
@@ -107,7 +107,7 @@ private:
     throw std::invalid_argument("A hole cannot be joined to its polygon");
   }
 
-  /** @brief True if @p target lies within the inner angle at ring corner @p i. */
+  /** @brief Returns true if @p target is within the inner angle at corner @p i. */
   bool opensTowards(std::size_t i, Vec2 target) const
   {
     const Vec2 a = points_[ring_[(i + ring_.size() - 1) % ring_.size()]];
@@ -118,7 +118,7 @@ private:
     return turn(a, b, c) >= 0.0 ? left_in && left_out : left_in || left_out;
   }
 
-  /** @brief True if the bridge between two points touches no other edge. */
+  /** @brief Returns true if the bridge between two points touches no other edge. */
   bool isFree(std::size_t a, std::size_t b) const
   {
     return isFreeOf(ring_, a, b) &&
@@ -176,7 +176,7 @@ private:
     return {ring_[(i + n - 1) % n], ring_[i], ring_[(i + 1) % n]};
   }
 
-  /** @brief Removes a corner; only its neighbours can change between ear and none. */
+  /** @brief Removes a corner and updates its two neighbours, the only ones affected. */
   void clip(std::size_t ear)
   {
     ring_.erase(ring_.begin() + ear);
@@ -188,7 +188,7 @@ private:
     quality_[ear % n] = earQuality(ear % n);
   }
 
-  /** @brief Area over squared longest side, or kNoEar. */
+  /** @brief Returns area over squared longest side, or kNoEar. */
   double earQuality(std::size_t i) const
   {
     const Triangle corner = cornerAt(i);
@@ -203,7 +203,7 @@ private:
     return area / longest;
   }
 
-  /** @brief True if another point of the ring lies in or on the triangle. */
+  /** @brief Returns true if another point of the ring lies in or on the triangle. */
   bool holdsPoint(const Triangle& t) const
   {
     const Vec2 a = points_[t[0]];

@@ -12,7 +12,7 @@ namespace pcl::sedr::sim {
 /** @brief Indices of points, in order around the polygon. */
 using Ring = std::vector<std::size_t>;
 
-/** @brief A polygon: counter-clockwise outside, clockwise holes. */
+/** @brief A polygon with a counter-clockwise outer ring and clockwise holes. */
 struct Polygon {
   Ring outer;
   std::vector<Ring> holes;
@@ -20,7 +20,7 @@ struct Polygon {
 
 using Triangle = std::array<std::size_t, 3>;
 
-/** @brief Signed area of a ring, positive for counter-clockwise ones. */
+/** @brief Returns the signed area of a ring, positive for counter-clockwise ones. */
 double areaOf(const std::vector<Vec2>& points, const Ring& ring);
 
 /** @brief Groups rings (counter-clockwise: outer, clockwise: hole) into polygons.
@@ -29,10 +29,10 @@ double areaOf(const std::vector<Vec2>& points, const Ring& ring);
 std::vector<Polygon> polygonsOf(const std::vector<Vec2>& points,
                                 const std::vector<Ring>& rings);
 
-/** @brief Triangulates a polygon by ear clipping, best shaped ear first.
+/** @brief Triangulates a polygon by ear clipping; clips the best-shaped ear first.
  *
- * Every edge of the rings is an edge of exactly one triangle, also where several points
- * lie on a straight line, so that neighbouring polygons fit together. Adds no points.
+ * Every edge of the rings is an edge of exactly one triangle, even where several points
+ * are collinear. Neighbouring polygons therefore fit together. No points are added.
  * Cost: quadratic in the number of points.
  * @throw std::invalid_argument if the rings cross or touch.
  */

@@ -13,7 +13,7 @@ namespace pcl::sedr::sim {
 
 namespace {
 
-/** @brief Points along @p element, both ends included, that keep the tolerance. */
+/** @brief Returns points along @p element within the tolerance, both ends included. */
 std::vector<Vec2>
 tessellate(const Element& element, double tolerance)
 {
@@ -66,7 +66,7 @@ private:
     Ring far;
   };
 
-  /** @brief Gives the edge its plan points; the two regions beside it share them. */
+  /** @brief Creates the plan points of an edge, shared by the regions on both sides. */
   void tessellateEdge(const PlanEdge& edge)
   {
     const std::vector<Vec2> points = tessellate(edge.element, tolerance_);
@@ -86,14 +86,14 @@ private:
            middle > niche.from && middle < niche.to;
   }
 
-  /** @brief Follows the edges in front of a niche and adds the points of its back. */
+  /** @brief Collects the points in front of a niche and creates those of its back. */
   NichePoints pointsOf(const Niche& niche)
   {
     NichePoints points;
     for (std::size_t i = 0; i < plan_.edges.size(); ++i)
       if (isBeside(plan_.edges[i], niche)) {
         if (!points.near.empty())
-          points.near.pop_back(); // where the edge before ends
+          points.near.pop_back(); // end of the previous edge
         points.near.insert(points.near.end(), edge_points_[i].begin(),
                            edge_points_[i].end());
       }
@@ -106,7 +106,7 @@ private:
     return points;
   }
 
-  /** @brief Every height at which a plan point has a vertex. */
+  /** @brief Collects all heights at which a plan point has a vertex. */
   void collectLevels()
   {
     levels_.resize(points_.size());
@@ -183,7 +183,7 @@ private:
     }
   }
 
-  /** @brief The niches behind an edge, from the lowest to the highest. */
+  /** @brief Returns the niches behind an edge in ascending order. */
   std::vector<Niche> nichesBeside(const PlanEdge& edge) const
   {
     std::vector<Niche> niches;
@@ -209,16 +209,16 @@ private:
     addStrips({points.far.back(), points.near.back()}, low, high, Label::Detail);
   }
 
-  /** @brief Adds the vertical faces over a chain of points, the room to its left. */
+  /** @brief Adds the vertical faces over a polyline, with the room to its left. */
   void addStrips(const Ring& points, const Slab& low, const Slab& high, Label label)
   {
     for (std::size_t k = 0; k + 1 < points.size(); ++k)
       addStrip(points[k], points[k + 1], low, high, label);
   }
 
-  /** @brief Adds the vertical face over a..b, the room to the left.
+  /** @brief Adds the vertical face over a..b, with the room to the left.
    *
-   * Its sides take up all vertices above a and b, or neighbours would not fit.
+   * Its sides include all vertices above a and b, so that it fits its neighbours.
    */
   void
   addStrip(std::size_t a, std::size_t b, const Slab& low, const Slab& high, Label label)
@@ -266,7 +266,7 @@ private:
   const Subdivision plan_;
   std::vector<Vec2> points_;         ///< nodes first, then the points within arcs
   std::vector<Ring> edge_points_;    ///< the points of each edge, from start to end
-  std::vector<VertexLevels> levels_; ///< of each point
+  std::vector<VertexLevels> levels_; ///< per point
   std::vector<NichePoints> niche_points_;
   std::map<std::pair<std::size_t, double>, std::uint32_t> vertices_;
 };

@@ -10,7 +10,7 @@
 
 namespace pcl::sedr::sim {
 
-/** @brief A triangle of the truth, counter-clockwise seen from outside of the room. */
+/** @brief A triangle of the truth mesh, counter-clockwise seen from outside. */
 struct Face {
   std::array<std::uint32_t, 3> vertices{};
   Label label = Label::Other;
@@ -23,16 +23,17 @@ struct Mesh {
   std::vector<Face> faces;
 };
 
-/** @brief Largest distance in metres between an arc and its chords. */
+/** @brief Maximum distance in metres between an arc and its chords. */
 constexpr double kChordTolerance = 0.0005;
 
-/** @brief The structure of a scene: floors, ceilings with details, walls, columns.
+/** @brief Meshes the structure of a scene: floors, ceilings with details, walls,
+ * columns.
  *
- * One closed, edge-manifold component a room, normals out of the room, so that its
- * signed volume is that of the room. Openings are shut flush with the wall's room side.
- * Vertices are in the scene's own frame: see placed().
+ * Every room is one closed, edge-manifold component. Normals point out of the room, so
+ * that its signed volume is that of the room. Openings are closed flush with the room's
+ * side of the wall. Vertices are in the scene's own frame: see placed().
  *
- * @param chord_tolerance how far from an arc its chords may be, in metres
+ * @param chord_tolerance maximum distance between an arc and its chords, in metres
  * @throw std::invalid_argument if a room's outlines cross or touch in single points
  */
 Mesh truthMesh(const Scene& scene, double chord_tolerance = kChordTolerance);

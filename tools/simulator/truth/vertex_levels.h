@@ -9,8 +9,8 @@
 
 namespace pcl::sedr::sim {
 
-/** @brief The heights at which a plan point has a vertex; heights that are the same but
- * for rounding are one. */
+/** @brief The heights at which a plan point has a vertex; equal up to rounding means
+ * one. */
 class VertexLevels {
 public:
   void insert(double z)
@@ -20,7 +20,7 @@ public:
       levels_.insert(next, z);
   }
 
-  /** @brief The level that stands for @p z, which was inserted. */
+  /** @brief Returns the level equal to @p z, which was inserted before. */
   double at(double z) const
   {
     const auto level = firstFrom(z);
@@ -29,7 +29,7 @@ public:
     return *level;
   }
 
-  /** @brief All levels from @p low to @p high, which were inserted. */
+  /** @brief Returns all levels from @p low to @p high, which were inserted before. */
   std::vector<double> within(double low, double high) const
   {
     return {firstFrom(low), std::next(firstFrom(high))};

@@ -16,7 +16,7 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A cell of a horizontal grid, by column and row. */
+/** @brief A cell of a horizontal grid, given by its column (x) and row (y). */
 struct Cell {
   std::int32_t x = 0;
   std::int32_t y = 0;
@@ -45,8 +45,8 @@ cellOf(CellKey key)
   return {lower(key & 0xffffffffu), lower(key >> 32)};
 }
 
-/** @brief The regular grid of the x-y plane (paper, section 2.3.1): square cells, one
- * corner at the origin, so that grids of one cell size always agree. */
+/** @brief A regular grid of square cells in the x-y plane (paper, section 2.3.1). One
+ * corner lies at the origin, so grids of the same cell size always coincide. */
 class CellGrid {
 public:
   /** @param size edge of a cell, metres, > 0 */
@@ -56,15 +56,14 @@ public:
 
   double size() const { return size_; }
 
-  /** @brief Whether (x, y) is finite and near enough to the origin for a 32-bit cell.
-   */
+  /** @brief Checks that (x, y) is finite and within the range of a 32-bit cell. */
   bool holds(double x, double y) const
   {
     constexpr double limit = std::numeric_limits<std::int32_t>::max() - 16.0;
     return std::abs(x / size_) < limit && std::abs(y / size_) < limit;
   }
 
-  /** @brief The cell of (x, y), for which holds() must be true: asserted. */
+  /** @brief Returns the cell of (x, y); holds() must be true (asserted). */
   Cell at(double x, double y) const
   {
     assert(holds(x, y));
@@ -77,7 +76,7 @@ public:
   }
 
 private:
-  /** @brief std::floor() of a number that fits, without a call. */
+  /** @brief Computes std::floor() in the range of int32, without a call. */
   static std::int32_t floorOf(double value)
   {
     const auto whole = static_cast<std::int32_t>(value);
@@ -87,23 +86,22 @@ private:
   double size_;
 };
 
-/** @brief A set of cells anywhere in the plane, whatever its extent: a sorted vector of
- * keys, and where each row of them begins. Memory grows with the number of cells, never
- * with their bounding box. */
+/** @brief A set of cells of any extent: a sorted vector of keys and the start of each
+ * row. Memory grows with the number of cells, not with their bounding box. */
 class CellSet {
 public:
   static constexpr std::size_t npos = static_cast<std::size_t>(-1);
 
   CellSet() = default;
 
-  /** @brief The cells of `keys`, in any order, repetitions allowed. O(n) where they lie
-   * close together, else O(n log n). */
+  /** @brief Builds the set from `keys` in any order, repetitions allowed. O(n) where
+   * they lie close together, else O(n log n). */
   explicit CellSet(std::vector<CellKey> keys);
 
-  /** @brief The cells of `keys`, which must be increasing, each once. O(n). */
+  /** @brief Builds the set from `keys`, which must be strictly increasing. O(n). */
   static CellSet fromSorted(std::vector<CellKey> keys);
 
-  /** @brief The cells that hold at least one finite point of `points[indices]`. */
+  /** @brief Builds the set of cells that hold a finite point of `points[indices]`. */
   template <typename IndicesT>
   CellSet(const CellGrid& grid, const PointView& points, const IndicesT& indices)
       : CellSet(keysOf(grid, points, indices))
@@ -113,14 +111,14 @@ public:
 
   bool empty() const { return keys_.empty(); }
 
-  /** @brief Position of `cell` in the set's order, npos where it is absent. O(log of
-   * the gaps of a row). */
+  /** @brief Returns the position of `cell` in the set, or npos if it is absent. O(log
+   * of the gaps of a row). */
   std::size_t find(Cell cell) const;
 
   bool contains(Cell cell) const { return find(cell) != npos; }
 
-  /** @brief Position of the first cell from `cell` on, size() where there is none:
-   * those side by side in a row follow one another. As fast as find(). */
+  /** @brief Returns the position of the first cell not before `cell`, size() if none.
+   * Neighbours in a row have consecutive positions. As fast as find(). */
   std::size_t firstFrom(Cell cell) const;
 
   Cell operator[](std::size_t i) const { return cellOf(keys_[i]); }
@@ -145,8 +143,8 @@ private:
   void indexRows();
 
   std::vector<CellKey> keys_;
-  std::vector<std::size_t> row_; ///< first position of every row, and the end
-  std::int32_t first_row_ = 0;   ///< its y
+  std::vector<std::size_t> row_; ///< first position of every row, then the end
+  std::int32_t first_row_ = 0;   ///< y of the first row
 };
 
 inline std::size_t
@@ -173,14 +171,14 @@ CellSet::firstFrom(Cell cell) const
     last = row_[static_cast<std::size_t>(row) + 1];
     if (first == last || key <= keys[first])
       return first;
-    // No cell is farther along its row than its distance from the first.
+    // A cell's position in its row is at most its distance from the first cell.
     const std::size_t end = last - 1;
     const std::size_t farthest =
         first +
         static_cast<std::size_t>(std::min<CellKey>(key - keys[first], end - first));
     if (keys[farthest] <= key)
       return farthest + (keys[farthest] < key ? 1 : 0);
-    // Nor farther from its end than its distance from the last.
+    // Likewise its position from the end is at most its distance from the last cell.
     first =
         end - static_cast<std::size_t>(std::min<CellKey>(keys[end] - key, end - first));
     last = farthest;
@@ -189,8 +187,8 @@ CellSet::firstFrom(Cell cell) const
                                   keys);
 }
 
-/** @brief Whether `asked(position)` is true for any cell of a set up to `reach` columns
- * and rows away from `middle`, itself too; asked row by row. */
+/** @brief Checks whether `asked(position)` is true for any cell of a set within `reach`
+ * columns and rows of `middle`, itself included; row by row. */
 template <typename Asked>
 bool
 anyAround(const CellSet& cells, Cell middle, int reach, Asked asked)
@@ -205,8 +203,8 @@ anyAround(const CellSet& cells, Cell middle, int reach, Asked asked)
   return false;
 }
 
-/** @brief Calls `see(position)` for the cells of a set up to `reach` columns and rows
- * away from `middle`, itself too, row by row. */
+/** @brief Calls `see(position)` for the cells of a set within `reach` columns and rows
+ * of `middle`, which is included, row by row. */
 template <typename See>
 void
 forEachAround(const CellSet& cells, Cell middle, int reach, See see)
@@ -221,21 +219,20 @@ CellSet unite(const CellSet& a, const CellSet& b);
 
 CellSet intersect(const CellSet& a, const CellSet& b);
 
-/** @brief The cells of `a` that are not in `b`. */
+/** @brief Returns the cells of `a` that are not in `b`. */
 CellSet subtract(const CellSet& a, const CellSet& b);
 
-/** @brief Connected regions of a set of cells. */
+/** @brief The connected regions of a set of cells. */
 struct CellRegions {
-  std::vector<std::size_t> label; ///< of each cell of the set, 0 .. sizes.size() - 1
-  std::vector<std::size_t>
-      sizes; ///< in cells, decreasing; equal ones in the order of the keys
+  std::vector<std::size_t> label; ///< region of each cell, 0 .. sizes.size() - 1
+  std::vector<std::size_t> sizes; ///< cells, decreasing; equal ones by their first key
 };
 
-/** @brief The eight-connected regions of `cells` (paper, section 2.3.1), largest first.
- * O(n log n). */
+/** @brief Labels the eight-connected regions (paper, section 2.3.1), largest first. O(n
+ * log n). */
 CellRegions labelRegions(const CellSet& cells);
 
-/** @brief The cells of each region, largest first. O(n) beyond labelRegions(). */
+/** @brief Returns the cells of each region, largest first: labelRegions() and O(n). */
 std::vector<CellSet> connectedRegions(const CellSet& cells);
 
 } // namespace sedr

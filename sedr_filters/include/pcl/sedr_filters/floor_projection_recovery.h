@@ -10,22 +10,23 @@
 
 namespace pcl {
 
-/** @brief Completes a floor from the ceiling above it (paper, section 2.3.1): what
- * furniture hides is filled, what lies outside the rooms is removed.
+/** @brief Completes a floor from the ceiling above it (paper, section 2.3.1): fills
+ * parts hidden by furniture and removes points outside the rooms.
  *
  * The input cloud holds floor, ceiling and details alike (z up, metres); the indices
- * are the floor (all points if none are set). The scope of the rooms is the square
- * cells in plan that hold ceiling or detail points. The output is the floor points
- * inside the scope, in their order, then for each cell of the scope without a floor
- * point the ceiling points of that cell, or else its detail points, moved to the floor.
- * These are copies of their sources with the new z, the normal up and the label of a
- * floor, where the type has such fields; cell by cell, then by index.
+ * are the floor (all points if none are set). The scope of the rooms is the set of
+ * square cells in plan that hold ceiling or detail points. The output starts with the
+ * floor points inside the scope, in input order. Then, for each cell of the scope
+ * without a floor point, come its ceiling points, or else its detail points, moved to
+ * the floor. They are copies with the new z, and with an upward normal and the floor
+ * label where the type has them, ordered by cell, then by index.
  *
- * Non-finite points span no cells and never reach the output; those of the floor are
- * among the removed indices, with the floor points outside the scope. No ceiling, no
- * floor point in the scope and no plane, a grid size that is not above 0, an index
- * beyond the cloud: PCL_ERROR, an empty output, all indices removed, and
- * getErrorMessage() says why. O(n log n).
+ * Non-finite points occupy no cells and never reach the output. The removed indices are
+ * the non-finite floor points and the floor points outside the scope. A run fails
+ * without a ceiling, with a grid size that is not above 0 or with an index beyond the
+ * cloud. It also fails with neither a plane nor a floor point in the scope. Then
+ * PCL_ERROR is printed, the output is empty, all indices are removed, and
+ * getErrorMessage() gives the reason. O(n log n).
  * @code
  * pcl::FloorProjectionRecovery<pcl::PointXYZ> recovery;
  * recovery.setInputCloud(scan);
@@ -47,7 +48,7 @@ public:
     filter_name_ = "FloorProjectionRecovery";
   }
 
-  /** @brief The ceiling, indices into the input cloud. Must be set. */
+  /** @brief Sets the ceiling, as indices into the input cloud. Required. */
   void setCeilingIndices(const sedr::StageIndices& ceiling)
   {
     ceiling_ = ceiling.get();
@@ -55,19 +56,18 @@ public:
 
   IndicesConstPtr getCeilingIndices() const { return ceiling_; }
 
-  /** @brief The details of the ceiling, indices into the input cloud; null: none
-   * (default). */
+  /** @brief Sets the details, as indices into the input cloud; null: none (default). */
   void setDetailIndices(const sedr::StageIndices& detail) { detail_ = detail.get(); }
 
   IndicesConstPtr getDetailIndices() const { return detail_; }
 
-  /** @brief Edge of a cell, metres, > 0 (default 0.05). */
+  /** @brief Sets the edge of a cell, metres, > 0 (default 0.05). */
   void setGridSize(double size) { grid_size_ = size; }
 
   double getGridSize() const { return grid_size_; }
 
-  /** @brief The plane of the floor, a x + b y + c z + d = 0, to project onto; null
-   * (default): level, at the mean height of the floor points in the scope. */
+  /** @brief Sets the floor plane to project onto, a x + b y + c z + d = 0. Null
+   * (default): horizontal, at the mean height of the floor points in the scope. */
   void setFloorCoefficients(const ModelCoefficients::ConstPtr& plane)
   {
     plane_ = plane;
@@ -75,11 +75,11 @@ public:
 
   ModelCoefficients::ConstPtr getFloorCoefficients() const { return plane_; }
 
-  /** @brief Of each output point of the last run the point of the input that it comes
-   * from: first the floor points kept, then the sources of those projected. */
+  /** @brief Returns the input index of each output point of the last run: first the
+   * kept floor points, then the sources of the projected ones. */
   const Indices& getProjectedIndices() const { return source_indices_; }
 
-  /** @brief How many points, the last ones of the output, the last run projected. */
+  /** @brief Returns the number of projected points, the last of the output. */
   std::size_t getNumberOfProjected() const { return number_of_projected_; }
 
 protected:
@@ -96,7 +96,7 @@ protected:
 private:
   bool validate();
 
-  /** @brief The plane to project onto, its normal up and of unit length. */
+  /** @brief Finds the plane to project onto, with a unit normal that points up. */
   bool findPlane(const Indices& floor_in_scope, Eigen::Vector4d& plane);
 
   IndicesConstPtr ceiling_;

@@ -12,62 +12,62 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The regions of a plan and which of them are kept (paper, Figure 3c). */
+/** @brief The occupied cells, their regions, and which are kept (paper, Figure 3c). */
 struct RegionMap {
   double cell_size = 0;      ///< metres
   CellSet cells;             ///< all occupied cells: 1 in the binary map
-  CellRegions regions;       ///< of the cells, largest first
-  std::vector<int> number;   ///< of each region: 1 .. n if kept, 0 if not
-  std::size_t threshold = 0; ///< in cells, regions above it are kept
+  CellRegions regions;       ///< connected regions of the cells, largest first
+  std::vector<int> number;   ///< for each region: 1 .. n if it is kept, 0 if not
+  std::size_t threshold = 0; ///< cells; larger regions are kept
 
-  /** @brief The cells of every region. O(cells). */
+  /** @brief Returns the cells of every region. O(cells). */
   std::vector<CellSet> regionCells() const;
 
-  /** @brief The cells of all regions that are kept. O(cells). */
+  /** @brief Returns the cells of all regions that are kept. O(cells). */
   CellSet keptCells() const;
 };
 
-/** @brief How GridRegionOutlierRemoval chooses regions, see its setters. */
+/** @brief Parameters of GridRegionOutlierRemoval, explained at its setters. */
 struct RegionParameters {
   double cell_size = 0.05;                   ///< metres
   int opening_radius = 0;                    ///< cells
   std::size_t minimum_part = 400;            ///< cells
-  double minimum_support = 0.5;              ///< share of a region's cells
-  std::size_t minimum_supported_cells = 400; ///< of a region kept for its support
+  double minimum_support = 0.5;              ///< share of the cells of a region
+  std::size_t minimum_supported_cells = 400; ///< cells of a region kept by its support
 };
 
-/** @brief What is wrong with the parameters, a sentence; empty if nothing is. */
+/** @brief Returns a sentence about invalid parameters; empty if there are none. */
 std::string problemOf(const RegionParameters& parameters);
 
-/** @brief The regions of `points[indices]`, numbered where they are kept.
- * @param support points that speak for a region; null: size alone decides */
+/** @brief Finds the regions of `points[indices]` and numbers those that are kept.
+ * @param support points that support a region; null: only its size decides */
 RegionMap selectRegions(const PointView& points,
                         const pcl::Indices& indices,
                         const pcl::Indices* support,
                         const RegionParameters& parameters);
 
-/** @brief The number of the region of each point of the cloud, 0 where it is not kept
- * or not among the indices, -1 for points that are not finite. */
+/** @brief Returns the region number of each point of the cloud. It is 0 if the region
+ * is not kept or the point is not among the indices, -1 for non-finite points. */
 std::vector<int>
 labelPoints(const RegionMap& map, const PointView& points, const pcl::Indices& indices);
 
 } // namespace sedr
 
-/** @brief Removes what is not part of a large region in plan (paper, section 2.3.1):
- * pieces of neighbouring rooms or of the street, seen through doors and windows at the
- * height of a ceiling.
+/** @brief Removes points outside the large regions in plan (paper, section 2.3.1). Such
+ * points belong to neighbouring rooms or the street, seen through doors and windows at
+ * ceiling height.
  *
- * The points are divided into square cells of the x-y plane (z up, metres); occupied
- * cells that touch, corners included, form a region; the sizes of the regions in cells
- * are sorted, and regions above the smaller side of their largest difference are kept.
- * One region alone, or several of one size, are all kept. The kept regions are the
- * first segmentation into rooms.
+ * The points are divided into square cells of the x-y plane (z up, metres). Occupied
+ * cells that touch, corners included, form a region. The region sizes in cells are
+ * sorted; the threshold is the smaller size at their largest difference, and larger
+ * regions are kept. A single region, or several of one size, are all kept. The kept
+ * regions are the first segmentation into rooms.
  *
- * Non-finite points are never kept, with setNegative(true) neither, and always among
- * the removed indices. An empty cloud gives an empty output. A grid size that is not
- * above 0, an index beyond the cloud, and the like: PCL_ERROR, nothing is kept, and
- * getErrorMessage() says why. O(n log n) in time, O(n) in memory at any extent; no
- * threads, no chance.
+ * Non-finite points are never kept, even with setNegative(true), and are always among
+ * the removed indices. An empty cloud gives an empty output. After invalid input, such
+ * as a grid size that is not above 0 or an index beyond the cloud, PCL_ERROR is
+ * printed, nothing is kept, and getErrorMessage() gives the reason. O(n log n) in time,
+ * O(n) in memory at any extent. Single-threaded and deterministic.
  * @code
  * pcl::GridRegionOutlierRemoval<pcl::PointXYZ> removal;
  * removal.setInputCloud(scan);
@@ -90,29 +90,29 @@ public:
     filter_name_ = "GridRegionOutlierRemoval";
   }
 
-  /** @brief Edge of a cell, metres, > 0 (default 0.05): the leaf of the thinning, or
-   * more. */
+  /** @brief Sets the edge of a cell, metres, > 0 (default 0.05), at least the leaf
+   * size. */
   void setGridSize(double size) { parameters_.cell_size = size; }
 
   double getGridSize() const { return parameters_.cell_size; }
 
-  /** @brief Beyond the paper: necks narrower than 2 radius + 1 cells do not join
-   * regions (default 0: off). The regions are those of the cells eroded by so many,
-   * grown back. */
+  /** @brief Sets the radius of the opening, in cells (default 0: off). Necks narrower
+   * than 2 radius + 1 cells do not join regions: the cells are eroded by the radius,
+   * labelled and grown back. Not in the paper. */
   void setOpeningRadius(int cells) { parameters_.opening_radius = cells; }
 
   int getOpeningRadius() const { return parameters_.opening_radius; }
 
-  /** @brief Of what an opening parts, pieces under so many cells go back to a larger
-   * one that they touch (default 400, one square metre). Without an opening of no
-   * effect. */
+  /** @brief Sets the minimum size of a part, in cells (default 400, one square metre).
+   * Smaller parts that the opening cut off rejoin a larger one that they touch. No
+   * effect without an opening. */
   void setMinimumPart(std::size_t cells) { parameters_.minimum_part = cells; }
 
   std::size_t getMinimumPart() const { return parameters_.minimum_part; }
 
-  /** @brief Beyond the paper: points of the input cloud, say the floor, that speak for
-   * a region: one below the threshold is kept too if enough of its cells have such a
-   * point within a cell. Null: off (default). */
+  /** @brief Sets the points of the input cloud, such as the floor, that support a
+   * region. A region below the threshold is also kept if enough of its cells have such
+   * a point within one cell. Null: off (default). Not in the paper. */
   void setSupportIndices(const sedr::StageIndices& support)
   {
     support_ = support.get();
@@ -120,13 +120,13 @@ public:
 
   IndicesConstPtr getSupportIndices() const { return support_; }
 
-  /** @brief Share of a region's cells that must be supported, 0 to 1 (default 0.5). */
+  /** @brief Sets the share of cells that must be supported, 0 to 1 (default 0.5). */
   void setMinimumSupport(double share) { parameters_.minimum_support = share; }
 
   double getMinimumSupport() const { return parameters_.minimum_support; }
 
-  /** @brief Cells that a region must have to be kept for its support (default 400, one
-   * square metre). */
+  /** @brief Sets the minimum size of a region kept by its support, in cells (default
+   * 400, one square metre). */
   void setMinimumSupportedCells(std::size_t cells)
   {
     parameters_.minimum_supported_cells = cells;
@@ -137,32 +137,30 @@ public:
     return parameters_.minimum_supported_cells;
   }
 
-  /** @brief Writes the points kept to `output`, which may be the input. */
+  /** @brief Writes the kept points to `output`, which may be the input cloud. */
   void filter(PointCloud& output);
 
-  /** @brief Writes the indices of the points kept to `indices`, in the order they were
-   * given. */
+  /** @brief Writes the indices of the kept points to `indices`, in input order. */
   void filter(Indices& indices);
 
-  /** @brief Of each point of the input cloud its region after the last run: 1 .. n the
-   * kept ones by decreasing size, 0 for all other points. */
+  /** @brief Returns the region of each input point after the last run: 1 .. n for the
+   * kept regions by decreasing size, 0 for all other points. */
   const std::vector<int>& getRegionLabels() const { return region_labels_; }
 
-  /** @brief Sizes of all regions of the last run, kept or not: cells, decreasing. */
+  /** @brief Returns the sizes of all regions, kept or not: cells, decreasing. */
   const std::vector<std::size_t>& getRegionSizes() const
   {
     return region_map_.regions.sizes;
   }
 
-  /** @brief The adaptive threshold of the last run, in cells: larger regions were kept.
-   */
+  /** @brief Returns the adaptive threshold, in cells: larger regions were kept. */
   std::size_t getThreshold() const { return region_map_.threshold; }
 
-  /** @brief How many regions the last run kept. */
+  /** @brief Returns the number of regions that the last run kept. */
   std::size_t getNumberOfRegions() const { return number_of_regions_; }
 
-  /** @brief The cells of the last run, their regions, and which of these were kept: the
-   * paper's binary and region maps. Empty after a failure. */
+  /** @brief Returns the cells of the last run, their regions, and which were kept: the
+   * binary map and region map of the paper. Empty after a failure. */
   const sedr::RegionMap& getRegionMap() const { return region_map_; }
 
 protected:

@@ -10,28 +10,28 @@
 
 namespace pcl {
 
-/** @brief Thins a cloud to the mean of the points of each voxel (paper, section 2.2): a
- * drop-in for pcl::VoxelGrid that uses all processors and works at any extent.
+/** @brief Thins a cloud to the mean of the points of each voxel (paper, section 2.2).
+ * Replaces pcl::VoxelGrid; uses all processors and works at any extent.
  *
- * Voxels, means and the order of the output are those of pcl::VoxelGrid: voxel
- * floor(coordinate / leaf), sorted by z, then y, then x. x, y and z are summed exactly,
- * as whole steps of 2^-30 leaves (see doc/parallel_voxel_grid.md), so that neither the
- * order of the points nor the number of threads matters; up to 2^31 points a voxel
- * cannot overflow them. The means are right to the last digit of a float, but for 2^-30
- * leaves beside 0. The other fields are averaged as pcl::CentroidPoint does (colours by
- * channel, normals made unit length, labels and rooms by majority), or left at their
- * defaults with setDownsampleAllData(false).
+ * Voxels, means and output order are those of pcl::VoxelGrid: voxel floor(coordinate /
+ * leaf), sorted by z, then y, then x. x, y and z are summed exactly, as integer
+ * multiples of 2^-30 leaves (see doc/parallel_voxel_grid.md). So the result depends
+ * neither on the order of the points nor on the number of threads, and up to 2^31
+ * points a voxel cannot overflow. The means are exact to the last digit of a float,
+ * except for an error of 2^-30 leaves near 0. The other fields are averaged as
+ * pcl::CentroidPoint does (colours by channel, normals made unit length, labels and
+ * rooms by majority), or left at their defaults with setDownsampleAllData(false).
  *
- * An empty cloud, or one of nothing but NaN, gives an empty output. Non-finite points
- * are skipped. A leaf that is not above 0, an unknown filter field or an index beyond
- * the cloud: PCL_ERROR, an empty output, all indices removed, and getErrorMessage()
- * says why. The removed indices are those that took part in no output point:
- * non-finite, outside the limits, or in a voxel with too few points.
+ * An empty cloud, or one with only NaN points, gives an empty output. Non-finite points
+ * are skipped. A run fails with a leaf that is not above 0, an unknown filter field or
+ * an index beyond the cloud. Then PCL_ERROR is printed, the output is empty, all
+ * indices are removed, and getErrorMessage() gives the reason. Otherwise the removed
+ * indices are the points that are non-finite, outside the limits, or in a voxel with
+ * too few points.
  *
- * O(n) for n points, some 50 bytes a voxel beside input and output (up to 350 where
- * each lies far from all others), nothing a point. Where other fields are averaged, a
- * second pass and what pcl::CentroidPoint takes a voxel. The same bytes for any number
- * of threads.
+ * Time O(n) for n points. Memory beside input and output: about 50 bytes a voxel, up to
+ * 350 where each lies far from all others, and none a point. Averaging other fields
+ * takes a second pass and one pcl::CentroidPoint a voxel.
  * @code
  * pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
  * grid.setInputCloud(scan);
@@ -56,20 +56,20 @@ public:
   /** @brief Writes one point a voxel to `output`, which may be the input. */
   void filter(PointCloud& output);
 
-  /** @brief The same for a cloud that comes in pieces and need not stand in memory: x,
-   * y and z alone, as setDownsampleAllData(false) gives them, the same bytes. No input
-   * cloud, indices or removed indices are used. It is gone through once. */
+  /** @brief Thins a cloud that is read in pieces and need not fit in memory. Gives only
+   * x, y and z, byte for byte as with setDownsampleAllData(false). Ignores input cloud,
+   * indices and removed indices. Reads the source once. */
   void filter(const sedr::RowSource& source, PointCloud& output);
 
-  /** @brief Index in the output of the point of the voxel that holds `p`, -1 if there
-   * is none or the layout was not saved. */
+  /** @brief Returns the output index of the voxel that holds `p`; -1 if there is none
+   * or the layout was not saved. */
   int getCentroidIndex(const PointT& p) const
   {
     return getCentroidIndexAt(getGridCoordinates(p.x, p.y, p.z));
   }
 
-  /** @brief Indices in the output of the voxels at `relative_coordinates` (3 x n) from
-   * the voxel of `reference_point`, -1 for the empty ones. */
+  /** @brief Returns the output indices of the voxels at `relative_coordinates` (3 x n)
+   * from the voxel of `reference_point`; -1 for empty ones. */
   std::vector<int>
   getNeighborCentroidIndices(const PointT& reference_point,
                              const Eigen::MatrixXi& relative_coordinates) const;
@@ -86,16 +86,16 @@ protected:
   void clearResults() override;
 
 private:
-  /** @brief Thins `indices` of the input, or (null) all of it.
+  /** @brief Thins the points `indices` of the input, all of it if null.
    * @return false after a failure */
   bool thinCloud(const pcl::Indices* indices, PointCloud& output);
 
   bool validate(const pcl::Indices* indices);
 
-  /** @brief Writes the means of x, y and z of the voxels that are kept. */
+  /** @brief Writes the means of x, y and z of the kept voxels. */
   void writeMeans(const sedr::ThinnedVoxels& voxels, PointCloud& output) const;
 
-  /** @brief Whether the filter field, if there is one, lets a point pass. */
+  /** @brief Checks a point against the limits of the filter field, if set. */
   bool isWithinLimits(std::size_t i) const;
 
   pcl::Indices indicesWithinLimits(const pcl::Indices* indices) const;
@@ -105,13 +105,13 @@ private:
                      const pcl::Indices* indices,
                      PointCloud& output) const;
 
-  pcl::PCLPointField limited_field_; ///< of the filter, while there is one
+  pcl::PCLPointField limited_field_; ///< the filter field, if one is set
 };
 
-/** @brief The same for a cloud of any fields: every field is averaged, integers rounded
- * to the nearest, `rgb` and `rgba` by channel, `label` and `room` by majority, normals
- * made unit length. x, y and z may be FLOAT32 or FLOAT64; voxels are told apart in
- * float. */
+/** @brief ParallelVoxelGrid for clouds with any fields. Every field is averaged:
+ * integers are rounded to the nearest, `rgb` and `rgba` averaged by channel, `label`
+ * and `room` decided by majority, normals made unit length. x, y and z may be FLOAT32
+ * or FLOAT64; the voxel of a point is computed in float. */
 template <>
 class PCL_EXPORTS ParallelVoxelGrid<pcl::PCLPointCloud2>
     : public Filter<pcl::PCLPointCloud2>,
@@ -130,22 +130,22 @@ public:
   /** @brief Writes one point a voxel to `output`, which may be the input. */
   void filter(PCLPointCloud2& output);
 
-  /** @brief The same for a cloud that comes in pieces and need not stand in memory: the
-   * same bytes. No input cloud, indices or removed indices are used. It is gone through
-   * once, or twice where other fields than x, y and z as FLOAT32 are averaged. */
+  /** @brief Thins a cloud that is read in pieces and need not fit in memory, with the
+   * same result. Ignores input cloud, indices and removed indices. Reads the source
+   * once, or twice if fields other than FLOAT32 x, y and z are averaged. */
   void filter(const sedr::RowSource& source, PCLPointCloud2& output);
 
 protected:
   void applyFilter(PCLPointCloud2& output) override;
 
 private:
-  /** @brief Thins `indices` of the rows of the first piece, or (null) all pieces.
+  /** @brief Thins the rows `indices` of the first piece, all pieces if null.
    * @return false after a failure */
   bool thin(const sedr::RowSource& source,
             const pcl::Indices* indices,
             PCLPointCloud2& output);
 
-  /** @brief Writes the means of x, y and z, where they are FLOAT32. */
+  /** @brief Writes the means of x, y and z if they are FLOAT32. */
   void writeMeans(const sedr::VoxelSums& sums, PCLPointCloud2& output) const;
 };
 

@@ -12,62 +12,63 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What a room takes up of the height of a building, metres. */
+/** @brief The range of heights that a room occupies, metres. */
 struct RoomHeights {
   double low = 0;
   double high = 0;
 };
 
-/** @brief The heights of a room's main floor and ceiling at the middle of the box
- * around its corners. O(elements). */
+/** @brief Returns the heights of a room's main floor and ceiling at the middle of the
+ * bounding box of its boundary. O(elements). */
 RoomHeights heightsOf(const PlanRoom& room);
 
-/** @brief Those of all rooms, in their order. */
+/** @brief Returns the heights of all rooms, in plan order. */
 std::vector<RoomHeights> heightsOf(const Floorplan& plan);
 
-/** @brief Whether rooms of these heights can have to do with each other in plan: share
- * a wall, be in each other's way. They do where they have more than a quarter of the
- * lower room's height in common. Rooms that do not lie one above the other, whatever
- * their storeys: a hall of two storeys shares heights with the rooms of both. A floor
- * found too low or a ceiling that slopes up beside the floor above is forgiven. */
+/** @brief Checks whether rooms of these heights can affect each other in plan, for
+ * example share a wall. This holds if they share more than a quarter of the height of
+ * the less tall room. Storeys play no role: a hall of two storeys shares heights with
+ * the rooms of both. The quarter tolerates a floor found too low, or a ceiling that
+ * slopes up beside the floor above. */
 bool shareHeights(const RoomHeights& a, const RoomHeights& b);
 
-/** @brief The same of two rooms. */
+/** @brief Checks the same for two rooms. */
 bool shareHeights(const PlanRoom& a, const PlanRoom& b);
 
-/** @brief The rooms of a plan that share some heights, in its order. */
+/** @brief Returns the rooms of a plan that share the given heights, in plan order. */
 std::vector<const PlanRoom*> roomsAt(const Floorplan& plan, const RoomHeights& heights);
 
-/** @brief The rooms by storey, from the lowest up: every room is in one of them, and
- * each has a room.
+/** @brief Returns the storeys from the lowest up. Every room is in exactly one storey,
+ * and no storey is empty.
  *
- * Floorplan::storeys where the plan has them, without rooms and storeys that are not
- * there (any more); a room that none of them lists goes to the one whose floor is
- * nearest. Else rooms are of one storey where their heights have more than half of the
- * lower room's in common with those of a room of it. Cost: rooms squared. */
+ * Uses Floorplan::storeys if set, without rooms and storeys that no longer exist. An
+ * unlisted room goes to the storey with the nearest floor. Otherwise a room joins a
+ * storey if it shares more than half of the height of the less tall room with one of
+ * its rooms. O(rooms squared). */
 std::vector<PlanStorey> storeysOf(const Floorplan& plan);
 
-/** @brief The number of the storey of each room, by PlanRoom::id. */
+/** @brief Returns the storey number of each room, by PlanRoom::id. */
 std::map<std::uint32_t, std::uint32_t> storeyOfRooms(const Floorplan& plan);
 
-/** @brief The part of a plan that is of a storey: its rooms, and the doorways and
- * stairs that touch one of them. */
+/** @brief Returns the part of a plan that belongs to a storey: its rooms, and the
+ * doorways and stairs that touch one of them. */
 Floorplan partOf(const Floorplan& plan, const PlanStorey& storey);
 
-/** @brief The usual name of a storey: "storey 2". */
+/** @brief Returns the default name of a storey: "storey 2". */
 std::string storeyName(std::uint32_t number);
 
-/** @brief Mean height of a room in metres, over samples of its floor every 5 cm, a
- * million at most; 0 if none lies in it. */
+/** @brief Returns the mean height of a room in metres, sampled every 5 cm of its floor,
+ * with at most a million samples; 0 if no sample lies in it. */
 double meanHeight(const PlanRoom& room);
 
-/** @brief What a room of this mean height encloses, its niches too, cubic metres. */
+/** @brief Returns the volume of a room and its niches, cubic metres. */
 double volumeOf(const PlanRoom& room, double mean_height);
 
-/** @brief Thickness of the wall behind an element of a room's boundary, metres: the
- * median distance to the face on its other side, of another room at its heights or of
- * this one, where that is parallel (to 5 degrees) and at most `most` away. 0 where less
- * than a fifth of the element has such a face: the wall is known from one side only.
+/** @brief Returns the thickness of the wall behind an element of a room's boundary,
+ * metres. It is the median distance to the face on the other side, of this room or
+ * another one at its heights. That face must be parallel within 5 degrees and at most
+ * `most` metres away. 0 if less than a fifth of the element has such a face: the wall
+ * is known from one side only.
  * @param room,element indices into the plan */
 double wallThickness(const Floorplan& plan,
                      std::size_t room,

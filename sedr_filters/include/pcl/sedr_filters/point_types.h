@@ -46,8 +46,8 @@ POINT_CLOUD_REGISTER_POINT_STRUCT(
                                                label)(std::uint32_t, room, room))
 POINT_CLOUD_REGISTER_POINT_WRAPPER(pcl::PointStructure, pcl::_PointStructure)
 
-/** @brief The point types for which the libraries hold compiled classes; for any other
- * type with x, y and z include the class's impl/ header. */
+/** @brief The point types with compiled classes. For any other type with x, y and z
+ * include the class's impl/ header. */
 #define SEDR_POINT_TYPES                                                               \
   (pcl::PointXYZ)(pcl::PointXYZI)(pcl::PointXYZL)(pcl::PointXYZRGB)(                   \
       pcl::PointXYZRGBA)(pcl::PointNormal)(pcl::PointXYZRGBNormal)(                    \

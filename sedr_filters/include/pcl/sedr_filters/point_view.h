@@ -14,15 +14,15 @@ class PointCloud;
 
 namespace sedr {
 
-/** @brief The coordinates of a cloud of any point type, seen without copying: the
- * algorithms of this library read points through it and know nothing of PCL. Valid
- * while the cloud is. */
+/** @brief A view of the coordinates of a cloud of any point type, without a copy.
+ * Algorithms read points through it and do not depend on PCL. Valid as long as the
+ * cloud. */
 class PointView {
 public:
   PointView() = default;
 
-  /** @brief `size` points, the x of the first, a float, at `first_x`, `stride` bytes
-   * from one to the next; y and z follow x. They need not be aligned. */
+  /** @brief Views `size` points, `stride` bytes apart. The x of the first point, a
+   * float, is at `first_x`; y and z follow x. No alignment is needed. */
   PointView(const void* first_x, std::size_t stride, std::size_t size)
       : first_(static_cast<const char*>(first_x))
       , stride_(stride)
@@ -43,7 +43,7 @@ public:
     return p;
   }
 
-  /** @brief Tells the processor that a point will soon be read. */
+  /** @brief Prefetches a point that will soon be read. */
   void prefetch(std::size_t i) const
   {
 #ifdef __GNUC__

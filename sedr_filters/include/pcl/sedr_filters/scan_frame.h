@@ -13,39 +13,37 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The place that the coordinates of a scan or a model are counted from, in the
- * frame that the scan was given in, such as that of a national grid; metres. It is
- * subtracted in double precision before coordinates become floats, which 5,000 km from
- * 0 resolve no finer than 0.5 m.
+/** @brief The origin of the coordinates of a scan or model, given in the frame of the
+ * input, such as a national grid; metres. It is subtracted in double precision before
+ * coordinates become floats, which resolve only 0.5 m at 5,000 km from 0.
  * @code
  * const pcl::sedr::Origin origin{{691600, 5335900, 0}};
  * const Eigen::Vector3f p = origin.toLocal({691612.25, 5335907.5, 1.2}).cast<float>();
- * @endcode
- */
+ * @endcode */
 struct Origin {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
 
-  /** @brief Whether coordinates are those of the scan as it was given. */
+  /** @brief Checks whether coordinates are those of the scan as given. */
   bool isZero() const { return place.isZero(0); }
 
-  /** @brief A place of the given frame, counted from here. */
+  /** @brief Converts a place of the given frame to local coordinates. */
   Eigen::Vector3d toLocal(const Eigen::Vector3d& p) const { return p - place; }
 
-  /** @brief A place counted from here, in the given frame. */
+  /** @brief Converts a place in local coordinates to the given frame. */
   Eigen::Vector3d toGiven(const Eigen::Vector3d& p) const { return p + place; }
 
-  /** @brief "691600 5335900 0", to the micrometre. */
+  /** @brief Returns text such as "691600 5335900 0", to the micrometre. */
   std::string text(const std::string& separator = " ") const;
 
-  /** @brief Reads three finite numbers, parted by blanks or commas.
-   * @return whether the text is that and no more */
+  /** @brief Reads three finite numbers, separated by blanks or commas.
+   * @return whether the text is that and nothing else */
   static bool fromText(const std::string& text, Origin& origin);
 
-  /** @brief "sedr_origin 691600 5335900 0": what the comments of PCD, PLY, OBJ and DXF
-   * files say. */
+  /** @brief Returns the comment line written to PCD, PLY, OBJ and DXF files:
+   * "sedr_origin 691600 5335900 0". */
   std::string comment() const { return "sedr_origin " + text(); }
 
-  /** @brief Reads comment() from a line, whatever stands before it.
+  /** @brief Reads the text of comment() from the end of a line.
    * @return whether the line ends in one */
   static bool fromComment(const std::string& line, Origin& origin);
 };
@@ -62,50 +60,50 @@ operator!=(const Origin& a, const Origin& b)
   return !(a == b);
 }
 
-/** @brief The turn that makes a tilted scan level, about a place of it, so that far
- * from the origin nothing moves far; metres. */
+/** @brief The rotation that makes a tilted scan level. Its centre `about` is a place of
+ * the scan, so points far from the origin do not move far; metres. */
 struct Levelling {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   Eigen::Vector3d about = Eigen::Vector3d::Zero();
 
-  /** @brief The least turn that brings the direction `up` to z. */
+  /** @brief Returns the smallest rotation that turns the direction `up` to z. */
   static Levelling of(const Eigen::Vector3d& up, const Eigen::Vector3d& about);
 
-  /** @brief A place of the scan in the levelled frame. */
+  /** @brief Maps a place of the scan into the levelled frame. */
   Eigen::Vector3d level(const Eigen::Vector3d& p) const
   {
     return rotation * (p - about) + about;
   }
 
-  /** @brief A place of the levelled frame in that of the scan. */
+  /** @brief Maps a place of the levelled frame back into the scan. */
   Eigen::Vector3d back(const Eigen::Vector3d& p) const
   {
     return rotation.transpose() * (p - about) + about;
   }
 
-  /** @brief Between the scan's up and z, radians. */
+  /** @brief Returns the angle between the scan's vertical and z, radians. */
   double angle() const { return std::acos(std::clamp(rotation(2, 2), -1.0, 1.0)); }
 
-  /** @brief Direction in plan in which the scan's up is tilted, radians from x. */
+  /** @brief Returns the direction of the tilt in plan, radians from x. */
   double direction() const { return std::atan2(rotation(2, 1), rotation(2, 0)); }
 };
 
-/** @brief A place that some points of a scan were taken from. */
+/** @brief A scanner position and the first of the points measured from it. */
 struct ScanPosition {
-  /// Number of the first of these points; the last is before that of the next position.
+  /// First of these points; they end before `first_row` of the next position.
   std::size_t first_row = 0;
-  /// Metres, in the frame of the points; NaN where the place is not known.
+  /// Metres, in the frame of the points; NaN if the position is unknown.
   Eigen::Vector3f place = Eigen::Vector3f::Zero();
 
   bool isKnown() const { return place.allFinite(); }
 };
 
-/** @brief Where all points of a scan were taken from, by increasing `first_row`; empty
- * where nothing is known. */
+/** @brief The scanner positions of all points of a scan, by increasing `first_row`;
+ * empty if nothing is known. */
 using ScanPositions = std::vector<ScanPosition>;
 
-/** @brief Number of the position that a row was taken from; of rows before the first
- * position it is positions.size(). O(log n) for n positions. */
+/** @brief Returns the index of the scanner position of a row; positions.size() for rows
+ * before the first position. O(log n) for n positions. */
 inline std::size_t
 positionOfRow(const ScanPositions& positions, std::size_t row)
 {

@@ -12,55 +12,54 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A ray of a scanner: from where it stood to the point that it ended on,
- * metres. What lies between is air. */
+/** @brief A ray through air from a scanner position to a measured point, metres. */
 struct SightLine {
   Eigen::Vector3f from = Eigen::Vector3f::Zero();
   Eigen::Vector3f to = Eigen::Vector3f::Zero();
 };
 
-/** @brief What rays of scanners whose positions are known tell of places: a ray that
- * goes on behind a place proves that there is nothing, one that ends before it, that
- * the place was hidden from there.
+/** @brief The rays of scanners with known positions, as evidence about places. A ray
+ * that continues behind a place proves that nothing is there; a ray that ends before it
+ * shows that the place was hidden from that position.
  *
- * The rays of each position are kept by direction, as a range image is. Memory grows
- * with the rays and the positions. */
+ * The rays of each position are sorted by direction, as in a range image. Memory grows
+ * with the number of rays and positions. */
 class SightLines {
 public:
-  /** @brief O(n log n) for n rays; those that are not finite are left out. */
+  /** @brief Sorts the rays; non-finite ones are left out. O(n log n) for n rays. */
   explicit SightLines(const std::vector<SightLine>& lines);
 
-  /** @brief How many rays there are. */
+  /** @brief Returns the number of rays. */
   std::size_t size() const { return lines_.size(); }
 
-  /** @brief The same in the level frame. */
+  /** @brief Returns the rays in the levelled frame. */
   SightLines levelled(const Levelling& levelling) const;
 
-  /** @brief How many rays tell something of a place. */
+  /** @brief Numbers of rays that pass through a place or end before it. */
   struct Crossings {
-    std::size_t through = 0; ///< go on behind it
-    std::size_t before = 0;  ///< end before it
+    std::size_t through = 0; ///< rays that continue behind the place
+    std::size_t before = 0;  ///< rays that end before the place
   };
 
-  /** @brief The rays that cross a surface, or would if they went on, within `radius` of
-   * a place. Those that begin or end within 15 cm of the surface tell nothing.
-   * @param normal of the surface, unit
-   * O(rays of about that direction) for each position. */
+  /** @brief Counts the rays that cross a surface, or would if they were extended,
+   * within `radius` metres of a place. Rays that begin or end within 15 cm of the
+   * surface are not counted. O(rays of about that direction) for each position.
+   * @param normal unit normal of the surface */
   Crossings across(const Eigen::Vector3d& place,
                    const Eigen::Vector3d& normal,
                    double radius) const;
 
 private:
-  /** @brief The rays of a position, by direction. */
+  /** @brief The rays of one scanner position, by direction. */
   struct Station {
     Eigen::Vector3f from;
-    std::size_t rows = 1;             ///< of cells of directions; of columns twice that
-    std::vector<std::uint32_t> first; ///< line of each cell, and the end
+    std::size_t rows = 1; ///< rows of direction cells; there are twice as many columns
+    std::vector<std::uint32_t> first; ///< first line of each cell, then the end
   };
 
   static std::size_t cellOf(const Station& station, const Eigen::Vector3d& direction);
 
-  std::vector<SightLine> lines_; ///< by station and cell
+  std::vector<SightLine> lines_; ///< sorted by station and cell
   std::vector<Station> stations_;
 };
 

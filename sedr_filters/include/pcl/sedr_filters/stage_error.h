@@ -14,18 +14,17 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Base of every stage: keeps the sentence that says why the last run failed.
+/** @brief Base of every stage: stores why the last run failed, as a sentence.
  *
- * A stage clears it when a run starts and returns the value of fail() where it gives
- * up:
+ * A stage clears it when a run starts and returns the value of fail() on failure:
  * @code
  * if (leaf <= 0)
  *   return fail("ParallelVoxelGrid", "the leaf must be above 0 m, it is -1 m");
  * @endcode */
 class StageError {
 public:
-  /** @brief Why the last run failed, a sentence with its numbers; empty after a good
-   * run. */
+  /** @brief Returns why the last run failed, a sentence with numbers; empty after a
+   * good run. */
   const std::string& getErrorMessage() const { return error_message_; }
 
 protected:
@@ -52,9 +51,9 @@ private:
   std::string error_message_;
 };
 
-/** @brief Indices as the setters of stages take them: what another stage returned, by
- * value or by pointer, as pcl::PointIndices or pcl::Indices, or null for none. Pointers
- * are shared and not copied.
+/** @brief Parameter type for setters that take indices. Converts from pcl::PointIndices
+ * or pcl::Indices, by value or by pointer, and from null for none. Pointers are shared,
+ * not copied.
  * @code
  * pcl::PointIndices walls;
  * growing.segment(walls);
@@ -96,8 +95,8 @@ private:
   ConstPtr indices_;
 };
 
-/** @brief What is wrong with `indices` into a cloud of `cloud_size` points: a sentence
- * such as "index 12 is out of range, the cloud has 10 points", empty if nothing is.
+/** @brief Returns what is wrong with `indices` into a cloud of `cloud_size` points,
+ * such as "index 12 is out of range, the cloud has 10 points"; empty if nothing is.
  * O(n). */
 inline std::string
 indicesProblem(const pcl::Indices& indices, std::size_t cloud_size)
@@ -109,8 +108,8 @@ indicesProblem(const pcl::Indices& indices, std::size_t cloud_size)
   return {};
 }
 
-/** @brief The same of indices that may be null; `name` says which: "floor index 12 is
- * out of range, ...". */
+/** @brief Checks indices that may be null; `name` starts the sentence: "floor index 12
+ * is out of range, ...". */
 inline std::string
 indicesProblem(const char* name,
                const StageIndices::ConstPtr& indices,
@@ -120,8 +119,8 @@ indicesProblem(const char* name,
   return problem.empty() ? problem : name + (" " + problem);
 }
 
-/** @brief Those of `indices` that a cloud of `cloud_size` points has: what a filter
- * that failed has removed, so that nothing passes through unfiltered. O(n). */
+/** @brief Returns the `indices` within a cloud of `cloud_size` points. A failed filter
+ * reports them as removed, so that nothing passes unfiltered. O(n). */
 inline pcl::Indices
 indicesInRange(const pcl::Indices& indices, std::size_t cloud_size)
 {

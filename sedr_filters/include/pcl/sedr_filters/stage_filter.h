@@ -15,13 +15,12 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Base of the stages that write a cloud: a filter that fails aloud.
+/** @brief Base of the stages that write a cloud: a filter that reports its failures.
  *
- * pcl::Filter::filter() does nothing at all without an input cloud; here that is a
- * failed run like any other: getErrorMessage() gives the reason, the output is empty,
- * the results of earlier runs are gone. A class that derives from it clears its
- * results, error and removed indices in clearResults(), and calls removeAll() where it
- * gives up. */
+ * pcl::Filter::filter() silently does nothing without an input cloud. Here that is a
+ * failed run: getErrorMessage() gives the reason, the output is empty, and earlier
+ * results are cleared. A derived class clears its results, error and removed indices in
+ * clearResults(), and calls removeAll() when a run fails. */
 template <typename PointT>
 class StageFilter : public Filter<PointT>, public StageError {
 public:
@@ -44,15 +43,15 @@ protected:
       : Filter<PointT>(extract_removed_indices)
   {}
 
-  /** @brief Clears all that a run leaves in the object: a derived class clears its own
-   * results and calls this. */
+  /** @brief Clears all results of a run. Overrides clear their own results and call
+   * this. */
   virtual void clearResults()
   {
     clearError();
     this->removed_indices_->clear();
   }
 
-  /** @brief Begins a run: no results, an empty and dense output. */
+  /** @brief Starts a run: clears all results; the output becomes empty and dense. */
   void startRun(PointCloud& output)
   {
     clearResults();
@@ -61,8 +60,8 @@ protected:
     output.is_dense = true;
   }
 
-  /** @brief Ends a failed run: all indices that the cloud has are removed, where they
-   * are asked for. */
+  /** @brief Ends a failed run: all valid indices become removed indices, if these are
+   * requested. */
   void removeAll()
   {
     if (this->extract_removed_indices_)
@@ -70,15 +69,15 @@ protected:
   }
 };
 
-/** @brief Base of the stages that move labelled points onto a floor plan: the plan, the
- * points' labels and rooms, and where each point of the output comes from and lies. */
+/** @brief Base of the stages that move labelled points onto a floor plan. Holds the
+ * plan, labels and rooms, and the source and position of each output point. */
 template <typename PointT>
 class PlanFilter : public StageFilter<PointT> {
 public:
-  /** @brief The model; its rooms' ids are the values of `room`. Needed. */
+  /** @brief Sets the floor plan, whose room ids are the values of `room`. Required. */
   void setFloorplan(const std::shared_ptr<const Floorplan>& plan) { plan_ = plan; }
 
-  /** @brief As above; the plan is moved or copied. */
+  /** @brief Sets the floor plan, which is moved or copied. */
   void setFloorplan(Floorplan plan)
   {
     plan_ = std::make_shared<const Floorplan>(std::move(plan));
@@ -86,23 +85,22 @@ public:
 
   std::shared_ptr<const Floorplan> getFloorplan() const { return plan_; }
 
-  /** @brief sedr::StructureLabel of every point of the cloud; empty: from the point
-   * type. */
+  /** @brief Sets the sedr::StructureLabel of every input point; empty: taken from the
+   * point type. */
   void setLabels(std::vector<std::uint32_t> labels) { labels_ = std::move(labels); }
 
-  /** @brief Room of every point of the cloud, 0 none; empty: from the point type. */
+  /** @brief Sets the room of every input point, 0 none; empty: from the point type. */
   void setRooms(std::vector<std::uint32_t> rooms) { rooms_ = std::move(rooms); }
 
-  /** @brief Index in the input cloud of every point of the output, -1 for one that is
-   * new. */
+  /** @brief Returns the input index of every output point, -1 for new points. */
   const Indices& getSourceIndices() const { return sources_; }
 
-  /** @brief Position, normal, label and room of every point of the output, in double
+  /** @brief Returns position, normal, label and room of every output point, in double
    * precision. */
   const std::vector<SurfacePoint>& getSurfacePoints() const { return surface_points_; }
 
-  /** @brief sedr::StructureLabel of every point of the output: what setLabels() of the
-   * next stage takes. O(n). */
+  /** @brief Returns the sedr::StructureLabel of every output point, as setLabels() of
+   * the next stage expects. O(n). */
   std::vector<std::uint32_t> getLabels() const
   {
     std::vector<std::uint32_t> labels;
@@ -111,8 +109,8 @@ public:
     return labels;
   }
 
-  /** @brief Room of every point of the output: what setRooms() of the next stage takes.
-   * O(n). */
+  /** @brief Returns the room of every output point, as setRooms() of the next stage
+   * expects. O(n). */
   std::vector<std::uint32_t> getRooms() const
   {
     std::vector<std::uint32_t> rooms;
@@ -133,9 +131,9 @@ protected:
     surface_points_.clear();
   }
 
-  /** @brief Lists the removed indices, where they are asked for.
-   * @param on_plan those of the indices, in their order, that lie on the plan
-   * @param isKept whether the k-th of them stays, by k */
+  /** @brief Fills the removed indices, if these are requested.
+   * @param on_plan the input indices that lie on the plan, in input order
+   * @param isKept whether on_plan[k] is kept, by k */
   template <typename IsKept>
   void removeAllBut(const Indices& on_plan, IsKept isKept)
   {

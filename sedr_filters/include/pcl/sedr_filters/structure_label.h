@@ -8,18 +8,17 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What a point is; the value of the `label` field of every file of this
- * library. */
+/** @brief The structural class of a point: the value of the field `label` in files. */
 enum class StructureLabel : std::uint32_t {
   Other = 0,
   Ceiling = 1,
   Floor = 2,
   Wall = 3,
-  Detail = 4, ///< soffit, recess, coffer or beam: its underside and its risers
+  Detail = 4, ///< underside and risers of a soffit, recess, coffer or beam
   Column = 5
 };
 
-/** @brief Name of a label in lower case, "other" for values without one. */
+/** @brief Returns the name of a label in lower case, "other" for unknown values. */
 inline const char*
 toString(StructureLabel label)
 {
@@ -39,7 +38,7 @@ toString(StructureLabel label)
   }
 }
 
-/** @brief What an upright surface of a room is. */
+/** @brief The kind of a vertical surface of a room. */
 enum class UprightKind {
   Wall,           ///< from the floor to the ceiling, or to a niche
   WallAboveNiche, ///< from the top of a niche to the ceiling

@@ -9,19 +9,20 @@
 namespace pcl {
 
 /** @brief Moves the points of ceiling, floor and walls onto the fitted model (paper,
- * section 2.4): slab points to their plane, wall and column points to their line or
- * circle in x and y while z stays, detail points to their underside or riser. Frame: z
- * up, metres.
+ * section 2.4). Slab points move to their plane, detail points to their underside or
+ * riser. Wall and column points move to their line or circle in x and y and keep z.
+ * Frame: z up, metres.
  *
- * What a point is comes from setLabels() and setRooms(), or from the fields `label` and
- * `room` of the point type. The output holds the points that belong to the structure,
- * in input order, with the exact normal into the room, label and room where the point
- * type has such fields; all other points (label 0, no room, farther than the maximum
- * distance, not finite) are removed. O(n e) for n points and e elements of a room.
+ * Labels and rooms come from setLabels() and setRooms(), or from the fields `label` and
+ * `room` of the point type. The output holds the points of the structure in input
+ * order. Normal (exact, into the room), label and room are set where the point type has
+ * them. All other points (label 0, no room, beyond the maximum distance, not finite)
+ * are removed. O(n e) for n points and e elements of a room.
  *
- * No input, no plan, a distance that is not above 0, an index beyond the cloud, labels
- * or rooms of another number than the points: PCL_ERROR, an empty output, all indices
- * removed, and getErrorMessage() says why.
+ * A run fails without input or plan, with a distance not above 0, an index beyond the
+ * cloud, or labels or rooms that differ in number from the points. Then PCL_ERROR is
+ * printed, the output is empty, all indices are removed, and getErrorMessage() gives
+ * the reason.
  * @code
  * pcl::StructureRefinement<pcl::PointStructure> refinement;
  * refinement.setInputCloud(labelled);
@@ -42,13 +43,13 @@ public:
     this->filter_name_ = "StructureRefinement";
   }
 
-  /** @brief The farthest a point may move, metres, > 0; one farther off its surface is
-   * removed. Default 0.15. */
+  /** @brief Sets the maximum distance that a point may move, metres, > 0; points
+   * farther off their surface are removed. Default 0.15. */
   void setMaximumDistance(double distance) { maximum_distance_ = distance; }
   double getMaximumDistance() const { return maximum_distance_; }
 
-  /** @brief Threads, 0 for all processors. Default 0. The result does not depend on it.
-   */
+  /** @brief Sets the number of threads, 0 for all processors (default). The result does
+   * not depend on it. */
   void setNumberOfThreads(unsigned int threads = 0) { threads_ = threads; }
   unsigned int getNumberOfThreads() const { return threads_; }
 
@@ -63,7 +64,7 @@ private:
   using sedr::PlanFilter<PointT>::surface_points_;
   using sedr::PlanFilter<PointT>::fail;
 
-  /** @brief Checks all that was set, and fills labels and rooms where none were. */
+  /** @brief Checks the input; takes missing labels and rooms from the point type. */
   bool validate(std::vector<std::uint32_t>& labels, std::vector<std::uint32_t>& rooms);
 
   double maximum_distance_ = 0.15;

@@ -11,14 +11,14 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief An upright surface after hole repair, unrolled: columns of cells along its
- * element, each from its lower to its upper end. */
+/** @brief A vertical surface after hole repair, unrolled: profiles of cells along its
+ * plan element, each from its lower to its upper end. */
 struct RepairedStrip {
-  /** @brief A column of equal cells. */
+  /** @brief A profile: a vertical stack of equal cells. */
   struct Column {
     double low = 0;        ///< z, metres
-    double high = 0;       ///< not above low where the column has no cells
-    std::size_t first = 0; ///< its lowest cell, an index into the repaired points
+    double high = 0;       ///< not above `low` if there are no cells
+    std::size_t first = 0; ///< index of its lowest cell in the repaired points
     std::size_t cells = 0;
   };
 
@@ -29,32 +29,32 @@ struct RepairedStrip {
   std::vector<Column> columns; ///< of equal widths
 };
 
-/** @brief How much of a room no scanned point supports, at the density that the scan
- * has there: an empty cell counts only if it is farther from all points of its surface
+/** @brief The shares of a room that no scanned point supports, at the local density of
+ * the scan. An empty cell counts only if it is farther from all points of its surface
  * than these are from one another. */
 struct UnseenShares {
-  double surface = 0; ///< of the cells of all its surfaces
-  double walls = 0;   ///< of the length of its walls: less than a fifth of the height
+  double surface = 0; ///< share of the cells of all surfaces of the room
+  double walls = 0;   ///< share of wall length seen in under a fifth of its height
 };
 
 } // namespace sedr
 
-/** @brief Fills the holes of a refined structure (paper, section 2.4): per cell of a
- * wall, the empty cells in z between floor and ceiling are filled, so that doors,
- * windows and what furniture hid are closed; likewise the faces of columns, the risers
- * of details, floor and ceilings. Frame: z up, metres.
+/** @brief Fills the holes of a refined structure (paper, section 2.4). For each cell
+ * along a wall, the empty cells between floor and ceiling are filled, which closes
+ * doors, windows and parts hidden by furniture. The faces of columns, the risers of
+ * details, floors and ceilings are filled likewise. Frame: z up, metres.
  *
- * The input is what StructureRefinement gives: points on the surfaces of the plan. The
- * output has one point for every cell of every surface: the scanned point nearest to
- * the cell's middle, or a new one there, so that it covers the structure evenly and
- * wholly. Normals, labels and rooms are set where the point type has them; other fields
- * of new points are zero. Non-finite points and points on no surface are removed. O(n e
- * + c) for n points, e elements and c cells.
+ * The input is the output of StructureRefinement: points on the surfaces of the plan.
+ * The output has one point for every cell of every surface: the scanned point nearest
+ * to the cell's centre, or a new point there. So it covers the whole structure evenly.
+ * Normals, labels and rooms are set where the point type has them; other fields of new
+ * points are zero. Non-finite points and points on no surface are removed. O(n e + c)
+ * for n points, e elements and c cells.
  *
- * No input, no plan, a grid size that is not above 0 or so small that the plan would
- * have more than 200 million cells, an index beyond the cloud, labels or
- * rooms of another number than the points: PCL_ERROR, an empty output, all indices
- * removed, and getErrorMessage() says why.
+ * A run fails without input or plan, with an index beyond the cloud, or if labels or
+ * rooms differ in number from the points. It also fails if the grid size is not above 0
+ * or would give more than 200 million cells. Then PCL_ERROR is printed, the output is
+ * empty, all indices are removed, and getErrorMessage() gives the reason.
  * @code
  * pcl::VerticalHoleRepair<pcl::PointStructure> repair;
  * repair.setInputCloud(refined);
@@ -68,32 +68,30 @@ public:
   using ConstPtr = shared_ptr<const VerticalHoleRepair<PointT>>;
   using PointCloud = typename Filter<PointT>::PointCloud;
 
-  /** @param extract_removed_indices whether getRemovedIndices() is filled: with the
-   * points that are in no cell, and those that share their cell with one nearer to its
-   * middle */
+  /** @param extract_removed_indices whether getRemovedIndices() is filled: with points
+   * in no cell, and points that share their cell with one nearer to its centre */
   explicit VerticalHoleRepair(bool extract_removed_indices = false)
       : sedr::PlanFilter<PointT>(extract_removed_indices)
   {
     this->filter_name_ = "VerticalHoleRepair";
   }
 
-  /** @brief Edge of a cell, metres, > 0. Default 0.05. */
+  /** @brief Sets the edge of a cell, metres, > 0. Default 0.05. */
   void setGridSize(double size) { grid_size_ = size; }
   double getGridSize() const { return grid_size_; }
 
-  /** @brief Indices in the output of the points that fill holes, increasing: what was
-   * not seen. */
+  /** @brief Returns the output indices of the points that fill holes, increasing. */
   const Indices& getRepairedIndices() const { return repaired_; }
 
-  /** @brief What the scan does not support, at its own density, of each room by its id:
-   * less than was filled where the scan is sparser than the cells. */
+  /** @brief Returns, by room id, the shares that the scan does not support at its own
+   * density. Where the scan is sparser than the cells, this is less than was filled. */
   const std::map<std::uint32_t, sedr::UnseenShares>& getUnseenShares() const
   {
     return unseen_;
   }
 
-  /** @brief Where the cells of walls, columns and risers are in the output of the last
-   * run: with getSourceIndices(), which part of which wall was seen. */
+  /** @brief Returns where the cells of walls, columns and risers are in the output.
+   * With getSourceIndices() this shows which part of a wall was seen. */
   const std::vector<sedr::RepairedStrip>& getStrips() const { return strips_; }
 
 protected:
@@ -109,7 +107,7 @@ private:
   using sedr::PlanFilter<PointT>::surface_points_;
   using sedr::PlanFilter<PointT>::fail;
 
-  /** @brief Checks all that was set, and fills labels and rooms where none were. */
+  /** @brief Checks the input; takes missing labels and rooms from the point type. */
   bool validate(std::vector<std::uint32_t>& labels, std::vector<std::uint32_t>& rooms);
 
   double grid_size_ = 0.05;

@@ -12,47 +12,46 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A wall of a plan that leans: its element of the boundary is its foot, at the
- * height of the floor's main plane; what stands on it is a plane, on an arc a cone. */
+/** @brief A tilted wall of a plan. The boundary element is its foot, at the height of
+ * the floor's main plane. The wall is a plane on a segment, a cone on an arc. */
 struct WallTilt {
   std::uint32_t room = 0; ///< PlanRoom::id
-  std::size_t wall = 0;   ///< element of its boundary, from 0
+  std::size_t wall = 0;   ///< index of the boundary element
   double tilt = 0;        ///< radians from the vertical, positive into the room
 };
 
-/** @brief The walls of a plan that lean; all others are vertical. */
+/** @brief The tilted walls of a plan; all others are vertical. */
 using WallTilts = std::vector<WallTilt>;
 
-/** @brief Of each wall of a room, how far it goes into the room for a metre up: the
- * tangent of its tilt, 0 if it is vertical. */
+/** @brief Returns the run of each wall of a room: metres into the room for each metre
+ * up, the tangent of its tilt; 0 if vertical. */
 std::vector<double> wallRuns(const PlanRoom& room, const WallTilts& tilts);
 
-/** @brief Whether some wall of a room leans. */
+/** @brief Checks whether any wall of a room is tilted. */
 bool leans(const PlanRoom& room, const WallTilts& tilts);
 
-/** @brief The boundary of a room at a height: of what leans, where it is there. Corners
- * are where two walls meet; walls that have no length there make the loop cross itself.
- */
+/** @brief Returns the boundary of a room at height `z`, with tilted walls at their
+ * position there. Corners lie where two walls meet. If a wall has no length at that
+ * height, the loop crosses itself. */
 PlanLoop boundaryAt(const PlanRoom& room, const WallTilts& tilts, double z);
 
-/** @brief The height of the top of the highest wall of a room that leans. */
+/** @brief Returns the maximum height of the tops of a room's tilted walls. */
 double headOf(const PlanRoom& room, const WallTilts& tilts);
 
-/** @brief Ends of elements that were moved, and of those beside them, brought to where
- * they meet their neighbours. */
+/** @brief Moves the ends of moved elements and their neighbours to where they meet. */
 void rejoin(PlanLoop& loop, const std::vector<bool>& is_moved);
 
-/** @brief floorplan.json with the tilts of its walls, in degrees, each as `tilt` of its
- * element: of version 2 where there are any, else as it was.
- * @param json as floorplanToJson() wrote it
- * @param volumes of rooms, by id: they replace those of vertical walls */
+/** @brief Returns floorplan.json with wall tilts in degrees, each as `tilt` of its
+ * element. The version is 2 if there are any tilts, else the text is unchanged.
+ * @param json output of floorplanToJson()
+ * @param volumes room volumes by id, which replace those computed for vertical walls */
 std::string withTilts(const std::string& json,
                       const WallTilts& tilts,
                       const std::map<std::uint32_t, double>& volumes = {});
 
-/** @brief The tilts that a floorplan.json tells.
- * @param[out] problem a sentence where one is no number within 45 degrees, else empty
- */
+/** @brief Reads the tilts from a floorplan.json.
+ * @param[out] problem a sentence if a tilt is not a number within 45 degrees, else
+ * empty */
 WallTilts tiltsFromJson(const std::string& json, std::string& problem);
 
 } // namespace sedr

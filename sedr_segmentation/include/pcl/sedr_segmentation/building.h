@@ -16,102 +16,102 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief How a scan is parted into rooms; lengths in metres. */
+/** @brief Parameters of the room segmentation; lengths in metres. */
 struct BuildingParameters {
-  double cell_size = 0.05;   ///< of ceilings and floors; air is looked for in cells of
-                             ///< twice that
-  double headroom = 1.8;     ///< air as high as this is a room's
-  double minimum_area = 1.0; ///< of a room with headroom, square metres
-  double minimum_enclosure = 0.15; ///< share of a room's outline at which walls stand
-  double widest_door = 1.6;    ///< a wider opening parts two rooms only below a lintel
-  double widest_passage = 4.0; ///< a wider one does not, whatever is above it
-  double storey_step = 1.6;    ///< floors that differ by less may be of one storey
-  unsigned threads = 0;        ///< 0: as many as there are processors
+  double cell_size =
+      0.05; ///< of ceilings and floors; gaps are found in cells of twice that
+  double headroom = 1.8;           ///< minimum height of a gap of a room
+  double minimum_area = 1.0;       ///< of a room with headroom, square metres
+  double minimum_enclosure = 0.15; ///< share of a room's outline with walls
+  double widest_door = 1.6; ///< a wider opening separates two rooms only below a lintel
+  double widest_passage = 4.0; ///< a wider opening never separates two rooms
+  double storey_step = 1.6; ///< minimum height difference of the floors of two storeys
+  unsigned threads = 0;     ///< 0: all processors
 };
 
-/** @brief A column of a room: where its air ends above and below, metres. */
+/** @brief A profile of a room: the ends of its gap below and above, metres. */
 struct RoomColumn {
   Cell cell; ///< of the grid of BuildingRooms
   float floor = 0;
   float ceiling = 0;
-  bool floor_seen = true;   ///< else something hid it, and it is that of its neighbours
+  bool floor_seen = true;   ///< false: hidden, taken from the neighbours
   bool ceiling_seen = true; ///< likewise
-  bool is_level = true;     ///< of a part of the ceiling that is level and large enough
-                            ///< to be told: not of a vault, a roof or fine ribs
+  bool is_level = true; ///< the ceiling here is level over a sufficient area: no vault,
+                        ///< roof or fine ribs
 };
 
-/** @brief A room: what hangs together of the air of a building, a height field. */
+/** @brief A room: a connected part of the free space of a building, as a height field.
+ */
 struct BuildingRoom {
   std::uint32_t id = 0;            ///< from 1, largest first
   std::uint32_t storey = 0;        ///< PlanStorey::number
   std::vector<RoomColumn> columns; ///< by the keys of their cells
-  double floor = 0;     ///< height of the lowest level that a tenth of it has
-  double ceiling = 0;   ///< the height that most of it has
+  double floor = 0;     ///< lowest floor height with at least a tenth of the area
+  double ceiling = 0;   ///< most frequent ceiling height
   double area = 0;      ///< square metres
-  double enclosure = 0; ///< share of its outline at which walls stand, doors left out
+  double enclosure = 0; ///< share of its outline with walls, without doors
 };
 
-/** @brief What is no room although it was seen. */
+/** @brief Reason why a seen region is no room. */
 enum class LeftOutKind {
-  Low,     ///< nowhere large enough to stand in
-  Open,    ///< without walls around it: outdoors, or seen through an opening
-  Landing, ///< small and on the floor of no storey
-  Mirror,  ///< what a floor mirrors, or was seen only through panes
-  Void     ///< within slabs, below furniture
+  Low,     ///< no sufficient area with headroom
+  Open,    ///< no walls around it: outdoors, or seen through an opening
+  Landing, ///< small and not on the floor of a storey
+  Mirror,  ///< a reflection in a floor, or seen only through panes
+  Void     ///< within slabs or below furniture
 };
 
-/** @brief Something that was seen and is no room. */
+/** @brief A region that was seen and is no room. */
 struct LeftOut {
   LeftOutKind kind = LeftOutKind::Low;
-  std::string reason; ///< for people: "no walls around it"
+  std::string reason; ///< readable, e.g. "no walls around it"
   double area = 0;    ///< in plan, square metres
   double floor = 0;   ///< metres
   double ceiling = 0;
-  Eigen::Vector2d at = Eigen::Vector2d::Zero(); ///< a place in it
+  Eigen::Vector2d at = Eigen::Vector2d::Zero(); ///< a position in it
 };
 
-/** @brief What a scan shows of a building. */
+/** @brief A building: rooms, storeys, doorways and stairs of a scan. */
 struct Building {
-  double cell_size = 0; ///< of the columns of its rooms, metres
+  double cell_size = 0; ///< of the profiles of its rooms, metres
   std::vector<BuildingRoom> rooms;
   std::vector<PlanStorey> storeys; ///< from the lowest up
   std::vector<PlanDoorway> doorways;
   std::vector<PlanStair> stairs;
   std::vector<LeftOut> left_out; ///< largest first
-  double seen_area = 0;          ///< of all air in plan, rooms and not, square metres
+  double seen_area = 0;          ///< area of all free space in plan, square metres
 
-  /** @brief The points of the scan: which room each is of, 0 none, and whether it is on
-   * its ceiling (1), its floor (2) or neither (0), as StructureLabel says. */
+  /** @brief Room of every point of the scan, 0 for none, and its label: ceiling (1),
+   * floor (2) or neither (0), see StructureLabel. */
   std::vector<std::uint32_t> room_of;
   std::vector<std::uint32_t> label_of;
 };
 
-/** @brief What scanners whose positions are known tell of a scan. */
+/** @brief Visibility information from scanners with known positions. */
 struct BuildingSight {
-  const SightLines* lines = nullptr;  ///< rays; null: not known
-  std::vector<std::uint8_t> behind{}; ///< 1 for each point that was seen only through
-                                      ///< panes, see findMirroredPoints()
+  const SightLines* lines = nullptr; ///< rays; null: not known
+  std::vector<std::uint8_t>
+      behind{}; ///< 1 per point seen only through panes, see findMirroredPoints()
 };
 
-/** @brief Parts a scan into rooms and storeys (paper, section 2.3.1, on the envelope
- * instead of on a plane): the free stretches of the plan's columns are linked to the
- * air of the building, whatever its shapes, and parted where walls, doors and lintels
- * are.
+/** @brief Divides a scan into rooms and storeys (paper, section 2.3.1, on the envelope
+ * instead of a plane). The gaps of the profiles are linked to the free space of the
+ * building, which is divided at walls, doors and lintels.
  *
  * @param points thinned, z up
- * @param indices those of them that count; empty: all
- * @param[out] problem why there is none, a sentence; empty otherwise
- * @param sight what is seen only through panes is no room, a hole in a slab that rays
- * go through is open
- * O(n) for n points; the same for any number of threads. */
+ * @param indices the points to use; empty: all
+ * @param[out] problem the reason if there is no building, a sentence; else empty
+ * @param sight space seen only through panes is no room; a hole in a slab that rays
+ * pass is open. O(n) for n points; the result does not depend on the number of threads.
+ */
 Building findBuilding(const PointView& points,
                       const std::vector<int>& indices,
                       const BuildingParameters& parameters,
                       std::string& problem,
                       const BuildingSight& sight = {});
 
-/** @brief Gives a plan the storeys, doorways and stairs of a building, those of rooms
- * that the plan has: its rooms have the ids of the building's. */
+/** @brief Adds to a plan the storeys, doorways and stairs of a building, for the rooms
+ * in the plan. Rooms are matched by their ids. */
 void giveStoreys(const Building& building, Floorplan& plan);
 
 } // namespace sedr

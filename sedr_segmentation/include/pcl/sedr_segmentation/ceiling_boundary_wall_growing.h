@@ -14,61 +14,61 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief When a point of a slab lies on its boundary (paper, section 2.3.2 and Table
- * 1). */
+/** @brief Parameters of the boundary test of slabs (paper, section 2.3.2 and Table 1).
+ */
 struct BoundaryOptions {
-  unsigned int neighbours =
-      200; ///< nearest points looked at, the point itself among them
-  float angle = static_cast<float>(M_PI / 3); ///< widest gap of an inner point, radians
-  unsigned int threads = 0;                   ///< 0 takes all processors
+  unsigned int neighbours = 200; ///< nearest points, including the point itself
+  float angle =
+      static_cast<float>(M_PI / 3); ///< maximum gap of an inner point, radians
+  unsigned int threads = 0;         ///< 0: all processors
 };
 
-/** @brief How walls grow from their seeds (paper, section 2.3.2). */
+/** @brief Parameters of the growing of walls from seeds (paper, section 2.3.2). */
 struct WallGrowingOptions {
-  double distance = 0.15; ///< in plan, seed to wall point, metres
-  /** From this height up the seeds above it count, below it the others; NaN: no
-   * division. */
+  double distance = 0.15; ///< maximum, in plan, seed to wall point, metres
+  /** Height that separates upper and lower seeds, metres; NaN: no division. */
   double slice_height = std::numeric_limits<double>::quiet_NaN();
-  /** For the support; NaN: the median of the floor. */
+  /** Floor height for the support, metres; NaN: the median of the floor points. */
   double floor_height = std::numeric_limits<double>::quiet_NaN();
-  double minimum_support = 0; ///< of a rim, share 0 to 1; 0 asks for none
-  unsigned int threads = 0;   ///< 0 takes all processors
+  double minimum_support = 0; ///< of a rim, share 0 to 1; 0: no minimum
+  unsigned int threads = 0;   ///< 0: all processors
 
   bool hasSlice() const { return !std::isnan(slice_height); }
 };
 
-/** @brief The seeds of walls: indices of finite points, ascending. */
+/** @brief Seeds of walls: indices of finite points, increasing. */
 struct WallSeeds {
-  pcl::Indices above; ///< of the whole height where there is no slice
+  pcl::Indices above; ///< all seeds if there is no slice height
   pcl::Indices below;
 };
 
-/** @brief What CeilingBoundaryWallGrowing found: indices, ascending. */
+/** @brief Result of CeilingBoundaryWallGrowing: indices, increasing. */
 struct GrownWalls {
   pcl::Indices walls;            ///< without the details
-  pcl::Indices with_details;     ///< the same and the details
+  pcl::Indices with_details;     ///< wall points and details
   pcl::Indices ceiling_boundary; ///< boundary points of the ceiling
-  pcl::Indices scope_boundary;   ///< of ceiling and details, seen in plan
+  pcl::Indices
+      scope_boundary; ///< boundary points of ceiling and details together, in plan
   pcl::Indices floor_boundary;
-  WallSeeds seeds; ///< that had the minimum support
+  WallSeeds seeds; ///< seeds of the rims with the minimum support
 };
 
 } // namespace sedr
 
-/** @brief Finds the wall points of a room: the boundary points of its ceiling are the
- * seeds, and what lies near a seed in plan is wall (paper, section 2.3.2). Frame: z up.
+/** @brief Finds the wall points of a room (paper, section 2.3.2). The seeds are the
+ * boundary points of the ceiling; points near a seed in plan are walls. Frame: z up.
  *
- * A ceiling point is a boundary point where the directions to its nearest neighbours,
- * seen from above, leave a gap wider than an angle, as in pcl::BoundaryEstimation. With
- * structural details and a slice height the seeds above the slice are the boundary of
- * the ceiling and that of the room's scope (ceiling and details together), below it the
- * boundary of the floor; the details join the walls (paper, Figure 6). Ceiling and
- * floor points are never walls, nor are non-finite points.
+ * A ceiling point is a boundary point if the horizontal directions to its nearest
+ * neighbours leave a gap wider than an angle, as in pcl::BoundaryEstimation. With
+ * structural details and a slice height, the seeds above the slice are the boundaries
+ * of the ceiling and of ceiling and details together. The seeds below the slice are the
+ * boundary of the floor, and the details join the walls (paper, Figure 6). Ceiling,
+ * floor and non-finite points are never wall points.
  *
- * Give it one room at a time: across a partition wall of 10 cm the ceilings of two
- * rooms leave no gap wide enough. The same result for any number of threads. Time O((c
- * + n) log c) for c ceiling and n candidate points, the factor growing with the number
- * of neighbours along the boundary.
+ * Process one room at a time: across a partition wall of 10 cm, the ceilings of two
+ * rooms leave no gap wide enough. The result does not depend on the number of threads.
+ * Time O((c + n) log c) for c ceiling and n candidate points; the factor grows with the
+ * number of neighbours along the boundary.
  * @code
  * pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ> growing;
  * growing.setInputCloud(thinned);
@@ -85,94 +85,93 @@ public:
   using ConstPtr = shared_ptr<const CeilingBoundaryWallGrowing<PointT>>;
   using SearchPtr = typename pcl::search::Search<PointT>::Ptr;
 
-  /** @brief The points of the ceiling, of which at least 3 must be finite. The indices
-   * of setIndices() are the candidates for walls; by default all points are. */
+  /** @brief Sets the points of the ceiling; at least 3 must be finite. The indices of
+   * setIndices() are the candidates for walls, by default all points. */
   void setCeilingIndices(const sedr::StageIndices& indices)
   {
     ceiling_ = indices.get();
   }
   IndicesConstPtr getCeilingIndices() const { return ceiling_; }
 
-  /** @brief The points of the floor. Needed with a slice height. */
+  /** @brief Sets the points of the floor. Required with a slice height. */
   void setFloorIndices(const sedr::StageIndices& indices) { floor_ = indices.get(); }
   IndicesConstPtr getFloorIndices() const { return floor_; }
 
-  /** @brief The points of structural details, as GridSliceDetail finds them. Of no
-   * effect without a slice height. */
+  /** @brief Sets the points of structural details, see GridSliceDetail. Ignored without
+   * a slice height. */
   void setDetailIndices(const sedr::StageIndices& indices) { details_ = indices.get(); }
   IndicesConstPtr getDetailIndices() const { return details_; }
 
-  /** @brief Height that divides the walls below the details from those beside them,
-   * metres, in the frame of the cloud. Default NaN: no details, no division. */
+  /** @brief Sets the height that separates walls below and beside the details, metres,
+   * in the frame of the cloud. Default NaN: no details, no division. */
   void setSliceHeight(double z) { growing_.slice_height = z; }
   double getSliceHeight() const { return growing_.slice_height; }
 
-  /** @brief How many nearest points decide whether one is boundary, itself among them,
-   * >= 3. Default 200. */
+  /** @brief Sets the number of nearest points of the boundary test, including the point
+   * itself, >= 3. Default 200. */
   void setNumberOfNeighbors(unsigned int number) { boundary_.neighbours = number; }
   unsigned int getNumberOfNeighbors() const { return boundary_.neighbours; }
 
-  /** @brief Widest gap between directions around an inner point, radians (as in
-   * pcl::BoundaryEstimation), above 0 and below 2 pi. Default pi / 3, 60 degrees. */
+  /** @brief Sets the maximum gap between directions around an inner point, radians (as
+   * in pcl::BoundaryEstimation), above 0 and below 2 pi. Default pi / 3. */
   void setAngleThreshold(float angle) { boundary_.angle = angle; }
   float getAngleThreshold() const { return boundary_.angle; }
 
-  /** @brief Farthest a wall point may be from a seed in plan, metres, > 0. Default
-   * 0.15: two cells of 0.05 m from the outermost point of the ceiling, and a voxel. */
+  /** @brief Sets the maximum distance of a wall point from a seed in plan, metres, > 0.
+   * Default 0.15: two cells of 0.05 m from the outermost ceiling point, and a voxel. */
   void setDistanceThreshold(double distance) { growing_.distance = distance; }
   double getDistanceThreshold() const { return growing_.distance; }
 
-  /** @brief Least support of a rim, share from 0 to 1. Default 0: none is asked for.
+  /** @brief Sets the minimum support of a rim, share from 0 to 1. Default 0: none.
    *
-   * Seeds that touch each other on a grid of the distance threshold are one rim. From
-   * every seed cell a column of 3 x 3 cells hangs down to the floor (to the slice,
-   * where there is one); its share of height cells that hold candidate or detail
-   * points, averaged over the rim, is the support. Rims below the minimum seed no wall:
-   * lamps hang short of the floor, columns and walls with their doors and windows do
-   * not. Needs setFloorHeight() or floor indices. */
+   * A rim is a connected set of seeds on a grid of the distance threshold. A profile of
+   * 3 x 3 cells extends from every seed cell down to the floor, or to the slice if
+   * there is one. The support is the share of its height cells with candidate or detail
+   * points, averaged over the rim. Rims below the minimum seed no wall: lamps end above
+   * the floor, columns and walls with doors and windows do not. Requires
+   * setFloorHeight() or floor indices. */
   void setMinimumSupport(double share) { growing_.minimum_support = share; }
   double getMinimumSupport() const { return growing_.minimum_support; }
 
-  /** @brief Height of the floor for the support, metres. Default NaN: the median height
-   * of the floor points. */
+  /** @brief Sets the height of the floor for the support, metres. Default NaN: the
+   * median height of the floor points. */
   void setFloorHeight(double z) { growing_.floor_height = z; }
   double getFloorHeight() const { return growing_.floor_height; }
 
-  /** @brief Number of threads, 0 (default) for all processors. */
+  /** @brief Sets the number of threads, 0 (default) for all processors. */
   void setNumberOfThreads(unsigned int threads)
   {
     boundary_.threads = growing_.threads = threads;
   }
   unsigned int getNumberOfThreads() const { return boundary_.threads; }
 
-  /** @brief Search for the neighbours on ceiling and floor; must allow concurrent
-   * queries. By default, and with nullptr, a k-d tree. */
+  /** @brief Sets the neighbour search on ceiling and floor; it must allow concurrent
+   * queries. Default, and for nullptr: a k-d tree. */
   void setSearchMethod(const SearchPtr& search) { search_ = search; }
   SearchPtr getSearchMethod() const { return search_; }
 
-  /** @brief Finds the walls.
+  /** @brief Finds the wall points.
    * @param[out] walls wall and detail points, increasing; cleared first
    * @return false, with a reason in getErrorMessage(), for bad input or parameters. No
-   * wall near the boundary is no error: walls is empty then. */
+   * wall near the boundary is no error: `walls` is then empty. */
   bool segment(pcl::PointIndices& walls);
 
-  /** @brief Wall points of the last run without the details, increasing. */
+  /** @brief Returns the wall points of the last run without the details, increasing. */
   const pcl::Indices& getWallIndices() const { return result_.walls; }
 
-  /** @brief Boundary points of the ceiling, increasing; filled by segment(), as those
-   * below. */
+  /** @brief Returns the boundary points of the ceiling in the last run, increasing. */
   const pcl::Indices& getBoundaryIndices() const { return result_.ceiling_boundary; }
 
-  /** @brief Boundary points of ceiling and details together, seen in plan; empty
+  /** @brief Returns the boundary points of ceiling and details together, in plan; empty
    * without a slice height. */
   const pcl::Indices& getScopeBoundaryIndices() const { return result_.scope_boundary; }
 
-  /** @brief Boundary points of the floor; empty without a slice height. */
+  /** @brief Returns the boundary points of the floor; empty without a slice height. */
   const pcl::Indices& getFloorBoundaryIndices() const { return result_.floor_boundary; }
 
-  /** @brief Seeds of the last run, above and below the slice height: the boundary
-   * points without those of rims that had less than the minimum support. All are above
-   * where there is no slice height. */
+  /** @brief Returns the seeds of the last run, above and below the slice height:
+   * boundary points of rims with the minimum support. Without a slice height all are
+   * above. */
   const sedr::WallSeeds& getSeeds() const { return result_.seeds; }
 
 private:

@@ -19,51 +19,50 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief How a loop is fitted to a contour; metres. */
+/** @brief Parameters of the fit of a loop to a contour; metres. */
 struct LoopParameters {
   double tolerance = 0.05; ///< distance of an inlier from its curve (paper, Table 1)
   double expected_offset =
-      -0.025;          ///< where the wall is looked for, from the contour, inside > 0
-  double reach = 0.06; ///< how far from there it may be: a farther one is another wall
+      -0.025;          ///< expected distance of the wall from the contour, inside > 0
+  double reach = 0.06; ///< maximum deviation from the expected offset
   double evidence_span =
-      0.05; ///< how far along the contour a sample looks for it to each side
-  double corner_reach = 0.15;  ///< how far from the contour two curves meet in a corner
-  double minimum_length = 0.2; ///< of an element that has a curve of its own
+      0.05; ///< half-length along the contour of the search window of a sample
+  double corner_reach = 0.15;   ///< maximum distance of a corner from the contour
+  double minimum_length = 0.2;  ///< of an element with its own curve
   double minimum_radius = 0.15; ///< of an arc
   double maximum_radius = 25.0; ///< of an arc; flatter ones are segments
   Priors priors;
   std::uint64_t seed = 1;
-  unsigned threads = 1; ///< that share a loop; 0: as many as there are processors
+  unsigned threads = 1; ///< per loop; 0: all processors
 };
 
-/** @brief A place on a contour, moved onto the wall where points show one. */
+/** @brief A sample of a contour, moved onto the wall if points support one. */
 struct ContourSample {
-  Eigen::Vector2d place;    ///< on the contour, its staircase evened out
-  Eigen::Vector2d position; ///< on the wall, where points show one, or else the place
+  Eigen::Vector2d place;    ///< on the smoothed contour
+  Eigen::Vector2d position; ///< on the wall if points support one, else `place`
   Eigen::Vector2d tangent;  ///< unit, along the contour
-  double support = 0;       ///< points by the loop's median, 1 at most; 0 for too few
-  std::size_t points = 0;   ///< that show the wall here
-  double deviation = 0;     ///< of these across the contour, root mean square, metres
+  double support = 0; ///< point count over the loop's median, at most 1; 0 for too few
+  std::size_t points = 0; ///< number of points that support the wall here
+  double deviation = 0; ///< their root mean square deviation across the contour, metres
 
-  /** @brief Whether points show the wall here. */
+  /** @brief Returns whether points support the wall here. */
   bool isSupported() const { return support > 0; }
 
-  /** @brief What the sample counts for in a fit: little where only the contour shows
-   * the wall. */
+  /** @brief Returns the sample's weight in a fit; it is low without supporting points.
+   */
   double weight() const { return isSupported() ? support : 0.3; }
 };
 
-/** @brief How a room's plan is fitted; lengths in metres. */
+/** @brief Parameters of the fit of a room's plan; lengths in metres. */
 struct RoomFitParameters {
   LoopParameters loop;
   double cell_size = 0.05;
   double slab_tolerance = 0.05;      ///< of the planes of ceiling, floor and details
   double minimum_detail_area = 0.25; ///< square metres
-  unsigned threads = 0; ///< rooms fitted at a time; 0: as many as there are processors
+  unsigned threads = 0;              ///< rooms fitted in parallel; 0: all processors
 };
 
-/** @brief The boundary points that a loop of a room was fitted to (paper, Figure 7a).
- */
+/** @brief Boundary points to which a loop of a room was fitted (paper, Figure 7a). */
 struct FittedBoundary {
   std::uint32_t room = 0;                      ///< number of the room
   StructureLabel label = StructureLabel::Wall; ///< Wall, or Column for an inner loop
@@ -72,14 +71,15 @@ struct FittedBoundary {
 
 } // namespace sedr
 
-/** @brief Fits the floor plan of the rooms (paper, section 2.4 and Figure 7): lines and
- * circles by seeded 2D RANSAC along the outline of ceiling and details, then by robust
- * least squares to the wall points; closed loops of segments and arcs a room, columns
- * as inner loops, details as loops with a height of their own. Frame: z up, metres.
+/** @brief Fits the floor plan of the rooms (paper, section 2.4 and Figure 7). Frame: z
+ * up, metres.
  *
- * Room numbers of the points part the rooms, see setRooms(); without them all is one
- * room. Non-finite points are left out. O(n log n) for n points plus the cells of the
- * rooms' boxes.
+ * Seeded 2D RANSAC finds lines and circles along the outline of ceiling and details;
+ * robust least squares fits them to the wall points. The result is a closed loop of
+ * segments and arcs per room, with columns as inner loops and details as loops of their
+ * own height. Room numbers of the points separate the rooms, see setRooms(); without
+ * them there is one room. Non-finite points are left out. O(n log n) for n points plus
+ * the cells of the rooms' bounding boxes.
  * @code
  * pcl::FloorplanFitting<pcl::PointXYZ> fitting;
  * fitting.setInputCloud(thinned);
@@ -95,43 +95,40 @@ public:
   using Ptr = shared_ptr<FloorplanFitting<PointT>>;
   using ConstPtr = shared_ptr<const FloorplanFitting<PointT>>;
 
-  /** @brief Points of the main ceilings. Needed. */
+  /** @brief Sets the points of the main ceilings. Required. */
   void setCeilingIndices(const sedr::StageIndices& ceiling)
   {
     ceiling_ = ceiling.get();
   }
   IndicesConstPtr getCeilingIndices() const { return ceiling_; }
 
-  /** @brief Points of the floors. Needed. */
+  /** @brief Sets the points of the floors. Required. */
   void setFloorIndices(const sedr::StageIndices& floor) { floor_ = floor.get(); }
   IndicesConstPtr getFloorIndices() const { return floor_; }
 
-  /** @brief Points of structural details, as GridSliceDetail gives them. May be left
-   * out. */
+  /** @brief Sets the points of structural details, see GridSliceDetail. Optional. */
   void setDetailIndices(const sedr::StageIndices& details) { details_ = details.get(); }
   IndicesConstPtr getDetailIndices() const { return details_; }
 
-  /** @brief Points of walls, as CeilingBoundaryWallGrowing gives them; left out: all
-   * points. */
+  /** @brief Sets the wall points, see CeilingBoundaryWallGrowing. Default: all points.
+   */
   void setWallIndices(const sedr::StageIndices& walls) { walls_ = walls.get(); }
   IndicesConstPtr getWallIndices() const { return walls_; }
 
-  /** @brief Points of ceilings that are not level, as they were seen: rooms that have
-   * some get a ceiling of facets (PlanDetail::is_facet, PlanSlab::curve), unless these
-   * explain too little of it. Those of the room are among the points of the ceilings
-   * and details, too. May be left out. */
+  /** @brief Sets the points of ceilings that are not level. Their rooms get a ceiling
+   * of facets (PlanDetail::is_facet, PlanSlab::curve), unless these explain too little
+   * of it. The points must also be among those of ceilings and details. Optional. */
   void setSheetIndices(const sedr::StageIndices& sheets) { sheets_ = sheets.get(); }
   IndicesConstPtr getSheetIndices() const { return sheets_; }
 
-  /** @brief Room of every point of the cloud, 0 none; empty (default): the field `room`
-   * of the point type, or one room where it has none. */
+  /** @brief Sets the room of every point of the cloud, 0 for none. Empty (default): the
+   * field `room` of the point type, or one room if it has no such field. */
   void setRooms(std::vector<std::uint32_t> rooms) { rooms_ = std::move(rooms); }
 
-  /** @brief The scan that the input cloud was thinned from, of any point type: the plan
-   * is found on the input cloud and then fitted to the scan near each of its elements,
-   * which is more exact by an order of magnitude. Left out, or null: the plan stays as
-   * found.
-   * @param indices the points of it that count; null: all */
+  /** @brief Sets the scan from which the input cloud was thinned, of any point type.
+   * The plan found on the input cloud is then fitted to the scan near each element,
+   * which is an order of magnitude more accurate. Null (default): no such fit.
+   * @param indices the points of the scan to use; null: all */
   template <typename RawPointT>
   void setRawCloud(const shared_ptr<const pcl::PointCloud<RawPointT>>& raw,
                    const sedr::StageIndices& indices = nullptr)
@@ -142,7 +139,7 @@ public:
     raw_indices_ = indices.get();
   }
 
-  /** @brief The same of a pointer that lets the cloud change. */
+  /** @brief Sets the raw cloud from a pointer to a mutable cloud. */
   template <typename RawPointT>
   void setRawCloud(const shared_ptr<pcl::PointCloud<RawPointT>>& raw,
                    const sedr::StageIndices& indices = nullptr)
@@ -150,10 +147,10 @@ public:
     setRawCloud(shared_ptr<const pcl::PointCloud<RawPointT>>(raw), indices);
   }
 
-  /** @brief Leaves the raw cloud out again. */
+  /** @brief Removes the raw cloud. */
   void setRawCloud(std::nullptr_t) { setRawPoints(nullptr); }
 
-  /** @brief The same of a list of its points, metres; null: none. */
+  /** @brief Sets the raw cloud as a list of points, metres; null: none. */
   void setRawPoints(const std::shared_ptr<const std::vector<Eigen::Vector3f>>& raw)
   {
     raw_ = nullptr;
@@ -164,40 +161,39 @@ public:
     raw_indices_ = nullptr;
   }
 
-  /** @brief Takes the raw points as `map` moves them: a copy of no more of them than
-   * the fit looks at. */
+  /** @brief Transforms the raw points by `map`; copies only those that the fit uses. */
   void moveRawPoints(const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& map);
 
-  /** @brief The raw points as they are now, empty without; see getRawIndices(). */
+  /** @brief Returns the current raw points, empty if there are none; see
+   * getRawIndices(). */
   sedr::PointView getRawPoints() const { return raw_ ? raw_() : sedr::PointView(); }
 
-  /** @brief Which of them count; null: all. */
+  /** @brief Returns the indices of the raw points to use; null: all. */
   IndicesConstPtr getRawIndices() const { return raw_indices_; }
 
-  /** @brief Number of threads; 0 (default): all processors.
-   */
+  /** @brief Sets the number of threads; 0 (default): all processors. */
   void setNumberOfThreads(unsigned threads) { parameters_.threads = threads; }
   unsigned getNumberOfThreads() const { return parameters_.threads; }
 
-  /** @brief Distance of an inlier from its line or circle, metres, above 0 and at
-   * most 1. Default 0.05 (paper, Table 1). */
+  /** @brief Sets the maximum distance of an inlier from its line or circle, metres,
+   * above 0 and at most 1. Default 0.05 (paper, Table 1). */
   void setDistanceThreshold(double threshold)
   {
     parameters_.loop.tolerance = threshold;
   }
   double getDistanceThreshold() const { return parameters_.loop.tolerance; }
 
-  /** @brief Edge of a grid cell, metres, > 0. Default 0.05. */
+  /** @brief Sets the edge of a grid cell, metres, > 0. Default 0.05. */
   void setGridSize(double size) { parameters_.cell_size = size; }
   double getGridSize() const { return parameters_.cell_size; }
 
-  /** @brief Shortest element with a line or circle of its own, metres, > 0. Default
-   * 0.2. */
+  /** @brief Sets the minimum length of an element with its own line or circle, metres,
+   * > 0. Default 0.2. */
   void setMinimumLength(double length) { parameters_.loop.minimum_length = length; }
   double getMinimumLength() const { return parameters_.loop.minimum_length; }
 
-  /** @brief Radii of arcs, metres, 0 < minimum < maximum; flatter walls are segments.
-   * Default 0.15 to 25. */
+  /** @brief Sets the limits of the radii of arcs, metres, 0 < minimum < maximum;
+   * flatter walls are segments. Default 0.15 to 25. */
   void setRadiusLimits(double minimum, double maximum)
   {
     parameters_.loop.minimum_radius = minimum;
@@ -206,32 +202,30 @@ public:
   double getMinimumRadius() const { return parameters_.loop.minimum_radius; }
   double getMaximumRadius() const { return parameters_.loop.maximum_radius; }
 
-  /** @brief Smallest detail that becomes part of the plan, square metres, > 0. Default
-   * 0.25. */
+  /** @brief Sets the minimum area of a detail, square metres, > 0. Default 0.25. */
   void setMinimumDetailArea(double area) { parameters_.minimum_detail_area = area; }
   double getMinimumDetailArea() const { return parameters_.minimum_detail_area; }
 
-  /** @brief What is believed of buildings, furniture and scanners before the scan is
-   * looked at. */
+  /** @brief Sets the priors about buildings, furniture and scanners. */
   void setPriors(const sedr::Priors& priors) { parameters_.loop.priors = priors; }
   const sedr::Priors& getPriors() const { return parameters_.loop.priors; }
 
-  /** @brief Seed of the random samples. Default 1. */
+  /** @brief Sets the seed of the random samples. Default 1. */
   void setSeed(std::uint64_t seed) { parameters_.loop.seed = seed; }
   std::uint64_t getSeed() const { return parameters_.loop.seed; }
 
   /** @brief Fits the plan.
-   * @param[out] plan its rooms by increasing number; empty where there is none
+   * @param[out] plan its rooms by increasing number; empty if there are none
    * @return false, with a reason in getErrorMessage(), for bad input or parameters or
-   * where no room could be fitted */
+   * if no room could be fitted */
   bool segment(sedr::Floorplan& plan);
 
-  /** @brief A sentence for every room that could not be fitted while others could, or
-   * of whose ceiling a part is left out, and one if the raw cloud could not be used. */
+  /** @brief Returns the warnings, a sentence each: rooms that could not be fitted,
+   * ceilings with a part left out, and a raw cloud that could not be used. */
   const std::vector<std::string>& getWarnings() const { return warnings_; }
 
-  /** @brief The boundary points that walls and columns were fitted to in the last run,
-   * those of rooms that could not be fitted too. */
+  /** @brief Returns the boundary points to which the last run fitted walls and columns,
+   * including those of rooms that could not be fitted. */
   const std::vector<sedr::FittedBoundary>& getBoundaries() const { return boundaries_; }
 
 private:
@@ -244,7 +238,7 @@ private:
   IndicesConstPtr walls_;
   IndicesConstPtr sheets_;
   std::vector<std::uint32_t> rooms_;
-  std::function<sedr::PointView()> raw_; ///< the raw cloud as it is then
+  std::function<sedr::PointView()> raw_; ///< returns the current raw cloud
   IndicesConstPtr raw_indices_;
   sedr::RoomFitParameters parameters_;
   std::vector<std::string> warnings_;

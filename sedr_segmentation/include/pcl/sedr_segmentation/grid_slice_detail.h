@@ -16,63 +16,62 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief How structural details are looked for; lengths in metres. */
+/** @brief Parameters of the detection of structural details; lengths in metres. */
 struct SliceParameters {
-  double cell_size = 0.05; ///< cell of the grid (paper, Table 1)
-  double tolerance = 0.07; ///< distance within which a point belongs to the ceiling
-  std::size_t minimum_cells = 20; ///< smallest detail region (paper, Table 1)
+  double cell_size = 0.05; ///< edge of a grid cell (paper, Table 1)
+  double tolerance =
+      0.07; ///< maximum distance of a ceiling point from the ceiling's plane
+  std::size_t minimum_cells = 20; ///< of a detail region (paper, Table 1)
   int trials = 3;               ///< 1/4; then 1/2; then 1/8 and 3/8 of the room height
-  double slice_thickness = 0.1; ///< of the slab of points that a slice is
+  double slice_thickness = 0.1; ///< of a slice
   double widest_niche =
-      Priors().max_door_width; ///< a narrower straight opening to a lower head is a
-                               ///< door's or a window's
-  double minimum_island_area = 0.5; ///< square metres; what hangs free of the walls and
-                                    ///< is smaller is a lamp or a vent
+      Priors().max_door_width; ///< maximum width; a narrower straight opening with a
+                               ///< lower head is a door or a window
+  double minimum_island_area =
+      0.5; ///< square metres; a smaller island is a lamp or a vent
   Priors priors;
-  unsigned threads = 0; ///< 0: as many as there are processors
+  unsigned threads = 0; ///< 0: all processors
 };
 
-/** @brief What one trial saw (paper, Figure 4b). */
+/** @brief Result of one trial (paper, Figure 4b). */
 struct SliceTrial {
   int number = 0; ///< 1, 2 or 3
   std::vector<double>
-      fractions;               ///< of the room's height below the ceiling, one a slice
-  std::vector<double> heights; ///< z of the slices in the middle of the ceiling
-  CellSet slice;               ///< cells of the slices, one more on each side
-  CellSet enclosed;            ///< zero-valued cells that slices and ceiling enclose
-  std::vector<CellSet> accepted; ///< of these the regions that may be detail
-  std::vector<CellSet> rejected; ///< and those that are small, or where nothing is seen
+      fractions; ///< depth of each slice below the ceiling, share of the room height
+  std::vector<double> heights;   ///< z of the slices at the centre of the ceiling
+  CellSet slice;                 ///< cells of the slices, dilated by one cell
+  CellSet enclosed;              ///< zero-valued cells enclosed by slices and ceiling
+  std::vector<CellSet> accepted; ///< enclosed regions that may be detail
+  std::vector<CellSet> rejected; ///< enclosed regions too small or without points
 };
 
 /** @brief The structural details of one room's ceiling. */
 struct SliceDetails {
-  std::vector<int> indices;        ///< points of details, increasing
-  std::vector<std::size_t> region; ///< region of each of them, 0 is the largest
+  std::vector<int> indices;        ///< of the points of details, increasing
+  std::vector<std::size_t> region; ///< region of each index, 0 is the largest
   std::vector<std::size_t> sizes;  ///< of the regions in cells, decreasing
   CellSet cells;                   ///< cells of all regions
   double slice_height =
-      std::numeric_limits<double>::quiet_NaN(); ///< z above which all of it lies
-  int trial = 0; ///< the trial whose slice enclosed it, 0 if none did
+      std::numeric_limits<double>::quiet_NaN(); ///< z above which all details lie
+  int trial = 0; ///< trial whose slice encloses a detail, 0 if none does
 
   CellSet ceiling;                ///< cells of the main ceiling
-  std::vector<SliceTrial> trials; ///< those that were made, the last one decided
-  CellSet refused; ///< undersides that are no detail: lamps, heads of doors and windows
+  std::vector<SliceTrial> trials; ///< trials made; the last one decided
+  CellSet refused; ///< undersides of lamps and heads of doors and windows, not detail
 };
 
 } // namespace sedr
 
 /** @brief Finds structural details of a ceiling (soffits, beams, recesses) by
- * grid-slices analysis (paper, section 2.3.1): horizontal slices at a quarter and a
- * half, then at an eighth and three eighths of the room's height below the ceiling show
- * where walls stand; cells that slice and ceiling enclose together, and the ceiling
- * alone does not, may be detail. Beyond the paper, so are regions of undersides of one
- * height that join the ceiling, and heads of doors and windows are left out. Frame: z
- * up, metres.
+ * grid-slices analysis (paper, section 2.3.1). Frame: z up, metres.
  *
- * Works on one room: give its points by setIndices() and those of its main ceiling by
- * setCeilingIndices(). The planes of ceiling and floor are fitted to the indices unless
- * they are set. Non-finite points are never detail. O(n log n) plus the cells of the
- * room's bounding box.
+ * Horizontal slices at 1/4 and 1/2, then at 1/8 and 3/8 of the room height below the
+ * ceiling show the walls. Cells that slice and ceiling enclose together, but not the
+ * ceiling alone, may be detail. Beyond the paper, undersides of one height that adjoin
+ * the ceiling are detail too, and heads of doors and windows are left out. The class
+ * processes one room: setIndices() gives its points, setCeilingIndices() those of its
+ * main ceiling. The planes of ceiling and floor are fitted to the indices. Non-finite
+ * points are never detail. O(n log n) plus the cells of the bounding box.
  * @code
  * pcl::GridSliceDetail<pcl::PointXYZ> analysis;
  * analysis.setInputCloud(thinned);
@@ -87,50 +86,50 @@ public:
   using Ptr = shared_ptr<GridSliceDetail<PointT>>;
   using ConstPtr = shared_ptr<const GridSliceDetail<PointT>>;
 
-  /** @brief Points of the main ceiling. Needed. */
+  /** @brief Sets the points of the main ceiling. Required. */
   void setCeilingIndices(const sedr::StageIndices& ceiling)
   {
     ceiling_ = ceiling.get();
   }
   IndicesConstPtr getCeilingIndices() const { return ceiling_; }
 
-  /** @brief Points of the floor; their mean height is the room's lower end. Needed
-   * unless setFloorHeight() is given. */
+  /** @brief Sets the points of the floor; their mean height is the room's lower end.
+   * Required unless setFloorHeight() is called. */
   void setFloorIndices(const sedr::StageIndices& floor) { floor_ = floor.get(); }
   IndicesConstPtr getFloorIndices() const { return floor_; }
 
-  /** @brief Height of the floor, metres; NaN (default): that of the floor points. */
+  /** @brief Sets the floor height, metres; NaN (default): that of the floor points. */
   void setFloorHeight(double height) { floor_height_ = height; }
   double getFloorHeight() const { return floor_height_; }
 
-  /** @brief Edge of a grid cell, metres, > 0. Default 0.05. */
+  /** @brief Sets the edge of a grid cell, metres, > 0. Default 0.05. */
   void setGridSize(double size) { parameters_.cell_size = size; }
   double getGridSize() const { return parameters_.cell_size; }
 
-  /** @brief Distance within which a point belongs to the ceiling, metres, > 0. Default
-   * 0.07. */
+  /** @brief Sets the maximum distance of a ceiling point from the ceiling's plane,
+   * metres, > 0. Default 0.07. */
   void setDistanceThreshold(double threshold) { parameters_.tolerance = threshold; }
   double getDistanceThreshold() const { return parameters_.tolerance; }
 
-  /** @brief Fewest cells of a detail. Default 20 (paper, Table 1). */
+  /** @brief Sets the minimum number of cells of a detail. Default 20 (paper, Table 1).
+   */
   void setMinimumCells(std::size_t cells) { parameters_.minimum_cells = cells; }
   std::size_t getMinimumCells() const { return parameters_.minimum_cells; }
 
-  /** @brief Number of trials, 1 to 3: a quarter; a half; an eighth and three eighths.
-   * Default 3. */
+  /** @brief Sets the number of trials, 1 to 3 (1/4; 1/2; 1/8 and 3/8). Default 3. */
   void setTrials(int trials) { parameters_.trials = trials; }
   int getTrials() const { return parameters_.trials; }
 
-  /** @brief Thickness of a slice, metres, > 0. Default 0.1. */
+  /** @brief Sets the thickness of a slice, metres, > 0. Default 0.1. */
   void setSliceThickness(double thickness) { parameters_.slice_thickness = thickness; }
   double getSliceThickness() const { return parameters_.slice_thickness; }
 
-  /** @brief What is enclosed by the ceiling all around and smaller is a lamp or a vent,
-   * square metres, >= 0. Default 0.5. */
+  /** @brief Sets the minimum area of a detail that the ceiling encloses, square metres,
+   * >= 0. Smaller ones are lamps or vents. Default 0.5. */
   void setMinimumIslandArea(double area) { parameters_.minimum_island_area = area; }
   double getMinimumIslandArea() const { return parameters_.minimum_island_area; }
 
-  /** @brief What is believed of buildings; the widest door with them. */
+  /** @brief Sets the priors, and with them the maximum door width. */
   void setPriors(const sedr::Priors& priors)
   {
     parameters_.priors = priors;
@@ -138,36 +137,36 @@ public:
   }
   const sedr::Priors& getPriors() const { return parameters_.priors; }
 
-  /** @brief Number of threads; 0 (default): all processors. Never changes the result.
-   */
+  /** @brief Sets the number of threads; 0 (default): all processors. The result does
+   * not depend on it. */
   void setNumberOfThreads(unsigned threads) { parameters_.threads = threads; }
   unsigned getNumberOfThreads() const { return parameters_.threads; }
 
-  /** @brief Seed of the random samples of the ceiling's plane. Default 1. */
+  /** @brief Sets the seed of the random samples of the ceiling's plane. Default 1. */
   void setSeed(std::uint64_t seed) { seed_ = seed; }
   std::uint64_t getSeed() const { return seed_; }
 
   /** @brief Finds the points of the details.
-   * @param[out] details increasing indices; empty where the ceiling has no details
+   * @param[out] details increasing indices; empty if the ceiling has no details
    * @return false, with a reason in getErrorMessage(), for bad input or parameters */
   bool segment(PointIndices& details);
 
-  /** @brief Region of every index that segment() gave, 0 is the largest. */
+  /** @brief Returns the region of every index of segment(), 0 is the largest. */
   const std::vector<std::size_t>& getRegionLabels() const { return result_.region; }
 
-  /** @brief Sizes of the regions in cells, decreasing. */
+  /** @brief Returns the sizes of the regions in cells, decreasing. */
   const std::vector<std::size_t>& getRegionSizes() const { return result_.sizes; }
 
-  /** @brief Height above which all details lie and below which walls go to the outer
-   * outline, metres; NaN where there are none. */
+  /** @brief Returns the height above which all details lie, metres; NaN if there are
+   * none. Below it the walls follow the outer outline. */
   double getSliceHeight() const { return result_.slice_height; }
 
-  /** @brief The trial whose slice enclosed a detail, 1 to 3; 0 if none did, as where an
-   * opening breaks the outline of every slice. */
+  /** @brief Returns the trial whose slice encloses a detail, 1 to 3; 0 if none does,
+   * e.g. if an opening interrupts the outline of every slice. */
   int getTrial() const { return result_.trial; }
 
-  /** @brief All that the last run looked at: the ceiling's cells, what each trial saw
-   * and took, the cells of the details and what was refused. */
+  /** @brief Returns the full analysis of the last run: the ceiling's cells, the trials,
+   * the cells of the details and the refused undersides. */
   const sedr::SliceDetails& getAnalysis() const { return result_; }
 
 private:

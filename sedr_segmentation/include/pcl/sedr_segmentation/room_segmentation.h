@@ -11,12 +11,12 @@
 
 namespace pcl {
 
-/** @brief Parts a thinned scan into rooms and storeys by its air (paper, section 2.3.1:
- * rooms are the connected regions of the ceiling; here of the envelope, whatever the
- * shape of the ceiling).
+/** @brief Divides a thinned scan into rooms and storeys by its free space. In the paper
+ * (section 2.3.1) rooms are connected regions of the ceiling; here they are regions of
+ * the envelope, for any shape of ceiling.
  *
- * Frame: z up, metres. Non-finite points are of no room. Needs no scanner positions and
- * no normals. O(n) for n points. See doc/room_segmentation.md.
+ * Frame: z up, metres. Non-finite points belong to no room. Scanner positions and
+ * normals are not required. O(n) for n points. See doc/room_segmentation.md.
  * @code
  * pcl::RoomSegmentation<pcl::PointXYZ> segmentation;
  * segmentation.setInputCloud(thinned);
@@ -31,47 +31,46 @@ public:
   using Ptr = shared_ptr<RoomSegmentation<PointT>>;
   using ConstPtr = shared_ptr<const RoomSegmentation<PointT>>;
 
-  /** @brief Edge of a grid cell, metres, > 0. Default 0.05. Air is looked for in
-   * columns of twice that, or larger ones where the scan is too sparse to fill them. */
+  /** @brief Sets the edge of a grid cell, metres, > 0. Default 0.05. Gaps are found in
+   * profiles of twice that edge, or larger if the scan is too sparse to fill them. */
   void setGridSize(double size) { parameters_.cell_size = size; }
   double getGridSize() const { return parameters_.cell_size; }
 
-  /** @brief Smallest room, square metres with headroom, > 0. Default 1. */
+  /** @brief Sets the minimum area with headroom of a room, square metres. Default 1. */
   void setMinimumArea(double area) { parameters_.minimum_area = area; }
   double getMinimumArea() const { return parameters_.minimum_area; }
 
-  /** @brief Least height of a room, metres, > 0. Default 1.8. */
+  /** @brief Sets the minimum height of a room, metres, > 0. Default 1.8. */
   void setHeadroom(double height) { parameters_.headroom = height; }
   double getHeadroom() const { return parameters_.headroom; }
 
-  /** @brief Least share of a room's outline at which walls stand, 0 to 1. Default
-   * 0.15; at least 0.6 of places below 5 square metres, and 0.5 of those that no door
-   * leads to, is wanted whatever is set. */
+  /** @brief Sets the minimum share of a room's outline with walls, 0 to 1. Default
+   * 0.15. Rooms below 5 square metres always need 0.6, and rooms without a door 0.5. */
   void setMinimumEnclosure(double share) { parameters_.minimum_enclosure = share; }
   double getMinimumEnclosure() const { return parameters_.minimum_enclosure; }
 
-  /** @brief Widest opening between two rooms that a small lintel or jambs make a door,
+  /** @brief Sets the maximum width of a door, an opening with a small lintel or jambs,
    * metres. Default 1.6. */
   void setWidestDoor(double width) { parameters_.widest_door = width; }
   double getWidestDoor() const { return parameters_.widest_door; }
 
-  /** @brief Widest opening between two rooms below a lintel, metres, not less than the
-   * widest door. Default 4. */
+  /** @brief Sets the maximum width of an opening below a lintel, metres, not less than
+   * that of a door. Default 4. */
   void setWidestPassage(double width) { parameters_.widest_passage = width; }
   double getWidestPassage() const { return parameters_.widest_passage; }
 
-  /** @brief Floors that differ by less are of one storey, metres, > 0. Default 1.6. */
+  /** @brief Sets the minimum height difference between floors of two storeys, metres, >
+   * 0. Default 1.6. */
   void setStoreyStep(double step) { parameters_.storey_step = step; }
   double getStoreyStep() const { return parameters_.storey_step; }
 
-  /** @brief Number of threads; 0 (default): all processors. */
+  /** @brief Sets the number of threads; 0 (default): all processors. */
   void setNumberOfThreads(unsigned threads) { parameters_.threads = threads; }
   unsigned getNumberOfThreads() const { return parameters_.threads; }
 
-  /** @brief Rays of the scanners and, for each point of the input, 1 if it was seen
-   * only through panes, see sedr::findMirroredPoints(). A hole in a slab that rays go
-   * through stays open; what was seen only through panes is no room. Null and empty
-   * (default): not known. */
+  /** @brief Sets the rays of the scanners and, for each input point, 1 if it was seen
+   * only through panes, see sedr::findMirroredPoints(). A hole in a slab that rays pass
+   * stays open; space behind panes is no room. Null and empty (default): not known. */
   void setSight(const std::shared_ptr<const sedr::SightLines>& sight,
                 const std::vector<std::uint8_t>& behind)
   {
@@ -80,19 +79,19 @@ public:
   }
 
   /** @brief Finds the rooms.
-   * @param[out] rooms the points of ceiling and floor of each, increasing; empty where
-   * there is none
+   * @param[out] rooms the ceiling and floor points of each room, increasing; empty if
+   * there are none
    * @return false, with a reason in getErrorMessage(), for bad input or parameters or
-   * where there is no room */
+   * if there is no room */
   bool segment(std::vector<PointIndices>& rooms);
 
-  /** @brief What the last run found: rooms, storeys, doorways, stairs, what was left
-   * out, and the room of every point. */
+  /** @brief Returns the building of the last run: rooms, storeys, doorways, stairs,
+   * regions left out, and the room of every point. */
   const sedr::Building& getBuilding() const { return building_; }
 
-  /** @brief The points of all ceilings or of all floors of the last run, increasing:
-   * what the next stage takes as its ceiling or floor. O(n).
-   * @param room of one room, 0: of all rooms */
+  /** @brief Returns the points of all ceilings or all floors of the last run,
+   * increasing: the ceiling or floor input of the next stage. O(n).
+   * @param room the room, 0: all rooms */
   pcl::Indices getPoints(sedr::StructureLabel label, std::uint32_t room = 0) const
   {
     pcl::Indices found;

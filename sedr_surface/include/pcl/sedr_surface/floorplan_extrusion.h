@@ -11,27 +11,26 @@
 
 namespace pcl {
 
-/** @brief The sharp solid of a floor plan: one closed surface a room, its corners those
- * of the plan, made of few triangles. Beyond the paper, whose Poisson surface rounds
- * every edge.
+/** @brief Builds the sharp solid of a floor plan: one closed surface per room with few
+ * triangles. Its corners are those of the plan. This goes beyond the paper, whose
+ * Poisson surface rounds every edge.
  *
- * Input is a plan, as FloorplanFitting or sedr::floorplanFromJson() give it; an input
- * cloud is not needed, and of one that is set only the header is taken. Frame: z up,
- * metres.
+ * Input is a plan from FloorplanFitting or sedr::floorplanFromJson(). An input cloud is
+ * not needed; if one is set, only its header is used. Frame: z up, metres.
  *
- * Floors, ceilings and the undersides of details are planes, leaning ones too, each at
- * its height over its part of the plan; walls, columns, risers and niches stand
- * upright; arcs are facets within the chord tolerance. Each room is closed, manifold at
- * edges and vertices and does not meet itself, whatever the plan: loops that miss each
- * other by what noise leaves are fitted together, and of contradictions the later
- * detail wins. What was done about those is told by
- * getWarnings().
+ * Floors, ceilings and undersides of details are planes, level or sloping, over their
+ * part of the plan. Walls, columns, risers and niches are vertical. Arcs become facets
+ * within the chord tolerance. Each room is closed, manifold at edges and vertices and
+ * free of self-intersections, whatever the plan. Loops that miss each other by noise
+ * are snapped together. Where details contradict, the later one wins. getWarnings()
+ * tells what was changed.
  *
- * Triangles face outwards: out of the room, as the truth of a simulated scene does, and
- * other than StructuralPoisson, whose normals are the points'. Every triangle knows its
- * element of the plan: getMesh().elements holds indices into getElements() plus 1.
+ * Triangles face out of the room, as in the truth of a simulated scene.
+ * StructuralPoisson differs: its normals are those of the points. Each triangle refers
+ * to its element of the plan: getMesh().elements holds indices into getElements() plus
+ * 1.
  *
- * The same plan gives the same output, byte for byte. Milliseconds for a flat.
+ * The same plan gives the same output, byte for byte. A flat takes milliseconds.
  *
  * @code
  * pcl::FloorplanExtrusion<pcl::PointXYZ> extrusion;
@@ -42,16 +41,16 @@ namespace pcl {
  *   std::cerr << extrusion.getErrorMessage() << '\n';
  * @endcode
  *
- * No plan, one without rooms, or a tolerance out of its range leave an empty mesh and a
- * reason. A room that cannot be built is left out and named by getErrorMessage(); the
- * others are there. */
+ * A missing plan, a plan without rooms or a tolerance out of range give an empty mesh
+ * and a reason. A room that cannot be built is left out and named by getErrorMessage();
+ * the others are built. */
 template <typename PointT>
 class FloorplanExtrusion : public sedr::MeshReconstruction<PointT> {
 public:
   using Ptr = pcl::shared_ptr<FloorplanExtrusion<PointT>>;
   using ConstPtr = pcl::shared_ptr<const FloorplanExtrusion<PointT>>;
 
-  /** @brief The plan to build. Needed. */
+  /** @brief Sets the plan to build. Required. */
   void setFloorplan(const std::shared_ptr<const sedr::Floorplan>& plan)
   {
     plan_ = plan;
@@ -65,36 +64,37 @@ public:
 
   std::shared_ptr<const sedr::Floorplan> getFloorplan() const { return plan_; }
 
-  /** @brief The walls of the plan that lean; none by default. */
+  /** @brief Sets the tilts of the plan's walls; none by default. */
   void setTilts(const sedr::WallTilts& tilts) { tilts_ = tilts; }
 
   const sedr::WallTilts& getTilts() const { return tilts_; }
 
-  /** @brief How far facets may be off their arc, metres, 1e-6 to 1 (default 0.0005: of
-   * a round wall that is 0.3 mm on average). */
+  /** @brief Sets the maximum distance of facets from their arc, metres, 1e-6 to 1.
+   * Default 0.0005, which is 0.3 mm on average for a round wall. */
   void setChordTolerance(double tolerance) { parameters_.chord_tolerance = tolerance; }
 
   double getChordTolerance() const { return parameters_.chord_tolerance; }
 
-  /** @brief How near to each other edges and corners of different loops are the same,
-   * metres, 0 to 0.5 (default 0: twice the residual of the elements, from 2 mm to 5
-   * cm).
-   */
+  /** @brief Sets the distance within which edges and corners of different loops are
+   * merged, metres, 0 to 0.5. Default 0: twice the residual of the elements, 2 mm to 5
+   * cm. */
   void setSnapTolerance(double tolerance) { parameters_.snap_tolerance = tolerance; }
 
   double getSnapTolerance() const { return parameters_.snap_tolerance; }
 
-  /** @brief What the triangles are parts of, room by room in the order of the plan. */
+  /** @brief Returns the elements that triangles belong to, room by room in the plan's
+   * order. */
   const std::vector<sedr::SolidElement>& getElements() const { return elements_; }
 
-  /** @brief What became of each room of the plan, in its order. */
+  /** @brief Returns the report of each room, in the plan's order. */
   const std::vector<sedr::RoomSolidReport>& getReports() const { return reports_; }
 
-  /** @brief What was done to contradictions of the plan, and which rooms run into each
-   * other, a sentence each. */
+  /** @brief Returns a sentence for each contradiction of the plan that was resolved,
+   * and for each pair of rooms that overlap. */
   const std::vector<std::string>& getWarnings() const { return warnings_; }
 
-  /** @brief True if the last run made a closed, manifold solid of every room. */
+  /** @brief Returns true if the last run made a closed, manifold solid of every room.
+   */
   bool isClosed() const { return closed_; }
 
 protected:

@@ -12,55 +12,56 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief How arcs are written: as such, or as chords within half a millimetre for
- * programs that misread IfcArcIndex. */
+/** @brief How arcs are written: exactly, or as chords within 0.5 mm for programs that
+ * misread IfcArcIndex. */
 enum class IfcArcs { Exact, Facets };
 
-/** @brief What writeIfc() is told beside the plan. */
+/** @brief Settings of writeIfc(). */
 struct IfcSettings {
-  std::string name = "building"; ///< of project and building; GUIDs are made of it
-  std::string crs;               ///< name of the grid of the origin, such as EPSG:25832
+  std::string name = "building"; ///< of project and building; the GUIDs depend on it
+  std::string crs;               ///< grid of the origin, such as EPSG:25832
   IfcArcs arcs = IfcArcs::Exact;
-  double assumed_thickness = 0.2; ///< of walls and slabs of which one face was seen,
-                                  ///< metres, 0.02 to 2
-  WallTilts
-      tilts{}; ///< the walls that lean: spaces show them, walls stand at their feet
+  double assumed_thickness = 0.2; ///< if one face was seen, metres, 0.02 to 2
+  WallTilts tilts{}; ///< tilted walls: spaces show the tilt, walls stand at their feet
 };
 
-/** @brief A plan as IFC, and what is in it. */
+/** @brief An IFC file and its contents. */
 struct IfcModel {
-  std::string text; ///< the file
+  std::string text; ///< contents of the file
   std::size_t spaces = 0;
   std::size_t walls = 0;
-  std::size_t paired_walls = 0; ///< those of which both faces were seen
+  std::size_t paired_walls = 0; ///< walls with both faces seen
   std::size_t slabs = 0;
   std::size_t columns = 0;
   std::size_t openings = 0;
   std::vector<std::string> warnings; ///< what could not be written, a sentence each
 };
 
-/** @brief A floor plan as IFC4 (ADD2 TC1), a STEP file in metres.
+/** @brief Writes a floor plan as IFC4 (ADD2 TC1), a STEP file in metres.
  *
  * @code
  * const pcl::sedr::IfcModel model = pcl::sedr::writeIfc(plan);
  * std::ofstream("model.ifc") << model.text;
  * @endcode
  *
- * Site, building and the storeys of storeysOf(). A room is an IfcSpace, part of its
- * storey, with quantities: swept where floor and ceiling are level and have no details,
- * else the triangles of extrudeRoom(). Two faces with a room each, at most 0.6 m apart,
- * are an IfcWall of that thickness; where one face was seen the wall has the assumed
- * thickness, which its Pset_SEDR says. Walls stand along the x of their own placement.
- * Floors and the uppermost ceilings are IfcSlab, columns IfcColumn, what hangs below a
- * ceiling IfcCovering or, where it is narrow, IfcBeam, platforms IfcSlab. Doorways are
- * openings in their walls, deeper than these, niches recesses. Spaces know the walls
- * and slabs around them (IfcRelSpaceBoundary1stLevel). Pset_SEDR holds what was seen:
- * residuals, shares, counts of points.
+ * The file holds site, building and the storeys of storeysOf(). A room is an IfcSpace
+ * with quantities, part of its storey. It is a swept solid if floor and ceiling are
+ * level and have no details, otherwise the triangles of extrudeRoom().
+ *
+ * Two faces of different rooms, at most 0.6 m apart, are an IfcWall of that thickness.
+ * A wall with one face seen has the assumed thickness, which its Pset_SEDR states. The
+ * x axis of a wall's placement runs along the wall. Floors and the uppermost ceilings
+ * are IfcSlab, columns IfcColumn, platforms IfcSlab. Details below a ceiling are
+ * IfcCovering, narrow ones IfcBeam. Doorways are openings in their walls and deeper
+ * than these; niches are recesses. Spaces refer to the walls and slabs around them
+ * (IfcRelSpaceBoundary1stLevel). Pset_SEDR holds residuals, shares and numbers of
+ * points.
  *
  * The same plan gives the same bytes, and the same names the same GUIDs.
  *
- * @param plan as fitted; without rooms the building is empty
- * @param origin what places are counted from: an IfcMapConversion unless it is 0
+ * @param plan fitted plan; without rooms the building is empty
+ * @param origin origin of the coordinates, written as IfcMapConversion unless it is 0
+ *
  * Cost: that of the solids, and elements squared for the walls. */
 IfcModel writeIfc(const Floorplan& plan,
                   const IfcSettings& settings = {},

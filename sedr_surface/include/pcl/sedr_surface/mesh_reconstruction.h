@@ -11,24 +11,24 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Base of the stages that make a mesh of rooms: PCL's two forms of it, whether
- * or not there is an input cloud. A class that derives from it makes mesh_ in run(). */
+/** @brief Base of the stages that make a mesh of rooms. It serves both of PCL's output
+ * forms, with or without an input cloud. A derived class makes mesh_ in run(). */
 template <typename PointT>
 class MeshReconstruction : public pcl::SurfaceReconstruction<PointT>,
                            public StageError {
 public:
   using PointCloud = pcl::PointCloud<PointT>;
 
-  /** @brief Makes the mesh; an empty one and getErrorMessage() if there is none. The
-   * vertices are single precision there: getMesh() has them as they are. */
+  /** @brief Makes the mesh; empty, with a reason in getErrorMessage(), if there is
+   * none. Its vertices are single precision; getMesh() has double precision. */
   void reconstruct(pcl::PolygonMesh& output) override;
 
-  /** @brief The same; where the points have such fields, each gets the room and the
-   * mean normal of its triangles. */
+  /** @brief As above. If the point type has such fields, each point gets the room and
+   * the mean normal of its triangles. */
   void reconstruct(PointCloud& points, std::vector<pcl::Vertices>& polygons) override;
 
-  /** @brief The mesh of the last run, in double precision, with the room of every
-   * triangle. */
+  /** @brief Returns the mesh of the last run in double precision, with the room of
+   * every triangle. */
   const TriangleMesh& getMesh() const { return mesh_; }
 
 protected:
@@ -38,7 +38,7 @@ protected:
   ~MeshReconstruction() override;
 
   /** @brief Makes mesh_.
-   * @return false if there is none, or a room is missing */
+   * @return false if there is no mesh, or a room is missing */
   virtual bool run() = 0;
 
   void performReconstruction(pcl::PolygonMesh& output) override;

@@ -14,14 +14,13 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief How a room becomes a solid. */
+/** @brief Parameters of extrudeRoom(). */
 struct SolidParameters {
-  double chord_tolerance = 0.0005; ///< metres that facets may be off their arc
-  double snap_tolerance =
-      0; ///< metres; 0: from the elements' residuals, snapTolerance()
+  double chord_tolerance = 0.0005; ///< distance of facets from their arc, metres
+  double snap_tolerance = 0;       ///< metres; 0: from residuals, see snapTolerance()
 };
 
-/** @brief What became of a room. */
+/** @brief Result of extruding a room. */
 struct RoomSolidReport {
   std::uint32_t room = 0; ///< PlanRoom::id
   std::size_t triangles = 0;
@@ -34,10 +33,11 @@ struct RoomSolidReport {
   double riser_area = 0;   ///< between two heights of floor or ceiling, and in niches
   double volume = 0;       ///< cubic metres
   std::string problem;     ///< why there is no closed solid, or empty
-  std::vector<std::string> warnings; ///< what was done to contradictions of the plan
+  std::vector<std::string> warnings; ///< contradictions of the plan that were resolved
 };
 
-/** @brief The solid that a room's walls, floor, ceiling, columns and details enclose.
+/** @brief Builds the solid that a room's walls, floor, ceiling, columns and details
+ * enclose.
  *
  * @code
  * pcl::sedr::TriangleMesh solid;
@@ -45,19 +45,20 @@ struct RoomSolidReport {
  * const auto report = pcl::sedr::extrudeRoom(plan.rooms[0], {}, solid, elements);
  * @endcode
  *
- * Floor and ceilings are planes, walls and risers upright, arcs in facets; every corner
- * of the plan is a vertex. Triangles face outwards, as those of the simulator's truth
- * do, so that the volume is positive. The surface is closed, manifold at edges and
- * vertices and does not meet itself: plan and heights are on a grid of less than a
- * micrometre, on which nothing is computed with rounding but where edges cross.
+ * Floor and ceiling are planes, walls and risers vertical, arcs facets. Every corner of
+ * the plan is a vertex. Triangles face outwards, as in the simulator's truth, so that
+ * the volume is positive. The surface is closed, manifold at edges and vertices and
+ * does not intersect itself. To ensure this, plan and heights are snapped to a grid of
+ * less than a micrometre; only crossings of edges are rounded.
  *
- * @param room any; what is contradictory in it is mended (subdivideRoom()) and told
+ * @param room any room; contradictions in it are resolved (subdivideRoom()) and
+ * reported
  * @param parameters tolerances, in range
  * @param[out] solid triangles with label, room and element; empty if nothing could be
- * built, which RoomSolidReport::problem tells
- * @param[in,out] elements those of the room are added; a triangle's element is an index
- * into it plus 1
- * @param tilts of walls that lean: their corners are where three surfaces meet
+ * built, with the reason in RoomSolidReport::problem
+ * @param[in,out] elements the room's elements are appended; a triangle's element is an
+ * index into it plus 1
+ * @param tilts tilted walls; their corners are the intersections of three surfaces
  *
  * Milliseconds for a room of some hundred edges. */
 RoomSolidReport extrudeRoom(const PlanRoom& room,
@@ -66,8 +67,8 @@ RoomSolidReport extrudeRoom(const PlanRoom& room,
                             std::vector<SolidElement>& elements,
                             const WallTilts& tilts = {});
 
-/** @brief What makes a room none that can be built, in a sentence, or empty: a boundary
- * without elements, numbers that are not finite or beyond 1e6 m, upright slabs. */
+/** @brief Returns why a room cannot be built, in a sentence, or empty: a boundary
+ * without elements, numbers that are not finite or beyond 1e6 m, vertical slabs. */
 std::string roomProblem(const PlanRoom& room);
 
 } // namespace sedr

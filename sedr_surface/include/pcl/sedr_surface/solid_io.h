@@ -13,37 +13,37 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Solids as OBJ: an object a room, groups of the element, its room and, where
- * it is known, its storey, and materials by label. Metres, z up, seven decimals.
+/** @brief Writes solids as OBJ: one object per room, materials by label, and groups
+ * named by element, room and, where known, storey. Metres, z up, seven decimals.
  *
  * @param mesh with rooms, labels and elements, as FloorplanExtrusion::getMesh()
- * @param elements what the mesh's elements are, as FloorplanExtrusion::getElements()
+ * @param elements the mesh's elements, as FloorplanExtrusion::getElements()
  * @param material_file name of the file that holds solidMaterials(), without a folder;
  * empty for none
- * @param storey_of numbers of the storeys of rooms, as storeyOfRooms() has them */
+ * @param storey_of storey of each room, as from storeyOfRooms() */
 std::string solidToObj(const TriangleMesh& mesh,
                        const std::vector<SolidElement>& elements,
                        const std::string& material_file,
                        const std::map<std::uint32_t, std::uint32_t>& storey_of = {});
 
-/** @brief The materials of solidToObj(), as an MTL file: ceiling, floor, wall, detail,
- * column. */
+/** @brief Returns the materials of solidToObj() as an MTL file: ceiling, floor, wall,
+ * detail, column. */
 std::string solidMaterials();
 
-/** @brief Lines for the header of a PLY: "element 3 room_1_wall_1" for each element
- * that has triangles, the number being that of the triangles. */
+/** @brief Returns comment lines for a PLY header, "element 3 room_1_wall_1", for each
+ * element that has triangles. The number is that stored with the triangles. */
 std::vector<std::string> elementComments(const TriangleMesh& mesh,
                                          const std::vector<SolidElement>& elements);
 
-/** @brief Solids as a binary glTF 2.0: a node a storey, below it a node a room, below
- * that a node an element, named as these are, with the material of its label. Metres; y
- * up, as glTF has it: x, z, -y of the plan. Faces look out of the rooms, are shaded flat
- * as glTF has it without normals, and materials have two sides.
+/** @brief Writes solids as binary glTF 2.0. A node per storey contains a node per room,
+ * which contains a node per element, with its name and the material of its label.
+ * Metres; y up, as glTF requires: x, z, -y of the plan. Faces point out of the rooms.
+ * Without normals glTF shades them flat; materials are two-sided.
  *
  * @param mesh with rooms, labels and elements, as FloorplanExtrusion::getMesh()
- * @param elements what the mesh's elements are, as FloorplanExtrusion::getElements()
- * @param storeys storeysOf() the plan; rooms that none of them lists are left out
- * @param origin told in asset.extras unless it is 0 */
+ * @param elements the mesh's elements, as FloorplanExtrusion::getElements()
+ * @param storeys from storeysOf(); rooms that none of them lists are left out
+ * @param origin written to asset.extras unless it is 0 */
 std::string solidToGlb(const TriangleMesh& mesh,
                        const std::vector<SolidElement>& elements,
                        const std::vector<PlanStorey>& storeys,

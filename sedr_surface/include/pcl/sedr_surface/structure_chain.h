@@ -36,31 +36,29 @@ struct RepairJob;
 struct RepairedRoom;
 struct WallJob;
 
-/** @brief What a stage of the chain did. */
+/** @brief Report on a stage of the chain. */
 struct StageReport {
   std::string name;           ///< of the stage's class
-  std::size_t points_in = 0;  ///< points it looked at
-  std::size_t points_out = 0; ///< points it found or made
+  std::size_t points_in = 0;  ///< number of input points
+  std::size_t points_out = 0; ///< number of points found or made
   double seconds = 0;
 };
 
-/** @brief What the positions of the scanner told. */
+/** @brief Results of using the scanner positions. */
 struct MirrorFigures {
-  std::size_t positions = 0; ///< that are known
-  std::size_t untrue = 0;    ///< of these, that the points were not taken from, as the
-                          ///< scan shows
-  std::size_t rays = 0;                    ///< that were followed
-  std::size_t mirrors = 0;                 ///< surfaces that showed rooms a second time
-  std::size_t points = 0;                  ///< thinned points that were left out
+  std::size_t positions = 0; ///< known positions
+  std::size_t untrue = 0;    ///< of these, positions that the scan contradicts
+  std::size_t rays = 0;      ///< rays traced
+  std::size_t mirrors = 0;   ///< surfaces that reflect rooms
+  std::size_t points = 0;    ///< thinned points that were removed
   std::shared_ptr<const SightLines> lines; ///< rays that met no reflection
-  std::vector<std::uint8_t> behind; ///< 1 for each thinned point that was seen only
-                                    ///< through panes
+  std::vector<std::uint8_t> behind;        ///< 1: thinned point seen only through glass
 };
 
-/** @brief The stages 2 to 11 on a thinned cloud, one after the other (paper,
- * section 2.1): each is PCL's kind of object, reached by its name and set as it is
- * alone. What flows through is one cloud with a label and a room a point; recovered
- * floor points are appended to it. */
+/** @brief Runs the stages 2 to 11 on a thinned cloud (paper, section 2.1). Each stage
+ * is a PCL-style object, a member of this class with its own setters. The stages share
+ * one cloud with a label and a room per point; recovered floor points are appended to
+ * it. */
 class StructureChain {
 public:
   using Cloud = pcl::PointCloud<pcl::PointXYZ>;
@@ -72,7 +70,7 @@ public:
   pcl::HorizontalPlaneDetection<pcl::PointXYZ> plane_detection;
   pcl::GridSliceDetail<pcl::PointXYZ> slice_detail;
   pcl::FloorProjectionRecovery<pcl::PointXYZ> floor_recovery{
-      true}; ///< tells what it removes
+      true}; ///< reports what it removes
   pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ> wall_growing;
   pcl::FloorplanFitting<pcl::PointXYZ> floorplan_fitting;
   pcl::StructureRefinement<pcl::PointStructure> refinement;
@@ -84,84 +82,82 @@ public:
   std::function<void(const std::string&)> on_stage;
 
   /** @brief Called with a stage's name and a room after every run of that stage's
-   * object, while its getters still tell what that run decided. Planes, details,
-   * floors, walls, refinement and repair run once a room; room 0 stands for all. */
+   * object, while its getters still hold the results. Planes, details, floors, walls,
+   * refinement and repair run once per room; room 0 means all rooms. */
   std::function<void(const std::string&, std::uint32_t)> on_result;
 
-  /** @brief Who finds walls, refines, repairs and meshes the rooms, in this process or
-   * elsewhere; null (default): the stages' objects here, one room after the other. The
-   * result is the same, but on_result is not called for what is done elsewhere. A room
-   * that is lost is left out and told by a warning. */
+  /** @brief Workers that find walls, refine, repair and mesh the rooms, in this process
+   * or elsewhere. Null (default): the stages' objects here, room by room. The result is
+   * the same, but on_result is not called for work done elsewhere. A lost room is left
+   * out with a warning. */
   std::shared_ptr<RoomWorkers> room_workers;
 
-  /** @brief Whether a scan too sparse for its cells gets larger ones, see
-   * cellSizeFor().
-   */
+  /** @brief Whether the cells grow if the scan is too sparse for them, see
+   * cellSizeFor(). */
   bool adapts_grid = true;
 
-  /** @brief Voxels of fewer points were taken for strays when the scan was thinned, as
-   * ParallelVoxelGrid::getStrayLimit() says; a warning tells it. */
+  /** @brief Voxels with fewer points were removed as strays by thinning, see
+   * ParallelVoxelGrid::getStrayLimit(). A warning reports it. */
   unsigned stray_limit = 0;
 
-  /** @brief What leaveOutMirrored() found before the run; a warning tells it. */
+  /** @brief Result of leaveOutMirrored(), if called before the run. A warning reports
+   * it. */
   MirrorFigures mirrored;
 
-  /** @brief Leaves out what glass and mirrors show a second time, before
-   * findStructure(): of `thinned`, and of every `step`-th point of the scan, where it
-   * becomes NaN. */
+  /** @brief Removes reflections in glass and mirrors; to be called before
+   * findStructure(). They are erased from `thinned` and set to NaN in `rows`, every
+   * `step`-th point of the scan. */
   void leaveOutMirrored(const ScanPositions& positions,
                         std::size_t step,
                         Cloud& thinned,
                         std::vector<Eigen::Vector3f>& rows);
 
-  /** @brief Whether the mesh is made of samples of the plan instead of the repaired
-   * points: its edges round off less. */
+  /** @brief Whether the mesh is made from samples of the plan instead of the repaired
+   * points, which keeps its edges sharper. */
   bool mesh_from_plan = false;
 
-  /** @brief Whether a scan in which z seems not to be up, or that leans, is taken as it
-   * is. */
+  /** @brief Whether a scan whose z axis seems not to be up, or which is tilted, is used
+   * unchanged. */
   bool trust_up = false;
 
-  /** @brief Whether what is made of a tilted scan stays in the level frame that it was
-   * fitted in, see `levelling`. */
+  /** @brief Whether the results of a tilted scan stay in the level frame, see
+   * `levelling`. */
   bool keep_levelled = false;
 
-  /** @brief What the coordinates of the scan are counted from, for who writes what the
-   * chain found. */
+  /** @brief Origin of the scan's coordinates, for writers of the results. */
   Origin origin;
 
-  /** @brief The cells of all stages, metres. */
+  /** @brief Sets the cell size of all stages, metres. */
   void setGridSize(double size);
 
-  /** @brief What all stages believe of buildings, furniture and scanners before they
-   * look at the scan; headroom, steps, tilts and door widths of the stages with it. */
+  /** @brief Sets the priors on buildings, furniture and scanners, including headroom,
+   * steps, tilts and door widths of the stages. */
   void setPriors(const Priors& priors);
   const Priors& getPriors() const { return priors_; }
 
-  /** @brief Finds the structure: all stages but the mesh.
-   * @return false where a stage found nothing; failed_stage and problem say which and
-   * why */
+  /** @brief Runs all stages but the mesh.
+   * @return false if a stage found nothing; see failed_stage and problem */
   bool findStructure(const Cloud::ConstPtr& thinned);
 
-  /** @brief Makes the mesh of what findStructure() found. */
+  /** @brief Makes the mesh of the structure found by findStructure(). */
   bool makeMesh();
 
-  /** @brief Forgets the last run, the cells it enlarged too, and takes `thinned` as the
+  /** @brief Discards the last run, including enlarged cells, and sets `thinned` as the
    * cloud. */
   void reset(const Cloud::ConstPtr& thinned);
 
-  // What the last run left.
-  /** @brief How a scan tilted by 0.3 to 3 degrees was made level; none for others. All
-   * that the chain holds is level. */
+  // Results of the last run.
+  /** @brief The rotation that levelled a scan tilted by 0.3 to 3 degrees; empty
+   * otherwise. All results of the chain are in the level frame. */
   std::optional<Levelling> levelling;
-  /** @brief How walls that lean were made vertical for all stages but the solid; the
-   * identity where none does. `cloud` and the mesh are in that frame, plan, structure
-   * and solid in that of the scan. */
+  /** @brief The map that made tilted walls vertical for all stages but the solid; the
+   * identity without tilted walls. `cloud` and the mesh are in that frame; plan,
+   * structure and solid are in the frame of the scan. */
   Straightening straightening;
-  WallTilts tilts;  ///< the walls of `plan` that lean
-  Cloud::Ptr cloud; ///< thinned points, then those recovered of ceilings and floors
-  std::vector<std::uint32_t> labels; ///< StructureLabel of each of them
-  std::vector<std::uint32_t> rooms;  ///< room of each of them, 0 none
+  WallTilts tilts;  ///< tilted walls of `plan`
+  Cloud::Ptr cloud; ///< thinned points, then recovered points of ceilings and floors
+  std::vector<std::uint32_t> labels; ///< StructureLabel of each point
+  std::vector<std::uint32_t> rooms;  ///< room of each point, 0 none
   std::vector<pcl::HorizontalPlane> planes;
   std::shared_ptr<Floorplan> plan;
   StructureCloud::Ptr structure; ///< refined and repaired
@@ -170,41 +166,42 @@ public:
   std::string failed_stage;
   std::string problem;
 
-  /** @brief The building as room segmentation found it: room r + 1 is the r-th. */
+  /** @brief Returns the building from room segmentation; room r + 1 is the r-th. */
   const Building& getBuilding() const { return room_segmentation.getBuilding(); }
 
-  /** @brief A solid that the chain holds, in the frame of the scan, unless
+  /** @brief Moves a solid of the chain to the frame of the scan, unless
    * keep_levelled. */
   TriangleMesh inScanFrame(TriangleMesh mesh) const;
 
-  /** @brief The mesh with walls that lean, level as all that the chain holds. */
+  /** @brief Returns the mesh with tilted walls, in the level frame like all results. */
   TriangleMesh leanedMesh() const;
 
-  /** @brief The mesh in that frame. */
+  /** @brief Returns the mesh in the frame of the scan. */
   TriangleMesh meshInScanFrame() const;
 
-  /** @brief Whether that is another one than the mesh is in. */
+  /** @brief Returns whether the frame of the mesh differs from that of the scan. */
   bool isMeshMoved() const
   {
     return !straightening.isIdentity() || (levelling && !keep_levelled);
   }
 
-  /** @brief The refined and repaired points in that frame. */
+  /** @brief Returns the refined and repaired points in the frame of the scan. */
   StructureCloud::Ptr structureInScanFrame() const;
 
-  /** @brief How many points of `cloud`, the first ones, are of the scan: the thinned
-   * points less reflections. What was recovered comes after them. */
+  /** @brief Returns how many points of `cloud` come from the scan: the thinned points
+   * without reflections. They precede the recovered points. */
   std::size_t scannedPoints() const { return scanned_points_; }
 
-  /** @brief Share of each room's points that hole repair added in the last run. */
+  /** @brief Returns the share of each room's points that hole repair added in the last
+   * run. */
   std::map<std::uint32_t, double> repairedShares() const { return repaired_shares_; }
 
-  /** @brief How much of each room the scan did not support, at its own density, in the
-   * last run: a warning tells where that is much. */
+  /** @brief Returns the share of each room that the scan did not support, at its own
+   * density, in the last run. A warning reports large shares. */
   const std::map<std::uint32_t, UnseenShares>& unseenShares() const { return unseen_; }
 
 private:
-  /** @brief Runs one stage, `step(report)`, and keeps its report. */
+  /** @brief Runs one stage, `step(report)`, and stores its report. */
   template <typename Step>
   bool runStage(const std::string& name, std::size_t points_in, Step step);
 
@@ -212,23 +209,23 @@ private:
 
   void tellResult(const char* stage, std::uint32_t room = 0) const;
 
-  /** @brief Notes that a stage could not do one room; the others go on. */
+  /** @brief Adds a warning that a stage failed for one room; the others continue. */
   void warn(std::uint32_t room, const std::string& reason);
 
   bool checkScan();
 
-  /** @brief Makes the cloud, and the raw points of the fit, level if the scan is
-   * tilted. */
+  /** @brief Levels the cloud and the raw points of the fit if the scan is tilted. */
   void levelScan();
 
-  /** @brief Makes walls that lean vertical. */
+  /** @brief Makes tilted walls vertical. */
   void straightenScan();
 
-  /** @brief Gives the walls of the plan their tilts, and keeps the plan with vertical
-   * ones for the stages that follow. */
+  /** @brief Applies the tilts to the walls of the plan, and keeps the plan with
+   * vertical walls for the following stages. */
   void leanPlan();
 
-  /** @brief The structure in the frame of the scan; the mesh is made in the other. */
+  /** @brief Moves the structure to the frame of the scan; the mesh is made in the other
+   * frame. */
   void leanStructure();
   bool partRooms(StageReport& report);
   bool findPlanes(StageReport& report);
@@ -237,41 +234,43 @@ private:
   void enlargeCells(double size);
   void restoreCells();
 
-  /** @brief Adds to the floors of rooms the points of their platforms and steps. */
+  /** @brief Adds the points of platforms and steps to the floors of their rooms. */
   void findPlatforms();
 
-  /** @brief Keeps the planes of all rooms as `planes`, for those who look at them. */
+  /** @brief Collects the planes of all rooms in `planes`, for display. */
   void listPlanes();
 
-  /** @brief Puts points where the ceiling of a room was hidden, by the air below it.
-   * @return how many */
+  /** @brief Adds points where a room's ceiling is hidden, using the air below it.
+   * @return number of points */
   std::size_t addHiddenCeiling(std::size_t room);
 
   bool findDetails(StageReport& report);
 
-  /** @brief What of a ceiling that is not level lies off what stands for it. */
+  /** @brief A part of a sloping ceiling that its model does not represent. */
   struct PlaceOff {
     double area = 0;                                      ///< square metres
     double low = std::numeric_limits<double>::infinity(); ///< metres
     double high = -std::numeric_limits<double>::infinity();
   };
 
-  /** @brief What of a room's ceiling is neither level nor near what stands for it:
-   * `distance(place, height)` says how far a height is from that, metres. */
+  /** @brief Returns the part of a room's ceiling that is neither level nor near its
+   * model. `distance(place, height)` returns the distance of a height from the model,
+   * metres. */
   PlaceOff ceilingOff(
       std::size_t region,
       const std::function<double(const Eigen::Vector2d&, double)>& distance) const;
 
-  /** @brief Whether a room's ceiling is more than level planes. */
+  /** @brief Returns whether a room's ceiling is more than level planes. */
   bool hasSheet(std::size_t region) const;
 
-  /** @brief The points of a room's ceiling that were scanned. */
+  /** @brief Returns the scanned points of a room's ceiling. */
   pcl::Indices seenCeiling(std::size_t region) const;
 
-  /** @brief The points of all ceilings that are not level, increasing. */
+  /** @brief Returns the points of all ceilings that are not level, increasing. */
   pcl::IndicesPtr sheetPoints() const;
 
-  /** @brief Warns of ceilings that are not level and that the plan does not tell. */
+  /** @brief Warns of ceilings that are not level and that the plan does not
+   * represent. */
   void warnOfCeilings();
   bool recoverFloors(StageReport& report);
   bool growWalls(StageReport& report);
@@ -279,27 +278,27 @@ private:
   bool refine(StageReport& report);
   bool repair(StageReport& report);
 
-  /** @brief The labelled points of a room, as refinement takes them. */
+  /** @brief Returns the labelled points of a room, the input of refinement. */
   StructureCloud::Ptr labelledCloud(std::uint32_t room) const;
 
-  /** @brief Labels the walls of a room where there is no label yet.
-   * @return how many points */
+  /** @brief Labels the unlabelled points of a room's walls.
+   * @return number of points */
   std::size_t labelWalls(std::uint32_t room, const pcl::Indices& walls);
 
-  // The same stages by room_workers.
+  // The same stages, run by room_workers.
   void growWallsElsewhere(StageReport& report);
-  bool refineElsewhere(StageReport& report); ///< hole repair too
+  bool refineElsewhere(StageReport& report); ///< with hole repair
 
-  /** @brief The points that tell a room's walls, increasing. */
+  /** @brief Returns the points that may be walls of a room, increasing. */
   pcl::Indices wallPoints(std::size_t region) const;
 
   WallJob wallJob(std::size_t region) const;
   RepairJob repairJob(const PlanRoom& room) const;
 
-  /** @brief Takes the labels from all points of a room. */
+  /** @brief Removes the labels of all points of a room. */
   void giveUp(std::uint32_t room);
 
-  /** @brief Takes the labels of every room that the plan does not have. */
+  /** @brief Removes the labels of every room that has no plan. */
   void giveUpRoomsWithoutPlan();
 
   void addStructure(std::uint32_t room, const RepairedRoom& repaired);
@@ -307,62 +306,62 @@ private:
   void warnOfGuesses();
   bool extrude(StageReport& report);
 
-  /** @brief Points of a label. */
+  /** @brief Returns the points with a label. */
   pcl::IndicesPtr labelled(StructureLabel label) const;
 
-  /** @brief The same of one room, for which shareOut() has been called since points got
-   * to or left rooms but for this one. */
+  /** @brief Returns the points of one room with a label. Requires shareOut() after the
+   * last change of any other room's points. */
   pcl::IndicesPtr labelled(StructureLabel label, std::uint32_t room) const;
 
-  /** @brief Notes the points of every room. */
+  /** @brief Updates the list of points of every room. */
   void shareOut();
 
-  /** @brief The cells of each room. */
+  /** @brief Returns the cells of each room. */
   std::vector<CellSet> scopes() const;
 
-  /** @brief The territory of each room, as far as `reach` metres from its ceiling. */
+  /** @brief Returns the territory of each room, up to `reach` metres from its
+   * ceiling. */
   RoomTerritory territory(double reach) const;
 
-  /** @brief The same as far as walls can be. */
+  /** @brief As above, up to the maximum distance of walls. */
   RoomTerritory territory() const;
 
-  /** @brief Points that lie in each room's territory. */
+  /** @brief Returns the points in each room's territory. */
   std::vector<pcl::IndicesPtr> territories(const RoomTerritory& of_rooms) const;
 
-  /** @brief The columns of a room, of the building's size, below level parts of its
-   * ceiling. */
+  /** @brief Returns the columns of a room below level parts of its ceiling, on the
+   * building's grid. */
   CellSet levelColumns(std::size_t room) const;
 
-  /** @brief Labels what is not yet labelled of a room's ceiling: soffits that the
-   * slices did not tell from the head of a window, and what no slab is.
-   * @return how many points */
+  /** @brief Labels the unlabelled points of a room's ceiling: soffits that the slices
+   * did not separate from window heads, and points outside all slabs.
+   * @return number of points */
   std::size_t labelLowerCeilings(std::size_t room);
 
-  /** @brief Labels the points in the niches of rooms, which no earlier stage looks at.
-   */
+  /** @brief Labels the points in niches, which no earlier stage considers. */
   void labelNiches();
 
   Priors priors_;
-  double enlarged_from_ = 0; ///< the size of cells that was set; 0: it was kept
-  /** @brief What is known of a room before its plan is fitted. */
+  double enlarged_from_ = 0; ///< cell size before it was enlarged; 0: not enlarged
+  /** @brief Data of a room before its plan is fitted. */
   struct ChainRoom {
-    pcl::Indices ceiling;  ///< points of its ceiling, whatever its shape
-    pcl::Indices floor;    ///< points of its floor and its platforms
-    PlanSlab ceiling_slab; ///< the largest of its ceiling
-    PlanSlab floor_slab;   ///< the largest of its floor
+    pcl::Indices ceiling;  ///< ceiling points, whatever its shape
+    pcl::Indices floor;    ///< points of its floor and platforms
+    PlanSlab ceiling_slab; ///< largest slab of its ceiling
+    PlanSlab floor_slab;   ///< largest slab of its floor
     CellSet scope;         ///< cells of its ceiling
   };
 
   std::shared_ptr<const SightLines> sight_; ///< rays, in the frame of `cloud`
   std::vector<LeaningFace> leaning_faces_;
-  std::shared_ptr<Floorplan> straight_plan_; ///< `plan` with vertical walls
-  StructureCloud::Ptr straight_structure_;   ///< `structure` between them
+  std::shared_ptr<Floorplan> straight_plan_; ///< `plan` before tilts are applied
+  StructureCloud::Ptr straight_structure_;   ///< `structure` before tilts are applied
   std::vector<ChainRoom> regions_;
-  std::vector<pcl::IndicesPtr> territory_; ///< of each room, thinned points
-  std::vector<pcl::Indices> shares_;       ///< points of each room, from room 0 on
-  std::vector<double> slice_height_;       ///< of each room, NaN without details
+  std::vector<pcl::IndicesPtr> territory_; ///< of each room, indices of thinned points
+  std::vector<pcl::Indices> shares_; ///< points of each room, starting with room 0
+  std::vector<double> slice_height_; ///< of each room, NaN without details
   std::vector<StructureCloud::Ptr>
-      refined_; ///< of each room of the plan, till repaired
+      refined_; ///< of each room of the plan, until repaired
   std::map<std::uint32_t, double> repaired_shares_;
   std::map<std::uint32_t, UnseenShares> unseen_;
   std::size_t scanned_points_ = 0;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// In the place of LASzip: "unpacks" a file whose points are not packed at all, but
-// which says that they are.
+// A substitute for LASzip: "unpacks" a file that is marked as packed but is not.
 #include "laszip/laszip_api.h"
 
 #include <cstring>

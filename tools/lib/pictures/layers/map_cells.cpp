@@ -20,7 +20,7 @@ labelPlace(const CellSet& cells, double cell_size)
     mean += grid.centre(cells[i]) / static_cast<double>(cells.size());
   constexpr std::uint64_t most_cells = 4000000;
   const CellBox box = grown(boxOf(cells), 1);
-  std::vector<float> depth; // how far a cell is from the edge of the set, squared
+  std::vector<float> depth; // squared distance of a cell from the edge of the set
   if (box.count() <= most_cells)
     depth = squaredDistances(inverted(CellMask(cells, box)));
   const auto row = static_cast<std::size_t>(box.high.x - box.low.x + 1);

@@ -16,25 +16,24 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Where the name of a set of cells stands: a cell deep inside and near their
- * mean, metres. The set must not be empty. */
+/** @brief Returns the label position of a set of cells: a cell deep inside and near
+ * their mean, metres. The set must not be empty. */
 Eigen::Vector2d labelPlace(const CellSet& cells, double cell_size);
 
-/** @brief Adds all of `more` to `cells`. */
+/** @brief Adds all cells of `more` to `cells`. */
 void addTo(CellSet& cells, const CellSet& more);
 
-/** @brief Where points are in plan. Non-finite ones are left out. */
+/** @brief Returns the finite points in plan. */
 std::vector<Eigen::Vector2d> placesOf(const PointView& points,
                                       const pcl::Indices& indices);
 
-/** @brief A colour of its own for each number, from 0; after a dozen they come again.
- */
+/** @brief Returns the colour for a number, from 0; colours repeat after twelve. */
 Colour colourNumber(std::size_t number);
 
-/** @brief A shade of the ceiling's colour for each room, so that neighbours differ. */
+/** @brief Returns the ceiling shade for a room; neighbouring numbers differ. */
 Colour ceilingShade(std::size_t room);
 
-/** @brief "1 room", "3 rooms". */
+/** @brief Formats a count: "1 room", "3 rooms". */
 std::string counted(std::size_t number, const std::string& thing);
 
 } // namespace tools

@@ -21,7 +21,7 @@ boxOf(const PlanLoop& loop)
   return box;
 }
 
-/** @brief The loops that bound a room in plan. */
+/** @brief Returns the loops that bound a room in plan. */
 std::vector<const PlanLoop*>
 outlinesOf(const PlanRoom& room)
 {
@@ -31,7 +31,7 @@ outlinesOf(const PlanRoom& room)
   return loops;
 }
 
-/** @brief A place deep inside a room. */
+/** @brief Returns a place deep inside a room. */
 Eigen::Vector2d
 middleOf(const PlanRoom& room)
 {

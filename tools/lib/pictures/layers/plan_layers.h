@@ -9,20 +9,20 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Adds the walls, columns and details of all rooms: segments and arcs each in
- * their colour. */
+/** @brief Adds the walls, columns and details of all rooms, segments and arcs in
+ * different colours. */
 void addPlan(const Floorplan& plan, double pixels, Panel& panel);
 
 /** @brief Adds a dot at every end of a wall. */
 void addCorners(const Floorplan& plan, Panel& panel);
 
-/** @brief Adds the number of each room, deep inside it, and its area if wanted. */
+/** @brief Adds the number of each room, deep inside it, and optionally its area. */
 void addRoomNumbers(const Floorplan& plan, bool with_area, Panel& panel);
 
-/** @brief What addPlan()'s colours mean, of what the plan has. */
+/** @brief Adds the legend of addPlan() for the elements in the plan. */
 void addPlanLegend(const Floorplan& plan, Picture& picture);
 
-/** @brief All rooms, with `margin` metres around. */
+/** @brief Returns the extent of all rooms with `margin` metres around. */
 Box viewOf(const Floorplan& plan, double margin);
 
 } // namespace tools

@@ -11,7 +11,7 @@ namespace tools {
 
 namespace {
 
-constexpr double strip_gap = 0.15; ///< between strips of a line, metres
+constexpr double strip_gap = 0.15; ///< between strips in a line, metres
 constexpr double line_gap = 0.7;   ///< between lines, with the names of the strips
 
 const char*
@@ -31,7 +31,7 @@ letterOf(UprightKind kind)
   }
 }
 
-/** @brief The heights of all cells of a strip.
+/** @brief Computes the height range of a strip.
  * @return false for a strip without cells */
 bool
 findHeights(NamedStrip& strip)

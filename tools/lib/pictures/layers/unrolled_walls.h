@@ -12,50 +12,50 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief A wall, the face of a column, a riser or a side of a niche with a name; what
- * is above and below a niche in one wall is one. */
+/** @brief A wall, column face, riser or niche side with a name. The parts above and
+ * below a niche in one wall are merged. */
 struct NamedStrip {
   std::vector<const RepairedStrip*> parts;
   std::string name; ///< "2.3": wall 3 of room 2; c columns, d risers, s steps, n niches
   double length = 0;
-  double low = 0;  ///< least z of its cells, metres
-  double high = 0; ///< greatest
+  double low = 0;  ///< minimum z of its cells, metres
+  double high = 0; ///< maximum z, metres
 
   const PlanElement& element() const { return parts.front()->element; }
   UprightKind kind() const { return parts.front()->kind; }
 };
 
-/** @brief Names the strips that have cells; the walls of a room in the order in which
- * one sees them who turns to the right. `strips` must stay where they are. */
+/** @brief Names the strips that have cells; the walls of a room in clockwise order.
+ * `strips` must stay valid. */
 std::vector<NamedStrip> nameStrips(const std::vector<RepairedStrip>& strips);
 
-/** @brief Boxes of cells, those seen and those filled apart. */
+/** @brief Boxes of seen and filled cells. */
 struct StripBoxes {
   std::vector<Box> seen;
   std::vector<Box> filled;
 };
 
-/** @brief The cells of a strip as they look from inside, its lower left corner at
+/** @brief Returns the cells of a strip seen from inside, with its lower left corner at
  * `origin`.
- * @param is_seen of every repaired point */
+ * @param is_seen per repaired point */
 StripBoxes boxesOf(const NamedStrip& strip,
                    const std::vector<bool>& is_seen,
                    const Eigen::Vector2d& origin);
 
-/** @brief Where strips stand that are broken into lines like words; metres, the first
+/** @brief Positions of strips that are broken into lines like words; metres. The first
  * line ends at y = 0, the others are below. */
 struct StripLines {
   std::vector<Eigen::Vector2d> origins; ///< lower left corner of each strip
-  Box view;                             ///< with room for names
+  Box view;                             ///< with space for names
 };
 
-/** @brief Breaks strips into lines so that they are largest on a sheet of that width
+/** @brief Breaks strips into lines so that they are largest on a sheet of this width
  * and height, in any unit. */
 StripLines breakIntoLines(const std::vector<NamedStrip>& strips,
                           double sheet_width,
                           double sheet_height);
 
-/** @brief How high above its origin the name of a strip stands, metres. */
+/** @brief Returns the height of a strip's name above its origin, metres. */
 double nameHeight(const NamedStrip& strip);
 
 } // namespace tools

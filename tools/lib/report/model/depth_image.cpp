@@ -30,9 +30,9 @@ ParallelView::ParallelView(const std::vector<Eigen::Vector3d>& model,
   Eigen::AlignedBox2d seen;
   for (const auto& p : model)
     seen.extend(Eigen::Vector2d(p.dot(right_), p.dot(up_)));
-  constexpr double margin = 0.02; // of the width
+  constexpr double margin = 0.02; // relative to the width
   const Eigen::Vector2d size = seen.sizes().cwiseMax(1e-6);
-  constexpr double highest = 1.1; // over the width
+  constexpr double highest = 1.1; // relative to the width
   scale_ =
       std::min((1 - 2 * margin) / size.x(), (highest - 2 * margin) / size.y()) * width;
   height_ = static_cast<int>(std::lround(scale_ * size.y() + 2 * margin * width));
@@ -103,8 +103,8 @@ void
 DepthImage::shadeDepth()
 {
   constexpr int reach = 3;         // fine pixels
-  constexpr double gain = 0.02;    // a pixel of depth
-  constexpr double darkest = 0.65; // share taken away
+  constexpr double gain = 0.02;    // per pixel of depth
+  constexpr double darkest = 0.65; // maximum darkening
   const auto depthAt = [&](int x, int y) {
     return x < 0 || y < 0 || x >= fine_.width || y >= fine_.height
                ? nothing

@@ -12,59 +12,59 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief A viewer infinitely far away, who sees a model at one scale in an image. */
+/** @brief An orthographic view of a model in an image. */
 class ParallelView {
 public:
-  /** @param model points that are to be seen, metres; at least one
+  /** @param model points that must be visible, metres; at least one
    * @param azimuth,elevation from the model towards the viewer, degrees
-   * @param width pixels; the model fills them but for a margin */
+   * @param width pixels; the model fills it except for a margin */
   ParallelView(const std::vector<Eigen::Vector3d>& model,
                double azimuth,
                double elevation,
                int width);
 
-  /** @brief Pixels that the model needs from top to bottom, with the margin. */
+  /** @brief Returns the image height for the model with the margin, pixels. */
   int height() const { return height_; }
 
-  /** @brief x to the right and y down, pixels; z the depth away from the viewer,
-   * pixels. */
+  /** @brief Projects a point to x to the right and y down, pixels, and the depth away
+   * from the viewer, pixels. */
   Eigen::Vector3d see(const Eigen::Vector3d& p) const;
 
-  /** @brief Pixels a metre. */
+  /** @brief Returns pixels per metre. */
   double scale() const { return scale_; }
 
-  /** @brief Whether a face with that normal is turned to the viewer. */
+  /** @brief Returns whether a face with this normal is turned to the viewer. */
   bool faces(const Eigen::Vector3d& normal) const { return normal.dot(towards_) > 0; }
 
 private:
   Eigen::Vector3d towards_;
   Eigen::Vector3d right_;
   Eigen::Vector3d up_;
-  Eigen::Vector2d corner_; ///< of the image at the top left, metres right and up
+  Eigen::Vector2d corner_; ///< top left corner of the image, metres right and up
   double scale_ = 1;
   int height_ = 0;
 };
 
-/** @brief A picture of points and triangles in which the nearest shows: everything is
- * drawn in twice the size and shrunk. Needs no display. */
+/** @brief A depth-buffered image of points and triangles, drawn at twice the size and
+ * reduced. Needs no display. */
 class DepthImage {
 public:
-  /** @brief Fine pixels for one of the image, each way: places are told in these. */
+  /** @brief Fine pixels per pixel along each axis; positions are in fine pixels. */
   static constexpr int fineness = 2;
 
   /** @param width,height of the image, pixels */
   DepthImage(int width, int height);
 
-  /** @brief A square of `size` fine pixels around a place that a view has seen. */
+  /** @brief Draws a square of `size` fine pixels around a projected point. */
   void addPoint(const Eigen::Vector3d& place, Colour colour, int size);
 
   void addTriangle(const std::array<Eigen::Vector3d, 3>& corners, Colour colour);
 
-  /** @brief Darkens what lies behind something beside it, so that points without
-   * shading of their own show their shape. */
+  /** @brief Darkens pixels behind nearby ones, which shows the shape of unshaded
+   * points. */
   void shadeDepth();
 
-  /** @brief The image, on white. */
+  /** @brief Returns the image, on white. */
   Image image() const;
 
 private:
@@ -77,7 +77,7 @@ private:
   }
 
   Image fine_;
-  std::vector<float> depths_; ///< infinite where nothing is
+  std::vector<float> depths_; ///< infinite for the background
 };
 
 } // namespace tools

@@ -10,9 +10,9 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief A mesh that knows no elements as glTF, for the page: an element a room and
- * label. Rooms that the plan does not have are on a storey of their own.
- * @param mesh triangles face into the rooms; in glTF they look out of them */
+/** @brief Writes a mesh without elements as glTF for the page, with one element per
+ * room and label. Rooms missing from the plan are put on a separate storey.
+ * @param mesh triangles face into the rooms; in glTF they face outwards */
 std::string meshToGlb(TriangleMesh mesh, const Floorplan& plan);
 
 } // namespace tools

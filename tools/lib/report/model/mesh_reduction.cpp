@@ -15,7 +15,7 @@ namespace tools {
 
 namespace {
 
-/** @brief How sharply the surface bends at each vertex: 0 where it is flat, up to 1. */
+/** @brief Returns how sharply the surface bends at each vertex: 0 if flat, up to 1. */
 std::vector<double>
 sharpness(const TriangleMesh& mesh)
 {
@@ -46,8 +46,8 @@ roomsOfVertices(const TriangleMesh& mesh)
   return rooms;
 }
 
-/** @brief Of the vertices of each cell the sharpest stands for all: corners and edges
- * stay where they are, and on a plane any will do. */
+/** @brief Merges the vertices of each cell into the sharpest one. Corners and edges
+ * stay in place; on a plane any vertex will do. */
 TriangleMesh
 clustered(const TriangleMesh& mesh,
           const std::vector<double>& sharp,
@@ -55,7 +55,7 @@ clustered(const TriangleMesh& mesh,
           double size)
 {
   using Key = std::tuple<std::uint32_t, std::int64_t, std::int64_t, std::int64_t>;
-  constexpr double same = 0.02; // of sharpness: what is alike keeps the first
+  constexpr double same = 0.02; // smaller differences keep the first
   std::map<Key, std::uint32_t> cells;
   std::vector<Key> keys(mesh.vertices.size());
   for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
@@ -90,7 +90,7 @@ reducedMesh(const TriangleMesh& mesh, std::size_t most)
     return mesh;
   const auto sharp = sharpness(mesh);
   const auto rooms = roomsOfVertices(mesh);
-  // A plane in cells of size s has two triangles a cell.
+  // A plane in cells of size s has two triangles per cell.
   double size = std::sqrt(2 * mesh.area() / static_cast<double>(most));
   constexpr double growth = 1.15;
   TriangleMesh reduced = clustered(mesh, sharp, rooms, size);

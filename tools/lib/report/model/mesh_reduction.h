@@ -9,11 +9,11 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief A mesh of at most `most` (at least 100) triangles, for a screen: vertices of
- * one room in one cell of a grid become one, which is where the surface bends most, and
- * triangles that lose their area go. Labels and rooms stay. It need not be closed any
- * more.
- * @return the mesh itself where it is small enough */
+/** @brief Reduces a mesh for display to at most `most` (at least 100) triangles.
+ * Vertices of one room in one grid cell are merged into the one where the surface bends
+ * most; degenerate triangles are removed. Labels and rooms are kept. The result may not
+ * be closed.
+ * @return the mesh itself if it is small enough */
 TriangleMesh reducedMesh(const TriangleMesh& mesh, std::size_t most);
 
 } // namespace tools

@@ -26,8 +26,8 @@ textOfFile(const std::string& path)
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-/** @brief The scripts of three.js, empty where one is missing or would end its element.
- */
+/** @brief Returns the scripts of three.js; empty if one is missing or contains an end
+ * tag of its element. */
 std::string
 threeScripts(const std::string& folder)
 {
@@ -51,7 +51,7 @@ codeOf(Colour c)
   return text;
 }
 
-/** @brief The colours of labels by their names, and those of rooms, as JSON. */
+/** @brief Returns the colours of labels, by name, and of rooms, as JSON. */
 std::string
 palettes()
 {
@@ -69,7 +69,7 @@ palettes()
   return "{\"labels\":{" + by_label + "},\"rooms\":[" + of_rooms + "]}";
 }
 
-/** @brief A glTF within the page. */
+/** @brief Embeds a glTF in the page. */
 std::string
 embedded(const std::string& name, const std::string& glb)
 {

@@ -13,9 +13,9 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief The model to turn and cut: the folder's model.glb, and the mesh as another
- * glTF, controls and scripts, three.js in them. Where three.js is not found, a sentence
- * that says so; without a mesh and a solid nothing.
+/** @brief Returns the interactive model: the folder's model.glb, the mesh as another
+ * glTF, controls and scripts including three.js. If three.js is not found, a sentence
+ * says so. Empty without a mesh and a solid.
  * @param mesh,solid triangles face into the rooms; may be empty */
 std::string modelPart(const ResultFolder& folder,
                       const TriangleMesh& mesh,
@@ -23,10 +23,10 @@ std::string modelPart(const ResultFolder& folder,
                       const Floorplan& plan,
                       const PageSettings& settings);
 
-/** @brief What the colours of parts mean. */
+/** @brief Returns the legend of labels. */
 std::string labelKey();
 
-/** @brief What the colours of distances mean, up to `range` metres. */
+/** @brief Returns the legend of distances, up to `range` metres. */
 std::string distanceKey(double range);
 
 } // namespace tools

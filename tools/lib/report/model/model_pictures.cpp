@@ -13,7 +13,7 @@ namespace tools {
 
 namespace {
 
-// Where the viewer stands, degrees, and how wide his pictures are, pixels.
+// Direction of the viewer, degrees, and width of pictures, pixels.
 constexpr double azimuth = -55;
 constexpr double elevation = 48;
 constexpr int picture_width = 960;

@@ -14,27 +14,28 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief The pictures of a page: one direction and one scale for all, drawn without a
- * display; of scan and model the ceilings are left out. Each is the bytes of a PNG. */
+/** @brief Pictures of a page, all with the same direction and scale, drawn without a
+ * display. Ceilings of scan and model are omitted. Each is returned as the bytes of a
+ * PNG. */
 class ModelPictures {
 public:
-  /** @param outline points that are to be seen, metres; at least one
-   * @param rule what the ceilings are */
+  /** @param outline points that must be visible, metres; at least one
+   * @param rule defines the ceilings */
   ModelPictures(const std::vector<Eigen::Vector3d>& outline, CeilingRule rule);
 
-  /** @brief The scan, by height from dark to light; what lies more than 1 m outside of
-   * the outline's box is left out. */
+  /** @brief Draws the scan, by height from dark to light, without points more than 1 m
+   * outside the outline's box. */
   std::string scan(const DisplayCloud& cloud) const;
 
-  /** @brief The faces of a mesh that the viewer sees the room's side of, by label.
+  /** @brief Draws the faces of a mesh whose room side is visible, coloured by label.
    * @param mesh triangles face into the rooms */
   std::string model(const TriangleMesh& mesh) const;
 
-  /** @brief Points by their distance from the mesh (paper, Figure 11); those farther
-   * than `farthest` metres are left out, ceilings are for the caller to leave out.
-   * @param distances one a point, metres
-   * @param spacing of the points, metres: they are drawn so large that surfaces close
-   * @param range distance of the last colour, metres */
+  /** @brief Draws points by distance from the mesh (paper, Figure 11), without those
+   * farther than `farthest` metres. The caller removes ceilings.
+   * @param distances one per point, metres
+   * @param spacing of the points, metres; determines their size, so that surfaces close
+   * @param range distance with the last colour, metres */
   std::string distances(const DisplayCloud& cloud,
                         const std::vector<double>& distances,
                         double spacing,

@@ -21,7 +21,7 @@ using Advices = std::vector<Advice>;
 constexpr double much_repaired = 0.25; // of a room's points
 constexpr double hardly_seen = 0.2;    // of a wall
 constexpr double much_hidden = 0.5;    // of a wall
-constexpr double long_wall = 0.5;      // metres: shorter ones are not told
+constexpr double long_wall = 0.5;      // metres; shorter walls are not mentioned
 
 std::string
 percent(double share)
@@ -44,8 +44,8 @@ joined(const std::vector<std::string>& parts, const char* between)
   return text;
 }
 
-/** @brief "wall 3 (2.4 m, 85 % hidden)" of the walls of a room that were hardly seen.
- */
+/** @brief Returns "wall 3 (2.4 m, 85 % hidden)" for each wall of a room that was hardly
+ * seen. */
 std::vector<std::string>
 unseenWalls(const PlanRoom& room)
 {
@@ -117,7 +117,7 @@ addOpenModels(const ReportData& data, Advices& advices)
   }
 }
 
-/** @brief The value of a parameter of the run, 0 if it is not told. */
+/** @brief Returns a parameter of the run, 0 if unknown. */
 double
 parameterOf(const ReportData& data, const std::string& name)
 {
@@ -127,8 +127,8 @@ parameterOf(const ReportData& data, const std::string& name)
   return 0;
 }
 
-/** @brief What to do about points that are far from their model: the tolerances that
- * noise asks for, but those that the run had. */
+/** @brief Returns a remedy for points far from their model: tolerances suited to the
+ * noise, unless the run already used them. */
 std::string
 tolerancesFor(const ReportData& data)
 {
@@ -167,7 +167,7 @@ addDistances(const ReportData& data, Advices& advices)
          "smaller details, and a smaller --grid-size finer ones."});
 }
 
-/** @brief Whether the run's own sentence tells of a repaired share, as we do. */
+/** @brief Returns whether a warning of the run already mentions a repaired share. */
 bool
 isToldAlready(const std::string& warning)
 {

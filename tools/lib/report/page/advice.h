@@ -10,20 +10,20 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Something to know before the model is trusted, in plain words. */
+/** @brief A caveat of the model for users. */
 struct Advice {
-  std::string finding; ///< what is so, with numbers
-  std::string remedy;  ///< what to look at or which option to turn; may be empty
+  std::string finding; ///< observation, with numbers
+  std::string remedy;  ///< what to check or which option to change; may be empty
 };
 
-/** @brief What was not seen, what was repaired and how much, what is not closed, what
- * the distances say; then the warnings of the run that say something else. Nothing
- * amiss: nothing. */
+/** @brief Returns caveats: parts that were not seen, repaired shares, meshes that are
+ * not closed, large distances. Other warnings of the run follow. Empty if there are
+ * none. */
 std::vector<Advice> adviceOn(const ReportData& data);
 
-/** @brief What would have to be known to say that nothing is amiss, and is not: in a
- * run without a mesh, or without report.json. "whether all rooms are closed, ...";
- * empty if all is known. */
+/** @brief Returns what is unknown, but required to say that there are no caveats, in a
+ * run without a mesh or without report.json. "whether all rooms are closed, ..."; empty
+ * if all is known. */
 std::string unknownOf(const ReportData& data);
 
 } // namespace tools

@@ -59,7 +59,7 @@ histogramSvg(const DistanceStatistics& distances, double range)
   double most = share(distances.beyond_histogram);
   for (const auto count : distances.histogram)
     most = std::max(most, share(count));
-  const double step = roundStep(std::max(most, 1e-4) / 2); // at least two lines
+  const double step = roundStep(std::max(most, 1e-4) / 2); // at least two grid lines
   const double most_shown = std::max(most, step);
   const double slot = (width - left - right) / (static_cast<double>(bins) + 2);
   const auto heightOf = [&](double s) { return (base - top) * s / most_shown; };

@@ -9,10 +9,10 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief The histogram of distances as an SVG: share of the points a bin, in percent,
- * over the distance in centimetres, in the colours of distanceColour(); the last bar,
- * apart, is what lies beyond. Empty without a histogram.
- * @param range distance of the last colour, metres */
+/** @brief Draws the histogram of distances as SVG: percentage of points per bin over
+ * distance in centimetres, in the colours of distanceColour(). A separate last bar
+ * holds greater distances. Empty without a histogram.
+ * @param range distance with the last colour, metres */
 std::string histogramSvg(const DistanceStatistics& distances, double range);
 
 } // namespace tools

@@ -13,7 +13,7 @@ namespace tools {
 
 namespace {
 
-/** @brief Whole UTF-8: what is none becomes U+FFFD. */
+/** @brief Replaces invalid UTF-8 by U+FFFD. */
 std::string
 repaired(const std::string& text)
 {
@@ -59,7 +59,7 @@ scriptString(const std::string& text)
 {
   using Json = nlohmann::json;
   std::string quoted;
-  // As ASCII, with < as an escape as well, so that no </script> can stand in it.
+  // As ASCII, with < escaped as well, so that the string cannot contain </script>.
   for (const char c : Json(text).dump(-1, ' ', true, Json::error_handler_t::replace))
     quoted += c == '<' ? std::string("\\u003c") : std::string(1, c);
   return quoted;
@@ -112,7 +112,7 @@ numberText(double value, int digits)
   for (std::size_t place = point == std::string::npos ? text.size() : point;
        place > first + 3;) {
     place -= 3;
-    text.insert(place, "\xe2\x80\xaf"); // a narrow space that no line breaks at
+    text.insert(place, "\xe2\x80\xaf"); // narrow no-break space
   }
   return text;
 }

@@ -8,7 +8,7 @@ namespace tools {
 
 namespace {
 
-/** @brief A length of either sign: "-0.30". */
+/** @brief Formats a coordinate: "-0.30". */
 std::string
 coordinate(double metres)
 {

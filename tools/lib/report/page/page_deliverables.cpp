@@ -10,9 +10,9 @@ namespace tools {
 namespace {
 
 struct Deliverable {
-  const char* name; ///< before the extension
+  const char* name; ///< without extension
   const char* extension;
-  bool is_a_storey; ///< whether there may be one a storey, with its number
+  bool is_a_storey; ///< whether there may be one per storey, with its number
   const char* what;
   const char* opens;
 };

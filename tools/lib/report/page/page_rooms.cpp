@@ -12,7 +12,7 @@ namespace tools {
 
 namespace {
 
-/** @brief A drawing as it stands in a page: without what makes a file of it. */
+/** @brief Returns a drawing without its file header, to be embedded in a page. */
 std::string
 inlineSvg(std::string svg)
 {
@@ -24,7 +24,7 @@ inlineSvg(std::string svg)
   return svg;
 }
 
-/** @brief "closed", "open" or a dash. */
+/** @brief Returns "closed", "open" or a dash. */
 std::string
 closedText(const std::optional<bool>& closed)
 {
@@ -37,7 +37,7 @@ isIn(const PlanStorey& storey, std::uint32_t room)
   return std::binary_search(storey.rooms.begin(), storey.rooms.end(), room);
 }
 
-/** @brief The rooms of a storey, and what they add up to. */
+/** @brief The rooms of a storey, and their totals. */
 struct StoreyRooms {
   std::vector<RoomFacts> rooms;
   double area = 0;
@@ -91,7 +91,7 @@ drawing(const ReportData& data, const PlanStorey* storey)
 {
   DrawingSettings settings;
   settings.storey = storey;
-  settings.paper = PaperSize::A4; // letters are larger on the page then
+  settings.paper = PaperSize::A4; // for larger letters on the page
   return "<div class=\"plan\">" + inlineSvg(floorplanToSvg(data.plan, settings)) +
          "</div>\n";
 }
@@ -150,7 +150,7 @@ roomsPart(const ReportData& data)
   if (data.storeys.size() < 2)
     tables = roomTable(data.rooms);
   else {
-    std::vector<RoomFacts> others; // of which the plan does not know
+    std::vector<RoomFacts> others; // rooms missing from the plan
     for (const RoomFacts& room : data.rooms)
       if (std::none_of(data.storeys.begin(), data.storeys.end(),
                        [&](const PlanStorey& s) { return isIn(s, room.id); }))

@@ -17,7 +17,7 @@ namespace tools {
 
 namespace {
 
-/** @brief Lengths near a centimetre: "0.34 cm". */
+/** @brief Formats small lengths in centimetres: "0.34 cm". */
 std::string
 centimetres(double metres)
 {
@@ -30,8 +30,7 @@ figure(const std::string& name, const std::string& value)
   return "<div><dt>" + name + "</dt><dd>" + value + "</dd></div>\n";
 }
 
-/** @brief What a stage decides with: the parameters that matter most, by their names in
- * report.json, and their units. */
+/** @brief An important parameter of a stage: its name in report.json, and its unit. */
 struct StageParameter {
   const char* name;
   const char* shown;
@@ -67,7 +66,7 @@ stageParameters()
   return table;
 }
 
-/** @brief A parameter's value with as many digits as it needs: 3.002299 reads 3. */
+/** @brief Formats a value with as many digits as needed: 3.002299 becomes 3. */
 std::string
 shortValue(const std::string& json)
 {

@@ -10,32 +10,31 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-// The parts of the page that need numbers only, as HTML; each empty where nothing is
-// known.
+// Parts of the page that consist of numbers, as HTML; each is empty without data.
 
-/** @brief Rooms, area, volume, accuracy, at a glance. */
+/** @brief Returns rooms, area, volume and accuracy at a glance. */
 std::string figuresPart(const ReportData& data);
 
-/** @brief What to know before the model is trusted. */
+/** @brief Returns the caveats of the model. */
 std::string advicePart(const ReportData& data);
 
-/** @brief The storeys, where there are several. */
+/** @brief Returns the storeys, if there are several. */
 std::string storeysPart(const ReportData& data);
 
-/** @brief The plan as a drawing to scale, one a storey. */
+/** @brief Returns the plan as a drawing to scale, one per storey. */
 std::string planPart(const ReportData& data);
 
-/** @brief The rooms, a table a storey. */
+/** @brief Returns the rooms, a table per storey. */
 std::string roomsPart(const ReportData& data);
 
-/** @brief How much of the floor that was seen was modelled, and what was left out. */
+/** @brief Returns how much of the scanned floor was modelled, and what was left out. */
 std::string coveragePart(const ReportData& data);
 
-/** @brief Histogram and figures of the distances.
- * @param range distance that has the last colour, metres */
+/** @brief Returns histogram and statistics of the distances.
+ * @param range distance with the last colour, metres */
 std::string histogramPart(const ReportData& data, double range);
 
-/** @brief The files of the folder, with what opens each. */
+/** @brief Returns the files of the folder, with the programs that open them. */
 std::string deliverablesPart(const ResultFolder& folder, const ReportData& data);
 
 std::string stagesPart(const ReportData& data);

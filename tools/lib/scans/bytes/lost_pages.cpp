@@ -19,15 +19,15 @@ namespace {
 struct Mapping {
   std::atomic<bool> is_taken{false};
   std::atomic<std::uintptr_t> begin{0};
-  std::atomic<std::uintptr_t> end{0}; ///< 0: nothing is watched here
+  std::atomic<std::uintptr_t> end{0}; ///< 0: unused
   std::atomic<bool> has_lost{false};
 };
 
 constexpr std::size_t most_mappings = 64;
-std::array<Mapping, most_mappings> mappings; // the handler may look at nothing else
+std::array<Mapping, most_mappings> mappings; // all that the handler may access
 std::atomic<std::uintptr_t> page_size{4096};
 
-/** @brief Puts zeros in the place of what cannot be read and of all that follows. */
+/** @brief Replaces the unreadable page and all that follow by zeros. */
 extern "C" void
 replacePage(int signal, siginfo_t* info, void*)
 {
@@ -44,7 +44,7 @@ replacePage(int signal, siginfo_t* info, void*)
     if (zeros != MAP_FAILED)
       return;
   }
-  std::signal(signal, SIG_DFL); // none of ours: it comes again, and ends the program
+  std::signal(signal, SIG_DFL); // not ours: recurs and ends the program
 }
 
 void

@@ -7,9 +7,9 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Watches a mapping of a file: pages that cannot be read, because the file has
- * become shorter or its disk has failed, become zeros in place of ending the program
- * (SIGBUS). Up to 64 mappings at once; others are as without it. */
+/** @brief Guards a mapping of a file. Pages that cannot be read, because the file has
+ * shrunk or its disk failed, become zeros instead of ending the program (SIGBUS). At
+ * most 64 mappings are guarded at once. */
 class LostPages {
 public:
   LostPages(const void* begin, std::size_t size);
@@ -17,11 +17,11 @@ public:
   LostPages(const LostPages&) = delete;
   LostPages& operator=(const LostPages&) = delete;
 
-  /** @brief Whether there were such pages. */
+  /** @brief Returns whether any page was replaced. */
   bool any() const;
 
 private:
-  std::size_t place_; ///< in the table of mappings
+  std::size_t place_; ///< index in the table of mappings
 };
 
 } // namespace tools

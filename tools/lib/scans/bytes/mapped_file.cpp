@@ -67,8 +67,7 @@ MappedFile::checkWhole() const
 
 namespace {
 
-/** @brief Advises about the pages that lie between two bytes of a mapping; that is a
- * hint, which may fail. */
+/** @brief Gives a hint for the pages between two bytes of a mapping; it may fail. */
 void
 advise(const std::uint8_t* data, std::size_t begin, std::size_t end, int advice)
 {
@@ -94,7 +93,7 @@ MappedFile::release(std::size_t begin, std::size_t size) const
 
 MappedFile::~MappedFile()
 {
-  lost_.reset(); // before the place may be another's
+  lost_.reset(); // before the address range is reused
   munmap(const_cast<std::uint8_t*>(data_), size_);
 }
 

@@ -12,8 +12,8 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief The bytes of a file, read as they are needed; "-" is the standard input. A
- * file that is missing, a folder or empty is a ToolError of one sentence. */
+/** @brief The bytes of a file, mapped on demand; "-" is the standard input. Throws
+ * ToolError if the file is missing, a folder or empty. */
 class MappedFile {
 public:
   explicit MappedFile(const std::string& path);
@@ -25,15 +25,15 @@ public:
 
   std::size_t size() const { return size_; }
 
-  /** @brief Tells that these bytes will soon be read. */
+  /** @brief Announces that these bytes will soon be read. */
   void expect(std::size_t begin, std::size_t size) const;
 
-  /** @brief Tells that these bytes are not needed now: their pages are no longer this
-   * program's, and are read again if they are. */
+  /** @brief Releases the pages of bytes that are not needed now; they are read again on
+   * access. */
   void release(std::size_t begin, std::size_t size) const;
 
-  /** @brief Throws a ToolError if bytes that were looked at could not be read: they
-   * were zeros then, as the file has become shorter or its disk has failed. */
+  /** @brief Throws ToolError if accessed bytes could not be read and became zeros, as
+   * the file has shrunk or its disk failed. */
   void checkWhole() const;
 
 private:

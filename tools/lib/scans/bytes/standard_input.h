@@ -7,16 +7,15 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Whether a name stands for the standard input: "-". */
+/** @brief Returns whether a name means the standard input: "-". */
 inline bool
 isStandardInput(const std::string& path)
 {
   return path == "-";
 }
 
-/** @brief Opens what comes by the standard input as a file that has no name, in TMPDIR
- * or /tmp: it is read to its end once in a process, and gone when that ends. What
- * fails, a terminal too, is a ToolError.
+/** @brief Copies the standard input to an unnamed file in TMPDIR or /tmp, once per
+ * process; it vanishes with the process. Throws ToolError on failure or for a terminal.
  * @return a descriptor to be closed */
 int openStandardInput();
 

@@ -25,7 +25,7 @@ refuse(const std::string& path, const std::string& reason)
   throw ToolError("cannot write '" + path + "': " + reason);
 }
 
-/** @brief Where a file really goes: a link is followed, so that it stays one. */
+/** @brief Returns the target of a path. Links are followed, so that they stay links. */
 fs::path
 targetOf(const std::string& path)
 {

@@ -9,14 +9,13 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Throws a ToolError, one sentence, if no file can be written at `path`: its
- * folder is missing or read-only, or it is a folder or device itself. To be asked
- * before the work. */
+/** @brief Throws ToolError if no file can be written at `path`: its folder is missing
+ * or read-only, or it is a folder or device. To be called before the work. */
 void checkWritable(const std::string& path);
 
-/** @brief Writes a file whole or not at all: `write` fills a file beside it, which is
- * then renamed. Whatever fails, a full disk too, is a ToolError, and the old file
- * stays. */
+/** @brief Writes a file completely or not at all: `write` fills a temporary file beside
+ * it, which is then renamed. On failure, such as a full disk, throws ToolError and
+ * keeps the old file. */
 void writeWhole(const std::string& path,
                 const std::function<void(std::ostream&)>& write);
 

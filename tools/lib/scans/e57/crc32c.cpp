@@ -10,10 +10,10 @@ namespace tools {
 
 namespace {
 
-constexpr std::size_t lanes = 8; // bytes a step
+constexpr std::size_t lanes = 8; // bytes per step
 using Tables = std::array<std::array<std::uint32_t, 256>, lanes>;
 
-/** @brief What a byte does to the remainder when 0 to 7 bytes follow it. */
+/** @brief Tabulates the effect of a byte on the remainder when 0 to 7 bytes follow. */
 constexpr Tables
 makeTables()
 {
@@ -43,7 +43,7 @@ crc32c(const std::uint8_t* bytes, std::size_t size)
   std::uint32_t rest = 0xffffffff;
   for (; size >= lanes; bytes += lanes, size -= lanes) {
     std::uint64_t step = 0;
-    std::memcpy(&step, bytes, sizeof step); // little endian, as all of PCL's files
+    std::memcpy(&step, bytes, sizeof step); // little-endian, like all of PCL's files
     step ^= rest;
     rest = 0;
     for (std::size_t k = 0; k < lanes; ++k)

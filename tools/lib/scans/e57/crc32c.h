@@ -8,9 +8,9 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief The CRC-32C (Castagnoli) of some bytes, as RFC 3720 defines it: the
- * polynomial 0x1edc6f41, reflected, begun with and finally inverted by 0xffffffff.
- * Eight bytes a step, which is several times as fast as Boost.CRC's one. */
+/** @brief Computes the CRC-32C (Castagnoli) of RFC 3720: polynomial 0x1edc6f41,
+ * reflected, initial value and final XOR 0xffffffff. It processes eight bytes per step,
+ * several times as fast as Boost.CRC with one. */
 std::uint32_t crc32c(const std::uint8_t* bytes, std::size_t size);
 
 } // namespace tools

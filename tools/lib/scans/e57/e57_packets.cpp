@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t section_head = 32; // bytes
 constexpr std::uint64_t packet_head = 6;   // bytes before the lengths of the pieces
-constexpr std::size_t spare = 8;           // bytes after those of a stream
+constexpr std::size_t spare = 8;           // bytes after the end of a stream
 
 enum PacketType : std::uint8_t { IndexPacket = 0, DataPacket = 1, EmptyPacket = 2 };
 
@@ -35,7 +35,7 @@ text(std::uint64_t number)
 
 } // namespace
 
-/** @brief A data packet: where the piece of each wanted stream begins in it. */
+/** @brief A data packet with the position of each wanted stream's piece. */
 struct E57Packets::Packet {
   std::uint64_t place = 0; ///< logical
   std::size_t size = 0;    ///< bytes
@@ -43,7 +43,7 @@ struct E57Packets::Packet {
   std::vector<std::size_t> sizes;
 };
 
-/** @brief Goes from one data packet to the next. */
+/** @brief Iterates over data packets. */
 class E57Packets::Walk {
 public:
   Walk(const E57Packets& packets, std::uint64_t place)
@@ -52,7 +52,7 @@ public:
       , lengths_(2 * packets.scan_.fields.size())
   {}
 
-  /** @brief Reads the head of the next data packet; false if there is none. */
+  /** @brief Reads the header of the next data packet; false if there is none. */
   bool next(Packet& packet)
   {
     for (; packets_.end_ - place_ >= packet_head; place_ += packet.size) {
@@ -178,7 +178,7 @@ E57Packets::markBefore(const std::vector<Part>& parts) const
         return false;
     return true;
   };
-  std::size_t low = 0; // is before all
+  std::size_t low = 0; // precedes all parts
   std::size_t high = mark_places_.size();
   while (high - low > 1) {
     const std::size_t middle = low + (high - low) / 2;

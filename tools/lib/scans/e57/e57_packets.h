@@ -11,42 +11,42 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief The bytes of one stream that hold some points, and a few more, so that eight
- * may be read at the last of them. */
+/** @brief Bytes of one stream for a range of points, padded so that eight can be read
+ * at the last one. */
 struct E57Bytes {
   std::vector<std::uint8_t> bytes;
-  unsigned first_bit = 0; ///< of the first value, in the first byte
+  unsigned first_bit = 0; ///< position of the first value in the first byte
 };
 
-/** @brief Where the values of a scan stand: packets of at most 64 KiB, in each of which
- * every stream has a piece; values may straddle two of them.
+/** @brief Locates the values of a scan. They are stored in packets of at most 64 KiB
+ * with a piece of every stream; values may straddle two packets.
  *
- * All packet heads are read at first, so that afterwards any points can be had without
- * those before them; of them one in 256 KiB is remembered. What is amiss is a ToolError
- * that says why. */
+ * All packet headers are read at first, so that any points can be read without those
+ * before them. One packet per 256 KiB is remembered. Throws ToolError with a reason on
+ * failure. */
 class E57Packets {
 public:
-  /** @param wanted numbers of the fields that are read, for which there must be bytes
-   * for all points */
+  /** @param wanted numbers of the fields to read, which must have bytes for all
+   * points */
   E57Packets(const E57Pages& pages,
              const E57Scan& scan,
              std::vector<std::size_t> wanted);
 
-  /** @brief The bytes of the points [begin, end), a list for each wanted field; from
-   * several threads at once. */
+  /** @brief Returns the bytes of the points [begin, end), a list per wanted field;
+   * thread-safe. */
   std::vector<E57Bytes> read(std::uint64_t begin, std::uint64_t end) const;
 
-  /** @brief Logical offset near which these points begin. */
+  /** @brief Returns the approximate logical offset of a point. */
   std::uint64_t placeOf(std::uint64_t point) const;
 
-  /** @brief Compares the checksums of all its pages. */
+  /** @brief Verifies the checksums of all its pages. */
   void check() const { pages_.check(begin_, end_ - begin_); }
 
 private:
   struct Packet;
   class Walk;
 
-  /** @brief What is wanted of a stream: bytes, counted from its begin. */
+  /** @brief A wanted range of a stream: bytes from its beginning. */
   struct Part {
     std::uint64_t begin = 0;
     std::uint64_t end = 0;
@@ -59,7 +59,8 @@ private:
 
   std::vector<Part> partsOf(std::uint64_t begin, std::uint64_t end) const;
 
-  /** @brief The last remembered packet at or before the begin of all parts. */
+  /** @brief Returns the last remembered packet at or before the beginning of all
+   * parts. */
   std::size_t markBefore(const std::vector<Part>& parts) const;
 
   void index();
@@ -70,7 +71,7 @@ private:
   std::uint64_t begin_ = 0; ///< of the packets, logical
   std::uint64_t end_ = 0;
   std::vector<std::uint64_t> mark_places_; ///< logical offsets of remembered packets
-  std::vector<std::uint64_t> mark_bytes_;  ///< of each wanted stream before them
+  std::vector<std::uint64_t> mark_bytes_;  ///< per wanted stream, before these packets
 };
 
 } // namespace tools

@@ -86,7 +86,7 @@ void
 E57Pages::checkPage(std::uint64_t page) const
 {
   const auto* bytes = file_.data() + page * page_size_;
-  std::uint32_t stored = 0; // the only number of the format with its high byte first
+  std::uint32_t stored = 0; // the only big-endian number of the format
   for (std::uint64_t k = 0; k < checksum_size; ++k)
     stored = stored << 8 | bytes[payload_ + k];
   const std::uint32_t computed = crc32c(bytes, payload_);

@@ -12,34 +12,33 @@ namespace sedr {
 namespace tools {
 
 /** @brief The bytes of an E57 file (ASTM E2807) without the checksums at the end of its
- * pages, which are compared as they are passed. Offsets are counted without them
- * (logical) unless they are called physical. What is amiss is a ToolError that says
- * why, without the name of the file. */
+ * pages, which are verified on reading. Offsets exclude checksums (logical) unless
+ * called physical. Throws ToolError with a reason, without the file name. */
 class E57Pages {
 public:
-  /** @brief Reads the 48 bytes that every E57 file begins with. */
+  /** @brief Reads the header of 48 bytes. */
   explicit E57Pages(const MappedFile& file);
 
-  /** @brief Bytes without checksums. */
+  /** @brief Returns the number of bytes without checksums. */
   std::uint64_t size() const { return pages_ * payload_; }
 
   std::uint64_t xmlBegin() const { return xml_begin_; }
   std::uint64_t xmlSize() const { return xml_size_; }
 
-  /** @brief The logical offset of the physical one; `what` begins there, in words. */
+  /** @brief Converts a physical offset to a logical one; `what` names its content in
+   * errors. */
   std::uint64_t logical(std::uint64_t physical, const std::string& what) const;
 
-  /** @brief The physical offset of the logical one. */
+  /** @brief Converts a logical offset to a physical one. */
   std::uint64_t physical(std::uint64_t logical) const
   {
     return logical / payload_ * page_size_ + logical % payload_;
   }
 
-  /** @brief Copies bytes, and compares the checksums of their pages; from several
-   * threads at once. */
+  /** @brief Copies bytes and verifies the checksums of their pages; thread-safe. */
   void copy(std::uint64_t begin, std::size_t size, std::uint8_t* to) const;
 
-  /** @brief Compares the checksums of the pages of these bytes. */
+  /** @brief Verifies the checksums of the pages of these bytes. */
   void check(std::uint64_t begin, std::uint64_t size) const;
 
 private:
@@ -47,7 +46,7 @@ private:
 
   const MappedFile& file_;
   std::uint64_t page_size_ = 0;
-  std::uint64_t payload_ = 0; ///< bytes of a page without its checksum
+  std::uint64_t payload_ = 0; ///< bytes per page without its checksum
   std::uint64_t pages_ = 0;
   std::uint64_t xml_begin_ = 0;
   std::uint64_t xml_size_ = 0;

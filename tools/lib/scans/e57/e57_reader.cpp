@@ -25,7 +25,7 @@ constexpr Names cartesian{"cartesianX", "cartesianY", "cartesianZ"};
 constexpr Names spherical{"sphericalRange", "sphericalAzimuth", "sphericalElevation"};
 constexpr Names colours{"colorBlue", "colorGreen", "colorRed"}; // low byte first
 
-/** @brief One line, whatever names and numbers the file has. */
+/** @brief Joins a text to one line, whatever names it contains. */
 std::string
 inOneLine(std::string text)
 {
@@ -56,7 +56,7 @@ colourByte(double value, const std::pair<double, double>& limits)
 
 } // namespace
 
-/** @brief One of the scans of the file. */
+/** @brief A scan of the file. */
 class E57Reader::Scan {
 public:
   /** @param first_row number of its first point in the whole file */
@@ -86,7 +86,7 @@ public:
   bool hasIntensity() const { return intensity_ >= 0; }
   bool hasColour() const { return has_colour_; }
 
-  /** @brief Decodes `size` of its points, from `first` on, into rows of zeros.
+  /** @brief Decodes `size` points from `first` on into zeroed rows.
    * @param intensity,colour offsets in a row, 0 if rows have none */
   void read(std::size_t first,
             std::size_t size,
@@ -108,8 +108,8 @@ public:
   }
 
 private:
-  /** @brief Number of the field called `name`, -1 if it is not there to be read; it is
-   * then wanted. */
+  /** @brief Returns the number of the field called `name` and marks it as wanted; -1 if
+   * it is missing or cannot be read. */
   int findReadable(const std::string& name)
   {
     const int field = scan_.find(name);
@@ -120,7 +120,7 @@ private:
     return field;
   }
 
-  /** @brief The same of three, of which all are needed. */
+  /** @brief As above for three fields, which are all required. */
   bool findAll(const Names& names, std::array<int, 3>& found)
   {
     const std::size_t before = wanted_.size();

@@ -12,19 +12,19 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Which scans of an E57 file are read. */
+/** @brief Selection of scans in an E57 file. */
 struct E57Choice {
   std::size_t scan = 0;     ///< number from 1; 0: all
   bool skip_broken = false; ///< leave out scans that cannot be read, with a warning
 };
 
-/** @brief The points of all scans of an E57 file (ASTM E2807-11), one after the other,
- * each moved by its pose: x, y, z, then `intensity` and `rgb` where a scan has them.
+/** @brief The points of all scans of an E57 file (ASTM E2807-11), in sequence, each
+ * transformed by its pose: x, y, z, then `intensity` and `rgb` if a scan has them.
  *
- * Cartesian and spherical coordinates (these are used where there are no others) of
- * single or double precision, as integers or scaled integers of 0 to 64 bits. Points
- * that are marked as invalid, or as a direction only, are NaN. Checksums are compared.
- * What is amiss is a ToolError that names the scan. */
+ * Coordinates are Cartesian, or else spherical: floats of single or double precision,
+ * integers or scaled integers of 0 to 64 bits. Points marked as invalid, or as a
+ * direction only, are NaN. Checksums are verified. Throws ToolError that names the
+ * scan. */
 class E57Reader : public PointReader {
 public:
   E57Reader(const MappedFile& file, const std::string& path, const E57Choice& choice);
@@ -44,11 +44,11 @@ private:
 
   std::string path_;
   E57Pages pages_;
-  std::vector<std::unique_ptr<Scan>> scans_; ///< those with points
+  std::vector<std::unique_ptr<Scan>> scans_; ///< scans with points
   std::vector<pcl::PCLPointField> fields_;
 };
 
-/** @brief The scans of an E57 file, whether they can be read or not. */
+/** @brief Lists the scans of an E57 file, including those that cannot be read. */
 std::vector<E57Entry> listE57Scans(const std::string& path);
 
 } // namespace tools

@@ -19,8 +19,8 @@ using Tree = boost::property_tree::ptree;
 constexpr auto lowest_integer = std::numeric_limits<std::int64_t>::min();
 constexpr auto highest_integer = std::numeric_limits<std::int64_t>::max();
 
-/** @brief Reads all of a text, blanks around it left out, as a number; E57 leaves out
- * what is 0. */
+/** @brief Converts a whole text without surrounding blanks to a number; empty means 0,
+ * which E57 omits. */
 template <typename T>
 T
 numberOf(const std::string& text, const std::string& what)
@@ -51,7 +51,7 @@ typeOf(const Tree& node)
   return node.get<std::string>("<xmlattr>.type", "");
 }
 
-/** @brief The number of an element: Float, Integer or ScaledInteger. */
+/** @brief Returns the number of an element: Float, Integer or ScaledInteger. */
 double
 realOf(const Tree& node, const std::string& what)
 {
@@ -62,7 +62,7 @@ realOf(const Tree& node, const std::string& what)
          attribute<double>(node, "offset", 0, what);
 }
 
-/** @brief The number of the child of `node` called `name`, 0 if there is none. */
+/** @brief Returns the number of `node`'s child called `name`, 0 if there is none. */
 double
 realAt(const Tree& node, const std::string& name, const std::string& of)
 {
@@ -121,7 +121,7 @@ readFloat(const Tree& node, E57Field& field)
   field.bits = is_single ? 32 : 64;
 }
 
-/** @brief Adds the fields below a node of the prototype, which may be grouped. */
+/** @brief Appends the fields below a node of the prototype, which may be nested. */
 void
 addFields(const Tree& node, std::vector<E57Field>& fields)
 {
@@ -156,7 +156,7 @@ readPose(const Tree& node, E57Scan& scan)
   if (const auto turn = pose->get_child_optional("rotation")) {
     const auto part = [&](const char* name) { return realAt(*turn, name, "its pose"); };
     scan.rotation = {part("w"), part("x"), part("y"), part("z")};
-    constexpr double worst = 0.01; // off the length 1
+    constexpr double worst = 0.01; // deviation from length 1
     const double length = scan.rotation.norm();
     if (!(std::abs(length - 1) <= worst))
       throw ToolError("the quaternion of its pose has the length " +

@@ -14,7 +14,8 @@ namespace tools {
 
 namespace {
 
-/** @brief One past the end of `text` from `position` on, or of all. */
+/** @brief Returns one past the end of `text` from `position` on, or the end of the
+ * XML. */
 std::size_t
 past(const std::string& xml, const char* text, std::size_t position)
 {
@@ -23,7 +24,7 @@ past(const std::string& xml, const char* text, std::size_t position)
                                     : found + std::string::traits_type::length(text);
 }
 
-/** @brief One past the `>` that ends the tag at `position`, outside of quotes. */
+/** @brief Returns one past the unquoted `>` that ends the tag at `position`. */
 std::size_t
 pastTag(const std::string& xml, std::size_t position)
 {
@@ -83,7 +84,7 @@ readE57Tree(const E57Pages& pages)
                     " that are taken for sane");
   std::string xml(static_cast<std::size_t>(pages.xmlSize()), '\0');
   pages.copy(pages.xmlBegin(), xml.size(), reinterpret_cast<std::uint8_t*>(&xml[0]));
-  // Some writers count the bytes that fill up the last page.
+  // Some writers include the padding of the last page.
   xml.erase(xml.find_last_not_of(std::string("\0 \t\r\n", 5)) + 1);
   if (xml.find("<!DOCTYPE") != std::string::npos)
     throw ToolError("its XML defines a document type, which E57 does not have");

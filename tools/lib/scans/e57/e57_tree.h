@@ -11,12 +11,12 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief The XML of an E57 file as a tree. Refused are more than 64 MiB, a document
- * type (which may define entities that grow), and elements nested deeper than 64. */
+/** @brief Parses the XML of an E57 file. Throws ToolError for more than 64 MiB, a
+ * document type (whose entities may expand), and nesting deeper than 64. */
 boost::property_tree::ptree readE57Tree(const E57Pages& pages);
 
-/** @brief How deep the elements of an XML text are nested, at most `limit` + 1: as much
- * as can be told without a parser, which a deep text would lead out of its stack. */
+/** @brief Returns the nesting depth of an XML text, at most `limit` + 1. It works
+ * without a parser, as a deep text would overflow the parser's stack. */
 std::size_t nestingOf(const std::string& xml, std::size_t limit);
 
 } // namespace tools

@@ -21,7 +21,7 @@ readReals(const std::uint8_t* bytes, std::size_t size, double* values)
   }
 }
 
-/** @brief The number stored in `bits` bits, which begin at bit `at`. */
+/** @brief Returns the number stored in `bits` bits from bit `at` on. */
 std::uint64_t
 bitsAt(const std::uint8_t* bytes, std::uint64_t at, unsigned bits)
 {
@@ -30,7 +30,7 @@ bitsAt(const std::uint8_t* bytes, std::uint64_t at, unsigned bits)
   std::uint64_t word = 0;
   std::memcpy(&word, first, sizeof word);
   word >>= skipped;
-  if (skipped + bits > 64) // the rest is in a ninth byte
+  if (skipped + bits > 64) // the remainder is in a ninth byte
     word |= std::uint64_t{first[8]} << (64 - skipped);
   return bits < 64 ? word & ((std::uint64_t{1} << bits) - 1) : word;
 }
@@ -38,7 +38,7 @@ bitsAt(const std::uint8_t* bytes, std::uint64_t at, unsigned bits)
 double
 valueOf(const E57Field& field, std::uint64_t stored)
 {
-  // Added without sign, as the sum may pass what an integer with a sign holds.
+  // Unsigned, as the sum may exceed a signed integer.
   const auto raw =
       static_cast<std::int64_t>(static_cast<std::uint64_t>(field.minimum) + stored);
   return static_cast<double>(raw) * field.scale + field.offset;

@@ -7,8 +7,8 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Reads the values [first, first + size) of `field`, counted from the first one
- * that `list` holds, scaled, as doubles. */
+/** @brief Reads the values [first, first + size) of `field`, relative to the first one
+ * in `list`, scaled, as doubles. */
 void readE57Values(const E57Field& field,
                    const E57Bytes& list,
                    std::size_t first,

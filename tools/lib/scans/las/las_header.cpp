@@ -13,7 +13,7 @@ namespace tools {
 
 namespace {
 
-/** @brief A format of points: bytes of a record, and where its colour begins. */
+/** @brief A point format: record size and offset of the colour. */
 struct PointFormat {
   std::size_t record;
   std::size_t colour_offset; ///< 0: none
@@ -35,7 +35,7 @@ constexpr std::size_t least_header = 227; // of LAS 1.0 to 1.2
 constexpr std::size_t header_of_1_4 = 375;
 constexpr unsigned newest_minor = 4;
 
-// Where numbers stand in the header.
+// Offsets of numbers in the header.
 constexpr std::size_t version_place = 24;
 constexpr std::size_t header_size_place = 94;
 constexpr std::size_t begin_place = 96;
@@ -68,7 +68,7 @@ text(std::uint64_t number)
   return std::to_string(number);
 }
 
-/** @brief Bytes of the header, of which the version asks for some. */
+/** @brief Returns the header size, after checking it against the version. */
 std::size_t
 checkedHeaderSize(const MappedFile& file, const std::string& path)
 {
@@ -115,8 +115,8 @@ pointsOf(const MappedFile& file, std::size_t header_size)
   return many > 0 ? many : valueAt<std::uint32_t>(file, points_place);
 }
 
-/** @brief Goes through the variable-length records between header and points: they say
- * how long they are themselves, so that a wrong number of them shows. */
+/** @brief Walks the variable-length records between header and points. Their own
+ * lengths reveal a wrong number of records. */
 void
 checkRecords(const MappedFile& file,
              const std::string& path,

@@ -10,7 +10,7 @@ namespace tools {
 
 namespace {
 
-constexpr std::size_t intensity_offset = 12; // in a record, after three whole numbers
+constexpr std::size_t intensity_offset = 12; // in a record, after three integers
 
 } // namespace
 

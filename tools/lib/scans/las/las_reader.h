@@ -11,8 +11,8 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief The points of a LAS file, see LasRows; what else a record holds is skipped.
- */
+/** @brief The points of a LAS file, see LasRows; other parts of a record are
+ * skipped. */
 class LasReader : public PointReader {
 public:
   LasReader(const MappedFile& file, const LasHeader& header);
@@ -36,12 +36,12 @@ private:
   LasRows rows_;
 };
 
-/** @brief Opens a LAS file, or LAZ. What is amiss is a ToolError. */
+/** @brief Opens a LAS or LAZ file. Throws ToolError on failure. */
 std::shared_ptr<const PointReader> openLas(const MappedFile& file,
                                            const std::string& path);
 
-/** @brief Opens a LAZ file by LASzip; where the programs were built without it, a
- * ToolError that says how to make LAS of the file. */
+/** @brief Opens a LAZ file by LASzip. In a build without it, throws ToolError with
+ * advice on converting the file to LAS. */
 std::shared_ptr<const PointReader>
 openLaz(const MappedFile& file, const std::string& path, const LasHeader& header);
 

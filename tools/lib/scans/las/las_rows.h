@@ -13,27 +13,27 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief What is kept of a point of LAS or LAZ. */
+/** @brief The used parts of a LAS or LAZ point. */
 struct LasPoint {
-  std::array<std::int32_t, 3> whole{}; ///< stand for x, y and z
+  std::array<std::int32_t, 3> whole{}; ///< integer x, y and z
   std::uint16_t intensity = 0;
   std::array<std::uint16_t, 3> colour{}; ///< red, green, blue
 };
 
-/** @brief Makes rows of the points of LAS or LAZ: x, y, z, `intensity`, and `rgb` where
- * the format has colours. Colours of 16 bits become 8, unless all that were looked at
- * are below 256, as some programs write them. */
+/** @brief Converts points of LAS or LAZ to rows: x, y, z, `intensity`, and `rgb` if the
+ * format has colours. Colours of 16 bits become 8 bits. Some programs write 8-bit
+ * values; these are assumed if all inspected ones are below 256. */
 class LasRows {
 public:
   explicit LasRows(const LasHeader& header);
 
   const std::vector<pcl::PCLPointField>& fields() const { return fields_; }
 
-  /** @brief Looks at the colour of one of the points that rows will be made of. */
+  /** @brief Inspects the colour of one of the points to convert. */
   void lookAt(const LasPoint& point);
 
   /** @brief Writes a row.
-   * @return where the next one begins */
+   * @return the position of the next one */
   std::uint8_t* write(const LasPoint& point, std::uint8_t* row) const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// In the place of laz_reader.cpp where there is no LASzip.
+// Replaces laz_reader.cpp in builds without LASzip.
 #include "las_reader.h"
 
 #include "tool_error.h"

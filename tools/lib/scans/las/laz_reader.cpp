@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// LAZ by the C interface of LASzip; compiled where CMake finds that library.
+// Reads LAZ by the C interface of LASzip; compiled if CMake finds that library.
 #include "las_reader.h"
 #include "tool_error.h"
 
@@ -22,7 +22,7 @@ class MappedBytes : public std::streambuf {
 public:
   explicit MappedBytes(const MappedFile& file)
   {
-    // A stream that is only read changes nothing.
+    // Reading does not modify the bytes.
     auto* const begin =
         const_cast<char*>(reinterpret_cast<const char*>(file.data())); // NOLINT
     setg(begin, begin, begin + file.size());
@@ -49,7 +49,7 @@ protected:
   }
 };
 
-/** @brief The points of a LAZ file one after the other, from any one on. */
+/** @brief Reads the points of a LAZ file sequentially from any one on. */
 class LazStream {
 public:
   LazStream(const MappedFile& file, const std::string& path)
@@ -78,7 +78,7 @@ public:
   LazStream(const LazStream&) = delete;
   LazStream& operator=(const LazStream&) = delete;
 
-  /** @brief Number of the point that comes next. */
+  /** @brief Returns the number of the next point. */
   std::size_t next() const { return next_; }
 
   void goTo(std::size_t row)
@@ -104,7 +104,7 @@ private:
   {
     if (result == 0)
       return;
-    next_ = std::numeric_limits<std::size_t>::max(); // a place to go on from no more
+    next_ = std::numeric_limits<std::size_t>::max(); // not usable to continue
     file_.checkWhole();
     throw ToolError(problem() + ", at point " + std::to_string(row));
   }
@@ -126,8 +126,8 @@ private:
   std::size_t next_ = 0;
 };
 
-/** @brief The points of a LAZ file, see LasRows. Each thread that reads has a stream of
- * its own, which is kept for the next one. */
+/** @brief The points of a LAZ file, see LasRows. Each reading thread uses its own
+ * stream, which is kept for the next one. */
 class LazReader : public PointReader {
 public:
   LazReader(const MappedFile& file, const std::string& path, const LasHeader& header)
@@ -161,7 +161,7 @@ public:
     idle_.push_back(std::move(stream));
   }
 
-  /** @brief As if all points took as many bytes. */
+  /** @brief Assumes equal bytes per point. */
   std::size_t placeOf(std::size_t row) const override
   {
     const double share = static_cast<double>(row) / static_cast<double>(size());
@@ -171,7 +171,7 @@ public:
   }
 
 private:
-  /** @brief A stream that comes to a row with few points between, or a new one. */
+  /** @brief Returns a stream shortly before a row, or a new one. */
   std::unique_ptr<LazStream> takeStream(std::size_t row) const
   {
     {

@@ -28,7 +28,7 @@ partsColumns(char c, bool has_decimal_comma)
          (c == ',' && !has_decimal_comma);
 }
 
-/** @brief Whether a word is a number such as 12,5. */
+/** @brief Returns whether a word is a number such as 12,5. */
 bool
 isCommaNumber(std::string_view word)
 {
@@ -41,8 +41,8 @@ isCommaNumber(std::string_view word)
          word.find_first_of(",.", comma + 1) == word.npos;
 }
 
-/** @brief Whether the comma is the decimal sign of a line: semicolons part its columns,
- * or blanks do, and the first three words have one comma each. */
+/** @brief Returns whether a line uses decimal commas: its columns are separated by
+ * semicolons, or by blanks with one comma in each of the first three words. */
 bool
 hasDecimalComma(std::string_view line)
 {
@@ -53,8 +53,8 @@ hasDecimalComma(std::string_view line)
          std::all_of(words.begin(), words.begin() + 3, isCommaNumber);
 }
 
-/** @brief Whether a text is PTX: columns and rows, the scanner's place and axes, and
- * the matrix of its pose, then the points; the next scan begins in the same way. */
+/** @brief Returns whether a text is PTX: columns and rows, scanner position and axes,
+ * pose matrix, then the points. Further scans follow in the same form. */
 bool
 isPtx(const MappedFile& file)
 {
@@ -68,12 +68,12 @@ isPtx(const MappedFile& file)
   });
 }
 
-/** @brief The first line of three numbers or more. */
+/** @brief The first line with at least three numbers. */
 struct FirstLine {
   std::size_t begin = 0; ///< bytes
   std::string_view text;
   std::vector<double> numbers;
-  std::string_view before; ///< the line before it, empty if there is none
+  std::string_view before; ///< previous line, empty if there is none
 };
 
 FirstLine
@@ -119,7 +119,7 @@ namesIn(std::string_view text)
   return names;
 }
 
-/** @brief The names of PCL's fields for those that programs write. */
+/** @brief Renames columns as written by other programs to PCL's fields. */
 void
 nameAsFields(std::vector<std::string>& names)
 {

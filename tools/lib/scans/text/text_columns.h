@@ -11,32 +11,35 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief How a text of columns of numbers is to be read. */
+/** @brief Layout of a text with columns of numbers. */
 struct TextColumns {
   std::vector<std::string> names; ///< of the columns; "_" is skipped
-  std::size_t begin = 0;          ///< of the first line of numbers, bytes
-  bool has_decimal_comma = false; ///< then semicolons or blanks part columns
+  std::size_t begin = 0;          ///< byte offset of the first line of numbers
+  bool has_decimal_comma = false; ///< separators are then semicolons or blanks
 };
 
-/** @brief Whether a file seems to be columns of numbers: no byte that no text has, and
- * at least three numbers in one of the first lines. */
+/** @brief Returns whether a file seems to be columns of numbers: no byte that text
+ * cannot contain, and at least three numbers in one of the first lines. */
 bool looksLikeColumns(const MappedFile& file);
 
-/** @brief Finds what the columns of a text are: as `asked`, names parted by blanks or
- * commas, says; as a line of names before the numbers does, such as "//X Y Z Intensity"
- * or "x,y,z"; else x y z, then intensity (of 4 columns), red green blue (of 6, if they
- * are whole numbers up to 255) or both (of 7). What lacks x, y or z is a ToolError. */
+/** @brief Determines the columns of a text.
+ *
+ * `asked`, names separated by blanks or commas, comes first. Else a line of names
+ * before the numbers counts, such as "//X Y Z Intensity" or "x,y,z". The default is x y
+ * z, then intensity (4 columns), red green blue (6 columns, if integers up to 255) or
+ * both (7 columns). Throws ToolError without x, y or z. */
 TextColumns
 findColumns(const MappedFile& file, const std::string& path, const std::string& asked);
 
 /** @brief Reads up to `most` numbers of a line.
- * @return how many there are before the end of the line or something else */
+ * @return how many there are before the end of the line or another character */
 std::size_t readColumns(std::string_view line,
                         bool has_decimal_comma,
                         std::size_t most,
                         double* numbers);
 
-/** @brief Whether a line may hold numbers: it is not empty and no comment. */
+/** @brief Returns whether a line may hold numbers: it is neither empty nor a
+ * comment. */
 bool mayHoldNumbers(std::string_view line);
 
 } // namespace tools

@@ -8,10 +8,10 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief The points of a text, a line each: x, y, z, then `intensity`, `rgb` and other
- * columns as floats. Empty lines and comments (# and //) are passed over. All lines are
- * counted at first, and one in 64 KiB remembered, so that afterwards any of them can be
- * had. A line with too few numbers is a ToolError that names it. */
+/** @brief The points of a text, one per line: x, y, z, then `intensity`, `rgb` and
+ * other columns as floats. Empty lines and comments (# and //) are skipped. All lines
+ * are counted at first and one per 64 KiB is remembered, for random access. Throws
+ * ToolError that names a line with too few numbers. */
 class TextReader : public PointReader {
 public:
   TextReader(const MappedFile& file,
@@ -24,9 +24,9 @@ public:
   std::size_t placeOf(std::size_t row) const override;
 
 private:
-  /** @brief A line that is remembered. */
+  /** @brief A remembered line. */
   struct Mark {
-    std::size_t place = 0; ///< byte of the file
+    std::size_t place = 0; ///< byte offset in the file
     std::size_t row = 0;   ///< number of the first row from there on
   };
 
@@ -40,8 +40,8 @@ private:
   TextColumns columns_;
   std::vector<pcl::PCLPointField> fields_;
   std::vector<std::size_t> xyz_;    ///< columns
-  std::vector<std::size_t> colour_; ///< columns of blue, green, red; empty if not there
-  std::vector<std::size_t> others_; ///< columns of the fields after x, y and z, not rgb
+  std::vector<std::size_t> colour_; ///< columns of blue, green, red; empty if missing
+  std::vector<std::size_t> others_; ///< of the fields after x, y and z, not rgb
   std::vector<Mark> marks_;
   std::size_t size_ = 0;
 };

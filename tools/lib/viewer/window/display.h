@@ -5,9 +5,8 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief Throws a ToolError, one sentence with a remedy, where no window can be
- * opened: no X server answers, or it draws nothing in three dimensions. VTK itself
- * would abort. */
+/** @brief Throws ToolError with a remedy if no window can be opened: no X server
+ * answers, or it cannot draw in 3D. VTK itself would abort. */
 void requireDisplay();
 
 } // namespace tools

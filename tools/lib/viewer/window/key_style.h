@@ -10,8 +10,8 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief The mouse of PCL's visualizer, and keys of our own in the place of its: they
- * are handed on by their symbol. */
+/** @brief The mouse actions of PCL's visualizer with our own keys, which are passed on
+ * by symbol. */
 class KeyStyle : public pcl::visualization::PCLVisualizerInteractorStyle {
 public:
   static KeyStyle* New();
@@ -21,7 +21,7 @@ public:
 protected:
   void OnKeyDown() override;
   void OnKeyUp() override {}
-  void OnChar() override {} // VTK's own: w for wireframe and so on
+  void OnChar() override {} // disables VTK's keys, such as w for wireframe
 };
 
 } // namespace tools

@@ -15,7 +15,7 @@ namespace tools {
 
 namespace {
 
-/** @brief Cells of `size` points each, in the order of the points. */
+/** @brief Returns cells of `size` points each, in the order of the points. */
 vtkSmartPointer<vtkCellArray>
 cellsOf(std::size_t count, vtkIdType size)
 {

@@ -10,8 +10,8 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-// Coloured points as VTK takes them: coordinates, a cell for every one, two or three of
-// them, and the colours as scalars of the points.
+// Coloured points for VTK: coordinates, a cell per one, two or three of them, and
+// colours as point scalars.
 
 vtkSmartPointer<vtkPolyData> pointsData(const ColouredPoints& points);
 

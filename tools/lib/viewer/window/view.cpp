@@ -26,16 +26,15 @@ actorOf(vtkPolyData* data)
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);
-  // The colours are lit already, or mean a number: VTK is to show them as they are.
+  // Colours are already lit, or encode numbers, so VTK must not shade them.
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->LightingOff();
   return actor;
 }
 
-/** @brief What the shapes of a layer depend on; clipping and sizes do not need new
- * ones.
- */
+/** @brief Returns a key of the state that a layer's shapes depend on, without clipping
+ * and sizes. */
 std::string
 keyOf(const ViewState& state)
 {
@@ -52,23 +51,23 @@ clip(vtkActor& actor, const ViewState& state)
     return;
   vtkNew<vtkPlane> plane;
   plane->SetOrigin(0, 0, state.clip_height);
-  plane->SetNormal(0, 0, -1); // what lies towards it stays
+  plane->SetNormal(0, 0, -1); // the side towards it stays
   mapper->AddClippingPlane(plane);
 }
 
-/** @brief Which sides of a surface are seen: both of a closed one, those that face the
- * room of one that is opened to look inside. */
+/** @brief Chooses the visible sides of a surface: both if closed, those that face the
+ * room if it is opened. */
 void
 chooseSides(vtkActor& actor, Layer layer, const ViewState& state)
 {
   const bool is_open = !state.ceiling || state.isClipped();
-  const bool faces_room = layer == Layer::Mesh; // a solid's triangles face out of it
+  const bool faces_room = layer == Layer::Mesh; // triangles of a solid face outwards
   actor.GetProperty()->SetBackfaceCulling(is_open && faces_room);
   actor.GetProperty()->SetFrontfaceCulling(is_open && !faces_room);
 }
 
-/** @brief How far its text reaches to the right, in each row of an image and those near
- * it; 0 where there is none. */
+/** @brief Returns the right end of the text in each row of an image and nearby rows; 0
+ * without text. */
 std::vector<int>
 textEnds(const Image& image)
 {
@@ -84,8 +83,8 @@ textEnds(const Image& image)
   return ends;
 }
 
-/** @brief An image whose paper veils what is behind its text, so that it can be read,
- * and is seen through elsewhere. */
+/** @brief Returns an image that is translucent behind its text, for legibility, and
+ * transparent elsewhere. */
 vtkSmartPointer<vtkImageData>
 imageDataOf(const Image& image)
 {
@@ -135,7 +134,7 @@ View::addShapes(const ViewedResult& result,
     return;
   shapes.edges = actorOf(linesData(painter.solidEdges(state)));
   shapes.edges->PickableOff();
-  // Before the faces that they lie on.
+  // Drawn in front of their faces.
   auto* mapper = vtkPolyDataMapper::SafeDownCast(shapes.edges->GetMapper());
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
   mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, -8);

@@ -17,11 +17,11 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief One view of a window: the layers in it, a legend over it. What a state leaves
- * as it was is not built again. */
+/** @brief One view of a window: its layers, and a legend on top. Shapes are rebuilt
+ * only if the state changes them. */
 class View {
 public:
-  /** @param renderer where it draws */
+  /** @param renderer target of drawing */
   explicit View(vtkRenderer* renderer);
 
   /** @brief Shows a layer in a state. */
@@ -32,7 +32,7 @@ public:
 
   void hideLayer(Layer layer);
 
-  /** @brief Lays an image over the top left corner. */
+  /** @brief Shows an image in the top left corner. */
   void showLegend(const Image& image);
 
   void place(const CameraPose& pose);
@@ -40,11 +40,11 @@ public:
   vtkRenderer* renderer() { return renderer_; }
 
 private:
-  /** @brief The shapes of a layer, and the state that they were made for. */
+  /** @brief The shapes of a layer, and the state for which they were made. */
   struct Shapes {
     std::string made_for;
     vtkSmartPointer<vtkActor> body;
-    vtkSmartPointer<vtkActor> edges; ///< null where the layer has none
+    vtkSmartPointer<vtkActor> edges; ///< null if the layer has none
   };
 
   void addShapes(const ViewedResult& result,

@@ -98,7 +98,7 @@ Window::moveCamera()
   right_->place(cameraPose(result_, state_.view_point, width / size[1], state_.storey));
   if (!state_.two_views)
     return;
-  // Both views share the camera, and the scan may reach farther than the model.
+  // Both views share the camera, and the scan may be larger than the model.
   vtkBoundingBox box(right_->renderer()->ComputeVisiblePropBounds());
   box.AddBox(vtkBoundingBox(left_->renderer()->ComputeVisiblePropBounds()));
   double bounds[6];
@@ -120,12 +120,12 @@ Window::onKey(const std::string& key)
       saveScreenshot(screenshot_name);
       std::cout << "written: " << screenshot_name << std::endl;
     }
-    catch (const ToolError& error) { // no reason to close the window
+    catch (const ToolError& error) { // keeps the window open
       std::cerr << error.what() << std::endl;
     }
     return;
   case KeyCommand::Quit:
-    wants_to_quit_ = true; // to close the window here would take it from under VTK
+    wants_to_quit_ = true; // closing the window here would destroy it while VTK uses it
     return;
   case KeyCommand::MoveCamera:
     moveCamera();

@@ -14,27 +14,27 @@ namespace pcl {
 namespace sedr {
 namespace tools {
 
-/** @brief How large a window is, and whether it is seen. */
+/** @brief Size and visibility of a window. */
 struct WindowSettings {
   int width = 1200; ///< pixels
   int height = 800;
-  bool is_visible = true; ///< false: it draws for a screenshot only, at any size
+  bool is_visible = true; ///< false: only for screenshots, of any size
 };
 
-/** @brief A result in PCL's visualizer: one view, or two with one camera. Needs a
+/** @brief Shows a result in PCL's visualizer: one view, or two with one camera. Needs a
  * display, see requireDisplay(). */
 class Window {
 public:
-  /** @param result,painter must stay where they are */
+  /** @param result,painter must outlive this object */
   Window(const ViewedResult& result,
          const Painter& painter,
          const ViewState& state,
          const WindowSettings& settings);
 
-  /** @brief Lets the user look, until the window is closed. */
+  /** @brief Runs the interaction until the window is closed. */
   void run();
 
-  /** @brief Draws, and writes what is seen as PNG; what fails is a ToolError. */
+  /** @brief Draws, and saves the view as PNG; throws ToolError on failure. */
   void saveScreenshot(const std::string& path);
 
 private:
@@ -42,7 +42,7 @@ private:
 
   void onPick(const pcl::visualization::PointPickingEvent& event);
 
-  /** @brief Brings everything but the camera to the state. */
+  /** @brief Updates everything but the camera to the state. */
   void update();
 
   void moveCamera();
@@ -55,7 +55,7 @@ private:
   HeightRange heights_;
   std::unique_ptr<pcl::visualization::PCLVisualizer> visualizer_;
   std::unique_ptr<View> left_;
-  std::unique_ptr<View> right_; ///< or the only one
+  std::unique_ptr<View> right_; ///< or the only view
   bool wants_to_quit_ = false;
 };
 

@@ -15,7 +15,7 @@ using nlohmann::json;
 constexpr std::size_t kShownLength = 40;
 constexpr double kSmallest = 1e-4;
 
-/** @brief A value or key as it stands in the file, shortened if long. */
+/** @brief Returns a value or key as it is in the file, shortened if long. */
 std::string
 shown(const json& value)
 {

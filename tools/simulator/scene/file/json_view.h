@@ -15,8 +15,8 @@ namespace pcl::sedr::sim {
 
 /** @brief A value of a scene file together with its place, as in "rooms[2].openings".
  *
- * Whatever does not fit throws std::invalid_argument with a sentence that begins with
- * the place. Refers to the document, which must live longer.
+ * Invalid values throw std::invalid_argument with a sentence that begins with the
+ * place. The view refers to the document, which must outlive it.
  */
 class JsonView {
 public:
@@ -25,53 +25,53 @@ public:
       , place_(std::move(place))
   {}
 
-  /** @brief The value of @p key, which must be there. */
+  /** @brief Returns the value of @p key, which must exist. */
   JsonView at(const std::string& key) const;
 
-  /** @brief The value of @p key, if there is one. */
+  /** @brief Returns the value of @p key, if it exists. */
   std::optional<JsonView> find(const std::string& key) const;
 
-  /** @brief The elements of a list of at least @p least. */
+  /** @brief Returns the elements of a list of at least @p least. */
   std::vector<JsonView> items(std::size_t least = 0) const;
 
-  /** @brief The elements of the list @p key; none if there is no such key. */
+  /** @brief Returns the elements of the list @p key; none if the key is missing. */
   std::vector<JsonView> itemsOf(const std::string& key) const;
 
-  /** @brief The only key of an object and its value. */
+  /** @brief Returns the only key of an object and its value. */
   std::pair<std::string, JsonView> single() const;
 
-  /** @brief Refuses an object that has other keys than these. */
+  /** @brief Rejects an object with any other key. */
   void allowOnly(const std::vector<std::string>& keys) const;
 
   bool isList() const { return value_.is_array(); }
   bool isObject() const { return value_.is_object(); }
 
-  /** @brief A number from @p low to @p high; metres or degrees by default. */
+  /** @brief Returns a number from @p low to @p high; metres or degrees by default. */
   double number(double low = -kFarthest, double high = kFarthest) const;
 
-  /** @brief A length of at least a tenth of a millimetre. */
+  /** @brief Returns a length of at least 0.1 mm. */
   double size() const;
 
-  /** @brief A whole number from @p least to @p most. */
+  /** @brief Returns a whole number from @p least to @p most. */
   std::size_t count(std::size_t least, std::size_t most) const;
 
-  /** @brief true or false. */
+  /** @brief Returns true or false. */
   bool boolean() const;
 
-  /** @brief A text that is not empty. */
+  /** @brief Returns a non-empty text. */
   std::string text() const;
 
   Vec2 point2() const; ///< [x, y]
   Vec3 point3() const; ///< [x, y, z]
-  Vec3 size3() const;  ///< [x, y, z], all of them sizes
+  Vec3 size3() const;  ///< [x, y, z], each as size()
 
-  /** @brief Number at @p key or @p otherwise. */
+  /** @brief Returns the number at @p key, or @p otherwise if the key is missing. */
   double numberOr(const std::string& key, double otherwise) const;
 
-  /** @brief The place, or "the scene" for the whole document. */
+  /** @brief Returns the place, or "the scene" for the whole document. */
   std::string place() const { return place_.empty() ? "the scene" : place_; }
 
-  /** @brief Throws the place and @p sentence. */
+  /** @brief Throws std::invalid_argument with the place and @p sentence. */
   [[noreturn]] void fail(const std::string& sentence) const;
 
 private:

@@ -7,7 +7,7 @@ namespace pcl::sedr::sim {
 
 namespace {
 
-constexpr double kShortest = 1e-3; ///< corners closer than this are one by mistake
+constexpr double kShortest = 1e-3; ///< metres; corners closer than this are a mistake
 constexpr double kLargestBulge = 10.0;
 
 Loop
@@ -38,7 +38,7 @@ readPosition(const JsonView& corner)
   return corner.isObject() ? corner.at("at").point2() : corner.point2();
 }
 
-/** @brief The bulge of the element from @p corner to a point @p chord metres away. */
+/** @brief Reads the bulge of the element from @p corner over @p chord metres. */
 double
 readBulge(const JsonView& corner, double chord)
 {

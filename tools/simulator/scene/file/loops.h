@@ -6,10 +6,10 @@
 
 namespace pcl::sedr::sim {
 
-/** @brief A loop: a list of corners, a rectangle, or a circle.
+/** @brief Reads a loop: a list of corners, a rectangle, or a circle.
  *
- * A corner is [x, y], or {"at": [x, y], "radius": r} or {"at": [x, y], "bulge": b}
- * where an arc leaves it. A positive radius turns left, and the arc is less than half a
+ * A corner is [x, y]. Where an arc starts, it is {"at": [x, y], "radius": r} or {"at":
+ * [x, y], "bulge": b}. A positive radius turns left, and the arc is less than half a
  * circle; a bulge is that of LoopVertex. {"rectangle": [[x, y], [x, y]]} gives two
  * opposite corners, {"circle": [x, y], "radius": r} centre and radius.
  */

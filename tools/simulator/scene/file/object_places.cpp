@@ -7,10 +7,10 @@ namespace pcl::sedr::sim {
 
 namespace {
 
-constexpr double kGap = 0.02; ///< between furniture and the wall behind it
+constexpr double kGap = 0.02; ///< metres between furniture and the wall behind it
 constexpr std::size_t kLongestRow = 1000;
 
-/** @brief How many things stand side by side, and how far apart. */
+/** @brief The number of objects side by side and the gap between them, in metres. */
 struct Row {
   std::size_t count = 1;
   double gap = 0.0;

@@ -9,7 +9,7 @@
 
 namespace pcl::sedr::sim {
 
-/** @brief Where the coordinates of a list of objects are counted from. */
+/** @brief The frame in which the coordinates of a list of objects are given. */
 struct ObjectFrame {
   Vec2 origin;
   double yaw = 0.0; ///< radians, counter-clockwise
@@ -17,7 +17,7 @@ struct ObjectFrame {
   Vec2 operator()(Vec2 point) const { return origin + rotated(point, yaw); }
 };
 
-/** @brief Tells where the things in a room, or outside, stand and hang. */
+/** @brief Computes the positions of objects in a room or outside. */
 class ObjectPlaces {
 public:
   /** @param room null for the outside */
@@ -25,31 +25,31 @@ public:
       : room_(room)
   {}
 
-  /** @brief The same room, coordinates counted from @p place within this frame.
+  /** @brief Returns the places of a group: @p place, given in this frame, as new frame.
    *
-   * Things that belong together stand where they are put, not at walls.
+   * Objects of a group cannot refer to walls.
    */
   ObjectPlaces within(const ObjectFrame& place) const;
 
-  /** @brief The keys that say where something stands. */
+  /** @brief Returns the keys that define a position. */
   std::vector<std::string> keysOfSpots() const;
 
-  /** @brief Where something of that footprint stands: one spot, or a row of them. */
+  /** @brief Returns the spots of an object with this footprint: one, or a row. */
   std::vector<Spot> spotsOf(const JsonView& view, double width, double depth) const;
 
-  /** @brief z of the floor under @p point, which is already in the scene's frame. */
+  /** @brief Returns z of the floor below @p point, which is in the scene's frame. */
   double floorAt(const JsonView& view, Vec2 point) const;
 
-  /** @brief z of the ceiling above @p point. */
+  /** @brief Returns z of the ceiling above @p point, which is in the scene's frame. */
   double ceilingAt(const JsonView& view, Vec2 point) const;
 
-  /** @brief A point of the list's frame in that of the scene. */
+  /** @brief Transforms a point from the list's frame to the scene's. */
   Vec2 toScene(Vec2 point) const { return frame_(point); }
 
-  /** @brief A point of the file in the scene's frame. */
+  /** @brief Reads a point of the file and transforms it to the scene's frame. */
   Vec2 pointOf(const JsonView& view) const { return frame_(view.point2()); }
 
-  /** @brief An angle of the file, in degrees, as radians in the scene's frame. */
+  /** @brief Reads an angle in degrees; returns radians in the scene's frame. */
   double yawOf(const JsonView& view, const std::string& key = "yaw") const;
 
 private:

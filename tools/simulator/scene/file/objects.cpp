@@ -11,9 +11,9 @@ namespace pcl::sedr::sim {
 
 namespace {
 
-constexpr std::size_t kMostParts = 200'000; ///< boxes and cylinders of a list
+constexpr std::size_t kMostParts = 200'000; ///< boxes and cylinders in a list
 constexpr int kDeepestGroup = 4;
-constexpr std::size_t kMostSteps = 200; ///< of a flight
+constexpr std::size_t kMostSteps = 200; ///< steps of a flight of stairs
 
 using Keys = std::vector<std::string>;
 
@@ -39,7 +39,7 @@ public:
 private:
   using Reader = void (ObjectReader::*)(const JsonView&, const ObjectPlaces&);
 
-  /** @brief The kinds that there are here; a room has more than the outside. */
+  /** @brief Returns the readers by kind; a room has more kinds than the outside. */
   const std::map<std::string, Reader>& readers() const
   {
     static const std::map<std::string, Reader> anywhere{
@@ -207,7 +207,7 @@ private:
     add(view, makeDuct(from, to, view.at("radius").size(), ceiling - drop));
   }
 
-  /** @brief Boxes and cylinders one by one; z is that of the scene. */
+  /** @brief Reads single boxes and cylinders; z is that of the scene. */
   void readObject(const JsonView& view, const ObjectPlaces& places)
   {
     view.allowOnly({"name", "boxes", "cylinders"});
@@ -231,7 +231,7 @@ private:
     add(view, std::move(object));
   }
 
-  /** @brief The same objects at several places, each [x, y] or [x, y, yaw]. */
+  /** @brief Reads objects repeated at several places, each [x, y] or [x, y, yaw]. */
   void readGroup(const JsonView& view, const ObjectPlaces& places)
   {
     view.allowOnly({"places", "objects"});

@@ -8,13 +8,12 @@
 
 namespace pcl::sedr::sim {
 
-/** @brief The objects of a list, each an object with one key: what kind of thing it is.
+/** @brief Reads a list of objects; the only key of each is its kind.
  *
  * @param list elements such as {"table": {"at": [x, y], "size": [w, d, h]}}; the kinds
  * and their keys are in doc/pcl_simulate_indoor_scan.md
- * @param room where they stand, for floor, ceiling and walls; null for the outside,
- * where a thing has no wall to stand at and its key "floor" gives the height of its
- * feet
+ * @param room provides floor, ceiling and walls; null for the outside, where objects
+ * cannot stand at walls and the key "floor" gives the height of their feet
  */
 std::vector<Object> readObjects(const std::vector<JsonView>& list, const Room* room);
 

@@ -11,7 +11,7 @@ namespace pcl::sedr::sim {
 
 namespace {
 
-/** @brief The highest point of the floor along a part of a wall. */
+/** @brief Returns the maximum height of the floor along a part of a wall. */
 double
 floorAlong(const Room& room, const Opening& opening)
 {

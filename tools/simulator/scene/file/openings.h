@@ -8,12 +8,12 @@
 
 namespace pcl::sedr::sim {
 
-/** @brief Number, from 0, of the room that @p view names. */
+/** @brief Returns the index, from 0, of the room that @p view names. */
 std::size_t roomNamed(const JsonView& view, const Scene& scene);
 
-/** @brief Adds an opening to a room, its leaf and lobby to the objects of the scene.
+/** @brief Adds an opening to a room, and its leaf and lobby to the scene's objects.
  *
- * All rooms of @p scene are known by name already.
+ * The names of all rooms of @p scene must be known.
  */
 void readOpening(const JsonView& view, std::size_t room, Scene& scene);
 

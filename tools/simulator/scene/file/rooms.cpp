@@ -22,8 +22,8 @@ constexpr std::size_t kMostStoreys = 200;
 constexpr std::size_t kMostRibs = 5000; ///< pieces of ribs in a room
 constexpr double kNarrowest = 0.01;     ///< spacing of ribs, metres
 
-/** @brief A plane: its height, or its height, slope and direction.
- * @param origin where the height is measured unless the file says where
+/** @brief Reads a plane: its height, or its height, slope and direction.
+ * @param origin default of the point that has that height
  */
 Slab
 readSlab(const JsonView& view, Vec2 origin)
@@ -38,9 +38,9 @@ readSlab(const JsonView& view, Vec2 origin)
           at ? at->point2() : origin};
 }
 
-/** @brief A part of the floor or ceiling, by its own plane or parallel to the whole.
+/** @brief Reads a part of the floor or ceiling: its own plane, or parallel to @p whole.
  * @param offset key of the distance from @p whole
- * @param upwards 1 or -1: where that distance is counted
+ * @param upwards direction of that distance: 1 or -1
  */
 SlabDetail
 readSlabDetail(const JsonView& view, const Slab& whole, const char* offset, int upwards)
@@ -110,7 +110,7 @@ readRibs(const std::vector<JsonView>& list, Room& room)
   }
 }
 
-/** @brief A part of a ceiling that is not level: a slope, a vault or a dome. */
+/** @brief Adds a part of a ceiling that is not level: a slope, a vault or a dome. */
 void
 readFacet(const JsonView& view, Room& room)
 {
@@ -151,7 +151,7 @@ readFacet(const JsonView& view, Room& room)
   room.details.push_back(slope);
 }
 
-/** @brief A hole in a ceiling; all rooms are known by name already. */
+/** @brief Reads a hole in a ceiling; the names of all rooms must be known. */
 CeilingVoid
 readVoid(const JsonView& view, const Scene& scene)
 {
@@ -162,7 +162,7 @@ readVoid(const JsonView& view, const Scene& scene)
   return hole;
 }
 
-/** @brief All of a room but its openings, voids and furniture. */
+/** @brief Reads a room without its openings, voids and furniture. */
 Room
 readShell(const JsonView& view)
 {
@@ -172,7 +172,7 @@ readShell(const JsonView& view)
   Room room;
   room.name = view.at("name").text();
   room.outline = readLoop(view.at("outline"));
-  if (!(areaOf(room.outline) > 0.0)) // walls, and what stands at them, would be lost
+  if (!(areaOf(room.outline) > 0.0)) // otherwise walls and their objects would be lost
     view.at("outline").fail("does not run counter-clockwise");
   const Vec2 origin = room.outline.front().position;
   room.floor = readSlab(view.at("floor"), origin);
@@ -195,7 +195,7 @@ readShell(const JsonView& view)
   return room;
 }
 
-/** @brief Lets walls lean; what stands at them is placed before. */
+/** @brief Tilts walls; the objects at them are placed before. */
 void
 readTilts(const JsonView& view, Room& room)
 {

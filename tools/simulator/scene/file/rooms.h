@@ -6,7 +6,7 @@
 
 namespace pcl::sedr::sim {
 
-/** @brief Adds the rooms of a list, with their furniture and what lies behind doors.
+/** @brief Adds the rooms of a list, with furniture and the lobbies behind doors.
  *
  * Openings may lead to any room of the list, by name.
  */

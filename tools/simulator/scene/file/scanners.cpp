@@ -13,7 +13,7 @@ constexpr std::size_t kMostStations = 10'000;
 constexpr std::size_t kMostRays = 100'000'000;
 constexpr double kLowest = -1e5; ///< below every room
 
-/** @brief Stations along a path, at a height above the floor under them. */
+/** @brief Reads stations along a path, at a height above the floor below them. */
 std::vector<Vec3>
 readWalk(const JsonView& view, const Scene& scene)
 {

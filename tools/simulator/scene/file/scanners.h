@@ -6,8 +6,8 @@
 
 namespace pcl::sedr::sim {
 
-/** @brief A scanner, its stations as a list or along a walk through the rooms.
- * @param scene with all its rooms, whose floors carry the walk
+/** @brief Reads a scanner; its stations are a list or a walk through the rooms.
+ * @param scene with all its rooms, whose floors give the height of the walk
  */
 Scanner readScanner(const JsonView& view, const Scene& scene);
 

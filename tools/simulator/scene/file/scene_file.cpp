@@ -22,11 +22,11 @@ using nlohmann::json;
 constexpr const char* kFormat = "sedr-scene";
 constexpr std::size_t kVersion = 1;
 
-/** @brief The document; a key that is given twice would silently hide a value. */
+/** @brief Parses the document; rejects repeated keys, which would hide a value. */
 json
 parseDocument(const std::string& text)
 {
-  std::vector<std::set<std::string>> keys; // of the objects that are open
+  std::vector<std::set<std::string>> keys; // keys of the open objects
   const auto watch = [&keys](int, json::parse_event_t event, json& value) {
     if (event == json::parse_event_t::object_start)
       keys.emplace_back();
@@ -43,7 +43,7 @@ parseDocument(const std::string& text)
   }
   catch (const json::exception& error) {
     const std::string reason = error.what();
-    const std::size_t start = reason.find("] "); // behind the exception's number
+    const std::size_t start = reason.find("] "); // after the exception's number
     throw std::invalid_argument(
         "no JSON: " + (start == std::string::npos ? reason : reason.substr(start + 2)));
   }

@@ -13,7 +13,7 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Moves a point down or up onto `plane`, and makes it a point of a floor. */
+/** @brief Moves a point vertically onto `plane`; sets floor normal and label. */
 template <typename PointT>
 void
 projectOntoFloor(const Eigen::Vector4d& plane, PointT& p)
@@ -81,7 +81,7 @@ FloorProjectionRecovery<PointT>::findPlane(const Indices& floor_in_scope,
   for (int k = 0; k < 4; ++k)
     plane[k] = plane_->values[static_cast<std::size_t>(k)];
   const double length = plane.head<3>().norm();
-  constexpr double steepest = 0.1; // cosine, about 84 degrees from level
+  constexpr double steepest = 0.1; // cosine of the tilt, about 84 degrees
   if (!plane.allFinite() || !(length > 0) || std::abs(plane[2]) < steepest * length)
     return fail(name, "the floor plane must not stand upright, its normal is (" +
                           std::to_string(plane[0]) + ", " + std::to_string(plane[1]) +

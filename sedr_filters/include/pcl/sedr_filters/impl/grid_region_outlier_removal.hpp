@@ -68,7 +68,7 @@ void
 GridRegionOutlierRemoval<PointT>::applyFilter(Indices& indices)
 {
   clearResults();
-  Indices kept; // `indices` may be the very ones that were set
+  Indices kept; // `indices` may be the input indices themselves
   if (validate()) {
     region_map_ = sedr::selectRegions(sedr::PointView(*input_), *indices_,
                                       support_.get(), parameters_);

@@ -18,7 +18,7 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The points of a voxel while their fields are averaged. */
+/** @brief The accumulated fields of the points of a voxel. */
 template <typename PointT>
 class VoxelPoint {
   static constexpr bool has_room =
@@ -32,8 +32,8 @@ public:
       ++rooms_[point.room];
   }
 
-  /** @brief The means; the most frequent room, the smallest of equally frequent ones,
-   * as pcl::CentroidPoint does with `label` but not with `room`. */
+  /** @brief Returns the means and the most frequent room, the smallest of equally
+   * frequent ones, as pcl::CentroidPoint does for `label` but not for `room`. */
   void get(PointT& mean) const
   {
     centroid_.get(mean);
@@ -76,7 +76,7 @@ ParallelVoxelGrid<PointT>::filter(PointCloud& output)
     sedr::StageFilter<PointT>::filter(output);
     return;
   }
-  // PCL would list the indices of all points first.
+  // pcl::Filter would first create the indices of all points.
   PointCloud thinned;
   thinCloud(nullptr, thinned);
   thinned.header = input_->header;

@@ -17,15 +17,16 @@ namespace sedr {
 struct RepairedStrip;
 struct UnseenShares;
 
-/** @brief The points that belong to the structure, moved onto it. */
+/** @brief The points of the structure, moved onto the plan. */
 struct Refinement {
-  std::vector<int> sources; ///< index of each of them in the cloud, in the order given
-  std::vector<SurfacePoint> points; ///< where it went
+  std::vector<int> sources; ///< index of each point in the cloud, in input order
+  std::vector<SurfacePoint> points; ///< where each point was moved
 };
 
 /** @brief Moves `points[indices]` onto the plan, see snapToRoom(). `labels` and `rooms`
- * are as long as the cloud. `threads` may be 0 for all processors; the result does not
- * depend on it. */
+ * are as long as the cloud. The result does not depend on `threads`; 0 for all
+ * processors.
+ * @param farthest maximum distance that a point may move, metres */
 Refinement refineToPlan(const PointView& points,
                         const std::vector<int>& indices,
                         const std::vector<std::uint32_t>& labels,
@@ -34,25 +35,25 @@ Refinement refineToPlan(const PointView& points,
                         double farthest,
                         unsigned threads);
 
-/** @brief A room's points after hole repair. */
+/** @brief A point of a room after hole repair. */
 struct RepairedPoint {
   SurfacePoint point;
   int source = -1; ///< index in the refined points, -1 for a point that fills a hole
 };
 
-/** @brief The most cells that the surfaces of a plan may be cut into: 16 GB of them. */
+/** @brief The maximum number of cells of the surfaces of a plan: 16 GB of them. */
 constexpr double most_surface_cells = 2e8;
 
-/** @brief Why the surfaces of a plan cannot be cut into cells of `size` metres, a
- * sentence with the estimated number of cells; empty if they can. `size` must be above
- * 0. O(elements). */
+/** @brief Returns why the surfaces of a plan cannot be divided into cells of `size`
+ * metres (above 0), a sentence with the estimated number of cells; empty if they can.
+ * O(elements). */
 std::string surfaceCellsProblem(const Floorplan& plan, double size);
 
-/** @brief One point for every cell of every room's surfaces (SurfaceCells): the refined
- * point of the cell, or a new one at its centre. Rooms in the order of the plan.
+/** @brief Returns one point for every cell of every room's surfaces (SurfaceCells): the
+ * refined point of the cell, or a new one at its centre. Rooms follow in plan order.
  * surfaceCellsProblem() must be empty.
- * @param[out] strips where the points of upright surfaces are among them, if wanted
- * @param[out] unseen of each room by its id, if wanted */
+ * @param[out] strips where the points of vertical surfaces are among them, optional
+ * @param[out] unseen unseen shares of each room by id, optional */
 std::vector<RepairedPoint>
 repairHoles(const std::vector<SurfacePoint>& refined,
             const Floorplan& plan,

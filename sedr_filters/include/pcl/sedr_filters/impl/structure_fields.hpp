@@ -15,11 +15,11 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Whether a point type has a `room`. */
+/** @brief True if a point type has the field `room`. */
 template <typename PointT>
 constexpr bool has_room = pcl::traits::has_field<PointT, pcl::fields::room>::value;
 
-/** @brief The labels of a cloud: its own field if the point type has one, else none. */
+/** @brief Returns the field `label` of a cloud; empty if the type has none. */
 template <typename PointT>
 std::vector<std::uint32_t>
 labelsOf(const pcl::PointCloud<PointT>& cloud)
@@ -31,7 +31,7 @@ labelsOf(const pcl::PointCloud<PointT>& cloud)
   return labels;
 }
 
-/** @brief The rooms of a cloud: its own field if the point type has one, else none. */
+/** @brief Returns the field `room` of a cloud; empty if the type has none. */
 template <typename PointT>
 std::vector<std::uint32_t>
 roomsOf(const pcl::PointCloud<PointT>& cloud)
@@ -43,9 +43,9 @@ roomsOf(const pcl::PointCloud<PointT>& cloud)
   return rooms;
 }
 
-/** @brief What a stage that works with labelled points and a plan lacks, a sentence;
- * empty if it lacks nothing.
- * @param[in,out] labels of every point of the cloud; empty: filled from its point type
+/** @brief Returns what is missing or wrong in the input of a stage that works with
+ * labelled points and a plan, as a sentence; empty if nothing is.
+ * @param[in,out] labels of every point of the cloud; empty: filled from the point type
  * @param[in,out] rooms likewise */
 template <typename PointT>
 std::string
@@ -71,8 +71,7 @@ structureProblem(const Floorplan* plan,
   return problem;
 }
 
-/** @brief Moves a point to the structure, and sets its normal, label and room where its
- * type has them. */
+/** @brief Sets position, and normal, label and room where the type has them. */
 template <typename PointT>
 void
 setSurfacePoint(const SurfacePoint& surface, PointT& p)

@@ -13,12 +13,12 @@ namespace sedr {
 
 class VoxelSums;
 
-/** @brief The voxels that VoxelGridSettings::thin() keeps: their means, then which
- * points of the scan lie in which of them. */
+/** @brief The voxels kept by VoxelGridSettings::thin(): first their means, then which
+ * input points lie in which voxel. */
 class ThinnedVoxels {
 public:
-  /** @param sums arranged
-   * @param size voxels that are kept
+  /** @param sums already arranged
+   * @param size number of voxels kept
    * @param threads 0: all processors */
   ThinnedVoxels(std::unique_ptr<VoxelSums> sums, std::size_t size, unsigned threads);
   ThinnedVoxels(ThinnedVoxels&&) noexcept;
@@ -26,28 +26,28 @@ public:
 
   std::size_t size() const { return size_; }
 
-  /** @brief Takes memory that will soon be written from the system, on all threads. */
+  /** @brief Touches memory that will soon be written, on all threads, to map it. */
   void takeMemory(void* begin, std::size_t bytes) const;
 
-  /** @brief Writes the mean of each voxel: x, y and z as floats, one after the other,
-   * the first at `first_x`, `stride` bytes from one voxel to the next. Before
+  /** @brief Writes the mean of each voxel: x, y and z as floats, the first at
+   * `first_x`, `stride` bytes from one voxel to the next. Must be called before
    * sortPoints(). */
   void writeMeans(void* first_x, std::size_t stride) const;
 
-  /** @brief Makes contains() and forEachPoint() ready. The sums are gone then. */
+  /** @brief Prepares contains() and forEachPoint(), and frees the sums. */
   void sortPoints();
 
-  /** @brief Whether a point lies in one of the voxels. */
+  /** @brief Checks whether a point lies in one of the voxels. */
   bool contains(const Eigen::Vector3f& point) const;
 
-  /** @brief Calls `see(voxel, i)` for every point i in one of the voxels, those of a
-   * voxel in their order and from one thread.
-   * @param indices the points that count; null: all */
+  /** @brief Calls `see(voxel, i)` for every point i in one of the voxels; the points of
+   * a voxel in order and from one thread.
+   * @param indices the points to use; null: all */
   void forEachPoint(const PointView& points,
                     const pcl::Indices* indices,
                     const std::function<void(std::size_t, std::size_t)>& see) const;
 
-  /** @brief Calls `see(begin, end)` for stretches of the voxels, on all threads. */
+  /** @brief Calls `see(begin, end)` for ranges of voxels, on all threads. */
   void forEachStretch(const std::function<void(std::size_t, std::size_t)>& see) const;
 
 private:

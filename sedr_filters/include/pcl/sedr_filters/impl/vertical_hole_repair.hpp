@@ -48,8 +48,7 @@ VerticalHoleRepair<PointT>::applyFilter(PointCloud& output)
     return;
   }
 
-  // Points that were refined lie on the plan already: this finds their surface and its
-  // normal.
+  // Refined points already lie on the plan: this step finds their surface and normal.
   constexpr double on_surface = 0.01;
   const sedr::Refinement refined = sedr::refineToPlan(
       sedr::PointView(*input_), *indices_, labels, rooms, *plan_, on_surface, 1);

@@ -12,22 +12,21 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What CeilingBoundaryWallGrowing works on; null pointers stand for no points.
- */
+/** @brief Input of CeilingBoundaryWallGrowing; a null pointer means no points. */
 struct WallInput {
   PointView points;
   const pcl::Indices& candidates;
   const pcl::IndicesConstPtr& ceiling;
   const pcl::IndicesConstPtr& floor;
   const pcl::IndicesConstPtr& details;
-  /** Finds the `k` points nearest to one, itself among them, once `setSlab` was called
+  /** Finds the `k` points nearest to one, including itself, after `setSlab` was called
    * with the points to look at; both null: the library's own search. */
   std::function<void(const pcl::Indices& slab)> setSlab;
   std::function<void(pcl::index_t index, unsigned int k, pcl::Indices& nearest)> search;
 };
 
-/** @brief The run of CeilingBoundaryWallGrowing on the coordinates of a cloud.
- * @return why nothing could be done, a sentence; empty otherwise */
+/** @brief Runs CeilingBoundaryWallGrowing on the coordinates of a cloud.
+ * @return the reason for a failure, a sentence; empty on success */
 std::string growWalls(const WallInput& input,
                       const BoundaryOptions& boundary,
                       const WallGrowingOptions& growing,

@@ -11,7 +11,7 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What FloorplanFitting works on; null pointers stand for no points. */
+/** @brief Input of FloorplanFitting; a null pointer means no points. */
 struct PlanInput {
   PointView points;
   const pcl::Indices& indices;
@@ -20,20 +20,20 @@ struct PlanInput {
   const pcl::IndicesConstPtr& details;
   const pcl::IndicesConstPtr& walls;
   const pcl::IndicesConstPtr& sheets;
-  std::vector<std::uint32_t> rooms; ///< of each point; empty: one room
-  PointView raw;                    ///< what the points were thinned from, or empty
+  std::vector<std::uint32_t> rooms;        ///< of each point; empty: one room
+  PointView raw;                           ///< points before thinning, or empty
   const pcl::IndicesConstPtr& raw_indices; ///< null: all
 };
 
-/** @brief The run of FloorplanFitting on the coordinates of a cloud.
- * @return why there is no plan, a sentence; empty otherwise */
+/** @brief Runs FloorplanFitting on the coordinates of a cloud.
+ * @return the reason for a failure, a sentence; empty on success */
 std::string fitFloorplan(const PlanInput& input,
                          const RoomFitParameters& parameters,
                          Floorplan& plan,
                          std::vector<std::string>& warnings,
                          std::vector<FittedBoundary>& boundaries);
 
-/** @brief Those of the raw points that the fit looks at, each where the map takes it. */
+/** @brief Returns the raw points that the fit uses, transformed by the map. */
 std::shared_ptr<const std::vector<Eigen::Vector3f>>
 movedPoints(const PointView& raw,
             const pcl::IndicesConstPtr& indices,

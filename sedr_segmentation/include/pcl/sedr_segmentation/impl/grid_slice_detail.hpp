@@ -12,7 +12,7 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What GridSliceDetail works on. */
+/** @brief Input of GridSliceDetail. */
 struct SliceInput {
   PointView points;
   const pcl::Indices& indices;
@@ -22,8 +22,8 @@ struct SliceInput {
   std::uint64_t seed;  ///< of the ceiling's plane
 };
 
-/** @brief The run of GridSliceDetail on the coordinates of a cloud.
- * @return why nothing could be done, a sentence; empty otherwise */
+/** @brief Runs GridSliceDetail on the coordinates of a cloud.
+ * @return the reason for a failure, a sentence; empty on success */
 std::string analyseSlices(const SliceInput& input,
                           const SliceParameters& parameters,
                           SliceDetails& details);

@@ -11,8 +11,8 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief The run of HorizontalPlaneDetection on the coordinates of a cloud.
- * @return why there are no planes, a sentence; empty if there are */
+/** @brief Runs HorizontalPlaneDetection on the coordinates of a cloud.
+ * @return the reason if there are no planes, a sentence; else empty */
 std::string detectHorizontalPlanes(const PointView& points,
                                    const pcl::Indices& indices,
                                    const LevelParameters& parameters,

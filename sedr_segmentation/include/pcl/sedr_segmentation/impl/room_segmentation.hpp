@@ -10,7 +10,7 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What is wrong with the parameters, a sentence; empty if nothing is. */
+/** @brief Returns the reason why parameters are invalid, a sentence; empty if valid. */
 std::string problemOf(const BuildingParameters& parameters);
 
 } // namespace sedr

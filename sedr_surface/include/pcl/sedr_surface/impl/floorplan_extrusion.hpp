@@ -7,7 +7,7 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What a run of FloorplanExtrusion makes. */
+/** @brief Result of a run of FloorplanExtrusion. */
 struct PlanSolids {
   TriangleMesh& mesh;
   std::vector<SolidElement>& elements;
@@ -16,9 +16,9 @@ struct PlanSolids {
 };
 
 /** @brief Builds all rooms of a plan.
- * @param plan null: none was set
- * @return what is wrong with plan or parameters, or which rooms could not be built, a
- * sentence; empty otherwise */
+ * @param plan null if none was set
+ * @return a sentence on invalid input or rooms that could not be built; empty
+ * otherwise */
 std::string extrudePlan(const Floorplan* plan,
                         const WallTilts& tilts,
                         const SolidParameters& parameters,

@@ -11,25 +11,27 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Why voxels are too large for the grid, a sentence; empty if they are not. */
+/** @brief Returns why voxels are too large for the grid, a sentence; empty if they are
+ * not. */
 std::string voxelProblem(double voxel_size, double grid_size);
 
-/** @brief What is wrong with a scan and its indices, a sentence; empty if nothing is.
- */
+/** @brief Returns why a scan or its indices are invalid, a sentence; empty if valid. */
 std::string cloudProblem(const PointView& points,
                          const pcl::Indices& indices,
                          const Priors& priors);
 
-/** @brief Of a scan of so many points, every which is in its excerpt. */
+/** @brief Returns the step k of the excerpt, which holds every k-th point of the
+ * scan. */
 std::size_t excerptStep(std::size_t points);
 
-/** @brief Every k-th point of a cloud, NaN where it is not among the indices. */
+/** @brief Returns every k-th point of a cloud, NaN where it is not among the
+ * indices. */
 std::shared_ptr<std::vector<Eigen::Vector3f>> excerptOf(const PointView& points,
                                                         const pcl::Indices& indices);
 
-/** @brief Has a source thinned by `thin`, and takes every k-th of its points in the
- * same pass.
- * @return what is wrong with the scan, a sentence; empty if nothing is */
+/** @brief Thins a source by `thin` and collects every k-th of its points in the same
+ * pass.
+ * @return why the scan is invalid, a sentence; empty if valid */
 std::string thinWithExcerpt(const RowSource& source,
                             unsigned threads,
                             const std::function<void(const RowSource&)>& thin,
@@ -127,7 +129,7 @@ template <typename PointT>
 bool
 IndoorStructureReconstruction<PointT>::thinCloud(PointCloud& means)
 {
-  // Before thinning: a scan in millimetres would not get any smaller.
+  // Checked before thinning, which would not reduce a scan in millimetres.
   const std::string problem =
       sedr::cloudProblem(sedr::PointView(*input_), *indices_, getPriors());
   if (!problem.empty())

@@ -35,7 +35,7 @@ void
 MeshReconstruction<PointT>::reconstruct(PointCloud& points,
                                         std::vector<pcl::Vertices>& polygons)
 {
-  // The output may be the input: it is written only when all is read.
+  // The output may be the input, so it is written only after all is read.
   const pcl::PCLHeader header = input_ ? input_->header : pcl::PCLHeader();
   PointCloud vertices;
   polygons.clear();

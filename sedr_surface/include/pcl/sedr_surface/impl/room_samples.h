@@ -11,20 +11,20 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A point of a surface with the unit normal of the side that is free. */
+/** @brief A point of a surface with the unit normal towards free space. */
 struct OrientedPoint {
   Eigen::Vector3f position; ///< metres
   Eigen::Vector3f normal;   ///< unit length
 };
 
-/** @brief The points that the surface of a room is made of. */
+/** @brief Samples of the surface of a room. */
 struct RoomSamples {
   std::uint32_t room = 0;
   std::vector<OrientedPoint> points; ///< finite, with unit normals into the room
-  std::vector<std::uint32_t> labels; ///< of each of them, or empty
+  std::vector<std::uint32_t> labels; ///< of each point, or empty
   std::size_t skipped = 0; ///< points left out: not finite, or without a normal
-  std::size_t scaled = 0;  ///< normals that were of another length than 1
-  std::string problem;     ///< what is wrong with the samples themselves, or empty
+  std::size_t scaled = 0;  ///< normals rescaled to unit length
+  std::string problem;     ///< why the samples are invalid, or empty
 };
 
 } // namespace sedr

@@ -12,24 +12,24 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief What a run of StructuralPoisson makes: the surfaces of all rooms, and what
- * became of each. */
+/** @brief Result of a run of StructuralPoisson: the surfaces and reports of all
+ * rooms. */
 struct RoomMeshes {
   TriangleMesh& mesh;
   std::vector<RoomPoissonReport>& reports;
 };
 
-/** @brief What is wrong with the parameters, a sentence; empty if nothing is. */
+/** @brief Returns which parameter is out of range, a sentence; empty if none is. */
 std::string problemOf(const RoomPoissonParameters& parameters);
 
-/** @brief Makes the surfaces of rooms from their samples, which are used up.
+/** @brief Makes the surfaces of rooms; consumes their samples.
  * @param workers null: one room after the other, or on threads of this process */
 void makeSurfaces(std::map<std::uint32_t, RoomSamples>& rooms,
                   const RoomPoissonParameters& parameters,
                   const std::shared_ptr<RoomWorkers>& workers,
                   RoomMeshes meshes);
 
-/** @brief The same from a plan; `spacing` of the samples in metres.
+/** @brief As above, from samples of a plan `spacing` metres apart.
  * @return why there is no surface, a sentence; empty otherwise */
 std::string makeSurfaces(const Floorplan& plan,
                          double spacing,
@@ -37,8 +37,8 @@ std::string makeSurfaces(const Floorplan& plan,
                          const std::shared_ptr<RoomWorkers>& workers,
                          RoomMeshes meshes);
 
-/** @brief Warns of points that were left out, and says which rooms have no closed
- * surface and why; empty if all have. */
+/** @brief Returns a warning about points left out and rooms without a closed surface,
+ * with reasons; empty if all are closed. */
 std::string summaryOf(const std::vector<RoomPoissonReport>& reports);
 
 } // namespace sedr
@@ -111,7 +111,7 @@ StructuralPoisson<PointNT>::runOnPoints()
         room.labels.push_back(point.label);
     }
     if (rooms.size() > 1)
-      rooms.erase(0); // no room's points
+      rooms.erase(0); // points outside all rooms
     sedr::makeSurfaces(rooms, parameters_, workers_, {mesh_, reports_});
   }
   deinitCompute();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The part of LASzip's C interface that the reader of LAZ calls, for machines without
-// that library: see ../laszip_stub.cpp. Names and types are those of LASzip 3.
+// The part of LASzip's C interface that the LAZ reader calls, for machines without that
+// library: see ../laszip_stub.cpp. Names and types are those of LASzip 3.
 #pragma once
 
 #include <cstdint>
