@@ -119,8 +119,7 @@ directionsOf(const std::vector<Eigen::Vector2d>& points,
     const bool is_new = std::none_of(
         directions.begin(), directions.end(), [&](const Eigen::Vector2d& d) {
           const double cosine = std::abs(d.dot(line.direction));
-          return std::min(cosine, std::abs(leftOf(d).dot(line.direction))) <
-                 parameters.priors.other_direction / 2;
+          return std::min(cosine, std::abs(leftOf(d).dot(line.direction))) < 0.17;
         });
     if (is_new)
       directions.push_back(line.direction);

@@ -13,6 +13,7 @@ std::vector<Eigen::Vector2d>
 mainDirections(std::vector<DirectedLine> lines, const Priors& priors)
 {
   constexpr std::size_t most = 5;
+  constexpr double shortest = 0.6;           // metres
   const double same = priors.same_direction; // radians
   std::stable_sort(
       lines.begin(), lines.end(),
@@ -23,7 +24,7 @@ mainDirections(std::vector<DirectedLine> lines, const Priors& priors)
         directions.begin(), directions.end(), [&](const Eigen::Vector2d& d) {
           return std::abs(leftOf(d).dot(line.direction)) < same;
         });
-    const bool is_long = line.length >= priors.min_wall_length || directions.empty();
+    const bool is_long = line.length >= shortest || directions.empty();
     if (!is_new || !is_long || directions.size() == 2 * most)
       continue;
     directions.push_back(line.direction);

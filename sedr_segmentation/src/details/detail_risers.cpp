@@ -68,8 +68,9 @@ goesOn(const ColumnTable& columns,
        bool is_floor,
        const Priors& priors)
 {
+  constexpr double gap = 0.12;
   const double beyond = priors.run_gap;
-  const std::vector<ColumnRun> runs = columns.runs(cell, priors.run_gap);
+  const std::vector<ColumnRun> runs = columns.runs(cell, gap);
   return std::any_of(runs.begin(), runs.end(), [&](const ColumnRun& run) {
     return run.low <= z && z <= run.high &&
            (is_floor ? run.high > high + beyond : run.low < low - beyond);

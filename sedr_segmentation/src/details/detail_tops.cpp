@@ -155,6 +155,7 @@ findTops(const SliceScene& scene)
 std::vector<CellMask>
 regionsOfOneHeight(const SliceScene& scene, const Tops& tops)
 {
+  constexpr double least_parted = 0.15; // square metres
   const Priors& priors = scene.parameters.priors;
   const double cell = scene.parameters.cell_size;
   const double tolerance = scene.parameters.tolerance;
@@ -162,7 +163,7 @@ regionsOfOneHeight(const SliceScene& scene, const Tops& tops)
   std::vector<std::int32_t> label(tops.height.size(), -1);
   std::int32_t count =
       labelHeights(tops, subtract(tops.undersides, steps), tolerance, 0, label);
-  dropSmall(static_cast<std::size_t>(priors.small_area / (cell * cell)), count, label);
+  dropSmall(static_cast<std::size_t>(least_parted / (cell * cell)), count, label);
   labelSteps(tops, tolerance, static_cast<int>(priors.riser_cells), label);
   count = labelHeights(tops, tops.undersides, tolerance, count, label);
   std::vector<std::vector<CellKey>> keys(static_cast<std::size_t>(count));

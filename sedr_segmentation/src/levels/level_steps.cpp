@@ -80,8 +80,7 @@ setStepsApart(const LevelColumns& columns,
               const Priors& priors,
               LevelDraft& draft)
 {
-  const double cell = columns.grid().size();
-  const auto least_cells = static_cast<std::size_t>(priors.small_area / (cell * cell));
+  constexpr std::size_t least_cells = 60;
   const CellSet& cells = columns.cells();
   const double reach = 2 * tolerance;
   std::vector<double> relief = draft.relief;

@@ -233,7 +233,7 @@ PathCost::pointCostsOn(const PlanCurve& curve, const Zone& zone) const
 double
 PathCost::simplicity(const PlanElement& e) const
 {
-  const double same = priors_.same_direction / 3;
+  constexpr double same = 0.01; // radians
   if (e.isArc())
     return 3 * priors_.element_cost;
   const Eigen::Vector2d way = e.end - e.start;
@@ -270,7 +270,7 @@ PathCost::unseen(const PlanElement& e, const Zone& zone) const
 double
 PathCost::astray(const PlanElement& e) const
 {
-  const double step = priors_.evidence_cell / 4;
+  constexpr double step = 0.03;
   const double length = e.length();
   const auto parts = std::max<std::size_t>(1, static_cast<std::size_t>(length / step));
   std::size_t count = 0;

@@ -2,7 +2,6 @@
 #include "loop_bumps.h"
 
 #include "sedr_filters/src/base/exactness.h"
-#include "sedr_filters/src/base/small_angle.h"
 
 #include "../curves/plan_curve.h"
 
@@ -15,6 +14,9 @@ namespace pcl {
 namespace sedr {
 
 namespace {
+
+constexpr double least_cosine = 0.996; ///< of parallels: 5 degrees
+constexpr double square = 0.17; ///< cosine of what is square to a wall: 10 degrees
 
 /** @brief Sides of a bump: a cable or a curtain has no more. */
 constexpr std::size_t most_sides = 6;
@@ -32,9 +34,7 @@ struct Bump {
   PlanElement after;
 
   /** @param first position of the wall before it */
-  Bump(const PlanLoop& loop, std::size_t first, std::size_t count, double sine)
-      : sine_(sine)
-      , cosine_(cosineOf(sine / 2))
+  Bump(const PlanLoop& loop, std::size_t first, std::size_t count)
   {
     const auto at = [&](std::size_t i) {
       return loop.elements[i % loop.elements.size()];
@@ -66,7 +66,7 @@ struct Bump {
       hold(side.end);
     if (!isAlongOneWall()) {
       const std::vector<Eigen::Vector2d> corner = corners();
-      if (corner.empty() || wayOf(before).dot(wayOf(after)) < -cosine_)
+      if (corner.empty() || wayOf(before).dot(wayOf(after)) < -least_cosine)
         return false;
       hold(corner.front());
     }
@@ -108,7 +108,10 @@ private:
     return std::abs(wayOf(before).dot(wayOf(side)));
   }
 
-  bool isAlongOneWall() const { return wayOf(before).dot(wayOf(after)) >= cosine_; }
+  bool isAlongOneWall() const
+  {
+    return wayOf(before).dot(wayOf(after)) >= least_cosine;
+  }
 
   /** @brief Where the two walls meet. */
   std::vector<Eigen::Vector2d> corners() const
@@ -119,18 +122,15 @@ private:
   bool isSquare() const
   {
     return std::all_of(sides.begin(), sides.end(), [&](const PlanElement& side) {
-      return slant(side) < sine_ || slant(side) > cosine_;
+      return slant(side) < square || slant(side) > least_cosine;
     });
   }
-
-  double sine_;   ///< cosine of what is square to a wall
-  double cosine_; ///< of what is parallel to it
 };
 
 } // namespace
 
 int
-dropBumps(PlanLoop& loop, double narrowest, const Priors& priors)
+dropBumps(PlanLoop& loop, double narrowest)
 {
   int dropped = 0;
   std::vector<PlanElement>& elements = loop.elements;
@@ -138,7 +138,7 @@ dropBumps(PlanLoop& loop, double narrowest, const Priors& priors)
     for (std::size_t count = 2;
          count <= most_sides && count + 3 <= elements.size() && i < elements.size();
          ++count) {
-      const Bump bump(loop, i, count, priors.other_direction / 2);
+      const Bump bump(loop, i, count);
       if (!bump.isOne(narrowest))
         continue;
       const std::vector<PlanElement> straight = bump.straightened();

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_filters/priors.h>
 
 namespace pcl {
 namespace sedr {
@@ -15,7 +14,7 @@ namespace sedr {
  * pilaster or a groove with sides square to the wall stays, however narrow. Where
  * parallel walls are apart, a step is left, at the end of the bump that is squarer.
  * @return how many bumps were dropped. O(n) for n elements, and for each bump */
-int dropBumps(PlanLoop& loop, double narrowest, const Priors& priors = {});
+int dropBumps(PlanLoop& loop, double narrowest);
 
 } // namespace sedr
 } // namespace pcl

@@ -5,7 +5,6 @@
 #include "../walls/wall_cells.h"
 #include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/base/plane_fit.h"
-#include "sedr_filters/src/base/small_angle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -107,7 +106,7 @@ struct Recess {
   bool isOne(const Priors& priors) const
   {
     const double in_line = priors.min_wall;
-    const double cosine = cosineOf(priors.other_direction / 2);
+    constexpr double cosine = 0.99;
     if (!is_straight_)
       return false;
     return std::abs(aside(after.start)) < in_line &&

@@ -214,7 +214,7 @@ straightenOblique(std::size_t i,
   const Eigen::Vector2d middle = (e.start + e.end) / 2;
   const PlanCurve& before = chain.links[chain.before(i)].curve;
   const double sine = sineBetween(before, chain.links[chain.after(i)].curve, middle);
-  if (sine >= M_SQRT1_2) // square rather than alike
+  if (sine >= 0.7) // square rather than alike
     return dropLink(i, priors.max_corner_depth, parameters, chain);
   if (sine > priors.other_direction)
     return false;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sedr_filters/src/base/small_angle.h"
 #include "slit_faces.h"
 
 #include "ceiling_slits.h"
@@ -14,6 +13,9 @@ namespace pcl {
 namespace sedr {
 
 namespace {
+
+constexpr double parallel = 0.98;  ///< minimum cosine: 11 degrees
+constexpr double same_wall = 0.06; ///< maximum offset of collinear walls, metres
 
 /** @brief Maximum number of sides of furniture at a wall. */
 constexpr std::size_t most_sides = 5;
@@ -53,7 +55,6 @@ standsBefore(const PlanLoop& loop,
              std::size_t count,
              const Priors& priors)
 {
-  const double parallel = cosineOf(priors.other_direction / 2);
   const std::size_t n = loop.elements.size();
   if (n < count + 2)
     return false;
@@ -77,7 +78,7 @@ standsBefore(const PlanLoop& loop,
     return false;
   if (wayOf(after).dot(along) > parallel)
     return high.y() <= priors.max_furniture_depth && last.dot(inwards) < -parallel &&
-           std::abs(inwards.dot(after.start - before.end)) < priors.wall_band;
+           std::abs(inwards.dot(after.start - before.end)) < same_wall;
   return high.minCoeff() <= priors.max_furniture_depth && last.dot(along) > parallel &&
          wayOf(after).dot(inwards) > parallel;
 }
@@ -141,10 +142,9 @@ isSame(const PlanElement& a, const PlanElement& b)
 /** @brief Removes `count` sides from `first` of an outline: joins the walls on both
  * sides, or intersects them in a corner. */
 bool
-leadPast(PlanLoop& loop, std::size_t first, std::size_t count, const Priors& priors)
+leadPast(PlanLoop& loop, std::size_t first, std::size_t count)
 {
   std::vector<PlanElement> rest;
-  const double parallel = cosineOf(priors.other_direction / 2);
   const std::size_t n = loop.elements.size();
   for (std::size_t k = count; k < n; ++k)
     rest.push_back(elementAt(loop, first + k));
@@ -180,7 +180,7 @@ takeOut(const Suspect& suspect, const Priors& priors)
   const std::size_t count = suspect.sides.size();
   for (std::size_t i = 0; i < loop.elements.size(); ++i)
     if (isSame(loop.elements[i], side) && standsBefore(loop, i, count, priors))
-      return leadPast(loop, i, count, priors);
+      return leadPast(loop, i, count);
   return false; // already removed with an adjacent one
 }
 

@@ -140,6 +140,7 @@ SlitFace::lowest() const
 SlitFace::Top
 SlitFace::top() const
 {
+  constexpr double least_expected = 8; // points
   constexpr double sigma = 0.341; // share of points to one sigma above: no lamps there
   // The band that certainly belongs to the face.
   const double body_low = priors_.surface_band;
@@ -159,7 +160,7 @@ SlitFace::top() const
                       static_cast<double>(binOf(plane + noise));
   const double expected =
       static_cast<double>(body) * bins * Counts::step / (body_high - body_low);
-  if (expected < priors_.min_points)
+  if (expected < least_expected)
     return Top::Unknown;
   const std::size_t seen = countBetween(counts_.face, plane + noise, plane + slit);
   if (static_cast<double>(seen) > priors_.share_part * expected)

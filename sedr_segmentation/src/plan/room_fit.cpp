@@ -242,7 +242,7 @@ fitRoom(const PointView& points,
   const Contour contour = outerContour(outline.room, grid.size());
   FittedBoundary fitted;
   room.boundary = boundaryOf(contour, std::move(walls), parameters, &fitted.samples);
-  dropBumps(room.boundary, parameters.loop.minimum_length, priors);
+  dropBumps(room.boundary, parameters.loop.minimum_length);
   std::vector<PlanNiche> alcoves = closeRecesses(room, points, evidence.around, priors);
   if (record) {
     record->boundaries.push_back(fitted);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shared_faces.h"
-#include "sedr_filters/src/base/small_angle.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 
@@ -28,10 +27,10 @@ isOtherSideOf(const PlanElement& e,
               const PlanElement& other,
               const Priors& priors)
 {
+  constexpr double least_cosine = 0.95;
   const Eigen::Vector2d p = e.pointAt(s);
   return other.distance(p) <= priors.min_wall &&
-         e.normalAt(s).dot(other.normalAt(other.project(p))) <=
-             -cosineOf(priors.other_direction);
+         e.normalAt(s).dot(other.normalAt(other.project(p))) <= -least_cosine;
 }
 
 /** @brief Returns the walls of other rooms, at the same heights, to which a wall comes
@@ -65,6 +64,7 @@ facesAlong(const PlanElement& e,
 std::vector<PlanElement>
 facesOfOthers(const Floorplan& plan, std::size_t room, const Priors& priors)
 {
+  constexpr double times_longer = 1.25;
   std::vector<PlanElement> all;
   for (const auto& e : plan.rooms[room].boundary.elements) {
     if (e.length() < priors.evidence_cell)
@@ -73,7 +73,7 @@ facesOfOthers(const Floorplan& plan, std::size_t room, const Priors& priors)
     double length = 0;
     for (const auto& face : faces)
       length += face.length();
-    if (length > priors.clearly * e.length())
+    if (length > times_longer * e.length())
       all.insert(all.end(), faces.begin(), faces.end());
   }
   return all;

@@ -15,6 +15,9 @@ namespace {
 constexpr std::int32_t square_size = 20;
 constexpr std::size_t least_of_square = 10;
 
+/** @brief Minimum median fill; below it the scan is sparse in too many places. */
+constexpr double fill_enough = 0.98;
+
 /** @brief Numbers of cells between two occupied ones. */
 struct Between {
   std::size_t all = 0;
@@ -71,7 +74,7 @@ double
 cellSizeFor(const std::vector<CellSet>& ceilings, double size, const Priors& priors)
 {
   const std::vector<Weighted> shares = sharesOf(ceilings);
-  if (shares.empty() || quantileOf(shares, 0.5) >= priors.cell_fill)
+  if (shares.empty() || quantileOf(shares, 0.5) >= fill_enough)
     return size;
   const double fill = std::max(quantileOf(shares, 0.1), 0.01);
   const double enlargement =

@@ -16,7 +16,7 @@ namespace sedr {
  * occupied ones in a row or grid column. Hidden parts of a ceiling leave gaps many
  * cells wide, which do not count; a sparse scan leaves single empty cells everywhere.
  * Independently scattered points fill 1 - exp(-density * size^2) of the cells. If the
- * median fill is below 97 %, cells are enlarged such that a square at the 10 % quantile
+ * median fill is below 98 %, cells are enlarged such that a square at the 10 % quantile
  * would reach 97 %. The limit is 2.5 times `size`, and the result is rounded to
  * centimetres. Squares are weighted by their occupied cells, as reflections in windows
  * may be large but have few points.
