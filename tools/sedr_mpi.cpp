@@ -6,6 +6,7 @@
 #include "mpi/rank_mail.h"
 #include "mpi/rank_orders.h"
 #include "mpi/scan_parts.h"
+#include "prior_values.h"
 #include "run_tool.h"
 #include "tool_error.h"
 
@@ -96,6 +97,8 @@ makeModelTogether(const std::string& tool,
   settings.inputs = call.scans;
   Reconstruction chain;
   apply(settings, chain);
+  if (settings.explain)
+    std::cout << explained(chain.getPriors()) << std::flush;
   KeptRooms kept(settings.folder + "/rooms", watch);
   RankOrders orders(mail, settings.threads > 0 ? settings.threads : fair_threads,
                     settings.threads, watch, kept);
