@@ -56,7 +56,7 @@ const std::vector<Prior> table = {
      "building practice", "niches"},
     {"max_door_recess", &Priors::max_door_recess, "walls", "m", 0, 1,
      "leaf in the middle of a wall", "niches"},
-    {"max_door_width", &Priors::max_door_width, "walls", "m", 0.6, 5, "double doors",
+    {"max_door_width", &Priors::max_door_width, "walls", "m", 0.6, 4, "double doors",
      "chain, details"},
     {"min_column_area", &Priors::min_column_area, "walls", "m2", 0.003, 1,
      "thinnest columns of concrete", "plan"},
