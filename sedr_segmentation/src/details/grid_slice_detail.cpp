@@ -33,7 +33,7 @@ problemOf(const SliceParameters& parameters)
   if (!(parameters.minimum_island_area >= 0))
     return bad("the minimum island area must be at least 0 square metres",
                parameters.minimum_island_area);
-  return {};
+  return problemOf(parameters.priors);
 }
 
 std::string

@@ -43,7 +43,7 @@ problemOf(const RoomFitParameters& p)
     return "the maximum radius " + std::to_string(p.loop.maximum_radius) +
            " m must be above the minimum radius " +
            std::to_string(p.loop.minimum_radius) + " m";
-  return {};
+  return problemOf(p.loop.priors);
 }
 
 std::string

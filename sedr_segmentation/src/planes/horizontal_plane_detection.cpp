@@ -30,7 +30,7 @@ problemOf(const LevelParameters& p)
     return bad("the minimum area", p.minimum_area, "above 0 square metres");
   if (!(p.minimum_room_height > 0) || !std::isfinite(p.minimum_room_height))
     return bad("the minimum room height", p.minimum_room_height, "above 0 m");
-  return {};
+  return problemOf(p.priors);
 }
 
 pcl::HorizontalPlane

@@ -25,6 +25,8 @@ bool
 StructureChain::checkScan()
 {
   failed_stage = "input";
+  if (const std::string wrong = problemOf(priors_); !wrong.empty())
+    return fail(wrong);
   if (trust_up)
     return true;
   const PointView points(*cloud);

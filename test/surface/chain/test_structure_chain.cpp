@@ -283,6 +283,21 @@ TEST(StructureChain, ARoomThatWasLookedIntoThroughADoorIsARoom)
     EXPECT_EQ(chain.labels[i] == 0, chain.rooms[i] == 0);
 }
 
+TEST(StructureChain, RefusesPriorsThatAreOutOfTheirRange)
+{
+  RoomPoints points(0.1);
+  points.room(rectangle(0, 0, 4, 3), 0, 2.5);
+  StructureChain chain;
+  Priors priors;
+  priors.evidence_cell = 0;
+  chain.setPriors(priors);
+  EXPECT_FALSE(chain.findStructure(points.cloud()));
+  EXPECT_EQ(chain.failed_stage, "input");
+  EXPECT_NE(chain.problem.find("evidence_cell"), std::string::npos) << chain.problem;
+  chain.setPriors(Priors());
+  EXPECT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
+}
+
 TEST(StructureChain, WarnsOfRoomsInFeet)
 {
   for (const double unit : {1.0, 0.5}) {
