@@ -9,8 +9,8 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Which gaps stand on a floor: on what one walks about on without climbing, as
- * wide as a wall is thick, and no top of furniture. Such a top is higher by more than
+/** @brief Which gaps stand on a floor: on what one walks about on without climbing, a
+ * strip as wide as a wall is thick or a square of twice that, and no top of furniture. Such a top is higher by more than
  * AirParameters::highest_step than a larger floor beside it, and not over air in which
  * one can stand, as a gallery is. O(gaps).
  * @param thickest_wall metres

@@ -48,7 +48,8 @@ public:
       , counts_(columns_ * partsOf(high - low), 0)
   {}
 
-  /** @brief Counts a point; one beside the stretch is left out. */
+  /** @brief Counts a point; one beside the cells is left out. The last of a row or a
+   * column may reach beyond the stretch. */
   void add(double along, double up = 0)
   {
     const double column = std::floor((along - left_) / cell_);
