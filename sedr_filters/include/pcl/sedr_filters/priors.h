@@ -11,7 +11,9 @@ namespace pcl {
 namespace sedr {
 
 /** @brief Prior assumptions about buildings, furniture, scanners and sampling, made
- * before a scan is read. All such numbers are kept here.
+ * before a scan is read: those of all stages from the planes of a scan to the plan of
+ * its rooms. Parting of rooms, sheets, walls of the IFC and rays have their own
+ * parameters.
  *
  * Lengths are in metres, areas in square metres, shares from 0 to 1. priorTable() and
  * doc/priors.md list unit, range, source and use of each. Values that depend on a prior
