@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <optional>
 #include <utility>
 
 namespace pcl {
@@ -45,16 +46,17 @@ public:
 private:
   struct Surface {
     std::vector<std::uint32_t> gaps; ///< above it
-    std::size_t over_air = 0;        ///< of them: above air in which one can stand
     std::size_t rim = 0;             ///< sides of columns at which it ends
   };
 
   bool isTall(std::uint32_t g) const { return air_[g].high - air_[g].low >= tall_; }
 
-  bool isOverAir(std::uint32_t g) const
+  /** @brief Whether below a gap, but on no lower storey than a height, there is air in
+   * which one can stand. */
+  bool isOverAir(std::uint32_t g, std::int32_t lowest) const
   {
     for (std::size_t o = air_.first(air_[g].column); o < g; ++o)
-      if (isTall(static_cast<std::uint32_t>(o)))
+      if (isTall(static_cast<std::uint32_t>(o)) && air_[o].low >= lowest)
         return true;
     return false;
   }
@@ -67,7 +69,6 @@ private:
     surface_of_[start] = number;
     for (std::size_t k = 0; k < surface.gaps.size(); ++k) {
       const std::uint32_t g = surface.gaps[k];
-      surface.over_air += isOverAir(g) ? 1 : 0;
       for (int d = 0; d < 4; ++d) {
         const std::uint32_t o = air_.link(g, d);
         if (o == AirGaps::none || !isTall(o) ||
@@ -87,19 +88,30 @@ private:
     const auto n = static_cast<double>(surface.gaps.size());
     const bool is_wide = 2 * n * air_.columns().cellSize() >
                          thickest_wall_ * static_cast<double>(surface.rim);
-    return is_wide && (static_cast<double>(surface.over_air) > least_over_air * n ||
-                       !isAboveLarger(surface));
+    if (!is_wide)
+      return false;
+    const std::optional<std::int32_t> larger = largerBelow(surface);
+    if (!larger)
+      return true;
+    const std::int32_t lowest = *larger - air_.voxels(air_.parameters().highest_step);
+    const auto over_air =
+        std::count_if(surface.gaps.begin(), surface.gaps.end(),
+                      [&](std::uint32_t g) { return isOverAir(g, lowest); });
+    return static_cast<double>(over_air) > least_over_air * n;
   }
 
-  /** @brief Whether a surface drops to one that is larger. */
-  bool isAboveLarger(const Surface& surface) const
+  /** @brief The height of the lowest place of larger surfaces to which one drops. */
+  std::optional<std::int32_t> largerBelow(const Surface& surface) const
   {
+    std::optional<std::int32_t> lowest;
     for (const std::uint32_t g : surface.gaps)
-      for (int d = 0; d < 4; ++d)
-        if (air_.isDrop(g, d) && air_[air_.link(g, d)].low < air_[g].low &&
-            surfaces_[surface_of_[air_.link(g, d)]].gaps.size() > surface.gaps.size())
-          return true;
-    return false;
+      for (int d = 0; d < 4; ++d) {
+        const std::uint32_t o = air_.link(g, d);
+        if (air_.isDrop(g, d) && air_[o].low < air_[g].low &&
+            surfaces_[surface_of_[o]].gaps.size() > surface.gaps.size())
+          lowest = std::min(lowest.value_or(air_[o].low), air_[o].low);
+      }
+    return lowest;
   }
 
   const AirGaps& air_;

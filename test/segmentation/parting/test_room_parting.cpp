@@ -507,6 +507,27 @@ TEST(StandOnFloor, IsSoOnAFloorAndOnAGalleryButNotOnFurniture)
   });
 }
 
+TEST(StandOnFloor, IsNotSoOnFurnitureAboveAnotherStorey)
+{
+  forBothTurns([](AirScene& scene) {
+    scene.slab(0.05, 0.05, 6.05, 5.05, 0.01);
+    scene.slab(0.05, 0.05, 6.05, 5.05, 2.51);
+    scene.sides(0.05, 0.05, 6.05, 5.05, 0.01, 2.51);
+    scene.slab(3.05, 0.05, 6.05, 5.05, 2.81); // the cupboards hide the floor
+    scene.slab(0.05, 2.05, 3.05, 5.05, 2.81);
+    scene.slab(0.05, 0.05, 6.05, 5.05, 7.11);
+    scene.sides(0.05, 0.05, 6.05, 5.05, 2.81, 7.11);
+    scene.slab(0.05, 0.05, 3.05, 2.05, 4.11);
+    scene.wall(3.05, 0.05, 3.05, 2.05, 2.81, 4.11);
+    scene.wall(0.05, 2.05, 3.05, 2.05, 2.81, 4.11);
+    const SceneAir air(scene);
+    const std::vector<std::uint8_t> is_on_floor = standOnFloor(air.gaps, 0.6);
+    EXPECT_EQ(is_on_floor[air.at(4.5, 4, 1)], 1);
+    EXPECT_EQ(is_on_floor[air.at(4.5, 4, 4)], 1);
+    EXPECT_EQ(is_on_floor[air.at(1.5, 1, 6)], 0);
+  });
+}
+
 TEST(StandOnFloor, IsSoOnTreadsThatLeadToIt)
 {
   AirScene scene; // a stage up to which stairs lead
