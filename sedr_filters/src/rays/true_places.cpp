@@ -214,7 +214,8 @@ bool
 isTrue(const Taken& taken, const PatchSearch& patches, const PointView& rows)
 {
   constexpr std::size_t enough = 1000; // rays
-  constexpr double most = 0.02;        // of them
+  constexpr double most = 0.02;        // of them, wrong
+  constexpr std::size_t fewest = 5;    // wrong rays: fewer may be strays
   constexpr float shortest = 1.2F;     // metres, of a ray that tells something
   const RangeImage image(taken.from, rows, taken.rows);
   std::size_t looked_at = 0;
@@ -228,7 +229,8 @@ isTrue(const Taken& taken, const PatchSearch& patches, const PointView& rows)
     Patch patch;
     wrong += patches.firstOn(ray, patch) && !image.mayBePane(patch) ? 1 : 0;
   }
-  return static_cast<double>(wrong) <= most * static_cast<double>(looked_at);
+  return wrong < fewest ||
+         static_cast<double>(wrong) <= most * static_cast<double>(looked_at);
 }
 
 } // namespace
