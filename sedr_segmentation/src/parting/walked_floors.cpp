@@ -51,12 +51,12 @@ private:
 
   bool isTall(std::uint32_t g) const { return air_[g].high - air_[g].low >= tall_; }
 
-  /** @brief Whether below a gap, but on no lower storey than a height, there is air in
-   * which one can stand. */
-  bool isOverAir(std::uint32_t g, std::int32_t lowest) const
+  /** @brief Returns whether below a gap there is air in which one can stand and that
+   * reaches above a height: the air of the storey below does not. */
+  bool isOverAir(std::uint32_t g, std::int32_t height) const
   {
     for (std::size_t o = air_.first(air_[g].column); o < g; ++o)
-      if (isTall(static_cast<std::uint32_t>(o)) && air_[o].low >= lowest)
+      if (isTall(static_cast<std::uint32_t>(o)) && air_[o].high > height)
         return true;
     return false;
   }
@@ -93,10 +93,9 @@ private:
     const std::optional<std::int32_t> larger = largerBelow(surface);
     if (!larger)
       return true;
-    const std::int32_t lowest = *larger - air_.voxels(air_.parameters().highest_step);
     const auto over_air =
         std::count_if(surface.gaps.begin(), surface.gaps.end(),
-                      [&](std::uint32_t g) { return isOverAir(g, lowest); });
+                      [&](std::uint32_t g) { return isOverAir(g, *larger); });
     return static_cast<double>(over_air) > least_over_air * n;
   }
 
