@@ -312,6 +312,12 @@ TEST_F(E57Files, XmlThatWouldGrowOrGoTooDeepIsRefused)
             std::string::npos);
   EXPECT_EQ(nestingOf("<a><!-- <b><c> --><b x='>'/><![CDATA[<d><d>]]></a>", 9), 2u);
   EXPECT_EQ(nestingOf("<", 9), 1u);
+  // As rapidxml reads them: quotes in names, in closing tags and in declarations.
+  EXPECT_EQ(nestingOf("<a\"><b'><c=\">", 9), 3u);
+  EXPECT_EQ(nestingOf("<a></a\"><b><c>", 9), 2u);
+  EXPECT_EQ(nestingOf("<!x '><a><b>", 9), 2u);
+  EXPECT_EQ(nestingOf("<a b\"=\"x\"><c>", 9), 2u);
+  EXPECT_EQ(nestingOf("<a b = '<c>'/><d e=\"'\"><f>", 9), 2u);
 }
 
 TEST_F(E57Files, OneBrokenScanOfSeveralIsNamedOrLeftOut)

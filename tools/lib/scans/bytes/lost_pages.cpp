@@ -23,7 +23,7 @@ struct Mapping {
   std::atomic<bool> has_lost{false};
 };
 
-constexpr std::size_t most_mappings = 64;
+constexpr std::size_t most_mappings = 4096;  // more files are not open at a time
 std::array<Mapping, most_mappings> mappings; // all that the handler may access
 std::atomic<std::uintptr_t> page_size{4096};
 

@@ -24,21 +24,25 @@ past(const std::string& xml, const char* text, std::size_t position)
                                     : found + std::string::traits_type::length(text);
 }
 
-/** @brief Returns one past the unquoted `>` that ends the tag at `position`. */
+/** @brief Returns one past the `>` that ends the opening tag at `position`, read as
+ * rapidxml reads it: quotes within a name are part of it, and others begin a value only
+ * behind `=`. */
 std::size_t
-pastTag(const std::string& xml, std::size_t position)
+pastOpeningTag(const std::string& xml, std::size_t position)
 {
-  char quote = 0;
-  for (; position < xml.size(); ++position) {
+  const auto isBlank = [](char c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+  };
+  position = std::min(xml.find_first_of(" \t\r\n/>?", position), xml.size());
+  char before = 0; // the last one that is no blank
+  for (; position < xml.size() && xml[position] != '>'; ++position) {
     const char c = xml[position];
-    if (quote != 0)
-      quote = c == quote ? char{0} : quote;
-    else if (c == '"' || c == '\'')
-      quote = c;
-    else if (c == '>')
-      return position + 1;
+    if (before == '=' && (c == '"' || c == '\''))
+      position = std::min(xml.find(c, position + 1), xml.size() - 1);
+    if (!isBlank(c))
+      before = c;
   }
-  return xml.size();
+  return std::min(position + 1, xml.size());
 }
 
 } // namespace
@@ -58,14 +62,16 @@ nestingOf(const std::string& xml, std::size_t limit)
     else if (begins(at, "<![CDATA["))
       at = past(xml, "]]>", at);
     else if (begins(at, "<?"))
-      at = past(xml, "?>", at);
+      at = past(xml, "?>", at + 2);
+    else if (begins(at, "<!"))
+      at = past(xml, ">", at);
     else if (begins(at, "</")) {
       depth -= std::min<std::size_t>(depth, 1);
-      at = pastTag(xml, at);
+      at = past(xml, ">", at);
     }
     else {
       deepest = std::max(deepest, depth + 1);
-      at = pastTag(xml, at);
+      at = pastOpeningTag(xml, at + 1);
       if (at < 2 || xml[at - 2] != '/')
         ++depth;
     }
