@@ -180,11 +180,11 @@ StructureChain::findStructure(const Cloud::ConstPtr& thinned)
                        "from: rays from there go through walls that were seen; what "
                        "they would tell was left out");
   if (mirrored.points > 0)
-    warnings.push_back(std::to_string(mirrored.mirrors) +
-                       " surfaces mirror, as the scanner's "
-                       "positions tell: " +
-                       std::to_string(mirrored.points) +
-                       " thinned points seen in them were left out");
+    warnings.push_back(
+        std::to_string(mirrored.mirrors) +
+        (mirrored.mirrors == 1 ? " surface mirrors" : " surfaces mirror") +
+        ", as the scanner's positions tell: " + std::to_string(mirrored.points) +
+        " thinned points seen in them were left out");
   if (!checkScan())
     return false;
   levelScan();

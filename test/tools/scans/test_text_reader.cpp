@@ -67,6 +67,29 @@ TEST_F(TextFiles, ColumnsAreToldByTheFileOrByTheirNumber)
   EXPECT_EQ(findField(load("1 2 3 0.5 0.5 0.7\n").blob, "rgb"), nullptr);
 }
 
+TEST_F(TextFiles, DecimalCommasAreFoundThoughTheFirstNumbersAreWhole)
+{
+  const ToolCloud semicolons = load("1;2;3\n-0,5;0,25;3,5\n");
+  expectFirst(semicolons, 1, 2, 3);
+  EXPECT_EQ((*semicolons.points)[1].x, -0.5f);
+  EXPECT_EQ((*semicolons.points)[1].z, 3.5f);
+  const ToolCloud blanks = load("1 2,5 3,25\n4 5 6\n");
+  expectFirst(blanks, 1, 2.5f, 3.25f);
+  ASSERT_EQ(blanks.size(), 2u);
+  expectFirst(load("1,2,3\n4,5,6\n"), 1, 2, 3); // commas between columns
+}
+
+TEST_F(TextFiles, TheMarkBeforeUtf8IsNoPartOfThePoints)
+{
+  const ToolCloud cloud = load("\xEF\xBB\xBF"
+                               "1 2 3\n4 5 6\n");
+  ASSERT_EQ(cloud.size(), 2u);
+  expectFirst(cloud, 1, 2, 3);
+  expectFirst(load("\xEF\xBB\xBF"
+                   "North East Elev\n2 1 3\n"),
+              1, 2, 3);
+}
+
 TEST_F(TextFiles, ColumnsThatAreAskedForAreTaken)
 {
   const ToolCloud cloud = load("7 30 20 10\n7 31 21 11\n", "_ z y x");

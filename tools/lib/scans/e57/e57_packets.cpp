@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::uint64_t section_head = 32; // bytes
 constexpr std::uint64_t packet_head = 6;   // bytes before the lengths of the pieces
+constexpr std::uint64_t least_packet = 4;  // bytes of an empty one
 constexpr std::size_t spare = 8;           // bytes after the end of a stream
 
 enum PacketType : std::uint8_t { IndexPacket = 0, DataPacket = 1, EmptyPacket = 2 };
@@ -62,7 +63,8 @@ public:
       packet.size = std::size_t{valueAt<std::uint16_t>(head + 2)} + 1;
       if (head[0] > EmptyPacket)
         refuse("is of the type " + text(head[0]) + ", which is unknown");
-      if (packet.size < packet_head || packet.size > packets_.end_ - place_)
+      const std::size_t least = head[0] == DataPacket ? packet_head : least_packet;
+      if (packet.size < least || packet.size > packets_.end_ - place_)
         refuse("is said to have " + text(packet.size) + " bytes, " +
                text(packets_.end_ - place_) + " are left");
       if (head[0] != DataPacket)

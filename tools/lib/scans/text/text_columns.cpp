@@ -42,7 +42,7 @@ isCommaNumber(std::string_view word)
 }
 
 /** @brief Returns whether a line uses decimal commas: its columns are separated by
- * semicolons, or by blanks with one comma in each of the first three words. */
+ * semicolons, or by blanks with commas inside of the first three words only. */
 bool
 hasDecimalComma(std::string_view line)
 {
@@ -50,7 +50,34 @@ hasDecimalComma(std::string_view line)
     return line.find(',') != line.npos;
   const std::vector<std::string_view> words = wordsOf(line);
   return words.size() >= 3 &&
-         std::all_of(words.begin(), words.begin() + 3, isCommaNumber);
+         std::any_of(words.begin(), words.begin() + 3, isCommaNumber) &&
+         std::all_of(words.begin(), words.begin() + 3, [](std::string_view word) {
+           return word.find(',') == word.npos || isCommaNumber(word);
+         });
+}
+
+/** @brief Returns whether any of the first lines from a byte on uses decimal commas. A
+ * whole number has none. */
+bool
+linesHaveDecimalComma(const MappedFile& file, std::size_t begin)
+{
+  constexpr int looked_at = 100;
+  TextCursor cursor(file, begin);
+  std::string_view line;
+  for (int k = 0; k < looked_at && cursor.nextLine(line); ++k)
+    if (mayHoldNumbers(line) && hasDecimalComma(line))
+      return true;
+  return false;
+}
+
+/** @brief Returns the bytes of the mark that some programs write before UTF-8. */
+std::size_t
+sizeOfMark(const MappedFile& file)
+{
+  TextCursor cursor(file, 0);
+  std::string_view line;
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  return cursor.nextLine(line) && line.substr(0, mark.size()) == mark ? mark.size() : 0;
 }
 
 /** @brief Returns whether a text is PTX: columns and rows, scanner position and axes,
@@ -80,7 +107,7 @@ FirstLine
 findFirstLine(const MappedFile& file)
 {
   FirstLine first;
-  TextCursor cursor(file, 0);
+  TextCursor cursor(file, sizeOfMark(file));
   for (std::size_t k = 0; k < most_lines_before; ++k) {
     first.begin = cursor.position();
     if (!cursor.nextLine(first.text))
@@ -128,7 +155,8 @@ nameAsFields(std::vector<std::string>& names)
       {"i", "intensity"}, {"int", "intensity"}, {"reflectance", "intensity"},
       {"nx", "normal_x"}, {"ny", "normal_y"},   {"nz", "normal_z"},
       {"easting", "x"},   {"northing", "y"},    {"elevation", "z"},
-      {"height", "z"}};
+      {"height", "z"},    {"east", "x"},        {"north", "y"},
+      {"elev", "z"}};
   for (auto& name : names) {
     const auto it = known.find(name);
     if (it != known.end())
@@ -215,10 +243,15 @@ findColumns(const MappedFile& file, const std::string& path, const std::string& 
                     "' is PTX, whose points are not in one frame, and which is not "
                     "read here: export E57, which keeps the positions of the scanner "
                     "too");
-  const FirstLine first = findFirstLine(file);
+  FirstLine first = findFirstLine(file);
   TextColumns columns;
   columns.begin = first.begin;
-  columns.has_decimal_comma = hasDecimalComma(first.text);
+  columns.has_decimal_comma = linesHaveDecimalComma(file, first.begin);
+  Numbers numbers{};
+  const std::size_t n =
+      readColumns(first.text, columns.has_decimal_comma, most_columns, numbers.data());
+  first.numbers.assign(numbers.begin(),
+                       numbers.begin() + static_cast<std::ptrdiff_t>(n));
   columns.names = namesIn(asked.empty() ? first.before : std::string_view(asked));
   nameAsFields(columns.names);
   if (asked.empty() &&
