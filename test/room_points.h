@@ -114,16 +114,16 @@ public:
     for (const auto& niche : room.niches)
       for (const auto* level : {&niche.bottom, &niche.top})
         slab(niche.boundary, *level);
-    const auto uprights = pcl::sedr::uprightSurfaces(room);
-    const auto addUprights = [&](bool are_risers) {
-      for (const auto& surface : uprights)
+    const auto verticals = pcl::sedr::verticalSurfaces(room);
+    const auto addVerticals = [&](bool are_risers) {
+      for (const auto& surface : verticals)
         if ((surface.label == pcl::sedr::StructureLabel::Detail) == are_risers)
-          upright(surface, keep);
+          vertical(surface, keep);
     };
-    addUprights(true);
+    addVerticals(true);
     parts.details = from(details);
     const std::size_t walls = points_.size();
-    addUprights(false);
+    addVerticals(false);
     parts.walls = from(walls);
     return parts;
   }
@@ -203,13 +203,13 @@ private:
     }
   }
 
-  void upright(const pcl::sedr::UprightSurface& surface, const InSpace& keep)
+  void vertical(const pcl::sedr::VerticalSurface& surface, const InSpace& keep)
   {
     const pcl::sedr::PlanElement& element = *surface.element;
     const double columns = parts(element.length());
     for (double c = 0.5; c < columns; ++c) {
       const double s = element.length() * c / columns;
-      const pcl::sedr::UprightSpan span = surface.spanAt(s);
+      const pcl::sedr::VerticalSpan span = surface.spanAt(s);
       const Eigen::Vector2d place = element.pointAt(s);
       if (span.high > span.low)
         column(element, s, span.low, span.high, [&](double, double z) {

@@ -108,7 +108,7 @@ main(int argc, char** argv)
   double distance = fitting.getDistanceThreshold();
   double grid = fitting.getGridSize();
   double length = fitting.getMinimumLength();
-  double least_radius = fitting.getMinimumRadius();
+  double min_radius = fitting.getMinimumRadius();
   double greatest_radius = fitting.getMaximumRadius();
   std::uint64_t seed = fitting.getSeed();
   unsigned threads = fitting.getNumberOfThreads();
@@ -129,7 +129,7 @@ main(int argc, char** argv)
                  Range::between(0.01, 1));
   options.number("min-length", length, "m",
                  "shortest wall with a line or circle of its own", Range::above(0));
-  options.number("min-radius", least_radius, "m", "of an arc", Range::above(0));
+  options.number("min-radius", min_radius, "m", "of an arc", Range::above(0));
   options.number("max-radius", greatest_radius, "m",
                  "of an arc; flatter walls are straight", Range::above(0));
   options.number("seed", seed, "", "seed of the random samples", Range::atLeast(0));
@@ -143,12 +143,12 @@ main(int argc, char** argv)
       "and stairs");
   addPictureOption(options, settings.picture);
   return runTool(options, argc, argv, [&] {
-    if (greatest_radius <= least_radius)
+    if (greatest_radius <= min_radius)
       throw ToolError("--max-radius must be above --min-radius");
     fitting.setDistanceThreshold(distance);
     fitting.setGridSize(grid);
     fitting.setMinimumLength(length);
-    fitting.setRadiusLimits(least_radius, greatest_radius);
+    fitting.setRadiusLimits(min_radius, greatest_radius);
     fitting.setSeed(seed);
     fitting.setNumberOfThreads(threads);
     return run(settings, fitting);

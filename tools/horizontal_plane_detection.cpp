@@ -13,7 +13,7 @@
 
 #include "sedr_segmentation/src/planes/plane_list.h"
 #include "sedr_segmentation/src/scan/scan_check.h"
-#include "sedr_segmentation/src/scan/scan_lean.h"
+#include "sedr_segmentation/src/scan/scan_inclination.h"
 
 #include <nlohmann/json.hpp>
 
@@ -73,7 +73,7 @@ turned(const Settings& settings, const ToolCloud& cloud, RoomsAlongZ rooms)
   const pcl::Indices all = allOf(cloud);
   std::string problem = pcl::sedr::upProblem(points, all, rooms);
   if (problem.empty())
-    problem = pcl::sedr::leanProblem(points, all);
+    problem = pcl::sedr::inclinationProblem(points, all);
   return problem.empty() ? "" : problem + ", or say --z-up if it is right as it is";
 }
 
@@ -271,8 +271,9 @@ main(int argc, char** argv)
                "look at the file as a whole even if it has rooms");
   options.text("planes", settings.planes, "JSON file for the list of planes");
   addPictureOption(options, settings.picture);
-  options.flag("z-up", settings.trust_up,
-               "take z as up even if another axis seems to be, or the scan leans");
+  options.flag(
+      "z-up", settings.trust_up,
+      "take z as up even if another axis seems to be, or the scan is inclined");
   options.flag("keep-rooms", settings.keep_rooms, "leave the field 'room' as it is");
   options.flag("compress", settings.compress, "write PCD as binary_compressed");
   return runTool(options, argc, argv, [&] {

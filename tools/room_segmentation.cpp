@@ -10,7 +10,7 @@
 #include "tool_error.h"
 
 #include "sedr_segmentation/src/scan/scan_check.h"
-#include "sedr_segmentation/src/scan/scan_lean.h"
+#include "sedr_segmentation/src/scan/scan_inclination.h"
 #include <pcl/sedr_segmentation/room_segmentation.h>
 
 #include <cmath>
@@ -48,7 +48,7 @@ checkScan(const Settings& settings, const ToolCloud& cloud, unsigned threads)
   if (problem.empty() && !settings.trust_up) {
     problem = pcl::sedr::upProblem(points, all, RoomsAlongZ::NotLookedFor, 0, threads);
     if (problem.empty())
-      problem = pcl::sedr::leanProblem(points, all, threads);
+      problem = pcl::sedr::inclinationProblem(points, all, threads);
     if (!problem.empty())
       problem += ", or say --z-up if it is right as it is";
   }
@@ -156,8 +156,9 @@ main(int argc, char** argv)
   options.text("building", settings.building,
                "JSON file for rooms, storeys, doorways, stairs and what was left out");
   addPictureOption(options, settings.picture);
-  options.flag("z-up", settings.trust_up,
-               "take z as up even if another axis seems to be, or the scan leans");
+  options.flag(
+      "z-up", settings.trust_up,
+      "take z as up even if another axis seems to be, or the scan is inclined");
   options.flag("compress", settings.compress, "write PCD as binary_compressed");
   return runTool(options, argc, argv, [&] {
     segmentation.setGridSize(grid);

@@ -57,7 +57,7 @@ thinOrders(const std::vector<ScanInput>& inputs,
     order.ranges = ranges;
     order.rows = rowsOf(inputs);
     order.excerpt_step =
-        pcl::sedr::rawStep(order.rows, pcl::sedr::RefitParameters().most_points);
+        pcl::sedr::rawStep(order.rows, pcl::sedr::RefitParameters().max_points);
     order.settings = settings;
     orders.push_back(order);
   }

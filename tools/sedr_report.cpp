@@ -21,7 +21,7 @@ main(int argc, char** argv)
   options.text("scan", settings.scan,
                "raw scan, where it is not where report.json says");
   options.text("three", settings.three, "folder of three.js, Debian's libjs-three");
-  options.number("most-triangles", settings.most_triangles, "triangles",
+  options.number("max-triangles", settings.max_triangles, "triangles",
                  "of the mesh that can be turned on the page", Range::atLeast(100));
   options.number("range", settings.range, "m", "distance that has the last colour",
                  Range::between(1e-4, 100));

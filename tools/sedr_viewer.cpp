@@ -57,7 +57,7 @@ addOptions(Options& options, Settings& s)
                  Range::between(1e-4, 100));
   options.text("scan", s.reading.scan,
                "raw scan, where it is not where report.json says");
-  options.number("most-points", s.reading.most_points, "points",
+  options.number("max-points", s.reading.max_points, "points",
                  "of a cloud that are shown, 0 for all", Range::atLeast(0));
   options.text("screenshot", s.screenshot, "PNG to write instead of opening a window");
   options.text("size", s.size, "width and height of window or screenshot, pixels");

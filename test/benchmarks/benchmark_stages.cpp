@@ -13,7 +13,7 @@ namespace {
 
 using namespace sedr_test;
 
-constexpr int most_in_a_row = 8;
+constexpr int max_in_a_row = 8;
 
 /** @brief Makes rooms with a soffit along one wall and noise of 5 mm. */
 pcl::PointCloud<pcl::PointXYZ>::Ptr
@@ -21,8 +21,8 @@ storey(int rooms, double spacing)
 {
   RoomPoints points(spacing, 0.005);
   for (int r = 0; r < rooms; ++r) {
-    const double x = 5.12 * (r % most_in_a_row);
-    const double y = 4.12 * (r / most_in_a_row);
+    const double x = 5.12 * (r % max_in_a_row);
+    const double y = 4.12 * (r / max_in_a_row);
     pcl::sedr::PlanRoom room = roomOf(rectangle(x, y, x + 5, y + 4), 2.6);
     room.details = {detailOf(rectangle(x, y, x + 5, y + 0.8), 2.3)};
     points.room(room);

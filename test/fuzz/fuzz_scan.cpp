@@ -71,7 +71,7 @@ private:
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  constexpr std::size_t most_points = 100000; // zeros of zero bits take no bytes
+  constexpr std::size_t max_points = 100000; // zeros of zero bits take no bytes
   std::string bytes = withMagic({reinterpret_cast<const char*>(data), size});
   if (std::strcmp(FUZZED_FORMAT, "e57") == 0)
     bytes = sealed(bytes);
@@ -80,7 +80,7 @@ LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
     ScanSettings settings;
     settings.skip_broken = size % 2 == 1;
     settings.piece_bytes = 4096;
-    if (readScanHead(file.path(), settings).rows > most_points)
+    if (readScanHead(file.path(), settings).rows > max_points)
       return 0;
     const ScanFile scan(file.path(), settings);
     scan.stations();

@@ -221,12 +221,12 @@ findSlab(const Positions& points,
          unsigned threads)
 {
   constexpr int trials = 300;
-  constexpr std::size_t most_scored = 2000;
+  constexpr std::size_t max_scored = 2000;
 
   std::mt19937_64 random(seed);
   const double minimum_cosine = std::cos(maximum_tilt);
   Positions scored;
-  const std::size_t step = points.size() / most_scored + 1;
+  const std::size_t step = points.size() / max_scored + 1;
   for (std::size_t k = 0; k < points.size(); k += step)
     scored.push_back(points[k]);
 

@@ -170,7 +170,7 @@ const std::vector<Prior> table = {
      "chosen on the proving ground", "niches"},
     {"share_most", &Priors::share_most, "shares", "", 0.3, 1,
      "chosen on the proving ground", "levels, planes, scan"},
-    {"upright_ratio", &Priors::upright_ratio, "shares", "", 1, 10,
+    {"vertical_ratio", &Priors::vertical_ratio, "shares", "", 1, 10,
      "chosen on the proving ground", "scan"},
     {"corridor_ratio", &Priors::corridor_ratio, "shares", "", 1, 50,
      "a corridor of 1 m", "scan"},

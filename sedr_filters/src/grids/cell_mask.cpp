@@ -58,14 +58,14 @@ around(const CellBox& a, const CellBox& b)
 std::string
 maskProblem(const CellBox& box)
 {
-  if (box.count() <= most_mask_cells)
+  if (box.count() <= max_mask_cells)
     return {};
   const auto span = [](std::int32_t low, std::int32_t high) {
     return std::to_string(static_cast<std::int64_t>(high) - low + 1);
   };
   return "the region spans " + span(box.low.x, box.high.x) + " x " +
          span(box.low.y, box.high.y) + " cells, these are " +
-         std::to_string(box.count()) + ", at most " + std::to_string(most_mask_cells) +
+         std::to_string(box.count()) + ", at most " + std::to_string(max_mask_cells) +
          " can be held: take larger cells or cut the scan";
 }
 

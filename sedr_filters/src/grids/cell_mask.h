@@ -34,7 +34,7 @@ CellBox around(const CellBox& a, const CellBox& b);
 /** @brief The maximum number of cells of a mask: a region of 579 m by 579 m at 5 cm.
  * Algorithms on masks (distances, labels, fronts) take 20 bytes a cell and more, so
  * memory stays within a few GiB. */
-constexpr std::uint64_t most_mask_cells = std::uint64_t{1} << 27;
+constexpr std::uint64_t max_mask_cells = std::uint64_t{1} << 27;
 
 /** @brief Returns a sentence why a mask of this box is impossible, else empty. */
 std::string maskProblem(const CellBox& box);

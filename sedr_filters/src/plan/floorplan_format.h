@@ -17,7 +17,7 @@ constexpr int floorplan_facets_version = 2; ///< of plans with ceiling facets
 
 /** @brief The maximum coordinate that is read, metres. No scanned room lies beyond it,
  * and double precision, grids and single precision files lose millimetres there. */
-constexpr double most_coordinate = 1e6;
+constexpr double max_coordinate = 1e6;
 
 /** @brief Adds the curve and the inferred share of a slab to its JSON. */
 void addCurveToJson(const PlanSlab& slab, nlohmann::ordered_json& json);

@@ -20,9 +20,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /** @brief Limits of values that are read, metres. */
-constexpr double most_radius = 1e5;
-constexpr double most_gap_of_arc = 1e-3; ///< of an arc's ends from its circle
-constexpr double least_upward =
+constexpr double max_radius = 1e5;
+constexpr double max_gap_of_arc = 1e-3; ///< of an arc's ends from its circle
+constexpr double min_upward =
     0.5; ///< c of a floor or ceiling: at most 60 degrees of slope
 
 /** @brief Reads the shares of an element, if there are any. */
@@ -46,13 +46,13 @@ evidenceFrom(const Json& json)
 void
 checkArc(const PlanElement& e)
 {
-  if (!(e.radius > 0 && e.radius <= most_radius))
+  if (!(e.radius > 0 && e.radius <= max_radius))
     throw std::invalid_argument("the radius of an arc must be above 0 m and at most " +
-                                numberText(most_radius) + " m, it is " +
+                                numberText(max_radius) + " m, it is " +
                                 numberText(e.radius));
   for (const Eigen::Vector2d& end : {e.start, e.end}) {
     const double gap = std::abs((end - e.centre).norm() - e.radius);
-    if (!(gap <= most_gap_of_arc))
+    if (!(gap <= max_gap_of_arc))
       throw std::invalid_argument("an end of an arc must lie on its circle, it is " +
                                   numberText(gap) + " m off");
   }
@@ -137,14 +137,14 @@ makeUpward(Eigen::Vector4d& plane)
     throw std::invalid_argument(
         "the normal of a floor or ceiling must have length 1, it has " +
         numberText(length));
-  if (!(plane[2] >= least_upward * length))
+  if (!(plane[2] >= min_upward * length))
     throw std::invalid_argument(
         "the plane of a floor or ceiling must face up, its c is " +
-        numberText(plane[2]) + ", at least " + numberText(least_upward) + " is needed");
+        numberText(plane[2]) + ", at least " + numberText(min_upward) + " is needed");
   // Bound for a place whose coordinates are within the limit: sqrt(3) times the limit.
-  if (!(std::abs(plane[3]) <= 2 * most_coordinate))
+  if (!(std::abs(plane[3]) <= 2 * max_coordinate))
     throw std::invalid_argument("the d of a floor or ceiling must lie within " +
-                                numberText(2 * most_coordinate) + " m, it is " +
+                                numberText(2 * max_coordinate) + " m, it is " +
                                 numberText(plane[3]));
   if (std::abs(length - 1) > 1e-9)
     plane /= length;
@@ -227,9 +227,9 @@ pointFromJson(const nlohmann::ordered_json& json)
                                 std::to_string(json.size()));
   const Eigen::Vector2d p(json.at(0).get<double>(), json.at(1).get<double>());
   for (const double coordinate : p)
-    if (!(std::abs(coordinate) <= most_coordinate))
+    if (!(std::abs(coordinate) <= max_coordinate))
       throw std::invalid_argument("a coordinate must lie within " +
-                                  numberText(most_coordinate) + " m, it is " +
+                                  numberText(max_coordinate) + " m, it is " +
                                   numberText(coordinate));
   return p;
 }

@@ -30,7 +30,7 @@ constexpr double off_slab = 0.07;  ///< points nearer to floor or ceiling hide n
 constexpr double low_cell = 1.0;   ///< below it furniture may cast shadows
 constexpr double foot_from = 0.15; ///< start of the floor at the foot of a wall
 constexpr double foot_to = 0.55;
-constexpr double least_seen = 0.05; ///< share; with less, a wall was not in view
+constexpr double min_seen = 0.05; ///< share; with less, a wall was not in view
 
 /** @brief Returns the box of a room and its niches with a margin of 0.5 m. */
 Eigen::AlignedBox3d
@@ -61,7 +61,7 @@ struct Cell {
   Eigen::Vector3d middle;
   Eigen::Vector3d normal; ///< into the room
   double floor = 0;       ///< z at its foot
-  UprightSpan span;
+  VerticalSpan span;
 };
 
 class RoomEvidence {
@@ -77,7 +77,7 @@ public:
   {}
 
   /** @brief Counts the seen, hidden and open cells of a surface. */
-  CellCount countOf(const UprightSurface& surface) const
+  CellCount countOf(const VerticalSurface& surface) const
   {
     CellCount count;
     const double margin = std::min(beside_corner, surface.element->length() / 4);
@@ -86,7 +86,7 @@ public:
     for (std::size_t c = 0; c < columns; ++c) {
       const double s = margin + length * (static_cast<double>(c) + 0.5) /
                                     static_cast<double>(columns);
-      const UprightSpan span = surface.spanAt(s);
+      const VerticalSpan span = surface.spanAt(s);
       if (!(span.high > span.low))
         continue;
       const Eigen::Vector2d place = surface.element->pointAt(s);
@@ -187,7 +187,7 @@ sharesOf(const CellCount& count)
   if (all == 0)
     return {};
   const double seen = count.seen / all;
-  if (seen >= least_seen)
+  if (seen >= min_seen)
     return {seen, count.hidden / all, count.opening / all};
   const double open = count.proved / all;
   return {seen, 1 - seen - open, open};
@@ -215,7 +215,7 @@ measureRoom(PlanRoom& room,
 {
   const PointCubes cubes(points, indices, boxOf(room), cell_size, threads);
   const RoomEvidence evidence(room, cubes, tolerance, sight);
-  const std::vector<UprightSurface> surfaces = uprightSurfaces(room);
+  const std::vector<VerticalSurface> surfaces = verticalSurfaces(room);
   std::vector<CellCount> count_of(surfaces.size());
   parallelBlocks(surfaces.size(), 1, threads, [&](std::size_t k, std::size_t) {
     count_of[k] = evidence.countOf(surfaces[k]);
@@ -249,7 +249,7 @@ appendEntries(const PlanRoom& room,
   constexpr double step = 0.5; // metres, along a vertical surface
   const Eigen::Vector2d reach =
       Eigen::Vector2d::Constant(reach_before + step / 2 + fill_reach + tolerance);
-  for (const UprightSurface& surface : uprightSurfaces(room)) {
+  for (const VerticalSurface& surface : verticalSurfaces(room)) {
     const double length = surface.element->length();
     for (double s = 0; s < length + step; s += step) {
       const Eigen::Vector2d p = surface.element->pointAt(std::min(s, length));

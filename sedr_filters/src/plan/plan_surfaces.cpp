@@ -30,7 +30,7 @@ sidesOf(const PlanElement& element, double s)
 }
 
 /** @brief Returns the heights of a wall or column face: floor and ceiling in front. */
-UprightSpan
+VerticalSpan
 wallSpan(const RoomLookup& room, const Sides& at)
 {
   const double floor =
@@ -39,13 +39,13 @@ wallSpan(const RoomLookup& room, const Sides& at)
 }
 
 /** @brief Returns the part of a wall below a niche, or above it, if there is one. */
-UprightSpan
+VerticalSpan
 wallBesideNiche(const RoomLookup& room, const Sides& at, bool is_above)
 {
-  UprightSpan span = wallSpan(room, at);
+  VerticalSpan span = wallSpan(room, at);
   const int n = room.nicheAt(at.right);
   if (n < 0)
-    return is_above ? UprightSpan{} : span;
+    return is_above ? VerticalSpan{} : span;
   const PlanNiche& niche = room.room().niches[static_cast<std::size_t>(n)];
   if (is_above)
     span.low = std::max(span.low, niche.top.heightAt(at.place));
@@ -57,7 +57,7 @@ wallBesideNiche(const RoomLookup& room, const Sides& at, bool is_above)
 /** @brief Returns the heights of a ceiling riser: between the ceilings on the two sides
  * of its edge. An edge between two details belongs to the later one; an edge on a wall
  * is not a riser. */
-UprightSpan
+VerticalSpan
 ceilingRiserSpan(const RoomLookup& room, const Sides& at, int detail)
 {
   if (!room.contains(at.left) || !room.contains(at.right) ||
@@ -69,7 +69,7 @@ ceilingRiserSpan(const RoomLookup& room, const Sides& at, int detail)
 }
 
 /** @brief Likewise returns the heights of a floor riser, which faces the lower side. */
-UprightSpan
+VerticalSpan
 floorRiserSpan(const RoomLookup& room, const Sides& at, int detail)
 {
   if (!room.contains(at.left) || !room.contains(at.right) ||
@@ -81,7 +81,7 @@ floorRiserSpan(const RoomLookup& room, const Sides& at, int detail)
 }
 
 /** @brief Returns the heights of a niche side; none where it is open to the room. */
-UprightSpan
+VerticalSpan
 nicheSpan(const RoomLookup& room, const Sides& at, int part)
 {
   if (room.isWithinBoundary(at.right))
@@ -91,7 +91,7 @@ nicheSpan(const RoomLookup& room, const Sides& at, int part)
 }
 
 double
-clampedTo(const UprightSpan& span, double z)
+clampedTo(const VerticalSpan& span, double z)
 {
   return std::min(std::max(z, span.low), std::max(span.low, span.high));
 }
@@ -99,7 +99,7 @@ clampedTo(const UprightSpan& span, double z)
 /** @brief Finds the nearest point of a vertical surface.
  * @return its distance; infinity if it is not below `least` */
 double
-nearestOn(const UprightSurface& surface,
+nearestOn(const VerticalSurface& surface,
           const Eigen::Vector3d& p,
           double least,
           SurfacePoint& nearest)
@@ -108,7 +108,7 @@ nearestOn(const UprightSurface& surface,
   if (surface.element->distance(place) >= least)
     return std::numeric_limits<double>::infinity();
   const double s = surface.element->project(place);
-  const UprightSpan span = surface.spanAt(s);
+  const VerticalSpan span = surface.spanAt(s);
   if (!(span.high > span.low))
     return std::numeric_limits<double>::infinity();
   const Eigen::Vector2d foot = surface.element->pointAt(s);
@@ -131,33 +131,33 @@ mayBelong(StructureLabel label, StructureLabel surface)
 
 } // namespace
 
-UprightSpan
-UprightSurface::spanAt(double s) const
+VerticalSpan
+VerticalSurface::spanAt(double s) const
 {
   const Sides at = sidesOf(*element, s);
   switch (kind) {
-  case UprightKind::Wall:
+  case VerticalKind::Wall:
     return wallBesideNiche(*lookup, at, false);
-  case UprightKind::WallAboveNiche:
+  case VerticalKind::WallAboveNiche:
     return wallBesideNiche(*lookup, at, true);
-  case UprightKind::ColumnFace:
+  case VerticalKind::ColumnFace:
     return wallSpan(*lookup, at);
-  case UprightKind::CeilingRiser:
+  case VerticalKind::CeilingRiser:
     return ceilingRiserSpan(*lookup, at, part);
-  case UprightKind::FloorRiser:
+  case VerticalKind::FloorRiser:
     return floorRiserSpan(*lookup, at, part);
-  case UprightKind::NicheSide:
+  case VerticalKind::NicheSide:
     return nicheSpan(*lookup, at, part);
   }
   return {};
 }
 
 Eigen::Vector3d
-UprightSurface::normalAt(double s) const
+VerticalSurface::normalAt(double s) const
 {
   const Eigen::Vector2d n = element->normalAt(s);
   const bool is_riser =
-      kind == UprightKind::CeilingRiser || kind == UprightKind::FloorRiser;
+      kind == VerticalKind::CeilingRiser || kind == VerticalKind::FloorRiser;
   const double sign = !is_riser || spanAt(s).faces_left ? 1 : -1;
   return {sign * n.x(), sign * n.y(), 0};
 }
@@ -179,35 +179,35 @@ hasNiche(const PlanRoom& room, const PlanElement& element)
 
 } // namespace
 
-std::vector<UprightSurface>
-uprightSurfaces(const PlanRoom& room)
+std::vector<VerticalSurface>
+verticalSurfaces(const PlanRoom& room)
 {
   const auto lookup = std::make_shared<const RoomLookup>(room);
-  std::vector<UprightSurface> surfaces;
-  const auto append = [&](const PlanLoop& loop, UprightKind kind, StructureLabel label,
+  std::vector<VerticalSurface> surfaces;
+  const auto append = [&](const PlanLoop& loop, VerticalKind kind, StructureLabel label,
                           std::size_t part) {
     for (const auto& element : loop.elements)
       if (element.length() > 0 &&
-          (kind != UprightKind::WallAboveNiche || hasNiche(room, element)))
+          (kind != VerticalKind::WallAboveNiche || hasNiche(room, element)))
         surfaces.push_back(
             {&room, &element, kind, label, static_cast<int>(part), lookup});
   };
   const auto appendRisers = [&](const std::vector<PlanDetail>& details,
-                                UprightKind kind) {
+                                VerticalKind kind) {
     for (std::size_t d = 0; d < details.size(); ++d) {
       append(details[d].boundary, kind, StructureLabel::Detail, d);
       for (const auto& hole : details[d].holes)
         append(hole, kind, StructureLabel::Detail, d);
     }
   };
-  append(room.boundary, UprightKind::Wall, StructureLabel::Wall, 0);
-  append(room.boundary, UprightKind::WallAboveNiche, StructureLabel::Wall, 0);
+  append(room.boundary, VerticalKind::Wall, StructureLabel::Wall, 0);
+  append(room.boundary, VerticalKind::WallAboveNiche, StructureLabel::Wall, 0);
   for (const auto& column : room.columns)
-    append(column, UprightKind::ColumnFace, StructureLabel::Column, 0);
-  appendRisers(room.details, UprightKind::CeilingRiser);
-  appendRisers(room.floor_details, UprightKind::FloorRiser);
+    append(column, VerticalKind::ColumnFace, StructureLabel::Column, 0);
+  appendRisers(room.details, VerticalKind::CeilingRiser);
+  appendRisers(room.floor_details, VerticalKind::FloorRiser);
   for (std::size_t n = 0; n < room.niches.size(); ++n)
-    append(room.niches[n].boundary, UprightKind::NicheSide, StructureLabel::Detail, n);
+    append(room.niches[n].boundary, VerticalKind::NicheSide, StructureLabel::Detail, n);
   return surfaces;
 }
 
@@ -282,7 +282,7 @@ nearestInNiche(const RoomLookup& lookup,
 template <typename Numbers>
 bool
 snapTo(const RoomLookup& room,
-       const std::vector<UprightSurface>& uprights,
+       const std::vector<VerticalSurface>& verticals,
        const Numbers& near,
        const Eigen::Vector3d& position,
        StructureLabel label,
@@ -312,7 +312,7 @@ snapTo(const RoomLookup& room,
   if (label == StructureLabel::Wall || label == StructureLabel::Column ||
       label == StructureLabel::Detail)
     for (const std::uint32_t i : near) {
-      const UprightSurface& surface = uprights[i];
+      const VerticalSurface& surface = verticals[i];
       SurfacePoint candidate;
       if (!mayBelong(label, surface.label))
         continue;
@@ -330,25 +330,25 @@ snapTo(const RoomLookup& room,
 
 bool
 snapToRoom(const PlanRoom& room,
-           const std::vector<UprightSurface>& uprights,
+           const std::vector<VerticalSurface>& verticals,
            const Eigen::Vector3d& position,
            StructureLabel label,
            double farthest,
            SurfacePoint& snapped)
 {
-  std::vector<std::uint32_t> all(uprights.size());
+  std::vector<std::uint32_t> all(verticals.size());
   std::iota(all.begin(), all.end(), 0U);
-  return snapTo(RoomLookup(room), uprights, all, position, label, farthest, snapped);
+  return snapTo(RoomLookup(room), verticals, all, position, label, farthest, snapped);
 }
 
 RoomSurfaces::RoomSurfaces(const PlanRoom& room, double farthest)
     : lookup_(room)
-    , uprights_(uprightSurfaces(room))
+    , verticals_(verticalSurfaces(room))
     , farthest_(farthest)
     , near_(std::max(0.25, farthest))
 {
-  for (std::size_t i = 0; i < uprights_.size(); ++i)
-    near_.addAlong(*uprights_[i].element, 2 * farthest, static_cast<std::uint32_t>(i));
+  for (std::size_t i = 0; i < verticals_.size(); ++i)
+    near_.addAlong(*verticals_[i].element, 2 * farthest, static_cast<std::uint32_t>(i));
   near_.finish();
 }
 
@@ -357,7 +357,7 @@ RoomSurfaces::snap(const Eigen::Vector3d& position,
                    StructureLabel label,
                    SurfacePoint& snapped) const
 {
-  return snapTo(lookup_, uprights_, near_.at(position.head<2>()), position, label,
+  return snapTo(lookup_, verticals_, near_.at(position.head<2>()), position, label,
                 farthest_, snapped);
 }
 

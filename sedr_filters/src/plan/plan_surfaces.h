@@ -14,7 +14,7 @@ namespace pcl {
 namespace sedr {
 
 /** @brief The range of heights of a vertical surface at one place, metres. */
-struct UprightSpan {
+struct VerticalSpan {
   double low = 0;
   double high = 0;        ///< not above `low` where there is no surface
   bool faces_left = true; ///< whether the room is to the left of the element
@@ -22,16 +22,16 @@ struct UprightSpan {
 
 /** @brief A vertical surface: an element of a room's plan between two heights. It is a
  * wall, a column face, a riser of a detail or a niche side. */
-struct UprightSurface {
+struct VerticalSurface {
   const PlanRoom* room = nullptr;
   const PlanElement* element = nullptr;
-  UprightKind kind = UprightKind::Wall;
+  VerticalKind kind = VerticalKind::Wall;
   StructureLabel label = StructureLabel::Wall; ///< Wall, Column or Detail
   int part = -1; ///< of a riser or niche: index in the room's list
   std::shared_ptr<const RoomLookup> lookup; ///< queries on the room
 
   /** @brief Returns the heights of the surface at distance `s` along the element. */
-  UprightSpan spanAt(double s) const;
+  VerticalSpan spanAt(double s) const;
 
   /** @brief Returns the unit normal into the room at distance `s`. */
   Eigen::Vector3d normalAt(double s) const;
@@ -39,7 +39,7 @@ struct UprightSurface {
 
 /** @brief Returns the vertical surfaces of a room: walls, then columns, risers of
  * ceiling and floor, and niche sides. They point into `room`, which must not move. */
-std::vector<UprightSurface> uprightSurfaces(const PlanRoom& room);
+std::vector<VerticalSurface> verticalSurfaces(const PlanRoom& room);
 
 /** @brief Returns the point of the floor, or of the ceiling, at a place in plan,
  * details included. Does not check that the place is in the room. Parts at their own
@@ -60,7 +60,7 @@ SurfacePoint nichePointAt(const PlanRoom& room,
  * @return false if the point would move more than `farthest` metres or lies outside the
  * room: it is not part of this structure */
 bool snapToRoom(const PlanRoom& room,
-                const std::vector<UprightSurface>& uprights,
+                const std::vector<VerticalSurface>& verticals,
                 const Eigen::Vector3d& position,
                 StructureLabel label,
                 double farthest,
@@ -81,7 +81,7 @@ public:
 
 private:
   RoomLookup lookup_;
-  std::vector<UprightSurface> uprights_;
+  std::vector<VerticalSurface> verticals_;
   double farthest_;
   PlaceTable near_; ///< surfaces within reach of a place
 };

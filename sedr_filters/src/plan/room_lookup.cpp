@@ -13,7 +13,7 @@ LoopLookup::LoopLookup(const PlanLoop& loop)
     : loop_(&loop)
 {
   constexpr double usual_band = 0.25; // metres
-  constexpr double most_bands = 4096;
+  constexpr double max_bands = 4096;
   std::vector<Eigen::AlignedBox2d> boxes;
   Eigen::AlignedBox2d all;
   for (const auto& e : loop.elements) {
@@ -25,7 +25,7 @@ LoopLookup::LoopLookup(const PlanLoop& loop)
   if (!std::isfinite(high_ - low_))
     return;
   const double count =
-      std::clamp(std::ceil((high_ - low_) / usual_band), 1.0, most_bands);
+      std::clamp(std::ceil((high_ - low_) / usual_band), 1.0, max_bands);
   band_ = std::max(1e-9, (high_ - low_) / count);
   bands_.resize(static_cast<std::size_t>(count) + 1);
   for (std::size_t i = 0; i < boxes.size(); ++i) {

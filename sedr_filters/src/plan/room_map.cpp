@@ -98,8 +98,8 @@ RoomMap::roomOver(pcl::index_t index) const
   if (cell == CellSet::npos)
     return 0;
   // Neighbouring rooms have ceilings less than a storey apart.
-  constexpr double noise = 0.15;       // metres
-  constexpr double least_storey = 1.5; // metres
+  constexpr double noise = 0.15;     // metres
+  constexpr double min_storey = 1.5; // metres
   const std::vector<Above>& here = above_[cell];
   double lowest = std::numeric_limits<double>::infinity();
   for (const Above& a : here)
@@ -107,7 +107,7 @@ RoomMap::roomOver(pcl::index_t index) const
       lowest = std::min(lowest, a.height);
   const Above* most = nullptr;
   for (const Above& a : here)
-    if (a.height >= lowest && a.height < lowest + least_storey &&
+    if (a.height >= lowest && a.height < lowest + min_storey &&
         (!most || a.points > most->points))
       most = &a;
   return most ? most->room : room_of_cell_[cell];

@@ -95,13 +95,13 @@ double
 meanHeight(const PlanRoom& room)
 {
   constexpr double usual_step = 0.05;
-  constexpr double most_samples = 1e6;
+  constexpr double max_samples = 1e6;
   Eigen::AlignedBox2d box;
   for (const auto& corner : room.boundary.polygon(0.01))
     box.extend(corner);
   if (box.isEmpty())
     return 0;
-  const double step = std::max(usual_step, std::sqrt(box.volume() / most_samples));
+  const double step = std::max(usual_step, std::sqrt(box.volume() / max_samples));
   const RoomLookup lookup(room);
   double sum = 0;
   std::size_t count = 0;
@@ -132,7 +132,7 @@ double
 wallThickness(const Floorplan& plan, std::size_t room, std::size_t element, double most)
 {
   constexpr double step = 0.1;
-  constexpr double least_share = 0.2;
+  constexpr double min_share = 0.2;
   const PlanElement& wall = plan.rooms[room].boundary.elements[element];
   const double length = wall.length();
   const std::vector<const PlanRoom*> rooms = roomsBeside(plan, room);
@@ -144,7 +144,7 @@ wallThickness(const Floorplan& plan, std::size_t room, std::size_t element, doub
     if (thickness < infinity)
       found.push_back(thickness);
   }
-  if (static_cast<double>(found.size()) < least_share * static_cast<double>(samples))
+  if (static_cast<double>(found.size()) < min_share * static_cast<double>(samples))
     return 0;
   const auto middle =
       found.begin() + static_cast<std::ptrdiff_t>((found.size() - 1) / 2);

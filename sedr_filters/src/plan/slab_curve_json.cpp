@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_heights = 4000000; ///< of a relief
+constexpr std::size_t max_heights = 4000000; ///< of a relief
 
 const char*
 typeOf(const PlanSlab& slab)
@@ -39,8 +39,8 @@ readRelief(const Json& json, SlabCurve& curve)
   curve.spacing = json.at("spacing").get<double>();
   curve.columns = json.at("columns").get<std::size_t>();
   const Json& heights = json.at("heights");
-  if (heights.size() > most_heights)
-    throw std::invalid_argument("a relief has at most " + std::to_string(most_heights) +
+  if (heights.size() > max_heights)
+    throw std::invalid_argument("a relief has at most " + std::to_string(max_heights) +
                                 " heights, not " + std::to_string(heights.size()));
   for (const Json& z : heights)
     curve.heights.push_back(z.get<double>());

@@ -63,9 +63,9 @@ double
 heightFrom(const Json& json, const char* what)
 {
   const auto height = json.get<double>();
-  if (!(std::abs(height) <= most_coordinate))
+  if (!(std::abs(height) <= max_coordinate))
     throw std::invalid_argument(std::string(what) + " must lie within " +
-                                numberText(most_coordinate) + " m, it is " +
+                                numberText(max_coordinate) + " m, it is " +
                                 numberText(height));
   return height;
 }

@@ -25,14 +25,14 @@ leftOf(const Eigen::Vector2d& v)
 }
 
 Eigen::Vector2d
-directionOf(const LeaningFace& face)
+directionOf(const TiltedFace& face)
 {
   return (face.end - face.start).normalized();
 }
 
 /** @brief Returns the displacement of a face at a height, relative to its head. */
 double
-shiftAt(const LeaningFace& face, double z)
+shiftAt(const TiltedFace& face, double z)
 {
   return z < face.low ? 0 : face.run * std::min(z - face.head, 0.0);
 }
@@ -48,7 +48,7 @@ struct FacePlace {
 class FaceFrame {
 public:
   template <typename Ends>
-  FaceFrame(const LeaningFace& face, const Ends& ends)
+  FaceFrame(const TiltedFace& face, const Ends& ends)
       : face_(face)
       , way_(directionOf(face))
       , left_(leftOf(way_))
@@ -62,11 +62,11 @@ public:
 
   FacePlace placeOf(const Eigen::Vector2d& p) const
   {
-    constexpr double least_stretch = 0.1; // crossing lines would be ambiguous
+    constexpr double min_stretch = 0.1; // crossing lines would be ambiguous
     const Eigen::Vector2d from = p - face_.start;
     const double off = from.dot(left_);
     const double along = from.dot(way_);
-    const double stretch = std::max(least_stretch, 1 + off * turn_);
+    const double stretch = std::max(min_stretch, 1 + off * turn_);
     double at = first_ + (along - off * skew_first_ - first_) / stretch;
     if (at < first_)
       at = along - off * skew_first_;
@@ -90,7 +90,7 @@ public:
   }
 
 private:
-  const LeaningFace& face_;
+  const TiltedFace& face_;
   Eigen::Vector2d way_;
   Eigen::Vector2d left_;
   double length_;
@@ -108,7 +108,7 @@ struct Anchor {
 };
 
 bool
-areParallel(const LeaningFace& a, const LeaningFace& b)
+areParallel(const TiltedFace& a, const TiltedFace& b)
 {
   return std::abs(directionOf(a).dot(directionOf(b))) > parallel;
 }
@@ -116,7 +116,7 @@ areParallel(const LeaningFace& a, const LeaningFace& b)
 /** @brief Intersects a face with the line p + off * way at a height.
  * @return whether they meet within the ends of the face */
 bool
-anchorOn(const LeaningFace& face,
+anchorOn(const TiltedFace& face,
          const Eigen::Vector2d& p,
          const Eigen::Vector2d& way,
          double z,
@@ -142,9 +142,9 @@ between(double value, double low, double high, double low_image, double high_ima
 
 } // namespace
 
-Straightening::Straightening(std::vector<LeaningFace> faces)
+Straightening::Straightening(std::vector<TiltedFace> faces)
 {
-  for (LeaningFace& face : faces)
+  for (TiltedFace& face : faces)
     if ((face.end - face.start).norm() > 1e-3 && face.head > face.low)
       faces_.push_back(face);
   for (std::size_t f = 0; f < faces_.size(); ++f) {
@@ -166,20 +166,20 @@ Straightening::Straightening(std::vector<LeaningFace> faces)
 std::array<Straightening::End, 2>
 Straightening::endsOf(std::size_t face) const
 {
-  constexpr double least_turn = 0.2; // sine
+  constexpr double min_turn = 0.2; // sine
   constexpr double farthest = 0.5; // distance of a corner from the ends of both, metres
   constexpr double most =
       1.0 / 3; // maximum share of a face with the direction of one end
-  const LeaningFace& own = faces_[face];
+  const TiltedFace& own = faces_[face];
   const Eigen::Vector2d way = directionOf(own);
   const Eigen::Vector2d left = leftOf(way);
   const double length = (own.end - own.start).norm();
   std::array<End, 2> ends{End{0, 0}, End{0, length}};
   std::array<double, 2> nearest{farthest, farthest};
-  for (const LeaningFace& other : faces_) {
+  for (const TiltedFace& other : faces_) {
     const Eigen::Vector2d beside = directionOf(other);
     const double sine = beside.dot(left);
-    if (std::abs(sine) < least_turn || other.low > own.head || other.head < own.low)
+    if (std::abs(sine) < min_turn || other.low > own.head || other.head < own.low)
       continue;
     const double skew = beside.dot(way) / sine;
     const auto crossing = [&](double z) {
@@ -190,10 +190,10 @@ Straightening::endsOf(std::size_t face) const
     const double high = crossing(other.head);
     const double low = crossing(std::max(own.low, other.low));
     const Eigen::Vector2d corner = own.start + high * way;
-    const double leaning = std::abs(shiftAt(own, std::max(own.low, other.low)) / sine);
+    const double tilted = std::abs(shiftAt(own, std::max(own.low, other.low)) / sine);
     const double off_other = std::max(
         0.0,
-        std::min((corner - other.start).norm(), (corner - other.end).norm()) - leaning);
+        std::min((corner - other.start).norm(), (corner - other.end).norm()) - tilted);
     for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
       const double at = end == 0 ? 0 : length;
       const double off_own =
@@ -218,7 +218,7 @@ Straightening::move(const Group& group, const Eigen::Vector3d& p, bool is_forth)
   FacePlace place;
   double least = 0;
   for (const std::size_t f : group) {
-    const LeaningFace& face = faces_[f];
+    const TiltedFace& face = faces_[f];
     if (p.z() < face.low || p.z() >= face.head)
       continue;
     const FaceFrame frame(face, ends_[f]);
@@ -232,7 +232,7 @@ Straightening::move(const Group& group, const Eigen::Vector3d& p, bool is_forth)
   }
   if (nearest == faces_.size())
     return p;
-  const LeaningFace& face = faces_[nearest];
+  const TiltedFace& face = faces_[nearest];
   const FaceFrame frame(face, ends_[nearest]);
   const Eigen::Vector2d origin = frame.pointAt(place.along);
   const Eigen::Vector2d way = frame.wayOff(place.along);

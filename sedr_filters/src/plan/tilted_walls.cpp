@@ -45,7 +45,7 @@ Eigen::Vector2d
 meetingOf(const PlanElement& before, const PlanElement& after)
 {
   constexpr int rounds = 20;
-  constexpr double least_turn = 1e-3; // sine of the angle between them
+  constexpr double min_turn = 1e-3; // sine of the angle between them
   const Eigen::Vector2d between = (before.end + after.start) / 2;
   Eigen::Vector2d p = between;
   for (int round = 0; round < rounds; ++round) {
@@ -56,7 +56,7 @@ meetingOf(const PlanElement& before, const PlanElement& after)
     ways.row(0) = way;
     off[1] = offLine(after, p, way);
     ways.row(1) = way;
-    if (std::abs(ways.determinant()) < least_turn)
+    if (std::abs(ways.determinant()) < min_turn)
       return between;
     const Eigen::Vector2d step = ways.inverse() * off;
     p -= step;
@@ -86,7 +86,7 @@ wallRuns(const PlanRoom& room, const WallTilts& tilts)
 }
 
 bool
-leans(const PlanRoom& room, const WallTilts& tilts)
+isTilted(const PlanRoom& room, const WallTilts& tilts)
 {
   const auto runs = wallRuns(room, tilts);
   return std::any_of(runs.begin(), runs.end(), [](double run) { return run != 0; });
@@ -150,10 +150,10 @@ headOf(const PlanRoom& room, const WallTilts& tilts)
 Floorplan
 straightened(const Floorplan& plan, const WallTilts& tilts)
 {
-  const Straightening map(leaningFaces(plan, tilts));
+  const Straightening map(tiltedFaces(plan, tilts));
   Floorplan straight = plan;
   for (PlanRoom& room : straight.rooms) {
-    if (!leans(room, tilts))
+    if (!isTilted(room, tilts))
       continue;
     const auto move = [&](PlanLoop& loop, const PlanSlab& slab) {
       for (PlanElement& element : loop.elements)
@@ -174,15 +174,15 @@ straightened(const Floorplan& plan, const WallTilts& tilts)
   return straight;
 }
 
-std::vector<LeaningFace>
-leaningFaces(const Floorplan& plan, const WallTilts& tilts)
+std::vector<TiltedFace>
+tiltedFaces(const Floorplan& plan, const WallTilts& tilts)
 {
   constexpr double beside = 0.1; // margin at floor and ceiling, metres
-  std::vector<LeaningFace> faces;
+  std::vector<TiltedFace> faces;
   bool any = false;
   for (const PlanRoom& room : plan.rooms) {
     const std::vector<double> runs = wallRuns(room, tilts);
-    const bool has_tilts = leans(room, tilts);
+    const bool has_tilts = isTilted(room, tilts);
     any = any || has_tilts;
     const double head = has_tilts ? headOf(room, tilts) : room.ceiling.heightAt({0, 0});
     const PlanLoop top = has_tilts ? boundaryAt(room, tilts, head) : room.boundary;
@@ -191,7 +191,7 @@ leaningFaces(const Floorplan& plan, const WallTilts& tilts)
       const PlanElement& wall = top.elements[i];
       if (wall.isArc() || !(wall.length() > 0))
         continue;
-      LeaningFace face;
+      TiltedFace face;
       face.start = wall.start;
       face.end = wall.end;
       face.run = runs[i];
@@ -204,7 +204,7 @@ leaningFaces(const Floorplan& plan, const WallTilts& tilts)
       faces.push_back(face);
     }
   }
-  return any ? faces : std::vector<LeaningFace>();
+  return any ? faces : std::vector<TiltedFace>();
 }
 
 } // namespace sedr

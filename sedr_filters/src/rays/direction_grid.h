@@ -22,9 +22,9 @@ public:
    * no cells smaller than 3 degrees. */
   static DirectionGrid forDirections(std::size_t n, double a_cell)
   {
-    constexpr double most_rows = 60;
+    constexpr double max_rows = 60;
     const double rows = std::sqrt(static_cast<double>(n) / (2 * a_cell));
-    return DirectionGrid(static_cast<std::size_t>(std::clamp(rows, 1.0, most_rows)));
+    return DirectionGrid(static_cast<std::size_t>(std::clamp(rows, 1.0, max_rows)));
   }
 
   std::size_t rows() const { return rows_; }

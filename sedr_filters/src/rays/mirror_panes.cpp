@@ -14,7 +14,7 @@ namespace sedr {
 namespace {
 
 /** @brief What was met behind a pane at places that say something: their like elsewhere
- * is not there by chance, as that of a floor behind an upright pane would be. */
+ * is not there by chance, as that of a floor behind a vertical pane would be. */
 std::vector<Eigen::Vector3d>
 tellingPlaces(const Pane& pane,
               const std::vector<Eigen::Vector3d>& behind,
@@ -115,7 +115,7 @@ placesBehind(std::vector<Pane>& panes,
              const std::vector<ScanRay>& rays,
              const std::vector<std::uint32_t>& pierced)
 {
-  constexpr double least_depth = 0.6; // metres: nearer to a pane all is like itself
+  constexpr double min_depth = 0.6; // metres: nearer to a pane all is like itself
   std::vector<std::uint32_t> pane_of(surfaces.cubes().size(), CubeTable::none);
   for (std::uint32_t k = 0; k < panes.size(); ++k)
     for (const std::uint32_t cube : panes[k].cubes)
@@ -126,7 +126,7 @@ placesBehind(std::vector<Pane>& panes,
   for (std::size_t r = 0; r < rays.size(); ++r) {
     const std::uint32_t k =
         pierced[r] == CubeTable::none ? CubeTable::none : pane_of[pierced[r]];
-    if (k == CubeTable::none || !panes[k].parts(rays[r], least_depth))
+    if (k == CubeTable::none || !panes[k].parts(rays[r], min_depth))
       continue;
     behind[k].push_back(rays[r].to.cast<double>());
     away[k] +=
@@ -150,7 +150,7 @@ mirrorsAmong(std::vector<Pane> panes,
              const CubeTable& filled,
              unsigned threads)
 {
-  constexpr double least_likeness = 0.5;
+  constexpr double min_likeness = 0.5;
   constexpr std::size_t enough = 3000; // places behind a pane
   const auto behind = placesBehind(panes, surfaces, rays, pierced);
   std::vector<Likeness> likeness(panes.size());
@@ -162,7 +162,7 @@ mirrorsAmong(std::vector<Pane> panes,
   });
   std::vector<Pane> mirrors;
   for (std::size_t k = 0; k < panes.size(); ++k)
-    if (likeness[k].beyondChance() >= least_likeness)
+    if (likeness[k].beyondChance() >= min_likeness)
       mirrors.push_back(std::move(panes[k]));
   return mirrors;
 }

@@ -158,13 +158,13 @@ findMirroredPoints(const PointView& thinned,
                    const ScanPositions& positions,
                    unsigned threads)
 {
-  constexpr double cube_size = 0.1;   // metres
-  constexpr unsigned most_a_cube = 4; // positions
+  constexpr double cube_size = 0.1;  // metres
+  constexpr unsigned max_a_cube = 4; // positions
   CubeTable filled(cube_size);
   for (std::size_t i = 0; i < thinned.size(); ++i)
     if (thinned.isFinite(i))
       filled.add(filled.at(thinned[i].cast<double>()));
-  std::vector<ScanRay> rays = raysOf(rows, step, positions, filled, most_a_cube);
+  std::vector<ScanRay> rays = raysOf(rows, step, positions, filled, max_a_cube);
   const PiercedSurfaces surfaces(thinned);
   MirroredPoints found;
   found.untrue = untruePlaces(surfaces, rays, rows, step, positions, threads);

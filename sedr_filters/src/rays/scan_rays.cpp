@@ -9,7 +9,7 @@ raysOf(const PointView& points,
        std::size_t step,
        const ScanPositions& positions,
        const CubeTable& cubes,
-       unsigned most_a_cube)
+       unsigned max_a_cube)
 {
   constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
   struct Seen {
@@ -26,7 +26,7 @@ raysOf(const PointView& points,
     const Eigen::Vector3f to = points[i];
     const std::uint32_t cube = cubes.findAt(to.cast<double>());
     if (cube == CubeTable::none || seen[cube].last == position ||
-        seen[cube].rays == most_a_cube)
+        seen[cube].rays == max_a_cube)
       continue;
     seen[cube].last = position;
     ++seen[cube].rays;

@@ -22,13 +22,13 @@ struct ScanRay {
  * positions that saw it.
  * @param points every `step`-th point of the scan, those that are not finite too
  * @param cubes rays that end in none of them are left out
- * @param most_a_cube how many positions of a cube count
+ * @param max_a_cube how many positions of a cube count
  * O(n) for n points. */
 std::vector<ScanRay> raysOf(const PointView& points,
                             std::size_t step,
                             const ScanPositions& positions,
                             const CubeTable& cubes,
-                            unsigned most_a_cube);
+                            unsigned max_a_cube);
 
 } // namespace sedr
 } // namespace pcl

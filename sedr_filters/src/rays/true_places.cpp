@@ -82,11 +82,11 @@ private:
                const Eigen::Vector3f& direction,
                Patch& patch) const
   {
-    constexpr float radius = 0.2F;       // metres
-    constexpr std::size_t fewest = 16;   // points
-    constexpr float flat = 0.02F;        // metres, root of the mean square
-    constexpr float nearest = 0.06F;     // metres from the place, along the ray
-    constexpr float least_cosine = 0.5F; // a ray that grazes proves nothing
+    constexpr float radius = 0.2F;     // metres
+    constexpr std::size_t fewest = 16; // points
+    constexpr float flat = 0.02F;      // metres, root of the mean square
+    constexpr float nearest = 0.06F;   // metres from the place, along the ray
+    constexpr float min_cosine = 0.5F; // a ray that grazes proves nothing
     if (surfaces_.cubes().findAt(place.cast<double>()) == CubeTable::none)
       return false;
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
@@ -103,7 +103,7 @@ private:
     solver.computeDirect(squares / static_cast<float>(count));
     patch.normal = solver.eigenvectors().col(0);
     const float cosine = direction.dot(patch.normal);
-    if (solver.eigenvalues()[0] > flat * flat || std::abs(cosine) < least_cosine)
+    if (solver.eigenvalues()[0] > flat * flat || std::abs(cosine) < min_cosine)
       return false;
     const float along = (mean - place).dot(patch.normal) / cosine;
     patch.place = place + along * direction;

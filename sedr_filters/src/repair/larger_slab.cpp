@@ -55,11 +55,11 @@ findLargerSlab(const Positions& points,
                std::uint64_t seed,
                unsigned threads)
 {
-  constexpr double least_spread = 0.15;  // residual across a step / tolerance
-  constexpr double least_contrast = 2.5; // this residual / that of one surface
-  constexpr double most_turned = 0.01;   // radians, between the two surfaces
+  constexpr double min_spread = 0.15;  // residual across a step / tolerance
+  constexpr double min_contrast = 2.5; // this residual / that of one surface
+  constexpr double max_turned = 0.01;  // radians, between the two surfaces
   const PlanSlab wide = findSlab(points, tolerance, maximum_tilt, seed, threads);
-  if (wide.residual < least_spread * tolerance)
+  if (wide.residual < min_spread * tolerance)
     return wide;
   const double thickness = tolerance / 3;
   const auto findThin = [&](const Positions& among) {
@@ -69,7 +69,7 @@ findLargerSlab(const Positions& points,
     return refined.plane[2] >= std::cos(maximum_tilt) ? refined : found;
   };
   const auto isThin = [&](const PlanSlab& slab) {
-    return least_contrast * slab.residual <= wide.residual;
+    return min_contrast * slab.residual <= wide.residual;
   };
   const PlanSlab larger = findThin(points);
   const Positions rest = inBand(points, larger, thickness, false);
@@ -77,7 +77,7 @@ findLargerSlab(const Positions& points,
     return wide;
   const PlanSlab smaller = findThin(rest);
   const bool are_parallel =
-      larger.plane.head<3>().cross(smaller.plane.head<3>()).norm() <= most_turned;
+      larger.plane.head<3>().cross(smaller.plane.head<3>()).norm() <= max_turned;
   const bool are_all = 10 * (larger.inliers + smaller.inliers) >= 9 * wide.inliers;
   return isThin(smaller) && are_parallel && are_all &&
                  areSideBySide(inBand(points, larger, thickness, true),

@@ -34,7 +34,7 @@ partsOf(const Eigen::Vector3d& normal)
 }
 
 /** @brief Lower risers are not steps but two fits of the same height, metres. */
-constexpr double least_riser = 0.01;
+constexpr double min_riser = 0.01;
 
 struct PlanBox {
   Eigen::Vector2d low =
@@ -126,12 +126,12 @@ surfaceCellsProblem(const Floorplan& plan, double size)
   double cells = 0;
   for (const auto& room : plan.rooms)
     cells += estimatedCells(room, size);
-  if (cells <= most_surface_cells)
+  if (cells <= max_surface_cells)
     return {};
   const std::string count =
       std::isfinite(cells) ? "about " + numberText(cells) : "countless";
   return "the surfaces of the floor plan would have " + count + " cells of " +
-         numberText(size) + " m, at most " + numberText(most_surface_cells) +
+         numberText(size) + " m, at most " + numberText(max_surface_cells) +
          " can be held: take larger cells";
 }
 
@@ -141,7 +141,7 @@ SurfaceCells::SurfaceCells(const PlanRoom& room, double size)
     , size_(size)
     , near_(std::max(0.25, size))
 {
-  for (const auto& surface : uprightSurfaces(room_))
+  for (const auto& surface : verticalSurfaces(room_))
     addStrip(surface);
   for (std::size_t i = 0; i < strips_.size(); ++i)
     near_.addAlong(*strips_[i].surface.element, size_, static_cast<std::uint32_t>(i));
@@ -150,17 +150,17 @@ SurfaceCells::SurfaceCells(const PlanRoom& room, double size)
 }
 
 void
-SurfaceCells::addStrip(const UprightSurface& surface)
+SurfaceCells::addStrip(const VerticalSurface& surface)
 {
   Strip strip{surface, surface.element->length(), {}, {}};
   const std::size_t columns = partsOf(strip.length, size_);
   for (std::size_t c = 0; c < columns; ++c) {
     const double s =
         strip.length * (static_cast<double>(c) + 0.5) / static_cast<double>(columns);
-    const UprightSpan span = surface.spanAt(s);
+    const VerticalSpan span = surface.spanAt(s);
     strip.first.push_back(cells_.size());
     strip.spans.push_back(span);
-    if (!(span.high - span.low > least_riser))
+    if (!(span.high - span.low > min_riser))
       continue;
     const std::size_t rows = partsOf(span.high - span.low, size_);
     const Eigen::Vector2d place = surface.element->pointAt(s);
@@ -270,7 +270,7 @@ SurfaceCells::findLevel(const SurfacePoint& point) const
 }
 
 std::size_t
-SurfaceCells::findUpright(const SurfacePoint& point) const
+SurfaceCells::findVertical(const SurfacePoint& point) const
 {
   const Eigen::Vector2d place = point.position.head<2>();
   std::size_t best = none;
@@ -288,7 +288,7 @@ SurfaceCells::findUpright(const SurfacePoint& point) const
         std::min(columns - 1, static_cast<std::size_t>(s / strip.length *
                                                        static_cast<double>(columns)));
     const std::size_t rows = strip.first[c + 1] - strip.first[c];
-    const UprightSpan& span = strip.spans[c];
+    const VerticalSpan& span = strip.spans[c];
     const double t = (point.position.z() - span.low) / (span.high - span.low);
     if (rows == 0 || !(t >= 0 && t <= 1))
       continue;
@@ -306,7 +306,7 @@ SurfaceCells::occupy(const SurfacePoint& point, std::size_t source)
   const bool is_slab = point.label == StructureLabel::Ceiling ||
                        point.label == StructureLabel::Floor ||
                        std::abs(point.normal.z()) > 0.5;
-  const std::size_t index = is_slab ? findLevel(point) : findUpright(point);
+  const std::size_t index = is_slab ? findLevel(point) : findVertical(point);
   if (index == none)
     return false;
   SurfaceCell& cell = cells_[index];

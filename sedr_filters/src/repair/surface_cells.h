@@ -29,10 +29,10 @@ class SurfaceCells {
 public:
   /** @brief The cells of a vertical surface: profiles along the element. */
   struct Strip {
-    UprightSurface surface;
+    VerticalSurface surface;
     double length = 0;
-    std::vector<std::size_t> first; ///< first cell of each profile, then the end
-    std::vector<UprightSpan> spans; ///< heights of each profile
+    std::vector<std::size_t> first;  ///< first cell of each profile, then the end
+    std::vector<VerticalSpan> spans; ///< heights of each profile
   };
 
   /** @param room must not move while this object exists
@@ -54,7 +54,7 @@ public:
   const std::vector<Strip>& strips() const { return strips_; }
 
 private:
-  void addStrip(const UprightSurface& surface);
+  void addStrip(const VerticalSurface& surface);
 
   /** @brief The cells of a floor, ceiling or niche: a grid in plan, finer where steep.
    */
@@ -79,7 +79,7 @@ private:
 
   std::size_t findLevel(const SurfacePoint& point) const;
 
-  std::size_t findUpright(const SurfacePoint& point) const;
+  std::size_t findVertical(const SurfacePoint& point) const;
 
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 

@@ -95,7 +95,7 @@ share(std::size_t part, std::size_t whole)
 double
 shareOfWalls(const SurfaceCells& cells, const std::vector<std::uint8_t>& is_unseen)
 {
-  constexpr double least_seen = 0.2;
+  constexpr double min_seen = 0.2;
   std::size_t all = 0;
   std::size_t unseen = 0;
   for (const auto& strip : cells.strips()) {
@@ -109,7 +109,7 @@ shareOfWalls(const SurfaceCells& cells, const std::vector<std::uint8_t>& is_unse
         continue;
       const auto seen = static_cast<double>(std::count(first, last, 0));
       ++all;
-      unseen += seen < least_seen * static_cast<double>(last - first) ? 1 : 0;
+      unseen += seen < min_seen * static_cast<double>(last - first) ? 1 : 0;
     }
   }
   return share(unseen, all);

@@ -116,7 +116,7 @@ VoxelGridSettings::finish(VoxelSums& sums)
 {
   clearLayout();
   if (removes_strays_)
-    stray_limit_ = sums.census().leastPoints();
+    stray_limit_ = sums.census().minPoints();
   const std::size_t size =
       sums.arrange(std::max(min_points_per_voxel_, stray_limit_), threads_);
   if (size == 0 && sums.size() == 0)

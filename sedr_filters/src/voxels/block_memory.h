@@ -38,7 +38,7 @@ private:
   /** @brief Capacities of the storage of a block, in sums. */
   static constexpr std::array<std::uint8_t, 12> rooms{0,  1,  2,  4,  6,  8,
                                                       12, 16, 24, 32, 48, 64};
-  static constexpr std::size_t least_portion = std::size_t{1} << 16;
+  static constexpr std::size_t min_portion = std::size_t{1} << 16;
 
   /** @brief Entry of the free list, stored in unused storage. */
   struct LeftRoom {
@@ -71,7 +71,7 @@ private:
   void* take(std::size_t bytes)
   {
     if (free_ < bytes) {
-      const std::size_t portion = std::clamp(taken_, least_portion, large_page);
+      const std::size_t portion = std::clamp(taken_, min_portion, large_page);
       portions_.emplace_back(static_cast<char*>(std::aligned_alloc(portion, portion)),
                              &std::free);
       if (!portions_.back())

@@ -35,7 +35,7 @@ public:
   /** @brief Locks a block that is not held. */
   void hold(VoxelBlock& block, std::size_t slot)
   {
-    if (size_ >= most_ || by_slot_.at(slot))
+    if (size_ >= max_ || by_slot_.at(slot))
       release();
     if (!block.tryLock()) {
       release();
@@ -61,7 +61,7 @@ public:
   void begin()
   {
     const std::uint32_t meetings = meetings_.load(std::memory_order_relaxed);
-    most_ = meetings != seen_meetings_ ? 1 : std::min(2 * most_, most);
+    max_ = meetings != seen_meetings_ ? 1 : std::min(2 * max_, most);
     seen_meetings_ = meetings;
   }
 
@@ -73,7 +73,7 @@ private:
 
   std::atomic<std::uint32_t>& meetings_;
   std::uint32_t seen_meetings_ = 0;
-  std::size_t most_ = most;
+  std::size_t max_ = most;
   RecentBlocks by_slot_;
   std::array<std::size_t, most> slots_{};
   std::size_t size_ = 0;

@@ -28,11 +28,11 @@ public:
       : origin_(box.min())
       , size_(size)
   {
-    constexpr double most_columns = 1 << 26;
+    constexpr double max_columns = 1 << 26;
     const Eigen::Vector3d extent = box.sizes();
     if (box.isEmpty() || !extent.allFinite())
       return;
-    while ((extent.x() / size_ + 1) * (extent.y() / size_ + 1) > most_columns)
+    while ((extent.x() / size_ + 1) * (extent.y() / size_ + 1) > max_columns)
       size_ *= 2; // queries then see more points, most of them too far away
     const Cube far = cubeOf(box.max());
     width_ = far.x() + 1;

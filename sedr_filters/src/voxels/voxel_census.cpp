@@ -14,7 +14,7 @@ namespace {
 
 constexpr unsigned edge_bits = 2;
 constexpr double cube_volume = 64; // voxels
-constexpr std::size_t most_counted = 4096;
+constexpr std::size_t max_counted = 4096;
 
 /** @brief Larger gaps, in cubes (13 m at 5 cm), are not within a room. */
 constexpr double highest_room = 64;
@@ -71,8 +71,8 @@ VoxelCensus::add(const VoxelCode& voxel, std::uint32_t points)
   if (cubes_.empty() || cubes_.back().corner != corner)
     cubes_.push_back({corner, 0});
   cubes_.back().points = saturatedSum(cubes_.back().points, points);
-  points_by_count_.resize(most_counted + 1, 0);
-  points_by_count_[std::min<std::size_t>(points, most_counted)] += points;
+  points_by_count_.resize(max_counted + 1, 0);
+  points_by_count_[std::min<std::size_t>(points, max_counted)] += points;
 }
 
 void
@@ -126,7 +126,7 @@ VoxelCensus::middleCount() const
 }
 
 std::uint32_t
-VoxelCensus::leastPoints() const
+VoxelCensus::minPoints() const
 {
   constexpr double denser = 10; // ratio of the densities of surfaces and strays
   const double in_air = pointsInAir();

@@ -63,7 +63,7 @@ public:
    * a hundred voxels of strays reaches it. 0 without hasStrays(), or if half of the
    * points lie in voxels with less than ten times as many: the scan is too sparse to
    * decide. O(n log n) for n cubes. */
-  std::uint32_t leastPoints() const;
+  std::uint32_t minPoints() const;
 
 private:
   /** @brief Returns the 20th percentile of the points of the cubes between the lowest

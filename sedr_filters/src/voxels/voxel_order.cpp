@@ -44,7 +44,7 @@ threadsFor(std::size_t blocks, unsigned threads)
 } // namespace
 
 VoxelOrder::VoxelOrder(const BlockDirectory& blocks,
-                       std::uint32_t least_points,
+                       std::uint32_t min_points,
                        unsigned threads)
 {
   blocks_.reserve(blocks.size());
@@ -54,8 +54,8 @@ VoxelOrder::VoxelOrder(const BlockDirectory& blocks,
   if (blocks_.empty())
     return;
   findBox();
-  if (least_points > 1)
-    leaveOut(least_points);
+  if (min_points > 1)
+    leaveOut(min_points);
   sortBlocks();
   findRows();
   countVoxels(threads);
@@ -82,12 +82,12 @@ VoxelOrder::findBox()
 }
 
 void
-VoxelOrder::leaveOut(std::uint32_t least_points)
+VoxelOrder::leaveOut(std::uint32_t min_points)
 {
   for (Entry& entry : blocks_) {
     const BlockSum* const sums = entry.block->sums.load(std::memory_order_relaxed);
     for (std::size_t s = 0; s < entry.block->size; ++s)
-      if (sums[s].count < least_points)
+      if (sums[s].count < min_points)
         entry.counted &= ~(std::uint64_t{1} << sums[s].local);
   }
 }

@@ -19,11 +19,9 @@ namespace sedr {
  * bit count. O(n); 64 bytes a block while sorting, then 32, and 144 a row. */
 class VoxelOrder {
 public:
-  /** @brief Counts the voxels with at least `least_points` points. Until the last
+  /** @brief Counts the voxels with at least `min_points` points. Until the last
    * forEach(), no point may be added. */
-  VoxelOrder(const BlockDirectory& blocks,
-             std::uint32_t least_points,
-             unsigned threads);
+  VoxelOrder(const BlockDirectory& blocks, std::uint32_t min_points, unsigned threads);
 
   /** @brief Returns the number of counted voxels. */
   std::size_t size() const { return size_; }
@@ -52,7 +50,7 @@ private:
 
   void findBox();
 
-  void leaveOut(std::uint32_t least_points);
+  void leaveOut(std::uint32_t min_points);
 
   void sortBlocks();
 

@@ -46,9 +46,9 @@ public:
     });
   }
 
-  void arrange(std::uint32_t least_points, unsigned threads)
+  void arrange(std::uint32_t min_points, unsigned threads)
   {
-    order.reset(new VoxelOrder(*blocks, least_points, threads));
+    order.reset(new VoxelOrder(*blocks, min_points, threads));
   }
 
   void forget()
@@ -152,9 +152,9 @@ VoxelSums::census() const
 }
 
 std::size_t
-VoxelSums::arrange(std::uint32_t least_points, unsigned threads)
+VoxelSums::arrange(std::uint32_t min_points, unsigned threads)
 {
-  state_->arrange(least_points, threads);
+  state_->arrange(min_points, threads);
   return state_->order->size();
 }
 

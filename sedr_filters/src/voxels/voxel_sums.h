@@ -77,9 +77,9 @@ public:
       void(const VoxelSum* voxels, const std::size_t* places, std::size_t n)>;
 
   /** @brief Sorts the voxels, without a copy of them.
-   * @param least_points minimum number of points of a voxel that is kept
+   * @param min_points minimum number of points of a voxel that is kept
    * @return number of voxels kept */
-  std::size_t arrange(std::uint32_t least_points = 0, unsigned threads = 0);
+  std::size_t arrange(std::uint32_t min_points = 0, unsigned threads = 0);
 
   /** @brief Returns the box of all voxels, also of those not kept. Requires arrange()
    * after the last point, and at least one voxel. */

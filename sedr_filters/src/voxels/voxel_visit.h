@@ -24,16 +24,16 @@ visitVoxels(const VoxelIndex& index,
             unsigned threads,
             const See& see)
 {
-  constexpr std::size_t most_at_once = std::size_t{1} << 20;
+  constexpr std::size_t max_at_once = std::size_t{1} << 20;
   constexpr std::size_t points_a_block = std::size_t{1} << 14;
   const std::size_t n = indices ? indices->size() : points.size();
   const auto at = [&](std::size_t k) {
     return indices ? static_cast<std::size_t>((*indices)[k]) : k;
   };
   const std::size_t parts = resolveThreads(threads);
-  std::vector<std::int64_t> found(std::min(n, most_at_once));
-  for (std::size_t first = 0; first < n; first += most_at_once) {
-    const std::size_t size = std::min(most_at_once, n - first);
+  std::vector<std::int64_t> found(std::min(n, max_at_once));
+  for (std::size_t first = 0; first < n; first += max_at_once) {
+    const std::size_t size = std::min(max_at_once, n - first);
     parallelBlocks(size, points_a_block, threads,
                    [&](std::size_t begin, std::size_t end) {
                      for (std::size_t k = begin; k < end; ++k)

@@ -31,11 +31,11 @@ struct AirParameters {
   double highest_step = 1.2;  ///< floors farther apart are those of different levels
   double same_surface = 0.2;  ///< a surface goes on where it is no farther off
   double walled_share = 0.25; ///< of a gap's height that is occupied: a wall
-  double least_known = 0.15;  ///< of the rim of a hole that is filled: known air
-  double most_open = 0.2;     ///< of its rim: neither air nor wall
+  double min_known = 0.15;    ///< of the rim of a hole that is filled: known air
+  double max_open = 0.2;      ///< of its rim: neither air nor wall
   double largest_hole = 1.5;  ///< square metres, of a slab; a larger one is a void
-  double least_air = 0.1;     ///< of the rim of low gaps that are air: tall ones
-  double least_through = 0.1; ///< of a hole of a slab that rays go through: it is open
+  double min_air = 0.1;       ///< of the rim of low gaps that are air: tall ones
+  double min_through = 0.1;   ///< of a hole of a slab that rays go through: it is open
   const SightLines* sight = nullptr; ///< rays, where positions are known
   unsigned threads = 0;
 };

@@ -176,8 +176,8 @@ enclosedHolesOf(const AirGaps& air)
   for (std::size_t k = 0; k < holes.size(); ++k) {
     const Rim& rim = rims[static_cast<std::size_t>(region[k])];
     const auto all = static_cast<double>(rim.known + rim.walled + rim.open);
-    if (static_cast<double>(rim.known) >= air.parameters().least_known * all &&
-        static_cast<double>(rim.open) <= air.parameters().most_open * all)
+    if (static_cast<double>(rim.known) >= air.parameters().min_known * all &&
+        static_cast<double>(rim.open) <= air.parameters().max_open * all)
       enclosed.push_back(holes[k]);
   }
   return enclosed;

@@ -85,7 +85,7 @@ private:
     Patch& patch = patches_[p];
     const double share =
         static_cast<double>(patch.beside_air) / static_cast<double>(patch.rim);
-    if (patch.is_air || share < gaps_.parameters().least_air)
+    if (patch.is_air || share < gaps_.parameters().min_air)
       return;
     patch.is_air = true;
     front_.push_back(p);

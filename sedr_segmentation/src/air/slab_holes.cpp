@@ -147,7 +147,7 @@ private:
       through += rays.through > 0 ? 1 : 0;
     }
     return static_cast<double>(through) >=
-           air_.parameters().least_through * static_cast<double>(hole.size());
+           air_.parameters().min_through * static_cast<double>(hole.size());
   }
 
   const AirGaps& air_;

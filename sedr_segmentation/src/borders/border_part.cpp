@@ -26,8 +26,8 @@ gradientOf(const PlanSlab& slab, const Eigen::Vector2d& p)
 std::pair<double, Eigen::Vector2d>
 besideTouch(const PlanSlab& one, const PlanSlab& other, const Eigen::Vector2d& p)
 {
-  constexpr double step = 1e-3;       // metres
-  constexpr double least_bend = 1e-3; // a metre
+  constexpr double step = 1e-3;     // metres
+  constexpr double min_bend = 1e-3; // a metre
   const auto isVault = [](const PlanSlab& slab) {
     return slab.curve && slab.curve->kind == CurveKind::Cylinder;
   };
@@ -41,7 +41,7 @@ besideTouch(const PlanSlab& one, const PlanSlab& other, const Eigen::Vector2d& p
     return across.dot(gradientOf(one, q) - gradientOf(other, q));
   };
   const double bend = (slopeAt(step) - slopeAt(-step)) / (2 * step);
-  return {std::abs(bend) > least_bend ? slopeAt(0) / bend : endless, across};
+  return {std::abs(bend) > min_bend ? slopeAt(0) / bend : endless, across};
 }
 
 } // namespace
@@ -61,7 +61,7 @@ BorderPart::sideOf(const Eigen::Vector2d& p) const
 std::optional<Eigen::Vector2d>
 BorderPart::project(const Eigen::Vector2d& from, double farthest) const
 {
-  constexpr int most_steps = 12;
+  constexpr int max_steps = 12;
   constexpr double exact = 1e-6;
   constexpr double closest = 0.01; // metres between facets that touch
   const auto isApart = [&](const Eigen::Vector2d& place) {
@@ -69,7 +69,7 @@ BorderPart::project(const Eigen::Vector2d& from, double farthest) const
            !(std::abs(one->heightAt(place) - other->heightAt(place)) < closest);
   };
   Eigen::Vector2d p = from;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     const auto [off, way] = sideOf(p);
     if (std::abs(off) < exact)
       return isApart(p) ? std::nullopt : std::optional<Eigen::Vector2d>(p);
@@ -90,15 +90,15 @@ crossing(const BorderPart& a,
          const Eigen::Vector2d& near,
          double farthest)
 {
-  constexpr int most_steps = 15;
-  constexpr double least_angle = 0.15; // sine
+  constexpr int max_steps = 15;
+  constexpr double min_angle = 0.15; // sine
   Eigen::Vector2d p = near;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     const auto [off_a, way_a] = a.sideOf(p);
     const auto [off_b, way_b] = b.sideOf(p);
     Eigen::Matrix2d rows;
     rows << way_a.transpose(), way_b.transpose();
-    if (std::abs(rows.determinant()) < least_angle)
+    if (std::abs(rows.determinant()) < min_angle)
       return std::nullopt;
     const Eigen::Vector2d move = rows.inverse() * Eigen::Vector2d(off_a, off_b);
     p -= move;

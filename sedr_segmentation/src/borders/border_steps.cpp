@@ -77,7 +77,7 @@ BorderSteps::risersAlong(const std::vector<Place>& places,
                          const CrackChain& chain) const
 {
   constexpr int reach = 2; // cells
-  constexpr std::size_t least_points = 10;
+  constexpr std::size_t min_points = 10;
   const SheetGrid& grid = cracks_.sheet.grid;
   std::map<std::size_t, std::vector<std::size_t>> near; // places about a cell
   for (std::size_t k = 0; k < places.size(); ++k)
@@ -100,7 +100,7 @@ BorderSteps::risersAlong(const std::vector<Place>& places,
     std::size_t sum = counts[k];
     sum += k > 0 ? counts[k - 1] : 0;
     sum += k + 1 < counts.size() ? counts[k + 1] : 0;
-    has_riser.push_back(sum >= least_points);
+    has_riser.push_back(sum >= min_points);
   }
   return has_riser;
 }
@@ -185,15 +185,15 @@ BorderSteps::bestShift(const BorderPart& part,
   return middleOfBest(votes);
 }
 
-/** @brief How far to the left the upright face between the two facets lies, if one was
+/** @brief How far to the left the vertical face between the two facets lies, if one was
  * seen: where most of what lies between their heights is. */
 std::optional<double>
 BorderSteps::shiftToRiser(const BorderPart& part,
                           double length,
                           const CrackChain& chain) const
 {
-  constexpr std::size_t least_points = 30;
-  constexpr double least_share = 0.4; // else it is no one face
+  constexpr std::size_t min_points = 30;
+  constexpr double min_share = 0.4; // else it is no one face
   const double deviation = std::max(0.003, 2 * cracks_.sheet.noise);
   std::vector<double> places;
   forAllNear(risers_, part, length, SheetCracks::riser_reach,
@@ -201,7 +201,7 @@ BorderSteps::shiftToRiser(const BorderPart& part,
                if (isBetween(p, chain))
                  places.push_back(across);
              });
-  if (places.size() < least_points)
+  if (places.size() < min_points)
     return std::nullopt;
   std::sort(places.begin(), places.end());
   std::size_t first = 0;
@@ -214,7 +214,7 @@ BorderSteps::shiftToRiser(const BorderPart& part,
       first = low;
     }
   }
-  if (static_cast<double>(most) < least_share * static_cast<double>(places.size()))
+  if (static_cast<double>(most) < min_share * static_cast<double>(places.size()))
     return std::nullopt;
   double sum = 0;
   for (std::size_t k = first; k < first + most; ++k)

@@ -18,7 +18,7 @@ namespace sedr {
 class BorderSteps {
 public:
   /** @param cells the points of the ceiling
-   * @param risers points of what is upright in it
+   * @param risers points of what is vertical in it
    * @param directions of the walls, radians */
   BorderSteps(const SheetCracks& cracks,
               const CellPoints& cells,

@@ -153,8 +153,8 @@ bordersOf(const Sheet& sheet,
 {
   const SheetCracks pieces{sheet, cracks};
   const CellPoints cells(sheet.grid, sheet.is_inside, points);
-  const CellPoints upright(sheet.grid, sheet.is_inside, risers);
-  const BorderSteps steps(pieces, cells, upright, directions);
+  const CellPoints vertical(sheet.grid, sheet.is_inside, risers);
+  const BorderSteps steps(pieces, cells, vertical, directions);
   std::vector<std::vector<BorderPart>> parts;
   for (const CrackChain& chain : cracks.chains)
     parts.push_back(partsOf(chain, pieces, steps));

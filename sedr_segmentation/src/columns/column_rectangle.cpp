@@ -104,13 +104,13 @@ directionsOf(const std::vector<Eigen::Vector2d>& points,
 {
   constexpr int trials = 300;
   const double band = parameters.priors.min_wall / 2;
-  const double least_length = parameters.priors.evidence_cell;
+  const double min_length = parameters.priors.evidence_cell;
   std::mt19937_64 random(parameters.seed);
   std::vector<PlanCurve> lines;
   for (int trial = 0; trial < trials; ++trial) {
     const Eigen::Vector2d& a = points[random() % points.size()];
     const Eigen::Vector2d& b = points[random() % points.size()];
-    if ((b - a).norm() < least_length)
+    if ((b - a).norm() < min_length)
       continue;
     lines.push_back(lineThrough(a, b));
   }
@@ -135,7 +135,7 @@ findRectangle(const std::vector<Eigen::Vector2d>& points,
               const LoopParameters& parameters)
 {
   const double tolerance = parameters.tolerance;
-  const double least_side = parameters.priors.min_wall;
+  const double min_side = parameters.priors.min_wall;
   const double width = tolerance / 2;
   Rectangle best;
   best.direction = direction;
@@ -169,7 +169,7 @@ findRectangle(const std::vector<Eigen::Vector2d>& points,
     for (const double x1 : places[0])
       for (const double y0 : places[1])
         for (const double y1 : places[1])
-          if (x1 - x0 >= least_side && y1 - y0 >= least_side)
+          if (x1 - x0 >= min_side && y1 - y0 >= min_side)
             tryOne(x0, x1, y0, y1);
   // Fits the sides with points, then places the others.
   for (int round = 0; round < 3; ++round) {

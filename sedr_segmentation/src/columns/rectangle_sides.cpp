@@ -11,7 +11,7 @@ namespace sedr {
 namespace {
 
 /** @brief Minimum share of the points that supports a side. */
-constexpr double least_share = 0.06;
+constexpr double min_share = 0.06;
 
 /** @brief Moves a single unsupported side by at most `slack` to make the rectangle
  * square, as its position is only known to a voxel. */
@@ -50,7 +50,7 @@ std::vector<double>
 peaksOf(std::vector<double> sorted, double width)
 {
   constexpr std::size_t most = 4;
-  const double least = least_share * static_cast<double>(sorted.size());
+  const double least = min_share * static_cast<double>(sorted.size());
   std::vector<double> peaks;
   while (peaks.size() < most && !sorted.empty()) {
     std::size_t best_first = 0;
@@ -106,8 +106,7 @@ void
 judgeSides(const std::vector<Eigen::Vector2d>& in_frame, double band, Rectangle& r)
 {
   const auto sides = pointsOfSides(in_frame, r, band);
-  const double least =
-      std::max(5.0, least_share * static_cast<double>(in_frame.size()));
+  const double least = std::max(5.0, min_share * static_cast<double>(in_frame.size()));
   std::array<bool, 4> is_shown{};
   for (std::size_t k = 0; k < 4; ++k) {
     is_shown[k] = static_cast<double>(sides[k].size()) >= least;

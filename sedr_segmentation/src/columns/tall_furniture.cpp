@@ -17,7 +17,7 @@ constexpr int reach = 2; ///< search radius for the ceiling of a profile, cells
 /** @brief Returns whether an object occupies the upper half of a profile below `top`.
  */
 bool
-isUpright(Cell cell, double top, const RoomColumns& room)
+isVertical(Cell cell, double top, const RoomColumns& room)
 {
   return room.upperShare(cell, top, 0.25, 0) >= 0.5;
 }
@@ -31,30 +31,30 @@ isEmpty(Cell cell, const RoomColumns& room)
 } // namespace
 
 CellMask
-uprightCells(const CellBox& box,
-             const CellGrid& grid,
-             const ColumnTable& columns,
-             const PlanSlab& ceiling,
-             const PlanSlab& floor,
-             unsigned threads)
+verticalCells(const CellBox& box,
+              const CellGrid& grid,
+              const ColumnTable& columns,
+              const PlanSlab& ceiling,
+              const PlanSlab& floor,
+              unsigned threads)
 {
   const RoomColumns room(grid, columns, ceiling, floor);
-  CellMask upright(box);
-  parallelBlocks(upright.values().size(), cells_a_block, threads,
+  CellMask vertical(box);
+  parallelBlocks(vertical.values().size(), cells_a_block, threads,
                  [&](std::size_t begin, std::size_t end) {
                    for (std::size_t i = begin; i < end; ++i) {
-                     const Cell cell = upright.cellAt(i);
-                     upright.values()[i] =
+                     const Cell cell = vertical.cellAt(i);
+                     vertical.values()[i] =
                          !isEmpty(cell, room) &&
-                         isUpright(cell, room.topAround(cell, reach), room);
+                         isVertical(cell, room.topAround(cell, reach), room);
                    }
                  });
-  return upright;
+  return vertical;
 }
 
 CellMask
 tallFurniture(const CellMask& seen,
-              const CellMask& upright,
+              const CellMask& vertical,
               const CellGrid& grid,
               const ColumnTable& columns,
               const PlanSlab& ceiling,
@@ -62,7 +62,7 @@ tallFurniture(const CellMask& seen,
               const CeilingGap& gap)
 {
   const RoomColumns room(grid, columns, ceiling, floor);
-  CellMask low = upright;
+  CellMask low = vertical;
   for (std::size_t i = 0; i < low.values().size(); ++i)
     if (low.values()[i]) {
       const Cell cell = low.cellAt(i);
@@ -85,12 +85,12 @@ tallFurniture(const CellMask& seen,
 
 CellMask
 aroundSeenCeiling(const CellMask& seen,
-                  const CellMask& upright,
+                  const CellMask& vertical,
                   const CellGrid& grid,
                   const Priors& priors)
 {
   const double thickness = cellsFor(priors.run_gap, grid.size()); // of noisy sides
-  const CellMask within = enclosedCells(upright);
+  const CellMask within = enclosedCells(vertical);
   const MaskRegions regions = labelRegions(within, false);
   std::vector<std::size_t> count(regions.sizes.size());
   for (std::size_t i = 0; i < seen.values().size(); ++i)
@@ -104,7 +104,8 @@ aroundSeenCeiling(const CellMask& seen,
         static_cast<double>(count[r]) < priors.share_some * size)
       continue;
     const CellMask place = regionMask(within, regions, static_cast<std::int32_t>(r));
-    around = unite(around, unite(place, intersect(dilated(place, thickness), upright)));
+    around =
+        unite(around, unite(place, intersect(dilated(place, thickness), vertical)));
   }
   return around;
 }

@@ -15,12 +15,12 @@ namespace sedr {
  * @param columns profiles of all points around the room
  * @param ceiling,floor planes of the room
  * @param threads 0: all processors */
-CellMask uprightCells(const CellBox& box,
-                      const CellGrid& grid,
-                      const ColumnTable& columns,
-                      const PlanSlab& ceiling,
-                      const PlanSlab& floor,
-                      unsigned threads);
+CellMask verticalCells(const CellBox& box,
+                       const CellGrid& grid,
+                       const ColumnTable& columns,
+                       const PlanSlab& ceiling,
+                       const PlanSlab& floor,
+                       unsigned threads);
 
 /** @brief Returns the cells of objects in the upper half of a room that do not reach
  * its ceiling: wardrobes, cupboards and dividers with any gap above, screens, lamps.
@@ -29,12 +29,12 @@ CellMask uprightCells(const CellBox& box,
  * the ceiling seen above and around half of it, is therefore no wall. This does not
  * hold for a wall with a hidden top. O(cells of the box).
  * @param seen cells in which ceilings and soffits of the room were seen
- * @param upright uprightCells() of the same box
+ * @param vertical verticalCells() of the same box
  * @param columns profiles of all points around the room
  * @param ceiling,floor planes of the room
  * @param gap the band just below the ceiling's noise */
 CellMask tallFurniture(const CellMask& seen,
-                       const CellMask& upright,
+                       const CellMask& vertical,
                        const CellGrid& grid,
                        const ColumnTable& columns,
                        const PlanSlab& ceiling,
@@ -45,9 +45,9 @@ CellMask tallFurniture(const CellMask& seen,
  * seen, and the vertical objects around them. The ceiling is visible above a cabinet,
  * whatever its height, but not within a column. O(cells of the box).
  * @param seen cells in which ceilings and soffits of the room were seen
- * @param upright uprightCells() of the same box */
+ * @param vertical verticalCells() of the same box */
 CellMask aroundSeenCeiling(const CellMask& seen,
-                           const CellMask& upright,
+                           const CellMask& vertical,
                            const CellGrid& grid,
                            const Priors& priors = {});
 

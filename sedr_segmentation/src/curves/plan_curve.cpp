@@ -237,7 +237,7 @@ PlanCurve
 fitShrinking(const std::vector<WeightedPoint>& points,
              const PlanCurve& start,
              double band,
-             std::size_t least_points,
+             std::size_t min_points,
              Fit fit)
 {
   constexpr int rounds = 6;
@@ -252,7 +252,7 @@ fitShrinking(const std::vector<WeightedPoint>& points,
     for (const auto& p : points)
       if (curve.distance(p.position) <= band)
         inside.push_back(p);
-    if (inside.size() < least_points)
+    if (inside.size() < min_points)
       return round == 0 ? start : curve;
     if (areSame(inside, fitted)) // converged
       return curve;

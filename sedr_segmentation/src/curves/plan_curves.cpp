@@ -32,12 +32,12 @@ curveThrough(const PlanElement& e)
 Eigen::Matrix3d
 informationOf(const PlanElement& e, double length, const Priors& priors)
 {
-  const double least_deviation = priors.place_accuracy;
+  const double min_deviation = priors.place_accuracy;
   double count = 1;
   double noise = priors.wall_band;
   if (e.inliers > 0) {
-    noise = std::max(e.residual, least_deviation);
-    const double best = std::max(least_deviation, priors.share_unseen * noise);
+    noise = std::max(e.residual, min_deviation);
+    const double best = std::max(min_deviation, priors.share_unseen * noise);
     count = std::min(static_cast<double>(e.inliers), std::pow(noise / best, 2));
   }
   if (!e.isArc())

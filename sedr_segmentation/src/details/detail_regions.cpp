@@ -85,14 +85,14 @@ hasWallBehind(const SliceScene& scene, const Tops& tops, const CellMask& region)
 bool
 isAboveFurniture(const SliceScene& scene, const Tops& tops, const CellMask& region)
 {
-  const double least_drop = scene.parameters.priors.min_drop;
+  const double min_drop = scene.parameters.priors.min_drop;
   double drop = 0;
   for (std::size_t i = 0; i < region.values().size(); ++i)
     if (region.values()[i]) {
       const Cell cell = region.cellAt(i);
       drop += scene.ceilingAt(cell) - tops.height[tops.undersides.indexOf(cell)];
     }
-  return drop >= least_drop * static_cast<double>(region.count()) &&
+  return drop >= min_drop * static_cast<double>(region.count()) &&
          isFloorHiddenBefore(scene, region) && hasWallBehind(scene, tops, region);
 }
 

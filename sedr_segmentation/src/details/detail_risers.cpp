@@ -115,9 +115,9 @@ reachesCeiling(const ColumnTable& columns,
                const PlanSlab& higher,
                const Priors& priors)
 {
-  const double least_body = priors.wall_band; // minimum riser below the gap
+  const double min_body = priors.wall_band; // minimum riser below the gap
   const CeilingGap gap = gapBelow(higher);
-  return high - gap.low < low + least_body ||
+  return high - gap.low < low + min_body ||
          columns.share(cell, high - gap.low, high - gap.high, 1, 2) >= 1;
 }
 

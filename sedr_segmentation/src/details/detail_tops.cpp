@@ -87,16 +87,16 @@ labelHeights(const Tops& tops,
   return next;
 }
 
-/** @brief Removes the labels of regions with fewer than `least_cells`. */
+/** @brief Removes the labels of regions with fewer than `min_cells`. */
 void
-dropSmall(std::size_t least_cells, std::int32_t count, std::vector<std::int32_t>& label)
+dropSmall(std::size_t min_cells, std::int32_t count, std::vector<std::int32_t>& label)
 {
   std::vector<std::size_t> sizes(static_cast<std::size_t>(count), 0);
   for (const std::int32_t l : label)
     if (l >= 0)
       ++sizes[static_cast<std::size_t>(l)];
   for (std::int32_t& l : label)
-    if (l >= 0 && sizes[static_cast<std::size_t>(l)] < least_cells)
+    if (l >= 0 && sizes[static_cast<std::size_t>(l)] < min_cells)
       l = -1;
 }
 
@@ -155,7 +155,7 @@ findTops(const SliceScene& scene)
 std::vector<CellMask>
 regionsOfOneHeight(const SliceScene& scene, const Tops& tops)
 {
-  constexpr double least_parted = 0.15; // square metres
+  constexpr double min_parted = 0.15; // square metres
   const Priors& priors = scene.parameters.priors;
   const double cell = scene.parameters.cell_size;
   const double tolerance = scene.parameters.tolerance;
@@ -163,7 +163,7 @@ regionsOfOneHeight(const SliceScene& scene, const Tops& tops)
   std::vector<std::int32_t> label(tops.height.size(), -1);
   std::int32_t count =
       labelHeights(tops, subtract(tops.undersides, steps), tolerance, 0, label);
-  dropSmall(static_cast<std::size_t>(least_parted / (cell * cell)), count, label);
+  dropSmall(static_cast<std::size_t>(min_parted / (cell * cell)), count, label);
   labelSteps(tops, tolerance, static_cast<int>(priors.riser_cells), label);
   count = labelHeights(tops, tops.undersides, tolerance, count, label);
   std::vector<std::vector<CellKey>> keys(static_cast<std::size_t>(count));

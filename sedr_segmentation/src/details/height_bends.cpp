@@ -42,7 +42,7 @@ noteRelief(const PointView& points,
            const CellGrid& grid,
            HeightMap& map)
 {
-  const double most_spread = map.priors.surface_band; // a larger spread is a riser
+  const double max_spread = map.priors.surface_band; // a larger spread is a riser
   const CellMask& room = map.room;
   std::vector<CellHeights> seen(room.values().size());
   for (const auto* indices : {&evidence.main, &evidence.details})
@@ -56,7 +56,7 @@ noteRelief(const PointView& points,
   std::vector<double> heights;
   for (std::size_t k = 0; k < cells.size(); ++k) {
     const CellHeights& of_cell = seen[room.indexOf(cells[k])];
-    heights.push_back(of_cell.high - of_cell.low <= most_spread
+    heights.push_back(of_cell.high - of_cell.low <= max_spread
                           ? of_cell.sum / of_cell.count
                           : unknown);
   }
@@ -67,7 +67,7 @@ noteRelief(const PointView& points,
   for (std::size_t k = 0; k < cells.size(); ++k) {
     const std::size_t at = room.indexOf(cells[k]);
     map.relief[at] = smooth[k];
-    steps[at] = edges[k] != 0 || seen[at].high - seen[at].low > most_spread ? 1 : 0;
+    steps[at] = edges[k] != 0 || seen[at].high - seen[at].low > max_spread ? 1 : 0;
   }
   return steps;
 }
@@ -295,8 +295,8 @@ followHeights(const std::vector<std::uint8_t>& steps,
               const CellGrid& grid,
               HeightMap& map)
 {
-  constexpr int most_rounds = 20;
-  for (int round = 0; round < most_rounds; ++round) {
+  constexpr int max_rounds = 20;
+  for (int round = 0; round < max_rounds; ++round) {
     std::vector<std::int32_t> next = map.label;
     for (std::size_t i = 0; i < next.size(); ++i)
       if (map.room.values()[i] && !std::isnan(map.relief[i]) &&

@@ -49,16 +49,15 @@ detailSlab(const PointView& points,
         std::abs(distanceAbove(level.slab, p)) <= parameters.slab_tolerance)
       own.push_back(i);
   }
-  const PlanSlab leaning =
+  const PlanSlab tilted =
       fitSlabRobustly(points, own, level.slab, parameters.slab_tolerance);
   const PlanSlab parallel =
       fitParallel(points, own, main, level.slab, parameters.slab_tolerance);
-  const double least_width = parameters.loop.priors.short_wall;
-  const bool is_wide =
-      eroded(cells, cellsFor(least_width / 2, grid.size())).count() > 0;
+  const double min_width = parameters.loop.priors.short_wall;
+  const bool is_wide = eroded(cells, cellsFor(min_width / 2, grid.size())).count() > 0;
   const bool is_clear =
-      leaning.residual < 0.7 * parallel.residual && leaning.inliers >= parallel.inliers;
-  return is_wide && is_clear ? leaning : parallel;
+      tilted.residual < 0.7 * parallel.residual && tilted.inliers >= parallel.inliers;
+  return is_wide && is_clear ? tilted : parallel;
 }
 
 /** @brief Returns whether a region below a ceiling is a lamp: small, away from the
@@ -95,7 +94,7 @@ addFields(const PointView& points,
           const RoomFitParameters& parameters,
           HeightMap& map)
 {
-  constexpr std::size_t least_part = 4; // one part in this many of `least`
+  constexpr std::size_t min_part = 4; // one part in this many of `least`
   for (std::size_t i = 0; i < map.label.size(); ++i)
     if (map.label[i] > 0)
       piece.values()[i] = 0;
@@ -109,7 +108,7 @@ addFields(const PointView& points,
       fields.sizes.begin());
   std::vector<std::int32_t> number(fields.sizes.size(), 0);
   for (std::size_t f = 0; f < fields.sizes.size(); ++f)
-    if (f == largest || least_part * fields.sizes[f] >= least) {
+    if (f == largest || min_part * fields.sizes[f] >= least) {
       map.details.push_back(slab);
       number[f] = static_cast<std::int32_t>(map.details.size());
     }
@@ -183,11 +182,11 @@ seenHeights(const PointView& points,
   const CellGrid grid(parameters.cell_size);
   const Priors& priors = parameters.loop.priors;
   // Furniture causes small and thin regions near the heights of a floor.
-  const double least_area =
+  const double min_area =
       evidence.is_floor ? priors.min_slab_area : parameters.minimum_detail_area;
   const double step =
       evidence.is_floor ? priors.min_floor_step : priors.min_ceiling_step;
-  const auto least = static_cast<std::size_t>(least_area / (grid.size() * grid.size()));
+  const auto least = static_cast<std::size_t>(min_area / (grid.size() * grid.size()));
   HeightMap map;
   map.priors = priors;
   map.room = room;

@@ -21,7 +21,7 @@ namespace sedr {
 namespace {
 
 /** @brief Maximum number of rounds of plane fit and region search. */
-constexpr int most_rounds = 10;
+constexpr int max_rounds = 10;
 
 /** @brief Marks the cells that hold a chosen candidate. */
 std::vector<std::uint8_t>
@@ -245,7 +245,7 @@ findLevels(const LevelColumns& columns,
     for (int round = 0;; ++round) {
       draft.relief =
           reliefOf(columns, candidates, draft.slab, 2 * parameters.tolerance);
-      if (round == most_rounds ||
+      if (round == max_rounds ||
           !partLevel(columns, candidates, parameters, minimum_cells, draft))
         break;
     }

@@ -26,7 +26,7 @@ fitsAll(const Eigen::Vector3d& normal,
   return std::all_of(regions.begin(), regions.end(), [&](const LevelRegion* region) {
     const double excess = region->moments.variance(normal, point) - region->variance;
     return excess <=
-           std::max(std::pow(region->least_step / 6, 2), 4 * region->unevenness);
+           std::max(std::pow(region->min_step / 6, 2), 4 * region->unevenness);
   });
 }
 
@@ -52,17 +52,17 @@ isTheirPlane(const PlanSlab& slab, const std::vector<const LevelRegion*>& region
  * count only where a step lies between the regions; across a wall, two slabs always
  * differ slightly. */
 double
-leastStep(const LevelRegion& region,
-          const std::vector<LevelRegion>& regions,
-          const std::vector<const LevelRegion*>& stay,
-          const LevelParameters& parameters)
+minStep(const LevelRegion& region,
+        const std::vector<LevelRegion>& regions,
+        const std::vector<const LevelRegion*>& stay,
+        const LevelParameters& parameters)
 {
   const bool is_beside = std::any_of(
       region.beyond_steps.begin(), region.beyond_steps.end(), [&](std::size_t r) {
         return std::find(stay.begin(), stay.end(), &regions[r]) != stay.end();
       });
-  return is_beside ? std::min(parameters.priors.slab_noise, parameters.least_step)
-                   : parameters.least_step;
+  return is_beside ? std::min(parameters.priors.slab_noise, parameters.min_step)
+                   : parameters.min_step;
 }
 
 /** @brief Marks cells and those within two cells of them as apart, except kept cells
@@ -139,7 +139,7 @@ partLevel(const LevelColumns& columns,
   std::vector<const LevelRegion*> stay;
   std::vector<const LevelRegion*> others;
   for (LevelRegion& region : regions) {
-    region.least_step = leastStep(region, regions, stay, parameters);
+    region.min_step = minStep(region, regions, stay, parameters);
     stay.push_back(&region);
     if (std::abs(region.height) <= parameters.tolerance &&
         (stay.size() == 1 || areOnOnePlane(stay)))

@@ -96,7 +96,7 @@ findStepsBetween(const CellSet& cells,
                  const Priors& priors,
                  std::vector<LevelRegion>& regions)
 {
-  const auto least_edge = static_cast<std::size_t>(priors.min_points); // cells
+  const auto min_edge = static_cast<std::size_t>(priors.min_points); // cells
   std::vector<std::size_t> region_of(cells.size(), CellSet::npos);
   for (std::size_t r = 0; r < regions.size(); ++r)
     for (const std::size_t i : regions[r].cells)
@@ -113,7 +113,7 @@ findStepsBetween(const CellSet& cells,
           ++edge_cells[{a, b}];
   }
   for (const auto& [pair, count] : edge_cells)
-    if (count >= least_edge)
+    if (count >= min_edge)
       regions[pair.first].beyond_steps.push_back(pair.second);
 }
 

@@ -50,7 +50,7 @@ struct LevelRegion {
   Moments moments;
   std::vector<std::size_t> beyond_steps; ///< regions on the other side of a step
   double height = 0;     ///< median above the plane of the level, metres
-  double least_step = 0; ///< minimum distance from a plane of another level, metres
+  double min_step = 0;   ///< minimum distance from a plane of another level, metres
   double variance = 0;   ///< of its points around its own plane, square metres
   double unevenness = 0; ///< variance of the surface without noise, square metres
 };

@@ -142,10 +142,10 @@ isOfStep(const CellSet& cells,
          std::size_t at,
          int reach)
 {
-  constexpr int least_share = 10; // one in this many
+  constexpr int min_share = 10; // one in this many
   std::array<int, 3> count{};
   forEachAround(cells, cells[at], reach, [&](std::size_t i) { ++count[kind[i]]; });
-  return least_share * count[sharp_edge] >= count[edge] + count[sharp_edge];
+  return min_share * count[sharp_edge] >= count[edge] + count[sharp_edge];
 }
 
 /** @brief Returns the kind of each cell: whether a drop crosses it, and a sharp one. */

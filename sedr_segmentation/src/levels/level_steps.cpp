@@ -80,7 +80,7 @@ setStepsApart(const LevelColumns& columns,
               const Priors& priors,
               LevelDraft& draft)
 {
-  constexpr std::size_t least_cells = 60;
+  constexpr std::size_t min_cells = 60;
   const CellSet& cells = columns.cells();
   const double reach = 2 * tolerance;
   std::vector<double> relief = draft.relief;
@@ -102,7 +102,7 @@ setStepsApart(const LevelColumns& columns,
   for (std::size_t i = 0; i < wide.size(); ++i)
     regions[labels.label[i]].push_back(cells.find(wide[i]));
   for (const auto& region : regions) {
-    if (region.size() < least_cells || !isStep(cells, region, offsets, noise))
+    if (region.size() < min_cells || !isStep(cells, region, offsets, noise))
       continue;
     for (const std::size_t i : region)
       draft.apart[i] = 1;

@@ -18,12 +18,12 @@ densitiesOf(const LoopChain& chain,
             const PlanPoints& evidence,
             const LoopParameters& parameters)
 {
-  const double least_length = parameters.priors.evidence_cell / 10;
+  const double min_length = parameters.priors.evidence_cell / 10;
   std::vector<double> densities;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const double length = chain.element(i).length();
     densities.push_back(
-        length < least_length
+        length < min_length
             ? 0
             : static_cast<double>(pointsAlong(chain, i, evidence, parameters).size()) /
                   length);

@@ -16,7 +16,7 @@ namespace sedr {
 namespace {
 
 /** @brief Cosine of the maximum angle between a contour and its curve. */
-const double least_cosine = std::cos(35.0 * M_PI / 180.0);
+const double min_cosine = std::cos(35.0 * M_PI / 180.0);
 
 /** @brief Returns the cost of an outlier, in units of (half a tolerance) squared;
  * beyond it the cost grows only slowly. */
@@ -129,7 +129,7 @@ CurveAssignment::judge(std::size_t i,
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const double cosine =
         std::abs(curves[c].tangentAt(sample.place).dot(sample.tangent));
-    costs[c] = cosine < least_cosine ? sample.weight() : 0;
+    costs[c] = cosine < min_cosine ? sample.weight() : 0;
     if (!sample.isSupported())
       costs[c] += costUnsupported(sample, curves[c], parameters_.priors);
   }

@@ -15,7 +15,7 @@ namespace sedr {
 namespace {
 
 /** @brief Cosine of the maximum angle between a contour and its curve. */
-const double least_cosine_of_tangents = std::cos(35.0 * M_PI / 180.0);
+const double min_cosine_of_tangents = std::cos(35.0 * M_PI / 180.0);
 
 /** @brief Returns the agreement of a sample with a curve: its weight, decreasing to 0
  * at the tolerance. Without points it is at least the contour's staircase, half a cell.
@@ -31,7 +31,7 @@ agreement(const ContourSample& sample,
           : std::max(parameters.tolerance, parameters.evidence_span / 2);
   const double d = curve.distance(sample.position) / tolerance;
   if (d >= 1 || std::abs(curve.tangentAt(sample.position).dot(sample.tangent)) <
-                    least_cosine_of_tangents)
+                    min_cosine_of_tangents)
     return 0;
   return sample.weight() * (1 - d * d);
 }
@@ -191,13 +191,13 @@ proposeLines(CurveSearch& search,
              const std::vector<ContourSample>& samples,
              std::vector<std::size_t> open,
              const LoopParameters& parameters,
-             double least_score,
+             double min_score,
              std::vector<PlanCurve>& curves)
 {
   for (int k = 0; k < 6 && open.size() >= 3; ++k) {
     double line_score = 0;
     const PlanCurve line = search.bestLine(open, line_score);
-    if (line_score < least_score)
+    if (line_score < min_score)
       break;
     curves.push_back(line);
     eraseExplained(samples, line, parameters, open);
@@ -211,7 +211,7 @@ findCurves(const std::vector<ContourSample>& samples,
            const std::vector<PlanCurve>& known,
            const LoopParameters& parameters)
 {
-  constexpr std::size_t most_curves = 120;
+  constexpr std::size_t max_curves = 120;
   // A circle must explain clearly more than a line, or straight walls would become
   // arcs.
   constexpr double circle_advantage = 1.15;
@@ -228,9 +228,9 @@ findCurves(const std::vector<ContourSample>& samples,
       samples.size() < 2
           ? 1
           : std::max(1e-6, (samples[1].position - samples[0].position).norm());
-  const double least_score = std::max(2.0, 0.5 * parameters.minimum_length / edge);
+  const double min_score = std::max(2.0, 0.5 * parameters.minimum_length / edge);
   CurveSearch search(samples, parameters);
-  while (open.size() >= 3 && curves.size() < most_curves) {
+  while (open.size() >= 3 && curves.size() < max_curves) {
     double line_score = 0;
     double circle_score = 0;
     const PlanCurve line = search.bestLine(open, line_score);
@@ -238,13 +238,13 @@ findCurves(const std::vector<ContourSample>& samples,
     const bool is_circle =
         circle.isCircle() &&
         circle_score > circle_advantage * line_score + circle_surplus;
-    if (std::max(line_score, is_circle ? circle_score : 0.0) < least_score)
+    if (std::max(line_score, is_circle ? circle_score : 0.0) < min_score)
       break;
     curves.push_back(is_circle ? circle : line);
     std::vector<std::size_t> left = open;
     eraseExplained(samples, curves.back(), parameters, left);
     if (is_circle) // a square column resembles a circle, so its sides are proposed, too
-      proposeLines(search, samples, difference(open, left), parameters, least_score,
+      proposeLines(search, samples, difference(open, left), parameters, min_score,
                    curves);
     open.swap(left);
   }

@@ -120,7 +120,7 @@ tryFusion(LoopChain& chain,
     return false;
   const LoopLink& before = chain.links[window.before];
   const LoopLink& after = chain.links[window.after];
-  double best = cost.of(window.path, zone) - leastGain(parameters.priors);
+  double best = cost.of(window.path, zone) - minGain(parameters.priors);
   bool is_found = false;
   LoopLink fused;
   Eigen::Vector2d start;

@@ -121,14 +121,14 @@ PathCost::zoneAround(const Eigen::Vector2d& middle,
                      double radius,
                      const std::vector<PlanElement>& rest) const
 {
-  constexpr std::size_t most_points = 600;
+  constexpr std::size_t max_points = 600;
   std::vector<Eigen::Vector2d> all;
   evidence_.forEachWithin(middle, radius,
                           [&](const Eigen::Vector2d& p) { all.push_back(p); });
   std::vector<PlanElement> near;
   appendNear(others_, middle, radius, near);
   appendNear(rest, middle, radius, near);
-  const std::size_t step = all.size() / most_points + 1;
+  const std::size_t step = all.size() / max_points + 1;
   Zone zone;
   zone.density = density_ / static_cast<double>(step);
   for (std::size_t i = 0; i < all.size(); i += step) {
@@ -141,9 +141,9 @@ PathCost::zoneAround(const Eigen::Vector2d& middle,
 PathCost::Zone
 PathCost::zoneAlong(const std::vector<PlanElement>& elements) const
 {
-  constexpr std::size_t most_points = 20000; // per loop
-  const double stretch = priors_.patch;      // search length, metres
-  const std::size_t step = evidence_.size() / most_points + 1;
+  constexpr std::size_t max_points = 20000; // per loop
+  const double stretch = priors_.patch;     // search length, metres
+  const std::size_t step = evidence_.size() / max_points + 1;
   std::vector<std::size_t> indices;
   for (const auto& e : elements) {
     const double length = e.length();

@@ -172,14 +172,14 @@ refit(Assignment& a,
   a.curves = std::move(fitted);
 }
 
-/** @brief Removes the curves with fewer than `least_samples`. */
+/** @brief Removes the curves with fewer than `min_samples`. */
 void
-dropUnused(Assignment& a, std::size_t least_samples)
+dropUnused(Assignment& a, std::size_t min_samples)
 {
   const std::vector<std::size_t> followers = followersOf(a);
   std::vector<PlanCurve> kept;
   for (std::size_t c = 0; c < a.curves.size(); ++c)
-    if (c < a.known || followers[c] >= least_samples)
+    if (c < a.known || followers[c] >= min_samples)
       kept.push_back(a.curves[c]);
   if (!kept.empty())
     a.curves = std::move(kept);
@@ -194,7 +194,7 @@ findAssignment(const std::vector<ContourSample>& samples,
                const LoopParameters& parameters)
 {
   constexpr int rounds = 4;
-  constexpr std::size_t least_samples = 2;
+  constexpr std::size_t min_samples = 2;
   LoopParameters search = parameters;
   search.tolerance = sampleTolerance(samples, parameters);
   Assignment a;
@@ -206,7 +206,7 @@ findAssignment(const std::vector<ContourSample>& samples,
   for (int round = 0; round < rounds; ++round) {
     a.curve_of = assignment.assign(a.curves);
     refit(a, samples, walls, search.tolerance, parameters);
-    dropUnused(a, least_samples);
+    dropUnused(a, min_samples);
   }
   a.curve_of = assignment.assign(a.curves);
   return a;

@@ -19,24 +19,24 @@ namespace {
 void
 judgeSupport(const Priors& priors, std::vector<ContourSample>& samples)
 {
-  const auto least_evidence = static_cast<std::size_t>(priors.min_evidence);
+  const auto min_points = static_cast<std::size_t>(priors.min_evidence);
   std::vector<double> found;
   for (const ContourSample& sample : samples)
-    if (sample.points >= least_evidence)
+    if (sample.points >= min_points)
       found.push_back(static_cast<double>(sample.points));
   if (found.empty())
     return;
   const double median = middleValue(found);
   for (ContourSample& sample : samples) {
     const double share = static_cast<double>(sample.points) / median;
-    if (sample.points >= least_evidence && share >= priors.share_little)
+    if (sample.points >= min_points && share >= priors.share_little)
       sample.support = std::min(1.0, share);
   }
 }
 
 /** @brief Removes the support of sequences of samples too short for a wall. */
 void
-dropShortSupport(std::size_t least_samples, std::vector<ContourSample>& samples)
+dropShortSupport(std::size_t min_samples, std::vector<ContourSample>& samples)
 {
   const std::size_t n = samples.size();
   std::size_t start = 0;
@@ -48,7 +48,7 @@ dropShortSupport(std::size_t least_samples, std::vector<ContourSample>& samples)
       ++length;
       continue;
     }
-    for (; length > 0 && length < least_samples; --length)
+    for (; length > 0 && length < min_samples; --length)
       samples[(i + n - length) % n].support = 0;
     length = 0;
   }

@@ -84,11 +84,11 @@ restOf(const LoopChain& chain, const Window& window, const Priors& priors)
 }
 
 bool
-runsForward(const LoopLink& link, const PlanElement& e, double least_length)
+runsForward(const LoopLink& link, const PlanElement& e, double min_length)
 {
   if (!e.isArc())
-    return (e.end - e.start).dot(link.curve.direction) >= least_length;
-  return std::abs(e.sweep()) < 1.5 * M_PI && e.length() >= least_length;
+    return (e.end - e.start).dot(link.curve.direction) >= min_length;
+  return std::abs(e.sweep()) < 1.5 * M_PI && e.length() >= min_length;
 }
 
 bool
@@ -125,7 +125,7 @@ replaceLinks(LoopChain& chain,
     becomes.push_back(LoopChain::elementBetween(links[k], corners[k], corners[k + 1]));
   becomes.push_back(LoopChain::elementBetween(
       after, corners.back(), chain.corners[chain.after(window.after)]));
-  if (cost.ofChange(was, becomes, rest) > -leastGain(priors) / 2 ||
+  if (cost.ofChange(was, becomes, rest) > -minGain(priors) / 2 ||
       (crosses(result) && !crosses(chain)))
     return false;
   chain = std::move(result);

@@ -17,7 +17,7 @@ namespace sedr {
 
 /** @brief Returns the minimum gain of a change of a chain, metres of wall. */
 inline double
-leastGain(const Priors& priors)
+minGain(const Priors& priors)
 {
   return priors.element_cost / 2;
 }
@@ -47,7 +47,7 @@ restOf(const LoopChain& chain, const Window& window, const Priors& priors);
 
 /** @brief Returns whether an element runs in the direction of its link and has the
  * minimum length. */
-bool runsForward(const LoopLink& link, const PlanElement& e, double least_length);
+bool runsForward(const LoopLink& link, const PlanElement& e, double min_length);
 
 /** @brief Replaces a window's inner links. `corners` are the starts of the new links
  * and of the link after them.

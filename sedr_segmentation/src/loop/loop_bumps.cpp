@@ -15,11 +15,11 @@ namespace sedr {
 
 namespace {
 
-constexpr double least_cosine = 0.996; ///< of parallels: 5 degrees
-constexpr double square = 0.17; ///< cosine of what is square to a wall: 10 degrees
+constexpr double min_cosine = 0.996; ///< of parallels: 5 degrees
+constexpr double square = 0.17;      ///< cosine of what is square to a wall: 10 degrees
 
 /** @brief Sides of a bump: a cable or a curtain has no more. */
-constexpr std::size_t most_sides = 6;
+constexpr std::size_t max_sides = 6;
 
 Eigen::Vector2d
 wayOf(const PlanElement& e)
@@ -66,7 +66,7 @@ struct Bump {
       hold(side.end);
     if (!isAlongOneWall()) {
       const std::vector<Eigen::Vector2d> corner = corners();
-      if (corner.empty() || wayOf(before).dot(wayOf(after)) < -least_cosine)
+      if (corner.empty() || wayOf(before).dot(wayOf(after)) < -min_cosine)
         return false;
       hold(corner.front());
     }
@@ -108,10 +108,7 @@ private:
     return std::abs(wayOf(before).dot(wayOf(side)));
   }
 
-  bool isAlongOneWall() const
-  {
-    return wayOf(before).dot(wayOf(after)) >= least_cosine;
-  }
+  bool isAlongOneWall() const { return wayOf(before).dot(wayOf(after)) >= min_cosine; }
 
   /** @brief Where the two walls meet. */
   std::vector<Eigen::Vector2d> corners() const
@@ -122,7 +119,7 @@ private:
   bool isSquare() const
   {
     return std::all_of(sides.begin(), sides.end(), [&](const PlanElement& side) {
-      return slant(side) < square || slant(side) > least_cosine;
+      return slant(side) < square || slant(side) > min_cosine;
     });
   }
 };
@@ -136,7 +133,7 @@ dropBumps(PlanLoop& loop, double narrowest)
   std::vector<PlanElement>& elements = loop.elements;
   for (std::size_t i = 0; i < elements.size(); ++i)
     for (std::size_t count = 2;
-         count <= most_sides && count + 3 <= elements.size() && i < elements.size();
+         count <= max_sides && count + 3 <= elements.size() && i < elements.size();
          ++count) {
       const Bump bump(loop, i, count);
       if (!bump.isOne(narrowest))

@@ -39,12 +39,12 @@ appendLines(const Eigen::Vector2d& direction,
             const Priors& priors,
             std::vector<Proposal>& lines)
 {
-  const double least_length = priors.element_cost; // a shorter one cannot pay
-  const double least_unexplained = leastGain(priors);
-  constexpr std::size_t most_lines = 5;
+  const double min_length = priors.element_cost; // a shorter one cannot pay
+  const double min_unexplained = minGain(priors);
+  constexpr std::size_t max_lines = 5;
   const double width = tolerance / 2;
   std::sort(points.begin(), points.end());
-  for (std::size_t k = 0; k < most_lines && !points.empty(); ++k) {
+  for (std::size_t k = 0; k < max_lines && !points.empty(); ++k) {
     auto best_first = points.begin();
     auto best_last = points.begin();
     for (auto first = points.begin(), last = first; last != points.end(); ++last) {
@@ -62,10 +62,10 @@ appendLines(const Eigen::Vector2d& direction,
       cost += it->cost;
     }
     const auto count = static_cast<double>(best_last - best_first + 1);
-    if (count < least_length * density)
+    if (count < min_length * density)
       return;
     const double offset = sum / count;
-    if (cost >= least_unexplained * density) {
+    if (cost >= min_unexplained * density) {
       LoopLink link;
       link.curve.direction = direction;
       link.curve.point = offset * leftOf(direction);
@@ -125,7 +125,7 @@ linesOf(const LoopChain& chain,
         const Guides& guides,
         const Priors& priors)
 {
-  constexpr std::size_t most_lines = 10;
+  constexpr std::size_t max_lines = 10;
   std::vector<Proposal> proposals;
   const std::vector<double> costs = cost.pointCosts(window.path, zone);
   for (const auto& direction : guides.directions) {
@@ -139,7 +139,7 @@ linesOf(const LoopChain& chain,
                      return a.unexplained > b.unexplained;
                    });
   std::vector<LoopLink> lines;
-  for (std::size_t i = 0; i < std::min(most_lines, proposals.size()); ++i)
+  for (std::size_t i = 0; i < std::min(max_lines, proposals.size()); ++i)
     lines.push_back(proposals[i].link);
   for (std::size_t k = 0; k < window.inner.size(); ++k) {
     const LoopLink& link = chain.links[window.inner[k]];
@@ -188,7 +188,7 @@ public:
     std::vector<double> least = cost.pointCosts({}, zone);
     for (const std::size_t i : {std::size_t{0}, curves_.size() - 1})
       takeLess(costs_on_[i], least);
-    least_.assign(most_lines + 2, least);
+    min_.assign(max_lines + 2, least);
     for (const auto& costs : costs_on_)
       takeLess(costs, least);
     floor_ = sumOf(least);
@@ -231,7 +231,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t most_lines = 3;
+  static constexpr std::size_t max_lines = 3;
 
   /** @brief Lowers each cost to another where that is less. */
   static void takeLess(const std::vector<double>& other, std::vector<double>& costs)
@@ -246,9 +246,9 @@ private:
   }
 
   /** @brief What the points cost at least on the curves of the trial and one more. */
-  double leastWith(std::size_t more) const
+  double minWith(std::size_t more) const
   {
-    const std::vector<double>& least = least_[trial_.size() - 1];
+    const std::vector<double>& least = min_[trial_.size() - 1];
     const std::vector<double>& costs = costs_on_[more];
     double sum = 0;
     for (std::size_t k = 0; k < least.size(); ++k)
@@ -322,16 +322,16 @@ private:
     const std::size_t last = curves_.size() - 1;
     const std::size_t i = trial_.back();
     const std::size_t h = trial_.size() > 1 ? trial_[trial_.size() - 2] : 0;
-    for (std::size_t j = trial_.size() <= most_lines ? 1 : last; j <= last; ++j) {
+    for (std::size_t j = trial_.size() <= max_lines ? 1 : last; j <= last; ++j) {
       if (!corner(i, j).exists ||
           std::find(trial_.begin(), trial_.end(), j) != trial_.end())
         continue;
       // What this piece and those after it cost at least, and the points, where all
       // curves of the way are known.
       const double pieces = (j == last ? 2 : 3) * element_cost_;
-      const bool is_known = j == last || trial_.size() == most_lines;
+      const bool is_known = j == last || trial_.size() == max_lines;
       if (floor_ + spent + pieces >= best_ ||
-          (is_known && leastWith(j) + spent + pieces >= best_))
+          (is_known && minWith(j) + spent + pieces >= best_))
         continue;
       const double so_far = spent + pieceCost(h, i, j);
       if (floor_ + so_far + pieces - element_cost_ >= best_)
@@ -340,8 +340,8 @@ private:
       if (j == last)
         finish(so_far + pieceCost(i, j, j));
       else {
-        least_[trial_.size() - 1] = least_[trial_.size() - 2];
-        takeLess(costs_on_[j], least_[trial_.size() - 1]);
+        min_[trial_.size() - 1] = min_[trial_.size() - 2];
+        takeLess(costs_on_[j], min_[trial_.size() - 1]);
         extend(so_far);
       }
       trial_.pop_back();
@@ -373,8 +373,8 @@ private:
   std::vector<Corner> corners_; ///< of curves i and j at i * n + j
   std::map<std::tuple<std::size_t, std::size_t, std::size_t>, double> piece_costs_;
   std::vector<std::vector<double>> costs_on_; ///< of the points, on each curve
-  std::vector<std::vector<double>> least_; ///< of the points, on the first of a trial
-  double floor_ = 0;                       ///< what the points cost whatever the way
+  std::vector<std::vector<double>> min_; ///< of the points, on the first of a trial
+  double floor_ = 0;                     ///< what the points cost whatever the way
   double best_ = 0;
   std::vector<std::size_t> trial_;
   std::vector<std::size_t> best_trial_;
@@ -393,7 +393,7 @@ tryDetour(LoopChain& chain,
   DetourSearch search(chain, window, cost, zone,
                       linesOf(chain, window, cost, zone, guides, parameters.priors),
                       parameters);
-  return search.run(cost.of(window.path, zone) - leastGain(parameters.priors)) &&
+  return search.run(cost.of(window.path, zone) - minGain(parameters.priors)) &&
          replaceLinks(chain, window, search.links(), search.corners(), cost,
                       parameters.priors);
 }

@@ -71,15 +71,15 @@ runsOnSide(const PlanLoop& loop,
 
 /** @brief What is left of a loop where a neck is cut, if that is one. */
 std::optional<PlanLoop>
-withoutPart(const PlanLoop& loop, bool is_inside, const Neck& neck, double most_area)
+withoutPart(const PlanLoop& loop, bool is_inside, const Neck& neck, double max_area)
 {
-  constexpr double least_outline = 4; // times the neck's length
+  constexpr double min_outline = 4; // times the neck's length
   const PlanLoop parts[2] = {partOf(loop, neck, false), partOf(loop, neck, true)};
   const bool is_first_small = std::abs(parts[0].area()) < std::abs(parts[1].area());
   const PlanLoop& small = parts[is_first_small ? 0 : 1];
-  if (small.elements.size() < 3 || std::abs(small.area()) > most_area ||
+  if (small.elements.size() < 3 || std::abs(small.area()) > max_area ||
       (small.area() > 0) != is_inside ||
-      small.length() - neck.length < least_outline * neck.length)
+      small.length() - neck.length < min_outline * neck.length)
     return std::nullopt;
   const PlanLoop& rest = parts[is_first_small ? 1 : 0];
   if (crossesItself(rest.polygon(chord)))
@@ -89,7 +89,7 @@ withoutPart(const PlanLoop& loop, bool is_inside, const Neck& neck, double most_
 
 /** @brief The loop without what the narrowest neck on a side cuts off. */
 std::optional<PlanLoop>
-withoutNarrowest(const PlanLoop& loop, bool is_inside, double width, double most_area)
+withoutNarrowest(const PlanLoop& loop, bool is_inside, double width, double max_area)
 {
   const std::size_t n = loop.elements.size();
   std::vector<Neck> necks;
@@ -114,7 +114,7 @@ withoutNarrowest(const PlanLoop& loop, bool is_inside, double width, double most
     if (!runsOnSide(loop, is_inside, loop.elements[neck.corner].start,
                     e.pointAt(neck.along)))
       continue;
-    if (auto rest = withoutPart(loop, is_inside, neck, most_area))
+    if (auto rest = withoutPart(loop, is_inside, neck, max_area))
       return rest;
   }
   return std::nullopt;

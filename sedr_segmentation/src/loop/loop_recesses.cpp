@@ -16,7 +16,7 @@ namespace sedr {
 
 namespace {
 
-/** @brief Share of the 10 cm cells of an upright rectangle in which a point is on it;
+/** @brief Share of the 10 cm cells of a vertical rectangle in which a point is on it;
  * a cell at both ends, where other walls are, is left out.
  * @param low, high metres above the floor
  * @param tolerance metres */
@@ -170,7 +170,7 @@ closeRecesses(PlanRoom& room,
   const double wall_low = priors.surface_band;    // above the floor
   const double on_wall = priors.min_ceiling_step; // furniture may be flush with it
   const double near_back = priors.wall_band;
-  const double least_depth = priors.min_niche_depth;
+  const double min_depth = priors.min_niche_depth;
   const auto seen = [&](const PlanElement& e, double low, double high, double off) {
     return shareSeen(e, low, high, off, room.floor, points, indices, priors);
   };
@@ -187,7 +187,7 @@ closeRecesses(PlanRoom& room,
     if (!is_above_wall &&
         seen(recess.back, wall_low, top - wall_low, near_back) >= priors.share_unseen)
       continue;
-    if (is_above_wall && recess.depth() >= least_depth) {
+    if (is_above_wall && recess.depth() >= min_depth) {
       const double sill = heightOfSill(recess.mouth(), recess.depth(), on_wall,
                                        room.floor, points, indices, priors);
       // Beside a window, and below and above it, the back is closed.

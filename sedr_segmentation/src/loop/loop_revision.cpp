@@ -120,13 +120,13 @@ reviseChain(LoopChain& chain,
             const Guides& guides,
             const LoopParameters& parameters)
 {
-  constexpr std::size_t most_detour = 3;
-  constexpr std::size_t most_fusion = 5;
+  constexpr std::size_t max_inner = 3;
+  constexpr std::size_t max_fusion = 5;
   if (!cost.isSeen())
     return;
   // Points all over the place, where there are no walls, would be followed for ever.
   std::size_t changes = 0;
-  const std::size_t most_changes = 16 + chain.size() / 2;
+  const std::size_t max_changes = 16 + chain.size() / 2;
   FusionMemo memo;
   // What was tried in vain need not be tried again while the chain is the same there.
   std::unordered_set<std::size_t> tried;
@@ -134,12 +134,12 @@ reviseChain(LoopChain& chain,
   std::size_t in_vain = 0;
   const auto isDone = [&] {
     std::size_t windows = 0;
-    for (std::size_t inner = 0; inner <= most_fusion; ++inner)
+    for (std::size_t inner = 0; inner <= max_fusion; ++inner)
       windows += chain.size() >= inner + 3 ? chain.size() : 0;
-    return in_vain >= windows || changes >= most_changes;
+    return in_vain >= windows || changes >= max_changes;
   };
   while (!isDone())
-    for (std::size_t inner = 0; inner <= most_fusion; ++inner)
+    for (std::size_t inner = 0; inner <= max_fusion; ++inner)
       for (std::size_t i = 0;
            i < chain.size() && chain.size() >= inner + 3 && !isDone(); ++i) {
         const Window window = windowOf(chain, i, inner, parameters.priors);
@@ -152,7 +152,7 @@ reviseChain(LoopChain& chain,
           length += chain.element(k).length();
         const bool may_fuse = inner >= 2;
         const bool may_lead_around =
-            inner <= most_detour && length < parameters.priors.max_detour;
+            inner <= max_inner && length < parameters.priors.max_detour;
         if (!may_fuse && !may_lead_around) {
           ++in_vain;
           continue;

@@ -79,13 +79,13 @@ shiftOutwards(const PlanElement& e,
 {
   const Priors& priors = parameters.priors;
   constexpr double few = 0.03;
-  constexpr double least_cosine = 0.9;
+  constexpr double min_cosine = 0.9;
   std::vector<double> outwards;
   const Eigen::Vector2d way = (e.end - e.start).normalized();
   for (const auto& s : samples) {
     const double along = (s.place - e.start).dot(way);
     if (along > 0 && along < e.length() && e.distance(s.place) < priors.max_wall &&
-        s.tangent.dot(way) > least_cosine)
+        s.tangent.dot(way) > min_cosine)
       outwards.push_back(leftOf(line.direction).dot(line.point - s.place));
   }
   if (outwards.empty())
@@ -178,21 +178,21 @@ straightenArcs(const PlanPoints& evidence,
   }
 }
 
-/** @brief Leaves out the links beside one that are shorter than `least_length` and as
+/** @brief Leaves out the links beside one that are shorter than `min_length` and as
  * little seen: they lead to where the view ended.
  * @param[in,out] i the position of the link */
 void
 dropShortBeside(std::size_t& i,
-                double least_length,
+                double min_length,
                 const LoopParameters& parameters,
                 std::vector<double>& shares,
                 LoopChain& chain)
 {
   for (const bool is_before : {true, false}) {
     const std::size_t k = is_before ? chain.before(i) : chain.after(i);
-    if (chain.element(k).length() >= least_length ||
+    if (chain.element(k).length() >= min_length ||
         shares[k] >= parameters.priors.share_few ||
-        !dropLink(k, least_length, parameters, chain))
+        !dropLink(k, min_length, parameters, chain))
       continue;
     shares.erase(shares.begin() + static_cast<std::ptrdiff_t>(k));
     i -= k < i ? 1 : 0;
@@ -237,7 +237,7 @@ squareUnseenLinks(LoopChain& chain,
                   const LoopParameters& parameters)
 {
   const Priors& priors = parameters.priors;
-  const double least_length = 2 * priors.evidence_cell; // less is between what was seen
+  const double min_length = 2 * priors.evidence_cell; // less is between what was seen
   if (chain.size() < 3)
     return;
   straightenArcs(evidence, parameters, chain);
@@ -250,7 +250,7 @@ squareUnseenLinks(LoopChain& chain,
     const bool is_oblique = !is_unseen && shares[i] < priors.share_few &&
                             !chain.links[i].curve.isCircle() &&
                             isSeenInPart(chain, i, evidence, parameters);
-    if (e.length() >= least_length && (is_unseen || is_oblique)) {
+    if (e.length() >= min_length && (is_unseen || is_oblique)) {
       if (chain.links[i].curve.isCircle())
         chain.links[i] = chordOf(chain, i);
       PlanCurve line = chain.links[i].curve;
@@ -258,7 +258,7 @@ squareUnseenLinks(LoopChain& chain,
       if (!turnTo(directionsBeside(chain, i, directions, priors),
                   priors.other_direction, line) &&
           !turnTo(directions, priors.other_direction, line)) {
-        dropShortBeside(i, least_length, parameters, shares, chain);
+        dropShortBeside(i, min_length, parameters, shares, chain);
         if (straightenOblique(i, samples, parameters, chain)) {
           shares.erase(shares.begin() + static_cast<std::ptrdiff_t>(i));
           continue;

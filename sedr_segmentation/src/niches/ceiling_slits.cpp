@@ -18,7 +18,7 @@ constexpr double parallel = 0.98;  ///< minimum cosine: 11 degrees
 constexpr double same_wall = 0.06; ///< maximum offset of collinear walls, metres
 
 /** @brief Maximum number of sides of furniture at a wall. */
-constexpr std::size_t most_sides = 5;
+constexpr std::size_t max_sides = 5;
 
 /** @brief Sides of an outline, or a column, that may belong to furniture. */
 struct Suspect {
@@ -101,7 +101,7 @@ suspectsOf(Floorplan& plan, const Priors& priors)
   std::vector<Suspect> suspects;
   for (PlanRoom& room : plan.rooms) {
     for (std::size_t i = 0; i < room.boundary.elements.size(); ++i)
-      for (std::size_t count = most_sides; count >= 2; --count) { // longest first
+      for (std::size_t count = max_sides; count >= 2; --count) { // longest first
         if (!standsBefore(room.boundary, i, count, priors))
           continue;
         std::vector<PlanElement> sides;

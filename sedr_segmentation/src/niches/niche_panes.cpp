@@ -19,7 +19,7 @@ namespace sedr {
 namespace {
 
 /** @brief Of a larger scan, every so-manieth point is taken. */
-constexpr std::size_t most_points = 2000000;
+constexpr std::size_t max_points = 2000000;
 
 /** @brief A niche, the wall around its mouth, and their cells along and up the wall. */
 class NicheView {
@@ -123,7 +123,7 @@ countsOf(const std::vector<NicheView>& views,
   for (const NicheView& view : views)
     sums.push_back(view.noCounts());
   const std::size_t all = indices.empty() ? raw.size() : indices.size();
-  const std::size_t step = rawStep(all, most_points);
+  const std::size_t step = rawStep(all, max_points);
   std::mutex adding;
   parallelBlocks(
       all / step, points_a_block, threads, [&](std::size_t begin, std::size_t end) {

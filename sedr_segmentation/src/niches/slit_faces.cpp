@@ -19,7 +19,7 @@ namespace sedr {
 namespace {
 
 /** @brief Maximum number of points; a larger scan is subsampled. */
-constexpr std::size_t most_face_points = 1000000;
+constexpr std::size_t max_face_points = 1000000;
 
 using Bins = std::array<std::size_t, SlitFace::Counts::bins>;
 
@@ -140,7 +140,7 @@ SlitFace::lowest() const
 SlitFace::Top
 SlitFace::top() const
 {
-  constexpr double least_expected = 8; // points
+  constexpr double min_expected = 8; // points
   constexpr double sigma = 0.341; // share of points to one sigma above: no lamps there
   // The band that certainly belongs to the face.
   const double body_low = priors_.surface_band;
@@ -160,7 +160,7 @@ SlitFace::top() const
                       static_cast<double>(binOf(plane + noise));
   const double expected =
       static_cast<double>(body) * bins * Counts::step / (body_high - body_low);
-  if (expected < least_expected)
+  if (expected < min_expected)
     return Top::Unknown;
   const std::size_t seen = countBetween(counts_.face, plane + noise, plane + slit);
   if (static_cast<double>(seen) > priors_.share_part * expected)
@@ -210,7 +210,7 @@ countAtFaces(const std::vector<SlitFace*>& faces,
              unsigned threads)
 {
   const std::size_t all = indices.empty() ? raw.size() : indices.size();
-  const std::size_t step = rawStep(all, most_face_points);
+  const std::size_t step = rawStep(all, max_face_points);
   double lowest = std::numeric_limits<double>::infinity();
   for (const SlitFace* face : faces)
     lowest = std::min(lowest, face->lowest());

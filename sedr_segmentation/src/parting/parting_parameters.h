@@ -11,11 +11,11 @@ struct PartingParameters {
   int smallest_lintel = 5;    ///< columns; fewer are points in the air below a ceiling
   double same_basin = 0.75;   ///< a neck this much as wide as the narrower side is none
   double thickest_wall = 0.6; ///< between two rooms
-  double least_way = 0.5;     ///< narrower openings nobody walks through
+  double min_way = 0.5;       ///< narrower openings nobody walks through
   double widest_door = 1.6;
   double widest_leaf = 0.8; ///< of that: a door without a lintel, which one leaf closes
-  double least_lintel = 0.15; ///< mean dip of what is a door's
-  double widest_passage = 4;  ///< of one below a deep lintel
+  double min_lintel = 0.15; ///< mean dip of what is a door's
+  double widest_passage = 4; ///< of one below a deep lintel
   double deep_lintel = 0.2;
   double widest_pier = 0.6; ///< a pier or column makes two openings of one no more
   double jamb = 0.25;       ///< a room goes on beside a door by so much
@@ -23,17 +23,17 @@ struct PartingParameters {
   double end_reach = 0.25;  ///< from the end of an opening to the wall there
   double floor_reach = 1;   ///< the floor near an opening is that within
   double same_floor = 1.0;  ///< floors of one room differ by less at an opening
-  double least_floor = 0.2; ///< share of a room over its floor; less is above furniture
+  double min_floor = 0.2;   ///< share of a room over its floor; less is above furniture
   double smallest_level = 5; ///< square metres; less on another height is a landing
-  double most_stacked = 0.1; ///< share of the larger of two rooms that may lie above
+  double max_stacked = 0.1;  ///< share of the larger of two rooms that may lie above
                              ///< the other if they are one: stairs
   double widest_share = 0.8; ///< of the width of the wider room that is open, but for
                              ///< doors with a lintel
-  double least_open = 0.5;   ///< share of the wall between that joins two rooms
-  double least_open_of_part = 0.3; ///< the same if one is too small or too open to be a
-                                   ///< room
-  double most_open = 0.5;          ///< share of a room's outline that doors may be
-  double smallest_room = 1.0;      ///< square metres
+  double min_open = 0.5;     ///< share of the wall between that joins two rooms
+  double min_open_of_part = 0.3; ///< the same if one is too small or too open to be a
+                                 ///< room
+  double max_open = 0.5;         ///< share of a room's outline that doors may be
+  double smallest_room = 1.0;    ///< square metres
 };
 
 } // namespace sedr

@@ -226,7 +226,7 @@ isDoor(const MeasuredOpening& opening, const PartingParameters& parameters)
 {
   if (!opening.has_ends)
     return false;
-  const bool has_lintel = opening.dip >= parameters.least_lintel;
+  const bool has_lintel = opening.dip >= parameters.min_lintel;
   const bool is_deep = opening.dip >= parameters.deep_lintel;
   const bool on_one = std::max(opening.jamb_a, opening.jamb_b) >= parameters.jamb;
   const bool on_both = std::min(opening.jamb_a, opening.jamb_b) >= parameters.jamb;

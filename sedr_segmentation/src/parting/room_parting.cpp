@@ -89,7 +89,7 @@ private:
         continue; // a gap in what was seen of a wall
       are_doors = are_doors && !is_above_furniture && isDoor(m, parameters_);
       beside = std::max(beside, m.width * m.open_height + m.beside);
-      have_lintels = have_lintels && m.dip >= parameters_.least_lintel;
+      have_lintels = have_lintels && m.dip >= parameters_.min_lintel;
       are_plain = are_plain && have_lintels && m.width <= parameters_.widest_door;
       openness.is_other_level =
           openness.is_other_level ||
@@ -102,7 +102,7 @@ private:
     openness.share = open / length;
     openness.is_other_level =
         openness.is_other_level || static_cast<double>(border.stacked) * cell * cell >
-                                       parameters_.most_stacked * larger;
+                                       parameters_.max_stacked * larger;
     const double of_width =
         have_lintels ? open / std::max(length, beside) : openness.share;
     openness.are_doors = are_doors;
@@ -116,7 +116,7 @@ private:
   /** @brief Whether an opening is as wide as someone who walks through it. */
   bool isWay(const MeasuredOpening& opening) const
   {
-    return opening.width >= parameters_.least_way;
+    return opening.width >= parameters_.min_way;
   }
 
   /** @brief The openings of a border: doors one by one, but a wide opening as one that
@@ -149,15 +149,15 @@ private:
    * on most sides is a place between columns or furniture, what is narrower a ledge. */
   bool isPlace(std::uint32_t room) const
   {
-    return rooms_.openShare(room) <= parameters_.most_open &&
-           rooms_.room(room).depth >= parameters_.least_way / 2;
+    return rooms_.openShare(room) <= parameters_.max_open &&
+           rooms_.room(room).depth >= parameters_.min_way / 2;
   }
 
   /** @brief Whether one walks in a room; else it is the air above furniture. */
   bool hasFloor(std::uint32_t room) const
   {
     return rooms_.room(room).over_floor >=
-           parameters_.least_floor * rooms_.room(room).area;
+           parameters_.min_floor * rooms_.room(room).area;
   }
 
   /** @brief Whether a room is a level of its own, as a gallery is: more than a landing.
@@ -176,7 +176,7 @@ private:
         isPlace(pair.first) && isPlace(pair.second);
     return !openness.has_doors &&
            openness.share >
-               (are_rooms ? parameters_.least_open : parameters_.least_open_of_part);
+               (are_rooms ? parameters_.min_open : parameters_.min_open_of_part);
   }
 
   /** @brief Joins two rooms and judges all borders of the joined one anew. */

@@ -14,8 +14,8 @@ namespace sedr {
 namespace {
 
 constexpr double highest_tread = 0.25; // metres, of what one walks up
-constexpr double least_going = 0.25;   // from tread to tread
-constexpr double least_over_air = 0.1; // of a floor that is not on solid ground
+constexpr double min_going = 0.25;     // from tread to tread
+constexpr double min_over_air = 0.1;   // of a floor that is not on solid ground
 
 /** @brief Surfaces on each of which one could walk about. */
 class WalkedFloors {
@@ -25,7 +25,7 @@ public:
       , thickest_wall_(thickest_wall)
       , tall_(air.voxels(air.parameters().headroom))
       , tread_(air.voxels(highest_tread *
-                          std::max(1.0, air.columns().cellSize() / least_going)))
+                          std::max(1.0, air.columns().cellSize() / min_going)))
       , surface_of_(air.size(), AirGaps::none)
   {
     for (std::uint32_t g = 0; g < air.size(); ++g)
@@ -96,7 +96,7 @@ private:
     const auto over_air =
         std::count_if(surface.gaps.begin(), surface.gaps.end(),
                       [&](std::uint32_t g) { return isOverAir(g, *larger); });
-    return static_cast<double>(over_air) > least_over_air * n;
+    return static_cast<double>(over_air) > min_over_air * n;
   }
 
   /** @brief The height of the lowest place of larger surfaces to which one drops. */

@@ -150,7 +150,7 @@ movedPoints(const PointView& raw,
             const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& map)
 {
   const std::size_t size = indices ? indices->size() : raw.size();
-  const std::size_t step = rawStep(size, RefitParameters().most_points);
+  const std::size_t step = rawStep(size, RefitParameters().max_points);
   const auto moved = std::make_shared<std::vector<Eigen::Vector3f>>();
   moved->reserve(size / step + 1);
   for (std::size_t k = 0; k < size; k += step) {

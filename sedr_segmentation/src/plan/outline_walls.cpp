@@ -13,7 +13,7 @@ OutlineWalls::topAroundGap(Cell cell) const
 }
 
 bool
-OutlineWalls::isUpright(Cell cell) const
+OutlineWalls::isVertical(Cell cell) const
 {
   return columns_.upperShare(cell, columns_.topAround(cell, 2), priors_.surface_band,
                              0) >= priors_.share_clear;

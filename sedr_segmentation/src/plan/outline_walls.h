@@ -26,7 +26,7 @@ public:
   const CellGrid& grid() const { return columns_.grid(); }
 
   /** @brief Returns whether the upper half of the profile is occupied. */
-  bool isUpright(Cell cell) const;
+  bool isVertical(Cell cell) const;
 
   /** @brief Returns whether a wall reaches the ceiling in the profile or its
    * neighbours; a cupboard does not. */

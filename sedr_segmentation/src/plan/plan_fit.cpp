@@ -162,7 +162,7 @@ seenSheet(const std::vector<Eigen::Vector3d>& points,
 {
   SheetParameters parameters; // coarse: used only for the tops of walls
   parameters.cell_size = 0.15;
-  parameters.most_cells = 6000;
+  parameters.max_cells = 6000;
   parameters.threads = threads;
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector3d& p : points)
@@ -289,8 +289,8 @@ fitPlan(const PointView& points,
     work.push_back(std::move(all_work[r]));
   }
   // A changed room may reveal another shared wall.
-  constexpr int most_rounds = 3;
-  for (int round = 0; round < most_rounds; ++round)
+  constexpr int max_rounds = 3;
+  for (int round = 0; round < max_rounds; ++round)
     if (!leaveToOthers(points, parameters, work, plan))
       break;
   for (std::size_t r = 0; r < plan.rooms.size(); ++r) {

@@ -85,14 +85,14 @@ outerContour(const CellMask& mask, double cell_size)
 /** @brief Fits the loop along the walls of a room without boards mounted on them. */
 PlanLoop
 boundaryOf(const Contour& contour,
-           std::vector<UprightPlace> walls,
+           std::vector<VerticalPlace> walls,
            const RoomFitParameters& parameters,
            std::vector<ContourSample>* samples)
 {
-  constexpr int most_rounds = 4; // the loop may follow only parts of a board
+  constexpr int max_rounds = 4; // the loop may follow only parts of a board
   const LoopParameters loop = loopOnCells(parameters);
   PlanLoop boundary = fitLoop(contour, inPlan(walls), {}, loop, samples);
-  for (int round = 0; round < most_rounds &&
+  for (int round = 0; round < max_rounds &&
                       leaveOutBoards(boundary, walls, parameters.threads, loop.priors);
        ++round)
     boundary = fitLoop(contour, inPlan(walls), {}, loop, samples);
@@ -221,23 +221,23 @@ fitRoom(const PointView& points,
              parameters.threads);
   const ColumnTable& all = *of_all;
   const CeilingGap gap = gapBelow(room.ceiling);
-  const CellMask upright =
-      uprightCells(box, grid, all, room.ceiling, room.floor, parameters.threads);
+  const CellMask vertical =
+      verticalCells(box, grid, all, room.ceiling, room.floor, parameters.threads);
   const CellMask furniture =
-      tallFurniture(ceilings, upright, grid, all, room.ceiling, room.floor, gap);
+      tallFurniture(ceilings, vertical, grid, all, room.ceiling, room.floor, gap);
   std::optional<ColumnTable> besides_furniture;
   if (furniture.count() > 0)
     besides_furniture = all.without(furniture);
   const ColumnTable& columns = besides_furniture ? *besides_furniture : all;
   const RoomOutline outline =
       outlineRoom(ceilings, grid, columns, room.ceiling, room.floor, gap, priors);
-  std::vector<UprightPlace> walls =
-      uprightPlaces(points,
-                    besides(furniture, points,
-                            wallEvidence(points, evidence, outline.room, grid,
-                                         parameters.loop.tolerance, parameters.threads),
-                            grid, parameters.threads),
-                    room, columns, grid, parameters.threads, priors);
+  std::vector<VerticalPlace> walls = verticalPlaces(
+      points,
+      besides(furniture, points,
+              wallEvidence(points, evidence, outline.room, grid,
+                           parameters.loop.tolerance, parameters.threads),
+              grid, parameters.threads),
+      room, columns, grid, parameters.threads, priors);
 
   const Contour contour = outerContour(outline.room, grid.size());
   FittedBoundary fitted;
@@ -260,7 +260,7 @@ fitRoom(const PointView& points,
   }
   const CellMask open = outline.columns.empty()
                             ? CellMask(box)
-                            : aroundSeenCeiling(ceilings, upright, grid, priors);
+                            : aroundSeenCeiling(ceilings, vertical, grid, priors);
   std::vector<PlanLoop> loops(outline.columns.size());
   std::vector<FittedBoundary> of_columns(loops.size());
   parallelBlocks(loops.size(), 1, parameters.threads, [&](std::size_t c, std::size_t) {
@@ -268,7 +268,7 @@ fitRoom(const PointView& points,
     if (2 * intersect(column, open).count() >= column.count())
       return;
     // Points rejected by the wall growing may still belong to the column.
-    const PlanPoints own = inPlan(uprightPlaces(
+    const PlanPoints own = inPlan(verticalPlaces(
         points, columns.indicesIn(dilated(column, 1)), room, columns, grid, 1, priors));
     of_columns[c].label = StructureLabel::Column;
     loops[c] =

@@ -46,7 +46,7 @@ wallBehind(const CellMask& notch,
   std::vector<std::uint8_t> is_walled(static_cast<std::size_t>(width) + 1, 0);
   const CellMask near = intersect(dilated(outer, farthest), outside);
   for (std::size_t i = 0; i < near.values().size(); ++i) {
-    if (!near.values()[i] || !walls.isUpright(near.cellAt(i)))
+    if (!near.values()[i] || !walls.isVertical(near.cellAt(i)))
       continue;
     const double s = along.dot(grid.centre(near.cellAt(i))) - first;
     if (s >= 0 && s <= width)

@@ -305,10 +305,10 @@ separateRooms(Floorplan& plan,
               const std::vector<int>& indices,
               const Priors& priors)
 {
-  constexpr int most_rounds = 4; // a cut room may overlap a third
+  constexpr int max_rounds = 4; // a cut room may overlap a third
   std::vector<std::string> sentences;
   std::set<std::size_t> gone;
-  for (int round = 0; round < most_rounds; ++round)
+  for (int round = 0; round < max_rounds; ++round)
     if (!separateOnce(plan, points, indices, priors, gone, sentences))
       break;
   for (auto it = gone.rbegin(); it != gone.rend(); ++it)

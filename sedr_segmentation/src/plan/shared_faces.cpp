@@ -27,10 +27,10 @@ isOtherSideOf(const PlanElement& e,
               const PlanElement& other,
               const Priors& priors)
 {
-  constexpr double least_cosine = 0.95;
+  constexpr double min_cosine = 0.95;
   const Eigen::Vector2d p = e.pointAt(s);
   return other.distance(p) <= priors.min_wall &&
-         e.normalAt(s).dot(other.normalAt(other.project(p))) <= -least_cosine;
+         e.normalAt(s).dot(other.normalAt(other.project(p))) <= -min_cosine;
 }
 
 /** @brief Returns the walls of other rooms, at the same heights, to which a wall comes

@@ -46,11 +46,11 @@ hasPointsBelow(const Level& level,
                const std::vector<Candidate>& all,
                const Priors& priors)
 {
-  const auto least_points = static_cast<std::size_t>(5 * priors.min_points);
-  std::size_t below = 0; // counted up to `least_points`
-  for (auto c = all.begin(); c != all.end() && below < least_points; ++c)
+  const auto min_points = static_cast<std::size_t>(5 * priors.min_points);
+  std::size_t below = 0; // counted up to `min_points`
+  for (auto c = all.begin(); c != all.end() && below < min_points; ++c)
     below += distanceAbove(level.slab, c->position()) < -priors.run_gap ? 1 : 0;
-  return below >= least_points;
+  return below >= min_points;
 }
 
 /** @brief Returns the points below a level and within its footprint. */

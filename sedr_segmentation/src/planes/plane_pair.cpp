@@ -122,10 +122,10 @@ bestPair(const PointView& points,
          const Eigen::Matrix3d& axes,
          double nearest,
          double farthest,
-         std::size_t least_cells,
+         std::size_t min_cells,
          unsigned threads)
 {
-  std::vector<Slab> slabs = slabsOf(points, indices, axes.row(2), least_cells, threads);
+  std::vector<Slab> slabs = slabsOf(points, indices, axes.row(2), min_cells, threads);
   std::sort(slabs.begin(), slabs.end(), [](const Slab& a, const Slab& b) {
     return a.points.size() != b.points.size() ? a.points.size() > b.points.size()
                                               : a.level < b.level;
@@ -185,7 +185,7 @@ bestSidePair(const PointView& points,
              unsigned threads,
              const Priors& priors)
 {
-  const double least_area = 2 * priors.min_slab_area;
+  const double min_area = 2 * priors.min_slab_area;
   const Eigen::AlignedBox3f box = boxAround(points, indices, threads);
   const Eigen::Vector3d reach =
       box.isEmpty() ? Eigen::Vector3d(Eigen::Vector3d::Zero())
@@ -201,13 +201,13 @@ bestSidePair(const PointView& points,
       axes.row(k) = Eigen::Vector3d::Unit((asked[a] + 1 + k) % 3);
     pairs[a] = bestPair(
         points, indices, axes, priors.min_headroom, priors.usual_room_height,
-        static_cast<std::size_t>(std::max(least, least_area) / (cell_size * cell_size)),
+        static_cast<std::size_t>(std::max(least, min_area) / (cell_size * cell_size)),
         threads);
   });
   SidePair best;
   for (std::size_t a = 0; a < asked.size(); ++a) {
     const PlanePair& found = pairs[a];
-    if (found.area() < least_area || found.area() <= least || found.cells < best.cells)
+    if (found.area() < min_area || found.area() <= least || found.cells < best.cells)
       continue;
     static_cast<PlanePair&>(best) = found;
     best.axis = asked[a] == 0 ? 'x' : 'y';

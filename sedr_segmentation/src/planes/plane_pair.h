@@ -27,14 +27,14 @@ struct PlanePair {
 /** @brief Returns the largest pair of levels between `nearest` and `farthest` metres
  * apart along the third row of `axes`. Levels are slabs of 0.1 m, measured in occupied
  * cells. O(n), plus the pairs of slabs that may be the best.
- * @param least_cells pairs with fewer cells may be skipped
+ * @param min_cells pairs with fewer cells may be skipped
  * @param threads 0: all processors; the result does not depend on it */
 PlanePair bestPair(const PointView& points,
                    const std::vector<int>& indices,
                    const Eigen::Matrix3d& axes,
                    double nearest,
                    double farthest,
-                   std::size_t least_cells = 0,
+                   std::size_t min_cells = 0,
                    unsigned threads = 1);
 
 /** @brief A pair of planes normal to x or y, a room's height apart. */

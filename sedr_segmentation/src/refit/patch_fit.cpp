@@ -17,10 +17,10 @@ constexpr double top_weight = 3;
 
 /** @brief Minimum standard deviation of a patch mean, as walls are not plane, metres.
  */
-constexpr double least_patch_deviation = 0.0003;
+constexpr double min_patch_deviation = 0.0003;
 
 /** @brief Minimum limit of the scatter within a patch of one surface, metres. */
-constexpr double least_scatter = 0.002;
+constexpr double min_scatter = 0.002;
 
 double
 biweight(double share)
@@ -45,19 +45,19 @@ public:
     usual_variance_ = usualVariance(noise);
     for (const PatchSums* patch : patches_)
       deviation_.push_back(
-          std::hypot(std::sqrt(usual_variance_ / patch->count), least_patch_deviation));
+          std::hypot(std::sqrt(usual_variance_ / patch->count), min_patch_deviation));
   }
 
   PatchFit run(Eigen::Index parameters)
   {
-    constexpr int most_rounds = 12;
+    constexpr int max_rounds = 12;
     constexpr double settled = 1e-7; // metres, radians
     std::vector<Weighted> means;
     for (std::size_t i = 0; i < patches_.size(); ++i)
       means.push_back({patches_[i]->mean(), vote_[i]});
     PatchFit fit;
     fit.step[0] = shortestHalf(std::move(means)).middle;
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
       weigh(fit.step, round == 0);
       const Eigen::Vector3d before = fit.step;
       if (!solve(parameters, fit.step))
@@ -79,10 +79,10 @@ private:
   /** @brief Returns the median variance within the patches with enough points. */
   double usualVariance(double noise) const
   {
-    constexpr double least_points = 4;
+    constexpr double min_points = 4;
     std::vector<Weighted> variances{{noise * noise, 1}};
     for (std::size_t i = 0; i < patches_.size(); ++i)
-      if (patches_[i]->count >= least_points)
+      if (patches_[i]->count >= min_points)
         variances.push_back({variance_[i], vote_[i]});
     return medianOf(std::move(variances));
   }
@@ -91,11 +91,11 @@ private:
    * reveal, by its larger scatter. */
   bool isMixed(std::size_t i) const
   {
-    constexpr double least_points = 8;
-    constexpr double most_scatter = 1.4;
+    constexpr double min_points = 8;
+    constexpr double max_scatter = 1.4;
     const double scatter =
-        std::max(least_scatter, most_scatter * std::sqrt(usual_variance_));
-    return patches_[i]->count >= least_points && variance_[i] > scatter * scatter;
+        std::max(min_scatter, max_scatter * std::sqrt(usual_variance_));
+    return patches_[i]->count >= min_points && variance_[i] > scatter * scatter;
   }
 
   /** @brief Weighs the patches by their residuals after a step, relative to their
@@ -170,16 +170,16 @@ fitPatches(const std::vector<PatchSums>& patches,
            double noise)
 {
   // At an opening of a wall, a few points of other objects are seen.
-  constexpr double least_share = 0.05;
+  constexpr double min_share = 0.05;
   std::vector<Weighted> counts;
   for (const PatchSums& patch : patches)
     if (patch.count > 0)
       counts.push_back({patch.count, std::sqrt(patch.count)});
-  const double least_points = std::max(1.0, least_share * medianOf(std::move(counts)));
+  const double min_points = std::max(1.0, min_share * medianOf(std::move(counts)));
   std::vector<const PatchSums*> own;
   std::vector<bool> tops;
   for (std::size_t p = 0; p < patches.size(); ++p)
-    if (patches[p].count >= least_points) {
+    if (patches[p].count >= min_points) {
       own.push_back(&patches[p]);
       tops.push_back(is_top[p]);
     }

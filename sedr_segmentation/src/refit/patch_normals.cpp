@@ -100,15 +100,15 @@ std::optional<PlanePatch>
 planeOf(const PatchMoments& patch, const Eigen::Vector3d& corner)
 {
   constexpr double fewest = 20;
-  constexpr double most_scatter = 0.02; // normal to the plane, metres
-  constexpr double least_spread = 0.08; // within the plane, metres
+  constexpr double max_scatter = 0.02; // normal to the plane, metres
+  constexpr double min_spread = 0.08;  // within the plane, metres
   if (patch.count < fewest)
     return {};
   const Eigen::Vector3d mean = patch.sum / patch.count;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
       patch.squares / patch.count - mean * mean.transpose());
-  if (solver.eigenvalues()[0] > most_scatter * most_scatter ||
-      solver.eigenvalues()[1] < least_spread * least_spread)
+  if (solver.eigenvalues()[0] > max_scatter * max_scatter ||
+      solver.eigenvalues()[1] < min_spread * min_spread)
     return {};
   const Eigen::Vector3d normal = solver.eigenvectors().col(0);
   return PlanePatch{mean + corner, normal.z() < 0 ? Eigen::Vector3d(-normal) : normal,

@@ -85,7 +85,7 @@ tangentTies(PlanCurves& curves)
 {
   constexpr double smooth = 1e-4;       // radians
   constexpr double nearly_smooth = 0.2; // as RegularisationParameters has it
-  constexpr double most_sigmas = 3;
+  constexpr double max_sigmas = 3;
   std::vector<CurveTie> ties;
   for (const auto& loop : curves.loops) {
     const auto& elements = loop.loop->elements;
@@ -100,7 +100,7 @@ tangentTies(PlanCurves& curves)
       if (!curves.curves[b].curve.isCircle() ||
           (!PlanCurves::meetSmoothly(elements[i], elements[j], smooth) &&
            contradiction(curves.curves[a], curves.curves[b], TieKind::Tangent) >
-               most_sigmas * most_sigmas))
+               max_sigmas * max_sigmas))
         continue;
       ties.push_back({TieKind::Tangent, a, b});
       curves.tangents.insert({std::min(a, b), std::max(a, b)});

@@ -23,11 +23,11 @@ rawStep(std::size_t points, std::size_t most)
 /** @brief Parameters of the fit of a plan to its raw scan. */
 struct RefitParameters {
   Priors priors;
-  double reach = 0.06;           ///< maximum distance of a surface's points, metres
-  double farthest = 0.01;        ///< maximum move of a surface beyond its noise, metres
-  std::size_t least_points = 20; ///< minimum number of points of a fitted surface
-  std::size_t most_points = 5000000; ///< of a larger scan, every k-th point is used
-  unsigned threads = 0;              ///< 0: all processors
+  double reach = 0.06;         ///< maximum distance of a surface's points, metres
+  double farthest = 0.01;      ///< maximum move of a surface beyond its noise, metres
+  std::size_t min_points = 20; ///< minimum number of points of a fitted surface
+  std::size_t max_points = 5000000; ///< of a larger scan, every k-th point is used
+  unsigned threads = 0;             ///< 0: all processors
 };
 
 /** @brief Result of refitToRaw(). */

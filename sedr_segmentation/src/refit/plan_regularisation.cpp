@@ -20,7 +20,7 @@ public:
   TieFinder(const PlanCurves& plan, const RegularisationParameters& parameters)
       : plan_(plan)
       , parameters_(parameters)
-      , most_(parameters.most_sigmas * parameters.most_sigmas)
+      , max_(parameters.max_sigmas * parameters.max_sigmas)
   {}
 
   std::vector<CurveTie> find()
@@ -69,7 +69,7 @@ private:
           continue;
         if (curve(a).isCircle())
           std::swap(a, b);
-        if (contradictionOf(a, b, TieKind::Tangent) <= most_)
+        if (contradictionOf(a, b, TieKind::Tangent) <= max_)
           ties_.push_back({TieKind::Tangent, a, b});
       }
     }
@@ -80,7 +80,7 @@ private:
   {
     std::vector<std::size_t> references;
     for (const std::size_t c : ordered(false)) {
-      double least = most_;
+      double least = max_;
       CurveTie best;
       bool is_found = false;
       for (const std::size_t r : references)
@@ -108,7 +108,7 @@ private:
   /** @brief Ties collinear walls of one room. */
   void findCollinear()
   {
-    constexpr double most_freedom = 1.3; // threshold of two equations relative to one
+    constexpr double max_freedom = 1.3; // threshold of two equations relative to one
     std::vector<bool> is_tied(plan_.curves.size(), false);
     for (const auto& loop : plan_.loops) {
       if (!loop.is_boundary)
@@ -126,7 +126,7 @@ private:
           if (!may_be ||
               std::abs(leftOf(curve(a).direction).dot(curve(b).direction)) >
                   parameters_.largest_angle ||
-              contradictionOf(a, b, TieKind::Collinear) > most_freedom * most_)
+              contradictionOf(a, b, TieKind::Collinear) > max_freedom * max_)
             continue;
           ties_.push_back({TieKind::Collinear, a, b});
           is_tied[b] = true;
@@ -138,7 +138,7 @@ private:
   {
     std::vector<std::size_t> references;
     for (const std::size_t c : ordered(true)) {
-      double least = most_;
+      double least = max_;
       std::size_t best = c;
       for (const std::size_t r : references) {
         const double contradicted = contradictionOf(r, c, TieKind::EqualRadius);
@@ -156,7 +156,7 @@ private:
 
   const PlanCurves& plan_;
   const RegularisationParameters& parameters_;
-  double most_;
+  double max_;
   std::vector<CurveTie> ties_;
 };
 
@@ -208,7 +208,7 @@ adjust(PlanCurves& plan,
   while (!ties.empty()) {
     std::vector<MeasuredCurve> moved = plan.curves;
     std::size_t worst = 0;
-    double most = parameters.most_sigmas;
+    double most = parameters.max_sigmas;
     if (!adjustCurves(moved, ties)) {
       // The ties are infeasible; tangent ties are the most demanding.
       const auto last = std::find_if(ties.rbegin(), ties.rend(), [](const CurveTie& t) {
@@ -224,7 +224,7 @@ adjust(PlanCurves& plan,
       most = move;
       worst = c;
     }
-    if (most <= parameters.most_sigmas) {
+    if (most <= parameters.max_sigmas) {
       plan.curves = std::move(moved);
       return true;
     }
@@ -253,10 +253,10 @@ release(const PlanCurves::Loop& loop, std::vector<CurveTie>& ties)
 RegularisationReport
 regularisePlan(Floorplan& plan, const RegularisationParameters& parameters)
 {
-  constexpr int most_tries = 10;
+  constexpr int max_tries = 10;
   std::vector<CurveTie> ties =
       TieFinder(PlanCurves(plan, parameters.priors), parameters).find();
-  for (int tries = 0; tries < most_tries; ++tries) {
+  for (int tries = 0; tries < max_tries; ++tries) {
     PlanCurves curves(plan, parameters.priors);
     if (!adjust(curves, ties, parameters))
       return {};

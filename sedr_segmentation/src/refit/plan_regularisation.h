@@ -14,7 +14,7 @@ struct RegularisationParameters {
   Priors priors;
   /** @brief Maximum contradiction of a relation by measurements, standard deviations.
    */
-  double most_sigmas = 3.0;
+  double max_sigmas = 3.0;
   double largest_angle = 0.05;        ///< from parallel or perpendicular, radians
   double largest_tangent_angle = 0.2; ///< at a tangent joint, radians
   double farthest = 0.03;             ///< maximum move of a corner, metres

@@ -78,11 +78,11 @@ RefitPlaces::addRoom(const PlanRoom& room,
                      std::size_t floor,
                      unsigned threads)
 {
-  constexpr double most_cells = 100000;
+  constexpr double max_cells = 100000;
   const auto [low, high] = boundsOf(room.boundary);
   const Eigen::Vector2d extent = high - low;
   RefitRoomMap map;
-  map.cell = std::max(0.05, std::sqrt(extent.x() * extent.y() / most_cells));
+  map.cell = std::max(0.05, std::sqrt(extent.x() * extent.y() / max_cells));
   map.low = low;
   map.width = static_cast<std::int32_t>(extent.x() / map.cell) + 1;
   map.height = static_cast<std::int32_t>(extent.y() / map.cell) + 1;

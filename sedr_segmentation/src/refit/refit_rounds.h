@@ -29,7 +29,7 @@ public:
       , is_fitted_(targets_.size(), false)
       , noise_(targets_.size(), 0)
   {
-    raw_.step = rawStep(raw_.size(), std::max<std::size_t>(1, parameters.most_points));
+    raw_.step = rawStep(raw_.size(), std::max<std::size_t>(1, parameters.max_points));
   }
 
   void run()
@@ -47,7 +47,7 @@ public:
       const std::vector<PatchFit> fits = fitsOf(sightings.patchSums(centre, band));
       for (std::size_t t = 0; t < targets_.size(); ++t) {
         const PatchFit& fit = fits[t];
-        if (fit.count < static_cast<double>(parameters_.least_points))
+        if (fit.count < static_cast<double>(parameters_.min_points))
           continue;
         move(t, fit);
         noise_[t] = fit.deviation;
@@ -69,20 +69,20 @@ private:
 
   /** @brief Narrower slabs, such as the bottom of a niche, are only shifted, as
    * adjacent walls would rotate them, metres. */
-  static constexpr double least_width = 0.5;
+  static constexpr double min_width = 0.5;
 
   /** @brief Half width of the inlier band, in standard deviations. */
   static constexpr double band_sigmas = 3;
 
   /** @brief Minimum half width of the inlier band, metres. */
-  static constexpr double least_band = 0.0015;
+  static constexpr double min_band = 0.0015;
 
   /** @brief Returns the half width of the inlier band, reduced near another surface. */
   double bandOf(std::size_t t, double deviation) const
   {
     const double band =
-        std::clamp(band_sigmas * deviation, least_band, parameters_.reach);
-    return std::min(band, std::max({least_band, deviation,
+        std::clamp(band_sigmas * deviation, min_band, parameters_.reach);
+    return std::min(band, std::max({min_band, deviation,
                                     targets_.gap(t) - band_sigmas * deviation}));
   }
 
@@ -97,9 +97,8 @@ private:
     if (t >= curves_.curves.size()) {
       const std::size_t k = t - curves_.curves.size();
       const double width = targets_.widthOfSlab(k);
-      return targets_.parent(k) == k && width >= least_width && tellsDirection(width)
-                 ? 3
-                 : 1;
+      return targets_.parent(k) == k && width >= min_width && tellsDirection(width) ? 3
+                                                                                    : 1;
     }
     if (curves_.curves[t].curve.isCircle())
       return 3;

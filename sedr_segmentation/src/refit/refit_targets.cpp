@@ -18,26 +18,26 @@ constexpr double corner_margin = 0.06;
 constexpr double height_margin = 0.08;
 
 /** @brief Minimum edge of a patch of a short vertical surface, metres. */
-constexpr double least_patch = 0.02;
+constexpr double min_patch = 0.02;
 
 /** @brief Returns the heights in use of a surface: the upper half of walls, as
  * furniture hides the lower half. Narrow surfaces, such as the side of a pilaster, have
  * few points and use all heights. */
-UprightSpan
-heightsOf(const UprightSurface& surface, UprightSpan span)
+VerticalSpan
+heightsOf(const VerticalSurface& surface, VerticalSpan span)
 {
   constexpr double narrow = 0.3;
   const double height = span.high - span.low;
   const double margin = std::min(height_margin, height / 4);
-  const bool is_wall =
-      (surface.kind == UprightKind::Wall || surface.kind == UprightKind::ColumnFace) &&
-      surface.element->length() > narrow;
+  const bool is_wall = (surface.kind == VerticalKind::Wall ||
+                        surface.kind == VerticalKind::ColumnFace) &&
+                       surface.element->length() > narrow;
   return {span.low + (is_wall ? std::max(margin, height / 2) : margin),
           span.high - margin, true};
 }
 
 bool
-areAlike(const UprightSpan& a, const UprightSpan& b)
+areAlike(const VerticalSpan& a, const VerticalSpan& b)
 {
   constexpr double slack = 0.02;
   return std::abs(a.low - b.low) < slack && std::abs(a.high - b.high) < slack;
@@ -61,7 +61,7 @@ RefitTargets::RefitTargets(Floorplan& plan,
     , depth_(curves.curves.size(), 0)
     , gap_(curves.curves.size(), std::numeric_limits<double>::infinity())
 {
-  addUprights(plan);
+  addVerticals(plan);
   findGaps();
   for (auto& room : plan.rooms)
     addSlabs(room, threads);
@@ -70,14 +70,14 @@ RefitTargets::RefitTargets(Floorplan& plan,
 }
 
 void
-RefitTargets::addUprights(Floorplan& plan)
+RefitTargets::addVerticals(Floorplan& plan)
 {
   std::map<const PlanElement*, std::size_t> curve_of;
   for (const auto& loop : curves_.loops)
     for (std::size_t i = 0; i < loop.curves.size(); ++i)
       curve_of[&loop.loop->elements[i]] = loop.curves[i];
   for (const auto& room : plan.rooms)
-    for (const auto& surface : uprightSurfaces(room)) {
+    for (const auto& surface : verticalSurfaces(room)) {
       const auto it = curve_of.find(surface.element);
       if (it != curve_of.end())
         addStretches(surface, it->second);
@@ -86,7 +86,7 @@ RefitTargets::addUprights(Floorplan& plan)
 
 /** @brief Adds the parts of a surface of constant height. */
 void
-RefitTargets::addStretches(const UprightSurface& surface, std::size_t curve)
+RefitTargets::addStretches(const VerticalSurface& surface, std::size_t curve)
 {
   constexpr double step = 0.05;
   const PlanElement& e = *surface.element;
@@ -101,10 +101,10 @@ RefitTargets::addStretches(const UprightSurface& surface, std::size_t curve)
     return margin + inner * static_cast<double>(k) / static_cast<double>(parts);
   };
   std::size_t first = 0;
-  UprightSpan span;
+  VerticalSpan span;
   for (std::size_t k = 0; k <= parts; ++k) {
-    const UprightSpan here =
-        k < parts ? surface.spanAt((at(k) + at(k + 1)) / 2) : UprightSpan{};
+    const VerticalSpan here =
+        k < parts ? surface.spanAt((at(k) + at(k + 1)) / 2) : VerticalSpan{};
     if (k > 0 && k < parts && areAlike(here, span))
       continue;
     if (k > 0)
@@ -115,15 +115,15 @@ RefitTargets::addStretches(const UprightSurface& surface, std::size_t curve)
 }
 
 void
-RefitTargets::addStretch(const UprightSurface& surface,
+RefitTargets::addStretch(const VerticalSurface& surface,
                          std::size_t curve,
                          double from,
                          double to,
-                         const UprightSpan& span)
+                         const VerticalSpan& span)
 {
-  constexpr double least_height = 0.04;
-  const UprightSpan heights = heightsOf(surface, span);
-  if (heights.high - heights.low < least_height || to <= from)
+  constexpr double min_height = 0.04;
+  const VerticalSpan heights = heightsOf(surface, span);
+  if (heights.high - heights.low < min_height || to <= from)
     return;
   const PlanElement& e = *surface.element;
   const bool is_whole = from <= 0 && to >= e.length();
@@ -138,7 +138,7 @@ void
 RefitTargets::findGaps()
 {
   constexpr double step = 0.1;
-  constexpr double least_cosine = 0.9;
+  constexpr double min_cosine = 0.9;
   const double farthest = 3 * reach_;
   const auto mayBeNear = [&](const PlanElement& a, const PlanElement& b) {
     return (a.pointAt(a.length() / 2) - b.pointAt(b.length() / 2)).norm() <
@@ -158,7 +158,7 @@ RefitTargets::findGaps()
                                                    static_cast<double>(parts));
         const double apart = beside.distance(p);
         if (apart < std::min(farthest, gap_[own.curve]) && other.part.isBeside(p) &&
-            std::abs(along.tangentAt(p).dot(beside.tangentAt(p))) > least_cosine)
+            std::abs(along.tangentAt(p).dot(beside.tangentAt(p))) > min_cosine)
           gap_[own.curve] = apart;
       }
     }
@@ -210,9 +210,9 @@ RefitTargets::numberPatches()
     const PlanCurve& curve = curves_.curves[c].curve;
     const double length =
         curve.isCircle() ? 2 * M_PI * curve.radius : 2 * curves_.reach(c);
-    patch_.push_back(std::clamp(length_[c] / 4, least_patch, upright_patch));
+    patch_.push_back(std::clamp(length_[c] / 4, min_patch, vertical_patch));
     along_.push_back(static_cast<std::size_t>(length / patch_[c]) + 2);
-    const auto rows = static_cast<std::size_t>(depth_[c] / upright_patch) + 1;
+    const auto rows = static_cast<std::size_t>(depth_[c] / vertical_patch) + 1;
     patch_count_.push_back(along_.back() * rows);
   }
   for (RefitSlab& slab : places_.slabs) {

@@ -83,7 +83,7 @@ public:
    */
   static std::size_t rowOf(double top, double z)
   {
-    return static_cast<std::size_t>((top - z) / upright_patch);
+    return static_cast<std::size_t>((top - z) / vertical_patch);
   }
 
   /** @brief Returns the patch number of a slab at a position. */
@@ -116,18 +116,18 @@ public:
 
 private:
   /** @brief Edge of a patch of a vertical surface and of a slab, metres. */
-  static constexpr double upright_patch = 0.1;
+  static constexpr double vertical_patch = 0.1;
   static constexpr double slab_patch = 0.25;
 
   void numberPatches();
 
-  void addUprights(Floorplan& plan);
-  void addStretches(const UprightSurface& surface, std::size_t curve);
-  void addStretch(const UprightSurface& surface,
+  void addVerticals(Floorplan& plan);
+  void addStretches(const VerticalSurface& surface, std::size_t curve);
+  void addStretch(const VerticalSurface& surface,
                   std::size_t curve,
                   double from,
                   double to,
-                  const UprightSpan& span);
+                  const VerticalSpan& span);
   void findGaps();
   void addSlabs(PlanRoom& room, unsigned threads);
   std::size_t addSlab(PlanSlab& slab,

@@ -30,23 +30,23 @@ struct WallPlane {
 
 /** @brief Returns the tilted face of a wall, null if there is none; `sign` is 1 or -1
  * for equal or opposite directions. */
-const LeaningFace*
-faceBehind(const PlanElement& wall, const std::vector<LeaningFace>& faces, double& sign)
+const TiltedFace*
+faceBehind(const PlanElement& wall, const std::vector<TiltedFace>& faces, double& sign)
 {
   constexpr double near = 0.1; // metres
-  constexpr double least_cosine = 0.99;
+  constexpr double min_cosine = 0.99;
   if (wall.isArc())
     return nullptr;
-  const LeaningFace* behind = nullptr;
+  const TiltedFace* behind = nullptr;
   double least = near;
-  for (const LeaningFace& face : faces) {
+  for (const TiltedFace& face : faces) {
     const Eigen::Vector2d way = (face.end - face.start).normalized();
     const Eigen::Vector2d left(-way.y(), way.x());
     const double cosine = way.dot((wall.end - wall.start).normalized());
     const double along = (wall.pointAt(wall.length() / 2) - face.start).dot(way);
     const double off =
         std::abs((wall.pointAt(wall.length() / 2) - face.start).dot(left));
-    if (face.run == 0 || std::abs(cosine) < least_cosine || off >= least ||
+    if (face.run == 0 || std::abs(cosine) < min_cosine || off >= least ||
         along < -near || along > (face.end - face.start).norm() + near)
       continue;
     behind = &face;
@@ -147,7 +147,7 @@ moveDetails(const Straightening& map, PlanRoom& room)
 
 WallTilts
 fitTilts(const Straightening& map,
-         const std::vector<LeaningFace>& faces,
+         const std::vector<TiltedFace>& faces,
          const PointView& raw,
          const std::vector<int>& indices,
          Floorplan& plan)
@@ -159,7 +159,7 @@ fitTilts(const Straightening& map,
     for (std::size_t i = 0; i < walls.size(); ++i) {
       PlanElement& wall = walls[i];
       double sign = 1;
-      const LeaningFace* const face = faceBehind(wall, faces, sign);
+      const TiltedFace* const face = faceBehind(wall, faces, sign);
       if (!face)
         continue;
       const Eigen::Vector2d middle = wall.pointAt(wall.length() / 2);

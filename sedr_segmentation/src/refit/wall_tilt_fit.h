@@ -21,7 +21,7 @@ namespace sedr {
  * @param[in,out] plan with vertical walls on input, with their feet on output
  * @return the tilted walls */
 WallTilts fitTilts(const Straightening& map,
-                   const std::vector<LeaningFace>& faces,
+                   const std::vector<TiltedFace>& faces,
                    const PointView& raw,
                    const std::vector<int>& indices,
                    Floorplan& plan);

@@ -23,10 +23,10 @@ constexpr double voxel_height = 0.05; // metres
 VoxelColumns
 columnsThatFill(const VoxelColumns& fine, unsigned threads)
 {
-  constexpr int filled = 6;           // neighbours of a voxel, of 8 on a plane
-  constexpr double largest = 0.4;     // metres
-  constexpr double least_share = 0.5; // of the usual neighbours, for what is no stray
-  constexpr int most = 4;             // neighbours: a surface's edge has five
+  constexpr int filled = 6;         // neighbours of a voxel, of 8 on a plane
+  constexpr double largest = 0.4;   // metres
+  constexpr double min_share = 0.5; // of the usual neighbours, for what is no stray
+  constexpr int most = 4;           // neighbours: a surface's edge has five
   VoxelColumns columns = fine.halved(threads);
   int usual = columns.usualCompany(threads);
   while (usual < filled && 2 * columns.cellSize() <= largest) {
@@ -34,7 +34,7 @@ columnsThatFill(const VoxelColumns& fine, unsigned threads)
     usual = columns.usualCompany(threads);
   }
   columns.dropStrays(
-      std::clamp(static_cast<int>(std::lround(least_share * usual)), 1, most), threads);
+      std::clamp(static_cast<int>(std::lround(min_share * usual)), 1, most), threads);
   return columns;
 }
 
@@ -45,14 +45,14 @@ withHolesClosed(VoxelColumns columns, bool is_dense, unsigned threads)
 {
   constexpr double widest_gap = 0.2;  // metres, between the dots of a surface
   constexpr double widest_hole = 0.4; // in a surface
-  constexpr int least_closed = 6;     // neighbours, where each column has its points
+  constexpr int min_closed = 6;       // neighbours, where each column has its points
   const auto cells = [&](double metres) {
     return static_cast<int>(std::lround(metres / columns.cellSize()));
   };
   columns.closeDots(cells(widest_gap), threads);
   columns.closeHoles(cells(widest_hole), threads);
   if (is_dense)
-    columns.keepSurfaces(least_closed, threads);
+    columns.keepSurfaces(min_closed, threads);
   return columns;
 }
 
@@ -70,9 +70,9 @@ airParameters(const BuildingParameters& parameters, const BuildingSight& sight)
 bool
 isWalkable(const RoomOpening& opening)
 {
-  constexpr double least_width = 0.5; // metres
-  constexpr double least_height = 1.5;
-  return opening.width >= least_width && opening.top - opening.bottom >= least_height;
+  constexpr double min_width = 0.5; // metres
+  constexpr double min_height = 1.5;
+  return opening.width >= min_width && opening.top - opening.bottom >= min_height;
 }
 
 /** @brief Which parts of the air one walks into from another, and the largest: 1. */

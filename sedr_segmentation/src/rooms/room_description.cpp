@@ -37,8 +37,8 @@ private:
   {
     constexpr int step = 1; // voxels that a level part's noise rises a cell
     constexpr double largest_rise = 0.2; // metres, of the whole part
-    constexpr double least_area = 0.25;  // square metres
-    constexpr double least_width = 1.5;  // columns
+    constexpr double min_area = 0.25;    // square metres
+    constexpr double min_width = 1.5;    // columns
     std::vector<std::uint32_t> part{start};
     is_met_[start] = 1;
     std::int32_t low = air_[start].high;
@@ -63,8 +63,8 @@ private:
     const double cell = air_.columns().cellSize();
     const bool is_level = (high - low) * air_.columns().voxelHeight() <=
                               largest_rise + 0.03 * std::sqrt(n) * cell &&
-                          n * cell * cell >= least_area &&
-                          2 * n >= least_width * static_cast<double>(rim);
+                          n * cell * cell >= min_area &&
+                          2 * n >= min_width * static_cast<double>(rim);
     if (is_level)
       for (const std::uint32_t g : part)
         is_level_[g] = 1;
@@ -141,18 +141,17 @@ noRoomBecause(const BuildingRoom& room,
                 ? 1
                 : 0;
   const double area = static_cast<double>(tall) * cell_size * cell_size;
-  constexpr double least_tall = 0.3; // of its columns; else it is a void
+  constexpr double min_tall = 0.3; // of its columns; else it is a void
   char text[120];
   if (area < parameters.minimum_area ||
-      static_cast<double>(tall) <
-          least_tall * static_cast<double>(room.columns.size())) {
+      static_cast<double>(tall) < min_tall * static_cast<double>(room.columns.size())) {
     kind = LeftOutKind::Low;
     std::snprintf(text, sizeof text,
                   "less than %.1f square metres with a headroom of %.1f m",
                   parameters.minimum_area, parameters.headroom);
     return text;
   }
-  constexpr double least_seen = 0.2; // of its floor and of its ceiling
+  constexpr double min_seen = 0.2; // of its floor and of its ceiling
   std::size_t floor_seen = 0;
   std::size_t ceiling_seen = 0;
   for (const RoomColumn& column : room.columns) {
@@ -160,8 +159,7 @@ noRoomBecause(const BuildingRoom& room,
     ceiling_seen += column.ceiling_seen ? 1 : 0;
   }
   const std::size_t seen = std::min(floor_seen, ceiling_seen);
-  if (static_cast<double>(seen) <
-      least_seen * static_cast<double>(room.columns.size())) {
+  if (static_cast<double>(seen) < min_seen * static_cast<double>(room.columns.size())) {
     kind = LeftOutKind::Open;
     std::snprintf(text, sizeof text, "only %.0f %% of its %s was seen",
                   100 * static_cast<double>(seen) /

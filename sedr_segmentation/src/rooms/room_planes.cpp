@@ -45,7 +45,8 @@ mainPlane(const PointView& points,
           double height,
           const RoomPlaneParameters& parameters)
 {
-  const double band = 2 * parameters.tolerance; // what is level, and what leans from it
+  const double band =
+      2 * parameters.tolerance; // what is level, and what is tilted from it
   std::vector<int> level;
   std::copy_if(sheet.begin(), sheet.end(), std::back_inserter(level), [&](int i) {
     return std::abs(points[static_cast<std::size_t>(i)].z() - height) <= band;

@@ -162,7 +162,7 @@ private:
   void keepFurniture(const std::vector<int>& depth,
                      std::vector<ColumnSheet>& added) const
   {
-    constexpr double least_depth = 0.3;                   // metres
+    constexpr double min_depth = 0.3;                     // metres
     constexpr double largest = 3;                         // square metres
     std::vector<std::uint32_t> number(coarse_.size(), 0); // from 1
     for (std::uint32_t k = 0; k < added.size(); ++k)
@@ -185,7 +185,7 @@ private:
       if (static_cast<double>(size[sets.find(k)]) * coarse_.cellSize() *
                   coarse_.cellSize() <=
               largest &&
-          deepest[sets.find(k)] * coarse_.cellSize() > least_depth)
+          deepest[sets.find(k)] * coarse_.cellSize() > min_depth)
         kept.push_back(added[k]);
     added = std::move(kept);
   }

@@ -13,7 +13,7 @@ namespace sedr {
 namespace {
 
 constexpr std::int32_t square_size = 20;
-constexpr std::size_t least_of_square = 10;
+constexpr std::size_t min_of_square = 10;
 
 /** @brief Minimum median fill; below it the scan is sparse in too many places. */
 constexpr double fill_enough = 0.98;
@@ -60,7 +60,7 @@ sharesOf(const std::vector<CellSet>& ceilings)
     countBetween(cells, {1, 0}, squares);
     countBetween(cells, {0, 1}, squares);
     for (const auto& [key, square] : squares)
-      if (square.all >= least_of_square) {
+      if (square.all >= min_of_square) {
         const auto occupied = static_cast<double>(square.occupied);
         shares.push_back({occupied / static_cast<double>(square.all), occupied});
       }

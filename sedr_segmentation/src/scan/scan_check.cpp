@@ -167,7 +167,7 @@ upProblem(const PointView& points,
           unsigned threads,
           const Priors& priors)
 {
-  const double times = priors.upright_ratio;
+  const double times = priors.vertical_ratio;
   const double times_of_rooms = priors.corridor_ratio;
   const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
   if (rooms == RoomsAlongZ::Found &&

@@ -23,7 +23,7 @@ public:
    * part of the scan */
   explicit ScanSample(std::size_t size, std::size_t finite_before = 0)
       : size_(size)
-      , step_(size / most_points + 1)
+      , step_(size / max_points + 1)
       , finite_(finite_before)
   {}
 
@@ -64,7 +64,7 @@ public:
   bool isTooLarge(const Priors& priors = {}) const;
 
 private:
-  static constexpr std::size_t most_points = 100000;
+  static constexpr std::size_t max_points = 100000;
 
   std::size_t size_;
   std::size_t step_;

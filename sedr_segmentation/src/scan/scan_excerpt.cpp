@@ -31,10 +31,10 @@ addToExcerpt(const PointView& points,
 }
 
 ScanExcerpt::ScanExcerpt(const RowSource& scan,
-                         std::size_t most_points,
+                         std::size_t max_points,
                          unsigned threads)
     : scan_(scan)
-    , step_(rawStep(scan.size(), most_points))
+    , step_(rawStep(scan.size(), max_points))
     , threads_(threads)
     , points_(new std::vector<Eigen::Vector3f>)
 {}

@@ -29,9 +29,9 @@ void addToExcerpt(const PointView& points,
 class ScanExcerpt : public RowSource {
 public:
   /** @param scan must outlive this object
-   * @param most_points maximum number of points to keep, see rawStep()
+   * @param max_points maximum number of points to keep, see rawStep()
    * @param threads 0: all processors */
-  ScanExcerpt(const RowSource& scan, std::size_t most_points, unsigned threads);
+  ScanExcerpt(const RowSource& scan, std::size_t max_points, unsigned threads);
 
   const std::vector<pcl::PCLPointField>& fields() const override
   {

@@ -35,7 +35,7 @@ Eigen::Vector3d
 upOfWalls(const std::vector<Eigen::Vector3d>& normals, const Priors& priors)
 {
   // Of the squared normals, perpendicular to the main direction.
-  const double least_share = priors.share_unseen;
+  const double min_share = priors.share_unseen;
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
   for (const double limit : limits) {
     Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
@@ -47,7 +47,7 @@ upOfWalls(const std::vector<Eigen::Vector3d>& normals, const Priors& priors)
       }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(squares);
     if (count < fewestPatches(priors) ||
-        solver.eigenvalues()[1] < least_share * static_cast<double>(count))
+        solver.eigenvalues()[1] < min_share * static_cast<double>(count))
       return Eigen::Vector3d::UnitZ();
     up = solver.eigenvectors().col(0);
     up *= up.z() < 0 ? -1 : 1;

@@ -17,11 +17,11 @@ struct ScanTilt {
   double angle = 0; ///< between `up` and z, radians; 0 if the scan is level
 };
 
-/** @brief Finds the tilt of a scan as a whole from 0.3 to 3 degrees; leanOf() finds
- * larger ones. Up is the direction perpendicular to the normals of walls with at least
- * two directions in plan. Floors and ceilings must be tilted equally: a sloping ceiling
- * between vertical walls is no tilt, nor are tilted walls between level floors. For
- * thinned points; uses patches of half a metre, O(n log n).
+/** @brief Finds the tilt of a scan as a whole from 0.3 to 3 degrees; inclinationOf()
+ * finds larger ones. Up is the direction perpendicular to the normals of walls with at
+ * least two directions in plan. Floors and ceilings must be tilted equally: a sloping
+ * ceiling between vertical walls is no tilt, nor are tilted walls between level floors.
+ * For thinned points; uses patches of half a metre, O(n log n).
  * @param threads 0: all processors; the result does not depend on it */
 ScanTilt tiltOf(const PointView& points,
                 const std::vector<int>& indices,

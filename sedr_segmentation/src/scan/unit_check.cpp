@@ -13,7 +13,7 @@ inchProblem(const PointView& points, std::size_t storeys)
 {
   constexpr float lowest = 60;   // metres, if the metre is the unit
   constexpr float highest = 200; // above, the check of the scan detects the unit
-  constexpr float most_a_storey = 30;
+  constexpr float max_a_storey = 30;
   std::vector<float> heights;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (points.isFinite(i))
@@ -26,7 +26,7 @@ inchProblem(const PointView& points, std::size_t storeys)
   std::nth_element(heights.begin(), heights.end() - 1 - cut, heights.end());
   const float height = *(heights.end() - 1 - cut) - low;
   if (!(height > lowest && height < highest &&
-        height > most_a_storey * static_cast<float>(storeys)))
+        height > max_a_storey * static_cast<float>(storeys)))
     return {};
   return "the scan is " + std::to_string(std::lround(height)) +
          " m high: if its unit is the inch, scale it by 0.0254 (--unit 0.0254 in "

@@ -78,15 +78,15 @@ double
 CellPoints::noise() const
 {
   constexpr double least = 1e-4;
-  constexpr std::size_t most_patches = 2000;
-  constexpr std::size_t least_points = 10;
-  const std::size_t step = grid_.count() / most_patches + 1;
+  constexpr std::size_t max_patches = 2000;
+  constexpr std::size_t min_points = 10;
+  const std::size_t step = grid_.count() / max_patches + 1;
   std::vector<double> deviations;
   for (std::size_t cell = 0; cell < grid_.count(); cell += step) {
     if (isEmpty(cell))
       continue;
     const auto near = pointsOf(window(cell, 1), 500);
-    if (near.size() < least_points)
+    if (near.size() < min_points)
       continue;
     const PlanSlab plane = fitPlane(near);
     double sum = 0;

@@ -20,8 +20,8 @@ namespace {
 constexpr ShapeKind kinds[] = {ShapeKind::Plane, ShapeKind::Cylinder, ShapeKind::Sphere,
                                ShapeKind::EllipticCylinder, ShapeKind::Ellipsoid};
 
-constexpr std::size_t least_cells = 10; ///< that another shape is tried for
-constexpr double settled = 1e-4;        ///< share of its cost: a last fit follows
+constexpr std::size_t min_cells = 10; ///< that another shape is tried for
+constexpr double settled = 1e-4;      ///< share of its cost: a last fit follows
 
 /** @brief Chooses among proposals, round by round. */
 class Chooser {
@@ -39,10 +39,10 @@ public:
 
   FacetChoice run(std::vector<FacetProposal> proposals)
   {
-    constexpr int most_rounds = 4;
+    constexpr int max_rounds = 4;
     FacetChoice best;
     double least = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
       FacetChoice choice = chosen(proposals);
       if (choice.facets.empty())
         break;
@@ -158,7 +158,7 @@ private:
   {
     FacetProposal best = known;
     double least = costOver(known, own);
-    if (own.size() < least_cells)
+    if (own.size() < min_cells)
       return best;
     const auto consider = [&](FacetProposal facet) {
       if (!isBuilt(facet, evidence_.parameters))
@@ -234,14 +234,14 @@ private:
   std::vector<FacetProposal> asOne(const std::vector<std::size_t>& own) const
   {
     constexpr std::size_t few_points = 300; // most pairs are no one shape
-    constexpr double least_share = 0.8;
+    constexpr double min_share = 0.8;
     std::vector<FacetProposal> found;
     FacetEvidence coarse = evidence_;
     coarse.deviation *= 2;
     for (const ShapeKind kind : kinds) {
       FacetProposal facet = fitFacet(kind, evidence_, own, few_points);
       if (!isBuilt(facet, evidence_.parameters) ||
-          shareExplained(facet, coarse, own) <= least_share)
+          shareExplained(facet, coarse, own) <= min_share)
         continue;
       facet = fitFacet(kind, evidence_, own);
       if (isBuilt(facet, evidence_.parameters))
@@ -263,7 +263,7 @@ private:
       std::vector<std::size_t> both = own[a];
       both.insert(both.end(), own[b].begin(), own[b].end());
       std::sort(both.begin(), both.end());
-      if (both.size() >= least_cells)
+      if (both.size() >= min_cells)
         found[k] = asOne(both);
     });
     std::vector<FacetProposal> all;

@@ -231,7 +231,7 @@ labelCells(const std::vector<FacetCosts>& facets,
            const FacetEvidence& evidence,
            std::vector<std::int32_t>& label)
 {
-  constexpr int most_sweeps = 4;
+  constexpr int max_sweeps = 4;
   constexpr double worth = 1e-6;
   const Borders borders(facets, evidence);
   double energy = energyOf(facets, evidence, label);
@@ -239,7 +239,7 @@ labelCells(const std::vector<FacetCosts>& facets,
   // An expansion over cells that have not changed since the last one changes nothing.
   std::vector<std::int32_t> changed(label.size(), 0); // by which expansion
   std::vector<std::int32_t> tried(facets.size(), -1); // which was the facet's last
-  for (std::int32_t k = 0; k < most_sweeps * count; ++k) {
+  for (std::int32_t k = 0; k < max_sweeps * count; ++k) {
     const auto own = static_cast<std::size_t>(k % count);
     const CellBox box = reachOf(k % count, facets[own], evidence, label);
     if (box.isEmpty() || !hasChanged(evidence.cells.grid(), box, changed, tried[own]))

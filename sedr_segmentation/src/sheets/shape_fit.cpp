@@ -279,7 +279,7 @@ refineShape(ShapeKind kind,
             PlanSlab& slab,
             double settled)
 {
-  constexpr int most_steps = 30;
+  constexpr int max_steps = 30;
   constexpr double cut = 4.7; // of Tukey's biweight, standard deviations
   const double band = cut * deviation;
   if (points.empty() || (kind != ShapeKind::Plane && !slab.curve))
@@ -288,7 +288,7 @@ refineShape(ShapeKind kind,
   Parameters numbers = numbersOf(kind, slab, about);
   double cost = costOf(points, {kind, slab, about}, band);
   double damping = 1e-6;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     const StepSums sums = sumsOf(points, {kind, slab, about}, band, numbers.size());
     bool is_better = false;
     double gain = 0;

@@ -13,9 +13,9 @@ namespace sedr {
 
 namespace {
 
-constexpr double proposal_band = 3;       ///< deviations that a point of a facet is off
-constexpr std::size_t few_points = 250;   ///< that a shape in a window is fitted to
-constexpr std::size_t most_points = 1500; ///< that a growing shape is fitted to
+constexpr double proposal_band = 3;      ///< deviations that a point of a facet is off
+constexpr std::size_t few_points = 250;  ///< that a shape in a window is fitted to
+constexpr std::size_t max_points = 1500; ///< that a growing shape is fitted to
 
 bool
 explainsCell(const PlanSlab& slab,
@@ -86,7 +86,7 @@ public:
             int reach,
             std::vector<FacetProposal>& found) const
   {
-    constexpr double least_share = 0.6;
+    constexpr double min_share = 0.6;
     constexpr int rounds = 3;
     std::vector<std::size_t> window = cells_.window(seed, reach);
     // Half of it may lie beside the room.
@@ -98,14 +98,14 @@ public:
     FacetProposal facet = fitFacet(kind, evidence_, window, few_points);
     for (int round = 0; round < rounds; ++round) {
       if (!isBuilt(facet, evidence_.parameters) ||
-          shareExplained(facet, evidence_, window) < least_share)
+          shareExplained(facet, evidence_, window) < min_share)
         return false;
       std::vector<std::size_t> grown = grownCells(facet.slab, cells_, seed, deviation_);
       const bool has_settled = grown == facet.cells;
       facet.cells = std::move(grown);
       if (has_settled)
         break;
-      refineShape(kind, cells_.pointsOf(facet.cells, most_points), deviation_,
+      refineShape(kind, cells_.pointsOf(facet.cells, max_points), deviation_,
                   facet.slab);
     }
     found.push_back(std::move(facet));
@@ -133,7 +133,7 @@ private:
   /** @brief Whether a plane explains all of some cells. */
   bool isFlat(const std::vector<std::size_t>& window) const
   {
-    const auto points = cells_.pointsOf(window, most_points);
+    const auto points = cells_.pointsOf(window, max_points);
     const PlanSlab plane = fitPlane(points);
     double sum = 0;
     for (const Eigen::Vector3d& p : points)
@@ -153,12 +153,12 @@ growFromSeeds(const FacetEvidence& evidence,
               int reach,
               std::vector<FacetProposal>& found)
 {
-  constexpr std::size_t most_seeds = 600;
+  constexpr std::size_t max_seeds = 600;
   const SheetGrid& grid = evidence.cells.grid();
   // No window's own half lies between two seeds: a beam is not much wider.
   const int stride = std::min(
       reach + 1, std::max(4, static_cast<int>(std::sqrt(
-                                 static_cast<double>(grid.count()) / most_seeds))));
+                                 static_cast<double>(grid.count()) / max_seeds))));
   const Grower grower(evidence);
   std::vector<std::uint8_t> is_covered(grid.count(), 0);
   const auto cover = [&](const FacetProposal& facet) {
@@ -180,7 +180,7 @@ growFromSeeds(const FacetEvidence& evidence,
 bool
 isBuilt(const FacetProposal& facet, const SheetParameters& parameters)
 {
-  constexpr double least_radius = 0.3; // of a cove, metres
+  constexpr double min_radius = 0.3; // of a cove, metres
   if (!isCurve(facet.kind)) {
     // A rafter's slope is measured to a degree.
     const double steepest = std::cos(parameters.steepest + M_PI / 180);
@@ -190,7 +190,7 @@ isBuilt(const FacetProposal& facet, const SheetParameters& parameters)
     return false;
   const SlabCurve& c = *facet.slab.curve;
   const auto isRadius = [&](double radius) {
-    return radius >= least_radius && radius <= parameters.largest_radius;
+    return radius >= min_radius && radius <= parameters.largest_radius;
   };
   return isRadius(c.across) && isRadius(c.up) &&
          (c.kind == CurveKind::Cylinder || isRadius(c.along));
@@ -212,9 +212,9 @@ FacetProposal
 fitFacet(ShapeKind kind,
          const FacetEvidence& evidence,
          std::vector<std::size_t> own,
-         std::size_t most_points)
+         std::size_t max_points)
 {
-  const auto points = evidence.cells.pointsOf(own, most_points);
+  const auto points = evidence.cells.pointsOf(own, max_points);
   FacetProposal facet;
   facet.kind = kind;
   facet.cells = std::move(own);

@@ -27,12 +27,12 @@ double shareExplained(const FacetProposal& facet,
                       const FacetEvidence& evidence,
                       const std::vector<std::size_t>& among);
 
-/** @brief Fits a shape of a kind to some cells, to no more than about `most_points` of
+/** @brief Fits a shape of a kind to some cells, to no more than about `max_points` of
  * their points. */
 FacetProposal fitFacet(ShapeKind kind,
                        const FacetEvidence& evidence,
                        std::vector<std::size_t> own,
-                       std::size_t most_points = 1500);
+                       std::size_t max_points = 1500);
 
 /** @brief Shapes that explain parts of a ceiling: planes and curves through windows of
  * the plan, grown over the cells around that agree with them. */

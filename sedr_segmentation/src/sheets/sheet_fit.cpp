@@ -42,7 +42,7 @@ fillNearest(const SheetGrid& grid, std::vector<std::int32_t>& label)
 /** @brief Takes the label from pieces of facets that are too small to be one. */
 void
 dropSmallPieces(const SheetGrid& grid,
-                double least_area,
+                double min_area,
                 std::vector<std::int32_t>& label)
 {
   std::vector<std::uint8_t> is_known(label.size(), 0);
@@ -63,7 +63,7 @@ dropSmallPieces(const SheetGrid& grid,
         is_known[grid.indexOf(x, y)] = 1;
         piece.push_back(grid.indexOf(x, y));
       }
-    if (static_cast<double>(piece.size()) * grid.size * grid.size < least_area)
+    if (static_cast<double>(piece.size()) * grid.size * grid.size < min_area)
       for (const std::size_t cell : piece)
         label[cell] = Sheet::none;
   }
@@ -112,16 +112,16 @@ isWithin(const Sheet& sheet, std::size_t cell)
   return true;
 }
 
-/** @brief The plane that stands for a curve: through its points, level if it would lean
+/** @brief The plane that stands for a curve: through its points, level if it would tilt
  * by more than planes may. */
 Eigen::Vector4d
 planeNear(const std::vector<Eigen::Vector3d>& points)
 {
-  constexpr double least_upward = 0.5; // 60 degrees
+  constexpr double min_upward = 0.5; // 60 degrees
   const Eigen::Vector4d plane = points.size() < 3
                                     ? Eigen::Vector4d::Zero()
                                     : Eigen::Vector4d(fitPlane(points).plane);
-  if (plane.allFinite() && plane[2] >= least_upward)
+  if (plane.allFinite() && plane[2] >= min_upward)
     return plane;
   double height = 0;
   for (const Eigen::Vector3d& p : points)
@@ -138,8 +138,8 @@ finishFacets(const CellPoints& cells,
              const SheetParameters& parameters,
              Sheet& sheet)
 {
-  constexpr std::size_t most_points = 40000;
-  constexpr std::size_t least_cells = 20;
+  constexpr std::size_t max_points = 40000;
+  constexpr std::size_t min_cells = 20;
   std::vector<std::vector<std::size_t>> own(choice.facets.size());
   std::vector<std::vector<std::size_t>> within(choice.facets.size());
   for (std::size_t cell = 0; cell < sheet.label.size(); ++cell) {
@@ -154,16 +154,16 @@ finishFacets(const CellPoints& cells,
     const FacetProposal& facet = choice.facets[k];
     PlanSlab slab = facet.slab;
     const bool is_relief = slab.curve && slab.curve->kind == CurveKind::Relief;
-    const auto& fitted = within[k].size() >= least_cells ? within[k] : own[k];
+    const auto& fitted = within[k].size() >= min_cells ? within[k] : own[k];
     if (!is_relief && !fitted.empty()) {
       FacetProposal refined = facet;
-      refineShape(facet.kind, cells.pointsOf(fitted, most_points), deviation,
+      refineShape(facet.kind, cells.pointsOf(fitted, max_points), deviation,
                   refined.slab);
       if (isBuilt(refined, parameters))
         slab = refined.slab;
     }
     if (slab.curve)
-      slab.plane = planeNear(cells.pointsOf(own[k], most_points));
+      slab.plane = planeNear(cells.pointsOf(own[k], max_points));
     double sum = 0;
     for (const std::size_t cell : own[k])
       for (const Eigen::Vector3d* p = cells.begin(cell); p != cells.end(cell); ++p) {
@@ -199,7 +199,7 @@ sheetGrid(const Eigen::AlignedBox2d& box,
   constexpr int spare = 3;
   SheetGrid grid;
   const double fitting =
-      std::sqrt(box.volume() / static_cast<double>(parameters.most_cells));
+      std::sqrt(box.volume() / static_cast<double>(parameters.max_cells));
   grid.size = std::max(parameters.cell_size, fitting);
   const Eigen::Rotation2Dd turn(direction);
   grid.axis = turn * Eigen::Vector2d::UnitX();
@@ -240,12 +240,12 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
          const std::vector<double>& directions,
          const SheetParameters& parameters)
 {
-  constexpr std::size_t least_points = 50;
+  constexpr std::size_t min_points = 50;
   Sheet sheet;
   sheet.grid = grid;
   sheet.is_inside = domain;
   const CellPoints cells(sheet.grid, sheet.is_inside, points);
-  if (cells.size() < least_points)
+  if (cells.size() < min_points)
     return sheet;
   sheet.noise = cells.noise();
   const double deviation = std::hypot(sheet.noise, parameters.unevenness);
@@ -254,7 +254,7 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
   for (std::size_t cell = 0; cell < choice.label.size(); ++cell)
     if (!domain[cell])
       choice.label[cell] = Sheet::none;
-  dropSmallPieces(grid, parameters.least_area, choice.label);
+  dropSmallPieces(grid, parameters.min_area, choice.label);
   fillNearest(grid, choice.label);
   for (std::size_t cell = 0; cell < choice.label.size(); ++cell)
     if (!domain[cell])

@@ -21,23 +21,23 @@ namespace sedr {
  * logarithms of probability. */
 struct SheetParameters {
   double cell_size = 0.1; ///< of the plan, each of one facet; larger in large rooms
-  std::size_t most_cells = 20000; ///< of a room
-  double unevenness = 0.005;      ///< by which a ceiling strays from its shape, metres:
-                                  ///< plaster within a straightedge's tolerance
+  std::size_t max_cells = 20000; ///< of a room
+  double unevenness = 0.005;     ///< by which a ceiling strays from its shape, metres:
+                                 ///< plaster within a straightedge's tolerance
   double largest_noise = 0.02; ///< of points, metres: more is relief, of ribs or beams
-  double patch = 0.5;      ///< metres within which it strays as one: what is seen there
-                           ///< counts once
-  double outlier = 4.5;    ///< cost of a patch that no facet explains: three deviations
-  double crease = 0.5;     ///< cost of a metre along which facets meet
-  double step = 1;         ///< cost of a metre along which they miss each other by
-                           ///< `full_step` or more
-  double full_step = 0.2;  ///< metres
-  double least_area = 0.4; ///< of a facet, square metres
-  double least_relief = 1; ///< of a free form, square metres
+  double patch = 0.5;     ///< metres within which it strays as one: what is seen there
+                          ///< counts once
+  double outlier = 4.5;   ///< cost of a patch that no facet explains: three deviations
+  double crease = 0.5;    ///< cost of a metre along which facets meet
+  double step = 1;        ///< cost of a metre along which they miss each other by
+                          ///< `full_step` or more
+  double full_step = 0.2; ///< metres
+  double min_area = 0.4;  ///< of a facet, square metres
+  double min_relief = 1;  ///< of a free form, square metres
   double relief_spacing = 0.25; ///< between its heights, metres
   double steepest = M_PI / 3;   ///< of a plane, radians
   double level =
-      4 * M_PI / 180;         ///< planes of level ceilings lean by 3 degrees, radians
+      4 * M_PI / 180; ///< planes of level ceilings are tilted by 3 degrees, radians
   double largest_radius = 40; ///< of a vault; flatter ones are planes, metres
   unsigned threads = 1;
 };
@@ -179,7 +179,7 @@ PlanSlab reliefOf(const Sheet& sheet, double spacing);
  * it, with borders where facets meet, at steps, and at the room's walls. Details of the
  * ceiling make way.
  * @param points those that the sheet was fitted to
- * @param risers points of what is upright between its facets; may be empty */
+ * @param risers points of what is vertical between its facets; may be empty */
 void giveCeiling(const Sheet& sheet,
                  const std::vector<Eigen::Vector3d>& points,
                  const std::vector<Eigen::Vector3d>& risers,

@@ -13,7 +13,7 @@ namespace sedr {
 
 namespace {
 
-constexpr std::size_t most_a_cell = 40; ///< points: near a scanner there are thousands
+constexpr std::size_t max_a_cell = 40; ///< points: near a scanner there are thousands
 
 ShapeKind
 kindOf(const PlanSlab& slab)
@@ -80,7 +80,7 @@ refitToScan(Sheet& sheet,
             const std::vector<int>& indices,
             const SheetParameters& parameters)
 {
-  constexpr std::size_t least_points = 200;
+  constexpr std::size_t min_points = 200;
   const std::vector<std::uint8_t> is_within = cellsWithinFacets(sheet);
   std::vector<std::uint32_t> count(sheet.grid.count(), 0);
   forAllNear(sheet, is_within, scan, indices,
@@ -90,14 +90,14 @@ refitToScan(Sheet& sheet,
   forAllNear(sheet, is_within, scan, indices,
              [&](std::size_t cell, const Eigen::Vector3d& p) {
                const std::uint64_t before = passed[cell]++;
-               const std::uint64_t most = most_a_cell;
+               const std::uint64_t most = max_a_cell;
                if (count[cell] <= most ||
                    before * most / count[cell] != (before + 1) * most / count[cell])
                  points[static_cast<std::size_t>(sheet.label[cell])].push_back(p);
              });
   for (std::size_t f = 0; f < sheet.facets.size(); ++f) {
     PlanSlab& facet = sheet.facets[f];
-    if (points[f].size() < least_points ||
+    if (points[f].size() < min_points ||
         (facet.curve && facet.curve->kind == CurveKind::Relief))
       continue;
     std::vector<double> off;

@@ -55,7 +55,7 @@ PlanSlab
 reliefOf(const std::vector<Eigen::Vector3d>& points, double spacing)
 {
   constexpr double deviation = 0.02;
-  constexpr std::size_t least_points = 6;
+  constexpr std::size_t min_points = 6;
   PlanSlab slab = fitPlane(points);
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector3d& p : points)
@@ -78,7 +78,7 @@ reliefOf(const std::vector<Eigen::Vector3d>& points, double spacing)
             .push_back(p);
   }
   for (std::size_t k = 0; k < near.size(); ++k) {
-    if (near[k].size() < least_points)
+    if (near[k].size() < min_points)
       continue;
     PlanSlab plane = fitPlane(near[k]);
     refineShape(ShapeKind::Plane, near[k], deviation, plane);
@@ -101,7 +101,7 @@ void
 addReliefs(const FacetEvidence& evidence, FacetChoice& choice)
 {
   constexpr float unexplained = 0.7F; // of what an outlier costs
-  constexpr std::size_t most_points = 200000;
+  constexpr std::size_t max_points = 200000;
   const CellPoints& cells = evidence.cells;
   const SheetGrid& grid = cells.grid();
   const float outlier = evidence.outlier();
@@ -112,7 +112,7 @@ addReliefs(const FacetEvidence& evidence, FacetChoice& choice)
         (choice.facets.empty() ||
          choice.costs[static_cast<std::size_t>(choice.label[cell])].cost[cell] >
              unexplained * outlier);
-  const auto least = static_cast<std::size_t>(evidence.parameters.least_relief /
+  const auto least = static_cast<std::size_t>(evidence.parameters.min_relief /
                                               (grid.size * grid.size));
   choice.label.resize(grid.count(), 0);
   const std::size_t before = choice.facets.size();
@@ -120,8 +120,8 @@ addReliefs(const FacetEvidence& evidence, FacetChoice& choice)
     if (piece.size() < least && !(before == 0 && choice.facets.empty()))
       continue;
     FacetProposal facet;
-    facet.slab = reliefOf(cells.pointsOf(piece, most_points),
-                          evidence.parameters.relief_spacing);
+    facet.slab =
+        reliefOf(cells.pointsOf(piece, max_points), evidence.parameters.relief_spacing);
     FacetCosts costs = costsOf(facet.slab, evidence);
     // It is known where it was seen: elsewhere it explains nothing.
     std::vector<std::uint8_t> is_own(grid.count(), 0);

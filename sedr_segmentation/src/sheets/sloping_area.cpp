@@ -53,13 +53,13 @@ windowOf(const std::vector<Eigen::Vector3d>& points)
 std::vector<Window>
 slopingWindows(const CellPoints& cells, double strays)
 {
-  constexpr std::size_t least_points = 10;
-  constexpr std::size_t most_points = 60;
+  constexpr std::size_t min_points = 10;
+  constexpr std::size_t max_points = 60;
   const SheetGrid& grid = cells.grid();
   std::vector<Window> windows(grid.count());
   for (std::size_t cell = 0; cell < grid.count(); ++cell) {
-    const auto points = cells.pointsOf(cells.window(cell, 1), most_points);
-    if (points.size() < least_points)
+    const auto points = cells.pointsOf(cells.window(cell, 1), max_points);
+    if (points.size() < min_points)
       continue;
     const Window window = windowOf(points);
     if (window.slope > std::tan(SheetParameters().level) && window.deviation < strays)
@@ -95,7 +95,7 @@ slopingArea(const std::vector<Eigen::Vector3d>& points)
 {
   constexpr double finest = 0.1; // metres
   constexpr double filled = 3;   // points in a cell
-  constexpr double most_cells = 1e6;
+  constexpr double max_cells = 1e6;
   constexpr double smooth = 1.5; // deviations
   constexpr double step = 6;     // strays: lower ones look like smooth slopes
   Eigen::AlignedBox2d box;
@@ -106,7 +106,7 @@ slopingArea(const std::vector<Eigen::Vector3d>& points)
   SheetParameters parameters;
   parameters.cell_size = std::max(
       finest, std::sqrt(filled * box.volume() / static_cast<double>(points.size())));
-  parameters.most_cells = static_cast<std::size_t>(most_cells);
+  parameters.max_cells = static_cast<std::size_t>(max_cells);
   const SheetGrid grid = sheetGrid(box, parameters);
   const std::vector<std::uint8_t> all(grid.count(), 1);
   const CellPoints cells(grid, all, points);

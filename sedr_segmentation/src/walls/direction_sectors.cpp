@@ -31,8 +31,8 @@ DirectionSectors::DirectionSectors(float angle)
       most = std::max(most, turnOver(k, run + 2));
     return most;
   };
-  while (least_run_ < sectors && widest(least_run_) <= angle - margin)
-    ++least_run_;
+  while (min_run_ < sectors && widest(min_run_) <= angle - margin)
+    ++min_run_;
 }
 
 float

@@ -32,11 +32,11 @@ public:
    * gapOf() says, quickly, where they are close. */
   bool areClose(std::uint64_t seen) const
   {
-    if (least_run_ == 0)
+    if (min_run_ == 0)
       return false;
     // Bits that begin a run of so many empty sectors.
     std::uint64_t empty = ~seen;
-    for (unsigned left = least_run_ - 1, step = 1; left > 0 && empty != 0; step *= 2) {
+    for (unsigned left = min_run_ - 1, step = 1; left > 0 && empty != 0; step *= 2) {
       const unsigned by = std::min(step, left);
       empty &= empty >> by | empty << (sectors - by);
       left -= by;
@@ -55,7 +55,7 @@ private:
   float turnOver(unsigned first, unsigned count) const;
 
   float angle_;
-  unsigned least_run_ = 0; ///< as many empty sectors may be a gap; 0: as none too
+  unsigned min_run_ = 0; ///< as many empty sectors may be a gap; 0: as none too
   std::array<float, sectors + 1> from_{}; ///< where each sector begins, radians
 };
 

@@ -16,14 +16,14 @@ namespace {
 
 /** @brief How many cells away an inner point is looked for, and any at most. */
 constexpr int first_reach = 2;
-constexpr int most_reach = 8;
+constexpr int max_reach = 8;
 
 /** @brief More cells than so many a point are no table. */
-constexpr std::size_t most_cells_a_point = 8;
+constexpr std::size_t max_cells_a_point = 8;
 
 /** @brief Where so many times as many points as are asked for lie around one, denser
  * than elsewhere, a search tree finds the nearest sooner. */
-constexpr std::size_t most_crowded = 16;
+constexpr std::size_t max_crowded = 16;
 
 /** @brief Distance that all points within `reach` cells have been seen at, squared. */
 float
@@ -55,8 +55,8 @@ NeighbourCells::NeighbourCells(const std::vector<Eigen::Vector3f>& places,
   if (!grid_.holds(low.x(), low.y()) || !grid_.holds(high.x(), high.y()))
     return;
   const CellBox box =
-      grown({grid_.at(low.x(), low.y()), grid_.at(high.x(), high.y())}, most_reach);
-  if (box.count() > most_cells_a_point * places.size() || !maskProblem(box).empty())
+      grown({grid_.at(low.x(), low.y()), grid_.at(high.x(), high.y())}, max_reach);
+  if (box.count() > max_cells_a_point * places.size() || !maskProblem(box).empty())
     return;
   frame_ = CellMask(box);
   first_.assign(frame_.values().size() + 1, 0);
@@ -205,9 +205,9 @@ NeighbourCells::gapAt(const Eigen::Vector3f& place, Around& around) const
     return Gap::Unknown;
   if (countAround(place, first_reach) <= neighbours_ && isInner(place))
     return Gap::None;
-  for (int reach = first_reach; reach <= most_reach; ++reach) {
+  for (int reach = first_reach; reach <= max_reach; ++reach) {
     const std::size_t count = countAround(place, reach);
-    if (count > most_crowded * neighbours_)
+    if (count > max_crowded * neighbours_)
       return Gap::Unknown;
     if (reach > first_reach && count < neighbours_)
       continue; // too few to tell a wide gap

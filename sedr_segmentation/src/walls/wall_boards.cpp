@@ -37,7 +37,7 @@ struct Beside {
 
 std::vector<Beside>
 placesBeside(const PlanElement& wall,
-             const std::vector<UprightPlace>& places,
+             const std::vector<VerticalPlace>& places,
              const Priors& priors)
 {
   const double reach = reachOf(priors);
@@ -97,13 +97,13 @@ surplusBefore(const std::vector<double>& above, double wall, double most)
  * @param[out] from how far before the line what is seen is the board's */
 bool
 hasBoard(const PlanElement& wall,
-         const std::vector<UprightPlace>& places,
+         const std::vector<VerticalPlace>& places,
          const std::vector<Beside>& beside,
          const Priors& priors,
          double& from)
 {
   const double part = partOf(priors);
-  const auto least_points = static_cast<std::size_t>(priors.min_evidence);
+  const auto min_points = static_cast<std::size_t>(priors.min_evidence);
   const auto parts = static_cast<std::size_t>(wall.length() / part) + 1;
   std::vector<std::vector<double>> above(parts);
   std::vector<std::vector<double>> under(parts);
@@ -115,10 +115,10 @@ hasBoard(const PlanElement& wall,
   std::ptrdiff_t above_boards = 0;
   std::ptrdiff_t surplus = 0;
   for (std::size_t k = 0; k < parts; ++k) {
-    if (above[k].size() < least_points)
+    if (above[k].size() < min_points)
       continue;
     walls.push_back(middleOf(above[k]));
-    if (under[k].size() < least_points)
+    if (under[k].size() < min_points)
       continue;
     const double before = middleOf(under[k]);
     const double depth = before - walls.back();
@@ -149,7 +149,7 @@ hasBoard(const PlanElement& wall,
 std::vector<std::size_t>
 boardBefore(const PlanElement& wall,
             const PlanLoop& boundary,
-            const std::vector<UprightPlace>& places,
+            const std::vector<VerticalPlace>& places,
             const Priors& priors)
 {
   if (wall.length() < priors.min_wall_length || isOfPartition(wall, boundary, priors))
@@ -169,7 +169,7 @@ boardBefore(const PlanElement& wall,
 
 bool
 leaveOutBoards(const PlanLoop& boundary,
-               std::vector<UprightPlace>& places,
+               std::vector<VerticalPlace>& places,
                unsigned threads,
                const Priors& priors)
 {

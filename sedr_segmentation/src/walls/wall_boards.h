@@ -23,7 +23,7 @@ namespace sedr {
  * @param threads 0: as many as there are processors
  * @return whether any were taken out. O(n m) for n places and m walls. */
 bool leaveOutBoards(const PlanLoop& boundary,
-                    std::vector<UprightPlace>& places,
+                    std::vector<VerticalPlace>& places,
                     unsigned threads = 1,
                     const Priors& priors = {});
 

@@ -12,16 +12,16 @@ namespace sedr {
 
 namespace {
 
-/** @brief Whether a point is part of something upright: its column is occupied without
+/** @brief Whether a point is part of something vertical: its column is occupied without
  * a gap over at least 20 cm there. */
 bool
-isUpright(const ColumnTable& columns,
-          const CellGrid& grid,
-          const Eigen::Vector3f& p,
-          const Priors& priors)
+isVertical(const ColumnTable& columns,
+           const CellGrid& grid,
+           const Eigen::Vector3f& p,
+           const Priors& priors)
 {
   const double gap = priors.run_gap;
-  const double least_length = 2 * priors.evidence_cell;
+  const double min_length = 2 * priors.evidence_cell;
   const Cell cell = grid.at(p.x(), p.y());
   const ColumnTable::Entry* const begin = columns.begin(cell);
   const ColumnTable::Entry* const end = columns.end(cell);
@@ -37,7 +37,7 @@ isUpright(const ColumnTable& columns,
     --low;
   while (high != end && !isAfterGap(high))
     ++high;
-  return (high - 1)->z - low->z >= least_length;
+  return (high - 1)->z - low->z >= min_length;
 }
 
 /** @brief Adds those of the indices that are asked for, in their order; asked on
@@ -64,14 +64,14 @@ appendThose(const std::vector<int>& indices,
 
 } // namespace
 
-std::vector<UprightPlace>
-uprightPlaces(const PointView& points,
-              const std::vector<int>& indices,
-              const PlanRoom& room,
-              const ColumnTable& columns,
-              const CellGrid& grid,
-              unsigned threads,
-              const Priors& priors)
+std::vector<VerticalPlace>
+verticalPlaces(const PointView& points,
+               const std::vector<int>& indices,
+               const PlanRoom& room,
+               const ColumnTable& columns,
+               const CellGrid& grid,
+               unsigned threads,
+               const Priors& priors)
 {
   const auto placeOf = [&](int i) -> Eigen::Vector2d {
     return points[static_cast<std::size_t>(i)].head<2>().cast<double>();
@@ -81,11 +81,11 @@ uprightPlaces(const PointView& points,
     const double top = room.ceiling.heightAt(placeOf(i));
     const double middle = (room.floor.heightAt(placeOf(i)) + top) / 2;
     return p.z() > middle && p.z() < top - priors.wall_band &&
-           isUpright(columns, grid, p, priors);
+           isVertical(columns, grid, p, priors);
   };
   std::vector<int> on_walls;
   appendThose(indices, isWall, threads, on_walls);
-  std::vector<UprightPlace> upper;
+  std::vector<VerticalPlace> upper;
   upper.reserve(on_walls.size());
   for (const int i : on_walls) {
     const Eigen::Vector2d place = placeOf(i);
@@ -96,12 +96,12 @@ uprightPlaces(const PointView& points,
 }
 
 PlanPoints
-inPlan(const std::vector<UprightPlace>& places)
+inPlan(const std::vector<VerticalPlace>& places)
 {
   std::vector<Eigen::Vector2d> points;
   points.reserve(places.size());
-  for (const UprightPlace& upright : places)
-    points.push_back(upright.place);
+  for (const VerticalPlace& vertical : places)
+    points.push_back(vertical.place);
   return {std::move(points), 0.1};
 }
 

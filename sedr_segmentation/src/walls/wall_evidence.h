@@ -12,24 +12,24 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief A place in plan of a point on something upright. */
-struct UprightPlace {
+/** @brief A place in plan of a point on something vertical. */
+struct VerticalPlace {
   Eigen::Vector2d place;
   double below = 0; ///< the ceiling, metres
 };
 
-/** @brief The places of those of some points that show walls or columns: upright things
- * in the upper half of the room, as furniture hides the lower. */
-std::vector<UprightPlace> uprightPlaces(const PointView& points,
-                                        const std::vector<int>& indices,
-                                        const PlanRoom& room,
-                                        const ColumnTable& columns,
-                                        const CellGrid& grid,
-                                        unsigned threads,
-                                        const Priors& priors = {});
+/** @brief The places of those of some points that show walls or columns: vertical
+ * things in the upper half of the room, as furniture hides the lower. */
+std::vector<VerticalPlace> verticalPlaces(const PointView& points,
+                                          const std::vector<int>& indices,
+                                          const PlanRoom& room,
+                                          const ColumnTable& columns,
+                                          const CellGrid& grid,
+                                          unsigned threads,
+                                          const Priors& priors = {});
 
 /** @brief The same, heights forgotten. */
-PlanPoints inPlan(const std::vector<UprightPlace>& places);
+PlanPoints inPlan(const std::vector<VerticalPlace>& places);
 
 /** @brief What may show the walls of a room: what the growing found, and what is at the
  * edge of the room's cells, as the growing sees none where the ceiling goes on behind a

@@ -35,7 +35,7 @@ cloudProblem(const PointView& points, const pcl::Indices& indices, const Priors&
 std::size_t
 excerptStep(std::size_t points)
 {
-  return rawStep(points, RefitParameters().most_points);
+  return rawStep(points, RefitParameters().max_points);
 }
 
 std::shared_ptr<std::vector<Eigen::Vector3f>>
@@ -59,7 +59,7 @@ thinWithExcerpt(const RowSource& source,
                 const std::function<void(const RowSource&)>& thin,
                 std::shared_ptr<std::vector<Eigen::Vector3f>>& excerpt)
 {
-  const ScanExcerpt scan(source, RefitParameters().most_points, threads);
+  const ScanExcerpt scan(source, RefitParameters().max_points, threads);
   thin(scan);
   const std::string problem = scan.problem();
   if (problem.empty())

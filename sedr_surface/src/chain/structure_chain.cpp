@@ -107,7 +107,7 @@ StructureChain::reset(const Cloud::ConstPtr& thinned)
   levelling.reset();
   straightening = Straightening();
   tilts.clear();
-  leaning_faces_.clear();
+  tilted_faces_.clear();
   straight_plan_ = plan;
   straight_structure_ = structure;
   refined_.clear();

@@ -84,7 +84,7 @@ StructureChain::repair(StageReport& report)
   }
   hole_repair.setFloorplan(straight_plan_);
   report.points_out = structure->size();
-  leanStructure();
+  tiltStructure();
   warnOfGuesses();
   return true;
 }

@@ -11,7 +11,7 @@
 #include "sedr_segmentation/src/rooms/room_planes.h"
 #include "sedr_segmentation/src/scan/cell_fill.h"
 #include "sedr_segmentation/src/scan/scan_check.h"
-#include "sedr_segmentation/src/scan/scan_lean.h"
+#include "sedr_segmentation/src/scan/scan_inclination.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,7 @@ StructureChain::checkScan()
   std::string reason =
       upProblem(points, *all, RoomsAlongZ::NotLookedFor, 0, threads, priors_);
   if (reason.empty())
-    reason = leanProblem(points, *all, threads, priors_);
+    reason = inclinationProblem(points, *all, threads, priors_);
   return reason.empty() || fail(reason);
 }
 

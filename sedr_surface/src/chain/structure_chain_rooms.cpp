@@ -191,7 +191,7 @@ StructureChain::hasSheet(std::size_t region) const
   for (const int i : seenCeiling(region))
     points.push_back(
         (*cloud)[static_cast<std::size_t>(i)].getVector3fMap().cast<double>());
-  return slopingArea(points) >= SheetParameters().least_area;
+  return slopingArea(points) >= SheetParameters().min_area;
 }
 
 pcl::Indices
@@ -357,7 +357,7 @@ StructureChain::fitPlan(StageReport& report)
     for (const auto& element : room.boundary.elements)
       report.points_out += element.inliers;
   giveUpRoomsWithoutPlan();
-  leanPlan();
+  tiltPlan();
   labelNiches();
   return true;
 }

@@ -5,7 +5,7 @@
 
 #include "../mesh/mesh_repair.h"
 #include "sedr_segmentation/src/refit/wall_tilt_fit.h"
-#include "sedr_segmentation/src/scan/leaning_faces.h"
+#include "sedr_segmentation/src/scan/tilted_faces.h"
 #include "sedr_segmentation/src/scan/scan_tilt.h"
 
 #include <cmath>
@@ -60,9 +60,9 @@ StructureChain::levelScan()
 void
 StructureChain::straightenScan()
 {
-  leaning_faces_ = leaningFaces(PointView(*cloud), *allIndices(cloud->size()),
-                                room_segmentation.getNumberOfThreads());
-  straightening = Straightening(leaning_faces_);
+  tilted_faces_ = tiltedFaces(PointView(*cloud), *allIndices(cloud->size()),
+                              room_segmentation.getNumberOfThreads());
+  straightening = Straightening(tilted_faces_);
   if (straightening.isIdentity())
     return;
   for (auto& p : *cloud)
@@ -74,7 +74,7 @@ StructureChain::straightenScan()
 }
 
 void
-StructureChain::leanPlan()
+StructureChain::tiltPlan()
 {
   straight_plan_ = plan;
   if (straightening.isIdentity())
@@ -82,10 +82,10 @@ StructureChain::leanPlan()
   const pcl::IndicesConstPtr indices = floorplan_fitting.getRawIndices();
   const PointView raw = floorplan_fitting.getRawPoints();
   tilts =
-      fitTilts(straightening, leaning_faces_, raw.size() > 0 ? raw : PointView(*cloud),
+      fitTilts(straightening, tilted_faces_, raw.size() > 0 ? raw : PointView(*cloud),
                indices ? *indices : pcl::Indices(), *plan);
   straight_plan_ = std::make_shared<Floorplan>(straightened(*plan, tilts));
-  const Straightening fitted(leaningFaces(*plan, tilts));
+  const Straightening fitted(tiltedFaces(*plan, tilts));
   for (auto& p : *cloud) {
     const Eigen::Vector3d scanned =
         straightening.back(p.getVector3fMap().cast<double>());
@@ -94,7 +94,7 @@ StructureChain::leanPlan()
   straightening = fitted;
   for (const WallTilt& tilt : tilts) {
     char text[120];
-    std::snprintf(text, sizeof text, "its wall %zu leans by %.2f degrees %s it",
+    std::snprintf(text, sizeof text, "its wall %zu is tilted by %.2f degrees %s it",
                   tilt.wall + 1, std::abs(tilt.tilt) * 180 / M_PI,
                   tilt.tilt > 0 ? "into" : "out of");
     warn(tilt.room, text);
@@ -102,7 +102,7 @@ StructureChain::leanPlan()
 }
 
 void
-StructureChain::leanStructure()
+StructureChain::tiltStructure()
 {
   straight_structure_ = structure;
   if (straightening.isIdentity())
@@ -143,7 +143,7 @@ StructureChain::structureInScanFrame() const
 }
 
 TriangleMesh
-StructureChain::leanedMesh() const
+StructureChain::tiltedMesh() const
 {
   TriangleMesh mesh = poisson.getMesh();
   if (!straightening.isIdentity())
@@ -155,7 +155,7 @@ StructureChain::leanedMesh() const
 TriangleMesh
 StructureChain::meshInScanFrame() const
 {
-  TriangleMesh mesh = inScanFrame(leanedMesh());
+  TriangleMesh mesh = inScanFrame(tiltedMesh());
   if (isMeshMoved())
     partEqualPositions(mesh); // as floats, two rotated positions may coincide
   return mesh;

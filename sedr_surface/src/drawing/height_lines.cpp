@@ -16,8 +16,8 @@ namespace sedr {
 
 namespace {
 
-constexpr double usual_step = 0.05;     ///< metres between samples
-constexpr std::size_t most_steps = 400; ///< along the longer side of a room
+constexpr double usual_step = 0.05;    ///< metres between samples
+constexpr std::size_t max_steps = 400; ///< along the longer side of a room
 
 /** @brief Heights of a ceiling above the floor, on a grid over a room. */
 struct HeightGrid {
@@ -43,7 +43,7 @@ heightsOf(const PlanRoom& room)
     box.extend(corner);
   if (box.isEmpty())
     return grid;
-  grid.step = std::max(usual_step, box.sizes().maxCoeff() / most_steps);
+  grid.step = std::max(usual_step, box.sizes().maxCoeff() / max_steps);
   // Shifted slightly, or the first and last samples would lie on the walls.
   grid.origin = box.min() + Eigen::Vector2d::Constant(1e-6);
   grid.columns = static_cast<std::size_t>(box.sizes().x() / grid.step) + 2;

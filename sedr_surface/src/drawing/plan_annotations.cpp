@@ -33,7 +33,7 @@ placeRows(const Floorplan& plan,
   };
   const double room = 2 * small_font * halfSizeOf({"0.00"}).x();
   const std::vector<DimensionChain> chains =
-      wallChains(walls, least_dimension / frame.scale, room / frame.scale);
+      wallChains(walls, min_dimension / frame.scale, room / frame.scale);
   for (const DimensionChain& chain : chains)
     addRow(chain, chain_off);
   for (const DimensionChain& chain : overallChains(boundsOf(plan, turned))) {

@@ -74,7 +74,7 @@ addEnd(const Floorplan& plan,
 std::vector<std::vector<PlanLoop>>
 wallBodies(const Floorplan& plan)
 {
-  constexpr double least_length = 0.01;
+  constexpr double min_length = 0.01;
   std::vector<std::vector<PlanLoop>> bodies;
   for (const PlanWall& wall : findWalls(plan)) {
     if (wall.isAssumed())
@@ -96,7 +96,7 @@ wallBodies(const Floorplan& plan)
         std::max({element.project(far.end) - wall.thickness, 0.0, wall.stretch.from});
     const double to = std::min({element.project(far.start) + wall.thickness,
                                 element.length(), wall.stretch.to});
-    if (to - from < least_length || far.length() < least_length)
+    if (to - from < min_length || far.length() < min_length)
       continue;
     const PlanElement near = element.part(from, to);
     const Eigen::Vector2d way = (near.end - near.start).normalized();

@@ -25,10 +25,10 @@ bool
 isBeam(const PlanDetail& detail)
 {
   constexpr double widest = 0.6;
-  constexpr double least_slenderness = 3;
+  constexpr double min_slenderness = 3;
   const double width = widthOf(detail.boundary);
   return detail.holes.empty() && width > 0 && width <= widest &&
-         std::abs(detail.boundary.area()) >= least_slenderness * width * width;
+         std::abs(detail.boundary.area()) >= min_slenderness * width * width;
 }
 
 /** @brief Writes what is between a detail and the slab it belongs to. */

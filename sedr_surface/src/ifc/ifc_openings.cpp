@@ -51,7 +51,7 @@ boxIn(const Floorplan& plan,
       double reach,
       OpeningBox& box)
 {
-  constexpr double least_width = 0.05;
+  constexpr double min_width = 0.05;
   constexpr double cosine = 0.86; // 30 degrees between doorway and wall
   const PlanElement& element = elementOf(plan, written.wall.face);
   const WallFrame frame = frameOf(plan, written.wall);
@@ -67,13 +67,13 @@ boxIn(const Floorplan& plan,
   const Eigen::Vector2d b = frame.toLocal(doorway.end);
   const double from = std::min(a.x(), b.x());
   const double to = std::max(a.x(), b.x());
-  if (std::min(to, wall.max().x()) - std::max(from, wall.min().x()) < least_width)
+  if (std::min(to, wall.max().x()) - std::max(from, wall.min().x()) < min_width)
     return false;
   constexpr double on_floor = 0.05; // a sill lower than that is none
   const double bottom = doorway.bottom - written.bottom;
   box.bottom = bottom < on_floor ? 0 : bottom;
   box.top = doorway.top - written.bottom;
-  if (box.top - box.bottom < least_width || box.bottom >= written.top - written.bottom)
+  if (box.top - box.bottom < min_width || box.bottom >= written.top - written.bottom)
     return false;
   double low = wall.min().y();
   double high = wall.max().y();

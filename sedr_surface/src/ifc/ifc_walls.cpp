@@ -122,8 +122,8 @@ writeWalls(IfcDocument& document)
   std::vector<WrittenWall> written;
   for (const PlanWall& wall : findWalls(plan, parameters)) {
     const WallHeights heights = heightsOf(plan, wall);
-    constexpr double least_height = 0.01;
-    if (heights.highest() - heights.bottom < least_height)
+    constexpr double min_height = 0.01;
+    if (heights.highest() - heights.bottom < min_height)
       continue;
     WrittenWall added{wall, faceName(plan, wall.face),
                       document.rooms[wall.face.room].storey};

@@ -52,7 +52,7 @@ boxOf(const PlanLoop& loop)
 bool
 hasSlopingCeiling(const PlanRoom& room)
 {
-  // Fits lean by some millimetres: that is no roof.
+  // Fits are tilted by some millimetres: that is no roof.
   constexpr double sloping = 0.03; // metres
   const auto slopes = [](const PlanSlab& slab, const PlanLoop& loop) {
     const Eigen::AlignedBox2d box = boxOf(loop);

@@ -268,7 +268,7 @@ meshOf(const Floorplan& plan, const PlanWall& wall, const WallHeights& heights)
   const PlanElement& element = elementOf(plan, wall.face);
   const WallFrame frame = frameOf(plan, wall);
   TriangleMesh mesh;
-  constexpr double least_height = 0.001;
+  constexpr double min_height = 0.001;
   for (const WallHeights::Top& top : heights.tops) {
     Eigen::Vector2d near(top.along * wall.outline[1].x(), 0);
     Eigen::Vector2d far =
@@ -281,7 +281,7 @@ meshOf(const Floorplan& plan, const PlanWall& wall, const WallHeights& heights)
                           (place - element.centre) *
                               (farRadius(element, wall.thickness) / element.radius));
     }
-    const double z = std::max(top.height - heights.bottom, least_height);
+    const double z = std::max(top.height - heights.bottom, min_height);
     for (const Eigen::Vector2d& p : {near, far})
       for (const double height : {0.0, z})
         mesh.vertices.emplace_back(p.x(), p.y(), height);

@@ -15,10 +15,10 @@ constexpr double fold = 0.1;
 
 class Mender {
 public:
-  Mender(TriangleMesh& mesh, std::vector<SurfaceVertex>& vertices, double least_height)
+  Mender(TriangleMesh& mesh, std::vector<SurfaceVertex>& vertices, double min_height)
       : mesh_(mesh)
       , vertices_(vertices)
-      , least_height_(least_height)
+      , min_height_(min_height)
       , alive_(mesh.triangles.size(), true)
       , first_(mesh.vertices.size() + 1, 0)
       , around_(mesh.vertices.size())
@@ -115,7 +115,7 @@ private:
     const double longest =
         std::max({(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()});
     const double size = normal.norm();
-    return (size < least_height_ * longest ? 1 : 0) +
+    return (size < min_height_ * longest ? 1 : 0) +
            (normal.dot(towards) < fold * size * towards.norm() ? 2 : 0);
   }
 
@@ -271,7 +271,7 @@ private:
 
   TriangleMesh& mesh_;
   std::vector<SurfaceVertex>& vertices_;
-  double least_height_;
+  double min_height_;
   std::vector<bool> alive_;
   std::vector<std::uint32_t> first_; // index into corners_, per vertex
   std::vector<std::uint32_t> corners_;
@@ -285,14 +285,14 @@ private:
 std::size_t
 mendSurface(TriangleMesh& mesh,
             std::vector<SurfaceVertex>& vertices,
-            double least_height,
+            double min_height,
             double longest)
 {
   constexpr int strict_rounds = 8;
-  constexpr int most_rounds = 14;
-  Mender mender(mesh, vertices, least_height);
+  constexpr int max_rounds = 14;
+  Mender mender(mesh, vertices, min_height);
   std::vector<std::uint32_t> bad = mender.collectBad();
-  for (int round = 0; round < most_rounds && !bad.empty(); ++round) {
+  for (int round = 0; round < max_rounds && !bad.empty(); ++round) {
     mender.setStrict(round < strict_rounds);
     std::vector<std::uint32_t> next;
     for (const auto t : bad)

@@ -24,14 +24,14 @@ struct SurfaceVertex {
  * surface stays closed and manifold. In a collapse, the sharper vertex stays in place.
  *
  * @param vertices properties of each vertex of the mesh
- * @param least_height slivers are triangles of less height
+ * @param min_height slivers are triangles of less height
  * @param longest maximum length of edges to collapse
  * @return the number of collapsed edges
  *
  * O(n), in a fixed order. */
 std::size_t mendSurface(TriangleMesh& mesh,
                         std::vector<SurfaceVertex>& vertices,
-                        double least_height,
+                        double min_height,
                         double longest);
 
 } // namespace sedr

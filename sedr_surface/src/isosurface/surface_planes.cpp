@@ -45,8 +45,8 @@ SurfacePlanes::find(const Eigen::Vector3f& place,
                     const Eigen::Vector3f& slope,
                     SurfacePlane& plane)
 {
-  constexpr float agree = 0.9f;        // cosine of 25 degrees
-  constexpr float least_share = 0.15f; // of the weight; below it, an outlier
+  constexpr float agree = 0.9f;      // cosine of 25 degrees
+  constexpr float min_share = 0.15f; // of the weight; below it, an outlier
   const std::size_t n = x_.size();
   for (std::size_t i = 0; i < n; ++i) {
     const float dx = x_[i] - place[0];
@@ -76,7 +76,7 @@ SurfacePlanes::find(const Eigen::Vector3f& place,
         sum += other.weight * normalOf(other.index);
         weight += other.weight;
       }
-    if (weight < least_share * all)
+    if (weight < min_share * all)
       continue;
     plane.normal = sum.normalized();
     // The mean of own and mean normal is exact on planes and on round surfaces.

@@ -35,7 +35,7 @@ namespace {
 constexpr const char* class_name = "MeshEvaluation";
 
 /** @brief Shallower intersections may be rounding to floats in files, metres. */
-constexpr double least_intersection = 1e-5;
+constexpr double min_intersection = 1e-5;
 
 } // namespace
 
@@ -150,7 +150,7 @@ MeshEvaluation::compute(sedr::MeshEvaluationResult& result)
   result.mesh = sedr::measureMesh(*mesh);
   if (find_self_intersections_)
     result.mesh.self_intersections =
-        sedr::findSelfIntersections(*mesh, least_intersection).size();
+        sedr::findSelfIntersections(*mesh, min_intersection).size();
   result.skipped_points = skipped;
   if (!truth && !cloud_)
     return true;

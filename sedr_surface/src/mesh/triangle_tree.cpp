@@ -14,7 +14,7 @@ namespace sedr {
 
 namespace {
 
-constexpr std::size_t most_in_leaf = 6;
+constexpr std::size_t max_in_leaf = 6;
 constexpr std::size_t block = 4096; ///< triangles or boxes per block
 
 /** @brief Returns the squared distance of the origin from the segment between two
@@ -54,7 +54,7 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh, unsigned threads)
     , origin_(bounds_.center())
     , order_(mesh.triangles.size())
 {
-  while (order_.size() >> levels_ >= most_in_leaf)
+  while (order_.size() >> levels_ >= max_in_leaf)
     ++levels_;
   std::iota(order_.begin(), order_.end(), 0);
   {

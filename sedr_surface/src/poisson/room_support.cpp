@@ -86,10 +86,10 @@ findNearest(const std::vector<OrientedPoint>& points,
 }
 
 // Minimum share of area far from all points at which a surface is rejected.
-constexpr double most_unsupported = 0.5;
+constexpr double max_unsupported = 0.5;
 
 // Minimum share of triangles on other surfaces that causes a warning.
-constexpr double most_left_out = 1. / 3;
+constexpr double max_left_out = 1. / 3;
 
 // Returns a warning about surfaces left out beside the largest, or empty.
 std::string
@@ -98,7 +98,7 @@ leftOutBeside(const TriangleMesh& largest, const RoomPoissonReport& report)
   const auto left_out = static_cast<double>(report.removed_triangles);
   const double share =
       left_out / std::max(1., left_out + static_cast<double>(largest.triangles.size()));
-  if (share < most_left_out)
+  if (share < max_left_out)
     return {};
   return "its points have " + std::to_string(report.removed_components + 1) +
          " surfaces, of which only the largest is kept: " +
@@ -153,7 +153,7 @@ compareWithPoints(const std::vector<OrientedPoint>& points,
   report.area = mesh.area();
   report.volume = std::abs(mesh.signedVolume());
   report.unsupported_share = report.area > 0 ? far_area / report.area : 0;
-  if (report.unsupported_share > most_unsupported) {
+  if (report.unsupported_share > max_unsupported) {
     report.closed = false;
     report.problem = "the points enclose nothing: " +
                      std::to_string(std::lround(100 * report.unsupported_share)) +

@@ -22,7 +22,7 @@ namespace {
 constexpr double band_blocks = 2.5;
 
 // For slivers and edge collapses, in cells.
-constexpr double least_height = 0.02;
+constexpr double min_height = 0.02;
 constexpr double longest_collapse = 1;
 
 // Returns the origin of the grid, less than a cell below `low`. It maximises the
@@ -154,7 +154,7 @@ screenedPoisson(const std::vector<OrientedPoint>& points,
   extractDualSurface(grid, values, placed,
                      static_cast<float>(1.5 * parameters.spacing / cell),
                      parameters.threads, mesh, vertices);
-  report.collapsed_edges = mendSurface(mesh, vertices, least_height, longest_collapse);
+  report.collapsed_edges = mendSurface(mesh, vertices, min_height, longest_collapse);
   for (Eigen::Vector3d& v : mesh.vertices)
     v = origin + cell * v;
   if (outwards)

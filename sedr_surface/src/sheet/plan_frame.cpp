@@ -24,7 +24,7 @@ double
 mainDirection(const Floorplan& plan)
 {
   constexpr double along = 3 * M_PI / 180;
-  constexpr double least_turn = 0.5 * M_PI / 180;
+  constexpr double min_turn = 0.5 * M_PI / 180;
   std::vector<PlanElement> walls;
   double whole = 0;
   for (const PlanRoom& room : plan.rooms)
@@ -52,7 +52,7 @@ mainDirection(const Floorplan& plan)
     best = std::remainder(angle + turn / length, M_PI / 2);
   }
   const bool do_agree = best_length > 0.3 * whole;
-  return do_agree && std::abs(best) > least_turn ? best : 0;
+  return do_agree && std::abs(best) > min_turn ? best : 0;
 }
 
 PlanElement

@@ -30,10 +30,10 @@ const Eigen::Vector2d surround(margin_left + margin + chain_room + chain_room_fa
                                2 * margin + title_height + chain_room + chain_room_far);
 
 Eigen::Vector2d
-sizeOf(const Paper& paper, bool is_upright)
+sizeOf(const Paper& paper, bool is_vertical)
 {
-  return is_upright ? Eigen::Vector2d(paper.up, paper.across)
-                    : Eigen::Vector2d(paper.across, paper.up);
+  return is_vertical ? Eigen::Vector2d(paper.up, paper.across)
+                     : Eigen::Vector2d(paper.across, paper.up);
 }
 
 bool
@@ -56,9 +56,9 @@ usualScale(int k)
 bool
 takePaper(SheetLayout& layout, const Eigen::Vector2d& plan, const Paper& paper)
 {
-  for (const bool is_upright : {false, true})
-    if (fits(plan, layout.scale, sizeOf(paper, is_upright))) {
-      layout.size = sizeOf(paper, is_upright);
+  for (const bool is_vertical : {false, true})
+    if (fits(plan, layout.scale, sizeOf(paper, is_vertical))) {
+      layout.size = sizeOf(paper, is_vertical);
       layout.paper = paper.name;
       return true;
     }

@@ -18,7 +18,7 @@ constexpr double chain_off = 9;       ///< from the plan to the first row of dim
 constexpr double chain_step = 8;      ///< from row to row
 constexpr double chain_room = 24;     ///< for two rows, on the left and at the bottom
 constexpr double chain_room_far = 16; ///< for one row, on the right and at the top
-constexpr double least_dimension = 0.7; ///< on paper; nearer places are merged
+constexpr double min_dimension = 0.7; ///< on paper; nearer places are merged
 /** In these sizes letters are 1.8 and 2.5 mm high, as usual in ISO 3098. */
 constexpr double small_font = 2.5;
 constexpr double large_font = 3.5;

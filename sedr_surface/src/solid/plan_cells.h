@@ -89,7 +89,7 @@ private:
 
   /** @brief Returns the minimum distance of ceiling and floor: a millimetre, more only
    * on a coarse grid. */
-  double leastClearance() const { return 20 * solidSeparation(grid_); }
+  double minClearance() const { return 20 * solidSeparation(grid_); }
 
   /** @brief Returns the minimum height of a part's ceiling above its floor, metres. */
   double clearance(const Part& part) const;

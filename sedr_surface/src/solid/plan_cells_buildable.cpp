@@ -51,8 +51,7 @@ PlanCells::touchesBeside(const Part& part) const
       const PlanRegion other = across(t, i);
       const auto meet = [&](int slab, int other_slab) {
         const auto isNear = [&](std::uint32_t v) {
-          return std::abs(heightOf(slab, v) - heightOf(other_slab, v)) <
-                 leastClearance();
+          return std::abs(heightOf(slab, v) - heightOf(other_slab, v)) < minClearance();
         };
         return isNear(corner(t, i)) && isNear(corner(t, i + 1));
       };
@@ -76,8 +75,8 @@ PlanCells::isOpen(const Part& part) const
         return std::min(heightOf(part.region.ceiling, v), heightOf(other.ceiling, v)) -
                std::max(heightOf(part.region.floor, v), heightOf(other.floor, v));
       };
-      if (overlapAt(corner(t, i)) > leastClearance() &&
-          overlapAt(corner(t, i + 1)) > leastClearance())
+      if (overlapAt(corner(t, i)) > minClearance() &&
+          overlapAt(corner(t, i + 1)) > minClearance())
         return true;
     }
   return false;
@@ -89,7 +88,7 @@ PlanCells::problemOf(const Part& part) const
   if (!part.region.isRoom())
     return {};
   const double height = clearance(part);
-  if (height < leastClearance())
+  if (height < minClearance())
     return textOf("comes down to %.3f m above what is below it", height);
   if (layers_.isNiche(part.region) && !isOpen(part))
     return "is not open to the room";

@@ -15,8 +15,8 @@ namespace {
 
 /** @brief Bounds of the tolerance from residuals, metres. Plans are accurate to a
  * millimetre at best; what is 5 cm apart is distinct. */
-constexpr double least_snap = 0.002;
-constexpr double most_snap = 0.05;
+constexpr double min_snap = 0.002;
+constexpr double max_snap = 0.05;
 
 /** @brief A corner of a chain while it is being fitted. */
 struct Corner {
@@ -142,7 +142,7 @@ private:
     const bool is_put = (on_edge - corner.place).norm() < 1e-6;
     if (!corner.is_joint)
       return on_edge;
-    const Eigen::Vector2d joint = nearestJoint(corner, is_put ? least_snap : most_snap);
+    const Eigen::Vector2d joint = nearestJoint(corner, is_put ? min_snap : max_snap);
     return joint != corner.place ? joint : on_edge;
   }
 
@@ -230,7 +230,7 @@ private:
 double
 snapTolerance(const PlanElement& element, double fixed)
 {
-  return fixed > 0 ? fixed : std::clamp(2 * element.residual, least_snap, most_snap);
+  return fixed > 0 ? fixed : std::clamp(2 * element.residual, min_snap, max_snap);
 }
 
 std::vector<FacetChain>

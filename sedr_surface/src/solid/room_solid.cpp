@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "leaning_walls.h"
+#include "tilted_wall_solid.h"
 #include "solid_builder.h"
 
 #include <pcl/sedr_filters/straightening.h>
@@ -12,13 +12,13 @@ namespace sedr {
 
 namespace {
 
-constexpr double most_coordinate = 1e6; // metres, as in floorplanFromJson()
+constexpr double max_coordinate = 1e6; // metres, as in floorplanFromJson()
 
 bool
 isSound(const PlanElement& element)
 {
   const auto isPlace = [](const Eigen::Vector2d& p) {
-    return p.allFinite() && p.cwiseAbs().maxCoeff() <= most_coordinate;
+    return p.allFinite() && p.cwiseAbs().maxCoeff() <= max_coordinate;
   };
   return isPlace(element.start) && isPlace(element.end) && isPlace(element.centre) &&
          std::isfinite(element.radius) && std::isfinite(element.residual);
@@ -40,13 +40,13 @@ std::string
 slabProblem(const PlanSlab& slab, const std::string& name)
 {
   const Eigen::Vector4d& plane = slab.plane;
-  constexpr double least_upward = 0.49; // a slope of 60 degrees, and rounding
+  constexpr double min_upward = 0.49; // a slope of 60 degrees, and rounding
   const bool is_sound = plane.allFinite() &&
-                        plane[2] >= least_upward * plane.head<3>().norm() &&
+                        plane[2] >= min_upward * plane.head<3>().norm() &&
                         plane[2] > 0 && (!slab.curve || slab.curve->isFinite()) &&
-                        std::abs(slab.heightAt({0, 0})) <= 4 * most_coordinate;
+                        std::abs(slab.heightAt({0, 0})) <= 4 * max_coordinate;
   return is_sound ? std::string()
-                  : name + " is not finite, leans by more than 60 degrees or lies "
+                  : name + " is not finite, is tilted by more than 60 degrees or lies "
                            "beyond 1000000 m";
 }
 
@@ -121,17 +121,17 @@ extrudeRoom(const PlanRoom& room,
   report.problem = roomProblem(room);
   if (!report.problem.empty())
     return report;
-  const bool does_lean = leans(room, tilts);
+  const bool is_tilted = isTilted(room, tilts);
   const PlanRoom straight =
-      does_lean ? straightened(Floorplan{{room}}, tilts).rooms.front() : PlanRoom();
-  const RoomLayers layers(does_lean ? straight : room);
+      is_tilted ? straightened(Floorplan{{room}}, tilts).rooms.front() : PlanRoom();
+  const RoomLayers layers(is_tilted ? straight : room);
   PlanSubdivision subdivision;
   report.problem = subdivideRoom(layers, parameters, subdivision, report.warnings);
   if (report.problem.empty())
     report.problem = SolidBuilder(layers, subdivision).build(solid);
-  if (report.problem.empty() && does_lean) {
+  if (report.problem.empty() && is_tilted) {
     const std::string folded =
-        leanWalls(layers, wallRuns(room, tilts), headOf(room, tilts), solid);
+        tiltWalls(layers, wallRuns(room, tilts), headOf(room, tilts), solid);
     if (!folded.empty()) {
       report = extrudeRoom(room, parameters, solid, elements);
       report.warnings.push_back("its walls stand vertical in the solid: " + folded);

@@ -9,15 +9,15 @@ namespace sedr {
 
 namespace {
 
-constexpr double margin = 0.01;       ///< metres: beyond bounds, off springing lines
-constexpr double most_creases = 2000; ///< of a cylinder, or rays of a dome
+constexpr double margin = 0.01;      ///< metres: beyond bounds, off springing lines
+constexpr double max_creases = 2000; ///< of a cylinder, or rays of a dome
 
 /** @brief Returns the angle between two creases of a circle of this radius, radians. */
 double
 stepOf(double radius, double tolerance)
 {
   const double step = 2 * std::acos(std::max(0.0, 1 - tolerance / radius));
-  return std::max(step, M_PI / most_creases);
+  return std::max(step, M_PI / max_creases);
 }
 
 /** @brief Returns the bounding box of `bounds` in the frame of a curve. */
@@ -62,7 +62,7 @@ domeCreases(const SlabCurve& curve, const Eigen::AlignedBox2d& bounds, double to
   const double radius = std::max({curve.across, curve.along, curve.up});
   const double step = stepOf(radius, tolerance);
   const auto rings = static_cast<int>(std::ceil(M_PI / 2 / step));
-  const double most = std::min(2 * M_PI / step, most_creases);
+  const double most = std::min(2 * M_PI / step, max_creases);
   const auto raysAt = [&](int ring) {
     const double wanted = most * std::sin(M_PI / 2 * ring / rings);
     int rays = 8;

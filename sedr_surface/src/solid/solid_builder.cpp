@@ -66,7 +66,7 @@ SolidBuilder::build(TriangleMesh& mesh)
       return layers_.elements[layers_.slabs[slab].element].name +
              " could not be triangulated";
   for (const SubdivisionEdge& edge : plan_.edges)
-    addUpright(edge);
+    addVertical(edge);
   mesh = std::move(mesh_);
   return {};
 }
@@ -185,7 +185,7 @@ SolidBuilder::addStrip(std::uint32_t a,
 }
 
 void
-SolidBuilder::addUpright(const SubdivisionEdge& edge)
+SolidBuilder::addVertical(const SubdivisionEdge& edge)
 {
   // Slabs do not cross along an edge, so the sum of both heights orders them.
   const auto heightOf = [&](int slab) {

@@ -38,7 +38,7 @@ private:
   std::int64_t levelOf(int slab, std::uint32_t vertex) const;
 
   /** @brief Adds the vertical strips on an edge, where exactly one side is solid. */
-  void addUpright(const SubdivisionEdge& edge);
+  void addVertical(const SubdivisionEdge& edge);
 
   /** @brief Adds the strip over the line from a to b between two slabs, with the solid
    * on its left. Its ends include all levels there, like the adjacent strips. */

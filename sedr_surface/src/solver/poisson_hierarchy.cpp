@@ -12,7 +12,7 @@ namespace sedr {
 namespace {
 
 constexpr float outside = -0.5f;
-constexpr std::size_t least_for_threads = 8000; // samples
+constexpr std::size_t min_for_threads = 8000; // samples
 
 // Nodes of the coarser grid that surround a halo, starting one node before the block.
 constexpr std::size_t patch_edge = 6;
@@ -153,11 +153,11 @@ PoissonHierarchy::solveLevel(std::size_t level,
                              std::vector<BandGrid::Key> more,
                              const HierarchyOptions& options)
 {
-  constexpr int most_rounds = 40;
+  constexpr int max_rounds = 40;
   const double scale = std::ldexp(1., static_cast<int>(level));
   const bool coarsest = level + 1 == levels_.size();
   // Small grids are faster with one thread.
-  const unsigned threads = samples.size() < least_for_threads ? 1 : options.threads;
+  const unsigned threads = samples.size() < min_for_threads ? 1 : options.threads;
   PoissonLevel before;
   widened_ = -1;
   do {
@@ -176,7 +176,7 @@ PoissonHierarchy::solveLevel(std::size_t level,
       return;
     more.insert(more.end(), missing.begin(), missing.end());
     before = std::move(levels_[level]);
-  } while (widened_ < most_rounds &&
+  } while (widened_ < max_rounds &&
            before.grid().size() + more.size() <= options.max_blocks);
   problem_ = "the surface runs out of the " + std::to_string(before.grid().size()) +
              " blocks of cells: the points enclose nothing";

@@ -118,7 +118,7 @@ FacePairs::consider(const WallFace& face, const WallFace& other)
   const bool is_behind = a.isArc() ? arcBehind(a, b, pair.stretch, pair.thickness)
                                    : straightBehind(a, b, pair.stretch, pair.thickness);
   // Faces fitted independently may overlap by up to the minimum thickness.
-  if (is_behind && pair.thickness > -parameters_.least_thickness &&
+  if (is_behind && pair.thickness > -parameters_.min_thickness &&
       pair.thickness <= parameters_.greatest_thickness)
     candidates_.push_back(pair);
 }
@@ -165,7 +165,7 @@ FacePairs::take(const FacePair& candidate)
         common.from = here.from;
       if (here.to - common.to < shortest)
         common.to = here.to;
-      if (candidate.thickness >= parameters_.least_thickness) {
+      if (candidate.thickness >= parameters_.min_thickness) {
         walls_.push_back(candidate);
         walls_.back().stretch = common;
       }
@@ -180,9 +180,9 @@ FacePairs::take(const FacePair& candidate)
 double
 FacePairs::revealDepth(const WallFace& face, const WallFace& other) const
 {
-  constexpr double least_lintel = 0.1; // metres
-  constexpr double most_sine = 0.5;    // between a jamb and the way out
-  constexpr double at_doorway = 0.15;  // metres
+  constexpr double min_lintel = 0.1;  // metres
+  constexpr double max_sine = 0.5;    // between a jamb and the way out
+  constexpr double at_doorway = 0.15; // metres
   const PlanLoop& loop = wallLoop(plan_, face);
   const PlanElement& element = elementOf(plan_, face);
   if (element.isArc() || loop.elements.size() < 4)
@@ -194,7 +194,7 @@ FacePairs::revealDepth(const WallFace& face, const WallFace& other) const
     return ((doorway.rooms[0] == room.id && doorway.rooms[1] == beyond.id) ||
             (doorway.rooms[1] == room.id && doorway.rooms[0] == beyond.id)) &&
            element.distance(middle) < at_doorway &&
-           doorway.top + least_lintel <
+           doorway.top + min_lintel <
                std::min(room.ceiling.heightAt(middle), beyond.ceiling.heightAt(middle));
   };
   if (std::none_of(plan_.doorways.begin(), plan_.doorways.end(), isDoorway))
@@ -207,7 +207,7 @@ FacePairs::revealDepth(const WallFace& face, const WallFace& other) const
         std::pair(&loop.elements[(face.element + 1) % n], 1.0)}) {
     const double along = way * inward.dot(jamb->end - jamb->start);
     if (jamb->isArc() || along > parameters_.greatest_thickness ||
-        along < std::sqrt(1 - most_sine * most_sine) * jamb->length())
+        along < std::sqrt(1 - max_sine * max_sine) * jamb->length())
       return 0;
     depth = std::min(depth, along);
   }
@@ -218,11 +218,11 @@ void
 FacePairs::addWallOfReveal(FacePair pair)
 {
   pair.thickness = revealDepth(pair.other, pair.face);
-  if (pair.thickness < parameters_.least_thickness) {
+  if (pair.thickness < parameters_.min_thickness) {
     pair = {pair.other, pair.face, mapped(pair.face, pair.stretch, pair.other),
             revealDepth(pair.face, pair.other)};
   }
-  if (pair.thickness >= parameters_.least_thickness)
+  if (pair.thickness >= parameters_.min_thickness)
     walls_.push_back(pair);
 }
 

@@ -72,9 +72,9 @@ private:
   void addAssumed(const FreeFace& free)
   {
     double thickness = parameters_.assumed_thickness;
-    while (thickness >= parameters_.least_thickness && reachesRoom(free, thickness))
+    while (thickness >= parameters_.min_thickness && reachesRoom(free, thickness))
       thickness /= 2;
-    if (thickness >= parameters_.least_thickness)
+    if (thickness >= parameters_.min_thickness)
       walls_.push_back({free.face, std::nullopt, free.stretch, thickness});
   }
 
@@ -106,9 +106,9 @@ private:
       const Eigen::Vector2d b = frame.toLocal(other.end);
       const double slope = (b.y() - a.y()) / (b.x() - a.x());
       const double behind = -(a.y() + b.y()) / 2;
-      if (behind >= parameters_.least_thickness) { // else it is at the end of a reveal
-        at_start = std::min(a.y() - slope * a.x(), -parameters_.least_thickness / 2);
-        at_end = std::min(at_start + slope * length, -parameters_.least_thickness / 2);
+      if (behind >= parameters_.min_thickness) { // else it is at the end of a reveal
+        at_start = std::min(a.y() - slope * a.x(), -parameters_.min_thickness / 2);
+        at_end = std::min(at_start + slope * length, -parameters_.min_thickness / 2);
       }
     }
     return {{{0, 0}, {length, 0}, {length, at_end}, {0, at_start}}};
@@ -151,8 +151,8 @@ private:
     const Eigen::Vector2d q = g.toPlan(after.outline[3]);
     const Eigen::Vector2d v = g.toPlan(after.outline[2]) - q;
     const double across = u.x() * v.y() - u.y() * v.x();
-    constexpr double least_sine = 0.17; // 10 degrees
-    if (std::abs(across) < least_sine * u.norm() * v.norm())
+    constexpr double min_sine = 0.17; // 10 degrees
+    if (std::abs(across) < min_sine * u.norm() * v.norm())
       return;
     const Eigen::Vector2d w = q - p;
     const Eigen::Vector2d corner = p + u * ((w.x() * v.y() - w.y() * v.x()) / across);
@@ -178,8 +178,8 @@ private:
 bool
 isIsland(const PlanRoom& room, const PlanLoop& column)
 {
-  constexpr double most_widths = 4;  // that a column is deep
-  constexpr double least_depths = 3; // that it is high
+  constexpr double max_widths = 4; // that a column is deep
+  constexpr double min_depths = 3; // that it is high
   const std::vector<Eigen::Vector2d> corners = column.polygon(0.01);
   if (corners.size() < 3)
     return false;
@@ -197,8 +197,8 @@ isIsland(const PlanRoom& room, const PlanLoop& column)
   }
   const Eigen::Vector2d& foot = corners.front();
   const double height = room.ceiling.heightAt(foot) - room.floor.heightAt(foot);
-  return sides.maxCoeff() > most_widths * sides.minCoeff() ||
-         height < least_depths * sides.maxCoeff();
+  return sides.maxCoeff() > max_widths * sides.minCoeff() ||
+         height < min_depths * sides.maxCoeff();
 }
 
 std::vector<PlanLoop>

@@ -78,7 +78,7 @@ struct PlanWall {
 struct WallParameters {
   double assumed_thickness = 0.2;  ///< of a wall with one face seen
   double greatest_thickness = 0.6; ///< maximum distance of faces, see wallThickness()
-  double least_thickness = 0.02;   ///< nearer faces have no wall between them
+  double min_thickness = 0.02;     ///< nearer faces have no wall between them
 };
 
 /** @brief Finds the walls of a plan from pairs of faces; each part of a face belongs to

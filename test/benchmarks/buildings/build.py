@@ -92,12 +92,12 @@ def raise_halls(rng, building, heights, kind):
 
 
 def shape_walls(rng, rooms):
-    """Partitions that lean, chamfers and curves. Stairwells stay as they are."""
+    """Slanting partitions, chamfers and curves. Stairwells stay as they are."""
     plain = [r for r in rooms if r.role not in ("stairs", "corridor", "closet")]
     if rng.random() < 0.3:
         pairs = [(a, b) for a in plain for b in plain if a.name < b.name and a.storey == b.storey]
         rng.shuffle(pairs)
-        any(shapes.lean_partition(rng, a, b) for a, b in pairs)
+        any(shapes.slant_partition(rng, a, b) for a, b in pairs)
     for room in plain:
         if rng.random() < 0.07:
             shapes.chamfer(rng, room)

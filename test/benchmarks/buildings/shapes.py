@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Walls that are not parallel to the others: chamfered corners, leaning partitions, curved facades."""
+"""Walls that are not parallel to the others: chamfered corners, slanting partitions, curved facades."""
 import math
 
 from . import geometry as g
@@ -20,7 +20,7 @@ def chamfer(rng, room):
     room.outline[k:k + 1] = [(round(x, 4), round(y, 4)) for x, y in corners]
 
 
-def lean_partition(rng, a, b):
+def slant_partition(rng, a, b):
     """Turns the wall between two rectangular rooms that share a whole side by up to 45 degrees."""
     if not (g.is_rectangle(a.outline) and g.is_rectangle(b.outline)) or a.bulges or b.bulges:
         return False

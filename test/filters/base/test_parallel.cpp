@@ -57,20 +57,20 @@ TEST(ParallelBlocks, WithinBlocksAreWorkedOnByNoMoreThreadsThanTheOutermostAsked
 {
   constexpr int most = 3;
   std::atomic<int> here{0};
-  std::atomic<int> most_here{0};
+  std::atomic<int> max_here{0};
   std::vector<int> visits(1000, 0);
   pcl::sedr::parallelBlocks(10, 1, most, [&](std::size_t k, std::size_t) {
     pcl::sedr::parallelBlocks(100, 1, 8, [&](std::size_t i, std::size_t) {
       const int now = ++here;
-      for (int seen = most_here; seen < now;)
-        most_here.compare_exchange_weak(seen, now);
+      for (int seen = max_here; seen < now;)
+        max_here.compare_exchange_weak(seen, now);
       ++visits[100 * k + i];
       std::this_thread::yield();
       --here;
     });
   });
   EXPECT_EQ(visits, std::vector<int>(1000, 1));
-  EXPECT_LE(most_here, most);
+  EXPECT_LE(max_here, most);
 }
 
 /** Returns true if another thread helps within the last block of two, whichever of them

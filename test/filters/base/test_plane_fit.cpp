@@ -153,7 +153,7 @@ TEST(FitParallel, KeepsTheDirectionAndFindsTheHeight)
   EXPECT_NEAR(slab.residual, 0, 1e-5);
 }
 
-TEST(FitParallel, StartsFromALeaningPlaneAmongThePointsHoweverFarTheOrigin)
+TEST(FitParallel, StartsFromATiltedPlaneAmongThePointsHoweverFarTheOrigin)
 {
   Points cloud;
   cloud.add(slabAt(2.4), 50, 0.5);
@@ -165,7 +165,7 @@ TEST(FitParallel, StartsFromALeaningPlaneAmongThePointsHoweverFarTheOrigin)
   EXPECT_EQ(slab.inliers, cloud.points.size());
 }
 
-TEST(FitParallel, OfAPlaneThatLeansOtherwiseHasItsDeviationForResidual)
+TEST(FitParallel, OfAPlaneTiltedOtherwiseHasItsDeviationForResidual)
 {
   // Over 4 m it deviates by up to 2 cm each way, uniformly: 4 cm / sqrt(12).
   Points cloud;
@@ -191,22 +191,22 @@ TEST(FindSlab, FindsTheLargerOfTwoPlanesAmongClutter)
   EXPECT_NEAR(slab.heightAt({2, 1.5}), truth.heightAt({2, 1.5}), 0.0005);
 }
 
-TEST(FindSlab, LeansNoMoreThanAllowed)
+TEST(FindSlab, IsTiltedNoMoreThanAllowed)
 {
-  for (const double lean : {2.0, 4.0, 10.0}) {
+  for (const double tilt : {2.0, 4.0, 10.0}) {
     Points cloud;
-    cloud.add(slabAt(2.4, std::tan(lean * M_PI / 180)), 0, 4);
+    cloud.add(slabAt(2.4, std::tan(tilt * M_PI / 180)), 0, 4);
     const double limit = 3 * M_PI / 180;
     const PlanSlab slab = findSlab(cloud.view(), cloud.all(), 0.05, limit, 1);
-    const double leans = degreesBetween(slab, slabAt(0));
-    EXPECT_LE(leans, 3 + 1e-6) << lean;
-    if (lean < 3) {
-      EXPECT_NEAR(leans, lean, 1e-3);
+    const double found = degreesBetween(slab, slabAt(0));
+    EXPECT_LE(found, 3 + 1e-6) << tilt;
+    if (tilt < 3) {
+      EXPECT_NEAR(found, tilt, 1e-3);
     }
   }
 }
 
-TEST(FindSlab, ALargerRampDoesNotHideAPlaneThatLeansLittle)
+TEST(FindSlab, ALargerRampDoesNotHideAPlaneThatIsTiltedLittle)
 {
   const PlanSlab truth = slabAt(2.4, std::tan(2 * M_PI / 180));
   Points cloud;

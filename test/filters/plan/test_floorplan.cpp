@@ -180,7 +180,7 @@ TEST(PlanLoop, PolygonOfACircleHasNoMoreChordsThanItNeeds)
   EXPECT_GE(circle({0, 0}, 0.1).polygon(1).size(), 3u);
 }
 
-TEST(PlanSlab, HeightFollowsTheLean)
+TEST(PlanSlab, HeightFollowsTheTilt)
 {
   EXPECT_DOUBLE_EQ(slabAt(2.5).heightAt({100, -40}), 2.5);
   const PlanSlab slab = slabAt(2.5, 0.01, -0.02);

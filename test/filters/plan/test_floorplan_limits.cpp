@@ -57,7 +57,7 @@ TEST(FloorplanLimits, CoordinatesBeyondAThousandKilometresAreRefused)
   expectRefused(plan, "-1e+07");
 }
 
-TEST(FloorplanLimits, SlabsThatLeanTooMuchAreRefused)
+TEST(FloorplanLimits, SlabsTiltedTooMuchAreRefused)
 {
   Floorplan plan = smallPlan();
   plan.rooms[0].ceiling = slabAt(2.5, 1.73); // 60 degrees

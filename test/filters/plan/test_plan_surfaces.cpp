@@ -21,16 +21,16 @@ box()
 
 /** Returns the vertical surface through a place of the plan with a label, preferably
  * one with a span. */
-const UprightSurface*
-through(const std::vector<UprightSurface>& surfaces,
+const VerticalSurface*
+through(const std::vector<VerticalSurface>& surfaces,
         const Vector2d& place,
         StructureLabel label)
 {
-  const UprightSurface* found = nullptr;
+  const VerticalSurface* found = nullptr;
   for (const auto& surface : surfaces) {
     if (surface.label != label || surface.element->distance(place) > 1e-9)
       continue;
-    const UprightSpan span = surface.spanAt(surface.element->project(place));
+    const VerticalSpan span = surface.spanAt(surface.element->project(place));
     if (span.high > span.low) {
       EXPECT_EQ(found, nullptr) << "one surface only at " << place.transpose();
       found = &surface;
@@ -48,8 +48,8 @@ expectSpan(const PlanRoom& room,
            double high,
            const Vector3d& normal)
 {
-  const auto surfaces = uprightSurfaces(room);
-  const UprightSurface* surface = through(surfaces, place, label);
+  const auto surfaces = verticalSurfaces(room);
+  const VerticalSurface* surface = through(surfaces, place, label);
   ASSERT_NE(surface, nullptr) << place.transpose();
   const double s = surface->element->project(place);
   EXPECT_NEAR(surface->spanAt(s).low, low, 1e-9) << place.transpose();
@@ -60,7 +60,7 @@ expectSpan(const PlanRoom& room,
 void
 expectNoRiser(const PlanRoom& room, const Vector2d& place)
 {
-  const auto surfaces = uprightSurfaces(room);
+  const auto surfaces = verticalSurfaces(room);
   EXPECT_EQ(through(surfaces, place, StructureLabel::Detail), nullptr)
       << place.transpose();
 }
@@ -69,7 +69,7 @@ SurfacePoint
 snapped(const PlanRoom& room, const Vector3d& p, StructureLabel label, double farthest)
 {
   SurfacePoint point;
-  EXPECT_TRUE(snapToRoom(room, uprightSurfaces(room), p, label, farthest, point))
+  EXPECT_TRUE(snapToRoom(room, verticalSurfaces(room), p, label, farthest, point))
       << p.transpose();
   return point;
 }
@@ -81,7 +81,7 @@ isRefused(const PlanRoom& room,
           double farthest)
 {
   SurfacePoint point;
-  return !snapToRoom(room, uprightSurfaces(room), p, label, farthest, point);
+  return !snapToRoom(room, verticalSurfaces(room), p, label, farthest, point);
 }
 
 constexpr auto Wall = StructureLabel::Wall;
@@ -90,24 +90,24 @@ constexpr auto Column = StructureLabel::Column;
 constexpr auto Ceiling = StructureLabel::Ceiling;
 constexpr auto Floor = StructureLabel::Floor;
 
-TEST(UprightSurfaces, AreWallsThenColumnsThenRisers)
+TEST(VerticalSurfaces, AreWallsThenColumnsThenRisers)
 {
   PlanRoom room = box();
   room.columns = {reversed(circle({1, 1}, 0.2))};
   room.details = {detailOf(rectangle(2, 0, 4, 3), 2.2)};
   room.details[0].holes = {reversed(rectangle(3, 1, 3.5, 2))};
-  const auto surfaces = uprightSurfaces(room);
+  const auto surfaces = verticalSurfaces(room);
   ASSERT_EQ(surfaces.size(), 4u + 1u + 4u + 4u);
   for (std::size_t i = 0; i < surfaces.size(); ++i)
     EXPECT_EQ(surfaces[i].label, i < 4 ? Wall : i < 5 ? Column : Detail);
 }
 
-TEST(UprightSurfaces, ElementsOfNoLengthAreNone)
+TEST(VerticalSurfaces, ElementsOfNoLengthAreNone)
 {
   PlanRoom room = box();
   room.boundary.elements.insert(room.boundary.elements.begin() + 1,
                                 segment({4, 0}, {4, 0}));
-  EXPECT_EQ(uprightSurfaces(room).size(), 4u);
+  EXPECT_EQ(verticalSurfaces(room).size(), 4u);
 }
 
 TEST(WallSpan, ReachesFromFloorToCeiling)

@@ -117,7 +117,7 @@ TEST(RoomSurfaces, SnapAsAllSurfacesDo)
 {
   const PlanRoom room = hall();
   constexpr double farthest = 0.2;
-  const std::vector<UprightSurface> uprights = uprightSurfaces(room);
+  const std::vector<VerticalSurface> verticals = verticalSurfaces(room);
   const RoomSurfaces surfaces(room, farthest);
   std::mt19937 random(2);
   std::uniform_real_distribution<double> height(-0.2, 4.2);
@@ -129,7 +129,7 @@ TEST(RoomSurfaces, SnapAsAllSurfacesDo)
           StructureLabel::Ceiling, StructureLabel::Floor}) {
       SurfacePoint by_all;
       SurfacePoint by_near;
-      const bool is_snapped = snapToRoom(room, uprights, p, label, farthest, by_all);
+      const bool is_snapped = snapToRoom(room, verticals, p, label, farthest, by_all);
       ASSERT_EQ(surfaces.snap(p, label, by_near), is_snapped) << p.transpose();
       if (!is_snapped)
         continue;

@@ -32,7 +32,7 @@ expectVertical(const WallTilts& tilts, double tolerance)
 {
   const Floorplan plan = obliquePlan();
   const Floorplan straight = straightened(plan, tilts);
-  const Straightening map(leaningFaces(plan, tilts));
+  const Straightening map(tiltedFaces(plan, tilts));
   const PlanLoop& top = straight.rooms[0].boundary;
   for (double z = 0.0; z <= 2.6; z += 0.2) {
     const PlanLoop section = boundaryAt(plan.rooms[0], tilts, z);
@@ -50,9 +50,9 @@ expectVertical(const WallTilts& tilts, double tolerance)
   }
 }
 
-TEST(Straightening, WithoutWallsThatLeanNothingMoves)
+TEST(Straightening, WithoutTiltedWallsNothingMoves)
 {
-  const Straightening map(leaningFaces(obliquePlan(), {}));
+  const Straightening map(tiltedFaces(obliquePlan(), {}));
   EXPECT_TRUE(map.isIdentity());
   EXPECT_EQ(map.straighten({1, 2, 3}), Eigen::Vector3d(1, 2, 3));
 }
@@ -71,7 +71,7 @@ TEST(Straightening, TurnsNormalsWithTheWalls)
 {
   const Floorplan plan{{roomOf(rectangle(0, 0, 6, 4), 2.5)}};
   const WallTilts tilts{{1, 1, 12 * degree}};
-  const Straightening map(leaningFaces(plan, tilts));
+  const Straightening map(tiltedFaces(plan, tilts));
   const double head = 6 - 2.5 * std::tan(12 * degree);
   const Eigen::Vector3d normal = map.normalBack({head, 2, 1}, {-1, 0, 0});
   EXPECT_NEAR(normal.x(), -std::cos(12 * degree), 1e-9);
@@ -79,12 +79,12 @@ TEST(Straightening, TurnsNormalsWithTheWalls)
   EXPECT_NEAR(map.normalBack({3, 2, 0}, {0, 0, 1}).z(), 1, 1e-9);
 }
 
-TEST(Straightening, AWallBetweenTwoRoomsLeansWithBothItsFaces)
+TEST(Straightening, AWallBetweenTwoRoomsIsTiltedWithBothItsFaces)
 {
   PlanRoom east = roomOf(rectangle(4.1, 0, 8, 4), 2.5, 2);
   const Floorplan plan{{roomOf(rectangle(0, 0, 4, 4), 2.5, 1), east}};
   const WallTilts tilts{{1, 1, 8 * degree}, {2, 3, -8 * degree}};
-  const Straightening map(leaningFaces(plan, tilts));
+  const Straightening map(tiltedFaces(plan, tilts));
   const double shift = 2.5 * std::tan(8 * degree);
   EXPECT_NEAR(map.straighten({4, 2, 0}).x(), 4 - shift, 1e-9);
   EXPECT_NEAR(map.straighten({4.1, 2, 0}).x(), 4.1 - shift, 1e-9);

@@ -37,21 +37,21 @@ room(std::uint32_t on_surfaces, double in_air)
 
 TEST(VoxelCensus, AirThatIsEmptyHoldsNoStrays)
 {
-  EXPECT_EQ(VoxelCensus().leastPoints(), 0u);
-  EXPECT_EQ(room(1, 0).leastPoints(), 0u);
-  EXPECT_EQ(room(1000, 0).leastPoints(), 0u);
+  EXPECT_EQ(VoxelCensus().minPoints(), 0u);
+  EXPECT_EQ(room(1, 0).minPoints(), 0u);
+  EXPECT_EQ(room(1000, 0).minPoints(), 0u);
 }
 
 TEST(VoxelCensus, AFewStraysAreNotWorthAVoxelOfASurface)
 {
-  EXPECT_EQ(room(100, 0.005).leastPoints(), 0u);
+  EXPECT_EQ(room(100, 0.005).minPoints(), 0u);
 }
 
 TEST(VoxelCensus, MoreThanStraysPutInAVoxelIsASurface)
 {
   for (const double density : {0.05, 0.1, 0.3, 1., 4.}) {
     SCOPED_TRACE(density);
-    const std::uint32_t least = room(400, density).leastPoints();
+    const std::uint32_t least = room(400, density).minPoints();
     double below = 0;
     double term = std::exp(-density);
     for (std::uint32_t k = 0; k < least; ++k, term *= density / k)
@@ -63,11 +63,11 @@ TEST(VoxelCensus, MoreThanStraysPutInAVoxelIsASurface)
 
 TEST(VoxelCensus, SurfacesHardlyDenserThanStraysAreKept)
 {
-  EXPECT_EQ(room(10, 0.3).leastPoints(), 0u);
-  EXPECT_EQ(room(10, 8).leastPoints(), 0u);
+  EXPECT_EQ(room(10, 0.3).minPoints(), 0u);
+  EXPECT_EQ(room(10, 8).minPoints(), 0u);
   // Three points per voxel are no strays: a surface has ten times that number.
-  EXPECT_EQ(room(20, 0.3).leastPoints(), 0u);
-  EXPECT_EQ(room(45, 0.3).leastPoints(), 3u);
+  EXPECT_EQ(room(20, 0.3).minPoints(), 0u);
+  EXPECT_EQ(room(45, 0.3).minPoints(), 3u);
 }
 
 /** Profiles of five cubes, three of them air, all full of strays. */
@@ -103,7 +103,7 @@ TEST(VoxelCensus, OfFewCubesNothingIsTold)
     AirColumns air;
     for (std::int32_t x = 0; x < columns; ++x)
       air.add(x, 0);
-    EXPECT_EQ(air.census.leastPoints() > 0, columns > 16) << columns;
+    EXPECT_EQ(air.census.minPoints() > 0, columns > 16) << columns;
   }
 }
 
@@ -138,7 +138,7 @@ TEST(VoxelCensus, ACupboardFullOfSurfacesIsNoAir)
     for (std::int32_t y = 0; y < 20; ++y)
       for (std::int32_t z = 0; z < 40; z += 4)
         census.add({x, y, z}, 200);
-  EXPECT_EQ(census.leastPoints(), 0u);
+  EXPECT_EQ(census.minPoints(), 0u);
 }
 
 TEST(VoxelCensus, GroundWhoseDensityFallsWithDistanceIsNoAir)
@@ -150,7 +150,7 @@ TEST(VoxelCensus, GroundWhoseDensityFallsWithDistanceIsNoAir)
         for (std::int32_t z = 0; z < height; ++z)
           census.add({x, y, z},
                      static_cast<std::uint32_t>(40000 / (x * x + y * y) + 1));
-    EXPECT_EQ(census.leastPoints(), 0u) << height;
+    EXPECT_EQ(census.minPoints(), 0u) << height;
   }
 }
 
@@ -166,20 +166,20 @@ TEST(VoxelCensus, MayBeTakenInParts)
   VoxelCensus parts({}, whole.pointsByCount());
   parts.join(right);
   parts.join(left);
-  EXPECT_EQ(parts.leastPoints(), whole.leastPoints());
-  EXPECT_EQ(whole.leastPoints(), 3u);
+  EXPECT_EQ(parts.minPoints(), whole.minPoints());
+  EXPECT_EQ(whole.minPoints(), 3u);
 }
 
 TEST(VoxelCensus, WorksAtAnyExtent)
 {
   VoxelCensus census = room(400, 0.3);
-  const std::uint32_t least = census.leastPoints();
+  const std::uint32_t least = census.minPoints();
   constexpr std::int32_t far = std::numeric_limits<std::int32_t>::max();
   census.add({far, far, far}, 1);
   census.add({10, 10, far}, 1);
   census.add({10, 10, -far}, 1);
   census.add({-far, -far, -far}, std::numeric_limits<std::uint32_t>::max());
-  EXPECT_EQ(census.leastPoints(), least);
+  EXPECT_EQ(census.minPoints(), least);
 }
 
 } // namespace

@@ -88,9 +88,9 @@ TEST(BorderSteps, ARiserCountsForTheBorderAtItsFoot)
   const CellCracks cracks = cracksOf(sheet.grid, sheet.label);
   const SheetCracks pieces{sheet, cracks};
   const CellPoints cells(sheet.grid, sheet.is_inside, scene.points);
-  const CellPoints upright(sheet.grid, sheet.is_inside, scene.risers);
+  const CellPoints vertical(sheet.grid, sheet.is_inside, scene.risers);
   const std::vector<double> directions;
-  const BorderSteps steps(pieces, cells, upright, directions);
+  const BorderSteps steps(pieces, cells, vertical, directions);
   const auto chain = std::find_if(
       cracks.chains.begin(), cracks.chains.end(),
       [](const CrackChain& other) { return other.left >= 0 && other.right >= 0; });

@@ -18,8 +18,8 @@ furnitureIn(const RoomPoints& points, const CellMask& seen)
   const CellGrid grid(0.05);
   const ColumnTable columns(grid, seen.box(), points.view(), points.all());
   return tallFurniture(
-      seen, uprightCells(seen.box(), grid, columns, slabAt(height), slabAt(0), 2), grid,
-      columns, slabAt(height), slabAt(0), {});
+      seen, verticalCells(seen.box(), grid, columns, slabAt(height), slabAt(0), 2),
+      grid, columns, slabAt(height), slabAt(0), {});
 }
 
 /** A room of 4 m x 3 m with a box of 2 m x 0.6 m at its left wall, up to `top`. The
@@ -154,7 +154,7 @@ struct BoxRoom {
     const ColumnTable columns(grid, all, points.view(), points.all());
     return aroundSeenCeiling(
         CellMask(seen, all),
-        uprightCells(all, grid, columns, slabAt(height), slabAt(0), 2), grid);
+        verticalCells(all, grid, columns, slabAt(height), slabAt(0), 2), grid);
   }
 
   RoomPoints points;

@@ -58,7 +58,7 @@ TEST(GridSliceDetail, TheFloorsHeightMayBeGivenInstead)
   EXPECT_EQ(by_height.indices, by_points.indices);
 }
 
-TEST(GridSliceDetail, FollowsACeilingThatLeans)
+TEST(GridSliceDetail, FollowsACeilingThatIsTilted)
 {
   PlanRoom room = soffitRoom(0.3);
   const double slope = std::tan(1 * M_PI / 180);

@@ -122,7 +122,7 @@ TEST(Levels, ACeilingThatSagsIsOne)
   EXPECT_EQ(levels.back().inliers.size(), ceiling);
 }
 
-TEST(Levels, ASlabThatLeansIsOneLevel)
+TEST(Levels, ASlabThatIsTiltedIsOneLevel)
 {
   const double slope = std::tan(0.5 * M_PI / 180); // 8.7 cm over ten metres
   RoomPoints points;
@@ -170,7 +170,7 @@ TEST(Levels, CeilingsOfRoomsAFewCentimetresApartAreLevelsOfTheirOwn)
   }
 }
 
-TEST(Levels, RoomsUnderOneLeaningSlabShareALevel)
+TEST(Levels, RoomsUnderOneTiltedSlabShareALevel)
 {
   RoomPoints points(0.05, 0.01);
   const PlanSlab slab = slabAt(2.5, std::tan(1 * M_PI / 180));

@@ -43,7 +43,7 @@ TEST(FitRoom, NoiseOfTwoCentimetresCostsMillimetres)
     EXPECT_NEAR(e.residual, 0.02, 0.005);
 }
 
-TEST(FitRoom, AFloorWithAStepOfATenthOfAMetreDoesNotLean)
+TEST(FitRoom, AFloorWithAStepOfATenthOfAMetreIsNotTilted)
 {
   PlanRoom truth = roomOf(rectangle(0.01, 0.01, 8.01, 5.01), 2.5);
   truth.floor_details = {detailOf(rectangle(4.5, 0.01, 8.01, 5.01), 0.1)};

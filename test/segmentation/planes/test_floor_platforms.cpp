@@ -109,7 +109,7 @@ TEST(Platforms, OneInTheMiddleIsAFloorIfLargerThanFurniture)
   expectFloors(points, {0, 0.2});
 }
 
-TEST(Platforms, AStepOfATenthOfAMetreIsNoLeaningFloor)
+TEST(Platforms, AStepOfATenthOfAMetreIsNoTiltedFloor)
 {
   PlanRoom room = hall();
   room.floor_details = {detailOf(rectangle(2.6, 0, 5, 4), 0.1)};

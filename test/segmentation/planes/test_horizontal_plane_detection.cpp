@@ -117,7 +117,7 @@ TEST(HorizontalPlaneDetection, SaysWhatItLookedForWhereThereIsNone)
       << detection.getErrorMessage();
 }
 
-TEST(HorizontalPlaneDetection, TheTiltLimitTellsALeaningSlabFromARamp)
+TEST(HorizontalPlaneDetection, TheTiltLimitTellsATiltedSlabFromARamp)
 {
   RoomPoints points;
   points.slab(rectangle(0, 0, 4, 3), 0);

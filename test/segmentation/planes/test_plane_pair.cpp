@@ -25,10 +25,10 @@ public:
 
   RoomPoints& points() { return points_; }
 
-  PlanePair best(std::size_t least_cells = 0) const
+  PlanePair best(std::size_t min_cells = 0) const
   {
     return bestPair(points_.view(), points_.all(), Eigen::Matrix3d::Identity(),
-                    Priors().min_headroom, Priors().usual_room_height, least_cells);
+                    Priors().min_headroom, Priors().usual_room_height, min_cells);
   }
 
 private:

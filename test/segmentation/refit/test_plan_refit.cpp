@@ -89,7 +89,7 @@ TEST(RefitToRaw, ASurfaceThatWouldMoveFartherThanItsNoiseExplainsStays)
   EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, -0.05, 4, 3)), 1e-4);
 }
 
-TEST(RefitToRaw, LeaningSlabsLean)
+TEST(RefitToRaw, TiltedSlabsTilt)
 {
   PlanRoom truth = plainRoom();
   truth.ceiling = slabAt(2.597, 0.002, -0.001);
@@ -104,7 +104,7 @@ TEST(RefitToRaw, LeaningSlabsLean)
   }
 }
 
-TEST(RefitToRaw, TheSlabsOfANicheDoNotLeanHoweverItIsTurned)
+TEST(RefitToRaw, TheSlabsOfANicheAreNotTiltedHoweverItIsTurned)
 {
   // Noise spreads the points of its back and of the wall in front over both slabs.
   for (const auto& [depth, tolerance] :

@@ -36,7 +36,7 @@ TEST(RefitToRaw, OfALargeScanEveryKthPointIsTaken)
   raw.room(plainRoom());
   Floorplan plan = offPlan();
   RefitParameters parameters;
-  parameters.most_points = raw.size() / 10;
+  parameters.max_points = raw.size() / 10;
   refitToRaw(plan, raw.view(), {}, parameters);
   EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.002);
   EXPECT_LT(plan.rooms[0].boundary.elements[0].inliers, 2500u);

@@ -239,16 +239,16 @@ TEST(FindBuilding, WhateverTheShapeOfItsCeilingOrWallsARoomIsOne)
       vault.points.point(x, 2.05 - 2 * std::cos(angle), 2.01 + 2 * std::sin(angle));
   EXPECT_EQ(Found(vault).building.rooms.size(), 1u) << "a barrel vault";
 
-  AirScene leaning;
-  leaning.points.slab(loop, 0.01);
-  leaning.points.slab(rectangle(0.05, 0.05, 7.05, 4.05), 2.51);
-  leaning.wall(0.05, 0.05, 0.05, 4.05, 0.01, 2.51);
+  AirScene tilted;
+  tilted.points.slab(loop, 0.01);
+  tilted.points.slab(rectangle(0.05, 0.05, 7.05, 4.05), 2.51);
+  tilted.wall(0.05, 0.05, 0.05, 4.05, 0.01, 2.51);
   for (const double y : {0.05, 4.05})
-    leaning.wall(0.05, y, 7.05, y, 0.01, 2.51);
+    tilted.wall(0.05, y, 7.05, y, 0.01, 2.51);
   for (double z = 0; z < 2.5; z += 0.04) // outwards by a metre
     for (double y = 0.05; y < 4.05; y += 0.04)
-      leaning.points.point(6.05 + 0.4 * z, y, z);
-  EXPECT_EQ(Found(leaning).building.rooms.size(), 1u) << "a leaning wall";
+      tilted.points.point(6.05 + 0.4 * z, y, z);
+  EXPECT_EQ(Found(tilted).building.rooms.size(), 1u) << "a tilted wall";
 }
 
 TEST(FindBuilding, TellsWhatIsNoRoomAndWhy)

@@ -39,7 +39,7 @@ TEST(RoomPlanes, AFloorIsTheLowestHeightThatATenthOfItHas)
       << "a pit of a fifteenth is a hole in it";
 }
 
-TEST(RoomPlanes, TheMainPlaneLeansAsItsSheetDoesAndLeavesOtherHeightsOut)
+TEST(RoomPlanes, TheMainPlaneIsTiltedAsItsSheetDoesAndLeavesOtherHeightsOut)
 {
   RoomPoints points;
   const double slope = std::tan(1 * M_PI / 180);

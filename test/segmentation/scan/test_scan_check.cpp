@@ -195,15 +195,15 @@ TEST(UpProblem, NamesTheAxisThatSeemsToBeUp)
   EXPECT_TRUE(mentions(x, "x seems to be up")) << x;
 }
 
-TEST(UpProblem, WhereTheFloorThatWasFoundLeansItsAreaCounts)
+TEST(UpProblem, WhereTheFloorThatWasFoundIsTiltedItsAreaCounts)
 {
   // A corridor tilted along its length: its floor covers many levels of a decimetre.
   RoomPoints corridor;
   corridor.room(rectangle(0, 0, 30, 2), 0, 2.7);
   RoomPoints points;
-  const Eigen::AngleAxisd lean(2 * M_PI / 180, Eigen::Vector3d::UnitY());
+  const Eigen::AngleAxisd tilt(2 * M_PI / 180, Eigen::Vector3d::UnitY());
   for (const int i : corridor.all()) {
-    const Eigen::Vector3d p = lean * corridor[i].cast<double>().eval();
+    const Eigen::Vector3d p = tilt * corridor[i].cast<double>().eval();
     points.point(p.x(), p.y(), p.z());
   }
   EXPECT_NE(upProblem(points.view(), points.all(), RoomsAlongZ::Found), "");

@@ -97,7 +97,7 @@ leftOut(const std::vector<Offset>& above,
         const Offset& under,
         const PlanLoop& boundary = rectangle(0, 0, 4, 3))
 {
-  std::vector<UprightPlace> places;
+  std::vector<VerticalPlace> places;
   for (double x = 0.025; x < 4; x += 0.05) {
     for (std::size_t k = 0; k < 10; ++k) {
       const double offset = above[k % above.size()](x);

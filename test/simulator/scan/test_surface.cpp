@@ -40,7 +40,7 @@ TEST(Surface, slabPatchIsHitInsideItsOutlineOnly)
   expectMiss(patch, {1.0, 1.0, 2.5}, {3.0, 2.5, 2.5}); // in its plane
 }
 
-TEST(Surface, slabPatchMayLean)
+TEST(Surface, slabPatchMayTilt)
 {
   // Rises by 0.1 m per metre along x: 2.5 m high at x = 1, 2.8 m at x = 4.
   const SlabPatch patch{{2.5, {0.1, 0.0}, {1.0, 0.0}},
@@ -55,7 +55,7 @@ TEST(Surface, slabPatchMayLean)
   EXPECT_NEAR(bounds.max.z, 2.8, 1e-12);
 }
 
-TEST(Surface, wallsEndOnLeaningPlanes)
+TEST(Surface, wallsEndOnTiltedPlanes)
 {
   // The wall runs along x; its top rises from 2 m to 2.4 m, its foot from 0 to 0.2 m.
   const Element wall{{0.0, 0.0}, {4.0, 0.0}, 0.0};

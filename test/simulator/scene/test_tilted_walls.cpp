@@ -47,7 +47,7 @@ TEST(TiltedWalls, oneIntoTheRoomTakesATriangleOfEverySection)
   EXPECT_EQ(areaOf(mesh, Label::Detail), 0.0);
 }
 
-TEST(TiltedWalls, besideEachOtherTheyMeetInACornerThatLeansBothWays)
+TEST(TiltedWalls, besideEachOtherTheyMeetInACornerTiltedBothWays)
 {
   for (const double second : {20.0, -25.0}) {
     Room room = boxRoom();

@@ -112,7 +112,7 @@ TEST(TruthMesh, nicheInACurvedWallConvergesToTheTrueVolume)
   }
 }
 
-TEST(TruthMesh, leaningCeilingEndsTheWalls)
+TEST(TruthMesh, tiltedCeilingEndsTheWalls)
 {
   // 2.5 m high at x = 0, rises by 0.1 m per metre: 2.75 m on average, 3 m at x = 5.
   Room room = makeBoxRoom(5.0, 4.0, 0.0);
@@ -125,7 +125,7 @@ TEST(TruthMesh, leaningCeilingEndsTheWalls)
   EXPECT_NEAR(areaOf(mesh, Label::Ceiling), 20.0 * std::hypot(1.0, 0.1), 1e-12);
 }
 
-TEST(TruthMesh, detailsAndColumnsUnderALeaningCeiling)
+TEST(TruthMesh, detailsAndColumnsUnderATiltedCeiling)
 {
   Room room = makeBoxRoom(5.0, 4.0, 0.0);
   room.ceiling = {2.5, {0.1, 0.05}, {1.0, 1.0}};
@@ -161,7 +161,7 @@ TEST(TruthMesh, rampRisesFromTheFloor)
               std::hypot(2.0, 0.4) + 2.0 * 0.4 + 1.0 + 3.0 * 0.4, 1e-9);
 }
 
-TEST(TruthMesh, leaningCeilingOverACurvedWallConverges)
+TEST(TruthMesh, tiltedCeilingOverACurvedWallConverges)
 {
   Room room = makeBoxRoom(4.0, 4.0, 0.0);
   room.outline = circleLoop({2.0, 1.0}, 1.5);

@@ -145,7 +145,7 @@ TEST(RoomSolid, OfDetailsThatOverlapTheLaterIsThere)
   expectPiece(Solid(room), 30 * 2.5 - 9 * 0.3 + (2 - 1) * 0.3);
 }
 
-TEST(RoomSolid, ALeaningCeilingHasItsHeightAtTheCentroid)
+TEST(RoomSolid, ATiltedCeilingHasItsHeightAtTheCentroid)
 {
   PlanRoom room = roomOf(polygon({{0, 0}, {8, 0}, {8, 3}, {3, 3}, {3, 7}, {0, 7}}), 3);
   room.ceiling = slabAt(3, 0.05, -0.03);
@@ -155,7 +155,7 @@ TEST(RoomSolid, ALeaningCeilingHasItsHeightAtTheCentroid)
   expectPiece(Solid(room), 36 * (2.9 + 0.04 * x - 0.05 * y));
 }
 
-TEST(RoomSolid, ALeaningDetailThatGoesThroughTheCeiling)
+TEST(RoomSolid, ATiltedDetailThatGoesThroughTheCeiling)
 {
   // Its underside rises from 2.3 to 2.7 m over 4 m: below the ceiling up to x = 3.
   PlanRoom room = roomOf(rectangle(0, 0, 6, 5), 2.5);

@@ -352,7 +352,7 @@ class ReportPage(ReportCase):
                        % (len(vertices), len(faces)))
             file.writelines(struct.pack("<3f", *v) for v in vertices)
             file.writelines(struct.pack("<B3i", 3, *f) for f in faces)
-        page = self.page("--most-triangles", "20000")
+        page = self.page("--max-triangles", "20000")
         triangles = sum(len(p["triangles"]) for p in parts_of(glb_of(page)["mesh"]))
         self.assertTrue(5000 < triangles <= 20000, triangles)
         self.assertIn("is thinned for this page", page.words)

@@ -220,13 +220,13 @@ TEST_F(CloudFiles, PointsLargerThanFourGigabytesAreRefused)
     types += " F";
     counts += " " + std::to_string(count);
   };
-  constexpr int most_values = 1 << 16;
+  constexpr int max_values = 1 << 16;
   constexpr int many = 8192; // of 2^19 bytes each: 2^32
   for (int k = 0; k < many; ++k) {
     if (k == many / 2)
       for (const char* name : {"x", "y", "z"})
         add(name, 4, 1);
-    add("f" + std::to_string(k), 8, most_values);
+    add("f" + std::to_string(k), 8, max_values);
   }
   const std::string points(1000 * 12, '\0');
   EXPECT_NE(refusal(fields + "\n" + sizes + "\n" + types + "\n" + counts +

@@ -83,7 +83,7 @@ TEST_F(ViewedSample, OfOneCloudIsStructureWhereItHasLabels)
       readResult((folder_.path() / "model/structure.pcd").string(), {});
   EXPECT_TRUE(one.firstLayers() == LayerSet{Layer::Structure});
   ReadSettings few;
-  few.most_points = 500;
+  few.max_points = 500;
   const ViewedResult raw = readResult((folder_.path() / "scan.pcd").string(), few);
   EXPECT_TRUE(raw.firstLayers() == LayerSet{Layer::Raw});
   EXPECT_EQ(raw.raw.size(), 500u);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double overlap_step = 0.05;   ///< metres; cell of the grid for overlaps
 constexpr double outline_chords = 0.01; ///< metres; chord tolerance of an outline's box
-constexpr double least_overlap = 0.5;   ///< share of the union of two matched rooms
+constexpr double min_overlap = 0.5;     ///< share of the union of two matched rooms
 
 bool
 holds(const sim::RoomTruth& room, sim::Vec2 p)
@@ -85,7 +85,7 @@ measureRooms(const Floorplan& plan,
     const double area = room.area();
     const double height = meanHeight(room);
     const double both = area + truth.area - pair.overlap;
-    figures.rooms_matched += pair.overlap >= least_overlap * both ? 1 : 0;
+    figures.rooms_matched += pair.overlap >= min_overlap * both ? 1 : 0;
     keepLargerError(figures.area_error, area, truth.area);
     keepLargerError(figures.height_error, height, truth.height);
     keepLargerError(figures.volume_error, volumeOf(room, height), truth.volume);

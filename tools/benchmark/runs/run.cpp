@@ -125,7 +125,7 @@ measure(const Reconstruction& chain,
   noteLabels(scoreLabels(structure, scan, voxel_diagonal, settings.threads), row);
   if (has_mesh)
     row.mesh = measureModel(
-        std::make_shared<const TriangleMesh>(chain.getChain().leanedMesh()), truth.mesh,
+        std::make_shared<const TriangleMesh>(chain.getChain().tiltedMesh()), truth.mesh,
         settings.threads);
 }
 

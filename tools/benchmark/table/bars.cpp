@@ -62,23 +62,21 @@ checkModel(const RunRow& row, Misses& misses)
   if (!(mesh.truth_to_mesh_mean <= limit))
     misses.add(Bar::Mean, formatted("mean %.3f cm > %.3f cm",
                                     100 * mesh.truth_to_mesh_mean, 100 * limit));
-  misses.atLeast(Bar::Within1cm, mesh.truth_within_1cm, least_within_1cm,
-                 "within 1 cm");
-  misses.atLeast(Bar::Within5cm, mesh.truth_within_5cm, least_within_5cm,
-                 "within 5 cm");
-  misses.atMost(Bar::ModelBeyond5cm, mesh.mesh_beyond_5cm, most_beyond_5cm,
+  misses.atLeast(Bar::Within1cm, mesh.truth_within_1cm, min_within_1cm, "within 1 cm");
+  misses.atLeast(Bar::Within5cm, mesh.truth_within_5cm, min_within_5cm, "within 5 cm");
+  misses.atMost(Bar::ModelBeyond5cm, mesh.mesh_beyond_5cm, max_beyond_5cm,
                 "model beyond 5 cm");
-  if (mesh.detail_within_5cm < least_detail_within_5cm) // NaN without details
-    misses.atLeast(Bar::DetailZone, mesh.detail_within_5cm, least_detail_within_5cm,
+  if (mesh.detail_within_5cm < min_detail_within_5cm) // NaN without details
+    misses.atLeast(Bar::DetailZone, mesh.detail_within_5cm, min_detail_within_5cm,
                    "details within 5 cm");
 }
 
 void
 checkStructure(const StructureFigures& structure, Misses& misses)
 {
-  misses.atMost(Bar::PointsBeyond5cm, structure.points_beyond_5cm, most_beyond_5cm,
+  misses.atMost(Bar::PointsBeyond5cm, structure.points_beyond_5cm, max_beyond_5cm,
                 "points beyond 5 cm");
-  misses.atLeast(Bar::Covered, structure.truth_covered, least_within_5cm,
+  misses.atLeast(Bar::Covered, structure.truth_covered, min_within_5cm,
                  "truth covered");
 }
 
@@ -104,11 +102,11 @@ checkSolid(const RunRow& row, Misses& misses)
     misses.add(Bar::SolidMax,
                formatted("solid: max %.3f cm > %.1f cm", 100 * solid.truth_to_solid_max,
                          100 * limits.max));
-  misses.atMost(Bar::SolidVolume, solid.volume_error, most_volume_error,
+  misses.atMost(Bar::SolidVolume, solid.volume_error, max_volume_error,
                 "solid's volume");
-  misses.atMost(Bar::WallArea, solid.wall_area_error, most_wall_area_error,
+  misses.atMost(Bar::WallArea, solid.wall_area_error, max_wall_area_error,
                 "wall surface");
-  if (row.plan.arcs_true == 0 && solid.triangles > most_straight_triangles)
+  if (row.plan.arcs_true == 0 && solid.triangles > max_straight_triangles)
     misses.add(Bar::SolidTriangles,
                std::to_string(*solid.triangles) + " triangles of straight walls");
 }
@@ -116,10 +114,10 @@ checkSolid(const RunRow& row, Misses& misses)
 void
 checkPlan(const RunRow& row, Misses& misses)
 {
-  misses.atMost(Bar::PlanArea, row.rooms.area_error, most_area_error, "area");
+  misses.atMost(Bar::PlanArea, row.rooms.area_error, max_area_error, "area");
   const PlanFigures& plan = row.plan;
-  if (plan.radius_error > most_radius_error) // NaN without arcs
-    misses.atMost(Bar::Radius, plan.radius_error, most_radius_error, "radius");
+  if (plan.radius_error > max_radius_error) // NaN without arcs
+    misses.atMost(Bar::Radius, plan.radius_error, max_radius_error, "radius");
   if (plan.rooms_with_other_corners != 0)
     misses.add(Bar::Corners, std::to_string(plan.corners_found.value_or(0)) +
                                  " corners of " +

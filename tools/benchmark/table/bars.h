@@ -53,21 +53,21 @@ isOfSolid(Bar bar)
   return bar >= Bar::SolidClosed;
 }
 
-constexpr double least_within_1cm = 0.95;
-constexpr double least_within_5cm = 0.99;
-constexpr double least_detail_within_5cm = 0.97;
-constexpr double most_beyond_5cm = 0.005;
+constexpr double min_within_1cm = 0.95;
+constexpr double min_within_5cm = 0.99;
+constexpr double min_detail_within_5cm = 0.97;
+constexpr double max_beyond_5cm = 0.005;
 
 /** @brief Returns the maximum mean distance from truth to mesh in metres: 0.2 cm up to
  * a noise of 0.1 cm, 0.4 cm from 2 cm on, linear in between.
  * @param noise metres */
 double meanLimit(double noise);
 
-constexpr double most_area_error = 0.01;
-constexpr double most_volume_error = 0.005;
-constexpr double most_wall_area_error = 0.02;
-constexpr double most_radius_error = 0.01;
-constexpr std::size_t most_straight_triangles = 5000;
+constexpr double max_area_error = 0.01;
+constexpr double max_volume_error = 0.005;
+constexpr double max_wall_area_error = 0.02;
+constexpr double max_radius_error = 0.01;
+constexpr std::size_t max_straight_triangles = 5000;
 
 /** @brief Maximum distances from truth to solid, metres. */
 struct SolidLimits {

@@ -24,12 +24,12 @@ originOfModel(const std::string& path)
   }
   if (fs::path(path).extension() == ".json")
     return planOrigin(path);
-  constexpr int most_lines = 20; // in a header
+  constexpr int max_lines = 20; // in a header
   const MappedFile file(path);
   TextCursor cursor(file, 0);
   Origin origin;
   std::string_view line;
-  for (int k = 0; k < most_lines && cursor.nextLine(line); ++k)
+  for (int k = 0; k < max_lines && cursor.nextLine(line); ++k)
     if (Origin::fromComment(std::string(line.substr(0, 256)), origin))
       break;
   return origin;

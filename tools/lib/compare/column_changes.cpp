@@ -59,8 +59,8 @@ columnsOf(const Floorplan& plan)
 double
 distanceOf(const Column& a, const Column& b)
 {
-  constexpr double most_ratio = 2; // of areas; hidden sides are inferred
-  const bool is_alike = a.area < most_ratio * b.area && b.area < most_ratio * a.area &&
+  constexpr double max_ratio = 2; // of areas; hidden sides are inferred
+  const bool is_alike = a.area < max_ratio * b.area && b.area < max_ratio * a.area &&
                         shareHeights(a.heights, b.heights);
   return is_alike ? (a.centre - b.centre).norm()
                   : std::numeric_limits<double>::infinity();

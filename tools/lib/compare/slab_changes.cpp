@@ -168,14 +168,14 @@ private:
    * kind, similar size, same height, not too far away. */
   bool isShifted(SlabId was, SlabId now) const
   {
-    constexpr double most_ratio = 1.3; // of areas
+    constexpr double max_ratio = 1.3; // of areas
     const Overlap& a = before_.at(was);
     const Overlap& b = after_.at(now);
     const double ratio = static_cast<double>(a.cells) / static_cast<double>(b.cells);
     const Eigen::Vector3d shift = b.middle() - a.middle();
     return wordFor(*a.room, was.second, is_floor_) ==
                wordFor(*b.room, now.second, is_floor_) &&
-           std::max(ratio, 1 / ratio) < most_ratio &&
+           std::max(ratio, 1 / ratio) < max_ratio &&
            std::abs(shift.z()) <= settings_.tolerance &&
            shift.head<2>().norm() <= settings_.farthest;
   }

@@ -15,7 +15,7 @@ namespace {
 constexpr int fineness = 3;
 
 /** @brief Minimum width of a box in fine pixels, so that single cells are visible. */
-constexpr double least_fine = 2;
+constexpr double min_fine = 2;
 
 /** @brief Returns the first fine pixel whose centre is not before `x`, within 0 and
  * `limit`. */
@@ -83,9 +83,9 @@ Canvas::fillBox(const Box& box, Colour colour)
   Eigen::Vector2d low = fineness * box.low;
   Eigen::Vector2d high = fineness * box.high;
   for (int k = 0; k < 2; ++k)
-    if (high[k] - low[k] < least_fine) {
-      low[k] = std::floor((low[k] + high[k] - least_fine) / 2 + 0.5);
-      high[k] = low[k] + least_fine;
+    if (high[k] - low[k] < min_fine) {
+      low[k] = std::floor((low[k] + high[k] - min_fine) / 2 + 0.5);
+      high[k] = low[k] + min_fine;
     }
   const int last = firstFrom(high.y(), fine_.height);
   for (int row = firstFrom(low.y(), fine_.height); row < last; ++row)

@@ -53,8 +53,9 @@ addModelOptions(Options& options, ModelSettings& s)
   options.number("seed", s.seed, "", "seed of the random samples", Range::atLeast(0));
   addScanOptions(options, s.scan);
   addPositionsOption(options, s.scan);
-  options.flag("z-up", s.z_up,
-               "take z as up even if another axis seems to be, or the scan leans");
+  options.flag(
+      "z-up", s.z_up,
+      "take z as up even if another axis seems to be, or the scan is inclined");
   options.flag("levelled", s.levelled,
                "of a scan tilted by 0.3 to 3 degrees, write all results level");
   options.flag("mesh-from-plan", s.mesh_from_plan,

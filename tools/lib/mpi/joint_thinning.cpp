@@ -147,19 +147,19 @@ private:
     VoxelCensus all;
     for (std::size_t r = 0; r < cubes.size(); ++r)
       all.join({listOf<VoxelCensus::Cube>(cubes[r]), listOf<std::uint64_t>(points[r])});
-    const std::vector<std::uint32_t> least{all.leastPoints()};
+    const std::vector<std::uint32_t> least{all.minPoints()};
     return listOf<std::uint32_t>(mail_.fromFirst(bytesOf(least))).front();
   }
 
   /** @brief Returns the means of this rank's voxels with at least that many points,
    * three floats each. */
-  std::vector<float> meansOfShare(std::uint32_t least_points)
+  std::vector<float> meansOfShare(std::uint32_t min_points)
   {
     const VoxelFrame frame(order_.inverse_leaf.array());
     std::vector<float> means;
     means.reserve(3 * voxels_.size());
     for (const VoxelSum& voxel : voxels_) {
-      if (voxel.count < least_points)
+      if (voxel.count < min_points)
         continue;
       const Eigen::Vector3f mean = frame.mean(voxel);
       means.insert(means.end(), mean.data(), mean.data() + 3);

@@ -26,7 +26,7 @@ floorCellsOf(const pcl::FloorProjectionRecovery<pcl::PointXYZ>& recovery)
 Picture
 drawFloor(const std::vector<FloorCells>& rooms)
 {
-  constexpr std::size_t least_piece = 40; // smaller pieces are scattered outside
+  constexpr std::size_t min_piece = 40; // smaller pieces are scattered outside
   Panel before("floor as detected");
   Panel after("floor completed");
   CellSet all;
@@ -43,8 +43,7 @@ drawFloor(const std::vector<FloorCells>& rooms)
     recovered += room.recovered.size();
     removed += room.removed.size();
   }
-  const Box view =
-      viewOfPieces(all, rooms.empty() ? 1 : rooms[0].cell_size, least_piece);
+  const Box view = viewOfPieces(all, rooms.empty() ? 1 : rooms[0].cell_size, min_piece);
   for (Panel* panel : {&before, &after})
     panel->setView(view);
   Picture picture("Floor recovery: " + counted(recovered, "cell") +

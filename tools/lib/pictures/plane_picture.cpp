@@ -107,7 +107,7 @@ drawPlanes(const Planes& planes,
            const PointView& points,
            double cell_size)
 {
-  constexpr std::size_t least_piece = 100; // smaller pieces are scattered outside
+  constexpr std::size_t min_piece = 100; // smaller pieces are scattered outside
   const CellGrid grid(cell_size);
   Panel above("ceilings");
   Panel below("floors, and what is neither");
@@ -132,7 +132,7 @@ drawPlanes(const Planes& planes,
                   counted(count[1], "floor") + ", " +
                   std::to_string(planes.size() - count[0] - count[1]) + " neither");
   for (Panel* panel : {&above, &below})
-    panel->setView(viewOfPieces(all, cell_size, least_piece));
+    panel->setView(viewOfPieces(all, cell_size, min_piece));
   if (histogram.bins.empty()) // planes of rooms, which were not found by height
     picture.addMaps({above, below});
   else

@@ -13,7 +13,7 @@ namespace {
 
 /** @brief Returns the minimum size of named regions, cells. */
 std::size_t
-leastNamed(const RegionMap& map)
+minNamed(const RegionMap& map)
 {
   return std::max<std::size_t>(12, map.cells.size() / 1500);
 }
@@ -26,7 +26,7 @@ addRegions(const RegionMap& map, std::size_t first_colour, Panel& panel)
   for (std::size_t r = 0; r < regions.size(); ++r) {
     const CellSet& cells = regions[r];
     panel.addCells(cells, map.cell_size, colourNumber(first_colour + r));
-    if (cells.size() >= leastNamed(map))
+    if (cells.size() >= minNamed(map))
       panel.addLabel(labelPlace(cells, map.cell_size), std::to_string(cells.size()));
   }
 }
@@ -41,7 +41,7 @@ addDecision(const RegionMap& map, std::size_t first_shade, Panel& panel)
     const bool is_kept = map.number[r] > 0;
     panel.addCells(cells, map.cell_size,
                    is_kept ? ceilingShade(first_shade + r) : colours::removed);
-    if (cells.size() >= leastNamed(map))
+    if (cells.size() >= minNamed(map))
       panel.addLabel(labelPlace(cells, map.cell_size), is_kept ? "C" : "O");
   }
 }

@@ -76,7 +76,7 @@ planPanel(const Floorplan& plan,
     }
   }
   for (const auto& strip : strips)
-    if (strip.kind() == UprightKind::Wall) {
+    if (strip.kind() == VerticalKind::Wall) {
       const double middle = strip.length / 2;
       panel.addLabel(strip.element().pointAt(middle) +
                          0.25 * strip.element().normalAt(middle),
@@ -143,7 +143,7 @@ drawRepair(const RepairedSurfaces& surfaces, const Floorplan& plan)
   const double share = 100 * static_cast<double>(filled) /
                        static_cast<double>(std::max<std::size_t>(1, cells));
   Picture picture("Hole repair: " + std::to_string(filled) + " of " +
-                  counted(cells, "cell") + " of upright surfaces filled, " +
+                  counted(cells, "cell") + " of vertical surfaces filled, " +
                   fixedText(share, 0) + " %");
   if (!strips.empty())
     addPanels(strips, surfaces.is_seen, plan, picture);

@@ -54,10 +54,10 @@ addRegions(const std::vector<CellSet>& regions,
            Colour colour,
            Panel& panel)
 {
-  constexpr std::size_t least_named = 10;
+  constexpr std::size_t min_named = 10;
   for (const CellSet& region : regions) {
     panel.addCells(region, cell_size, colour);
-    if (region.size() >= least_named)
+    if (region.size() >= min_named)
       panel.addLabel(labelPlace(region, cell_size), std::to_string(region.size()));
   }
 }

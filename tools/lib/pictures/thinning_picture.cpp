@@ -88,18 +88,18 @@ densityPanel(const std::string& title,
 Picture
 draw(const PointPieces& before, const PointView& after, double leaf)
 {
-  constexpr std::size_t least_piece = 400; // smaller pieces are scattered outside
+  constexpr std::size_t min_piece = 400; // smaller pieces are scattered outside
   pcl::Indices all(after.size());
   std::iota(all.begin(), all.end(), 0);
   double size = leaf;
   CellSet cells(CellGrid(size), after, all);
-  Box view = viewOfPieces(cells, size, least_piece);
+  Box view = viewOfPieces(cells, size, min_piece);
   // Buildings much larger than their voxels are drawn with larger cells.
   while (!maskProblem(boxOf(view, size)).empty() ||
          view.size().maxCoeff() / size > 4000) {
     size *= 2;
     cells = CellSet(CellGrid(size), after, all);
-    view = viewOfPieces(cells, size, least_piece);
+    view = viewOfPieces(cells, size, min_piece);
   }
   const CellGrid grid(size);
   const CellBox box = boxOf(view, size);

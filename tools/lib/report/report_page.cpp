@@ -23,8 +23,8 @@ namespace tools {
 
 namespace {
 
-constexpr std::size_t most_scan_points = 1500000;    // in the picture
-constexpr std::size_t most_measured_points = 250000; // in the picture of distances
+constexpr std::size_t max_scan_points = 1500000;    // in the picture
+constexpr std::size_t max_measured_points = 250000; // in the picture of distances
 constexpr double farthest = 0.5; // in the picture of distances, metres
 
 /** @brief Data of all pictures. */
@@ -68,7 +68,7 @@ readContents(const ResultFolder& folder, const PageSettings& settings)
   if (path.empty())
     return contents;
   const ScanFile scan(path, folder.scanSettings());
-  contents.scan = displayCloudOf(scan, most_scan_points);
+  contents.scan = displayCloudOf(scan, max_scan_points);
   contents.scan.labels.clear(); // labels of a raw scan are meaningless
   contents.scan.rooms.clear();
   contents.thinned = thinnedCloudOf(scan, contents.voxel_size);
@@ -111,7 +111,7 @@ shownOf(const DisplayCloud& cloud, const CeilingRule& rule, Eigen::AlignedBox3d 
       near.push_back(cloud.points[i]);
   DisplayCloud shown;
   shown.whole_size = near.size();
-  const std::size_t count = std::min(near.size(), most_measured_points);
+  const std::size_t count = std::min(near.size(), max_measured_points);
   for (std::size_t k = 0; k < count; ++k)
     shown.points.push_back(near[k * near.size() / count]);
   return shown;

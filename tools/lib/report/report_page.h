@@ -12,7 +12,7 @@ namespace tools {
 struct PageSettings {
   std::string scan; ///< raw scan; empty: from report.json
   std::string three = "/usr/share/javascript/three"; ///< folder of three.js
-  std::size_t most_triangles = 150000;               ///< of the interactive mesh
+  std::size_t max_triangles = 150000;                ///< of the interactive mesh
   double range = 0.05; ///< distance with the last colour, metres
 };
 

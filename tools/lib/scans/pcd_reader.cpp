@@ -107,14 +107,14 @@ readFields(const PcdHeader& header, const std::string& path)
                         " fields, but " + std::to_string(sizes->size()) + " sizes, " +
                         std::to_string(types->size()) + " types and " +
                         std::to_string(counts ? counts->size() : 0) + " counts");
-  constexpr std::uint64_t most_values = 1 << 16;
+  constexpr std::uint64_t max_values = 1 << 16;
   std::vector<pcl::PCLPointField> fields;
   for (std::size_t i = 0; i < names->size(); ++i) {
     pcl::PCLPointField field;
     field.name = std::string((*names)[i]);
     const auto count = counts ? wholeNumber((*counts)[i], "a COUNT", path) : 1;
     field.datatype = dataType((*types)[i][0], wholeNumber((*sizes)[i], "a SIZE", path));
-    if (field.datatype == 0 || count == 0 || count > most_values)
+    if (field.datatype == 0 || count == 0 || count > max_values)
       refusePcd(path, "field '" + field.name + "' is of type " +
                           std::string((*types)[i]) + ", size " +
                           std::string((*sizes)[i]) + ", count " +
@@ -277,8 +277,8 @@ readCompressedPcd(const MappedFile& file,
                         std::to_string(needed) + " bytes, the compressed ones hold " +
                         std::to_string(whole));
   // Three bytes decompress to at most 264, so larger claims allocate no memory.
-  constexpr std::uint64_t most_expansion = 88;
-  if (whole > most_expansion * compressed)
+  constexpr std::uint64_t max_expansion = 88;
+  if (whole > max_expansion * compressed)
     refusePcd(path, "its compressed points are damaged, " + std::to_string(compressed) +
                         " bytes cannot hold " + std::to_string(whole));
   std::vector<std::uint8_t> by_field(whole);

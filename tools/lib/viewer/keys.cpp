@@ -11,8 +11,8 @@ namespace {
 
 using Press = std::function<KeyCommand(ViewState&, HeightRange)>;
 
-constexpr double clip_step = 0.1;      // metres
-constexpr double most_point_size = 20; // pixels
+constexpr double clip_step = 0.1;     // metres
+constexpr double max_point_size = 20; // pixels
 
 Press
 flips(bool ViewState::*member)
@@ -71,7 +71,7 @@ Press
 resizesPoints(double by)
 {
   return [by](ViewState& state, HeightRange) {
-    state.point_size = std::clamp(state.point_size + by, 1.0, most_point_size);
+    state.point_size = std::clamp(state.point_size + by, 1.0, max_point_size);
     return KeyCommand::Redraw;
   };
 }

@@ -22,7 +22,7 @@ constexpr std::array<StructureLabel, 6> label_order{
     StructureLabel::Ceiling, StructureLabel::Floor,  StructureLabel::Wall,
     StructureLabel::Detail,  StructureLabel::Column, StructureLabel::Other};
 
-constexpr std::size_t most_rooms = 14; // with a line each
+constexpr std::size_t max_rooms = 14; // with a line each
 
 /** @brief Returns a line on the content of a layer. */
 std::string
@@ -82,8 +82,8 @@ addRooms(const ViewedResult& result,
       rooms[room.id] = "  " + fixedText(room.area(), 1) + " m2";
   std::size_t told = 0;
   for (const auto& [room, area] : rooms) {
-    if (told++ == most_rooms) {
-      lines.push_back({"and " + std::to_string(rooms.size() - most_rooms) + " more"});
+    if (told++ == max_rooms) {
+      lines.push_back({"and " + std::to_string(rooms.size() - max_rooms) + " more"});
       return;
     }
     lines.push_back({"room " + std::to_string(room) + area, roomColour(room),

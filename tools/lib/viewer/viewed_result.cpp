@@ -66,7 +66,7 @@ readFile(const std::string& path, const ReadSettings& settings)
     result.solid_names.clear();
     result.notes.push_back(problem + ": its vertices are shown");
   }
-  DisplayCloud cloud = displayCloudOf(ScanFile(path), settings.most_points);
+  DisplayCloud cloud = displayCloudOf(ScanFile(path), settings.max_points);
   const bool is_structure = !cloud.labels.empty() || !cloud.rooms.empty();
   (is_structure ? result.structure : result.raw) = std::move(cloud);
   return result;
@@ -82,7 +82,7 @@ readScan(const ResultFolder& folder, const ReadSettings& settings, ViewedResult&
     return;
   }
   const ScanFile scan(path, folder.scanSettings());
-  result.raw = displayCloudOf(scan, settings.most_points);
+  result.raw = displayCloudOf(scan, settings.max_points);
   // Labels in a raw scan have an unknown meaning.
   result.raw.labels.clear();
   result.raw.rooms.clear();
@@ -165,7 +165,7 @@ readResult(const std::string& path, const ReadSettings& settings)
   result.name = path;
   if (folder.has("structure.pcd"))
     result.structure =
-        displayCloudOf(ScanFile(folder.file("structure.pcd")), settings.most_points);
+        displayCloudOf(ScanFile(folder.file("structure.pcd")), settings.max_points);
   if (folder.has("floorplan.json"))
     result.plan = *loadFloorplan(folder.file("floorplan.json"));
   result.mesh = folder.mesh("mesh.ply");

@@ -47,8 +47,8 @@ struct ViewedResult {
 
 /** @brief Settings for reading a result. */
 struct ReadSettings {
-  std::string scan;                  ///< raw scan; empty: from report.json
-  std::size_t most_points = 1000000; ///< maximum to show per cloud; 0: all
+  std::string scan;                 ///< raw scan; empty: from report.json
+  std::size_t max_points = 1000000; ///< maximum to show per cloud; 0: all
 };
 
 /** @brief Reads a result folder of pcl_sedr, or one file: a floor plan, a mesh, a solid

@@ -48,7 +48,7 @@ startsAlong(const Element& element, double run)
 fail(const Room& room, std::size_t wall, const std::string& why)
 {
   throw std::invalid_argument("Wall " + std::to_string(wall) + " of room '" +
-                              room.name + "' cannot lean: " + why);
+                              room.name + "' cannot be tilted: " + why);
 }
 
 std::vector<Face>
@@ -122,10 +122,10 @@ tiltWalls(Room& room, const std::vector<TiltedWall>& walls)
   std::vector<double> runs(room.outline.size(), 0.0);
   for (const TiltedWall& wall : walls)
     runs[wall.wall] = std::tan(wall.tilt);
-  const auto leans = [&](const auto& gap) { return runs[gap.wall] != 0.0; };
+  const auto is_tilted = [&](const auto& gap) { return runs[gap.wall] != 0.0; };
   for (const TiltedWall& wall : walls)
-    if (std::any_of(room.openings.begin(), room.openings.end(), leans) ||
-        std::any_of(room.niches.begin(), room.niches.end(), leans))
+    if (std::any_of(room.openings.begin(), room.openings.end(), is_tilted) ||
+        std::any_of(room.niches.begin(), room.niches.end(), is_tilted))
       fail(room, wall.wall, "it has an opening or a niche");
     else if (dot(room.floor.gradient, room.floor.gradient) > 0.0)
       fail(room, wall.wall, "the floor is not level");
@@ -135,9 +135,9 @@ tiltWalls(Room& room, const std::vector<TiltedWall>& walls)
   std::vector<Vec2> heads(n);
   for (std::size_t i = 0; i < n; ++i) {
     const Face& before = faces[(i + n - 1) % n];
-    const Face& leaning = faces[i].run != 0.0 ? faces[i] : before;
-    const Element wall = elementOf(room.outline, leaning.wall);
-    const double s = &leaning == &before ? lengthOf(wall) - kNear : kNear;
+    const Face& tilted = faces[i].run != 0.0 ? faces[i] : before;
+    const Element wall = elementOf(room.outline, tilted.wall);
+    const double s = &tilted == &before ? lengthOf(wall) - kNear : kNear;
     heads[i] = headOf(before, faces[i], faces[i].start.position, floor,
                       ceilingBeside(room, wall, s));
   }
@@ -146,10 +146,10 @@ tiltWalls(Room& room, const std::vector<TiltedWall>& walls)
   std::vector<SlabDetail> ceiling_parts;
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t next = (i + 1) % n;
-    const bool leans_out = faces[i].run < 0.0;
+    const bool tilts_out = faces[i].run < 0.0;
     const Vec2 foot[2] = {faces[i].start.position, faces[next].start.position};
-    const Vec2 start = leans_out ? heads[i] : foot[0];
-    const Vec2 end = leans_out ? heads[next] : foot[1];
+    const Vec2 start = tilts_out ? heads[i] : foot[0];
+    const Vec2 end = tilts_out ? heads[next] : foot[1];
     const Vec2 after = faces[next].run < 0.0 ? heads[next] : foot[1];
     if (i == 0 || faces[i].wall != faces[i - 1].wall)
       moved[faces[i].wall] = outline.size();
@@ -161,7 +161,7 @@ tiltWalls(Room& room, const std::vector<TiltedWall>& walls)
     const SlabDetail part = partOf(faces[i], {foot[0], foot[1], heads[next], heads[i]});
     if (std::abs(heightAt(part.slab, foot[1]) - floor) > kNear)
       fail(room, faces[i].wall, "its foot is not level");
-    (leans_out ? room.floor_details : ceiling_parts).push_back(part);
+    (tilts_out ? room.floor_details : ceiling_parts).push_back(part);
   }
   for (std::size_t i = 0; i < n; ++i)
     if (faces[i].run != 0.0 &&

@@ -107,17 +107,17 @@ struct Priors {
   double blur = 4;               ///< samples of a loop over which a corner is blurred
 
   // Thresholds of the share of an object that was seen.
-  double share_unseen = 0.05; ///< smaller shares count as nothing
-  double share_few = 0.15;    ///< seen through an opening
-  double share_little = 0.2;  ///< smaller shares may be strays
-  double share_some = 0.3;    ///< of an object before or around another
-  double share_part = 0.4;    ///< shown by one side of an object
-  double share_half = 0.5;    ///< seen of an existing wall
-  double share_clear = 0.6;   ///< seen of a wall that certainly exists
-  double share_closed = 0.7;  ///< seen of the back of a niche
-  double share_most = 0.8;    ///< seen of what certainly exists
-  double upright_ratio = 1.5; ///< ratio of areas that decides which axis is up
-  double corridor_ratio = 4;  ///< ratio of a corridor's wall area to its floor area
+  double share_unseen = 0.05;  ///< smaller shares count as nothing
+  double share_few = 0.15;     ///< seen through an opening
+  double share_little = 0.2;   ///< smaller shares may be strays
+  double share_some = 0.3;     ///< of an object before or around another
+  double share_part = 0.4;     ///< shown by one side of an object
+  double share_half = 0.5;     ///< seen of an existing wall
+  double share_clear = 0.6;    ///< seen of a wall that certainly exists
+  double share_closed = 0.7;   ///< seen of the back of a niche
+  double share_most = 0.8;     ///< seen of what certainly exists
+  double vertical_ratio = 1.5; ///< ratio of areas that decides which axis is up
+  double corridor_ratio = 4;   ///< ratio of a corridor's wall area to its floor area
   double clearly = 1.2; ///< factor by which a complex model must beat a simple one
 
   // Directions: small angles, in radians or as sines.

@@ -13,7 +13,7 @@ namespace pcl {
 namespace sedr {
 
 /** @brief A tilted wall face, or a vertical one near it that must not move. */
-struct LeaningFace {
+struct TiltedFace {
   Eigen::Vector2d start = Eigen::Vector2d::Zero(); ///< in plan, at height `head`
   Eigen::Vector2d end = Eigen::Vector2d::Zero();   ///< in plan, at height `head`
   double run = 0;  ///< metres to the left for each metre up: tangent of the tilt
@@ -32,7 +32,7 @@ struct LeaningFace {
  * Algorithms for vertical walls can therefore be used in that frame.
  *
  * @code
- * const Straightening map(leaningFaces(plan, tilts));
+ * const Straightening map(tiltedFaces(plan, tilts));
  * const Eigen::Vector3d there = map.straighten(p);
  * assert(map.back(there).isApprox(p));
  * @endcode
@@ -41,7 +41,7 @@ struct LeaningFace {
 class Straightening {
 public:
   Straightening() = default;
-  explicit Straightening(std::vector<LeaningFace> faces);
+  explicit Straightening(std::vector<TiltedFace> faces);
 
   bool isIdentity() const { return groups_.empty(); }
 
@@ -73,7 +73,7 @@ private:
   Eigen::Vector3d
   move(const Group& group, const Eigen::Vector3d& p, bool is_forth) const;
 
-  std::vector<LeaningFace> faces_;
+  std::vector<TiltedFace> faces_;
   std::vector<std::array<End, 2>> ends_; ///< the two ends of each face
   std::vector<Group> groups_;
 };
@@ -83,7 +83,7 @@ private:
 Floorplan straightened(const Floorplan& plan, const WallTilts& tilts);
 
 /** @brief Returns all straight walls as faces; none if no wall is tilted. */
-std::vector<LeaningFace> leaningFaces(const Floorplan& plan, const WallTilts& tilts);
+std::vector<TiltedFace> tiltedFaces(const Floorplan& plan, const WallTilts& tilts);
 
 } // namespace sedr
 } // namespace pcl

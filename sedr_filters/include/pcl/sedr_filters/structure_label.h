@@ -39,7 +39,7 @@ toString(StructureLabel label)
 }
 
 /** @brief The kind of a vertical surface of a room. */
-enum class UprightKind {
+enum class VerticalKind {
   Wall,           ///< from the floor to the ceiling, or to a niche
   WallAboveNiche, ///< from the top of a niche to the ceiling
   ColumnFace,

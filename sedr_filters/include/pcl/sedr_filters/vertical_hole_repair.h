@@ -23,7 +23,7 @@ struct RepairedStrip {
   };
 
   std::uint32_t room = 0;
-  UprightKind kind = UprightKind::Wall;
+  VerticalKind kind = VerticalKind::Wall;
   StructureLabel label = StructureLabel::Wall; ///< Wall, Column or Detail
   PlanElement element;
   std::vector<Column> columns; ///< of equal widths

@@ -28,7 +28,7 @@ using WallTilts = std::vector<WallTilt>;
 std::vector<double> wallRuns(const PlanRoom& room, const WallTilts& tilts);
 
 /** @brief Checks whether any wall of a room is tilted. */
-bool leans(const PlanRoom& room, const WallTilts& tilts);
+bool isTilted(const PlanRoom& room, const WallTilts& tilts);
 
 /** @brief Returns the boundary of a room at height `z`, with tilted walls at their
  * position there. Corners lie where two walls meet. If a wall has no length at that

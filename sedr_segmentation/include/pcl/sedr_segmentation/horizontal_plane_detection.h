@@ -27,7 +27,7 @@ struct LevelParameters {
   double maximum_tilt = radians(Priors().max_slab_tilt); ///< of a plane
   double minimum_area = 1.0; ///< square metres of occupied cells
   double minimum_room_height = Priors().min_headroom; ///< from a floor to its ceiling
-  double least_step =
+  double min_step =
       Priors().min_floor_step; ///< rooms whose slabs differ by less may share a level
   Priors priors;
   std::uint64_t seed = 1;
@@ -112,7 +112,7 @@ public:
     parameters_.priors = priors;
     parameters_.maximum_tilt = sedr::radians(priors.max_slab_tilt);
     parameters_.minimum_room_height = priors.min_headroom;
-    parameters_.least_step = priors.min_floor_step;
+    parameters_.min_step = priors.min_floor_step;
   }
   const sedr::Priors& getPriors() const { return parameters_.priors; }
 

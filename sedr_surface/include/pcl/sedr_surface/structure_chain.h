@@ -174,7 +174,7 @@ public:
   TriangleMesh inScanFrame(TriangleMesh mesh) const;
 
   /** @brief Returns the mesh with tilted walls, in the level frame like all results. */
-  TriangleMesh leanedMesh() const;
+  TriangleMesh tiltedMesh() const;
 
   /** @brief Returns the mesh in the frame of the scan. */
   TriangleMesh meshInScanFrame() const;
@@ -222,11 +222,11 @@ private:
 
   /** @brief Applies the tilts to the walls of the plan, and keeps the plan with
    * vertical walls for the following stages. */
-  void leanPlan();
+  void tiltPlan();
 
   /** @brief Moves the structure to the frame of the scan; the mesh is made in the other
    * frame. */
-  void leanStructure();
+  void tiltStructure();
   bool partRooms(StageReport& report);
   bool findPlanes(StageReport& report);
   double cellSizeThatFills() const;
@@ -353,7 +353,7 @@ private:
   };
 
   std::shared_ptr<const SightLines> sight_; ///< rays, in the frame of `cloud`
-  std::vector<LeaningFace> leaning_faces_;
+  std::vector<TiltedFace> tilted_faces_;
   std::shared_ptr<Floorplan> straight_plan_; ///< `plan` before tilts are applied
   StructureCloud::Ptr straight_structure_;   ///< `structure` before tilts are applied
   std::vector<ChainRoom> regions_;

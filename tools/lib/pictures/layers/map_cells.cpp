@@ -18,10 +18,10 @@ labelPlace(const CellSet& cells, double cell_size)
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   for (std::size_t i = 0; i < cells.size(); ++i)
     mean += grid.centre(cells[i]) / static_cast<double>(cells.size());
-  constexpr std::uint64_t most_cells = 4000000;
+  constexpr std::uint64_t max_cells = 4000000;
   const CellBox box = grown(boxOf(cells), 1);
   std::vector<float> depth; // squared distance of a cell from the edge of the set
-  if (box.count() <= most_cells)
+  if (box.count() <= max_cells)
     depth = squaredDistances(inverted(CellMask(cells, box)));
   const auto row = static_cast<std::size_t>(box.high.x - box.low.x + 1);
   Eigen::Vector2d best = mean;

@@ -15,16 +15,16 @@ constexpr double strip_gap = 0.15; ///< between strips in a line, metres
 constexpr double line_gap = 0.7;   ///< between lines, with the names of the strips
 
 const char*
-letterOf(UprightKind kind)
+letterOf(VerticalKind kind)
 {
   switch (kind) {
-  case UprightKind::ColumnFace:
+  case VerticalKind::ColumnFace:
     return "c";
-  case UprightKind::CeilingRiser:
+  case VerticalKind::CeilingRiser:
     return "d";
-  case UprightKind::FloorRiser:
+  case VerticalKind::FloorRiser:
     return "s";
-  case UprightKind::NicheSide:
+  case VerticalKind::NicheSide:
     return "n";
   default:
     return "";
@@ -83,15 +83,15 @@ std::vector<NamedStrip>
 nameStrips(const std::vector<RepairedStrip>& strips)
 {
   std::vector<NamedStrip> named;
-  std::map<std::pair<std::uint32_t, UprightKind>, std::size_t> count;
+  std::map<std::pair<std::uint32_t, VerticalKind>, std::size_t> count;
   for (const auto& strip : strips) {
     const auto isSameWall = [&](const NamedStrip& other) {
       return other.parts.front()->room == strip.room &&
-             other.kind() == UprightKind::Wall &&
+             other.kind() == VerticalKind::Wall &&
              other.element().start == strip.element.start &&
              other.element().end == strip.element.end;
     };
-    const auto wall = strip.kind == UprightKind::WallAboveNiche
+    const auto wall = strip.kind == VerticalKind::WallAboveNiche
                           ? std::find_if(named.begin(), named.end(), isSameWall)
                           : named.end();
     if (wall != named.end()) {
@@ -152,13 +152,13 @@ breakIntoLines(const std::vector<NamedStrip>& strips,
                double sheet_width,
                double sheet_height)
 {
-  constexpr int most_lines = 40;
+  constexpr int max_lines = 40;
   double whole = 0;
   for (const auto& strip : strips)
     whole += strip.length + strip_gap;
   StripLines best;
   double most = 0;
-  for (int count = 1; count <= most_lines; ++count) {
+  for (int count = 1; count <= max_lines; ++count) {
     StripLines lines = linesOf(strips, 1.05 * whole / count);
     const Eigen::Vector2d size = lines.view.size();
     const double scale = std::min(sheet_width / size.x(), sheet_height / size.y());

@@ -22,7 +22,7 @@ struct NamedStrip {
   double high = 0; ///< maximum z, metres
 
   const PlanElement& element() const { return parts.front()->element; }
-  UprightKind kind() const { return parts.front()->kind; }
+  VerticalKind kind() const { return parts.front()->kind; }
 };
 
 /** @brief Names the strips that have cells; the walls of a room in clockwise order.

@@ -159,7 +159,7 @@ modelPart(const ResultFolder& folder,
         embedded("solid", folder.has("model.glb") ? textOfFile(folder.file("model.glb"))
                                                   : meshToGlb(solid, plan));
   if (!mesh.empty()) {
-    const TriangleMesh reduced = reducedMesh(mesh, settings.most_triangles);
+    const TriangleMesh reduced = reducedMesh(mesh, settings.max_triangles);
     models += embedded("mesh", meshToGlb(reduced, plan));
     if (reduced.triangles.size() < mesh.triangles.size())
       note = "<p class=\"note\">The mesh is thinned for this page, from " +

@@ -64,13 +64,13 @@ unseenWalls(const PlanRoom& room)
 void
 addUnseenWalls(const Floorplan& plan, Advices& advices)
 {
-  constexpr std::size_t most_named = 6; // walls of a room
+  constexpr std::size_t max_named = 6; // walls of a room
   std::vector<std::string> rooms;
   for (const auto& room : plan.rooms) {
     std::vector<std::string> unseen = unseenWalls(room);
     if (unseen.empty())
       continue;
-    const std::size_t more = unseen.size() - std::min(unseen.size(), most_named);
+    const std::size_t more = unseen.size() - std::min(unseen.size(), max_named);
     unseen.resize(unseen.size() - more);
     rooms.push_back("room " + std::to_string(room.id) + ": " + joined(unseen, ", ") +
                     (more == 0 ? "" : " and " + std::to_string(more) + " more"));

@@ -60,14 +60,14 @@ histogramSvg(const DistanceStatistics& distances, double range)
   for (const auto count : distances.histogram)
     most = std::max(most, share(count));
   const double step = roundStep(std::max(most, 1e-4) / 2); // at least two grid lines
-  const double most_shown = std::max(most, step);
+  const double max_shown = std::max(most, step);
   const double slot = (width - left - right) / (static_cast<double>(bins) + 2);
-  const auto heightOf = [&](double s) { return (base - top) * s / most_shown; };
+  const auto heightOf = [&](double s) { return (base - top) * s / max_shown; };
 
   std::string svg = "<svg class=\"chart\" role=\"img\" aria-label=\"Histogram of "
                     "distances from the model\" viewBox=\"0 0 " +
                     number(width) + " " + number(height) + "\">\n";
-  for (double s = 0; s <= most_shown * 1.0001; s += step) {
+  for (double s = 0; s <= max_shown * 1.0001; s += step) {
     const double y = base - heightOf(s);
     svg +=
         "<line class=\"grid\" x1=\"" + number(left) + "\" x2=\"" +

@@ -23,8 +23,8 @@ struct Mapping {
   std::atomic<bool> has_lost{false};
 };
 
-constexpr std::size_t most_mappings = 4096;  // more files are not open at a time
-std::array<Mapping, most_mappings> mappings; // all that the handler may access
+constexpr std::size_t max_mappings = 4096;  // more files are not open at a time
+std::array<Mapping, max_mappings> mappings; // all that the handler may access
 std::atomic<std::uintptr_t> page_size{4096};
 
 /** @brief Replaces the unreadable page and all that follow by zeros. */
@@ -65,7 +65,7 @@ LostPages::LostPages(const void* begin, std::size_t size)
 {
   static std::once_flag once;
   std::call_once(once, installHandler);
-  for (; place_ < most_mappings; ++place_) {
+  for (; place_ < max_mappings; ++place_) {
     Mapping& mapping = mappings[place_];
     if (mapping.is_taken.exchange(true))
       continue;
@@ -78,7 +78,7 @@ LostPages::LostPages(const void* begin, std::size_t size)
 
 LostPages::~LostPages()
 {
-  if (place_ == most_mappings)
+  if (place_ == max_mappings)
     return;
   mappings[place_].end = 0;
   mappings[place_].is_taken = false;
@@ -87,7 +87,7 @@ LostPages::~LostPages()
 bool
 LostPages::any() const
 {
-  return place_ < most_mappings && mappings[place_].has_lost;
+  return place_ < max_mappings && mappings[place_].has_lost;
 }
 
 } // namespace tools

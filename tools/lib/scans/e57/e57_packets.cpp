@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t section_head = 32; // bytes
 constexpr std::uint64_t packet_head = 6;   // bytes before the lengths of the pieces
-constexpr std::uint64_t least_packet = 4;  // bytes of an empty one
+constexpr std::uint64_t min_packet = 4;    // bytes of an empty one
 constexpr std::size_t spare = 8;           // bytes after the end of a stream
 
 enum PacketType : std::uint8_t { IndexPacket = 0, DataPacket = 1, EmptyPacket = 2 };
@@ -63,7 +63,7 @@ public:
       packet.size = std::size_t{valueAt<std::uint16_t>(head + 2)} + 1;
       if (head[0] > EmptyPacket)
         refuse("is of the type " + text(head[0]) + ", which is unknown");
-      const std::size_t least = head[0] == DataPacket ? packet_head : least_packet;
+      const std::size_t least = head[0] == DataPacket ? packet_head : min_packet;
       if (packet.size < least || packet.size > packets_.end_ - place_)
         refuse("is said to have " + text(packet.size) + " bytes, " +
                text(packets_.end_ - place_) + " are left");

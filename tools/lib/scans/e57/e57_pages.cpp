@@ -49,11 +49,11 @@ E57Pages::E57Pages(const MappedFile& file)
   const auto xml_physical = valueAt<std::uint64_t>(file, 24);
   xml_size_ = valueAt<std::uint64_t>(file, 32);
   page_size_ = valueAt<std::uint64_t>(file, 40);
-  constexpr std::uint64_t least_page = 64;
+  constexpr std::uint64_t min_page = 64;
   constexpr std::uint64_t largest_page = std::uint64_t{1} << 24;
   if (version != 1)
     throw ToolError("it is of version " + number(version) + ", known is version 1");
-  if (page_size_ < least_page || page_size_ > largest_page)
+  if (page_size_ < min_page || page_size_ > largest_page)
     throw ToolError("its pages are said to have " + number(page_size_) + " bytes");
   if (length > file.size())
     throw ToolError("the file is cut off, its header promises " + number(length) +

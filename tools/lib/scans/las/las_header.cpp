@@ -31,7 +31,7 @@ constexpr std::array<PointFormat, 11> formats{{{20, 0},
                                                {59, 0},
                                                {67, 30}}};
 
-constexpr std::size_t least_header = 227; // of LAS 1.0 to 1.2
+constexpr std::size_t min_header = 227; // of LAS 1.0 to 1.2
 constexpr std::size_t header_of_1_4 = 375;
 constexpr unsigned newest_minor = 4;
 
@@ -72,15 +72,15 @@ text(std::uint64_t number)
 std::size_t
 checkedHeaderSize(const MappedFile& file, const std::string& path)
 {
-  if (file.size() < least_header)
+  if (file.size() < min_header)
     refuse(path, "the file is cut off, it has " + text(file.size()) + " bytes of the " +
-                     text(least_header) + " of its header");
+                     text(min_header) + " of its header");
   const unsigned major = file.data()[version_place];
   const unsigned minor = file.data()[version_place + 1];
   if (major != 1 || minor > newest_minor)
     refuse(path, "it is of version " + text(major) + "." + text(minor) +
                      ", known are 1.0 to 1.4");
-  const std::size_t needed = minor == newest_minor ? header_of_1_4 : least_header;
+  const std::size_t needed = minor == newest_minor ? header_of_1_4 : min_header;
   const std::size_t size = valueAt<std::uint16_t>(file, header_size_place);
   if (size < needed || size > file.size())
     refuse(path, "its header is said to have " + text(size) + " bytes, LAS 1." +

@@ -19,8 +19,8 @@ LasReader::LasReader(const MappedFile& file, const LasHeader& header)
     , header_(header)
     , rows_(header)
 {
-  constexpr std::size_t most_looked_at = 10000;
-  const std::size_t step = std::max<std::size_t>(1, size() / most_looked_at);
+  constexpr std::size_t max_looked_at = 10000;
+  const std::size_t step = std::max<std::size_t>(1, size() / max_looked_at);
   for (std::size_t i = 0; header_.colour_offset > 0 && i < size(); i += step)
     rows_.lookAt(pointIn(file_.data() + placeOf(i)));
 }

@@ -136,10 +136,10 @@ public:
       , header_(header)
       , rows_(header)
   {
-    constexpr std::size_t most_looked_at = 10000;
+    constexpr std::size_t max_looked_at = 10000;
     std::unique_ptr<LazStream> stream = takeStream(0);
     for (std::size_t i = 0;
-         header_.colour_offset > 0 && i < std::min(size(), most_looked_at); ++i)
+         header_.colour_offset > 0 && i < std::min(size(), max_looked_at); ++i)
       rows_.lookAt(stream->nextPoint());
     idle_.push_back(std::move(stream));
   }

@@ -17,9 +17,9 @@ namespace tools {
 
 namespace {
 
-constexpr std::size_t most_columns = 64;
-constexpr std::size_t most_lines_before = 20;
-using Numbers = std::array<double, most_columns>;
+constexpr std::size_t max_columns = 64;
+constexpr std::size_t max_lines_before = 20;
+using Numbers = std::array<double, max_columns>;
 
 bool
 partsColumns(char c, bool has_decimal_comma)
@@ -91,7 +91,7 @@ isPtx(const MappedFile& file)
   return std::all_of(head.begin(), head.end(), [&](std::size_t expected) {
     Numbers numbers{};
     return cursor.nextLine(line) &&
-           readColumns(line, false, most_columns, numbers.data()) == expected;
+           readColumns(line, false, max_columns, numbers.data()) == expected;
   });
 }
 
@@ -108,7 +108,7 @@ findFirstLine(const MappedFile& file)
 {
   FirstLine first;
   TextCursor cursor(file, sizeOfMark(file));
-  for (std::size_t k = 0; k < most_lines_before; ++k) {
+  for (std::size_t k = 0; k < max_lines_before; ++k) {
     first.begin = cursor.position();
     if (!cursor.nextLine(first.text))
       break;
@@ -118,7 +118,7 @@ findFirstLine(const MappedFile& file)
     Numbers numbers{};
     const std::size_t n = mayHoldNumbers(first.text)
                               ? readColumns(first.text, hasDecimalComma(first.text),
-                                            most_columns, numbers.data())
+                                            max_columns, numbers.data())
                               : 0;
     first.numbers.assign(numbers.begin(),
                          numbers.begin() + static_cast<std::ptrdiff_t>(n));
@@ -249,7 +249,7 @@ findColumns(const MappedFile& file, const std::string& path, const std::string& 
   columns.has_decimal_comma = linesHaveDecimalComma(file, first.begin);
   Numbers numbers{};
   const std::size_t n =
-      readColumns(first.text, columns.has_decimal_comma, most_columns, numbers.data());
+      readColumns(first.text, columns.has_decimal_comma, max_columns, numbers.data());
   first.numbers.assign(numbers.begin(),
                        numbers.begin() + static_cast<std::ptrdiff_t>(n));
   columns.names = namesIn(asked.empty() ? first.before : std::string_view(asked));

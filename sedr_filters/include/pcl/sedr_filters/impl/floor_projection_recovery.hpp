@@ -83,7 +83,7 @@ FloorProjectionRecovery<PointT>::findPlane(const Indices& floor_in_scope,
   const double length = plane.head<3>().norm();
   constexpr double steepest = 0.1; // cosine of the tilt, about 84 degrees
   if (!plane.allFinite() || !(length > 0) || std::abs(plane[2]) < steepest * length)
-    return fail(name, "the floor plane must not stand upright, its normal is (" +
+    return fail(name, "the floor plane must not stand vertical, its normal is (" +
                           std::to_string(plane[0]) + ", " + std::to_string(plane[1]) +
                           ", " + std::to_string(plane[2]) + ")");
   plane /= plane[2] < 0 ? -length : length;

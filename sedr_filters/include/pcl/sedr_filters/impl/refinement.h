@@ -42,7 +42,7 @@ struct RepairedPoint {
 };
 
 /** @brief The maximum number of cells of the surfaces of a plan: 16 GB of them. */
-constexpr double most_surface_cells = 2e8;
+constexpr double max_surface_cells = 2e8;
 
 /** @brief Returns why the surfaces of a plan cannot be divided into cells of `size`
  * metres (above 0), a sentence with the estimated number of cells; empty if they can.

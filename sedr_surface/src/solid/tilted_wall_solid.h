@@ -18,7 +18,7 @@ namespace sedr {
  * @param runs of each wall: metres into the room per metre of height
  * @param[in,out] solid with indices into layers.elements
  * @return an empty string, or what cannot be built, as the end of a sentence */
-std::string leanWalls(const RoomLayers& layers,
+std::string tiltWalls(const RoomLayers& layers,
                       const std::vector<double>& runs,
                       double head,
                       TriangleMesh& solid);

@@ -2,7 +2,7 @@
 #include "../planes/plane_pair.h"
 #include "../refit/patch_normals.h"
 
-#include "scan_lean.h"
+#include "scan_inclination.h"
 
 #include <Eigen/Geometry>
 
@@ -49,14 +49,14 @@ countSquareTo(const Eigen::Vector3d& direction,
 Eigen::Vector3d
 commonUp(const std::vector<Eigen::Vector3d>& normals, const Priors& priors)
 {
-  constexpr std::size_t most_tried = 400;
+  constexpr std::size_t max_tried = 400;
   std::vector<Eigen::Vector3d> level;
   for (const auto& n : normals)
     if (n.z() > 0.7071)
       level.push_back(n);
   Eigen::Vector3d best = Eigen::Vector3d::UnitZ();
   double most = 0;
-  const std::size_t step = level.size() / most_tried + 1;
+  const std::size_t step = level.size() / max_tried + 1;
   for (std::size_t k = 0; k < level.size(); k += step)
     if (const double along = countAlong(level[k], level, priors); along > most) {
       most = along;
@@ -75,17 +75,17 @@ commonUp(const std::vector<Eigen::Vector3d>& normals, const Priors& priors)
 
 } // namespace
 
-ScanLean
-leanOf(const PointView& points,
-       const std::vector<int>& indices,
-       unsigned threads,
-       const Priors& priors)
+ScanInclination
+inclinationOf(const PointView& points,
+              const std::vector<int>& indices,
+              unsigned threads,
+              const Priors& priors)
 {
   // Doubled after the scan is levelled, as thinning makes tilted planes uneven over
   // half a metre.
   const double patch_size = priors.patch;
   constexpr double times_more_level = 3;
-  constexpr double times_more_upright = 2;
+  constexpr double times_more_vertical = 2;
   const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   std::vector<Eigen::Vector3d> normals;
@@ -93,69 +93,70 @@ leanOf(const PointView& points,
     normals = normalsOf(points, indices, turn, patch, threads);
     turn = Eigen::Quaterniond::FromTwoVectors(commonUp(normals, priors), z) * turn;
   };
-  const auto isUpright = [&] {
+  const auto isVertical = [&] {
     return std::acos(std::clamp(turn(2, 2), -1.0, 1.0)) < 2 * priors.same_axis;
   };
-  ScanLean lean;
+  ScanInclination inclination;
   turnUp(patch_size);
-  if (isUpright())
-    return lean; // the common direction agrees with z
+  if (isVertical())
+    return inclination; // the common direction agrees with z
   turnUp(patch_size);
   const double level = countAlong(z, normals, priors);
   const Eigen::Vector3d was_z = turn * z;
   if (level * patch_size * patch_size < 4 * priors.min_slab_area ||
       level < times_more_level * countAlong(was_z, normals, priors) ||
       countSquareTo(z, was_z, normals, priors) <
-          times_more_upright * countSquareTo(was_z, z, normals, priors))
-    return lean;
+          times_more_vertical * countSquareTo(was_z, z, normals, priors))
+    return inclination;
   turnUp(2 * patch_size);
-  if (isUpright())
-    return lean;
-  lean.up = turn.transpose() * z;
-  lean.angle = std::acos(std::clamp(lean.up.z(), -1.0, 1.0));
-  lean.area = level * patch_size * patch_size;
-  return lean;
+  if (isVertical())
+    return inclination;
+  inclination.up = turn.transpose() * z;
+  inclination.angle = std::acos(std::clamp(inclination.up.z(), -1.0, 1.0));
+  inclination.area = level * patch_size * patch_size;
+  return inclination;
 }
 
 std::string
-leanProblem(const PointView& points,
-            const std::vector<int>& indices,
-            unsigned threads,
-            const Priors& priors)
+inclinationProblem(const PointView& points,
+                   const std::vector<int>& indices,
+                   unsigned threads,
+                   const Priors& priors)
 {
-  const ScanLean lean = leanOf(points, indices, threads, priors);
-  if (!(lean.angle > 0))
+  const ScanInclination inclination = inclinationOf(points, indices, threads, priors);
+  if (!(inclination.angle > 0))
     return {};
   // In a scan with y up, rotated about y, the tilted planes are walls. But the walls of
   // a corridor are larger than its floor, too.
-  const double times = priors.upright_ratio;
+  const double times = priors.vertical_ratio;
   const double times_of_rooms = priors.corridor_ratio;
   const Eigen::Matrix3d turn =
-      Eigen::Quaterniond::FromTwoVectors(lean.up, Eigen::Vector3d::UnitZ())
+      Eigen::Quaterniond::FromTwoVectors(inclination.up, Eigen::Vector3d::UnitZ())
           .toRotationMatrix();
   const PlanePair pair =
       bestPair(points, indices, turn, priors.min_headroom, priors.max_room_height);
   const SidePair side =
-      bestSidePair(points, indices, lean.up, pair.area() / times, 1, priors);
-  const Eigen::Vector3d axis = lean.up.cross(Eigen::Vector3d::UnitZ()).normalized();
-  const double degrees = lean.angle * 180 / M_PI;
-  std::array<char, 120> upright{};
-  std::snprintf(upright.data(), upright.size(), "%.4f,%.4f,0,%.4f", axis.x(), axis.y(),
-                lean.angle);
+      bestSidePair(points, indices, inclination.up, pair.area() / times, 1, priors);
+  const Eigen::Vector3d axis =
+      inclination.up.cross(Eigen::Vector3d::UnitZ()).normalized();
+  const double degrees = inclination.angle * 180 / M_PI;
+  std::array<char, 120> vertical{};
+  std::snprintf(vertical.data(), vertical.size(), "%.4f,%.4f,0,%.4f", axis.x(),
+                axis.y(), inclination.angle);
   std::array<char, 400> text{};
   if (side.area() > times * pair.area()) {
-    std::string problem = sideProblem(side, lean.up, pair);
+    std::string problem = sideProblem(side, inclination.up, pair);
     std::snprintf(text.data(), text.size(),
-                  "; or, if z is up and leans by %.1f degrees, %s", degrees,
-                  upright.data());
+                  "; or, if z is up and tilted by %.1f degrees, %s", degrees,
+                  vertical.data());
     return side.area() > times_of_rooms * pair.area() ? problem : problem + text.data();
   }
   std::snprintf(
       text.data(), text.size(),
-      "the scan leans: its floors and ceilings, %.0f square metres of planes, "
+      "the scan is inclined: its floors and ceilings, %.0f square metres of planes, "
       "stand at %.1f degrees to z, and its walls with them; turn it, for "
       "instance by pcl_transform_point_cloud IN OUT -axisangle %s",
-      lean.area, degrees, upright.data());
+      inclination.area, degrees, vertical.data());
   std::string problem = text.data();
   if (side.axis)
     problem += std::string("; or, if ") + side.axis + " is up, " + side.turn();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "leaning_walls.h"
+#include "tilted_wall_solid.h"
 
 #include "../triangulation/constrained_triangulation.h"
 
@@ -50,12 +50,12 @@ struct Surface {
   }
 };
 
-class Leaning {
+class TiltedSolid {
 public:
-  Leaning(const RoomLayers& layers,
-          const std::vector<double>& runs,
-          double head,
-          TriangleMesh& solid)
+  TiltedSolid(const RoomLayers& layers,
+              const std::vector<double>& runs,
+              double head,
+              TriangleMesh& solid)
       : layers_(layers)
       , runs_(runs)
       , head_(head)
@@ -95,12 +95,12 @@ private:
   {
     constexpr int rounds = 30;
     std::vector<Surface> surfaces;
-    bool does_lean = false;
+    bool is_tilted = false;
     for (const std::uint32_t element : elements) {
       surfaces.push_back(surfaceOf(element));
-      does_lean = does_lean || surfaces.back().run != 0;
+      is_tilted = is_tilted || surfaces.back().run != 0;
     }
-    if (!does_lean)
+    if (!is_tilted)
       return;
     Eigen::Vector3d way;
     for (Surface& surface : surfaces) {
@@ -149,7 +149,7 @@ private:
         }
       const std::string& name = layers_.elements[slab.element].name;
       if (is_folded && (slab.slab.curve || !triangulate(slab.element, is_ceiling)))
-        return name + " would be folded by walls that lean";
+        return name + " would be folded by tilted walls";
     }
     return {};
   }
@@ -225,12 +225,12 @@ private:
 } // namespace
 
 std::string
-leanWalls(const RoomLayers& layers,
+tiltWalls(const RoomLayers& layers,
           const std::vector<double>& runs,
           double head,
           TriangleMesh& solid)
 {
-  return Leaning(layers, runs, head, solid).run();
+  return TiltedSolid(layers, runs, head, solid).run();
 }
 
 } // namespace sedr

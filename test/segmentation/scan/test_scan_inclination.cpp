@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sedr_segmentation/src/scan/scan_lean.h"
+#include "sedr_segmentation/src/scan/scan_inclination.h"
 
 #include "turned_room.h"
 
@@ -43,23 +43,23 @@ namedTurn(const std::string& sentence)
   return Eigen::AngleAxisd(angle, Eigen::Vector3d(x, y, z).normalized());
 }
 
-TEST(ScanLean, OfALeaningRoomIsItsAngleAndAxis)
+TEST(ScanInclination, OfATiltedRoomIsItsAngleAndAxis)
 {
   for (const double noise : {0.0, 0.01})
     for (const double degrees : {4.0, 8.0, 25.0})
       for (const Eigen::Vector3d& axis :
            {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0.6, -0.8, 0)}) {
         const RoomPoints points = turnedRoom(degrees, axis, noise);
-        const ScanLean lean = leanOf(points.view(), points.all());
+        const ScanInclination inclination = inclinationOf(points.view(), points.all());
         const Eigen::Vector3d up =
             Eigen::AngleAxisd(degrees * M_PI / 180, axis) * Eigen::Vector3d::UnitZ();
-        EXPECT_NEAR(lean.angle * 180 / M_PI, degrees, 0.2);
-        EXPECT_GT(lean.up.dot(up), std::cos(0.2 * M_PI / 180));
-        EXPECT_GT(lean.area, 20) << "of 48 square metres of floor and ceiling";
+        EXPECT_NEAR(inclination.angle * 180 / M_PI, degrees, 0.2);
+        EXPECT_GT(inclination.up.dot(up), std::cos(0.2 * M_PI / 180));
+        EXPECT_GT(inclination.area, 20) << "of 48 square metres of floor and ceiling";
       }
 }
 
-TEST(ScanLean, IsTheSameForAnyNumberOfThreads)
+TEST(ScanInclination, IsTheSameForAnyNumberOfThreads)
 {
   // Every block has only a few points of each patch; the others are not finite.
   const RoomPoints room = turnedRoom(7, {0.6, -0.8, 0}, 0.01);
@@ -74,18 +74,18 @@ TEST(ScanLean, IsTheSameForAnyNumberOfThreads)
     for (int i = 1; i < apart; ++i)
       points.point(std::numeric_limits<double>::quiet_NaN(), 0, 0);
   }
-  const ScanLean one = leanOf(points.view(), points.all(), 1);
-  const ScanLean three = leanOf(points.view(), points.all(), 3);
+  const ScanInclination one = inclinationOf(points.view(), points.all(), 1);
+  const ScanInclination three = inclinationOf(points.view(), points.all(), 3);
   EXPECT_NEAR(one.angle * 180 / M_PI, 7, 0.2);
   EXPECT_EQ(one.up, three.up);
   EXPECT_EQ(one.angle, three.angle);
   EXPECT_EQ(one.area, three.area);
 }
 
-TEST(ScanLean, TheTurnThatIsNamedPutsTheScanRight)
+TEST(ScanInclination, TheTurnThatIsNamedPutsTheScanRight)
 {
   const RoomPoints points = turnedRoom(7, {0.6, -0.8, 0});
-  const std::string problem = leanProblem(points.view(), points.all());
+  const std::string problem = inclinationProblem(points.view(), points.all());
   EXPECT_NE(problem.find("stand at 7.0 degrees to z"), std::string::npos) << problem;
   const Eigen::Vector3d up =
       Eigen::AngleAxisd(7 * M_PI / 180, Eigen::Vector3d(0.6, -0.8, 0)) *
@@ -94,7 +94,7 @@ TEST(ScanLean, TheTurnThatIsNamedPutsTheScanRight)
   EXPECT_GT(put.z(), std::cos(0.1 * M_PI / 180));
 }
 
-TEST(ScanLean, WallsThatLeanBecauseAnotherAxisIsUpAreToldFromFloors)
+TEST(ScanInclination, TiltedWallsBecauseAnotherAxisIsUpAreToldFromFloors)
 {
   const PlanRoom plan = roomOf(rectangle(0, 0, 8, 6), 2.5);
   RoomPoints room;
@@ -108,8 +108,8 @@ TEST(ScanLean, WallsThatLeanBecauseAnotherAxisIsUpAreToldFromFloors)
         axis == 'y' ? points.point(p.y(), p.z(), p.x())
                     : points.point(p.z(), p.x(), p.y());
       }
-      EXPECT_GT(leanOf(points.view(), points.all()).angle, 0) << "its walls do";
-      const std::string problem = leanProblem(points.view(), points.all());
+      EXPECT_GT(inclinationOf(points.view(), points.all()).angle, 0) << "its walls do";
+      const std::string problem = inclinationProblem(points.view(), points.all());
       EXPECT_EQ(problem.rfind(std::string(1, axis) + " seems to be up, not z", 0), 0U)
           << problem;
       const Eigen::Vector3d put =
@@ -119,7 +119,7 @@ TEST(ScanLean, WallsThatLeanBecauseAnotherAxisIsUpAreToldFromFloors)
     }
 }
 
-TEST(ScanLean, AboutAnAxisOfCoordinatesIsStillALean)
+TEST(ScanInclination, AboutAnAxisOfCoordinatesIsStillATilt)
 {
   for (const Eigen::Vector2d& size :
        {Eigen::Vector2d(6, 4), Eigen::Vector2d(4, 6), Eigen::Vector2d(15, 2)})
@@ -127,12 +127,12 @@ TEST(ScanLean, AboutAnAxisOfCoordinatesIsStillALean)
                                         Eigen::Vector3d(Eigen::Vector3d::UnitY())}) {
       const RoomPoints points =
           turnedRoom(12, axis, 0, roomOf(rectangle(0, 0, size.x(), size.y()), 2.5));
-      const std::string problem = leanProblem(points.view(), points.all());
-      EXPECT_EQ(problem.rfind("the scan leans", 0), 0U) << problem;
+      const std::string problem = inclinationProblem(points.view(), points.all());
+      EXPECT_EQ(problem.rfind("the scan is inclined", 0), 0U) << problem;
     }
 }
 
-TEST(ScanLean, OfACorridorThatMayLieOnItsSideBothTurnsAreNamed)
+TEST(ScanInclination, OfACorridorThatMayLieOnItsSideBothTurnsAreNamed)
 {
   // Its walls are 2.4 m apart and larger than its floor: either y is up, or it is
   // tilted by 20 degrees.
@@ -145,31 +145,31 @@ TEST(ScanLean, OfACorridorThatMayLieOnItsSideBothTurnsAreNamed)
     const Eigen::Vector3d q = turn * Eigen::Vector3d(p.x(), p.z(), p.y());
     points.point(q.x(), q.y(), q.z());
   }
-  const std::string problem = leanProblem(points.view(), points.all());
-  EXPECT_EQ(problem.rfind("the scan leans", 0), 0U) << problem;
+  const std::string problem = inclinationProblem(points.view(), points.all());
+  EXPECT_EQ(problem.rfind("the scan is inclined", 0), 0U) << problem;
   EXPECT_NE(problem.find("; or, if y is up, 1,0,0,1.5708"), std::string::npos)
       << problem;
 }
 
-TEST(ScanLean, AnUprightRoomDoesNotLean)
+TEST(ScanInclination, AVerticalRoomIsNotTilted)
 {
   for (const double degrees : {0.0, 1.0, 2.5}) {
     const RoomPoints points = turnedRoom(degrees, {1, 1, 0}, 0.02);
-    EXPECT_EQ(leanProblem(points.view(), points.all()), "");
+    EXPECT_EQ(inclinationProblem(points.view(), points.all()), "");
   }
-  EXPECT_EQ(leanProblem(PointView(), {}), "");
+  EXPECT_EQ(inclinationProblem(PointView(), {}), "");
 }
 
-TEST(ScanLean, ASlopingRoofBetweenUprightWallsIsNone)
+TEST(ScanInclination, ASlopingRoofBetweenVerticalWallsIsNone)
 {
   PlanRoom attic = roomOf(rectangle(0, 0, 6, 4), 2.5);
   attic.ceiling = slabAt(2.2, 0, std::tan(20 * M_PI / 180));
   const RoomPoints points = turnedRoom(0, {1, 0, 0}, 0, attic);
-  EXPECT_EQ(leanProblem(points.view(), points.all()), "");
+  EXPECT_EQ(inclinationProblem(points.view(), points.all()), "");
   attic.floor = slabAt(0, 0, std::tan(6 * M_PI / 180)); // a ramp as well
   attic.ceiling = slabAt(2.2, 0, std::tan(6 * M_PI / 180));
   const RoomPoints ramp = turnedRoom(0, {1, 0, 0}, 0, attic);
-  EXPECT_EQ(leanProblem(ramp.view(), ramp.all()), "");
+  EXPECT_EQ(inclinationProblem(ramp.view(), ramp.all()), "");
 }
 
 } // namespace

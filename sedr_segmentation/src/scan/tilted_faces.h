@@ -19,9 +19,9 @@ namespace sedr {
  * @param threads 0: all processors; the result does not depend on it
  *
  * O(n log n). */
-std::vector<LeaningFace> leaningFaces(const PointView& points,
-                                      const std::vector<int>& indices,
-                                      unsigned threads = 1);
+std::vector<TiltedFace> tiltedFaces(const PointView& points,
+                                    const std::vector<int>& indices,
+                                    unsigned threads = 1);
 
 } // namespace sedr
 } // namespace pcl

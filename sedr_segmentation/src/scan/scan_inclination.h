@@ -13,7 +13,7 @@ namespace pcl {
 namespace sedr {
 
 /** @brief Orientation of a scan relative to z. */
-struct ScanLean {
+struct ScanInclination {
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ(); ///< unit normal of its floors
   double angle = 0; ///< between `up` and z, radians; 0 if the scan is not tilted
   double area = 0;  ///< area of the planes normal to `up`, square metres
@@ -24,20 +24,20 @@ struct ScanLean {
  * walls must be parallel to that direction rather than to z, so a sloping roof between
  * vertical walls is no tilt. For thinned points; uses half-metre patches, O(n log n).
  * @param threads 0: all processors */
-ScanLean leanOf(const PointView& points,
-                const std::vector<int>& indices,
-                unsigned threads = 1,
-                const Priors& priors = {});
+ScanInclination inclinationOf(const PointView& points,
+                              const std::vector<int>& indices,
+                              unsigned threads = 1,
+                              const Priors& priors = {});
 
 /** @brief Returns a sentence with numbers on how to correct a tilted scan; empty if it
  * is not tilted. If y or x is up, the tilted planes may be walls. The sentence then
  * reports that axis if it has a pair of planes, a room height apart, 1.5 times as large
  * as along the tilted direction. If the pairs are about equal, it names both rotations.
  * @param threads 0: all processors */
-std::string leanProblem(const PointView& points,
-                        const std::vector<int>& indices,
-                        unsigned threads = 1,
-                        const Priors& priors = {});
+std::string inclinationProblem(const PointView& points,
+                               const std::vector<int>& indices,
+                               unsigned threads = 1,
+                               const Priors& priors = {});
 
 } // namespace sedr
 } // namespace pcl

@@ -11,7 +11,7 @@ using namespace sedr_test;
 constexpr double degree = M_PI / 180;
 constexpr double height = 2.5;
 
-TEST(LeaningWalls, OneIntoTheRoomTakesATriangleOfEverySection)
+TEST(TiltedWallSolid, OneIntoTheRoomTakesATriangleOfEverySection)
 {
   const Solid solid(roomOf(rectangle(0, 0, 6, 4), height, 3), {},
                     {{3, 1, 12 * degree}});
@@ -23,7 +23,7 @@ TEST(LeaningWalls, OneIntoTheRoomTakesATriangleOfEverySection)
   EXPECT_NEAR(solid.areaOf("room_3_ceiling"), 4 * (6 - run * height), 1e-5);
 }
 
-TEST(LeaningWalls, MeetInCornersOfThreeSurfaces)
+TEST(TiltedWallSolid, MeetInCornersOfThreeSurfaces)
 {
   // Tilted in and out, turned, far away; the sections are (6 - a z) (4 - b z).
   const PlanLoop loop = placed(rectangle(0, 0, 6, 4), 23, {4000, -2500});
@@ -37,7 +37,7 @@ TEST(LeaningWalls, MeetInCornersOfThreeSurfaces)
               24 * h - (6 * b + 4 * a) * h * h / 2 + a * b * h * h * h / 3, 1e-4);
 }
 
-TEST(LeaningWalls, AtAnObliqueCornerStayInTheirPlanes)
+TEST(TiltedWallSolid, AtAnObliqueCornerStayInTheirPlanes)
 {
   // A triangle in plan: its sections are similar triangles.
   const PlanLoop loop = polygon({{0, 0}, {8, 0}, {2, 5}});
@@ -50,7 +50,7 @@ TEST(LeaningWalls, AtAnObliqueCornerStayInTheirPlanes)
   expectPiece(solid, loop.area() * height * (1 + top + top * top) / 3);
 }
 
-TEST(LeaningWalls, ARoundOneIsACone)
+TEST(TiltedWallSolid, ARoundOneIsACone)
 {
   const Solid solid(roomOf(circle({1, 2}, 3), height), {}, {{1, 0, -8 * degree}});
   expectSound(solid);
@@ -61,7 +61,7 @@ TEST(LeaningWalls, ARoundOneIsACone)
                 1e-6);
 }
 
-TEST(LeaningWalls, AFloorThatTheyReachOverIsTriangulatedAnew)
+TEST(TiltedWallSolid, AFloorThatTheyReachOverIsTriangulatedAnew)
 {
   // An L whose notch almost vanishes below the wall that tilts outwards.
   const PlanLoop l = polygon({{0, 0}, {6, 0}, {6, 3}, {5.2, 3}, {5.2, 4}, {0, 4}});
@@ -70,7 +70,7 @@ TEST(LeaningWalls, AFloorThatTheyReachOverIsTriangulatedAnew)
   expectPiece(solid, (6 * 3 + 5.2) * height - 3 * run * height * height / 2);
 }
 
-TEST(LeaningWalls, BelowARoofEndWhereItIs)
+TEST(TiltedWallSolid, BelowARoofEndWhereItIs)
 {
   PlanRoom room = roomOf(rectangle(0, 0, 6, 4), height);
   const Eigen::Vector3d normal = Eigen::Vector3d(0.2, 0, 1).normalized();
@@ -81,14 +81,14 @@ TEST(LeaningWalls, BelowARoofEndWhereItIs)
   expectPiece(solid, 4 * (6 * z + (6 - run * z) * (height + 0.2 * 6)) / 2);
 }
 
-TEST(LeaningWalls, StandVerticalWithAWarningWhereTheyWouldFoldAPlatform)
+TEST(TiltedWallSolid, StandVerticalWithAWarningWhereTheyWouldFoldAPlatform)
 {
   PlanRoom room = roomOf(rectangle(0, 0, 6, 4), height);
   room.floor_details = {detailOf(rectangle(3, 0, 6, 1), 0.3)};
   const Solid solid(room, {}, {{1, 1, -10 * degree}});
   expectSound(solid);
   if (solid.report.warnings.empty())
-    EXPECT_GT(solid.report.volume, 24 * height - 3 * 0.3 + 0.1) << "it leans out";
+    EXPECT_GT(solid.report.volume, 24 * height - 3 * 0.3 + 0.1) << "it is tilted out";
   else
     EXPECT_NEAR(solid.report.volume, 24 * height - 3 * 0.3, 1e-6);
 }

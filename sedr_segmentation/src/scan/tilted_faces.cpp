@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "leaning_faces.h"
+#include "tilted_faces.h"
 
 #include "../refit/patch_normals.h"
 
@@ -23,14 +23,14 @@ constexpr double cube_size = 0.4; // metres
 
 /** @brief Limits of the tilt. Less is construction tolerance or the drift of a mobile
  * scanner; more is a roof. */
-constexpr double least_lean = 5 * one_degree;
-constexpr double most_lean = 28 * one_degree;
+constexpr double min_tilt = 5 * one_degree;
+constexpr double max_tilt = 28 * one_degree;
 
 /** @brief Minimum height and area of a face, and maximum start above the floor, metres.
  */
-constexpr double least_height = 1.5;
-constexpr double least_area = 1.5;
-constexpr double most_above_floor = 1;
+constexpr double min_height = 1.5;
+constexpr double min_area = 1.5;
+constexpr double max_above_floor = 1;
 
 /** @brief A plane: unit normal . p = offset. */
 struct Plane {
@@ -79,7 +79,7 @@ public:
   explicit WallPatches(const std::vector<PlanePatch>& patches)
   {
     for (const PlanePatch& patch : patches)
-      if (std::abs(patch.normal.z()) < std::sin(most_lean + 3 * one_degree))
+      if (std::abs(patch.normal.z()) < std::sin(max_tilt + 3 * one_degree))
         patches_.push_back(patch);
     for (std::size_t i = 0; i < patches_.size(); ++i)
       cells_[cellOf(patches_[i].middle)].push_back(i);
@@ -102,7 +102,7 @@ public:
       std::vector<std::size_t> face = grown(seed);
       for (const std::size_t i : face)
         is_used_[i] = true;
-      if (static_cast<double>(face.size()) * cube_size * cube_size >= least_area)
+      if (static_cast<double>(face.size()) * cube_size * cube_size >= min_area)
         faces.push_back(std::move(face));
     }
     return faces;
@@ -154,7 +154,7 @@ private:
   std::vector<std::size_t>
   inPlane(std::size_t seed, const Plane& plane, double tolerance)
   {
-    constexpr double most_turn = 6 * one_degree;
+    constexpr double max_turn = 6 * one_degree;
     std::vector<std::size_t> face{seed};
     ++round_;
     reached_[seed] = round_;
@@ -167,7 +167,7 @@ private:
           continue;
         for (const std::size_t i : cell->second)
           if (!is_used_[i] && reached_[i] != round_ &&
-              std::abs(patches_[i].normal.dot(plane.normal)) > std::cos(most_turn) &&
+              std::abs(patches_[i].normal.dot(plane.normal)) > std::cos(max_turn) &&
               std::abs(plane.distance(patches_[i].middle)) < tolerance) {
             reached_[i] = round_;
             face.push_back(i);
@@ -195,7 +195,7 @@ quantile(std::vector<double> values, double share)
 
 /** @brief Fits a face to the points around its patches.
  * @return none if it is no wall that begins near the floor */
-std::optional<LeaningFace>
+std::optional<TiltedFace>
 faceOf(const WallPatches& patches,
        const std::vector<std::size_t>& members,
        const PointView& points,
@@ -222,7 +222,7 @@ faceOf(const WallPatches& patches,
     if (box.contains(p) && std::abs(plane.distance(p)) < reach)
       near.push_back(p);
     if (around.contains(p.head<2>().eval()) && p.z() < box.min().z() + 2 * cube_size &&
-        p.z() > box.min().z() - 2 * most_above_floor)
+        p.z() > box.min().z() - 2 * max_above_floor)
       below.push_back(p.z());
   }
   for (const double share : {1.0, 0.6}) {
@@ -232,7 +232,7 @@ faceOf(const WallPatches& patches,
         better.add(p, 1);
     plane = better.plane(plane.normal);
   }
-  if (std::abs(plane.normal.z()) > std::sin(most_lean))
+  if (std::abs(plane.normal.z()) > std::sin(max_tilt))
     return {};
   const Eigen::Vector2d left = plane.normal.head<2>().normalized();
   const Eigen::Vector2d way(left.y(), -left.x());
@@ -248,10 +248,10 @@ faceOf(const WallPatches& patches,
   const double low = quantile(heights, stray);
   const double high = quantile(heights, 1 - stray);
   const double floor = quantile(below, stray);
-  if (high - low < least_height || low - floor > most_above_floor)
+  if (high - low < min_height || low - floor > max_above_floor)
     return {};
-  LeaningFace face;
-  face.run = std::abs(plane.normal.z()) < std::sin(least_lean)
+  TiltedFace face;
+  face.run = std::abs(plane.normal.z()) < std::sin(min_tilt)
                  ? 0
                  : -plane.normal.z() / plane.normal.head<2>().norm();
   face.low = std::min(low, floor) - 0.1;
@@ -266,19 +266,19 @@ faceOf(const WallPatches& patches,
 
 } // namespace
 
-std::vector<LeaningFace>
-leaningFaces(const PointView& points, const std::vector<int>& indices, unsigned threads)
+std::vector<TiltedFace>
+tiltedFaces(const PointView& points, const std::vector<int>& indices, unsigned threads)
 {
-  constexpr double least_share = 0.6; // of the minimum tilt, for the tilt of patches
+  constexpr double min_share = 0.6; // of the minimum tilt, for the tilt of patches
   WallPatches patches(
       planesOf(points, indices, Eigen::Matrix3d::Identity(), cube_size, threads));
-  std::vector<LeaningFace> faces;
+  std::vector<TiltedFace> faces;
   std::vector<std::vector<std::size_t>> others; // used only if some wall is tilted
   for (std::vector<std::size_t>& members : patches.faces()) {
-    const bool may_lean = std::abs(patches.planeOf(members).normal.z()) >
-                          least_share * std::sin(least_lean);
+    const bool may_tilt =
+        std::abs(patches.planeOf(members).normal.z()) > min_share * std::sin(min_tilt);
     const auto face =
-        may_lean ? faceOf(patches, members, points, indices) : std::nullopt;
+        may_tilt ? faceOf(patches, members, points, indices) : std::nullopt;
     if (face && face->run != 0)
       faces.push_back(*face);
     else
