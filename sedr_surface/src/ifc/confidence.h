@@ -9,10 +9,10 @@ namespace pcl {
 namespace sedr {
 namespace ifc {
 
-/** @brief How far a surface may be trusted, from 0 to 1: the share of it that was seen,
- * less where points lie off it. A residual of up to 2 cm is what scanners and plaster
- * do; of twice that the confidence is half the share.
- * @param seen share, or less than 0 where it is not known: that is the result then
+/** @brief Returns the confidence of a surface, 0 to 1: the share of it that was seen,
+ * reduced where points lie off it. A residual of up to 2 cm is normal for scanners and
+ * plaster; at twice that the confidence is half of the share.
+ * @param seen share; below 0 if unknown, which is then the result
  * @param residual root mean square distance of the points, metres */
 inline double
 confidence(double seen, double residual)
@@ -21,7 +21,7 @@ confidence(double seen, double residual)
   return seen * std::min(1.0, tolerance / std::max(residual, tolerance));
 }
 
-/** @brief The confidence of a wall's face; -1 where nothing is known of it. */
+/** @brief Returns the confidence of a wall face; -1 if nothing is known of it. */
 inline double
 confidenceOf(const PlanElement& face)
 {

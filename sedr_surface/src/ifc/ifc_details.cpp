@@ -11,8 +11,8 @@ namespace sedr {
 namespace ifc {
 namespace {
 
-/** @brief The narrower side of the rectangle with a loop's area and length; 0 where
- * there is none. */
+/** @brief Returns the shorter side of the rectangle with the area and length of a loop;
+ * 0 if there is none. */
 double
 widthOf(const PlanLoop& loop)
 {
@@ -31,7 +31,7 @@ isBeam(const PlanDetail& detail)
          std::abs(detail.boundary.area()) >= min_slenderness * width * width;
 }
 
-/** @brief Writes what is between a detail and the slab it belongs to. */
+/** @brief Writes the volume between a detail and its slab. */
 void
 writeDetail(IfcDocument& document,
             const IfcRoom& written,

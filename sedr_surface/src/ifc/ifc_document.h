@@ -19,24 +19,24 @@ namespace ifc {
 /** @brief A named value of a property set. */
 using Property = std::pair<std::string, StepValue>;
 
-/** @brief A value of a quantity set: its kind is "LENGTH", "AREA" or "VOLUME". */
+/** @brief A value of a quantity set; its kind is "LENGTH", "AREA" or "VOLUME". */
 struct Quantity {
   const char* kind;
   std::string name;
   double value = 0;
 };
 
-/** @brief A room as it is being written. */
+/** @brief A room and the entities written for it so far. */
 struct IfcRoom {
   const PlanRoom* room = nullptr;
   std::size_t storey = 0; ///< index
   StepRef space;
   TriangleMesh solid;
-  std::vector<SolidElement> elements; ///< of the solid
+  std::vector<SolidElement> elements; ///< of its solid
   RoomSolidReport report;
 };
 
-/** @brief A storey as it is being written. */
+/** @brief A storey and the entities written for it so far. */
 struct IfcStorey {
   PlanStorey storey;
   StepRef ref;
@@ -45,8 +45,8 @@ struct IfcStorey {
   std::vector<StepRef> elements;
 };
 
-/** @brief An IFC file on its way: project and storeys stand, what is in them is added.
- */
+/** @brief An IFC file under construction. The project and its storeys exist from the
+ * start; their contents are added. */
 class IfcDocument {
 public:
   IfcDocument(const Floorplan& plan, const IfcSettings& settings, const Origin& origin);
@@ -61,11 +61,13 @@ public:
   StepRef body_context;
   StepRef axis_context;
 
-  /** @brief The GlobalId of an object by its name, which is unique in the model. */
+  /** @brief Returns the GlobalId of an object from its name, which is unique in the
+   * model. */
   std::string guid(const std::string& name) const;
 
-  /** @brief Adds an element to the storey of a room: `type` such as "IFCCOLUMN", with
-   * the attributes that all elements have, and those `more` that follow. */
+  /** @brief Adds an element to the storey of a room.
+   * @param type such as "IFCCOLUMN"
+   * @param more attributes that follow those of all elements */
   StepRef addElement(const std::string& type,
                      const std::string& name,
                      std::size_t storey,
@@ -83,16 +85,16 @@ public:
                      const std::string& set,
                      const std::vector<Quantity>& quantities);
 
-  /** @brief A relation of two objects, by the name that its GlobalId is made of. */
+  /** @brief Adds a relation between two objects; its GlobalId is made from its name. */
   StepRef relate(const std::string& type,
                  const std::string& name,
                  const StepValue& relating,
                  const StepValue& related);
 
-  /** @brief A body of swept solids or of a mesh, as a shape. */
+  /** @brief Returns a body of swept solids or of a mesh as a shape. */
   StepRef shapeOf(StepRef item, const std::string& type, const std::string& colour);
 
-  /** @brief Adds what joins spaces and elements to their storeys. */
+  /** @brief Adds the relations of spaces and elements to their storeys. */
   void finish();
 
 private:
@@ -103,7 +105,7 @@ private:
   void addRooms();
 };
 
-/** @brief Property values of the measures that Pset_SEDR has. */
+/** @brief Returns the measures of Pset_SEDR as property values. */
 StepValue lengthProperty(double metres);
 StepValue shareProperty(double share);
 StepValue countProperty(std::size_t count);

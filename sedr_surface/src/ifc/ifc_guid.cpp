@@ -18,7 +18,7 @@ guidText(const unsigned char (&bytes)[16])
   constexpr const char* letters =
       "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_$";
   std::string text;
-  // The first byte is two letters, each three that follow are four.
+  // The first byte gives two letters; every three further bytes give four.
   text += letters[bytes[0] >> 6];
   text += letters[bytes[0] & 63];
   for (int i = 1; i < 16; i += 3) {
@@ -34,7 +34,7 @@ guidText(const unsigned char (&bytes)[16])
 std::string
 guidOf(const std::string& name)
 {
-  // The names' space is SEDR's own: a random UUID.
+  // The name space is SEDR's own, a random UUID.
   static const boost::uuids::uuid space =
       boost::uuids::string_generator()("6f1c2a54-3f0b-4c8e-9d27-5b6f0e7a9c31");
   const boost::uuids::uuid uuid = boost::uuids::name_generator_sha1(space)(name);

@@ -7,13 +7,12 @@ namespace pcl {
 namespace sedr {
 namespace ifc {
 
-/** @brief The GlobalId of an IFC object that is known by a name: the name's UUID of
- * version 5 (RFC 4122), in the 22 letters that IFC writes it with. The same name gives
- * the same one, always. */
+/** @brief Returns the GlobalId for a name: the UUID of version 5 (RFC 4122) in the 22
+ * letters of IFC. The same name always gives the same GlobalId. */
 std::string guidOf(const std::string& name);
 
-/** @brief 16 bytes as IFC writes them: base 64 with letters of its own, the first one
- * of two bits. */
+/** @brief Encodes 16 bytes in IFC's own base 64, of which the first letter holds two
+ * bits. */
 std::string guidText(const unsigned char (&bytes)[16]);
 
 } // namespace ifc

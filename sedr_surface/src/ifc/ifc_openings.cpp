@@ -11,17 +11,17 @@ namespace sedr {
 namespace ifc {
 namespace {
 
-constexpr double overshoot = 0.1; ///< of an opening over both faces, metres
+constexpr double overshoot = 0.1; ///< of an opening beyond both faces, metres
 
-/** @brief A box in the frame of a wall, z from the wall's bottom. */
+/** @brief A box in the frame of a wall, with z from the wall's bottom. */
 struct OpeningBox {
   Eigen::AlignedBox2d plan;
   double bottom = 0;
   double top = 0;
 };
 
-/** @brief How far a wall reaches behind its face (negative y) in its frame, and before
- * it: a curved one has its chord on the x axis. */
+/** @brief Returns the extent of a wall behind its face (negative y) and in front of it,
+ * in its frame. The chord of a curved wall is on the x axis. */
 Eigen::AlignedBox2d
 boxOfWall(const Floorplan& plan, const PlanWall& wall)
 {
@@ -43,7 +43,8 @@ boxOfWall(const Floorplan& plan, const PlanWall& wall)
   return box;
 }
 
-/** @brief A doorway in a wall: a box across it, or nothing where it is not in it. */
+/** @brief Returns the box of a doorway across a wall; nothing if it is not in this
+ * wall. */
 bool
 boxIn(const Floorplan& plan,
       const WrittenWall& written,
@@ -100,7 +101,7 @@ isOf(const Floorplan& plan, const WallFace& face, const PlanDoorway& doorway)
   return id == doorway.rooms[0] || id == doorway.rooms[1];
 }
 
-/** @brief Whether a doorway may be in a wall by the rooms of both. */
+/** @brief Returns whether a doorway and a wall are between the same rooms. */
 bool
 isBetween(const Floorplan& plan, const PlanWall& wall, const PlanDoorway& doorway)
 {
@@ -137,8 +138,8 @@ loopAround(const Eigen::AlignedBox2d& box)
                  {box.min().x(), box.max().y()}});
 }
 
-/** @brief Puts a doorway into the walls that it leads through.
- * @return how many */
+/** @brief Adds a doorway to the walls that it passes through.
+ * @return the number of walls */
 std::size_t
 writeDoorway(IfcDocument& document,
              const std::vector<WrittenWall>& walls,
@@ -171,7 +172,7 @@ writeDoorway(IfcDocument& document,
   return count;
 }
 
-/** @brief Whether both rooms of a doorway end at it. */
+/** @brief Returns whether the doorway is at the boundary of both of its rooms. */
 bool
 joinsRooms(const Floorplan& plan, const PlanDoorway& doorway)
 {
@@ -186,7 +187,7 @@ joinsRooms(const Floorplan& plan, const PlanDoorway& doorway)
          }) == 2;
 }
 
-/** @brief Where rooms meet without a wall: both end at a virtual element. */
+/** @brief Adds a virtual element between rooms that meet without a wall. */
 void
 writePassage(IfcDocument& document, const PlanDoorway& doorway, const std::string& name)
 {
@@ -215,7 +216,7 @@ writePassage(IfcDocument& document, const PlanDoorway& doorway, const std::strin
   }
 }
 
-/** @brief The wall that a niche is in: that whose face is nearest to its middle. */
+/** @brief Returns the wall of a niche: the one whose face is nearest to its middle. */
 const WrittenWall*
 wallOf(const Floorplan& plan,
        const std::vector<WrittenWall>& walls,

@@ -10,40 +10,40 @@ namespace pcl {
 namespace sedr {
 namespace ifc {
 
-/** @brief A wall that stands in the file. */
+/** @brief A wall in the file. */
 struct WrittenWall {
   PlanWall wall;
   std::string name;
   std::size_t storey = 0;
   StepRef ref{};
-  StepRef placement{}; ///< of its frame, z from its bottom
+  StepRef placement{}; ///< of the wall's frame, z from its bottom
   double bottom = 0;   ///< metres
   double top = 0;
 };
 
-/** @brief A space a room, with quantities. */
+/** @brief Adds a space with quantities for each room. */
 void writeSpaces(IfcDocument& document);
 
-/** @brief The walls, with the spaces' boundaries on them. */
+/** @brief Adds the walls and the space boundaries on them. */
 std::vector<WrittenWall> writeWalls(IfcDocument& document);
 
-/** @brief Openings of doorways, recesses of niches. */
+/** @brief Adds openings for doorways and recesses for niches. */
 void writeOpenings(IfcDocument& document, const std::vector<WrittenWall>& walls);
 
-/** @brief Slabs of floors and of ceilings that no room is above. */
+/** @brief Adds slabs for floors, and for ceilings without a room above. */
 void writeSlabs(IfcDocument& document);
 
-/** @brief Columns, coverings, beams, platforms. */
+/** @brief Adds columns, coverings, beams and platforms. */
 void writeDetails(IfcDocument& document);
 
-/** @brief What a space ends at. */
+/** @brief The kind of a space boundary. */
 struct BoundaryKind {
-  const char* element = "PHYSICAL"; ///< or "VIRTUAL", where nothing is built
-  const char* side = "INTERNAL";    ///< or "NOTDEFINED": the other side was not seen
+  const char* element = "PHYSICAL"; ///< or "VIRTUAL" where nothing is built
+  const char* side = "INTERNAL";    ///< or "NOTDEFINED" if the other side was not seen
 };
 
-/** @brief A first-level boundary of a space.
- * @param geometry where they meet, or none */
+/** @brief Adds a first-level boundary of a space.
+ * @param geometry the common surface, or none */
 void writeBoundary(IfcDocument& document,
                    std::size_t room,
                    const std::string& element_name,
@@ -51,20 +51,21 @@ void writeBoundary(IfcDocument& document,
                    StepRef geometry,
                    const BoundaryKind& kind = {});
 
-/** @brief A vertical rectangle that a space ends at, in the place of its storey.
- * @param from,to its ends in plan, the space to the left of the way */
+/** @brief Returns a vertical rectangle at the edge of a space, relative to its storey.
+ * @param from,to ends in plan; the space is to the left of the direction between them
+ */
 StepRef rectangleOf(IfcDocument& document,
                     const Eigen::Vector2d& from,
                     const Eigen::Vector2d& to,
                     double bottom,
                     double height);
 
-/** @brief The triangles of a room's solid that are on some of its parts, by the names
- * of SolidElement. */
+/** @brief Returns the triangles of a room's solid that belong to some of its parts, by
+ * the names of SolidElement. */
 std::vector<std::size_t> trianglesOn(const IfcRoom& room,
                                      const std::vector<std::string>& names);
 
-/** @brief The name of a room's part: "room_1_wall". */
+/** @brief Returns the name of a part of a room: "room_1_wall". */
 std::string nameIn(const PlanRoom& room, const std::string& part);
 
 } // namespace ifc

@@ -10,7 +10,7 @@ namespace sedr {
 namespace ifc {
 namespace {
 
-constexpr double chord_tolerance = 0.0005; ///< that of the solid, metres
+constexpr double chord_tolerance = 0.0005; ///< as for the solid, metres
 
 std::vector<double>
 numbers(const Eigen::VectorXd& v)
@@ -25,8 +25,8 @@ hasArcs(const PlanLoop& loop)
                      [](const PlanElement& e) { return e.isArc(); });
 }
 
-/** @brief The elements of a loop, arcs of nearly half a circle and more in three: three
- * points on them do not tell them for sure. */
+/** @brief Returns the elements of a loop, with arcs of nearly half a circle or more
+ * divided in three, since three points do not define such an arc reliably. */
 std::vector<PlanElement>
 shortArcs(const PlanLoop& loop)
 {
@@ -40,7 +40,7 @@ shortArcs(const PlanLoop& loop)
   return parts;
 }
 
-/** @brief Indices count from 1. */
+/** @brief Converts to indices that count from 1. */
 StepValue
 indexOf(std::size_t point)
 {
@@ -167,7 +167,7 @@ IfcShapes::extrusion(const PlanLoop& boundary,
 StepRef
 IfcShapes::clipped(StepRef body, const Eigen::Vector3d& on, const Eigen::Vector3d& up)
 {
-  // Any direction along the plane will do for its x.
+  // The x axis may have any direction in the plane.
   const Eigen::Vector3d along = up.cross(Eigen::Vector3d::UnitY()).normalized();
   const StepRef frame = axes(on, up, along);
   const StepRef plane = step_.add("IFCPLANE", {frame});

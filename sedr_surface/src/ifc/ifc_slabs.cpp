@@ -18,9 +18,9 @@ namespace {
 constexpr double thinnest_slab = 0.05; ///< between two storeys, metres
 constexpr double thickest_slab = 1.0;
 
-/** @brief What is between a room's floor and the room below it. */
+/** @brief The slab between a room's floor and the room below. */
 struct SlabBelow {
-  std::size_t room = 0; ///< index of the one below
+  std::size_t room = 0; ///< index of the room below
   double thickness = 0;
 };
 
@@ -40,7 +40,7 @@ slabBelow(const Floorplan& plan, std::size_t room, const Eigen::Vector2d& spot)
   return nearest;
 }
 
-/** @brief Writes slabs and the boundaries on them. */
+/** @brief Writes slabs and the space boundaries on them. */
 class SlabWriter {
 public:
   explicit SlabWriter(IfcDocument& document)
@@ -71,8 +71,8 @@ private:
     return document_.storeys[document_.rooms[r].storey].storey.floor;
   }
 
-  /** @brief Adds a slab with a body, from z of the storey on.
-   * @param face what was seen of it */
+  /** @brief Adds a slab with a body, with z relative to the storey.
+   * @param face its visible surface */
   StepRef add(std::size_t r,
               const std::string& name,
               StepRef item,
@@ -158,7 +158,8 @@ private:
     writeBoundary(document_, r, name, slab, {}, {"PHYSICAL", "NOTDEFINED"});
   }
 
-  /** @brief The ceiling, its facets and recesses: all but what hangs below it. */
+  /** @brief Returns the parts of the ceiling with facets and recesses, without what
+   * hangs below. */
   std::vector<std::string> ceilingParts(std::size_t r) const
   {
     const IfcRoom& written = document_.rooms[r];
@@ -173,8 +174,8 @@ private:
     return parts;
   }
 
-  /** @brief The body on parts of a room: of a level ceiling with recesses up to one
-   * height, else as thick everywhere. */
+  /** @brief Returns the body above parts of a room. Above a level ceiling with recesses
+   * its top is level; else it has one thickness. */
   TriangleMesh
   bodyOn(std::size_t r, const std::vector<std::string>& parts, double thickness) const
   {
@@ -195,7 +196,7 @@ private:
   }
 
   IfcDocument& document_;
-  std::vector<std::vector<Slab>> slab_above_; ///< of each room: floors of those above
+  std::vector<std::vector<Slab>> slab_above_; ///< floors above each room
 };
 
 } // namespace

@@ -15,7 +15,7 @@ namespace sedr {
 namespace ifc {
 namespace {
 
-/** @brief Floor and ceiling of a room that is a prism. */
+/** @brief The heights of floor and ceiling of a room that is a prism. */
 struct Prism {
   double floor = 0;
   double ceiling = 0;
@@ -36,8 +36,8 @@ isApart(const PlanRoom& room, const PlanLoop& column)
   });
 }
 
-/** @brief Whether a swept profile is the room: level, without details and niches, and
- * of the volume of its solid. */
+/** @brief Returns whether a swept profile represents the room: it is level, without
+ * details and niches, and has the volume of its solid. */
 std::optional<Prism>
 prismOf(const IfcRoom& written)
 {
@@ -59,8 +59,8 @@ prismOf(const IfcRoom& written)
   return Prism{*floor, *ceiling};
 }
 
-/** @brief The shares of a room's walls that were seen, by length; less than 0 where
- * nothing is known. */
+/** @brief Returns the share of a room's walls that was seen, weighted by length; below
+ * 0 if unknown. */
 double
 seenShare(const PlanRoom& room)
 {
@@ -74,7 +74,7 @@ seenShare(const PlanRoom& room)
   return length > 0 ? seen / length : -1;
 }
 
-/** @brief That of floor, ceiling and walls, metres. */
+/** @brief Returns the largest residual of floor, ceiling and walls, metres. */
 double
 largestResidual(const PlanRoom& room)
 {
@@ -174,7 +174,7 @@ rectangleOf(IfcDocument& document,
             double height)
 {
   const Eigen::Vector2d way = (to - from).normalized();
-  // Its normal leads out of the space.
+  // Its normal points out of the space.
   const StepRef frame = document.shapes.axes(
       {from.x(), from.y(), bottom}, {way.y(), -way.x(), 0}, {way.x(), way.y(), 0});
   const StepRef plane = document.step.add("IFCPLANE", {frame});

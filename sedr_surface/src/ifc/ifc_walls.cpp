@@ -82,8 +82,8 @@ describe(IfcDocument& document, const WrittenWall& written)
   document.addProperties(written.ref, written.name, "Pset_SEDR", properties);
 }
 
-/** @brief The body of a wall, in its placement: swept, cut by the planes of a roof, or
- * triangles below ceilings that are neither. */
+/** @brief Returns the body of a wall in its placement: swept, cut by the planes of a
+ * roof, or else, below other ceilings, triangles. */
 StepRef
 bodyOf(IfcDocument& document, const PlanWall& wall, const WallHeights& heights)
 {

@@ -9,9 +9,9 @@ namespace ifc {
 
 namespace {
 
-constexpr double level = 0.001; ///< heights that differ by less are one, metres
+constexpr double level = 0.001; ///< smaller height differences are ignored, metres
 
-/** @brief How far the heights of a slab over a box are apart, by samples. */
+/** @brief Returns the range of a slab's heights over a box, from samples. */
 double
 spreadOf(const PlanSlab& slab, const Eigen::AlignedBox2d& box)
 {
@@ -52,7 +52,7 @@ boxOf(const PlanLoop& loop)
 bool
 hasSlopingCeiling(const PlanRoom& room)
 {
-  // Fits are tilted by some millimetres: that is no roof.
+  // Fitted planes may tilt by some millimetres without being a roof.
   constexpr double sloping = 0.03; // metres
   const auto slopes = [](const PlanSlab& slab, const PlanLoop& loop) {
     const Eigen::AlignedBox2d box = boxOf(loop);

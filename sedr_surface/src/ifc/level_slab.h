@@ -11,24 +11,25 @@ namespace pcl {
 namespace sedr {
 namespace ifc {
 
-/** @brief The height of a slab over a box, if it is level there to a millimetre, by
- * samples: a curve that is level at the corners is not. */
+/** @brief Returns the height of a slab over a box if it is level to a millimetre. It is
+ * sampled, since a curve may be level at the corners only. */
 std::optional<double> levelOf(const PlanSlab& slab, const Eigen::AlignedBox2d& box);
 
-/** @brief The box around a loop. */
+/** @brief Returns the box around a loop. */
 Eigen::AlignedBox2d boxOf(const PlanLoop& loop);
 
-/** @brief Whether a room's ceiling or a part of it is not level. */
+/** @brief Returns whether a room's ceiling or a part of it is not level. */
 bool hasSlopingCeiling(const PlanRoom& room);
 
-/** @brief Whether parts of a ceiling are above it: recesses, coffers. */
+/** @brief Returns whether parts of a ceiling lie above it: recesses, coffers. */
 bool hasRaisedDetails(const PlanRoom& room);
 
-/** @brief Whether parts of a floor are below it: pits. */
+/** @brief Returns whether parts of a floor lie below it: pits. */
 bool hasSunkenDetails(const PlanRoom& room);
 
-/** @brief Whether a detail is above (1), below (-1) or at (0) a slab, by their heights
- * at the middle of the detail's box. */
+/** @brief Compares the heights of a detail and a slab at the middle of the detail's
+ * box.
+ * @return 1 if the detail is above, -1 if below, 0 if at the same height */
 int sideOf(const PlanDetail& detail, const PlanSlab& slab);
 
 } // namespace ifc

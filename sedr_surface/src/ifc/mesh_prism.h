@@ -10,17 +10,17 @@ namespace pcl {
 namespace sedr {
 namespace ifc {
 
-/** @brief The closed body between some triangles of a mesh, none of them vertical, and
- * other heights above or below their vertices: a slab on a ceiling, a soffit below it.
- * Faces outwards. O(n log n).
+/** @brief Returns the closed body between some triangles of a mesh, none of them
+ * vertical, and other heights above or below their vertices: a slab on a ceiling, a
+ * soffit below it. Its faces are directed outwards. O(n log n).
  * @param triangles indices; none: an empty mesh
- * @param height_at the other height over a vertex, at least a millimetre off it and on
- * the same side of all */
+ * @param height_at the other height at a vertex, at least a millimetre away and on the
+ * same side everywhere */
 TriangleMesh prismOn(const TriangleMesh& mesh,
                      const std::vector<std::size_t>& triangles,
                      const std::function<double(const Eigen::Vector3d&)>& height_at);
 
-/** @brief A mesh with z counted from a height. */
+/** @brief Returns a mesh with z relative to a height. */
 TriangleMesh lowered(TriangleMesh mesh, double height);
 
 } // namespace ifc

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t no_letter = 0xffffffff;
 
-/** @brief The letter that begins at `at`, which is moved behind it. */
+/** @brief Returns the character at `at`, and moves `at` behind it. */
 std::uint32_t
 nextLetter(const std::string& utf8, std::size_t& at)
 {
@@ -109,7 +109,7 @@ StepFile::text(const std::string& description,
                const std::string& name,
                const std::string& schema) const
 {
-  // No time of day: the same plan gives the same bytes.
+  // No time stamp, so that the same plan gives the same bytes.
   return "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((" + stepText(description) +
          "),'2;1');\nFILE_NAME(" + stepText(name) +
          ",'1970-01-01T00:00:00',(''),(''),'SEDR','SEDR','');\nFILE_SCHEMA((" +

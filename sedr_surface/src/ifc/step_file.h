@@ -11,22 +11,23 @@ namespace pcl {
 namespace sedr {
 namespace ifc {
 
-/** @brief An instance of a STEP file, #1, #2, ...; 0 is none. */
+/** @brief The number of an instance in a STEP file: #1, #2, ...; 0 is none. */
 struct StepRef {
   std::size_t id = 0;
 
   bool isNone() const { return id == 0; }
 };
 
-/** @brief A text as STEP writes it (ISO 10303-21), in quotes: quotes and backslashes
- * doubled, what is not ASCII as \\X2\\00FC\\X0\\.
- * @param utf8 bytes that are no UTF-8 become "?" */
+/** @brief Returns a text as a STEP string (ISO 10303-21): in quotes, with quotes and
+ * backslashes doubled and characters beyond ASCII as \\X2\\00FC\\X0\\.
+ * @param utf8 bytes that are no valid UTF-8 become "?" */
 std::string stepText(const std::string& utf8);
 
-/** @brief A number as STEP writes it, with a point: "1.", "0.25"; ten decimals. */
+/** @brief Returns a number as in STEP, with a point and up to ten decimals: "1.",
+ * "0.25". */
 std::string stepReal(double value);
 
-/** @brief The value of an attribute, as it stands in the file. */
+/** @brief The value of an attribute, as written to the file. */
 class StepValue {
 public:
   StepValue(StepRef ref)
@@ -43,11 +44,11 @@ public:
   {}
   StepValue(const std::vector<StepRef>& refs);
   StepValue(const std::vector<double>& values);
-  StepValue(bool) = delete; ///< see logical()
+  StepValue(bool) = delete; ///< use logical()
 
-  /** @brief $: an optional attribute that has no value. */
+  /** @brief Returns $, for an optional attribute without a value. */
   static StepValue none() { return StepValue(Written{"$"}); }
-  /** @brief *: an attribute that a subtype derives. */
+  /** @brief Returns *, for an attribute that a subtype derives. */
   static StepValue derived() { return StepValue(Written{"*"}); }
   static StepValue logical(bool value) { return enumerated(value ? "T" : "F"); }
   static StepValue enumerated(const std::string& name)
@@ -58,7 +59,7 @@ public:
   {
     return StepValue(Written{std::to_string(value)});
   }
-  /** @brief A value whose type must be told: IFCLENGTHMEASURE(0.2). */
+  /** @brief Returns a value with its type: IFCLENGTHMEASURE(0.2). */
   static StepValue typed(const std::string& type, const StepValue& value)
   {
     return StepValue(Written{type + "(" + value.text_ + ")"});
@@ -78,7 +79,7 @@ private:
   std::string text_;
 };
 
-/** @brief The instances of a STEP file, in the order in which they were added. */
+/** @brief The instances of a STEP file, in the order of addition. */
 class StepFile {
 public:
   /** @param type such as "IFCWALL" */
@@ -86,8 +87,8 @@ public:
 
   std::size_t size() const { return count_; }
 
-  /** @brief The whole file.
-   * @param description of the header, such as the view definition
+  /** @brief Returns the complete file.
+   * @param description for the header, such as the view definition
    * @param name of the file, for the header
    * @param schema such as "IFC4" */
   std::string text(const std::string& description,

@@ -12,9 +12,9 @@ namespace sedr {
 namespace ifc {
 namespace {
 
-constexpr double off = 0.02; ///< of a wall, whose place is known to millimetres
+constexpr double off = 0.02; ///< distance from a wall, which is located to millimetres
 
-/** @brief A place beside a face, within its room. */
+/** @brief Returns a place beside a face, inside its room. */
 Eigen::Vector2d
 insideAt(const PlanElement& element, double s)
 {
@@ -22,7 +22,7 @@ insideAt(const PlanElement& element, double s)
   return place + off * inward;
 }
 
-/** @brief The rooms on the sides of a wall, and places in them along it. */
+/** @brief The rooms on both sides of a wall, and places in them along it. */
 struct Side {
   const PlanRoom* room = nullptr;
   const PlanElement* element = nullptr;
@@ -43,7 +43,7 @@ sidesOf(const Floorplan& plan, const PlanWall& wall)
   return sides;
 }
 
-/** @brief The slab that a wall ends below at a place: soffits are left out. */
+/** @brief Returns the slab above a wall at a place, without soffits. */
 const PlanSlab&
 slabAbove(const Side& side, const Eigen::Vector2d& p)
 {
@@ -52,8 +52,7 @@ slabAbove(const Side& side, const Eigen::Vector2d& p)
   return side.slopes || ceiling.heightAt(p) > main.heightAt(p) ? ceiling : main;
 }
 
-/** @brief The ceiling above a wall: places along it, and the slabs that it ends below.
- */
+/** @brief The ceiling above a wall: places along it, and the slabs there. */
 struct SlabsAbove {
   struct Place {
     Eigen::Vector2d at;
@@ -70,7 +69,8 @@ planeHeight(const Eigen::Vector4d& plane, const Eigen::Vector2d& p)
   return -(plane.head<2>().dot(p) + plane[3]) / plane[2];
 }
 
-/** @brief The planes above a wall where the lowest of them is its top everywhere. */
+/** @brief Returns the planes above a wall if its top is on the lowest of them
+ * everywhere. */
 std::vector<Eigen::Vector4d>
 roofOf(const SlabsAbove& above)
 {
@@ -101,7 +101,7 @@ roofOf(const SlabsAbove& above)
   return planes;
 }
 
-/** @brief Leaves out tops on the line between those before and after them. */
+/** @brief Removes tops on the line between their neighbours. */
 std::vector<WallHeights::Top>
 simplified(const std::vector<WallHeights::Top>& tops)
 {
@@ -128,7 +128,7 @@ arcPart(const PlanElement& arc, const Stretch& stretch)
                         std::min(stretch.to, arc.length()));
 }
 
-/** @brief An arc about the same centre at another radius. */
+/** @brief Returns the arc with the same centre and another radius. */
 PlanElement
 withRadius(PlanElement arc, double radius)
 {
@@ -189,7 +189,7 @@ heightsOf(const Floorplan& plan, const PlanWall& wall)
     for (const Side& side : sides) {
       const double along = &side == &sides[0] ? s : side.element->project(on_face);
       const Eigen::Vector2d p = insideAt(*side.element, along);
-      // What is above is asked for off the walls at its ends, too.
+      // The slab is looked up away from the walls at the ends of the face, too.
       const double last = std::max(side.element->length() - off, off);
       const PlanSlab& slab =
           slabAbove(side, insideAt(*side.element, std::clamp(along, off, last)));
@@ -286,7 +286,7 @@ meshOf(const Floorplan& plan, const PlanWall& wall, const WallHeights& heights)
       for (const double height : {0.0, z})
         mesh.vertices.emplace_back(p.x(), p.y(), height);
   }
-  // A section has four corners: near below and above, far below and above.
+  // A section has four corners: near bottom and top, far bottom and top.
   const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c,
                         std::uint32_t d) {
     mesh.triangles.push_back({a, b, c});

@@ -10,34 +10,34 @@ namespace pcl {
 namespace sedr {
 namespace ifc {
 
-/** @brief How high a wall is. */
+/** @brief The heights of a wall. */
 struct WallHeights {
   struct Top {
-    double along = 0; ///< share of its stretch, 0 to 1
+    double along = 0; ///< share of its length, 0 to 1
     double height = 0;
   };
 
-  double bottom = 0;     ///< the lowest floor beside it, metres
-  std::vector<Top> tops; ///< two of one height where it is level
-  /** The planes of a roof that the wall ends below, a x + b y + c z + d = 0, c > 0: the
-   * lowest of them is its top. None where the ceiling is level or curved, or where two
-   * parts of it do not meet in a ridge. */
+  double bottom = 0;     ///< of the lowest floor beside it, metres
+  std::vector<Top> tops; ///< two of equal height if it is level
+  /** Planes of a roof above the wall, a x + b y + c z + d = 0, c > 0; its top is on the
+   * lowest of them. Empty if the ceiling is level or curved, or if two parts of it do
+   * not meet in a ridge. */
   std::vector<Eigen::Vector4d> roof{};
 
-  /** @brief Whether it is as high all along its face. */
+  /** @brief Returns whether the wall has one height along its whole face. */
   bool isLevel() const { return tops.size() == 2 && tops[0].height == tops[1].height; }
-  /** @brief Whether its body is swept, and cut by a roof. */
+  /** @brief Returns whether the body is swept, possibly cut by a roof. */
   bool isSwept() const { return isLevel() || !roof.empty(); }
 
   double highest() const;
 };
 
-/** @brief The heights of the floors and ceilings on both sides of a wall: the higher
- * ceiling, soffits left out; below a sloping one the wall follows it. */
+/** @brief Returns the heights of a wall, from the floors and the higher ceiling beside
+ * it, without soffits. Below a sloping ceiling its top slopes too. */
 WallHeights heightsOf(const Floorplan& plan, const PlanWall& wall);
 
-/** @brief The plan of a wall in its frame, counter-clockwise. A wall all around a room
- * has a hole. */
+/** @brief The plan of a wall in its frame, counter-clockwise. A wall that
+ * surrounds a room has a hole. */
 struct WallProfile {
   PlanLoop boundary;
   std::vector<PlanLoop> holes;
@@ -45,11 +45,13 @@ struct WallProfile {
 
 WallProfile profileOf(const Floorplan& plan, const PlanWall& wall);
 
-/** @brief Above all of a wall's top, before its roof's planes cut it; metres. */
+/** @brief Returns a height above all tops of a wall, before roof planes cut it; metres.
+ */
 double
 heightAbove(const Floorplan& plan, const PlanWall& wall, const WallHeights& heights);
 
-/** @brief A wall whose top is not level, in its frame, z from its bottom. */
+/** @brief Returns a wall whose top is not level as a mesh in its frame, with z from its
+ * bottom. */
 TriangleMesh
 meshOf(const Floorplan& plan, const PlanWall& wall, const WallHeights& heights);
 
