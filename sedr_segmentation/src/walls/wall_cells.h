@@ -45,20 +45,18 @@ public:
       , low_(low)
       , cell_(cell)
       , columns_(partsOf(right - left))
-      , counts_(columns_ * partsOf(high - low), 0)
+      , rows_(partsOf(high - low))
+      , counts_(columns_ * rows_, 0)
   {}
 
   /** @brief Counts a point; one beside the cells is left out. The last of a row or a
-   * column may reach beyond the stretch. */
+   * column may reach beyond the stretch, and has the points at its end. */
   void add(double along, double up = 0)
   {
-    const double column = std::floor((along - left_) / cell_);
-    const double row = std::floor((up - low_) / cell_);
-    if (!(column >= 0) || !(row >= 0) || !(column < static_cast<double>(columns_)))
-      return;
-    const double at = row * static_cast<double>(columns_) + column;
-    if (at < static_cast<double>(counts_.size()))
-      ++counts_[static_cast<std::size_t>(at)];
+    const double column = partAt(along - left_, columns_);
+    const double row = partAt(up - low_, rows_);
+    if (column >= 0 && row >= 0)
+      ++counts_[static_cast<std::size_t>(row * static_cast<double>(columns_) + column)];
   }
 
   /** @brief Points of each cell, row by row. */
@@ -81,16 +79,28 @@ public:
   }
 
 private:
+  static constexpr double rounding = 1e-6; ///< of lengths, in cells
+
   /** @brief Cells that cover a length; what rounding adds to it makes no more. */
   std::size_t partsOf(double length) const
   {
-    return static_cast<std::size_t>(std::max(0.0, std::ceil(length / cell_ - 1e-6)));
+    return static_cast<std::size_t>(
+        std::max(0.0, std::ceil(length / cell_ - rounding)));
+  }
+
+  /** @brief Returns which of `parts` cells a place is in, -1 beside them. */
+  double partAt(double place, std::size_t parts) const
+  {
+    const double at = place / cell_;
+    const auto count = static_cast<double>(parts);
+    return at >= 0 && at <= count + rounding ? std::min(std::floor(at), count - 1) : -1;
   }
 
   double left_;
   double low_;
   double cell_;
   std::size_t columns_;
+  std::size_t rows_;
   std::vector<std::size_t> counts_;
 };
 

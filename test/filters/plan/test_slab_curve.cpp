@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/slab_curve.h>
+
 #include "plan_loops.h"
 
 #include "sedr_filters/src/base/plane_fit.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
-#include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_filters/straightening.h>
 
 #include <gtest/gtest.h>
@@ -91,24 +90,6 @@ TEST(Straightening, AWallBetweenTwoRoomsIsTiltedWithBothItsFaces)
   EXPECT_NEAR(map.straighten({4.05, 2, 0}).x(), 4.05 - shift, 1e-9);
   EXPECT_NEAR(map.back({4.05 - shift, 2, 0}).x(), 4.05, 1e-9);
   EXPECT_NEAR(map.straighten({8, 2, 0}).x(), 8, 1e-9) << "walls parallel to it stay";
-}
-
-TEST(WallTilts, AreWrittenInDegreesAndRead)
-{
-  const std::string json = floorplanToJson(obliquePlan());
-  EXPECT_EQ(withTilts(json, {}), json);
-  const std::string with = withTilts(json, two);
-  std::string problem;
-  const WallTilts read = tiltsFromJson(with, problem);
-  EXPECT_EQ(problem, "");
-  ASSERT_EQ(read.size(), 2u);
-  EXPECT_EQ(read[1].wall, 4u);
-  EXPECT_NEAR(read[1].tilt, 5 * degree, 1e-15);
-  EXPECT_EQ(floorplanFromJson(with, problem).rooms.size(), 1u);
-  EXPECT_EQ(problem, "");
-  EXPECT_TRUE(tiltsFromJson(json, problem).empty());
-  EXPECT_TRUE(tiltsFromJson(withTilts(json, {{1, 0, 50 * degree}}), problem).empty());
-  EXPECT_NE(problem, "");
 }
 
 } // namespace

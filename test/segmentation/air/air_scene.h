@@ -93,6 +93,21 @@ private:
   double degrees_;
 };
 
+/** Adds rooms of 4 m x 3 m and 3 m x 3 m, 10 cm of wall and a hole between them. */
+inline void
+addTwoRooms(AirScene& scene, Hole hole)
+{
+  for (const auto& [x0, x1] : {std::pair(0.05, 4.05), std::pair(4.15, 7.15)}) {
+    scene.slab(x0, 0.05, x1, 3.05, 0.01);
+    scene.slab(x0, 0.05, x1, 3.05, 2.51);
+    for (const double y : {0.05, 3.05})
+      scene.wall(x0, y, x1, y, 0.01, 2.51);
+  }
+  for (const double x : {0.05, 7.15})
+    scene.wall(x, 0.05, x, 3.05, 0.01, 2.51);
+  scene.partition(4.05, 0.05, 3.05, 0.01, 2.51, hole);
+}
+
 /** The air of a scene, with queries by places of the scene. */
 struct SceneAir {
   explicit SceneAir(const AirScene& of, unsigned threads = 1)

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_segmentation/building.h>
-
-#include "segmentation/air/air_scene.h"
+#include "building_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -11,47 +9,6 @@ namespace {
 
 using namespace pcl::sedr;
 using namespace sedr_test;
-
-/** The building that is found in a scene. */
-struct Found {
-  explicit Found(const AirScene& of, const BuildingParameters& parameters = {})
-      : scene(of)
-      , building(findBuilding(of.points.view(), {}, parameters, problem))
-  {}
-
-  /** Returns the room above a place, 0 for none. */
-  std::uint32_t roomAt(double x, double y, double z = 1) const
-  {
-    const Eigen::Vector2d p = scene.place(x, y);
-    const Cell cell = CellGrid(building.cell_size).at(p.x(), p.y());
-    for (const BuildingRoom& room : building.rooms)
-      for (const RoomColumn& column : room.columns)
-        if (column.cell == cell && column.floor < z && z < column.ceiling)
-          return room.id;
-    return 0;
-  }
-
-  const AirScene& scene;
-  std::string problem;
-  Building building;
-};
-
-/** Two rooms of 4 m x 3 m and 3 m x 3 m with a door of 0.9 m x 2.1 m between them. */
-AirScene
-flat(double degrees)
-{
-  AirScene scene(degrees);
-  for (const auto& [x0, x1] : {std::pair(0.05, 4.05), std::pair(4.15, 7.15)}) {
-    scene.slab(x0, 0.05, x1, 3.05, 0.01);
-    scene.slab(x0, 0.05, x1, 3.05, 2.51);
-    for (const double y : {0.05, 3.05})
-      scene.wall(x0, y, x1, y, 0.01, 2.51);
-  }
-  for (const double x : {0.05, 7.15})
-    scene.wall(x, 0.05, x, 3.05, 0.01, 2.51);
-  scene.partition(4.05, 0.05, 3.05, 0.01, 2.51, {1.05, 1.95, 2.11});
-  return scene;
-}
 
 TEST(FindBuilding, TellsRoomsTheirStoreyAndTheDoorBetweenThem)
 {
@@ -251,30 +208,6 @@ TEST(FindBuilding, WhateverTheShapeOfItsCeilingOrWallsARoomIsOne)
   EXPECT_EQ(Found(tilted).building.rooms.size(), 1u) << "a tilted wall";
 }
 
-TEST(FindBuilding, TellsWhatIsNoRoomAndWhy)
-{
-  AirScene scene;
-  scene.room(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
-  scene.slab(10.05, 0.05, 14.05, 4.05, 0.01); // a roof without walls
-  scene.slab(10.05, 0.05, 14.05, 4.05, 2.51);
-  scene.room(0.05, 5.05, 0.85, 5.85, 0.01, 2.51); // a shaft of 0.5 square metres
-  scene.room(5.05, 5.05, 8.05, 8.05, 0.01, 1.01); // a crawl space
-  const Found found(scene);
-  ASSERT_EQ(found.building.rooms.size(), 1u);
-  ASSERT_EQ(found.building.left_out.size(), 3u);
-  const LeftOut& roof = found.building.left_out[0];
-  EXPECT_NE(roof.reason.find("walls along 0 %"), std::string::npos) << roof.reason;
-  EXPECT_EQ(roof.kind, LeftOutKind::Open);
-  EXPECT_EQ(found.building.left_out[1].kind, LeftOutKind::Low);
-  EXPECT_EQ(found.building.left_out[2].kind, LeftOutKind::Void);
-  EXPECT_NEAR(roof.area, 16, 1);
-  EXPECT_NEAR((roof.at - Eigen::Vector2d(12, 2)).norm(), 0, 2);
-  EXPECT_NE(found.building.left_out[1].reason.find("square metres"), std::string::npos);
-  EXPECT_NEAR(found.building.left_out[1].area, 0.5, 0.1);
-  EXPECT_NE(found.building.left_out[2].reason.find("voids"), std::string::npos);
-  EXPECT_NEAR(found.building.left_out[2].area, 9, 0.6);
-}
-
 TEST(FindBuilding, EachFaceOfAThinSlabIsOfTheRoomThatSeesIt)
 {
   AirScene scene; // the larger room above
@@ -296,88 +229,6 @@ TEST(FindBuilding, EachFaceOfAThinSlabIsOfTheRoomThatSeesIt)
   }
   EXPECT_GT(right, 5000u);
   EXPECT_EQ(wrong, 0u);
-}
-
-TEST(FindBuilding, WhatWasSeenOnlyThroughPanesIsNoRoom)
-{
-  AirScene scene;
-  scene.room(0.05, 0.05, 4.05, 4.05, 0.01, 2.51);
-  scene.room(4.15, 0.05, 7.05, 4.05, 0.01, 2.51);
-  ASSERT_EQ(Found(scene).building.rooms.size(), 2u);
-  const auto roomsIf = [&](double share) { // of the second room's points
-    BuildingSight sight;
-    std::size_t k = 0;
-    for (int i = 0; i < static_cast<int>(scene.points.size()); ++i)
-      sight.behind.push_back(scene.points[i].x() > 4.1F &&
-                                     static_cast<double>(k++ % 100) < 100 * share
-                                 ? 1
-                                 : 0);
-    std::string problem;
-    return findBuilding(scene.points.view(), {}, {}, problem, sight);
-  };
-  EXPECT_EQ(roomsIf(0.5).rooms.size(), 2u) << "half of it was seen freely";
-  const Building building = roomsIf(1);
-  ASSERT_EQ(building.rooms.size(), 1u);
-  EXPECT_NEAR(building.rooms[0].area, 16, 1.5);
-  ASSERT_FALSE(building.left_out.empty());
-  EXPECT_EQ(building.left_out[0].kind, LeftOutKind::Mirror);
-  EXPECT_NE(building.left_out[0].reason.find("panes"), std::string::npos);
-}
-
-/** A glass front along x = 4.15: the area behind it has walls on one side only. */
-TEST(FindBuilding, WhatIsSeenThroughGlassIsNoRoom)
-{
-  AirScene scene;
-  scene.room(0.05, 0.05, 4.05, 4.05, 0.01, 2.51);
-  scene.slab(4.15, 0.05, 7.05, 4.05, 0.01);
-  scene.slab(4.15, 0.05, 7.05, 4.05, 2.51);
-  scene.wall(4.15, 0.05, 4.15, 4.05, 0.01, 2.51);
-  const Found found(scene);
-  ASSERT_EQ(found.building.rooms.size(), 1u);
-  EXPECT_EQ(found.building.left_out[0].kind, LeftOutKind::Open);
-}
-
-TEST(FindBuilding, TheEdgeOfAGalleryIsNoStair)
-{
-  AirScene scene;
-  scene.room(0.05, 0.05, 8.05, 6.05, 0.01, 5.51);
-  scene.slab(5.05, 0.05, 8.05, 6.05, 2.51);
-  scene.slab(5.05, 0.05, 8.05, 6.05, 2.81);
-  scene.wall(5.05, 0.05, 5.05, 6.05, 2.51, 2.81);
-  const Found found(scene);
-  EXPECT_EQ(found.building.storeys.size(), 2u);
-  EXPECT_TRUE(found.building.stairs.empty());
-}
-
-TEST(FindBuilding, ASmallPlaceOnTheFloorOfNoStoreyIsALanding)
-{
-  AirScene scene;
-  scene.room(0.05, 0.05, 6.05, 4.05, 0.01, 2.51);
-  scene.room(6.35, 0.05, 7.85, 2.05, 1.41, 4.01); // between two storeys
-  scene.room(6.35, 2.35, 7.85, 4.05, 0.51, 2.51); // a closet two steps up
-  const Found found(scene);
-  ASSERT_EQ(found.building.rooms.size(), 2u);
-  EXPECT_EQ(found.building.storeys.size(), 1u);
-  EXPECT_EQ(found.roomAt(7.1, 3.2), 2u);
-  ASSERT_FALSE(found.building.left_out.empty());
-  EXPECT_EQ(found.building.left_out[0].kind, LeftOutKind::Landing);
-  EXPECT_NEAR(found.building.left_out[0].area, 3, 0.4);
-
-  scene.room(6.35, 4.35, 9.35, 8.05, 1.41, 4.01); // now a level
-  EXPECT_EQ(Found(scene).building.rooms.size(), 4u);
-}
-
-TEST(FindBuilding, OfAScanWithoutRoomsTellsWhatWasLookedFor)
-{
-  AirScene scene;
-  scene.slab(0.05, 0.05, 4.05, 3.05, 0.01);
-  BuildingParameters parameters;
-  parameters.headroom = 1.9;
-  const Found found(scene, parameters);
-  EXPECT_TRUE(found.building.rooms.empty());
-  EXPECT_NE(found.problem.find("1.9 m"), std::string::npos) << found.problem;
-  EXPECT_NE(found.problem.find(std::to_string(scene.points.size())), std::string::npos);
-  EXPECT_NE(Found(AirScene()).problem, "");
 }
 
 TEST(FindBuilding, ASparseScanGetsLargerColumns)

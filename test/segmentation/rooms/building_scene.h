@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_segmentation/building.h>
+
+#include "segmentation/air/air_scene.h"
+
+#include <string>
+
+namespace sedr_test {
+
+/** The building that is found in a scene. */
+struct Found {
+  explicit Found(const AirScene& of,
+                 const pcl::sedr::BuildingParameters& parameters = {})
+      : scene(of)
+      , building(pcl::sedr::findBuilding(of.points.view(), {}, parameters, problem))
+  {}
+
+  /** Returns the room above a place, 0 for none. */
+  std::uint32_t roomAt(double x, double y, double z = 1) const
+  {
+    const Eigen::Vector2d p = scene.place(x, y);
+    const pcl::sedr::Cell cell =
+        pcl::sedr::CellGrid(building.cell_size).at(p.x(), p.y());
+    for (const pcl::sedr::BuildingRoom& room : building.rooms)
+      for (const pcl::sedr::RoomColumn& column : room.columns)
+        if (column.cell == cell && column.floor < z && z < column.ceiling)
+          return room.id;
+    return 0;
+  }
+
+  const AirScene& scene;
+  std::string problem;
+  pcl::sedr::Building building;
+};
+
+/** Two rooms of 4 m x 3 m and 3 m x 3 m with a door of 0.9 m x 2.1 m between them. */
+inline AirScene
+flat(double degrees)
+{
+  AirScene scene(degrees);
+  addTwoRooms(scene, {1.05, 1.95, 2.11});
+  return scene;
+}
+
+} // namespace sedr_test
