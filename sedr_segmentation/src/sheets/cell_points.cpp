@@ -40,6 +40,11 @@ CellPoints::CellPoints(const SheetGrid& grid,
       box.extend(*p);
     balls_[cell] = {box.center(), box.diagonal().norm() / 2};
   }
+  std::vector<Eigen::Vector3d> middles;
+  middles.reserve(balls_.size());
+  for (const CellBall& ball : balls_)
+    middles.push_back(ball.centre);
+  middles_ = rowsOf(middles);
 }
 
 std::vector<Eigen::Vector3d>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "shape_distance.h"
 #include "sheet_fit.h"
 
 #include <Eigen/Core>
@@ -43,6 +44,9 @@ public:
 
   const CellBall& ball(std::size_t cell) const { return balls_[cell]; }
 
+  /** @brief The middles of the balls of all cells. */
+  const std::vector<PointRow>& middles() const { return middles_; }
+
   /** @brief The points of some cells, no more than about `most`, evenly chosen. */
   std::vector<Eigen::Vector3d> pointsOf(const std::vector<std::size_t>& cells,
                                         std::size_t most) const;
@@ -60,6 +64,7 @@ private:
   std::vector<std::size_t> first_;
   std::vector<Eigen::Vector3d> points_;
   std::vector<CellBall> balls_;
+  std::vector<PointRow> middles_;
 };
 
 } // namespace sedr

@@ -95,17 +95,17 @@ private:
   FacetChoice chosen(const std::vector<FacetProposal>& proposals) const
   {
     const std::size_t count = cells_.grid().count();
-    std::vector<FacetCosts> costs(proposals.size());
+    std::vector<std::vector<CellCost>> near(proposals.size());
     forEach(proposals.size(),
-            [&](std::size_t k) { costs[k] = costsOf(proposals[k].slab, evidence_); });
+            [&](std::size_t k) { near[k] = cellsNear(proposals[k].slab, evidence_); });
     std::vector<float> lowest(count, 0);
     for (std::size_t cell = 0; cell < count; ++cell)
       if (isSeen(cell))
         lowest[cell] = evidence_.outlier();
     const auto gainOf = [&](std::size_t k) {
       double gain = -penaltyOf(parametersOf(proposals[k].kind));
-      for (std::size_t cell = 0; cell < count; ++cell)
-        gain += std::max(0.0F, lowest[cell] - costs[k].cost[cell]);
+      for (const auto& [cell, cost] : near[k])
+        gain += std::max(0.0F, lowest[cell] - cost);
       return gain;
     };
     // What a proposal gains falls with every one that is taken: gains of before are
@@ -117,21 +117,25 @@ private:
     for (;;) {
       const auto highest = std::max_element(gains.begin(), gains.end());
       if (highest == gains.end() || *highest <= 0)
-        return choice;
+        break;
       const auto best = static_cast<std::size_t>(highest - gains.begin());
       const double bound = *highest;
       *highest = gainOf(best);
       if (*highest < bound)
         continue;
       *highest = 0;
-      for (std::size_t cell = 0; cell < count; ++cell)
-        if (costs[best].cost[cell] < lowest[cell]) {
-          lowest[cell] = costs[best].cost[cell];
+      for (const auto& [cell, cost] : near[best])
+        if (cost < lowest[cell]) {
+          lowest[cell] = cost;
           choice.label[cell] = static_cast<std::int32_t>(choice.facets.size());
         }
       choice.facets.push_back(proposals[best]);
-      choice.costs.push_back(costs[best]);
     }
+    choice.costs.resize(choice.facets.size());
+    forEach(choice.facets.size(), [&](std::size_t k) {
+      choice.costs[k] = costsOf(choice.facets[k].slab, evidence_);
+    });
+    return choice;
   }
 
   std::vector<std::vector<std::size_t>> cellsOf(const FacetChoice& choice) const

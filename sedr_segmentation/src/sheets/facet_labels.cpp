@@ -74,19 +74,14 @@ private:
 
 } // namespace
 
+namespace {
+
+/** @brief What the points of a cell cost that are off a facet, if some are near it. */
 float
-costIn(std::size_t cell, const PlanSlab& facet, const FacetEvidence& evidence)
+costOfPoints(std::size_t cell, const PlanSlab& facet, const FacetEvidence& evidence)
 {
-  // Distances are true to first order: beyond twice the radius all points are off.
-  constexpr double surely = 2;
   const CellPoints& cells = evidence.cells;
   const double outlier = evidence.parameters.outlier;
-  const CellBall& ball = cells.ball(cell);
-  const double off = evidence.deviation * std::sqrt(2 * outlier);
-  if (cells.isEmpty(cell))
-    return 0;
-  if (std::abs(distanceOf(facet, ball.centre)) > surely * ball.radius + off)
-    return evidence.outlier();
   double sum = 0;
   for (const Eigen::Vector3d* p = cells.begin(cell); p != cells.end(cell); ++p) {
     const double share = distanceOf(facet, *p) / evidence.deviation;
@@ -94,6 +89,61 @@ costIn(std::size_t cell, const PlanSlab& facet, const FacetEvidence& evidence)
   }
   return static_cast<float>(evidence.weight() * sum /
                             static_cast<double>(cells.end(cell) - cells.begin(cell)));
+}
+
+/** @brief The distance from the middle of a cell's points beyond which all of them are
+ * outliers of a facet. */
+double
+farFrom(std::size_t cell, const FacetEvidence& evidence)
+{
+  // Distances are true to first order: beyond twice the radius all points are off.
+  constexpr double surely = 2;
+  return surely * evidence.cells.ball(cell).radius +
+         evidence.deviation * std::sqrt(2 * evidence.parameters.outlier);
+}
+
+/** @brief Calls `use(cell, cost)` for the cells of the domain with points. */
+template <typename Use>
+void
+forAllSeen(const PlanSlab& facet, const FacetEvidence& evidence, Use use)
+{
+  const CellPoints& cells = evidence.cells;
+  const float outlier = evidence.outlier();
+  ShapeValues distance;
+  std::size_t cell = 0;
+  for (const PointRow& row : cells.middles()) {
+    distancesOf(facet, row, distance);
+    for (Eigen::Index i = 0; i < row.size(); ++i, ++cell)
+      if (cells.isInside(cell) && !cells.isEmpty(cell))
+        use(cell, std::abs(distance[i]) > farFrom(cell, evidence)
+                      ? outlier
+                      : costOfPoints(cell, facet, evidence));
+  }
+}
+
+} // namespace
+
+std::vector<CellCost>
+cellsNear(const PlanSlab& facet, const FacetEvidence& evidence)
+{
+  std::vector<CellCost> near;
+  const float outlier = evidence.outlier();
+  forAllSeen(facet, evidence, [&](std::size_t cell, float cost) {
+    if (cost < outlier)
+      near.push_back({cell, cost});
+  });
+  return near;
+}
+
+float
+costIn(std::size_t cell, const PlanSlab& facet, const FacetEvidence& evidence)
+{
+  const CellPoints& cells = evidence.cells;
+  if (cells.isEmpty(cell))
+    return 0;
+  if (std::abs(distanceOf(facet, cells.ball(cell).centre)) > farFrom(cell, evidence))
+    return evidence.outlier();
+  return costOfPoints(cell, facet, evidence);
 }
 
 FacetCosts
@@ -104,12 +154,11 @@ costsOf(const PlanSlab& facet, const FacetEvidence& evidence)
   FacetCosts costs;
   costs.cost.assign(grid.count(), 0);
   costs.height.assign(grid.count(), 0);
-  for (std::size_t cell = 0; cell < grid.count(); ++cell) {
-    if (!cells.isInside(cell))
-      continue;
-    costs.height[cell] = static_cast<float>(facet.heightAt(grid.centre(cell)));
-    costs.cost[cell] = costIn(cell, facet, evidence);
-  }
+  for (std::size_t cell = 0; cell < grid.count(); ++cell)
+    if (cells.isInside(cell))
+      costs.height[cell] = static_cast<float>(facet.heightAt(grid.centre(cell)));
+  forAllSeen(facet, evidence,
+             [&](std::size_t cell, float cost) { costs.cost[cell] = cost; });
   return costs;
 }
 

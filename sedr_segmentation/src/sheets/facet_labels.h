@@ -16,6 +16,16 @@ struct FacetCosts {
   std::vector<float> height; ///< of each cell: z above its middle
 };
 
+/** @brief A cell, and what a facet costs there. */
+struct CellCost {
+  std::size_t cell;
+  float cost;
+};
+
+/** @brief The cells of the domain, increasing, whose points a facet explains in part:
+ * there it costs less than what no facet explains. O(n). */
+std::vector<CellCost> cellsNear(const PlanSlab& facet, const FacetEvidence& evidence);
+
 /** @brief What the points of a cell of the domain cost that are off a facet. */
 float costIn(std::size_t cell, const PlanSlab& facet, const FacetEvidence& evidence);
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shape_fit.h"
 
+#include "shape_distance.h"
+
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -100,121 +103,26 @@ biweight(double share)
   return std::abs(share) < 1 ? rest * rest : 0;
 }
 
-/** @brief Distances from a shape, and how they grow with its numbers. */
-class ShapeDistance {
-public:
-  ShapeDistance(ShapeKind kind, const PlanSlab& slab, const Eigen::Vector3d& about)
-      : kind_(kind)
-      , about_(about)
-      , plane_(slab.plane)
-  {
-    if (kind == ShapeKind::Plane)
-      return;
-    const SlabCurve& c = *slab.curve;
-    axis_ = c.axis;
-    aside_ = Eigen::Vector2d(-c.axis.y(), c.axis.x());
-    centre_ = Eigen::Vector3d(c.centre.x(), c.centre.y(), c.base);
-    const double along = c.kind == CurveKind::Ellipsoid ? 1 / c.along : 0;
-    inverse_ = Eigen::Vector3d(along, 1 / c.across, 1 / c.up);
-  }
-
-  /** @brief As distanceOf(). */
-  double operator()(const Eigen::Vector3d& p) const
-  {
-    if (kind_ == ShapeKind::Plane)
-      return plane_.head<3>().dot(p) + plane_[3];
-    return at(p).distance;
-  }
-
-  /** @brief The distance, and its derivative by each number. */
-  double operator()(const Eigen::Vector3d& p, Parameters& growth) const
-  {
-    if (kind_ == ShapeKind::Plane) {
-      const double distance = plane_.head<3>().dot(p) + plane_[3];
-      growth = -plane_[2] * Eigen::Vector3d(p.x() - about_.x(), p.y() - about_.y(), 1);
-      growth.head<2>() += distance * plane_[2] * plane_.head<2>();
-      return distance;
-    }
-    const Place place = at(p);
-    // The distance is (out^2 - out) / |slope|, all of the unit sphere. How it grows
-    // with x, y and z of the place, and with the three inverse extents.
-    const double outwards = (2 * place.out - 1) / (place.out * place.slope.norm());
-    const double turning = place.distance / place.slope.squaredNorm();
-    const Eigen::Vector3d by_place =
-        outwards * place.slope -
-        turning * place.slope.cwiseProduct(inverse_).cwiseProduct(inverse_);
-    Eigen::Vector3d by_extent = outwards * place.unit.cwiseProduct(place.local) -
-                                2 * turning * place.slope.cwiseProduct(place.unit);
-    // The crown stays where it is.
-    by_extent.z() -= by_place.z() / (inverse_.z() * inverse_.z());
-    switch (kind_) {
-    case ShapeKind::Cylinder:
-    case ShapeKind::EllipticCylinder:
-      growth.head<3>() << -by_place.y() * axis_.dot(p.head<2>() - about_.head<2>()),
-          -by_place.y(), -by_place.z();
-      if (kind_ == ShapeKind::Cylinder)
-        growth[3] = by_extent.y() + by_extent.z();
-      else
-        growth.tail<2>() = by_extent.tail<2>();
-      break;
-    case ShapeKind::Sphere:
-    default:
-      growth.head<2>() = -by_place.x() * axis_ - by_place.y() * aside_;
-      growth[2] = -by_place.z();
-      if (kind_ == ShapeKind::Sphere) {
-        growth[3] = by_extent.sum();
-        break;
-      }
-      growth[3] = by_place.x() * place.local.y() - by_place.y() * place.local.x();
-      growth.tail<3>() = by_extent;
-    }
-    return place.distance;
-  }
-
-private:
-  /** @brief A point in the frame of a curve. */
-  struct Place {
-    Eigen::Vector3d local; ///< metres: along the axis, to its left, up
-    Eigen::Vector3d unit;  ///< where the curve is the unit sphere, or cylinder
-    double out = 1;        ///< of there from the middle
-    Eigen::Vector3d slope; ///< how the square of `out` grows with `local`, halved
-    double distance = 0;
-  };
-
-  Place at(const Eigen::Vector3d& p) const
-  {
-    constexpr double at_axis = 1e-9;
-    Place place;
-    const Eigen::Vector3d off = p - centre_;
-    place.local << axis_.dot(off.head<2>()), aside_.dot(off.head<2>()), off.z();
-    place.unit = place.local.cwiseProduct(inverse_);
-    place.slope = place.unit.cwiseProduct(inverse_);
-    place.out = std::max(at_axis, place.unit.norm());
-    place.distance =
-        (place.out - 1) * place.out / std::max(at_axis, place.slope.norm());
-    return place;
-  }
-
-  ShapeKind kind_;
-  Eigen::Vector3d about_;
-  Eigen::Vector4d plane_;
-  Eigen::Vector2d axis_ = Eigen::Vector2d::UnitX();
-  Eigen::Vector2d aside_ = Eigen::Vector2d::UnitY();
-  Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
-  Eigen::Vector3d inverse_ = Eigen::Vector3d::Zero(); ///< of the extents; 0: endless
-};
-
-/** @brief Tukey's cost of all distances. */
+/** @brief Tukey's cost of all distances; where it is at least `most`, as much of it as
+ * shows that. */
 double
-costOf(const std::vector<Eigen::Vector3d>& points,
-       const ShapeDistance& distance,
-       double band)
+costOf(const std::vector<PointRow>& points,
+       const ShapeDistance& shape,
+       double band,
+       double most)
 {
   double cost = 0;
-  for (const Eigen::Vector3d& p : points) {
-    const double share = distance(p) / band;
-    const double rest = 1 - share * share;
-    cost += std::abs(share) < 1 ? 1 - rest * rest * rest : 1;
+  ShapeValues distance;
+  ShapeValues share;
+  for (const PointRow& row : points) {
+    shape.of(row, distance);
+    share = distance / band;
+    const ShapeValues rest = 1 - share * share;
+    distance = 1 - rest * rest * rest;
+    for (Eigen::Index i = 0; i < row.size(); ++i)
+      cost += std::abs(share[i]) < 1 ? distance[i] : 1;
+    if (cost >= most) // what follows costs 0 or more
+      break;
   }
   return cost;
 }
@@ -225,25 +133,49 @@ struct StepSums {
   Parameters right;
 };
 
+/** @brief Returns them for a shape of `Count` numbers. */
+template <int Count>
 StepSums
-sumsOf(const std::vector<Eigen::Vector3d>& points,
-       const ShapeDistance& distance,
-       double band,
-       Eigen::Index count)
+sumsOf(const std::vector<PointRow>& points, const ShapeDistance& shape, double band)
 {
-  StepSums sums{Normal::Zero(count, count), Parameters::Zero(count)};
-  Parameters row(count);
-  for (const Eigen::Vector3d& p : points) {
-    const double off = distance(p, row);
-    const double weight = biweight(off / band);
-    if (weight <= 0)
-      continue;
-    for (Eigen::Index column = 0; column < count; ++column)
-      for (Eigen::Index line = column; line < count; ++line)
-        sums.normal(line, column) += weight * row[line] * row[column];
-    sums.right -= weight * off * row;
+  Eigen::Matrix<double, Count, Count> normal =
+      Eigen::Matrix<double, Count, Count>::Zero();
+  Eigen::Matrix<double, Count, 1> right = Eigen::Matrix<double, Count, 1>::Zero();
+  ShapeValues distance;
+  std::array<ShapeValues, 7> growth;
+  for (const PointRow& row : points) {
+    shape.of(row, distance, growth);
+    for (Eigen::Index i = 0; i < row.size(); ++i) {
+      const double weight = biweight(distance[i] / band);
+      if (weight <= 0)
+        continue;
+      for (int column = 0; column < Count; ++column)
+        for (int line = column; line < Count; ++line)
+          normal(line, column) += weight * growth[static_cast<std::size_t>(line)][i] *
+                                  growth[static_cast<std::size_t>(column)][i];
+      for (int line = 0; line < Count; ++line)
+        right[line] -= weight * distance[i] * growth[static_cast<std::size_t>(line)][i];
+    }
   }
-  return sums;
+  return {normal, right};
+}
+
+StepSums
+sumsOf(const std::vector<PointRow>& points,
+       const ShapeDistance& shape,
+       double band,
+       int count)
+{
+  switch (count) {
+  case 3:
+    return sumsOf<3>(points, shape, band);
+  case 4:
+    return sumsOf<4>(points, shape, band);
+  case 5:
+    return sumsOf<5>(points, shape, band);
+  default:
+    return sumsOf<7>(points, shape, band);
+  }
 }
 
 } // namespace
@@ -286,10 +218,11 @@ refineShape(ShapeKind kind,
     return infinity;
   const Eigen::Vector3d about = meanOf(points);
   Parameters numbers = numbersOf(kind, slab, about);
-  double cost = costOf(points, {kind, slab, about}, band);
+  const std::vector<PointRow> rows = rowsOf(points);
+  double cost = costOf(rows, {kind, slab, about}, band, infinity);
   double damping = 1e-6;
   for (int step = 0; step < max_steps; ++step) {
-    const StepSums sums = sumsOf(points, {kind, slab, about}, band, numbers.size());
+    const StepSums sums = sumsOf(rows, {kind, slab, about}, band, parametersOf(kind));
     bool is_better = false;
     double gain = 0;
     for (int tries = 0; tries < 8 && !is_better; ++tries) {
@@ -300,7 +233,7 @@ refineShape(ShapeKind kind,
       PlanSlab there = slab;
       is_better = takeNumbers(kind, next, about, there);
       const double cost_there =
-          is_better ? costOf(points, {kind, there, about}, band) : infinity;
+          is_better ? costOf(rows, {kind, there, about}, band, cost) : infinity;
       is_better = cost_there < cost;
       damping = is_better ? damping / 10 : damping * 20 + 1e-9;
       if (!is_better)

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "shape_distance.h"
+
+#include <algorithm>
+
+namespace pcl {
+namespace sedr {
+
+std::vector<PointRow>
+rowsOf(const std::vector<Eigen::Vector3d>& points)
+{
+  std::vector<PointRow> rows;
+  rows.reserve(points.size() / row_size + 1);
+  for (std::size_t begin = 0; begin < points.size(); begin += row_size) {
+    const auto size = static_cast<Eigen::Index>(
+        std::min<std::size_t>(row_size, points.size() - begin));
+    rows.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      rows.back().at[k].resize(size);
+      for (Eigen::Index i = 0; i < size; ++i)
+        rows.back().at[k][i] =
+            points[begin + static_cast<std::size_t>(i)][static_cast<Eigen::Index>(k)];
+    }
+  }
+  return rows;
+}
+
+void
+distancesOf(const PlanSlab& slab, const PointRow& points, ShapeValues& distance)
+{
+  const auto& [x, y, z] = points.at;
+  const Eigen::Vector4d& plane = slab.plane;
+  if (!slab.curve) {
+    distance = plane[0] * x + plane[1] * y + plane[2] * z + plane[3];
+    return;
+  }
+  constexpr double at_middle = 1e-9;
+  const SlabCurve& c = *slab.curve;
+  distance.resize(points.size());
+  if (c.kind == CurveKind::Relief) {
+    for (Eigen::Index i = 0; i < points.size(); ++i)
+      distance[i] = c.distanceAbove({x[i], y[i], z[i]});
+    return;
+  }
+  const ShapeValues off_x = x - c.centre.x();
+  const ShapeValues off_y = y - c.centre.y();
+  const ShapeValues v = (c.axis.x() * off_y - c.axis.y() * off_x) / c.across;
+  const ShapeValues w = (z - c.base) / c.up;
+  const ShapeValues by_v = v / c.across;
+  const ShapeValues by_w = w / c.up;
+  ShapeValues out;
+  ShapeValues growth;
+  if (c.kind == CurveKind::Ellipsoid) {
+    const ShapeValues u = (c.axis.x() * off_x + c.axis.y() * off_y) / c.along;
+    const ShapeValues by_u = u / c.along;
+    out = (u * u + v * v + w * w).sqrt();
+    growth = (by_u * by_u + by_v * by_v + by_w * by_w).sqrt();
+  }
+  else {
+    out = (v * v + w * w).sqrt();
+    growth = (by_v * by_v + by_w * by_w).sqrt();
+  }
+  distance = (out - 1) * out / growth;
+  for (Eigen::Index i = 0; i < points.size(); ++i)
+    if (out[i] < at_middle)
+      distance[i] = -std::min(c.across, c.up);
+}
+
+ShapeDistance::ShapeDistance(ShapeKind kind,
+                             const PlanSlab& slab,
+                             const Eigen::Vector3d& about)
+    : kind_(kind)
+    , about_(about)
+    , plane_(slab.plane)
+{
+  if (kind == ShapeKind::Plane)
+    return;
+  const SlabCurve& c = *slab.curve;
+  axis_ = c.axis;
+  aside_ = Eigen::Vector2d(-c.axis.y(), c.axis.x());
+  centre_ = Eigen::Vector3d(c.centre.x(), c.centre.y(), c.base);
+  const double along = c.kind == CurveKind::Ellipsoid ? 1 / c.along : 0;
+  inverse_ = Eigen::Vector3d(along, 1 / c.across, 1 / c.up);
+}
+
+void
+ShapeDistance::of(const PointRow& points, ShapeValues& distance) const
+{
+  const auto& [x, y, z] = points.at;
+  if (kind_ == ShapeKind::Plane) {
+    distance = plane_[0] * x + plane_[1] * y + plane_[2] * z + plane_[3];
+    return;
+  }
+  Places places;
+  placesOf(points, places, distance);
+}
+
+void
+ShapeDistance::placesOf(const PointRow& points,
+                        Places& places,
+                        ShapeValues& distance) const
+{
+  constexpr double at_axis = 1e-9;
+  auto& [local, unit, slope, out, square] = places;
+  const auto& [x, y, z] = points.at;
+  local[0] = axis_.x() * (x - centre_.x()) + axis_.y() * (y - centre_.y());
+  local[1] = aside_.x() * (x - centre_.x()) + aside_.y() * (y - centre_.y());
+  local[2] = z - centre_.z();
+  for (std::size_t k = 0; k < 3; ++k) {
+    unit[k] = local[k] * inverse_[static_cast<Eigen::Index>(k)];
+    slope[k] = unit[k] * inverse_[static_cast<Eigen::Index>(k)];
+  }
+  const auto squareOf = [](const std::array<ShapeValues, 3>& v) {
+    return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+  };
+  out = squareOf(unit).sqrt().max(at_axis);
+  square = squareOf(slope);
+  distance = (out - 1) * out / square.sqrt().max(at_axis);
+}
+
+void
+ShapeDistance::of(const PointRow& points,
+                  ShapeValues& distance,
+                  std::array<ShapeValues, 7>& growth) const
+{
+  const auto& [x, y, z] = points.at;
+  if (kind_ == ShapeKind::Plane) {
+    of(points, distance);
+    growth[0] = -plane_[2] * (x - about_.x()) + distance * plane_[2] * plane_[0];
+    growth[1] = -plane_[2] * (y - about_.y()) + distance * plane_[2] * plane_[1];
+    growth[2].setConstant(points.size(), -plane_[2]);
+    return;
+  }
+  Places places;
+  placesOf(points, places, distance);
+  const auto& [local, unit, slope, out, square] = places;
+  // The distance is (out^2 - out) / |slope|, all of the unit sphere. How it grows with
+  // x, y and z of the place, and with the three inverse extents.
+  const ShapeValues outwards = (2 * out - 1) / (out * square.sqrt());
+  const ShapeValues turning = distance / square;
+  std::array<ShapeValues, 3> by_place;
+  std::array<ShapeValues, 3> by_extent;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double inverse = inverse_[static_cast<Eigen::Index>(k)];
+    by_place[k] = outwards * slope[k] - turning * (slope[k] * inverse * inverse);
+    by_extent[k] = outwards * (unit[k] * local[k]) - 2 * turning * (slope[k] * unit[k]);
+  }
+  // The crown stays where it is.
+  by_extent[2] -= by_place[2] / (inverse_.z() * inverse_.z());
+  switch (kind_) {
+  case ShapeKind::Cylinder:
+  case ShapeKind::EllipticCylinder:
+    growth[0] =
+        -by_place[1] * (axis_.x() * (x - about_.x()) + axis_.y() * (y - about_.y()));
+    growth[1] = -by_place[1];
+    growth[2] = -by_place[2];
+    if (kind_ == ShapeKind::Cylinder) {
+      growth[3] = by_extent[1] + by_extent[2];
+      break;
+    }
+    growth[3] = by_extent[1];
+    growth[4] = by_extent[2];
+    break;
+  case ShapeKind::Sphere:
+  default:
+    growth[0] = -by_place[0] * axis_.x() - by_place[1] * aside_.x();
+    growth[1] = -by_place[0] * axis_.y() - by_place[1] * aside_.y();
+    growth[2] = -by_place[2];
+    if (kind_ == ShapeKind::Sphere) {
+      growth[3] = by_extent[0] + by_extent[1] + by_extent[2];
+      break;
+    }
+    growth[3] = by_place[0] * local[1] - by_place[1] * local[0];
+    for (std::size_t k = 0; k < 3; ++k)
+      growth[4 + k] = by_extent[k];
+  }
+}
+
+} // namespace sedr
+} // namespace pcl
