@@ -76,7 +76,8 @@ repairHoles(const std::vector<SurfacePoint>& refined,
             const Floorplan& plan,
             double cell_size,
             std::vector<RepairedStrip>* strips,
-            std::map<std::uint32_t, UnseenShares>* unseen)
+            std::map<std::uint32_t, UnseenShares>* unseen,
+            unsigned threads)
 {
   std::map<std::uint32_t, std::vector<std::size_t>> points_of;
   for (std::size_t i = 0; i < refined.size(); ++i)
@@ -87,7 +88,7 @@ repairHoles(const std::vector<SurfacePoint>& refined,
     for (const std::size_t i : points_of[room.id])
       cells.occupy(refined[i], i);
     if (unseen)
-      (*unseen)[room.id] = unseenSharesOf(cells, refined);
+      (*unseen)[room.id] = unseenSharesOf(cells, refined, threads);
     if (strips)
       for (const auto& strip : cells.strips())
         strips->push_back(repairedStrip(strip, room.id, repaired.size()));

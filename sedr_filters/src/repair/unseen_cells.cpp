@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "unseen_cells.h"
 
+#include "../base/parallel.h"
+
 #include <pcl/kdtree/kdtree_flann.h>
 #include <pcl/point_types.h>
 
@@ -8,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 namespace pcl {
 namespace sedr {
@@ -33,16 +36,16 @@ public:
       tree_.setInputCloud(cloud_);
   }
 
-  /** @brief Appends the distance from each point to its nearest neighbour. */
-  void addDistances(std::vector<float>& distances)
+  std::size_t size() const { return cloud_->size(); }
+
+  /** @brief Returns the distance from the k-th of at least two points to its nearest
+   * neighbour. */
+  float spacingAt(std::size_t k) const
   {
-    if (cloud_->size() < 2)
-      return;
-    for (const auto& p : *cloud_)
-      distances.push_back(std::sqrt(squaredDistance(p, 2)));
+    return std::sqrt(squaredDistance((*cloud_)[k], 2));
   }
 
-  bool isWithin(const Eigen::Vector3d& place, double reach)
+  bool isWithin(const Eigen::Vector3d& place, double reach) const
   {
     return !cloud_->empty() && squaredDistance(local(place), 1) <= reach * reach;
   }
@@ -56,17 +59,17 @@ private:
   }
 
   /** @brief Returns the squared distance of the k-th nearest point. */
-  float squaredDistance(const pcl::PointXYZ& place, int k)
+  float squaredDistance(const pcl::PointXYZ& place, int k) const
   {
-    tree_.nearestKSearch(place, k, indices_, squared_);
-    return squared_.back();
+    pcl::Indices indices;
+    std::vector<float> squared;
+    tree_.nearestKSearch(place, k, indices, squared);
+    return squared.back();
   }
 
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud_{new pcl::PointCloud<pcl::PointXYZ>};
   pcl::KdTreeFLANN<pcl::PointXYZ> tree_;
-  pcl::Indices indices_;
-  std::vector<float> squared_;
 };
 
 /** @brief Returns half the diagonal of a square with the scan's spacing, metres; 0
@@ -118,24 +121,42 @@ shareOfWalls(const SurfaceCells& cells, const std::vector<std::uint8_t>& is_unse
 } // namespace
 
 UnseenShares
-unseenSharesOf(const SurfaceCells& cells, const std::vector<SurfacePoint>& points)
+unseenSharesOf(const SurfaceCells& cells,
+               const std::vector<SurfacePoint>& points,
+               unsigned threads)
 {
   const std::vector<std::size_t>& starts = cells.starts();
-  std::vector<std::unique_ptr<SeenPoints>> seen;
-  std::vector<float> distances;
-  for (std::size_t s = 0; s + 1 < starts.size(); ++s) {
-    seen.push_back(
-        std::make_unique<SeenPoints>(cells.cells(), starts[s], starts[s + 1], points));
-    seen.back()->addDistances(distances);
-  }
+  constexpr std::size_t block = 1024; // cells or points
+  std::vector<std::unique_ptr<const SeenPoints>> seen(starts.size() - 1);
+  parallelBlocks(seen.size(), 1, threads, [&](std::size_t s, std::size_t) {
+    seen[s] =
+        std::make_unique<SeenPoints>(cells.cells(), starts[s], starts[s + 1], points);
+  });
+  std::vector<std::pair<std::size_t, std::size_t>> spaced; // surfaces, their points
+  for (std::size_t s = 0; s < seen.size(); ++s)
+    for (std::size_t k = 0; k < seen[s]->size() && seen[s]->size() > 1; ++k)
+      spaced.emplace_back(s, k);
+  std::vector<float> distances(spaced.size());
+  parallelBlocks(spaced.size(), block, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i)
+                     distances[i] = seen[spaced[i].first]->spacingAt(spaced[i].second);
+                 });
   const double reach = reachOf(std::move(distances));
   std::vector<std::uint8_t> is_unseen(cells.cells().size(), 0);
-  for (std::size_t s = 0; s < seen.size(); ++s)
-    for (std::size_t c = starts[s]; c < starts[s + 1]; ++c) {
-      const SurfaceCell& cell = cells.cells()[c];
-      is_unseen[c] =
-          !cell.is_occupied && !seen[s]->isWithin(cell.centre.position, reach) ? 1 : 0;
-    }
+  parallelBlocks(
+      is_unseen.size(), block, threads, [&](std::size_t begin, std::size_t end) {
+        auto s = static_cast<std::size_t>(
+            std::upper_bound(starts.begin(), starts.end(), begin) - starts.begin() - 1);
+        for (std::size_t c = begin; c < end; ++c) {
+          while (c >= starts[s + 1])
+            ++s;
+          const SurfaceCell& cell = cells.cells()[c];
+          is_unseen[c] =
+              !cell.is_occupied && !seen[s]->isWithin(cell.centre.position, reach) ? 1
+                                                                                   : 0;
+        }
+      });
   UnseenShares shares;
   shares.surface =
       share(static_cast<std::size_t>(std::count(is_unseen.begin(), is_unseen.end(), 1)),

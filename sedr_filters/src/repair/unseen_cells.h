@@ -23,7 +23,8 @@ namespace sedr {
  *
  * O(c log c) for c cells. */
 UnseenShares unseenSharesOf(const SurfaceCells& cells,
-                            const std::vector<SurfacePoint>& points);
+                            const std::vector<SurfacePoint>& points,
+                            unsigned threads);
 
 } // namespace sedr
 } // namespace pcl

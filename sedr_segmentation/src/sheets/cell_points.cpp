@@ -40,6 +40,7 @@ CellPoints::CellPoints(const SheetGrid& grid,
       box.extend(*p);
     balls_[cell] = {box.center(), box.diagonal().norm() / 2};
   }
+  rows_ = rowsOf(points_);
   std::vector<Eigen::Vector3d> middles;
   middles.reserve(balls_.size());
   for (const CellBall& ball : balls_)
@@ -56,11 +57,14 @@ CellPoints::pointsOf(const std::vector<std::size_t>& cells, std::size_t most) co
   const std::size_t step = std::max<std::size_t>(1, (count + most - 1) / most);
   std::vector<Eigen::Vector3d> chosen;
   chosen.reserve(count / step + 1);
-  std::size_t k = 0;
-  for (const std::size_t cell : cells)
-    for (const Eigen::Vector3d* p = begin(cell); p != end(cell); ++p)
-      if (k++ % step == 0)
-        chosen.push_back(*p);
+  std::size_t before = 0; // points of the cells before
+  std::size_t next = 0;   // that is chosen
+  for (const std::size_t cell : cells) {
+    const std::size_t size = first_[cell + 1] - first_[cell];
+    for (; next < before + size; next += step)
+      chosen.push_back(points_[first_[cell] + next - before]);
+    before += size;
+  }
   return chosen;
 }
 

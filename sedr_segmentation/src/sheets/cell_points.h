@@ -42,6 +42,13 @@ public:
     return points_.data() + first_[cell + 1];
   }
 
+  /** @brief Number of the first point of a cell among all of them, which are sorted by
+   * cell; of the number of cells: how many points there are. */
+  std::size_t first(std::size_t cell) const { return first_[cell]; }
+
+  /** @brief All points, row_size in a row. */
+  const std::vector<PointRow>& rows() const { return rows_; }
+
   const CellBall& ball(std::size_t cell) const { return balls_[cell]; }
 
   /** @brief The middles of the balls of all cells. */
@@ -65,6 +72,7 @@ private:
   std::vector<Eigen::Vector3d> points_;
   std::vector<CellBall> balls_;
   std::vector<PointRow> middles_;
+  std::vector<PointRow> rows_;
 };
 
 } // namespace sedr

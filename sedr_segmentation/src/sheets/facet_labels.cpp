@@ -76,19 +76,21 @@ private:
 
 namespace {
 
-/** @brief What the points of a cell cost that are off a facet, if some are near it. */
+/** @brief What the points of a cell cost that are off a facet, if some are near it.
+ * @param distanceAt of the k-th of all points from the facet */
+template <typename DistanceAt>
 float
-costOfPoints(std::size_t cell, const PlanSlab& facet, const FacetEvidence& evidence)
+costOfPoints(std::size_t cell, const FacetEvidence& evidence, DistanceAt distanceAt)
 {
-  const CellPoints& cells = evidence.cells;
+  const std::size_t begin = evidence.cells.first(cell);
+  const std::size_t end = evidence.cells.first(cell + 1);
   const double outlier = evidence.parameters.outlier;
   double sum = 0;
-  for (const Eigen::Vector3d* p = cells.begin(cell); p != cells.end(cell); ++p) {
-    const double share = distanceOf(facet, *p) / evidence.deviation;
+  for (std::size_t k = begin; k < end; ++k) {
+    const double share = distanceAt(k) / evidence.deviation;
     sum += std::min(share * share / 2, outlier);
   }
-  return static_cast<float>(evidence.weight() * sum /
-                            static_cast<double>(cells.end(cell) - cells.begin(cell)));
+  return static_cast<float>(evidence.weight() * sum / static_cast<double>(end - begin));
 }
 
 /** @brief The distance from the middle of a cell's points beyond which all of them are
@@ -109,6 +111,16 @@ forAllSeen(const PlanSlab& facet, const FacetEvidence& evidence, Use use)
 {
   const CellPoints& cells = evidence.cells;
   const float outlier = evidence.outlier();
+  std::size_t known =
+      cells.rows().size(); // the row of points whose distances are known
+  ShapeValues distances;
+  const auto distanceAt = [&](std::size_t k) {
+    if (k / row_size != known) {
+      known = k / row_size;
+      distancesOf(facet, cells.rows()[known], distances);
+    }
+    return distances[static_cast<Eigen::Index>(k % row_size)];
+  };
   ShapeValues distance;
   std::size_t cell = 0;
   for (const PointRow& row : cells.middles()) {
@@ -117,7 +129,7 @@ forAllSeen(const PlanSlab& facet, const FacetEvidence& evidence, Use use)
       if (cells.isInside(cell) && !cells.isEmpty(cell))
         use(cell, std::abs(distance[i]) > farFrom(cell, evidence)
                       ? outlier
-                      : costOfPoints(cell, facet, evidence));
+                      : costOfPoints(cell, evidence, distanceAt));
   }
 }
 
@@ -143,7 +155,10 @@ costIn(std::size_t cell, const PlanSlab& facet, const FacetEvidence& evidence)
     return 0;
   if (std::abs(distanceOf(facet, cells.ball(cell).centre)) > farFrom(cell, evidence))
     return evidence.outlier();
-  return costOfPoints(cell, facet, evidence);
+  const Eigen::Vector3d* const points = cells.begin(cell);
+  return costOfPoints(cell, evidence, [&](std::size_t k) {
+    return distanceOf(facet, points[k - cells.first(cell)]);
+  });
 }
 
 FacetCosts

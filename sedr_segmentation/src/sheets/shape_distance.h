@@ -14,8 +14,9 @@ namespace sedr {
 
 /** @brief A row of at most `row_size` points or of values of theirs, one array each
  * of x, y and z: arithmetic takes several at once. */
-constexpr int row_size = 64;
-using ShapeValues = Eigen::Array<double, Eigen::Dynamic, 1, 0, row_size, 1>;
+constexpr std::size_t row_size = 64;
+using ShapeValues =
+    Eigen::Array<double, Eigen::Dynamic, 1, 0, static_cast<int>(row_size), 1>;
 
 struct PointRow {
   std::array<ShapeValues, 3> at;

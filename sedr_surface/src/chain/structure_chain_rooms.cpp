@@ -8,6 +8,7 @@
 
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/plan/plan_evidence.h"
+#include "sedr_filters/src/plan/room_lookup.h"
 #include "sedr_segmentation/src/niches/niche_fit.h"
 #include "sedr_segmentation/src/plan/room_territory.h"
 #include "sedr_segmentation/src/scan/scan_check.h"
@@ -30,7 +31,7 @@ constexpr double worth_word = 1;
 /** @brief Returns the distance of a height from the range of a room's ceiling heights
  * around a place, metres. On a slope, that range is wide. */
 double
-distanceFromCeiling(const PlanRoom& room,
+distanceFromCeiling(const RoomLookup& room,
                     const Eigen::Vector2d& place,
                     double size,
                     double height)
@@ -225,9 +226,10 @@ StructureChain::warnOfCeilings()
   for (const PlanRoom& room : plan->rooms) {
     const std::size_t region = room.id - 1;
     const bool has_facets = room.hasFacets();
+    const RoomLookup lookup(room);
     const PlanSlab& slab = regions_[region].ceiling_slab;
     const PlaceOff off = ceilingOff(region, [&](const Eigen::Vector2d& p, double z) {
-      return has_facets ? distanceFromCeiling(room, p, getBuilding().cell_size, z)
+      return has_facets ? distanceFromCeiling(lookup, p, getBuilding().cell_size, z)
                         : std::abs(z - slab.heightAt(p));
     });
     if (off.area < worth_word)

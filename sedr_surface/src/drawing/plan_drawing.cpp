@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pcl {
 namespace sedr {
@@ -83,21 +84,47 @@ piecesInside(const PlanElement& element, const PlanRoom& room)
   return pieces;
 }
 
-/** @brief Returns the distance from all edges; negative outside the loop or in an
- * obstacle. */
-double
-clearanceAt(const Eigen::Vector2d& p,
-            const PlanLoop& loop,
-            const std::vector<PlanLoop>& obstacles)
-{
-  double clearance = loop.distance(p);
-  bool is_free = loop.contains(p);
-  for (const PlanLoop& obstacle : obstacles) {
-    clearance = std::min(clearance, obstacle.distance(p));
-    is_free = is_free && !obstacle.contains(p);
+/** @brief A loop and what is in the way of a text in it. */
+class TextSpace {
+public:
+  TextSpace(const PlanLoop& loop, const std::vector<PlanLoop>& obstacles)
+      : loop_(loop)
+      , obstacles_(obstacles)
+  {
+    const auto add = [&](const PlanLoop& edges) {
+      for (const PlanElement& edge : edges.elements)
+        edges_.push_back(&edge);
+    };
+    add(loop);
+    std::for_each(obstacles.begin(), obstacles.end(), add);
   }
-  return is_free ? clearance : -clearance;
-}
+
+  /** @brief Returns the distance from all edges; negative outside the loop or in an
+   * obstacle. Where `isTooNear(distance)` of an edge holds, so of any lower number, it
+   * returns the distance of that edge. */
+  template <typename IsTooNear>
+  double clearanceAt(const Eigen::Vector2d& p, IsTooNear isTooNear)
+  {
+    double clearance = std::numeric_limits<double>::infinity();
+    for (const PlanElement*& edge : edges_) {
+      clearance = std::min(clearance, edge->distance(p));
+      if (!isTooNear(clearance))
+        continue;
+      std::swap(edge, edges_.front()); // is near the next place, too
+      return clearance;
+    }
+    const bool is_free =
+        loop_.contains(p) &&
+        std::none_of(obstacles_.begin(), obstacles_.end(),
+                     [&](const PlanLoop& obstacle) { return obstacle.contains(p); });
+    return is_free ? clearance : -clearance;
+  }
+
+private:
+  const PlanLoop& loop_;
+  const std::vector<PlanLoop>& obstacles_;
+  std::vector<const PlanElement*> edges_;
+};
 
 PlanLoop
 circleAbout(const Eigen::Vector2d& centre, double radius)
@@ -200,13 +227,16 @@ textSpotIn(const PlanLoop& loop, const std::vector<PlanLoop>& obstacles)
   const Eigen::Vector2d middle = box.center();
   TextSpot best{middle, 0};
   double best_score = -std::numeric_limits<double>::infinity();
+  TextSpace space(loop, obstacles);
   for (int round = 0; round < 3 && !box.isEmpty(); ++round) {
     const Eigen::Vector2d step = box.sizes() / steps;
     for (int i = 0; i <= steps; ++i)
       for (int j = 0; j <= steps; ++j) {
         const Eigen::Vector2d p = box.min() + step.cwiseProduct(Eigen::Vector2d(i, j));
-        const double clearance = clearanceAt(p, loop, obstacles);
-        const double score = clearance - pull * (p - middle).norm();
+        const double off = pull * (p - middle).norm();
+        const double clearance = space.clearanceAt(
+            p, [&](double distance) { return distance - off <= best_score; });
+        const double score = clearance - off;
         if (score <= best_score)
           continue;
         best_score = score;

@@ -21,7 +21,8 @@ extern const std::vector<std::string> drawing_names;
 void writeDrawings(OutputFolder& folder,
                    const Floorplan& plan,
                    const std::string& input,
-                   const DrawingSettings& settings = {});
+                   const DrawingSettings& settings = {},
+                   unsigned threads = 1);
 
 } // namespace tools
 } // namespace sedr

@@ -14,15 +14,18 @@
 #include "tool_cloud.h"
 #include "tool_error.h"
 
+#include "sedr_filters/src/base/parallel.h"
+#include "sedr_segmentation/src/scan/scan_check.h"
 #include "sedr_segmentation/src/scan/unit_check.h"
 #include <pcl/sedr_filters/floorplan_io.h>
-#include "sedr_segmentation/src/scan/scan_check.h"
 #include <pcl/sedr_surface/mesh_evaluation.h>
 #include <pcl/sedr_surface/mesh_io.h>
 
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <functional>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -266,10 +269,15 @@ makeModel(const ModelSettings& settings,
         timed("drawing", [&](StageReport&) { drawn = pictures->draw(); }));
   folder.fill([&] {
     record.stages.push_back(timed("writing", [&](StageReport& report) {
-      writeModel(folder, chain, !settings.no_mesh);
-      writeBuildingModel(folder, chain, settings);
-      writeDrawings(folder, *chain.getFloorplan(), settings.input,
-                    drawingSettings(chain, settings));
+      const std::function<void()> files[] = {
+          [&] { writeModel(folder, chain, !settings.no_mesh); },
+          [&] { writeBuildingModel(folder, chain, settings); },
+          [&] {
+            writeDrawings(folder, *chain.getFloorplan(), settings.input,
+                          drawingSettings(chain, settings), settings.threads);
+          }};
+      parallelBlocks(std::size(files), 1, settings.threads,
+                     [&](std::size_t k, std::size_t) { files[k](); });
       report.points_in = report.points_out = chain.getStructure()->size();
     }));
     writeWhole(folder.file("report.json"),

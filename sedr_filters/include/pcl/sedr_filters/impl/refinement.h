@@ -59,7 +59,8 @@ repairHoles(const std::vector<SurfacePoint>& refined,
             const Floorplan& plan,
             double cell_size,
             std::vector<RepairedStrip>* strips = nullptr,
-            std::map<std::uint32_t, UnseenShares>* unseen = nullptr);
+            std::map<std::uint32_t, UnseenShares>* unseen = nullptr,
+            unsigned threads = 1);
 
 } // namespace sedr
 } // namespace pcl

@@ -51,10 +51,10 @@ VerticalHoleRepair<PointT>::applyFilter(PointCloud& output)
   // Refined points already lie on the plan: this step finds their surface and normal.
   constexpr double on_surface = 0.01;
   const sedr::Refinement refined = sedr::refineToPlan(
-      sedr::PointView(*input_), *indices_, labels, rooms, *plan_, on_surface, 1);
+      sedr::PointView(*input_), *indices_, labels, rooms, *plan_, on_surface, threads_);
   std::vector<bool> is_used(refined.sources.size(), false);
-  for (const auto& repaired :
-       sedr::repairHoles(refined.points, *plan_, grid_size_, &strips_, &unseen_)) {
+  for (const auto& repaired : sedr::repairHoles(refined.points, *plan_, grid_size_,
+                                                &strips_, &unseen_, threads_)) {
     const bool is_new = repaired.source < 0;
     PointT p{};
     if (is_new)

@@ -93,6 +93,7 @@ IndoorStructureReconstruction<PointT>::setNumberOfThreads(unsigned threads)
   chain_.wall_growing.setNumberOfThreads(threads);
   chain_.floorplan_fitting.setNumberOfThreads(threads);
   chain_.refinement.setNumberOfThreads(threads);
+  chain_.hole_repair.setNumberOfThreads(threads);
   chain_.poisson.setNumberOfThreads(threads);
 }
 
