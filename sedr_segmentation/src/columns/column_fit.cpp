@@ -5,9 +5,12 @@
 
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/middle_value.h"
+#include "sedr_filters/src/grids/place_table.h"
+#include "sedr_filters/src/plan/room_lookup.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 
 namespace pcl {
@@ -51,10 +54,21 @@ pointsOfColumn(const Contour& hole,
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
+  const LoopLookup inside(outline);
+  PlaceTable edges(2 * beside);
+  for (std::size_t i = 0; i < outline.elements.size(); ++i)
+    edges.addAlong(outline.elements[i], beside, static_cast<std::uint32_t>(i));
+  edges.finish();
+  const auto isBeside = [&](const Eigen::Vector2d& p) {
+    const CellTable::Numbers near = edges.at(p);
+    return std::any_of(near.begin(), near.end(), [&](std::uint32_t i) {
+      return outline.elements[i].distance(p) < beside;
+    });
+  };
   std::vector<Eigen::Vector2d> points;
   evidence.forEachWithin((low + high) / 2, (high - low).norm() / 2 + beside,
                          [&](const auto& p) {
-                           if (outline.contains(p) || outline.distance(p) < beside)
+                           if (inside.contains(p) || isBeside(p))
                              points.push_back(p);
                          });
   return points;
@@ -148,13 +162,13 @@ findCircle(const std::vector<Eigen::Vector2d>& points,
                      largest_radius);
 }
 
+/** @param any the loop that was fitted without a shape in mind */
 std::vector<Shape>
 shapesOf(const Contour& hole,
          const std::vector<Eigen::Vector2d>& points,
-         const PlanPoints& evidence,
+         const PlanLoop& any,
          const std::vector<Eigen::Vector2d>& directions,
-         const LoopParameters& parameters,
-         std::vector<ContourSample>* places)
+         const LoopParameters& parameters)
 {
   std::vector<Shape> shapes;
   double perimeter = 0;
@@ -174,7 +188,6 @@ shapesOf(const Contour& hole,
     if (turned.isSound(parameters.priors))
       shapes.push_back({turned.loop(), 5});
   }
-  const PlanLoop any = fitLoop(hole, evidence, {}, parameters, places);
   double numbers = 0;
   for (const auto& e : any.elements)
     numbers += e.isArc() ? 3 : 2;
@@ -200,10 +213,10 @@ fitColumn(const Contour& hole,
   const PlanLoop outline = polygonOf(hole);
   const std::vector<Eigen::Vector2d> points =
       pointsOfColumn(hole, outline, evidence, priors.min_ceiling_step);
+  const PlanLoop any = fitLoop(hole, evidence, {}, parameters, places);
   if (static_cast<double>(points.size()) < 2 * priors.min_points)
-    return fitLoop(hole, evidence, {}, parameters, places);
-  std::vector<Shape> shapes =
-      shapesOf(hole, points, evidence, directions, parameters, places);
+    return any;
+  std::vector<Shape> shapes = shapesOf(hole, points, any, directions, parameters);
 
   // The noise is the residual of the best shape.
   double noise = parameters.tolerance / 3;
@@ -225,7 +238,7 @@ fitColumn(const Contour& hole,
     least = cost;
     best = std::move(shape.loop);
   }
-  return best.elements.empty() ? fitLoop(hole, evidence, {}, parameters) : best;
+  return best.elements.empty() ? any : best;
 }
 
 } // namespace sedr

@@ -3,6 +3,8 @@
 
 #include "../refit/patch_normals.h"
 
+#include <pcl/sedr_filters/cell_grid.h>
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -12,6 +14,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <unordered_map>
 
 namespace pcl {
 namespace sedr {
@@ -184,6 +187,44 @@ private:
   std::size_t round_ = 0;
 };
 
+/** @brief The finite points by cells of the plan: which lie in a part of it. */
+class PointsInPlan {
+public:
+  PointsInPlan(const PointView& points, const std::vector<int>& indices)
+  {
+    for (const int i : indices) {
+      const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+      if (p.allFinite() && grid_.holds(p.x(), p.y())) {
+        cells_[keyOf(grid_.at(p.x(), p.y()))].emplace_back(places_.size());
+        places_.emplace_back(p.cast<double>());
+      }
+    }
+  }
+
+  /** @brief Returns the points of the cells that meet a box, in their order. */
+  std::vector<Eigen::Vector3d> around(const Eigen::AlignedBox2d& box) const
+  {
+    const Cell low = grid_.at(box.min().x(), box.min().y());
+    const Cell high = grid_.at(box.max().x(), box.max().y());
+    std::vector<std::size_t> found;
+    for (std::int32_t y = low.y; y <= high.y; ++y)
+      for (std::int32_t x = low.x; x <= high.x; ++x)
+        if (const auto cell = cells_.find(keyOf({x, y})); cell != cells_.end())
+          found.insert(found.end(), cell->second.begin(), cell->second.end());
+    std::sort(found.begin(), found.end());
+    std::vector<Eigen::Vector3d> places;
+    places.reserve(found.size());
+    for (const std::size_t k : found)
+      places.push_back(places_[k]);
+    return places;
+  }
+
+private:
+  CellGrid grid_{1}; // metres
+  std::vector<Eigen::Vector3d> places_;
+  std::unordered_map<CellKey, std::vector<std::size_t>> cells_;
+};
+
 double
 quantile(std::vector<double> values, double share)
 {
@@ -198,8 +239,7 @@ quantile(std::vector<double> values, double share)
 std::optional<TiltedFace>
 faceOf(const WallPatches& patches,
        const std::vector<std::size_t>& members,
-       const PointView& points,
-       const std::vector<int>& indices)
+       const PointsInPlan& points)
 {
   constexpr double reach = 0.06; // of points from the plane of patches
   constexpr double beside = 0.6; // search distance for the floor
@@ -215,10 +255,7 @@ faceOf(const WallPatches& patches,
   const Eigen::AlignedBox2d around(
       box.min().head<2>() - Eigen::Vector2d::Constant(beside),
       box.max().head<2>() + Eigen::Vector2d::Constant(beside));
-  for (const int i : indices) {
-    const Eigen::Vector3d p = points[static_cast<std::size_t>(i)].cast<double>();
-    if (!p.allFinite())
-      continue;
+  for (const Eigen::Vector3d& p : points.around(around)) {
     if (box.contains(p) && std::abs(plane.distance(p)) < reach)
       near.push_back(p);
     if (around.contains(p.head<2>().eval()) && p.z() < box.min().z() + 2 * cube_size &&
@@ -273,12 +310,14 @@ tiltedFaces(const PointView& points, const std::vector<int>& indices, unsigned t
   WallPatches patches(
       planesOf(points, indices, Eigen::Matrix3d::Identity(), cube_size, threads));
   std::vector<TiltedFace> faces;
+  std::optional<const PointsInPlan> in_plan;    // used only if some wall may be tilted
   std::vector<std::vector<std::size_t>> others; // used only if some wall is tilted
   for (std::vector<std::size_t>& members : patches.faces()) {
     const bool may_tilt =
         std::abs(patches.planeOf(members).normal.z()) > min_share * std::sin(min_tilt);
-    const auto face =
-        may_tilt ? faceOf(patches, members, points, indices) : std::nullopt;
+    if (may_tilt && !in_plan)
+      in_plan.emplace(points, indices);
+    const auto face = may_tilt ? faceOf(patches, members, *in_plan) : std::nullopt;
     if (face && face->run != 0)
       faces.push_back(*face);
     else
@@ -286,7 +325,7 @@ tiltedFaces(const PointView& points, const std::vector<int>& indices, unsigned t
   }
   for (const std::vector<std::size_t>& members : others)
     if (const auto face =
-            faces.empty() ? std::nullopt : faceOf(patches, members, points, indices))
+            faces.empty() ? std::nullopt : faceOf(patches, members, *in_plan))
       faces.push_back(*face);
   return faces;
 }

@@ -27,10 +27,14 @@ explainsCell(const PlanSlab& slab,
   if (std::abs(distanceOf(slab, ball.centre)) >
       2 * ball.radius + proposal_band * deviation)
     return false;
+  // As soon as the points that are left cannot change the answer, it is given.
+  const std::ptrdiff_t size = cells.end(cell) - cells.begin(cell);
   std::ptrdiff_t near = 0;
-  for (const Eigen::Vector3d* p = cells.begin(cell); p != cells.end(cell); ++p)
-    near += std::abs(distanceOf(slab, *p)) < proposal_band * deviation ? 1 : 0;
-  return 2 * near > cells.end(cell) - cells.begin(cell);
+  std::ptrdiff_t off = 0;
+  for (const Eigen::Vector3d* p = cells.begin(cell); 2 * near <= size && 2 * off < size;
+       ++p)
+    ++(std::abs(distanceOf(slab, *p)) < proposal_band * deviation ? near : off);
+  return 2 * near > size;
 }
 
 /** @brief The cells that a shape explains and that hang together with a seed, gaps of

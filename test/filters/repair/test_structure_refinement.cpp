@@ -253,6 +253,27 @@ TEST(VerticalHoleRepair, CoversTheRoomOnceAndKeepsTheScannedPoints)
     }
 }
 
+TEST(VerticalHoleRepair, AnyNumberOfThreadsGivesTheSame)
+{
+  const FurnishedRoom room;
+  std::vector<Structure> wholes;
+  std::vector<UnseenShares> unseen;
+  for (const unsigned threads : {1u, 3u}) {
+    pcl::VerticalHoleRepair<pcl::PointStructure> repair;
+    repair.setInputCloud(room.cloud);
+    repair.setFloorplan(room.plan);
+    repair.setNumberOfThreads(threads);
+    wholes.emplace_back();
+    repair.filter(wholes.back());
+    unseen.push_back(repair.getUnseenShares().at(1));
+  }
+  ASSERT_EQ(wholes[0].size(), wholes[1].size());
+  for (std::size_t i = 0; i < wholes[0].size(); ++i)
+    EXPECT_EQ(wholes[0][i].getVector3fMap(), wholes[1][i].getVector3fMap());
+  EXPECT_EQ(unseen[0].surface, unseen[1].surface);
+  EXPECT_EQ(unseen[0].walls, unseen[1].walls);
+}
+
 TEST(VerticalHoleRepair, StripsTellWhichPartOfWhichWallWasSeen)
 {
   const FurnishedRoom room(0);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "sedr_segmentation/src/sheets/shape_distance.h"
 #include "sedr_segmentation/src/sheets/shape_fit.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <random>
 #include <vector>
 
@@ -33,6 +36,70 @@ fitOf(ShapeKind kind, const std::vector<Eigen::Vector3d>& points)
   for (const double deviation : {0.1, 0.03, 0.01})
     refineShape(kind, points, deviation, slab);
   return slab;
+}
+
+PlanSlab
+slabOf(ShapeKind kind)
+{
+  PlanSlab slab = planeThrough({1, 2, 3}, {0.3, -0.2});
+  if (kind == ShapeKind::Plane)
+    return slab;
+  SlabCurve curve;
+  curve.kind = kind == ShapeKind::Sphere || kind == ShapeKind::Ellipsoid
+                   ? CurveKind::Ellipsoid
+                   : CurveKind::Cylinder;
+  const bool is_round = kind == ShapeKind::Cylinder || kind == ShapeKind::Sphere;
+  curve.setDirection(0.4);
+  curve.centre = {1.9, 1.4};
+  curve.base = -0.3;
+  curve.up = 2.5;
+  curve.across = is_round ? 2.5 : 3.5;
+  curve.along = is_round ? 2.5 : 4.5;
+  slab.curve = std::make_shared<const SlabCurve>(curve);
+  return slab;
+}
+
+TEST(ShapeFit, DistancesOfManyPointsAreThoseOfEach)
+{
+  const auto points = pointsOf([](double x, double y) { return x + y / 3; }, 0.1);
+  for (const ShapeKind kind : {ShapeKind::Plane, ShapeKind::Cylinder, ShapeKind::Sphere,
+                               ShapeKind::EllipticCylinder, ShapeKind::Ellipsoid}) {
+    const PlanSlab slab = slabOf(kind);
+    std::size_t k = 0;
+    for (const PointRow& row : rowsOf(points)) {
+      ShapeValues distance;
+      ShapeValues by_shape;
+      distancesOf(slab, row, distance);
+      ShapeDistance(kind, slab, {1, 1, 1}).of(row, by_shape);
+      for (Eigen::Index i = 0; i < row.size(); ++i, ++k) {
+        EXPECT_EQ(distance[i], distanceOf(slab, points[k])); // the very same
+        EXPECT_NEAR(by_shape[i], distance[i], 1e-12);
+      }
+    }
+    EXPECT_EQ(k, points.size());
+  }
+}
+
+/** A fit is as good as the derivatives of distances are right. */
+TEST(ShapeFit, DistancesGrowWithTheNumbersOfAShape)
+{
+  const auto points = pointsOf([](double x, double y) { return 1.5 + x * y / 9; }, 0.1);
+  const PointRow row = rowsOf(points).front();
+  const Eigen::Vector3d about(1, 1, 1);
+  constexpr double step = 1e-6;
+  std::array<ShapeValues, 7> growth;
+  ShapeValues here;
+  ShapeValues there;
+  ShapeDistance(ShapeKind::Sphere, slabOf(ShapeKind::Sphere), about)
+      .of(row, here, growth);
+  for (std::size_t k = 0; k < 2; ++k) { // its centre in plan
+    PlanSlab moved = slabOf(ShapeKind::Sphere);
+    SlabCurve curve = *moved.curve;
+    curve.centre[static_cast<Eigen::Index>(k)] += step;
+    moved.curve = std::make_shared<const SlabCurve>(curve);
+    ShapeDistance(ShapeKind::Sphere, moved, about).of(row, there);
+    EXPECT_LT(((there - here) / step - growth[k]).abs().maxCoeff(), 1e-4);
+  }
 }
 
 TEST(ShapeFit, APlaneIsFoundAmongStrays)
