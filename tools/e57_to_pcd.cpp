@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "e57/e57_reader.h"
+#include "plain_text.h"
 #include "run_tool.h"
 #include "scan_file.h"
 #include "scan_options.h"
@@ -23,6 +24,7 @@ struct Settings {
 int
 listScans(const std::string& path)
 {
+  constexpr std::size_t longest_name = 100;
   const std::vector<E57Entry> entries = listE57Scans(path);
   std::printf("scan     points position, m                         name\n");
   for (const E57Entry& entry : entries) {
@@ -30,10 +32,11 @@ listScans(const std::string& path)
     std::string position = "not told";
     if (scan.has_pose)
       position = pcl::sedr::Origin{scan.translation}.text(", ");
-    std::printf("%4zu %10llu %-35s %s%s%s\n", scan.number,
-                static_cast<unsigned long long>(scan.points), position.c_str(),
-                scan.name.c_str(),
-                entry.problem.empty() ? "" : " broken: ", entry.problem.c_str());
+    std::printf(
+        "%4zu %10llu %-35s %s%s%s\n", scan.number,
+        static_cast<unsigned long long>(scan.points), position.c_str(),
+        plainText(scan.name, longest_name).c_str(),
+        entry.problem.empty() ? "" : " broken: ", plainText(entry.problem).c_str());
   }
   return Done;
 }

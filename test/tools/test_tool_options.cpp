@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "options.h"
+#include "plain_text.h"
 #include "tool_error.h"
 
 #include <gtest/gtest.h>
@@ -67,6 +68,29 @@ TEST(ToolOptions, ReadNumbersTextsFlagsAndFilesAnywhere)
   EXPECT_EQ(sample.height, -1.5);
   EXPECT_EQ(sample.mode, "manual");
   EXPECT_TRUE(sample.fast);
+}
+
+TEST(ToolOptions, NumbersBeyondTheirTypeAreToldItsLimit)
+{
+  SampleOptions sample;
+  EXPECT_EQ(sample.refusal({"in.pcd", "--threads", "99999999999999999999"}),
+            "--threads must be at most 4294967295, not 99999999999999999999");
+}
+
+TEST(PlainText, EscapesWhatCannotBePrintedAndCutsWhatIsLong)
+{
+  EXPECT_EQ(plainText("K\xc3\xbc"
+                      "che 1"),
+            "K\xc3\xbc"
+            "che 1");
+  EXPECT_EQ(plainText("a\n\x1b[2J\x7f"), "a\\x0a\\x1b[2J\\x7f");
+  EXPECT_EQ(plainText("\xc3"), "\\xc3");                   // cut off
+  EXPECT_EQ(plainText("\xc0\xaf"), "\\xc0\\xaf");          // overlong
+  EXPECT_EQ(plainText("\xe2\x80\xae"), "\\xe2\\x80\\xae"); // turns the direction
+  EXPECT_EQ(plainText("\xed\xa0\x80"), "\\xed\\xa0\\x80"); // half a character
+  EXPECT_EQ(plainText(std::string_view("\0", 1)), "\\x00");
+  EXPECT_EQ(plainText("abcdef", 3), "abc...");
+  EXPECT_EQ(quoted(std::string(100, 'a')), "'" + std::string(40, 'a') + "...'");
 }
 
 TEST(ToolOptions, AListOfFilesTakesWhatTheOthersLeave)

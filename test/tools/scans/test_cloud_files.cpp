@@ -183,6 +183,8 @@ TEST_F(CloudFiles, HeadersThatPromiseTooMuchAreRefusedWithTheNumbers)
   EXPECT_EQ(refusal(good), "");
   EXPECT_NE(refusal(good.substr(0, good.size() - 5)).find("promises 2 points"),
             std::string::npos);
+  EXPECT_NE(refusal(good + std::string(12, 'x')).find("24 bytes, but 36 bytes follow"),
+            std::string::npos);
   EXPECT_NE(refusal(replaced("WIDTH 2", "WIDTH 3")), "");
   EXPECT_NE(refusal(replaced("WIDTH 2", "WIDTH -2")), "");
   EXPECT_NE(refusal(replaced("POINTS 2", "POINTS 4000000000000")), "");
@@ -202,6 +204,17 @@ TEST_F(CloudFiles, HeadersThatPromiseTooMuchAreRefusedWithTheNumbers)
               "end_header\n1\n")
           .find("2000000000"),
       std::string::npos);
+  EXPECT_NE(refusal("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 1\nDATA ascii\n"
+                    "1 2 3\n4 5 6\n")
+                .find("promises 1 points, but more lines follow"),
+            std::string::npos);
+  const std::string ply = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                          "property float y\nproperty float z\nend_header\n1 2 3\n";
+  EXPECT_EQ(refusal(ply + "\n"), "");
+  EXPECT_NE(refusal(ply + "4 5 6\n").find("promises 1 vertices, but more lines"),
+            std::string::npos);
+  EXPECT_LT(refusal(replaced("FIELDS x", "FIELDS " + std::string(9999, '\7'))).size(),
+            500u);
   EXPECT_NE(refusal(replaced("WIDTH 2", "WIDTH 4000000000000")).find("counted"),
             std::string::npos);
 }

@@ -207,6 +207,25 @@ TEST_F(E57Files, InvalidPointsAreNaNAndColoursAndIntensitiesStay)
   EXPECT_EQ(second[0], 2);
 }
 
+TEST_F(E57Files, ColoursOfFloatsAreScaledByTheRangeOfTheirField)
+{
+  const std::vector<float> red{0, 0.5F, 1};
+  auto fields = integerFields({{0, 1, 2}, {0, 1, 2}, {0, 1, 2}}, 9);
+  for (const char* name : {"colorRed", "colorGreen", "colorBlue"})
+    fields.push_back(E57TestField::ofFloats(name, red));
+  for (std::size_t k = 3; k < fields.size(); ++k)
+    fields[k].attributes += " minimum=\"0\" maximum=\"1\"";
+  E57Writer writer;
+  writer.addScan("", fields);
+  const ToolCloud cloud = load(writer);
+  const auto* rgb = findField(cloud.blob, "rgb");
+  ASSERT_NE(rgb, nullptr);
+  const std::size_t at = rgb->offset + 2; // red
+  EXPECT_EQ(cloud.blob.data[at], 0);
+  EXPECT_EQ(cloud.blob.data[cloud.blob.point_step + at], 128);
+  EXPECT_EQ(cloud.blob.data[2 * cloud.blob.point_step + at], 255);
+}
+
 TEST_F(E57Files, PiecesAndSingleRowsAreThoseOfTheWhole)
 {
   const std::size_t n = 200000; // several remembered packets
@@ -270,6 +289,25 @@ TEST_F(E57Files, WhatIsBrokenIsToldWithNumbers)
   lying.addScan("hall", fields, "", 501);
   expect(lying.file(), "scan 1 ('hall'): it is said to have 501 points, its packets "
                        "hold 'cartesianX' of 500");
+  E57Writer modest;
+  modest.addScan("hall", fields, "", 400);
+  expect(modest.file(), "scan 1 ('hall'): it is said to have 400 points, its packets "
+                        "hold 'cartesianX' of 500");
+  E57Writer floats;
+  const std::vector<float> values(500, 1);
+  floats.addScan("",
+                 {E57TestField::ofFloats("cartesianX", values),
+                  E57TestField::ofFloats("cartesianY", values),
+                  E57TestField::ofFloats("cartesianZ", values)},
+                 "", 499);
+  expect(floats.file(),
+         "said to have 499 points, its packets hold 'cartesianX' of 500");
+  E57Writer bodiless;
+  std::vector<E57TestField> constant;
+  for (const char* name : {"cartesianX", "cartesianY", "cartesianZ"})
+    constant.push_back(E57TestField::ofIntegers(name, {1}, 1, 1));
+  bodiless.addScan("", constant, "", 0x7fffffff);
+  expect(bodiless.file(), "all of its 2147483647 points are one and the same");
   E57Writer huge;
   huge.addScan("", fields, "", 1ll << 60);
   expect(huge.file(), "scan 1: it is said to have 1152921504606846976 points");
@@ -308,16 +346,31 @@ TEST_F(E57Files, XmlThatWouldGrowOrGoTooDeepIsRefused)
   EXPECT_NE(refusal(writer.fileWith("<!DOCTYPE x [<!ENTITY a \"aaaa\">]><e57Root/>"))
                 .find("document type"),
             std::string::npos);
+  EXPECT_NE(refusal(writer.fileWith("<!doctype x><e57Root/>")).find("document type"),
+            std::string::npos);
+  EXPECT_FALSE(shapeOf("<!-- <!DOCTYPE x> --><a><![CDATA[<!DOCTYPE y>]]></a>", 9)
+                   .has_document_type);
   EXPECT_NE(refusal(writer.fileWith("<e57Root><data3D></e57Root>")).find("XML"),
             std::string::npos);
-  EXPECT_EQ(nestingOf("<a><!-- <b><c> --><b x='>'/><![CDATA[<d><d>]]></a>", 9), 2u);
-  EXPECT_EQ(nestingOf("<", 9), 1u);
+  EXPECT_EQ(shapeOf("<a><!-- <b><c> --><b x='>'/><![CDATA[<d><d>]]></a>", 9).nesting,
+            2u);
+  EXPECT_EQ(shapeOf("<", 9).nesting, 1u);
   // As rapidxml reads them: quotes in names, in closing tags and in declarations.
-  EXPECT_EQ(nestingOf("<a\"><b'><c=\">", 9), 3u);
-  EXPECT_EQ(nestingOf("<a></a\"><b><c>", 9), 2u);
-  EXPECT_EQ(nestingOf("<!x '><a><b>", 9), 2u);
-  EXPECT_EQ(nestingOf("<a b\"=\"x\"><c>", 9), 2u);
-  EXPECT_EQ(nestingOf("<a b = '<c>'/><d e=\"'\"><f>", 9), 2u);
+  EXPECT_EQ(shapeOf("<a\"><b'><c=\">", 9).nesting, 3u);
+  EXPECT_EQ(shapeOf("<a></a\"><b><c>", 9).nesting, 2u);
+  EXPECT_EQ(shapeOf("<!x '><a><b>", 9).nesting, 2u);
+  EXPECT_EQ(shapeOf("<a b\"=\"x\"><c>", 9).nesting, 2u);
+  EXPECT_EQ(shapeOf("<a b = '<c>'/><d e=\"'\"><f>", 9).nesting, 2u);
+}
+
+TEST_F(E57Files, NamesThatCannotBePrintedAreEscapedAndCutShort)
+{
+  auto fields = integerFields(wholeCoordinates(10, 50), 50);
+  E57Writer writer;
+  writer.addScan("\x1b[31m" + std::string(5000, 'n'), fields, "", 99);
+  const std::string reason = refusal(writer.file());
+  EXPECT_NE(reason.find("('\\x1b[31mnnn"), std::string::npos) << reason;
+  EXPECT_LT(reason.size(), 300u);
 }
 
 TEST_F(E57Files, OneBrokenScanOfSeveralIsNamedOrLeftOut)

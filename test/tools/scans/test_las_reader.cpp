@@ -98,6 +98,25 @@ TEST_F(LasFiles, ColoursThatWereWrittenAsBytesStayBytes)
   EXPECT_EQ(cloud.blob.data[findField(cloud.blob, "rgb")->offset + 2], 200);
 }
 
+TEST_F(LasFiles, ColoursOfMixedDepthDoNotDependOnTheirOrder)
+{
+  // Every fourth point is dark; a sample of every fourth one would see nothing else.
+  LasSample las = threePoints();
+  las.format = 2;
+  las.record = 26;
+  las.colour_offset = 20;
+  las.points.assign(40000, {1, 2, 3});
+  las.colour = {100, 100, 100};
+  std::string bytes = las.bytes();
+  for (std::size_t i = 0; i < las.points.size(); ++i)
+    if (i % 4 != 0)
+      bytes[227 + i * 26 + 21] = 0x75; // the upper byte of red
+  const ToolCloud cloud = load(bytes);
+  const std::size_t red = findField(cloud.blob, "rgb")->offset + 2;
+  EXPECT_EQ(cloud.blob.data[red], 0);
+  EXPECT_EQ(cloud.blob.data[cloud.blob.point_step + red], 0x75);
+}
+
 TEST_F(LasFiles, CoordinatesOfAGridLoseNothing)
 {
   LasSample las;
@@ -123,10 +142,21 @@ TEST_F(LasFiles, WhatIsBrokenIsToldWithNumbers)
   LasSample las = good;
   las.claimed_points = 4;
   expect(las, "promises 4 points of 20 bytes, but 60 bytes follow");
+  las.claimed_points = 2;
+  expect(las, "promises 2 points of 20 bytes, but 60 bytes are there for them");
   las = good;
   las.minor = 4;
   las.format = 6;
   las.record = 30;
+  std::string followed = las.bytes(); // by records that LAS 1.4 tells
+  const std::uint64_t after = followed.size();
+  followed.replace(235, sizeof after, reinterpret_cast<const char*>(&after),
+                   sizeof after);
+  followed[243] = 1;
+  EXPECT_EQ(load(followed + std::string(100, 'x')).size(), 3u);
+  followed[243] = 0;
+  EXPECT_NE(refusal(followed + std::string(100, 'x')).find("190 bytes are there"),
+            std::string::npos);
   las.claimed_points = 1ll << 62;
   expect(las, "promises 4611686018427387904 points");
   las = good;
@@ -159,6 +189,11 @@ TEST_F(LasFiles, WhatIsBrokenIsToldWithNumbers)
   las = good;
   las.format = 0x80;
   expect(las, "laszip -i");
+  ScanSettings second;
+  second.scan = 2;
+  EXPECT_THROW(load(good.bytes(), second), ToolError);
+  second.scan = 1;
+  EXPECT_EQ(load(good.bytes(), second).size(), 3u);
   EXPECT_NE(refusal(good.bytes().substr(0, 100)).find("100 bytes of the 227"),
             std::string::npos);
 }

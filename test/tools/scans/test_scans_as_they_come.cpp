@@ -242,7 +242,10 @@ TEST_F(ScansAsTheyCome, BadOptionsAndScansThatStayTooLargeAreOneSentence)
         {"--origin", "1,2"},
         {"--origin", "0,0,0"},
         {"--origin", "0,0,0", "--no-shift"},
-        {"--origin-of", in("nowhere")}}) {
+        {"--origin-of", in("nowhere")},
+        {"--origin-of", in("large.las")},
+        {"--origin-of", in("study/scan.pcd")},
+        {"--scan", "2"}}) {
     const ProgramRun made = model(in("large.las"), "refused", options);
     EXPECT_EQ(made.exit_code, 1);
     EXPECT_TRUE(made.failsInOneSentence()) << made.err;
@@ -305,21 +308,40 @@ TEST_F(ScansAsTheyCome, AFileThatShrinksWhileItIsReadIsAnError)
   sample.points.assign(200000, {1, 2, 3});
   for (std::size_t i = 0; i < sample.points.size(); ++i)
     sample.points[i][0] = static_cast<std::int32_t>(i);
-  writeFile(in("shrinks.las"), sample.bytes());
-  const ScanFile scan(in("shrinks.las"), 1, 100000);
-  std::string reason;
-  try {
-    scan.forEachPiece([&](const pcl::sedr::RowSource::Piece& piece) {
-      if (piece.first == 0)
-        std::filesystem::resize_file(in("shrinks.las"), 300000);
-      return true;
-    });
+  std::string lines;
+  for (int i = 0; i < 100000; ++i)
+    lines += std::to_string(i) + " 2 3\n";
+  for (const std::string& bytes : {sample.bytes(), e57(), lines}) {
+    writeFile(in("shrinks"), bytes);
+    const ScanFile scan(in("shrinks"), 1, 100000);
+    std::string reason;
+    try {
+      scan.forEachPiece([&](const pcl::sedr::RowSource::Piece& piece) {
+        if (piece.first == 0)
+          std::filesystem::resize_file(in("shrinks"), 300000);
+        return true;
+      });
+    }
+    catch (const std::exception& error) {
+      reason = error.what();
+    }
+    EXPECT_NE(reason.find("300000 of its " + std::to_string(bytes.size()) +
+                          " bytes are left"),
+              std::string::npos)
+        << reason;
   }
-  catch (const std::exception& error) {
-    reason = error.what();
-  }
-  EXPECT_NE(reason.find("300000 of its 4000227 bytes are left"), std::string::npos)
-      << reason;
+}
+
+TEST_F(ScansAsTheyCome, AnOutputBeyondTheLimitOfFilesLeavesNothingBehind)
+{
+  std::filesystem::create_directory(in("limited"));
+  const std::string command = "ulimit -f 8; " + programs::quoted(PARALLEL_VOXEL_GRID) +
+                              " " + programs::quoted(in("study/scan.pcd")) + " " +
+                              programs::quoted(in("limited/out.pcd")) + " 2>/dev/null";
+  const int status = std::system(command.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_TRUE(std::filesystem::is_empty(in("limited")));
 }
 
 } // namespace

@@ -155,6 +155,69 @@ TEST_F(TextFiles, TheCommaOfNumbersPartedByBlanksIsTheirDecimalSign)
   expectFirst(load("1,2,3 255\n4,5,6 255\n"), 1, 2, 3);
 }
 
+TEST_F(TextFiles, NamesOfOtherProgramsAndTheirUnitsAreKnown)
+{
+  for (const char* const text :
+       {"Z [m], X [m], Y [m]\n3,1,2\n", "\"Z(m)\";\"X(m)\";\"Y(m)\"\n3;1;2\n",
+        "h,e,n\n3,1,2\n", "H\xc3\xb6he;Rechtswert;Hochwert\n3;1;2\n",
+        "# z x y\n# by hand\n\n3 1 2\n", "Points:2,Points:0,Points:1\n3,1,2\n"})
+    expectFirst(load(text), 1, 2, 3);
+  const ToolCloud named = load("PointNo;East;North;Elev;Scalar field\n7;1;2;3;9\n");
+  expectFirst(named, 1, 2, 3);
+  EXPECT_EQ(floatField(named.blob, "scalar_field"), (std::vector<float>{9}));
+}
+
+TEST_F(TextFiles, NamesThatAreNotKnownAreRefusedNotTakenForXyz)
+{
+  for (const char* const text :
+       {"a,b,c\n1,2,3\n", "Lat Lon Alt\n1 2 3\n", "//Lat Lon H\n1 2 3\n",
+        "id x y z\n1 2 3\n", "x y z height\n1 2 3 4\nx", "1e400 0 0\n1 2 3\n",
+        "# east;middle;up\n1;2;3\n"}) {
+    const std::string reason = refusal(text);
+    EXPECT_NE(reason.find("--columns"), std::string::npos) << text << reason;
+    EXPECT_LT(reason.size(), 300u);
+  }
+  EXPECT_LT(refusal(std::string(9999, 'a') + "\n1 2 3\n").size(), 300u);
+  expectFirst(load("a,b,c\n1,2,3\n", "x,y,z"), 1, 2, 3);
+  expectFirst(load("# exported by hand\n1 2 3\n"), 1, 2, 3);
+}
+
+TEST_F(TextFiles, CommentsBeforeTheNumbersMayBeMany)
+{
+  std::string comments;
+  for (int k = 0; k < 1000; ++k)
+    comments += "# line " + std::to_string(k) + "\n\n";
+  expectFirst(load(comments + "1 2 3\n"), 1, 2, 3);
+}
+
+TEST_F(TextFiles, LinesEndWithAnySign)
+{
+  for (const char* const text : {"1 2 3\r4 5 6\r7 8 9", "1 2 3\r\n4 5 6\r\n7 8 9\r\n",
+                                 "1 2 3\r4 5 6\n7 8 9\r\n"}) {
+    const ToolCloud cloud = load(text);
+    ASSERT_EQ(cloud.size(), 3u) << text;
+    expectFirst(cloud, 1, 2, 3);
+    EXPECT_EQ((*cloud.points)[2].z, 9.F);
+  }
+}
+
+TEST_F(TextFiles, CountsOfPointsAreThoseOfTheLinesThatFollow)
+{
+  const std::string points = "1 2 3 0.5\n4 5 6 0.5\n";
+  EXPECT_NE(refusal("3\n" + points).find("3 points are promised before point 1, but 2"),
+            std::string::npos);
+  EXPECT_NE(refusal("1\n" + points).find("1 points are promised before point 1, but 2"),
+            std::string::npos);
+  EXPECT_NE(refusal("-2\n" + points).find("'-2'"), std::string::npos);
+  // Several scans in one file, each with its count.
+  const ToolCloud two = load("2\n" + points + "1\n7 8 9 0.5\n");
+  ASSERT_EQ(two.size(), 3u);
+  EXPECT_EQ((*two.points)[2].x, 7.F);
+  EXPECT_NE(refusal("2\n" + points + "2\n7 8 9 0.5\n")
+                .find("2 points are promised before point 3, but 1 follow"),
+            std::string::npos);
+}
+
 TEST_F(TextFiles, PtxIsRefusedByName)
 {
   const std::string head = "2\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iomanip>
 #include <sstream>
 #include <utility>
 
@@ -146,8 +147,15 @@ Options::addNumber(const std::string& name,
         (whole && value != std::floor(value)))
       throw ToolError("--" + name + " takes a " + (whole ? "whole " : "") + "number" +
                       (unit.empty() ? "" : " of " + unit) + ", not '" + given + "'");
-    if (!range.holds(value))
-      throw ToolError("--" + name + " must be " + range.text(unit) + ", not " + given);
+    if (!range.holds(value)) {
+      std::ostringstream most; // text() leaves out the limit of a type
+      most << std::setprecision(std::numeric_limits<double>::max_digits10) << range.high
+           << withUnit(unit);
+      throw ToolError(
+          "--" + name + " must be " +
+          (value > range.high ? "at most " + most.str() : range.text(unit)) + ", not " +
+          given);
+    }
     store(value);
   };
   options_.push_back({name, about, true, read});

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_tool.h"
 
+#include "plain_text.h"
 #include "tool_error.h"
 
 #include <pcl/console/print.h>
 
 #include <unistd.h>
 
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -32,9 +34,10 @@ runTool(Options& options, int argc, char** argv, const std::function<int()>& bod
 {
   runningTool() = options.tool();
   const auto complain = [&](const std::string& sentence, int exit_code) {
-    std::cerr << options.tool() << ": " << sentence << std::endl;
+    std::cerr << options.tool() << ": " << plainText(sentence) << std::endl;
     return exit_code;
   };
+  std::signal(SIGXFSZ, SIG_IGN); // a file too large is an error of its writer
   try {
     pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
     if (!options.parse(argc, argv)) {
@@ -67,7 +70,7 @@ void
 tell(const std::string& sentence)
 {
   const std::string& tool = runningTool();
-  std::cerr << tool + (tool.empty() ? "" : ": ") + sentence << std::endl;
+  std::cerr << tool + (tool.empty() ? "" : ": ") + plainText(sentence) << std::endl;
 }
 
 void

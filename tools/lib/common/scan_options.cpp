@@ -5,14 +5,21 @@
 #include "plan_file.h"
 #include "tool_error.h"
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
+#include <optional>
 
 namespace pcl {
 namespace sedr {
 namespace tools {
 
-Origin
-originOfModel(const std::string& path)
+namespace {
+
+/** @brief Returns the origin that a folder of pcl_sedr, a JSON file or a comment in the
+ * head of another file states. */
+std::optional<Origin>
+statedOrigin(const std::string& path)
 {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -20,19 +27,33 @@ originOfModel(const std::string& path)
     const fs::path plan = fs::path(path) / "floorplan.json";
     if (!fs::exists(plan, error))
       throw ToolError("'" + path + "' holds no floorplan.json, which pcl_sedr writes");
-    return planOrigin(plan.string());
+    return statedOrigin(plan.string());
   }
-  if (fs::path(path).extension() == ".json")
-    return planOrigin(path);
   constexpr int max_lines = 20; // in a header
+  constexpr std::size_t max_bytes = 256;
   const MappedFile file(path);
+  if (fs::path(path).extension() == ".json") {
+    const auto* text = file.data();
+    const auto json = nlohmann::json::parse(text, text + file.size(), nullptr, false);
+    return json.is_object() && json.contains("origin")
+               ? std::optional<Origin>(planOrigin(path))
+               : std::nullopt;
+  }
   TextCursor cursor(file, 0);
   Origin origin;
   std::string_view line;
   for (int k = 0; k < max_lines && cursor.nextLine(line); ++k)
-    if (Origin::fromComment(std::string(line.substr(0, 256)), origin))
-      break;
-  return origin;
+    if (Origin::fromComment(std::string(line.substr(0, max_bytes)), origin))
+      return origin;
+  return std::nullopt;
+}
+
+} // namespace
+
+Origin
+originOfModel(const std::string& path)
+{
+  return statedOrigin(path).value_or(Origin());
 }
 
 ScanSettings
@@ -42,8 +63,13 @@ ScanOptions::resolved() const
     throw ToolError("--origin, --origin-of and --no-shift exclude one another");
   ScanSettings all = settings;
   all.shifts = !no_shift;
-  if (!origin_of.empty())
-    all.origin = originOfModel(origin_of);
+  if (!origin_of.empty()) {
+    all.origin = statedOrigin(origin_of);
+    if (!all.origin)
+      throw ToolError("'" + origin_of +
+                      "' states no origin: --origin-of takes a folder that pcl_sedr "
+                      "wrote, its floorplan.json or report.json");
+  }
   if (origin.empty())
     return all;
   Origin given;

@@ -22,6 +22,23 @@ isBlank(char c)
   return c == ' ' || c == '\t' || c == '\r';
 }
 
+/** @brief Returns the number of bytes before the end of a line, at most `left`. */
+std::size_t
+lengthOfLine(const char* begin, std::size_t left)
+{
+  constexpr std::size_t stride = 256; // a file may have only one of the two signs
+  for (std::size_t at = 0; at < left; at += stride) {
+    std::size_t size = std::min(stride, left - at);
+    const auto* feed = static_cast<const char*>(std::memchr(begin + at, '\n', size));
+    if (feed)
+      size = static_cast<std::size_t>(feed - begin) - at;
+    const auto* back = static_cast<const char*>(std::memchr(begin + at, '\r', size));
+    if (feed || back)
+      return static_cast<std::size_t>((back ? back : feed) - begin);
+  }
+  return left;
+}
+
 } // namespace
 
 bool
@@ -31,11 +48,11 @@ TextCursor::nextLine(std::string_view& line)
     return false;
   const char* begin = reinterpret_cast<const char*>(file_.data()) + position_;
   const std::size_t left = file_.size() - position_;
-  const auto* end = static_cast<const char*>(std::memchr(begin, '\n', left));
-  std::size_t length = end ? static_cast<std::size_t>(end - begin) : left;
-  position_ += end ? length + 1 : length;
-  if (length > 0 && begin[length - 1] == '\r')
-    --length;
+  const std::size_t length = lengthOfLine(begin, left);
+  position_ += length;
+  if (length < left)
+    position_ +=
+        begin[length] == '\r' && length + 1 < left && begin[length + 1] == '\n' ? 2 : 1;
   line = {begin, length};
   return true;
 }

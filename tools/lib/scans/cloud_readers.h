@@ -27,6 +27,7 @@ struct FileLayout {
   std::size_t begin = 0; ///< first byte of the points in the file
   bool is_ply = false;
   std::uint64_t faces = 0; ///< of a mesh, including strips of triangles
+  bool are_last = false;   ///< whether nothing follows the points
   Eigen::Vector3d viewpoint = Eigen::Vector3d::Zero(); ///< in the unit of the file
   Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
   Origin counted_from; ///< origin subtracted when the file was written
@@ -78,7 +79,8 @@ bool looksLikePcd(const MappedFile& file);
 
 bool looksLikePly(const MappedFile& file);
 
-/** @brief Iterates over the lines and words of a file's header or text. */
+/** @brief Iterates over the lines and words of a file's header or text. A line ends
+ * with a line feed, a carriage return, or both. */
 class TextCursor {
 public:
   TextCursor(const MappedFile& file, std::size_t position)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_readers.h"
+#include "plain_text.h"
 #include "tool_error.h"
 
 #include "sedr_filters/src/base/field_access.h"
@@ -75,7 +76,7 @@ wholeNumber(std::string_view word, const std::string& what, const std::string& p
   std::uint64_t value = 0;
   const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
   if (result.ec != std::errc() || result.ptr != word.data() + word.size())
-    refusePcd(path, what + " is '" + std::string(word) + "', not a whole number");
+    refusePcd(path, what + " is " + quoted(word) + ", not a whole number");
   return value;
 }
 
@@ -115,10 +116,9 @@ readFields(const PcdHeader& header, const std::string& path)
     const auto count = counts ? wholeNumber((*counts)[i], "a COUNT", path) : 1;
     field.datatype = dataType((*types)[i][0], wholeNumber((*sizes)[i], "a SIZE", path));
     if (field.datatype == 0 || count == 0 || count > max_values)
-      refusePcd(path, "field '" + field.name + "' is of type " +
-                          std::string((*types)[i]) + ", size " +
-                          std::string((*sizes)[i]) + ", count " +
-                          std::to_string(count) + ", which is unknown");
+      refusePcd(path, "field " + quoted(field.name) + " is of type " +
+                          quoted((*types)[i]) + ", size " + quoted((*sizes)[i]) +
+                          ", count " + std::to_string(count) + ", which is unknown");
     field.count = static_cast<pcl::uindex_t>(count);
     fields.push_back(field);
   }
@@ -165,15 +165,19 @@ readViewpoint(const PcdHeader& header, FileLayout& layout)
   layout.orientation = Eigen::Quaterniond(v[3], v[4], v[5], v[6]).cast<float>();
 }
 
-[[noreturn]] void
-refuseCutOff(const std::string& path, const pcl::PCLPointCloud2& blob, std::size_t left)
+/** @brief Refuses a header that counts more binary points than follow it, or fewer. */
+void
+checkCount(const std::string& path, const pcl::PCLPointCloud2& blob, std::size_t left)
 {
   const std::size_t needed = std::size_t{blob.width} * blob.point_step;
-  refusePcd(path, "the file is cut off, its header promises " +
-                      std::to_string(blob.width) + " points of " +
-                      std::to_string(blob.point_step) + " bytes, " +
-                      std::to_string(needed) + " bytes, but " + std::to_string(left) +
-                      " bytes follow");
+  const std::string promise = "its header promises " + std::to_string(blob.width) +
+                              " points of " + std::to_string(blob.point_step) +
+                              " bytes, " + std::to_string(needed) + " bytes, but " +
+                              std::to_string(left) + " bytes follow";
+  if (left < needed)
+    refusePcd(path, "the file is cut off, " + promise);
+  if (left - needed >= blob.point_step)
+    refusePcd(path, promise);
 }
 
 } // namespace
@@ -210,9 +214,9 @@ readPcdLayout(const MappedFile& file, const std::string& path)
   else if (name == "binary_compressed")
     layout.data = FileData::Compressed;
   else if (name != "binary")
-    refusePcd(path, "its DATA is '" + std::string(name) + "', not ascii or binary");
-  else if (left < std::size_t{blob.width} * blob.point_step)
-    refuseCutOff(path, blob, left);
+    refusePcd(path, "its DATA is " + quoted(name) + ", not ascii or binary");
+  else
+    checkCount(path, blob, left);
   return layout;
 }
 
@@ -234,9 +238,12 @@ readAsciiPcd(const MappedFile& file,
   blob.data.resize(std::size_t{blob.width} * blob.point_step);
   TextCursor cursor(file, begin);
   std::size_t point = 0;
-  for (std::string_view line; point < blob.width && cursor.nextLine(line);) {
+  for (std::string_view line; cursor.nextLine(line);) {
     if (wordsOf(line.substr(0, 64)).empty())
       continue;
+    if (point == blob.width)
+      refusePcd(path, "its header promises " + std::to_string(blob.width) +
+                          " points, but more lines follow");
     const std::size_t read =
         readNumbers(line, blob.fields, blob.data.data() + point * blob.point_step);
     if (read != values)

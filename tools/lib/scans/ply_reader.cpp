@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_readers.h"
+#include "plain_text.h"
 #include "tool_error.h"
 
 #include "sedr_filters/src/base/field_access.h"
@@ -70,8 +71,8 @@ addProperty(const std::vector<std::string_view>& words,
   field.count = 1;
   field.datatype = dataType(words[1]);
   if (field.datatype == 0)
-    refusePly(path, "property '" + field.name + "' is of the unknown type '" +
-                        std::string(words[1]) + "'");
+    refusePly(path, "property " + quoted(field.name) + " is of the unknown type " +
+                        quoted(words[1]));
   element.fields.push_back(field);
 }
 
@@ -102,7 +103,7 @@ readPlyHeader(const MappedFile& file, const std::string& path)
       const auto& n = words[2];
       const auto result = std::from_chars(n.data(), n.data() + n.size(), element.count);
       if (result.ec != std::errc() || result.ptr != n.data() + n.size())
-        refusePly(path, "'" + std::string(n) + "' is no number of elements");
+        refusePly(path, quoted(n) + " is no number of elements");
       header.elements.push_back(element);
     }
     else
@@ -188,7 +189,7 @@ readPlyLayout(const MappedFile& file, const std::string& path)
   const bool ascii = header.format == "ascii";
   if (!ascii && header.format != "binary_little_endian" &&
       header.format != "binary_big_endian")
-    refusePly(path, "its format is '" + header.format + "'");
+    refusePly(path, "its format is " + quoted(header.format));
   const auto vertices = std::find_if(header.elements.begin(), header.elements.end(),
                                      [](const auto& e) { return e.name == "vertex"; });
   if (vertices == header.elements.end() || vertices->has_lists)
@@ -200,6 +201,7 @@ readPlyLayout(const MappedFile& file, const std::string& path)
   for (const auto& element : header.elements)
     if (element.name == "face" || element.name == "tristrips")
       layout.faces += element.count;
+  layout.are_last = vertices + 1 == header.elements.end();
   auto& blob = layout.blob;
   blob.fields = vertices->fields;
   layOut(blob, vertices->count, path);
@@ -207,8 +209,8 @@ readPlyLayout(const MappedFile& file, const std::string& path)
   std::size_t skip = 0;
   for (auto e = header.elements.begin(); e != vertices; ++e) {
     if (e->has_lists || e->count > file.size())
-      refusePly(path,
-                "element '" + e->name + "' before the vertices cannot be skipped");
+      refusePly(path, "element " + quoted(e->name) +
+                          " before the vertices cannot be skipped");
     std::string_view line;
     for (std::uint64_t i = 0; ascii && i < e->count; ++i)
       cursor.nextLine(line);
@@ -225,10 +227,14 @@ readPlyLayout(const MappedFile& file, const std::string& path)
   layout.begin = header.data_begin + skip;
   const std::size_t needed = std::size_t{blob.width} * blob.point_step;
   const std::size_t follow = file.size() - header.data_begin;
-  if (follow < skip || follow - skip < needed)
-    refuseCutOff(path, vertices->count,
-                 std::to_string(needed) + " bytes, but " +
-                     std::to_string(follow - std::min(skip, follow)) + " bytes follow");
+  const std::size_t left = follow - std::min(skip, follow);
+  const std::string sizes =
+      std::to_string(needed) + " bytes, but " + std::to_string(left) + " bytes follow";
+  if (follow < skip || left < needed)
+    refuseCutOff(path, vertices->count, sizes);
+  if (layout.are_last && left - needed >= blob.point_step)
+    refusePly(path, "its header promises " + std::to_string(vertices->count) +
+                        " vertices, " + sizes);
   return layout;
 }
 
@@ -255,6 +261,10 @@ readAsciiPly(const MappedFile& file,
   }
   if (point < blob.width)
     refuseCutOff(path, blob.width, "it holds " + std::to_string(point));
+  for (std::string_view line; layout.are_last && cursor.nextLine(line);)
+    if (!wordsOf(line.substr(0, 64)).empty())
+      refusePly(path, "its header promises " + std::to_string(blob.width) +
+                          " vertices, but more lines follow");
 }
 
 void

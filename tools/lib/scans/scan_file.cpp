@@ -2,6 +2,7 @@
 #include "scan_file.h"
 
 #include "cloud_rows.h"
+#include "plain_text.h"
 #include "run_tool.h"
 #include "tool_error.h"
 
@@ -21,9 +22,10 @@ namespace {
 void
 checkCoordinates(const pcl::PCLPointCloud2& blob, const std::string& path)
 {
+  constexpr std::size_t longest_name = 40;
   std::string names;
   for (const auto& field : blob.fields)
-    names += " " + field.name;
+    names += " " + plainText(field.name, longest_name);
   for (const char* name : {"x", "y", "z"})
     if (!findField(blob, name))
       throw ToolError("'" + path + "' has no field '" + name +
@@ -51,6 +53,21 @@ warnOfMesh(const std::string& path, const FileLayout& layout)
          "pcl_mesh_sampling makes more of it");
 }
 
+/** @brief Calls `read`. An error of it is due to the file's end, if that got lost
+ * meanwhile. */
+template <typename Read>
+auto
+wholly(const MappedFile& file, const Read& read)
+{
+  try {
+    return read();
+  }
+  catch (const ToolError&) {
+    file.checkWhole();
+    throw;
+  }
+}
+
 ScanSettings
 settingsOf(double unit, std::size_t piece_bytes)
 {
@@ -66,7 +83,8 @@ ScanHead
 readScanHead(const std::string& path, const ScanSettings& settings)
 {
   const MappedFile file(path);
-  const FileLayout layout = readLayout(file, path, settings);
+  const FileLayout layout =
+      wholly(file, [&] { return readLayout(file, path, settings); });
   return {layout.blob.width, isInPieces(layout), layout.faces > 0};
 }
 
@@ -113,22 +131,28 @@ ScanFile::ScanFile(const std::string& path, const ScanSettings& settings)
     , unit_(settings.unit)
     , piece_bytes_(settings.piece_bytes)
     , file_(path)
-    , layout_(readLayout(file_, path, settings))
+    , layout_(wholly(file_, [&] { return readLayout(file_, path, settings); }))
+{
+  wholly(file_, [&] { prepare(settings); });
+}
+
+void
+ScanFile::prepare(const ScanSettings& settings)
 {
   if (!isInPieces(layout_)) {
-    unpacked_ = readPoints(file_, layout_, path).data;
+    unpacked_ = readPoints(file_, layout_, path_).data;
     rows_ = unpacked_.data();
   }
   else
     rows_ = file_.data() + layout_.begin;
-  checkCoordinates(layout_.blob, path);
+  checkCoordinates(layout_.blob, path_);
   settleOrigin(settings);
 
   pcl::PCLPointCloud2 named = rawRows(0, 1);
   if (layout_.is_ply)
     nameAsPcl(named);
   plan_ =
-      std::make_unique<RowPlan>(named.fields, named.point_step, unit_, shift_, path);
+      std::make_unique<RowPlan>(named.fields, named.point_step, unit_, shift_, path_);
   is_plain_ =
       layout_.data != FileData::BinaryBigEndian && layout_.data != FileData::Decoded &&
       plan_->isPlain() && named.point_step == layout_.blob.point_step &&
@@ -215,8 +239,10 @@ ScanFile::forEachPiece(std::size_t begin,
       Piece piece{rows_ + first * raw_size, first, rows};
       if (!is_plain_) {
         copy.resize(rows * rowSize());
-        parallelBlocks(rows, rows_at_once, 0, [&](std::size_t from, std::size_t to) {
-          tidyRows(first + from, to - from, copy.data() + from * rowSize());
+        wholly(file_, [&] {
+          parallelBlocks(rows, rows_at_once, 0, [&](std::size_t from, std::size_t to) {
+            tidyRows(first + from, to - from, copy.data() + from * rowSize());
+          });
         });
         piece.rows = copy.data();
       }

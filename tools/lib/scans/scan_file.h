@@ -109,6 +109,10 @@ private:
   /** @brief Converts rows to the output form. */
   void tidyRows(std::size_t first, std::size_t size, std::uint8_t* rows) const;
 
+  /** @brief Unpacks rows that cannot be used as mapped, chooses the origin and plans
+   * the output rows. */
+  void prepare(const ScanSettings& settings);
+
   /** @brief Chooses the origin, and throws ToolError if coordinates are too large even
    * so. */
   void settleOrigin(const ScanSettings& settings);

@@ -48,6 +48,10 @@ readLayout(const MappedFile& file,
            const std::string& path,
            const ScanSettings& settings)
 {
+  if (!looksLikeE57(file) && settings.scan > 1)
+    throw ToolError("'" + path +
+                    "' is no E57 file and holds one scan, there is no scan " +
+                    std::to_string(settings.scan));
   if (looksLikeE57(file))
     return decodedLayout(
         std::make_shared<E57Reader>(file, path,

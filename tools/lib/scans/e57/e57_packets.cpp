@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "e57_packets.h"
 
+#include "plain_text.h"
 #include "tool_error.h"
 
 #include <algorithm>
@@ -154,12 +155,31 @@ E57Packets::index()
     for (std::size_t w = 0; w < seen.size(); ++w)
       seen[w] += packet.sizes[w];
   }
+  checkCount(seen);
+}
+
+void
+E57Packets::checkCount(const std::vector<std::uint64_t>& seen) const
+{
   const std::vector<Part> all = partsOf(0, scan_.points);
-  for (std::size_t w = 0; w < seen.size(); ++w)
-    if (seen[w] < all[w].end)
+  bool has_bits = false;
+  for (std::size_t w = 0; w < seen.size(); ++w) {
+    if (bitsOf(w) == 0)
+      continue;
+    has_bits = true;
+    const E57Field& field = scan_.fields[wanted_[w]];
+    // Writers fill up the last integers to a machine word.
+    const std::uint64_t padding =
+        field.kind == E57Field::Kind::Integer ? sizeof(std::uint64_t) : bitsOf(w) / 8;
+    if (seen[w] < all[w].end || seen[w] >= all[w].end + padding)
       throw ToolError("it is said to have " + text(scan_.points) +
-                      " points, its packets hold '" + scan_.fields[wanted_[w]].name +
-                      "' of " + text(8 * seen[w] / bitsOf(w)));
+                      " points, its packets hold " + quoted(field.name) + " of " +
+                      text(8 * seen[w] / bitsOf(w)));
+  }
+  // Nothing in the file would prove the number of points.
+  if (!has_bits && scan_.points > 1)
+    throw ToolError("all of its " + text(scan_.points) +
+                    " points are one and the same, as no value of them has a bit");
 }
 
 std::vector<E57Packets::Part>

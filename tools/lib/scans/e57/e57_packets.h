@@ -63,7 +63,12 @@ private:
    * parts. */
   std::size_t markBefore(const std::vector<Part>& parts) const;
 
+  /** @brief Locates the packets, and checks the number of points. */
   void index();
+
+  /** @brief Throws ToolError unless the streams have the bytes for all points, and not
+   * for more. */
+  void checkCount(const std::vector<std::uint64_t>& seen) const;
 
   const E57Pages& pages_;
   const E57Scan& scan_;

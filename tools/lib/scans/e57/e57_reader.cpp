@@ -25,20 +25,10 @@ constexpr Names cartesian{"cartesianX", "cartesianY", "cartesianZ"};
 constexpr Names spherical{"sphericalRange", "sphericalAzimuth", "sphericalElevation"};
 constexpr Names colours{"colorBlue", "colorGreen", "colorRed"}; // low byte first
 
-/** @brief Joins a text to one line, whatever names it contains. */
-std::string
-inOneLine(std::string text)
-{
-  for (char& c : text)
-    if (c >= 0 && c < ' ')
-      c = '?';
-  return text;
-}
-
 [[noreturn]] void
 refuse(const std::string& path, const std::string& reason)
 {
-  throw ToolError("cannot read '" + path + "' as E57: " + inOneLine(reason));
+  throw ToolError("cannot read '" + path + "' as E57: " + reason);
 }
 
 std::uint8_t
@@ -257,7 +247,8 @@ E57Reader::~E57Reader() = default;
 E57Reader::E57Reader(const MappedFile& file,
                      const std::string& path,
                      const E57Choice& choice)
-    : path_(path)
+    : file_(file)
+    , path_(path)
     , pages_(openPages(file, path))
 {
   const std::vector<E57Entry> entries = entriesOf(pages_, path);
@@ -279,7 +270,7 @@ E57Reader::open(const E57Entry& entry, bool skip_broken)
     if (!entry.problem.empty())
       throw ToolError(entry.problem);
     if (entry.scan.points == 0)
-      return;
+      return warn(entry.scan.title() + " of '" + path_ + "' has 0 points");
     constexpr std::uint64_t most = 0x7fffffff; // of an index
     if (entry.scan.points > most)
       throw ToolError("it is said to have " + std::to_string(entry.scan.points) +
@@ -291,10 +282,11 @@ E57Reader::open(const E57Entry& entry, bool skip_broken)
     scans_.push_back(std::move(scan));
   }
   catch (const ToolError& error) {
+    file_.checkWhole();
     const std::string title = entry.scan.title();
     if (!skip_broken)
       refuse(path_, title + ": " + error.what());
-    warn(inOneLine(title + " of '" + path_ + "' is left out: " + error.what()));
+    warn(title + " of '" + path_ + "' is left out: " + error.what());
   }
 }
 

@@ -42,6 +42,7 @@ private:
   void open(const E57Entry& entry, bool skip_broken);
   void layFields();
 
+  const MappedFile& file_;
   std::string path_;
   E57Pages pages_;
   std::vector<std::unique_ptr<Scan>> scans_; ///< scans with points

@@ -2,6 +2,7 @@
 #include "e57_scan.h"
 
 #include "e57_tree.h"
+#include "plain_text.h"
 #include "tool_error.h"
 
 #include <charconv>
@@ -32,7 +33,7 @@ numberOf(const std::string& text, const std::string& what)
   T value{};
   const auto result = std::from_chars(text.data() + begin, text.data() + end, value);
   if (result.ec != std::errc() || result.ptr != text.data() + end)
-    throw ToolError(what + " is '" + text.substr(0, 40) + "', which is no number");
+    throw ToolError(what + " is " + quoted(text) + ", which is no number");
   return value;
 }
 
@@ -82,7 +83,7 @@ bitsFor(std::uint64_t range)
 void
 readInteger(const Tree& node, bool is_scaled, E57Field& field)
 {
-  const std::string what = "'" + field.name + "'";
+  const std::string what = quoted(field.name);
   field.kind = E57Field::Kind::Integer;
   field.minimum = attribute(node, "minimum", lowest_integer, what);
   const auto maximum = attribute(node, "maximum", highest_integer, what);
@@ -111,14 +112,19 @@ readInteger(const Tree& node, bool is_scaled, E57Field& field)
 void
 readFloat(const Tree& node, E57Field& field)
 {
-  const std::string what = "'" + field.name + "'";
+  const std::string what = quoted(field.name);
   const auto precision = node.get<std::string>("<xmlattr>.precision", "double");
   if (precision != "single" && precision != "double")
-    throw ToolError("the precision of " + what + " is '" + precision +
-                    "', neither single nor double");
+    throw ToolError("the precision of " + what + " is " + quoted(precision) +
+                    ", neither single nor double");
   const bool is_single = precision == "single";
   field.kind = is_single ? E57Field::Kind::Float : E57Field::Kind::Double;
   field.bits = is_single ? 32 : 64;
+  constexpr const char* colour = "color"; // no other range is needed
+  if (field.name.rfind(colour, 0) != 0)
+    return;
+  field.low = attribute<double>(node, "minimum", 0, what);
+  field.high = attribute<double>(node, "maximum", 0, what);
 }
 
 /** @brief Appends the fields below a node of the prototype, which may be nested. */
@@ -140,8 +146,8 @@ addFields(const Tree& node, std::vector<E57Field>& fields)
     else if (type == "Integer" || type == "ScaledInteger")
       readInteger(child.second, type == "ScaledInteger", field);
     else if (type != "String")
-      throw ToolError("field '" + field.name + "' is of the type '" + type +
-                      "', which is unknown");
+      throw ToolError("field " + quoted(field.name) + " is of the type " +
+                      quoted(type) + ", which is unknown");
     fields.push_back(field);
   }
 }
@@ -182,8 +188,10 @@ readColourLimits(const Tree& node, E57Scan& scan)
                realAt(*limits, name + "Maximum", "its colours")};
     const int field = scan.find(name);
     if (field >= 0 && !(range.second > range.first)) {
+      constexpr double deepest = 65535; // wider ranges are those of the type
       const E57Field& f = scan.fields[static_cast<std::size_t>(field)];
-      range = {f.low, f.high};
+      if (f.low >= 0 && f.high <= deepest)
+        range = {f.low, f.high};
     }
     scan.colour_limits.push_back(range);
   }
@@ -223,7 +231,8 @@ E57Scan::find(const std::string& wanted) const
 std::string
 E57Scan::title() const
 {
-  return "scan " + std::to_string(number) + (name.empty() ? "" : " ('" + name + "')");
+  return "scan " + std::to_string(number) +
+         (name.empty() ? "" : " (" + quoted(name) + ")");
 }
 
 std::vector<E57Entry>

@@ -47,36 +47,38 @@ pastOpeningTag(const std::string& xml, std::size_t position)
 
 } // namespace
 
-std::size_t
-nestingOf(const std::string& xml, std::size_t limit)
+XmlShape
+shapeOf(const std::string& xml, std::size_t limit)
 {
+  XmlShape shape;
   std::size_t depth = 0;
-  std::size_t deepest = 0;
   const auto begins = [&](std::size_t at, const char* text) {
     return xml.compare(at, std::string::traits_type::length(text), text) == 0;
   };
-  for (std::size_t at = xml.find('<'); at != std::string::npos && deepest <= limit;
-       at = xml.find('<', at)) {
+  for (std::size_t at = xml.find('<');
+       at != std::string::npos && shape.nesting <= limit; at = xml.find('<', at)) {
     if (begins(at, "<!--"))
       at = past(xml, "-->", at + 4);
     else if (begins(at, "<![CDATA["))
       at = past(xml, "]]>", at);
     else if (begins(at, "<?"))
       at = past(xml, "?>", at + 2);
-    else if (begins(at, "<!"))
+    else if (begins(at, "<!")) {
+      shape.has_document_type = true;
       at = past(xml, ">", at);
+    }
     else if (begins(at, "</")) {
       depth -= std::min<std::size_t>(depth, 1);
       at = past(xml, ">", at);
     }
     else {
-      deepest = std::max(deepest, depth + 1);
+      shape.nesting = std::max(shape.nesting, depth + 1);
       at = pastOpeningTag(xml, at + 1);
       if (at < 2 || xml[at - 2] != '/')
         ++depth;
     }
   }
-  return deepest;
+  return shape;
 }
 
 boost::property_tree::ptree
@@ -92,9 +94,10 @@ readE57Tree(const E57Pages& pages)
   pages.copy(pages.xmlBegin(), xml.size(), reinterpret_cast<std::uint8_t*>(&xml[0]));
   // Some writers include the padding of the last page.
   xml.erase(xml.find_last_not_of(std::string("\0 \t\r\n", 5)) + 1);
-  if (xml.find("<!DOCTYPE") != std::string::npos)
+  const XmlShape shape = shapeOf(xml, deepest);
+  if (shape.has_document_type)
     throw ToolError("its XML defines a document type, which E57 does not have");
-  if (nestingOf(xml, deepest) > deepest)
+  if (shape.nesting > deepest)
     throw ToolError("the elements of its XML are nested deeper than " +
                     std::to_string(deepest));
   boost::property_tree::ptree tree;

@@ -15,9 +15,15 @@ namespace tools {
  * document type (whose entities may expand), and nesting deeper than 64. */
 boost::property_tree::ptree readE57Tree(const E57Pages& pages);
 
-/** @brief Returns the nesting depth of an XML text, at most `limit` + 1. It works
- * without a parser, as a deep text would overflow the parser's stack. */
-std::size_t nestingOf(const std::string& xml, std::size_t limit);
+/** @brief What is known of an XML text before it is parsed. */
+struct XmlShape {
+  std::size_t nesting = 0;        ///< depth of its elements
+  bool has_document_type = false; ///< or another declaration outside of comments
+};
+
+/** @brief Scans an XML text until its nesting exceeds `limit`. It works without a
+ * parser, as a deep text would overflow the parser's stack. */
+XmlShape shapeOf(const std::string& xml, std::size_t limit);
 
 } // namespace tools
 } // namespace sedr

@@ -3,6 +3,7 @@
 
 #include "tool_error.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -45,6 +46,9 @@ constexpr std::size_t record_place = 105;
 constexpr std::size_t points_place = 107;
 constexpr std::size_t scale_place = 131;
 constexpr std::size_t shift_place = 155;
+constexpr std::size_t waveforms_place = 227;     // LAS 1.3
+constexpr std::size_t after_place = 235;         // LAS 1.4: records after the points
+constexpr std::size_t records_after_place = 243; // how many these are
 constexpr std::size_t points_place_of_1_4 = 247;
 
 template <typename T>
@@ -115,6 +119,38 @@ pointsOf(const MappedFile& file, std::size_t header_size)
   return many > 0 ? many : valueAt<std::uint32_t>(file, points_place);
 }
 
+/** @brief Returns the number of bytes between the begin of the points and what may
+ * follow them: waveforms (LAS 1.3) or further records (LAS 1.4). */
+std::uint64_t
+pointBytes(const MappedFile& file, std::size_t header_size, std::uint64_t begin)
+{
+  const unsigned minor = file.data()[version_place + 1];
+  std::uint64_t end = file.size();
+  const auto endAt = [&](std::uint64_t start) {
+    if (start > begin)
+      end = std::min(end, start);
+  };
+  if (minor >= 3 && header_size >= waveforms_place + sizeof(std::uint64_t))
+    endAt(valueAt<std::uint64_t>(file, waveforms_place));
+  if (minor >= 4 && header_size >= header_of_1_4 &&
+      valueAt<std::uint32_t>(file, records_after_place) > 0)
+    endAt(valueAt<std::uint64_t>(file, after_place));
+  return end - begin;
+}
+
+/** @brief Refuses a header that counts more points than there are, or fewer. */
+void
+checkCount(const LasHeader& header, std::uint64_t bytes, const std::string& path)
+{
+  const std::string promise = "its header promises " + text(header.points) +
+                              " points of " + text(header.record) + " bytes, but " +
+                              text(bytes) + " bytes ";
+  if (header.points > bytes / header.record)
+    refuse(path, "the file is cut off, " + promise + "follow");
+  if (header.points > 0 && bytes / header.record > header.points)
+    refuse(path, promise + "are there for them");
+}
+
 /** @brief Walks the variable-length records between header and points. Their own
  * lengths reveal a wrong number of records. */
 void
@@ -174,11 +210,8 @@ readLasHeader(const MappedFile& file, const std::string& path)
                      text(file.size()));
   checkRecords(file, path, header_size, header.begin);
   readScales(file, path, header);
-  const std::uint64_t left = file.size() - header.begin;
-  if (!header.is_compressed && header.points > left / header.record)
-    refuse(path, "the file is cut off, its header promises " + text(header.points) +
-                     " points of " + text(header.record) + " bytes, but " + text(left) +
-                     " bytes follow");
+  if (!header.is_compressed)
+    checkCount(header, pointBytes(file, header_size, header.begin), path);
   return header;
 }
 

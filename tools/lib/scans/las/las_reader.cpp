@@ -2,6 +2,7 @@
 #include "las_reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace pcl {
@@ -19,10 +20,18 @@ LasReader::LasReader(const MappedFile& file, const LasHeader& header)
     , header_(header)
     , rows_(header)
 {
+  if (header_.colour_offset == 0)
+    return;
+  // Multiples of the golden ratio: in no step with what repeats in a file.
   constexpr std::size_t max_looked_at = 10000;
-  const std::size_t step = std::max<std::size_t>(1, size() / max_looked_at);
-  for (std::size_t i = 0; header_.colour_offset > 0 && i < size(); i += step)
-    rows_.lookAt(pointIn(file_.data() + placeOf(i)));
+  constexpr double golden = 0.6180339887498949;
+  const std::size_t looked_at = std::min(size(), max_looked_at);
+  for (std::size_t k = 0; k < looked_at; ++k) {
+    const double share = static_cast<double>(k) * golden;
+    const auto row = static_cast<std::size_t>((share - std::floor(share)) *
+                                              static_cast<double>(size()));
+    rows_.lookAt(pointIn(file_.data() + placeOf(std::min(row, size() - 1))));
+  }
 }
 
 LasPoint

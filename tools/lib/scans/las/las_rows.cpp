@@ -40,7 +40,8 @@ LasRows::write(const LasPoint& point, std::uint8_t* row) const
   if (!has_colour_)
     return row;
   for (std::size_t k = 0; k < point.colour.size(); ++k)
-    row[k] = static_cast<std::uint8_t>(point.colour[2 - k] >> colour_shift_);
+    row[k] =
+        static_cast<std::uint8_t>(std::min(point.colour[2 - k] >> colour_shift_, 0xff));
   row[3] = 0xff;
   return row + sizeof(float);
 }

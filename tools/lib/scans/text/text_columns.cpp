@@ -2,6 +2,8 @@
 #include "text_columns.h"
 
 #include "cloud_readers.h"
+#include "column_names.h"
+#include "plain_text.h"
 #include "tool_error.h"
 
 #include <algorithm>
@@ -9,7 +11,6 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <map>
 
 namespace pcl {
 namespace sedr {
@@ -18,7 +19,7 @@ namespace tools {
 namespace {
 
 constexpr std::size_t max_columns = 64;
-constexpr std::size_t max_lines_before = 20;
+constexpr std::size_t max_lines_before = 20; // that are neither empty nor comments
 using Numbers = std::array<double, max_columns>;
 
 bool
@@ -100,7 +101,7 @@ struct FirstLine {
   std::size_t begin = 0; ///< bytes
   std::string_view text;
   std::vector<double> numbers;
-  std::string_view before; ///< previous line, empty if there is none
+  std::vector<std::string_view> before; ///< the last lines before, but empty ones
 };
 
 FirstLine
@@ -108,15 +109,17 @@ findFirstLine(const MappedFile& file)
 {
   FirstLine first;
   TextCursor cursor(file, sizeOfMark(file));
-  for (std::size_t k = 0; k < max_lines_before; ++k) {
+  for (std::size_t others = 0; others < max_lines_before;) {
     first.begin = cursor.position();
     if (!cursor.nextLine(first.text))
       break;
     constexpr std::size_t longest = 1 << 14;
     if (first.text.size() > longest || first.text.find('\0') != first.text.npos)
       break;
+    const bool may_hold_numbers = mayHoldNumbers(first.text);
+    others += may_hold_numbers ? 1 : 0;
     Numbers numbers{};
-    const std::size_t n = mayHoldNumbers(first.text)
+    const std::size_t n = may_hold_numbers
                               ? readColumns(first.text, hasDecimalComma(first.text),
                                             max_columns, numbers.data())
                               : 0;
@@ -124,52 +127,13 @@ findFirstLine(const MappedFile& file)
                          numbers.begin() + static_cast<std::ptrdiff_t>(n));
     if (n >= 3)
       return first;
-    if (!first.text.empty())
-      first.before = first.text;
+    if (first.text.find_first_not_of(" \t") == first.text.npos)
+      continue;
+    if (first.before.size() == max_lines_before)
+      first.before.erase(first.before.begin());
+    first.before.push_back(first.text);
   }
   return {};
-}
-
-std::vector<std::string>
-namesIn(std::string_view text)
-{
-  std::vector<std::string> names;
-  std::string name;
-  for (std::size_t i = 0; i <= text.size(); ++i)
-    if (i < text.size() && !partsColumns(text[i], false) && text[i] != '"' &&
-        text[i] != '#' && text[i] != '/')
-      name += static_cast<char>(std::tolower(static_cast<unsigned char>(text[i])));
-    else if (!name.empty()) {
-      names.push_back(name);
-      name.clear();
-    }
-  return names;
-}
-
-/** @brief Renames columns as written by other programs to PCL's fields. */
-void
-nameAsFields(std::vector<std::string>& names)
-{
-  const std::map<std::string, std::string> known{
-      {"r", "red"},       {"g", "green"},       {"b", "blue"},
-      {"i", "intensity"}, {"int", "intensity"}, {"reflectance", "intensity"},
-      {"nx", "normal_x"}, {"ny", "normal_y"},   {"nz", "normal_z"},
-      {"easting", "x"},   {"northing", "y"},    {"elevation", "z"},
-      {"height", "z"},    {"east", "x"},        {"north", "y"},
-      {"elev", "z"}};
-  for (auto& name : names) {
-    const auto it = known.find(name);
-    if (it != known.end())
-      name = it->second;
-  }
-}
-
-bool
-hasCoordinates(const std::vector<std::string>& names)
-{
-  return std::all_of(std::begin("xyz"), std::end("xyz") - 1, [&](char axis) {
-    return std::count(names.begin(), names.end(), std::string(1, axis)) == 1;
-  });
 }
 
 std::vector<std::string>
@@ -187,7 +151,35 @@ usualNames(const std::vector<double>& numbers)
   return names;
 }
 
+/** @brief Takes the number of points, if a line before them is one, as in PTS. */
+void
+takeCount(std::vector<std::string_view>& before, TextColumns& columns)
+{
+  const auto line = std::find_if(before.rbegin(), before.rend(), [&](auto text) {
+    return readCount(text, columns.promised);
+  });
+  if (line == before.rend())
+    return;
+  columns.has_counts = true;
+  before.erase(std::next(line).base());
+}
+
 } // namespace
+
+bool
+readCount(std::string_view line, std::uint64_t& count)
+{
+  const std::size_t first = line.find_first_not_of(" \t");
+  if (first == line.npos)
+    return false;
+  line = line.substr(first, line.find_last_not_of(" \t") + 1 - first);
+  std::uint64_t number = 0;
+  const auto result = std::from_chars(line.data(), line.data() + line.size(), number);
+  if (result.ec != std::errc() || result.ptr != line.data() + line.size())
+    return false;
+  count = number;
+  return true;
+}
 
 bool
 mayHoldNumbers(std::string_view line)
@@ -252,13 +244,14 @@ findColumns(const MappedFile& file, const std::string& path, const std::string& 
       readColumns(first.text, columns.has_decimal_comma, max_columns, numbers.data());
   first.numbers.assign(numbers.begin(),
                        numbers.begin() + static_cast<std::ptrdiff_t>(n));
-  columns.names = namesIn(asked.empty() ? first.before : std::string_view(asked));
-  nameAsFields(columns.names);
-  if (asked.empty() &&
-      (columns.names.size() > first.numbers.size() || !hasCoordinates(columns.names)))
+  takeCount(first.before, columns);
+  columns.names =
+      asked.empty() ? namesBefore(first.before, n, path) : columnNames(asked);
+  if (asked.empty() && columns.names.empty())
     columns.names = usualNames(first.numbers);
-  if (!hasCoordinates(columns.names))
-    throw ToolError("the columns '" + asked + "' do not hold each of x, y and z once");
+  if (!namesCoordinates(columns.names))
+    throw ToolError("the columns " + quoted(asked) +
+                    " do not hold each of x, y and z once");
   if (columns.names.size() > first.numbers.size())
     throw ToolError("the first line of numbers of '" + path + "' has " +
                     std::to_string(first.numbers.size()) + " of the " +

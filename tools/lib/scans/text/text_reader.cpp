@@ -57,13 +57,39 @@ TextReader::countLines()
   constexpr std::size_t stride = std::size_t{1} << 16; // bytes
   TextCursor cursor(file_, columns_.begin);
   std::size_t place = columns_.begin;
+  std::uint64_t promised = columns_.promised;
+  std::size_t begin = 0; // first row of those that are promised
   for (std::string_view line; cursor.nextLine(line); place = cursor.position()) {
-    if (!mayHoldNumbers(line))
+    std::uint64_t count = 0;
+    if (columns_.has_counts && readCount(line, count)) {
+      checkCount(promised, begin);
+      promised = count;
+      begin = size_;
+    }
+    if (!holdsPoint(line))
       continue;
     if (marks_.empty() || place - marks_.back().place >= stride)
       marks_.push_back({place, size_});
     ++size_;
   }
+  checkCount(promised, begin);
+}
+
+bool
+TextReader::holdsPoint(std::string_view line) const
+{
+  std::uint64_t count = 0;
+  return mayHoldNumbers(line) && !(columns_.has_counts && readCount(line, count));
+}
+
+void
+TextReader::checkCount(std::uint64_t promised, std::size_t begin) const
+{
+  if (columns_.has_counts && promised != size_ - begin)
+    throw ToolError("cannot read '" + path_ +
+                    "' as columns of numbers: " + std::to_string(promised) +
+                    " points are promised before point " + std::to_string(begin + 1) +
+                    ", but " + std::to_string(size_ - begin) + " follow");
 }
 
 const TextReader::Mark&
@@ -92,7 +118,7 @@ TextReader::read(std::size_t first, std::size_t size, std::uint8_t* rows) const
   TextCursor cursor(file_, mark.place);
   std::size_t row = mark.row;
   for (std::string_view line; row < first + size && cursor.nextLine(line);) {
-    if (!mayHoldNumbers(line))
+    if (!holdsPoint(line))
       continue;
     if (row++ < first)
       continue;

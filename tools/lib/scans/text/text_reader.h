@@ -32,6 +32,13 @@ private:
 
   void layFields();
   void countLines();
+
+  /** @brief Returns whether a line is a point, neither a comment nor a count. */
+  bool holdsPoint(std::string_view line) const;
+
+  /** @brief Throws ToolError unless the points from `begin` on are as many as the line
+   * before them promises. */
+  void checkCount(std::uint64_t promised, std::size_t begin) const;
   const Mark& markBefore(std::size_t row) const;
   void writeRow(const double* numbers, std::uint8_t* row) const;
 

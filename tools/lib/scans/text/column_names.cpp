@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "column_names.h"
+
+#include "plain_text.h"
+#include "tool_error.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+
+namespace pcl {
+namespace sedr {
+namespace tools {
+
+namespace {
+
+constexpr std::string_view blanks = " \t\r";
+
+/** @brief Replaces units in brackets, quotes and marks of comments by blanks. */
+std::string
+withoutUnits(std::string_view line)
+{
+  std::string text;
+  int depth = 0;
+  for (const char c : line) {
+    depth += c == '[' || c == '(' ? 1 : 0;
+    const bool is_left_out = depth > 0 || c == '"' || c == '\'' || c == '#' || c == '/';
+    text += is_left_out
+                ? ' '
+                : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    depth -= (c == ']' || c == ')') && depth > 0 ? 1 : 0;
+  }
+  return text;
+}
+
+/** @brief Splits a text at any of the separators; what is empty is left out, and blanks
+ * within a name become underscores. */
+std::vector<std::string>
+split(std::string_view text, std::string_view separators)
+{
+  std::vector<std::string> names;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find_first_of(separators), text.size());
+    const std::string_view part = text.substr(0, end);
+    const std::size_t first = part.find_first_not_of(blanks);
+    if (first != part.npos)
+      names.emplace_back(part.substr(first, part.find_last_not_of(blanks) + 1 - first));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  for (std::string& name : names)
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c == ' ' || c == '\t'; }, '_');
+  return names;
+}
+
+/** @brief Returns PCL's field for a name that other programs write; empty if the name
+ * is unknown. */
+std::string
+fieldOf(const std::string& name)
+{
+  static const std::map<std::string, std::string> known = [] {
+    std::map<std::string, std::string> all{{"r", "red"},
+                                           {"g", "green"},
+                                           {"b", "blue"},
+                                           {"i", "intensity"},
+                                           {"int", "intensity"},
+                                           {"reflectance", "intensity"},
+                                           {"nx", "normal_x"},
+                                           {"ny", "normal_y"},
+                                           {"nz", "normal_z"},
+                                           {"e", "x"},
+                                           {"east", "x"},
+                                           {"easting", "x"},
+                                           {"rechtswert", "x"},
+                                           {"n", "y"},
+                                           {"north", "y"},
+                                           {"northing", "y"},
+                                           {"hochwert", "y"},
+                                           {"h", "z"},
+                                           {"height", "z"},
+                                           {"elev", "z"},
+                                           {"elevation", "z"},
+                                           {"alt", "z"},
+                                           {"altitude", "z"},
+                                           {"h\xc3\xb6he", "z"},
+                                           {"hoehe", "z"},
+                                           {"points:0", "x"},
+                                           {"points:1", "y"},
+                                           {"points:2", "z"},
+                                           {"intensity", "intensity"}};
+    for (const char* axis : {"x", "y", "z"})
+      for (const std::string form :
+           {"", "_coord", "coord", "_coordinate", "-coordinate"})
+        all[axis + form] = axis;
+    for (const char* colour : {"red", "green", "blue"})
+      all[colour] = colour;
+    // Angles are no coordinates in metres, but show that a line holds names.
+    for (const char* angle : {"lat", "latitude", "lon", "long", "longitude"})
+      all[angle] = angle;
+    return all;
+  }();
+  const auto it = known.find(name);
+  return it == known.end() ? std::string() : it->second;
+}
+
+bool
+isComment(std::string_view line)
+{
+  const std::size_t first = line.find_first_not_of(blanks);
+  return first != line.npos && (line[first] == '#' || line[first] == '/');
+}
+
+/** @brief Returns whether a comment is a line of names rather than a sentence. */
+bool
+isLikeNames(std::string_view comment, std::size_t columns)
+{
+  const std::vector<std::string> names = columnNames(comment);
+  const std::vector<std::string> words = split(withoutUnits(comment), " \t\r,;");
+  return names.size() == columns &&
+         (comment.find_first_of(",;\t") != comment.npos ||
+          std::any_of(words.begin(), words.end(),
+                      [](const std::string& word) { return !fieldOf(word).empty(); }));
+}
+
+} // namespace
+
+std::vector<std::string>
+columnNames(std::string_view line)
+{
+  constexpr std::string_view separators = ",;\t";
+  const std::string text = withoutUnits(line);
+  const bool has_separators = text.find_first_of(separators) != text.npos;
+  std::vector<std::string> names = split(text, has_separators ? separators : blanks);
+  for (std::string& name : names) {
+    const std::string field = fieldOf(name);
+    if (!field.empty() && std::find(names.begin(), names.end(), field) == names.end())
+      name = field;
+  }
+  return names;
+}
+
+bool
+namesCoordinates(const std::vector<std::string>& names)
+{
+  return std::all_of(std::begin("xyz"), std::end("xyz") - 1, [&](char axis) {
+    return std::count(names.begin(), names.end(), std::string(1, axis)) == 1;
+  });
+}
+
+std::vector<std::string>
+namesBefore(const std::vector<std::string_view>& lines,
+            std::size_t columns,
+            const std::string& path)
+{
+  for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
+    std::vector<std::string> names = columnNames(*line);
+    names.resize(std::min(names.size(), columns));
+    if (namesCoordinates(names))
+      return names;
+  }
+  for (const std::string_view line : lines)
+    if (!isComment(line) || isLikeNames(line, columns))
+      throw ToolError("the line " + quoted(line) + " before the numbers of '" + path +
+                      "' does not name x, y and z of its " + std::to_string(columns) +
+                      " columns: --columns names them, such as --columns x,y,z");
+  return {};
+}
+
+} // namespace tools
+} // namespace sedr
+} // namespace pcl
