@@ -90,7 +90,7 @@ TEST(PlainText, EscapesWhatCannotBePrintedAndCutsWhatIsLong)
   EXPECT_EQ(plainText("\xed\xa0\x80"), "\\xed\\xa0\\x80"); // half a character
   EXPECT_EQ(plainText(std::string_view("\0", 1)), "\\x00");
   EXPECT_EQ(plainText("abcdef", 3), "abc...");
-  EXPECT_EQ(quoted(std::string(100, 'a')), "'" + std::string(40, 'a') + "...'");
+  EXPECT_EQ(quotedWord(std::string(100, 'a')), "'" + std::string(40, 'a') + "...'");
 }
 
 TEST(ToolOptions, AListOfFilesTakesWhatTheOthersLeave)

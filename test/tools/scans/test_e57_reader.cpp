@@ -307,7 +307,12 @@ TEST_F(E57Files, WhatIsBrokenIsToldWithNumbers)
   for (const char* name : {"cartesianX", "cartesianY", "cartesianZ"})
     constant.push_back(E57TestField::ofIntegers(name, {1}, 1, 1));
   bodiless.addScan("", constant, "", 0x7fffffff);
-  expect(bodiless.file(), "all of its 2147483647 points are one and the same");
+  expect(bodiless.file(),
+         "all of its 2147483647 points are one and the same, the whole "
+         "file has 16320 bits");
+  E57Writer constants;
+  constants.addScan("", constant, "", 3000);
+  EXPECT_EQ(load(constants).size(), 3000u);
   E57Writer huge;
   huge.addScan("", fields, "", 1ll << 60);
   expect(huge.file(), "scan 1: it is said to have 1152921504606846976 points");

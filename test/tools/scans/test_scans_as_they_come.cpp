@@ -35,17 +35,26 @@ const Eigen::Vector3d place(691600, 5336000, 12); // of the building in its grid
 
 class ScansAsTheyCome : public ::testing::Test {
 protected:
-  /** Simulates the building once for all tests. */
+  /** Simulates the building once for all tests, scanned from three stations. */
   static void SetUpTestSuite()
   {
     folder_ = std::make_unique<TemporaryFolder>();
-    ASSERT_EQ(run(SIMULATE_INDOOR_SCAN, {"bls_room", in("study"), "--rays", "3000"})
-                  .exit_code,
-              0);
+    auto scene = nlohmann::json::parse(bytesOf(SCENES "/bls_room.json"));
+    scene["scanners"] = nlohmann::json::parse(
+        R"([{"stations": [[1.3, 1, 1.6], [4.3, 1.1, 1.5], [2.8, 3.4, 1.7]],
+             "rays": 64000, "jitter": 1, "max_range": 40, "noise": 0.01}])");
+    writeFile(in("scene.json"), scene.dump());
+    ASSERT_EQ(run(SIMULATE_INDOOR_SCAN, {in("scene.json"), in("study")}).exit_code, 0);
     const ToolCloud scan = loadCloud(in("study/scan.pcd"));
     for (const auto& p : *scan.points)
       points_.push_back(p.getVector3fMap().cast<double>());
-    ASSERT_EQ(model(in("study/scan.pcd"), "model").exit_code, 0);
+    ScanSettings settings;
+    settings.positions = in("study/positions.txt");
+    stations_ = ScanFile(in("study/scan.pcd"), settings).positions();
+    ASSERT_EQ(stations_.size(), 3u);
+    ASSERT_EQ(model(in("study/scan.pcd"), "model", {"--positions", settings.positions})
+                  .exit_code,
+              0);
     plan_ = *loadFloorplan(in("model/floorplan.json"));
   }
 
@@ -53,6 +62,7 @@ protected:
   {
     folder_.reset();
     points_.clear();
+    stations_.clear();
   }
 
   static std::string in(const std::string& name)
@@ -68,18 +78,26 @@ protected:
     return run(SEDR, options);
   }
 
-  /** Returns the points of one of three scans, every third point. */
+  /** Returns the points that were scanned from a station. */
   static std::vector<Eigen::Vector3d> part(std::size_t scan)
   {
+    const std::size_t end =
+        scan + 1 < stations_.size() ? stations_[scan + 1].first_row : points_.size();
     std::vector<Eigen::Vector3d> points;
-    for (std::size_t i = scan; i < points_.size(); i += 3)
+    for (std::size_t i = stations_[scan].first_row; i < end; ++i)
       points.push_back(points_[i] + place);
     return points;
   }
 
-  /** Returns the building as E57 of three scans with poses in the grid, one of them
-   * with spherical coordinates. */
-  static std::string e57()
+  /** Returns where a station is in the grid. */
+  static Eigen::Vector3d stationOf(std::size_t scan)
+  {
+    return place + stations_[scan].place.cast<double>();
+  }
+
+  /** Returns the building as E57 of three scans with poses in the grid, all of them
+   * or only the second one with spherical coordinates. */
+  static std::string e57(bool are_all_spherical = false)
   {
     E57Writer writer;
     writer.packet_bytes = 60000;
@@ -88,13 +106,13 @@ protected:
       const double angle = 0.5 + static_cast<double>(scan);
       const Eigen::Quaterniond turn(
           Eigen::AngleAxisd(angle, Eigen::Vector3d(0.1, 0.2, 1).normalized()));
-      const Eigen::Vector3d station =
-          place + Eigen::Vector3d(1.5, 1 + static_cast<double>(scan), 1.6);
+      const Eigen::Vector3d station = stationOf(scan);
       std::vector<Eigen::Vector3d> local;
       for (const Eigen::Vector3d& p : part(scan))
         local.push_back(turn.conjugate() * (p - station));
       writer.addScan("station " + std::to_string(scan),
-                     scan == 1 ? spherical(local) : cartesian(local),
+                     scan == 1 || are_all_spherical ? spherical(local)
+                                                    : cartesian(local),
                      E57Writer::pose(turn.w(), turn.x(), turn.y(), turn.z(),
                                      station.x(), station.y(), station.z()));
     }
@@ -178,11 +196,13 @@ protected:
 
   static std::unique_ptr<TemporaryFolder> folder_;
   static std::vector<Eigen::Vector3d> points_;
+  static pcl::sedr::ScanPositions stations_;
   static Floorplan plan_;
 };
 
 std::unique_ptr<TemporaryFolder> ScansAsTheyCome::folder_;
 std::vector<Eigen::Vector3d> ScansAsTheyCome::points_;
+pcl::sedr::ScanPositions ScansAsTheyCome::stations_;
 Floorplan ScansAsTheyCome::plan_;
 
 TEST_F(ScansAsTheyCome, E57OfThreePosesInAGridGivesThePlanAndEveryOutputItsOrigin)
@@ -192,8 +212,11 @@ TEST_F(ScansAsTheyCome, E57OfThreePosesInAGridGivesThePlanAndEveryOutputItsOrigi
   ASSERT_EQ(made.exit_code, 0) << made.err;
   EXPECT_NE(made.err.find("counted from (6916"), std::string::npos) << made.err;
   expectPlan("of_e57");
-  // The poses are not where the simulated scanner stood.
-  EXPECT_NE(made.err.find("3 of 3 positions"), std::string::npos) << made.err;
+  EXPECT_EQ(made.err.find("positions"), std::string::npos) << made.err;
+  EXPECT_EQ(nlohmann::json::parse(bytesOf(in("of_e57/report.json")))
+                .at("positions")
+                .at("known"),
+            3);
   const Origin origin = planOrigin(in("of_e57/floorplan.json"));
   EXPECT_FALSE(origin.isZero());
   EXPECT_EQ(origin, planOrigin(in("of_e57/report.json")));
@@ -204,6 +227,23 @@ TEST_F(ScansAsTheyCome, E57OfThreePosesInAGridGivesThePlanAndEveryOutputItsOrigi
   for (const char* name : {"structure.pcd", "solid.ply", "solid.obj"})
     EXPECT_EQ(originOfModel(in("of_e57/") + name), origin) << name;
   EXPECT_EQ(loadCloud(in("of_e57/structure.pcd")).origin, origin);
+}
+
+TEST_F(ScansAsTheyCome, SphericalE57GivesThePlan)
+{
+  writeFile(in("spherical.e57"), e57(true));
+  ASSERT_EQ(model(in("spherical.e57"), "of_spherical").exit_code, 0);
+  expectPlan("of_spherical");
+}
+
+TEST_F(ScansAsTheyCome, PosesThatAreNotWhereTheScannerStoodDoNoHarm)
+{
+  std::swap(stations_[0].place, stations_[2].place);
+  const std::string swapped = e57();
+  std::swap(stations_[0].place, stations_[2].place);
+  writeFile(in("swapped.e57"), swapped);
+  ASSERT_EQ(model(in("swapped.e57"), "of_swapped").exit_code, 0);
+  expectPlan("of_swapped");
 }
 
 TEST_F(ScansAsTheyCome, LasGivesThePlanAlsoByTheStandardInput)
@@ -260,7 +300,7 @@ TEST_F(ScansAsTheyCome, ConvertersWriteWhatIsRead)
   const ProgramRun listed = run(E57_TO_PCD, {in("scan.e57"), "--list"});
   EXPECT_EQ(listed.exit_code, 0);
   EXPECT_NE(listed.out.find("station 2"), std::string::npos) << listed.out;
-  EXPECT_NE(listed.out.find("691601.5, 5336002, 13.6"), std::string::npos)
+  EXPECT_NE(listed.out.find(Origin{stationOf(1)}.text(", ")), std::string::npos)
       << listed.out;
   ASSERT_EQ(run(E57_TO_PCD, {in("scan.e57"), in("one.pcd"), "--scan", "1"}).exit_code,
             0);
@@ -310,7 +350,7 @@ TEST_F(ScansAsTheyCome, AFileThatShrinksWhileItIsReadIsAnError)
     sample.points[i][0] = static_cast<std::int32_t>(i);
   std::string lines;
   for (int i = 0; i < 100000; ++i)
-    lines += std::to_string(i) + " 2 3\n";
+    lines += std::to_string(i % 900) + " 2 3\n";
   for (const std::string& bytes : {sample.bytes(), e57(), lines}) {
     writeFile(in("shrinks"), bytes);
     const ScanFile scan(in("shrinks"), 1, 100000);

@@ -171,8 +171,7 @@ TEST_F(TextFiles, NamesThatAreNotKnownAreRefusedNotTakenForXyz)
 {
   for (const char* const text :
        {"a,b,c\n1,2,3\n", "Lat Lon Alt\n1 2 3\n", "//Lat Lon H\n1 2 3\n",
-        "id x y z\n1 2 3\n", "x y z height\n1 2 3 4\nx", "1e400 0 0\n1 2 3\n",
-        "# east;middle;up\n1;2;3\n"}) {
+        "id x y z\n1 2 3\n", "1e400 0 0\n1 2 3\n", "# east;middle;up\n1;2;3\n"}) {
     const std::string reason = refusal(text);
     EXPECT_NE(reason.find("--columns"), std::string::npos) << text << reason;
     EXPECT_LT(reason.size(), 300u);

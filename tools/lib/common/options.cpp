@@ -21,6 +21,7 @@ namespace po = boost::program_options;
 namespace {
 
 constexpr std::size_t help_column = 26;
+constexpr double vast = 1e9; // larger limits are those of types and not printed
 
 std::string
 joined(const std::vector<std::string>& words, const std::string& between)
@@ -81,7 +82,6 @@ Range::text(const std::string& unit) const
     text << value << withUnit(unit);
     return text.str();
   };
-  constexpr double vast = 1e9; // limits of number types are not printed
   const bool has_low = low > -vast;
   const bool has_high = high < vast;
   if (has_low && has_high)
@@ -147,15 +147,14 @@ Options::addNumber(const std::string& name,
         (whole && value != std::floor(value)))
       throw ToolError("--" + name + " takes a " + (whole ? "whole " : "") + "number" +
                       (unit.empty() ? "" : " of " + unit) + ", not '" + given + "'");
-    if (!range.holds(value)) {
-      std::ostringstream most; // text() leaves out the limit of a type
-      most << std::setprecision(std::numeric_limits<double>::max_digits10) << range.high
-           << withUnit(unit);
-      throw ToolError(
-          "--" + name + " must be " +
-          (value > range.high ? "at most " + most.str() : range.text(unit)) + ", not " +
-          given);
-    }
+    std::ostringstream most;
+    most << std::setprecision(std::numeric_limits<double>::max_digits10) << range.high
+         << withUnit(unit);
+    if (value > range.high && range.high >= vast)
+      throw ToolError("--" + name + " must be at most " + most.str() + ", not " +
+                      given);
+    if (!range.holds(value))
+      throw ToolError("--" + name + " must be " + range.text(unit) + ", not " + given);
     store(value);
   };
   options_.push_back({name, about, true, read});

@@ -61,7 +61,7 @@ plainText(std::string_view text, std::size_t most)
 }
 
 std::string
-quoted(std::string_view word)
+quotedWord(std::string_view word)
 {
   constexpr std::size_t most = 40;
   return "'" + plainText(word, most) + "'";

@@ -17,7 +17,7 @@ std::string plainText(std::string_view text,
 
 /** @brief Quotes a word or name from a file in a message: printable, at most 40 bytes,
  * in single quotes. */
-std::string quoted(std::string_view word);
+std::string quotedWord(std::string_view word);
 
 } // namespace tools
 } // namespace sedr

@@ -11,7 +11,9 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <mutex>
 #include <new>
+#include <set>
 
 namespace pcl {
 namespace sedr {
@@ -64,6 +66,16 @@ void
 warn(const std::string& sentence)
 {
   tell("warning: " + sentence);
+}
+
+void
+warnOnce(const std::string& sentence)
+{
+  static std::mutex mutex;
+  static std::set<std::string> told;
+  const std::lock_guard<std::mutex> lock(mutex);
+  if (told.insert(sentence).second)
+    warn(sentence);
 }
 
 void

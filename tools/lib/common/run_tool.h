@@ -19,6 +19,9 @@ int runTool(Options& options, int argc, char** argv, const std::function<int()>&
 /** @brief Prints a warning on stderr, after the name of the program in runTool(). */
 void warn(const std::string& sentence);
 
+/** @brief As above, but only once per process for each sentence. */
+void warnOnce(const std::string& sentence);
+
 /** @brief Prints an important message on stderr, after the name of the program. */
 void tell(const std::string& sentence);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_readers.h"
 
+#include "run_tool.h"
 #include "tool_error.h"
 
 #include "sedr_filters/src/base/field_access.h"
@@ -114,6 +115,17 @@ readPoints(const MappedFile& file, const FileLayout& layout, const std::string& 
     blob.data.assign(first, first + std::size_t{blob.width} * blob.point_step);
   }
   return blob;
+}
+
+bool
+areMorePoints(std::uint64_t surplus, std::uint64_t row, const std::string& path)
+{
+  if (surplus >= row && surplus % row != 0)
+    warnOnce("'" + path + "' has " + std::to_string(surplus) +
+             " bytes behind its points, which are left out; no whole number of points "
+             "of " +
+             std::to_string(row) + " bytes");
+  return surplus >= row && surplus % row == 0;
 }
 
 void

@@ -75,6 +75,11 @@ void swapBytes(pcl::PCLPointCloud2& blob);
  * green, blue and alpha into `rgb`, or `rgba` with alpha. */
 void nameAsPcl(pcl::PCLPointCloud2& blob);
 
+/** @brief What `surplus` bytes behind the points of a file are: more points than its
+ * header promises, if they are a whole number of `row` bytes. Otherwise prints a
+ * warning that `path` has bytes of something else, unless it is less than a point. */
+bool areMorePoints(std::uint64_t surplus, std::uint64_t row, const std::string& path);
+
 bool looksLikePcd(const MappedFile& file);
 
 bool looksLikePly(const MappedFile& file);

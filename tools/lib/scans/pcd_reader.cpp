@@ -76,7 +76,7 @@ wholeNumber(std::string_view word, const std::string& what, const std::string& p
   std::uint64_t value = 0;
   const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
   if (result.ec != std::errc() || result.ptr != word.data() + word.size())
-    refusePcd(path, what + " is " + quoted(word) + ", not a whole number");
+    refusePcd(path, what + " is " + quotedWord(word) + ", not a whole number");
   return value;
 }
 
@@ -116,9 +116,10 @@ readFields(const PcdHeader& header, const std::string& path)
     const auto count = counts ? wholeNumber((*counts)[i], "a COUNT", path) : 1;
     field.datatype = dataType((*types)[i][0], wholeNumber((*sizes)[i], "a SIZE", path));
     if (field.datatype == 0 || count == 0 || count > max_values)
-      refusePcd(path, "field " + quoted(field.name) + " is of type " +
-                          quoted((*types)[i]) + ", size " + quoted((*sizes)[i]) +
-                          ", count " + std::to_string(count) + ", which is unknown");
+      refusePcd(path, "field " + quotedWord(field.name) + " is of type " +
+                          quotedWord((*types)[i]) + ", size " +
+                          quotedWord((*sizes)[i]) + ", count " + std::to_string(count) +
+                          ", which is unknown");
     field.count = static_cast<pcl::uindex_t>(count);
     fields.push_back(field);
   }
@@ -176,7 +177,7 @@ checkCount(const std::string& path, const pcl::PCLPointCloud2& blob, std::size_t
                               std::to_string(left) + " bytes follow";
   if (left < needed)
     refusePcd(path, "the file is cut off, " + promise);
-  if (left - needed >= blob.point_step)
+  if (areMorePoints(left - needed, blob.point_step, path))
     refusePcd(path, promise);
 }
 
@@ -214,7 +215,7 @@ readPcdLayout(const MappedFile& file, const std::string& path)
   else if (name == "binary_compressed")
     layout.data = FileData::Compressed;
   else if (name != "binary")
-    refusePcd(path, "its DATA is " + quoted(name) + ", not ascii or binary");
+    refusePcd(path, "its DATA is " + quotedWord(name) + ", not ascii or binary");
   else
     checkCount(path, blob, left);
   return layout;

@@ -71,8 +71,8 @@ addProperty(const std::vector<std::string_view>& words,
   field.count = 1;
   field.datatype = dataType(words[1]);
   if (field.datatype == 0)
-    refusePly(path, "property " + quoted(field.name) + " is of the unknown type " +
-                        quoted(words[1]));
+    refusePly(path, "property " + quotedWord(field.name) + " is of the unknown type " +
+                        quotedWord(words[1]));
   element.fields.push_back(field);
 }
 
@@ -103,7 +103,7 @@ readPlyHeader(const MappedFile& file, const std::string& path)
       const auto& n = words[2];
       const auto result = std::from_chars(n.data(), n.data() + n.size(), element.count);
       if (result.ec != std::errc() || result.ptr != n.data() + n.size())
-        refusePly(path, quoted(n) + " is no number of elements");
+        refusePly(path, quotedWord(n) + " is no number of elements");
       header.elements.push_back(element);
     }
     else
@@ -189,7 +189,7 @@ readPlyLayout(const MappedFile& file, const std::string& path)
   const bool ascii = header.format == "ascii";
   if (!ascii && header.format != "binary_little_endian" &&
       header.format != "binary_big_endian")
-    refusePly(path, "its format is " + quoted(header.format));
+    refusePly(path, "its format is " + quotedWord(header.format));
   const auto vertices = std::find_if(header.elements.begin(), header.elements.end(),
                                      [](const auto& e) { return e.name == "vertex"; });
   if (vertices == header.elements.end() || vertices->has_lists)
@@ -209,7 +209,7 @@ readPlyLayout(const MappedFile& file, const std::string& path)
   std::size_t skip = 0;
   for (auto e = header.elements.begin(); e != vertices; ++e) {
     if (e->has_lists || e->count > file.size())
-      refusePly(path, "element " + quoted(e->name) +
+      refusePly(path, "element " + quotedWord(e->name) +
                           " before the vertices cannot be skipped");
     std::string_view line;
     for (std::uint64_t i = 0; ascii && i < e->count; ++i)
@@ -232,7 +232,7 @@ readPlyLayout(const MappedFile& file, const std::string& path)
       std::to_string(needed) + " bytes, but " + std::to_string(left) + " bytes follow";
   if (follow < skip || left < needed)
     refuseCutOff(path, vertices->count, sizes);
-  if (layout.are_last && left - needed >= blob.point_step)
+  if (layout.are_last && areMorePoints(left - needed, blob.point_step, path))
     refusePly(path, "its header promises " + std::to_string(vertices->count) +
                         " vertices, " + sizes);
   return layout;

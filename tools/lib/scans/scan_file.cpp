@@ -10,8 +10,6 @@
 
 #include <algorithm>
 #include <future>
-#include <mutex>
-#include <set>
 
 namespace pcl {
 namespace sedr {
@@ -42,15 +40,12 @@ isInPieces(const FileLayout& layout)
 void
 warnOfMesh(const std::string& path, const FileLayout& layout)
 {
-  static std::mutex mutex;
-  static std::set<std::string> told;
-  const std::lock_guard<std::mutex> lock(mutex);
-  if (layout.faces > 0 && told.insert(path).second)
-    warn("'" + path + "' is a mesh of " + std::to_string(layout.faces) +
-         (layout.faces == 1 ? " face" : " faces") + ": only its " +
-         std::to_string(layout.blob.width) +
-         " vertices are taken, as points; if they stand too far apart, "
-         "pcl_mesh_sampling makes more of it");
+  if (layout.faces > 0)
+    warnOnce("'" + path + "' is a mesh of " + std::to_string(layout.faces) +
+             (layout.faces == 1 ? " face" : " faces") + ": only its " +
+             std::to_string(layout.blob.width) +
+             " vertices are taken, as points; if they stand too far apart, "
+             "pcl_mesh_sampling makes more of it");
 }
 
 /** @brief Calls `read`. An error of it is due to the file's end, if that got lost

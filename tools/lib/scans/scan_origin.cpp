@@ -85,7 +85,7 @@ refuseTooLarge(const std::string& path,
   sentence.precision(2);
   sentence << "the coordinates of '" << path << "' are too large: at "
            << static_cast<long long>(std::min(farthest, 1e18)) << " m "
-           << (shift.isZero(0) ? "" : "from the origin that was asked for ")
+           << (shift.isZero(0) ? "" : "from the origin ")
            << "a float resolves no finer than " << farthest * float_step * 1000
            << " mm; subtract an origin first, say (";
   for (std::size_t axis = 0; axis < 3; ++axis)

@@ -173,13 +173,15 @@ E57Packets::checkCount(const std::vector<std::uint64_t>& seen) const
         field.kind == E57Field::Kind::Integer ? sizeof(std::uint64_t) : bitsOf(w) / 8;
     if (seen[w] < all[w].end || seen[w] >= all[w].end + padding)
       throw ToolError("it is said to have " + text(scan_.points) +
-                      " points, its packets hold " + quoted(field.name) + " of " +
+                      " points, its packets hold " + quotedWord(field.name) + " of " +
                       text(8 * seen[w] / bitsOf(w)));
   }
-  // Nothing in the file would prove the number of points.
-  if (!has_bits && scan_.points > 1)
+  // Constants take no bytes; points of nothing else are bounded by a bit each.
+  const std::uint64_t most = 8 * pages_.size();
+  if (!has_bits && scan_.points > most)
     throw ToolError("all of its " + text(scan_.points) +
-                    " points are one and the same, as no value of them has a bit");
+                    " points are one and the same, the whole file has " + text(most) +
+                    " bits");
 }
 
 std::vector<E57Packets::Part>

@@ -260,6 +260,10 @@ E57Reader::E57Reader(const MappedFile& file,
   for (const E57Entry& entry : entries)
     if (choice.scan == 0 || entry.scan.number == choice.scan)
       open(entry, choice.skip_broken);
+  for (const E57Entry& entry : entries)
+    if (choice.scan == 0 && !scans_.empty() && entry.problem.empty() &&
+        entry.scan.points == 0)
+      warnOnce(entry.scan.title() + " of '" + path + "' has 0 points");
   layFields();
 }
 
@@ -270,7 +274,7 @@ E57Reader::open(const E57Entry& entry, bool skip_broken)
     if (!entry.problem.empty())
       throw ToolError(entry.problem);
     if (entry.scan.points == 0)
-      return warn(entry.scan.title() + " of '" + path_ + "' has 0 points");
+      return;
     constexpr std::uint64_t most = 0x7fffffff; // of an index
     if (entry.scan.points > most)
       throw ToolError("it is said to have " + std::to_string(entry.scan.points) +
@@ -286,7 +290,7 @@ E57Reader::open(const E57Entry& entry, bool skip_broken)
     const std::string title = entry.scan.title();
     if (!skip_broken)
       refuse(path_, title + ": " + error.what());
-    warn(title + " of '" + path_ + "' is left out: " + error.what());
+    warnOnce(title + " of '" + path_ + "' is left out: " + error.what());
   }
 }
 

@@ -33,7 +33,7 @@ numberOf(const std::string& text, const std::string& what)
   T value{};
   const auto result = std::from_chars(text.data() + begin, text.data() + end, value);
   if (result.ec != std::errc() || result.ptr != text.data() + end)
-    throw ToolError(what + " is " + quoted(text) + ", which is no number");
+    throw ToolError(what + " is " + quotedWord(text) + ", which is no number");
   return value;
 }
 
@@ -83,7 +83,7 @@ bitsFor(std::uint64_t range)
 void
 readInteger(const Tree& node, bool is_scaled, E57Field& field)
 {
-  const std::string what = quoted(field.name);
+  const std::string what = quotedWord(field.name);
   field.kind = E57Field::Kind::Integer;
   field.minimum = attribute(node, "minimum", lowest_integer, what);
   const auto maximum = attribute(node, "maximum", highest_integer, what);
@@ -112,10 +112,10 @@ readInteger(const Tree& node, bool is_scaled, E57Field& field)
 void
 readFloat(const Tree& node, E57Field& field)
 {
-  const std::string what = quoted(field.name);
+  const std::string what = quotedWord(field.name);
   const auto precision = node.get<std::string>("<xmlattr>.precision", "double");
   if (precision != "single" && precision != "double")
-    throw ToolError("the precision of " + what + " is " + quoted(precision) +
+    throw ToolError("the precision of " + what + " is " + quotedWord(precision) +
                     ", neither single nor double");
   const bool is_single = precision == "single";
   field.kind = is_single ? E57Field::Kind::Float : E57Field::Kind::Double;
@@ -146,8 +146,8 @@ addFields(const Tree& node, std::vector<E57Field>& fields)
     else if (type == "Integer" || type == "ScaledInteger")
       readInteger(child.second, type == "ScaledInteger", field);
     else if (type != "String")
-      throw ToolError("field " + quoted(field.name) + " is of the type " +
-                      quoted(type) + ", which is unknown");
+      throw ToolError("field " + quotedWord(field.name) + " is of the type " +
+                      quotedWord(type) + ", which is unknown");
     fields.push_back(field);
   }
 }
@@ -232,7 +232,7 @@ std::string
 E57Scan::title() const
 {
   return "scan " + std::to_string(number) +
-         (name.empty() ? "" : " (" + quoted(name) + ")");
+         (name.empty() ? "" : " (" + quotedWord(name) + ")");
 }
 
 std::vector<E57Entry>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "las_header.h"
 
+#include "cloud_readers.h"
 #include "tool_error.h"
 
 #include <algorithm>
@@ -147,7 +148,8 @@ checkCount(const LasHeader& header, std::uint64_t bytes, const std::string& path
                               text(bytes) + " bytes ";
   if (header.points > bytes / header.record)
     refuse(path, "the file is cut off, " + promise + "follow");
-  if (header.points > 0 && bytes / header.record > header.points)
+  if (header.points > 0 &&
+      areMorePoints(bytes - header.points * header.record, header.record, path))
     refuse(path, promise + "are there for them");
 }
 

@@ -160,8 +160,9 @@ namesBefore(const std::vector<std::string_view>& lines,
   }
   for (const std::string_view line : lines)
     if (!isComment(line) || isLikeNames(line, columns))
-      throw ToolError("the line " + quoted(line) + " before the numbers of '" + path +
-                      "' does not name x, y and z of its " + std::to_string(columns) +
+      throw ToolError("the line " + quotedWord(line) + " before the numbers of '" +
+                      path + "' does not name x, y and z of its " +
+                      std::to_string(columns) +
                       " columns: --columns names them, such as --columns x,y,z");
   return {};
 }

@@ -250,7 +250,7 @@ findColumns(const MappedFile& file, const std::string& path, const std::string& 
   if (asked.empty() && columns.names.empty())
     columns.names = usualNames(first.numbers);
   if (!namesCoordinates(columns.names))
-    throw ToolError("the columns " + quoted(asked) +
+    throw ToolError("the columns " + quotedWord(asked) +
                     " do not hold each of x, y and z once");
   if (columns.names.size() > first.numbers.size())
     throw ToolError("the first line of numbers of '" + path + "' has " +
