@@ -309,7 +309,7 @@ TEST_F(E57Files, WhatIsBrokenIsToldWithNumbers)
   bodiless.addScan("", constant, "", 0x7fffffff);
   expect(bodiless.file(),
          "all of its 2147483647 points are one and the same, the whole "
-         "file has 16320 bits");
+         "file has 8160 bits");
   E57Writer constants;
   constants.addScan("", constant, "", 3000);
   EXPECT_EQ(load(constants).size(), 3000u);
