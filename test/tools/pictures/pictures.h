@@ -80,6 +80,13 @@ panelOf(const Picture& picture, std::size_t i)
   throw std::out_of_range("the picture has no such panel");
 }
 
+/** Returns the colour of panel `i` of a picture at a place, metres. */
+inline Colour
+colourAt(const Picture& picture, std::size_t i, const Eigen::Vector2d& place)
+{
+  return colourAt(panelOf(picture, i), place.x(), place.y());
+}
+
 /** Returns the cells of rows `y0` to `y1` and columns `x0` to `x1`, inclusive. */
 inline pcl::sedr::CellSet
 block(int x0, int x1, int y0, int y1)

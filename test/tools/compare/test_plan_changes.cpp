@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "compare_plans.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace programs;
+using namespace pcl::sedr;
+using namespace pcl::sedr::tools;
+using namespace sedr_test;
+
+TEST(StructureCompare, TellsNothingOfWhatIsTheSame)
+{
+  EXPECT_EQ(told(twoRooms(), twoRooms()), Lines{});
+  EXPECT_EQ(told(twoRooms(), twoRooms(5.04)), Lines{}) << "within the tolerance";
+  Floorplan renumbered = twoRooms();
+  std::swap(renumbered.rooms[0], renumbered.rooms[1]);
+  renumbered.rooms[0].id = 1;
+  renumbered.rooms[1].id = 2;
+  EXPECT_EQ(told(twoRooms(), renumbered), Lines{});
+}
+
+TEST(StructureCompare, APartitionThatMovesIsOneThingAndLongerWallsAreNone)
+{
+  EXPECT_EQ(told(twoRooms(), twoRooms(5.3)),
+            Lines{"moved partition by 0.30 m (x +0.30), 4.5 m: room_1_wall_2, "
+                  "room_2_wall_4 -> room_1_wall_2, room_2_wall_4"});
+}
+
+TEST(StructureCompare, APartitionThatIsTakenOutOrPutIn)
+{
+  const Floorplan one{{boxRoomOf(1, 0, 0, 9, 4.5)}};
+  EXPECT_EQ(told(twoRooms(), one),
+            Lines{"vanished partition, 4.5 m: room_1_wall_2, room_2_wall_4"});
+  EXPECT_EQ(told(one, twoRooms()),
+            Lines{"appeared partition, 4.5 m: room_1_wall_2, room_2_wall_4"});
+}
+
+TEST(StructureCompare, ANewPilasterIsOneThing)
+{
+  Floorplan after = twoRooms();
+  auto& walls = after.rooms[0].boundary.elements;
+  const std::vector<Eigen::Vector2d> corners{{2, 4.5}, {2, 4}, {1.5, 4}, {1.5, 4.5}};
+  PlanElement rest = walls[2];
+  rest.start = corners[3];
+  walls[2].end = corners[0];
+  for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
+    PlanElement side;
+    side.start = corners[k];
+    side.end = corners[k + 1];
+    walls.insert(walls.begin() + 3 + static_cast<std::ptrdiff_t>(k), side);
+  }
+  walls.insert(walls.begin() + 6, rest);
+  EXPECT_EQ(
+      told(twoRooms(), after),
+      Lines{"appeared walls, 1.5 m: room_1_wall_4, room_1_wall_5, room_1_wall_6"});
+}
+
+TEST(StructureCompare, AWholeRoomIsToldWithoutItsWalls)
+{
+  Floorplan one = twoRooms();
+  one.rooms.pop_back();
+  EXPECT_EQ(told(twoRooms(), one), Lines{"vanished room, 17.55 m2: room_2"});
+  EXPECT_EQ(told(one, twoRooms()), Lines{"appeared room, 17.55 m2: room_2"});
+}
+
+TEST(StructureCompare, Columns)
+{
+  Floorplan with = twoRooms();
+  with.rooms[1].columns.push_back(columnLoop(7, 2, 7.5, 2.4));
+  EXPECT_EQ(told(twoRooms(), with), Lines{"appeared column, 0.20 m2: room_2_column_1"});
+  EXPECT_EQ(told(with, twoRooms()), Lines{"vanished column, 0.20 m2: room_2_column_1"});
+  Floorplan moved = twoRooms();
+  moved.rooms[1].columns.push_back(columnLoop(7.2, 1.9, 7.7, 2.3));
+  EXPECT_EQ(told(with, moved),
+            Lines{"moved column by 0.22 m (x +0.20, y -0.10), 0.20 m2: room_2_column_1 "
+                  "-> room_2_column_1"});
+  Floorplan grown = twoRooms();
+  grown.rooms[1].columns.push_back(columnLoop(6.98, 1.98, 7.52, 2.42));
+  EXPECT_EQ(told(with, grown), Lines{}) << "at its place";
+}
+
+TEST(StructureCompare, DetailsOfCeilingAndFloor)
+{
+  Floorplan with = twoRooms();
+  with.rooms[0].details.push_back({rectangle(0, 3.7, 5, 4.5), {}, slabAt(2.4)});
+  EXPECT_EQ(told(with, twoRooms()), Lines{"vanished soffit, 4.00 m2: room_1_detail_1"});
+  EXPECT_EQ(told(twoRooms(), with), Lines{"appeared soffit, 4.00 m2: room_1_detail_1"});
+  Floorplan lower = with;
+  lower.rooms[0].details[0].slab = slabAt(2.25);
+  EXPECT_EQ(told(with, lower),
+            Lines{"moved soffit by 0.15 m (z -0.15), 4.00 m2: room_1_detail_1 -> "
+                  "room_1_detail_1"});
+  Floorplan aside = twoRooms();
+  aside.rooms[0].details.push_back({rectangle(0, 2.9, 5, 3.7), {}, slabAt(2.4)});
+  EXPECT_EQ(told(with, aside),
+            Lines{"moved soffit by 0.80 m (y -0.80), 4.00 m2: room_1_detail_1 -> "
+                  "room_1_detail_1"});
+  Floorplan step = twoRooms();
+  step.rooms[1].floor_details.push_back({rectangle(7, 0, 9, 4.5), {}, slabAt(0.3)});
+  EXPECT_EQ(told(twoRooms(), step),
+            Lines{"appeared step, 9.00 m2: room_2_floor_detail_1"});
+  Floorplan higher = twoRooms();
+  higher.rooms[1].ceiling = slabAt(3);
+  EXPECT_EQ(told(twoRooms(), higher),
+            Lines{"moved ceiling by 0.20 m (z +0.20), 17.55 m2: room_2_ceiling -> "
+                  "room_2_ceiling"});
+}
+
+TEST(StructureCompare, ARoundWallThatMoves)
+{
+  const auto apse = [](double radius) {
+    Floorplan plan{{boxRoomOf(1, 0, 0, 5, 4)}};
+    auto& wall = plan.rooms[0].boundary.elements[1];
+    wall.centre = {5 - std::sqrt(radius * radius - 4), 2};
+    wall.radius = radius;
+    return plan;
+  };
+  const auto changes = comparePlans(apse(2.5), apse(2.1), {});
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(changes[0].what, "wall");
+  EXPECT_EQ(changes[0].kind, ChangeKind::Moved);
+  // From the depth of one arc, 1 m, to the depth of the other.
+  EXPECT_NEAR(changes[0].shift.x(), (2.1 - std::sqrt(2.1 * 2.1 - 4)) - 1, 0.02);
+}
+
+TEST(StoreysCompare, TheSameTwoStoreysHaveNoChanges)
+{
+  EXPECT_EQ(told(twoStoreys(), twoStoreys()), Lines{});
+  EXPECT_EQ(told(twoStoreys(5, 4), twoStoreys(5, 4)), Lines{});
+}
+
+TEST(StoreysCompare, AWallOfTheOtherStoreyIsNoAnswer)
+{
+  EXPECT_EQ(told(twoStoreys(5, 4), twoStoreys(4, 4)),
+            Lines{"moved partition by 1.00 m (x -1.00), 4.5 m: room_1_wall_2, "
+                  "room_2_wall_4 -> room_1_wall_2, room_2_wall_4"});
+  const Floorplan one{{boxRoomOf(1, 0, 0, 9, 4.5)}};
+  Floorplan before = twoStoreys(5, 4);
+  before.rooms.erase(before.rooms.begin(), before.rooms.begin() + 2);
+  before.rooms.push_back(one.rooms[0]); // no partition below the upper one
+  EXPECT_EQ(told(before, twoStoreys(4, 4)),
+            Lines{"appeared partition, 4.5 m: room_1_wall_2, room_2_wall_4"});
+}
+
+TEST(StoreysCompare, ARoomIsNotReplacedByOneThatLiesAboveIt)
+{
+  Floorplan upper = twoStoreys();
+  upper.rooms.erase(upper.rooms.begin());
+  EXPECT_EQ(told(twoStoreys(), upper), Lines{"vanished room, 22.50 m2: room_1"});
+  upper = twoStoreys();
+  upper.rooms.erase(upper.rooms.begin() + 2);
+  EXPECT_EQ(told(twoStoreys(), upper), Lines{"vanished room, 22.50 m2: room_3"});
+}
+
+TEST(StoreysCompare, ColumnsAndSlabsOfEachStorey)
+{
+  Floorplan before = twoStoreys();
+  before.rooms[1].columns.push_back(columnLoop(7, 2, 7.5, 2.4));
+  Floorplan after = twoStoreys();
+  after.rooms[3].columns.push_back(columnLoop(7, 2, 7.5, 2.4));
+  EXPECT_EQ(told(before, after), (Lines{"vanished column, 0.20 m2: room_2_column_1",
+                                        "appeared column, 0.20 m2: room_4_column_1"}));
+  after = twoStoreys();
+  after.rooms[2].ceiling = slabAt(5.4);
+  EXPECT_EQ(told(twoStoreys(), after),
+            Lines{"moved ceiling by 0.10 m (z -0.10), 22.50 m2: room_3_ceiling -> "
+                  "room_3_ceiling"});
+}
+
+} // namespace

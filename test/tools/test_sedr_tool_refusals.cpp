@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "option_help.h"
+#include "sedr_tool_runs.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using namespace programs;
+
+TEST_F(SedrTool, RefusesPriorsThatAreNone)
+{
+  const std::string scan = scanOf().pcd(false);
+  expectFailure(onFile(scan, {"--prior", "max_wal=1"}), 1, "there is no prior max_wal");
+  expectFailure(onFile(scan, {"--prior", "max_wall"}), 1, "name=value");
+  expectFailure(onFile(scan, {"--prior", "max_wall=20"}), 1, "from 0.1 to 3 m");
+  expectFailure(onFile(scan, {"--prior-file", in("none.txt")}), 1, "cannot read");
+}
+
+TEST_F(SedrTool, PicturesThatCannotBeWrittenAreRefusedBeforeTheWork)
+{
+  std::filesystem::create_directories(in("model"));
+  writeFile(in("model/pictures"), "a file");
+  const ProgramRun result = onFile(scanOf().pcd(false), {"--pictures"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_TRUE(result.failsInOneSentence()) << result.err;
+  EXPECT_NE(result.err.find(in("model/pictures")), std::string::npos) << result.err;
+  EXPECT_FALSE(std::filesystem::exists(in("model/mesh.ply")));
+}
+
+TEST_F(SedrTool, BadCommandLinesAreRefused)
+{
+  expectFailure(run(SEDR, {}), 1, "INPUT is missing");
+  expectFailure(run(SEDR, {in("a.pcd")}), 1, "OUTPUT_DIR is missing");
+  expectFailure(run(SEDR, {in("a.pcd"), in("b"), in("c")}), 1, "a.pcd");
+  expectFailure(run(SEDR, {in("a.pcd"), in("b"), "--colour"}), 1, "--colour");
+  for (const char* value : {"many", "nan", "-1", ""})
+    expectFailure(run(SEDR, {in("a.pcd"), in("b"), "--voxel-size", value}), 1,
+                  "--voxel-size");
+  for (const auto& option : optionsIn(run(SEDR, {"-h"}).out))
+    if (option.hasRange())
+      expectFailure(run(SEDR, {in("a.pcd"), in("b"), "--" + option.name, "-1"}), 1,
+                    "--" + option.name);
+}
+
+TEST_F(SedrTool, FilesThatAreNoCloudsAreRefused)
+{
+  expectFailure(run(SEDR, {in("missing.pcd"), in("model")}), 1, "missing.pcd");
+  expectFailure(run(SEDR, {folder_.path().string(), in("model")}), 1, "folder");
+  expectFailure(onFile(""), 1, "empty");
+  expectFailure(onFile("no cloud at all\n"), 1, "neither");
+  const std::string good = scanOf().pcd(false);
+  expectFailure(onFile(good.substr(0, good.size() - 1)), 1, "input.pcd");
+  expectFailure(onFile(good.substr(0, 60)), 1, "input.pcd");
+  expectFailure(onFile(pcdBytes({})), 1, "0 points");
+}
+
+TEST_F(SedrTool, FoldersThatCannotBeWrittenAreRefusedBeforeTheWork)
+{
+  writeFile(in("input.pcd"), scanOf().pcd(false));
+  expectFailure(run(SEDR, {in("input.pcd"), in("input.pcd")}), 1, "folder");
+  expectFailure(run(SEDR, {in("input.pcd"), in("input.pcd/model")}), 1, "folder");
+  std::filesystem::create_directories(in("model/mesh.ply"));
+  expectFailure(run(SEDR, {in("input.pcd"), in("model")}), 1, "mesh.ply");
+}
+
+TEST_F(SedrTool, AScanIsNotWrittenOver)
+{
+  std::filesystem::create_directory(in("same"));
+  const std::string bytes = scanOf().pcd(false);
+  writeFile(in("same/structure.pcd"), bytes);
+  const ProgramRun result = run(SEDR, {in("same/structure.pcd"), in("same/../same")});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_TRUE(result.failsInOneSentence()) << result.out << result.err;
+  EXPECT_NE(result.err.find("would be written over"), std::string::npos) << result.err;
+  EXPECT_TRUE(bytesOf(in("same/structure.pcd")) == bytes);
+  EXPECT_FALSE(std::filesystem::exists(in("same/mesh.ply")));
+}
+
+TEST_F(SedrTool, ScansThatCannotBeRoomsAreToldSo)
+{
+  const RoomScan scan = scanOf();
+  const auto changed = [&](auto change) {
+    RoomScan other = scan;
+    for (auto& p : other.points)
+      change(p);
+    return other.pcd(false);
+  };
+  expectFailure(onFile(changed([](auto& p) { p.y = std::nanf(""); })), 1, "finite");
+  expectFailure(onFile(changed([](auto& p) { p.x += 1.5e6f; })), 1, "mm");
+  expectFailure(onFile(changed([](auto& p) {
+                  p.x *= 1000;
+                  p.y *= 1000;
+                  p.z *= 1000;
+                })),
+                2, "millimetre");
+  expectFailure(onFile(changed([](auto& p) {
+                  p.x *= 0.1f;
+                  p.y *= 0.1f;
+                  p.z *= 0.1f;
+                })),
+                2, "too small");
+  BoxRoom large;
+  large.width = 6;
+  large.depth = 5;
+  RoomScan turned = scanOf(large);
+  for (auto& p : turned.points)
+    std::swap(p.y, p.z);
+  expectFailure(onFile(turned.pcd(false)), 2, "y seems to be up");
+  RoomScan few = scan;
+  few.points.resize(900);
+  expectFailure(onFile(few.pcd(false)), 2, "900");
+}
+
+TEST_F(SedrTool, ScansWithoutAStructureAreToldWhichStageFoundNothing)
+{
+  const RoomScan scan = scanOf();
+  const auto only = [&](Label label) {
+    return scan.without([&](const RoomPoint& p) { return p.label != label; })
+        .pcd(false);
+  };
+  expectFailure(onFile(only(Label::Floor)), 2, "RoomSegmentation");
+  EXPECT_FALSE(std::filesystem::exists(in("model"))) << "no folder is left behind";
+  expectFailure(onFile(only(Label::Wall)), 2, "RoomSegmentation");
+  expectFailure(onFile(scan.withoutLabel(Label::Ceiling).pcd(false)), 2, "no air");
+  expectFailure(onFile(scan.withoutLabel(Label::Floor).pcd(false)), 2, "no air");
+  expectFailure(onFile(scan.withoutLabel(Label::Wall).pcd(false)), 2, "walls");
+}
+
+/** A room of 12 m2, and beside it 48 m2 of floor and ceiling without walls. */
+RoomScan
+roomBesideOpenHall()
+{
+  RoomScan scan = scanOf();
+  scan.addPiece({6, -1, 0}, {14, 5, 0}, Label::Floor, 0);
+  scan.addPiece({6, -1, 2.5}, {14, 5, 2.5}, Label::Ceiling, 0);
+  return scan;
+}
+
+TEST_F(SedrTool, LessThanHalfOfTheFloorIsNoModelUnlessAskedFor)
+{
+  const std::string scan = roomBesideOpenHall().pcd(false);
+  const ProgramRun refused = onFile(scan, {"--no-mesh"});
+  expectFailure(refused, 2, "--partial");
+  EXPECT_NE(refused.err.find("12 of "), std::string::npos) << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(in("model"))) << "no folder is left behind";
+
+  const ProgramRun partial = onFile(scan, {"--no-mesh", "--partial"});
+  EXPECT_EQ(partial.exit_code, 0) << partial.err;
+  EXPECT_NE(partial.err.find("warning"), std::string::npos) << partial.err;
+  const auto report = nlohmann::json::parse(bytesOf(in("model/report.json")));
+  const auto& gap = report.at("coverage").at("left_out").at(0);
+  EXPECT_NEAR(gap.at("area").get<double>(), 48, 3);
+  EXPECT_NEAR(gap.at("ceiling").get<double>(), 2.5, 0.1);
+  EXPECT_EQ(gap.at("counts"), true);
+  EXPECT_LT(report.at("coverage").at("share").get<double>(), 0.3);
+  EXPECT_TRUE(std::filesystem::exists(in("model/floorplan.json")));
+}
+
+} // namespace

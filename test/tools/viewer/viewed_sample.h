@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "tools/run_program.h"
+#include "tools/sample_result.h"
+#include "viewer/viewed_result.h"
+
+#include <gtest/gtest.h>
+
+namespace programs {
+
+/** The sample after writing and reading. */
+class ViewedSample : public ::testing::Test {
+protected:
+  void SetUp() override
+  {
+    sample_.writeTo(folder_.path() / "model");
+    result_ = pcl::sedr::tools::readResult((folder_.path() / "model").string(), {});
+  }
+
+  TemporaryFolder folder_;
+  SampleResult sample_;
+  pcl::sedr::tools::ViewedResult result_;
+};
+
+} // namespace programs
