@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What web-ifc, an independent reader, makes of the IFC files that SEDR writes: volumes, cuts of openings,
+walls that stand in spaces. Needs node and web-ifc (npm install web-ifc; NODE_PATH says where)."""
+
+import json
+import os
+import shutil
+import subprocess
+import tempfile
+
+import step_reader
+
+READER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "web_ifc_volumes.js")
+NODE = shutil.which("node") or shutil.which("nodejs")
+SOLID_KINDS = ("IFCSPACE", "IFCWALL", "IFCSLAB", "IFCCOLUMN", "IFCBEAM", "IFCCOVERING")
+
+
+def is_there():
+    return NODE is not None and subprocess.run([NODE, "-e", "require('web-ifc')"], capture_output=True).returncode == 0
+
+
+def opened(path, with_triangles=False):
+    """What was said, and products by kind and name: volume, box, triangles."""
+    result = subprocess.run([NODE, READER, path] + ["1"] * with_triangles, capture_output=True, text=True, check=True)
+    return json.loads(result.stdout)
+
+
+def net_volumes(instances):
+    """NetVolume of every space by its name, from the file's quantities."""
+    volumes = {}
+    for name, v in instances.values():
+        if name == "IFCRELDEFINESBYPROPERTIES" and instances[v[5]][0] == "IFCELEMENTQUANTITY":
+            for quantity in instances[v[5]][1][5]:
+                kind, q = instances[quantity]
+                if q[0] == "NetVolume":
+                    volumes["IFCSPACE " + instances[v[4][0]][1][2]] = q[3]
+    return volumes
+
+
+def lost(instances, products):
+    """Elements of the file of which the viewer shows nothing."""
+    names = ["%s %s" % (name, v[2]) for name, v in instances.values() if name in SOLID_KINDS]
+    return [name for name in names if products.get(name, {"volume": 0})["volume"] <= 0]
+
+
+def swept_body(instances, product):
+    """Edges in plan, bottom and top of a swept body in its placement; None of others."""
+    shapes = instances[instances[product][1][6]][1][2]
+    items = [v[3] for v in (instances[s][1] for s in shapes) if v[1] == "Body"]
+    name, v = instances[items[0][0]]
+    if name != "IFCEXTRUDEDAREASOLID":
+        return None
+    profile = instances[v[0]][1]
+    loops = [[instances[p][1][0] for p in instances[n][1][0]] for n in [profile[2]] + sum(profile[3:], [])]
+    axes = instances[v[1]][1]
+    bottom = instances[axes[0]][1][0][2]
+    return [edge for loop in loops for edge in zip(loop, loop[1:])], bottom, bottom + v[3]
+
+
+def stretches(edges, y):
+    """Where a line of constant y is within an outline."""
+    xs = sorted(a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]) for a, b in edges if (a[1] > y) != (b[1] > y))
+    return list(zip(xs[::2], xs[1::2]))
+
+
+def common_volume(wall, openings):
+    """Of a swept wall and openings apart from each other, by lines along the wall."""
+    outline, bottom, top = wall
+    low, high = (f(p[1] for edge in outline for p in edge) for f in (min, max))
+    volume, lines = 0, 1000
+    for k in range(lines):
+        y = low + (high - low) * (k + 0.5) / lines
+        for hole, hole_bottom, hole_top in openings:
+            height = min(top, hole_top) - max(bottom, hole_bottom)
+            volume += max(height, 0) * sum(max(0, min(b, d) - max(a, c)) for a, b in stretches(outline, y)
+                                           for c, d in stretches(hole, y)) * (high - low) / lines
+    return volume
+
+
+def cuts(path, instances, products):
+    """(wall, what its openings take of it, what they should take) of each wall with openings; the last is None
+    where the wall is not swept. The file is to have its arcs as facets."""
+    hosted = {}
+    for name, v in instances.values():
+        if name == "IFCRELVOIDSELEMENT":
+            hosted.setdefault(v[4], []).append(v[5])
+    with tempfile.TemporaryDirectory() as folder:
+        whole = os.path.join(folder, "whole.ifc")
+        with open(path) as file, open(whole, "w") as copy:
+            copy.writelines(line for line in file if "=IFCRELVOIDSELEMENT(" not in line)
+        without = opened(whole)["products"]
+    found = []
+    for host, openings in hosted.items():
+        name = "IFCWALL " + instances[host][1][2]
+        wall = swept_body(instances, host)
+        expected = None if wall is None else common_volume(wall, [swept_body(instances, n) for n in openings])
+        found.append((name, without[name]["volume"] - products[name]["volume"], expected))
+    return found
+
+
+def heights_on(product, x, y):
+    """Sorted heights at which the faces of a product are over places of a lattice, NaN where there are fewer."""
+    import numpy as np
+    hits = [[] for _ in range(len(x) * len(y))]
+    for mesh in product["meshes"]:
+        points = np.asarray(mesh["points"]).reshape(-1, 3)
+        for a, b, c in points[np.asarray(mesh["triangles"], dtype=int).reshape(-1, 3)]:
+            twice = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+            if abs(twice) < 1e-12:
+                continue
+            low, high = np.minimum(np.minimum(a, b), c), np.maximum(np.maximum(a, b), c)
+            i = np.arange(np.searchsorted(x, low[0]), np.searchsorted(x, high[0]))
+            j = np.arange(np.searchsorted(y, low[1]), np.searchsorted(y, high[1]))
+            px, py = x[i][:, None], y[j][None, :]
+            u = ((b[0] - px) * (c[1] - py) - (b[1] - py) * (c[0] - px)) / twice
+            v = ((c[0] - px) * (a[1] - py) - (c[1] - py) * (a[0] - px)) / twice
+            inside = (u >= 0) & (v >= 0) & (u + v <= 1)
+            z = u * a[2] + v * b[2] + (1 - u - v) * c[2]
+            for k, m in zip(*np.nonzero(inside)):
+                hits[i[k] * len(y) + j[m]].append(z[k, m])
+    return [sorted(h) for h in hits]
+
+
+def inside_both(first, second, step=0.02):
+    """Cubic metres that two products have in common, by vertical lines on a lattice."""
+    import numpy as np
+    low = np.maximum(first["low"], second["low"])
+    high = np.minimum(first["high"], second["high"])
+    if (high - low).min() <= 0.001:
+        return 0
+    # Off the usual places of faces.
+    x, y = (np.arange(low[k] + 0.37 * step, high[k], step) for k in (0, 1))
+    length = 0
+    for a, b in zip(heights_on(first, x, y), heights_on(second, x, y)):
+        for p, q in zip(a[::2], a[1::2]):
+            length += sum(max(0, min(q, s) - max(p, r)) for r, s in zip(b[::2], b[1::2]))
+    return length * step * step
+
+
+def walls_in_spaces(products):
+    """(cubic metres, wall, space) of each wall that stands in a space, the largest first. The products have their
+    triangles."""
+    walls = [(n, p) for n, p in products.items() if n.startswith("IFCWALL ")]
+    spaces = [(n, p) for n, p in products.items() if n.startswith("IFCSPACE ")]
+    found = [(inside_both(wall, space), name, of) for name, wall in walls for of, space in spaces]
+    return sorted((f for f in found if f[0] > 0.001), reverse=True)
