@@ -16,7 +16,7 @@ import unittest
 import step_reader
 import web_ifc
 from ifc_samples import VOLUMES, doorway, house, write
-from plan_samples import rectangle, room, slab
+from plan_samples import rectangle, room, segment, slab
 from web_ifc import opened
 
 TOOL = sys.argv[1]
@@ -84,6 +84,25 @@ class WebIfc(unittest.TestCase):
         path = write(TOOL, house(), self.folder)
         products = opened(path)["products"]
         self.assertEqual(web_ifc.lost(step_reader.read(path), products), [])
+
+    def test_no_wall_stands_in_a_space(self):
+        """A room that ends in a point behind a wall whose other face was not seen, and a niche that goes on past
+        the corner of its room, into both walls."""
+        pointed = [[4.05, 4 / 3], [7, 4 / 3 - 1.7], [7, 4 / 3 + 1.7]]
+        plan = dict(house(), rooms=[
+            room(1, rectangle(0, 0, 4, 3), slab(0), slab(2.5)),
+            room(2, [segment(a, b) for a, b in zip(pointed, pointed[1:] + pointed[:1])], slab(0), slab(2.5)),
+            room(3, rectangle(10, 0, 14, 3), slab(0), slab(2.5),
+                 niches=[{"bottom": slab(1), "top": slab(2), "boundary": rectangle(13, 3, 14.1, 3.15)}])],
+                    storeys=[], doorways=[])
+        path = write(TOOL, plan, self.folder)
+        products = opened(path, with_triangles=True)["products"]
+        self.assertEqual([f for f in web_ifc.walls_in_spaces(products) if f[0] > 0.002], [])
+        self.assertEqual(web_ifc.lost(step_reader.read(path), products), [])
+        # The wall of room 1 ends at the point of room 2.
+        point = 0.15 * 0.15 * 1.7 / 2.95
+        corners = 2 * 0.2 * 0.2 / 2  # of mitres
+        self.assertAlmostEqual(products["IFCWALL room_1_wall_2"]["volume"], (3 * 0.2 + corners - point) * 2.5, 3)
 
     def expect_cuts(self, plan, what):
         """Every opening takes as much of its wall as is in both, of walls below roofs and vaults at least

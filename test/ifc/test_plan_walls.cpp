@@ -108,32 +108,6 @@ TEST(PlanWalls, ArcsAboutOneCentreAreAPair)
   EXPECT_NEAR(pairs[0].stretch.length(), 3 * M_PI, 0.05);
 }
 
-TEST(PlanWalls, StandAboveADoorwayWhoseRevealIsPartOfARoom)
-{
-  // The left room goes on through the wall of 28 cm, 3 m wide, up to the right one.
-  const PlanLoop with_reveal{{segment({0, 0}, {5, 0}), segment({5, 0}, {5, 1}),
-                              segment({5, 1}, {5.28, 1}), segment({5.28, 1}, {5.28, 4}),
-                              segment({5.28, 4}, {5, 4}), segment({5, 4}, {5, 5}),
-                              segment({5, 5}, {0, 5}), segment({0, 5}, {0, 0})}};
-  Floorplan plan{{roomOf(with_reveal, 3), roomOf(rectangle(5.285, 0, 9, 5), 3, 2)}};
-  const auto above = [&]() -> std::optional<PlanWall> {
-    for (const PlanWall& wall : pairsOf(findWalls(plan)))
-      if (std::abs(wall.stretch.middle() - 2.5) < 0.5)
-        return wall;
-    return std::nullopt;
-  };
-  EXPECT_FALSE(above()) << "no doorway is known";
-  plan.doorways = {{{1, 2}, {5.28, 4}, {5.28, 1}, 0, 3}};
-  EXPECT_FALSE(above()) << "it has no lintel";
-  plan.doorways[0].top = 2.1;
-  const auto wall = above();
-  ASSERT_TRUE(wall);
-  EXPECT_EQ(wall->face.room, 1u);
-  EXPECT_NEAR(wall->thickness, 0.28, 1e-9);
-  EXPECT_NEAR(wall->stretch.length(), 3, 0.01);
-  EXPECT_NEAR(areaOf(*wall), 3 * 0.28, 0.01);
-}
-
 TEST(PlanWalls, AColumnIsNeitherLongNorLow)
 {
   struct Case {

@@ -5,7 +5,6 @@
 #include "../sheet/sheet_layout.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace pcl {
 namespace sedr {
@@ -57,10 +56,7 @@ boxesFor(const PlacedDimension& dimension,
 } // namespace
 
 std::vector<PlacedDimension>
-placedChain(TextPlaces& texts,
-            const DimensionChain& chain,
-            const PlanFrame& frame,
-            double line)
+linesOf(const DimensionChain& chain, const PlanFrame& frame, double line)
 {
   const Eigen::Vector2d along = wayAlong(chain.side);
   const Eigen::Vector2d off = wayOff(chain.side);
@@ -71,25 +67,40 @@ placedChain(TextPlaces& texts,
   for (std::size_t k = 0; k + 1 < chain.places.size(); ++k) {
     const Eigen::Vector2d from = frame(chain.places[k]);
     const Eigen::Vector2d to = frame(chain.places[k + 1]);
-    row.push_back({from, to, onLine(from), onLine(to)});
-    for (const auto& [corner, at] :
-         {std::make_pair(from, row[k].start), std::make_pair(to, row[k].end)})
-      texts.keepOff(thinLine(corner, at).first, thinLine(corner, at).second);
-  }
-  // Longer ones are placed first, in the better places.
-  std::vector<std::size_t> order(row.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto length = [&](std::size_t k) {
-    return chain.along(k + 1) - chain.along(k);
-  };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return length(a) > length(b); });
-  for (const std::size_t k : order) {
-    const std::string text = decimalText(length(k), 2);
-    if (const auto box = texts.takeFirst(boxesFor(row[k], text, along, off)))
-      row[k].text = SheetText{"size", box->middle, small_font, text, box->degrees};
+    row.push_back(
+        {from, to, onLine(from), onLine(to), chain.along(k + 1) - chain.along(k)});
   }
   return row;
+}
+
+void
+keepOff(TextPlaces& texts, const std::vector<PlacedDimension>& row)
+{
+  for (const PlacedDimension& dimension : row) {
+    texts.keepOff(dimension.start, dimension.end);
+    for (const auto& [corner, at] : {std::make_pair(dimension.from, dimension.start),
+                                     std::make_pair(dimension.to, dimension.end)})
+      texts.keepOff(thinLine(corner, at).first, thinLine(corner, at).second);
+  }
+}
+
+void
+placeTexts(TextPlaces& texts, DrawingSide side, std::vector<PlacedDimension>& row)
+{
+  // Longer ones are placed first, in the better places.
+  std::vector<PlacedDimension*> order;
+  for (PlacedDimension& dimension : row)
+    order.push_back(&dimension);
+  std::stable_sort(order.begin(), order.end(),
+                   [](const PlacedDimension* a, const PlacedDimension* b) {
+                     return a->length > b->length;
+                   });
+  for (PlacedDimension* dimension : order) {
+    const std::string text = decimalText(dimension->length, 2);
+    if (const auto box =
+            texts.takeFirst(boxesFor(*dimension, text, wayAlong(side), wayOff(side))))
+      dimension->text = SheetText{"size", box->middle, small_font, text, box->degrees};
+  }
 }
 
 void

@@ -12,24 +12,27 @@ namespace {
 
 using namespace sheet_measures;
 
-/** @brief Places dimensions around the plan: by wall, and overall farther out. */
-void
-placeRows(const Floorplan& plan,
-          const PlanFrame& frame,
-          TextPlaces& places,
-          PlanAnnotations& annotations)
+/** @brief A row of dimensions and where it is. */
+struct ChainRow {
+  DimensionChain chain;
+  double line = 0; ///< millimetres along wayOff()
+};
+
+/** @brief The rows around a plan: by wall, and overall farther out. */
+std::vector<ChainRow>
+rowsAround(const Floorplan& plan, const PlanFrame& frame)
 {
   std::vector<PlanElement> walls;
   const PlanFrame turned{frame.turn};
   for (const PlanRoom& room : plan.rooms)
     for (const PlanElement& e : room.boundary.elements)
       walls.push_back(turned(e));
-  const PlanFrame to_sheet{0, frame.scale, frame.shift};
   const Eigen::AlignedBox2d bounds = boundsOf(plan, frame);
+  std::vector<ChainRow> rows;
   const auto addRow = [&](const DimensionChain& chain, double off) {
     const Eigen::Vector2d way = wayOff(chain.side);
-    const double edge = std::max(bounds.min().dot(way), bounds.max().dot(way));
-    annotations.rows.push_back(placedChain(places, chain, to_sheet, edge + off));
+    rows.push_back(
+        {chain, std::max(bounds.min().dot(way), bounds.max().dot(way)) + off});
   };
   const double room = 2 * small_font * halfSizeOf({"0.00"}).x();
   const std::vector<DimensionChain> chains =
@@ -43,6 +46,56 @@ placeRows(const Floorplan& plan,
         });
     addRow(chain, chain_off + (has_row ? chain_step : 0));
   }
+  return rows;
+}
+
+/** @brief Takes the place at one end of a dimension out of its chain, so that it is
+ * joined with the shorter one of its neighbours. */
+void
+joinWithNeighbour(DimensionChain& chain, std::size_t dimension)
+{
+  const std::size_t last = chain.places.size() - 1;
+  const auto length = [&](std::size_t k) {
+    return chain.along(k + 1) - chain.along(k);
+  };
+  const bool is_before =
+      dimension + 1 == last ||
+      (dimension > 0 && length(dimension - 1) < length(dimension + 1));
+  chain.places.erase(chain.places.begin() + static_cast<std::ptrdiff_t>(
+                                                is_before ? dimension : dimension + 1));
+}
+
+/** @brief Places the rows with their texts. A dimension whose text has no place is
+ * joined with a neighbour: every one that is drawn can be read. */
+void
+placeRows(std::vector<ChainRow> rows,
+          const PlanFrame& to_sheet,
+          TextPlaces& places,
+          PlanAnnotations& annotations)
+{
+  while (true) {
+    TextPlaces tried = places;
+    annotations.rows.clear();
+    for (const ChainRow& row : rows) {
+      annotations.rows.push_back(linesOf(row.chain, to_sheet, row.line));
+      keepOff(tried, annotations.rows.back());
+    }
+    bool is_complete = true;
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      std::vector<PlacedDimension>& row = annotations.rows[r];
+      placeTexts(tried, rows[r].chain.side, row);
+      const auto without = std::find_if(
+          row.begin(), row.end(), [](const PlacedDimension& d) { return !d.text; });
+      if (without == row.end() || row.size() < 2)
+        continue;
+      joinWithNeighbour(rows[r].chain, static_cast<std::size_t>(without - row.begin()));
+      is_complete = false;
+    }
+    if (is_complete) {
+      places = tried;
+      return;
+    }
+  }
 }
 
 } // namespace
@@ -54,12 +107,16 @@ annotationsOf(const Floorplan& plan,
 {
   PlanAnnotations annotations;
   TextPlaces places;
-  placeRows(plan, frame, places, annotations);
+  placeRows(rowsAround(plan, frame), {0, frame.scale, frame.shift}, places,
+            annotations);
   for (const PlanRoom& room : plan.rooms) {
     places.keepOff(frame(room.boundary));
     for (const PlanLoop& column : room.columns)
       places.keepOff(frame(column));
   }
+  for (const DrawnElement& line : drawn)
+    if (line.layer != DrawnLayer::Wall && line.layer != DrawnLayer::Column)
+      places.avoid(frame(line.element));
   PlanTexts(annotations, places, frame).place(plan, drawn);
   return annotations;
 }

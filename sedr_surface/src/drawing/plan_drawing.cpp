@@ -126,16 +126,6 @@ private:
   std::vector<const PlanElement*> edges_;
 };
 
-PlanLoop
-circleAbout(const Eigen::Vector2d& centre, double radius)
-{
-  PlanElement circle;
-  circle.centre = centre;
-  circle.radius = radius;
-  circle.start = circle.end = centre + Eigen::Vector2d(radius, 0);
-  return {{circle}};
-}
-
 /** @brief Returns whether a line has been drawn, in either direction. */
 bool
 isDrawn(const PlanElement& line, const std::vector<DrawnElement>& drawn)
@@ -182,8 +172,8 @@ drawnElements(const Floorplan& plan)
           drawn.push_back({element, layer, room.id});
     };
     const auto addDetail = [&](const PlanElement& piece, bool is_facet) {
-      const RoofLine roof = is_facet ? roofLineAt(room, piece) : RoofLine{};
-      if (!is_facet || !isDrawn(piece, drawn))
+      const RoofLine roof = is_facet ? roofLineAt(room, piece) : RoofLine{true};
+      if (roof.is_seen && (!is_facet || !isDrawn(piece, drawn)))
         drawn.push_back({piece, roof.is_crease ? DrawnLayer::Ridge : DrawnLayer::Detail,
                          room.id, roof.text()});
     };
@@ -272,44 +262,6 @@ columnText(const PlanLoop& column)
       });
   return is_quad ? decimalText(e[0].length(), 2) + " x " + decimalText(e[1].length(), 2)
                  : "";
-}
-
-std::vector<LevelNote>
-levelNotes(const PlanRoom& room, const TextSpot& room_spot)
-{
-  constexpr double level = 0.997;      // cosine of 4.4 degrees
-  constexpr double around_name = 0.35; // share of the free space
-  std::vector<LevelNote> notes;
-  const auto add = [&](const std::vector<PlanDetail>& details, std::size_t d,
-                       const std::vector<Eigen::AlignedBox2d>& boxes,
-                       DrawnLayer layer) {
-    const PlanDetail& detail = details[d];
-    std::vector<PlanLoop> others = detail.holes; // and details above it
-    for (std::size_t later = d + 1; later < details.size(); ++later)
-      if (boxes[later].intersects(boxes[d]))
-        others.push_back(details[later].boundary);
-    others.push_back(circleAbout(room_spot.place, around_name * room_spot.radius));
-    LevelNote note{textSpotIn(detail.boundary, others), {}, layer};
-    if (!room.contains(note.spot.place))
-      return;
-    const Eigen::Vector2d& p = note.spot.place;
-    const double height = detail.slab.heightAt(p) - room.floor.heightAt(p);
-    if (detail.is_facet && (detail.slab.curve || detail.slab.plane[2] < level))
-      return; // its height is not constant
-    const bool is_floor = layer == DrawnLayer::FloorDetail;
-    note.text = (is_floor && height > 0 ? "+" : "") + decimalText(height, 2);
-    notes.push_back(note);
-  };
-  const auto addAll = [&](const std::vector<PlanDetail>& details, DrawnLayer layer) {
-    std::vector<Eigen::AlignedBox2d> boxes;
-    for (const PlanDetail& detail : details)
-      boxes.push_back(boundsOf(detail.boundary));
-    for (std::size_t d = 0; d < details.size(); ++d)
-      add(details, d, boxes, layer);
-  };
-  addAll(room.details, DrawnLayer::Detail);
-  addAll(room.floor_details, DrawnLayer::FloorDetail);
-  return notes;
 }
 
 std::vector<std::string>

@@ -32,7 +32,8 @@ struct DrawnElement {
 
 /** @brief Returns all lines and arcs of a plan. Edges of details and niches that
  * coincide with a wall or column, within tolerance, are drawn only as such. Edges of
- * details are cut off at the room; a border of two facets is drawn once. */
+ * details are cut off at the room. A border of two facets is drawn once, and only where
+ * there is a step or a bend. */
 std::vector<DrawnElement> drawnElements(const Floorplan& plan);
 
 /** @brief A place for text within a loop, as far as possible from the loop and from
@@ -51,17 +52,6 @@ std::string sizeText(const PlanElement& element);
 /** @brief Returns the size of a column: "Ø 0.40", "0.30 x 0.50"; empty for other
  * shapes. */
 std::string columnText(const PlanLoop& column);
-
-/** @brief A note of a level at its place: the height above the room's floor, such as
- * "2.20", with a sign for levels of the floor. */
-struct LevelNote {
-  TextSpot spot;
-  std::string text;
-  DrawnLayer layer = DrawnLayer::Detail;
-};
-
-/** @param room_spot place of the room's text, which notes avoid */
-std::vector<LevelNote> levelNotes(const PlanRoom& room, const TextSpot& room_spot);
 
 /** @brief Returns the text lines of a room: "Room 1", "23.65 m2", "h 2.40 m". */
 std::vector<std::string> roomTexts(const PlanRoom& room,

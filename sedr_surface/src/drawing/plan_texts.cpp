@@ -5,6 +5,7 @@
 #include "../sheet/sheet_layout.h"
 #include "../walls/plan_walls.h"
 #include "doorway_drawing.h"
+#include "level_notes.h"
 #include "roof_lines.h"
 
 #include <cmath>
@@ -46,11 +47,11 @@ PlanTexts::place(const Floorplan& plan, const std::vector<DrawnElement>& drawn)
     writeRoom(room, spots.back());
   }
   for (const StairNote& note : stairNotes(plan))
-    writeAt("stair", frame_(note.place), {note.text}, small_font);
+    writeAt("stair", {note.place, 0}, {note.text}, small_font);
   for (std::size_t r = 0; r < plan.rooms.size(); ++r)
     for (const LevelNote& note : levelNotes(plan.rooms[r], spots[r]))
       writeAt(note.layer == DrawnLayer::FloorDetail ? "floor_level" : "level",
-              frame_(note.spot.place), {note.text}, small_font);
+              note.spot, {note.text}, small_font);
   for (const DrawnElement& line : drawn)
     if (!line.note.empty())
       writeAlong(line.element,
@@ -70,28 +71,38 @@ PlanTexts::place(const Floorplan& plan, const std::vector<DrawnElement>& drawn)
 void
 PlanTexts::writeRoom(const PlanRoom& room, const TextSpot& spot)
 {
-  const Eigen::Vector2d place = frame_(spot.place);
   std::vector<std::string> lines = roomTexts(room, spot.place, "m²");
-  if (writeAt("name", place, lines, large_font))
+  if (writeAt("name", spot, lines, large_font))
     return;
   lines.pop_back();
-  if (writeAt("name", place, lines, large_font))
+  if (writeAt("name", spot, lines, large_font))
     return;
-  writeAt("name", place, {std::to_string(room.id)}, large_font);
+  writeAt("name", spot, {std::to_string(room.id)}, large_font);
 }
 
 bool
 PlanTexts::writeAt(const std::string& look,
-                   const Eigen::Vector2d& place,
+                   const TextSpot& spot,
                    const std::vector<std::string>& lines,
                    double font)
 {
   constexpr double step = 0.9;
+  const Eigen::Vector2d place = frame_(spot.place);
+  const double radius = spot.radius * frame_.scale;
   for (; font >= smallest_font; font *= step) {
-    if (!places_.take({place, font * halfSizeOf(lines), 0}))
-      continue;
     const double line_height = 1.3 * font;
-    Eigen::Vector2d at = place;
+    const Eigen::Vector2d half = font * halfSizeOf(lines);
+    std::vector<TextBox> boxes;
+    for (const double across : {0.0, 1.0, -1.0, 2.0, -2.0})
+      for (const double up : {0.0, 0.5, -0.5, 1.0, -1.0, 1.5, -1.5, 2.0, -2.0}) {
+        const Eigen::Vector2d off(across * half.x(), up * line_height);
+        if (off.norm() <= radius)
+          boxes.push_back({place + off, half, 0});
+      }
+    const auto box = places_.takeFirst(boxes);
+    if (!box)
+      continue;
+    Eigen::Vector2d at = box->middle;
     at.y() += line_height * static_cast<double>(lines.size() - 1) / 2;
     for (const std::string& line : lines) {
       add(textIn(look, {at, {}, 0}, font, line));
@@ -142,7 +153,7 @@ PlanTexts::writeSize(const PlanElement& wall)
   else if (text) {
     const PlanElement drawn = frame_(wall);
     annotations_.walls.push_back(
-        {drawn.start, drawn.end, drawn.start, drawn.end, text});
+        {drawn.start, drawn.end, drawn.start, drawn.end, wall.length(), text});
   }
 }
 

@@ -31,9 +31,9 @@ private:
   void writeSize(const PlanElement& wall);
   void writeColumn(const PlanLoop& column);
   void writeWays(const Floorplan& plan);
-  /** @brief Writes lines at a place in the largest font that fits there. */
+  /** @brief Writes lines about a place in the largest font that fits there. */
   bool writeAt(const std::string& look,
-               const Eigen::Vector2d& place,
+               const TextSpot& spot,
                const std::vector<std::string>& lines,
                double font);
   void add(const SheetText& text) { annotations_.texts.push_back(text); }

@@ -28,25 +28,35 @@ roofLineAt(const PlanRoom& room, const PlanElement& line)
   constexpr double beside = 0.05;
   constexpr double step = 0.03;  // metres; a higher step is no crease
   constexpr double falls = 0.02; // slope beside the line: 2 %
+  constexpr double bends = 0.1;  // change of slope: 6 degrees
+  const auto slabAt = [&](double share, double distance) -> const PlanSlab& {
+    const double s = share * line.length();
+    return room.ceilingSlab(
+        room.detailAt(line.pointAt(s) + distance * line.normalAt(s)));
+  };
   const double s = line.length() / 2;
   const Eigen::Vector2d middle = line.pointAt(s);
   const Eigen::Vector2d off = line.normalAt(s);
-  const auto slabAt = [&](double distance) -> const PlanSlab& {
-    return room.ceilingSlab(room.detailAt(middle + distance * off));
-  };
-  const PlanSlab& left = slabAt(beside);
-  const PlanSlab& right = slabAt(-beside);
+  const PlanSlab& left = slabAt(0.5, beside);
+  const PlanSlab& right = slabAt(0.5, -beside);
   const auto slope = [&](const PlanSlab& slab, double sign) {
     return (slab.heightAt(middle + sign * beside * off) - slab.heightAt(middle)) /
            beside;
   };
+  const auto stepAt = [&](double share) {
+    const Eigen::Vector2d p = line.pointAt(share * line.length());
+    return std::abs(slabAt(share, beside).heightAt(p) -
+                    slabAt(share, -beside).heightAt(p));
+  };
   RoofLine roof;
   const double left_slope = slope(left, 1);
   const double right_slope = slope(right, -1);
-  const bool do_meet = std::abs(left.heightAt(middle) - right.heightAt(middle)) < step;
+  const bool do_meet = stepAt(0.5) < step;
   const bool is_valley = left_slope > falls && right_slope > falls;
   roof.is_ridge = do_meet && left_slope < -falls && right_slope < -falls;
   roof.is_crease = roof.is_ridge || (do_meet && is_valley);
+  roof.is_seen = roof.is_crease || std::abs(left_slope + right_slope) > bends ||
+                 std::max({stepAt(0.1), stepAt(0.5), stepAt(0.9)}) >= step;
   roof.height = left.heightAt(middle) - room.floorAt(middle);
   roof.is_level = std::abs(left.heightAt(line.start) - left.heightAt(line.end)) < level;
   return roof;

@@ -10,6 +10,7 @@ namespace sedr {
 
 /** @brief The line in which two facets of a ceiling meet. */
 struct RoofLine {
+  bool is_seen = false;   ///< there is a step or a bend; otherwise the ceiling goes on
   bool is_crease = false; ///< they meet at one height; otherwise there is a step
   bool is_ridge = false;  ///< both fall away from it: a ridge or a hip
   double height = 0;      ///< at its middle, above the room's floor, metres

@@ -12,6 +12,8 @@ namespace ifc {
 namespace {
 
 constexpr double overshoot = 0.1; ///< of an opening beyond both faces, metres
+constexpr double beside = 0.15;   ///< of a wall, where a doorway in it may lie, metres
+constexpr double nothing = 0.001; ///< of a plan, square metres
 
 /** @brief A box in the frame of a wall, with z from the wall's bottom. */
 struct OpeningBox {
@@ -146,14 +148,14 @@ writeDoorway(IfcDocument& document,
              const PlanDoorway& doorway,
              std::string name)
 {
-  constexpr double near = 0.15;
   constexpr double far = 0.5; // half of a wall thicker than those of two faces
   std::size_t count = 0;
-  for (const double reach : {near, far}) {
+  for (const double reach : {beside, far}) {
     for (const WrittenWall& wall : walls) {
       OpeningBox box;
       if (!isBetween(document.plan, wall.wall, doorway) ||
-          !boxIn(document.plan, wall, doorway, reach, box))
+          !boxIn(document.plan, wall, doorway, reach, box) ||
+          commonArea(wall.profile, {loopAround(box.plan)}) <= nothing)
         continue;
       const std::string part = count == 0 ? "" : "_part_" + std::to_string(count + 1);
       const StepRef body = document.shapes.extrusion(loopAround(box.plan), {},
@@ -204,45 +206,16 @@ writePassage(IfcDocument& document, const PlanDoorway& doorway, const std::strin
           document.shapes.placement(document.storeys[storey].placement,
                                     Eigen::Vector3d::Zero()),
           {}, {});
-    constexpr double beside = 0.3; // metres
+    constexpr double away = 0.3; // metres
     const Eigen::Vector2d way = (doorway.end - doorway.start).normalized();
     const bool is_left = room.contains((doorway.start + doorway.end) / 2 +
-                                       beside * Eigen::Vector2d(-way.y(), way.x()));
+                                       away * Eigen::Vector2d(-way.y(), way.x()));
     const StepRef rectangle =
         rectangleOf(document, is_left ? doorway.start : doorway.end,
                     is_left ? doorway.end : doorway.start, doorway.bottom - ground,
                     doorway.top - doorway.bottom);
     writeBoundary(document, r, name, element, rectangle, {"VIRTUAL", "INTERNAL"});
   }
-}
-
-/** @brief Returns the wall of a niche: the one whose face is nearest to its middle. */
-const WrittenWall*
-wallOf(const Floorplan& plan,
-       const std::vector<WrittenWall>& walls,
-       std::size_t room,
-       const Eigen::Vector2d& middle)
-{
-  const WrittenWall* nearest = nullptr;
-  double least = 1; // metre
-  for (const WrittenWall& wall : walls) {
-    const auto consider = [&](const WallFace& face) {
-      const PlanElement& element = elementOf(plan, face);
-      const double s = wall.wall.face == face ? element.project(middle) : 0;
-      const bool is_in_stretch =
-          !(wall.wall.face == face) || (s >= wall.wall.stretch.from - overshoot &&
-                                        s <= wall.wall.stretch.to + overshoot);
-      const double distance = element.distance(middle);
-      if (face.room == room && is_in_stretch && distance < least) {
-        least = distance;
-        nearest = &wall;
-      }
-    };
-    consider(wall.wall.face);
-    if (wall.wall.other)
-      consider(*wall.wall.other);
-  }
-  return nearest;
 }
 
 void
@@ -254,22 +227,44 @@ writeNiches(IfcDocument& document, const std::vector<WrittenWall>& walls)
       const PlanNiche& niche = room.niches[n];
       const std::string name = nameIn(room, "niche_" + std::to_string(n + 1));
       const Eigen::Vector2d middle = boxOf(niche.boundary).center();
-      const WrittenWall* wall = wallOf(document.plan, walls, r, middle);
       const double bottom = niche.bottom.heightAt(middle);
       const double height = niche.top.heightAt(middle) - bottom;
-      if (!wall || height <= 0) {
-        document.model.warnings.push_back(name + " is in no wall of the IFC");
-        continue;
+      std::size_t count = 0;
+      for (const WrittenWall& wall : walls) {
+        const PlanLoop loop =
+            inFrame(niche.boundary, frameOf(document.plan, wall.wall));
+        if (height <= 0 || bottom >= wall.top || bottom + height <= wall.bottom ||
+            commonArea(wall.profile, {loop}) <= nothing)
+          continue;
+        const std::string part = count == 0 ? "" : "_part_" + std::to_string(count + 1);
+        const StepRef body =
+            document.shapes.extrusion(loop, {}, bottom - wall.bottom, height);
+        writeOpening(document, wall, name + part, body, "RECESS");
+        ++count;
       }
-      const StepRef body = document.shapes.extrusion(
-          inFrame(niche.boundary, frameOf(document.plan, wall->wall)), {},
-          bottom - wall->bottom, height);
-      writeOpening(document, *wall, name, body, "RECESS");
+      if (count == 0)
+        document.model.warnings.push_back(name + " is in no wall of the IFC");
     }
   }
 }
 
 } // namespace
+
+bool
+isWhollyOpen(const Floorplan& plan, const WrittenWall& wall)
+{
+  const PlanLoop& profile = wall.profile.boundary;
+  if (profile.elements.empty() || std::abs(profile.area()) < nothing)
+    return true;
+  const Eigen::AlignedBox2d plan_box = boxOf(profile);
+  return std::any_of(
+      plan.doorways.begin(), plan.doorways.end(), [&](const PlanDoorway& doorway) {
+        OpeningBox box;
+        return isBetween(plan, wall.wall, doorway) &&
+               boxIn(plan, wall, doorway, beside, box) && box.plan.contains(plan_box) &&
+               box.bottom <= 0 && box.top >= wall.top - wall.bottom - 0.01;
+      });
+}
 
 void
 writeOpenings(IfcDocument& document, const std::vector<WrittenWall>& walls)

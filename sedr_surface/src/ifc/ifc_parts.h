@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "../walls/plan_area.h"
 #include "../walls/plan_walls.h"
 #include "ifc_document.h"
 
@@ -19,6 +20,7 @@ struct WrittenWall {
   StepRef placement{}; ///< of the wall's frame, z from its bottom
   double bottom = 0;   ///< metres
   double top = 0;
+  PlanArea profile{}; ///< in the frame
 };
 
 /** @brief Adds a space with quantities for each room. */
@@ -26,6 +28,10 @@ void writeSpaces(IfcDocument& document);
 
 /** @brief Adds the walls and the space boundaries on them. */
 std::vector<WrittenWall> writeWalls(IfcDocument& document);
+
+/** @brief Returns whether nothing of a wall is left: rooms cover its plan, or a doorway
+ * takes it from bottom to top. */
+bool isWhollyOpen(const Floorplan& plan, const WrittenWall& wall);
 
 /** @brief Adds openings for doorways and recesses for niches. */
 void writeOpenings(IfcDocument& document, const std::vector<WrittenWall>& walls);

@@ -85,18 +85,19 @@ describe(IfcDocument& document, const WrittenWall& written)
 /** @brief Returns the body of a wall in its placement: swept, cut by the planes of a
  * roof, or else, below other ceilings, triangles. */
 StepRef
-bodyOf(IfcDocument& document, const PlanWall& wall, const WallHeights& heights)
+bodyOf(IfcDocument& document, const WrittenWall& written, const WallHeights& heights)
 {
+  const PlanWall& wall = written.wall;
+  const PlanArea& profile = written.profile;
   IfcShapes& shapes = document.shapes;
   const char* type = "Tessellation";
   StepRef item;
   if (heights.isSwept()) {
-    const WallProfile profile = profileOf(document.plan, wall);
-    const double top = heights.roof.empty() ? heights.highest()
-                                            : heightAbove(document.plan, wall, heights);
+    const WallFrame frame = frameOf(document.plan, wall);
+    const double top =
+        heights.roof.empty() ? heights.highest() : heightAbove(profile, frame, heights);
     item = shapes.extrusion(profile.boundary, profile.holes, 0, top - heights.bottom);
     type = heights.roof.empty() ? "SweptSolid" : "Clipping";
-    const WallFrame frame = frameOf(document.plan, wall);
     for (const Eigen::Vector4d& plane : heights.roof) {
       const double z = -(plane.head<2>().dot(frame.origin) + plane[3]) / plane[2];
       item = shapes.clipped(item, {0, 0, z - heights.bottom},
@@ -132,13 +133,16 @@ writeWalls(IfcDocument& document)
       added.name += "_part_" + std::to_string(part);
     added.bottom = heights.bottom;
     added.top = heights.highest();
+    added.profile = profileOf(plan, wall);
+    if (isWhollyOpen(plan, added))
+      continue;
     const IfcStorey& storey = document.storeys[added.storey];
     const WallFrame frame = frameOf(plan, wall);
     added.placement = document.shapes.placement(
         storey.placement,
         {frame.origin.x(), frame.origin.y(), heights.bottom - storey.storey.floor},
         frame.way);
-    std::vector<StepRef> shapes{bodyOf(document, wall, heights)};
+    std::vector<StepRef> shapes{bodyOf(document, added, heights)};
     if (!elementOf(plan, wall.face).isArc())
       shapes.push_back(
           document.shapes.line(document.axis_context, {0, -wall.thickness / 2},

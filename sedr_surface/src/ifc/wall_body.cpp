@@ -3,9 +3,12 @@
 
 #include "level_slab.h"
 
+#include <pcl/sedr_filters/plan_measures.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pcl {
 namespace sedr {
@@ -155,6 +158,37 @@ segmentOf(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
   return e;
 }
 
+/** @brief What is between the face of a wall and its far side, in the wall's frame. */
+PlanArea
+bandOf(const Floorplan& plan, const PlanWall& wall)
+{
+  const PlanElement& element = elementOf(plan, wall.face);
+  if (!element.isArc()) {
+    const auto& o = wall.outline; // clockwise
+    return {loopOf({o[0], o[3], o[2], o[1]}), {}};
+  }
+  const WallFrame frame = frameOf(plan, wall);
+  const PlanElement near = arcPart(element, wall.stretch);
+  const PlanElement far = withRadius(near, farRadius(near, wall.thickness));
+  PlanLoop close{{near}};
+  PlanLoop behind{{far}};
+  if (std::abs(near.sweep()) > 2 * M_PI - 1e-6) {
+    if (close.area() < 0) {
+      close = reversed(close);
+      behind = reversed(behind);
+    }
+    const bool is_outside = far.radius > near.radius;
+    return {inFrame(is_outside ? behind : close, frame),
+            {inFrame(is_outside ? close : behind, frame)}};
+  }
+  PlanLoop loop;
+  loop.elements.push_back(near);
+  loop.elements.push_back(segmentOf(near.end, far.end));
+  loop.elements.push_back(reversed(behind).elements.front());
+  loop.elements.push_back(segmentOf(far.start, near.start));
+  return {inFrame(loop.area() < 0 ? reversed(loop) : loop, frame), {}};
+}
+
 } // namespace
 
 double
@@ -218,12 +252,11 @@ heightsOf(const Floorplan& plan, const PlanWall& wall)
 }
 
 double
-heightAbove(const Floorplan& plan, const PlanWall& wall, const WallHeights& heights)
+heightAbove(const PlanArea& profile, const WallFrame& frame, const WallHeights& heights)
 {
   constexpr double above = 0.1;
-  const WallFrame frame = frameOf(plan, wall);
   double highest = heights.highest();
-  for (const Eigen::Vector2d& corner : profileOf(plan, wall).boundary.polygon(0.01)) {
+  for (const Eigen::Vector2d& corner : profile.boundary.polygon(0.01)) {
     double lowest = std::numeric_limits<double>::infinity();
     for (const Eigen::Vector4d& plane : heights.roof)
       lowest = std::min(lowest, planeHeight(plane, frame.toPlan(corner)));
@@ -232,39 +265,54 @@ heightAbove(const Floorplan& plan, const PlanWall& wall, const WallHeights& heig
   return highest + above;
 }
 
-WallProfile
+PlanArea
 profileOf(const Floorplan& plan, const PlanWall& wall)
 {
-  const PlanElement& element = elementOf(plan, wall.face);
-  if (!element.isArc()) {
-    const auto& o = wall.outline; // clockwise
-    return {loopOf({o[0], o[3], o[2], o[1]}), {}};
-  }
+  constexpr double nothing = 0.001; // square metres
+  const PlanArea band = bandOf(plan, wall);
   const WallFrame frame = frameOf(plan, wall);
-  const PlanElement near = arcPart(element, wall.stretch);
-  const PlanElement far = withRadius(near, farRadius(near, wall.thickness));
-  PlanLoop close{{near}};
-  PlanLoop behind{{far}};
-  if (std::abs(near.sweep()) > 2 * M_PI - 1e-6) {
-    if (close.area() < 0) {
-      close = reversed(close);
-      behind = reversed(behind);
-    }
-    const bool is_outside = far.radius > near.radius;
-    return {inFrame(is_outside ? behind : close, frame),
-            {inFrame(is_outside ? close : behind, frame)}};
+  const PlanRoom& own = plan.rooms[wall.face.room];
+  const Eigen::AlignedBox2d box = boxOf(band.boundary);
+  std::vector<PlanArea> rooms;
+  for (const PlanRoom& room : plan.rooms) {
+    PlanArea area{inFrame(room.boundary, frame)};
+    if (!shareHeights(room, own) || !boxOf(area.boundary).intersects(box))
+      continue;
+    for (const PlanLoop& column : room.columns)
+      area.holes.push_back(inFrame(column, frame));
+    if (commonArea(band, area) > nothing)
+      rooms.push_back(std::move(area));
   }
-  PlanLoop loop;
-  loop.elements.push_back(near);
-  loop.elements.push_back(segmentOf(near.end, far.end));
-  loop.elements.push_back(reversed(behind).elements.front());
-  loop.elements.push_back(segmentOf(far.start, near.start));
-  return {inFrame(loop.area() < 0 ? reversed(loop) : loop, frame), {}};
+  return rooms.empty() ? band : largestPartOutside(band, rooms);
 }
+
+namespace {
+
+/** @brief The last place on the way from a face to the far side of its wall before
+ * another room. */
+Eigen::Vector2d
+beforeRooms(const std::vector<const PlanRoom*>& rooms,
+            const Eigen::Vector2d& near,
+            const Eigen::Vector2d& far)
+{
+  constexpr double step = 0.01;
+  const double length = (far - near).norm();
+  for (double s = step; s < length; s += step) {
+    const Eigen::Vector2d p = near + s / length * (far - near);
+    if (std::any_of(rooms.begin(), rooms.end(),
+                    [&](const PlanRoom* room) { return room->contains(p); }))
+      return near + (s - step / 2) / length * (far - near);
+  }
+  return far;
+}
+
+} // namespace
 
 TriangleMesh
 meshOf(const Floorplan& plan, const PlanWall& wall, const WallHeights& heights)
 {
+  const std::vector<const PlanRoom*> rooms =
+      roomsAt(plan, heightsOf(plan.rooms[wall.face.room]));
   const PlanElement& element = elementOf(plan, wall.face);
   const WallFrame frame = frameOf(plan, wall);
   TriangleMesh mesh;
@@ -281,6 +329,7 @@ meshOf(const Floorplan& plan, const PlanWall& wall, const WallHeights& heights)
                           (place - element.centre) *
                               (farRadius(element, wall.thickness) / element.radius));
     }
+    far = frame.toLocal(beforeRooms(rooms, frame.toPlan(near), frame.toPlan(far)));
     const double z = std::max(top.height - heights.bottom, min_height);
     for (const Eigen::Vector2d& p : {near, far})
       for (const double height : {0.0, z})

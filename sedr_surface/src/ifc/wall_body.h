@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "../walls/plan_area.h"
 #include "../walls/plan_walls.h"
 #include "ifc_shapes.h"
 
@@ -36,19 +37,17 @@ struct WallHeights {
  * it, without soffits. Below a sloping ceiling its top slopes too. */
 WallHeights heightsOf(const Floorplan& plan, const PlanWall& wall);
 
-/** @brief The plan of a wall in its frame, counter-clockwise. A wall that
- * surrounds a room has a hole. */
-struct WallProfile {
-  PlanLoop boundary;
-  std::vector<PlanLoop> holes;
-};
-
-WallProfile profileOf(const Floorplan& plan, const PlanWall& wall);
+/** @brief Returns the plan of a wall in its frame, counter-clockwise. A wall that
+ * surrounds a room has a hole. No part of it is in a room: where one reaches behind the
+ * face, beside a niche or at a mitre, the wall ends at that room. Empty if nothing is
+ * left. */
+PlanArea profileOf(const Floorplan& plan, const PlanWall& wall);
 
 /** @brief Returns a height above all tops of a wall, before roof planes cut it; metres.
  */
-double
-heightAbove(const Floorplan& plan, const PlanWall& wall, const WallHeights& heights);
+double heightAbove(const PlanArea& profile,
+                   const WallFrame& frame,
+                   const WallHeights& heights);
 
 /** @brief Returns a wall whose top is not level as a mesh in its frame, with z from its
  * bottom. */

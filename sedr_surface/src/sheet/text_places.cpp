@@ -31,6 +31,25 @@ isParted(const TextBox& a, const TextBox& b)
          std::abs(between.dot(left(way))) >= a.half_size.y() + reach(left(way));
 }
 
+constexpr double chord = 0.2; ///< millimetres between an arc and its chords
+
+using Lines = std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>;
+
+void
+addChords(const std::vector<Eigen::Vector2d>& corners, bool is_closed, Lines& lines)
+{
+  for (std::size_t i = 0; i + (is_closed ? 0 : 1) < corners.size(); ++i)
+    lines.emplace_back(corners[i], corners[(i + 1) % corners.size()]);
+}
+
+bool
+meetsAny(const TextBox& box, const Lines& lines)
+{
+  return std::any_of(lines.begin(), lines.end(), [&](const auto& line) {
+    return box.meets(line.first, line.second);
+  });
+}
+
 } // namespace
 
 Eigen::Vector2d
@@ -94,31 +113,42 @@ readableAngle(const Eigen::Vector2d& way)
 void
 TextPlaces::keepOff(const PlanLoop& loop)
 {
-  constexpr double chord = 0.2;
-  const std::vector<Eigen::Vector2d> corners = loop.polygon(chord);
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    lines_.emplace_back(corners[i], corners[(i + 1) % corners.size()]);
+  addChords(loop.polygon(chord), true, lines_);
+}
+
+void
+TextPlaces::avoid(const PlanElement& line)
+{
+  std::vector<Eigen::Vector2d> corners = PlanLoop{{line}}.polygon(chord);
+  corners.push_back(line.end);
+  addChords(corners, false, avoided_);
 }
 
 bool
-TextPlaces::take(const TextBox& box)
+TextPlaces::isFree(const TextBox& box) const
 {
-  if (std::any_of(taken_.begin(), taken_.end(),
-                  [&](const TextBox& other) { return box.meets(other); }) ||
-      std::any_of(lines_.begin(), lines_.end(),
-                  [&](const auto& line) { return box.meets(line.first, line.second); }))
-    return false;
-  taken_.push_back(box);
-  return true;
+  return std::none_of(taken_.begin(), taken_.end(),
+                      [&](const TextBox& other) { return box.meets(other); }) &&
+         !meetsAny(box, lines_);
 }
 
 std::optional<TextBox>
 TextPlaces::takeFirst(const std::vector<TextBox>& boxes)
 {
-  for (const TextBox& box : boxes)
-    if (take(box))
-      return box;
-  return std::nullopt;
+  const TextBox* best = nullptr;
+  for (const TextBox& box : boxes) {
+    if (!isFree(box))
+      continue;
+    const bool is_clear = !meetsAny(box, avoided_);
+    if (is_clear || !best)
+      best = &box;
+    if (is_clear)
+      break;
+  }
+  if (!best)
+    return std::nullopt;
+  taken_.push_back(*best);
+  return *best;
 }
 
 } // namespace sedr

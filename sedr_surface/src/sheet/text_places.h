@@ -32,26 +32,32 @@ Eigen::Vector2d halfSizeOf(const std::vector<std::string>& lines);
  * below or from the right: above -89, up to 91, so that nearly vertical lines agree. */
 double readableAngle(const Eigen::Vector2d& way);
 
-/** @brief Occupied places of a page: texts, and lines that texts avoid. */
+/** @brief Occupied places of a page: texts, lines that texts keep off, and lines that
+ * texts cross only where there is no other place. */
 class TextPlaces {
 public:
-  /** @brief Adds a loop that texts avoid; arcs as chords. */
+  /** @brief Adds a loop that texts keep off; arcs as chords. */
   void keepOff(const PlanLoop& loop);
   void keepOff(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
   {
     lines_.emplace_back(from, to);
   }
 
-  /** @brief Occupies a rectangle.
-   * @return false if a text or a line is already there */
-  bool take(const TextBox& box);
+  /** @brief Adds a line that texts cross only where there is no other place. */
+  void avoid(const PlanElement& line);
 
-  /** @brief Occupies the first free one of some rectangles. */
+  /** @brief Occupies the first of some rectangles that no text and no line is in; if
+   * there is none, the first one that only lines to avoid are in. */
   std::optional<TextBox> takeFirst(const std::vector<TextBox>& boxes);
 
 private:
+  using Lines = std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>;
+
+  bool isFree(const TextBox& box) const;
+
   std::vector<TextBox> taken_;
-  std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> lines_;
+  Lines lines_;
+  Lines avoided_;
 };
 
 } // namespace sedr

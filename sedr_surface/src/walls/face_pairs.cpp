@@ -169,61 +169,9 @@ FacePairs::take(const FacePair& candidate)
         walls_.push_back(candidate);
         walls_.back().stretch = common;
       }
-      else {
-        addWallOfReveal({candidate.face, candidate.other, common, 0});
-      }
       cutOut(free_[candidate.face], common);
       cutOut(free_[candidate.other], mapped(candidate.face, common, candidate.other));
     }
-}
-
-double
-FacePairs::revealDepth(const WallFace& face, const WallFace& other) const
-{
-  constexpr double min_lintel = 0.1;  // metres
-  constexpr double max_sine = 0.5;    // between a jamb and the way out
-  constexpr double at_doorway = 0.15; // metres
-  const PlanLoop& loop = wallLoop(plan_, face);
-  const PlanElement& element = elementOf(plan_, face);
-  if (element.isArc() || loop.elements.size() < 4)
-    return 0;
-  const auto isDoorway = [&](const PlanDoorway& doorway) {
-    const Eigen::Vector2d middle = (doorway.start + doorway.end) / 2;
-    const PlanRoom& room = plan_.rooms[face.room];
-    const PlanRoom& beyond = plan_.rooms[other.room];
-    return ((doorway.rooms[0] == room.id && doorway.rooms[1] == beyond.id) ||
-            (doorway.rooms[1] == room.id && doorway.rooms[0] == beyond.id)) &&
-           element.distance(middle) < at_doorway &&
-           doorway.top + min_lintel <
-               std::min(room.ceiling.heightAt(middle), beyond.ceiling.heightAt(middle));
-  };
-  if (std::none_of(plan_.doorways.begin(), plan_.doorways.end(), isDoorway))
-    return 0;
-  const std::size_t n = loop.elements.size();
-  const Eigen::Vector2d inward = faceAt(element, element.length() / 2).second;
-  double depth = parameters_.greatest_thickness;
-  for (const auto& [jamb, way] :
-       {std::pair(&loop.elements[(face.element + n - 1) % n], -1.0),
-        std::pair(&loop.elements[(face.element + 1) % n], 1.0)}) {
-    const double along = way * inward.dot(jamb->end - jamb->start);
-    if (jamb->isArc() || along > parameters_.greatest_thickness ||
-        along < std::sqrt(1 - max_sine * max_sine) * jamb->length())
-      return 0;
-    depth = std::min(depth, along);
-  }
-  return depth;
-}
-
-void
-FacePairs::addWallOfReveal(FacePair pair)
-{
-  pair.thickness = revealDepth(pair.other, pair.face);
-  if (pair.thickness < parameters_.min_thickness) {
-    pair = {pair.other, pair.face, mapped(pair.face, pair.stretch, pair.other),
-            revealDepth(pair.face, pair.other)};
-  }
-  if (pair.thickness >= parameters_.min_thickness)
-    walls_.push_back(pair);
 }
 
 std::vector<FreeFace>

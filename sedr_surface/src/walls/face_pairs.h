@@ -42,14 +42,6 @@ private:
   /** @brief Pairs the free parts of a stretch of both faces. */
   void take(const FacePair& candidate);
 
-  /** @brief Returns the depth of the reveal of a doorway with a lintel that ends in a
-   * face, where the rooms were parted at one side of their wall; 0 if there is none. */
-  double revealDepth(const WallFace& face, const WallFace& other) const;
-
-  /** @brief Adds the wall of a doorway whose reveal belongs to one of two adjoining
-   * rooms. */
-  void addWallOfReveal(FacePair pair);
-
   /** @brief Maps a stretch of a face to the other face. */
   Stretch
   mapped(const WallFace& from, const Stretch& stretch, const WallFace& to) const;

@@ -105,11 +105,8 @@ private:
       const Eigen::Vector2d a = frame.toLocal(other.start);
       const Eigen::Vector2d b = frame.toLocal(other.end);
       const double slope = (b.y() - a.y()) / (b.x() - a.x());
-      const double behind = -(a.y() + b.y()) / 2;
-      if (behind >= parameters_.min_thickness) { // else it is at the end of a reveal
-        at_start = std::min(a.y() - slope * a.x(), -parameters_.min_thickness / 2);
-        at_end = std::min(at_start + slope * length, -parameters_.min_thickness / 2);
-      }
+      at_start = std::min(a.y() - slope * a.x(), -parameters_.min_thickness / 2);
+      at_end = std::min(at_start + slope * length, -parameters_.min_thickness / 2);
     }
     return {{{0, 0}, {length, 0}, {length, at_end}, {0, at_start}}};
   }

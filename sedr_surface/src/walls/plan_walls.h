@@ -89,9 +89,7 @@ struct WallParameters {
  * at the end of such a wall, up to 0.7 m, is where other walls join; the wall is
  * extended over it. Straight walls that meet at a corner of a room are mitred. Faces
  * nearer than the minimum thickness have no wall, nor has a face with another room that
- * near behind it. An exception is a doorway with a lintel that ends the reveal of one
- * of two adjoining rooms: its wall is as thick as the reveal is deep. Cost: faces
- * squared.
+ * near behind it. Cost: faces squared.
  */
 std::vector<PlanWall> findWalls(const Floorplan& plan,
                                 const WallParameters& parameters = {});

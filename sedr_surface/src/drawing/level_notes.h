@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "plan_drawing.h"
+
+namespace pcl {
+namespace sedr {
+
+/** @brief A note of a level at its place: the height above the room's floor, such as
+ * "2.20", with a sign for levels of the floor. */
+struct LevelNote {
+  TextSpot spot;
+  std::string text;
+  DrawnLayer layer = DrawnLayer::Detail;
+};
+
+/** @brief Returns the levels of a room's ceiling and floor. Facets that go on into each
+ * other without a step or a bend have one note, at the largest of them; none if they go
+ * on into the main ceiling, of which the room's text tells.
+ * @param room_spot place of the room's text, which notes avoid */
+std::vector<LevelNote> levelNotes(const PlanRoom& room, const TextSpot& room_spot);
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_area.h"
+
+#include "../solid/plan_grid.h"
+
+#include <boost/polygon/polygon.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace pcl {
+namespace sedr {
+namespace {
+
+namespace bp = boost::polygon;
+using namespace boost::polygon::operators;
+
+using GridPolygons = std::vector<bp::polygon_with_holes_data<int>>;
+
+constexpr double chord = 5e-5; ///< metres between an arc and its chords
+constexpr double off_line = 1e-4;
+
+PlanGrid
+gridAround(const PlanLoop& loop)
+{
+  // What is farther away than the other area's largest reach is clipped by it anyway.
+  constexpr double reach = 400; // metres
+  Eigen::AlignedBox2d box;
+  for (const PlanElement& e : loop.elements)
+    box.extend(boxAround(e));
+  return PlanGrid(Eigen::AlignedBox2d(box.center() - Eigen::Vector2d::Constant(reach),
+                                      box.center() + Eigen::Vector2d::Constant(reach)));
+}
+
+bp::polygon_data<int>
+polygonOf(const PlanLoop& loop, const PlanGrid& grid)
+{
+  std::vector<bp::point_data<int>> corners;
+  for (const Eigen::Vector2d& corner : loop.polygon(chord)) {
+    const GridPoint p = grid.toGrid(corner);
+    corners.emplace_back(p.x, p.y);
+  }
+  bp::polygon_data<int> polygon;
+  polygon.set(corners.begin(), corners.end());
+  return polygon;
+}
+
+bp::polygon_set_data<int>
+setOf(const PlanArea& area, const PlanGrid& grid)
+{
+  bp::polygon_set_data<int> set;
+  set.insert(polygonOf(area.boundary, grid));
+  for (const PlanLoop& hole : area.holes)
+    set.insert(polygonOf(hole, grid), true);
+  return set;
+}
+
+/** @brief A loop of grid points without the corners that are on a line. */
+template <typename Points>
+PlanLoop
+loopOf(const Points& points, const PlanGrid& grid, bool is_hole)
+{
+  std::vector<Eigen::Vector2d> corners;
+  for (const auto& p : points)
+    corners.push_back(grid.toPlan({p.x(), p.y()}));
+  const auto isOnLine = [&](std::size_t k) {
+    const std::size_t n = corners.size();
+    const Eigen::Vector2d before = corners[(k + n - 1) % n];
+    const Eigen::Vector2d way = corners[(k + 1) % n] - before;
+    const Eigen::Vector2d to = corners[k] - before;
+    return to.norm() < off_line ||
+           std::abs(way.x() * to.y() - way.y() * to.x()) < off_line * way.norm();
+  };
+  for (std::size_t k = 0; k < corners.size() && corners.size() > 3;)
+    if (isOnLine(k))
+      corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(k));
+    else
+      ++k;
+  PlanLoop loop;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    PlanElement e;
+    e.start = corners[k];
+    e.end = corners[(k + 1) % corners.size()];
+    loop.elements.push_back(e);
+  }
+  return (loop.area() < 0) == is_hole ? loop : reversed(loop);
+}
+
+} // namespace
+
+double
+commonArea(const PlanArea& a, const PlanArea& b)
+{
+  const PlanGrid grid = gridAround(a.boundary);
+  bp::polygon_set_data<int> set = setOf(a, grid);
+  set &= setOf(b, grid);
+  return bp::area(set) * grid.unit() * grid.unit();
+}
+
+PlanArea
+largestPartOutside(const PlanArea& area, const std::vector<PlanArea>& others)
+{
+  const PlanGrid grid = gridAround(area.boundary);
+  bp::polygon_set_data<int> set = setOf(area, grid);
+  for (const PlanArea& other : others)
+    set -= setOf(other, grid);
+  GridPolygons parts;
+  set.get(parts);
+  if (parts.empty())
+    return {};
+  const auto largest =
+      std::max_element(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
+        return bp::area(a) < bp::area(b);
+      });
+  PlanArea part{loopOf(*largest, grid, false)};
+  for (auto hole = largest->begin_holes(); hole != largest->end_holes(); ++hole)
+    part.holes.push_back(loopOf(*hole, grid, true));
+  return part;
+}
+
+} // namespace sedr
+} // namespace pcl

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+
+#include <vector>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief An area in plan: within a loop and outside of holes. */
+struct PlanArea {
+  PlanLoop boundary;
+  std::vector<PlanLoop> holes{};
+};
+
+/** @brief Returns what two areas have in common, square metres. Arcs are chords within
+ * 0.05 mm. O(n log n). */
+double commonArea(const PlanArea& a, const PlanArea& b);
+
+/** @brief Returns the largest connected part of an area that is in none of `others`, of
+ * straight segments; empty if nothing is left. Corners less than 0.1 mm off the line
+ * between their neighbours are left out. O(n log n). */
+PlanArea largestPartOutside(const PlanArea& area, const std::vector<PlanArea>& others);
+
+} // namespace sedr
+} // namespace pcl
