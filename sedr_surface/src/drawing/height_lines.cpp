@@ -188,26 +188,31 @@ heightRange(const PlanRoom& room)
   const RoomLookup lookup(room);
   std::pair<double, double> range(std::numeric_limits<double>::infinity(),
                                   -std::numeric_limits<double>::infinity());
-  const auto add = [&](const Eigen::Vector2d& p) {
-    const double height = lookup.ceilingAt(p) - lookup.floorAt(p);
+  const auto add = [&](double ceiling, const Eigen::Vector2d& p) {
+    const double height = ceiling - lookup.floorAt(p);
     range.first = std::min(range.first, height);
     range.second = std::max(range.second, height);
   };
   const HeightGrid grid = heightsOf(room);
   for (std::size_t k = 0; k < grid.height.size(); ++k)
     if (std::isfinite(grid.height[k]))
-      add(grid.placeOf(k));
-  // Eaves and ridges lie on the borders of facets.
-  constexpr double inside = 1e-3;
+      add(lookup.ceilingAt(grid.placeOf(k)), grid.placeOf(k));
+  // Eaves and ridges lie on the borders of facets, whose loops end at the walls only
+  // within tolerance: what is above a wall is asked for beside it.
+  constexpr double beside = 0.05;
   for (const PlanElement& wall : room.boundary.elements)
     for (const double share : {0.02, 0.5, 0.98}) {
       const double s = share * wall.length();
-      add(wall.pointAt(s) + inside * wall.normalAt(s));
+      const Eigen::Vector2d p = wall.pointAt(s) + beside * wall.normalAt(s);
+      if (room.contains(p))
+        add(room.ceilingSlab(room.detailAt(p)).heightAt(wall.pointAt(s)), p);
     }
   for (const PlanDetail& detail : room.details)
-    for (const PlanElement& border : detail.boundary.elements)
-      if (room.contains(border.pointAt(border.length() / 2)))
-        add(border.pointAt(border.length() / 2));
+    for (const PlanElement& border : detail.boundary.elements) {
+      const Eigen::Vector2d p = border.pointAt(border.length() / 2);
+      if (room.contains(p))
+        add(detail.slab.heightAt(p), p);
+    }
   return range;
 }
 

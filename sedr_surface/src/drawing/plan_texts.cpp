@@ -94,8 +94,9 @@ PlanTexts::writeAt(const std::string& look,
     const Eigen::Vector2d half = font * halfSizeOf(lines);
     std::vector<TextBox> boxes;
     for (const double across : {0.0, 1.0, -1.0, 2.0, -2.0})
-      for (const double up : {0.0, 0.5, -0.5, 1.0, -1.0, 1.5, -1.5, 2.0, -2.0}) {
-        const Eigen::Vector2d off(across * half.x(), up * line_height);
+      for (int k = 0; k <= 48; ++k) { // up and down by turns
+        const double lines_up = (k % 2 == 0 ? 0.125 : -0.125) * k;
+        const Eigen::Vector2d off(across * half.x(), lines_up * line_height);
         if (off.norm() <= radius)
           boxes.push_back({place + off, half, 0});
       }

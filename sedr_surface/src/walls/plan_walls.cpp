@@ -193,7 +193,7 @@ isIsland(const PlanRoom& room, const PlanLoop& column)
       sides = box.sizes();
   }
   const Eigen::Vector2d& foot = corners.front();
-  const double height = room.ceiling.heightAt(foot) - room.floor.heightAt(foot);
+  const double height = room.ceilingAt(foot) - room.floorAt(foot);
   return sides.maxCoeff() > max_widths * sides.minCoeff() ||
          height < min_depths * sides.maxCoeff();
 }
