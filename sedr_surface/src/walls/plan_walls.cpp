@@ -72,9 +72,10 @@ private:
   void addAssumed(const FreeFace& free)
   {
     double thickness = parameters_.assumed_thickness;
-    while (thickness >= parameters_.min_thickness && reachesRoom(free, thickness))
+    const double thinnest = std::max(parameters_.min_thickness, thickness / 4);
+    while (thickness >= thinnest && reachesRoom(free, thickness))
       thickness /= 2;
-    if (thickness >= parameters_.min_thickness)
+    if (thickness >= thinnest)
       walls_.push_back({free.face, std::nullopt, free.stretch, thickness});
   }
 
