@@ -106,8 +106,8 @@ def heights_on(product, x, y):
         points = np.asarray(mesh["points"]).reshape(-1, 3)
         for a, b, c in points[np.asarray(mesh["triangles"], dtype=int).reshape(-1, 3)]:
             twice = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-            if abs(twice) < 1e-12:
-                continue
+            if abs(twice) <= 0.001 * np.linalg.norm(np.cross(b - a, c - a)):
+                continue  # vertical
             low, high = np.minimum(np.minimum(a, b), c), np.maximum(np.maximum(a, b), c)
             i = np.arange(np.searchsorted(x, low[0]), np.searchsorted(x, high[0]))
             j = np.arange(np.searchsorted(y, low[1]), np.searchsorted(y, high[1]))
