@@ -92,6 +92,7 @@ repairHoles(const std::vector<SurfacePoint>& refined,
     if (strips)
       for (const auto& strip : cells.strips())
         strips->push_back(repairedStrip(strip, room.id, repaired.size()));
+    repaired.reserve(repaired.size() + cells.cells().size());
     for (const auto& cell : cells.cells()) {
       if (cell.is_occupied)
         repaired.push_back({refined[cell.source], static_cast<int>(cell.source)});

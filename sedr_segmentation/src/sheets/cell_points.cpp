@@ -42,9 +42,11 @@ CellPoints::CellPoints(const SheetGrid& grid,
   }
   rows_ = rowsOf(points_);
   std::vector<Eigen::Vector3d> middles;
-  middles.reserve(balls_.size());
-  for (const CellBall& ball : balls_)
-    middles.push_back(ball.centre);
+  for (std::size_t cell = 0; cell < grid.count(); ++cell)
+    if (!isEmpty(cell)) {
+      seen_.push_back(cell);
+      middles.push_back(balls_[cell].centre);
+    }
   middles_ = rowsOf(middles);
 }
 

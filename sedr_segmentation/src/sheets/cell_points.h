@@ -51,7 +51,8 @@ public:
 
   const CellBall& ball(std::size_t cell) const { return balls_[cell]; }
 
-  /** @brief The middles of the balls of all cells. */
+  /** @brief The cells with points, increasing, and the middles of their balls. */
+  const std::vector<std::size_t>& seen() const { return seen_; }
   const std::vector<PointRow>& middles() const { return middles_; }
 
   /** @brief The points of some cells, no more than about `most`, evenly chosen. */
@@ -71,6 +72,7 @@ private:
   std::vector<std::size_t> first_;
   std::vector<Eigen::Vector3d> points_;
   std::vector<CellBall> balls_;
+  std::vector<std::size_t> seen_;
   std::vector<PointRow> middles_;
   std::vector<PointRow> rows_;
 };

@@ -6,12 +6,9 @@
 #include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <map>
-#include <optional>
 #include <set>
 #include <utility>
 
@@ -46,6 +43,11 @@ public:
     FacetChoice best;
     double least = std::numeric_limits<double>::infinity();
     for (int round = 0; round < max_rounds; ++round) {
+      if (round > 0) {
+        proposals = best.facets;
+        for (FacetProposal& other : others(best))
+          proposals.push_back(std::move(other));
+      }
       FacetChoice choice = chosen(proposals);
       if (choice.facets.empty())
         break;
@@ -55,10 +57,7 @@ public:
       if (total >= least - 1e-3)
         break;
       least = total;
-      best = choice;
-      proposals = choice.facets;
-      for (FacetProposal& other : others(choice))
-        proposals.push_back(std::move(other));
+      best = std::move(choice);
     }
     return best;
   }
@@ -159,13 +158,9 @@ private:
     return sum;
   }
 
-  using Cells = std::vector<std::size_t>;
-  using Fits = std::array<std::optional<FacetProposal>, std::size(kinds)>;
-
-  /** @brief Of all shapes through some cells the one that costs least.
-   * @param[in,out] fits to these cells that are known, of each kind */
-  FacetProposal
-  bestShape(const FacetProposal& known, const Cells& own, Fits& fits) const
+  /** @brief Of all shapes through some cells the one that costs least. */
+  FacetProposal bestShape(const FacetProposal& known,
+                          const std::vector<std::size_t>& own) const
   {
     FacetProposal best = known;
     double least = costOver(known, own);
@@ -184,14 +179,11 @@ private:
     refineShape(known.kind, cells_.pointsOf(own, 5000), evidence_.deviation,
                 refined.slab, settled);
     consider(refined);
-    for (std::size_t k = 0; k < fits.size(); ++k) {
+    for (const ShapeKind kind : kinds) {
       // What is left is noise, at least: another shape must earn its parameters.
-      const double cost_of_kind = penaltyOf(parametersOf(kinds[k])) + noiseOver(own);
-      if (cost_of_kind >= least)
-        continue;
-      if (!fits[k])
-        fits[k] = fitFacet(kinds[k], evidence_, own);
-      consider(*fits[k]);
+      const double cost_of_kind = penaltyOf(parametersOf(kind)) + noiseOver(own);
+      if (cost_of_kind < least)
+        consider(fitFacet(kind, evidence_, own));
     }
     return best;
   }
@@ -203,17 +195,14 @@ private:
   }
 
   /** @brief Fits every facet to its cells, and drops those without any. */
-  void refit(FacetChoice& choice)
+  void refit(FacetChoice& choice) const
   {
     const auto own = cellsOf(choice);
-    std::vector<Fits*> fits;
-    for (const Cells& cells : own)
-      fits.push_back(&fits_[cells]);
     std::vector<FacetCosts> costs(own.size());
     forEach(own.size(), [&](std::size_t k) {
       if (own[k].empty())
         return;
-      choice.facets[k] = bestShape(choice.facets[k], own[k], *fits[k]);
+      choice.facets[k] = bestShape(choice.facets[k], own[k]);
       costs[k] = costsOf(choice.facets[k].slab, evidence_);
     });
     std::vector<std::int32_t> number(choice.facets.size(), 0);
@@ -268,34 +257,30 @@ private:
   }
 
   /** @brief Neighbouring facets as one. */
-  std::vector<FacetProposal> others(const FacetChoice& choice)
+  std::vector<FacetProposal> others(const FacetChoice& choice) const
   {
     const auto own = cellsOf(choice);
-    std::vector<decltype(merged_)::iterator> pairs;
-    std::vector<decltype(merged_)::iterator> added;
-    for (const auto& [a, b] : neighbours(choice)) {
-      Cells both = own[a];
+    const auto pairs = neighbours(choice);
+    const std::vector<std::pair<std::size_t, std::size_t>> listed(pairs.begin(),
+                                                                  pairs.end());
+    std::vector<std::vector<FacetProposal>> found(listed.size());
+    forEach(listed.size(), [&](std::size_t k) {
+      const auto& [a, b] = listed[k];
+      std::vector<std::size_t> both = own[a];
       both.insert(both.end(), own[b].begin(), own[b].end());
       std::sort(both.begin(), both.end());
-      const auto [pair, is_new] = merged_.try_emplace(std::move(both));
-      pairs.push_back(pair);
-      if (is_new && pair->first.size() >= min_cells)
-        added.push_back(pair);
-    }
-    forEach(added.size(),
-            [&](std::size_t k) { added[k]->second = asOne(added[k]->first); });
+      if (both.size() >= min_cells)
+        found[k] = asOne(both);
+    });
     std::vector<FacetProposal> all;
-    for (const auto& pair : pairs)
-      all.insert(all.end(), pair->second.begin(), pair->second.end());
+    for (auto& few : found)
+      std::move(few.begin(), few.end(), std::back_inserter(all));
     return all;
   }
 
   const FacetEvidence& evidence_;
   const CellPoints& cells_;
-  // Fits of earlier rounds: many facets keep their cells.
-  std::map<Cells, Fits> fits_;
-  std::map<Cells, std::vector<FacetProposal>> merged_; ///< to cells of two facets
-  double patches_ = 0;                                 ///< with points
+  double patches_ = 0;     ///< with points
   double noise_share_ = 0; ///< of the points' noise in the variance of the deviation
 };
 

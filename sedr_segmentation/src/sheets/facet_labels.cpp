@@ -122,14 +122,13 @@ forAllSeen(const PlanSlab& facet, const FacetEvidence& evidence, Use use)
     return distances[static_cast<Eigen::Index>(k % row_size)];
   };
   ShapeValues distance;
-  std::size_t cell = 0;
+  auto next = cells.seen().begin();
   for (const PointRow& row : cells.middles()) {
     distancesOf(facet, row, distance);
-    for (Eigen::Index i = 0; i < row.size(); ++i, ++cell)
-      if (cells.isInside(cell) && !cells.isEmpty(cell))
-        use(cell, std::abs(distance[i]) > farFrom(cell, evidence)
-                      ? outlier
-                      : costOfPoints(cell, evidence, distanceAt));
+    for (Eigen::Index i = 0; i < row.size(); ++i, ++next)
+      use(*next, std::abs(distance[i]) > farFrom(*next, evidence)
+                     ? outlier
+                     : costOfPoints(*next, evidence, distanceAt));
   }
 }
 
@@ -221,15 +220,15 @@ reachOf(std::int32_t facet,
   return box.intersection(wholeBox(grid));
 }
 
-/** @brief The labels if one facet takes what it gains by: of all such choices within a
- * box that which costs least. */
-std::vector<std::int32_t>
-expanded(std::int32_t own,
-         const CellBox& box,
-         const std::vector<FacetCosts>& facets,
-         const Borders& borders,
-         const CellPoints& cells,
-         std::vector<std::int32_t> label)
+/** @brief The cells that one facet takes from others as it gains by them: of all such
+ * choices within a box that which costs least. */
+std::vector<std::size_t>
+takenBy(std::int32_t own,
+        const CellBox& box,
+        const std::vector<FacetCosts>& facets,
+        const Borders& borders,
+        const CellPoints& cells,
+        const std::vector<std::int32_t>& label)
 {
   const SheetGrid& grid = cells.grid();
   const Eigen::Vector2i extent = box.sizes() + Eigen::Vector2i::Ones();
@@ -265,11 +264,12 @@ expanded(std::int32_t own,
       expansion.addTerm(numberOf(b), no_no, no_yes);
   });
   const std::vector<std::uint8_t> takes = expansion.minimise();
+  std::vector<std::size_t> taken;
   forAllCells([&](std::size_t cell) {
-    if (takes[numberOf(cell)])
-      label[cell] = own;
+    if (takes[numberOf(cell)] && label[cell] != own)
+      taken.push_back(cell);
   });
-  return label;
+  return taken;
 }
 
 /** @brief Whether a cell in a box, or beside it, changed after an expansion. */
@@ -309,15 +309,19 @@ labelCells(const std::vector<FacetCosts>& facets,
     if (box.isEmpty() || !hasChanged(evidence.cells.grid(), box, changed, tried[own]))
       continue;
     tried[own] = k;
-    std::vector<std::int32_t> next =
-        expanded(k % count, box, facets, borders, evidence.cells, label);
+    const std::vector<std::size_t> taken =
+        takenBy(k % count, box, facets, borders, evidence.cells, label);
+    if (taken.empty())
+      continue;
+    std::vector<std::int32_t> next = label;
+    for (const std::size_t cell : taken)
+      next[cell] = k % count;
     const double there = energyOf(facets, evidence, next);
     if (there >= energy - worth)
       continue;
     energy = there;
-    for (std::size_t cell = 0; cell < label.size(); ++cell)
-      if (next[cell] != label[cell])
-        changed[cell] = k + 1;
+    for (const std::size_t cell : taken)
+      changed[cell] = k + 1;
     tried[own] = k + 1;
     label = std::move(next);
   }

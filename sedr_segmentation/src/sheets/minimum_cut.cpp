@@ -4,7 +4,6 @@
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 #include <boost/graph/compressed_sparse_row_graph.hpp>
 
-#include <algorithm>
 #include <utility>
 
 namespace pcl {
@@ -18,9 +17,12 @@ using Edge = boost::graph_traits<Graph>::edge_descriptor;
 /** @brief Arcs in pairs, there and back, one after the other. */
 class Arcs {
 public:
-  explicit Arcs(std::size_t vertices)
+  /** @param pairs that will be added, at most */
+  Arcs(std::size_t vertices, std::size_t pairs)
       : vertices_(vertices)
-  {}
+  {
+    arcs_.reserve(2 * pairs);
+  }
 
   void add(std::size_t from, std::size_t to, double capacity)
   {
@@ -90,7 +92,8 @@ BinaryEnergy::addPair(std::size_t a,
 {
   yes_[a] += yes_no - no_no;
   yes_[b] += yes_yes - yes_no;
-  pairs_.push_back({a, b, std::max(0.0, no_yes + yes_no - no_no - yes_yes)});
+  if (const double capacity = no_yes + yes_no - no_no - yes_yes; capacity > 0)
+    pairs_.push_back({a, b, capacity});
 }
 
 std::vector<std::uint8_t>
@@ -99,7 +102,7 @@ BinaryEnergy::minimise() const
   // The source's side says yes.
   const std::size_t source = yes_.size();
   const std::size_t sink = source + 1;
-  Arcs arcs(yes_.size() + 2);
+  Arcs arcs(yes_.size() + 2, yes_.size() + pairs_.size());
   for (std::size_t v = 0; v < yes_.size(); ++v) {
     if (yes_[v] < 0)
       arcs.add(source, v, -yes_[v]);

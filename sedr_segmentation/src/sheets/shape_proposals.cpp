@@ -84,8 +84,8 @@ public:
       , deviation_(evidence.deviation)
   {}
 
-  /** @return whether a shape was found, which is then the last of `found` */
-  bool grow(ShapeKind kind,
+  /** @brief Appends the shape that is found, if any. */
+  void grow(ShapeKind kind,
             std::size_t seed,
             int reach,
             std::vector<FacetProposal>& found) const
@@ -95,15 +95,15 @@ public:
     std::vector<std::size_t> window = cells_.window(seed, reach);
     // Half of it may lie beside the room.
     if (2 * window.size() < static_cast<std::size_t>((2 * reach + 1) * (2 * reach + 1)))
-      return false;
+      return;
     leaveOutUnreachable(seed, window);
     if (isCurve(kind) && isFlat(window))
-      return false;
+      return;
     FacetProposal facet = fitFacet(kind, evidence_, window, few_points);
     for (int round = 0; round < rounds; ++round) {
       if (!isBuilt(facet, evidence_.parameters) ||
           shareExplained(facet, evidence_, window) < min_share)
-        return false;
+        return;
       std::vector<std::size_t> grown = grownCells(facet.slab, cells_, seed, deviation_);
       const bool has_settled = grown == facet.cells;
       facet.cells = std::move(grown);
@@ -113,7 +113,6 @@ public:
                   facet.slab);
     }
     found.push_back(std::move(facet));
-    return true;
   }
 
 private:
@@ -150,7 +149,9 @@ private:
   double deviation_;
 };
 
-/** @brief Grows shapes from windows all over the plan, but where there are some. */
+/** @brief Grows shapes from windows all over the plan, but where there are some. Some
+ * windows are looked at side by side: what one of them finds counts unless one before
+ * it covers its seed. */
 void
 growFromSeeds(const FacetEvidence& evidence,
               ShapeKind kind,
@@ -170,13 +171,31 @@ growFromSeeds(const FacetEvidence& evidence,
       is_covered[cell] = 1;
   };
   std::for_each(found.begin(), found.end(), cover);
+  constexpr std::size_t side_by_side = 8;
+  std::vector<std::size_t> seeds;
+  const auto growAll = [&] {
+    std::vector<std::vector<FacetProposal>> grown(seeds.size());
+    parallelBlocks(seeds.size(), 1, evidence.parameters.threads,
+                   [&](std::size_t k, std::size_t) {
+                     grower.grow(kind, seeds[k], reach, grown[k]);
+                   });
+    for (std::size_t k = 0; k < seeds.size(); ++k)
+      if (!is_covered[seeds[k]] && !grown[k].empty()) {
+        found.push_back(std::move(grown[k].front()));
+        cover(found.back());
+      }
+    seeds.clear();
+  };
   for (int y = stride / 2; y < grid.rows; y += stride)
     for (int x = stride / 2; x < grid.columns; x += stride) {
       const std::size_t seed = grid.indexOf(x, y);
-      if (!is_covered[seed] && !evidence.cells.isEmpty(seed) &&
-          grower.grow(kind, seed, reach, found))
-        cover(found.back());
+      if (is_covered[seed] || evidence.cells.isEmpty(seed))
+        continue;
+      seeds.push_back(seed);
+      if (seeds.size() == side_by_side)
+        growAll();
     }
+  growAll();
 }
 
 } // namespace

@@ -114,14 +114,14 @@ NeighbourCells::forEachRow(const Eigen::Vector3f& place, int reach, See see) con
   }
 }
 
-/** @brief Whether the points near by leave no gap: those next to a point mostly tell.
- */
+/** @brief Whether the points up to so many cells away leave no gap: those next to a
+ * point mostly tell. */
 bool
-NeighbourCells::isInner(const Eigen::Vector3f& place) const
+NeighbourCells::isInner(const Eigen::Vector3f& place, int farthest) const
 {
-  const float within = completeWithin(grid_.size(), first_reach);
+  const float within = completeWithin(grid_.size(), farthest);
   std::uint64_t seen = 0;
-  for (int reach = 1; reach <= first_reach; ++reach) {
+  for (int reach = 1; reach <= farthest; ++reach) {
     forEachRow(place, reach, [&](std::uint32_t from, std::uint32_t to) {
       for (std::uint32_t k = from; k < to; ++k) {
         const Eigen::Vector3f way = places_[k] - place;
@@ -203,7 +203,11 @@ NeighbourCells::gapAt(const Eigen::Vector3f& place, Around& around) const
 {
   if (places_.empty())
     return Gap::Unknown;
-  if (countAround(place, first_reach) <= neighbours_ && isInner(place))
+  // As far as all points are among the nearest.
+  int near = first_reach;
+  while (near > 0 && countAround(place, near) > neighbours_)
+    --near;
+  if (near > 0 && isInner(place, near))
     return Gap::None;
   for (int reach = first_reach; reach <= max_reach; ++reach) {
     const std::size_t count = countAround(place, reach);

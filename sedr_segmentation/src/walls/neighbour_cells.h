@@ -57,7 +57,7 @@ private:
 
   double cellSizeFor(const std::vector<Eigen::Vector3f>& places,
                      unsigned threads) const;
-  bool isInner(const Eigen::Vector3f& place) const;
+  bool isInner(const Eigen::Vector3f& place, int farthest) const;
   std::size_t countAround(const Eigen::Vector3f& place, int reach) const;
   Ball ballAround(const Eigen::Vector3f& place, int reach, Around& around) const;
   Gap gapOfNearest(Around& around) const;
