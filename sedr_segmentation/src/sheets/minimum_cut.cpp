@@ -4,6 +4,7 @@
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 #include <boost/graph/compressed_sparse_row_graph.hpp>
 
+#include <cstdint>
 #include <utility>
 
 namespace pcl {
@@ -11,7 +12,13 @@ namespace sedr {
 
 namespace {
 
-using Graph = boost::compressed_sparse_row_graph<boost::directedS>;
+using Number = std::uint32_t; // of a vertex or an arc
+using Graph = boost::compressed_sparse_row_graph<boost::directedS,
+                                                 boost::no_property,
+                                                 boost::no_property,
+                                                 boost::no_property,
+                                                 Number,
+                                                 Number>;
 using Edge = boost::graph_traits<Graph>::edge_descriptor;
 
 /** @brief Arcs in pairs, there and back, one after the other. */
@@ -24,31 +31,32 @@ public:
     arcs_.reserve(2 * pairs);
   }
 
-  void add(std::size_t from, std::size_t to, double capacity)
+  void add(Number from, Number to, double capacity)
   {
     arcs_.push_back({from, to, capacity});
     arcs_.push_back({to, from, 0});
   }
 
   /** @brief Returns whether each vertex is on the source's side of a minimum cut. */
-  std::vector<std::uint8_t> cut(std::size_t source, std::size_t sink) const
+  std::vector<std::uint8_t> cut(Number source, Number sink) const
   {
     // Sorted by where they start; in the order in which they were added.
-    std::vector<std::size_t> place(arcs_.size());
-    std::vector<std::size_t> next(vertices_ + 1, 0);
+    std::vector<Number> place(arcs_.size());
+    std::vector<Number> next(vertices_ + 1, 0);
     for (const Arc& arc : arcs_)
       ++next[arc.from + 1];
     for (std::size_t v = 0; v < vertices_; ++v)
       next[v + 1] += next[v];
     for (std::size_t k = 0; k < arcs_.size(); ++k)
       place[k] = next[arcs_[k].from]++;
-    std::vector<std::pair<std::size_t, std::size_t>> sorted(arcs_.size());
+    std::vector<std::pair<Number, Number>> sorted(arcs_.size());
     std::vector<double> capacity(arcs_.size());
     for (std::size_t k = 0; k < arcs_.size(); ++k) {
       sorted[place[k]] = {arcs_[k].from, arcs_[k].to};
       capacity[place[k]] = arcs_[k].capacity;
     }
-    const Graph graph(boost::edges_are_sorted, sorted.begin(), sorted.end(), vertices_);
+    const Graph graph(boost::edges_are_sorted, sorted.begin(), sorted.end(),
+                      static_cast<Number>(vertices_));
     std::vector<Edge> reverse(arcs_.size());
     for (std::size_t k = 0; k < arcs_.size(); ++k)
       reverse[place[k]] = Edge(arcs_[k].to, place[k ^ 1]);
@@ -71,8 +79,8 @@ public:
 
 private:
   struct Arc {
-    std::size_t from;
-    std::size_t to;
+    Number from;
+    Number to;
     double capacity;
   };
 
@@ -100,17 +108,17 @@ std::vector<std::uint8_t>
 BinaryEnergy::minimise() const
 {
   // The source's side says yes.
-  const std::size_t source = yes_.size();
-  const std::size_t sink = source + 1;
+  const auto source = static_cast<Number>(yes_.size());
+  const Number sink = source + 1;
   Arcs arcs(yes_.size() + 2, yes_.size() + pairs_.size());
-  for (std::size_t v = 0; v < yes_.size(); ++v) {
+  for (Number v = 0; v < source; ++v) {
     if (yes_[v] < 0)
       arcs.add(source, v, -yes_[v]);
     else if (yes_[v] > 0)
       arcs.add(v, sink, yes_[v]);
   }
   for (const Pair& pair : pairs_)
-    arcs.add(pair.b, pair.a, pair.capacity);
+    arcs.add(static_cast<Number>(pair.b), static_cast<Number>(pair.a), pair.capacity);
   std::vector<std::uint8_t> answers = arcs.cut(source, sink);
   answers.resize(yes_.size());
   return answers;

@@ -129,7 +129,7 @@ costOf(const std::vector<PointRow>& points,
 
 /** @brief The normal equations of a step towards less. */
 struct StepSums {
-  Normal normal; ///< its lower half
+  Normal normal; ///< symmetric
   Parameters right;
 };
 
@@ -138,26 +138,33 @@ template <int Count>
 StepSums
 sumsOf(const std::vector<PointRow>& points, const ShapeDistance& shape, double band)
 {
-  Eigen::Matrix<double, Count, Count> normal =
-      Eigen::Matrix<double, Count, Count>::Zero();
-  Eigen::Matrix<double, Count, 1> right = Eigen::Matrix<double, Count, 1>::Zero();
+  constexpr int even = Count + Count % 2; // numbers are added two at once
+  using Numbers = Eigen::Matrix<double, even, 1>;
+  Eigen::Matrix<double, even, Count> normal =
+      Eigen::Matrix<double, even, Count>::Zero();
+  Numbers right = Numbers::Zero();
+  Numbers own = Numbers::Zero();
   ShapeValues distance;
+  ShapeValues share;
+  ShapeValues weights;
   std::array<ShapeValues, 7> growth;
   for (const PointRow& row : points) {
     shape.of(row, distance, growth);
+    share = distance / band;
+    weights = (1 - share * share).square();
     for (Eigen::Index i = 0; i < row.size(); ++i) {
-      const double weight = biweight(distance[i] / band);
-      if (weight <= 0)
+      const double weight = weights[i];
+      if (!(std::abs(share[i]) < 1) || weight <= 0)
         continue;
+      for (int k = 0; k < Count; ++k)
+        own[k] = growth[static_cast<std::size_t>(k)][i];
+      const Numbers weighted = weight * own;
       for (int column = 0; column < Count; ++column)
-        for (int line = column; line < Count; ++line)
-          normal(line, column) += weight * growth[static_cast<std::size_t>(line)][i] *
-                                  growth[static_cast<std::size_t>(column)][i];
-      for (int line = 0; line < Count; ++line)
-        right[line] -= weight * distance[i] * growth[static_cast<std::size_t>(line)][i];
+        normal.col(column) += own[column] * weighted;
+      right -= weight * distance[i] * own;
     }
   }
-  return {normal, right};
+  return {normal.template topRows<Count>(), right.template head<Count>()};
 }
 
 StepSums
