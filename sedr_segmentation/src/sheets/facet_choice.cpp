@@ -9,6 +9,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -48,7 +49,7 @@ public:
         for (FacetProposal& other : others(best))
           proposals.push_back(std::move(other));
       }
-      FacetChoice choice = chosen(proposals);
+      FacetChoice choice = chosen(proposals, best.costs);
       if (choice.facets.empty())
         break;
       labelCells(choice.costs, evidence_, choice.label);
@@ -93,13 +94,27 @@ private:
                    });
   }
 
-  /** @brief One proposal after the other, always that which lowers the costs most. */
-  FacetChoice chosen(const std::vector<FacetProposal>& proposals) const
+  /** @brief The cells in which a facet costs less than what no facet explains. */
+  std::vector<CellCost> cellsNear(const FacetCosts& facet) const
+  {
+    std::vector<CellCost> near;
+    for (const std::size_t cell : cells_.seen())
+      if (facet.cost[cell] < evidence_.outlier())
+        near.push_back({cell, facet.cost[cell]});
+    return near;
+  }
+
+  /** @brief One proposal after the other, always that which lowers the costs most.
+   * @param known costs of the first proposals */
+  FacetChoice chosen(const std::vector<FacetProposal>& proposals,
+                     const std::vector<FacetCosts>& known) const
   {
     const std::size_t count = cells_.grid().count();
     std::vector<std::vector<CellCost>> near(proposals.size());
-    forEach(proposals.size(),
-            [&](std::size_t k) { near[k] = cellsNear(proposals[k].slab, evidence_); });
+    forEach(proposals.size(), [&](std::size_t k) {
+      near[k] = k < known.size() ? cellsNear(known[k])
+                                 : sedr::cellsNear(proposals[k].slab, evidence_);
+    });
     std::vector<float> lowest(count, 0);
     for (std::size_t cell = 0; cell < count; ++cell)
       if (isSeen(cell))
@@ -115,6 +130,7 @@ private:
     std::vector<double> gains(proposals.size());
     forEach(proposals.size(), [&](std::size_t k) { gains[k] = gainOf(k); });
     FacetChoice choice;
+    std::vector<std::size_t> taken;
     choice.label.assign(count, 0);
     for (;;) {
       const auto highest = std::max_element(gains.begin(), gains.end());
@@ -132,10 +148,13 @@ private:
           choice.label[cell] = static_cast<std::int32_t>(choice.facets.size());
         }
       choice.facets.push_back(proposals[best]);
+      taken.push_back(best);
     }
     choice.costs.resize(choice.facets.size());
     forEach(choice.facets.size(), [&](std::size_t k) {
-      choice.costs[k] = costsOf(choice.facets[k].slab, evidence_);
+      choice.costs[k] = taken[k] < known.size()
+                            ? known[taken[k]]
+                            : costsOf(choice.facets[k].slab, evidence_);
     });
     return choice;
   }
@@ -158,14 +177,15 @@ private:
     return sum;
   }
 
-  /** @brief Of all shapes through some cells the one that costs least. */
-  FacetProposal bestShape(const FacetProposal& known,
-                          const std::vector<std::size_t>& own) const
+  /** @brief Of all shapes through some cells the one that costs least; none if that is
+   * the known one. */
+  std::optional<FacetProposal> betterShape(const FacetProposal& known,
+                                           const std::vector<std::size_t>& own) const
   {
-    FacetProposal best = known;
-    double least = costOver(known, own);
     if (own.size() < min_cells)
-      return best;
+      return {};
+    std::optional<FacetProposal> best;
+    double least = costOver(known, own);
     const auto consider = [&](FacetProposal facet) {
       if (!isBuilt(facet, evidence_.parameters))
         return;
@@ -198,12 +218,13 @@ private:
   void refit(FacetChoice& choice) const
   {
     const auto own = cellsOf(choice);
-    std::vector<FacetCosts> costs(own.size());
     forEach(own.size(), [&](std::size_t k) {
-      if (own[k].empty())
+      auto better =
+          own[k].empty() ? std::nullopt : betterShape(choice.facets[k], own[k]);
+      if (!better)
         return;
-      choice.facets[k] = bestShape(choice.facets[k], own[k]);
-      costs[k] = costsOf(choice.facets[k].slab, evidence_);
+      choice.facets[k] = std::move(*better);
+      choice.costs[k] = costsOf(choice.facets[k].slab, evidence_);
     });
     std::vector<std::int32_t> number(choice.facets.size(), 0);
     FacetChoice kept;
@@ -212,7 +233,7 @@ private:
         continue;
       number[k] = static_cast<std::int32_t>(kept.facets.size());
       kept.facets.push_back(std::move(choice.facets[k]));
-      kept.costs.push_back(std::move(costs[k]));
+      kept.costs.push_back(std::move(choice.costs[k]));
     }
     for (const std::int32_t label : choice.label)
       kept.label.push_back(number[static_cast<std::size_t>(label)]);
