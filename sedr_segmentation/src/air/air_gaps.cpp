@@ -93,24 +93,6 @@ AirGaps::sortGaps(std::vector<AirGap>&& added)
 }
 
 std::uint32_t
-AirGaps::overlapping(std::uint32_t column, std::int32_t low, std::int32_t high) const
-{
-  if (column == VoxelColumns::none)
-    return none;
-  std::uint32_t best = none;
-  std::int32_t most = 0;
-  for (std::uint32_t g = first_[column]; g < first_[column + 1]; ++g) {
-    const std::int32_t common = overlapOf(gaps_[g], {column, low, high});
-    const std::int32_t lower = std::min(gaps_[g].high - gaps_[g].low, high - low);
-    if (common > most && 2 * common >= lower) {
-      most = common;
-      best = g;
-    }
-  }
-  return best;
-}
-
-std::uint32_t
 AirGaps::goingOnFrom(const AirGap& gap, std::uint32_t column) const
 {
   if (column == VoxelColumns::none)

@@ -33,6 +33,8 @@ struct AirParameters {
   double walled_share = 0.25; ///< of a gap's height that is occupied: a wall
   double min_known = 0.15;    ///< of the rim of a hole that is filled: known air
   double max_open = 0.2;      ///< of its rim: neither air nor wall
+  double largest_blank = 1.5; ///< square metres that a scanner sees neither below nor
+                              ///< above itself
   double largest_hole = 1.5;  ///< square metres, of a slab; a larger one is a void
   double min_air = 0.1;       ///< of the rim of low gaps that are air: tall ones
   double min_through = 0.1;   ///< of a hole of a slab that rays go through: it is open
@@ -82,10 +84,10 @@ public:
     return (gaps_[g].high - gaps_[g].low) * columns_.voxelHeight();
   }
 
-  /** @brief The gap of a column that overlaps [low, high) most, by half of the lower
-   * of both at least; `none` where there is none. */
-  std::uint32_t
-  overlapping(std::uint32_t column, std::int32_t low, std::int32_t high) const;
+  /** @brief The gap of a column in which another goes on, `none` where there is none:
+   * of those that overlap it by half of the lower of both at least one in which one can
+   * stand on the same floor, else that which does so most. */
+  std::uint32_t goingOnFrom(const AirGap& gap, std::uint32_t column) const;
 
   /** @brief Share of the heights [low, high) of a column at which something is. Heights
    * are counted in voxels, in taller steps where the columns are larger because the
@@ -102,11 +104,6 @@ public:
   }
 
 private:
-  /** @brief The gap of a column that overlaps another by half of the lower of both at
-   * least: one in which one can stand on the same floor, else that which does so most.
-   */
-  std::uint32_t goingOnFrom(const AirGap& gap, std::uint32_t column) const;
-
   void findGaps();
   void closeSlabs();
   void sortGaps(std::vector<AirGap>&& added);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 namespace pcl {
 namespace sedr {
@@ -93,94 +94,201 @@ isTall(const AirGaps& air, const AirGap& gap)
   return gap.high - gap.low >= air.voxels(air.parameters().headroom);
 }
 
-/** @brief Whether no gap of a column overlaps another one by half. */
+/** @brief Whether no gap of a column goes on from another. */
 bool
 isMissing(const AirGaps& air, std::uint32_t column, const AirGap& beside)
 {
   return column != VoxelColumns::none &&
-         air.overlapping(column, beside.low, beside.high) == AirGaps::none;
+         air.goingOnFrom(beside, column) == AirGaps::none;
 }
+
+/** @brief Grows air to where an end of it is hidden, and tells which of that is
+ * enclosed. */
+class EnclosedHoles {
+public:
+  explicit EnclosedHoles(const AirGaps& air)
+      : air_(air)
+      , holes_(air.columns())
+      , blank_(air.columns())
+  {
+    std::vector<AirGap> front;
+    for (std::size_t g = 0; g < air.size(); ++g)
+      if (isTall(air, air[g]))
+        front.push_back(air[g]);
+    while (!front.empty()) {
+      grow(std::move(front));
+      front = addBlanks();
+    }
+  }
+
+  std::vector<AirGap> enclosed()
+  {
+    const std::vector<AirGap>& holes = holes_.all();
+    region_.assign(holes.size(), -1);
+    for (std::size_t start = 0; start < holes.size(); ++start)
+      if (region_[start] < 0)
+        collectRegion(start);
+    std::vector<AirGap> enclosed;
+    for (std::size_t k = 0; k < holes.size(); ++k) {
+      const Rim& rim = rims_[static_cast<std::size_t>(region_[k])];
+      const auto all = static_cast<double>(rim.known + rim.walled + rim.open);
+      if (static_cast<double>(rim.known) >= air_.parameters().min_known * all &&
+          static_cast<double>(rim.open) <= air_.parameters().max_open * all)
+        enclosed.push_back(holes[k]);
+    }
+    return enclosed;
+  }
+
+private:
+  /** @brief What is along the rim of a region of holes. */
+  struct Rim {
+    std::size_t known = 0;
+    std::size_t walled = 0;
+    std::size_t open = 0;
+  };
+
+  /** @brief Whether air may go on from a gap to a column in which none was seen. */
+  bool mayGoOn(const AirGap& gap, std::uint32_t column) const
+  {
+    return isMissing(air_, column, gap) && holes_.find(column, gap.low, gap.high) < 0 &&
+           !isWalled(air_, column, gap.low, gap.high);
+  }
+
+  /** @brief Grows air outwards, so that each hole takes its missing end from the air
+   * nearest to it; where neither end was seen it stops. */
+  void grow(std::vector<AirGap> front)
+  {
+    while (!front.empty()) {
+      std::vector<AirGap> next;
+      for (const AirGap& gap : front)
+        for (int d = 0; d < 4; ++d) {
+          const std::uint32_t column = air_.columns().neighbour(gap.column, d);
+          if (!mayGoOn(gap, column))
+            continue;
+          const AirGap hole =
+              withSeenEnds(air_, {column, gap.low, gap.high, false, false});
+          if (!isTall(air_, hole))
+            continue;
+          if (!hole.floor_seen && !hole.ceiling_seen) {
+            blanks_.push_back(hole);
+            continue;
+          }
+          holes_.add(hole);
+          next.push_back(hole);
+        }
+      front = std::move(next);
+    }
+  }
+
+  /** @brief Adds the blank patches that are as small as that which a scanner does not
+   * see, below and above itself.
+   * @return them */
+  std::vector<AirGap> addBlanks()
+  {
+    std::vector<AirGap> added;
+    const std::vector<AirGap> starts = std::exchange(blanks_, {});
+    for (const AirGap& start : starts) {
+      const std::vector<AirGap> patch = blankPatch(start);
+      for (const AirGap& gap : patch)
+        holes_.add(gap);
+      added.insert(added.end(), patch.begin(), patch.end());
+    }
+    return added;
+  }
+
+  /** @brief The blank patch around a gap; none if it was met before or goes on too far.
+   */
+  std::vector<AirGap> blankPatch(const AirGap& start)
+  {
+    if (holes_.find(start.column, start.low, start.high) >= 0 ||
+        blank_.find(start.column, start.low, start.high) >= 0)
+      return {};
+    const double cell = air_.columns().cellSize();
+    const auto most =
+        static_cast<std::size_t>(air_.parameters().largest_blank / (cell * cell));
+    const std::size_t first = blank_.all().size();
+    blank_.add(start);
+    bool is_open = false;
+    for (std::size_t k = first; k < blank_.all().size() && !is_open; ++k)
+      is_open = blank_.all().size() - first > most || !growBlank(k, first);
+    if (is_open)
+      return {};
+    return {blank_.all().begin() + static_cast<std::ptrdiff_t>(first),
+            blank_.all().end()};
+  }
+
+  /** @brief Adds the blank neighbours of a blank gap to its patch.
+   * @param first of the patch
+   * @return false where it goes on beyond the scan, or to a patch that went too far */
+  bool growBlank(std::size_t k, std::size_t first)
+  {
+    const AirGap gap = blank_.all()[k];
+    for (int d = 0; d < 4; ++d) {
+      const std::uint32_t column = air_.columns().neighbour(gap.column, d);
+      if (column == VoxelColumns::none)
+        return false;
+      const std::ptrdiff_t met = blank_.find(column, gap.low, gap.high);
+      if (met >= 0 && holes_.find(column, gap.low, gap.high) < 0 &&
+          met < static_cast<std::ptrdiff_t>(first))
+        return false;
+      if (met >= 0 || !mayGoOn(gap, column))
+        continue;
+      const AirGap next = withSeenEnds(air_, {column, gap.low, gap.high, false, false});
+      if (isTall(air_, next) && !next.floor_seen && !next.ceiling_seen)
+        blank_.add(next);
+    }
+    return true;
+  }
+
+  void collectRegion(std::size_t start)
+  {
+    const auto number = static_cast<std::ptrdiff_t>(rims_.size());
+    rims_.emplace_back();
+    std::vector<std::size_t> pending{start};
+    region_[start] = number;
+    while (!pending.empty()) {
+      const AirGap hole = holes_.all()[pending.back()];
+      pending.pop_back();
+      for (int d = 0; d < 4; ++d) {
+        const std::uint32_t column = air_.columns().neighbour(hole.column, d);
+        const std::ptrdiff_t other = column == VoxelColumns::none
+                                         ? -1
+                                         : holes_.find(column, hole.low, hole.high);
+        if (other < 0)
+          ++endAt(column, hole);
+        else if (region_[static_cast<std::size_t>(other)] < 0) {
+          region_[static_cast<std::size_t>(other)] = number;
+          pending.push_back(static_cast<std::size_t>(other));
+        }
+      }
+    }
+  }
+
+  /** @brief The count of the last rim for what a hole ends at in a column. */
+  std::size_t& endAt(std::uint32_t column, const AirGap& hole)
+  {
+    Rim& rim = rims_.back();
+    if (column == VoxelColumns::none)
+      return rim.open;
+    if (!isMissing(air_, column, hole))
+      return rim.known;
+    return isWalled(air_, column, hole.low, hole.high) ? rim.walled : rim.open;
+  }
+
+  const AirGaps& air_;
+  AddedGaps holes_;
+  AddedGaps blank_;            ///< gaps of blank patches, of those that go too far too
+  std::vector<AirGap> blanks_; ///< at which growing has stopped
+  std::vector<std::ptrdiff_t> region_; ///< of each hole
+  std::vector<Rim> rims_;              ///< of each region
+};
 
 } // namespace
 
 std::vector<AirGap>
 enclosedHolesOf(const AirGaps& air)
 {
-  const VoxelColumns& columns = air.columns();
-  AddedGaps added(air.columns());
-  std::vector<AirGap> front;
-  for (std::size_t g = 0; g < air.size(); ++g)
-    if (isTall(air, air[g]))
-      front.push_back(air[g]);
-  // Outwards, so that each hole takes its missing end from the air nearest to it.
-  while (!front.empty()) {
-    std::vector<AirGap> next;
-    for (const AirGap& gap : front)
-      for (int d = 0; d < 4; ++d) {
-        const std::uint32_t column = columns.neighbour(gap.column, d);
-        if (!isMissing(air, column, gap) ||
-            added.find(column, gap.low, gap.high) >= 0 ||
-            isWalled(air, column, gap.low, gap.high))
-          continue;
-        const AirGap hole =
-            withSeenEnds(air, {column, gap.low, gap.high, false, false});
-        if ((!hole.floor_seen && !hole.ceiling_seen) || !isTall(air, hole))
-          continue;
-        added.add(hole);
-        next.push_back(hole);
-      }
-    front = std::move(next);
-  }
-  // Regions of holes, and what is along the rim of each.
-  std::vector<AirGap>& holes = added.all();
-  std::vector<std::ptrdiff_t> region(holes.size(), -1);
-  struct Rim {
-    std::size_t known = 0;
-    std::size_t walled = 0;
-    std::size_t open = 0;
-  };
-  std::vector<Rim> rims;
-  for (std::size_t start = 0; start < holes.size(); ++start) {
-    if (region[start] >= 0)
-      continue;
-    const auto number = static_cast<std::ptrdiff_t>(rims.size());
-    rims.emplace_back();
-    std::vector<std::size_t> pending{start};
-    region[start] = number;
-    while (!pending.empty()) {
-      const AirGap hole = holes[pending.back()];
-      pending.pop_back();
-      for (int d = 0; d < 4; ++d) {
-        const std::uint32_t column = columns.neighbour(hole.column, d);
-        Rim& rim = rims[static_cast<std::size_t>(number)];
-        if (column == VoxelColumns::none) {
-          ++rim.open;
-          continue;
-        }
-        if (air.overlapping(column, hole.low, hole.high) != AirGaps::none) {
-          ++rim.known;
-          continue;
-        }
-        const std::ptrdiff_t other = added.find(column, hole.low, hole.high);
-        if (other < 0) {
-          ++(isWalled(air, column, hole.low, hole.high) ? rim.walled : rim.open);
-        }
-        else if (region[static_cast<std::size_t>(other)] < 0) {
-          region[static_cast<std::size_t>(other)] = number;
-          pending.push_back(static_cast<std::size_t>(other));
-        }
-      }
-    }
-  }
-  std::vector<AirGap> enclosed;
-  for (std::size_t k = 0; k < holes.size(); ++k) {
-    const Rim& rim = rims[static_cast<std::size_t>(region[k])];
-    const auto all = static_cast<double>(rim.known + rim.walled + rim.open);
-    if (static_cast<double>(rim.known) >= air.parameters().min_known * all &&
-        static_cast<double>(rim.open) <= air.parameters().max_open * all)
-      enclosed.push_back(holes[k]);
-  }
-  return enclosed;
+  return EnclosedHoles(air).enclosed();
 }
 
 } // namespace sedr

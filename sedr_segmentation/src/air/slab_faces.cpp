@@ -130,7 +130,7 @@ private:
   std::uint32_t slabBeside(std::uint32_t below, int d) const
   {
     const std::uint32_t column = air_.columns().neighbour(air_[below].column, d);
-    const std::uint32_t o = air_.overlapping(column, air_[below].low, air_[below].high);
+    const std::uint32_t o = air_.goingOnFrom(air_[below], column);
     return o == AirGaps::none || above_[o] == AirGaps::none ? AirGaps::none : o;
   }
 

@@ -69,7 +69,7 @@ private:
   /** @brief The gap at a place that goes on from another, `none` for none. */
   std::uint32_t gapAt(const Eigen::Vector2d& place, std::uint32_t like) const
   {
-    return air_.overlapping(columnAt(place), air_[like].low, air_[like].high);
+    return air_.goingOnFrom(air_[like], columnAt(place));
   }
 
   /** @brief How many steps one goes from a place until the air ends, at most `most`. */

@@ -71,7 +71,7 @@ private:
   {
     const std::uint32_t column =
         air_.columns().columnAt(air_.columns().grid().at(place.x(), place.y()));
-    return air_.overlapping(column, air_[like].low, air_[like].high) != AirGaps::none;
+    return air_.goingOnFrom(air_[like], column) != AirGaps::none;
   }
 
   /** @brief Whether a wall, or a pier between two windows, is beside a gap.

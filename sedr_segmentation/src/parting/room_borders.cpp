@@ -30,7 +30,7 @@ facedFrom(const AirGaps& air, std::uint32_t g, int d, int reach)
     column = air.columns().neighbour(column, d);
     if (column == VoxelColumns::none)
       return AirGaps::none;
-    const std::uint32_t o = air.overlapping(column, air[g].low, air[g].high);
+    const std::uint32_t o = air.goingOnFrom(air[g], column);
     if (o != AirGaps::none) {
       const bool is_wall =
           step > 0 && (isWallBeside(air, g, d) || isWallBeside(air, o, (d + 2) % 4));

@@ -202,7 +202,7 @@ OpeningMeasures::besideOf(const Ends& ends,
                           RoomLabels& rooms) const
 {
   const auto isInRoom = [&](const Eigen::Vector2d& place, const AirGap& like) {
-    const std::uint32_t g = air_.overlapping(columnAt(place), like.low, like.high);
+    const std::uint32_t g = air_.goingOnFrom(like, columnAt(place));
     return g != AirGaps::none && rooms.hasRoom(g) && rooms.roomOf(g) == room;
   };
   const int depth = static_cast<int>(std::ceil(parameters_.thickest_wall / cell_));
