@@ -115,10 +115,8 @@ public:
     for (std::size_t g = 0; g < air.size(); ++g)
       if (isTall(air, air[g]))
         front.push_back(air[g]);
-    while (!front.empty()) {
-      grow(std::move(front));
-      front = addBlanks();
-    }
+    grow(std::move(front));
+    addBlanks();
   }
 
   std::vector<AirGap> enclosed()
@@ -180,24 +178,17 @@ private:
     }
   }
 
-  /** @brief Adds the blank patches that are as small as that which a scanner does not
-   * see, below and above itself.
-   * @return them */
-  std::vector<AirGap> addBlanks()
+  /** @brief Adds the blank patches that air surrounds and that are as small as what a
+   * scanner does not see, below and above itself. */
+  void addBlanks()
   {
-    std::vector<AirGap> added;
-    const std::vector<AirGap> starts = std::exchange(blanks_, {});
-    for (const AirGap& start : starts) {
-      const std::vector<AirGap> patch = blankPatch(start);
-      for (const AirGap& gap : patch)
+    for (const AirGap& start : blanks_)
+      for (const AirGap& gap : blankPatch(start))
         holes_.add(gap);
-      added.insert(added.end(), patch.begin(), patch.end());
-    }
-    return added;
   }
 
-  /** @brief The blank patch around a gap; none if it was met before or goes on too far.
-   */
+  /** @brief The blank patch around a gap; none if it was met before, goes on too far or
+   * air does not surround it. */
   std::vector<AirGap> blankPatch(const AirGap& start)
   {
     if (holes_.find(start.column, start.low, start.high) >= 0 ||
@@ -219,7 +210,8 @@ private:
 
   /** @brief Adds the blank neighbours of a blank gap to its patch.
    * @param first of the patch
-   * @return false where it goes on beyond the scan, or to a patch that went too far */
+   * @return false where something else than air is beside it, or a patch that went too
+   * far */
   bool growBlank(std::size_t k, std::size_t first)
   {
     const AirGap gap = blank_.all()[k];
@@ -228,14 +220,15 @@ private:
       if (column == VoxelColumns::none)
         return false;
       const std::ptrdiff_t met = blank_.find(column, gap.low, gap.high);
-      if (met >= 0 && holes_.find(column, gap.low, gap.high) < 0 &&
-          met < static_cast<std::ptrdiff_t>(first))
-        return false;
-      if (met >= 0 || !mayGoOn(gap, column))
+      if (met >= static_cast<std::ptrdiff_t>(first) ||
+          holes_.find(column, gap.low, gap.high) >= 0 || !isMissing(air_, column, gap))
         continue;
+      if (met >= 0 || isWalled(air_, column, gap.low, gap.high))
+        return false;
       const AirGap next = withSeenEnds(air_, {column, gap.low, gap.high, false, false});
-      if (isTall(air_, next) && !next.floor_seen && !next.ceiling_seen)
-        blank_.add(next);
+      if (next.floor_seen || next.ceiling_seen)
+        return false;
+      blank_.add(next);
     }
     return true;
   }

@@ -32,7 +32,7 @@ struct PartingParameters {
   double min_open = 0.5;     ///< share of the wall between that joins two rooms
   double min_open_of_part = 0.3; ///< the same if one is too small or too open to be a
                                  ///< room
-  double max_open = 0.5;         ///< share of a room's outline that doors may be
+  double max_open = 0.4;         ///< share of a room's outline that doors may be
   double smallest_room = 1.0;    ///< square metres
 };
 

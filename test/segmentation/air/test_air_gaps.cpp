@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace {
 
 using namespace pcl::sedr;
@@ -156,6 +158,67 @@ TEST(AirGaps, TakeACeilingThatWasHiddenFromTheirNeighboursAndTellIt)
   EXPECT_TRUE(hidden.floor_seen);
   EXPECT_EQ(hidden.high, 50);
   EXPECT_TRUE(air.gaps[air.at(2, 2, 1)].ceiling_seen);
+}
+
+/** A closet of 2 m x 2 m; a scanner in it sees the floor from 0.7 m on, the ceiling
+ * from `blind` m on, and no floor towards x = 2.05. */
+AirScene
+closetAroundScanner(double blind)
+{
+  AirScene scene;
+  const auto isFar = [](double least) {
+    return
+        [least](double x, double y) { return std::hypot(x - 1.05, y - 1.05) > least; };
+  };
+  scene.points.slab(scene.loop(0.05, 0.05, 2.05, 2.05), 0.01,
+                    [&](double x, double y) { return isFar(0.7)(x, y) && x < 1.75; });
+  scene.points.slab(scene.loop(0.05, 0.05, 2.05, 2.05), 2.51, isFar(blind));
+  scene.sides(0.05, 0.05, 2.05, 2.05, 0.01, 2.51);
+  return scene;
+}
+
+TEST(AirGaps, GoOnAroundAScannerThatSawNeitherTheFloorBelowNorTheCeilingAboveIt)
+{
+  const AirScene scene = closetAroundScanner(0.45);
+  const SceneAir air(scene);
+  EXPECT_EQ(air.gaps.size(), std::size_t{19} * 19);
+  const std::uint32_t g = air.at(1.05, 1.05, 1);
+  ASSERT_NE(g, AirGaps::none);
+  EXPECT_FALSE(air.gaps[g].floor_seen);
+  EXPECT_FALSE(air.gaps[g].ceiling_seen);
+  EXPECT_EQ(air.gaps[g].low, 1);
+  EXPECT_EQ(air.gaps[g].high, 50);
+}
+
+TEST(AirGaps, DoNotGoOnWhereNeitherFloorNorCeilingWasSeenAsFarAsAWall)
+{
+  AirScene scene; // 0.6 m along a wall that was not seen there either
+  const auto isSeen = [](double x, double y) {
+    return x < 3.5 || std::abs(y - 1.5) > 0.3;
+  };
+  scene.points.slab(scene.loop(0.05, 0.05, 4.05, 3.05), 0.01, isSeen);
+  scene.points.slab(scene.loop(0.05, 0.05, 4.05, 3.05), 2.51, isSeen);
+  for (const auto& e : scene.loop(0.05, 0.05, 4.05, 3.05).elements)
+    scene.points.wall(e, 0.01, 2.51, [&](double along, double) {
+      const Eigen::Vector2d p = e.pointAt(along);
+      return isSeen(p.x(), p.y());
+    });
+  const SceneAir air(scene);
+  EXPECT_NE(air.at(3.2, 1.5, 1), AirGaps::none);
+  EXPECT_EQ(air.at(3.8, 1.5, 1), AirGaps::none);
+}
+
+TEST(AirGaps, BesideAVoidGoOnInItsLowerStorey)
+{
+  AirScene scene; // the upper storey beside the void is the higher
+  scene.room(0.05, 0.05, 8.05, 6.05, 0.01, 6.01);
+  scene.slab(5.05, 0.05, 8.05, 6.05, 2.51);
+  scene.slab(5.05, 0.05, 8.05, 6.05, 2.81);
+  scene.wall(5.05, 0.05, 5.05, 6.05, 2.51, 2.81);
+  const SceneAir air(scene);
+  const std::uint32_t lower = air.at(6.5, 3, 1);
+  const AirGap& in_void = air.gaps[air.at(2.5, 3, 1)];
+  EXPECT_EQ(air.gaps.goingOnFrom(in_void, air.gaps[lower].column), lower);
 }
 
 /** Two rooms above each other; in what was seen of the slab between them is a hole. */

@@ -79,6 +79,21 @@ TEST(PartRooms, BelowALintelItIsARoomOfItsOwn)
     });
 }
 
+TEST(PartRooms, ANookBelowABeamWithADoorToTheNextRoomIsOfTheHallItOpensTo)
+{
+  forBothTurns([](AirScene& scene) {
+    addTwoRooms(scene, {1.05, 1.95, 2.11}); // the door from the second room
+    // Before the door 1 m of the hall is 2.4 m wide, below a beam at its mouth.
+    for (const auto& [from, to] : {std::pair(0.05, 0.35), std::pair(2.75, 3.05)})
+      scene.sides(3.05, from, 4.05, to, 0.01, 2.51);
+    scene.hanging(3.05, 0.35, 3.15, 2.75, 2.21, 2.51);
+    const Parted air(scene);
+    EXPECT_EQ(air.rooms(), 2u);
+    EXPECT_EQ(air.roomAt(3.5, 1.5), air.roomAt(2, 1.5));
+    EXPECT_NE(air.roomAt(3.5, 1.5), air.roomAt(5.5, 1.5));
+  });
+}
+
 TEST(PartRooms, ColumnsPartNothing)
 {
   forBothTurns([](AirScene& scene) {
