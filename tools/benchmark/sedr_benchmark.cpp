@@ -41,6 +41,7 @@ struct Settings {
   std::string priors;
   bool resume = false;
   bool no_mesh = false;
+  bool positions = false;
   std::size_t rays = 0;
   unsigned threads = 0;
 };
@@ -55,6 +56,7 @@ addOptions(Options& options, Settings& s)
   options.text("seeds", s.seeds, "seeds of the simulator");
   options.flag("no-mesh", s.no_mesh,
                "stop at the structure's points, which is quicker");
+  options.flag("positions", s.positions, "tell the positions of the scanner");
   options.text("csv", s.csv, "file to which every run adds a line when it ends");
   options.flag("resume", s.resume, "skip the runs that --csv has already");
   options.text("table", s.table, "Markdown file for the table of all runs");
@@ -106,9 +108,10 @@ tasksOf(const std::vector<sim::Scene>& scenes, const Settings& settings)
     for (const double noise : noisesOf(settings.noises, "noise"))
       for (const std::uint64_t seed : seedsOf(settings.seeds, "seeds"))
         if (part.holds(index++))
-          tasks.push_back({&scene,
-                           {noise, seed, !settings.no_mesh, settings.rays,
-                            settings.threads, settings.keep, priors}});
+          tasks.push_back(
+              {&scene,
+               {noise, seed, !settings.no_mesh, settings.rays, settings.threads,
+                settings.keep, priors, settings.positions}});
   return tasks;
 }
 

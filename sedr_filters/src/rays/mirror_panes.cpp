@@ -42,8 +42,8 @@ struct Likeness {
 };
 
 /** @brief Share of places that have their like in front of a pane: the mean of those of
- * layers at different depths, so that one wall there that happens to be as far from the
- * pane as one here is not enough. */
+ * layers at different depths, without the layer of most and those beside it, as one
+ * wall there that happens to be as far from the pane as one here proves nothing. */
 double
 mirroredShare(const Pane& pane,
               const std::vector<Eigen::Vector3d>& places,
@@ -61,10 +61,16 @@ mirroredShare(const Pane& pane,
     ++at.places;
     at.mirrored += filled.isNear(pane.imageOf(p)) ? 1 : 0;
   }
+  if (layers.empty())
+    return 0;
+  const long best =
+      std::max_element(layers.begin(), layers.end(), [](const auto& a, const auto& b) {
+        return a.second.mirrored < b.second.mirrored;
+      })->first;
   double sum = 0;
   std::size_t counted = 0;
   for (const auto& [depth, at] : layers)
-    if (at.places >= fewest) {
+    if (at.places >= fewest && std::abs(depth - best) > 1) {
       sum += static_cast<double>(at.mirrored) / static_cast<double>(at.places);
       ++counted;
     }

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <limits>
 
 namespace pcl {
 namespace sedr {
@@ -113,6 +114,16 @@ sureLine(const ScanRay& ray, const Pane* pane)
   return {ray.from, at + std::min(behind, (ray.to - at).norm()) * direction};
 }
 
+/** @brief Positions of which some places are not known. */
+ScanPositions
+without(const std::vector<Eigen::Vector3f>& places, ScanPositions positions)
+{
+  for (ScanPosition& position : positions)
+    if (std::find(places.begin(), places.end(), position.place) != places.end())
+      position.place.setConstant(std::numeric_limits<float>::quiet_NaN());
+  return positions;
+}
+
 /** @brief The cubes all of whose rays are among some: 1. */
 std::vector<std::uint8_t>
 cubesOfOnly(const std::vector<std::uint8_t>& chosen,
@@ -168,12 +179,9 @@ findMirroredPoints(const PointView& thinned,
   const PiercedSurfaces surfaces(thinned);
   MirroredPoints found;
   found.untrue = untruePlaces(surfaces, rays, rows, step, positions, threads);
-  rays.erase(std::remove_if(rays.begin(), rays.end(),
-                            [&](const ScanRay& ray) {
-                              return std::find(found.untrue.begin(), found.untrue.end(),
-                                               ray.from) != found.untrue.end();
-                            }),
-             rays.end());
+  // Again, as untrue positions must not count among those of a cube.
+  if (!found.untrue.empty())
+    rays = raysOf(rows, step, without(found.untrue, positions), filled, max_a_cube);
   const std::vector<std::uint32_t> pierced = surfaces.firstPierced(rays, threads);
   const std::vector<Pane> panes = panesOf(surfaces, pierced);
   const std::vector<const Pane*> before =

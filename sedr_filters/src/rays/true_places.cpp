@@ -59,53 +59,75 @@ public:
 private:
   static constexpr float clear = 0.4F; ///< metres before and behind a patch
 
-  /** @brief The points within a radius of a place.
-   * @return how many */
+  /** @brief Points of one face of a wall, and the plane through them. */
+  struct Face {
+    std::size_t points = 0;
+    Eigen::Vector3f mean = Eigen::Vector3f::Zero();
+    Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+    float mean_square = 0; ///< of distances from the plane
+  };
+
+  /** @brief Calls `see(p)` for the points within a radius of a place. */
   template <typename See>
-  std::size_t forEachNear(const Eigen::Vector3f& place, float radius, See see) const
+  void forEachNear(const Eigen::Vector3f& place, float radius, See see) const
   {
-    std::size_t count = 0;
     const CubeTable& cubes = surfaces_.cubes();
     cubes.anyAround(cubes.at(place.cast<double>()), [&](std::uint32_t cube) {
       surfaces_.forEachPoint(cube, [&](const Eigen::Vector3f& p) {
-        if ((p - place).squaredNorm() < radius * radius) {
-          ++count;
+        if ((p - place).squaredNorm() < radius * radius)
           see(p);
-        }
       });
       return false;
     });
-    return count;
+  }
+
+  /** @brief The plane through the points near a place, at most half a partition wall
+   * from it along `normal`; along 0 all points near it are taken. */
+  Face faceAt(const Eigen::Vector3f& place, const Eigen::Vector3f& normal) const
+  {
+    constexpr float radius = 0.25F; // metres: 19 points that are 0.1 m apart
+    Face face;
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    Eigen::Matrix3f squares = Eigen::Matrix3f::Zero();
+    forEachNear(place, radius, [&](const Eigen::Vector3f& p) {
+      const Eigen::Vector3f way = p - place;
+      if (std::abs(way.dot(normal)) > beside)
+        return;
+      ++face.points;
+      sum += way;
+      squares += way * way.transpose();
+    });
+    if (face.points < fewest)
+      return face;
+    const auto n = static_cast<float>(face.points);
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
+    solver.computeDirect(squares / n - sum / n * (sum / n).transpose());
+    face.mean = place + sum / n;
+    face.normal = solver.eigenvectors().col(0);
+    face.mean_square = solver.eigenvalues()[0];
+    return face;
   }
 
   bool patchAt(const Eigen::Vector3f& place,
                const Eigen::Vector3f& direction,
                Patch& patch) const
   {
-    constexpr float radius = 0.2F;     // metres
-    constexpr std::size_t fewest = 16; // points
     constexpr float flat = 0.02F;      // metres, root of the mean square
     constexpr float nearest = 0.06F;   // metres from the place, along the ray
     constexpr float min_cosine = 0.5F; // a ray that grazes proves nothing
     if (surfaces_.cubes().findAt(place.cast<double>()) == CubeTable::none)
       return false;
-    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-    const std::size_t count =
-        forEachNear(place, radius, [&](const Eigen::Vector3f& p) { sum += p - place; });
-    if (count < fewest)
+    // First of both faces of a wall, then of the one that is near.
+    const Face all = faceAt(place, Eigen::Vector3f::Zero());
+    if (all.points < fewest)
       return false;
-    const Eigen::Vector3f mean = place + sum / static_cast<float>(count);
-    Eigen::Matrix3f squares = Eigen::Matrix3f::Zero();
-    forEachNear(place, radius, [&](const Eigen::Vector3f& p) {
-      squares += (p - mean) * (p - mean).transpose();
-    });
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
-    solver.computeDirect(squares / static_cast<float>(count));
-    patch.normal = solver.eigenvectors().col(0);
-    const float cosine = direction.dot(patch.normal);
-    if (solver.eigenvalues()[0] > flat * flat || std::abs(cosine) < min_cosine)
+    const Face face = faceAt(place, all.normal);
+    const float cosine = direction.dot(face.normal);
+    if (face.points < fewest || face.mean_square > flat * flat ||
+        std::abs(cosine) < min_cosine)
       return false;
-    const float along = (mean - place).dot(patch.normal) / cosine;
+    patch.normal = face.normal;
+    const float along = (face.mean - place).dot(patch.normal) / cosine;
     patch.place = place + along * direction;
     return std::abs(along) <= nearest && isSurrounded(place, patch);
   }
@@ -113,20 +135,50 @@ private:
   /** @brief Whether there are points on all sides of a patch's place. */
   bool isSurrounded(const Eigen::Vector3f& place, const Patch& patch) const
   {
-    constexpr float radius = 0.15F; // metres
-    constexpr int fewest = 7;       // of eight directions
+    constexpr float radius = 0.2F; // metres: 12 points that are 0.1 m apart
+    constexpr int min_sides = 7;   // of eight
     const Eigen::Vector3f u = patch.normal.unitOrthogonal();
     const Eigen::Vector3f v = patch.normal.cross(u);
     std::array<bool, 8> has{};
     forEachNear(place, radius, [&](const Eigen::Vector3f& p) {
-      const double turn =
-          std::atan2((p - patch.place).dot(v), (p - patch.place).dot(u)) / M_PI;
-      has[static_cast<std::size_t>(std::clamp(4 * (turn + 1), 0.0, 7.0))] = true;
+      const Eigen::Vector3f way = p - patch.place;
+      const double turn = std::atan2(way.dot(v), way.dot(u)) / M_PI;
+      if (std::abs(way.dot(patch.normal)) <= beside)
+        has[static_cast<std::size_t>(std::clamp(4 * (turn + 1), 0.0, 7.0))] = true;
     });
-    return std::count(has.begin(), has.end(), true) >= fewest;
+    return std::count(has.begin(), has.end(), true) >= min_sides;
   }
 
+  static constexpr std::size_t fewest = 16; ///< points of a face
+  static constexpr float beside = 0.08F;    ///< metres, less than a partition wall
+
   const PiercedSurfaces& surfaces_;
+};
+
+/** @brief Rays in the direction of a patch: numbers. */
+struct Sight {
+  double ended = 0; ///< on it
+  double all = 0;   ///< on it and behind it
+  double usual = 0; ///< in a direction of this size
+
+  /** @brief Whether most rays ended on it, or more than a scanner casts went on: it is
+   * no pane. */
+  bool isTooFull() const
+  {
+    constexpr double most = 0.5;
+    constexpr double fullest = 2.5; // times as many rays as in other directions
+    return ended > most * all || all > fullest * usual + enough;
+  }
+
+  /** @brief Whether nearly nothing ended on it: a wall from where no scanner stood, or
+   * a pane that returns little. */
+  bool isBare() const
+  {
+    constexpr double least = 0.02; // of the rays
+    return all >= enough && ended < least * all;
+  }
+
+  static constexpr double enough = 100; ///< rays that tell
 };
 
 /** @brief The rows of a scan that are said to be taken from one place, by direction. */
@@ -155,15 +207,10 @@ public:
       seen_[next[cell_of[k]]++] = seen[k];
   }
 
-  /** @brief Whether what was seen in the direction of a patch, on it and behind it, may
-   * be seen through a pane. */
-  bool mayBePane(const Patch& patch) const
+  /** @brief What was seen in the direction of a patch, on it and behind it. */
+  Sight sightOf(const Patch& patch) const
   {
-    constexpr double least = 0.02; // share of the rays that a pane returns
-    constexpr double most = 0.5;
-    constexpr double fullest = 2.5; // times as many rays as in other directions
-    constexpr double enough = 100;  // rays that tell
-    constexpr float on = 0.1F;      // metres
+    constexpr float on = 0.1F; // metres
     const Eigen::Vector3f whole = patch.place - from_;
     const float before = whole.dot(patch.normal);
     const float radius = std::max(0.15F, 0.01F * whole.norm()); // metres
@@ -182,13 +229,11 @@ public:
           ++through;
       }
     });
-    const auto all = static_cast<double>(ended + through);
     // As many as there would be if all directions had the same.
     const double solid_angle =
         M_PI * radius * radius * std::abs(before) / std::pow(whole.norm(), 3);
-    const double usual = static_cast<double>(seen_.size()) * solid_angle / (4 * M_PI);
-    return (static_cast<double>(ended) >= least * all || all < enough) &&
-           static_cast<double>(ended) <= most * all && all <= fullest * usual + enough;
+    return {static_cast<double>(ended), static_cast<double>(ended + through),
+            static_cast<double>(seen_.size()) * solid_angle / (4 * M_PI)};
   }
 
 private:
@@ -213,13 +258,16 @@ struct Taken {
 bool
 isTrue(const Taken& taken, const PatchSearch& patches, const PointView& rows)
 {
-  constexpr std::size_t enough = 1000; // rays
-  constexpr double most = 0.02;        // of them, wrong
-  constexpr std::size_t fewest = 5;    // wrong rays: fewer may be strays
-  constexpr float shortest = 1.2F;     // metres, of a ray that tells something
+  constexpr std::size_t enough = 1000;    // rays
+  constexpr double most = 0.02;           // of them, wrong
+  constexpr std::size_t fewest = 5;       // wrong rays: fewer may be strays
+  constexpr float shortest = 1.2F;        // metres, of a ray that tells something
+  constexpr double least_of_pane = 0.005; // share of the rays that any pane returns
   const RangeImage image(taken.from, rows, taken.rows);
   std::size_t looked_at = 0;
-  std::size_t wrong = 0;
+  std::size_t too_full = 0;
+  std::size_t bare = 0;
+  Sight of_bare; // together, as one of them has too few rays to tell a pane
   const std::size_t stride = taken.rays.size() / enough + 1;
   for (std::size_t r = 0; r < taken.rays.size(); r += stride) {
     const ScanRay& ray = *taken.rays[r];
@@ -227,8 +275,19 @@ isTrue(const Taken& taken, const PatchSearch& patches, const PointView& rows)
       continue;
     ++looked_at;
     Patch patch;
-    wrong += patches.firstOn(ray, patch) && !image.mayBePane(patch) ? 1 : 0;
+    if (!patches.firstOn(ray, patch))
+      continue;
+    const Sight sight = image.sightOf(patch);
+    if (sight.isTooFull())
+      ++too_full;
+    else if (sight.isBare()) {
+      ++bare;
+      of_bare.ended += sight.ended;
+      of_bare.all += sight.all;
+    }
   }
+  const bool are_panes = of_bare.ended >= least_of_pane * of_bare.all;
+  const std::size_t wrong = too_full + (are_panes ? 0 : bare);
   return wrong < fewest ||
          static_cast<double>(wrong) <= most * static_cast<double>(looked_at);
 }

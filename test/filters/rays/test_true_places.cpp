@@ -6,8 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -22,23 +26,51 @@ using pcl::sedr::ScanPositions;
  * none, and a scanner in the middle of each. */
 class TwoRooms {
 public:
-  /** @param returned share of the rays that the pane returns; 1: a wall */
-  explicit TwoRooms(double returned)
+  /** @param returned share of the rays that the pane returns; 1: a wall
+   * @param untrue number of scans of both rooms before these that are told to be taken
+   * from places outside */
+  explicit TwoRooms(double returned, int untrue = 0)
       : returned_(returned)
   {
-    for (const double x : {3., 9.2})
-      scanFrom({x, 2.4, 1.5});
+    for (int k = 0; k <= untrue; ++k)
+      for (const double x : {3., 9.2}) {
+        scanFrom({x, 2.4, 1.5});
+        if (k < untrue)
+          positions.back().place = Vector3f(static_cast<float>(3 * k), -20, 1.5F);
+      }
   }
 
-  MirroredPoints found(const ScanPositions& from) const
+  /** @param voxel edge of those that are thinned to one point; 0: all points */
+  MirroredPoints found(const ScanPositions& from, double voxel = 0) const
   {
     const PointView view(rows_.data(), sizeof(Vector3f), rows_.size());
-    return findMirroredPoints(view, view, 1, from, 2);
+    const std::vector<Vector3f> thinned = voxel > 0 ? thinnedTo(voxel) : rows_;
+    return findMirroredPoints({thinned.data(), sizeof(Vector3f), thinned.size()}, view,
+                              1, from, 2);
   }
 
   ScanPositions positions;
 
 private:
+  std::vector<Vector3f> thinnedTo(double voxel) const
+  {
+    std::map<std::array<int, 3>, std::pair<Vector3d, int>> sums;
+    for (const Vector3f& p : rows_) {
+      std::array<int, 3> cube{};
+      for (int axis = 0; axis < 3; ++axis)
+        cube[static_cast<std::size_t>(axis)] =
+            static_cast<int>(std::floor(p[axis] / voxel));
+      auto& [sum, count] =
+          sums.emplace(cube, std::make_pair(Vector3d(0, 0, 0), 0)).first->second;
+      sum += p.cast<double>();
+      ++count;
+    }
+    std::vector<Vector3f> thinned;
+    for (const auto& [cube, sum] : sums)
+      thinned.push_back((sum.first / sum.second).cast<float>());
+    return thinned;
+  }
+
   void scanFrom(const Vector3d& place)
   {
     positions.push_back({rows_.size(), place.cast<float>()});
@@ -109,6 +141,28 @@ TEST(TruePlaces, OnePlaceForTheScansOfTwoIsUntrueAndItsRaysTellNothing)
   EXPECT_EQ(found.untrue[0], rooms.positions[0].place);
   EXPECT_EQ(found.rays, 0u);
   EXPECT_TRUE(found.lines.empty());
+}
+
+TEST(TruePlaces, AreToldFromOthersInVoxelsOfOneDecimetreToo)
+{
+  constexpr double voxel = 0.1;
+  for (const double returned : {0.05, 0.2, 1.})
+    EXPECT_TRUE(
+        TwoRooms(returned).found(TwoRooms(returned).positions, voxel).untrue.empty())
+        << returned;
+  const TwoRooms rooms(1);
+  EXPECT_EQ(rooms.found({rooms.positions[0]}, voxel).untrue.size(), 1u);
+}
+
+TEST(TruePlaces, UntrueOnesDoNotTakeTheRaysOfTrueOnesThatFollow)
+{
+  // As many as count in a cube of 10 cm.
+  const TwoRooms rooms(1, 4);
+  const MirroredPoints found = rooms.found(rooms.positions);
+  EXPECT_EQ(found.untrue.size(), 4u);
+  const TwoRooms alone(1);
+  const std::size_t expected = alone.found(alone.positions).rays;
+  EXPECT_GT(found.rays, expected * 9 / 10);
 }
 
 TEST(TruePlaces, ThoseOfOtherScansAndThoseOutsideAreUntrueOneByOne)

@@ -35,6 +35,19 @@ scanOf(const sim::Scene& scene, const RunSettings& settings)
   return sim::scan(scene, options);
 }
 
+ScanPositions
+positionsOf(const sim::Scan& scan)
+{
+  ScanPositions positions;
+  std::size_t row = 0;
+  for (const sim::ScanPosition& station : scan.positions) {
+    const Eigen::Vector3d place(station.place.x, station.place.y, station.place.z);
+    positions.push_back({row, place.cast<float>()});
+    row += station.points;
+  }
+  return positions;
+}
+
 LabelledPoints
 labelled(const std::vector<sim::ScanPoint>& scan)
 {
@@ -146,6 +159,8 @@ simulateAndReconstruct(const sim::Scene& scene,
   chain.setPriors(settings.priors);
   chain.setNumberOfThreads(settings.threads);
   chain.setInputCloud(cloud.points);
+  if (settings.tells_positions)
+    chain.setScanPositions(positionsOf(scan));
   row.failure = reconstruct(chain, settings.with_mesh);
   noteStages(chain, row);
   kept.keepResult(chain, settings.with_mesh && row.failure.empty());

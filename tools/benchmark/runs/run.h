@@ -25,6 +25,7 @@ struct RunSettings {
   std::filesystem::path
       keep; ///< folder to keep the files of every run in; may be empty
   Priors priors;
+  bool tells_positions = false; ///< whether the scanner's positions are known
 };
 
 /** @brief Returns the row of a run before it starts: scene, noise, seed and kind. */
