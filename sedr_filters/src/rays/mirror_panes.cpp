@@ -33,6 +33,7 @@ tellingPlaces(const Pane& pane,
 struct Likeness {
   double share = 0;  ///< at best
   double chance = 0; ///< the same of planes beside it, on average
+  bool is_at_several_depths = false;
 
   /** @brief 0 where it is what planes beside the pane have too, 1 where it is all. */
   double beyondChance() const
@@ -41,40 +42,61 @@ struct Likeness {
   }
 };
 
-/** @brief Share of places that have their like in front of a pane: the mean of those of
- * layers at different depths, without the layer of most and those beside it, as one
- * wall there that happens to be as far from the pane as one here proves nothing. */
-double
-mirroredShare(const Pane& pane,
-              const std::vector<Eigen::Vector3d>& places,
-              const CubeTable& filled)
+/** @brief Places behind a pane at about one depth. */
+struct Layer {
+  std::size_t places = 0;
+  std::size_t mirrored = 0; ///< those that have their like in front of it
+
+  double share() const
+  {
+    return static_cast<double>(mirrored) / static_cast<double>(places);
+  }
+};
+
+/** @brief Layers by their depth behind a pane in half metres. */
+std::map<long, Layer>
+layersOf(const Pane& pane,
+         const std::vector<Eigen::Vector3d>& places,
+         const CubeTable& filled)
 {
-  constexpr double layer = 0.5;     // metres
-  constexpr std::size_t fewest = 8; // places of a layer
-  struct Layer {
-    std::size_t places = 0;
-    std::size_t mirrored = 0;
-  };
+  constexpr double thickness = 0.5; // metres
   std::map<long, Layer> layers;
   for (const Eigen::Vector3d& p : places) {
-    Layer& at = layers[std::lround((pane.normal.dot(p) - pane.offset) / layer)];
+    Layer& at = layers[std::lround((pane.normal.dot(p) - pane.offset) / thickness)];
     ++at.places;
     at.mirrored += filled.isNear(pane.imageOf(p)) ? 1 : 0;
   }
-  if (layers.empty())
-    return 0;
-  const long best =
-      std::max_element(layers.begin(), layers.end(), [](const auto& a, const auto& b) {
-        return a.second.mirrored < b.second.mirrored;
-      })->first;
+  return layers;
+}
+
+/** @brief Share of places that have their like in front of a pane: the mean of those of
+ * the layers, so that one wall of many points does not decide. */
+double
+mirroredShare(const std::map<long, Layer>& layers)
+{
+  constexpr std::size_t fewest = 8; // places of a layer
   double sum = 0;
   std::size_t counted = 0;
-  for (const auto& [depth, at] : layers)
-    if (at.places >= fewest && std::abs(depth - best) > 1) {
-      sum += static_cast<double>(at.mirrored) / static_cast<double>(at.places);
+  for (const auto& [depth, layer] : layers)
+    if (layer.places >= fewest) {
+      sum += layer.share();
       ++counted;
     }
   return counted > 0 ? sum / static_cast<double>(counted) : 0;
+}
+
+/** @brief Whether layers that are apart are mirrored. One wall there that happens to be
+ * as far from the pane as one here is in one layer, or in two side by side. */
+bool
+isMirroredAtSeveralDepths(const std::map<long, Layer>& layers)
+{
+  constexpr std::size_t fewest = 4; // mirrored places of a layer
+  constexpr double least = 0.5;     // share of its places
+  std::vector<long> depths;
+  for (const auto& [depth, layer] : layers)
+    if (layer.mirrored >= fewest && layer.share() >= least)
+      depths.push_back(depth);
+  return !depths.empty() && depths.back() - depths.front() > 1;
 }
 
 /** @brief Moves a pane, whose normal points away from the scanner, to where it mirrors
@@ -95,21 +117,24 @@ moveToMirror(Pane& pane,
   if (telling.size() < fewest)
     return likeness;
   const double offset = pane.offset;
-  const auto shareAt = [&](int k) {
+  const auto layersAt = [&](int k) {
     Pane moved = pane;
     moved.offset = offset + k * step;
-    return mirroredShare(moved, telling, filled);
+    return layersOf(moved, telling, filled);
   };
   for (int k = before; k <= after; ++k) {
-    const double share = shareAt(k);
+    const std::map<long, Layer> layers = layersAt(k);
+    const double share = mirroredShare(layers);
     if (share <= likeness.share)
       continue;
     likeness.share = share;
+    likeness.is_at_several_depths = isMirroredAtSeveralDepths(layers);
     pane.offset = offset + k * step;
   }
   for (int k = beside; k <= farthest; ++k)
     for (const int side : {-1, 1})
-      likeness.chance += shareAt(side * k) / (2 * (farthest - beside + 1));
+      likeness.chance +=
+          mirroredShare(layersAt(side * k)) / (2 * (farthest - beside + 1));
   return likeness;
 }
 
@@ -168,7 +193,7 @@ mirrorsAmong(std::vector<Pane> panes,
   });
   std::vector<Pane> mirrors;
   for (std::size_t k = 0; k < panes.size(); ++k)
-    if (likeness[k].beyondChance() >= min_likeness)
+    if (likeness[k].is_at_several_depths && likeness[k].beyondChance() >= min_likeness)
       mirrors.push_back(std::move(panes[k]));
   return mirrors;
 }

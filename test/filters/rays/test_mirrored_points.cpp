@@ -25,6 +25,15 @@ public:
   double mirrored = 0.25; ///< share of the rays at the pane
   bool has_room_behind = false;
 
+  /** Puts an empty yard behind the pane, whose far wall is as far from the pane as that
+   * of the room. */
+  void addYard()
+  {
+    has_room_behind = true;
+    behind_ = {Vector3d(6, 0, 0), Vector3d(12, 5, 2.6)};
+    boxes_behind_.clear();
+  }
+
   void scanFrom(const Vector3d& place, unsigned seed)
   {
     std::mt19937 random(seed);
@@ -162,6 +171,18 @@ TEST(MirroredPoints, ARoomBehindGlassThatDoesNotMirrorStays)
   GlazedRoom room;
   room.mirrored = 0;
   room.has_room_behind = true;
+  room.scanFrom({2.8, 2.4, 1.5}, 1);
+  const MirroredPoints found = room.found();
+  EXPECT_GT(found.rays, 1000u);
+  EXPECT_EQ(found.mirrors, 0u);
+  EXPECT_EQ(countOf(found.of_rows), 0u);
+}
+
+TEST(MirroredPoints, AWallOutsideAsFarAsOneInsideIsNoReflection)
+{
+  GlazedRoom room;
+  room.mirrored = 0;
+  room.addYard();
   room.scanFrom({2.8, 2.4, 1.5}, 1);
   const MirroredPoints found = room.found();
   EXPECT_GT(found.rays, 1000u);
