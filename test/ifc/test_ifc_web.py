@@ -7,6 +7,7 @@ openings that cut. Skipped without node and web-ifc (npm install web-ifc; NODE_P
 """
 
 import json
+import math
 import os
 import subprocess
 import sys
@@ -103,6 +104,23 @@ class WebIfc(unittest.TestCase):
         point = 0.15 * 0.15 * 1.7 / 2.95
         corners = 2 * 0.2 * 0.2 / 2  # of mitres
         self.assertAlmostEqual(products["IFCWALL room_1_wall_2"]["volume"], (3 * 0.2 + corners - point) * 2.5, 3)
+
+    def test_tilted_walls_lean_with_their_room(self):
+        """By 10 degrees out of the room, in one wall of 4 m with a doorway."""
+        loop = rectangle(0, 0, 4, 3)
+        loop[0]["tilt"] = -10
+        plan = dict(house(), version=2, rooms=[room(1, loop, slab(0), slab(2.5))], storeys=[],
+                    doorways=[doorway([0, 1], [1, 0], [1.9, 0])])
+        path = write(TOOL, plan, self.folder)
+        products = opened(path, with_triangles=True)["products"]
+        self.assertEqual([f for f in web_ifc.walls_in_spaces(products) if f[0] > 0.002], [])
+        out = 2.5 * math.tan(math.radians(10))
+        self.assertAlmostEqual(products["IFCSPACE 1"]["volume"], 4 * (3 + out / 2) * 2.5, 3)
+        wall = products["IFCWALL room_1_wall_1"]
+        self.assertAlmostEqual(wall["low"][1], -0.2 - out, 4)
+        self.assertAlmostEqual(wall["high"][1], 0, 4)
+        self.assertAlmostEqual(wall["volume"], (4 * 0.2 + 0.04) * 2.5 - 0.9 * 2.05 * 0.2, 3)
+        self.assertEqual(self.expect_cuts(plan, "tilted "), 1)
 
     def expect_cuts(self, plan, what):
         """Every opening takes as much of its wall as is in both, of walls below roofs and vaults at least

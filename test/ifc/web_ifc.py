@@ -44,7 +44,8 @@ def lost(instances, products):
 
 
 def swept_body(instances, product):
-    """Edges in plan, bottom and top of a swept body in its placement; None of others."""
+    """Edges in plan, bottom and top of a swept body in its placement; None of others. Of a tilted wall, and the
+    openings in it, the edges at its foot."""
     shapes = instances[instances[product][1][6]][1][2]
     items = [v[3] for v in (instances[s][1] for s in shapes) if v[1] == "Body"]
     name, v = instances[items[0][0]]
@@ -54,7 +55,8 @@ def swept_body(instances, product):
     loops = [[instances[p][1][0] for p in instances[n][1][0]] for n in [profile[2]] + sum(profile[3:], [])]
     axes = instances[v[1]][1]
     bottom = instances[axes[0]][1][0][2]
-    return [edge for loop in loops for edge in zip(loop, loop[1:])], bottom, bottom + v[3]
+    top = bottom + v[3] * instances[v[2]][1][0][2]
+    return [edge for loop in loops for edge in zip(loop, loop[1:])], bottom, top
 
 
 def stretches(edges, y):
@@ -121,13 +123,15 @@ def heights_on(product, x, y):
     return [sorted(h) for h in hits]
 
 
-def inside_both(first, second, step=0.02):
-    """Cubic metres that two products have in common, by vertical lines on a lattice."""
+def inside_both(first, second):
+    """Cubic metres that two products have in common, by vertical lines on a lattice that is fine enough for the
+    narrower side of what their boxes have in common."""
     import numpy as np
     low = np.maximum(first["low"], second["low"])
     high = np.minimum(first["high"], second["high"])
     if (high - low).min() <= 0.001:
         return 0
+    step = min(max((high - low)[:2].min() / 25, 0.002), 0.02)
     # Off the usual places of faces.
     x, y = (np.arange(low[k] + 0.37 * step, high[k], step) for k in (0, 1))
     length = 0

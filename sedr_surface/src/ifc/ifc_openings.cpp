@@ -158,8 +158,8 @@ writeDoorway(IfcDocument& document,
           commonArea(wall.profile, {loopAround(box.plan)}) <= nothing)
         continue;
       const std::string part = count == 0 ? "" : "_part_" + std::to_string(count + 1);
-      const StepRef body = document.shapes.extrusion(loopAround(box.plan), {},
-                                                     box.bottom, box.top - box.bottom);
+      const StepRef body = document.shapes.extrusion(
+          loopAround(box.plan), {}, box.bottom, box.top - box.bottom, wall.run);
       const StepRef opening =
           writeOpening(document, wall, name + part, body, "OPENING");
       document.addQuantities(opening, name + part, "Qto_OpeningElementBaseQuantities",

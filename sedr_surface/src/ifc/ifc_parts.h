@@ -20,6 +20,7 @@ struct WrittenWall {
   StepRef placement{}; ///< of the wall's frame, z from its bottom
   double bottom = 0;   ///< metres
   double top = 0;
+  double run = 0;     ///< of a tilted wall: metres along y for each metre up
   PlanArea profile{}; ///< in the frame
 };
 

@@ -147,7 +147,8 @@ StepRef
 IfcShapes::extrusion(const PlanLoop& boundary,
                      const std::vector<PlanLoop>& holes,
                      double bottom,
-                     double height)
+                     double height,
+                     double run)
 {
   const StepRef outer = closedCurve(boundary);
   std::vector<StepRef> inner;
@@ -159,9 +160,10 @@ IfcShapes::extrusion(const PlanLoop& boundary,
           ? step_.add("IFCARBITRARYCLOSEDPROFILEDEF", {area, StepValue::none(), outer})
           : step_.add("IFCARBITRARYPROFILEDEFWITHVOIDS",
                       {area, StepValue::none(), outer, inner});
-  const StepRef frame = axes({0, 0, bottom});
-  const StepRef up = direction(Eigen::Vector3d::UnitZ());
-  return step_.add("IFCEXTRUDEDAREASOLID", {profile, frame, up, height});
+  const StepRef frame = axes({0, run * bottom, bottom});
+  const Eigen::Vector3d way(0, run, 1);
+  const StepRef up = direction(way.normalized());
+  return step_.add("IFCEXTRUDEDAREASOLID", {profile, frame, up, height * way.norm()});
 }
 
 StepRef

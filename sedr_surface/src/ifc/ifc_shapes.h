@@ -40,11 +40,14 @@ public:
   /** @brief Adds a closed loop as a curve: a polyline, or one with arcs. */
   StepRef closedCurve(const PlanLoop& loop);
 
-  /** @brief Adds the area inside a loop and outside its holes, swept upwards. */
+  /** @brief Adds the area inside a loop and outside its holes, swept upwards.
+   * @param run of a tilted wall: metres along y for each metre up; the loops are where
+   * z is 0 */
   StepRef extrusion(const PlanLoop& boundary,
                     const std::vector<PlanLoop>& holes,
                     double bottom,
-                    double height);
+                    double height,
+                    double run = 0);
 
   /** @brief Adds a swept body without its part above a plane.
    * @param on a point of the plane

@@ -182,14 +182,20 @@ heightsOf(const Floorplan& plan, const PlanWall& wall)
 }
 
 double
-heightAbove(const PlanArea& profile, const WallFrame& frame, const WallHeights& heights)
+heightAbove(const PlanArea& profile,
+            const WallFrame& frame,
+            const WallHeights& heights,
+            double run)
 {
   constexpr double above = 0.1;
+  const Eigen::Vector2d shift(0, run * (heights.highest() - heights.bottom));
   double highest = heights.highest();
   for (const Eigen::Vector2d& corner : profile.boundary.polygon(0.01)) {
     double lowest = std::numeric_limits<double>::infinity();
     for (const Eigen::Vector4d& plane : heights.roof)
-      lowest = std::min(lowest, planeHeight(plane, frame.toPlan(corner)));
+      lowest =
+          std::min(lowest, std::max(planeHeight(plane, frame.toPlan(corner)),
+                                    planeHeight(plane, frame.toPlan(corner + shift))));
     highest = std::max(highest, lowest);
   }
   return highest + above;

@@ -5,6 +5,8 @@
 #include "../walls/plan_walls.h"
 #include "ifc_shapes.h"
 
+#include <pcl/sedr_filters/wall_tilts.h>
+
 #include <vector>
 
 namespace pcl {
@@ -47,12 +49,19 @@ PlanArea profileOf(const Floorplan& plan, const PlanWall& wall);
  */
 double heightAbove(const PlanArea& profile,
                    const WallFrame& frame,
-                   const WallHeights& heights);
+                   const WallHeights& heights,
+                   double run);
+
+/** @brief Returns how far a straight wall is tilted: metres into its room for each
+ * metre up. 0 where both of its faces are not tilted alike. */
+double runOf(const Floorplan& plan, const PlanWall& wall, const WallTilts& tilts);
 
 /** @brief Returns a wall whose top is not level as a mesh in its frame, with z from its
  * bottom. */
-TriangleMesh
-meshOf(const Floorplan& plan, const PlanWall& wall, const WallHeights& heights);
+TriangleMesh meshOf(const Floorplan& plan,
+                    const PlanWall& wall,
+                    const WallHeights& heights,
+                    double run);
 
 } // namespace ifc
 } // namespace sedr

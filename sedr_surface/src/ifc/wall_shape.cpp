@@ -144,8 +144,24 @@ profileOf(const Floorplan& plan, const PlanWall& wall)
   return rooms.empty() ? band : largestPartOutside(band, rooms);
 }
 
+double
+runOf(const Floorplan& plan, const PlanWall& wall, const WallTilts& tilts)
+{
+  constexpr double alike = 0.01; // of runs: half a degree
+  const auto runOfFace = [&](const WallFace& face) {
+    return face.loop > 0 ? 0 : wallRuns(plan.rooms[face.room], tilts)[face.element];
+  };
+  if (tilts.empty() || elementOf(plan, wall.face).isArc())
+    return 0;
+  const double run = runOfFace(wall.face);
+  return !wall.other || std::abs(run + runOfFace(*wall.other)) < alike ? run : 0;
+}
+
 TriangleMesh
-meshOf(const Floorplan& plan, const PlanWall& wall, const WallHeights& heights)
+meshOf(const Floorplan& plan,
+       const PlanWall& wall,
+       const WallHeights& heights,
+       double run)
 {
   const std::vector<const PlanRoom*> rooms =
       roomsAt(plan, heightsOf(plan.rooms[wall.face.room]));
@@ -174,7 +190,7 @@ meshOf(const Floorplan& plan, const PlanWall& wall, const WallHeights& heights)
     const double z = std::max(top.height - heights.bottom, min_height);
     for (const Eigen::Vector2d& p : {near, far})
       for (const double height : {0.0, z})
-        mesh.vertices.emplace_back(p.x(), p.y(), height);
+        mesh.vertices.emplace_back(p.x(), p.y() + run * height, height);
   }
   // A section has four corners: near bottom and top, far bottom and top.
   const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c,
