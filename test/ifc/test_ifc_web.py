@@ -122,6 +122,21 @@ class WebIfc(unittest.TestCase):
         self.assertAlmostEqual(wall["volume"], (4 * 0.2 + 0.04) * 2.5 - 0.9 * 2.05 * 0.2, 3)
         self.assertEqual(self.expect_cuts(plan, "tilted "), 1)
 
+    def test_a_wall_with_one_tilted_face_tapers(self):
+        """20 cm thick at the foot, one of its faces tilted by 3 degrees towards the other."""
+        loop = rectangle(4.2, 0, 8, 3)
+        loop[3]["tilt"] = -3
+        plan = dict(house(), version=2, rooms=[room(1, rectangle(0, 0, 4, 3), slab(0), slab(2.5)),
+                                               room(2, loop, slab(0), slab(2.5))], storeys=[],
+                    doorways=[doorway([1, 2], [4.1, 1], [4.1, 1.9])])
+        path = write(TOOL, plan, self.folder)
+        products = opened(path, with_triangles=True)["products"]
+        self.assertEqual([f for f in web_ifc.walls_in_spaces(products) if f[0] > 0.002], [])
+        whole = opened(write(TOOL, dict(plan, doorways=[]), self.folder, name="whole"))["products"]
+        name = "IFCWALL room_1_wall_2"
+        taken = 0.9 * 2.05 * (0.2 - math.tan(math.radians(3)) * 2.05 / 2)
+        self.assertAlmostEqual(whole[name]["volume"] - products[name]["volume"], taken, 4)
+
     def expect_cuts(self, plan, what):
         """Every opening takes as much of its wall as is in both, of walls below roofs and vaults at least
         something."""

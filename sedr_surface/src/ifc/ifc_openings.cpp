@@ -91,6 +91,7 @@ boxIn(const Floorplan& plan,
       }
     }
   }
+  low += std::min((written.runs.far - written.runs.near) * box.top, 0.0);
   box.plan = Eigen::AlignedBox2d(Eigen::Vector2d(from, low - overshoot),
                                  Eigen::Vector2d(to, high + overshoot));
   return true;
@@ -159,7 +160,7 @@ writeDoorway(IfcDocument& document,
         continue;
       const std::string part = count == 0 ? "" : "_part_" + std::to_string(count + 1);
       const StepRef body = document.shapes.extrusion(
-          loopAround(box.plan), {}, box.bottom, box.top - box.bottom, wall.run);
+          loopAround(box.plan), {}, box.bottom, box.top - box.bottom, wall.runs.near);
       const StepRef opening =
           writeOpening(document, wall, name + part, body, "OPENING");
       document.addQuantities(opening, name + part, "Qto_OpeningElementBaseQuantities",

@@ -4,6 +4,7 @@
 #include "../walls/plan_area.h"
 #include "../walls/plan_walls.h"
 #include "ifc_document.h"
+#include "wall_body.h"
 
 #include <vector>
 
@@ -20,7 +21,7 @@ struct WrittenWall {
   StepRef placement{}; ///< of the wall's frame, z from its bottom
   double bottom = 0;   ///< metres
   double top = 0;
-  double run = 0;     ///< of a tilted wall: metres along y for each metre up
+  WallRuns runs{};    ///< of a tilted wall
   PlanArea profile{}; ///< in the frame
 };
 

@@ -92,13 +92,13 @@ bodyOf(IfcDocument& document, const WrittenWall& written, const WallHeights& hei
   IfcShapes& shapes = document.shapes;
   const char* type = "Tessellation";
   StepRef item;
-  if (heights.isSwept()) {
+  if (heights.isSwept() && written.runs.areAlike()) {
     const WallFrame frame = frameOf(document.plan, wall);
     const double top = heights.roof.empty()
                            ? heights.highest()
-                           : heightAbove(profile, frame, heights, written.run);
+                           : heightAbove(profile, frame, heights, written.runs.near);
     item = shapes.extrusion(profile.boundary, profile.holes, 0, top - heights.bottom,
-                            written.run);
+                            written.runs.near);
     type = heights.roof.empty() ? "SweptSolid" : "Clipping";
     for (const Eigen::Vector4d& plane : heights.roof) {
       const double z = -(plane.head<2>().dot(frame.origin) + plane[3]) / plane[2];
@@ -108,7 +108,7 @@ bodyOf(IfcDocument& document, const WrittenWall& written, const WallHeights& hei
     }
   }
   else
-    item = shapes.faceSet(meshOf(document.plan, wall, heights, written.run));
+    item = shapes.faceSet(meshOf(document.plan, wall, heights, written.runs));
   shapes.colour(item, "wall");
   return shapes.body(document.body_context, type, {item});
 }
@@ -135,7 +135,7 @@ writeWalls(IfcDocument& document)
       added.name += "_part_" + std::to_string(part);
     added.bottom = heights.bottom;
     added.top = heights.highest();
-    added.run = runOf(plan, wall, document.settings.tilts);
+    added.runs = runsOf(plan, wall, document.settings.tilts);
     added.profile = profileOf(plan, wall);
     if (isWhollyOpen(plan, added))
       continue;
@@ -153,8 +153,10 @@ writeWalls(IfcDocument& document)
     added.ref = document.addElement(
         "IFCWALL", added.name, added.storey, added.placement,
         document.shapes.product(shapes),
-        {StepValue::enumerated(heights.isSwept() && added.run == 0 ? "STANDARD"
-                                                                   : "NOTDEFINED")});
+        {StepValue::enumerated(heights.isSwept() && added.runs.near == 0 &&
+                                       added.runs.far == 0
+                                   ? "STANDARD"
+                                   : "NOTDEFINED")});
     describe(document, added);
     writeBoundaries(document, added, heights.isLevel());
     ++document.model.walls;

@@ -7,6 +7,7 @@
 
 #include <pcl/sedr_filters/wall_tilts.h>
 
+#include <cmath>
 #include <vector>
 
 namespace pcl {
@@ -39,6 +40,19 @@ struct WallHeights {
  * it, without soffits. Below a sloping ceiling its top slopes too. */
 WallHeights heightsOf(const Floorplan& plan, const PlanWall& wall);
 
+/** @brief How far the sides of a wall are tilted: metres along y for each metre up. */
+struct WallRuns {
+  double near = 0; ///< of its face
+  double far = 0;  ///< of the other side
+
+  /** @brief Returns whether the wall is as thick at any height. */
+  bool areAlike() const { return std::abs(near - far) < 0.01; } // half a degree
+};
+
+/** @brief Returns the runs of a straight wall. The other side of a wall with one known
+ * face is tilted like that. */
+WallRuns runsOf(const Floorplan& plan, const PlanWall& wall, const WallTilts& tilts);
+
 /** @brief Returns the plan of a wall in its frame, counter-clockwise. A wall that
  * surrounds a room has a hole. No part of it is in a room: where one reaches behind the
  * face, beside a niche or at a mitre, the wall ends at that room. Empty if nothing is
@@ -52,16 +66,12 @@ double heightAbove(const PlanArea& profile,
                    const WallHeights& heights,
                    double run);
 
-/** @brief Returns how far a straight wall is tilted: metres into its room for each
- * metre up. 0 where both of its faces are not tilted alike. */
-double runOf(const Floorplan& plan, const PlanWall& wall, const WallTilts& tilts);
-
 /** @brief Returns a wall whose top is not level as a mesh in its frame, with z from its
  * bottom. */
 TriangleMesh meshOf(const Floorplan& plan,
                     const PlanWall& wall,
                     const WallHeights& heights,
-                    double run);
+                    const WallRuns& runs);
 
 } // namespace ifc
 } // namespace sedr

@@ -144,24 +144,23 @@ profileOf(const Floorplan& plan, const PlanWall& wall)
   return rooms.empty() ? band : largestPartOutside(band, rooms);
 }
 
-double
-runOf(const Floorplan& plan, const PlanWall& wall, const WallTilts& tilts)
+WallRuns
+runsOf(const Floorplan& plan, const PlanWall& wall, const WallTilts& tilts)
 {
-  constexpr double alike = 0.01; // of runs: half a degree
   const auto runOfFace = [&](const WallFace& face) {
     return face.loop > 0 ? 0 : wallRuns(plan.rooms[face.room], tilts)[face.element];
   };
   if (tilts.empty() || elementOf(plan, wall.face).isArc())
-    return 0;
-  const double run = runOfFace(wall.face);
-  return !wall.other || std::abs(run + runOfFace(*wall.other)) < alike ? run : 0;
+    return {};
+  const double near = runOfFace(wall.face);
+  return {near, wall.other ? -runOfFace(*wall.other) : near};
 }
 
 TriangleMesh
 meshOf(const Floorplan& plan,
        const PlanWall& wall,
        const WallHeights& heights,
-       double run)
+       const WallRuns& runs)
 {
   const std::vector<const PlanRoom*> rooms =
       roomsAt(plan, heightsOf(plan.rooms[wall.face.room]));
@@ -188,7 +187,7 @@ meshOf(const Floorplan& plan,
     }
     far = frame.toLocal(beforeRooms(rooms, frame.toPlan(near), frame.toPlan(far)));
     const double z = std::max(top.height - heights.bottom, min_height);
-    for (const Eigen::Vector2d& p : {near, far})
+    for (const auto& [p, run] : {std::pair(near, runs.near), std::pair(far, runs.far)})
       for (const double height : {0.0, z})
         mesh.vertices.emplace_back(p.x(), p.y() + run * height, height);
   }
