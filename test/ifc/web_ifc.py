@@ -101,18 +101,19 @@ def cuts(path, instances, products):
 
 
 def heights_on(product, x, y):
-    """Sorted heights at which the faces of a product are over places of a lattice, NaN where there are fewer."""
+    """Sorted heights at which the faces of a product are over places of a lattice, a list for each place."""
     import numpy as np
     hits = [[] for _ in range(len(x) * len(y))]
     for mesh in product["meshes"]:
-        points = np.asarray(mesh["points"]).reshape(-1, 3)
-        for a, b, c in points[np.asarray(mesh["triangles"], dtype=int).reshape(-1, 3)]:
-            twice = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-            if abs(twice) <= 0.001 * np.linalg.norm(np.cross(b - a, c - a)):
-                continue  # vertical
-            low, high = np.minimum(np.minimum(a, b), c), np.maximum(np.maximum(a, b), c)
-            i = np.arange(np.searchsorted(x, low[0]), np.searchsorted(x, high[0]))
-            j = np.arange(np.searchsorted(y, low[1]), np.searchsorted(y, high[1]))
+        corners = np.asarray(mesh["points"]).reshape(-1, 3)[np.asarray(mesh["triangles"], dtype=int).reshape(-1, 3)]
+        low, high = corners.min(1), corners.max(1)
+        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        is_near = (high[:, 0] >= x[0]) & (low[:, 0] <= x[-1]) & (high[:, 1] >= y[0]) & (low[:, 1] <= y[-1])
+        is_vertical = np.abs(normals[:, 2]) <= 0.001 * np.linalg.norm(normals, axis=1)
+        for t in np.nonzero(is_near & ~is_vertical)[0]:
+            (a, b, c), twice = corners[t], normals[t, 2]
+            i = np.arange(np.searchsorted(x, low[t, 0]), np.searchsorted(x, high[t, 0]))
+            j = np.arange(np.searchsorted(y, low[t, 1]), np.searchsorted(y, high[t, 1]))
             px, py = x[i][:, None], y[j][None, :]
             u = ((b[0] - px) * (c[1] - py) - (b[1] - py) * (c[0] - px)) / twice
             v = ((c[0] - px) * (a[1] - py) - (c[1] - py) * (a[0] - px)) / twice
