@@ -89,6 +89,29 @@ reachedParts(const std::vector<BuildingRoom>& parts,
   return is_reached;
 }
 
+/** @brief How one knows of each part of the air that it is of this building. */
+std::vector<PartAccess>
+accessTo(const std::vector<BuildingRoom>& parts,
+         const std::vector<RoomOpening>& openings,
+         const std::vector<double>& density)
+{
+  constexpr double least = 0.75; // of the usual density
+  double seen = 0;
+  double all = 0;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    seen += density[p] * parts[p].area;
+    all += parts[p].area;
+  }
+  const std::vector<std::uint8_t> is_reached = reachedParts(parts, openings);
+  std::vector<PartAccess> access(parts.size(), PartAccess::None);
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    if (is_reached[p] != 0)
+      access[p] = PartAccess::Reached;
+    else if (density[p] * all >= least * seen)
+      access[p] = PartAccess::Dense;
+  return access;
+}
+
 /** @brief Why a part of the air is no room; no reason for rooms. */
 struct Verdict {
   std::string reason;
@@ -97,14 +120,13 @@ struct Verdict {
 
 std::vector<Verdict>
 judge(const std::vector<BuildingRoom>& parts,
-      const std::vector<RoomOpening>& openings,
+      const std::vector<PartAccess>& access,
       const std::vector<std::uint8_t>& is_view,
       const BuildingParameters& parameters,
       double cell_size)
 {
   constexpr double smallest_level = 5; // square metres: less may be a landing
   constexpr double surface = 0.1;      // metres, of one that noise thickens
-  const std::vector<std::uint8_t> is_reached = reachedParts(parts, openings);
   const std::vector<std::uint8_t> is_image = mirrorImages(parts, surface);
   std::vector<Verdict> verdicts(parts.size());
   std::vector<double> floors; // of rooms that are large enough to make a level
@@ -116,8 +138,8 @@ judge(const std::vector<BuildingRoom>& parts,
       verdict = {"seen only through panes of glass, or in mirrors",
                  LeftOutKind::Mirror};
     else
-      verdict.reason = noRoomBecause(parts[p], cell_size, is_reached[p] != 0,
-                                     parameters, verdict.kind);
+      verdict.reason =
+          noRoomBecause(parts[p], cell_size, access[p], parameters, verdict.kind);
     if (verdict.reason.empty() && parts[p].area >= smallest_level)
       floors.push_back(parts[p].floor);
   }
@@ -139,14 +161,14 @@ judge(const std::vector<BuildingRoom>& parts,
  * @return number of each part of the air among the rooms, 0 for those left out */
 std::vector<std::uint32_t>
 keepRooms(std::vector<BuildingRoom> parts,
-          const std::vector<RoomOpening>& openings,
+          const std::vector<PartAccess>& access,
           const std::vector<std::uint8_t>& is_view,
           const BuildingParameters& parameters,
           Building& building)
 {
   constexpr double worth_telling = 0.25; // square metres
   const std::vector<Verdict> verdicts =
-      judge(parts, openings, is_view, parameters, building.cell_size);
+      judge(parts, access, is_view, parameters, building.cell_size);
   std::vector<std::uint32_t> number(parts.size(), 0);
   for (std::size_t p = 0; p < parts.size(); ++p) {
     BuildingRoom& part = parts[p];
@@ -220,8 +242,10 @@ findBuilding(const PointView& points,
   std::vector<BuildingRoom> parts = describeRooms(air, parted);
   const std::vector<std::uint8_t> is_view =
       viewsThroughPanes(parts, columns.grid(), points, sight.behind);
+  const std::vector<PartAccess> access =
+      accessTo(parts, parted.openings, seenDensities(parts, fine, columns.grid()));
   const std::vector<std::uint32_t> number =
-      keepRooms(std::move(parts), parted.openings, is_view, parameters, building);
+      keepRooms(std::move(parts), access, is_view, parameters, building);
   building.storeys = findStoreys(building.rooms, parameters.storey_step);
   tellOpenings(parted.openings, number, building);
   std::stable_sort(building.left_out.begin(), building.left_out.end(),
