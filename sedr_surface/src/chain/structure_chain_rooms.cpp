@@ -8,46 +8,15 @@
 
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/plan/plan_evidence.h"
-#include "sedr_filters/src/plan/room_lookup.h"
 #include "sedr_segmentation/src/niches/niche_fit.h"
 #include "sedr_segmentation/src/plan/room_territory.h"
 #include "sedr_segmentation/src/scan/scan_check.h"
 #include "sedr_segmentation/src/scan/unit_check.h"
-#include "sedr_segmentation/src/sheets/sheet_fit.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <limits>
 
 namespace pcl {
 namespace sedr {
-
-namespace {
-
-/** @brief Smaller parts of a ceiling cause no warning, square metres. */
-constexpr double worth_word = 1;
-
-/** @brief Returns the distance of a height from the range of a room's ceiling heights
- * around a place, metres. On a slope, that range is wide. */
-double
-distanceFromCeiling(const RoomLookup& room,
-                    const Eigen::Vector2d& place,
-                    double size,
-                    double height)
-{
-  double low = room.ceilingAt(place);
-  double high = low;
-  for (const double x : {-1.0, 1.0})
-    for (const double y : {-1.0, 1.0}) {
-      const double z = room.ceilingAt(place + size * Eigen::Vector2d(x, y));
-      low = std::min(low, z);
-      high = std::max(high, z);
-    }
-  return std::max({0.0, low - height, height - high});
-}
-
-} // namespace
 
 pcl::IndicesPtr
 StructureChain::labelled(StructureLabel label) const
@@ -125,124 +94,6 @@ StructureChain::findDetails(StageReport& report)
     report.points_out += details[r].indices.size() + labelLowerCeilings(r);
   }
   return true;
-}
-
-CellSet
-StructureChain::levelColumns(std::size_t region) const
-{
-  std::vector<CellKey> keys;
-  for (const RoomColumn& column : getBuilding().rooms[region].columns)
-    if (column.is_level)
-      keys.push_back(keyOf(column.cell));
-  return CellSet(std::move(keys));
-}
-
-std::size_t
-StructureChain::labelLowerCeilings(std::size_t region)
-{
-  const PointView points(*cloud);
-  const CellGrid columns(getBuilding().cell_size);
-  const CellSet level = levelColumns(region);
-  std::size_t found = 0;
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const int i : regions_[region].ceiling) {
-    const auto at = static_cast<std::size_t>(i);
-    if (labels[at] != 0)
-      continue;
-    rooms[at] = static_cast<std::uint32_t>(region + 1);
-    if (!level.contains(columns.at(points[at].x(), points[at].y()))) {
-      labels[at] = valueOf(StructureLabel::Ceiling); // vault or roof
-      continue;
-    }
-    labels[at] = valueOf(StructureLabel::Detail);
-    ++found;
-    lowest = std::min<double>(lowest, points[at].z());
-  }
-  // Below a soffit, walls grow from the floor's boundary, as below any detail.
-  double& slice = slice_height_[region];
-  if (found > 0 && !(slice < lowest))
-    slice = lowest - plane_detection.getGridSize();
-  return found;
-}
-
-StructureChain::PlaceOff
-StructureChain::ceilingOff(
-    std::size_t region,
-    const std::function<double(const Eigen::Vector2d&, double)>& distance) const
-{
-  constexpr double off = 0.1; // metres from the model
-  const Building& building = getBuilding();
-  const CellGrid columns(building.cell_size);
-  PlaceOff place;
-  for (const RoomColumn& column : building.rooms[region].columns) {
-    if (column.is_level || !column.ceiling_seen ||
-        distance(columns.centre(column.cell), column.ceiling) <= off)
-      continue;
-    place.area += building.cell_size * building.cell_size;
-    place.low = std::min<double>(place.low, column.ceiling);
-    place.high = std::max<double>(place.high, column.ceiling);
-  }
-  return place;
-}
-
-bool
-StructureChain::hasSheet(std::size_t region) const
-{
-  std::vector<Eigen::Vector3d> points;
-  for (const int i : seenCeiling(region))
-    points.push_back(
-        (*cloud)[static_cast<std::size_t>(i)].getVector3fMap().cast<double>());
-  return slopingArea(points) >= SheetParameters().min_area;
-}
-
-pcl::Indices
-StructureChain::seenCeiling(std::size_t region) const
-{
-  pcl::Indices seen;
-  for (const int i : regions_[region].ceiling)
-    if (static_cast<std::size_t>(i) < scanned_points_) // others fill hidden ceilings
-      seen.push_back(i);
-  return seen;
-}
-
-pcl::IndicesPtr
-StructureChain::sheetPoints() const
-{
-  pcl::IndicesPtr sheets(new pcl::Indices);
-  for (std::size_t r = 0; r < regions_.size(); ++r) {
-    if (!hasSheet(r))
-      continue;
-    for (const int i : seenCeiling(r))
-      if (rooms[static_cast<std::size_t>(i)] == r + 1) // else floor of the one above
-        sheets->push_back(i);
-  }
-  std::sort(sheets->begin(), sheets->end());
-  return sheets;
-}
-
-void
-StructureChain::warnOfCeilings()
-{
-  for (const PlanRoom& room : plan->rooms) {
-    const std::size_t region = room.id - 1;
-    const bool has_facets = room.hasFacets();
-    const RoomLookup lookup(room);
-    const PlanSlab& slab = regions_[region].ceiling_slab;
-    const PlaceOff off = ceilingOff(region, [&](const Eigen::Vector2d& p, double z) {
-      return has_facets ? distanceFromCeiling(lookup, p, getBuilding().cell_size, z)
-                        : std::abs(z - slab.heightAt(p));
-    });
-    if (off.area < worth_word)
-      continue;
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  has_facets ? "%.1f m2 of its ceiling, from %.2f to %.2f m, are more "
-                               "than 10 cm off its facets"
-                             : "%.1f m2 of its ceiling are not level, from %.2f to "
-                               "%.2f m: they are modelled by the main plane",
-                  off.area, off.low, off.high);
-    warn(room.id, text);
-  }
 }
 
 bool
