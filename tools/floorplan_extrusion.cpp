@@ -3,7 +3,6 @@
 #include "model/solid_files.h"
 #include "picture_file.h"
 #include "plan_file.h"
-#include "plan_tilts.h"
 #include "run_tool.h"
 #include "tool_error.h"
 

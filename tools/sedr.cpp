@@ -4,6 +4,8 @@
 #include "prior_values.h"
 #include "run_tool.h"
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <iostream>
 #include <memory>
 
@@ -33,7 +35,7 @@ main(int argc, char** argv)
     apply(settings, chain);
     if (settings.explain)
       std::cout << explained(chain.getPriors()) << std::flush;
-    settings.input = joinedNames(settings.inputs);
+    settings.input = boost::join(settings.inputs, ", ");
     return makeModel(settings, chain, [&] {
       // Everything but the headers is read during thinning.
       const auto scan =

@@ -13,6 +13,7 @@
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_segmentation/src/refit/plan_refit.h"
 
+#include <boost/algorithm/string/join.hpp>
 #include <boost/mpi/communicator.hpp>
 #include <boost/mpi/environment.hpp>
 
@@ -93,7 +94,7 @@ makeModelTogether(const std::string& tool,
                   unsigned fair_threads)
 {
   ModelSettings& settings = call.settings;
-  settings.input = joinedNames(call.scans);
+  settings.input = boost::join(call.scans, ", ");
   settings.inputs = call.scans;
   Reconstruction chain;
   apply(settings, chain);

@@ -3,6 +3,7 @@
 
 #include "tool_error.h"
 
+#include <boost/algorithm/string/join.hpp>
 #include <boost/program_options.hpp>
 
 #include <algorithm>
@@ -22,15 +23,6 @@ namespace {
 
 constexpr std::size_t help_column = 26;
 constexpr double vast = 1e9; // larger limits are those of types and not printed
-
-std::string
-joined(const std::vector<std::string>& words, const std::string& between)
-{
-  std::string all;
-  for (const auto& word : words)
-    all += (all.empty() ? "" : between) + word;
-  return all;
-}
 
 std::string
 withUnit(const std::string& unit)
@@ -182,13 +174,13 @@ Options::text(const std::string& name,
               const std::vector<std::string>& choices)
 {
   std::string about = help + " (";
-  about += choices.empty() ? "" : joined(choices, ", ") + "; ";
+  about += choices.empty() ? "" : boost::join(choices, ", ") + "; ";
   about += "default " + (value.empty() ? "none" : value) + ")";
   const auto read = [name, &value, choices](const std::string& given) {
     if (!choices.empty() &&
         std::find(choices.begin(), choices.end(), given) == choices.end())
-      throw ToolError("--" + name + " is one of " + joined(choices, ", ") + ", not '" +
-                      given + "'");
+      throw ToolError("--" + name + " is one of " + boost::join(choices, ", ") +
+                      ", not '" + given + "'");
     value = given;
   };
   options_.push_back({name, about, true, read});

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_file.h"
 
-#include "cloud_readers.h"
 #include "bytes/mapped_file.h"
-#include "tool_error.h"
 #include "bytes/whole_file.h"
+#include "cloud_readers.h"
+#include "tool_error.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
 
@@ -46,6 +46,13 @@ roomAt(const Floorplan& plan, const Eigen::Vector3d& p)
   return nearest;
 }
 
+std::string
+textOfFile(const std::string& path)
+{
+  const MappedFile file(path);
+  return {reinterpret_cast<const char*>(file.data()), file.size()};
+}
+
 } // namespace
 
 std::shared_ptr<const Floorplan>
@@ -56,9 +63,8 @@ loadFloorplan(const std::string& path)
     throw ToolError("'" + path +
                     "' is a cloud or mesh; a floor plan is asked for, the "
                     "floorplan.json that pcl_sedr writes");
-  const std::string text(reinterpret_cast<const char*>(file.data()), file.size());
   std::string problem;
-  auto plan = std::make_shared<Floorplan>(floorplanFromJson(text, problem));
+  auto plan = std::make_shared<Floorplan>(floorplanFromJson(textOfFile(path), problem));
   if (!problem.empty())
     throw ToolError("'" + path + "': " + problem);
   if (plan->rooms.empty())
@@ -69,12 +75,20 @@ loadFloorplan(const std::string& path)
 Origin
 planOrigin(const std::string& path)
 {
-  const MappedFile file(path);
   Origin origin;
-  const std::string text(reinterpret_cast<const char*>(file.data()), file.size());
-  if (!originFromJson(text, origin))
+  if (!originFromJson(textOfFile(path), origin))
     throw ToolError("the origin in '" + path + "' is no list of three numbers");
   return origin;
+}
+
+WallTilts
+planTilts(const std::string& path)
+{
+  std::string problem;
+  WallTilts tilts = tiltsFromJson(textOfFile(path), problem);
+  if (!problem.empty())
+    throw ToolError("'" + path + "': " + problem);
+  return tilts;
 }
 
 void

@@ -4,7 +4,7 @@
 #include "tool_cloud.h"
 
 #include "sedr_filters/src/plan/plan_surfaces.h"
-#include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/wall_tilts.h>
 
 #include <memory>
 #include <string>
@@ -20,6 +20,10 @@ std::shared_ptr<const Floorplan> loadFloorplan(const std::string& path);
 
 /** @brief Returns the origin of the coordinates in a floor plan or a report.json. */
 Origin planOrigin(const std::string& path);
+
+/** @brief Returns the tilted walls in a plan file that loadFloorplan() has read. Throws
+ * ToolError if they are invalid. */
+WallTilts planTilts(const std::string& path);
 
 /** @brief Throws ToolError if `path` cannot be written or does not end in .json, which
  * protects scans. To be called before the work. */

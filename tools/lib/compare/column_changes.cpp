@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "column_changes.h"
+#include "element_changes.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "comparison.h"
 
-#include "column_changes.h"
-#include "room_changes.h"
+#include "element_changes.h"
 #include "scale.h"
-#include "slab_changes.h"
-#include "wall_changes.h"
 
+#include <boost/algorithm/string/join.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -37,15 +35,6 @@ shiftText(const Eigen::Vector3d& shift)
       parts += std::string(parts.empty() ? "" : ", ") + "xyz"[k] + " " +
                signedText(shift[k]);
   return fixedText(shift.norm(), 2) + " m" + (parts.empty() ? "" : " (" + parts + ")");
-}
-
-std::string
-listOf(const std::vector<std::string>& names)
-{
-  std::string list;
-  for (const auto& name : names)
-    list += (list.empty() ? "" : ", ") + name;
-  return list;
 }
 
 /** @brief Rounds to millimetres. */
@@ -94,10 +83,10 @@ describe(const Change& change)
     text += " by " + shiftText(change.shift);
   text += ", " + fixedText(change.size, change.is_length ? 1 : 2) +
           (change.is_length ? " m" : " m2") + ": ";
-  text += listOf(change.before);
+  text += boost::join(change.before, ", ");
   if (!change.before.empty() && !change.after.empty())
     text += " -> ";
-  return text + listOf(change.after);
+  return text + boost::join(change.after, ", ");
 }
 
 std::string

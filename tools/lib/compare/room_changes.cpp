@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "room_changes.h"
+#include "element_changes.h"
 
 #include "plan_slabs.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wall_changes.h"
+#include "element_changes.h"
 
 #include "wall_faces.h"
 

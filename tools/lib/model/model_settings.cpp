@@ -77,15 +77,6 @@ addModelOptions(Options& options, ModelSettings& s)
                "write report.html, one page on all of it, as pcl_sedr_report does");
 }
 
-std::string
-joinedNames(const std::vector<std::string>& paths)
-{
-  std::string all;
-  for (const std::string& path : paths)
-    all += (all.empty() ? "" : ", ") + path;
-  return all;
-}
-
 void
 apply(const ModelSettings& s, Reconstruction& chain)
 {

@@ -54,9 +54,6 @@ struct ModelSettings {
 /** @brief Declares the options for making a model. */
 void addModelOptions(Options& options, ModelSettings& s);
 
-/** @brief Joins the file names of a scan for report.json. */
-std::string joinedNames(const std::vector<std::string>& paths);
-
 /** @brief Applies the settings to the chain. */
 void apply(const ModelSettings& s, Reconstruction& chain);
 

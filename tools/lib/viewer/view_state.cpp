@@ -3,6 +3,8 @@
 
 #include "tool_error.h"
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <sstream>
 
@@ -19,13 +21,9 @@ placeOf(const std::string& name,
         const char* kind)
 {
   const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) {
-    std::string known;
-    for (const auto& candidate : names)
-      known += (known.empty() ? "" : ", ") + candidate;
+  if (found == names.end())
     throw ToolError("there is no " + std::string(kind) + " '" + name +
-                    "'; there are: " + known);
-  }
+                    "'; there are: " + boost::join(names, ", "));
   return static_cast<std::size_t>(found - names.begin());
 }
 

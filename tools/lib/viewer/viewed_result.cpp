@@ -4,13 +4,14 @@
 #include "plan_file.h"
 #include "progress.h"
 #include "results/result_folder.h"
-#include "results/solid_names.h"
 #include "scan_file.h"
 #include "tool_error.h"
 
 #include <pcl/sedr_surface/mesh_io.h>
 
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <utility>
 
 namespace pcl {
@@ -45,6 +46,26 @@ boxOf(const Floorplan& plan)
           Eigen::Vector3d(corner.x(), corner.y(), room.ceiling.heightAt(corner)));
     }
   return box;
+}
+
+/** @brief Returns the names of a solid's elements, "room_1_wall_3", by their numbers,
+ * from the comments of elementComments() in the header of a PLY file. */
+std::map<std::uint32_t, std::string>
+solidNames(const std::string& path)
+{
+  std::map<std::uint32_t, std::string> names;
+  std::ifstream file(path, std::ios::binary);
+  for (std::string line; std::getline(file, line) && line != "end_header";) {
+    std::istringstream words(line);
+    std::string comment;
+    std::string element;
+    std::string name;
+    std::uint32_t number = 0;
+    if (words >> comment >> element >> number >> name && comment == "comment" &&
+        element == "element")
+      names[number] = name;
+  }
+  return names;
 }
 
 /** @brief Reads a single file: a plan, a mesh or a cloud. */

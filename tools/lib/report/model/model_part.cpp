@@ -2,22 +2,64 @@
 #include "model_part.h"
 
 #include "map_cells.h"
-#include "mesh_glb.h"
 #include "mesh_reduction.h"
 #include "report/page/html_text.h"
 #include "report/page/page_files.h"
 #include "results/distance_colour.h"
 
+#include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_surface/solid_io.h>
+
 #include <array>
-#include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <set>
 
 namespace pcl {
 namespace sedr {
 namespace tools {
 
 namespace {
+
+/** @brief Writes a mesh without elements as glTF for the page, with one element per
+ * room and label. Rooms missing from the plan are put on a separate storey.
+ * @param mesh triangles face into the rooms; in glTF they face outwards */
+std::string
+meshToGlb(TriangleMesh mesh, const Floorplan& plan)
+{
+  mesh.flip();
+  std::vector<SolidElement> elements;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> number_of;
+  std::set<std::uint32_t> rooms;
+  mesh.elements.clear();
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const std::uint32_t room = mesh.rooms.empty() ? 0 : mesh.rooms[t];
+    const std::uint32_t label = mesh.labels.empty() ? 0 : mesh.labels[t];
+    const auto next = static_cast<std::uint32_t>(elements.size() + 1);
+    const auto [entry, is_new] = number_of.emplace(std::make_pair(room, label), next);
+    mesh.elements.push_back(entry->second);
+    if (!is_new)
+      continue;
+    rooms.insert(room);
+    SolidElement element;
+    element.label = static_cast<StructureLabel>(label);
+    element.room = room;
+    element.name = "room_" + std::to_string(room) + "_" + toString(element.label);
+    elements.push_back(element);
+  }
+  std::vector<PlanStorey> storeys = storeysOf(plan);
+  for (const PlanStorey& storey : storeys)
+    for (const std::uint32_t room : storey.rooms)
+      rooms.erase(room);
+  if (!rooms.empty()) {
+    storeys.emplace_back();
+    storeys.back().number = 0;
+    storeys.back().name = "no storey";
+    storeys.back().rooms.assign(rooms.begin(), rooms.end());
+  }
+  return solidToGlb(mesh, elements, storeys);
+}
 
 std::string
 textOfFile(const std::string& path)
@@ -43,14 +85,6 @@ threeScripts(const std::string& folder)
   return scripts;
 }
 
-std::string
-codeOf(Colour c)
-{
-  char text[8];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", c.red, c.green, c.blue);
-  return text;
-}
-
 /** @brief Returns the colours of labels, by name, and of rooms, as JSON. */
 std::string
 palettes()
@@ -61,11 +95,11 @@ palettes()
   for (std::uint32_t k = 0; k < labels; ++k) {
     const auto label = static_cast<StructureLabel>(k);
     by_label += (k == 0 ? "\"" : ",\"") + std::string(toString(label)) + "\":\"" +
-                codeOf(colourOf(label)) + "\"";
+                hexCode(colourOf(label)) + "\"";
   }
   std::string of_rooms;
   for (std::size_t k = 0; k < rooms; ++k)
-    of_rooms += (k == 0 ? "\"" : ",\"") + codeOf(colourNumber(k)) + "\"";
+    of_rooms += (k == 0 ? "\"" : ",\"") + hexCode(colourNumber(k)) + "\"";
   return "{\"labels\":{" + by_label + "},\"rooms\":[" + of_rooms + "]}";
 }
 
@@ -106,7 +140,7 @@ std::string
 keyEntry(Colour colour, const std::string& meaning)
 {
   return "<span class=\"entry\"><span class=\"swatch\" style=\"background:" +
-         codeOf(colour) + "\"></span>" + meaning + "</span> ";
+         hexCode(colour) + "\"></span>" + meaning + "</span> ";
 }
 
 } // namespace

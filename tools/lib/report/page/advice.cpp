@@ -4,6 +4,8 @@
 #include "results/distance_colour.h"
 #include "scale.h"
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <cstdlib>
 #include <string>
@@ -35,15 +37,6 @@ named(std::uint32_t room)
   return "Room " + std::to_string(room);
 }
 
-std::string
-joined(const std::vector<std::string>& parts, const char* between)
-{
-  std::string text;
-  for (const auto& part : parts)
-    text += (text.empty() ? "" : between) + part;
-  return text;
-}
-
 /** @brief Returns "wall 3 (2.4 m, 85 % hidden)" for each wall of a room that was hardly
  * seen. */
 std::vector<std::string>
@@ -72,12 +65,13 @@ addUnseenWalls(const Floorplan& plan, Advices& advices)
       continue;
     const std::size_t more = unseen.size() - std::min(unseen.size(), max_named);
     unseen.resize(unseen.size() - more);
-    rooms.push_back("room " + std::to_string(room.id) + ": " + joined(unseen, ", ") +
+    rooms.push_back("room " + std::to_string(room.id) + ": " +
+                    boost::join(unseen, ", ") +
                     (more == 0 ? "" : " and " + std::to_string(more) + " more"));
   }
   if (!rooms.empty())
     advices.push_back(
-        {"Walls of which hardly anything was seen: " + joined(rooms, "; ") + ".",
+        {"Walls of which hardly anything was seen: " + boost::join(rooms, "; ") + ".",
          "Their places follow their neighbours and what little was "
          "seen. If they matter, scan again from another place."});
 }
@@ -92,7 +86,8 @@ addRepairs(const ReportData& data, Advices& advices)
                       percent(*room.repaired_share));
   if (!rooms.empty())
     advices.push_back(
-        {"Much of the surface was not seen and is filled in: " + joined(rooms, ", ") +
+        {"Much of the surface was not seen and is filled in: " +
+             boost::join(rooms, ", ") +
              ". That is doors, windows, what furniture hides, or what was out of the "
              "scanner's sight.",
          "Compare the pictures of scan and model below. Where too much of a ceiling is "
@@ -229,7 +224,7 @@ unknownOf(const ReportData& data)
     unknown.emplace_back("how much of their surface was seen");
   if (!data.distances)
     unknown.emplace_back("how far the points lie from the model");
-  return joined(unknown, ", ");
+  return boost::join(unknown, ", ");
 }
 
 } // namespace tools

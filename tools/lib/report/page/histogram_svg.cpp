@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "histogram_svg.h"
 
+#include "html_text.h"
 #include "results/distance_colour.h"
 #include "scale.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <vector>
 
 namespace pcl {
@@ -27,14 +27,6 @@ std::string
 number(double value)
 {
   return fixedText(value, 2);
-}
-
-std::string
-colourCode(Colour c)
-{
-  char text[8];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", c.red, c.green, c.blue);
-  return text;
 }
 
 std::string
@@ -80,7 +72,7 @@ histogramSvg(const DistanceStatistics& distances, double range)
     svg += "<rect x=\"" + number(x + 0.06 * slot) + "\" y=\"" +
            number(base - heightOf(s)) + "\" width=\"" + number(0.88 * slot) +
            "\" height=\"" + number(heightOf(s)) + "\" fill=\"" +
-           colourCode(distanceColour(distance, range)) + "\"><title>" + what + ": " +
+           hexCode(distanceColour(distance, range)) + "\"><title>" + what + ": " +
            fixedText(100 * s, 2) + " %</title></rect>\n";
   };
   const double bin = distances.histogram_range / static_cast<double>(bins);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <cstdio>
 
 namespace pcl {
 namespace sedr {
@@ -23,6 +24,15 @@ repaired(const std::string& text)
 }
 
 } // namespace
+
+std::string
+hexCode(Colour colour)
+{
+  char text[8];
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", colour.red, colour.green,
+                colour.blue);
+  return text;
+}
 
 std::string
 escaped(const std::string& text)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "colour.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -9,6 +11,9 @@
 namespace pcl {
 namespace sedr {
 namespace tools {
+
+/** @brief Returns a colour as in CSS: "#f0901e". */
+std::string hexCode(Colour colour);
 
 /** @brief Escapes text for elements and attributes: & < > " ' become entities, control
  * characters and invalid UTF-8 become U+FFFD. */

@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "window.h"
 
-#include "key_style.h"
+#include "bytes/whole_file.h"
 #include "tool_error.h"
 #include "viewer/legend_image.h"
 #include "viewer/point_report.h"
-#include "bytes/whole_file.h"
+
+#include <pcl/visualization/interactor_style.h>
 
 #include <vtkBoundingBox.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
 #include <vtkWindowToImageFilter.h>
 
+#include <functional>
 #include <iostream>
 
 namespace pcl {
@@ -22,6 +26,28 @@ namespace tools {
 namespace {
 
 constexpr const char* screenshot_name = "sedr_view.png";
+
+/** @brief The mouse actions of PCL's visualizer with our own keys, which are passed on
+ * by symbol. */
+class KeyStyle : public pcl::visualization::PCLVisualizerInteractorStyle {
+public:
+  static KeyStyle* New();
+
+  std::function<void(const std::string&)> on_key;
+
+protected:
+  void OnKeyDown() override
+  {
+    const char* symbol = Interactor->GetKeySym();
+    if (symbol && on_key)
+      on_key(symbol);
+  }
+
+  void OnKeyUp() override {}
+  void OnChar() override {} // disables VTK's keys, such as w for wireframe
+};
+
+vtkStandardNewMacro(KeyStyle);
 
 vtkSmartPointer<vtkRenderWindow>
 makeRenderWindow(const WindowSettings& settings)

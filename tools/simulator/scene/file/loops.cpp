@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "loops.h"
+#include "scene_parts.h"
 
 #include <sstream>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "objects.h"
+#include "scene_parts.h"
 
 #include "object_places.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "openings.h"
+#include "scene_parts.h"
 
 #include "simulator/scene/opening_objects.h"
 #include "simulator/truth/room_regions.h"

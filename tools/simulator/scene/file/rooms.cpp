@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rooms.h"
+#include "scene_parts.h"
 
-#include "loops.h"
-#include "objects.h"
-#include "openings.h"
 #include "simulator/scene/ribs.h"
 #include "simulator/scene/tilted_walls.h"
 #include "simulator/scene/vaults.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scanners.h"
+#include "scene_parts.h"
 
 #include "simulator/scan/scene_surfaces.h"
 #include "simulator/scan/walk.h"

@@ -2,9 +2,7 @@
 #include "simulator/scene/scene_file.h"
 
 #include "json_view.h"
-#include "objects.h"
-#include "rooms.h"
-#include "scanners.h"
+#include "scene_parts.h"
 #include "simulator/check/scene_check.h"
 
 #include <fstream>
