@@ -26,12 +26,31 @@ struct Column {
 class Columns {
 public:
   /** @brief Adds a column; `part(row)` returns the member it shows. */
-  template <typename Part>
-  void add(const std::string& name, Part part)
+  template <typename PartT>
+  void add(const std::string& name, PartT part)
   {
     columns_.push_back(
         {name, [part](const RunRow& row) { return cellOf(part(row)); },
          [part](const std::string& cell, RunRow& row) { readCell(cell, part(row)); }});
+  }
+
+  /** @brief Adds the column of a member of a row. */
+  template <typename ValueT>
+  void add(const std::string& name, ValueT RunRow::*member)
+  {
+    add(
+        name, [member](auto& row) -> auto& { return row.*member; });
+  }
+
+  /** @brief Returns a function that adds the columns of a part of the row, from their
+   * names and the members of the part. */
+  template <typename PartT>
+  auto adderOf(PartT RunRow::*part)
+  {
+    return [this, part](const std::string& name, auto member) {
+      add(
+          name, [ part, member ](auto& row) -> auto& { return row.*part.*member; });
+    };
   }
 
   /** @brief Adds a column computed from others; it is not read back. */
@@ -50,27 +69,18 @@ private:
 void
 addRun(Columns& columns)
 {
-  columns.add(
-      "scene", [](auto& row) -> auto& { return row.scene; });
-  columns.add(
-      "noise", [](auto& row) -> auto& { return row.noise; });
-  columns.add(
-      "seed", [](auto& row) -> auto& { return row.seed; });
-  columns.add(
-      "with_mesh", [](auto& row) -> auto& { return row.with_mesh; });
-  columns.add(
-      "points", [](auto& row) -> auto& { return row.points; });
-  columns.add(
-      "failure", [](auto& row) -> auto& { return row.failure; });
+  columns.add("scene", &RunRow::scene);
+  columns.add("noise", &RunRow::noise);
+  columns.add("seed", &RunRow::seed);
+  columns.add("with_mesh", &RunRow::with_mesh);
+  columns.add("points", &RunRow::points);
+  columns.add("failure", &RunRow::failure);
 }
 
 void
 addRooms(Columns& columns)
 {
-  const auto add = [&columns](const std::string& name, auto member) {
-    columns.add(
-        name, [member](auto& row) -> auto& { return row.rooms.*member; });
-  };
+  const auto add = columns.adderOf(&RunRow::rooms);
   add("rooms_true", &RoomFigures::rooms_true);
   add("rooms_found", &RoomFigures::rooms_found);
   add("rooms_matched", &RoomFigures::rooms_matched);
@@ -83,10 +93,7 @@ addRooms(Columns& columns)
 void
 addPlan(Columns& columns)
 {
-  const auto add = [&columns](const std::string& name, auto member) {
-    columns.add(
-        name, [member](auto& row) -> auto& { return row.plan.*member; });
-  };
+  const auto add = columns.adderOf(&RunRow::plan);
   add("corners_true", &PlanFigures::corners_true);
   add("corners_found", &PlanFigures::corners_found);
   add("rooms_with_other_corners", &PlanFigures::rooms_with_other_corners);
@@ -100,10 +107,7 @@ addPlan(Columns& columns)
 void
 addSolid(Columns& columns)
 {
-  const auto add = [&columns](const std::string& name, auto member) {
-    columns.add(
-        name, [member](auto& row) -> auto& { return row.solid.*member; });
-  };
+  const auto add = columns.adderOf(&RunRow::solid);
   add("solid_components", &SolidFigures::components);
   add("solid_closed_manifold", &SolidFigures::closed_manifold);
   add("solid_self_intersections", &SolidFigures::self_intersections);
@@ -116,17 +120,10 @@ addSolid(Columns& columns)
   add("solid_wall_area_error", &SolidFigures::wall_area_error);
 }
 
-/** @brief Adds the columns of a model; `model(row)` returns its figures, `prefix`
- * precedes every name. */
-template <typename Model>
 void
-addModel(Columns& columns, const std::string& prefix, Model model)
+addModel(Columns& columns)
 {
-  const auto add = [&](const std::string& name, auto member) {
-    columns.add(
-        prefix + name,
-        [ model, member ](auto& row) -> auto& { return model(row).*member; });
-  };
+  const auto add = columns.adderOf(&RunRow::mesh);
   add("components", &ModelFigures::components);
   add("closed", &ModelFigures::closed);
   add("edge_manifold", &ModelFigures::edge_manifold);
@@ -149,10 +146,7 @@ addModel(Columns& columns, const std::string& prefix, Model model)
 void
 addStructure(Columns& columns)
 {
-  const auto add = [&columns](const std::string& name, auto member) {
-    columns.add(
-        name, [member](auto& row) -> auto& { return row.structure.*member; });
-  };
+  const auto add = columns.adderOf(&RunRow::structure);
   add("points_to_truth_mean", &StructureFigures::points_to_truth_mean);
   add("points_to_truth_max", &StructureFigures::points_to_truth_max);
   add("points_beyond_5cm", &StructureFigures::points_beyond_5cm);
@@ -190,16 +184,12 @@ makeColumns()
   addRooms(columns);
   addPlan(columns);
   addSolid(columns);
-  addModel(
-      columns, "", [](auto& row) -> auto& { return row.mesh; });
+  addModel(columns);
   addStructure(columns);
   addLabels(columns);
-  columns.add(
-      "seconds", [](auto& row) -> auto& { return row.seconds; });
-  columns.add(
-      "stage_seconds", [](auto& row) -> auto& { return row.stage_seconds; });
-  columns.add(
-      "warnings", [](auto& row) -> auto& { return row.warnings; });
+  columns.add("seconds", &RunRow::seconds);
+  columns.add("stage_seconds", &RunRow::stage_seconds);
+  columns.add("warnings", &RunRow::warnings);
   columns.addDerived("missed", missesOf);
   return columns.all();
 }

@@ -150,51 +150,13 @@ meanLimit(double noise)
 std::string
 nameOf(Bar bar)
 {
-  switch (bar) {
-  case Bar::Done:
-    return "failed";
-  case Bar::Rooms:
-    return "rooms";
-  case Bar::Closed:
-    return "closed";
-  case Bar::Components:
-    return "components";
-  case Bar::Mean:
-    return "mean";
-  case Bar::Within1cm:
-    return "1 cm";
-  case Bar::Within5cm:
-    return "5 cm";
-  case Bar::ModelBeyond5cm:
-    return "model > 5 cm";
-  case Bar::DetailZone:
-    return "details";
-  case Bar::PointsBeyond5cm:
-    return "points > 5 cm";
-  case Bar::Covered:
-    return "covered";
-  case Bar::SolidClosed:
-    return "solid closed";
-  case Bar::SolidCrossing:
-    return "solid crossing";
-  case Bar::SolidMean:
-    return "solid mean";
-  case Bar::SolidMax:
-    return "solid max";
-  case Bar::SolidTriangles:
-    return "triangles";
-  case Bar::PlanArea:
-    return "area";
-  case Bar::SolidVolume:
-    return "solid volume";
-  case Bar::WallArea:
-    return "wall surface";
-  case Bar::Radius:
-    return "radius";
-  case Bar::Corners:
-    return "corners";
-  }
-  return "";
+  static constexpr std::array<const char*, all_bars.size()> names{
+      "failed",    "rooms",        "closed",         "components",   "mean",
+      "1 cm",      "5 cm",         "model > 5 cm",   "details",      "points > 5 cm",
+      "covered",   "solid closed", "solid crossing", "solid mean",   "solid max",
+      "triangles", "area",         "solid volume",   "wall surface", "radius",
+      "corners"};
+  return names[static_cast<std::size_t>(bar)];
 }
 
 std::vector<Miss>
