@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/scan_frame.h>
 
 #include <Eigen/Core>
 
@@ -28,8 +29,26 @@ void readCurve(const nlohmann::ordered_json& json, PlanSlab& slab);
 
 nlohmann::ordered_json pointToJson(const Eigen::Vector2d& p);
 
+/** @brief Writes how a scan was levelled; angles in degrees. */
+nlohmann::ordered_json levellingToJson(const Levelling& levelling);
+
 /** @brief Reads a place in plan; throws a std::exception with the reason on failure. */
 Eigen::Vector2d pointFromJson(const nlohmann::ordered_json& json);
+
+/** @brief Writes the storeys of a plan, see storeysOf(). */
+nlohmann::ordered_json storeysToJson(const Floorplan& plan);
+
+/** @brief Writes the doorways of a plan. Unknown rooms become 0, outside; doorways
+ * without any room are left out. */
+nlohmann::ordered_json doorwaysToJson(const Floorplan& plan);
+
+/** @brief Writes the stairs of a plan by the same rules. */
+nlohmann::ordered_json stairsToJson(const Floorplan& plan);
+
+/** @brief Reads `storeys`, `doorways` and `stairs`, all optional, into a plan that
+ * already has its rooms.
+ * @throw std::exception with the reason if they are not valid */
+void readStoreys(const nlohmann::ordered_json& json, Floorplan& plan);
 
 } // namespace sedr
 } // namespace pcl

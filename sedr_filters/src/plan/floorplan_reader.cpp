@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "floorplan_format.h"
-#include "storey_json.h"
 
 #include "../base/number_text.h"
 #include <pcl/sedr_filters/floorplan_io.h>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "floorplan_format.h"
-#include "storey_json.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_filters/plan_measures.h>
@@ -71,25 +70,14 @@ facetToJson(const PlanSlab& slab)
   return json;
 }
 
+/** @brief Writes the facets of a ceiling, or else its details. */
 Json
-facetsToJson(const std::vector<PlanDetail>& details)
+detailsToJson(const std::vector<PlanDetail>& details, bool facets = false)
 {
   Json json = Json::array();
   for (const auto& detail : details)
-    if (detail.is_facet)
-      json.push_back({{"slab", facetToJson(detail.slab)},
-                      {"boundary", toJson(detail.boundary)},
-                      {"holes", loopsToJson(detail.holes)}});
-  return json;
-}
-
-Json
-detailsToJson(const std::vector<PlanDetail>& details)
-{
-  Json json = Json::array();
-  for (const auto& detail : details)
-    if (!detail.is_facet)
-      json.push_back({{"slab", toJson(detail.slab)},
+    if (detail.is_facet == facets)
+      json.push_back({{"slab", facets ? facetToJson(detail.slab) : toJson(detail.slab)},
                       {"boundary", toJson(detail.boundary)},
                       {"holes", loopsToJson(detail.holes)}});
   return json;
@@ -106,20 +94,6 @@ wallsToJson(const Floorplan& plan, std::size_t room)
       walls[i]["thickness"] = thickness;
   }
   return walls;
-}
-
-Json
-toJson(const Levelling& levelling)
-{
-  constexpr double degrees = 180 / M_PI;
-  Json rows = Json::array();
-  for (int r = 0; r < 3; ++r)
-    rows.push_back(
-        {levelling.rotation(r, 0), levelling.rotation(r, 1), levelling.rotation(r, 2)});
-  return {{"angle", levelling.angle() * degrees},
-          {"direction", levelling.direction() * degrees},
-          {"rotation", rows},
-          {"about", {levelling.about.x(), levelling.about.y(), levelling.about.z()}}};
 }
 
 Json
@@ -146,7 +120,7 @@ toJson(const Floorplan& plan, std::size_t number)
       {"floor_details", detailsToJson(room.floor_details)},
       {"niches", niches}};
   if (room.hasFacets())
-    json["facets"] = facetsToJson(room.details);
+    json["facets"] = detailsToJson(room.details, true);
   return json;
 }
 
@@ -160,6 +134,20 @@ versionOf(const Floorplan& plan)
 }
 
 } // namespace
+
+nlohmann::ordered_json
+levellingToJson(const Levelling& levelling)
+{
+  constexpr double degrees = 180 / M_PI;
+  Json rows = Json::array();
+  for (int r = 0; r < 3; ++r)
+    rows.push_back(
+        {levelling.rotation(r, 0), levelling.rotation(r, 1), levelling.rotation(r, 2)});
+  return {{"angle", levelling.angle() * degrees},
+          {"direction", levelling.direction() * degrees},
+          {"rotation", rows},
+          {"about", {levelling.about.x(), levelling.about.y(), levelling.about.z()}}};
+}
 
 nlohmann::ordered_json
 pointToJson(const Eigen::Vector2d& p)
@@ -182,7 +170,7 @@ floorplanToJson(const Floorplan& plan, const Levelling* levelling, const Origin&
             {"doorways", doorwaysToJson(plan)},
             {"stairs", stairsToJson(plan)}};
   if (levelling)
-    json["levelling"] = toJson(*levelling);
+    json["levelling"] = levellingToJson(*levelling);
   return json.dump(1) + "\n";
 }
 

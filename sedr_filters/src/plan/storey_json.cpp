@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "storey_json.h"
-
 #include "floorplan_format.h"
 
 #include "../base/number_text.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../formats/label_values.h"
+#include "../formats/labels.h"
 
 #include <pcl/sedr_surface/structure_chain.h>
 

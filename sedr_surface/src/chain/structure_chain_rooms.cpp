@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../formats/label_values.h"
+#include "../formats/labels.h"
 #include "all_indices.h"
 #include "sedr_filters/src/plan/plan_surfaces.h"
 #include <pcl/sedr_surface/room_jobs.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../isosurface/vertex_labels.h"
-#include "label_colours.h"
+#include "labels.h"
 #include "mesh_parsers.h"
 
 #include <pcl/sedr_surface/mesh_io.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_surface/solid_io.h>
 
-#include "label_colours.h"
+#include "labels.h"
 
 #include <nlohmann/json.hpp>
 

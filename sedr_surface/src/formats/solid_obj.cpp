@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "decimal_text.h"
-#include "label_colours.h"
+#include "labels.h"
 
 #include <pcl/sedr_surface/solid_io.h>
 

@@ -3,7 +3,7 @@
 #include "tools/pictures/pictures.h"
 #include "viewed_sample.h"
 #include "viewer/camera.h"
-#include "viewer/legend_image.h"
+#include "viewer/legend.h"
 #include "viewer/point_report.h"
 
 #include <algorithm>

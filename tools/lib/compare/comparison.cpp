@@ -49,14 +49,8 @@ rounded(double value)
 const char*
 toString(ChangeKind kind)
 {
-  switch (kind) {
-  case ChangeKind::Appeared:
-    return "appeared";
-  case ChangeKind::Vanished:
-    return "vanished";
-  default:
-    return "moved";
-  }
+  constexpr const char* names[] = {"appeared", "vanished", "moved"};
+  return names[static_cast<std::size_t>(kind)];
 }
 
 std::vector<Change>

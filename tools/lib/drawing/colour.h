@@ -64,20 +64,9 @@ darkened(Colour colour, double share)
 constexpr Colour
 colourOf(StructureLabel label)
 {
-  switch (label) {
-  case StructureLabel::Ceiling:
-    return colours::ceiling;
-  case StructureLabel::Floor:
-    return colours::floor;
-  case StructureLabel::Wall:
-    return colours::wall;
-  case StructureLabel::Detail:
-    return colours::detail;
-  case StructureLabel::Column:
-    return colours::column;
-  default:
-    return colours::other;
-  }
+  constexpr Colour list[] = {colours::other, colours::ceiling, colours::floor,
+                             colours::wall,  colours::detail,  colours::column};
+  return list[label <= StructureLabel::Column ? static_cast<std::uint32_t>(label) : 0];
 }
 
 } // namespace tools

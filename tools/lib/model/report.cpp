@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report.h"
 
+#include "sedr_filters/src/plan/floorplan_format.h"
+
 #include <pcl/common/angles.h>
 #include <pcl/sedr_filters/plan_measures.h>
 
@@ -102,22 +104,6 @@ parametersOf(const RunRecord& run, const Reconstruction& chain)
           {"point_weight", c.poisson.getPointWeight()},
           {"minimum_points", c.poisson.getMinimumPoints()},
           {"support_distance", c.poisson.getSupportDistance()}};
-}
-
-/** @brief Returns how the scan was levelled, or null. */
-Json
-levellingOf(const StructureChain& chain)
-{
-  if (!chain.levelling)
-    return nullptr;
-  const Levelling& l = *chain.levelling;
-  Json rows = Json::array();
-  for (int r = 0; r < 3; ++r)
-    rows.push_back({l.rotation(r, 0), l.rotation(r, 1), l.rotation(r, 2)});
-  return {{"angle", pcl::rad2deg(l.angle())},
-          {"direction", pcl::rad2deg(l.direction())},
-          {"rotation", rows},
-          {"about", {l.about.x(), l.about.y(), l.about.z()}}};
 }
 
 /** @brief Returns the results from scanner positions, or null. */
@@ -266,6 +252,7 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
     writeJson(stream, *run.figures);
     evaluation = Json::parse(stream.str());
   }
+  const std::optional<Levelling>& levelling = chain.getChain().levelling;
   Json json{{"format", format_name},
             {"version", format_version},
             {"input", inputOf(run)},
@@ -274,7 +261,7 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"stages", stagesOf(run)},
             {"storeys", storeysOf(chain)},
             {"origin", nullptr}, // reserves its position here
-            {"levelling", levellingOf(chain.getChain())},
+            {"levelling", levelling ? levellingToJson(*levelling) : Json()},
             {"positions", positionsOf(chain.getChain().mirrored)},
             {"rooms", roomsOf(chain)},
             {"coverage", coverageOf(run.coverage)},

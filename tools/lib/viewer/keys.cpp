@@ -32,11 +32,12 @@ flips(Layer layer)
   };
 }
 
+template <typename ValueT>
 Press
-colours(Colouring colouring)
+sets(ValueT ViewState::*member, ValueT value)
 {
-  return [colouring](ViewState& state, HeightRange) {
-    state.colouring = colouring;
+  return [member, value](ViewState& state, HeightRange) {
+    state.*member = value;
     return KeyCommand::Redraw;
   };
 }
@@ -82,13 +83,6 @@ asks(KeyCommand command)
   return [command](ViewState&, HeightRange) { return command; };
 }
 
-KeyCommand
-endClipping(ViewState& state, HeightRange)
-{
-  state.clip_height = ViewState::no_clipping;
-  return KeyCommand::Redraw;
-}
-
 } // namespace
 
 const std::vector<KeyBinding>&
@@ -104,12 +98,14 @@ keyBindings()
        flips(Layer::Plan)},
       {"5", "5", "Poisson mesh", "--layers mesh", flips(Layer::Mesh)},
       {"6", "6", "sharp solid", "--layers solid", flips(Layer::Solid)},
-      {"l", "l", "colours by label", "--colour label", colours(Colouring::Label)},
-      {"o", "o", "colours by room", "--colour room", colours(Colouring::Room)},
+      {"l", "l", "colours by label", "--colour label",
+       sets(&ViewState::colouring, Colouring::Label)},
+      {"o", "o", "colours by room", "--colour room",
+       sets(&ViewState::colouring, Colouring::Room)},
       {"d", "d", "colours by distance from the mesh", "--colour distance",
-       colours(Colouring::Distance)},
+       sets(&ViewState::colouring, Colouring::Distance)},
       {"n", "n", "colours of clouds by height", "--colour plain",
-       colours(Colouring::Plain)},
+       sets(&ViewState::colouring, Colouring::Plain)},
       {"c", "c", "ceilings on and off", "--no-ceiling", flips(&ViewState::ceiling)},
       {"F1", "F1 to F9", "storey 1 to 9 alone, or all again", "--storey", storey(1)},
       {"F2", "F2", "", "", storey(2)},
@@ -122,7 +118,8 @@ keyBindings()
       {"F9", "F9", "", "", storey(9)},
       {"Down", "Down", "clip 10 cm lower", "--clip", clips(-clip_step)},
       {"Up", "Up", "clip 10 cm higher", "--clip", clips(clip_step)},
-      {"0", "0", "no clipping", "", endClipping},
+      {"0", "0", "no clipping", "",
+       sets(&ViewState::clip_height, ViewState::no_clipping)},
       {"e", "e", "edges of the solid on and off", "--no-edges",
        flips(&ViewState::edges)},
       {"v", "v", "one view, or two: scan and model", "--two-views",

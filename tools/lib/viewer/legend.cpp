@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "legend.h"
 
+#include "canvas.h"
 #include "map_cells.h"
 #include "results/distance_colour.h"
 #include "scale.h"
@@ -127,6 +128,21 @@ asciiOf(std::string name)
   return name;
 }
 
+// Pixels.
+constexpr int line_height = 19;
+constexpr int margin = 8;
+constexpr int patch = 12;
+constexpr int patch_space = 20;
+
+Text
+textOf(const LegendLine& line)
+{
+  Text text;
+  text.line = line.text;
+  text.x = margin + (line.is_sample ? patch_space : 0);
+  return text;
+}
+
 } // namespace
 
 std::string
@@ -160,6 +176,30 @@ legendOf(const ViewedResult& result, const Painter& painter, const ViewState& st
   if (state.isClipped())
     lines.push_back({"cut at " + fixedText(state.clip_height, 2) + " m"});
   return lines;
+}
+
+Image
+drawLegend(const std::vector<LegendLine>& lines)
+{
+  if (lines.empty())
+    return {};
+  int width = 0;
+  for (const auto& line : lines) {
+    const Text text = textOf(line);
+    width = std::max(width, static_cast<int>(text.x) + widthOf(text) + margin);
+  }
+  Canvas canvas(width, static_cast<int>(lines.size()) * line_height + 2 * margin);
+  double y = margin + line_height / 2.0;
+  for (const auto& line : lines) {
+    if (line.is_sample)
+      canvas.fillBox({{margin, y - patch / 2.0}, {margin + patch, y + patch / 2.0}},
+                     line.colour);
+    Text text = textOf(line);
+    text.y = y;
+    canvas.addText(text);
+    y += line_height;
+  }
+  return canvas.image();
 }
 
 } // namespace tools

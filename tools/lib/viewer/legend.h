@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "image.h"
 #include "painter.h"
 
 #include <string>
@@ -24,6 +25,10 @@ legendOf(const ViewedResult& result, const Painter& painter, const ViewState& st
 
 /** @brief Formats a count with separated thousands: "1,234,567". */
 std::string countText(std::size_t count);
+
+/** @brief Draws the legend for a view: lines of text, some with a colour patch. Empty,
+ * 0 by 0, for no lines. */
+Image drawLegend(const std::vector<LegendLine>& lines);
 
 } // namespace tools
 } // namespace sedr

@@ -2,7 +2,7 @@
 #include "problems.h"
 #include "simulator/scan/scene_surfaces.h"
 #include "simulator/scan/surface.h"
-#include "simulator/scene/loop_samples.h"
+#include "simulator/scene/loop.h"
 #include "simulator/truth/room_regions.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "problems.h"
-#include "simulator/scene/loop_samples.h"
+#include "simulator/scene/loop.h"
 #include "simulator/truth/room_regions.h"
 #include "simulator/truth/truth_mesh.h"
 

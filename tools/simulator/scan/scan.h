@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "scan_point.h"
 #include "simulator/scene/scene.h"
 
 #include <cstddef>
@@ -11,6 +10,15 @@
 #include <vector>
 
 namespace pcl::sedr::sim {
+
+/** @brief One record of a scan, in the layout of the file. */
+struct ScanPoint {
+  float x = 0.0F;
+  float y = 0.0F;
+  float z = 0.0F;
+  std::uint32_t label = 0; ///< see Label
+  std::uint32_t room = 0;  ///< counts from 1; 0 none
+};
 
 /** @brief Settings of a scan; those that are set replace the scanners' own. */
 struct ScanOptions {

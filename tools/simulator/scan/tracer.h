@@ -3,7 +3,7 @@
 
 #include "random.h"
 #include "ray_caster.h"
-#include "scan_point.h"
+#include "scan.h"
 #include "simulator/scene/scene.h"
 
 #include <optional>

@@ -95,4 +95,10 @@ Loop circleLoop(Vec2 center, double radius);
 /** @brief Returns the bulge of a counter-clockwise arc below half a circle. */
 double bulgeOf(double chord, double radius);
 
+/** @brief Returns metres along an element every few centimetres, both ends included. */
+std::vector<double> stepsAlong(const Element& element);
+
+/** @brief Returns points every few centimetres, @p inwards metres left of a loop. */
+std::vector<Vec2> samplesAlong(const Loop& loop, double inwards = 0.0);
+
 } // namespace pcl::sedr::sim

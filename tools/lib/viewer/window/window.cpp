@@ -3,7 +3,7 @@
 
 #include "bytes/whole_file.h"
 #include "tool_error.h"
-#include "viewer/legend_image.h"
+#include "viewer/legend.h"
 #include "viewer/point_report.h"
 
 #include <pcl/visualization/interactor_style.h>

@@ -8,6 +8,13 @@
 namespace pcl {
 namespace sedr {
 
+/** @brief Returns a label as the value of a point's field. */
+inline std::uint32_t
+valueOf(StructureLabel label)
+{
+  return static_cast<std::uint32_t>(label);
+}
+
 /** @brief Colour of a label in exported meshes, channels from 0 to 1. */
 struct LabelColour {
   StructureLabel label;
