@@ -149,6 +149,8 @@ E57Packets::index()
   Walk walk(*this, begin_);
   for (Packet packet; walk.next(packet);) {
     if (mark_places_.empty() || packet.place - mark_places_.back() >= stride) {
+      if (!mark_places_.empty()) // else all of the file would stay in memory
+        pages_.release(mark_places_.back(), packet.place);
       mark_places_.push_back(packet.place);
       mark_bytes_.insert(mark_bytes_.end(), seen.begin(), seen.end());
     }

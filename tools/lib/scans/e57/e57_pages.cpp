@@ -121,9 +121,23 @@ E57Pages::copy(std::uint64_t begin, std::size_t size, std::uint8_t* to) const
 void
 E57Pages::check(std::uint64_t begin, std::uint64_t size) const
 {
-  for (std::uint64_t page = begin / payload_;
-       page < pages_ && page * payload_ < begin + size; ++page)
+  const std::uint64_t first = begin / payload_;
+  constexpr std::uint64_t stride = 1024; // pages
+  for (std::uint64_t page = first; page < pages_ && page * payload_ < begin + size;
+       ++page) {
     checkPage(page);
+    if ((page - first) % stride == stride - 1)
+      release((page + 1 - stride) * payload_, page * payload_);
+  }
+  release(begin, begin + size);
+}
+
+void
+E57Pages::release(std::uint64_t begin, std::uint64_t end) const
+{
+  const std::uint64_t from = physical(begin);
+  file_.release(static_cast<std::size_t>(from),
+                static_cast<std::size_t>(physical(end) - from));
 }
 
 } // namespace tools

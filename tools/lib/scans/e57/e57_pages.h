@@ -38,8 +38,11 @@ public:
   /** @brief Copies bytes and verifies the checksums of their pages; thread-safe. */
   void copy(std::uint64_t begin, std::size_t size, std::uint8_t* to) const;
 
-  /** @brief Verifies the checksums of the pages of these bytes. */
+  /** @brief Verifies the checksums of the pages of these bytes, and releases them. */
   void check(std::uint64_t begin, std::uint64_t size) const;
+
+  /** @brief Releases the memory of bytes that are not needed now. */
+  void release(std::uint64_t begin, std::uint64_t end) const;
 
 private:
   void checkPage(std::uint64_t page) const;
