@@ -168,15 +168,5 @@ cropped(const CellMask& mask, const CellBox& box)
   return combined(CellMask(box), mask, [](bool, bool in_mask) { return in_mask; });
 }
 
-void
-add(const CellMask& cells, CellMask& mask)
-{
-  const CellBox box = overlapOf(cells.box(), mask.box());
-  for (std::int32_t y = box.low.y; y <= box.high.y; ++y)
-    for (std::int32_t x = box.low.x; x <= box.high.x; ++x)
-      if (cells.values()[cells.indexOf({x, y})])
-        mask.set({x, y}, 1);
-}
-
 } // namespace sedr
 } // namespace pcl

@@ -139,23 +139,9 @@ markedRegions(const CellMask& mask, const CellMask& marks, bool eight_connected)
 /** @brief Returns the largest four-connected region, the first of equals. O(cells). */
 CellMask largestRegion(const CellMask& mask);
 
-/** @brief Labels with `number` those of `cells` that have no label (-1) yet; `label`
- * belongs to the cells of `frame`. O(box of the cells). */
-void labelCells(const CellMask& cells,
-                const CellMask& frame,
-                std::int32_t number,
-                std::vector<std::int32_t>& label);
-
 /** @brief Grows labels (-1: none) through the cells of `domain` to the four neighbours,
  * at most `steps` steps: each cell gets the label that reaches it first. O(cells). */
 void growLabels(const CellMask& domain, int steps, std::vector<std::int32_t>& label);
-
-/** @brief Grows labels as growLabels() and returns the paths, 8 bytes a cell.
- * @return for each cell the index of the cell it was reached from; CellSet::npos for
- * seeds and for cells not reached */
-std::vector<std::size_t> growLabelsWithParents(const CellMask& domain,
-                                               int steps,
-                                               std::vector<std::int32_t>& label);
 
 /** @brief Returns the holes of the mask: unset cells without a four-connected path of
  * unset cells to the edge of the box. O(cells). */
@@ -172,9 +158,6 @@ CellMask intersect(const CellMask& a, const CellMask& b);
 
 /** @brief Returns the cells of `mask` within another box. */
 CellMask cropped(const CellMask& mask, const CellBox& box);
-
-/** @brief Adds to `mask` those `cells` within its box. O(box of the cells). */
-void add(const CellMask& cells, CellMask& mask);
 
 } // namespace sedr
 } // namespace pcl

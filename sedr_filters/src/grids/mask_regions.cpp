@@ -79,28 +79,7 @@ largestRegion(const CellMask& mask)
 }
 
 void
-labelCells(const CellMask& cells,
-           const CellMask& frame,
-           std::int32_t number,
-           std::vector<std::int32_t>& label)
-{
-  const CellBox box = overlapOf(cells.box(), frame.box());
-  for (std::int32_t y = box.low.y; y <= box.high.y; ++y)
-    for (std::int32_t x = box.low.x; x <= box.high.x; ++x) {
-      std::int32_t& own = label[frame.indexOf({x, y})];
-      if (own < 0 && cells.values()[cells.indexOf({x, y})])
-        own = number;
-    }
-}
-
-namespace {
-
-/** @brief Grows labels by breadth-first search; `parent` may be null. */
-void
-growFrom(const CellMask& domain,
-         int steps,
-         std::vector<std::int32_t>& label,
-         std::vector<std::size_t>* parent)
+growLabels(const CellMask& domain, int steps, std::vector<std::int32_t>& label)
 {
   std::vector<std::size_t> front;
   for (std::size_t i = 0; i < label.size(); ++i)
@@ -118,31 +97,11 @@ growFrom(const CellMask& domain,
         if (label[j] >= 0)
           continue;
         label[j] = label[i];
-        if (parent)
-          (*parent)[j] = i;
         next.push_back(j);
       }
     }
     front.swap(next);
   }
-}
-
-} // namespace
-
-void
-growLabels(const CellMask& domain, int steps, std::vector<std::int32_t>& label)
-{
-  growFrom(domain, steps, label, nullptr);
-}
-
-std::vector<std::size_t>
-growLabelsWithParents(const CellMask& domain,
-                      int steps,
-                      std::vector<std::int32_t>& label)
-{
-  std::vector<std::size_t> parent(label.size(), CellSet::npos);
-  growFrom(domain, steps, label, &parent);
-  return parent;
 }
 
 CellMask

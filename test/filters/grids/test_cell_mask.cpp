@@ -214,21 +214,4 @@ TEST(CellMask, CroppedHasTheSameCellsInAnotherBox)
     EXPECT_EQ(part.values()[i], mask.at(part.cellAt(i)));
 }
 
-TEST(CellMask, AddsWhatLiesInItsBoxAndLabelsWhatHasNone)
-{
-  const CellMask cells = randomMask(CellBox{{2, -1}, {25, 9}}, 0.5, 5);
-  CellMask mask = randomMask(box, 0.3, 6);
-  const CellMask before = mask;
-  std::vector<std::int32_t> label(mask.values().size(), -1);
-  label[mask.indexOf({4, 5})] = 7;
-  add(cells, mask);
-  labelCells(cells, mask, 3, label);
-  for (std::size_t i = 0; i < mask.values().size(); ++i) {
-    const Cell cell = mask.cellAt(i);
-    EXPECT_EQ(mask.values()[i], before.values()[i] || cells.at(cell) ? 1 : 0);
-    const bool had_one = cell == Cell{4, 5};
-    EXPECT_EQ(label[i], had_one ? 7 : cells.at(cell) ? 3 : -1);
-  }
-}
-
 } // namespace

@@ -89,8 +89,7 @@ TEST(GrowLabels, EachCellGoesToTheLabelThatIsNearestBySteps)
   const std::vector<Cell> seeds{{-5, 5}, {10, 18}, {14, 4}};
   for (std::size_t s = 0; s < seeds.size(); ++s)
     label[domain.indexOf(seeds[s])] = static_cast<std::int32_t>(s);
-  const std::vector<std::size_t> parent =
-      growLabelsWithParents(domain, std::numeric_limits<int>::max(), label);
+  growLabels(domain, std::numeric_limits<int>::max(), label);
   const auto steps = [&](Cell c, std::size_t s) {
     return std::abs(c.x - seeds[s].x) + std::abs(c.y - seeds[s].y);
   };
@@ -100,27 +99,7 @@ TEST(GrowLabels, EachCellGoesToTheLabelThatIsNearestBySteps)
     const int own = steps(c, static_cast<std::size_t>(label[i]));
     for (std::size_t s = 0; s < seeds.size(); ++s)
       ASSERT_LE(own, steps(c, s));
-    if (own == 0) {
-      ASSERT_EQ(parent[i], CellSet::npos);
-      continue;
-    }
-    ASSERT_NE(parent[i], CellSet::npos);
-    ASSERT_EQ(label[parent[i]], label[i]);
-    ASSERT_EQ(steps(domain.cellAt(parent[i]), static_cast<std::size_t>(label[i])),
-              own - 1);
   }
-}
-
-TEST(GrowLabels, GivesTheSameLabelsWithAndWithoutParents)
-{
-  const CellMask domain = randomMask(box, 0.7, 31);
-  std::vector<std::int32_t> label(domain.values().size(), -1);
-  label[0] = 1;
-  label[label.size() / 2] = 2;
-  std::vector<std::int32_t> other = label;
-  growLabels(domain, 9, label);
-  growLabelsWithParents(domain, 9, other);
-  EXPECT_EQ(label, other);
 }
 
 TEST(EnclosedCells, AreThoseWithoutAFourConnectedWayOut)
