@@ -40,15 +40,11 @@ verticalCells(const CellBox& box,
 {
   const RoomColumns room(grid, columns, ceiling, floor);
   CellMask vertical(box);
-  parallelBlocks(vertical.values().size(), cells_a_block, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t i = begin; i < end; ++i) {
-                     const Cell cell = vertical.cellAt(i);
-                     vertical.values()[i] =
-                         !isEmpty(cell, room) &&
-                         isVertical(cell, room.topAround(cell, reach), room);
-                   }
-                 });
+  parallelFor(vertical.values().size(), cells_a_block, threads, [&](std::size_t i) {
+    const Cell cell = vertical.cellAt(i);
+    vertical.values()[i] =
+        !isEmpty(cell, room) && isVertical(cell, room.topAround(cell, reach), room);
+  });
   return vertical;
 }
 

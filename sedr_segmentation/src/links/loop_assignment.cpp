@@ -45,18 +45,6 @@ costUnsupported(const ContourSample& sample,
                      : sample.weight() * outlierCost(priors) + priors.far_cost * d;
 }
 
-/** @brief Calls `see(i)` for each of `n` samples, from several threads. */
-template <typename See>
-void
-forEachSample(std::size_t n, unsigned threads, See see)
-{
-
-  parallelBlocks(n, samples_a_block, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      see(i);
-  });
-}
-
 /** @brief The positions and tangents of all curves at one sample. */
 class CurvesAt {
 public:
@@ -95,7 +83,7 @@ CurveAssignment::CurveAssignment(const std::vector<ContourSample>& samples,
     , points_(samples.size())
     , wall_(samples.size(), 0)
 {
-  forEachSample(samples.size(), parameters.threads, [&](std::size_t i) {
+  parallelFor(samples.size(), samples_a_block, parameters.threads, [&](std::size_t i) {
     if (samples[i].isSupported())
       lookAround(i);
   });
@@ -193,8 +181,8 @@ CurveAssignment::assign(const std::vector<PlanCurve>& curves) const
   const std::size_t n = samples_.size();
   const std::size_t k = curves.size();
   std::vector<double> costs(n * k);
-  forEachSample(n, parameters_.threads,
-                [&](std::size_t i) { judge(i, curves, costs.data() + i * k); });
+  parallelFor(n, samples_a_block, parameters_.threads,
+              [&](std::size_t i) { judge(i, curves, costs.data() + i * k); });
 
   // Two rounds, so that the start no longer affects the second.
   const std::size_t rounds = 2 * n;

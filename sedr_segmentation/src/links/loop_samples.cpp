@@ -86,11 +86,8 @@ sampleContour(const Contour& contour,
     sample.deviation = wall.deviation;
     walls[i] = sample.place + wall.offset * leftOf(sample.tangent);
   };
-  parallelBlocks(n, samples_a_block, parameters.threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t i = begin; i < end; ++i)
-                     takeSample(i);
-                 });
+  parallelFor(n, samples_a_block, parameters.threads,
+              [&](std::size_t i) { takeSample(i); });
   judgeSupport(parameters.priors, samples);
   if (edge > 0)
     dropShortSupport(static_cast<std::size_t>(parameters.minimum_length / edge + 0.5),

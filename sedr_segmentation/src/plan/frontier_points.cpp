@@ -100,12 +100,10 @@ private:
                                    unsigned threads) const
   {
     std::vector<std::size_t> cells(cells_.empty() ? 0 : rooms.size(), CellSet::npos);
-    parallelBlocks(cells.size(), points_a_block, threads,
-                   [&](std::size_t begin, std::size_t end) {
-                     for (std::size_t i = begin; i < end; ++i)
-                       if (rooms[i] >= 0)
-                         cells[i] = cells_.find(grid.at(points[i].x(), points[i].y()));
-                   });
+    parallelFor(cells.size(), points_a_block, threads, [&](std::size_t i) {
+      if (rooms[i] >= 0)
+        cells[i] = cells_.find(grid.at(points[i].x(), points[i].y()));
+    });
     return cells;
   }
 
@@ -131,15 +129,12 @@ private:
     const auto isLower = [](const Member& a, const Member& b) {
       return a.place.z() != b.place.z() ? a.place.z() < b.place.z() : a.index < b.index;
     };
-    parallelBlocks(cells_.size(), frontiers_a_block, threads,
-                   [&](std::size_t first, std::size_t last) {
-                     for (std::size_t c = first; c < last; ++c) {
-                       Member* const low = members_.data() + first_[c];
-                       Member* const high = members_.data() + first_[c + 1];
-                       if (!std::is_sorted(low, high, isLower)) // the usual case
-                         std::sort(low, high, isLower);
-                     }
-                   });
+    parallelFor(cells_.size(), frontiers_a_block, threads, [&](std::size_t c) {
+      Member* const low = members_.data() + first_[c];
+      Member* const high = members_.data() + first_[c + 1];
+      if (!std::is_sorted(low, high, isLower)) // the usual case
+        std::sort(low, high, isLower);
+    });
   }
 
   const Member* begin(std::size_t cell) const { return members_.data() + first_[cell]; }
@@ -168,17 +163,11 @@ std::vector<std::int32_t>
 roomsOfPoints(const PointView& points, const RoomTerritory& territory, unsigned threads)
 {
   std::vector<std::int32_t> rooms(points.size());
-  parallelBlocks(rooms.size(), points_a_block, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t i = begin; i < end; ++i)
-                     rooms[i] = territory.roomAt(points[i]);
-                 });
+  parallelFor(rooms.size(), points_a_block, threads,
+              [&](std::size_t i) { rooms[i] = territory.roomAt(points[i]); });
   const FrontierColumns columns(points, territory, rooms, threads);
-  parallelBlocks(columns.size(), frontiers_a_block, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t f = begin; f < end; ++f)
-                     columns.vote(f, rooms);
-                 });
+  parallelFor(columns.size(), frontiers_a_block, threads,
+              [&](std::size_t f) { columns.vote(f, rooms); });
   return rooms;
 }
 

@@ -45,11 +45,8 @@ std::vector<std::int32_t>
 roomsOf(const std::vector<int>& indices, unsigned threads, RoomOf roomOf)
 {
   std::vector<std::int32_t> rooms(indices.size());
-  parallelBlocks(indices.size(), points_a_block, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t k = begin; k < end; ++k)
-                     rooms[k] = roomOf(indices[k]);
-                 });
+  parallelFor(indices.size(), points_a_block, threads,
+              [&](std::size_t k) { rooms[k] = roomOf(indices[k]); });
   return rooms;
 }
 

@@ -162,11 +162,8 @@ std::vector<std::int32_t>
 RoomTerritory::roomsAt(const PointView& points, unsigned threads) const
 {
   std::vector<std::int32_t> rooms(points.size());
-  parallelBlocks(points.size(), points_a_block, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t i = begin; i < end; ++i)
-                     rooms[i] = roomAt(points[i]);
-                 });
+  parallelFor(points.size(), points_a_block, threads,
+              [&](std::size_t i) { rooms[i] = roomAt(points[i]); });
   return rooms;
 }
 

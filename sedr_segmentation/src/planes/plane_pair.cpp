@@ -49,11 +49,8 @@ levelsOf(const PointView& points,
     return is_near ? whole - (height < whole ? 1 : 0) : no_level;
   };
   std::vector<std::int32_t> levels(indices.size());
-  parallelBlocks(indices.size(), points_a_block, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t k = begin; k < end; ++k)
-                     levels[k] = levelOf(indices[k]);
-                 });
+  parallelFor(indices.size(), points_a_block, threads,
+              [&](std::size_t k) { levels[k] = levelOf(indices[k]); });
   return levels;
 }
 
@@ -106,11 +103,8 @@ countCells(const PointView& points,
     const Eigen::Vector3d p = axes * points[static_cast<std::size_t>(i)].cast<double>();
     return keyOf(grid.at(p[0], p[1]));
   };
-  parallelBlocks(own.size(), points_a_block, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t k = begin; k < end; ++k)
-                     keys[k] = keyOfPoint(own[k]);
-                 });
+  parallelFor(own.size(), points_a_block, threads,
+              [&](std::size_t k) { keys[k] = keyOfPoint(own[k]); });
   return CellSet(std::move(keys)).size();
 }
 

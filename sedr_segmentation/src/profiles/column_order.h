@@ -40,15 +40,11 @@ public:
       , column_of_(indices.size())
       , first_(columns + 1, 0)
   {
-    parallelBlocks(
-        indices.size(), points_a_block, threads,
-        [&](std::size_t begin, std::size_t end) {
-          for (std::size_t k = begin; k < end; ++k) {
-            const Eigen::Vector3f p = points[static_cast<std::size_t>(indices[k])];
-            const bool is_held = std::isfinite(p.z()) && grid.holds(p.x(), p.y());
-            column_of_[k] = is_held ? columnOf(grid.at(p.x(), p.y())) : no_column;
-          }
-        });
+    parallelFor(indices.size(), points_a_block, threads, [&](std::size_t k) {
+      const Eigen::Vector3f p = points[static_cast<std::size_t>(indices[k])];
+      const bool is_held = std::isfinite(p.z()) && grid.holds(p.x(), p.y());
+      column_of_[k] = is_held ? columnOf(grid.at(p.x(), p.y())) : no_column;
+    });
     for (const std::uint32_t column : column_of_)
       if (column != no_column)
         ++first_[column + 1];

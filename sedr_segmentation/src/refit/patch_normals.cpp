@@ -142,12 +142,10 @@ planesOf(const PointView& points,
     moments.push_back(&entry);
   const Eigen::Vector3d shift = Eigen::Vector3d::Constant(offset * patch);
   std::vector<std::optional<PlanePatch>> plane_of(moments.size());
-  parallelBlocks(moments.size(), patches_a_block, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t k = begin; k < end; ++k)
-                     plane_of[k] = planeOf(moments[k]->second,
-                                           patch * moments[k]->first.corner() - shift);
-                 });
+  parallelFor(moments.size(), patches_a_block, threads, [&](std::size_t k) {
+    plane_of[k] =
+        planeOf(moments[k]->second, patch * moments[k]->first.corner() - shift);
+  });
   std::vector<PlanePatch> planes;
   for (const auto& plane : plane_of)
     if (plane)

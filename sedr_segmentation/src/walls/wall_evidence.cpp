@@ -50,11 +50,8 @@ appendThose(const std::vector<int>& indices,
             std::vector<int>& those)
 {
   std::vector<std::uint8_t> is_asked(indices.size());
-  parallelBlocks(indices.size(), points_a_block, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t k = begin; k < end; ++k)
-                     is_asked[k] = asked(indices[k]) ? 1 : 0;
-                 });
+  parallelFor(indices.size(), points_a_block, threads,
+              [&](std::size_t k) { is_asked[k] = asked(indices[k]) ? 1 : 0; });
   those.reserve(those.size() + static_cast<std::size_t>(
                                    std::count(is_asked.begin(), is_asked.end(), 1)));
   for (std::size_t k = 0; k < indices.size(); ++k)

@@ -21,10 +21,8 @@ MeshDistance::distances(const std::vector<Eigen::Vector3d>& points,
                         unsigned threads) const
 {
   std::vector<double> result(points.size());
-  parallelBlocks(points.size(), 4096, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      result[i] = tree_->distance(points[i]);
-  });
+  parallelFor(points.size(), 4096, threads,
+              [&](std::size_t i) { result[i] = tree_->distance(points[i]); });
   return result;
 }
 

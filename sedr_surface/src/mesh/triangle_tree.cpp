@@ -65,10 +65,8 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh, unsigned threads)
   }
   const std::size_t leaves = std::size_t{1} << levels_;
   boxes_.resize(2 * leaves - 1);
-  parallelBlocks(leaves, block, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k)
-      boxes_[leaves - 1 + k] = boxOfLeaf(k);
-  });
+  parallelFor(leaves, block, threads,
+              [&](std::size_t k) { boxes_[leaves - 1 + k] = boxOfLeaf(k); });
   for (std::size_t i = leaves - 1; i-- > 0;) {
     const Box& a = boxes_[2 * i + 1];
     const Box& b = boxes_[2 * i + 2];
@@ -82,18 +80,14 @@ TriangleTree::centres(unsigned threads) const
   const double most = std::numeric_limits<std::uint16_t>::max();
   const Eigen::Array3d scale = most / bounds_.sizes().array().max(1e-9);
   std::vector<Centre> result(mesh_.triangles.size());
-  parallelBlocks(result.size(), block, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t t = begin; t < end; ++t) {
-                     const Eigen::Array3d sum =
-                         mesh_.corner(t, 0) + mesh_.corner(t, 1) + mesh_.corner(t, 2);
-                     const Eigen::Array3d at =
-                         ((sum / 3 - bounds_.min().array()) * scale).max(0.0).min(most);
-                     for (int axis = 0; axis < 3; ++axis)
-                       result[t][static_cast<std::size_t>(axis)] =
-                           static_cast<std::uint16_t>(at[axis]);
-                   }
-                 });
+  parallelFor(result.size(), block, threads, [&](std::size_t t) {
+    const Eigen::Array3d sum =
+        mesh_.corner(t, 0) + mesh_.corner(t, 1) + mesh_.corner(t, 2);
+    const Eigen::Array3d at =
+        ((sum / 3 - bounds_.min().array()) * scale).max(0.0).min(most);
+    for (int axis = 0; axis < 3; ++axis)
+      result[t][static_cast<std::size_t>(axis)] = static_cast<std::uint16_t>(at[axis]);
+  });
   return result;
 }
 

@@ -28,6 +28,16 @@ TEST(ParallelBlocks, VisitEveryNumberOnceInBlocksOfTheSizeAskedFor)
     }
 }
 
+TEST(ParallelFor, SeesEveryNumberOnce)
+{
+  for (const unsigned threads : {0u, 1u, 3u})
+    for (const std::size_t n : {0, 1, 10, 11}) {
+      std::vector<int> visits(n, 0);
+      pcl::sedr::parallelFor(n, 5, threads, [&](std::size_t i) { ++visits[i]; });
+      EXPECT_EQ(visits, std::vector<int>(n, 1));
+    }
+}
+
 TEST(ParallelBlocks, AnExceptionOfABodyReachesTheCaller)
 {
   const auto run = [] {
