@@ -22,20 +22,9 @@ enum class StructureLabel : std::uint32_t {
 inline const char*
 toString(StructureLabel label)
 {
-  switch (label) {
-  case StructureLabel::Ceiling:
-    return "ceiling";
-  case StructureLabel::Floor:
-    return "floor";
-  case StructureLabel::Wall:
-    return "wall";
-  case StructureLabel::Detail:
-    return "detail";
-  case StructureLabel::Column:
-    return "column";
-  default:
-    return "other";
-  }
+  constexpr const char* names[] = {"other", "ceiling", "floor",
+                                   "wall",  "detail",  "column"};
+  return names[label <= StructureLabel::Column ? static_cast<std::uint32_t>(label) : 0];
 }
 
 /** @brief The kind of a vertical surface of a room. */
