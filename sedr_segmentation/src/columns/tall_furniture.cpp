@@ -5,7 +5,7 @@
 
 #include "../profiles/cell_count.h"
 #include "sedr_filters/src/base/exactness.h"
-#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/parallel_for.h"
 
 namespace pcl {
 namespace sedr {

@@ -4,7 +4,7 @@
 #include "wall_stretch.h"
 
 #include "sedr_filters/src/base/exactness.h"
-#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/parallel_for.h"
 
 #include <algorithm>
 #include <cmath>

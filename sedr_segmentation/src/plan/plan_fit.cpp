@@ -11,7 +11,7 @@
 #include "../sheets/sheet_fit.h"
 #include "room_territory.h"
 #include "sedr_filters/src/base/exactness.h"
-#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/parallel_for.h"
 
 #include <algorithm>
 #include <array>

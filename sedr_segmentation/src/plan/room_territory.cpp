@@ -4,7 +4,7 @@
 #include "../profiles/box_clusters.h"
 #include "../profiles/cell_count.h"
 #include "sedr_filters/src/base/exactness.h"
-#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/parallel_for.h"
 
 #include <algorithm>
 #include <cmath>

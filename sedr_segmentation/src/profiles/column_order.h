@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sedr_filters/src/base/exactness.h"
-#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/parallel_for.h"
 #include <pcl/sedr_filters/cell_grid.h>
 #include <pcl/sedr_filters/point_view.h>
 

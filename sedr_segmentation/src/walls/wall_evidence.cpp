@@ -2,7 +2,7 @@
 #include "wall_evidence.h"
 
 #include "sedr_filters/src/base/exactness.h"
-#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/parallel_for.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "triangle_tree.h"
 
-#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/parallel_for.h"
 #include <pcl/sedr_surface/mesh_distance.h>
 
 #include <algorithm>
