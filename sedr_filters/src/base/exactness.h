@@ -4,8 +4,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 // Tolerances of rounding and drawing, and block sizes of parallel work: numbers that do
 // not depend on buildings or scanners. Assumptions about those are in Priors.
@@ -26,5 +25,4 @@ constexpr std::size_t points_a_block = 16384; ///< points that a thread takes at
 constexpr std::size_t cells_a_block = 4096;   ///< cells, likewise
 constexpr std::size_t samples_a_block = 64;   ///< samples of a loop, likewise
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

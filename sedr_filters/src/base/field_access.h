@@ -9,8 +9,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Calls `f` with a value of the C++ type of `datatype`, a constant of
  * PCLPointField; does nothing for an unknown type. */
@@ -88,5 +87,4 @@ fieldSize(std::uint8_t datatype)
   return size;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 #include <sys/mman.h>
 #endif
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 void
 expectLarge(void* begin, std::size_t bytes)
@@ -39,5 +38,4 @@ takeLarge(void* begin, std::size_t bytes, unsigned threads)
   });
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -3,8 +3,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Size of a large page, bytes. */
 constexpr std::size_t large_page = std::size_t{1} << 21;
@@ -29,5 +28,4 @@ reserveLarge(Values& values, std::size_t size, unsigned threads)
   takeLarge(values.data(), size * sizeof(typename Values::value_type), threads);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

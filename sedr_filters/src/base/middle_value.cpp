@@ -7,8 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -57,5 +56,4 @@ middleValue(std::vector<double> values)
   return *middle;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -4,8 +4,7 @@
 #include <sstream>
 #include <string>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Formats a number with six significant digits for a message: std::to_string()
  * writes 1e-300 as 0.000000 and 1e300 with 301 digits. */
@@ -17,5 +16,4 @@ numberText(double value)
   return text.str();
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 std::string
 Origin::text(const std::string& separator) const
@@ -67,5 +66,4 @@ Levelling::of(const Eigen::Vector3d& up, const Eigen::Vector3d& about)
           about};
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -14,8 +14,7 @@
 #include <system_error>
 #include <thread>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -195,5 +194,4 @@ parallelBlocks(std::size_t n, std::size_t block, unsigned threads, const Body& b
   blocks->finish();
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

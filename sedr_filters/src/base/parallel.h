@@ -4,8 +4,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns the number of threads to use; 0 requests all processors. */
 unsigned resolveThreads(unsigned requested);
@@ -20,5 +19,4 @@ void parallelBlocks(std::size_t n,
                     unsigned threads,
                     const std::function<void(std::size_t, std::size_t)>& body);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -3,8 +3,7 @@
 
 #include "parallel.h"
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Calls `see(i)` for each number of [0, n), in blocks as parallelBlocks(). */
 template <typename See>
@@ -17,5 +16,4 @@ parallelFor(std::size_t n, std::size_t block, unsigned threads, const See& see)
   });
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

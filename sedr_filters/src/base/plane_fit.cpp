@@ -12,8 +12,7 @@
 #include <random>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -259,5 +258,4 @@ fitParallel(const PointView& points,
   return fitParallel(positionsOf(points, indices), direction, start, band);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

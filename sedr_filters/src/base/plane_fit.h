@@ -8,8 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Finite points, metres, in contiguous memory: the points of a plane are
  * scattered over the cloud and read many times. */
@@ -114,5 +113,4 @@ horizontalSlab(double height)
   return slab;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -237,5 +236,4 @@ problemOf(const Priors& priors)
   return {};
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

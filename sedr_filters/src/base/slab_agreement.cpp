@@ -8,8 +8,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -99,5 +98,4 @@ mostAgreed(const std::vector<PlanSlab>& slabs,
   return *best.second;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns the slab with the highest agreement, the first of equals; `start` if
  * none is better. A point scores 1 on the slab, falling to 0 at the tolerance, so a
@@ -18,5 +17,4 @@ PlanSlab mostAgreed(const std::vector<PlanSlab>& slabs,
                     double tolerance,
                     unsigned threads);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

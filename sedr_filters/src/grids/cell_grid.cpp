@@ -10,8 +10,7 @@
 #include <limits>
 #include <numeric>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -194,5 +193,4 @@ connectedRegions(const CellSet& cells)
   return result;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

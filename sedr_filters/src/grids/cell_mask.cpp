@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 std::uint64_t
 CellBox::count() const
@@ -168,5 +167,4 @@ cropped(const CellMask& mask, const CellBox& box)
   return combined(CellMask(box), mask, [](bool, bool in_mask) { return in_mask; });
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A rectangle of cells. */
 struct CellBox {
@@ -159,5 +158,4 @@ CellMask intersect(const CellMask& a, const CellMask& b);
 /** @brief Returns the cells of `mask` within another box. */
 CellMask cropped(const CellMask& mask, const CellBox& box);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

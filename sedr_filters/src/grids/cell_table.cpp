@@ -3,8 +3,7 @@
 
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 CellBox
 CellTable::boxAround(const Eigen::Vector2d& low, const Eigen::Vector2d& high) const
@@ -47,5 +46,4 @@ CellTable::fill(const std::vector<Entry>& entries)
   return {};
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -11,8 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Lists of numbers by cell, to look up in O(1) what may be near a place. */
 class CellTable {
@@ -71,5 +70,4 @@ private:
   std::vector<std::uint32_t> numbers_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

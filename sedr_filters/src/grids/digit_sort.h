@@ -8,8 +8,7 @@
 #include <cstring>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Sorts values by 32-bit keys with a stable radix sort. O(n) in time, with
  * memory for a second copy; sorted values are left as they are.
@@ -58,5 +57,4 @@ orderOf(float number)
   return (key >> 31) != 0 ? ~key : key | 0x80000000u;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <numeric>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Disjoint sets of 0 .. n - 1 (union-find with path halving). The lowest member
  * represents its set, so results do not depend on the order of joins. */
@@ -40,5 +39,4 @@ private:
   std::vector<Index> parent_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -100,5 +99,4 @@ eroded(const CellMask& mask, double radius)
   return inverted(nearThose(mask, false, radius));
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

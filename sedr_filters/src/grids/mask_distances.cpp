@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -87,5 +86,4 @@ squaredDistances(const CellMask& mask)
   return distances;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 MaskRegions
 labelRegions(const CellMask& mask, bool eight_connected)
@@ -119,5 +118,4 @@ enclosedCells(const CellMask& mask)
   return enclosed;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 void
 PlaceTable::addIn(const Eigen::AlignedBox2d& box, std::uint32_t number)
@@ -40,5 +39,4 @@ PlaceTable::finish()
   entries_ = {};
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -10,8 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Finds which of many numbered objects may be at a place in plan. If they lie
  * too far apart for a CellTable, that is all of them. */
@@ -44,5 +43,4 @@ private:
   std::vector<std::uint32_t> all_; ///< all numbers, if there is no table
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

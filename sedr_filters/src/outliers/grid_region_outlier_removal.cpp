@@ -7,8 +7,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 std::vector<CellSet>
 RegionMap::regionCells() const
@@ -93,7 +92,6 @@ labelPoints(const RegionMap& map, const PointView& points, const pcl::Indices& i
   return label;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr
 
 PCL_INSTANTIATE(GridRegionOutlierRemoval, SEDR_POINT_TYPES)

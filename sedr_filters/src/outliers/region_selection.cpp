@@ -9,8 +9,7 @@
 #include <numeric>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -251,5 +250,4 @@ supportedCells(const CellSet& cells, const CellRegions& regions, const CellSet& 
   return supported;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

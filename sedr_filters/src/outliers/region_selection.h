@@ -6,8 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns the adaptive threshold of the paper (section 2.3.1): the smaller size
  * at the largest difference between consecutive sizes. Larger regions are structure.
@@ -41,5 +40,4 @@ std::vector<std::size_t> supportedCells(const CellSet& cells,
                                         const CellRegions& regions,
                                         const CellSet& support);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 /** @brief A loop from the mouth of a reveal around the room and back to it: jamb, end
@@ -160,5 +159,4 @@ closeReveals(Floorplan& plan)
     }
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -3,8 +3,7 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Moves rooms out of the reveals of their doorways.
  *
@@ -19,5 +18,4 @@ namespace sedr {
  * O(doorways times elements). */
 void closeReveals(Floorplan& plan);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -203,5 +202,4 @@ PlanRoom::area() const
   return area;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Name and versions of the format of floorplan.json. */
 constexpr const char* floorplan_format_name = "sedr-floorplan";
@@ -50,5 +49,4 @@ nlohmann::ordered_json stairsToJson(const Floorplan& plan);
  * @throw std::exception with the reason if they are not valid */
 void readStoreys(const nlohmann::ordered_json& json, Floorplan& plan);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -11,8 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -279,5 +278,4 @@ originFromJson(const std::string& text, Origin& origin)
   return true;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

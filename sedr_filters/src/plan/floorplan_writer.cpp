@@ -8,8 +8,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -174,5 +173,4 @@ floorplanToJson(const Floorplan& plan, const Levelling* levelling, const Origin&
   return json.dump(1) + "\n";
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

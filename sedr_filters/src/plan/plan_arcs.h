@@ -5,8 +5,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 inline double
 cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
@@ -41,5 +40,4 @@ windingOf(const PlanElement& e, const Eigen::Vector2d& p)
   return winding;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -146,5 +145,4 @@ boxAround(const PlanElement& element)
   return box;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

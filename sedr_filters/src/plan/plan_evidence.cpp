@@ -15,8 +15,7 @@
 #include <map>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -312,5 +311,4 @@ measureEvidence(Floorplan& plan,
   });
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Measures which shares of every wall, column, riser and niche side a scan
  * shows, and stores them in PlanElement::evidence.
@@ -39,5 +38,4 @@ void measureEvidence(Floorplan& plan,
                      unsigned threads = 0,
                      const SightLines* sight = nullptr);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

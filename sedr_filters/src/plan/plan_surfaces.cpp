@@ -6,8 +6,7 @@
 #include <limits>
 #include <numeric>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -361,5 +360,4 @@ RoomSurfaces::snap(const Eigen::Vector3d& position,
                 farthest_, snapped);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -10,8 +10,7 @@
 #include <memory>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The range of heights of a vertical surface at one place, metres. */
 struct VerticalSpan {
@@ -86,5 +85,4 @@ private:
   PlaceTable near_; ///< surfaces within reach of a place
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

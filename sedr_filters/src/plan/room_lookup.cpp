@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 LoopLookup::LoopLookup(const PlanLoop& loop)
     : loop_(&loop)
@@ -127,5 +126,4 @@ RoomLookup::nicheAt(const Eigen::Vector2d& p) const
   return -1;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

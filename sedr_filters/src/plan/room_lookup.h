@@ -10,8 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A loop prepared for many containment queries: a query only looks at the
  * elements near its y coordinate. */
@@ -74,5 +73,4 @@ private:
   PlaceTable niches_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

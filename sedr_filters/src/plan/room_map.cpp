@@ -6,8 +6,7 @@
 #include <limits>
 #include <map>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -113,5 +112,4 @@ RoomMap::roomOver(pcl::index_t index) const
   return most ? most->room : room_of_cell_[cell];
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

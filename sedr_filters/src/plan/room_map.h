@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The map from a place to the room of the ceiling above it; under a detail, the
  * room of the adjoining ceiling.
@@ -50,5 +49,4 @@ private:
   std::vector<std::vector<Above>> above_; ///< rooms with a ceiling in each cell
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

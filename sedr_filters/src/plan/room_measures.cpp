@@ -9,8 +9,7 @@
 #include <limits>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -152,5 +151,4 @@ wallThickness(const Floorplan& plan, std::size_t room, std::size_t element, doub
   return *middle;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

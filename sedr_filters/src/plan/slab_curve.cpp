@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -155,5 +154,4 @@ moved(SlabCurve curve, double angle, const Eigen::Vector3d& shift)
   return curve;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 
 #include <stdexcept>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -106,5 +105,4 @@ readCurve(const Json& json, PlanSlab& slab)
   slab.curve = std::make_shared<const SlabCurve>(std::move(curve));
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -11,8 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -199,5 +198,4 @@ readStoreys(const nlohmann::ordered_json& json, Floorplan& plan)
     }
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <iterator>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 /** @brief Returns the overlap of two ranges as a share of the shorter one. */
@@ -211,5 +210,4 @@ storeyName(std::uint32_t number)
   return "storey " + std::to_string(number);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -301,5 +300,4 @@ Straightening::normalBack(const Eigen::Vector3d& p, const Eigen::Vector3d& norma
   return across.norm() > 0 ? across.normalized() : normal;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -207,5 +206,4 @@ tiltedFaces(const Floorplan& plan, const WallTilts& tilts)
   return any ? faces : std::vector<TiltedFace>();
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

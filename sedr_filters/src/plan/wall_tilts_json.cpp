@@ -6,8 +6,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -65,5 +64,4 @@ tiltsFromJson(const std::string& json, std::string& problem)
   return tilts;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

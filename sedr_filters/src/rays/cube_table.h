@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A cube of a grid in space, by its place along x, y and z. */
 using Cube = Eigen::Vector3i;
@@ -106,5 +105,4 @@ private:
   std::vector<std::uint32_t> slots_; ///< a power of two of them
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Cells of the directions around a place: rows from straight down to straight
  * up, and twice as many columns around. */
@@ -91,5 +90,4 @@ private:
   std::size_t rows_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

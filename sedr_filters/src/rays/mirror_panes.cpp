@@ -8,8 +8,7 @@
 #include <cstdlib>
 #include <map>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -198,5 +197,4 @@ mirrorsAmong(std::vector<Pane> panes,
   return mirrors;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

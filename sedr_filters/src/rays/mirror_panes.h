@@ -6,8 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The panes that mirror: of what rays meet behind them, a good part has its
  * like in front. Their offsets are moved to where most of it has.
@@ -19,5 +18,4 @@ std::vector<Pane> mirrorsAmong(std::vector<Pane> panes,
                                const CubeTable& filled,
                                unsigned threads);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

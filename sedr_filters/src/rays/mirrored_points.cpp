@@ -10,8 +10,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -206,5 +205,4 @@ findMirroredPoints(const PointView& thinned,
   return found;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

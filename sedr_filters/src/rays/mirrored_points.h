@@ -11,8 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Points of a scan that panes of glass, mirrors or polished stone show a second
  * time, behind themselves. */
@@ -48,5 +47,4 @@ MirroredPoints findMirroredPoints(const PointView& thinned,
                                   const ScanPositions& positions,
                                   unsigned threads = 0);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

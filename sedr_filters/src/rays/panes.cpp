@@ -10,8 +10,7 @@
 #include <map>
 #include <random>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -172,5 +171,4 @@ panesOf(const PiercedSurfaces& surfaces, const std::vector<std::uint32_t>& pierc
   return panes;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

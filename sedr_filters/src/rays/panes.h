@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A flat surface that rays go through. */
 struct Pane {
@@ -45,5 +44,4 @@ struct Pane {
 std::vector<Pane> panesOf(const PiercedSurfaces& surfaces,
                           const std::vector<std::uint32_t>& pierced);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

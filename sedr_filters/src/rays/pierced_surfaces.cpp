@@ -8,8 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -156,5 +155,4 @@ PiercedSurfaces::firstPierced(const std::vector<ScanRay>& rays, unsigned threads
   return pierced;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief What rays of a scan go through: panes of glass, which return few points, and
  * whatever else has gaps. Points are kept by cubes of a quarter of a metre. */
@@ -46,5 +45,4 @@ private:
   std::vector<Eigen::Vector3f> places_; ///< of points, cube by cube
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

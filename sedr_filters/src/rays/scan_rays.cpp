@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_rays.h"
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 std::vector<ScanRay>
 raysOf(const PointView& points,
@@ -35,5 +34,4 @@ raysOf(const PointView& points,
   return rays;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A ray of a scanner and what it ended on. */
 struct ScanRay {
@@ -30,5 +29,4 @@ std::vector<ScanRay> raysOf(const PointView& points,
                             const CubeTable& cubes,
                             unsigned max_a_cube);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

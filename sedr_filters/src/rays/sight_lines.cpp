@@ -8,8 +8,7 @@
 #include <numeric>
 #include <tuple>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -100,5 +99,4 @@ SightLines::across(const Eigen::Vector3d& place,
   return crossings;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

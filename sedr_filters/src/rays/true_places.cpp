@@ -14,8 +14,7 @@
 #include <tuple>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -330,5 +329,4 @@ untruePlaces(const PiercedSurfaces& surfaces,
   return untrue;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Places that a file tells but that its points were not taken from, such as the
  * one pose of a file of several scans that were joined: more than a fiftieth of the
@@ -30,5 +29,4 @@ std::vector<Eigen::Vector3f> untruePlaces(const PiercedSurfaces& surfaces,
                                           const ScanPositions& positions,
                                           unsigned threads);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

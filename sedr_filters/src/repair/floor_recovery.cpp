@@ -6,8 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -79,5 +78,4 @@ meanHeight(const PointView& points, const pcl::Indices& indices)
   return sum / static_cast<double>(indices.size());
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -86,5 +85,4 @@ findLargerSlab(const Positions& points,
              : wide;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 
 #include <map>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -103,5 +102,4 @@ repairHoles(const std::vector<SurfacePoint>& refined,
   return repaired;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A cell of a room's surfaces and the point that represents it. */
 struct SurfaceCell {
@@ -93,5 +92,4 @@ private:
   std::vector<Sheet> sheets_; ///< floor, ceiling, then bottom and top of each niche
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -12,8 +12,7 @@
 #include <memory>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -165,5 +164,4 @@ unseenSharesOf(const SurfaceCells& cells,
   return shares;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

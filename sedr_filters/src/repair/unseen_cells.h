@@ -6,8 +6,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Computes the share of a room's surfaces without support by scanned points, at
  * their own density. An empty cell is unseen if no point of its surface lies within the
@@ -26,5 +25,4 @@ UnseenShares unseenSharesOf(const SurfaceCells& cells,
                             const std::vector<SurfacePoint>& points,
                             unsigned threads);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

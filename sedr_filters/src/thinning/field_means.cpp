@@ -5,8 +5,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -85,5 +84,4 @@ FieldMeans::write(std::size_t voxel, std::size_t count, std::uint8_t* row) const
   }
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

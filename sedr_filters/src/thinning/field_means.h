@@ -8,8 +8,7 @@
 #include <map>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Averages fields of any type over the rows of each voxel: numbers in double,
  * `rgb` and `rgba` by channel, `label` and `room` by majority. */
@@ -41,5 +40,4 @@ private:
   std::vector<std::map<double, std::size_t>> votes_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

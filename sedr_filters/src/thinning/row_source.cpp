@@ -5,8 +5,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 const pcl::PCLPointField*
 findField(const std::vector<pcl::PCLPointField>& fields, const std::string& name)
@@ -47,5 +46,4 @@ RowCoordinates::of(const std::uint8_t* rows, std::size_t size, unsigned threads)
                        : PointView(copy_[0].data(), sizeof copy_[0], size);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

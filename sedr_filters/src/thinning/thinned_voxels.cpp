@@ -9,8 +9,7 @@
 #include <cstring>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 struct ThinnedVoxels::Index {
   explicit Index(VoxelSums& sums, unsigned threads)
@@ -82,5 +81,4 @@ ThinnedVoxels::forEachStretch(
   parallelBlocks(size_, voxels_at_once, threads_, see);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

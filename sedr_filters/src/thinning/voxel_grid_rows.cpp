@@ -6,8 +6,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 std::string
 VoxelGridSettings::rowsProblem(const RowSource& source) const
@@ -79,5 +78,4 @@ VoxelGridSettings::addRows(const RowSource& source,
                });
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -11,8 +11,7 @@
 #include <sstream>
 #include <tuple>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -156,5 +155,4 @@ VoxelGridSettings::thin(const RowSource& source)
   return {std::move(sums), size, threads_};
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

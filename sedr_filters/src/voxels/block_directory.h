@@ -11,8 +11,7 @@
 #include <mutex>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A hash table of blocks by their corner, at most half full, shared by all
  * threads. Lookups never wait; insertions are made one at a time. An outgrown table is
@@ -146,5 +145,4 @@ private:
   std::size_t size_ = 0;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

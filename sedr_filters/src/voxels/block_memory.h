@@ -10,8 +10,7 @@
 #include <new>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Memory for the blocks and sums created by one thread: allocated in large
  * portions and released all at once. */
@@ -94,5 +93,4 @@ private:
   std::array<LeftRoom*, rooms.size()> left_rooms_{};
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

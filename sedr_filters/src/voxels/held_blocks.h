@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The blocks locked by one thread. It keeps its locks while it adds points to a
  * few adjacent blocks, between which a scanner alternates. Before it waits for a block
@@ -80,5 +79,4 @@ private:
   std::size_t count_ = 0;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

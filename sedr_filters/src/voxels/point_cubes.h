@@ -11,8 +11,7 @@
 #include <memory>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The points within a box, sorted into cubes for spatial queries: by profile in
  * plan, then by height. O(n + profiles of the box). */
@@ -148,5 +147,4 @@ private:
   std::unique_ptr<Entry[]> entries_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

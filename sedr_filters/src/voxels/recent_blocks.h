@@ -7,8 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A cache of blocks by position. A new block replaces an earlier one at a
  * multiple of 16 blocks from it. */
@@ -38,5 +37,4 @@ private:
   std::array<VoxelBlock*, std::size_t{window} * window * window> blocks_{};
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

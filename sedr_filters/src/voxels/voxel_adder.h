@@ -11,8 +11,7 @@
 #include <array>
 #include <mutex>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Adds the points of one thread to the blocks shared by all threads.
  *
@@ -143,5 +142,4 @@ private:
   HeldBlocks held_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

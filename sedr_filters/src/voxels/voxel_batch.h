@@ -11,8 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A batch of points stored by axis, with vectorised loops without branches. */
 class VoxelBatch {
@@ -100,5 +99,4 @@ private:
   Column<std::uint32_t> slots_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -10,8 +10,7 @@
 #include <cstdint>
 #include <thread>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Prefetches memory that will soon be written. */
 inline void
@@ -96,5 +95,4 @@ struct alignas(32) VoxelBlock {
   std::array<std::atomic<std::uint8_t>, volume> places{};
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <limits>
 #include <numeric>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -140,5 +139,4 @@ VoxelCensus::minPoints() const
              : 0;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Estimates how many points distinguish a voxel on a surface from one with
  * points scattered in the air.
@@ -77,5 +76,4 @@ private:
   std::vector<std::uint64_t> points_by_count_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

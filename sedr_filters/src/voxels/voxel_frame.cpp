@@ -12,8 +12,7 @@
 #define SEDR_FOR_WIDE_VECTORS_TOO
 #endif
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 SEDR_FOR_WIDE_VECTORS_TOO void
 VoxelFrame::find(std::size_t axis,
@@ -43,5 +42,4 @@ VoxelFrame::find(std::size_t axis,
   }
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -11,8 +11,7 @@
 #include <cstring>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A voxel and the sum of its points; trivially copyable, also to another
  * process. Its VoxelFrame interprets the numbers. */
@@ -194,5 +193,4 @@ private:
   std::array<double, 3> corner_steps_{}; ///< steps from a voxel to the next
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -4,8 +4,7 @@
 #include <array>
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 using VoxelCode = std::array<std::int32_t, 3>;
 
@@ -31,5 +30,4 @@ isSame(const VoxelCode& a, const VoxelCode& b)
   return ((a[0] ^ b[0]) | (a[1] ^ b[1]) | (a[2] ^ b[2])) == 0;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -2,8 +2,7 @@
 #include "voxel_index.h"
 #include "voxel_hash.h"
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 VoxelIndex::VoxelIndex(const VoxelFrame& frame, const std::vector<VoxelSum>& voxels)
     : frame_(frame)
@@ -32,5 +31,4 @@ VoxelIndex::slotOf(const VoxelCode& code) const
   return i;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief An index to find the voxel of a point among the output of VoxelSums. 8 bytes
  * a voxel. */
@@ -30,5 +29,4 @@ private:
   std::vector<std::uint32_t> slots_; ///< index of a voxel plus one; 0: empty
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

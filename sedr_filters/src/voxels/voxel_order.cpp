@@ -5,8 +5,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -224,5 +223,4 @@ VoxelOrder::showBlock(const Entry& entry,
     places[line] += countOf(lineOf(counted, line));
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

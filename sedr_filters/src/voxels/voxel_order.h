@@ -10,8 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The order of the voxels of all blocks by z, then y, then x, found without
  * comparisons. The blocks are radix sorted. For each row of blocks along x, the output
@@ -71,5 +70,4 @@ private:
   std::size_t size_ = 0;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

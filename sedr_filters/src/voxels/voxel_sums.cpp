@@ -5,8 +5,7 @@
 #include "../base/parallel.h"
 #include "voxel_sums.h"
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -186,5 +185,4 @@ VoxelSums::take(unsigned threads)
   return taken;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -14,8 +14,7 @@
 #include <memory>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A box of voxels; both ends are inclusive. */
 struct VoxelBox {
@@ -108,5 +107,4 @@ isBefore(const VoxelSum& a, const VoxelSum& b)
   return a.code[1] != b.code[1] ? a.code[1] < b.code[1] : a.code[0] < b.code[0];
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Calls `see(voxel, i)` for every point i in one of the `voxels` of `index`.
  * The points of a voxel come in order and from one thread, so results do not depend on
@@ -49,5 +48,4 @@ visitVoxels(const VoxelIndex& index,
   }
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

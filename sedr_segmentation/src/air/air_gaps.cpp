@@ -11,8 +11,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -189,5 +188,4 @@ AirGaps::keepAir()
   linkGaps();
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

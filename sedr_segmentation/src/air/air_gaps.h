@@ -10,8 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A free stretch of a column of the plan, between two surfaces. */
 struct AirGap {
@@ -118,5 +117,4 @@ private:
   double void_area_ = 0;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -284,5 +283,4 @@ enclosedHolesOf(const AirGaps& air)
   return EnclosedHoles(air).enclosed();
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

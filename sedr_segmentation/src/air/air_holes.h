@@ -5,8 +5,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Gaps for columns in which the floor or the ceiling of the air beside was seen
  * and the other was not: furniture hid it, or a beam. The missing end is taken from
@@ -15,5 +14,4 @@ namespace sedr {
  * rest. So the ground outside a door is not given a ceiling. O(gaps). */
 std::vector<AirGap> enclosedHolesOf(const AirGaps& air);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

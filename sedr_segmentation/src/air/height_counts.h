@@ -6,8 +6,7 @@
 #include <cstddef>
 #include <map>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Heights in bins of 5 cm: at which of them a room has a level. */
 class HeightCounts {
@@ -75,5 +74,4 @@ private:
   std::map<long, std::size_t> bins_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

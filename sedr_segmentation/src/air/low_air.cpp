@@ -5,8 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -120,5 +119,4 @@ airOf(const AirGaps& gaps)
   return LowAir(gaps).run();
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Which gaps are air. Those with headroom are. Lower ones hang together as
  * patches, of one floor and one ceiling: such a patch is the air above a table, below a
@@ -17,5 +16,4 @@ namespace sedr {
  * @return 1 for each gap that is air, else 0. O(gaps). */
 std::vector<std::uint8_t> airOf(const AirGaps& gaps);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -154,5 +153,4 @@ withBothFaces(const AirGaps& air)
   return SlabFaces(air).completed();
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The gaps of a scan, those parted by a single surface moved apart to the faces
  * of a slab. A slab has two faces: where only the ceiling below it was seen, because
@@ -17,5 +16,4 @@ namespace sedr {
  * @return all gaps, in their order */
 std::vector<AirGap> withBothFaces(const AirGaps& air);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

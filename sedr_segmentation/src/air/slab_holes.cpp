@@ -4,8 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -165,5 +164,4 @@ withSlabsClosed(const AirGaps& air)
   return SlabHoles(air).closed();
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The gaps of a scan with those parted that reach through a hole in what was
  * seen of a slab: two rooms above each other are known on both sides of it, and neither
@@ -17,5 +16,4 @@ namespace sedr {
  * @return all gaps, not sorted */
 std::vector<AirGap> withSlabsClosed(const AirGaps& air);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <map>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -288,5 +287,4 @@ VoxelColumns::countBetween(std::uint32_t column,
   return count;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -13,8 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The four neighbours of a plan cell: +x, +y, -x, -y. That of direction d seen
  * from the other side is (d + 2) % 4. */
@@ -202,5 +201,4 @@ private:
   std::vector<std::uint64_t> bits_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

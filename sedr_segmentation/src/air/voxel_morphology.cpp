@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 template <typename Visitor>
 void
@@ -202,5 +201,4 @@ VoxelColumns::closeHoles(int reach, unsigned threads)
     bits_[k] |= closed[k];
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -4,8 +4,7 @@
 #include <limits>
 #include <optional>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -78,5 +77,4 @@ jointOf(const BorderPart& before, const BorderPart& after, const SheetCracks& cr
   return after.project(raw, farthest).value_or(raw);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 #include <map>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Where the borders of three pieces or more come together. */
 using BorderJunctions = std::map<CrackVertex, Eigen::Vector2d>;
@@ -25,5 +24,4 @@ BorderJunctions junctionsOf(const SheetCracks& cracks,
 Eigen::Vector2d
 jointOf(const BorderPart& before, const BorderPart& after, const SheetCracks& cracks);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

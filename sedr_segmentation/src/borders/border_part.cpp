@@ -7,8 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -110,5 +109,4 @@ crossing(const BorderPart& a,
   return std::nullopt;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

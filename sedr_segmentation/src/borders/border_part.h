@@ -9,8 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 constexpr double border_tolerance = 2e-4; ///< metres that a border may be off
 
@@ -44,5 +43,4 @@ std::optional<Eigen::Vector2d> crossing(const BorderPart& a,
                                         const Eigen::Vector2d& near,
                                         double farthest);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

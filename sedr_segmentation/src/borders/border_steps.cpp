@@ -10,8 +10,7 @@
 #include <map>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -222,5 +221,4 @@ BorderSteps::shiftToRiser(const BorderPart& part,
   return sum / static_cast<double>(most);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -10,8 +10,7 @@
 #include <optional>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Finds the straight steps between two facets that do not meet. What it refers
  * to must outlive it. */
@@ -61,5 +60,4 @@ private:
   const std::vector<double>& directions_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <optional>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -94,5 +93,4 @@ partsOf(const CrackChain& chain, const SheetCracks& cracks, const BorderSteps& s
   return parts;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The parts of a chain, as far as it is in the room: where its two facets meet,
  * the line of one height with a sample a vertex, elsewhere straight steps. None beside
@@ -16,5 +15,4 @@ namespace sedr {
 std::vector<BorderPart>
 partsOf(const CrackChain& chain, const SheetCracks& cracks, const BorderSteps& steps);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <map>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -167,5 +166,4 @@ cracksOf(const SheetGrid& grid, const std::vector<std::int32_t>& label)
   return cracks;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A corner of cells, by its column and row. */
 struct CrackVertex {
@@ -47,5 +46,4 @@ struct CellCracks {
  * finds the lines between them. O(n). */
 CellCracks cracksOf(const SheetGrid& grid, const std::vector<std::int32_t>& label);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -165,5 +164,4 @@ bordersOf(const Sheet& sheet,
   return borders;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

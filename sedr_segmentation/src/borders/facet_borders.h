@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The lines between the pieces of a sheet in plan, one of each chain of
  * `cracks`, from its first vertex to its last: where two facets meet, the line above
@@ -25,5 +24,4 @@ bordersOf(const Sheet& sheet,
           const std::vector<Eigen::Vector3d>& risers,
           const std::vector<double>& directions);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sheet_cracks.h"
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -43,5 +42,4 @@ SheetCracks::reachAt(const CrackVertex& v) const
   return sheet.grid.size * (is_seen ? reach : unseen_reach);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The pieces of a sheet and what lies beside the vertices between them. What it
  * refers to must outlive it. */
@@ -35,5 +34,4 @@ struct SheetCracks {
   double reachAt(const CrackVertex& v) const;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -161,5 +160,4 @@ giveCeiling(const Sheet& sheet,
   }
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

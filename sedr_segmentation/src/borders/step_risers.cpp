@@ -8,8 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -83,5 +82,4 @@ pointsOfRisers(const Sheet& sheet,
   return points;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 struct Sheet;
 
@@ -19,5 +18,4 @@ std::vector<Eigen::Vector3d> pointsOfRisers(const Sheet& sheet,
                                             const PointView& scan,
                                             const std::vector<int>& indices);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -13,8 +13,7 @@
 #include <cstdint>
 #include <random>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -241,5 +240,4 @@ fitColumn(const Contour& hole,
   return best.elements.empty() ? any : best;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Fits the outline of a column.
  *
@@ -29,5 +28,4 @@ PlanLoop fitColumn(const Contour& hole,
                    const LoopParameters& parameters,
                    std::vector<ContourSample>* places = nullptr);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -10,8 +10,7 @@
 #include <numeric>
 #include <random>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -241,5 +240,4 @@ fitTurnedRectangle(const std::vector<Eigen::Vector2d>& points,
   return r;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -11,8 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A rectangle, given by its bounds along and across its direction. */
 struct Rectangle {
@@ -57,5 +56,4 @@ Rectangle fitTurnedRectangle(const std::vector<Eigen::Vector2d>& points,
                              const Rectangle& start,
                              const LoopParameters& parameters);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

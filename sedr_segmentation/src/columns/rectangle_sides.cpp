@@ -5,8 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -134,5 +133,4 @@ judgeSides(const std::vector<Eigen::Vector2d>& in_frame, double band, Rectangle&
   makeSquare(is_shown, band, r);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

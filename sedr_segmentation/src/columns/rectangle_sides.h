@@ -8,8 +8,7 @@
 #include <array>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns the quantile of sorted values. */
 double quantile(const std::vector<double>& sorted, double share);
@@ -32,5 +31,4 @@ pointsOfSides(const std::vector<Eigen::Vector2d>& in_frame,
 void
 judgeSides(const std::vector<Eigen::Vector2d>& in_frame, double band, Rectangle& r);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

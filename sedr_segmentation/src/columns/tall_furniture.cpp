@@ -7,8 +7,7 @@
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel_for.h"
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -106,5 +105,4 @@ aroundSeenCeiling(const CellMask& seen,
   return around;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/priors.h>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns the cells of a box with an object in the upper half of a room.
  * O(cells of the box).
@@ -51,5 +50,4 @@ CellMask aroundSeenCeiling(const CellMask& seen,
                            const CellGrid& grid,
                            const Priors& priors = {});
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 #include <array>
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -227,5 +226,4 @@ simplifiedLine(const std::vector<Eigen::Vector2d>& line, double tolerance)
   return only(line, kept);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A closed polygon along cell edges: corners one cell edge apart, metres. Set
  * cells are on its left: counter-clockwise around a region, clockwise around a hole. */
@@ -34,5 +33,4 @@ std::vector<Eigen::Vector2d> simplified(const std::vector<Eigen::Vector2d>& poly
 std::vector<Eigen::Vector2d> simplifiedLine(const std::vector<Eigen::Vector2d>& line,
                                             double tolerance);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -273,5 +272,4 @@ touchingPoint(const PlanCurve& a, const PlanCurve& b)
   return a.project(b.point);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A measured curve with its accuracy, the input of a least-squares adjustment.
  *
@@ -67,5 +66,4 @@ bool adjustCurves(std::vector<MeasuredCurve>& curves,
 /** @brief Returns the point where two tangent curves touch; a line must come first. */
 Eigen::Vector2d touchingPoint(const PlanCurve& a, const PlanCurve& b);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

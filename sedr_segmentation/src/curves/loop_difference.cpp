@@ -10,8 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -223,5 +222,4 @@ intersection(const PlanLoop& loop, const PlanLoop& other)
   return largestFirst(std::move(parts));
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Cuts two loops at their intersections. Returns the parts of the first inside
  * the second, and of the second inside the first; none if they do not overlap. O(n m).
@@ -30,5 +29,4 @@ std::vector<PlanLoop> difference(const PlanLoop& loop, const PlanLoop& cutter);
  * overlap. O(n m). */
 std::vector<PlanLoop> intersection(const PlanLoop& loop, const PlanLoop& other);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

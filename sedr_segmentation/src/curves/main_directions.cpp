@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 std::vector<Eigen::Vector2d>
 mainDirections(std::vector<DirectedLine> lines, const Priors& priors)
@@ -33,5 +32,4 @@ mainDirections(std::vector<DirectedLine> lines, const Priors& priors)
   return directions;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A straight wall or a candidate line of one. */
 struct DirectedLine {
@@ -22,5 +21,4 @@ struct DirectedLine {
 std::vector<Eigen::Vector2d> mainDirections(std::vector<DirectedLine> lines,
                                             const Priors& priors = {});
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

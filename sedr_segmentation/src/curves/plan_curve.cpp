@@ -10,8 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -309,5 +308,4 @@ intersections(const PlanCurve& a, const PlanCurve& b)
   return b.isCircle() ? lineMeetsCircle(a, b) : lineMeetsLine(a, b);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns `v` rotated by 90 degrees counter-clockwise. */
 inline Eigen::Vector2d
@@ -92,5 +91,4 @@ PlanCurve fitParallel(const std::vector<WeightedPoint>& points,
 /** @brief Returns the intersections of two curves: none, one or two. */
 std::vector<Eigen::Vector2d> intersections(const PlanCurve& a, const PlanCurve& b);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

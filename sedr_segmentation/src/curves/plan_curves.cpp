@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -255,5 +254,4 @@ PlanCurves::rebuild(double farthest)
   return broken;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -10,8 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The carrier curves of the elements of a plan, without duplicates. Elements of
  * one room on the same line or circle share it, like the edge of a soffit and a wall.
@@ -70,5 +69,4 @@ private:
 /** @brief Returns all loops of a room: boundary, columns, then details and niches. */
 std::vector<PlanLoop*> loopsOf(PlanRoom& room);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 #include <functional>
 #include <numeric>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 PlanPoints::PlanPoints(std::vector<Eigen::Vector2d> points, double cell_size)
     : grid_(cell_size)
@@ -35,5 +34,4 @@ PlanPoints::PlanPoints(std::vector<Eigen::Vector2d> points, double cell_size)
     points_[next[cell_of[i]]++] = points[i];
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

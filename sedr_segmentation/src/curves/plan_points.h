@@ -10,8 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Spatial index of points in plan, sorted by the cells of a grid. Queries are
  * exact; results are ordered by cell and then by point, so they are repeatable. */
@@ -94,5 +93,4 @@ private:
   std::vector<std::size_t> first_; ///< first point of each cell, and the end
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 
 #include <Eigen/Core>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns the straight element from `start` to `end`. */
 inline PlanElement
@@ -18,5 +17,4 @@ segment(const Eigen::Vector2d& start, const Eigen::Vector2d& end)
   return e;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -3,8 +3,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns a pseudo-angle of (x, y), 0 to 4 counter-clockwise, one per quadrant,
  * without an arc tangent. A difference of 1 corresponds to 1 to 2 radians. (x, y) must
@@ -21,5 +20,4 @@ quarterTurns(Scalar x, Scalar y)
   return turns_at_axis[quadrant] + sense[quadrant] * part;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

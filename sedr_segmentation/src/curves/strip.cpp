@@ -7,8 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 Strip
 stripOf(const CellMask& cells, const CellGrid& grid)
@@ -52,5 +51,4 @@ wallGoesOn(const Strip& strip,
   return false;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

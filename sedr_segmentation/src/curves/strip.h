@@ -7,8 +7,7 @@
 
 #include <functional>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A strip of cells along a line; lengths in metres. */
 struct Strip {
@@ -29,5 +28,4 @@ bool wallGoesOn(const Strip& strip,
                 const CellGrid& grid,
                 const std::function<bool(Cell)>& is_wall);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 Eigen::Vector2d
 directionOf(const Eigen::Vector3d& line)
@@ -116,5 +115,4 @@ equationsOf(TieKind kind,
   return {};
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 // A curve is given by three numbers: angle and offset at the pivot for a line, centre
 // and radius for a circle.
@@ -40,5 +39,4 @@ std::vector<TieEquation> equationsOf(TieKind kind,
                                      const Eigen::Vector3d& a,
                                      const Eigen::Vector3d& b);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -68,5 +67,4 @@ bentEdges(const HeightMap& map, const CellGrid& grid)
   return edges;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -185,5 +184,4 @@ extendDetails(const CellMask& room,
     extender.extend(static_cast<std::int32_t>(k));
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Extends beams over their hidden parts.
  *
@@ -28,5 +27,4 @@ void extendDetails(const CellMask& room,
                    std::vector<std::int32_t>& label,
                    const Priors& priors = {});
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

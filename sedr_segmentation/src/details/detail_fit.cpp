@@ -11,8 +11,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -261,5 +260,4 @@ fitDetails(const PointView& points,
   return details;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

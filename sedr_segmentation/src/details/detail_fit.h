@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Points for the details of a ceiling or a floor: indices into the points. */
 struct SlabEvidence {
@@ -35,5 +34,4 @@ std::vector<PlanDetail> fitDetails(const PointView& points,
                                    const ColumnTable& columns,
                                    const RoomFitParameters& parameters);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 bool
 hasOwnTop(const SliceScene& scene, Cell cell, ColumnRun& top)
@@ -253,5 +252,4 @@ detailCells(const SliceScene& scene,
   return kept;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -235,5 +234,4 @@ dropUnsupported(HeightMap& map,
   }
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

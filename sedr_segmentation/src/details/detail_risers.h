@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns the points of risers in plan: points between two adjacent heights. */
 std::vector<Eigen::Vector2d> riserPoints(const PointView& points,
@@ -28,5 +27,4 @@ void dropUnsupported(HeightMap& map,
                      const CellGrid& grid,
                      bool is_floor);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

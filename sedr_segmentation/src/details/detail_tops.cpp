@@ -7,8 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -182,5 +181,4 @@ regionsOfOneHeight(const SliceScene& scene, const Tops& tops)
   return regions;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

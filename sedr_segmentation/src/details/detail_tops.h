@@ -5,8 +5,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Uppermost runs of the profiles that are not ceiling: undersides (short runs)
  * and risers (long runs). */
@@ -26,5 +25,4 @@ Tops findTops(const SliceScene& scene);
  * window head may be a few centimetres below a soffit. */
 std::vector<CellMask> regionsOfOneHeight(const SliceScene& scene, const Tops& tops);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -11,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -139,5 +138,4 @@ trimDetails(PlanRoom& room)
   trim(room.floor_details, room.boundary);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

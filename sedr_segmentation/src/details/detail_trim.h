@@ -3,13 +3,11 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Clips the ceiling and floor details of a room to its boundary where they
  * exceed it by more than a millimetre. A detail may be split into several or removed.
  * O(n m) for n elements of the boundary and m of the details. */
 void trimDetails(PlanRoom& room);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -98,7 +97,6 @@ analyseSlices(const SliceInput& input,
   return problem;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr
 
 PCL_INSTANTIATE(GridSliceDetail, SEDR_POINT_TYPES)

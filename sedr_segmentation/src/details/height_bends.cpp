@@ -13,8 +13,7 @@
 #include <numeric>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -346,5 +345,4 @@ tidyBends(const PointView& points,
   keepLargestParts(map);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

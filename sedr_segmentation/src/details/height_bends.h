@@ -3,8 +3,7 @@
 
 #include "height_map.h"
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Records the relief of a ceiling and cleans its labels where it bends. There
  * the level detection cuts it into bands as high as the tolerance, with slivers and
@@ -29,5 +28,4 @@ struct BentEdges {
 /** @brief Returns the bent edges between the labels of a map. O(n). */
 BentEdges bentEdges(const HeightMap& map, const CellGrid& grid);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -10,8 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -261,5 +260,4 @@ fillHeights(HeightMap& map)
   growLabels(map.room, std::numeric_limits<int>::max(), map.label);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -11,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Height labels of a room's cells: 0 main slab, k the k-th detail, -1 none. */
 struct HeightMap {
@@ -62,5 +61,4 @@ CellMask cellsOf(const HeightMap& map, std::int32_t label, const CellBox& box);
 /** @brief Assigns the nearest label, by grid steps, to every other cell of the room. */
 void fillHeights(HeightMap& map);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -193,5 +192,4 @@ findSliceDetails(const PointView& points,
   return details;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Grid-slices analysis (paper, section 2.3.1).
  *
@@ -38,5 +37,4 @@ SliceDetails findSliceDetails(const PointView& points,
                               const SliceParameters& parameters,
                               std::string& problem);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

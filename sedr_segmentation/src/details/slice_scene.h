@@ -6,8 +6,7 @@
 #include "sedr_filters/src/base/parallel.h"
 #include "slice_detail.h"
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A room on the grid. */
 struct SliceScene {
@@ -53,5 +52,4 @@ CellMask detailCells(const SliceScene& scene,
                      const CellMask& enclosed_by_slices,
                      CellMask& refused);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

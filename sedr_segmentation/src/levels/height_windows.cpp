@@ -5,8 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -95,5 +94,4 @@ erase(std::vector<Candidate>& candidates, const std::vector<std::size_t>& positi
   candidates.erase(kept, candidates.end());
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

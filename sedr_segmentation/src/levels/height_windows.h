@@ -6,8 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A range [first, last) of candidates sorted by height, with its cell count. */
 struct HeightWindow {
@@ -32,5 +31,4 @@ HeightHistogram histogramOf(const std::vector<Candidate>& sorted,
 void erase(std::vector<Candidate>& candidates,
            const std::vector<std::size_t>& positions);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -15,8 +15,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -277,5 +276,4 @@ findLevels(const LevelColumns& columns,
   return levels;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

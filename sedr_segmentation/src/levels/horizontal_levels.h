@@ -13,8 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A horizontal plane of a scan with all points within the tolerance. */
 struct Level {
@@ -74,5 +73,4 @@ void collectInliers(std::vector<Level>& levels,
  * region. All others (table tops, shelves, the ground outside) are neither. */
 void classifyLevels(std::vector<Level>& levels, const LevelParameters& parameters);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

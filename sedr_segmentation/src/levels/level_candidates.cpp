@@ -10,8 +10,7 @@
 #include <functional>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 CellSet
 markedCells(const CellSet& cells, const std::vector<std::uint8_t>& marked)
@@ -149,5 +148,4 @@ columnsThatGoOn(const LevelColumns& columns,
   return goes_on;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

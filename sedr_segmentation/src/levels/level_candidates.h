@@ -10,8 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns the marked cells of a set. */
 CellSet markedCells(const CellSet& cells, const std::vector<std::uint8_t>& marked);
@@ -95,5 +94,4 @@ std::vector<std::uint8_t> columnsThatGoOn(const LevelColumns& columns,
                                           double direction,
                                           double tolerance);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -13,8 +13,7 @@
 #include <iterator>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -187,5 +186,4 @@ LevelColumns::leaveOutWalls(double tolerance)
   without_walls_ = sortedByHeight(blocks, threads_);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -11,8 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A candidate point of a level. It holds its coordinates because neighbours in
  * a profile are far apart in the cloud. */
@@ -86,5 +85,4 @@ private:
   std::vector<Candidate> without_walls_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -10,8 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -116,5 +115,4 @@ standsOut(const LevelColumns& columns,
   return around.at_slab >= 2 * std::max(around.above, around.below);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns whether the points around some cells are denser at a slab than above
  * and below it. Within half a tolerance there must be more than twice as many as one to
@@ -22,5 +21,4 @@ bool standsOut(const LevelColumns& columns,
                const PlanSlab& slab,
                double tolerance);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

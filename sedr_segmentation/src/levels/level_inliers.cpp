@@ -12,8 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -143,5 +142,4 @@ collectInliers(std::vector<Level>& levels,
   });
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -230,5 +229,4 @@ classifyLevels(std::vector<Level>& levels, const LevelParameters& parameters)
     markFloorsBelow(levels, coarse, region, parameters);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

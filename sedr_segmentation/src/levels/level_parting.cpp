@@ -9,8 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -170,5 +169,4 @@ partLevel(const LevelColumns& columns,
   return true;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

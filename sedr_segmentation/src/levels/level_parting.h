@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A level during its detection. */
 struct LevelDraft {
@@ -37,5 +36,4 @@ bool partLevel(const LevelColumns& columns,
                std::size_t minimum_cells,
                LevelDraft& draft);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -16,8 +16,7 @@
 #include <map>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -236,5 +235,4 @@ fittedRegions(const LevelColumns& columns,
   return regions;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

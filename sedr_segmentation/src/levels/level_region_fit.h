@@ -11,8 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Number, mean and covariance of points, sufficient for a plane fit. */
 struct Moments {
@@ -77,5 +76,4 @@ std::vector<LevelRegion> fittedRegions(const LevelColumns& columns,
                                        const LevelParameters& parameters,
                                        std::size_t minimum_cells);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

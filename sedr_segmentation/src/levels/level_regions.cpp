@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "level_regions.h"
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 std::vector<std::uint8_t>
 withoutWalls(const LevelColumns& columns,
@@ -55,5 +54,4 @@ levelRegions(const LevelColumns& columns,
                    minimum_cells);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

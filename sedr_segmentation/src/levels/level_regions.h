@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns the marked cells of a level without those of walls, which continue
  * above or below it. O(n).
@@ -36,5 +35,4 @@ levelRegions(const LevelColumns& columns,
              double tolerance,
              std::size_t minimum_cells);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

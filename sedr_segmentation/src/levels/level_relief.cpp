@@ -12,8 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -262,5 +261,4 @@ cellsOfSteps(const CellSet& cells,
   return edges;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns the relief of a level: the mean signed distance of each cell's points
  * from its plane, metres, positive up; NaN for empty cells. Cell means show steps that
@@ -56,5 +55,4 @@ stepReach(const Priors& priors)
   return static_cast<int>(2 * priors.riser_cells);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

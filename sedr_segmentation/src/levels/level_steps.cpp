@@ -9,8 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -109,5 +108,4 @@ setStepsApart(const LevelColumns& columns,
   }
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

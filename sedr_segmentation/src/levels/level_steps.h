@@ -8,8 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Separates surfaces a small step above or below a level, though within its
  * tolerance: a window reveal just below the ceiling, a shallow soffit or tray.
@@ -33,5 +32,4 @@ double noiseOf(const PlanSlab& slab, double tolerance, const Priors& priors);
  * removes the last centimetres of a wall below it. */
 CellSet withoutFringes(const CellSet& cells);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

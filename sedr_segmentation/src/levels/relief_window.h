@@ -8,8 +8,7 @@
 #include <numeric>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Robust statistics of up to 25 values of a window. */
 class ReliefWindow {
@@ -75,5 +74,4 @@ private:
   std::size_t size_ = 0;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

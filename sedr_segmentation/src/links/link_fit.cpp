@@ -10,8 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -170,5 +169,4 @@ refitLinks(LoopChain& chain,
     chain = fitted;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns the evidence points of a link: those near it, except points at its
  * corners that may belong to a neighbour. */
@@ -21,5 +20,4 @@ void refitLinks(LoopChain& chain,
                 const PlanPoints& evidence,
                 const LoopParameters& parameters);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

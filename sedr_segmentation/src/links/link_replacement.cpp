@@ -5,8 +5,7 @@
 
 #include "loop_window.h"
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 bool
 putLine(std::size_t i,
@@ -58,5 +57,4 @@ dropLink(std::size_t i,
   return true;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Replaces the curve of a link by a line; returns false if it does not meet its
  * neighbours or an element would run backwards. */
@@ -23,5 +22,4 @@ bool dropLink(std::size_t i,
               const LoopParameters& parameters,
               LoopChain& chain);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -73,5 +72,4 @@ isSeenInPart(const LoopChain& chain,
   return cells.shareSeen() < parameters.priors.share_half;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns the point density of each link relative to the length-weighted median
  * of the loop; 1 for known links. */
@@ -21,5 +20,4 @@ bool isSeenInPart(const LoopChain& chain,
                   const PlanPoints& evidence,
                   const LoopParameters& parameters);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

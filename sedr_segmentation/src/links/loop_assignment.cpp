@@ -10,8 +10,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -226,5 +225,4 @@ CurveAssignment::assign(const std::vector<PlanCurve>& curves) const
   return assigned;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Assigns the samples of a loop to curves. The points around each sample do not
  * depend on the curves, so they are collected only once. */
@@ -48,5 +47,4 @@ private:
   std::vector<std::size_t> wall_; ///< points of the densest wall at each sample
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 double
 sineBetween(const PlanCurve& a, const PlanCurve& b, const Eigen::Vector2d& place)
@@ -111,5 +110,4 @@ joinLinks(const std::vector<LoopLink>& links,
   return chain;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A link: the curve of one or more consecutive samples of a loop. */
 struct LoopLink {
@@ -72,5 +71,4 @@ LoopChain joinLinks(const std::vector<LoopLink>& links,
                     const std::vector<Eigen::Vector2d>& places,
                     const LoopParameters& parameters);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

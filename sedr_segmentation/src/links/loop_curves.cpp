@@ -9,8 +9,7 @@
 #include <iterator>
 #include <random>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -251,5 +250,4 @@ findCurves(const std::vector<ContourSample>& samples,
   return curves;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -155,5 +154,4 @@ tryFusion(LoopChain& chain,
          replaceLinks(chain, window, {fused}, {start, end}, cost, parameters.priors);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -346,5 +345,4 @@ PathCost::of(const std::vector<PlanElement>& path, const Zone& zone) const
   return sum;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 #include <limits>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Cost of a path, i.e. a part of a loop, against the points of walls, in metres
  * of wall. It counts points that the path does not explain and parts of the path
@@ -116,5 +115,4 @@ private:
   PlanPoints hidden_; ///< positions of the contour where none was seen
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -281,5 +280,4 @@ findRuns(const std::vector<ContourSample>& samples,
   return tidied(runsOf(assignment), samples, parameters);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A run: samples first .. first + count - 1 (modulo the loop) on one curve. */
 struct Run {
@@ -25,5 +24,4 @@ std::vector<Run> findRuns(const std::vector<ContourSample>& samples,
                           const std::vector<PlanCurve>& known,
                           const LoopParameters& parameters);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -130,5 +129,4 @@ sampleTolerance(const std::vector<ContourSample>& samples,
   return std::clamp(priors.correlated_sigmas * noise, least, parameters.tolerance);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

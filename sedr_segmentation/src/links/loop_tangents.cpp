@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -85,5 +84,4 @@ closeTangents(LoopChain& chain, const LoopParameters& parameters)
   chain = std::move(bridged);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -3,12 +3,10 @@
 
 #include "loop_chain.h"
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Makes links that miss each other at a corner tangent there, with minimum
  * moves; inserts a bridge if that fails. */
 void closeTangents(LoopChain& chain, const LoopParameters& parameters);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -132,5 +131,4 @@ replaceLinks(LoopChain& chain,
   return true;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

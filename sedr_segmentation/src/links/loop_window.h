@@ -12,8 +12,7 @@
 #include <map>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns the minimum gain of a change of a chain, metres of wall. */
 inline double
@@ -92,5 +91,4 @@ bool tryFusion(LoopChain& chain,
                const LoopParameters& parameters,
                FusionMemo& memo);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

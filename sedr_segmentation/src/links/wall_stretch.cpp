@@ -5,8 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -69,5 +68,4 @@ wallAcross(const PlanPoints& evidence,
                         parameters.reach);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

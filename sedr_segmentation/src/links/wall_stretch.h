@@ -7,8 +7,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A wall across a contour: points within a tolerance of each other. */
 struct WallStretch {
@@ -24,5 +23,4 @@ WallStretch wallAcross(const PlanPoints& evidence,
                        const Eigen::Vector2d& along,
                        const LoopParameters& parameters);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -154,5 +153,4 @@ detourLines(const LoopChain& chain,
   return lines;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

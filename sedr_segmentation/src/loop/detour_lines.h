@@ -5,8 +5,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns the lines that a detour through a window may follow: the densest
  * lines in the given directions through points that the path leaves unexplained, the
@@ -18,5 +17,4 @@ std::vector<LoopLink> detourLines(const LoopChain& chain,
                                   const Guides& guides,
                                   const Priors& priors);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -10,8 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -151,5 +150,4 @@ dropBumps(PlanLoop& loop, double narrowest)
   return dropped;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -3,8 +3,7 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Leads a loop straight on where it leaves a straight wall and comes back to
  * it, or to one parallel to it within 5 degrees, and is nowhere
@@ -16,5 +15,4 @@ namespace sedr {
  * @return how many bumps were dropped. O(n) for n elements, and for each bump */
 int dropBumps(PlanLoop& loop, double narrowest);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -11,8 +11,7 @@
 #include <numeric>
 #include <tuple>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -254,5 +253,4 @@ tryDetour(LoopChain& chain,
                       parameters.priors);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

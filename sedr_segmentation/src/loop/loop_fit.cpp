@@ -16,8 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -237,5 +236,4 @@ fitLoop(const Contour& contour,
   return staircase;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -12,8 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Samples of a contour, one a cell edge, each at the densest of the `evidence`
  * that lies across the contour within reach. */
@@ -51,5 +50,4 @@ PlanLoop fitLoop(const Contour& contour,
                  const LoopParameters& parameters,
                  std::vector<ContourSample>* places = nullptr);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

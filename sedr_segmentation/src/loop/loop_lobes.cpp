@@ -8,8 +8,7 @@
 
 #include <optional>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -127,5 +126,4 @@ dropPoints(PlanLoop& loop)
   }
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -4,8 +4,7 @@
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/priors.h>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Cuts off where a loop crosses itself: of the two ways from a crossing back to
  * it, the shorter is left out, the smallest such lobe first, until none is left.
@@ -21,5 +20,4 @@ bool cutLobes(PlanLoop& loop, const Priors& priors = {});
  * twice. At least two elements stay. O(n^2) where many are dropped */
 void dropPoints(PlanLoop& loop);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -12,8 +12,7 @@
 #include <optional>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -136,5 +135,4 @@ cutNecks(PlanLoop& loop, const Priors& priors)
   return count;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Cuts off what hangs together with the rest of an outline by a neck only:
  * slits, spikes and pockets, inside of it first, then outside.
@@ -20,5 +19,4 @@ namespace sedr {
  * @return how many were cut. O(n^2) for n elements, and O(n) for every neck tried */
 std::size_t cutNecks(PlanLoop& loop, const Priors& priors = {});
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -11,8 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -207,5 +206,4 @@ closeRecesses(PlanRoom& room,
   return niches;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

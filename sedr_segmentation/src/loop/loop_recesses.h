@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Leads the boundary of a room straight past recesses of its ceiling's outline
  * that are none of its plan: the wall that they are in goes on below them, as below a
@@ -24,5 +23,4 @@ std::vector<PlanNiche> closeRecesses(PlanRoom& room,
                                      const std::vector<int>& indices,
                                      const Priors& priors = {});
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

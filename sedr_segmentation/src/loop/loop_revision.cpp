@@ -10,8 +10,7 @@
 #include <functional>
 #include <unordered_set>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 std::vector<DirectedLine>
 linesOf(const LoopChain& chain,
@@ -171,5 +170,4 @@ reviseChain(LoopChain& chain,
       }
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

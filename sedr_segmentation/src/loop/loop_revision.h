@@ -12,8 +12,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The lines of a chain and those of `known` curves. */
 std::vector<DirectedLine> linesOf(const LoopChain& chain,
@@ -37,5 +36,4 @@ void reviseChain(LoopChain& chain,
                  const Guides& guides,
                  const LoopParameters& parameters);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -12,8 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -279,5 +278,4 @@ squareUnseenLinks(LoopChain& chain,
   }
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief What hardly any point shows was led along the edge of the ceiling that was
  * seen, which says little of its shape: it becomes straight, gets the direction of a
@@ -22,5 +21,4 @@ void squareUnseenLinks(LoopChain& chain,
                        const PlanPoints& evidence,
                        const LoopParameters& parameters);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

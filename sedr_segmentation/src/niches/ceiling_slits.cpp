@@ -9,8 +9,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -208,5 +207,4 @@ leaveOutBelowSlits(Floorplan& plan,
   return taken_out;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Removes from a plan the furniture that a slit separates from the ceiling:
  * wardrobes at walls or in corners, and cabinets and tanks taken for columns.
@@ -33,5 +32,4 @@ std::size_t leaveOutBelowSlits(Floorplan& plan,
                                unsigned threads = 0,
                                const Priors& priors = {});
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

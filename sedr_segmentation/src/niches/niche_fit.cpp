@@ -15,8 +15,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -195,5 +194,4 @@ fitNiches(const PointView& points,
   return niches;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Parameters of the niche detection; lengths in metres. */
 struct NicheParameters {
@@ -51,5 +50,4 @@ std::vector<PlanNiche> fitNiches(const PointView& points,
                                  const PlanRoom& room,
                                  const NicheParameters& parameters = {});
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -13,8 +13,7 @@
 #include <mutex>
 #include <numeric>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -180,5 +179,4 @@ leaveOutPanes(Floorplan& plan,
   return taken_out;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

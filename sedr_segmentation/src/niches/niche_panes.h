@@ -8,8 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Removes from a plan the niches whose back is a window pane.
  *
@@ -32,5 +31,4 @@ std::size_t leaveOutPanes(Floorplan& plan,
                           unsigned threads = 0,
                           const Priors& priors = {});
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -13,8 +13,7 @@
 #include <mutex>
 #include <numeric>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -234,5 +233,4 @@ countAtFaces(const std::vector<SlitFace*>& faces,
       });
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

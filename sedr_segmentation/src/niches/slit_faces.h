@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A vertical face below a ceiling, with histograms of the point distances below
  * the ceiling: on the face, and on the ceiling in front of it. */
@@ -70,5 +69,4 @@ void countAtFaces(const std::vector<SlitFace*>& faces,
                   const std::vector<int>& indices,
                   unsigned threads);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

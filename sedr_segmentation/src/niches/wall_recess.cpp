@@ -8,8 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -156,5 +155,4 @@ findRecess(const UnrolledWall& wall,
          recess.high - recess.low >= priors.min_recess;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

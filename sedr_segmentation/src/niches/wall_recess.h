@@ -8,8 +8,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A straight wall of a room, unrolled. */
 struct UnrolledWall {
@@ -47,5 +46,4 @@ bool findRecess(const UnrolledWall& wall,
                 const NicheParameters& parameters,
                 Recess& recess);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

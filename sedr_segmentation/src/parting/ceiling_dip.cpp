@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -79,5 +78,4 @@ dropSpecks(const AirGaps& air, double lintel, int smallest, std::vector<float>& 
   }
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

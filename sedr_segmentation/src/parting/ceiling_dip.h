@@ -5,8 +5,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief How far the ceiling of each gap dips below what it is on both sides within
  * `reach` cells (grey closing along the air), metres: lintels and beams. Holes in the
@@ -19,5 +18,4 @@ std::vector<float> dipOfCeiling(const AirGaps& air, int reach);
 void
 dropSpecks(const AirGaps& air, double lintel, int smallest, std::vector<float>& dip);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -3,8 +3,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 std::vector<float>
 distanceToRim(const AirGaps& air, const std::vector<std::uint8_t>& inside)
@@ -59,5 +58,4 @@ distanceToRim(const AirGaps& air, const std::vector<std::uint8_t>& inside)
   return distance;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

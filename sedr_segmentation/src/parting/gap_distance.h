@@ -6,8 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief For each gap that is `inside`, how far it is along the air from the nearest
  * place where the air ends or is not inside, in cells (chamfer distance: 8 % off at
@@ -15,5 +14,4 @@ namespace sedr {
 std::vector<float> distanceToRim(const AirGaps& air,
                                  const std::vector<std::uint8_t>& inside);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

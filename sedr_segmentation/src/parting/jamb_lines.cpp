@@ -12,8 +12,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -180,5 +179,4 @@ jambLines(const AirGaps& air,
   return JambLines(air, distance, parameters).find();
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

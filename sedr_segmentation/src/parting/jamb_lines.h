@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Lines from jamb to jamb in doorways without a lintel: straight, no longer
  * than the widest door, from wall to wall, and within a wall's thickness the air is
@@ -21,5 +20,4 @@ std::vector<std::uint8_t> jambLines(const AirGaps& air,
                                     const std::vector<float>& distance,
                                     const PartingParameters& parameters);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

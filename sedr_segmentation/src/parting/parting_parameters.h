@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief What is believed of what parts rooms; lengths in metres. */
 struct PartingParameters {
@@ -36,5 +35,4 @@ struct PartingParameters {
   double smallest_room = 1.0;    ///< square metres
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -173,5 +172,4 @@ revealsOf(const AirGaps& air,
   return Reveals(air, dip, lintel, room).find();
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

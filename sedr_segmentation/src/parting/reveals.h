@@ -6,8 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Which gaps lie within the thickness of a wall, below the lintel of a door or
  * the head of a window: parts of a room with a lower ceiling, walls at both sides, from
@@ -20,5 +19,4 @@ std::vector<std::uint8_t> revealsOf(const AirGaps& air,
                                     double lintel,
                                     const std::vector<std::int32_t>& room);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -12,8 +12,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -122,5 +121,4 @@ roomBasins(const AirGaps& air,
   return label;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Parts air at its constrictions: basins of the distance from what ends the
  * air, lintels counted as ends. Two basins that meet in a neck about as wide as the
@@ -20,5 +19,4 @@ std::vector<std::int32_t> roomBasins(const AirGaps& air,
                                      const std::vector<float>& dip,
                                      const PartingParameters& parameters);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -163,5 +162,4 @@ RoomBorders::countStacked(const AirGaps& air)
         ++borders_[pairOf(labels_.roomOf(g), labels_.roomOf(o))].stacked;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

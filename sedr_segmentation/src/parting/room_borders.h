@@ -13,8 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Two rooms, the lower number first. */
 using RoomPair = std::pair<std::uint32_t, std::uint32_t>;
@@ -69,5 +68,4 @@ private:
   std::map<RoomPair, RoomBorder> borders_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -10,8 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The room of each gap, while rooms are joined. Rooms are numbered by size,
  * largest first; of joined rooms the lower number stays. */
@@ -84,5 +83,4 @@ private:
   DisjointSets<> sets_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -14,8 +14,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 std::vector<std::vector<Crossing>>
 openingsOf(const AirGaps& air,
@@ -238,5 +237,4 @@ isDoor(const MeasuredOpening& opening, const PartingParameters& parameters)
          ((on_both && has_lintel) || (on_one && is_deep));
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -11,8 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief An opening between two rooms. */
 struct RoomOpening {
@@ -100,5 +99,4 @@ private:
  * lintel and a jamb on one. */
 bool isDoor(const MeasuredOpening& opening, const PartingParameters& parameters);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -11,8 +11,7 @@
 #include <map>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -250,5 +249,4 @@ partRooms(const AirGaps& air, const PartingParameters& parameters)
   return parted;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The air parted into what may be rooms. */
 struct PartedAir {
@@ -29,5 +28,4 @@ struct PartedAir {
  * O(gaps log gaps). Rooms are numbered by size, largest first. */
 PartedAir partRooms(const AirGaps& air, const PartingParameters& parameters);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

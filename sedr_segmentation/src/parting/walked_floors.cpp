@@ -8,8 +8,7 @@
 #include <optional>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -129,5 +128,4 @@ standOnFloor(const AirGaps& air, double thickest_wall)
   return WalkedFloors(air, thickest_wall).floors();
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Which gaps stand on a floor: on what one walks about on without climbing, a
  * strip as wide as a wall is thick or a square of twice that, and no top of furniture.
@@ -18,5 +17,4 @@ namespace sedr {
  * @return 1 for gaps with headroom on a floor, else 0 */
 std::vector<std::uint8_t> standOnFloor(const AirGaps& air, double thickest_wall);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wall_beside.h"
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 bool
 isWallAt(const AirGaps& air, std::uint32_t column, const AirGap& gap)
@@ -33,5 +32,4 @@ isWallBeside(const AirGaps& air, std::size_t g, int d)
   return false;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

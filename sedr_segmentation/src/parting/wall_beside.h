@@ -6,8 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Whether a wall stands in a column or beside it at the heights of a gap: much
  * of the upper two thirds is occupied; furniture may hide the rest. */
@@ -16,5 +15,4 @@ bool isWallAt(const AirGaps& air, std::uint32_t column, const AirGap& gap);
 /** @brief Whether a wall stands within three columns of a gap in plan_directions[d]. */
 bool isWallBeside(const AirGaps& air, std::size_t g, int d);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -13,8 +13,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -161,7 +160,6 @@ movedPoints(const PointView& raw,
   return moved;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr
 
 PCL_INSTANTIATE(FloorplanFitting, SEDR_POINT_TYPES)

@@ -8,8 +8,7 @@
 #include <array>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -171,5 +170,4 @@ roomsOfPoints(const PointView& points, const RoomTerritory& territory, unsigned 
   return rooms;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns the room of every point, -1 for none: the room whose territory
  * contains it. Where two territories meet, the majority of the points within 1.5 cells
@@ -18,5 +17,4 @@ std::vector<std::int32_t> roomsOfPoints(const PointView& points,
                                         const RoomTerritory& territory,
                                         unsigned threads);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

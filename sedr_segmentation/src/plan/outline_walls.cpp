@@ -3,8 +3,7 @@
 
 #include "../profiles/cell_count.h"
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 double
 OutlineWalls::topAroundGap(Cell cell) const
@@ -103,5 +102,4 @@ OutlineWalls::wallShare(const CellMask& part, const CellMask& other) const
   return edges == 0 ? 0 : static_cast<double>(walls) / static_cast<double>(edges);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

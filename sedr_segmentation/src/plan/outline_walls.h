@@ -7,8 +7,7 @@
 
 #include "sedr_filters/src/grids/cell_mask.h"
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Classifies the profiles of a grid as walls of a room, partitions and columns.
  */
@@ -70,5 +69,4 @@ private:
   const Priors& priors_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -19,8 +19,7 @@
 #include <memory>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -342,5 +341,4 @@ giveCeilings(const std::vector<RoomSheet>& sheets,
   });
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

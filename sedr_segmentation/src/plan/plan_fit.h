@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Input of the plan fit: indices into the points. `room` has one entry per
  * point, 0 for none, or is empty for one room. */
@@ -55,5 +54,4 @@ void giveCeilings(const std::vector<RoomSheet>& sheets,
                   unsigned threads,
                   Floorplan& plan);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

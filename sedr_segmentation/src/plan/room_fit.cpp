@@ -27,8 +27,7 @@
 #include <memory>
 #include <optional>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -308,5 +307,4 @@ fitRoom(const PointView& points,
   return room;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

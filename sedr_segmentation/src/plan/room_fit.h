@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Input of a room's fit: indices into the points. */
 struct RoomEvidence {
@@ -49,5 +48,4 @@ PlanRoom fitRoom(const PointView& points,
                  RoomRecord* record = nullptr,
                  std::size_t fewer_than = std::numeric_limits<std::size_t>::max());
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -101,5 +100,4 @@ withoutFalseNotches(const CellMask& room,
   return result;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Closes the notches of a room's outline that have no wall along them. There
  * the ceiling was hidden, possibly by a column close to the wall.
@@ -15,5 +14,4 @@ CellMask withoutFalseNotches(const CellMask& room,
                              const OutlineWalls& walls,
                              std::vector<CellMask>& columns);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

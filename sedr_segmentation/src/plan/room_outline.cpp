@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -173,5 +172,4 @@ outlineRoom(const CellMask& seen,
   return Outliner(walls).outline(seen);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

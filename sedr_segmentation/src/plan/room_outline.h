@@ -9,8 +9,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The cells of a room and of its columns. */
 struct RoomOutline {
@@ -41,5 +40,4 @@ RoomOutline outlineRoom(const CellMask& seen,
                         const CeilingGap& gap = {},
                         const Priors& priors = {});
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

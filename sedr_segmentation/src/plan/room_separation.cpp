@@ -19,8 +19,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -322,5 +321,4 @@ separateRooms(Floorplan& plan,
   return sentences;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

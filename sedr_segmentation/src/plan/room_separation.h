@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Resolves overlaps between the rooms of a plan.
  *
@@ -31,5 +30,4 @@ std::vector<std::string> separateRooms(Floorplan& plan,
                                        const std::vector<int>& indices,
                                        const Priors& priors = {});
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -12,8 +12,7 @@
 #include <numeric>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -194,5 +193,4 @@ RoomTerritory::frontier() const
   return CellSet(std::move(keys));
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns the height range of a room, from its floor to its ceiling. The top
  * twentieth of the ceiling points is ignored, as it may be seen through a hole. O(n).
@@ -85,5 +84,4 @@ private:
   std::string problem_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

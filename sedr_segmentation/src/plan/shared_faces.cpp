@@ -5,8 +5,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -79,5 +78,4 @@ facesOfOthers(const Floorplan& plan, std::size_t room, const Priors& priors)
   return all;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

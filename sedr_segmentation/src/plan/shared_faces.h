@@ -7,8 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns the walls of other rooms to which a part of a room's boundary wrongly
  * comes closer than the minimum partition thickness. A partition has two faces, and the
@@ -17,5 +16,4 @@ namespace sedr {
 std::vector<PlanElement>
 facesOfOthers(const Floorplan& plan, std::size_t room, const Priors& priors = {});
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -12,8 +12,7 @@
 #include <functional>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -244,5 +243,4 @@ markPlatforms(std::vector<Level>& levels,
       });
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Marks platforms, i.e. raised parts of the floor, as floors. Call it after
  * classifyLevels().
@@ -23,5 +22,4 @@ void markPlatforms(std::vector<Level>& levels,
                    const std::vector<int>& indices,
                    const LevelParameters& parameters);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

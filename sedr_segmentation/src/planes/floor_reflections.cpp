@@ -6,8 +6,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -202,5 +201,4 @@ findReflections(const LevelColumns& columns,
   return found;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Finds the points that are reflections in a floor. A glossy floor, such as
  * polished stone or lacquer, produces a mirror image of the room below it.
@@ -23,5 +22,4 @@ std::vector<int> findReflections(const LevelColumns& columns,
                                  const std::vector<Level>& levels,
                                  const LevelParameters& parameters);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

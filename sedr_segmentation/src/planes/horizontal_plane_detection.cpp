@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -93,7 +92,6 @@ detectHorizontalPlanes(const PointView& points,
          " square metres in " + std::to_string(indices.size()) + " points";
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr
 
 PCL_INSTANTIATE(HorizontalPlaneDetection, SEDR_POINT_TYPES)

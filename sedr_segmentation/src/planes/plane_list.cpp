@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 const char*
 nameOf(LevelKind kind)
@@ -66,5 +65,4 @@ missingKind(const std::vector<pcl::HorizontalPlane>& planes, double room_height)
   return text + listOf(planes);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

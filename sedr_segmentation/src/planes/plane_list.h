@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns "ceiling", "floor" or "other". */
 const char* nameOf(LevelKind kind);
@@ -26,5 +25,4 @@ std::string listOf(const std::vector<pcl::HorizontalPlane>& planes);
 std::string missingKind(const std::vector<pcl::HorizontalPlane>& planes,
                         double room_height);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

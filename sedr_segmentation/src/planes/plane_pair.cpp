@@ -15,8 +15,7 @@
 #include <limits>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -230,5 +229,4 @@ sideProblem(const SidePair& side,
   return text.data();
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Two large planes normal to a direction: the number of 0.1 m cells of the
  * smaller one, and their distance in metres. */
@@ -63,5 +62,4 @@ std::string sideProblem(const SidePair& side,
                         const PlanePair& pair,
                         const Priors& priors = {});
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -3,8 +3,7 @@
 
 #include "../profiles/cell_count.h"
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -84,5 +83,4 @@ isClosed(const PlatformStep& step, const CellMask& region)
          10 * (walls + hidden + risers) >= 7 * all;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

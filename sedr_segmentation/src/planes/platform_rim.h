@@ -9,8 +9,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns whether a region is larger than furniture, i.e. two adjacent beds. */
 bool
@@ -48,5 +47,4 @@ struct PlatformStep {
  * as furniture has closed sides, too. Larger regions need no wall. */
 bool isClosed(const PlatformStep& step, const CellMask& region);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -46,5 +45,4 @@ clusterBoxes(const std::vector<CellBox>& boxes, int margin)
   return clusters;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

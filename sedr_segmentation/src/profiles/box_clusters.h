@@ -5,12 +5,10 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Merges boxes, grown by `margin` cells, into disjoint boxes. Distant parts are
  * thus processed separately, without a grid over the empty space between. O(n^2). */
 std::vector<CellBox> clusterBoxes(const std::vector<CellBox>& boxes, int margin);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

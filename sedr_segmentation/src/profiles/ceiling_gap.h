@@ -5,8 +5,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A band below a ceiling, metres, that a wall crosses and a cupboard does not
  * reach. It begins below the ceiling's noise and is wide enough that every wall of
@@ -26,5 +25,4 @@ gapBelow(const PlanSlab& ceiling)
   return {high, high + least.low - least.high};
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

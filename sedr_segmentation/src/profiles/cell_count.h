@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns the number of cells of a length, rounded, at least `least`. Lengths
  * in metres thus hold for any cell size. */
@@ -15,5 +14,4 @@ cellsFor(double metres, double cell_size, int least = 1)
   return std::max(least, static_cast<int>(std::lround(metres / cell_size)));
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -14,8 +14,7 @@
 #include <numeric>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Profile number of a point in no profile. */
 constexpr auto no_column = std::numeric_limits<std::uint32_t>::max();
@@ -95,5 +94,4 @@ private:
   std::vector<std::size_t> first_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <array>
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 ColumnTable::ColumnTable(const CellGrid& grid,
                          const CellBox& box,
@@ -128,5 +127,4 @@ ColumnTable::runs(Cell cell, double gap) const
   return result;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A height interval of a profile without a gap, metres. */
 struct ColumnRun {
@@ -74,5 +73,4 @@ private:
   std::vector<Entry> entries_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <cstddef>
 #include <iterator>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -94,5 +93,4 @@ supportedSeeds(const PointView& points,
   return supported;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

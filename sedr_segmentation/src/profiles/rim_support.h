@@ -9,8 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Occupied voxels: cubes in profiles over the cells of a plan. */
 class ColumnOccupancy {
@@ -42,5 +41,4 @@ pcl::Indices supportedSeeds(const PointView& points,
                             double other_height,
                             double minimum_share);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

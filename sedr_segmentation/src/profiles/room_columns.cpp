@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 double
 RoomColumns::topAround(Cell cell, int reach) const
@@ -32,5 +31,4 @@ RoomColumns::reaches(Cell cell, double top, const CeilingGap& gap) const
   return columns_.share(cell, top - gap.low, top - gap.high, 1, 1) >= 1;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 #include "column_table.h"
 #include <pcl/sedr_filters/floorplan.h>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Queries on the profiles of a grid between the floor and the ceiling of a
  * room. The constructor's arguments must outlive it. */
@@ -51,5 +50,4 @@ private:
   const PlanSlab& floor_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -188,5 +187,4 @@ fitPatches(const std::vector<PatchSums>& patches,
   return PatchSolver(std::move(own), tops, noise).run(parameters);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

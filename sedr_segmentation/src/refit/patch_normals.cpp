@@ -9,8 +9,7 @@
 #include <map>
 #include <optional>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -168,5 +167,4 @@ normalsOf(const PointView& points,
   return normals;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

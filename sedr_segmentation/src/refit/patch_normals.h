@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A cube whose points lie on a plane. */
 struct PlanePatch {
@@ -36,5 +35,4 @@ std::vector<Eigen::Vector3d> normalsOf(const PointView& points,
                                        unsigned threads,
                                        double offset = 0);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -210,5 +209,4 @@ refitToRaw(Floorplan& plan,
   return report;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

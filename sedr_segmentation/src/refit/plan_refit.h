@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns the step k, at least 1, such that every k-th of `points` gives at
  * most `most` points. The selection needs no further thinning. */
@@ -62,5 +61,4 @@ RefitReport refitToRaw(Floorplan& plan,
                        const std::vector<int>& indices = {},
                        const RefitParameters& parameters = {});
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

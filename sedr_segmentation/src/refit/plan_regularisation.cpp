@@ -9,8 +9,7 @@
 #include <numeric>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -272,5 +271,4 @@ regularisePlan(Floorplan& plan, const RegularisationParameters& parameters)
   return {};
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

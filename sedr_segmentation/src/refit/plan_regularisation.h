@@ -6,8 +6,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Parameters of the regularisation of a plan. */
 struct RegularisationParameters {
@@ -40,5 +39,4 @@ struct RegularisationReport {
 RegularisationReport regularisePlan(Floorplan& plan,
                                     const RegularisationParameters& parameters = {});
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

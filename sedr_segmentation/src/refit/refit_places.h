@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A part of a vertical surface of constant height. */
 struct RefitStretch {
@@ -93,5 +92,4 @@ std::pair<Eigen::Vector2d, Eigen::Vector2d> boundsOf(const PlanLoop& loop);
 /** @brief Returns the minimum extent of a loop perpendicular to any element's chord. */
 double widthOf(const PlanLoop& loop);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -12,8 +12,7 @@
 #include <limits>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Iterative fit of the surfaces of a plan. */
 class Refit {
@@ -194,5 +193,4 @@ private:
   std::vector<Scatter> scatters_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -152,5 +151,4 @@ Sightings::patchSums(const std::vector<double>& centre,
   return sums;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -11,8 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Sums over the points of a patch: distances from the surface, and their
  * negative derivatives by its parameters. */
@@ -114,5 +113,4 @@ PatchFit fitPatches(const std::vector<PatchSums>& patches,
                     Eigen::Index parameters,
                     double noise);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <map>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -223,5 +222,4 @@ RefitTargets::numberPatches()
   }
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

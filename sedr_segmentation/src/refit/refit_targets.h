@@ -17,8 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The surfaces of a plan and the assignment of scan points to them.
  *
@@ -147,5 +146,4 @@ private:
   RefitPlaces places_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -12,8 +12,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 // Views of points from a fixed surface: distance(p), signed, metres; row(p), its
 // negative derivative by each parameter; patch(row, place), the patch number for a
@@ -93,5 +92,4 @@ struct SlabView {
   std::size_t patch(const Eigen::Vector3d&, std::size_t place) const { return place; }
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

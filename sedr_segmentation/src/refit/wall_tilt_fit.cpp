@@ -8,8 +8,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -189,5 +188,4 @@ fitTilts(const Straightening& map,
   return tilts;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

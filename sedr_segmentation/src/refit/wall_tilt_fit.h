@@ -6,8 +6,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Fits the tilts of the walls of a plan that was fitted in the frame of
  * vertical walls.
@@ -26,5 +25,4 @@ WallTilts fitTilts(const Straightening& map,
                    const std::vector<int>& indices,
                    Floorplan& plan);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

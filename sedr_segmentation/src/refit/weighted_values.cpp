@@ -5,8 +5,7 @@
 #include <numeric>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 Interval
 shortestHalf(std::vector<Weighted> values)
@@ -63,5 +62,4 @@ medianOf(std::vector<Weighted> values)
   return quantileOf(std::move(values), 0.5);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

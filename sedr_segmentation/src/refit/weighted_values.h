@@ -3,8 +3,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A number with a weight. */
 struct Weighted {
@@ -30,5 +29,4 @@ double quantileOf(std::vector<Weighted> values, double share);
 /** @brief Returns the weighted median. */
 double medianOf(std::vector<Weighted> values);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -11,8 +11,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -272,5 +271,4 @@ findBuilding(const PointView& points,
   return building;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 void
 giveStoreys(const Building& building, Floorplan& plan)
@@ -31,5 +30,4 @@ giveStoreys(const Building& building, Floorplan& plan)
   closeReveals(plan);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <cstddef>
 #include <tuple>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -60,5 +59,4 @@ mirrorImages(const std::vector<BuildingRoom>& parts, double surface)
   return is_image;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

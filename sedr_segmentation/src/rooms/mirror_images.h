@@ -6,8 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Which parts of the air are what a floor mirrors of the room above it: below
  * most of their columns, as high as the air above, and no slab between. O(columns log
@@ -17,5 +16,4 @@ namespace sedr {
 std::vector<std::uint8_t> mirrorImages(const std::vector<BuildingRoom>& parts,
                                        double surface);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -66,5 +65,4 @@ viewsThroughPanes(const std::vector<BuildingRoom>& parts,
   return is_view;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

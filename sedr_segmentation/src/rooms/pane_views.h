@@ -8,8 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Which parts of the air were seen only through panes of glass or in mirrors:
  * those whose points in their columns are nine tenths of that kind. O(n log n) for n
@@ -22,5 +21,4 @@ std::vector<std::uint8_t> viewsThroughPanes(const std::vector<BuildingRoom>& par
                                             const PointView& points,
                                             const std::vector<std::uint8_t>& behind);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

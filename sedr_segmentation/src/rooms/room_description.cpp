@@ -11,8 +11,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -224,5 +223,4 @@ noRoomBecause(const BuildingRoom& room,
   return "";
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

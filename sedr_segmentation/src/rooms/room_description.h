@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Each part of the air as a room, with its columns, heights, area and
  * enclosure, whether it is one or not; in their order, ids from 1. O(gaps). */
@@ -38,5 +37,4 @@ std::string noRoomBecause(const BuildingRoom& room,
                           const BuildingParameters& parameters,
                           LeftOutKind& kind);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

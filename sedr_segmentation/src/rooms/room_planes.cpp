@@ -9,8 +9,7 @@
 #include <iterator>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -123,5 +122,4 @@ listedPlane(LevelKind kind,
   return listed;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -12,8 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 // The planes of one room: its ceiling and its floor are sheets of any shape, and the
 // largest level part of each is its main plane.
@@ -76,5 +75,4 @@ pcl::HorizontalPlane listedPlane(LevelKind kind,
                                  const PointView& points,
                                  const CellGrid& grid);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -10,8 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -237,5 +236,4 @@ labelSheets(const PointView& points,
   });
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

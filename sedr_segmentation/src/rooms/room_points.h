@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Labels the points of ceilings and floors with their rooms: those near where
  * the air of their column, or of one beside it, ends. Points of walls, which go on
@@ -22,5 +21,4 @@ void labelSheets(const PointView& points,
                  unsigned threads,
                  Building& building);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 std::string
 problemOf(const BuildingParameters& parameters)
@@ -37,7 +36,6 @@ problemOf(const BuildingParameters& parameters)
   return {};
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr
 
 PCL_INSTANTIATE(RoomSegmentation, SEDR_POINT_TYPES)

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 std::vector<PlanStorey>
 findStoreys(std::vector<BuildingRoom>& rooms, double step)
@@ -45,5 +44,4 @@ findStoreys(std::vector<BuildingRoom>& rooms, double step)
   return storeys;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,12 +5,10 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Gives each room its storey, and lists the storeys from the lowest up: rooms
  * whose floors differ by less than `step` metres are of one. O(columns log columns). */
 std::vector<PlanStorey> findStoreys(std::vector<BuildingRoom>& rooms, double step);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

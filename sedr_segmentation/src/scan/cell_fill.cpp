@@ -7,8 +7,7 @@
 #include <cmath>
 #include <map>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -83,5 +82,4 @@ cellSizeFor(const std::vector<CellSet>& ceilings, double size, const Priors& pri
   return std::max(size, std::round(wanted * 100) / 100);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns the cell size, metres, at least `size`, at which a scan fills the
  * cells of its ceilings.
@@ -25,5 +24,4 @@ double cellSizeFor(const std::vector<CellSet>& ceilings,
                    double size,
                    const Priors& priors = {});
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -13,8 +13,7 @@
 #include <cstdio>
 #include <numeric>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -247,5 +246,4 @@ footProblem(const Floorplan& plan, const Priors& priors)
                  "of the scan, scale it by 0.3048 (--unit 0.3048 in pcl_sedr)";
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -11,8 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Checks a scan that is read in pieces, by a sample of at most 100,000 of its
  * finite points. */
@@ -107,5 +106,4 @@ std::string upProblem(const PointView& points,
  * could still be halls, so their doors must be 5.9 to 8.5 high. O(rooms). */
 std::string footProblem(const Floorplan& plan, const Priors& priors = {});
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <atomic>
 #include <stdexcept>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 void
 addToExcerpt(const PointView& points,
@@ -99,5 +98,4 @@ ScanExcerpt::problemOfAll() const
   return sample.problem();
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -11,8 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Adds the next points of a scan to a sample during the pass `read`, and every
  * `step`-th one, including non-finite ones, to an excerpt.
@@ -66,5 +65,4 @@ private:
   mutable std::shared_ptr<std::vector<Eigen::Vector3f>> points_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -11,8 +11,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -163,5 +162,4 @@ inclinationProblem(const PointView& points,
   return problem;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

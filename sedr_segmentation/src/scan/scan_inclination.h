@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Orientation of a scan relative to z. */
 struct ScanInclination {
@@ -39,5 +38,4 @@ std::string inclinationProblem(const PointView& points,
                                unsigned threads = 1,
                                const Priors& priors = {});
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -134,5 +133,4 @@ tiltOf(const PointView& points,
   return tilt;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Deviation of a scan from level. */
 struct ScanTilt {
@@ -28,5 +27,4 @@ ScanTilt tiltOf(const PointView& points,
                 unsigned threads = 1,
                 const Priors& priors = {});
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -16,8 +16,7 @@
 #include <optional>
 #include <unordered_map>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -330,5 +329,4 @@ tiltedFaces(const PointView& points, const std::vector<int>& indices, unsigned t
   return faces;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

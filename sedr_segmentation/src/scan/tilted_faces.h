@@ -6,8 +6,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Finds the tilted wall faces of a scan, by 5 to 28 degrees, and the vertical
  * ones; empty if no wall is tilted.
@@ -23,5 +22,4 @@ std::vector<TiltedFace> tiltedFaces(const PointView& points,
                                     const std::vector<int>& indices,
                                     unsigned threads = 1);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

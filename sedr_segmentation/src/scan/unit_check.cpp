@@ -5,8 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 std::string
 inchProblem(const PointView& points, std::size_t storeys)
@@ -33,5 +32,4 @@ inchProblem(const PointView& points, std::size_t storeys)
          "pcl_sedr)";
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <cstddef>
 #include <string>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns a sentence if the unit of a scan seems to be the inch, else an empty
  * one. The scan must be 60 to 200 high, like one or two storeys in inches, and more
@@ -16,5 +15,4 @@ namespace sedr {
  * @param storeys number of storeys found */
 std::string inchProblem(const PointView& points, std::size_t storeys);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

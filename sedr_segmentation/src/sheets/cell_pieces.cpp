@@ -3,8 +3,7 @@
 
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 std::vector<std::vector<std::size_t>>
 piecesOf(const SheetGrid& grid, const std::vector<std::uint8_t>& is_in)
@@ -34,5 +33,4 @@ piecesOf(const SheetGrid& grid, const std::vector<std::uint8_t>& is_in)
   return pieces;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,12 +7,10 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Connected cells of a set, eight neighbours each. */
 std::vector<std::vector<std::size_t>> piecesOf(const SheetGrid& grid,
                                                const std::vector<std::uint8_t>& is_in);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 CellPoints::CellPoints(const SheetGrid& grid,
                        const std::vector<std::uint8_t>& domain,
@@ -114,5 +113,4 @@ CellPoints::noise() const
   return std::max(least, *typical);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

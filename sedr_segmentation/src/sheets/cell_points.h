@@ -11,8 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A ball around the points of a cell. */
 struct CellBall {
@@ -77,5 +76,4 @@ private:
   std::vector<PointRow> rows_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

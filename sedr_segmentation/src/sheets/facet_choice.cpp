@@ -13,8 +13,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -315,5 +314,4 @@ chooseFacets(const FacetEvidence& evidence, std::vector<FacetProposal> proposals
   return choice;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The facets that a ceiling has, and which cell has which. */
 struct FacetChoice {
@@ -23,5 +22,4 @@ struct FacetChoice {
 FacetChoice chooseFacets(const FacetEvidence& evidence,
                          std::vector<FacetProposal> proposals);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief What the facets of a ceiling are fitted to. What it refers to must outlive
  * it. */
@@ -25,5 +24,4 @@ struct FacetEvidence {
   float outlier() const { return static_cast<float>(weight() * parameters.outlier); }
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -327,5 +326,4 @@ labelCells(const std::vector<FacetCosts>& facets,
   }
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief What a facet costs in every cell, beside the height it has there. */
 struct FacetCosts {
@@ -46,5 +45,4 @@ void labelCells(const std::vector<FacetCosts>& facets,
                 const FacetEvidence& evidence,
                 std::vector<std::int32_t>& label);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -124,5 +123,4 @@ BinaryEnergy::minimise() const
   return answers;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

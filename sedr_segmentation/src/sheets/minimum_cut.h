@@ -5,8 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A sum of costs of yes-or-no questions, of each alone and of pairs of them, to
  * be made as small as possible by a minimum cut (Kolmogorov and Zabih 2004). */
@@ -45,5 +44,4 @@ private:
   std::vector<Pair> pairs_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

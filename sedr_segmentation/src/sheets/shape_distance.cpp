@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 std::vector<PointRow>
 rowsOf(const std::vector<Eigen::Vector3d>& points)
@@ -176,5 +175,4 @@ ShapeDistance::of(const PointRow& points,
   }
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

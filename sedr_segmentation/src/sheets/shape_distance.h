@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A row of at most `row_size` points or of values of theirs, one array each
  * of x, y and z: arithmetic takes several at once. */
@@ -68,5 +67,4 @@ private:
   Eigen::Vector3d inverse_ = Eigen::Vector3d::Zero(); ///< of the extents; 0: endless
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

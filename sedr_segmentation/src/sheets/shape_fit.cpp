@@ -10,8 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -264,5 +263,4 @@ refineShape(ShapeKind kind,
   return weights > 0 ? std::sqrt(sum / weights) : infinity;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

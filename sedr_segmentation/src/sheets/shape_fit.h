@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The closed forms that a facet may have, by increasing number of parameters.
  */
@@ -50,5 +49,4 @@ double refineShape(ShapeKind kind,
                    PlanSlab& slab,
                    double settled = 1e-6);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

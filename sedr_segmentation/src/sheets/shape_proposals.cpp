@@ -8,8 +8,7 @@
 #include <iterator>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -273,5 +272,4 @@ proposeFacets(const FacetEvidence& evidence)
   return all;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

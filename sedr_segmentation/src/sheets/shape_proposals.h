@@ -7,8 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A facet that may be one of a ceiling. */
 struct FacetProposal {
@@ -38,5 +37,4 @@ FacetProposal fitFacet(ShapeKind kind,
  * the plan, grown over the cells around that agree with them. */
 std::vector<FacetProposal> proposeFacets(const FacetEvidence& evidence);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -10,8 +10,7 @@
 #include <memory>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -194,5 +193,4 @@ startShape(ShapeKind kind,
   return best;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -316,5 +315,4 @@ reliefOf(const Sheet& sheet, double spacing)
   return slab;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

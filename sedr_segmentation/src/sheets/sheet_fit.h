@@ -12,8 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 // The ceiling of a room as a sheet: a height field over its plan, described by facets.
 
@@ -189,5 +188,4 @@ void giveCeiling(const Sheet& sheet,
  * the most frequent first. */
 std::vector<double> wallDirections(const PlanLoop& boundary);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

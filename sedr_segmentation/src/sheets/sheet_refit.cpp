@@ -8,8 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -115,5 +114,4 @@ refitToScan(Sheet& sheet,
   }
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -139,5 +138,4 @@ addReliefs(const FacetEvidence& evidence, FacetChoice& choice)
     labelCells(choice.costs, evidence, choice.label);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -3,8 +3,7 @@
 
 #include "facet_choice.h"
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The heights of a ceiling on a grid of `spacing` metres: at each place that of
  * a plane through the points about it, without outliers. O(n).
@@ -15,5 +14,4 @@ PlanSlab reliefOf(const std::vector<Eigen::Vector3d>& points, double spacing);
  * and labels the cells anew. Without any facet, all is relief. */
 void addReliefs(const FacetEvidence& evidence, FacetChoice& choice);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

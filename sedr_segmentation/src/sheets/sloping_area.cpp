@@ -10,8 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -128,5 +127,4 @@ slopingArea(const std::vector<Eigen::Vector3d>& points)
   return static_cast<double>(largest) * grid.size * grid.size;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

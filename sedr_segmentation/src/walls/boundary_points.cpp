@@ -15,8 +15,7 @@
 #include <cstdint>
 #include <memory>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -211,5 +210,4 @@ boundaryPoints(const PointView& points,
   return boundary;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief What is wrong with the options, a sentence; empty if nothing is. */
 std::string problemOf(const BoundaryOptions& options);
@@ -56,5 +55,4 @@ pcl::Indices boundaryPoints(const PointView& points,
                             Nearness nearness,
                             const BoundaryOptions& options);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

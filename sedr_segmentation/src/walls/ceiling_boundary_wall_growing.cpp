@@ -6,8 +6,7 @@
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_segmentation/impl/ceiling_boundary_wall_growing.hpp>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -77,7 +76,6 @@ growWalls(const WallInput& input,
   return {};
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr
 
 PCL_INSTANTIATE(CeilingBoundaryWallGrowing, SEDR_POINT_TYPES)

@@ -5,8 +5,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -64,5 +63,4 @@ DirectionSectors::gapOf(std::uint64_t seen) const
   return may_be ? Gap::Unknown : Gap::None;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <array>
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief What is known of the gaps between the directions around a point. */
 enum class Gap { None, Wide, Unknown };
@@ -59,5 +58,4 @@ private:
   std::array<float, sectors + 1> from_{}; ///< where each sector begins, radians
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

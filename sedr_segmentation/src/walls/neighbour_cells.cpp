@@ -9,8 +9,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -225,5 +224,4 @@ NeighbourCells::gapAt(const Eigen::Vector3f& place, Around& around) const
   return Gap::Unknown;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

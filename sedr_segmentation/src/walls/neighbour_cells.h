@@ -11,8 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The points of a slab by cell: tells of nearly each whether its nearest
  * neighbours leave a wide gap, without a search tree.
@@ -76,5 +75,4 @@ private:
   std::vector<Eigen::Vector3f> places_; ///< by cell
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -191,5 +190,4 @@ leaveOutBoards(const PlanLoop& boundary,
   return has_any;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Takes out what hangs before walls and ends below the ceiling: boards, panels,
  * screens.
@@ -27,5 +26,4 @@ bool leaveOutBoards(const PlanLoop& boundary,
                     unsigned threads = 1,
                     const Priors& priors = {});
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A point as seen from a wall: metres along it, above its floor, behind it. */
 struct WallPoint {
@@ -104,5 +103,4 @@ private:
   std::vector<std::size_t> counts_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -153,5 +152,4 @@ besides(const CellMask& furniture,
   return rest;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A place in plan of a point on something vertical. */
 struct VerticalPlace {
@@ -48,5 +47,4 @@ std::vector<int> besides(const CellMask& furniture,
                          const CellGrid& grid,
                          unsigned threads);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -13,8 +13,7 @@
 #include <iterator>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -214,5 +213,4 @@ SeedPlan::isNearInRow(Cell first, const Eigen::Vector2d& point) const
   return false;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -13,8 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief What is wrong with the options, a sentence; empty if nothing is. */
 std::string problemOf(const WallGrowingOptions& options);
@@ -87,5 +86,4 @@ private:
   std::vector<Eigen::Vector2d> seeds_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <cstddef>
 #include <numeric>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns 0, 1, ..., n - 1. */
 inline pcl::IndicesPtr
@@ -18,5 +17,4 @@ allIndices(std::size_t n)
   return indices;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

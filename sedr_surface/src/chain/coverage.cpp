@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -115,5 +114,4 @@ coverageWarning(const Coverage& coverage)
   return text + gap->reason;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -12,8 +12,7 @@
 
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 std::string
 voxelProblem(double voxel_size, double grid_size)
@@ -67,7 +66,6 @@ thinWithExcerpt(const RowSource& source,
   return problem;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr
 
 PCL_INSTANTIATE(IndoorStructureReconstruction, SEDR_POINT_TYPES)

@@ -13,8 +13,7 @@
 #include <malloc.h>
 #endif
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -241,5 +240,4 @@ StructureChain::makeMesh()
   });
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

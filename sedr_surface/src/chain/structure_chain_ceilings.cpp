@@ -11,8 +11,7 @@
 #include <cstdio>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -158,5 +157,4 @@ StructureChain::warnOfCeilings()
   }
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -161,5 +160,4 @@ StructureChain::addStructure(std::uint32_t room, const RepairedRoom& repaired)
                              static_cast<double>(repaired.points.size());
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

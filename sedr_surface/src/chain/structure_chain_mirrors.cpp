@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 void
 StructureChain::leaveOutMirrored(const ScanPositions& positions,
@@ -44,5 +43,4 @@ StructureChain::leaveOutMirrored(const ScanPositions& positions,
       rows[k].setConstant(std::numeric_limits<float>::quiet_NaN());
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -125,5 +124,4 @@ StructureChain::extrude(StageReport& report)
   return true;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -18,8 +18,7 @@
 #include <cstdio>
 #include <map>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 bool
 StructureChain::checkScan()
@@ -284,5 +283,4 @@ StructureChain::territories(const RoomTerritory& of_rooms) const
   return result;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -15,8 +15,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 pcl::IndicesPtr
 StructureChain::labelled(StructureLabel label) const
@@ -259,5 +258,4 @@ StructureChain::labelNiches()
   }
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -11,8 +11,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -161,5 +160,4 @@ StructureChain::meshInScanFrame() const
   return mesh;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

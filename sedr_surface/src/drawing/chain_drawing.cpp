@@ -6,8 +6,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 using namespace sheet_measures;
@@ -121,5 +120,4 @@ addChain(Sheet& sheet, const std::vector<PlacedDimension>& row)
     addPlace(row.back().to, row.back().end);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A dimension placed on a sheet, millimetres. */
 struct PlacedDimension {
@@ -41,5 +40,4 @@ void placeTexts(TextPlaces& texts, DrawingSide side, std::vector<PlacedDimension
  * corners, and lengths. */
 void addChain(Sheet& sheet, const std::vector<PlacedDimension>& row);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::infinity();
@@ -264,5 +263,4 @@ overallChains(const Eigen::AlignedBox2d& box)
           {DrawingSide::Left, {box.min(), {box.min().x(), box.max().y()}}}};
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A side of a drawing. */
 enum class DrawingSide { Bottom, Left, Top, Right };
@@ -51,5 +50,4 @@ wallChains(const std::vector<PlanElement>& walls, double least, double room);
 /** @brief Returns the overall dimensions of a box, at its bottom and on its left. */
 std::vector<DimensionChain> overallChains(const Eigen::AlignedBox2d& box);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 constexpr double farthest_face = 0.5; ///< metres, from the middle of a wall
@@ -97,5 +96,4 @@ stairNotes(const Floorplan& plan)
   return notes;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

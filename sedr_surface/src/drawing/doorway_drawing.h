@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A doorway for drawing: a gap through its wall, from face to face. */
 struct DrawnDoorway {
@@ -40,5 +39,4 @@ struct StairNote {
  * their rooms, "down to" if it contains only the upper one. */
 std::vector<StairNote> stairNotes(const Floorplan& plan);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

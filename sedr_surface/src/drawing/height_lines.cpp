@@ -11,8 +11,7 @@
 #include <limits>
 #include <map>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -216,5 +215,4 @@ heightRange(const PlanRoom& room)
   return range;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns the lines in plan along which the ceiling of a room is `height`
  * metres above its floor, as under a roof. Straight pieces, accurate to a few
@@ -18,5 +17,4 @@ std::vector<PlanElement> heightLines(const PlanRoom& room, double height);
  * metres: at eaves and ridge. */
 std::pair<double, double> heightRange(const PlanRoom& room);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

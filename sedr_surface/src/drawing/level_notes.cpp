@@ -9,8 +9,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -134,5 +133,4 @@ levelNotes(const PlanRoom& room, const TextSpot& room_spot)
   return notes;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

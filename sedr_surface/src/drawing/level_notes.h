@@ -3,8 +3,7 @@
 
 #include "plan_drawing.h"
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A note of a level at its place: the height above the room's floor, such as
  * "2.20", with a sign for levels of the floor. */
@@ -20,5 +19,4 @@ struct LevelNote {
  * @param room_spot place of the room's text, which notes avoid */
 std::vector<LevelNote> levelNotes(const PlanRoom& room, const TextSpot& room_spot);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief All texts of a plan, placed on a sheet. They overlap neither each other nor
  * walls nor dimension lines. */
@@ -24,5 +23,4 @@ PlanAnnotations annotationsOf(const Floorplan& plan,
                               const std::vector<DrawnElement>& drawn,
                               const PlanFrame& frame);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -14,8 +14,7 @@
 #include <limits>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -277,5 +276,4 @@ roomTexts(const PlanRoom& room, const Eigen::Vector2d& place, const std::string&
           "h " + heights + " m"};
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

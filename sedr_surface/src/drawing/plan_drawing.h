@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief What a line of a drawing represents. */
 enum class DrawnLayer {
@@ -58,5 +57,4 @@ std::vector<std::string> roomTexts(const PlanRoom& room,
                                    const Eigen::Vector2d& place,
                                    const std::string& square);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

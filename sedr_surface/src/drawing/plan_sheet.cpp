@@ -13,8 +13,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 using namespace sheet_measures;
@@ -178,5 +177,4 @@ drawingScale(const Floorplan& plan, PaperSize paper)
   return layoutOf(plan, 0, paper).scale;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

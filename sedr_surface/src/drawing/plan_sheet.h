@@ -5,12 +5,10 @@
 
 #include <pcl/sedr_surface/floorplan_drawing.h>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Draws a plan, or one of its storeys, on a sheet; used by floorplanToSvg() and
  * floorplanToPdf(). */
 Sheet planSheet(const Floorplan& plan, const DrawingSettings& settings);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

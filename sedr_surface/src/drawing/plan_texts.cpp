@@ -10,8 +10,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 using namespace sheet_measures;
@@ -206,5 +205,4 @@ PlanTexts::writeWays(const Floorplan& plan)
   }
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Places the texts within a plan on a sheet: rooms, heights, columns, doorways,
  * walls. More important texts are placed first; texts without space are shortened or
@@ -43,5 +42,4 @@ private:
   PlanFrame frame_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 constexpr double level = 0.05; ///< maximum height difference along a level line, metres
@@ -88,5 +87,4 @@ eavesText(const PlanRoom& room, const PlanElement& wall)
   return "eaves " + decimalText(middle - room.floorAt(place), 2);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

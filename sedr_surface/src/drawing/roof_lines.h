@@ -5,8 +5,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The line in which two facets of a ceiling meet. */
 struct RoofLine {
@@ -27,5 +26,4 @@ RoofLine roofLineAt(const PlanRoom& room, const PlanElement& line);
  * along the wall; empty for others. The height is above the floor beside the wall. */
 std::string eavesText(const PlanRoom& room, const PlanElement& wall);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 PlanElement
@@ -109,5 +108,4 @@ wallBodies(const Floorplan& plan)
   return bodies;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

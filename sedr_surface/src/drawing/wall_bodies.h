@@ -5,13 +5,11 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns the bodies of walls with both faces seen: the outline of each, and
  * the hole of a wall that surrounds a room. These are the walls of the IFC model
  * without mitres; walls of assumed thickness are omitted. */
 std::vector<std::vector<PlanLoop>> wallBodies(const Floorplan& plan);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 constexpr const char* style_name = "STANDARD";
@@ -53,5 +52,4 @@ DxfDimensions::table() const
   return dxf.group(0, "ENDTAB");
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A dimension of a DXF, metres. */
 struct DxfDimension {
@@ -46,5 +45,4 @@ private:
   DxfText entities_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

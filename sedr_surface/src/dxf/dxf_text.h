@@ -7,8 +7,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Text of a DXF file: pairs of a group code and a value, one per line. */
 class DxfText {
@@ -57,5 +56,4 @@ private:
   std::string text_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

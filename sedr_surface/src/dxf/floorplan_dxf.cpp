@@ -14,8 +14,7 @@
 #include <iterator>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -282,5 +281,4 @@ floorplanToDxf(const Floorplan& whole, const DrawingSettings& settings)
   return dxf.text();
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -4,8 +4,7 @@
 #include <charconv>
 #include <string>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Formats a number with fixed decimals, independent of the locale. */
 inline std::string
@@ -33,5 +32,4 @@ shortDecimalText(double value, int decimals)
   return text;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

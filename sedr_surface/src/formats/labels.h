@@ -5,8 +5,7 @@
 
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns a label as the value of a point's field. */
 inline std::uint32_t
@@ -37,5 +36,4 @@ colourOf(std::uint32_t label)
   return {StructureLabel::Other, 0.6, 0.6, 0.6};
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -13,8 +13,7 @@
 #include <iterator>
 #include <sstream>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 template <typename T>
@@ -202,5 +201,4 @@ savePly(const std::string& path,
   return {};
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

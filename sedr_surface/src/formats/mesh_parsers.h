@@ -5,8 +5,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Reads the content of a PLY file into `mesh`.
  * @return an empty string or an error message, to follow the file's name */
@@ -19,5 +18,4 @@ bool looksLikeObj(const std::string& content);
 /** @brief As parsePly(), for an OBJ file. */
 std::string parseObj(const std::string& content, TriangleMesh& mesh);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -4,8 +4,7 @@
 #include <exception>
 #include <sstream>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 // Returns the zero-based index of an OBJ word, "7", "7/1/2" or "-1" for the last
@@ -80,5 +79,4 @@ parseObj(const std::string& content, TriangleMesh& mesh)
   return {};
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -4,9 +4,7 @@
 #include <sstream>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
-namespace ply {
+namespace pcl::sedr::ply {
 namespace {
 
 Type
@@ -109,6 +107,4 @@ parseHeader(const std::string& content, Header& header)
   return "is truncated: its PLY header does not end";
 }
 
-} // namespace ply
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::ply

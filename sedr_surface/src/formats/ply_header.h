@@ -5,9 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace ply {
+namespace pcl::sedr::ply {
 
 /** @brief Number types of a PLY file. */
 enum class Type { None, Int8, UInt8, Int16, UInt16, Int32, UInt32, Float, Double };
@@ -43,6 +41,4 @@ std::size_t sizeOf(Type type);
  * @return an empty string or an error message, to follow the file's name */
 std::string parseHeader(const std::string& content, Header& header);
 
-} // namespace ply
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::ply

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 using namespace ply;
@@ -226,5 +225,4 @@ parsePly(const std::string& content, TriangleMesh& mesh)
   return reason;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

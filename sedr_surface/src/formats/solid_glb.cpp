@@ -8,8 +8,7 @@
 #include <cstring>
 #include <map>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -215,5 +214,4 @@ solidToGlb(const TriangleMesh& mesh,
   return GlbBuilder(mesh, elements).build(storeys, origin);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 #include <set>
 #include <sstream>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -87,5 +86,4 @@ elementComments(const TriangleMesh& mesh, const std::vector<SolidElement>& eleme
   return comments;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

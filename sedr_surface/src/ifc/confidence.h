@@ -5,9 +5,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
-namespace ifc {
+namespace pcl::sedr::ifc {
 
 /** @brief Returns the confidence of a surface, 0 to 1: the share of it that was seen,
  * reduced where points lie off it. A residual of up to 2 cm is normal for scanners and
@@ -28,6 +26,4 @@ confidenceOf(const PlanElement& face)
   return face.evidence.isKnown() ? confidence(face.evidence.seen, face.residual) : -1;
 }
 
-} // namespace ifc
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::ifc

@@ -6,8 +6,7 @@
 
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 IfcModel
 writeIfc(const Floorplan& plan, const IfcSettings& settings, const Origin& origin)
@@ -23,5 +22,4 @@ writeIfc(const Floorplan& plan, const IfcSettings& settings, const Origin& origi
   return std::move(document.model);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

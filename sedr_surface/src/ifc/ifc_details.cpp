@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
-namespace ifc {
+namespace pcl::sedr::ifc {
 namespace {
 
 /** @brief Returns the shorter side of the rectangle with the area and length of a loop;
@@ -133,6 +131,4 @@ writeDetails(IfcDocument& document)
   }
 }
 
-} // namespace ifc
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::ifc

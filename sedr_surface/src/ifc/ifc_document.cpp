@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <map>
 
-namespace pcl {
-namespace sedr {
-namespace ifc {
+namespace pcl::sedr::ifc {
 
 IfcDocument::IfcDocument(const Floorplan& of_plan,
                          const IfcSettings& with_settings,
@@ -240,6 +238,4 @@ booleanProperty(bool value)
   return StepValue::typed("IFCBOOLEAN", StepValue::logical(value));
 }
 
-} // namespace ifc
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::ifc

@@ -12,9 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace ifc {
+namespace pcl::sedr::ifc {
 
 /** @brief A named value of a property set. */
 using Property = std::pair<std::string, StepValue>;
@@ -112,6 +110,4 @@ StepValue countProperty(std::size_t count);
 StepValue textProperty(const std::string& text);
 StepValue booleanProperty(bool value);
 
-} // namespace ifc
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::ifc

@@ -8,9 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
-namespace ifc {
+namespace pcl::sedr::ifc {
 
 std::string
 guidText(const unsigned char (&bytes)[16])
@@ -43,6 +41,4 @@ guidOf(const std::string& name)
   return guidText(bytes);
 }
 
-} // namespace ifc
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::ifc

@@ -3,9 +3,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace ifc {
+namespace pcl::sedr::ifc {
 
 /** @brief Returns the GlobalId for a name: the UUID of version 5 (RFC 4122) in the 22
  * letters of IFC. The same name always gives the same GlobalId. */
@@ -15,6 +13,4 @@ std::string guidOf(const std::string& name);
  * bits. */
 std::string guidText(const unsigned char (&bytes)[16]);
 
-} // namespace ifc
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::ifc

@@ -6,9 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
-namespace ifc {
+namespace pcl::sedr::ifc {
 namespace {
 
 constexpr double overshoot = 0.1; ///< of an opening beyond both faces, metres
@@ -286,6 +284,4 @@ writeOpenings(IfcDocument& document, const std::vector<WrittenWall>& walls)
   writeNiches(document, walls);
 }
 
-} // namespace ifc
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::ifc

@@ -8,9 +8,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace ifc {
+namespace pcl::sedr::ifc {
 
 /** @brief A wall in the file. */
 struct WrittenWall {
@@ -76,6 +74,4 @@ std::vector<std::size_t> trianglesOn(const IfcRoom& room,
 /** @brief Returns the name of a part of a room: "room_1_wall". */
 std::string nameIn(const PlanRoom& room, const std::string& part);
 
-} // namespace ifc
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::ifc

@@ -5,9 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
-namespace ifc {
+namespace pcl::sedr::ifc {
 namespace {
 
 constexpr double chord_tolerance = 0.0005; ///< as for the solid, metres
@@ -265,6 +263,4 @@ loopOf(const std::vector<Eigen::Vector2d>& corners)
   return loop;
 }
 
-} // namespace ifc
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::ifc

@@ -11,9 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace ifc {
+namespace pcl::sedr::ifc {
 
 /** @brief Writes geometry to an IFC file: placements, profiles and bodies. */
 class IfcShapes {
@@ -86,6 +84,4 @@ PlanLoop inFrame(PlanLoop loop, const WallFrame& frame);
 /** @brief Returns a loop of straight segments. */
 PlanLoop loopOf(const std::vector<Eigen::Vector2d>& corners);
 
-} // namespace ifc
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::ifc

@@ -10,9 +10,7 @@
 #include <limits>
 #include <optional>
 
-namespace pcl {
-namespace sedr {
-namespace ifc {
+namespace pcl::sedr::ifc {
 namespace {
 
 constexpr double thinnest_slab = 0.05; ///< between two storeys, metres
@@ -220,6 +218,4 @@ writeSlabs(IfcDocument& document)
   SlabWriter(document).write();
 }
 
-} // namespace ifc
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::ifc

@@ -10,9 +10,7 @@
 #include <cmath>
 #include <optional>
 
-namespace pcl {
-namespace sedr {
-namespace ifc {
+namespace pcl::sedr::ifc {
 namespace {
 
 /** @brief The heights of floor and ceiling of a room that is a prism. */
@@ -193,6 +191,4 @@ nameIn(const PlanRoom& room, const std::string& part)
   return "room_" + std::to_string(room.id) + "_" + part;
 }
 
-} // namespace ifc
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::ifc

@@ -7,9 +7,7 @@
 #include <map>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
-namespace ifc {
+namespace pcl::sedr::ifc {
 namespace {
 
 std::string
@@ -166,6 +164,4 @@ writeWalls(IfcDocument& document)
   return written;
 }
 
-} // namespace ifc
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::ifc

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
-namespace ifc {
+namespace pcl::sedr::ifc {
 
 namespace {
 
@@ -89,6 +87,4 @@ hasSunkenDetails(const PlanRoom& room)
       [&](const PlanDetail& detail) { return sideOf(detail, room.floor) < 0; });
 }
 
-} // namespace ifc
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::ifc

@@ -7,9 +7,7 @@
 
 #include <optional>
 
-namespace pcl {
-namespace sedr {
-namespace ifc {
+namespace pcl::sedr::ifc {
 
 /** @brief Returns the height of a slab over a box if it is level to a millimetre. It is
  * sampled, since a curve may be level at the corners only. */
@@ -32,6 +30,4 @@ bool hasSunkenDetails(const PlanRoom& room);
  * @return 1 if the detail is above, -1 if below, 0 if at the same height */
 int sideOf(const PlanDetail& detail, const PlanSlab& slab);
 
-} // namespace ifc
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::ifc

@@ -5,9 +5,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
-namespace ifc {
+namespace pcl::sedr::ifc {
 
 TriangleMesh
 prismOn(const TriangleMesh& mesh,
@@ -58,6 +56,4 @@ lowered(TriangleMesh mesh, double height)
   return mesh;
 }
 
-} // namespace ifc
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::ifc

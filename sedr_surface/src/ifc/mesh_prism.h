@@ -6,9 +6,7 @@
 #include <functional>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace ifc {
+namespace pcl::sedr::ifc {
 
 /** @brief Returns the closed body between some triangles of a mesh, none of them
  * vertical, and other heights above or below their vertices: a slab on a ceiling, a
@@ -23,6 +21,4 @@ TriangleMesh prismOn(const TriangleMesh& mesh,
 /** @brief Returns a mesh with z relative to a height. */
 TriangleMesh lowered(TriangleMesh mesh, double height);
 
-} // namespace ifc
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::ifc

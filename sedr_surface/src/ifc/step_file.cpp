@@ -3,9 +3,7 @@
 
 #include "../formats/decimal_text.h"
 
-namespace pcl {
-namespace sedr {
-namespace ifc {
+namespace pcl::sedr::ifc {
 namespace {
 
 constexpr std::uint32_t no_letter = 0xffffffff;
@@ -117,6 +115,4 @@ StepFile::text(const std::string& description,
          "ENDSEC;\nEND-ISO-10303-21;\n";
 }
 
-} // namespace ifc
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::ifc

@@ -7,9 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace ifc {
+namespace pcl::sedr::ifc {
 
 /** @brief The number of an instance in a STEP file: #1, #2, ...; 0 is none. */
 struct StepRef {
@@ -100,6 +98,4 @@ private:
   std::string data_;
 };
 
-} // namespace ifc
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::ifc

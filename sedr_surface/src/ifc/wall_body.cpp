@@ -7,9 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
-namespace ifc {
+namespace pcl::sedr::ifc {
 namespace {
 
 constexpr double off = 0.02; ///< distance from a wall, which is located to millimetres
@@ -201,6 +199,4 @@ heightAbove(const PlanArea& profile,
   return highest + above;
 }
 
-} // namespace ifc
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::ifc

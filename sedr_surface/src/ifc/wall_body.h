@@ -10,9 +10,7 @@
 #include <cmath>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace ifc {
+namespace pcl::sedr::ifc {
 
 /** @brief The heights of a wall. */
 struct WallHeights {
@@ -73,6 +71,4 @@ TriangleMesh meshOf(const Floorplan& plan,
                     const WallHeights& heights,
                     const WallRuns& runs);
 
-} // namespace ifc
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::ifc

@@ -11,8 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 constexpr auto none = std::numeric_limits<std::uint32_t>::max();
@@ -206,5 +205,4 @@ extractDualSurface(const BandGrid& grid,
     mesh.triangles.insert(mesh.triangles.end(), part.begin(), part.end());
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

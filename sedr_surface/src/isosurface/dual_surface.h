@@ -8,8 +8,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Extracts the surface between nodes with values above zero and the others by
  * dual contouring. Each cell that the surface crosses has a vertex, each crossed grid
@@ -34,5 +33,4 @@ void extractDualSurface(const BandGrid& grid,
                         TriangleMesh& mesh,
                         std::vector<SurfaceVertex>& vertices);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 constexpr int strides[3] = {1, 10, 100};
@@ -171,5 +170,4 @@ DualVertices::place(std::size_t b,
   }
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

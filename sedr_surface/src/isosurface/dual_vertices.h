@@ -10,8 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Places the vertices of a dual surface, block by block. */
 class DualVertices {
@@ -50,5 +49,4 @@ private:
   std::vector<SurfacePlane> cell_planes_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 std::vector<std::uint32_t>
 neighboursOf(const TriangleMesh& mesh,
@@ -37,5 +36,4 @@ linkOf(const TriangleMesh& mesh,
   return link;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns the other vertices of the triangles at a vertex, increasing. */
 std::vector<std::uint32_t> neighboursOf(const TriangleMesh& mesh,
@@ -31,5 +30,4 @@ EdgeLink linkOf(const TriangleMesh& mesh,
                 std::uint32_t b,
                 const std::vector<std::uint32_t>& at_b);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 constexpr int gentle_rounds = 8;
@@ -142,5 +141,4 @@ makeWellComposed(const BandGrid& grid, std::vector<float>& values, unsigned thre
   return changed;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Makes the nodes above zero well composed: where such nodes (or the others)
  * touch only along an edge or at a corner of a cell, one of them changes sign. The
@@ -20,5 +19,4 @@ namespace sedr {
 std::size_t
 makeWellComposed(const BandGrid& grid, std::vector<float>& values, unsigned threads);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

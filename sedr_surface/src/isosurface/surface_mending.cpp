@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 // Cosine between a triangle and its vertices' normals below which it is a fold.
@@ -306,5 +305,4 @@ mendSurface(TriangleMesh& mesh,
   return mender.collapsed();
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Properties of a surface vertex besides its position. */
 struct SurfaceVertex {
@@ -34,5 +33,4 @@ std::size_t mendSurface(TriangleMesh& mesh,
                         double min_height,
                         double longest);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

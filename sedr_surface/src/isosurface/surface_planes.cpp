@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 void
 SurfacePlanes::load(const BandGrid& grid, std::size_t b, const SortedSamples& samples)
@@ -95,5 +94,4 @@ SurfacePlanes::find(const Eigen::Vector3f& place,
   return false;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A tangent plane of the surface. */
 struct SurfacePlane {
@@ -52,5 +51,4 @@ private:
   std::vector<Near> near_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

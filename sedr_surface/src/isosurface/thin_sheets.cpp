@@ -11,8 +11,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 constexpr float thickest = 2.f;  // cells; thicker sheets hold a layer of nodes
@@ -179,5 +178,4 @@ keepThinSheets(const BandGrid& grid,
   return changed;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

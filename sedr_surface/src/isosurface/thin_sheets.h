@@ -6,8 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Sets the signs of nodes within thin sheets. Where samples less than two cells
  * apart face away from each other, e.g. at a panel between two niches, their
@@ -29,5 +28,4 @@ std::size_t keepThinSheets(const BandGrid& grid,
                            unsigned threads,
                            std::vector<float>& values);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 std::vector<std::uint32_t>
 vertexValues(const TriangleMesh& mesh, const std::vector<std::uint32_t>& values)
@@ -40,5 +39,4 @@ vertexValues(const TriangleMesh& mesh, const std::vector<std::uint32_t>& values)
   return result;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

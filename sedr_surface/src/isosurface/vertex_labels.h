@@ -6,8 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns a label or room per vertex: that with the largest area around it, the
  * smallest of equals; 0 for a vertex without triangles.
@@ -15,5 +14,4 @@ namespace sedr {
 std::vector<std::uint32_t> vertexValues(const TriangleMesh& mesh,
                                         const std::vector<std::uint32_t>& values);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

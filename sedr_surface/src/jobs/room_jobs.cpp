@@ -9,8 +9,7 @@
 
 #include <memory>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -145,5 +144,4 @@ workOn(const RoomJob& job, unsigned threads)
                     job);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

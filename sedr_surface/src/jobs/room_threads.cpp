@@ -8,8 +8,7 @@
 #include <numeric>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 RoomThreads::RoomThreads(unsigned threads)
     : threads_(resolveThreads(threads))
@@ -45,5 +44,4 @@ RoomThreads::work(const std::vector<std::size_t>& sizes,
                  });
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -3,8 +3,7 @@
 
 #include <pcl/sedr_surface/room_jobs.h>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Processes rooms in parallel on the threads of this process, one thread per
  * room. Threads that share one room wait for each other at every step. Only rooms that
@@ -22,5 +21,4 @@ private:
   unsigned threads_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -12,8 +12,7 @@
 #include <functional>
 #include <optional>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -169,7 +168,6 @@ summaryOf(const std::vector<RoomPoissonReport>& reports)
   return all;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr
 
 PCL_INSTANTIATE(StructuralPoisson, SEDR_POINT_TYPES)

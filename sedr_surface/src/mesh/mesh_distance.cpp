@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 MeshDistance::MeshDistance(const TriangleMesh& mesh, unsigned threads)
     : tree_(std::make_unique<TriangleTree>(mesh, threads))
@@ -67,5 +66,4 @@ summarizeDistances(std::vector<double> distances, std::size_t bins, double range
   return statistics;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -11,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief One side of a triangle, indexed by its edge. */
 struct EdgeUse {
@@ -87,5 +86,4 @@ highCorner(const EdgeUse& use)
   return 3 * use.triangle + (use.forward ? (use.side + 1u) % 3u : use.side);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

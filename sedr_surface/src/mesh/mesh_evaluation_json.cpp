@@ -9,8 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 // Members of an object as text, in the order of insertion.
@@ -160,5 +159,4 @@ writeJson(std::ostream& stream, const MeshEvaluationResult& result, int indent)
   stream << object.text();
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

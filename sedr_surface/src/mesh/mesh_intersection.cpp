@@ -7,8 +7,7 @@
 #include <limits>
 #include <numeric>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -128,5 +127,4 @@ findSelfIntersections(const TriangleMesh& mesh, double tolerance, std::size_t mo
   return pairs;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Finds pairs of triangles that intersect or overlap, whatever their
  * connectivity. A valid solid has none.
@@ -27,5 +26,4 @@ findSelfIntersections(const TriangleMesh& mesh,
                       double tolerance = 1e-6,
                       std::size_t most = 1000);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

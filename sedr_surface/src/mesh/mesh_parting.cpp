@@ -8,8 +8,7 @@
 #include <map>
 #include <set>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 using Place = std::array<float, 3>;
@@ -112,5 +111,4 @@ partEqualPositions(TriangleMesh& mesh)
   return doubles.size();
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <tuple>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 std::size_t
 weldVertices(TriangleMesh& mesh)
@@ -56,5 +55,4 @@ keepLargestComponent(TriangleMesh& mesh)
   return {areas.size() - 1, mesh.keepTriangles(keep)};
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Merges vertices at equal positions. Triangles may become degenerate. O(n log
  * n).
@@ -32,5 +31,4 @@ struct RemovedComponents {
 /** @brief Keeps only the component with the largest area. O(n). */
 RemovedComponents keepLargestComponent(TriangleMesh& mesh);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 // The splitmix64 generator: a well-mixed number for every count.
@@ -88,5 +87,4 @@ sampleMesh(const TriangleMesh& mesh,
   return samples;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

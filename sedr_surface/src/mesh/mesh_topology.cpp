@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <array>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 bool
@@ -257,5 +256,4 @@ labelComponents(const TriangleMesh& mesh)
   return labelComponents(mesh, collectEdges(mesh.triangles), count);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 // Newell's normal, which is also correct for concave polygons.
@@ -202,5 +201,4 @@ toPolygonMesh(const TriangleMesh& mesh, pcl::PolygonMesh& polygon_mesh)
                                              mesh.triangles[t].end());
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 using Attribute = std::vector<std::uint32_t>;
@@ -148,5 +147,4 @@ TriangleMesh::problem() const
   return {};
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

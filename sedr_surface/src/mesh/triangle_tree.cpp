@@ -9,8 +9,7 @@
 #include <numeric>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -177,5 +176,4 @@ TriangleTree::distance(const Eigen::Vector3d& point) const
   return std::sqrt(best);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -10,8 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A balanced tree of boxes over the triangles of a mesh. Finds the nearest
  * triangle of a point in about O(log n).
@@ -65,5 +64,4 @@ private:
   std::vector<Box> boxes_;           ///< level by level from the root
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

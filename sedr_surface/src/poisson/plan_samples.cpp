@@ -11,8 +11,7 @@
 #include <map>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -94,5 +93,4 @@ samplePlan(const PlanRoom& room, double spacing)
   return samples;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

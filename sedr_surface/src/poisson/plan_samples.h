@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Points on the surface of a room. */
 struct PlanSamples {
@@ -27,5 +26,4 @@ struct PlanSamples {
  * The same room gives the same points. O(n e) for n points near e edges. */
 PlanSamples samplePlan(const PlanRoom& room, double spacing);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

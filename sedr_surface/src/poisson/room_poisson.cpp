@@ -11,8 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 // Returns the points near the origin, where floats have precision to spare.
@@ -181,5 +180,4 @@ surfaceOf(const RoomSamples& samples, const RoomPoissonParameters& parameters)
   return surface;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

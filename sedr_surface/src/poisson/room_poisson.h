@@ -8,8 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Reconstructs the surface of one room by screened Poisson. It is solved near
  * the origin, reduced to its largest component and repaired. If it is not closed, it is
@@ -32,5 +31,4 @@ bool reconstructRoom(const std::vector<OrientedPoint>& points,
 RoomSurface surfaceOf(const RoomSamples& samples,
                       const RoomPoissonParameters& parameters);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

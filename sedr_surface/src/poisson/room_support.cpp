@@ -10,8 +10,7 @@
 #include <iomanip>
 #include <sstream>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 using Tree = pcl::KdTreeFLANN<pcl::PointXYZ>;
@@ -171,5 +170,4 @@ compareWithPoints(const std::vector<OrientedPoint>& points,
     report.warning += (report.warning.empty() ? "" : "; ") + left_out;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Formats a number with few digits, for messages. */
 std::string shortNumber(double value);
@@ -27,5 +26,4 @@ void compareWithPoints(const std::vector<OrientedPoint>& points,
                        std::vector<std::uint32_t>& nearest,
                        RoomPoissonReport& report);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -14,8 +14,7 @@
 #include <array>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 // Blocks of 512 nodes in a band per block that contains samples.
@@ -162,5 +161,4 @@ screenedPoisson(const std::vector<OrientedPoint>& points,
   return mesh.empty() ? "the points have no surface" : "";
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

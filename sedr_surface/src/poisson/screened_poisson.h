@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 struct ScreenedPoissonReport;
 
@@ -39,5 +38,4 @@ std::string screenedPoisson(const std::vector<OrientedPoint>& points,
                             TriangleMesh& mesh,
                             ScreenedPoissonReport& report);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

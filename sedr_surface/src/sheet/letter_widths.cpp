@@ -3,8 +3,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 /** @brief Helvetica's widths from blank to tilde, thousandths of the font size, from
@@ -60,5 +59,4 @@ textWidth(const std::string& utf8)
   return width / 1000.0;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -3,8 +3,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns the width of a line of text over the font size, in Helvetica and
  * metrically compatible fonts (Arial, Liberation Sans).
@@ -15,5 +14,4 @@ double textWidth(const std::string& utf8);
  * "?". */
 std::u32string lettersOf(const std::string& utf8);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 /** @brief Returns the angle of a straight wall modulo a quarter turn: above -45
@@ -104,5 +103,4 @@ boundsOf(const Floorplan& plan, const PlanFrame& frame)
   return box;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

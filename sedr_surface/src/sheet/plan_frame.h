@@ -5,8 +5,7 @@
 
 #include <Eigen/Geometry>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns the direction of most walls by length, within 45 degrees of x;
  * radians. 0 if it is within half a degree of x, or if there is no common direction, as
@@ -39,5 +38,4 @@ Eigen::AlignedBox2d boundsOf(const PlanLoop& loop);
  * without rooms. */
 Eigen::AlignedBox2d boundsOf(const Floorplan& plan, const PlanFrame& frame = {});
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sheet.h"
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 void
 Sheet::addLine(const std::string& look,
@@ -19,5 +18,4 @@ Sheet::addLine(const std::string& look,
   add(SheetPath{look, {chain}, is_closed});
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -10,8 +10,7 @@
 #include <variant>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Lines and arcs of a sheet with the same look, one of sheet_looks. Coordinates
  * are millimetres of paper from the lower left corner, y up. */
@@ -66,5 +65,4 @@ std::string sheetSvg(const Sheet& sheet);
  * Letters outside Western European become "?". The same sheet gives the same bytes. */
 std::string sheetPdf(const Sheet& sheet);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 using namespace sheet_measures;
@@ -99,5 +98,4 @@ layoutOf(const Floorplan& plan, double scale, PaperSize paper)
   return layout;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

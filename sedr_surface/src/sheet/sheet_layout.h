@@ -5,8 +5,7 @@
 
 #include <pcl/sedr_surface/floorplan_drawing.h>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Margins and strips of a sheet, millimetres. The wider margin is for binding,
  * as in ISO 5457. */
@@ -38,5 +37,4 @@ struct SheetLayout {
  * on. Portrait is used only if it allows a larger scale or smaller paper. */
 SheetLayout layoutOf(const Floorplan& plan, double scale, PaperSize paper);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

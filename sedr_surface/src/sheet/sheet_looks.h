@@ -5,8 +5,7 @@
 #include <iterator>
 #include <string>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A colour, 0xRRGGBB, or none. */
 using SheetColour = int;
@@ -64,5 +63,4 @@ lookNamed(const Looks& looks, const std::string& name)
                        [&](const auto& look) { return name == look.name; });
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

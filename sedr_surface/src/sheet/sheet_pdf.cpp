@@ -8,8 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 constexpr double points_per_mm = 72 / 25.4;
@@ -170,5 +169,4 @@ sheetPdf(const Sheet& sheet)
          " /Root 1 0 R /Info 6 0 R >>\nstartxref\n" + start + "\n%%EOF\n";
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

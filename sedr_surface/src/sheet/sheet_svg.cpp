@@ -5,8 +5,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 /** @brief Formats a length on paper, millimetres. */
@@ -154,5 +153,4 @@ sheetSvg(const Sheet& sheet)
   return writer.text + "</svg>\n";
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 Eigen::Vector2d
@@ -151,5 +150,4 @@ TextPlaces::takeFirst(const std::vector<TextBox>& boxes)
   return *best;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -10,8 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The rectangle that a text occupies on paper, rotated with it; millimetres. */
 struct TextBox {
@@ -60,5 +59,4 @@ private:
   Lines avoided_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

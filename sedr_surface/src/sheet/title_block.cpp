@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 using namespace sheet_measures;
@@ -162,5 +161,4 @@ addTitleBlock(Sheet& sheet, const SheetLayout& layout, const TitleBlock& block)
   strip.addNorth(block.origin);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Contents of the title strip. */
 struct TitleBlock {
@@ -25,5 +24,4 @@ struct TitleBlock {
  * and area, scale and bar, north arrow, and fields to be filled in by hand. */
 void addTitleBlock(Sheet& sheet, const SheetLayout& layout, const TitleBlock& block);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -214,5 +213,4 @@ cutTouchingCorners(const RoomLayers& layers, PlanSubdivision& plan)
   return cuts;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 #include <sstream>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -72,7 +71,6 @@ extrudePlan(const Floorplan* plan,
   return problem;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr
 
 PCL_INSTANTIATE(FloorplanExtrusion, SEDR_POINT_TYPES)

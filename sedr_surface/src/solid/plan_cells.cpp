@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 PlanCells::PlanCells(const RoomLayers& layers,
                      const PlanGrid& grid,
@@ -250,5 +249,4 @@ PlanCells::creases() const
   return creases;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

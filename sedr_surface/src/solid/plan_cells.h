@@ -11,8 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Origin of a segment of an arrangement. */
 struct SegmentSource {
@@ -125,5 +124,4 @@ private:
   std::vector<PlanRegion> region_; ///< per triangle
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <cstdio>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -140,5 +139,4 @@ PlanCells::checkPieces(std::vector<std::string>& warnings)
                               pieces.size(), pieces[0].area, pieces[1].area));
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

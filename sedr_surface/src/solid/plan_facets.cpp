@@ -8,8 +8,7 @@
 #include <limits>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -250,5 +249,4 @@ facetLoops(const RoomLayers& layers, double chord_tolerance, double snap_toleran
   return chains;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

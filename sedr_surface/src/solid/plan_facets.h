@@ -8,8 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A loop of a plan as straight facets. */
 struct FacetChain {
@@ -32,5 +31,4 @@ double snapTolerance(const PlanElement& element, double fixed);
 std::vector<FacetChain>
 facetLoops(const RoomLayers& layers, double chord_tolerance, double snap_tolerance);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

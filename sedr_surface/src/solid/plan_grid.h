@@ -7,8 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A point in plan in integer grid units, within +-2^29 on either axis. The side
  * of a line on which it lies is computed without rounding. */
@@ -79,5 +78,4 @@ private:
   double unit_ = std::ldexp(1.0, -20);
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -184,5 +183,4 @@ subdivideRoom(const RoomLayers& layers,
   return {};
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

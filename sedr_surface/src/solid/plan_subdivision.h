@@ -12,8 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 struct SolidParameters;
 
@@ -98,5 +97,4 @@ std::string subdivideRoom(const RoomLayers& layers,
                           PlanSubdivision& subdivision,
                           std::vector<std::string>& warnings);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -148,5 +147,4 @@ RoomLayers::roleOf(std::size_t element) const
   return role;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

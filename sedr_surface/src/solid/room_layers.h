@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Floor and ceiling of a room at a place in plan: indices of RoomLayers::slabs,
  * or `nothing` outside the room. */
@@ -103,5 +102,4 @@ private:
   int first_niche_slab_ = 0;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

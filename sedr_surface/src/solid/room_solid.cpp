@@ -7,8 +7,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -151,5 +150,4 @@ extrudeRoom(const PlanRoom& room,
   return report;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

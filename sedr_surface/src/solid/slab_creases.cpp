@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -154,5 +153,4 @@ creasesOf(const SlabCurve& curve, const Eigen::AlignedBox2d& bounds, double tole
   return inside;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A straight line in plan along which a curved slab is folded. */
 using Crease = std::pair<Eigen::Vector2d, Eigen::Vector2d>;
@@ -24,5 +23,4 @@ using Crease = std::pair<Eigen::Vector2d, Eigen::Vector2d>;
 std::vector<Crease>
 creasesOf(const SlabCurve& curve, const Eigen::AlignedBox2d& bounds, double tolerance);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

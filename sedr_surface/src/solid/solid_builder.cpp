@@ -7,8 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -254,5 +253,4 @@ SolidBuilder::elementOn(const SubdivisionEdge& edge,
   return nearest;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

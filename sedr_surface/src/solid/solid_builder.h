@@ -13,8 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Builds the surface of a room from the subdivision of its plan: a face per
  * slab and region, and vertical strips on the edges. */
@@ -71,5 +70,4 @@ private:
   TriangleMesh mesh_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

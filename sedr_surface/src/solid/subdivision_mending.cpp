@@ -8,8 +8,7 @@
 #include <iterator>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -145,5 +144,4 @@ splitWhereHeightsCross(const RoomLayers& layers, PlanSubdivision& plan)
   CrossingCutter(layers, plan).run();
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

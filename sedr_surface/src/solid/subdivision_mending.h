@@ -7,8 +7,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Corners of facets, each with the elements of its facets. */
 using FacetCorners = std::set<std::pair<std::size_t, GridPoint>>;
@@ -28,5 +27,4 @@ void splitWhereHeightsCross(const RoomLayers& layers, PlanSubdivision& subdivisi
  * @return the number of corners cut off */
 std::size_t cutTouchingCorners(const RoomLayers& layers, PlanSubdivision& subdivision);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -11,8 +11,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -233,5 +232,4 @@ tiltWalls(const RoomLayers& layers,
   return TiltedSolid(layers, runs, head, solid).run();
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Tilts walls of a solid that was built with vertical ones. Every vertex moves
  * to the intersection of its surfaces (walls, ceilings, floors, risers) by Newton's
@@ -23,5 +22,4 @@ std::string tiltWalls(const RoomLayers& layers,
                       double head,
                       TriangleMesh& solid);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

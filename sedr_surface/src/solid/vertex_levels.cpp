@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -142,5 +141,4 @@ touchesItself(const std::vector<SolidSpan>& sectors)
   return false;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Heights of the floors and ceilings that meet at a vertex of a subdivision,
  * grid units. Heights that cross there or differ by less than solidSeparation() are
@@ -51,5 +50,4 @@ struct SolidSpan {
  * surface is not manifold there. Sectors are counter-clockwise. */
 bool touchesItself(const std::vector<SolidSpan>& sectors);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

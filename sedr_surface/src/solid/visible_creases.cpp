@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -110,5 +109,4 @@ VisibleCreases::regionAt(const Eigen::Vector2d& p) const
   return layers_.regionOf(winding);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The creases of a room's curved slabs, clipped where another slab replaces
  * them. */
@@ -36,5 +35,4 @@ private:
   std::vector<Eigen::AlignedBox2d> boxes_; ///< of the chains
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 BandGrid::BandGrid(std::vector<Key> keys)
     : keys_(std::move(keys))
@@ -80,5 +79,4 @@ BandGrid::gatherHalo(const std::vector<float>& values, std::size_t b, float* hal
     }
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

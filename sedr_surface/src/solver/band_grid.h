@@ -6,8 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A sparse regular grid along a surface: blocks of 8 x 8 x 8 nodes, of which
  * only the listed ones exist. Node values are in one array, 512 per block with x
@@ -90,5 +89,4 @@ floorDivide(std::int64_t n, std::int64_t divisor)
   return n >= 0 ? n / divisor : -((-n + divisor - 1) / divisor);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Offsets in a halo of a BandGrid from a cell's lowest corner to all eight. */
 constexpr std::array<std::uint32_t, 8> corners = {0, 1, 10, 11, 100, 101, 110, 111};
@@ -21,5 +20,4 @@ cornerShares(const float* share, float* shares)
                 (c & 4 ? share[2] : 1 - share[2]);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <cmath>
 #include <memory>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 // Returns the median spacing by area. Points twice as dense stand for a quarter of the
@@ -58,5 +57,4 @@ measureSpacing(const std::vector<OrientedPoint>& points)
   return medianByArea(spacings);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 constexpr float outside = -0.5f;
@@ -208,5 +207,4 @@ PoissonHierarchy::solve(const std::vector<SurfaceSample>& samples,
   return problem_;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

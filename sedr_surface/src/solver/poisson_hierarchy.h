@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Options of solving the screened Poisson equation on a hierarchy of grids. */
 struct HierarchyOptions {
@@ -71,5 +70,4 @@ private:
   std::string problem_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

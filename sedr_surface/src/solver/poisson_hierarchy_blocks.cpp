@@ -6,8 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 // Calls visit(x, y, z) for cells that the surface crosses, by their lowest nodes from
@@ -128,5 +127,4 @@ PoissonHierarchy::blocksMissing(std::size_t level, float iso) const
   return keys;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 // Adds a sample's right-hand side to the nodes from two before its block to two behind
@@ -193,5 +192,4 @@ PoissonLevel::setDiagonal(unsigned threads)
       });
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

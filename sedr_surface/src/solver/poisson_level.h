@@ -7,8 +7,7 @@
 #include <functional>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Accuracy of solving a linear system. */
 struct SolveReport {
@@ -96,5 +95,4 @@ private:
   std::vector<float> diagonal_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 // Sums body(begin, end) in order over parts of [0, n) that do not depend on the number
@@ -187,5 +186,4 @@ PoissonLevel::meanAtSamples(unsigned threads) const
   return area > 0 ? sum / area : 0;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

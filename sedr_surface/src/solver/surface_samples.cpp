@@ -5,8 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 using Key = BandGrid::Key;
@@ -182,5 +181,4 @@ setAreas(std::vector<SurfaceSample>& samples, double spacing)
   }
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A surface sample with the area that it represents; lengths in cells of some
  * grid. */
@@ -50,5 +49,4 @@ void setAreas(std::vector<SurfaceSample>& samples, double spacing);
 /** @brief Returns the quadratic B-spline at `t`: 0.75 at 0, zero from 1.5 on. */
 float quadraticSpline(float t);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -111,5 +110,4 @@ triangulateConstrained(
   return true;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

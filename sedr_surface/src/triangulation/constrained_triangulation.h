@@ -9,8 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A triangulation of points in plan; triangles are counter-clockwise. */
 struct PlanTriangulation {
@@ -40,5 +39,4 @@ bool triangulateConstrained(
     const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges,
     PlanTriangulation& triangulation);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

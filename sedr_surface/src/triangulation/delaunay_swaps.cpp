@@ -4,8 +4,7 @@
 #include <deque>
 #include <map>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 SwappableTriangulation::SwappableTriangulation(
     const std::vector<GridPoint>& points,
@@ -275,5 +274,4 @@ SwappableTriangulation::improve()
   }
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -11,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A triangulation whose inner sides can be swapped for the other diagonal of
  * their two triangles. */
@@ -93,5 +92,4 @@ private:
   std::set<Ends> fixed_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -10,8 +10,7 @@
 #include <set>
 #include <tuple>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 namespace {
 
@@ -252,5 +251,4 @@ arrangeSegments(const std::vector<GridSegment>& segments,
   return !is_near;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A straight piece of a loop from `from` to `to`. */
 struct GridSegment {
@@ -53,5 +52,4 @@ bool arrangeSegments(const std::vector<GridSegment>& segments,
                      double separation,
                      Arrangement& arrangement);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

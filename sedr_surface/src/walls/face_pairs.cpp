@@ -7,8 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 constexpr double shortest = 0.05;         ///< length of a wall, metres
@@ -185,5 +184,4 @@ FacePairs::freeFaces() const
   return faces;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -6,8 +6,7 @@
 #include <map>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A stretch of a face that has a face of another room, or of the same one,
  * behind it. */
@@ -53,5 +52,4 @@ private:
   std::vector<FacePair> walls_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 namespace bp = boost::polygon;
@@ -119,5 +118,4 @@ largestPartOutside(const PlanArea& area, const std::vector<PlanArea>& others)
   return part;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief An area in plan: within a loop and outside of holes. */
 struct PlanArea {
@@ -23,5 +22,4 @@ double commonArea(const PlanArea& a, const PlanArea& b);
  * between their neighbours are left out. O(n log n). */
 PlanArea largestPartOutside(const PlanArea& area, const std::vector<PlanArea>& others);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

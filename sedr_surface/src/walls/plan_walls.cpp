@@ -9,8 +9,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 namespace {
 
 constexpr double touching = 1e-6; ///< metres; ends within this distance coincide
@@ -258,5 +257,4 @@ findWalls(const Floorplan& plan, const WallParameters& parameters)
   return WallFinder(plan, parameters).find();
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -12,8 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Returns whether a loop within a room is an island, surrounded by walls like
  * the core of an office floor, and no column. A column is at most four times as deep as
@@ -119,5 +118,4 @@ WallFrame frameOf(const Floorplan& plan, const PlanWall& wall);
 std::pair<Eigen::Vector2d, Eigen::Vector2d> faceAt(const PlanElement& element,
                                                    double s);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

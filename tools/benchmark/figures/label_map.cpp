@@ -11,9 +11,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 namespace {
 
@@ -66,6 +64,4 @@ mapped(std::vector<std::uint32_t> labels, const LabelMap& map)
   return labels;
 }
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

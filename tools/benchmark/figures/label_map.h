@@ -6,9 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 /** @brief Map from the labels of a file to StructureLabel values. */
 using LabelMap = std::map<std::uint32_t, std::uint32_t>;
@@ -21,6 +19,4 @@ LabelMap labelMapOf(const std::string& text, const std::string& option);
 std::vector<std::uint32_t> mapped(std::vector<std::uint32_t> labels,
                                   const LabelMap& map);
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

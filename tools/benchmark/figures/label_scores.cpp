@@ -10,9 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 namespace {
 
@@ -151,6 +149,4 @@ scoreLabels(const LabelledPoints& structure,
                        predictedLabels(structure, *sample.points, radius, threads));
 }
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

@@ -13,9 +13,7 @@
 #include <map>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 /** @brief Points and their labels. */
 struct LabelledPoints {
@@ -96,6 +94,4 @@ LabelScores scoreLabels(const LabelledPoints& structure,
                         double radius,
                         unsigned threads = 0);
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

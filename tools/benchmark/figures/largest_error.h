@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 /** @brief Keeps the larger of two figures; NaN means none. */
 inline void
@@ -22,6 +20,4 @@ keepLargerError(double& error, double found, double truth)
   keepLarger(error, std::abs(found - truth) / truth);
 }
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

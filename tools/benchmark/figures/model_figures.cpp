@@ -9,9 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 namespace {
 
@@ -90,6 +88,4 @@ measureModel(const std::shared_ptr<const TriangleMesh>& mesh,
   return figures;
 }
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

@@ -9,9 +9,7 @@
 #include <memory>
 #include <optional>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
@@ -53,6 +51,4 @@ ModelFigures measureModel(const std::shared_ptr<const TriangleMesh>& mesh,
                           const std::shared_ptr<const TriangleMesh>& truth,
                           unsigned threads = 0);
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

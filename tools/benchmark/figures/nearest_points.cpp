@@ -4,9 +4,7 @@
 #include "sedr_filters/src/base/parallel.h"
 #include <pcl/search/kdtree.h>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 std::vector<pcl::index_t>
 nearestWithin(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud,
@@ -32,6 +30,4 @@ nearestWithin(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud,
   return nearest;
 }
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

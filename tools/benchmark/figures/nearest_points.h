@@ -7,9 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 /** @brief Returns the point of `cloud` nearest to each query, or -1 if none is within
  * `radius` metres. The queries must be finite. O((n + q) log n); the result does not
@@ -20,6 +18,4 @@ nearestWithin(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud,
               double radius,
               unsigned threads = 0);
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

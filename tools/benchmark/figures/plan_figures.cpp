@@ -7,9 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 namespace {
 
@@ -173,6 +171,4 @@ measurePlan(const Floorplan& plan, const std::vector<sim::RoomTruth>& truths)
   return figures;
 }
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

@@ -11,9 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 /** @brief Errors of a plan's walls and columns over all paired rooms (matchRooms()),
  * without details and niches. Lengths are metres, errors relative to the truth; values
@@ -41,6 +39,4 @@ struct PlanFigures {
 PlanFigures measurePlan(const Floorplan& plan,
                         const std::vector<sim::RoomTruth>& truths);
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

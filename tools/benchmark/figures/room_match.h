@@ -12,9 +12,7 @@
 #include <map>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 /** @brief A found room and the corresponding true one. */
 struct RoomPair {
@@ -47,6 +45,4 @@ RoomFigures measureRooms(const Floorplan& plan,
                          const std::vector<sim::RoomTruth>& truths,
                          const std::map<std::uint32_t, double>& mesh_volumes = {});
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

@@ -5,9 +5,7 @@
 
 #include <pcl/sedr_filters/point_types.h>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 namespace {
 
@@ -54,6 +52,4 @@ detailsOf(const TriangleMesh& truth)
   return details;
 }
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

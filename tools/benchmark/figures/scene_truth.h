@@ -9,9 +9,7 @@
 #include <memory>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 /** @brief The truth that a reconstruction is compared with, in the frame of the scan.
  */
@@ -31,6 +29,4 @@ SceneTruth truthOf(const sim::Scene& scene);
  * any. */
 TriangleMesh detailsOf(const TriangleMesh& truth);
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

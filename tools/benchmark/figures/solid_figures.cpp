@@ -10,9 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 namespace {
 
@@ -92,6 +90,4 @@ measureSolid(const TriangleMesh& solid,
   return figures;
 }
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

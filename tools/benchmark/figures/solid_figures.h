@@ -11,9 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 /// Spacing of the samples on surfaces in metres, and their random seed.
 constexpr double sample_spacing = 0.02;
@@ -50,6 +48,4 @@ SolidFigures measureSolid(const TriangleMesh& solid,
                           const std::vector<sim::RoomTruth>& rooms,
                           unsigned threads = 0);
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

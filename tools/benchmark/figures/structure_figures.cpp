@@ -10,9 +10,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 namespace {
 
@@ -55,6 +53,4 @@ measureStructure(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& structure,
   return figures;
 }
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

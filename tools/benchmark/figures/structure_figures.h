@@ -9,9 +9,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 /** @brief Maximum distance in metres at which a point of the structure covers a point
  * of the truth. The structure has a point per voxel of 5 cm. */
@@ -35,6 +33,4 @@ measureStructure(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& structure,
                  const TriangleMesh& truth,
                  unsigned threads = 0);
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

@@ -15,9 +15,7 @@
 #include <exception>
 #include <stdexcept>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 namespace {
 
@@ -108,6 +106,4 @@ runIsolated(const std::function<std::string()>& task)
   return answer;
 }
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

@@ -4,9 +4,7 @@
 #include <functional>
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 /** @brief Calls `work` in a separate process and returns its result. A crash there does
  * not end the caller, and every run starts with fresh memory. The caller must have no
@@ -15,6 +13,4 @@ namespace benchmark {
  * the process */
 std::string runIsolated(const std::function<std::string()>& work);
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

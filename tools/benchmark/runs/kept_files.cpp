@@ -11,9 +11,7 @@
 
 #include <stdexcept>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 namespace {
 
@@ -62,6 +60,4 @@ KeptFiles::keepResult(const pcl::IndoorStructureReconstruction<pcl::PointXYZ>& c
     saveMesh(folder_ / "mesh.ply", chain.getChain().poisson.getMesh());
 }
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

@@ -11,9 +11,7 @@
 #include <filesystem>
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 /** @brief The files of a run, kept for inspection in FOLDER/SCENE_n0.01_s1: scan.pcd,
  * truth.ply, truth.json, structure.pcd, floorplan.json, solid.ply, mesh.ply. A failed
@@ -35,6 +33,4 @@ private:
   std::filesystem::path folder_; ///< of this run; empty: no files are kept
 };
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

@@ -15,9 +15,7 @@
 #include <memory>
 #include <stdexcept>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 namespace {
 
@@ -194,6 +192,4 @@ runScene(const sim::Scene& scene, const RunSettings& settings)
   return row;
 }
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

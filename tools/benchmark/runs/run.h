@@ -11,9 +11,7 @@
 #include <cstdint>
 #include <filesystem>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 /** @brief Settings of a run. */
 struct RunSettings {
@@ -36,6 +34,4 @@ RunRow rowOf(const sim::Scene& scene, const RunSettings& settings);
  * recorded in the row. */
 RunRow runScene(const sim::Scene& scene, const RunSettings& settings);
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

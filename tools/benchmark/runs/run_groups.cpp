@@ -6,9 +6,7 @@
 #include <limits>
 #include <map>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 namespace {
 
@@ -116,6 +114,4 @@ missesAny(const RunRow& row, BarKind kind)
                      [kind](const Miss& miss) { return isOfKind(miss.bar, kind); });
 }
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

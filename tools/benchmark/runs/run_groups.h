@@ -9,9 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 /** @brief Runs of one scene and noise that differ in their seed. */
 using RunGroup = std::vector<RunRow>;
@@ -46,6 +44,4 @@ std::string missesOf(const RunGroup& group, BarKind kind);
 /** @brief Returns true if a row missed a bar of a kind, or has no result. */
 bool missesAny(const RunRow& row, BarKind kind);
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

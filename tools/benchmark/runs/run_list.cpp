@@ -8,9 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 namespace {
 
@@ -86,6 +84,4 @@ partOf(const std::string& text, const std::string& option)
   return part;
 }
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

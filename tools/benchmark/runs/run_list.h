@@ -9,9 +9,7 @@
 /** @file Parsers of lists on a command line. An invalid list throws a tools::ToolError
  * of one sentence, which names the `option`. */
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 /** @brief Returns the words of a list such as "a,b,c"; none may be empty. */
 std::vector<std::string> wordsOf(const std::string& list, const std::string& option);
@@ -34,6 +32,4 @@ struct Part {
 /** @brief Parses a part such as "1/2". */
 Part partOf(const std::string& text, const std::string& option);
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

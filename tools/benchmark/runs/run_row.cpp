@@ -9,9 +9,7 @@
 #include <functional>
 #include <stdexcept>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 namespace {
 
@@ -252,6 +250,4 @@ rowFromCsv(const std::string& header, const std::string& line)
   return row;
 }
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 /** @brief Recall and precision of a label, from 0 to 1; NaN without points. */
 struct LabelFigures {
@@ -64,6 +62,4 @@ std::string toCsv(const RunRow& row);
  * @throw std::invalid_argument, a sentence, if a cell cannot be read */
 RunRow rowFromCsv(const std::string& header, const std::string& line);
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

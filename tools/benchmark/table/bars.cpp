@@ -6,9 +6,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 namespace {
 
@@ -177,6 +175,4 @@ missedBars(const RunRow& row)
   return misses.all();
 }
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

@@ -6,9 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 struct RunRow;
 
@@ -94,6 +92,4 @@ std::string nameOf(Bar bar);
  * or arcs, their bars do not apply. */
 std::vector<Miss> missedBars(const RunRow& row);
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

@@ -8,9 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 namespace {
 
@@ -132,6 +130,4 @@ readCell(const std::string& cell, StageSeconds& value)
   }
 }
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

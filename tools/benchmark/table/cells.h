@@ -11,9 +11,7 @@
  * cell. Invalid text throws std::invalid_argument with a sentence that does not name
  * the column. */
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 /** @brief Writes seven significant digits; NaN is empty. */
 std::string cellOf(double value);
@@ -36,6 +34,4 @@ void readCell(const std::string& cell, std::optional<bool>& value);
 void readCell(const std::string& cell, std::string& value);
 void readCell(const std::string& cell, StageSeconds& value);
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

@@ -12,9 +12,7 @@
 #include <stdexcept>
 #include <system_error>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 namespace {
 
@@ -87,6 +85,4 @@ appendRow(const std::string& path, const RunRow& row)
                     "': " + (error ? error.message() : std::strerror(errno)));
 }
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

@@ -9,9 +9,7 @@
 /** @file A file of rows that is extended after each run, so that an interrupted
  * benchmark loses nothing. Failures throw a tools::ToolError of one sentence. */
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 /** @brief Reads the rows of a file. A last line without line end is ignored, since it
  * comes from an interrupted run. */
@@ -25,6 +23,4 @@ std::vector<RunRow> rowsToContinue(const std::string& path);
  * without line end is dropped. */
 void appendRow(const std::string& path, const RunRow& row);
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

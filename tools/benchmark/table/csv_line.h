@@ -4,9 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 /** @brief Joins cells with commas (RFC 4180). Cells with a comma or quote are quoted;
  * line ends in a cell become blanks, so that a row is one line. */
@@ -16,6 +14,4 @@ std::string joinCells(const std::vector<std::string>& cells);
  * @throw std::invalid_argument if a quoted cell does not end */
 std::vector<std::string> splitCells(const std::string& line);
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

@@ -4,9 +4,7 @@
 #include <cstdio>
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 /** @brief Formats numbers as std::printf does, as text of at most 95 characters. */
 template <typename... Numbers>
@@ -18,6 +16,4 @@ formatted(const char* format, Numbers... numbers)
   return text;
 }
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

@@ -10,9 +10,7 @@
 #include <set>
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 namespace {
 
@@ -164,6 +162,4 @@ tableOf(const std::vector<RunRow>& rows)
   return text;
 }
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

@@ -6,9 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 /** @brief Returns the rows of runs as a Markdown page: how many runs reach every bar,
  * results, failures, and the seconds of each stage.
@@ -18,6 +16,4 @@ namespace benchmark {
  * of their first rows. If a run occurs twice, the later row is used. */
 std::string tableOf(const std::vector<RunRow>& rows);
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

@@ -7,9 +7,7 @@
 #include <functional>
 #include <optional>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 namespace {
 
@@ -284,6 +282,4 @@ solidColumns()
   };
 }
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

@@ -7,9 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace benchmark {
+namespace pcl::sedr::benchmark {
 
 /** @brief A column of the table of runs: its title, and a function that returns the
  * cell of a group of runs that differ in their seed. */
@@ -26,6 +24,4 @@ std::vector<TableColumn> columnsOf(bool with_mesh);
 /** @brief Returns the columns about plans and their solids. */
 std::vector<TableColumn> solidColumns();
 
-} // namespace benchmark
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::benchmark

@@ -5,9 +5,7 @@
 
 #include <pcl/sedr_filters/impl/floor_recovery.h>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 pcl::Indices
 requireLabel(const ToolCloud& cloud, StructureLabel label, const std::string& remedy)
@@ -49,6 +47,4 @@ meanFloorHeight(const ToolCloud& cloud, const std::string& remedy)
   return meanHeight(points, finite);
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -6,9 +6,7 @@
 #include <cstdint>
 #include <set>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Returns the rows with a label. Throws ToolError with `remedy` at its end if
  * there are none. */
@@ -24,6 +22,4 @@ std::set<std::uint32_t> ceilingRooms(const ToolCloud& cloud);
  * was not seen. Throws ToolError with `remedy` at its end if none is finite. */
 double meanFloorHeight(const ToolCloud& cloud, const std::string& remedy = "");
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

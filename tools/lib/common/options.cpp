@@ -13,9 +13,7 @@
 #include <sstream>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace po = boost::program_options;
 
@@ -289,6 +287,4 @@ Options::help() const
   return help;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

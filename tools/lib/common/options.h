@@ -8,9 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief The valid values of a numeric option. */
 struct Range {
@@ -163,6 +161,4 @@ private:
   bool wants_version_ = false;
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

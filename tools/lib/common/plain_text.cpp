@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -67,6 +65,4 @@ quotedWord(std::string_view word)
   return "'" + plainText(word, most) + "'";
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -6,9 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Makes a text from a file printable: control characters and bytes that are no
  * UTF-8 become `\x1b`, and what follows the first `most` bytes becomes `...`. */
@@ -19,6 +17,4 @@ std::string plainText(std::string_view text,
  * in single quotes. */
 std::string quotedWord(std::string_view word);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

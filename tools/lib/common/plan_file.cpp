@@ -12,9 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -138,6 +136,4 @@ setSurfacePoints(pcl::PCLPointCloud2& blob, const std::vector<SurfacePoint>& poi
   setField(blob, "room", rooms);
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -10,9 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Reads a floor plan. Throws ToolError on failure, including a plan without
  * rooms. */
@@ -39,6 +37,4 @@ void giveRooms(const Floorplan& plan, ToolCloud& cloud);
 void setSurfacePoints(pcl::PCLPointCloud2& blob,
                       const std::vector<SurfacePoint>& points);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -9,9 +9,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -78,6 +76,4 @@ explained(const Priors& priors)
   return text;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -5,9 +5,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Returns the priors requested on a command line; throws ToolError if invalid.
  * @param list name=value, separated by commas; overrides the file
@@ -18,6 +16,4 @@ Priors priorsOf(const std::string& list, const std::string& path = {});
  * of use. */
 std::string explained(const Priors& priors);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

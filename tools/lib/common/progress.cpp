@@ -7,9 +7,7 @@
 #include <iostream>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 Progress::Progress(std::string step)
     : step_(std::move(step))
@@ -45,6 +43,4 @@ Progress::watch()
   has_spoken_ = true;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -7,9 +7,7 @@
 #include <string>
 #include <thread>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Shows the current step on a terminal during this object's lifetime, if that
  * exceeds a second. Silent if stderr is no terminal.
@@ -35,6 +33,4 @@ private:
   std::thread watcher_;
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

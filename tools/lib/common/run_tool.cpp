@@ -15,9 +15,7 @@
 #include <new>
 #include <set>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -92,6 +90,4 @@ say(const std::string& line)
     std::cerr << line << std::endl;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

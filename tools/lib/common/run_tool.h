@@ -5,9 +5,7 @@
 
 #include <functional>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Implements main(): parses the command line, prints the help or calls `body`,
  * and prints an exception as one sentence on stderr. PCL's own messages are silenced;
@@ -28,6 +26,4 @@ void tell(const std::string& sentence);
 /** @brief Prints a line on stderr if that is a terminal. */
 void say(const std::string& line);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

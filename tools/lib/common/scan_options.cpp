@@ -10,9 +10,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -137,6 +135,4 @@ addE57Options(Options& options, ScanOptions& scan)
                "leave out the scans of an E57 file that cannot be read");
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -6,9 +6,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Options for reading scans, as given on the command line. */
 struct ScanOptions {
@@ -44,6 +42,4 @@ void addScanOptions(Options& options, ScanOptions& scan);
  * floorplan.json, or a PCD, PLY or OBJ; 0, 0, 0 if none is stated. */
 Origin originOfModel(const std::string& path);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

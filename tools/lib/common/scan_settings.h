@@ -7,9 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Settings for reading a scan. */
 struct ScanSettings {
@@ -23,6 +21,4 @@ struct ScanSettings {
   std::size_t piece_bytes = std::size_t{1} << 23; ///< approximate size of a piece
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

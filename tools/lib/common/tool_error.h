@@ -4,9 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Meaning of a tool's exit code. */
 enum ExitCode {
@@ -30,6 +28,4 @@ private:
   ExitCode exit_code_;
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -8,9 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 enum class ChangeKind { Appeared, Vanished, Moved };
 
@@ -35,6 +33,4 @@ struct CompareSettings {
   double farthest = 1.5;       ///< maximum distance of corresponding elements, metres
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

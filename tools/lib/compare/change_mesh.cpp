@@ -10,9 +10,7 @@
 #include <map>
 #include <ostream>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -125,6 +123,4 @@ saveChangeMesh(const std::string& path,
   writeWhole(path, [&](std::ostream& stream) { writePly(stream, triangles); });
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

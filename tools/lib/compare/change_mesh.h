@@ -7,9 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Colours of changes in the mesh. */
 namespace change_colours {
@@ -27,6 +25,4 @@ void saveChangeMesh(const std::string& path,
                     const Floorplan& after,
                     const std::vector<Change>& changes);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <map>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -130,6 +128,4 @@ drawChanges(const Floorplan& before,
   return picture;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

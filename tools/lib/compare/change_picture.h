@@ -4,9 +4,7 @@
 #include "change.h"
 #include "picture.h"
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Draws both plans on top of each other, the first one faint, with changes in
  * the colours of saveChangeMesh(): walls as lines; columns, details and rooms as
@@ -15,6 +13,4 @@ Picture drawChanges(const Floorplan& before,
                     const Floorplan& after,
                     const std::vector<Change>& changes);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

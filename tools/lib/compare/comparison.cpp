@@ -9,9 +9,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -109,6 +107,4 @@ changesToJson(const std::vector<Change>& changes, const CompareSettings& setting
   return json.dump(1) + "\n";
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

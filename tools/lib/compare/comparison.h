@@ -6,9 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Compares two plans of a building: rooms, walls, columns, slabs and their
  * details, in this order. Both must be in the same frame, see alignPlans(). Plans that
@@ -25,6 +23,4 @@ std::string describe(const Change& change);
 std::string changesToJson(const std::vector<Change>& changes,
                           const CompareSettings& settings);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

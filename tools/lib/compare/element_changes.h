@@ -6,9 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Rooms that appeared or vanished: less than half of their floor is floor in
  * the other plan. */
@@ -45,6 +43,4 @@ std::vector<Change> slabChanges(const Floorplan& before,
                                 const Floorplan& after,
                                 const CompareSettings& settings);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -10,9 +10,7 @@
 #include <cmath>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -310,6 +308,4 @@ alignPlans(const Floorplan& moving, const Floorplan& fixed, double reach)
   return transform;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

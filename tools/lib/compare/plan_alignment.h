@@ -7,9 +7,7 @@
 
 #include <optional>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief A rotation about the vertical through the origin, then a shift. */
 struct PlanTransform {
@@ -32,6 +30,4 @@ Floorplan transformed(const Floorplan& plan, const PlanTransform& transform);
 std::optional<PlanTransform>
 alignPlans(const Floorplan& moving, const Floorplan& fixed, double reach = 0.5);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

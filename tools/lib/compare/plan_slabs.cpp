@@ -5,9 +5,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 Slabs
 slabsOf(const Floorplan& plan, bool is_floor)
@@ -62,6 +60,4 @@ spotBeside(const Slabs& slabs, CellKey cell, const Spot& spot)
   return best;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

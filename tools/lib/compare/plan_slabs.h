@@ -8,9 +8,7 @@
 #include <map>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 constexpr double slab_cell = 0.1; ///< edge of the cells for comparing slabs, metres
 
@@ -33,6 +31,4 @@ Slabs slabsOf(const Floorplan& plan, bool is_floor);
  * its rooms are all above or below. */
 const Spot* spotBeside(const Slabs& slabs, CellKey cell, const Spot& spot);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -3,9 +3,7 @@
 
 #include "plan_slabs.h"
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -55,6 +53,4 @@ roomChanges(const Floorplan& before, const Floorplan& after)
   return rooms;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

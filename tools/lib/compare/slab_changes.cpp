@@ -10,9 +10,7 @@
 #include <map>
 #include <optional>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -226,6 +224,4 @@ slabChanges(const Floorplan& before,
   return changes;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

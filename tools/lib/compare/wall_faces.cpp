@@ -5,9 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -138,6 +136,4 @@ areNeighbours(const Face& a, const Face& b)
   return a.room == b.room && (apart == 1 || apart + 1 == a.walls);
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -8,9 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief A part of a wall that the other plan does not have. */
 struct Face {
@@ -63,6 +61,4 @@ bool isPartition(const Face& a, const Face& b);
 /** @brief Returns whether two walls are consecutive in the outline of one room. */
 bool areNeighbours(const Face& a, const Face& b);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

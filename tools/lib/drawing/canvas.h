@@ -9,9 +9,7 @@
 #include <array>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief A rectangle, in pixels or in metres. */
 struct Box {
@@ -80,6 +78,4 @@ private:
   std::vector<Text> texts_;
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

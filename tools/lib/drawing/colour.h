@@ -5,9 +5,7 @@
 
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief A colour of a picture, 0 to 255 per channel. */
 struct Colour {
@@ -69,6 +67,4 @@ colourOf(StructureLabel label)
   return list[label <= StructureLabel::Column ? static_cast<std::uint32_t>(label) : 0];
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

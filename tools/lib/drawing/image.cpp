@@ -8,9 +8,7 @@
 
 #include <cstring>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 static_assert(sizeof(Colour) == 3, "pixels are handed on as they lie in memory");
 
@@ -37,6 +35,4 @@ pngOf(const Image& image)
           static_cast<std::size_t>(bytes->GetNumberOfValues())};
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -7,9 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief 8-bit RGB pixels, row by row from the top left. */
 struct Image {
@@ -41,6 +39,4 @@ private:
 /** @brief Encodes an image as PNG; deterministic. */
 std::string pngOf(const Image& image);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

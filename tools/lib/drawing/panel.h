@@ -11,9 +11,7 @@
 #include <variant>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief A projected triangle: x to the right, y up, depth away from the viewer. */
 struct ViewedTriangle {
@@ -121,6 +119,4 @@ Box viewOf(const CellSet& cells, double cell_size);
  * there are none. */
 Box viewOfPieces(const CellSet& cells, double cell_size, std::size_t least);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -6,9 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief A picture of a stage's result: a title, rows of panels, and a legend. The
  * same content gives the same pixels.
@@ -70,6 +68,4 @@ private:
   std::vector<std::string> notes_;
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

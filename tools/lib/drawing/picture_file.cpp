@@ -4,9 +4,7 @@
 #include "tool_error.h"
 #include "bytes/whole_file.h"
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 void
 addPictureOption(Options& options, std::string& path)
@@ -31,6 +29,4 @@ savePicture(const std::string& path, const Picture& picture)
   writeWhole(path, [&](std::ostream& stream) { stream << bytes; });
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -6,9 +6,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Adds the option `--picture FILE.png` to a stage's program. */
 void addPictureOption(Options& options, std::string& path);
@@ -20,6 +18,4 @@ void checkPictureOutput(const std::string& path);
 /** @brief Writes a picture as PNG, completely or not at all. */
 void savePicture(const std::string& path, const Picture& picture);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -5,9 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 double
 roundStep(double most)
@@ -46,6 +44,4 @@ lengthText(double metres)
                                                                          : " m");
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -3,9 +3,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Returns the largest of 1, 2 and 5 times a power of ten that is at most
  * `most`, which must be above 0. */
@@ -20,6 +18,4 @@ std::string fixedText(double value, int digits);
 /** @brief Returns the number of decimals required for multiples of `step`. */
 int digitsOf(double step);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -5,9 +5,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Horizontal alignment of a text. */
 enum class Anchor { Left, Middle, Right };
@@ -30,6 +28,4 @@ int widthOf(const Text& text);
 /** @brief Draws a text into an image, clipped at its edges. */
 void drawText(const Text& text, Image& image);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -9,9 +9,7 @@
 
 #include <pcl/sedr_filters/impl/structure_fields.hpp>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -93,6 +91,4 @@ ChainPictures::draw() const
   return files;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -6,9 +6,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 const std::vector<std::string> drawing_names{"floorplan.svg", "floorplan.pdf",
                                              "floorplan.dxf"};
@@ -35,6 +33,4 @@ writeDrawings(OutputFolder& folder,
   folder.remove(old, input);
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

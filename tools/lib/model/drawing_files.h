@@ -9,9 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Drawings in a result folder of a plan with one storey. */
 extern const std::vector<std::string> drawing_names;
@@ -24,6 +22,4 @@ void writeDrawings(OutputFolder& folder,
                    const DrawingSettings& settings = {},
                    unsigned threads = 1);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -3,9 +3,7 @@
 
 #include "bytes/whole_file.h"
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 void
 addIfcOptions(Options& options, IfcOptions& ifc)
@@ -41,6 +39,4 @@ saveIfc(const std::string& path,
   return model;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -7,9 +7,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Command line options of the IFC export. */
 struct IfcOptions {
@@ -29,6 +27,4 @@ IfcModel saveIfc(const std::string& path,
                  const IfcSettings& settings,
                  const Origin& origin);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -31,9 +31,7 @@
 #include <optional>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -294,6 +292,4 @@ makeModel(const ModelSettings& settings,
   return Done;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -7,9 +7,7 @@
 #include <functional>
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Makes a model folder from a scan: reads, reconstructs, measures and writes.
  * Throws ToolError on failure.
@@ -19,6 +17,4 @@ int makeModel(const ModelSettings& settings,
               Reconstruction& chain,
               const std::function<std::size_t()>& open);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

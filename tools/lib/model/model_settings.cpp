@@ -4,9 +4,7 @@
 
 #include <pcl/common/angles.h>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 ModelSettings::ModelSettings(const Reconstruction& chain)
     : voxel(chain.getVoxelSize())
@@ -97,6 +95,4 @@ apply(const ModelSettings& s, Reconstruction& chain)
   chain.getChain().mesh_from_plan = s.mesh_from_plan;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

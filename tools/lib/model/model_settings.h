@@ -12,9 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 using Reconstruction = pcl::IndoorStructureReconstruction<pcl::PointXYZ>;
 
@@ -57,6 +55,4 @@ void addModelOptions(Options& options, ModelSettings& s);
 /** @brief Applies the settings to the chain. */
 void apply(const ModelSettings& s, Reconstruction& chain);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

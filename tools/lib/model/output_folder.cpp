@@ -12,9 +12,7 @@
 #include <regex>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace fs = std::filesystem;
 
@@ -109,6 +107,4 @@ OutputFolder::refuse(const std::string& reason) const
                   "' cannot be written to: " + reason);
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

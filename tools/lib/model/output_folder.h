@@ -6,9 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief A result folder. It is checked before the work, created when there is
  * something to write, and removed again if it was created here and writing fails.
@@ -46,6 +44,4 @@ private:
   std::vector<std::filesystem::path> missing_; ///< folders to create, innermost first
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -13,9 +13,7 @@
 #include <map>
 #include <sstream>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -299,6 +297,4 @@ summaryOf(const RunRecord& run, const Reconstruction& chain)
   return summary + text;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -12,9 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Input and results of a run of pcl_sedr. */
 struct RunRecord {
@@ -36,6 +34,4 @@ std::string makeReport(const RunRecord& run,
 std::string summaryOf(const RunRecord& run,
                       const IndoorStructureReconstruction<pcl::PointXYZ>& chain);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -10,9 +10,7 @@
 
 #include <filesystem>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -122,6 +120,4 @@ saveDrawing(const DrawingSheet& sheet, const Floorplan& plan, DrawingSettings se
              [&](std::ostream& stream) { stream << write(plan, settings); });
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

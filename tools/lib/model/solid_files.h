@@ -11,9 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Returns whether a file's name ends in `extension`, such as ".ply". */
 bool hasExtension(const std::string& path, const std::string& extension);
@@ -53,6 +51,4 @@ void saveDrawing(const DrawingSheet& sheet,
                  const Floorplan& plan,
                  DrawingSettings settings = {});
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

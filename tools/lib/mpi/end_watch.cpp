@@ -7,9 +7,7 @@
 #include <iostream>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -106,6 +104,4 @@ EndWatch::sentence() const
                         : "; what was finished is in '" + kept_ + "'");
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -8,9 +8,7 @@
 #include <string>
 #include <thread>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Reports what every rank was working on when the run is ended from outside.
  * mpirun ends all ranks with SIGTERM when one dies or when it is interrupted. Then one
@@ -57,6 +55,4 @@ private:
   std::thread watcher_;
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -7,9 +7,7 @@
 
 #include <new>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 std::string
 currentProblem()
@@ -56,6 +54,4 @@ together(RankMail& mail, const std::string& held, const std::function<void()>& s
   throw StepFailed();
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -7,9 +7,7 @@
 #include <functional>
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Thrown on all ranks but the first if a joint step failed on any rank; the
  * first throws and reports the ToolError. */
@@ -30,6 +28,4 @@ std::string nameOf(int rank);
 void
 together(RankMail& mail, const std::string& held, const std::function<void()>& step);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -7,9 +7,7 @@
 #include <cstring>
 #include <numeric>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -215,6 +213,4 @@ thinTogether(RankMail& mail, const ThinOrder& order, unsigned threads)
   return JointThinning(mail, order, threads).run();
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

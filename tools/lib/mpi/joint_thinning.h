@@ -6,9 +6,7 @@
 
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Thins a scan on all ranks, each its own rows. Each rank sums a range of the
  * sorted voxels and sends their means to rank 0, so no rank holds the voxel sums of
@@ -20,6 +18,4 @@ namespace tools {
  * together() */
 ThinnedScan thinTogether(RankMail& mail, const ThinOrder& order, unsigned threads);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

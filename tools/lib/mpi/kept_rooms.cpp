@@ -9,9 +9,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace fs = std::filesystem;
 
@@ -87,6 +85,4 @@ KeptRooms::discard()
   made_.clear();
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

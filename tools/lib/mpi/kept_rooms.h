@@ -10,9 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Writes results of rooms as soon as they are finished, each file completely or
  * not at all: points to room_3.pcd, the mesh to room_3.ply. A successful run removes
@@ -44,6 +42,4 @@ private:
   std::vector<std::filesystem::path> files_;
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

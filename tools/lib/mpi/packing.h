@@ -22,9 +22,7 @@
 // Serialisation of messages between ranks: member by member, long lists of numbers as
 // in memory. All ranks must run the same build on machines of the same kind.
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Serialises a list whose members consist only of numbers. */
 template <typename Archive, typename T>
@@ -59,12 +57,9 @@ unpack(const std::string& bytes)
   return value;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools
 
-namespace boost {
-namespace serialization {
+namespace boost::serialization {
 
 template <typename Archive, typename Scalar, int rows>
 void
@@ -290,5 +285,4 @@ serialize(Archive& archive, std::variant<Kinds...>& choice, unsigned version)
   split_free(archive, choice, version);
 }
 
-} // namespace serialization
-} // namespace boost
+} // namespace boost::serialization

@@ -3,9 +3,7 @@
 
 #include "sedr_segmentation/src/scan/scan_excerpt.h"
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 PartOfScan::PartOfScan(const ThinOrder& order, unsigned threads)
     : order_(order)
@@ -87,6 +85,4 @@ PartOfScan::takeVoxels()
   return voxels;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -13,9 +13,7 @@
 #include <memory>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Input of thinning on one rank. */
 struct ThinOrder {
@@ -72,6 +70,4 @@ private:
   std::vector<Eigen::Vector3f> excerpt_;
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -7,9 +7,7 @@
 #include <chrono>
 #include <thread>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -140,6 +138,4 @@ RankMail::exchange(const std::vector<Parcel>& parcels)
   return received;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

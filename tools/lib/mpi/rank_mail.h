@@ -8,9 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Subject of a message between ranks. */
 enum class Subject : int {
@@ -78,6 +76,4 @@ private:
 /** @brief Sleeps briefly between two polls. */
 void rest();
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -9,9 +9,7 @@
 #include <utility>
 #include <variant>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -27,12 +25,9 @@ struct Order {
 
 } // namespace
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools
 
-namespace boost {
-namespace serialization {
+namespace boost::serialization {
 
 template <typename Archive>
 void
@@ -66,12 +61,9 @@ serialize(Archive& archive, pcl::sedr::tools::Order& order, unsigned)
   archive& order.threads& order.what;
 }
 
-} // namespace serialization
-} // namespace boost
+} // namespace boost::serialization
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 RankOrders::RankOrders(RankMail& mail,
                        unsigned threads,
@@ -151,6 +143,4 @@ serve(RankMail& mail, unsigned fair_threads)
   }
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

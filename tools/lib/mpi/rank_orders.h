@@ -12,9 +12,7 @@
 #include <memory>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Sends orders from rank 0 to the others, with all that they need to know of
  * files and options. */
@@ -51,6 +49,4 @@ void sendHome(RankMail& mail);
  * @param fair_threads number of threads if an order gives none */
 void serve(RankMail& mail, unsigned fair_threads);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

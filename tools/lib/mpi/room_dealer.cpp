@@ -9,9 +9,7 @@
 #include <numeric>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -118,6 +116,4 @@ RoomDealer::takeOne(const Take& take)
   return true;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

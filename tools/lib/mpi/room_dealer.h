@@ -12,9 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Runs a job; workOn() except in tests. */
 using RoomWork = std::function<RoomResult(const RoomJob&)>;
@@ -73,6 +71,4 @@ private:
   std::vector<std::string> losses_;
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -7,9 +7,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 std::string
 textOf(const std::vector<RowRange>& ranges)
@@ -92,6 +90,4 @@ dealRows(const std::vector<ScanInput>& inputs, std::size_t ranks)
   return parts;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

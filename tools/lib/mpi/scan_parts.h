@@ -7,9 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief A file of a scan, which may have several. */
 struct ScanInput {
@@ -50,6 +48,4 @@ ScanPositions positionsOf(const std::vector<ScanInput>& inputs,
 std::vector<std::vector<RowRange>> dealRows(const std::vector<ScanInput>& inputs,
                                             std::size_t ranks);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -5,9 +5,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -52,6 +50,4 @@ sharesOf(const std::vector<VoxelSum>& voxels, const std::vector<VoxelKey>& borde
   return begins;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

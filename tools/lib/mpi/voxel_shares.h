@@ -8,9 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief The codes of a voxel. */
 using VoxelKey = std::array<std::int32_t, 3>;
@@ -30,6 +28,4 @@ std::vector<VoxelKey> bordersOf(std::vector<VoxelKey> keys, std::size_t ranks);
 std::vector<std::size_t> sharesOf(const std::vector<VoxelSum>& voxels,
                                   const std::vector<VoxelKey>& borders);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -3,9 +3,7 @@
 
 #include "map_cells.h"
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 FloorCells
 floorCellsOf(const pcl::FloorProjectionRecovery<pcl::PointXYZ>& recovery)
@@ -57,6 +55,4 @@ drawFloor(const std::vector<FloorCells>& rooms)
   return picture;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

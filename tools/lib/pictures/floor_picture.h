@@ -9,9 +9,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Classification of the cells of a floor. */
 struct FloorCells {
@@ -30,6 +28,4 @@ FloorCells floorCellsOf(const pcl::FloorProjectionRecovery<pcl::PointXYZ>& recov
  * @param rooms one per run */
 Picture drawFloor(const std::vector<FloorCells>& rooms);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -9,9 +9,7 @@
 #include <set>
 #include <tuple>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -125,6 +123,4 @@ drawMesh(const TriangleMesh& mesh)
   return picture;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

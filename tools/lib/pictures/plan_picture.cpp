@@ -4,9 +4,7 @@
 #include "map_cells.h"
 #include "plan_layers.h"
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -60,6 +58,4 @@ drawPlan(const Floorplan& plan, const std::vector<FittedBoundary>& boundaries)
   return picture;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -7,14 +7,10 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Draws the result of FloorplanFitting (paper, Figure 7a): boundary points,
  * fitted lines and arcs, corners and rooms. */
 Picture drawPlan(const Floorplan& plan, const std::vector<FittedBoundary>& boundaries);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -9,9 +9,7 @@
 #include <limits>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -143,6 +141,4 @@ drawPlanes(const Planes& planes,
   return picture;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -8,9 +8,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Draws the result of HorizontalPlaneDetection: a histogram of heights, and the
  * planes in plan, coloured as ceilings, floors and others.
@@ -21,6 +19,4 @@ Picture drawPlanes(const std::vector<pcl::HorizontalPlane>& planes,
                    const PointView& points,
                    double cell_size);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

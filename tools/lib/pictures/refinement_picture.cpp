@@ -8,9 +8,7 @@
 #include <algorithm>
 #include <map>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -128,6 +126,4 @@ drawRefinement(const RefinedWalls& walls, const Floorplan& plan)
   return picture;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

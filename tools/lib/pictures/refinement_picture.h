@@ -9,9 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief A point of a wall, column or riser before and after refinement; metres. */
 struct MovedPoint {
@@ -65,6 +63,4 @@ refinedWallsOf(const pcl::StructureRefinement<PointT>& refinement,
  * movements. */
 Picture drawRefinement(const RefinedWalls& walls, const Floorplan& plan);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -7,15 +7,11 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Draws the result of GridRegionOutlierRemoval (paper, Figure 3b to d): the
  * binary map, the regions with their sizes, and which of them are kept.
  * @param maps one per run: per ceiling height */
 Picture drawRegions(const std::vector<RegionMap>& maps);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -10,9 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -157,6 +155,4 @@ drawRepair(const RepairedSurfaces& surfaces, const Floorplan& plan)
   return picture;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -7,9 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Result of a hole repair: the points of all surfaces and whether they were
  * seen. */
@@ -46,6 +44,4 @@ repairedSurfacesOf(const pcl::VerticalHoleRepair<PointT>& repair)
  * colours. */
 Picture drawRepair(const RepairedSurfaces& surfaces, const Floorplan& plan);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

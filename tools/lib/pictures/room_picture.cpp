@@ -8,9 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -89,6 +87,4 @@ drawRooms(const Building& building)
   return picture;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -5,14 +5,10 @@
 
 #include <pcl/sedr_segmentation/building.h>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Draws the rooms of a building, storey by storey: number and area of each
  * room, its hidden parts darker, doorways, and a histogram of ceiling heights. */
 Picture drawRooms(const Building& building);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -10,9 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief The grid-slices analysis of one room. */
 struct RoomSlices {
@@ -31,6 +29,4 @@ Picture drawSlices(const std::vector<RoomSlices>& rooms,
                    const PointView& points,
                    double cell_size);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -10,9 +10,7 @@
 #include <functional>
 #include <numeric>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -137,6 +135,4 @@ drawThinning(const RowSource& before, const PointView& after, double leaf)
   return draw({before.size(), for_each}, after, leaf);
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

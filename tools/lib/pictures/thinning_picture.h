@@ -6,9 +6,7 @@
 #include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_filters/row_source.h>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Draws the result of ParallelVoxelGrid: the number of points per cell of the
  * plan before and after.
@@ -18,6 +16,4 @@ Picture drawThinning(const PointView& before, const PointView& after, double lea
 /** @brief As above, for a scan that is read in pieces. */
 Picture drawThinning(const RowSource& before, const PointView& after, double leaf);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -8,9 +8,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -164,6 +162,4 @@ drawWalls(const std::vector<RoomWalls>& rooms, const PointView& points)
   return picture;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

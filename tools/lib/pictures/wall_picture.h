@@ -11,9 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief The walls of one room, and their seeds; indices into one cloud. */
 struct RoomWalls {
@@ -38,6 +36,4 @@ RoomWalls roomWallsOf(const pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ>& grow
  * Without a slice, only the first. */
 Picture drawWalls(const std::vector<RoomWalls>& rooms, const PointView& points);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

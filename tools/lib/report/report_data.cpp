@@ -5,9 +5,7 @@
 
 #include <pcl/sedr_filters/plan_measures.h>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -202,6 +200,4 @@ readReportData(const ResultFolder& folder)
   return data;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

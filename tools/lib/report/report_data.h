@@ -12,9 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Facts of a room for the page; unknown ones are empty. */
 struct RoomFacts {
@@ -82,6 +80,4 @@ struct ReportData {
 /** @brief Reads both files; members that are missing or of another type are skipped. */
 ReportData readReportData(const ResultFolder& folder);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

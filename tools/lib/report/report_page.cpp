@@ -17,9 +17,7 @@
 #include <cmath>
 #include <filesystem>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -204,6 +202,4 @@ writePage(const std::string& path, const PageSettings& settings)
   return page;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

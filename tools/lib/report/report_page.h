@@ -4,9 +4,7 @@
 #include <cstddef>
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Settings of a page. */
 struct PageSettings {
@@ -27,6 +25,4 @@ std::string makePage(const std::string& folder, const PageSettings& settings);
  * @return the path of the file */
 std::string writePage(const std::string& folder, const PageSettings& settings);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -136,6 +134,4 @@ CeilingRule::ofMesh(const TriangleMesh& mesh) const
   return ofCloud(centres);
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

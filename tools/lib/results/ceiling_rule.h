@@ -15,9 +15,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Decides what to remove for a view into the rooms from above: ceilings with
  * their details, and everything above.
@@ -64,6 +62,4 @@ private:
   std::map<std::uint32_t, double> middle_of_room_; ///< heights, metres
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -11,9 +11,7 @@
 #include <algorithm>
 #include <array>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -166,6 +164,4 @@ thinnedCloudOf(const RowSource& scan, double voxel_size)
   return shown;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -8,9 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief A cloud for display: finite points without outliers, subsampled if large. */
 struct DisplayCloud {
@@ -34,6 +32,4 @@ DisplayCloud displayCloudOf(const RowSource& scan, std::size_t most);
  * `voxel_size` metres. */
 DisplayCloud thinnedCloudOf(const RowSource& scan, double voxel_size);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

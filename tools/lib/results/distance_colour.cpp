@@ -7,9 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 Colour
 distanceColour(double distance, double range)
@@ -34,6 +32,4 @@ distanceText(double metres)
   return fixedText(centimetres, is_whole ? 0 : centimetres < 0.1 ? 2 : 1) + " cm";
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -6,9 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Returns the colour of a distance from the model (paper, Figure 11): from blue
  * at 0 through green, yellow and orange to red at `range` metres and more; grey for
@@ -18,6 +16,4 @@ Colour distanceColour(double distance, double range);
 /** @brief Formats a distance: "0.3 cm", "4 cm", "1.2 m". */
 std::string distanceText(double metres);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

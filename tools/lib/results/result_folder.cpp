@@ -10,9 +10,7 @@
 #include <array>
 #include <fstream>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace fs = std::filesystem;
 
@@ -126,6 +124,4 @@ ResultFolder::mesh(const std::string& name) const
   return mesh;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -10,9 +10,7 @@
 #include <filesystem>
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief A result folder of pcl_sedr: its files and its report.json. Throws ToolError
  * if a file cannot be read. */
@@ -52,6 +50,4 @@ private:
   Json report_ = Json::object();
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

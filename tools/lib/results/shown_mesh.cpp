@@ -5,9 +5,7 @@
 #include <cmath>
 #include <map>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 Colour
 litColour(Colour colour, const Eigen::Vector3d& normal)
@@ -46,6 +44,4 @@ elementEdges(const TriangleMesh& mesh)
   return lines;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

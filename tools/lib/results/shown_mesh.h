@@ -10,9 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Returns the lit colour of a surface, by its orientation and independent of
  * the viewer. Both sides are equal.
@@ -24,6 +22,4 @@ Colour litColour(Colour colour, const Eigen::Vector3d& normal);
 std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>
 elementEdges(const TriangleMesh& mesh);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 StoreyRule::StoreyRule(const Floorplan& plan)
     : storeys_(storeysOf(plan))
@@ -34,6 +32,4 @@ StoreyRule::holds(std::uint32_t number, std::uint32_t room, double z) const
   return z >= storey->floor - beside && z <= storey->ceiling + beside;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

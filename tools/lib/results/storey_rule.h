@@ -10,9 +10,7 @@
 #include <map>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Decides what belongs to a storey: parts with a room by that room, others,
  * such as the scan, by height with 15 cm more at both ends. */
@@ -38,6 +36,4 @@ private:
   std::map<std::uint32_t, std::uint32_t> storey_of_room_; ///< storey numbers
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

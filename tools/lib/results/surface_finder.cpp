@@ -3,9 +3,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -59,6 +57,4 @@ nearestTriangle(const TriangleMesh& mesh, const Eigen::Vector3d& p)
   return nearest;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -8,9 +8,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief The triangle of a mesh nearest to a point. */
 struct NearestTriangle {
@@ -31,6 +29,4 @@ Eigen::Vector3d nearestOnTriangle(const Eigen::Vector3d& p,
  * the first. */
 NearestTriangle nearestTriangle(const TriangleMesh& mesh, const Eigen::Vector3d& p);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -9,9 +9,7 @@
 #include <array>
 #include <fstream>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -229,6 +227,4 @@ loadBuilding(const std::string& path)
   }
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -5,9 +5,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Returns "no headroom", "outdoors" or "void". */
 const char* nameOf(LeftOutKind kind);
@@ -21,6 +19,4 @@ std::string buildingToJson(const Building& building);
 /** @brief Reads the output of buildingToJson(). Throws ToolError on failure. */
 Building loadBuilding(const std::string& path);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

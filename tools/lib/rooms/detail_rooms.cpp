@@ -11,9 +11,7 @@
 #include <string>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -162,6 +160,4 @@ detailRooms(const ToolCloud& cloud,
                           : sharedOutRooms(cloud, grid, parameters);
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

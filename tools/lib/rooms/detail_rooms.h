@@ -9,9 +9,7 @@
 #include <limits>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Input of detail detection for one room. */
 struct DetailRoom {
@@ -32,6 +30,4 @@ std::vector<DetailRoom> detailRooms(const ToolCloud& cloud,
                                     double grid_size,
                                     const RoomPlaneParameters& parameters);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

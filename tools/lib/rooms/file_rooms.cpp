@@ -7,9 +7,7 @@
 #include <map>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -107,6 +105,4 @@ territoryOf(const std::vector<FileRoom>& rooms,
   return territory;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

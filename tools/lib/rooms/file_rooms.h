@@ -9,9 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Rows of a room in a file, by label. Non-finite rows are omitted. */
 struct FileRoom {
@@ -44,6 +42,4 @@ RoomTerritory territoryOf(const std::vector<FileRoom>& rooms,
                           const ToolCloud& cloud,
                           double grid_size);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

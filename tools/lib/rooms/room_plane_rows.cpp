@@ -5,9 +5,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -98,6 +96,4 @@ labelPlanesOfRooms(const RoomPlaneParameters& parameters,
   return planes;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

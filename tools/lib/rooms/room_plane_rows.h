@@ -7,9 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Finds the main planes of ceiling and floor of every room of a file, as the
  * chain does, and labels the file again. All ceiling points keep label 1 and their
@@ -26,6 +24,4 @@ labelPlanesOfRooms(const RoomPlaneParameters& parameters,
                    const Building& building,
                    ToolCloud& cloud);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -11,9 +11,7 @@
 #include <cstring>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -153,6 +151,4 @@ layOut(pcl::PCLPointCloud2& blob, std::uint64_t points, const std::string& path)
   blob.is_dense = 0;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

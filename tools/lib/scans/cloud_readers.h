@@ -14,9 +14,7 @@
 #include <string_view>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 enum class FileData { Ascii, Binary, BinaryBigEndian, Compressed, Decoded };
 
@@ -116,6 +114,4 @@ std::size_t readNumbers(std::string_view line,
  * `points`. Throws ToolError if an index cannot count them. */
 void layOut(pcl::PCLPointCloud2& blob, std::uint64_t points, const std::string& path);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -8,9 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -201,6 +199,4 @@ floatField(const pcl::PCLPointCloud2& blob, const std::string& name)
   return values;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

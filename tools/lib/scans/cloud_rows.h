@@ -10,9 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 // A row is a point of a pcl::PCLPointCloud2 with all fields. Blobs here have height 1
 // and no padding, as from loadCloud().
@@ -78,6 +76,4 @@ coordinatesOf(const pcl::PointCloud<PointT>& cloud)
   return points;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -14,9 +14,7 @@
 #include <limits>
 #include <sstream>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -354,6 +352,4 @@ saveStructure(const std::string& path,
   });
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -13,9 +13,7 @@
 #include <cstring>
 #include <filesystem>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace fs = std::filesystem;
 
@@ -154,6 +152,4 @@ JointScan::positions() const
   return joint.get();
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -7,9 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Returns the files named by paths, in order. A folder stands for its .pcd,
  * .ply, .e57, .las and .laz files sorted by name. Throws ToolError for a folder without
@@ -59,6 +57,4 @@ private:
   std::size_t size_ = 0;
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

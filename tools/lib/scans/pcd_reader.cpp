@@ -11,9 +11,7 @@
 #include <cstring>
 #include <map>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -303,6 +301,4 @@ readCompressedPcd(const MappedFile& file,
   }
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

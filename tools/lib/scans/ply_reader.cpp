@@ -11,9 +11,7 @@
 #include <cstring>
 #include <map>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -284,6 +282,4 @@ nameAsPcl(pcl::PCLPointCloud2& blob)
   joinColours(blob);
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -10,9 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Scanner position of a range of points. */
 struct ScanStation {
@@ -65,6 +63,4 @@ decodedFields(const std::vector<std::string>& more)
   return fields;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

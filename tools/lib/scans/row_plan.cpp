@@ -7,9 +7,7 @@
 
 #include <cstring>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -101,6 +99,4 @@ RowPlan::bring(const std::uint8_t* raw, std::size_t rows, std::uint8_t* to) cons
   }
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -9,9 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Converts rows of a file to output rows: no padding, x, y and z as FLOAT32
  * metres. Scale and origin are applied in double precision before the conversion to
@@ -56,6 +54,4 @@ private:
   bool is_plain_ = true;
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

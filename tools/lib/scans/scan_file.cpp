@@ -11,9 +11,7 @@
 #include <algorithm>
 #include <future>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -249,6 +247,4 @@ ScanFile::forEachPiece(std::size_t begin,
     file_.release(placeOf(begin), placeOf(end) - placeOf(begin));
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -12,9 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Header of a scan. */
 struct ScanHead {
@@ -143,6 +141,4 @@ private:
   bool is_plain_ = false;         ///< whether stored rows are in the output form
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

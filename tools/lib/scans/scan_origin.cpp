@@ -13,9 +13,7 @@
 #include <set>
 #include <sstream>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -174,6 +172,4 @@ ScanFile::settleOrigin(const ScanSettings& settings)
     tellOrigin(path_, origin_);
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -7,9 +7,7 @@
 #include <cmath>
 #include <optional>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -96,6 +94,4 @@ ScanFile::positionsIn(const std::string& path, std::size_t rows) const
   return positions;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -6,9 +6,7 @@
 #include <array>
 #include <cstring>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 pcl::Indices
 ToolCloud::withLabel(StructureLabel wanted) const
@@ -70,6 +68,4 @@ loadCloud(const std::string& path, const ScanSettings& settings)
   return cloud;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -8,9 +8,7 @@
 
 #include <Eigen/Geometry>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief A cloud in a tool: all fields, and those that every stage uses. */
 struct ToolCloud {
@@ -68,6 +66,4 @@ class ScanFile;
  * ends in .ply. */
 void saveScan(const std::string& path, const ScanFile& scan);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

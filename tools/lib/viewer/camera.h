@@ -5,9 +5,7 @@
 
 #include <Eigen/Core>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Position and direction of a camera; metres, z up. */
 struct CameraPose {
@@ -27,6 +25,4 @@ CameraPose cameraPose(const ViewedResult& result,
                       double aspect,
                       std::uint32_t storey = 0);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

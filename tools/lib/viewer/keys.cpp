@@ -3,9 +3,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -172,6 +170,4 @@ keyHelp()
   return help;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -7,9 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Action after a key, besides drawing again. */
 enum class KeyCommand {
@@ -39,6 +37,4 @@ KeyCommand pressKey(const std::string& key, HeightRange heights, ViewState& stat
 /** @brief Returns a help text with one key per line, and the mouse actions. */
 std::string keyHelp();
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

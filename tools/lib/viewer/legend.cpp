@@ -11,9 +11,7 @@
 #include <limits>
 #include <map>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -202,6 +200,4 @@ drawLegend(const std::vector<LegendLine>& lines)
   return canvas.image();
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

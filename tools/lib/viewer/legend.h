@@ -7,9 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief A line of the legend, optionally with a colour that it explains. */
 struct LegendLine {
@@ -30,6 +28,4 @@ std::string countText(std::size_t count);
  * 0 by 0, for no lines. */
 Image drawLegend(const std::vector<LegendLine>& lines);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -12,9 +12,7 @@
 #include <map>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Coloured points, or triangle corners in groups of three. */
 struct ColouredPoints {
@@ -81,6 +79,4 @@ private:
 /** @brief Returns the colour of a room; grey for none. */
 Colour roomColour(std::uint32_t room);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

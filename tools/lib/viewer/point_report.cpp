@@ -7,9 +7,7 @@
 
 #include <limits>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -83,6 +81,4 @@ reportPoint(const ViewedResult& result, const Eigen::Vector3d& place)
   return text;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

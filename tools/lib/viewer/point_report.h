@@ -7,15 +7,11 @@
 
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Describes a place in a line: coordinates, label and room of the nearest
  * structure point (or face, without points), element of the solid, distance from the
  * mesh. */
 std::string reportPoint(const ViewedResult& result, const Eigen::Vector3d& place);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -8,9 +8,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -128,6 +126,4 @@ ViewState::isShownRight(Layer layer) const
   return layers.has(layer) && !(two_views && isScan(layer));
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

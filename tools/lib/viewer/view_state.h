@@ -9,9 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Parts of a result that can be shown. */
 enum class Layer { Raw, Thinned, Structure, Plan, Mesh, Solid };
@@ -102,6 +100,4 @@ Colouring colouringOf(const std::string& name);
 
 ViewPoint viewPointOf(const std::string& name);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -14,9 +14,7 @@
 #include <sstream>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -196,6 +194,4 @@ readResult(const std::string& path, const ReadSettings& settings)
   return result;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

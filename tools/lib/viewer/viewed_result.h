@@ -13,9 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief A result to display; each part may be missing. */
 struct ViewedResult {
@@ -57,6 +55,4 @@ struct ReadSettings {
  * missing parts become notes. */
 ViewedResult readResult(const std::string& path, const ReadSettings& settings);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -13,8 +13,7 @@
 #include <limits>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A cell of a horizontal grid, given by its column (x) and row (y). */
 struct Cell {
@@ -235,5 +234,4 @@ CellRegions labelRegions(const CellSet& cells);
 /** @brief Returns the cells of each region, largest first: labelRegions() and O(n). */
 std::vector<CellSet> connectedRegions(const CellSet& cells);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

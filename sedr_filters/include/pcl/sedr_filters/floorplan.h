@@ -14,8 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The shares of a plan element's surface that a scan shows; all 0 if not
  * measured or if there is no surface. See measureEvidence(). */
@@ -235,5 +234,4 @@ struct Floorplan {
   std::vector<PlanStair> stairs{};     ///< those that were found
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

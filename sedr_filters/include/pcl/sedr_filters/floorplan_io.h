@@ -6,8 +6,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Writes a floor plan as JSON: {"format": "sedr-floorplan", "version": 1,
  * "unit": "m", "origin": [x, y, z], "rooms": [...]}. All coordinates are relative to
@@ -43,5 +42,4 @@ bool originFromJson(const std::string& text, Origin& origin);
  * @return an empty plan if there is a problem */
 Floorplan floorplanFromJson(const std::string& text, std::string& problem);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The range of heights that a room occupies, metres. */
 struct RoomHeights {
@@ -75,5 +74,4 @@ double wallThickness(const Floorplan& plan,
                      std::size_t element,
                      double most = 0.6);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Prior assumptions about buildings, furniture, scanners and sampling, made
  * before a scan is read: those of all stages from the planes of a scan to the plan of
@@ -162,5 +161,4 @@ radians(double degrees)
   return degrees * (M_PI / 180);
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A cloud that need not fit in memory. Its points, with all their fields as
  * rows of bytes, are delivered in pieces on request. */
@@ -72,5 +71,4 @@ private:
   std::vector<Eigen::Vector3f> copy_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

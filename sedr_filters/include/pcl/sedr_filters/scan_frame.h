@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The origin of the coordinates of a scan or model, given in the frame of the
  * input, such as a national grid; metres. It is subtracted in double precision before
@@ -116,5 +115,4 @@ positionOfRow(const ScanPositions& positions, std::size_t row)
              : static_cast<std::size_t>(after - positions.begin()) - 1;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A ray through air from a scanner position to a measured point, metres. */
 struct SightLine {
@@ -63,5 +62,4 @@ private:
   std::vector<Station> stations_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

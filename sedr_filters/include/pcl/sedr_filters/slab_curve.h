@@ -7,8 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The shape of a floor or ceiling that is not a plane. */
 enum class CurveKind {
@@ -81,5 +80,4 @@ struct SlabCurve {
  * the origin, counter-clockwise, then shifted. A relief is only shifted. */
 SlabCurve moved(SlabCurve curve, double angle, const Eigen::Vector3d& shift);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -11,8 +11,7 @@
 #include <string>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Base of every stage: stores why the last run failed, as a sentence.
  *
@@ -131,5 +130,4 @@ indicesInRange(const pcl::Indices& indices, std::size_t cloud_size)
   return inside;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -12,8 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Base of the stages that write a cloud: a filter that reports its failures.
  *
@@ -155,5 +154,4 @@ protected:
   std::vector<SurfacePoint> surface_points_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

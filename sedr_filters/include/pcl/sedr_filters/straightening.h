@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A tilted wall face, or a vertical one near it that must not move. */
 struct TiltedFace {
@@ -85,5 +84,4 @@ Floorplan straightened(const Floorplan& plan, const WallTilts& tilts);
 /** @brief Returns all straight walls as faces; none if no wall is tilted. */
 std::vector<TiltedFace> tiltedFaces(const Floorplan& plan, const WallTilts& tilts);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -5,8 +5,7 @@
 
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief The structural class of a point: the value of the field `label` in files. */
 enum class StructureLabel : std::uint32_t {
@@ -45,5 +44,4 @@ struct SurfacePoint {
   std::uint32_t room = 0;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -12,8 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 class ThinnedVoxels;
 class VoxelSums;
@@ -196,5 +195,4 @@ private:
   std::vector<Eigen::Vector3i> layout_; ///< voxel of each output point, in output order
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

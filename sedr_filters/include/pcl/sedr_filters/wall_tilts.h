@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A tilted wall of a plan. The boundary element is its foot, at the height of
  * the floor's main plane. The wall is a plane on a segment, a cone on an arc. */
@@ -54,5 +53,4 @@ std::string withTilts(const std::string& json,
  * empty */
 WallTilts tiltsFromJson(const std::string& json, std::string& problem);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

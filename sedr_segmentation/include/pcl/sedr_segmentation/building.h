@@ -13,8 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Parameters of the room segmentation; lengths in metres. */
 struct BuildingParameters {
@@ -115,5 +114,4 @@ Building findBuilding(const PointView& points,
  * become part of the wall. */
 void giveStoreys(const Building& building, Floorplan& plan);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

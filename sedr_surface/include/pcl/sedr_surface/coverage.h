@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A part of the building that the scan shows but the plan does not contain. */
 struct CoverageGap {
@@ -52,5 +51,4 @@ Coverage coverageOf(const Building& building, const Floorplan& plan);
  * names the largest part left out, with area, place and reason. */
 std::string coverageWarning(const Coverage& coverage);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

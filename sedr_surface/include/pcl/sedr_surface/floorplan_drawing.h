@@ -6,8 +6,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Paper sizes of ISO 216, from small to large. */
 enum class PaperSize { A4, A3, A2, A1, A0 };
@@ -57,5 +56,4 @@ double drawingScale(const Floorplan& plan, PaperSize paper = PaperSize::A3);
  * @param settings only scale, storey, origin and paper are used */
 std::string floorplanToDxf(const Floorplan& plan, const DrawingSettings& settings = {});
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

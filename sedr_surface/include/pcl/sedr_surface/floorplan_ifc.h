@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief How arcs are written: exactly, or as chords within 0.5 mm for programs that
  * misread IfcArcIndex. */
@@ -67,5 +66,4 @@ IfcModel writeIfc(const Floorplan& plan,
                   const IfcSettings& settings = {},
                   const Origin& origin = {});
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -10,8 +10,7 @@
 #include <memory>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 class TriangleTree;
 
@@ -85,5 +84,4 @@ DistanceStatistics summarizeDistances(std::vector<double> distances,
                                       std::size_t bins = 20,
                                       double range = 0.1);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

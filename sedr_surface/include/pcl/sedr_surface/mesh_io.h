@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Reads a triangle mesh from a PLY (ascii or binary, any byte order) or OBJ
  * file.
@@ -34,5 +33,4 @@ std::string savePly(const std::string& path,
                     const TriangleMesh& mesh,
                     const std::vector<std::string>& comments = {});
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

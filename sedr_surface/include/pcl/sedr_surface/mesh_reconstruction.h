@@ -8,8 +8,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Base of the stages that make a mesh of rooms. It serves both of PCL's output
  * forms, with or without an input cloud. A derived class makes mesh_ in run(). */
@@ -49,5 +48,4 @@ protected:
   TriangleMesh mesh_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

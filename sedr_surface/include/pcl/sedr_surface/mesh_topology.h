@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A set of triangles connected across shared edges. */
 struct MeshComponent {
@@ -72,5 +71,4 @@ MeshTopology checkTopology(const TriangleMesh& mesh);
  * the order of their first triangles. */
 std::vector<std::uint32_t> labelComponents(const TriangleMesh& mesh);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -19,8 +19,7 @@
 #include <variant>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Input of wall growing for one room; indices are into `points`, increasing. */
 struct WallJob {
@@ -101,5 +100,4 @@ public:
                     const std::function<void(std::size_t, RoomResult)>& take) = 0;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -11,8 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Parameters of extrudeRoom(). */
 struct SolidParameters {
@@ -71,5 +70,4 @@ RoomSolidReport extrudeRoom(const PlanRoom& room,
  * without elements, numbers that are not finite or beyond 1e6 m, vertical slabs. */
 std::string roomProblem(const PlanRoom& room);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Writes solids as OBJ: one object per room, materials by label, and groups
  * named by element, room and, where known, storey. Metres, z up, seven decimals.
@@ -49,5 +48,4 @@ std::string solidToGlb(const TriangleMesh& mesh,
                        const std::vector<PlanStorey>& storeys,
                        const Origin& origin = {});
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -27,8 +27,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 class RoomTerritory;
 class RoomWorkers;
@@ -367,5 +366,4 @@ private:
   std::size_t scanned_points_ = 0;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -7,9 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 Eigen::Vector2d
 labelPlace(const CellSet& cells, double cell_size)
@@ -93,6 +91,4 @@ counted(std::size_t number, const std::string& thing)
   return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -12,9 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Returns the label position of a set of cells: a cell deep inside and near
  * their mean, metres. The set must not be empty. */
@@ -36,6 +34,4 @@ Colour ceilingShade(std::size_t room);
 /** @brief Formats a count: "1 room", "3 rooms". */
 std::string counted(std::size_t number, const std::string& thing);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -6,9 +6,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -125,6 +123,4 @@ viewOf(const Floorplan& plan, double margin)
   return view.isEmpty() ? view : view.grown(margin);
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -5,9 +5,7 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Adds the walls, columns and details of all rooms, segments and arcs in
  * different colours. */
@@ -25,6 +23,4 @@ void addPlanLegend(const Floorplan& plan, Picture& picture);
 /** @brief Returns the extent of all rooms with `margin` metres around. */
 Box viewOf(const Floorplan& plan, double margin);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

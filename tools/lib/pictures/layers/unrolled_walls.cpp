@@ -5,9 +5,7 @@
 #include <map>
 #include <utility>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -176,6 +174,4 @@ nameHeight(const NamedStrip& strip)
   return strip.high - strip.low + line_gap / 2;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -8,9 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief A wall, column face, riser or niche side with a name. The parts above and
  * below a niche in one wall are merged. */
@@ -58,6 +56,4 @@ StripLines breakIntoLines(const std::vector<NamedStrip>& strips,
 /** @brief Returns the height of a strip's name above its origin, metres. */
 double nameHeight(const NamedStrip& strip);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -8,9 +8,7 @@
 #include <array>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief An orthographic view of a model in an image. */
 class ParallelView {
@@ -80,6 +78,4 @@ private:
   std::vector<float> depths_; ///< infinite for the background
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -9,9 +9,7 @@
 #include <tuple>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -101,6 +99,4 @@ reducedMesh(const TriangleMesh& mesh, std::size_t most)
   return reduced;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -5,9 +5,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Reduces a mesh for display to at most `most` (at least 100) triangles.
  * Vertices of one room in one grid cell are merged into the one where the surface bends
@@ -16,6 +14,4 @@ namespace tools {
  * @return the mesh itself if it is small enough */
 TriangleMesh reducedMesh(const TriangleMesh& mesh, std::size_t most);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

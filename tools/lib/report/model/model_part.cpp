@@ -16,9 +16,7 @@
 #include <map>
 #include <set>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -215,6 +213,4 @@ modelPart(const ResultFolder& folder,
           "</script>\n");
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

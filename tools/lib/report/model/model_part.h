@@ -9,9 +9,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Returns the interactive model: the folder's model.glb, the mesh as another
  * glTF, controls and scripts including three.js. If three.js is not found, a sentence
@@ -29,6 +27,4 @@ std::string labelKey();
 /** @brief Returns the legend of distances, up to `range` metres. */
 std::string distanceKey(double range);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

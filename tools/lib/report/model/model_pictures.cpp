@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -92,6 +90,4 @@ ModelPictures::distances(const DisplayCloud& cloud,
   return pngOf(image.image());
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

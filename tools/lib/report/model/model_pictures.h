@@ -10,9 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Pictures of a page, all with the same direction and scale, drawn without a
  * display. Ceilings of scan and model are omitted. Each is returned as the bytes of a
@@ -48,6 +46,4 @@ private:
   ParallelView view_; ///< in fine pixels
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -6,9 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief A caveat of the model for users. */
 struct Advice {
@@ -26,6 +24,4 @@ std::vector<Advice> adviceOn(const ReportData& data);
  * if all is known. */
 std::string unknownOf(const ReportData& data);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -8,9 +8,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -94,6 +92,4 @@ histogramSvg(const DistanceStatistics& distances, double range)
   return svg + "</svg>\n";
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -5,9 +5,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Draws the histogram of distances as SVG: percentage of points per bin over
  * distance in centimetres, in the colours of distanceColour(). A separate last bar
@@ -15,6 +13,4 @@ namespace tools {
  * @param range distance with the last colour, metres */
 std::string histogramSvg(const DistanceStatistics& distances, double range);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

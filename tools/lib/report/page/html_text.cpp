@@ -8,9 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -159,6 +157,4 @@ base64(const std::string& bytes)
   return base64(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -8,9 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Returns a colour as in CSS: "#f0901e". */
 std::string hexCode(Colour colour);
@@ -47,6 +45,4 @@ std::string base64(const std::uint8_t* bytes, std::size_t count);
 
 std::string base64(const std::string& bytes);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

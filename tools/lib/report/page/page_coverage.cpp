@@ -2,9 +2,7 @@
 #include "html_text.h"
 #include "page_sections.h"
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -49,6 +47,4 @@ coveragePart(const ReportData& data)
   return htmlSection("coverage", "What was modelled", html);
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -3,9 +3,7 @@
 
 #include "html_text.h"
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -61,6 +59,4 @@ deliverablesPart(const ResultFolder& folder, const ReportData& data)
       htmlTable({"file", "what it is", "what opens it"}, rows, {true, true, true}));
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -11,9 +11,7 @@
 #include <cstdlib>
 #include <map>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -199,6 +197,4 @@ parametersPart(const ReportData& data)
           htmlTable({"parameter", "value"}, rows) + "</details>\n");
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -6,9 +6,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 // Parts of the page that consist of numbers, as HTML; each is empty without data.
 
@@ -41,6 +39,4 @@ std::string stagesPart(const ReportData& data);
 
 std::string parametersPart(const ReportData& data);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

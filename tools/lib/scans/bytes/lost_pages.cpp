@@ -10,9 +10,7 @@
 #include <cstdint>
 #include <mutex>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -90,6 +88,4 @@ LostPages::any() const
   return place_ < max_mappings && mappings[place_].has_lost;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -3,9 +3,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Guards a mapping of a file. Pages that cannot be read, because the file has
  * shrunk or its disk failed, become zeros instead of ending the program (SIGBUS). At
@@ -24,6 +22,4 @@ private:
   std::size_t place_; ///< index in the table of mappings
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

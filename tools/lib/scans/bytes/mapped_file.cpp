@@ -13,9 +13,7 @@
 #include <cerrno>
 #include <cstring>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 MappedFile::MappedFile(const std::string& path)
     : path_(path)
@@ -98,6 +96,4 @@ MappedFile::~MappedFile()
   munmap(const_cast<std::uint8_t*>(data_), size_);
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -8,9 +8,7 @@
 #include <memory>
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief The bytes of a file, mapped on demand; "-" is the standard input. Throws
  * ToolError if the file is missing, a folder or empty. */
@@ -43,6 +41,4 @@ private:
   std::unique_ptr<LostPages> lost_;
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

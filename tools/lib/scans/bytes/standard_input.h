@@ -3,9 +3,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Returns whether a name means the standard input: "-". */
 inline bool
@@ -19,6 +17,4 @@ isStandardInput(const std::string& path)
  * @return a descriptor to be closed */
 int openStandardInput();
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

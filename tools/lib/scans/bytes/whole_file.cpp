@@ -11,9 +11,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace fs = std::filesystem;
 
@@ -82,6 +80,4 @@ writeWhole(const std::string& path, const std::function<void(std::ostream&)>& wr
   }
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

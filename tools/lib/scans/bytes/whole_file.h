@@ -5,9 +5,7 @@
 #include <ostream>
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Throws ToolError if no file can be written at `path`: its folder is missing
  * or read-only, or it is a folder or device. To be called before the work. */
@@ -19,6 +17,4 @@ void checkWritable(const std::string& path);
 void writeWhole(const std::string& path,
                 const std::function<void(std::ostream&)>& write);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

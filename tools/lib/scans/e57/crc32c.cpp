@@ -4,9 +4,7 @@
 #include <array>
 #include <cstring>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -54,6 +52,4 @@ crc32c(const std::uint8_t* bytes, std::size_t size)
   return ~rest;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -4,15 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Computes the CRC-32C (Castagnoli) of RFC 3720: polynomial 0x1edc6f41,
  * reflected, initial value and final XOR 0xffffffff. It processes eight bytes per step,
  * several times as fast as Boost.CRC with one. */
 std::uint32_t crc32c(const std::uint8_t* bytes, std::size_t size);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -265,6 +263,4 @@ E57Packets::read(std::uint64_t begin, std::uint64_t end) const
   return lists;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -7,9 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Bytes of one stream for a range of points, padded so that eight can be read
  * at the last one. */
@@ -79,6 +77,4 @@ private:
   std::vector<std::uint64_t> mark_bytes_;  ///< per wanted stream, before these packets
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -8,9 +8,7 @@
 #include <cstdio>
 #include <cstring>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -140,6 +138,4 @@ E57Pages::release(std::uint64_t begin, std::uint64_t end) const
                 static_cast<std::size_t>(physical(end) - from));
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

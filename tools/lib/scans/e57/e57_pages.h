@@ -7,9 +7,7 @@
 #include <cstdint>
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief The bytes of an E57 file (ASTM E2807) without the checksums at the end of its
  * pages, which are verified on reading. Offsets exclude checksums (logical) unless
@@ -57,6 +55,4 @@ private:
 
 bool looksLikeE57(const MappedFile& file);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

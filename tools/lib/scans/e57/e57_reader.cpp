@@ -11,9 +11,7 @@
 #include <cstring>
 #include <limits>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -364,6 +362,4 @@ E57Reader::stations() const
   return stations;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

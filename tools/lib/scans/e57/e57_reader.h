@@ -8,9 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Selection of scans in an E57 file. */
 struct E57Choice {
@@ -52,6 +50,4 @@ private:
 /** @brief Lists the scans of an E57 file, including those that cannot be read. */
 std::vector<E57Entry> listE57Scans(const std::string& path);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

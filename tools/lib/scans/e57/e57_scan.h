@@ -11,9 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief A value of every point and its encoding; each field has its own stream. */
 struct E57Field {
@@ -58,6 +56,4 @@ struct E57Entry {
  * cannot be read; problems of a single scan are stored with it. */
 std::vector<E57Entry> readE57Scans(const E57Pages& pages);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

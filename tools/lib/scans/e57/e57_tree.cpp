@@ -8,9 +8,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -113,6 +111,4 @@ readE57Tree(const E57Pages& pages)
   return tree;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -7,9 +7,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Parses the XML of an E57 file. Throws ToolError for more than 64 MiB, a
  * document type (whose entities may expand), and nesting deeper than 64. */
@@ -25,6 +23,4 @@ struct XmlShape {
  * parser, as a deep text would overflow the parser's stack. */
 XmlShape shapeOf(const std::string& xml, std::size_t limit);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

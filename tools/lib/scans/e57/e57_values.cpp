@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -67,6 +65,4 @@ readE57Values(const E57Field& field,
     values[i] = valueOf(field, bitsAt(bytes, begin + i * field.bits, field.bits));
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

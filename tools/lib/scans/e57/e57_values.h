@@ -3,9 +3,7 @@
 
 #include "e57_packets.h"
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Reads the values [first, first + size) of `field`, relative to the first one
  * in `list`, scaled, as doubles. */
@@ -15,6 +13,4 @@ void readE57Values(const E57Field& field,
                    std::size_t size,
                    double* values);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

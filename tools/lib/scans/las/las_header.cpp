@@ -9,9 +9,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -217,6 +215,4 @@ readLasHeader(const MappedFile& file, const std::string& path)
   return header;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -8,9 +8,7 @@
 #include <cstdint>
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Description of the points in a LAS header. */
 struct LasHeader {
@@ -29,6 +27,4 @@ bool looksLikeLas(const MappedFile& file);
  * against the file size. Throws ToolError on failure. */
 LasHeader readLasHeader(const MappedFile& file, const std::string& path);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

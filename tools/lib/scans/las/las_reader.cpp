@@ -5,9 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -63,6 +61,4 @@ openLas(const MappedFile& file, const std::string& path)
   return std::make_shared<LasReader>(file, header);
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

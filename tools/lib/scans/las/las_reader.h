@@ -7,9 +7,7 @@
 
 #include <memory>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief The points of a LAS file, see LasRows; other parts of a record are
  * skipped. */
@@ -45,6 +43,4 @@ std::shared_ptr<const PointReader> openLas(const MappedFile& file,
 std::shared_ptr<const PointReader>
 openLaz(const MappedFile& file, const std::string& path, const LasHeader& header);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 LasRows::LasRows(const LasHeader& header)
     : scale_(header.scale)
@@ -46,6 +44,4 @@ LasRows::write(const LasPoint& point, std::uint8_t* row) const
   return row + sizeof(float);
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -9,9 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief The used parts of a LAS or LAZ point. */
 struct LasPoint {
@@ -44,6 +42,4 @@ private:
   unsigned colour_shift_ = 0; ///< bits
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

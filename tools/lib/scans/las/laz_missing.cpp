@@ -4,9 +4,7 @@
 
 #include "tool_error.h"
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 std::shared_ptr<const PointReader>
 openLaz(const MappedFile& /*file*/,
@@ -19,6 +17,4 @@ openLaz(const MappedFile& /*file*/,
                   "translate SCAN.laz SCAN.las' makes LAS of it");
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -11,9 +11,7 @@
 #include <mutex>
 #include <streambuf>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -208,6 +206,4 @@ openLaz(const MappedFile& file, const std::string& path, const LasHeader& header
   return std::make_shared<LazReader>(file, path, header);
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -8,9 +8,7 @@
 #include <cctype>
 #include <map>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -167,6 +165,4 @@ namesBefore(const std::vector<std::string_view>& lines,
   return {};
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -6,9 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Returns the names of columns in a line such as "//X [m],Y [m],Z [m],R,G,B",
  * or an option's value: in lower case, without units and quotes, and those that other
@@ -25,6 +23,4 @@ std::vector<std::string> namesBefore(const std::vector<std::string_view>& lines,
                                      std::size_t columns,
                                      const std::string& path);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

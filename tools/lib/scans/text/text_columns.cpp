@@ -12,9 +12,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -260,6 +258,4 @@ findColumns(const MappedFile& file, const std::string& path, const std::string& 
   return columns;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

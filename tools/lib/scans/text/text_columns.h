@@ -8,9 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Layout of a text with columns of numbers. */
 struct TextColumns {
@@ -50,6 +48,4 @@ bool readCount(std::string_view line, std::uint64_t& count);
  * comment. */
 bool mayHoldNumbers(std::string_view line);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -8,9 +8,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 TextReader::TextReader(const MappedFile& file,
                        const std::string& path,
@@ -160,6 +158,4 @@ TextReader::writeRow(const double* numbers, std::uint8_t* row) const
   row[3] = 0xff;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -4,9 +4,7 @@
 #include "point_reader.h"
 #include "text_columns.h"
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief The points of a text, one per line: x, y, z, then `intensity`, `rgb` and
  * other columns as floats. Empty lines and comments (# and //) are skipped. All lines
@@ -53,6 +51,4 @@ private:
   std::size_t size_ = 0;
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -9,9 +9,7 @@
 #include <memory>
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -39,6 +37,4 @@ requireDisplay()
                     "' has no GLX, so it cannot draw in three dimensions" + remedy);
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -9,9 +9,7 @@
 #include <vtkPoints.h>
 #include <vtkUnsignedCharArray.h>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -80,6 +78,4 @@ trianglesData(const ColouredPoints& corners)
   return data;
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -6,9 +6,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 // Coloured points for VTK: coordinates, a cell per one, two or three of them, and
 // colours as point scalars.
@@ -19,6 +17,4 @@ vtkSmartPointer<vtkPolyData> linesData(const ColouredLines& lines);
 
 vtkSmartPointer<vtkPolyData> trianglesData(const ColouredPoints& corners);
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -15,9 +15,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -208,6 +206,4 @@ View::place(const CameraPose& pose)
   renderer_->ResetCameraClippingRange();
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

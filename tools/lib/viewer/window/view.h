@@ -13,9 +13,7 @@
 #include <map>
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief One view of a window: its layers, and a legend on top. Shapes are rebuilt
  * only if the state changes them. */
@@ -57,6 +55,4 @@ private:
   vtkSmartPointer<vtkActor2D> legend_;
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

@@ -19,9 +19,7 @@
 #include <functional>
 #include <iostream>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 namespace {
 
@@ -215,6 +213,4 @@ Window::saveScreenshot(const std::string& path)
   writeWhole(path, [&](std::ostream& stream) { stream << bytes; });
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

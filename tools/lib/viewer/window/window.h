@@ -10,9 +10,7 @@
 #include <memory>
 #include <string>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 /** @brief Size and visibility of a window. */
 struct WindowSettings {
@@ -59,6 +57,4 @@ private:
   bool wants_to_quit_ = false;
 };
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools

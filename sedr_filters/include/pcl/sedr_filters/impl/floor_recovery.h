@@ -6,8 +6,7 @@
 
 #include <Eigen/Core>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief Floor points inside and outside the scope, and sources of missing cells. */
 struct FloorRecovery {
@@ -30,5 +29,4 @@ FloorRecovery recoverFloor(const CellGrid& grid,
 /** @brief Returns the mean z of finite points, metres; NaN for none. */
 double meanHeight(const PointView& points, const pcl::Indices& indices);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -11,8 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 struct RepairedStrip;
 struct UnseenShares;
@@ -62,5 +61,4 @@ repairHoles(const std::vector<SurfacePoint>& refined,
             std::map<std::uint32_t, UnseenShares>* unseen = nullptr,
             unsigned threads = 1);
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief True if a point type has the field `room`. */
 template <typename PointT>
@@ -90,5 +89,4 @@ setSurfacePoint(const SurfacePoint& surface, PointT& p)
     p.room = surface.room;
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

@@ -8,8 +8,7 @@
 #include <functional>
 #include <memory>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 class VoxelSums;
 
@@ -59,5 +58,4 @@ private:
   unsigned threads_;
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr

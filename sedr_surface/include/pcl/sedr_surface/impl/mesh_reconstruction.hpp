@@ -8,8 +8,7 @@
 #include <pcl/search/impl/search.hpp>
 #include <pcl/sedr_surface/mesh_reconstruction.h>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 template <typename PointT>
 MeshReconstruction<PointT>::MeshReconstruction()
@@ -77,8 +76,7 @@ MeshReconstruction<PointT>::performReconstruction(PointCloud& points,
   }
 }
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr
 
 #define PCL_INSTANTIATE_MeshReconstruction(T)                                          \
   template class PCL_EXPORTS pcl::sedr::MeshReconstruction<T>;

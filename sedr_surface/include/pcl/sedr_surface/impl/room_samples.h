@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace sedr {
+namespace pcl::sedr {
 
 /** @brief A point of a surface with the unit normal towards free space. */
 struct OrientedPoint {
@@ -27,5 +26,4 @@ struct RoomSamples {
   std::string problem;     ///< why the samples are invalid, or empty
 };
 
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr
