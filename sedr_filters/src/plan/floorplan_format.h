@@ -26,6 +26,10 @@ void addCurveToJson(const PlanSlab& slab, nlohmann::ordered_json& json);
  * @throw std::exception with the reason if it is not valid */
 void readCurve(const nlohmann::ordered_json& json, PlanSlab& slab);
 
+/** @brief Reads the origin of a plan or a report.json; (0, 0, 0) if there is none.
+ * @return false if there is an origin that is not three numbers */
+bool readOrigin(const nlohmann::ordered_json& json, Origin& origin);
+
 nlohmann::ordered_json pointToJson(const Eigen::Vector2d& p);
 
 /** @brief Writes how a scan was levelled; angles in degrees. */

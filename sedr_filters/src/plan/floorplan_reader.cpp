@@ -261,8 +261,13 @@ floorplanFromJson(const std::string& text, std::string& problem)
 bool
 originFromJson(const std::string& text, Origin& origin)
 {
+  return readOrigin(Json::parse(text, nullptr, false), origin);
+}
+
+bool
+readOrigin(const Json& json, Origin& origin)
+{
   origin = {};
-  const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object() || !json.contains("origin"))
     return true;
   const Json& place = json["origin"];

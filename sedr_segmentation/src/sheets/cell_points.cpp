@@ -58,8 +58,8 @@ CellPoints::pointsOf(const std::vector<std::size_t>& cells, std::size_t most) co
   const std::size_t step = std::max<std::size_t>(1, (count + most - 1) / most);
   std::vector<Eigen::Vector3d> chosen;
   chosen.reserve(count / step + 1);
-  std::size_t before = 0; // points of the cells before
-  std::size_t next = 0;   // that is chosen
+  std::size_t before = 0; // points in the cells before this one
+  std::size_t next = 0;   // number of the next point to choose, over all cells
   for (const std::size_t cell : cells) {
     const std::size_t size = first_[cell + 1] - first_[cell];
     for (; next < before + size; next += step)

@@ -21,8 +21,8 @@ struct CellCost {
   float cost;
 };
 
-/** @brief The cells of the domain, increasing, whose points a facet explains in part:
- * there it costs less than what no facet explains. O(n). */
+/** @brief The cells of the domain, in increasing order, with at least one point so near
+ * to a facet that it costs less there than points far from every facet. O(n). */
 std::vector<CellCost> cellsNear(const PlanSlab& facet, const FacetEvidence& evidence);
 
 /** @brief What the points of a cell of the domain cost that are off a facet. */

@@ -5,6 +5,9 @@
 #include <boost/graph/compressed_sparse_row_graph.hpp>
 
 #include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace pcl::sedr {
@@ -106,6 +109,12 @@ BinaryEnergy::addPair(std::size_t a,
 std::vector<std::uint8_t>
 BinaryEnergy::minimise() const
 {
+  constexpr std::size_t max_arcs = std::numeric_limits<Number>::max();
+  if (yes_.size() + pairs_.size() > max_arcs / 2)
+    throw std::length_error("a minimum cut takes at most " +
+                            std::to_string(max_arcs / 2) +
+                            " questions and pairs of them, not " +
+                            std::to_string(yes_.size() + pairs_.size()));
   // The source's side says yes.
   const auto source = static_cast<Number>(yes_.size());
   const Number sink = source + 1;

@@ -30,7 +30,9 @@ public:
                double yes_no,
                double yes_yes);
 
-  /** @brief The answers that cost least. */
+  /** @brief Returns the answers that cost least, 1 for yes. Throws std::length_error
+   * for more than 2^31 - 1 questions and pairs together: arcs have 32-bit numbers, and
+   * each question and each pair has two. */
   std::vector<std::uint8_t> minimise() const;
 
 private:

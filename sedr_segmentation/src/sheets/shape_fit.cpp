@@ -102,8 +102,8 @@ biweight(double share)
   return std::abs(share) < 1 ? rest * rest : 0;
 }
 
-/** @brief Tukey's cost of all distances; where it is at least `most`, as much of it as
- * shows that. */
+/** @brief Returns Tukey's cost of all distances. Summing stops when `most` is reached;
+ * the sum so far is returned then. */
 double
 costOf(const std::vector<PointRow>& points,
        const ShapeDistance& shape,

@@ -113,8 +113,8 @@ NeighbourCells::forEachRow(const Eigen::Vector3f& place, int reach, See see) con
   }
 }
 
-/** @brief Whether the points up to so many cells away leave no gap: those next to a
- * point mostly tell. */
+/** @brief Returns whether the points up to `farthest` cells away leave no gap. The
+ * nearest cells suffice for most places, so they are looked at first. */
 bool
 NeighbourCells::isInner(const Eigen::Vector3f& place, int farthest) const
 {
@@ -202,7 +202,7 @@ NeighbourCells::gapAt(const Eigen::Vector3f& place, Around& around) const
 {
   if (places_.empty())
     return Gap::Unknown;
-  // As far as all points are among the nearest.
+  // The largest reach whose points are all among the `neighbours_` nearest ones.
   int near = first_reach;
   while (near > 0 && countAround(place, near) > neighbours_)
     --near;

@@ -28,6 +28,13 @@ annotationsAt(const Floorplan& plan, double scale)
                        layoutOf(plan, scale, PaperSize::A3).frame);
 }
 
+bool
+hasName(const std::vector<SheetText>& texts)
+{
+  return std::any_of(texts.begin(), texts.end(),
+                     [](const SheetText& text) { return text.look == "name"; });
+}
+
 PlanDetail
 facetOf(const PlanLoop& loop, const PlanSlab& slab)
 {
@@ -70,7 +77,9 @@ TEST(Annotations, TextsKeepOffRidges)
                            facetOf(rectangle(0, 2, 8, 4), slabAt(5, 0, -1))};
   const SheetLayout layout = layoutOf(plan, 50, PaperSize::A3);
   const double ridge = layout.frame(Eigen::Vector2d(4, 2)).y();
-  for (const SheetText& text : annotationsAt(plan, 50).texts) {
+  const std::vector<SheetText> texts = annotationsAt(plan, 50).texts;
+  EXPECT_TRUE(hasName(texts));
+  for (const SheetText& text : texts) {
     if (text.degrees == 0) {
       EXPECT_GT(std::abs(text.place.y() - ridge), 0.6 * text.font) << text.text;
     }
@@ -83,9 +92,7 @@ TEST(Annotations, TextsCrossALineWhereThereIsNoOtherPlace)
   Floorplan plan = onePlan(rectangle(0, 0, 1, 0.6));
   plan.rooms[0].details = {facetOf(rectangle(0, 0, 1, 0.3), slabAt(2, 0, 1)),
                            facetOf(rectangle(0, 0.3, 1, 0.6), slabAt(2.6, 0, -1))};
-  const auto texts = annotationsAt(plan, 50).texts;
-  EXPECT_TRUE(std::any_of(texts.begin(), texts.end(),
-                          [](const SheetText& text) { return text.look == "name"; }));
+  EXPECT_TRUE(hasName(annotationsAt(plan, 50).texts));
 }
 
 TEST(Annotations, WhereACeilingGoesOnNothingIsDrawn)

@@ -137,12 +137,13 @@ Options::addNumber(const std::string& name,
         (whole && value != std::floor(value)))
       throw ToolError("--" + name + " takes a " + (whole ? "whole " : "") + "number" +
                       (unit.empty() ? "" : " of " + unit) + ", not '" + given + "'");
-    std::ostringstream most;
-    most << std::setprecision(std::numeric_limits<double>::max_digits10) << range.high
-         << withUnit(unit);
-    if (value > range.high && range.high >= vast)
+    if (value > range.high && range.high >= vast) {
+      std::ostringstream most;
+      most << std::setprecision(std::numeric_limits<double>::max_digits10) << range.high
+           << withUnit(unit);
       throw ToolError("--" + name + " must be at most " + most.str() + ", not " +
                       given);
+    }
     if (!range.holds(value))
       throw ToolError("--" + name + " must be " + range.text(unit) + ", not " + given);
     store(value);

@@ -6,7 +6,10 @@
 #include "cloud_readers.h"
 #include "tool_error.h"
 
+#include "sedr_filters/src/plan/floorplan_format.h"
 #include <pcl/sedr_filters/floorplan_io.h>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -70,13 +73,22 @@ loadFloorplan(const std::string& path)
   return plan;
 }
 
+std::optional<Origin>
+statedPlanOrigin(const std::string& path)
+{
+  const auto json = nlohmann::ordered_json::parse(textOfFile(path), nullptr, false);
+  if (json.is_discarded())
+    throw ToolError("'" + path + "' is no JSON, or only a part of one");
+  Origin origin;
+  if (!readOrigin(json, origin))
+    throw ToolError("the origin in '" + path + "' is no list of three numbers");
+  return json.contains("origin") ? std::optional<Origin>(origin) : std::nullopt;
+}
+
 Origin
 planOrigin(const std::string& path)
 {
-  Origin origin;
-  if (!originFromJson(textOfFile(path), origin))
-    throw ToolError("the origin in '" + path + "' is no list of three numbers");
-  return origin;
+  return statedPlanOrigin(path).value_or(Origin());
 }
 
 WallTilts

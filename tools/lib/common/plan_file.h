@@ -7,6 +7,7 @@
 #include <pcl/sedr_filters/wall_tilts.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,12 @@ namespace pcl::sedr::tools {
  * rooms. */
 std::shared_ptr<const Floorplan> loadFloorplan(const std::string& path);
 
-/** @brief Returns the origin of the coordinates in a floor plan or a report.json. */
+/** @brief Returns the origin of the coordinates in a floor plan or a report.json, if it
+ * states one. Throws ToolError if the file is no JSON, or the origin is not three
+ * numbers. */
+std::optional<Origin> statedPlanOrigin(const std::string& path);
+
+/** @brief The same; 0, 0, 0 if none is stated. */
 Origin planOrigin(const std::string& path);
 
 /** @brief Returns the tilted walls in a plan file that loadFloorplan() has read. Throws

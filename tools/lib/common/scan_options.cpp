@@ -5,8 +5,6 @@
 #include "plan_file.h"
 #include "tool_error.h"
 
-#include <nlohmann/json.hpp>
-
 #include <filesystem>
 #include <optional>
 
@@ -29,14 +27,9 @@ statedOrigin(const std::string& path)
   }
   constexpr int max_lines = 20; // in a header
   constexpr std::size_t max_bytes = 256;
+  if (fs::path(path).extension() == ".json")
+    return statedPlanOrigin(path);
   const MappedFile file(path);
-  if (fs::path(path).extension() == ".json") {
-    const auto* text = file.data();
-    const auto json = nlohmann::json::parse(text, text + file.size(), nullptr, false);
-    return json.is_object() && json.contains("origin")
-               ? std::optional<Origin>(planOrigin(path))
-               : std::nullopt;
-  }
   TextCursor cursor(file, 0);
   Origin origin;
   std::string_view line;

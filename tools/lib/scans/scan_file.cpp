@@ -18,10 +18,9 @@ namespace {
 void
 checkCoordinates(const pcl::PCLPointCloud2& blob, const std::string& path)
 {
-  constexpr std::size_t longest_name = 40;
   std::string names;
   for (const auto& field : blob.fields)
-    names += " " + plainText(field.name, longest_name);
+    names += " " + quotedWord(field.name);
   for (const char* name : {"x", "y", "z"})
     if (!findField(blob, name))
       throw ToolError("'" + path + "' has no field '" + name +
