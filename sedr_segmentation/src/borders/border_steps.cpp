@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -203,16 +204,26 @@ BorderSteps::shiftToRiser(const BorderPart& part,
   if (places.size() < min_points)
     return std::nullopt;
   std::sort(places.begin(), places.end());
+  const double width = 4 * deviation;
+  std::vector<std::size_t> counts; // of the places within a width before each
+  for (std::size_t low = 0, high = 0; high < places.size(); ++high) {
+    while (places[high] - places[low] > width)
+      ++low;
+    counts.push_back(high - low + 1);
+  }
+  // Of several faces the nearest: that of the other side of a beam may be as large.
+  const std::size_t enough = *std::max_element(counts.begin(), counts.end()) / 2;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < places.size(); ++k)
+    if (counts[k] >= enough && std::abs(places[k] - width / 2) < std::abs(nearest))
+      nearest = places[k] - width / 2;
   std::size_t first = 0;
   std::size_t most = 0;
-  for (std::size_t low = 0, high = 0; high < places.size(); ++high) {
-    while (places[high] - places[low] > 4 * deviation)
-      ++low;
-    if (high - low + 1 > most) {
-      most = high - low + 1;
-      first = low;
+  for (std::size_t k = 0; k < places.size(); ++k)
+    if (counts[k] > most && std::abs(places[k] - width / 2 - nearest) < 1.5 * width) {
+      most = counts[k];
+      first = k + 1 - counts[k];
     }
-  }
   if (static_cast<double>(most) < min_share * static_cast<double>(places.size()))
     return std::nullopt;
   double sum = 0;

@@ -144,7 +144,7 @@ private:
 } // namespace
 
 std::vector<std::vector<Eigen::Vector2d>>
-bordersOf(const Sheet& sheet,
+bordersOf(const FacetSheet& sheet,
           const CellCracks& cracks,
           const std::vector<Eigen::Vector3d>& points,
           const std::vector<Eigen::Vector3d>& risers,

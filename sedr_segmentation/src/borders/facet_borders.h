@@ -18,7 +18,7 @@ namespace pcl::sedr {
  * @param risers points between its heights, see pointsOfRisers()
  * @param directions of the walls, radians */
 std::vector<std::vector<Eigen::Vector2d>>
-bordersOf(const Sheet& sheet,
+bordersOf(const FacetSheet& sheet,
           const CellCracks& cracks,
           const std::vector<Eigen::Vector3d>& points,
           const std::vector<Eigen::Vector3d>& risers,

@@ -15,7 +15,7 @@ struct SheetCracks {
   static constexpr double reach = 2.5; ///< cells that a label may be off, where seen
   static constexpr double riser_reach = 5; ///< cells from it to the riser of a step
 
-  const Sheet& sheet;
+  const FacetSheet& sheet;
   const CellCracks& cracks;
 
   double cellSize() const { return sheet.grid.size; }

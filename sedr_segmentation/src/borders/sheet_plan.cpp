@@ -62,7 +62,7 @@ withinRoom(const PlanLoop& loop, const PlanLoop& boundary, double area)
 
 /** @brief Share of a piece's cells in the room of which nothing was seen. */
 double
-shareInferred(const Sheet& sheet, const CellCracks& cracks, std::size_t piece)
+shareInferred(const FacetSheet& sheet, const CellCracks& cracks, std::size_t piece)
 {
   std::size_t inside = 0;
   std::size_t seen = 0;
@@ -77,7 +77,7 @@ shareInferred(const Sheet& sheet, const CellCracks& cracks, std::size_t piece)
 }
 
 double
-areaInside(const Sheet& sheet, const CellCracks& cracks, std::size_t piece)
+areaInside(const FacetSheet& sheet, const CellCracks& cracks, std::size_t piece)
 {
   std::size_t inside = 0;
   for (std::size_t cell = 0; cell < cracks.piece.size(); ++cell)
@@ -124,7 +124,7 @@ wallDirections(const PlanLoop& boundary)
 }
 
 void
-giveCeiling(const Sheet& sheet,
+giveCeiling(const FacetSheet& sheet,
             const std::vector<Eigen::Vector3d>& points,
             const std::vector<Eigen::Vector3d>& risers,
             PlanRoom& room)

@@ -14,7 +14,7 @@ namespace {
 
 /** @brief The lowest and the highest of the facets near a cell, above its middle. */
 std::pair<double, double>
-heightsAbout(const Sheet& sheet, std::size_t cell)
+heightsAbout(const FacetSheet& sheet, std::size_t cell)
 {
   const auto reach = static_cast<int>(std::ceil(SheetCracks::riser_reach));
   const SheetGrid& grid = sheet.grid;
@@ -42,7 +42,7 @@ heightsAbout(const Sheet& sheet, std::size_t cell)
 
 /** @brief Whether a cell lies off the walls, whose points are no riser's. */
 bool
-isOffWalls(const Sheet& sheet, std::size_t cell)
+isOffWalls(const FacetSheet& sheet, std::size_t cell)
 {
   constexpr int border = 2; // cells
   const SheetGrid& grid = sheet.grid;
@@ -59,7 +59,7 @@ isOffWalls(const Sheet& sheet, std::size_t cell)
 } // namespace
 
 std::vector<Eigen::Vector3d>
-pointsOfRisers(const Sheet& sheet,
+pointsOfRisers(const FacetSheet& sheet,
                const PointView& scan,
                const std::vector<int>& indices)
 {

@@ -169,7 +169,7 @@ seenSheet(const std::vector<Eigen::Vector3d>& points,
   std::vector<std::uint8_t> domain(grid.count(), 0);
   for (const Eigen::Vector3d& p : points)
     domain[grid.at(p.head<2>())] = 1;
-  const Sheet sheet = fitSheet(points, grid, domain, {}, parameters);
+  const FacetSheet sheet = fitSheet(points, grid, domain, {}, parameters);
   if (!hasSlope(sheet) || sheet.explained < priors.share_clear)
     return nullptr;
   return std::make_shared<const PlanSlab>(reliefOf(sheet, grid.size / 2));
@@ -328,8 +328,9 @@ giveCeilings(const std::vector<RoomSheet>& sheets,
     SheetParameters parameters;
     parameters.threads = threads;
     const SheetGrid grid = gridWithin(room->boundary, parameters);
-    Sheet sheet = fitSheet(sheets[k].points, grid, cellsWithin(grid, room->boundary),
-                           wallDirections(room->boundary), parameters);
+    FacetSheet sheet =
+        fitSheet(sheets[k].points, grid, cellsWithin(grid, room->boundary),
+                 wallDirections(room->boundary), parameters);
     if (!hasSlope(sheet))
       return;
     std::vector<Eigen::Vector3d> risers;

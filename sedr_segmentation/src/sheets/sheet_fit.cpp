@@ -20,7 +20,7 @@ fillNearest(const SheetGrid& grid, std::vector<std::int32_t>& label)
 {
   std::vector<std::size_t> front;
   for (std::size_t cell = 0; cell < label.size(); ++cell)
-    if (label[cell] != Sheet::none)
+    if (label[cell] != FacetSheet::none)
       front.push_back(cell);
   while (!front.empty()) {
     std::vector<std::size_t> next;
@@ -29,7 +29,7 @@ fillNearest(const SheetGrid& grid, std::vector<std::int32_t>& label)
            {std::pair<int, int>(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
         const int x = grid.columnOf(cell) + dx;
         const int y = grid.rowOf(cell) + dy;
-        if (!grid.holds(x, y) || label[grid.indexOf(x, y)] != Sheet::none)
+        if (!grid.holds(x, y) || label[grid.indexOf(x, y)] != FacetSheet::none)
           continue;
         label[grid.indexOf(x, y)] = label[cell];
         next.push_back(grid.indexOf(x, y));
@@ -46,7 +46,7 @@ dropSmallPieces(const SheetGrid& grid,
 {
   std::vector<std::uint8_t> is_known(label.size(), 0);
   for (std::size_t first = 0; first < label.size(); ++first) {
-    if (label[first] == Sheet::none || is_known[first])
+    if (label[first] == FacetSheet::none || is_known[first])
       continue;
     const std::int32_t own = label[first];
     std::vector<std::size_t> piece{first};
@@ -64,7 +64,7 @@ dropSmallPieces(const SheetGrid& grid,
       }
     if (static_cast<double>(piece.size()) * grid.size * grid.size < min_area)
       for (const std::size_t cell : piece)
-        label[cell] = Sheet::none;
+        label[cell] = FacetSheet::none;
   }
 }
 
@@ -77,11 +77,11 @@ sortBySize(FacetChoice& choice)
   for (std::size_t k = 0; k < choice.facets.size(); ++k)
     sizes.emplace_back(0, k);
   for (const std::int32_t label : choice.label)
-    if (label != Sheet::none)
+    if (label != FacetSheet::none)
       --sizes[static_cast<std::size_t>(label)].first;
   std::sort(sizes.begin(), sizes.end());
   FacetChoice sorted;
-  std::vector<std::int32_t> number(sizes.size(), Sheet::none);
+  std::vector<std::int32_t> number(sizes.size(), FacetSheet::none);
   for (const auto& [size, k] : sizes) {
     if (size == 0)
       continue;
@@ -91,13 +91,13 @@ sortBySize(FacetChoice& choice)
   }
   for (const std::int32_t label : choice.label)
     sorted.label.push_back(
-        label == Sheet::none ? label : number[static_cast<std::size_t>(label)]);
+        label == FacetSheet::none ? label : number[static_cast<std::size_t>(label)]);
   choice = std::move(sorted);
 }
 
 /** @brief Whether all cells about one have its label, and none lies at a wall. */
 bool
-isWithin(const Sheet& sheet, std::size_t cell)
+isWithin(const FacetSheet& sheet, std::size_t cell)
 {
   const SheetGrid& grid = sheet.grid;
   for (int dy = -1; dy <= 1; ++dy)
@@ -135,7 +135,7 @@ finishFacets(const CellPoints& cells,
              const FacetChoice& choice,
              double deviation,
              const SheetParameters& parameters,
-             Sheet& sheet)
+             FacetSheet& sheet)
 {
   constexpr std::size_t max_points = 40000;
   constexpr std::size_t min_cells = 20;
@@ -181,7 +181,7 @@ finishFacets(const CellPoints& cells,
 } // namespace
 
 double
-Sheet::heightAt(const Eigen::Vector2d& p) const
+FacetSheet::heightAt(const Eigen::Vector2d& p) const
 {
   const Eigen::Vector2d place = grid.cellsTo(p);
   const int x =
@@ -232,7 +232,7 @@ cellsWithin(const SheetGrid& grid, const PlanLoop& loop)
   return cells;
 }
 
-Sheet
+FacetSheet
 fitSheet(const std::vector<Eigen::Vector3d>& points,
          const SheetGrid& grid,
          const std::vector<std::uint8_t>& domain,
@@ -240,7 +240,7 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
          const SheetParameters& parameters)
 {
   constexpr std::size_t min_points = 50;
-  Sheet sheet;
+  FacetSheet sheet;
   sheet.grid = grid;
   sheet.is_inside = domain;
   const CellPoints cells(sheet.grid, sheet.is_inside, points);
@@ -252,12 +252,12 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
   FacetChoice choice = chooseFacets(evidence, proposeFacets(evidence));
   for (std::size_t cell = 0; cell < choice.label.size(); ++cell)
     if (!domain[cell])
-      choice.label[cell] = Sheet::none;
+      choice.label[cell] = FacetSheet::none;
   dropSmallPieces(grid, parameters.min_area, choice.label);
   fillNearest(grid, choice.label);
   for (std::size_t cell = 0; cell < choice.label.size(); ++cell)
     if (!domain[cell])
-      choice.label[cell] = Sheet::none;
+      choice.label[cell] = FacetSheet::none;
   sortBySize(choice);
   if (choice.facets.empty())
     return sheet;
@@ -282,7 +282,7 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
 }
 
 bool
-hasSlope(const Sheet& sheet)
+hasSlope(const FacetSheet& sheet)
 {
   return std::any_of(
       sheet.facets.begin(), sheet.facets.end(), [](const PlanSlab& facet) {
@@ -292,7 +292,7 @@ hasSlope(const Sheet& sheet)
 }
 
 PlanSlab
-reliefOf(const Sheet& sheet, double spacing)
+reliefOf(const FacetSheet& sheet, double spacing)
 {
   SlabCurve relief;
   relief.kind = CurveKind::Relief;

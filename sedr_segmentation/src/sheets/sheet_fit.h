@@ -102,7 +102,7 @@ struct SheetGrid {
 };
 
 /** @brief A ceiling in facets. */
-struct Sheet {
+struct FacetSheet {
   static constexpr std::int32_t none = -1;
 
   SheetGrid grid;
@@ -133,11 +133,11 @@ struct Sheet {
  * @return no facets where there are fewer than 50 points
  *
  * The same for any number of threads. O(n) a facet that is tried. */
-Sheet fitSheet(const std::vector<Eigen::Vector3d>& points,
-               const SheetGrid& grid,
-               const std::vector<std::uint8_t>& domain,
-               const std::vector<double>& directions,
-               const SheetParameters& parameters = {});
+FacetSheet fitSheet(const std::vector<Eigen::Vector3d>& points,
+                    const SheetGrid& grid,
+                    const std::vector<std::uint8_t>& domain,
+                    const std::vector<double>& directions,
+                    const SheetParameters& parameters = {});
 
 /** @brief The largest part of a ceiling, in square metres, that is smooth, slopes by
  * more than 4 degrees and is nowhere narrower than half a metre: none of level planes,
@@ -146,12 +146,12 @@ Sheet fitSheet(const std::vector<Eigen::Vector3d>& points,
 double slopingArea(const std::vector<Eigen::Vector3d>& points);
 
 /** @brief Whether a sheet has a facet in closed form that is no level plane. */
-bool hasSlope(const Sheet& sheet);
+bool hasSlope(const FacetSheet& sheet);
 
 /** @brief The last fit: every facet of a sheet to the points of the scan near it, as
  * many of each cell, away from its borders; reliefs stay as they are.
  * @param indices those of the scan's points that count; empty: all. O(n). */
-void refitToScan(Sheet& sheet,
+void refitToScan(FacetSheet& sheet,
                  const PointView& scan,
                  const std::vector<int>& indices,
                  const SheetParameters& parameters = {});
@@ -172,14 +172,14 @@ SheetGrid gridWithin(const PlanLoop& loop, const SheetParameters& parameters);
 std::vector<std::uint8_t> cellsWithin(const SheetGrid& grid, const PlanLoop& loop);
 
 /** @brief The heights of a sheet as a slab, of `spacing` metres or more. */
-PlanSlab reliefOf(const Sheet& sheet, double spacing);
+PlanSlab reliefOf(const FacetSheet& sheet, double spacing);
 
 /** @brief Gives a room its ceiling: its largest facet is the main one, others lie over
  * it, with borders where facets meet, at steps, and at the room's walls. Details of the
  * ceiling make way.
  * @param points those that the sheet was fitted to
  * @param risers points of what is vertical between its facets; may be empty */
-void giveCeiling(const Sheet& sheet,
+void giveCeiling(const FacetSheet& sheet,
                  const std::vector<Eigen::Vector3d>& points,
                  const std::vector<Eigen::Vector3d>& risers,
                  PlanRoom& room);

@@ -26,7 +26,7 @@ kindOf(const PlanSlab& slab)
 
 /** @brief The cells that lie within their facet, away from the walls. */
 std::vector<std::uint8_t>
-cellsWithinFacets(const Sheet& sheet)
+cellsWithinFacets(const FacetSheet& sheet)
 {
   const SheetGrid& grid = sheet.grid;
   std::vector<std::uint8_t> is_within(grid.count(), 0);
@@ -49,7 +49,7 @@ cellsWithinFacets(const Sheet& sheet)
 /** @brief Calls `use(cell, point)` for the points near the facet of their cell. */
 template <typename Use>
 void
-forAllNear(const Sheet& sheet,
+forAllNear(const FacetSheet& sheet,
            const std::vector<std::uint8_t>& is_within,
            const PointView& scan,
            const std::vector<int>& indices,
@@ -74,7 +74,7 @@ forAllNear(const Sheet& sheet,
 } // namespace
 
 void
-refitToScan(Sheet& sheet,
+refitToScan(FacetSheet& sheet,
             const PointView& scan,
             const std::vector<int>& indices,
             const SheetParameters& parameters)

@@ -84,7 +84,7 @@ TEST(BorderSteps, ARiserCountsForTheBorderAtItsFoot)
     for (double y = 0.01; y < head; y += 0.01)
       for (double z = 0.9 + slope * y; z < 2.3; z += 0.01)
         scene.risers.emplace_back(x, y, z);
-  const Sheet sheet = fitted(scene);
+  const FacetSheet sheet = fitted(scene);
   const CellCracks cracks = cracksOf(sheet.grid, sheet.label);
   const SheetCracks pieces{sheet, cracks};
   const CellPoints cells(sheet.grid, sheet.is_inside, scene.points);

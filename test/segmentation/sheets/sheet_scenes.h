@@ -12,8 +12,8 @@
 
 namespace sheet_test {
 
+using pcl::sedr::FacetSheet;
 using pcl::sedr::PlanRoom;
-using pcl::sedr::Sheet;
 using Height = std::function<double(double, double)>;
 
 /** A rectangular room with a ceiling in closed form, and points of it. */
@@ -69,7 +69,7 @@ sceneOf(double width, double depth, Height height, double noise = 0.01, int seed
   return scene;
 }
 
-inline Sheet
+inline FacetSheet
 fitted(const Scene& scene, const pcl::sedr::SheetParameters& parameters = {})
 {
   const auto grid = pcl::sedr::gridWithin(scene.room.boundary, parameters);

@@ -66,7 +66,7 @@ jackArches(double x, double)
 TEST(FitSheet, ALevelCeilingIsOnePlane)
 {
   const Scene scene = sceneOf(6, 4, [](double, double) { return 2.5; });
-  const Sheet sheet = fitted(scene);
+  const FacetSheet sheet = fitted(scene);
   ASSERT_EQ(sheet.facets.size(), 1U);
   EXPECT_FALSE(sheet.facets[0].curve);
   EXPECT_NEAR(sheet.noise, 0.01, 0.002);
@@ -77,7 +77,7 @@ TEST(FitSheet, AShedRoofIsOnePlane)
 {
   const Scene scene =
       sceneOf(6, 4, [](double x, double) { return 2 + tangent(15) * x; });
-  const Sheet sheet = fitted(scene);
+  const FacetSheet sheet = fitted(scene);
   ASSERT_EQ(sheet.facets.size(), 1U);
   EXPECT_LT(offBy(scene, fittedRoom(scene)).mean, 0.0005);
 }
@@ -112,7 +112,7 @@ TEST(FitSheet, AHipRoofHasFourSlopes)
 TEST(FitSheet, ABarrelVaultIsOneCylinder)
 {
   const Scene scene = sceneOf(6, 4, barrel);
-  const Sheet sheet = fitted(scene);
+  const FacetSheet sheet = fitted(scene);
   ASSERT_EQ(sheet.facets.size(), 1U);
   ASSERT_TRUE(sheet.facets[0].curve);
   EXPECT_NEAR(sheet.facets[0].curve->across, 2, 0.005);
@@ -122,7 +122,7 @@ TEST(FitSheet, ABarrelVaultIsOneCylinder)
 TEST(FitSheet, ASegmentalVaultIsOneCylinder)
 {
   const Scene scene = sceneOf(6, 4, segmental);
-  const Sheet sheet = fitted(scene);
+  const FacetSheet sheet = fitted(scene);
   ASSERT_EQ(sheet.facets.size(), 1U);
   ASSERT_TRUE(sheet.facets[0].curve);
   EXPECT_NEAR(sheet.facets[0].curve->across, 4, 0.04);
@@ -206,6 +206,23 @@ TEST(FitSheet, AStepIsWhereItsRiserWasSeen)
   EXPECT_NEAR(room.ceilingAt({3.08, 2}), 3, 0.005);
 }
 
+TEST(FitSheet, EachSideOfABeamIsAtItsOwnFaceThoughMoreOfTheOtherWasSeen)
+{
+  Scene scene = sceneOf(6, 4, [](double x, double y) {
+    return std::abs(x - 3) < 0.2 ? 2.2 : segmental(x, y) - 1;
+  });
+  for (const auto& [x, spacing] :
+       {std::pair<double, double>(2.8, 0.03), std::pair<double, double>(3.2, 0.04)})
+    for (double y = 0.01; y < 4; y += spacing)
+      for (double z = 2.2; z < 3; z += spacing)
+        scene.risers.emplace_back(x + 0.003 * std::sin(97 * y + 31 * z), y, z);
+  const PlanRoom room = fittedRoom(scene);
+  for (const double x : {2.81, 3.0, 3.19})
+    EXPECT_NEAR(room.ceilingAt({x, 2}), 2.2, 0.005) << x;
+  for (const double x : {2.79, 3.21})
+    EXPECT_NEAR(room.ceilingAt({x, 2}), 3, 0.005) << x;
+}
+
 TEST(FitSheet, StepsAreAsExactHoweverTheRoomIsTurned)
 {
   const Scene scene = sceneOf(6, 4, [](double x, double y) {
@@ -273,7 +290,7 @@ TEST(FitSheet, ACoveGoesOverIntoTheLevelCeiling)
 TEST(PointsOfRisers, AreNoneOfTheWalls)
 {
   const Scene scene = sceneOf(6, 4, [](double x, double) { return x < 3 ? 2.2 : 2.8; });
-  const Sheet sheet = fitted(scene);
+  const FacetSheet sheet = fitted(scene);
   pcl::PointCloud<pcl::PointXYZ> riser;
   pcl::PointCloud<pcl::PointXYZ> wall;
   for (float z = 2.25F; z < 2.77F; z += 0.05F)
