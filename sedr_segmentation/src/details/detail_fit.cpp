@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "detail_extension.h"
 #include "detail_risers.h"
-#include "height_bends.h"
 #include "height_map.h"
 
 #include "../profiles/cell_count.h"
@@ -206,13 +205,6 @@ fitDetails(const PointView& points,
   dropUnsupported(map, columns, grid, evidence.is_floor);
   std::vector<Eigen::Vector2d> edges =
       riserPoints(points, evidence, map, columns, parameters);
-  const BentEdges bent = bentEdges(map, grid);
-  edges.erase(std::remove_if(edges.begin(), edges.end(),
-                             [&](const Eigen::Vector2d& p) {
-                               return bent.cells.at(grid.at(p.x(), p.y()));
-                             }),
-              edges.end());
-  edges.insert(edges.end(), bent.points.begin(), bent.points.end());
   appendPoints(room.boundary, edges);
   const double point_cell = priors.evidence_cell;
   std::vector<PlanElement> others;

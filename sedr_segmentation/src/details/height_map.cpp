@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "height_map.h"
-#include "height_bends.h"
 
 #include "../levels/horizontal_levels.h"
 #include "../profiles/cell_count.h"
@@ -226,8 +225,6 @@ seenHeights(const PointView& points,
       addFields(points, evidence, main_slab, level, region, least, parameters, map);
     }
   }
-  if (!evidence.is_floor)
-    tidyBends(points, evidence, grid, map);
   map.seen = map.label;
   return map;
 }

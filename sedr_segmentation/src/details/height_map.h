@@ -7,8 +7,6 @@
 #include <pcl/sedr_filters/priors.h>
 
 #include <cstdint>
-#include <set>
-#include <utility>
 #include <vector>
 
 namespace pcl::sedr {
@@ -21,9 +19,6 @@ struct HeightMap {
   std::vector<std::int32_t> seen; ///< labels of seen cells, -1 for filled cells
   PlanSlab main;
   std::vector<PlanSlab> details; ///< with labels 1, 2, ...
-  std::vector<double> relief;    ///< seen height over the main slab, metres, else NaN
-  std::set<std::pair<std::int32_t, std::int32_t>>
-      bends; ///< labels joined without a step
 
   const PlanSlab& slabOf(std::int32_t of) const
   {

@@ -118,6 +118,7 @@ fitFloorplan(const PlanInput& input,
   evidence.details = orNone(input.details);
   evidence.walls = orNone(input.walls);
   evidence.sheets = orNone(input.sheets);
+  evidence.finds_sheets = !input.sheets;
   evidence.room = input.rooms;
   std::vector<RoomSheet> sheets;
   plan = fitPlan(input.points, evidence, parameters, problem, warnings, &boundaries,

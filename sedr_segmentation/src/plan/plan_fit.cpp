@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -149,6 +150,48 @@ leaveToOthers(const PointView& points,
   return std::count(has_changed.begin(), has_changed.end(), 1) > 0;
 }
 
+std::vector<Eigen::Vector3d>
+placesOf(const PointView& points, const std::vector<int>& indices)
+{
+  std::vector<Eigen::Vector3d> places;
+  places.reserve(indices.size());
+  for (const int i : indices)
+    if (points.isFinite(static_cast<std::size_t>(i)))
+      places.emplace_back(points[static_cast<std::size_t>(i)].cast<double>());
+  return places;
+}
+
+/** @brief Returns the points of a ceiling and its details that nothing of them hides
+ * from below, without vertical faces, if much of them slopes; else none. */
+std::vector<int>
+slopingCeiling(const PointView& points,
+               const CellGrid& grid,
+               const std::vector<int>& ceiling,
+               const std::vector<int>& details)
+{
+  // Metres: more than the steepest slope rises in a cell.
+  const double step = 2 * grid.size();
+  std::map<CellKey, float> lowest;
+  std::vector<int> seen;
+  const auto forAll = [&](auto use) {
+    for (const auto* part : {&ceiling, &details})
+      for (const int i : *part)
+        if (const auto at = static_cast<std::size_t>(i); points.isFinite(at))
+          use(i, keyOf(grid.at(points[at].x(), points[at].y())), points[at].z());
+  };
+  forAll([&](int, CellKey cell, float z) {
+    const auto known = lowest.emplace(cell, z).first;
+    known->second = std::min(known->second, z);
+  });
+  forAll([&](int i, CellKey cell, float z) {
+    if (z < lowest[cell] + step)
+      seen.push_back(i);
+  });
+  if (slopingArea(placesOf(points, seen)) < SheetParameters().min_area)
+    seen.clear();
+  return seen;
+}
+
 /** @brief Returns the preliminary ceiling of a room, a relief of its facets; null if
  * there are none or they explain too little of it. */
 std::shared_ptr<const PlanSlab>
@@ -173,17 +216,6 @@ seenSheet(const std::vector<Eigen::Vector3d>& points,
   if (!hasSlope(sheet) || sheet.explained < priors.share_clear)
     return nullptr;
   return std::make_shared<const PlanSlab>(reliefOf(sheet, grid.size / 2));
-}
-
-std::vector<Eigen::Vector3d>
-placesOf(const PointView& points, const std::vector<int>& indices)
-{
-  std::vector<Eigen::Vector3d> places;
-  places.reserve(indices.size());
-  for (const int i : indices)
-    if (points.isFinite(static_cast<std::size_t>(i)))
-      places.emplace_back(points[static_cast<std::size_t>(i)].cast<double>());
-  return places;
 }
 
 } // namespace
@@ -221,7 +253,9 @@ fitPlan(const PointView& points,
   };
   auto ceilings = shareBy(evidence.ceiling, labelled);
   auto details = shareBy(evidence.details, labelled);
-  const auto of_sheets = shareBy(evidence.sheets, labelled);
+  auto of_sheets = shareBy(evidence.sheets, labelled);
+  for (std::size_t r = 0; r < numbers.size() && evidence.finds_sheets; ++r)
+    of_sheets[r] = slopingCeiling(points, grid, ceilings[r], details[r]);
   std::vector<CellSet> scopes;
   for (std::size_t r = 0; r < numbers.size(); ++r)
     scopes.push_back(

@@ -18,7 +18,8 @@ struct PlanEvidence {
   std::vector<int> floor;
   std::vector<int> walls; ///< empty: all
   std::vector<std::uint32_t> room;
-  std::vector<int> sheets; ///< of ceilings that are not level
+  std::vector<int> sheets;   ///< of ceilings that are not level
+  bool finds_sheets = false; ///< whether ceilings that slope are found, not given
 };
 
 /** @brief Ceiling points of a room whose ceiling is not level. */

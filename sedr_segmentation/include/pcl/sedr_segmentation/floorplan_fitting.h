@@ -117,7 +117,7 @@ public:
 
   /** @brief Sets the points of ceilings that are not level. Their rooms get a ceiling
    * of facets (PlanDetail::is_facet, PlanSlab::curve), unless these explain too little
-   * of it. The points must also be among those of ceilings and details. Optional. */
+   * of it. They must be among the points of ceilings and details. Default: found. */
   void setSheetIndices(const sedr::StageIndices& sheets) { sheets_ = sheets.get(); }
   IndicesConstPtr getSheetIndices() const { return sheets_; }
 
