@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxel_columns.h"
 
+#include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <map>
+#include <string>
 
 namespace pcl::sedr {
 
@@ -73,6 +75,9 @@ middleHeight(const PointView& points, const std::vector<int>& indices)
 
 constexpr std::size_t points_a_block = std::size_t{1} << 16;
 
+constexpr std::size_t bytes_a_point = 2048;
+constexpr std::size_t bytes_of_any_scan = std::size_t{1} << 30;
+
 } // namespace
 
 VoxelColumns::VoxelColumns(const PointView& points,
@@ -109,6 +114,16 @@ VoxelColumns::VoxelColumns(const PointView& points,
   for (const Heights& block : met)
     for (const auto& [key, range] : block)
       all[key].add(range);
+  std::size_t bytes = 0;
+  for (const auto& entry : all)
+    bytes += tile_columns * sizeof(std::uint64_t) *
+             static_cast<std::size_t>(wordsBetween(entry.second));
+  if (bytes > std::max(bytes_of_any_scan, n * bytes_a_point)) {
+    problem_ = "the points are too far apart for rooms: columns of " +
+               numberText(cell) + " m between " + std::to_string(n) +
+               " points would take " + std::to_string(bytes >> 20) + " MB";
+    return;
+  }
   makeTiles({all.begin(), all.end()});
 
   // The points of each tile, so that each is filled by one thread.
@@ -158,6 +173,12 @@ VoxelColumns::VoxelColumns(const PointView& points,
   });
 }
 
+std::int32_t
+VoxelColumns::wordsBetween(const TileHeights& range)
+{
+  return tileOf(range.high) - tileOf(range.low) + 1;
+}
+
 void
 VoxelColumns::makeTiles(const std::vector<std::pair<CellKey, TileHeights>>& heights)
 {
@@ -166,7 +187,7 @@ VoxelColumns::makeTiles(const std::vector<std::pair<CellKey, TileHeights>>& heig
     Tile tile;
     tile.corner = pcl::sedr::cellOf(key);
     tile.low = tileOf(range.low) * edge;
-    tile.words = tileOf(range.high) - tileOf(range.low) + 1;
+    tile.words = wordsBetween(range);
     tile.first = words;
     words += tile_columns * static_cast<std::size_t>(tile.words);
     tile_at_[key] = static_cast<std::uint32_t>(tiles_.size());

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -34,7 +35,7 @@ public:
 
   /** @brief Fills the voxels that hold at least one finite point of
    * `points[indices]`; those half a kilometre above or below the scan's middle are
-   * strays and left out. O(n).
+   * strays and left out. Without any column if problem() tells one. O(n).
    * @param cell edge of a column, metres
    * @param voxel_height metres
    * @param indices empty: all points
@@ -44,6 +45,10 @@ public:
                double cell,
                double voxel_height,
                unsigned threads);
+
+  /** @brief Why there are no columns: the points lie so far apart that the columns
+   * between them would take more than 2 KB a point (and 1 GB); empty if there are. */
+  const std::string& problem() const { return problem_; }
 
   /** @brief The same with columns of two by two of these: a voxel is occupied where
    * one of its four is. O(columns). */
@@ -179,6 +184,9 @@ private:
   std::vector<std::uint64_t>
   spreadAlong(int line, int reach, bool widens, unsigned threads) const;
 
+  /** @brief Words of a column of a tile. */
+  static std::int32_t wordsBetween(const TileHeights& range);
+
   /** @brief Makes the tiles of some heights, which are sorted by their keys. */
   void makeTiles(const std::vector<std::pair<CellKey, TileHeights>>& heights);
   void connectTiles();
@@ -199,6 +207,7 @@ private:
   std::vector<Tile> tiles_; ///< row by row
   std::unordered_map<CellKey, std::uint32_t> tile_at_;
   std::vector<std::uint64_t> bits_;
+  std::string problem_;
 };
 
 } // namespace pcl::sedr

@@ -228,6 +228,9 @@ findBuilding(const PointView& points,
   Building building;
   const VoxelColumns fine(points, indices, parameters.cell_size, voxel_height,
                           parameters.threads);
+  problem = fine.problem();
+  if (!problem.empty())
+    return building;
   const VoxelColumns filled = columnsThatFill(fine, parameters.threads);
   const bool is_dense = filled.cellSize() < 3 * fine.cellSize();
   const VoxelColumns columns = withHolesClosed(filled, is_dense, parameters.threads);

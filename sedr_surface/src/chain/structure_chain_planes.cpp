@@ -12,6 +12,7 @@
 #include "sedr_segmentation/src/scan/cell_fill.h"
 #include "sedr_segmentation/src/scan/scan_check.h"
 #include "sedr_segmentation/src/scan/scan_inclination.h"
+#include "sedr_segmentation/src/scan/unit_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,6 +75,8 @@ StructureChain::partRooms(StageReport& report)
       turned(RoomsAlongZ::Found, areaOfLargestStorey(getBuilding()));
   if (!doubt.empty())
     return fail(doubt);
+  if (!inchProblem(PointView(*cloud), getBuilding().storeys.size()).empty())
+    return fail("the storeys that were found are too high for a building");
   const Building& building = getBuilding();
   for (const LeftOut& thing : building.left_out)
     if (thing.kind == LeftOutKind::Mirror) {

@@ -11,7 +11,6 @@
 #include "sedr_segmentation/src/niches/niche_fit.h"
 #include "sedr_segmentation/src/plan/room_territory.h"
 #include "sedr_segmentation/src/scan/scan_check.h"
-#include "sedr_segmentation/src/scan/unit_check.h"
 
 #include <algorithm>
 
@@ -200,11 +199,8 @@ StructureChain::fitPlan(StageReport& report)
                   floorplan_fitting.getWarnings().end());
   giveStoreys(getBuilding(), *plan);
   warnOfCeilings();
-  for (const std::string& doubt :
-       {footProblem(*plan, priors_),
-        inchProblem(PointView(*cloud), plan->storeys.size())})
-    if (!doubt.empty())
-      warnings.push_back(doubt);
+  if (const std::string doubt = footProblem(*plan, priors_); !doubt.empty())
+    warnings.push_back(doubt);
   for (const auto& room : plan->rooms)
     for (const auto& element : room.boundary.elements)
       report.points_out += element.inliers;

@@ -209,6 +209,19 @@ TEST(VoxelColumns, TakeNoPointsThatAreNotFiniteNorThoseWithoutAnIndex)
   EXPECT_EQ(columnsOf(RoomPoints()).size(), 0u);
 }
 
+TEST(VoxelColumns, PointsFarApartAreRefusedBeforeTheyTakeMemory)
+{
+  RoomPoints points; // a point every 20 m of 6 by 6 km: columns of 6.4 m each, 3 GB
+  for (int x = 0; x < 300; ++x)
+    for (int y = 0; y < 300; ++y)
+      points.point(20.0 * x, 20.0 * y, 1);
+  const VoxelColumns columns = columnsOf(points);
+  EXPECT_NE(columns.problem().find("90000 points"), std::string::npos)
+      << columns.problem();
+  EXPECT_EQ(columns.tiles(), 0u);
+  EXPECT_EQ(columnsOf(pointsIn({{0, 0, 0}})).problem(), "");
+}
+
 TEST(VoxelColumns, StraysAHundredKilometresOffAreNoBurden)
 {
   RoomPoints points;

@@ -16,7 +16,6 @@
 
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_segmentation/src/scan/scan_check.h"
-#include "sedr_segmentation/src/scan/unit_check.h"
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>
 #include <pcl/sedr_surface/mesh_io.h>
@@ -65,10 +64,8 @@ checkedCoverage(const Reconstruction& chain, bool takes_partial)
     return coverage;
   const Floorplan& plan = *chain.getFloorplan();
   std::string reason = coverageWarning(coverage);
-  for (const std::string& doubt :
-       {footProblem(plan),
-        inchProblem(PointView(*chain.getChain().cloud), plan.storeys.size())})
-    reason += doubt.empty() ? "" : "; " + doubt;
+  if (const std::string doubt = footProblem(plan); !doubt.empty())
+    reason += "; " + doubt;
   throw ToolError("less than half of the floor that was seen could be modelled: " +
                       reason + "; say --partial for a model of what there is",
                   NothingFound);
