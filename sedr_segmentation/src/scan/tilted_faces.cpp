@@ -4,6 +4,7 @@
 #include "../refit/patch_normals.h"
 
 #include <pcl/sedr_filters/cell_grid.h>
+#include <pcl/sedr_filters/priors.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -20,13 +21,12 @@ namespace pcl::sedr {
 
 namespace {
 
-constexpr double one_degree = M_PI / 180;
 constexpr double cube_size = 0.4; // metres
 
 /** @brief Limits of the tilt. Less is construction tolerance or the drift of a mobile
  * scanner; more is a roof. */
-constexpr double min_tilt = 5 * one_degree;
-constexpr double max_tilt = 28 * one_degree;
+constexpr double min_tilt = radians(5);
+constexpr double max_tilt = radians(28);
 
 /** @brief Minimum height and area of a face, and maximum start above the floor, metres.
  */
@@ -81,7 +81,7 @@ public:
   explicit WallPatches(const std::vector<PlanePatch>& patches)
   {
     for (const PlanePatch& patch : patches)
-      if (std::abs(patch.normal.z()) < std::sin(max_tilt + 3 * one_degree))
+      if (std::abs(patch.normal.z()) < std::sin(max_tilt + radians(3)))
         patches_.push_back(patch);
     for (std::size_t i = 0; i < patches_.size(); ++i)
       cells_[cellOf(patches_[i].middle)].push_back(i);
@@ -156,7 +156,7 @@ private:
   std::vector<std::size_t>
   inPlane(std::size_t seed, const Plane& plane, double tolerance)
   {
-    constexpr double max_turn = 6 * one_degree;
+    constexpr double max_turn = radians(6);
     std::vector<std::size_t> face{seed};
     ++round_;
     reached_[seed] = round_;

@@ -109,16 +109,16 @@ BinaryEnergy::addPair(std::size_t a,
 std::vector<std::uint8_t>
 BinaryEnergy::minimise() const
 {
-  constexpr std::size_t max_arcs = std::numeric_limits<Number>::max();
-  if (yes_.size() + pairs_.size() > max_arcs / 2)
+  const std::size_t pairs = yes_.size() + pairs_.size(); // of arcs, at most
+  if (pairs > std::numeric_limits<Number>::max() / 2)
     throw std::length_error("a minimum cut takes at most " +
-                            std::to_string(max_arcs / 2) +
+                            std::to_string(std::numeric_limits<Number>::max() / 2) +
                             " questions and pairs of them, not " +
-                            std::to_string(yes_.size() + pairs_.size()));
+                            std::to_string(pairs));
   // The source's side says yes.
   const auto source = static_cast<Number>(yes_.size());
   const Number sink = source + 1;
-  Arcs arcs(yes_.size() + 2, yes_.size() + pairs_.size());
+  Arcs arcs(yes_.size() + 2, pairs);
   for (Number v = 0; v < source; ++v) {
     if (yes_[v] < 0)
       arcs.add(source, v, -yes_[v]);

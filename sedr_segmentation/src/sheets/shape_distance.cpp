@@ -5,6 +5,12 @@
 
 namespace pcl::sedr {
 
+namespace {
+
+constexpr double at_axis = 1e-9; // of the radius
+
+} // namespace
+
 std::vector<PointRow>
 rowsOf(const std::vector<Eigen::Vector3d>& points)
 {
@@ -33,7 +39,6 @@ distancesOf(const PlanSlab& slab, const PointRow& points, ShapeValues& distance)
     distance = plane[0] * x + plane[1] * y + plane[2] * z + plane[3];
     return;
   }
-  constexpr double at_middle = 1e-9;
   const SlabCurve& c = *slab.curve;
   distance.resize(points.size());
   if (c.kind == CurveKind::Relief) {
@@ -61,7 +66,7 @@ distancesOf(const PlanSlab& slab, const PointRow& points, ShapeValues& distance)
   }
   distance = (out - 1) * out / growth;
   for (Eigen::Index i = 0; i < points.size(); ++i)
-    if (out[i] < at_middle)
+    if (out[i] < at_axis)
       distance[i] = -std::min(c.across, c.up);
 }
 
@@ -99,7 +104,6 @@ ShapeDistance::placesOf(const PointRow& points,
                         Places& places,
                         ShapeValues& distance) const
 {
-  constexpr double at_axis = 1e-9;
   auto& [local, unit, slope, out, square] = places;
   const auto& [x, y, z] = points.at;
   local[0] = axis_.x() * (x - centre_.x()) + axis_.y() * (y - centre_.y());

@@ -137,10 +137,10 @@ template <int Count>
 StepSums
 sumsOf(const std::vector<PointRow>& points, const ShapeDistance& shape, double band)
 {
-  constexpr int even = Count + Count % 2; // numbers are added two at once
-  using Numbers = Eigen::Matrix<double, even, 1>;
-  Eigen::Matrix<double, even, Count> normal =
-      Eigen::Matrix<double, even, Count>::Zero();
+  // Even rows, as numbers are added two at once.
+  using Numbers = Eigen::Matrix<double, Count + Count % 2, 1>;
+  using Columns = Eigen::Matrix<double, Count + Count % 2, Count>;
+  Columns normal = Columns::Zero();
   Numbers right = Numbers::Zero();
   Numbers own = Numbers::Zero();
   ShapeValues distance;
