@@ -118,7 +118,7 @@ const std::vector<Prior> table = {
     {"wall_noise", &Priors::wall_noise, "scanner", "m", 0.001, 0.1,
      "chosen on the proving ground", "walls"},
     {"surface_band", &Priors::surface_band, "scanner", "m", 0.02, 0.5,
-     "ten standard deviations of 1 cm", "details, loop, niches, plan"},
+     "ten standard deviations of 1 cm", "loop, niches, plan"},
     {"wall_band", &Priors::wall_band, "scanner", "m", 0.01, 0.2, "paper, Table 1",
      "curves, details, loop, niches, plan, walls"},
     {"place_accuracy", &Priors::place_accuracy, "scanner", "m", 1e-05, 0.01,

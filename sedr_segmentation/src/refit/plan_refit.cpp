@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_refit.h"
 
+#include "plan_regularisation.h"
 #include "refit_rounds.h"
 
 #include "sedr_filters/src/base/plane_fit.h"
@@ -82,9 +83,8 @@ slabsOf(PlanRoom& room)
 std::vector<CurveTie>
 tangentTies(PlanCurves& curves)
 {
-  constexpr double smooth = 1e-4;       // radians
-  constexpr double nearly_smooth = 0.2; // as RegularisationParameters has it
-  constexpr double max_sigmas = 3;
+  constexpr double smooth = 1e-4; // radians
+  const RegularisationParameters limits;
   std::vector<CurveTie> ties;
   for (const auto& loop : curves.loops) {
     const auto& elements = loop.loop->elements;
@@ -92,14 +92,15 @@ tangentTies(PlanCurves& curves)
       const std::size_t j = (i + 1) % elements.size();
       std::size_t a = loop.curves[i];
       std::size_t b = loop.curves[j];
-      if (a == b || !PlanCurves::meetSmoothly(elements[i], elements[j], nearly_smooth))
+      if (a == b || !PlanCurves::meetSmoothly(elements[i], elements[j],
+                                              limits.largest_tangent_angle))
         continue;
       if (curves.curves[a].curve.isCircle())
         std::swap(a, b);
       if (!curves.curves[b].curve.isCircle() ||
           (!PlanCurves::meetSmoothly(elements[i], elements[j], smooth) &&
            contradiction(curves.curves[a], curves.curves[b], TieKind::Tangent) >
-               max_sigmas * max_sigmas))
+               limits.max_sigmas * limits.max_sigmas))
         continue;
       ties.push_back({TieKind::Tangent, a, b});
       curves.tangents.insert({std::min(a, b), std::max(a, b)});

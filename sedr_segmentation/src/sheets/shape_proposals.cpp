@@ -12,7 +12,6 @@ namespace pcl::sedr {
 
 namespace {
 
-constexpr double proposal_band = 3;      ///< deviations that a point of a facet is off
 constexpr std::size_t few_points = 250;  ///< that a shape in a window is fitted to
 constexpr std::size_t max_points = 1500; ///< that a growing shape is fitted to
 
@@ -24,7 +23,7 @@ explainsCell(const PlanSlab& slab,
 {
   const CellBall& ball = cells.ball(cell);
   if (std::abs(distanceOf(slab, ball.centre)) >
-      2 * ball.radius + proposal_band * deviation)
+      2 * ball.radius + facet_band * deviation)
     return false;
   // As soon as the points that are left cannot change the answer, it is given.
   const std::ptrdiff_t size = cells.end(cell) - cells.begin(cell);
@@ -32,7 +31,7 @@ explainsCell(const PlanSlab& slab,
   std::ptrdiff_t off = 0;
   for (const Eigen::Vector3d* p = cells.begin(cell); 2 * near <= size && 2 * off < size;
        ++p)
-    ++(std::abs(distanceOf(slab, *p)) < proposal_band * deviation ? near : off);
+    ++(std::abs(distanceOf(slab, *p)) < facet_band * deviation ? near : off);
   return 2 * near > size;
 }
 
@@ -127,7 +126,7 @@ private:
                                       cells_.ball(cell).centre - first.centre;
                                   return std::abs(off.z()) >
                                          slope * off.head<2>().norm() +
-                                             proposal_band * deviation_;
+                                             facet_band * deviation_;
                                 }),
                  window.end());
   }

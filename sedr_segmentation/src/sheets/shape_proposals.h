@@ -9,6 +9,8 @@
 
 namespace pcl::sedr {
 
+constexpr double facet_band = 3; ///< deviations that a point of a facet may be off
+
 /** @brief A facet that may be one of a ceiling. */
 struct FacetProposal {
   ShapeKind kind = ShapeKind::Plane;

@@ -12,7 +12,6 @@ namespace pcl::sedr {
 namespace {
 
 constexpr float unexplained = 0.7F; ///< of what an outlier costs
-constexpr double band = 3;          ///< deviations that a point of a facet is off
 
 /** @brief Gives cells without a label that of the nearest one with, by steps. */
 void
@@ -116,11 +115,10 @@ isWithin(const FacetSheet& sheet, std::size_t cell)
 Eigen::Vector4d
 planeNear(const std::vector<Eigen::Vector3d>& points)
 {
-  constexpr double min_upward = 0.5; // 60 degrees
   const Eigen::Vector4d plane = points.size() < 3
                                     ? Eigen::Vector4d::Zero()
                                     : Eigen::Vector4d(fitPlane(points).plane);
-  if (plane.allFinite() && plane[2] >= min_upward)
+  if (plane.allFinite() && plane[2] >= std::cos(SheetParameters().steepest))
     return plane;
   double height = 0;
   for (const Eigen::Vector3d& p : points)
@@ -167,7 +165,7 @@ finishFacets(const CellPoints& cells,
     for (const std::size_t cell : own[k])
       for (const Eigen::Vector3d* p = cells.begin(cell); p != cells.end(cell); ++p) {
         const double distance = distanceOf(slab, *p);
-        if (std::abs(distance) >= band * deviation)
+        if (std::abs(distance) >= facet_band * deviation)
           continue;
         ++slab.inliers;
         sum += distance * distance;
