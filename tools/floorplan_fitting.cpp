@@ -7,6 +7,7 @@
 #include "progress.h"
 #include "rooms/building_file.h"
 #include "run_tool.h"
+#include "sedr_segmentation/src/plan/doorway_reveals.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
 
@@ -84,8 +85,10 @@ run(const Settings& settings, Fitting& fitting)
     if (!fitting.segment(plan))
       throw ToolError(fitting.getErrorMessage(), NothingFound);
   }
-  if (!settings.building.empty())
+  if (!settings.building.empty()) {
     giveStoreys(building, plan);
+    closeReveals(plan, fitting.getPriors());
+  }
   writeWhole(settings.output, [&](std::ostream& stream) {
     stream << pcl::sedr::floorplanToJson(plan, nullptr, cloud.origin);
   });

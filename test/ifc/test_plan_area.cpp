@@ -33,6 +33,19 @@ TEST(PlanArea, WhatTwoHaveInCommon)
   EXPECT_NEAR(commonArea(far, far), 4, 1e-4);
 }
 
+TEST(PlanArea, OfKilometres)
+{
+  // A wall beside a tunnel of 3 km, and a terminal of 18 km at its very end.
+  const PlanArea wall{rectangle(0, 0, 4, 0.2)};
+  const PlanArea tunnel{rectangle(-3000, 0.1, 3, 5)};
+  EXPECT_NEAR(commonArea(wall, tunnel), 0.3, 1e-4);
+  EXPECT_NEAR(commonArea(tunnel, wall), 0.3, 1e-4);
+  EXPECT_NEAR(sizeOf(largestPartOutside(wall, {tunnel})), 0.5, 1e-4);
+  const PlanArea terminal{rectangle(1, 0, 18000, 18000)};
+  EXPECT_NEAR(sizeOf(largestPartOutside(wall, {terminal})), 0.2, 1e-3);
+  EXPECT_NEAR(commonArea(tunnel, {rectangle(-3000, 0, -2999, 9)}), 4.9, 1e-2);
+}
+
 TEST(PlanArea, WhatIsOutsideOfOthers)
 {
   const PlanArea band{rectangle(0, 0, 4, 0.2)};

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "level_planes.h"
 #include "plan_arcs.h"
 
 #include <algorithm>
@@ -182,9 +183,7 @@ PlanSlab::normalAt(const Eigen::Vector2d& p) const
 bool
 PlanRoom::hasFacets() const
 {
-  constexpr double level = 0.997; // cosine of 4.4 degrees
-  return ceiling.curve || ceiling.plane[2] < level ||
-         (!details.empty() && details.front().is_facet);
+  return !isLevel(ceiling) || (!details.empty() && details.front().is_facet);
 }
 
 double

@@ -106,6 +106,7 @@ trimmed(const PlanDetail& detail, const PlanLoop& boundary)
     PlanDetail part;
     part.boundary = loop;
     part.slab = detail.slab;
+    part.is_facet = detail.is_facet;
     for (const PlanLoop& hole : detail.holes)
       for (const PlanLoop& of_hole : within(reversed(hole), loop))
         part.holes.push_back(reversed(of_hole));

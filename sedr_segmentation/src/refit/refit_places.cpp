@@ -3,6 +3,7 @@
 
 #include "../curves/plan_curve.h"
 #include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/plan/plan_bounds.h"
 #include "sedr_filters/src/plan/room_lookup.h"
 
 #include <algorithm>
@@ -37,24 +38,11 @@ withoutEdges(const std::vector<std::int32_t>& values,
 
 } // namespace
 
-std::pair<Eigen::Vector2d, Eigen::Vector2d>
-boundsOf(const PlanLoop& loop)
-{
-  Eigen::Vector2d low = loop.elements[0].start;
-  Eigen::Vector2d high = low;
-  for (const auto& p : loop.polygon(0.01)) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  return {low, high};
-}
-
 double
 widthOf(const PlanLoop& loop)
 {
   const std::vector<Eigen::Vector2d> corners = loop.polygon(0.01);
-  const auto [low, high] = boundsOf(loop);
-  double width = (high - low).minCoeff();
+  double width = boundsOf(loop).sizes().minCoeff();
   for (const PlanElement& e : loop.elements) {
     const Eigen::Vector2d chord = e.end - e.start;
     if (!(chord.norm() > 0))
@@ -78,8 +66,9 @@ RefitPlaces::addRoom(const PlanRoom& room,
                      unsigned threads)
 {
   constexpr double max_cells = 100000;
-  const auto [low, high] = boundsOf(room.boundary);
-  const Eigen::Vector2d extent = high - low;
+  const Eigen::AlignedBox2d box = boundsOf(room.boundary);
+  const Eigen::Vector2d low = box.min();
+  const Eigen::Vector2d extent = box.sizes();
   RefitRoomMap map;
   map.cell = std::max(0.05, std::sqrt(extent.x() * extent.y() / max_cells));
   map.low = low;
@@ -136,8 +125,8 @@ RefitPlaces::tabulate(double reach)
   }
   std::vector<CellTable::Entry> of_niches;
   for (std::size_t n = 0; n < niches.size(); ++n) {
-    const auto [low, high] = boundsOf(niches[n].niche->boundary);
-    of_niches.push_back(around(niches_near, low, high, step, n));
+    const Eigen::AlignedBox2d box = boundsOf(niches[n].niche->boundary);
+    of_niches.push_back(around(niches_near, box.min(), box.max(), step, n));
   }
   for (const std::string& problem :
        {stretches_near.fill(of_stretches), rooms_near.fill(of_rooms),

@@ -86,9 +86,6 @@ struct RefitPlaces {
   std::string tabulate(double reach);
 };
 
-/** @brief Returns the bounding box of a non-empty loop. */
-std::pair<Eigen::Vector2d, Eigen::Vector2d> boundsOf(const PlanLoop& loop);
-
 /** @brief Returns the minimum extent of a loop perpendicular to any element's chord. */
 double widthOf(const PlanLoop& loop);
 

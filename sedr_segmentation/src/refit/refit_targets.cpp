@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refit_targets.h"
 
+#include "sedr_filters/src/plan/plan_bounds.h"
 #include <algorithm>
 #include <map>
 
@@ -172,12 +173,12 @@ RefitTargets::addSlab(PlanSlab& slab,
                       std::size_t parent)
 {
   const bool follows = parallel_to && isParallel(slab, *parallel_to);
-  const auto [from, to] = boundsOf(loop);
+  const Eigen::AlignedBox2d box = boundsOf(loop);
   RefitSlab added;
   added.slab = &slab;
-  added.middle = (from + to) / 2;
+  added.middle = box.center();
   added.parent = follows ? parent : places_.slabs.size();
-  added.half = (to - from) / 2;
+  added.half = box.sizes() / 2;
   added.width = widthOf(loop);
   places_.slabs.push_back(added);
   return places_.slabs.size() - 1;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sedr_filters/src/plan/doorway_reveals.h"
-
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_segmentation/building.h>
 
@@ -27,7 +25,6 @@ giveStoreys(const Building& building, Floorplan& plan)
                std::back_inserter(plan.doorways), isKept);
   std::copy_if(building.stairs.begin(), building.stairs.end(),
                std::back_inserter(plan.stairs), isKept);
-  closeReveals(plan);
 }
 
 } // namespace pcl::sedr

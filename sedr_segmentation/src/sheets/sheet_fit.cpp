@@ -284,8 +284,7 @@ hasSlope(const FacetSheet& sheet)
 {
   return std::any_of(
       sheet.facets.begin(), sheet.facets.end(), [](const PlanSlab& facet) {
-        return facet.curve ? facet.curve->kind != CurveKind::Relief
-                           : facet.plane[2] < std::cos(SheetParameters().level);
+        return facet.curve ? facet.curve->kind != CurveKind::Relief : !isLevel(facet);
       });
 }
 

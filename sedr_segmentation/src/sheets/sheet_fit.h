@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "sedr_filters/src/plan/level_planes.h"
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
 
@@ -35,9 +36,8 @@ struct SheetParameters {
   double min_relief = 1;  ///< of a free form, square metres
   double relief_spacing = 0.25; ///< between its heights, metres
   double steepest = M_PI / 3;   ///< of a plane, radians
-  double level =
-      4 * M_PI / 180; ///< planes of level ceilings are tilted by 3 degrees, radians
-  double largest_radius = 40; ///< of a vault; flatter ones are planes, metres
+  double level = level_tilt;    ///< greatest tilt of a level ceiling, radians
+  double largest_radius = 40;   ///< of a vault; flatter ones are planes, metres
   unsigned threads = 1;
 };
 

@@ -9,6 +9,7 @@
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/plan/plan_evidence.h"
 #include "sedr_segmentation/src/niches/niche_fit.h"
+#include "sedr_segmentation/src/plan/doorway_reveals.h"
 #include "sedr_segmentation/src/plan/room_territory.h"
 #include "sedr_segmentation/src/scan/scan_check.h"
 
@@ -198,6 +199,7 @@ StructureChain::fitPlan(StageReport& report)
   warnings.insert(warnings.end(), floorplan_fitting.getWarnings().begin(),
                   floorplan_fitting.getWarnings().end());
   giveStoreys(getBuilding(), *plan);
+  closeReveals(*plan, priors_);
   warnOfCeilings();
   if (const std::string doubt = footProblem(*plan, priors_); !doubt.empty())
     warnings.push_back(doubt);

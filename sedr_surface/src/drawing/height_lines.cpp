@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "height_lines.h"
 
+#include "roof_lines.h"
 #include "sedr_filters/src/plan/room_lookup.h"
 
 #include <Eigen/Geometry>
@@ -198,11 +199,10 @@ heightRange(const PlanRoom& room)
       add(lookup.ceilingAt(grid.placeOf(k)), grid.placeOf(k));
   // Eaves and ridges lie on the borders of facets, whose loops end at the walls only
   // within tolerance: what is above a wall is asked for beside it.
-  constexpr double beside = 0.05;
   for (const PlanElement& wall : room.boundary.elements)
     for (const double share : {0.02, 0.5, 0.98}) {
       const double s = share * wall.length();
-      const Eigen::Vector2d p = wall.pointAt(s) + beside * wall.normalAt(s);
+      const Eigen::Vector2d p = wall.pointAt(s) + beside_border * wall.normalAt(s);
       if (room.contains(p))
         add(room.ceilingSlab(room.detailAt(p)).heightAt(wall.pointAt(s)), p);
     }

@@ -4,6 +4,7 @@
 #include "../formats/decimal_text.h"
 #include "../sheet/plan_frame.h"
 #include "roof_lines.h"
+#include "sedr_filters/src/plan/level_planes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,12 +48,12 @@ public:
 private:
   void joinAcross(const PlanRoom& room, std::size_t d)
   {
-    constexpr double beside = 0.05; // metres
     for (const PlanElement& border : room.details[d].boundary.elements) {
       if (border.length() <= 0 || roofLineAt(room, border).is_seen)
         continue;
       const double s = border.length() / 2;
-      const Eigen::Vector2d outside = border.pointAt(s) - beside * border.normalAt(s);
+      const Eigen::Vector2d outside =
+          border.pointAt(s) - beside_border * border.normalAt(s);
       if (!room.contains(outside))
         continue;
       const int other = room.detailAt(outside);
@@ -95,7 +96,6 @@ notedDetails(const PlanRoom& room)
 std::vector<LevelNote>
 levelNotes(const PlanRoom& room, const TextSpot& room_spot)
 {
-  constexpr double level = 0.997;      // cosine of 4.4 degrees
   constexpr double around_name = 0.35; // share of the free space
   std::vector<LevelNote> notes;
   const auto add = [&](const std::vector<PlanDetail>& details, std::size_t d,
@@ -112,7 +112,7 @@ levelNotes(const PlanRoom& room, const TextSpot& room_spot)
       return;
     const Eigen::Vector2d& p = note.spot.place;
     const double height = detail.slab.heightAt(p) - room.floor.heightAt(p);
-    if (detail.is_facet && (detail.slab.curve || detail.slab.plane[2] < level))
+    if (detail.is_facet && !isLevel(detail.slab))
       return; // its height is not constant
     const bool is_floor = layer == DrawnLayer::FloorDetail;
     note.text = (is_floor && height > 0 ? "+" : "") + decimalText(height, 2);

@@ -65,7 +65,9 @@ joinWithNeighbour(DimensionChain& chain, std::size_t dimension)
 }
 
 /** @brief Places the rows with their texts. A dimension whose text has no place is
- * joined with a neighbour: every one that is drawn can be read. */
+ * joined with a neighbour, and one that is alone is left out with its row: every one
+ * that is drawn can be read. All rows are placed anew each time that one of each was
+ * joined: for rows of n dimensions n times at most. */
 void
 placeRows(std::vector<ChainRow> rows,
           const PlanFrame& to_sheet,
@@ -85,11 +87,19 @@ placeRows(std::vector<ChainRow> rows,
       placeTexts(tried, rows[r].chain.side, row);
       const auto without = std::find_if(
           row.begin(), row.end(), [](const PlacedDimension& d) { return !d.text; });
-      if (without == row.end() || row.size() < 2)
+      if (without == row.end())
         continue;
-      joinWithNeighbour(rows[r].chain, static_cast<std::size_t>(without - row.begin()));
       is_complete = false;
+      if (row.size() > 1)
+        joinWithNeighbour(rows[r].chain,
+                          static_cast<std::size_t>(without - row.begin()));
+      else
+        rows[r].chain.places.clear();
     }
+    rows.erase(
+        std::remove_if(rows.begin(), rows.end(),
+                       [](const ChainRow& row) { return row.chain.places.empty(); }),
+        rows.end());
     if (is_complete) {
       places = tried;
       return;

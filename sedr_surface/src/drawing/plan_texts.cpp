@@ -85,16 +85,19 @@ PlanTexts::writeAt(const std::string& look,
                    const std::vector<std::string>& lines,
                    double font)
 {
-  constexpr double step = 0.9;
+  constexpr double smaller = 0.9; // than the font that does not fit
+  constexpr int most_steps = 48;  // up and down by turns: to six lines off
+  constexpr double step = 0.25;   // lines
   const Eigen::Vector2d place = frame_(spot.place);
   const double radius = spot.radius * frame_.scale;
-  for (; font >= smallest_font; font *= step) {
+  for (; font >= smallest_font; font *= smaller) {
     const double line_height = 1.3 * font;
     const Eigen::Vector2d half = font * halfSizeOf(lines);
     std::vector<TextBox> boxes;
-    for (const double across : {0.0, 1.0, -1.0, 2.0, -2.0})
-      for (int k = 0; k <= 48; ++k) { // up and down by turns
-        const double lines_up = (k % 2 == 0 ? 0.125 : -0.125) * k;
+    for (const double across : {0.0, 1.0, -1.0, 2.0, -2.0}) // halves of its width
+      for (int k = 0; k <= most_steps; ++k) {
+        const int steps = (k + 1) / 2;
+        const double lines_up = (k % 2 == 0 ? -step : step) * steps;
         const Eigen::Vector2d off(across * half.x(), lines_up * line_height);
         if (off.norm() <= radius)
           boxes.push_back({place + off, half, 0});

@@ -24,7 +24,9 @@ RoofLine::text() const
 RoofLine
 roofLineAt(const PlanRoom& room, const PlanElement& line)
 {
-  constexpr double beside = 0.05;
+  constexpr double beside = beside_border;
+  constexpr double at_ends =
+      0.1; // of the line, where a step may be that its middle lacks
   constexpr double step = 0.03;  // metres; a higher step is no crease
   constexpr double falls = 0.02; // slope beside the line: 2 %
   constexpr double bends = 0.1;  // change of slope: 6 degrees
@@ -55,7 +57,7 @@ roofLineAt(const PlanRoom& room, const PlanElement& line)
   roof.is_ridge = do_meet && left_slope < -falls && right_slope < -falls;
   roof.is_crease = roof.is_ridge || (do_meet && is_valley);
   roof.is_seen = roof.is_crease || std::abs(left_slope + right_slope) > bends ||
-                 std::max({stepAt(0.1), stepAt(0.5), stepAt(0.9)}) >= step;
+                 std::max({stepAt(at_ends), stepAt(0.5), stepAt(1 - at_ends)}) >= step;
   roof.height = left.heightAt(middle) - room.floorAt(middle);
   roof.is_level = std::abs(left.heightAt(line.start) - left.heightAt(line.end)) < level;
   return roof;
@@ -65,6 +67,7 @@ std::string
 eavesText(const PlanRoom& room, const PlanElement& wall)
 {
   constexpr double beside = 0.03;
+  constexpr double at_ends = 0.05; // of the wall
   constexpr double inward = 0.4;
   constexpr double rises = 0.03; // metres, over that distance
   if (!room.hasFacets() || wall.isArc() || wall.length() < 4 * beside)
@@ -76,9 +79,9 @@ eavesText(const PlanRoom& room, const PlanElement& wall)
     return room.ceilingSlab(room.detailAt(inside))
         .heightAt(wall.pointAt(s) + distance * wall.normalAt(s));
   };
-  const double first = heightAt(0.05, 0);
+  const double first = heightAt(at_ends, 0);
   const double middle = heightAt(0.5, 0);
-  const double last = heightAt(0.95, 0);
+  const double last = heightAt(1 - at_ends, 0);
   const auto [low, high] = std::minmax({first, middle, last});
   if (high - low > level || heightAt(0.5, inward) < middle + rises)
     return "";

@@ -7,6 +7,10 @@
 
 namespace pcl::sedr {
 
+/** @brief Distance from a border at which the ceiling beside it is asked for: loops of
+ * facets meet within tolerance only; metres. */
+constexpr double beside_border = 0.05;
+
 /** @brief The line in which two facets of a ceiling meet. */
 struct RoofLine {
   bool is_seen = false;   ///< there is a step or a bend; otherwise the ceiling goes on

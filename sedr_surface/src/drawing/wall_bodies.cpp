@@ -2,20 +2,12 @@
 #include "wall_bodies.h"
 
 #include "../walls/plan_walls.h"
+#include "sedr_segmentation/src/curves/plan_segment.h"
 
 #include <algorithm>
 
 namespace pcl::sedr {
 namespace {
-
-PlanElement
-segmentBetween(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
-{
-  PlanElement e;
-  e.start = from;
-  e.end = to;
-  return e;
-}
 
 /** @brief Returns the part of an element between two of its places, in its
  * direction. */
@@ -59,13 +51,13 @@ addEnd(const Floorplan& plan,
 {
   const double thickness = (far - near).norm();
   if (!isJunction(plan, (near + far) / 2 + thickness / 2 * way, way)) {
-    loop.elements.push_back(segmentBetween(near, far));
+    loop.elements.push_back(segment(near, far));
     return;
   }
   const Eigen::Vector2d on = thickness * way;
-  loop.elements.push_back(segmentBetween(near, near + on));
-  loop.elements.push_back(segmentBetween(near + on, far + on));
-  loop.elements.push_back(segmentBetween(far + on, far));
+  loop.elements.push_back(segment(near, near + on));
+  loop.elements.push_back(segment(near + on, far + on));
+  loop.elements.push_back(segment(far + on, far));
 }
 
 } // namespace

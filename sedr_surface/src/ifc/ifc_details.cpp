@@ -68,7 +68,7 @@ writeColumn(IfcDocument& document, std::size_t r, std::size_t c)
   const PlanRoom& room = *written.room;
   const PlanLoop& column = room.columns[c];
   const double ground = document.storeys[written.storey].storey.floor;
-  const Eigen::Vector2d middle = boxOf(column).center();
+  const Eigen::Vector2d middle = boundsOf(column).center();
   const double bottom = room.floor.heightAt(middle);
   const double height = (hasSlopingCeiling(room) ? room.ceilingAt(middle)
                                                  : room.ceiling.heightAt(middle)) -

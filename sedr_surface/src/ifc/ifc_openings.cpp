@@ -11,7 +11,6 @@ namespace {
 
 constexpr double overshoot = 0.1; ///< of an opening beyond both faces, metres
 constexpr double beside = 0.15;   ///< of a wall, where a doorway in it may lie, metres
-constexpr double nothing = 0.001; ///< of a plan, square metres
 
 /** @brief A box in the frame of a wall, with z from the wall's bottom. */
 struct OpeningBox {
@@ -43,7 +42,7 @@ boxOfWall(const Floorplan& plan, const PlanWall& wall)
   return box;
 }
 
-/** @brief Returns the box of a doorway across a wall; nothing if it is not in this
+/** @brief Returns the box of a doorway across a wall; no_area if it is not in this
  * wall. */
 bool
 boxIn(const Floorplan& plan,
@@ -154,7 +153,7 @@ writeDoorway(IfcDocument& document,
       OpeningBox box;
       if (!isBetween(document.plan, wall.wall, doorway) ||
           !boxIn(document.plan, wall, doorway, reach, box) ||
-          commonArea(wall.profile, {loopAround(box.plan)}) <= nothing)
+          commonArea(wall.profile, {loopAround(box.plan)}) <= no_area)
         continue;
       const std::string part = count == 0 ? "" : "_part_" + std::to_string(count + 1);
       const StepRef body = document.shapes.extrusion(
@@ -225,7 +224,7 @@ writeNiches(IfcDocument& document, const std::vector<WrittenWall>& walls)
     for (std::size_t n = 0; n < room.niches.size(); ++n) {
       const PlanNiche& niche = room.niches[n];
       const std::string name = nameIn(room, "niche_" + std::to_string(n + 1));
-      const Eigen::Vector2d middle = boxOf(niche.boundary).center();
+      const Eigen::Vector2d middle = boundsOf(niche.boundary).center();
       const double bottom = niche.bottom.heightAt(middle);
       const double height = niche.top.heightAt(middle) - bottom;
       std::size_t count = 0;
@@ -233,7 +232,7 @@ writeNiches(IfcDocument& document, const std::vector<WrittenWall>& walls)
         const PlanLoop loop =
             inFrame(niche.boundary, frameOf(document.plan, wall.wall));
         if (height <= 0 || bottom >= wall.top || bottom + height <= wall.bottom ||
-            commonArea(wall.profile, {loop}) <= nothing)
+            commonArea(wall.profile, {loop}) <= no_area)
           continue;
         const std::string part = count == 0 ? "" : "_part_" + std::to_string(count + 1);
         const StepRef body =
@@ -253,15 +252,15 @@ bool
 isWhollyOpen(const Floorplan& plan, const WrittenWall& wall)
 {
   const PlanLoop& profile = wall.profile.boundary;
-  if (profile.elements.empty() || std::abs(profile.area()) < nothing)
+  if (profile.elements.empty() || std::abs(profile.area()) < no_area)
     return true;
-  const Eigen::AlignedBox2d plan_box = boxOf(profile);
+  const Eigen::AlignedBox2d plan_box = boundsOf(profile);
   return std::any_of(
       plan.doorways.begin(), plan.doorways.end(), [&](const PlanDoorway& doorway) {
         OpeningBox box;
         return isBetween(plan, wall.wall, doorway) &&
                boxIn(plan, wall, doorway, beside, box) && box.plan.contains(plan_box) &&
-               box.bottom <= 0 && box.top >= wall.top - wall.bottom - 0.01;
+               box.bottom <= 0 && box.top >= wall.top - wall.bottom - min_wall_height;
       });
 }
 

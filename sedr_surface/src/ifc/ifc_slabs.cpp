@@ -108,7 +108,7 @@ private:
     const double thickness =
         below ? below->thickness : document_.settings.assumed_thickness;
     const std::string name = nameIn(room, "floor_slab");
-    const auto level = levelOf(room.floor, boxOf(room.boundary));
+    const auto level = levelOf(room.floor, boundsOf(room.boundary));
     StepRef item;
     const bool is_swept = level && !hasSunkenDetails(room);
     if (is_swept)
@@ -139,7 +139,7 @@ private:
     const PlanRoom& room = *document_.rooms[r].room;
     const double thickness = document_.settings.assumed_thickness;
     const std::string name = nameIn(room, "ceiling_slab");
-    const auto level = levelOf(room.ceiling, boxOf(room.boundary));
+    const auto level = levelOf(room.ceiling, boundsOf(room.boundary));
     StepRef item;
     const bool is_swept = level && !hasRaisedDetails(room) && !hasSlopingCeiling(room);
     if (is_swept)

@@ -43,7 +43,7 @@ prismOf(const IfcRoom& written)
   const PlanRoom& room = *written.room;
   if (!room.details.empty() || !room.floor_details.empty() || !room.niches.empty())
     return std::nullopt;
-  const Eigen::AlignedBox2d box = boxOf(room.boundary);
+  const Eigen::AlignedBox2d box = boundsOf(room.boundary);
   const auto floor = levelOf(room.floor, box);
   const auto ceiling = levelOf(room.ceiling, box);
   if (!floor || !ceiling || *ceiling <= *floor ||

@@ -106,7 +106,8 @@ bodyOf(IfcDocument& document, const WrittenWall& written, const WallHeights& hei
     }
   }
   else
-    item = shapes.faceSet(meshOf(document.plan, wall, heights, written.runs));
+    item = shapes.faceSet(
+        meshOf(document.plan, wall, heights, written.runs, written.rooms));
   shapes.colour(item, "wall");
   return shapes.body(document.body_context, type, {item});
 }
@@ -123,8 +124,7 @@ writeWalls(IfcDocument& document)
   std::vector<WrittenWall> written;
   for (const PlanWall& wall : findWalls(plan, parameters)) {
     const WallHeights heights = heightsOf(plan, wall);
-    constexpr double min_height = 0.01;
-    if (heights.highest() - heights.bottom < min_height)
+    if (heights.highest() - heights.bottom < min_wall_height)
       continue;
     WrittenWall added{wall, faceName(plan, wall.face),
                       document.rooms[wall.face.room].storey};
@@ -134,7 +134,8 @@ writeWalls(IfcDocument& document)
     added.bottom = heights.bottom;
     added.top = heights.highest();
     added.runs = runsOf(plan, wall, document.settings.tilts);
-    added.profile = profileOf(plan, wall);
+    added.rooms = roomsIn(plan, wall);
+    added.profile = profileOf(plan, wall, added.rooms);
     if (isWhollyOpen(plan, added))
       continue;
     const IfcStorey& storey = document.storeys[added.storey];

@@ -37,23 +37,13 @@ levelOf(const PlanSlab& slab, const Eigen::AlignedBox2d& box)
   return slab.heightAt(box.center());
 }
 
-Eigen::AlignedBox2d
-boxOf(const PlanLoop& loop)
-{
-  constexpr double chord_tolerance = 0.001;
-  Eigen::AlignedBox2d box;
-  for (const Eigen::Vector2d& corner : loop.polygon(chord_tolerance))
-    box.extend(corner);
-  return box;
-}
-
 bool
 hasSlopingCeiling(const PlanRoom& room)
 {
   // Fitted planes may tilt by some millimetres without being a roof.
   constexpr double sloping = 0.03; // metres
   const auto slopes = [](const PlanSlab& slab, const PlanLoop& loop) {
-    const Eigen::AlignedBox2d box = boxOf(loop);
+    const Eigen::AlignedBox2d box = boundsOf(loop);
     return !box.isEmpty() && spreadOf(slab, box) > sloping;
   };
   return slopes(room.ceiling, room.boundary) ||
@@ -66,7 +56,7 @@ hasSlopingCeiling(const PlanRoom& room)
 int
 sideOf(const PlanDetail& detail, const PlanSlab& slab)
 {
-  const Eigen::Vector2d middle = boxOf(detail.boundary).center();
+  const Eigen::Vector2d middle = boundsOf(detail.boundary).center();
   const double above = detail.slab.heightAt(middle) - slab.heightAt(middle);
   return above > level ? 1 : above < -level ? -1 : 0;
 }

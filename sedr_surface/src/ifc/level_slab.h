@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "sedr_filters/src/plan/plan_bounds.h"
 #include <pcl/sedr_filters/floorplan.h>
 
 #include <Eigen/Geometry>
@@ -12,9 +13,6 @@ namespace pcl::sedr::ifc {
 /** @brief Returns the height of a slab over a box if it is level to a millimetre. It is
  * sampled, since a curve may be level at the corners only. */
 std::optional<double> levelOf(const PlanSlab& slab, const Eigen::AlignedBox2d& box);
-
-/** @brief Returns the box around a loop. */
-Eigen::AlignedBox2d boxOf(const PlanLoop& loop);
 
 /** @brief Returns whether a room's ceiling or a part of it is not level. */
 bool hasSlopingCeiling(const PlanRoom& room);

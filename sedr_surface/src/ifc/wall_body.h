@@ -51,11 +51,19 @@ struct WallRuns {
  * face is tilted like that. */
 WallRuns runsOf(const Floorplan& plan, const PlanWall& wall, const WallTilts& tilts);
 
+constexpr double no_area = 0.001; ///< smaller ones in plan are none, square metres
+constexpr double min_wall_height = 0.01; ///< lower walls are none, metres
+
+/** @brief Returns the rooms at the heights of a wall that reach behind its face: beside
+ * a niche or at a mitre. */
+std::vector<const PlanRoom*> roomsIn(const Floorplan& plan, const PlanWall& wall);
+
 /** @brief Returns the plan of a wall in its frame, counter-clockwise. A wall that
- * surrounds a room has a hole. No part of it is in a room: where one reaches behind the
- * face, beside a niche or at a mitre, the wall ends at that room. Empty if nothing is
- * left. */
-PlanArea profileOf(const Floorplan& plan, const PlanWall& wall);
+ * surrounds a room has a hole. Empty if nothing is left.
+ * @param rooms from roomsIn(): the wall ends at them */
+PlanArea profileOf(const Floorplan& plan,
+                   const PlanWall& wall,
+                   const std::vector<const PlanRoom*>& rooms);
 
 /** @brief Returns a height above all tops of a wall, before roof planes cut it; metres.
  */
@@ -65,10 +73,12 @@ double heightAbove(const PlanArea& profile,
                    double run);
 
 /** @brief Returns a wall whose top is not level as a mesh in its frame, with z from its
- * bottom. */
+ * bottom.
+ * @param rooms from roomsIn(): every 2 cm the wall ends at the first of them */
 TriangleMesh meshOf(const Floorplan& plan,
                     const PlanWall& wall,
                     const WallHeights& heights,
-                    const WallRuns& runs);
+                    const WallRuns& runs,
+                    const std::vector<const PlanRoom*>& rooms);
 
 } // namespace pcl::sedr::ifc

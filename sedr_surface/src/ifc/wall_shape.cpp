@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wall_body.h"
 
-#include "level_slab.h"
+#include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_segmentation/src/curves/plan_segment.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 
@@ -42,15 +43,6 @@ farRadius(const PlanElement& arc, double thickness)
                                : std::max(arc.radius - thickness, least);
 }
 
-PlanElement
-segmentOf(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
-{
-  PlanElement e;
-  e.start = from;
-  e.end = to;
-  return e;
-}
-
 /** @brief What is between the face of a wall and its far side, in the wall's frame. */
 PlanArea
 bandOf(const Floorplan& plan, const PlanWall& wall)
@@ -76,10 +68,20 @@ bandOf(const Floorplan& plan, const PlanWall& wall)
   }
   PlanLoop loop;
   loop.elements.push_back(near);
-  loop.elements.push_back(segmentOf(near.end, far.end));
+  loop.elements.push_back(segment(near.end, far.end));
   loop.elements.push_back(reversed(behind).elements.front());
-  loop.elements.push_back(segmentOf(far.start, near.start));
+  loop.elements.push_back(segment(far.start, near.start));
   return {inFrame(loop.area() < 0 ? reversed(loop) : loop, frame), {}};
+}
+
+/** @brief Returns what a room takes of the plan, in a frame. */
+PlanArea
+areaOf(const PlanRoom& room, const WallFrame& frame)
+{
+  PlanArea area{inFrame(room.boundary, frame)};
+  for (const PlanLoop& column : room.columns)
+    area.holes.push_back(inFrame(column, frame));
+  return area;
 }
 
 /** @brief The last place on the way from a face to the far side of its wall before
@@ -121,25 +123,33 @@ refined(const std::vector<WallHeights::Top>& tops, double length)
 
 } // namespace
 
-PlanArea
-profileOf(const Floorplan& plan, const PlanWall& wall)
+std::vector<const PlanRoom*>
+roomsIn(const Floorplan& plan, const PlanWall& wall)
 {
-  constexpr double nothing = 0.001; // square metres
   const PlanArea band = bandOf(plan, wall);
-  const WallFrame frame = frameOf(plan, wall);
+  const Eigen::AlignedBox2d box = boundsOf(band.boundary);
   const PlanRoom& own = plan.rooms[wall.face.room];
-  const Eigen::AlignedBox2d box = boxOf(band.boundary);
-  std::vector<PlanArea> rooms;
+  std::vector<const PlanRoom*> rooms;
   for (const PlanRoom& room : plan.rooms) {
-    PlanArea area{inFrame(room.boundary, frame)};
-    if (!shareHeights(room, own) || !boxOf(area.boundary).intersects(box))
+    if (!shareHeights(room, own))
       continue;
-    for (const PlanLoop& column : room.columns)
-      area.holes.push_back(inFrame(column, frame));
-    if (commonArea(band, area) > nothing)
-      rooms.push_back(std::move(area));
+    const PlanArea area = areaOf(room, frameOf(plan, wall));
+    if (boundsOf(area.boundary).intersects(box) && commonArea(band, area) > no_area)
+      rooms.push_back(&room);
   }
-  return rooms.empty() ? band : largestPartOutside(band, rooms);
+  return rooms;
+}
+
+PlanArea
+profileOf(const Floorplan& plan,
+          const PlanWall& wall,
+          const std::vector<const PlanRoom*>& rooms)
+{
+  std::vector<PlanArea> areas;
+  for (const PlanRoom* room : rooms)
+    areas.push_back(areaOf(*room, frameOf(plan, wall)));
+  const PlanArea band = bandOf(plan, wall);
+  return areas.empty() ? band : largestPartOutside(band, areas);
 }
 
 WallRuns
@@ -158,15 +168,11 @@ TriangleMesh
 meshOf(const Floorplan& plan,
        const PlanWall& wall,
        const WallHeights& heights,
-       const WallRuns& runs)
+       const WallRuns& runs,
+       const std::vector<const PlanRoom*>& rooms)
 {
-  const std::vector<const PlanRoom*> rooms =
-      roomsAt(plan, heightsOf(plan.rooms[wall.face.room]));
-  const double whole = bandOf(plan, wall).boundary.area();
-  constexpr double nothing = 0.001; // square metres
-  const bool is_cut = profileOf(plan, wall).boundary.area() < whole - nothing;
   const std::vector<WallHeights::Top> tops =
-      is_cut ? refined(heights.tops, wall.stretch.length()) : heights.tops;
+      rooms.empty() ? heights.tops : refined(heights.tops, wall.stretch.length());
   const PlanElement& element = elementOf(plan, wall.face);
   const WallFrame frame = frameOf(plan, wall);
   TriangleMesh mesh;

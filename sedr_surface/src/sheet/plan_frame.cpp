@@ -72,24 +72,6 @@ PlanFrame::operator()(PlanLoop loop) const
 }
 
 Eigen::AlignedBox2d
-boundsOf(const PlanLoop& loop)
-{
-  Eigen::AlignedBox2d box;
-  for (const PlanElement& e : loop.elements) {
-    box.extend(e.start);
-    // The extremes of an arc are quarters of its circle.
-    for (const Eigen::Vector2d& way :
-         {Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1), Eigen::Vector2d(-1, 0),
-          Eigen::Vector2d(0, -1)}) {
-      const Eigen::Vector2d quarter = e.centre + e.radius * way;
-      if (e.isArc() && e.distance(quarter) < 1e-9 * (1 + e.radius))
-        box.extend(quarter);
-    }
-  }
-  return box;
-}
-
-Eigen::AlignedBox2d
 boundsOf(const Floorplan& plan, const PlanFrame& frame)
 {
   Eigen::AlignedBox2d box;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "sedr_filters/src/plan/plan_bounds.h"
 #include <pcl/sedr_filters/floorplan.h>
 
 #include <Eigen/Geometry>
@@ -30,9 +31,6 @@ struct PlanFrame {
     return Eigen::Rotation2Dd(-turn) * Eigen::Vector2d((p - shift) / scale);
   }
 };
-
-/** @brief Returns the bounding box of a loop. */
-Eigen::AlignedBox2d boundsOf(const PlanLoop& loop);
 
 /** @brief Returns the bounding box of all that is drawn of a plan, in a frame; empty
  * without rooms. */

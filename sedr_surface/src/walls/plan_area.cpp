@@ -2,6 +2,9 @@
 #include "plan_area.h"
 
 #include "../solid/plan_grid.h"
+#include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_segmentation/src/curves/contour.h"
+#include "sedr_segmentation/src/curves/plan_segment.h"
 
 #include <boost/polygon/polygon.hpp>
 
@@ -17,19 +20,17 @@ using namespace boost::polygon::operators;
 
 using GridPolygons = std::vector<bp::polygon_with_holes_data<int>>;
 
-constexpr double chord = 5e-5; ///< metres between an arc and its chords
-constexpr double off_line = 1e-4;
+constexpr double chord = 5e-5;    ///< metres between an arc and its chords
+constexpr double off_line = 1e-4; ///< metres
 
+/** @brief Returns a grid that an area and others are on. */
 PlanGrid
-gridAround(const PlanLoop& loop)
+gridAround(const PlanArea& area, const std::vector<PlanArea>& others)
 {
-  // What is farther away than the other area's largest reach is clipped by it anyway.
-  constexpr double reach = 400; // metres
-  Eigen::AlignedBox2d box;
-  for (const PlanElement& e : loop.elements)
-    box.extend(boxAround(e));
-  return PlanGrid(Eigen::AlignedBox2d(box.center() - Eigen::Vector2d::Constant(reach),
-                                      box.center() + Eigen::Vector2d::Constant(reach)));
+  Eigen::AlignedBox2d box = boundsOf(area.boundary);
+  for (const PlanArea& other : others)
+    box.extend(boundsOf(other.boundary));
+  return box.isEmpty() ? PlanGrid() : PlanGrid(box);
 }
 
 bp::polygon_data<int>
@@ -63,26 +64,10 @@ loopOf(const Points& points, const PlanGrid& grid, bool is_hole)
   std::vector<Eigen::Vector2d> corners;
   for (const auto& p : points)
     corners.push_back(grid.toPlan({p.x(), p.y()}));
-  const auto isOnLine = [&](std::size_t k) {
-    const std::size_t n = corners.size();
-    const Eigen::Vector2d before = corners[(k + n - 1) % n];
-    const Eigen::Vector2d way = corners[(k + 1) % n] - before;
-    const Eigen::Vector2d to = corners[k] - before;
-    return to.norm() < off_line ||
-           std::abs(way.x() * to.y() - way.y() * to.x()) < off_line * way.norm();
-  };
-  for (std::size_t k = 0; k < corners.size() && corners.size() > 3;)
-    if (isOnLine(k))
-      corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(k));
-    else
-      ++k;
+  corners = simplified(corners, off_line);
   PlanLoop loop;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    PlanElement e;
-    e.start = corners[k];
-    e.end = corners[(k + 1) % corners.size()];
-    loop.elements.push_back(e);
-  }
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    loop.elements.push_back(segment(corners[k], corners[(k + 1) % corners.size()]));
   return (loop.area() < 0) == is_hole ? loop : reversed(loop);
 }
 
@@ -91,7 +76,7 @@ loopOf(const Points& points, const PlanGrid& grid, bool is_hole)
 double
 commonArea(const PlanArea& a, const PlanArea& b)
 {
-  const PlanGrid grid = gridAround(a.boundary);
+  const PlanGrid grid = gridAround(a, {b});
   bp::polygon_set_data<int> set = setOf(a, grid);
   set &= setOf(b, grid);
   return bp::area(set) * grid.unit() * grid.unit();
@@ -100,7 +85,7 @@ commonArea(const PlanArea& a, const PlanArea& b)
 PlanArea
 largestPartOutside(const PlanArea& area, const std::vector<PlanArea>& others)
 {
-  const PlanGrid grid = gridAround(area.boundary);
+  const PlanGrid grid = gridAround(area, others);
   bp::polygon_set_data<int> set = setOf(area, grid);
   for (const PlanArea& other : others)
     set -= setOf(other, grid);

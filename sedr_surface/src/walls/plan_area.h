@@ -14,12 +14,13 @@ struct PlanArea {
 };
 
 /** @brief Returns what two areas have in common, square metres. Arcs are chords within
- * 0.05 mm. O(n log n). */
+ * 0.05 mm. Places are rounded to 60 nm, for areas beyond 32 m across to 2^-29 of the
+ * extent of both. O(n log n). */
 double commonArea(const PlanArea& a, const PlanArea& b);
 
 /** @brief Returns the largest connected part of an area that is in none of `others`, of
- * straight segments; empty if nothing is left. Corners less than 0.1 mm off the line
- * between their neighbours are left out. O(n log n). */
+ * straight segments; empty if nothing is left. Corners are left out where none is more
+ * than 0.1 mm off the outline. Places are rounded as by commonArea(). O(n log n). */
 PlanArea largestPartOutside(const PlanArea& area, const std::vector<PlanArea>& others);
 
 } // namespace pcl::sedr

@@ -71,7 +71,8 @@ private:
   void addAssumed(const FreeFace& free)
   {
     double thickness = parameters_.assumed_thickness;
-    const double thinnest = std::max(parameters_.min_thickness, thickness / 4);
+    const double thinnest =
+        std::max(parameters_.min_thickness, parameters_.min_assumed_share * thickness);
     while (thickness >= thinnest && reachesRoom(free, thickness))
       thickness /= 2;
     if (thickness >= thinnest)

@@ -76,6 +76,8 @@ struct PlanWall {
 /** @brief Parameters of walls, metres. */
 struct WallParameters {
   double assumed_thickness = 0.2;  ///< of a wall with one face seen
+  double min_assumed_share = 0.25; ///< of it that is left before a room near behind the
+                                   ///< face: 5 cm, the thinnest partition that is built
   double greatest_thickness = 0.6; ///< maximum distance of faces, see wallThickness()
   double min_thickness = 0.02;     ///< nearer faces have no wall between them
 };

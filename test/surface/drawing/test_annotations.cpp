@@ -95,6 +95,19 @@ TEST(Annotations, TextsCrossALineWhereThereIsNoOtherPlace)
   EXPECT_TRUE(hasName(annotationsAt(plan, 50).texts));
 }
 
+TEST(Annotations, ASlopeOfMoreThanFourDegreesHasNoLevel)
+{
+  for (const double degrees : {3.8, 4.2}) {
+    const double slope = std::tan(degrees * M_PI / 180);
+    PlanRoom room = roomOf(rectangle(0, 0, 9, 4), 2.5);
+    room.details = {facetOf(rectangle(0, 0, 3, 4), slabAt(2, slope))};
+    EXPECT_EQ(levelNotes(room, {{8, 2}, 0.5}).empty(), degrees > 4) << degrees;
+    room.details.clear();
+    room.ceiling = slabAt(2, slope);
+    EXPECT_EQ(room.hasFacets(), degrees > 4) << degrees;
+  }
+}
+
 TEST(Annotations, WhereACeilingGoesOnNothingIsDrawn)
 {
   // Two level facets side by side below a ceiling of 2.5 m.

@@ -110,8 +110,7 @@ Building findBuilding(const PointView& points,
                       const BuildingSight& sight = {});
 
 /** @brief Adds to a plan the storeys, doorways and stairs of a building, for the rooms
- * in the plan. Rooms are matched by their ids. The reveals of doorways with a lintel
- * become part of the wall. */
+ * in the plan. Rooms are matched by their ids. */
 void giveStoreys(const Building& building, Floorplan& plan);
 
 } // namespace pcl::sedr

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
-#include "sedr_filters/src/plan/doorway_reveals.h"
+#include "sedr_segmentation/src/plan/doorway_reveals.h"
 
 #include <gtest/gtest.h>
 
@@ -89,6 +89,36 @@ TEST(DoorwayReveals, WhatIsNoRevealStays)
         p->x() = 4.72;
   closeReveals(pilaster);
   EXPECT_NEAR(pilaster.rooms[0].boundary.area(), 24.16, 1e-12);
+}
+
+TEST(DoorwayReveals, DetailsEndAtTheMouth)
+{
+  // A slope of the ceiling and a platform of 10 cm reach into the reveal.
+  Floorplan plan = withReveal();
+  PlanRoom& room = plan.rooms[0];
+  room.floor_details = {detailOf(rectangle(4, 1, 5.28, 4), 0.1)};
+  room.details = {detailOf(rectangle(3, 1, 5.28, 4), 2.8)};
+  room.details[0].is_facet = true;
+  closeReveals(plan);
+  ASSERT_EQ(room.floor_details.size(), 1u);
+  EXPECT_NEAR(room.floor_details[0].boundary.area(), 3, 1e-9);
+  EXPECT_NEAR(room.floor_details[0].slab.heightAt({4.5, 2}), 0.1, 1e-12);
+  ASSERT_EQ(room.details.size(), 1u);
+  EXPECT_NEAR(room.details[0].boundary.area(), 6, 1e-9);
+  EXPECT_TRUE(room.details[0].is_facet);
+}
+
+TEST(DoorwayReveals, AreAsDeepAsAWallMayBe)
+{
+  const auto areaFor = [](double max_wall) {
+    Priors priors;
+    priors.max_wall = max_wall;
+    Floorplan plan = withReveal();
+    closeReveals(plan, priors);
+    return plan.rooms[0].boundary.area();
+  };
+  EXPECT_NEAR(areaFor(0.25), 25.84, 1e-12);
+  EXPECT_NEAR(areaFor(0.3), 25, 1e-12);
 }
 
 TEST(DoorwayReveals, OfAnIslandToo)
