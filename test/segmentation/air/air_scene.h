@@ -5,9 +5,13 @@
 
 #include "room_points.h"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace sedr_test {
+
+/** Columns of air between walls at 0.05 m and 4.05 m in x, 0.05 m and 3.05 m in y. */
+constexpr std::size_t columns_of_box = std::size_t{39} * 29;
 
 /** A hole in a wall: range along it and height of the head. */
 struct Hole {
