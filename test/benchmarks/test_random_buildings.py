@@ -40,6 +40,11 @@ class Geometry(unittest.TestCase):
         inner = g.inset(g.union_outline([(0, 0, 4, 2), (0, 2, 2, 5)]), lambda axis, value: 0.2 if axis == 0 else 0.4)
         self.assertAlmostEqual(g.area(inner), 3.8 * 1.6 + 1.8 * 3.0)
 
+    def test_an_inset_has_no_step_that_the_thickness_of_a_wall_evens_out(self):
+        stepped = [(0, 0), (2, 0), (2, 0.1), (4, 0.1), (4, 3), (0, 3)]
+        inner = g.inset(stepped, lambda axis, value: 0.4 if axis == 1 and value == 0 else 0.2)
+        self.assertEqual(sorted(inner), [(0.1, 0.2), (0.1, 2.9), (3.9, 0.2), (3.9, 2.9)])
+
     def test_walls_hide_what_is_behind_them(self):
         outline = g.union_outline([(0, 0, 4, 2), (0, 2, 2, 5)])
         self.assertTrue(g.sees((1, 1), (1, 4), [outline]))

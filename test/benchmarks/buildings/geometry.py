@@ -152,4 +152,11 @@ def inset(outline, thickness):
     for k, (axis, value) in enumerate(moved):
         before = moved[k - 1][1]
         points.append((round(value, 4), round(before, 4)) if axis == 0 else (round(before, 4), round(value, 4)))
-    return points
+    return without_steps_of_nothing(points)
+
+
+def without_steps_of_nothing(outline):
+    """The outline without repeated corners and corners within a straight wall: thicknesses can even a step out."""
+    corners = [p for k, p in enumerate(outline) if p != outline[k - 1]]
+    return [p for k, p in enumerate(corners)
+            if abs(cross(sub(p, corners[k - 1]), sub(corners[(k + 1) % len(corners)], p))) > 1e-9]
