@@ -2,6 +2,7 @@
 #include "floorplan_format.h"
 
 #include "../base/number_text.h"
+#include "level_planes.h"
 #include <pcl/sedr_filters/floorplan_io.h>
 
 #include <nlohmann/json.hpp>
@@ -20,8 +21,6 @@ using Json = nlohmann::ordered_json;
 /** @brief Limits of values that are read, metres. */
 constexpr double max_radius = 1e5;
 constexpr double max_gap_of_arc = 1e-3; ///< of an arc's ends from its circle
-constexpr double min_upward =
-    0.5; ///< c of a floor or ceiling: at most 60 degrees of slope
 
 /** @brief Reads the shares of an element, if there are any. */
 ElementEvidence

@@ -12,6 +12,10 @@ namespace pcl::sedr {
  * this; radians. */
 constexpr double level_tilt = radians(4);
 
+/** @brief Least upward component of the normal of a floor or ceiling: of a slope of 60
+ * degrees, and two more that fits add. */
+constexpr double min_upward = 0.469;
+
 /** @brief Returns whether a slab is a level plane, not a slope or a curve. */
 inline bool
 isLevel(const PlanSlab& slab)

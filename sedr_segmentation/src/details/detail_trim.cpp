@@ -91,7 +91,7 @@ within(const PlanLoop& loop, const PlanLoop& boundary)
     return {loop};
   inside.erase(std::remove_if(inside.begin(), inside.end(),
                               [](const PlanLoop& part) {
-                                return 2 * part.area() < same_line * part.length();
+                                return 2 * part.area() <= same_line * part.length();
                               }),
                inside.end());
   return inside;

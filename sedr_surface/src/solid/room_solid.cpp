@@ -2,6 +2,8 @@
 #include "tilted_wall_solid.h"
 #include "solid_builder.h"
 
+#include "sedr_filters/src/plan/level_planes.h"
+
 #include <pcl/sedr_filters/straightening.h>
 #include <pcl/sedr_surface/room_solid.h>
 
@@ -39,7 +41,6 @@ std::string
 slabProblem(const PlanSlab& slab, const std::string& name)
 {
   const Eigen::Vector4d& plane = slab.plane;
-  constexpr double min_upward = 0.49; // a slope of 60 degrees, and rounding
   const bool is_sound = plane.allFinite() &&
                         plane[2] >= min_upward * plane.head<3>().norm() &&
                         plane[2] > 0 && (!slab.curve || slab.curve->isFinite()) &&

@@ -62,6 +62,8 @@ TEST(FloorplanLimits, SlabsTiltedTooMuchAreRefused)
   Floorplan plan = smallPlan();
   plan.rooms[0].ceiling = slabAt(2.5, 1.73); // 60 degrees
   EXPECT_EQ(problemOf(plan), "");
+  plan.rooms[0].ceiling = slabAt(2.5, 1.82); // 61.2 degrees, as a fit may have
+  EXPECT_EQ(problemOf(plan), "");
   plan.rooms[0].ceiling = slabAt(2.5, 1.9);
   expectRefused(plan, "face up");
   plan = smallPlan();
