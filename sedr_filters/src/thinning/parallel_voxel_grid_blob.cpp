@@ -162,15 +162,14 @@ ParallelVoxelGrid<pcl::PCLPointCloud2>::thin(const sedr::RowSource& source,
         (getDownsampleAllData() || isCoordinate(field)))
       others.push_back(field);
   if (!others.empty() || extract_removed_indices_) {
-    const std::vector<sedr::VoxelSum> voxels = sums.take(threads);
+    const sedr::VoxelIndex index(sums.frame(), sums.take(threads));
     sedr::FieldMeans means(others, size);
-    const sedr::VoxelIndex index(sums.frame(), voxels);
     std::vector<bool> stays(extract_removed_indices_ ? source.size() : 0, false);
     forEachPiece(source, indices,
                  [&](const Piece& piece, const sedr::PointView& points,
                      const pcl::Indices* chosen) {
                    if (!others.empty())
-                     sedr::visitVoxels(index, voxels.size(), points, chosen, threads,
+                     sedr::visitVoxels(index, points, chosen, threads,
                                        [&](std::size_t voxel, std::size_t i) {
                                          means.add(voxel,
                                                    piece.rows + i * source.rowSize());
@@ -188,7 +187,7 @@ ParallelVoxelGrid<pcl::PCLPointCloud2>::thin(const sedr::RowSource& source,
                          [&](std::size_t begin, std::size_t end) {
                            for (std::size_t v = begin; v < end; ++v) {
                              auto* to = output.data.data() + v * output.point_step;
-                             means.write(v, voxels[v].count, to);
+                             means.write(v, index.voxels()[v].count, to);
                              if (getDownsampleAllData())
                                normalise(output.fields, to);
                            }
@@ -210,13 +209,11 @@ ParallelVoxelGrid<pcl::PCLPointCloud2>::writeMeans(const sedr::VoxelSums& sums,
       summed.emplace_back(axis, field->offset);
   }
   sums.forEach(
-      [&](const sedr::VoxelSum* voxels, const std::size_t* places, std::size_t n) {
-        for (std::size_t i = 0; i < n; ++i) {
-          const Eigen::Vector3f mean = sums.frame().mean(voxels[i]);
-          auto* to = output.data.data() + places[i] * output.point_step;
-          for (const auto& [axis, offset] : summed)
-            std::memcpy(to + offset, &mean[axis], sizeof mean[axis]);
-        }
+      [&](const sedr::VoxelSum& voxel, std::size_t place) {
+        const Eigen::Vector3f mean = sums.frame().mean(voxel);
+        auto* to = output.data.data() + place * output.point_step;
+        for (const auto& [axis, offset] : summed)
+          std::memcpy(to + offset, &mean[axis], sizeof mean[axis]);
       },
       getNumberOfThreads());
 }

@@ -11,16 +11,6 @@
 
 namespace pcl::sedr {
 
-struct ThinnedVoxels::Index {
-  explicit Index(VoxelSums& sums, unsigned threads)
-      : voxels(sums.take(threads))
-      , index(sums.frame(), voxels)
-  {}
-
-  std::vector<VoxelSum> voxels;
-  VoxelIndex index;
-};
-
 ThinnedVoxels::ThinnedVoxels(std::unique_ptr<VoxelSums> sums,
                              std::size_t size,
                              unsigned threads)
@@ -42,12 +32,10 @@ void
 ThinnedVoxels::writeMeans(void* first_x, std::size_t stride) const
 {
   sums_->forEach(
-      [&](const VoxelSum* voxels, const std::size_t* places, std::size_t n) {
-        for (std::size_t i = 0; i < n; ++i) {
-          const Eigen::Vector3f mean = sums_->frame().mean(voxels[i]);
-          std::memcpy(static_cast<char*>(first_x) + places[i] * stride, mean.data(),
-                      sizeof mean);
-        }
+      [&](const VoxelSum& voxel, std::size_t place) {
+        const Eigen::Vector3f mean = sums_->frame().mean(voxel);
+        std::memcpy(static_cast<char*>(first_x) + place * stride, mean.data(),
+                    sizeof mean);
       },
       threads_);
 }
@@ -55,13 +43,13 @@ ThinnedVoxels::writeMeans(void* first_x, std::size_t stride) const
 void
 ThinnedVoxels::sortPoints()
 {
-  index_ = std::make_unique<Index>(*sums_, threads_);
+  index_ = std::make_unique<VoxelIndex>(sums_->frame(), sums_->take(threads_));
 }
 
 bool
 ThinnedVoxels::contains(const Eigen::Vector3f& point) const
 {
-  return index_->index.find(point) >= 0;
+  return index_->find(point) >= 0;
 }
 
 void
@@ -70,7 +58,7 @@ ThinnedVoxels::forEachPoint(
     const pcl::Indices* indices,
     const std::function<void(std::size_t, std::size_t)>& see) const
 {
-  visitVoxels(index_->index, size_, points, indices, threads_, see);
+  visitVoxels(*index_, points, indices, threads_, see);
 }
 
 void

@@ -124,12 +124,9 @@ VoxelGridSettings::finish(VoxelSums& sums)
   max_box_ = voxelAt(sums.box().high);
   if (save_leaf_layout_) {
     layout_.resize(size);
-    sums.forEach(
-        [&](const VoxelSum* voxels, const std::size_t* places, std::size_t n) {
-          for (std::size_t i = 0; i < n; ++i)
-            layout_[places[i]] = voxelAt(voxels[i].code);
-        },
-        threads_);
+    sums.forEach([&](const VoxelSum& voxel,
+                     std::size_t place) { layout_[place] = voxelAt(voxel.code); },
+                 threads_);
   }
   return size;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "voxel_hash.h"
+#include "voxel_frame.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -13,10 +13,13 @@
 
 namespace pcl::sedr {
 
+/** @brief A voxel along x, y and z, see codeOf(). */
+using VoxelCode = std::array<std::int32_t, 3>;
+
 /** @brief A voxel and the sum of its points; trivially copyable, also to another
  * process. Its VoxelFrame interprets the numbers. */
 struct VoxelSum {
-  std::array<std::int32_t, 3> code; ///< voxel along x, y and z, see codeOf()
+  VoxelCode code;                   ///< voxel along x, y and z
   std::uint32_t count;              ///< number of points
   std::array<std::uint64_t, 3> sum; ///< sums of steps along x, y and z, modulo 2^64
 
@@ -76,7 +79,7 @@ cellOf(std::int32_t code)
 
 /** @brief Returns the voxel coordinates of codes, saturated to int. */
 inline Eigen::Vector3i
-voxelAt(const std::array<std::int32_t, 3>& code)
+voxelAt(const VoxelCode& code)
 {
   constexpr double lowest = std::numeric_limits<int>::min();
   constexpr double highest = std::numeric_limits<int>::max();
@@ -113,7 +116,7 @@ public:
   const Eigen::Array3f& inverseLeaf() const { return inverse_leaf_; }
 
   /** @brief Returns the codes of the voxel of a finite point. */
-  std::array<std::int32_t, 3> codes(const float* point) const
+  VoxelCode codes(const float* point) const
   {
     return {codeOf(point[0] * inverse_leaf_[0]), codeOf(point[1] * inverse_leaf_[1]),
             codeOf(point[2] * inverse_leaf_[2])};

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
+#include "voxel_frame.h"
+
 #include <cstdint>
 
 namespace pcl::sedr {
 
-using VoxelCode = std::array<std::int32_t, 3>;
-
-/** @brief Hashes the codes of a voxel to 32 bits. */
-inline std::uint32_t
+/** @brief Hashes the codes of a voxel; all bits can be used. */
+inline std::uint64_t
 hashOf(const VoxelCode& code)
 {
   const auto widened = [](std::int32_t c) {
@@ -20,7 +19,7 @@ hashOf(const VoxelCode& code)
                     widened(code[2]) * 0x165667b19e3779f9u;
   h ^= h >> 32;
   h *= 0xd6e8feb86659fd93u;
-  return static_cast<std::uint32_t>(h >> 32);
+  return h ^ h >> 32;
 }
 
 /** @brief Checks whether two voxels are the same; faster than memcmp(). */

@@ -3,7 +3,6 @@
 
 #include "voxel_census.h"
 #include "voxel_frame.h"
-#include "voxel_hash.h"
 #include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_filters/row_source.h>
 #include <pcl/types.h>
@@ -15,6 +14,8 @@
 #include <vector>
 
 namespace pcl::sedr {
+
+class VoxelBlocks;
 
 /** @brief A box of voxels; both ends are inclusive. */
 struct VoxelBox {
@@ -30,7 +31,7 @@ struct VoxelBox {
  * any pieces, and any number of threads or machines.
  *
  * Sums are stored in cubes of 4 x 4 x 4 voxels, hashed by their corner and shared by
- * all threads, so no voxel is stored twice. O(n) for n points; about 50 bytes a voxel
+ * all threads, so no voxel is stored twice. O(n) for n points; about 70 bytes a voxel
  * on a surface, up to 350 where each lies far from all others.
  * @code
  * VoxelSums sums(Eigen::Array3f::Constant(20));
@@ -47,7 +48,7 @@ public:
   VoxelSums(const VoxelSums&) = delete;
   VoxelSums& operator=(const VoxelSums&) = delete;
 
-  const VoxelFrame& frame() const;
+  const VoxelFrame& frame() const { return frame_; }
 
   /** @brief Adds points; non-finite ones are skipped. A voxel can hold at most 2^31
    * points.
@@ -71,18 +72,17 @@ public:
    * surfaces; empty if there are no strays. */
   VoxelCensus census() const;
 
-  /** @brief Function of some voxels and their positions by z, then y, then x. */
-  using See = std::function<
-      void(const VoxelSum* voxels, const std::size_t* places, std::size_t n)>;
-
-  /** @brief Sorts the voxels, without a copy of them.
+  /** @brief Sorts the voxels by z, then y, then x, without a copy of them.
    * @param min_points minimum number of points of a voxel that is kept
    * @return number of voxels kept */
   std::size_t arrange(std::uint32_t min_points = 0, unsigned threads = 0);
 
   /** @brief Returns the box of all voxels, also of those not kept. Requires arrange()
    * after the last point, and at least one voxel. */
-  VoxelBox box() const;
+  const VoxelBox& box() const { return box_; }
+
+  /** @brief Function of a voxel and its place in the order. */
+  using See = std::function<void(const VoxelSum& voxel, std::size_t place)>;
 
   /** @brief Calls `see` for all kept voxels, each once, from several threads at once.
    * Requires arrange() after the last point. */
@@ -93,9 +93,17 @@ public:
   std::vector<VoxelSum> take(unsigned threads = 0);
 
 private:
-  class State;
+  template <typename IndexOf>
+  void addRun(const PointView& points,
+              std::size_t begin,
+              std::size_t end,
+              const IndexOf& index_of);
 
-  std::unique_ptr<State> state_;
+  VoxelFrame frame_;
+  std::unique_ptr<VoxelBlocks> blocks_;
+  std::vector<const VoxelSum*> order_; ///< the kept ones
+  bool is_arranged_ = false;           ///< no point was added since arrange()
+  VoxelBox box_;
 };
 
 /** @brief Checks whether voxel `a` comes before `b` in the output. */

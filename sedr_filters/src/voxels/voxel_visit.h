@@ -9,7 +9,7 @@
 
 namespace pcl::sedr {
 
-/** @brief Calls `see(voxel, i)` for every point i in one of the `voxels` of `index`.
+/** @brief Calls `see(voxel, i)` for every point i in one of the voxels of `index`.
  * The points of a voxel come in order and from one thread, so results do not depend on
  * the number of threads. O(n) for each thread, and a few bytes for each of at most a
  * million points.
@@ -17,7 +17,6 @@ namespace pcl::sedr {
 template <typename See>
 void
 visitVoxels(const VoxelIndex& index,
-            std::size_t voxels,
             const PointView& points,
             const pcl::Indices* indices,
             unsigned threads,
@@ -25,6 +24,7 @@ visitVoxels(const VoxelIndex& index,
 {
   constexpr std::size_t max_at_once = std::size_t{1} << 20;
   constexpr std::size_t points_a_block = std::size_t{1} << 14;
+  const std::size_t voxels = index.voxels().size();
   const std::size_t n = indices ? indices->size() : points.size();
   const auto at = [&](std::size_t k) {
     return indices ? static_cast<std::size_t>((*indices)[k]) : k;

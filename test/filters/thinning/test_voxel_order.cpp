@@ -78,11 +78,9 @@ TEST(VoxelOrder, VoxelsWithFewPointsAreLeftOutButForTheBox)
   EXPECT_EQ(sums.box().high, (VoxelCode{high - 1, 7, 5000}));
   std::vector<VoxelCode> shown(expected.size());
   std::vector<int> times(expected.size(), 0);
-  sums.forEach([&](const VoxelSum* voxels, const std::size_t* places, std::size_t n) {
-    for (std::size_t i = 0; i < n; ++i) {
-      shown.at(places[i]) = voxels[i].code;
-      ++times.at(places[i]);
-    }
+  sums.forEach([&](const VoxelSum& voxel, std::size_t place) {
+    shown.at(place) = voxel.code;
+    ++times.at(place);
   });
   EXPECT_EQ(shown, expected);
   EXPECT_EQ(times, std::vector<int>(expected.size(), 1));

@@ -34,7 +34,7 @@ visited(const std::vector<Eigen::Vector3f>& points,
 {
   const VoxelIndex index(VoxelFrame(Eigen::Array3f::Constant(20)), voxels);
   std::vector<std::vector<std::size_t>> seen(voxels.size());
-  visitVoxels(index, voxels.size(), viewOf(points), indices, threads,
+  visitVoxels(index, viewOf(points), indices, threads,
               [&](std::size_t voxel, std::size_t i) { seen[voxel].push_back(i); });
   return seen;
 }

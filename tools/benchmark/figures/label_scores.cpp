@@ -50,14 +50,12 @@ thinned(const LabelledPoints& cloud, double spacing)
   const PointView all(*cloud.points);
   VoxelSums sums(Eigen::Array3f::Constant(static_cast<float>(1 / spacing)));
   sums.add(all);
-  const std::vector<VoxelSum> voxels = sums.take();
-  const VoxelIndex index(sums.frame(), voxels);
+  const VoxelIndex index(sums.frame(), sums.take());
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-  std::vector<std::size_t> first(voxels.size(), none);
-  visitVoxels(index, voxels.size(), all, nullptr, 0,
-              [&](std::size_t voxel, std::size_t i) {
-                first[voxel] = std::min(first[voxel], i);
-              });
+  std::vector<std::size_t> first(index.voxels().size(), none);
+  visitVoxels(index, all, nullptr, 0, [&](std::size_t voxel, std::size_t i) {
+    first[voxel] = std::min(first[voxel], i);
+  });
   LabelledPoints result;
   pcl::PointCloud<pcl::PointXYZ>::Ptr points(new pcl::PointCloud<pcl::PointXYZ>);
   for (const std::size_t i : first) {

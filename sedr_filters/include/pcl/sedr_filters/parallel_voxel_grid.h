@@ -29,7 +29,7 @@ namespace pcl {
  * indices are the points that are non-finite, outside the limits, or in a voxel with
  * too few points.
  *
- * Time O(n) for n points. Memory beside input and output: about 50 bytes a voxel, up to
+ * Time O(n) for n points. Memory beside input and output: about 70 bytes a voxel, up to
  * 350 where each lies far from all others, and none a point. Averaging other fields
  * takes a second pass and one pcl::CentroidPoint a voxel.
  * @code

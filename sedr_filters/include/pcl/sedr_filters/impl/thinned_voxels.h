@@ -10,6 +10,7 @@
 
 namespace pcl::sedr {
 
+class VoxelIndex;
 class VoxelSums;
 
 /** @brief The voxels kept by VoxelGridSettings::thin(): first their means, then which
@@ -50,10 +51,8 @@ public:
   void forEachStretch(const std::function<void(std::size_t, std::size_t)>& see) const;
 
 private:
-  struct Index;
-
   std::unique_ptr<VoxelSums> sums_;
-  std::unique_ptr<Index> index_;
+  std::unique_ptr<VoxelIndex> index_;
   std::size_t size_;
   unsigned threads_;
 };
