@@ -74,9 +74,9 @@ struct VoxelBlock {
   {
     std::uint8_t& place = places[localOf(code)];
     if (place == 0) {
-      constexpr std::size_t fewest = 4;
+      constexpr std::size_t fewest = 8;
       if (sums.size() == sums.capacity())
-        sums.reserve(sums.size() + std::max(fewest, sums.size() / 2));
+        sums.reserve(std::max(fewest, 2 * sums.size()));
       sums.push_back({code, 0, {}});
       place = static_cast<std::uint8_t>(sums.size());
       occupied |= std::uint64_t{1} << localOf(code);

@@ -31,8 +31,8 @@ struct VoxelBox {
  * any pieces, and any number of threads or machines.
  *
  * Sums are stored in cubes of 4 x 4 x 4 voxels, hashed by their corner and shared by
- * all threads, so no voxel is stored twice. O(n) for n points; about 70 bytes a voxel
- * on a surface, up to 350 where each lies far from all others.
+ * all threads, so no voxel is stored twice. O(n) for n points; about 80 bytes a voxel
+ * on a surface, up to 500 where each lies far from all others.
  * @code
  * VoxelSums sums(Eigen::Array3f::Constant(20));
  * for (const PointView& piece : pieces)

@@ -29,8 +29,8 @@ namespace pcl {
  * indices are the points that are non-finite, outside the limits, or in a voxel with
  * too few points.
  *
- * Time O(n) for n points. Memory beside input and output: about 70 bytes a voxel, up to
- * 350 where each lies far from all others, and none a point. Averaging other fields
+ * Time O(n) for n points. Memory beside input and output: about 80 bytes a voxel, up to
+ * 500 where each lies far from all others, and none a point. Averaging other fields
  * takes a second pass and one pcl::CentroidPoint a voxel.
  * @code
  * pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
