@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mirror_panes.h"
 
-#include "../base/parallel.h"
+#include "../base/parallel_for.h"
 #include "mirrored_points.h"
 #include "true_places.h"
 
@@ -73,11 +73,9 @@ mirroredAmong(const std::vector<ScanRay>& rays,
 {
   constexpr std::size_t rays_a_block = 4096;
   std::vector<std::uint8_t> is_mirrored(rays.size(), 0);
-  parallelBlocks(rays.size(), rays_a_block, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t r = begin; r < end; ++r)
-                     is_mirrored[r] = mirrored.isMirrored(rays[r]) ? 1 : 0;
-                 });
+  parallelFor(rays.size(), rays_a_block, threads, [&](std::size_t r) {
+    is_mirrored[r] = mirrored.isMirrored(rays[r]) ? 1 : 0;
+  });
   return is_mirrored;
 }
 
@@ -147,15 +145,12 @@ pointsIn(const CubeTable& cubes,
 {
   constexpr std::size_t points_a_block = 16384;
   std::vector<std::uint8_t> is_in(points.size(), 0);
-  parallelBlocks(points.size(), points_a_block, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t i = begin; i < end; ++i) {
-                     if (!points.isFinite(i))
-                       continue;
-                     const std::uint32_t cube = cubes.findAt(points[i].cast<double>());
-                     is_in[i] = cube != CubeTable::none ? chosen[cube] : 0;
-                   }
-                 });
+  parallelFor(points.size(), points_a_block, threads, [&](std::size_t i) {
+    if (!points.isFinite(i))
+      return;
+    const std::uint32_t cube = cubes.findAt(points[i].cast<double>());
+    is_in[i] = cube != CubeTable::none ? chosen[cube] : 0;
+  });
   return is_in;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pierced_surfaces.h"
 
-#include "../base/parallel.h"
+#include "../base/parallel_for.h"
 
 #include <Eigen/Geometry>
 
@@ -147,11 +147,8 @@ PiercedSurfaces::firstPierced(const std::vector<ScanRay>& rays, unsigned threads
 {
   constexpr std::size_t rays_a_block = 1024;
   std::vector<std::uint32_t> pierced(rays.size());
-  parallelBlocks(rays.size(), rays_a_block, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t r = begin; r < end; ++r)
-                     pierced[r] = firstPierced(rays[r]);
-                 });
+  parallelFor(rays.size(), rays_a_block, threads,
+              [&](std::size_t r) { pierced[r] = firstPierced(rays[r]); });
   return pierced;
 }
 

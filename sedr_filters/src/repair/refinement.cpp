@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "unseen_cells.h"
 
-#include "../base/parallel.h"
+#include "../base/parallel_for.h"
 #include "surface_cells.h"
 
 #include <pcl/sedr_filters/impl/refinement.h>
@@ -46,20 +46,17 @@ refineToPlan(const PointView& points,
 
   std::vector<SurfacePoint> snapped(indices.size());
   std::vector<std::uint8_t> is_structure(indices.size(), 0);
-  parallelBlocks(
-      indices.size(), 4096, threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) {
-          const auto i = static_cast<std::size_t>(indices[k]);
-          const auto room = surfaces.find(rooms[i]);
-          if (room == surfaces.end() || !points.isFinite(i))
-            continue;
-          is_structure[k] =
-              room->second.snap(points[i].cast<double>(),
-                                static_cast<StructureLabel>(labels[i]), snapped[k])
-                  ? 1
-                  : 0;
-        }
-      });
+  parallelFor(indices.size(), 4096, threads, [&](std::size_t k) {
+    const auto i = static_cast<std::size_t>(indices[k]);
+    const auto room = surfaces.find(rooms[i]);
+    if (room == surfaces.end() || !points.isFinite(i))
+      return;
+    is_structure[k] =
+        room->second.snap(points[i].cast<double>(),
+                          static_cast<StructureLabel>(labels[i]), snapped[k])
+            ? 1
+            : 0;
+  });
 
   Refinement result;
   for (std::size_t k = 0; k < indices.size(); ++k)

@@ -2,6 +2,7 @@
 #include "unseen_cells.h"
 
 #include "../base/parallel.h"
+#include "../base/parallel_for.h"
 
 #include <pcl/kdtree/kdtree_flann.h>
 #include <pcl/point_types.h>
@@ -136,11 +137,9 @@ unseenSharesOf(const SurfaceCells& cells,
     for (std::size_t k = 0; k < seen[s]->size() && seen[s]->size() > 1; ++k)
       spaced.emplace_back(s, k);
   std::vector<float> distances(spaced.size());
-  parallelBlocks(spaced.size(), block, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t i = begin; i < end; ++i)
-                     distances[i] = seen[spaced[i].first]->spacingAt(spaced[i].second);
-                 });
+  parallelFor(spaced.size(), block, threads, [&](std::size_t i) {
+    distances[i] = seen[spaced[i].first]->spacingAt(spaced[i].second);
+  });
   const double reach = reachOf(std::move(distances));
   std::vector<std::uint8_t> is_unseen(cells.cells().size(), 0);
   parallelBlocks(

@@ -183,15 +183,12 @@ ParallelVoxelGrid<pcl::PCLPointCloud2>::thin(const sedr::RowSource& source,
       for (const auto i : *indices)
         if (!stays[static_cast<std::size_t>(i)])
           removed_indices_->push_back(i);
-    sedr::parallelBlocks(size, voxels_at_once, threads,
-                         [&](std::size_t begin, std::size_t end) {
-                           for (std::size_t v = begin; v < end; ++v) {
-                             auto* to = output.data.data() + v * output.point_step;
-                             means.write(v, index.voxels()[v].count, to);
-                             if (getDownsampleAllData())
-                               normalise(output.fields, to);
-                           }
-                         });
+    sedr::parallelFor(size, voxels_at_once, threads, [&](std::size_t v) {
+      auto* to = output.data.data() + v * output.point_step;
+      means.write(v, index.voxels()[v].count, to);
+      if (getDownsampleAllData())
+        normalise(output.fields, to);
+    });
   }
   return true;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../base/field_access.h"
-#include "../base/parallel.h"
+#include "../base/parallel_for.h"
 #include <pcl/sedr_filters/row_source.h>
 
 #include <algorithm>
@@ -34,13 +34,12 @@ RowCoordinates::of(const std::uint8_t* rows, std::size_t size, unsigned threads)
     return {rows + xyz_[0].offset, row_size_, size};
   constexpr std::size_t rows_at_once = 4096;
   copy_.resize(size);
-  parallelBlocks(size, rows_at_once, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      for (int axis = 0; axis < 3; ++axis) {
-        const auto& field = xyz_[static_cast<std::size_t>(axis)];
-        copy_[i][axis] = static_cast<float>(
-            readField(rows + i * row_size_ + field.offset, field.datatype));
-      }
+  parallelFor(size, rows_at_once, threads, [&](std::size_t i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto& field = xyz_[static_cast<std::size_t>(axis)];
+      copy_[i][axis] = static_cast<float>(
+          readField(rows + i * row_size_ + field.offset, field.datatype));
+    }
   });
   return copy_.empty() ? PointView()
                        : PointView(copy_[0].data(), sizeof copy_[0], size);

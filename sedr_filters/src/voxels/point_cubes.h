@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../base/parallel.h"
+#include "../base/parallel_for.h"
 #include <pcl/sedr_filters/point_view.h>
 
 #include <Eigen/Geometry>
@@ -86,18 +86,14 @@ private:
   {
     constexpr std::size_t points_a_block = 16384;
     std::vector<std::uint32_t> columns(indices.size(), outside);
-    parallelBlocks(indices.size(), points_a_block, threads,
-                   [&](std::size_t begin, std::size_t end) {
-                     for (std::size_t k = begin; k < end; ++k) {
-                       const auto i = static_cast<std::size_t>(indices[k]);
-                       const Eigen::Vector3d p = points[i].cast<double>();
-                       if (!points.isFinite(i) || !box.contains(p))
-                         continue;
-                       const Cube cube = cubeOf(p);
-                       columns[k] =
-                           static_cast<std::uint32_t>(cube.y() * width_ + cube.x());
-                     }
-                   });
+    parallelFor(indices.size(), points_a_block, threads, [&](std::size_t k) {
+      const auto i = static_cast<std::size_t>(indices[k]);
+      const Eigen::Vector3d p = points[i].cast<double>();
+      if (!points.isFinite(i) || !box.contains(p))
+        return;
+      const Cube cube = cubeOf(p);
+      columns[k] = static_cast<std::uint32_t>(cube.y() * width_ + cube.x());
+    });
     return columns;
   }
 
@@ -128,15 +124,12 @@ private:
     const auto isLower = [](const Entry& a, const Entry& b) {
       return a.level < b.level;
     };
-    parallelBlocks(first_.size() - 1, columns_a_block, threads,
-                   [&](std::size_t begin, std::size_t end) {
-                     for (std::size_t c = begin; c < end; ++c) {
-                       Entry* const low = entries_.get() + first_[c];
-                       Entry* const high = entries_.get() + first_[c + 1];
-                       if (!std::is_sorted(low, high, isLower)) // usually the case
-                         std::sort(low, high, isLower);
-                     }
-                   });
+    parallelFor(first_.size() - 1, columns_a_block, threads, [&](std::size_t c) {
+      Entry* const low = entries_.get() + first_[c];
+      Entry* const high = entries_.get() + first_[c + 1];
+      if (!std::is_sorted(low, high, isLower)) // usually the case
+        std::sort(low, high, isLower);
+    });
   }
 
   Eigen::Vector3d origin_;

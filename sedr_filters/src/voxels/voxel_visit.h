@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../base/parallel.h"
+#include "../base/parallel_for.h"
 #include "voxel_index.h"
 #include <pcl/types.h>
 
@@ -33,11 +34,8 @@ visitVoxels(const VoxelIndex& index,
   std::vector<std::int64_t> found(std::min(n, max_at_once));
   for (std::size_t first = 0; first < n; first += max_at_once) {
     const std::size_t size = std::min(max_at_once, n - first);
-    parallelBlocks(size, points_a_block, threads,
-                   [&](std::size_t begin, std::size_t end) {
-                     for (std::size_t k = begin; k < end; ++k)
-                       found[k] = index.find(points[at(first + k)]);
-                   });
+    parallelFor(size, points_a_block, threads,
+                [&](std::size_t k) { found[k] = index.find(points[at(first + k)]); });
     parallelBlocks(parts, 1, threads, [&](std::size_t part, std::size_t) {
       const auto low = static_cast<std::int64_t>(part * voxels / parts);
       const auto high = static_cast<std::int64_t>((part + 1) * voxels / parts);

@@ -3,7 +3,7 @@
 
 #include "../profiles/column_table.h"
 #include "sedr_filters/src/base/exactness.h"
-#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/parallel_for.h"
 #include "slice_detail.h"
 
 namespace pcl::sedr {
@@ -22,11 +22,8 @@ struct SliceScene {
   template <typename See>
   void forEachCell(const See& see) const
   {
-    parallelBlocks(ceiling.values().size(), cells_a_block, parameters.threads,
-                   [&](std::size_t begin, std::size_t end) {
-                     for (std::size_t i = begin; i < end; ++i)
-                       see(i);
-                   });
+    parallelFor(ceiling.values().size(), cells_a_block, parameters.threads,
+                [&](std::size_t i) { see(i); });
   }
 
   double ceilingAt(Cell cell) const { return slab.heightAt(grid.centre(cell)); }

@@ -3,7 +3,7 @@
 
 #include "../profiles/ceiling_gap.h"
 #include "sedr_filters/src/base/exactness.h"
-#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/parallel_for.h"
 #include "sedr_filters/src/base/plane_fit.h"
 
 #include <algorithm>
@@ -128,12 +128,10 @@ columnsThatGoOn(const LevelColumns& columns,
   };
   std::vector<std::uint8_t> seen(cells.size(), 0);
   const auto forAsked = [&](const std::function<void(std::size_t)>& see) {
-    parallelBlocks(cells.size(), cells_a_block, columns.threads(),
-                   [&](std::size_t begin, std::size_t end) {
-                     for (std::size_t i = begin; i < end; ++i)
-                       if (asked[i])
-                         see(i);
-                   });
+    parallelFor(cells.size(), cells_a_block, columns.threads(), [&](std::size_t i) {
+      if (asked[i])
+        see(i);
+    });
   };
   forAsked([&](std::size_t i) { seen[i] = look(i); });
   std::vector<std::uint8_t> goes_on(cells.size(), 0);

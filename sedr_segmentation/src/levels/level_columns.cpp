@@ -6,6 +6,7 @@
 
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/parallel_for.h"
 #include "sedr_filters/src/grids/digit_sort.h"
 
 #include <algorithm>
@@ -155,11 +156,8 @@ LevelColumns::sortIntoColumns(const std::vector<int>& indices)
       },
       isLower);
   heights_.resize(all_.size());
-  parallelBlocks(all_.size(), points_a_block, threads_,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t k = begin; k < end; ++k)
-                     heights_[k] = all_[k].z;
-                 });
+  parallelFor(all_.size(), points_a_block, threads_,
+              [&](std::size_t k) { heights_[k] = all_[k].z; });
 }
 
 void

@@ -6,6 +6,7 @@
 
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/parallel_for.h"
 #include "sedr_filters/src/base/plane_fit.h"
 #include "sedr_filters/src/grids/digit_sort.h"
 
@@ -51,11 +52,8 @@ ownLevels(const std::vector<Level>& levels,
       is_found_there = is_here;
     }
   };
-  parallelBlocks(all.size(), points_a_block, parameters.threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t k = begin; k < end; ++k)
-                     look(k);
-                 });
+  parallelFor(all.size(), points_a_block, parameters.threads,
+              [&](std::size_t k) { look(k); });
   return own;
 }
 

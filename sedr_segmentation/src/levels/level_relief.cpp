@@ -4,7 +4,7 @@
 
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/middle_value.h"
-#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/parallel_for.h"
 #include "sedr_filters/src/base/plane_fit.h"
 
 #include <algorithm>
@@ -159,20 +159,17 @@ edgeKinds(const CellSet& cells,
   const double step = std::max(priors.slab_noise, 2 * noiseOfRelief(cells, relief));
   const std::vector<std::uint8_t> uneven = unevenCells(cells, relief, step);
   std::vector<std::uint8_t> kind(relief.size(), none);
-  parallelBlocks(
-      relief.size(), cells_a_block, threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-          if (!uneven[i])
-            continue;
-          const Surroundings around(cells, relief, i);
-          for (const bool along_x : {true, false}) {
-            const double across = around.step(along_x, step);
-            if (across != 0)
-              kind[i] = std::max<std::uint8_t>(
-                  kind[i], around.isSharp(across, along_x, priors) ? sharp_edge : edge);
-          }
-        }
-      });
+  parallelFor(relief.size(), cells_a_block, threads, [&](std::size_t i) {
+    if (!uneven[i])
+      return;
+    const Surroundings around(cells, relief, i);
+    for (const bool along_x : {true, false}) {
+      const double across = around.step(along_x, step);
+      if (across != 0)
+        kind[i] = std::max<std::uint8_t>(
+            kind[i], around.isSharp(across, along_x, priors) ? sharp_edge : edge);
+    }
+  });
   return kind;
 }
 
@@ -218,17 +215,14 @@ smoothRelief(const CellSet& cells,
              double flat)
 {
   std::vector<double> smooth(relief.size(), unknown);
-  parallelBlocks(relief.size(), cells_a_block, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t i = begin; i < end; ++i) {
-                     if (std::isnan(relief[i]))
-                       continue;
-                     ReliefWindow window;
-                     for (const std::size_t k : blockAround(cells, i))
-                       window.add(relief[k]);
-                     smooth[i] = window.isWithin(flat) ? 0 : window.median();
-                   }
-                 });
+  parallelFor(relief.size(), cells_a_block, threads, [&](std::size_t i) {
+    if (std::isnan(relief[i]))
+      return;
+    ReliefWindow window;
+    for (const std::size_t k : blockAround(cells, i))
+      window.add(relief[k]);
+    smooth[i] = window.isWithin(flat) ? 0 : window.median();
+  });
   return smooth;
 }
 
@@ -253,11 +247,9 @@ cellsOfSteps(const CellSet& cells,
   const std::vector<std::uint8_t> kind = edgeKinds(cells, relief, threads, priors);
   const int reach = stepReach(priors);
   std::vector<std::uint8_t> edges(relief.size(), 0);
-  parallelBlocks(
-      relief.size(), cells_a_block, threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-          edges[i] = kind[i] != none && isOfStep(cells, kind, i, reach) ? 1 : 0;
-      });
+  parallelFor(relief.size(), cells_a_block, threads, [&](std::size_t i) {
+    edges[i] = kind[i] != none && isOfStep(cells, kind, i, reach) ? 1 : 0;
+  });
   return edges;
 }
 

@@ -5,6 +5,7 @@
 #include "dual_vertices.h"
 
 #include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/parallel_for.h"
 
 #include <algorithm>
 #include <array>
@@ -49,11 +50,8 @@ numberCells(const BandGrid& grid, const std::vector<float>& values, unsigned thr
         visit(static_cast<std::size_t>(i));
     }
   };
-  parallelBlocks(grid.size(), BandGrid::blocks_at_once, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t b = begin; b < end; ++b)
-                     scan(b, [&](std::size_t) { ++counts[b]; });
-                 });
+  parallelFor(grid.size(), BandGrid::blocks_at_once, threads,
+              [&](std::size_t b) { scan(b, [&](std::size_t) { ++counts[b]; }); });
   cells.row.assign(grid.size(), grid.size());
   std::size_t vertices = 0;
   for (std::size_t b = 0; b < grid.size(); ++b)
@@ -65,15 +63,12 @@ numberCells(const BandGrid& grid, const std::vector<float>& values, unsigned thr
     }
   cells.first.push_back(vertices);
   cells.table.assign(cells.blocks.size() * BandGrid::nodes, none);
-  parallelBlocks(cells.blocks.size(), BandGrid::blocks_at_once, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t s = begin; s < end; ++s) {
-                     auto next = static_cast<std::uint32_t>(cells.first[s]);
-                     scan(cells.blocks[s], [&](std::size_t i) {
-                       cells.table[s * BandGrid::nodes + i] = next++;
-                     });
-                   }
-                 });
+  parallelFor(
+      cells.blocks.size(), BandGrid::blocks_at_once, threads, [&](std::size_t s) {
+        auto next = static_cast<std::uint32_t>(cells.first[s]);
+        scan(cells.blocks[s],
+             [&](std::size_t i) { cells.table[s * BandGrid::nodes + i] = next++; });
+      });
   return cells;
 }
 

@@ -3,6 +3,7 @@
 #include "poisson_level.h"
 
 #include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/parallel_for.h"
 
 #include <algorithm>
 #include <cmath>
@@ -142,9 +143,8 @@ PoissonLevel::solve(const GatherHalo& gather,
           return sum;
         });
     const auto back = static_cast<float>(next / length);
-    parallelBlocks(n, part, threads, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        step[i] = residual[i] / diagonal_[i] + back * step[i];
+    parallelFor(n, part, threads, [&](std::size_t i) {
+      step[i] = residual[i] / diagonal_[i] + back * step[i];
     });
     length = next;
     ++report.iterations;
