@@ -4,9 +4,10 @@
 
 #include <pcl/sedr_filters/impl/refinement.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pcl::sedr {
 
@@ -35,31 +36,24 @@ partsOf(const Eigen::Vector3d& normal)
 /** @brief Lower risers are not steps but two fits of the same height, metres. */
 constexpr double min_riser = 0.01;
 
-struct PlanBox {
-  Eigen::Vector2d low =
-      Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
-  Eigen::Vector2d high = -low;
-};
-
-PlanBox
+/** @brief Returns the bounding box of a loop's polygon. */
+Eigen::AlignedBox2d
 boxOf(const PlanLoop& loop, double tolerance)
 {
-  PlanBox box;
-  for (const auto& corner : loop.polygon(tolerance)) {
-    box.low = box.low.cwiseMin(corner);
-    box.high = box.high.cwiseMax(corner);
-  }
+  Eigen::AlignedBox2d box;
+  for (const auto& corner : loop.polygon(tolerance))
+    box.extend(corner);
   return box;
 }
 
 /** @brief Returns an upper bound of the height difference between any two slabs of a
  * room within its box. Planes are linear, so the corners decide. */
 double
-greatestHeight(const PlanRoom& room, const PlanBox& box)
+greatestHeight(const PlanRoom& room, const Eigen::AlignedBox2d& box)
 {
   double greatest = 0;
-  for (const double x : {box.low.x(), box.high.x()})
-    for (const double y : {box.low.y(), box.high.y()}) {
+  for (const double x : {box.min().x(), box.max().x()})
+    for (const double y : {box.min().y(), box.max().y()}) {
       const Eigen::Vector2d corner(x, y);
       double low = room.floor.heightAt(corner);
       double high = low;
@@ -91,8 +85,8 @@ estimatedCells(const PlanRoom& room, double size)
 {
   if (room.boundary.elements.empty())
     return 0;
-  const PlanBox box = boxOf(room.boundary, size / 10);
-  const Eigen::Vector2d extent = box.high - box.low;
+  const Eigen::AlignedBox2d box = boxOf(room.boundary, size / 10);
+  const Eigen::Vector2d extent = box.sizes();
   double columns = 0;
   const auto add = [&](const PlanLoop& loop) {
     columns += loop.length() / size + static_cast<double>(loop.elements.size());
@@ -109,8 +103,7 @@ estimatedCells(const PlanRoom& room, double size)
   double niches = 0;
   for (const auto& niche : room.niches) {
     add(niche.boundary);
-    const PlanBox around = boxOf(niche.boundary, size / 10);
-    const Eigen::Vector2d sides = around.high - around.low;
+    const Eigen::Vector2d sides = boxOf(niche.boundary, size / 10).sizes();
     niches += 2 * (sides.x() / size + 1) * (sides.y() / size + 1);
   }
   return columns * (greatestHeight(room, box) / size + 1) +
@@ -185,10 +178,10 @@ void
 SurfaceCells::addSheet(const PlanLoop& loop, PointAt pointAt)
 {
   Sheet sheet;
-  const PlanBox box = boxOf(loop, size_ / 10);
-  if (box.low.allFinite()) {
-    sheet.origin = box.low;
-    const Eigen::Vector2d extent = (box.high - box.low) / size_;
+  const Eigen::AlignedBox2d box = boxOf(loop, size_ / 10);
+  if (!box.isEmpty()) {
+    sheet.origin = box.min();
+    const Eigen::Vector2d extent = box.sizes() / size_;
     sheet.width = static_cast<std::size_t>(extent.x()) + 1;
     sheet.height = static_cast<std::size_t>(extent.y()) + 1;
   }

@@ -8,6 +8,8 @@
 #include "sedr_filters/src/grids/place_table.h"
 #include "sedr_filters/src/plan/room_lookup.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -47,12 +49,9 @@ pointsOfColumn(const Contour& hole,
                const PlanPoints& evidence,
                double beside)
 {
-  Eigen::Vector2d low = hole[0];
-  Eigen::Vector2d high = hole[0];
-  for (const auto& p : hole) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
+  Eigen::AlignedBox2d box;
+  for (const auto& p : hole)
+    box.extend(p);
   const LoopLookup inside(outline);
   PlaceTable edges(2 * beside);
   for (std::size_t i = 0; i < outline.elements.size(); ++i)
@@ -65,7 +64,7 @@ pointsOfColumn(const Contour& hole,
     });
   };
   std::vector<Eigen::Vector2d> points;
-  evidence.forEachWithin((low + high) / 2, (high - low).norm() / 2 + beside,
+  evidence.forEachWithin(box.center(), box.sizes().norm() / 2 + beside,
                          [&](const auto& p) {
                            if (inside.contains(p) || isBeside(p))
                              points.push_back(p);

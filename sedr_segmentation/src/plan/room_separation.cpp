@@ -8,13 +8,13 @@
 #include "../loop/loop_lobes.h"
 #include "../loop/loop_necks.h"
 #include "sedr_filters/src/base/exactness.h"
+#include "sedr_filters/src/plan/plan_bounds.h"
 #include "sedr_filters/src/plan/plan_evidence.h"
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <optional>
 #include <set>
 #include <utility>
@@ -23,33 +23,10 @@ namespace pcl::sedr {
 
 namespace {
 
-/** @brief Bounding box of loops. */
-struct Bounds {
-  Eigen::Vector2d low = Eigen::Vector2d::Constant(infinite);
-  Eigen::Vector2d high = Eigen::Vector2d::Constant(-infinite);
-
-  explicit Bounds(const PlanLoop& loop) { extend(loop); }
-
-  void extend(const PlanLoop& loop)
-  {
-    for (const auto& p : loop.polygon(2 * chord)) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-  }
-
-  bool meets(const Bounds& other) const
-  {
-    // The polygon may lie inside its arcs.
-    return (low.array() <= other.high.array() + 2 * chord).all() &&
-           (other.low.array() <= high.array() + 2 * chord).all();
-  }
-};
-
 bool
 overlap(const PlanLoop& a, const PlanLoop& b)
 {
-  if (!Bounds(a).meets(Bounds(b)))
+  if (!boundsOf(a).intersects(boundsOf(b)))
     return false;
   const auto [of_a, of_b] = partsInside(a, b);
   return !of_a.empty() || !of_b.empty();
@@ -162,20 +139,20 @@ reachesInto(const PlanNiche& niche, const PlanRoom& room)
 void
 dropNiches(Floorplan& plan)
 {
-  std::vector<Bounds> bounds; // of rooms with their niches
+  std::vector<Eigen::AlignedBox2d> bounds; // of rooms with their niches
   for (const auto& room : plan.rooms) {
-    bounds.emplace_back(room.boundary);
+    bounds.push_back(boundsOf(room.boundary));
     for (const auto& niche : room.niches)
-      bounds.back().extend(niche.boundary);
+      bounds.back().extend(boundsOf(niche.boundary));
   }
   for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
     PlanRoom& room = plan.rooms[r];
     const auto isInOther = [&](const PlanNiche& niche) {
-      const Bounds own(niche.boundary);
+      const Eigen::AlignedBox2d own = boundsOf(niche.boundary);
       for (std::size_t o = 0; o < plan.rooms.size(); ++o)
-        if (const PlanRoom& other = plan.rooms[o]; o != r && own.meets(bounds[o]) &&
-                                                   shareHeights(room, other) &&
-                                                   reachesInto(niche, other))
+        if (const PlanRoom& other = plan.rooms[o];
+            o != r && own.intersects(bounds[o]) && shareHeights(room, other) &&
+            reachesInto(niche, other))
           return true;
       return false;
     };
@@ -255,14 +232,14 @@ separateOnce(Floorplan& plan,
              std::vector<std::string>& sentences)
 {
   bool has_changed = false;
-  std::vector<Bounds> bounds; // a cut can only shrink a room
+  std::vector<Eigen::AlignedBox2d> bounds; // a cut can only shrink a room
   for (const auto& room : plan.rooms)
-    bounds.emplace_back(room.boundary);
+    bounds.push_back(boundsOf(room.boundary));
   for (std::size_t a = 0; a < plan.rooms.size(); ++a)
     for (std::size_t b = a + 1; b < plan.rooms.size(); ++b) {
       PlanRoom& first = plan.rooms[a];
       PlanRoom& second = plan.rooms[b];
-      if (!bounds[a].meets(bounds[b]) || gone.count(a) + gone.count(b) > 0 ||
+      if (!bounds[a].intersects(bounds[b]) || gone.count(a) + gone.count(b) > 0 ||
           !shareHeights(first, second) || keepInHole(first, second, priors) ||
           keepInHole(second, first, priors) ||
           !overlap(first.boundary, second.boundary))

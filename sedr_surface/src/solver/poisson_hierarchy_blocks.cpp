@@ -2,6 +2,8 @@
 #include "cell_corners.h"
 #include "poisson_hierarchy.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -44,19 +46,16 @@ PoissonHierarchy::blocksOfBox(const std::vector<SurfaceSample>& samples,
                               double scale) const
 {
   constexpr double pad = 5; // cells within which the function settles
-  Eigen::Vector3d low = samples.front().position;
-  Eigen::Vector3d high = low;
-  for (const SurfaceSample& sample : samples) {
-    low = low.cwiseMin(sample.position);
-    high = high.cwiseMax(sample.position);
-  }
+  Eigen::AlignedBox3d box;
+  for (const SurfaceSample& sample : samples)
+    box.extend(sample.position);
   BandGrid::Block first;
   BandGrid::Block last;
   for (int k = 0; k < 3; ++k) {
     first[static_cast<std::size_t>(k)] =
-        static_cast<std::int64_t>(std::floor((low[k] / scale - pad) / 8));
+        static_cast<std::int64_t>(std::floor((box.min()[k] / scale - pad) / 8));
     last[static_cast<std::size_t>(k)] =
-        static_cast<std::int64_t>(std::floor((high[k] / scale + pad) / 8));
+        static_cast<std::int64_t>(std::floor((box.max()[k] / scale + pad) / 8));
   }
   std::vector<BandGrid::Key> keys;
   for (std::int64_t z = first[2]; z <= last[2]; ++z)
