@@ -33,6 +33,7 @@ AirGaps::AirGaps(const VoxelColumns& columns, const AirParameters& parameters)
   findGaps();
   closeSlabs();
   sortGaps(enclosedHolesOf(*this));
+  linkGaps();
   gaps_ = withBothFaces(*this);
   linkGaps();
   keepAir();

@@ -2,6 +2,7 @@
 #include "slab_faces.h"
 
 #include "height_counts.h"
+#include "low_air.h"
 
 #include <algorithm>
 #include <array>
@@ -24,7 +25,7 @@ struct OneFaced {
 
 class SlabFaces {
 public:
-  explicit SlabFaces(const AirGaps& air)
+  SlabFaces(const AirGaps& air, const std::vector<std::uint8_t>& is_air)
       : air_(air)
       , tall_(air.voxels(air.parameters().headroom))
       , above_(air.size(), AirGaps::none)
@@ -33,9 +34,10 @@ public:
     std::uint32_t below = AirGaps::none;
     for (std::uint32_t g = 0; g < air.size(); ++g) {
       gaps_.push_back(air[g]);
-      if (air[g].high - air[g].low < tall_)
+      if (is_air[g] == 0)
         continue;
-      if (below != AirGaps::none && air[below].column == air[g].column)
+      const bool is_tall = air[g].high - air[g].low >= tall_;
+      if (is_tall && below != AirGaps::none && air[below].column == air[g].column)
         above_[below] = g;
       below = g;
     }
@@ -140,7 +142,8 @@ private:
 
   const AirGaps& air_;
   std::int32_t tall_;                ///< voxels of headroom
-  std::vector<std::uint32_t> above_; ///< of a tall gap: the next in its column
+  std::vector<std::uint32_t> above_; ///< of air, if low then above furniture: the next
+                                     ///< in its column, if one can stand there
   std::vector<std::uint8_t> is_met_;
   std::vector<AirGap> gaps_;
 };
@@ -150,7 +153,7 @@ private:
 std::vector<AirGap>
 withBothFaces(const AirGaps& air)
 {
-  return SlabFaces(air).completed();
+  return SlabFaces(air, airOf(air)).completed();
 }
 
 } // namespace pcl::sedr
