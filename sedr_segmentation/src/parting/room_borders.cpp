@@ -55,15 +55,17 @@ crossingsOf(const AirGaps& air, RoomLabels& labels, bool with_drops)
   return crossings;
 }
 
-RoomBorders::RoomBorders(const AirGaps& air, double thickest_wall, RoomLabels& labels)
+RoomBorders::RoomBorders(const AirGaps& air,
+                         const PartingParameters& parameters,
+                         RoomLabels& labels)
     : labels_(labels)
     , rooms_(labels.sizes().size())
 {
-  measureRooms(air, thickest_wall);
+  measureRooms(air, parameters.thickest_wall);
   for (auto& [pair, crossings] : crossingsOf(air, labels, true))
     borders_[pair].crossings = std::move(crossings);
-  countWalls(air,
-             static_cast<int>(std::lround(thickest_wall / air.columns().cellSize())));
+  countWalls(air, static_cast<int>(std::lround(2 * parameters.lintel_reach /
+                                               air.columns().cellSize())));
   countStacked(air);
   for (auto& [pair, border] : borders_) {
     rooms_[pair.first].beside.insert(pair.second);

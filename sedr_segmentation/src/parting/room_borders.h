@@ -3,6 +3,7 @@
 
 #include "../air/air_gaps.h"
 #include "../air/height_counts.h"
+#include "parting_parameters.h"
 #include "room_labels.h"
 #include "room_opening.h"
 
@@ -44,9 +45,10 @@ struct RoomExtent {
 class RoomBorders {
 public:
   /** @brief O(gaps).
-   * @param thickest_wall metres, between two rooms that face each other
    * @param labels of the gaps; must outlive this */
-  RoomBorders(const AirGaps& air, double thickest_wall, RoomLabels& labels);
+  RoomBorders(const AirGaps& air,
+              const PartingParameters& parameters,
+              RoomLabels& labels);
 
   const std::map<RoomPair, RoomBorder>& borders() const { return borders_; }
   const RoomBorder& between(const RoomPair& pair) const { return borders_.at(pair); }

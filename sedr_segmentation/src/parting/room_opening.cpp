@@ -200,16 +200,25 @@ OpeningMeasures::besideOf(const Ends& ends,
                           std::uint32_t room,
                           RoomLabels& rooms) const
 {
+  const auto gapAt = [&](const Eigen::Vector2d& place, const AirGap& like) {
+    return air_.goingOnFrom(like, columnAt(place));
+  };
   const auto isInRoom = [&](const Eigen::Vector2d& place, const AirGap& like) {
-    const std::uint32_t g = air_.goingOnFrom(like, columnAt(place));
+    const std::uint32_t g = gapAt(place, like);
     return g != AirGaps::none && rooms.hasRoom(g) && rooms.roomOf(g) == room;
   };
   const int depth = static_cast<int>(std::ceil(parameters_.thickest_wall / cell_));
+  const auto isInWall = [&](const Eigen::Vector2d& place, const AirGap& like) {
+    const std::uint32_t g = gapAt(place, like);
+    return g != AirGaps::none && dip_[g] >= parameters_.lintel;
+  };
   std::array<double, 2> farthest{0, 0};
   for (std::size_t end = 0; end < 2; ++end)
-    for (int away = 1; away <= depth; ++away) {
+    for (int away = 1;; ++away) {
       const Eigen::Vector2d outwards = (end == 0 ? -cell_ : cell_) * direction;
       Eigen::Vector2d place = placeOf(ends[end]) + away * cell_ * into;
+      if (away > depth && !isInWall(place - cell_ * into, air_[ends[end]]))
+        break; // no lintel goes on above: a wall thicker than most ends here
       double length = -cell_; // the first step is the end itself
       while (length < parameters_.jamb_reach && isInRoom(place, air_[ends[end]])) {
         length += cell_;

@@ -34,7 +34,7 @@ public:
       : air_(air)
       , parameters_(parameters)
       , labels_(labels)
-      , rooms_(air, parameters.thickest_wall, labels)
+      , rooms_(air, parameters, labels)
       , measures_(air, dip, parameters)
   {}
 

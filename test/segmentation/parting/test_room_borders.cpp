@@ -21,7 +21,7 @@ wallsBetween(const SceneAir& air,
     label[g] = is_of_first({at.x(), at.y(), z}) ? 0 : 1;
   }
   RoomLabels labels(std::move(label));
-  const RoomBorders borders(air.gaps, 0.6, labels);
+  const RoomBorders borders(air.gaps, PartingParameters(), labels);
   return borders.between({0, 1}).walls;
 }
 

@@ -2,6 +2,7 @@
 #include "parted_scenes.h"
 
 #include <array>
+#include <tuple>
 
 namespace {
 
@@ -26,6 +27,43 @@ TEST(PartRooms, ADoorWithALintelPartsTwoRooms)
     EXPECT_NEAR(door.top, 2.1, 0.15);
     EXPECT_GT(std::abs(door.direction.dot(scene.place(0, 1))), 0.9) << "along the wall";
   });
+}
+
+/** Adds a hall and a chamber behind a wall of 80 cm, as in old buildings, with a door
+ * of 1 m. */
+void
+addRoomsBehindAThickWall(AirScene& scene)
+{
+  const double x = 6.05;
+  for (const auto& [x0, x1, y1, high] :
+       {std::tuple(0.05, x, 8.05, 4.51), std::tuple(x + 0.8, x + 3.8, 4.05, 2.61)}) {
+    scene.slab(x0, 0.05, x1, y1, 0.01);
+    scene.slab(x0, 0.05, x1, y1, high);
+    for (const double y : {0.05, y1})
+      scene.wall(x0, y, x1, y, 0.01, high);
+  }
+  scene.wall(0.05, 0.05, 0.05, 8.05, 0.01, 4.51);
+  scene.wall(x + 3.8, 0.05, x + 3.8, 4.05, 0.01, 2.61);
+  for (const double z : {0.01, 2.11})
+    scene.slab(x, 1.05, x + 0.8, 2.05, z);
+  for (const double side : {1.05, 2.05})
+    scene.wall(x, side, x + 0.8, side, 0.01, 2.11);
+  for (const auto& [face, y1, high] :
+       {std::tuple(x, 8.05, 4.51), std::tuple(x + 0.8, 4.05, 2.61)}) {
+    scene.wall(face, 0.05, face, 1.05, 0.01, high);
+    scene.wall(face, 2.05, face, y1, 0.01, high);
+    scene.wall(face, 1.05, face, 2.05, 2.11, high);
+  }
+}
+
+TEST(PartRooms, ADoorThroughAThickWallPartsTwoRooms)
+{
+  for (const double degrees : {0.0, 15.0, 23.0, 30.0}) {
+    SCOPED_TRACE(degrees);
+    AirScene scene(degrees);
+    addRoomsBehindAThickWall(scene);
+    EXPECT_EQ(Parted(scene).rooms(), 2u);
+  }
 }
 
 /** Adds the same rooms, 4 m deep, with two equal openings beside a pier of 40 cm. */
