@@ -19,7 +19,7 @@ class Unfit(Exception):
 def build(seed, kind=None):
     """The scene file of a seed as a dictionary; the kind is the seed's if none is given."""
     chooser = random.Random(f"kind {seed}")
-    kind = kind or chooser.choice(sorted(KINDS))
+    kind = kind or chooser.choice(sorted(k for k in KINDS if KINDS[k].is_for_all_seeds))
     for attempt in range(TRIES):
         rng = random.Random(f"{kind} {seed} {attempt}")
         try:
@@ -126,6 +126,9 @@ def put_attic_on(rng, rooms, heights):
 def hang_ceilings(rng, building, style):
     for room in building.rooms:
         if room.facets or room.role == "stairs":
+            continue
+        if style.vaults and g.is_rectangle(room.outline) and not room.bulges and rng.random() < style.vaults:
+            ceilings.vault(rng, room)
             continue
         if room.role == "open" and rng.random() < 0.3:
             ceilings.shaft(rng, room)

@@ -17,6 +17,8 @@ class Kind:
         self.passages = more.get("passages", 0.1)     # share of doors that are wide passages
         self.full_doors = more.get("full_doors", 0.1)  # share of storeys with doors up to the ceiling
         self.attic = more.get("attic", 0.0)           # share of buildings with sloped ceilings on top
+        self.vaults = more.get("vaults", 0.0)         # share of rectangular rooms below a barrel vault
+        self.is_for_all_seeds = more.get("is_for_all_seeds", True)  # else only when asked for: seeds keep their building
 
 
 KINDS = {
@@ -26,11 +28,13 @@ KINDS = {
     "openplan": Kind((1, 1, 2), (2.8, 3.8), (0.3, 0.4), suspended=0.3, ribs=0.7, glass=0.5),
     "school": Kind((1, 2, 2), (3.0, 3.8), (0.25, 0.4), suspended=0.3, ribs=0.4, glass=0.3, passages=0.3),
     "hall": Kind((1, 2), (2.5, 3.0), (0.25, 0.4), ribs=0.8, glass=0.2, passages=0.3),
+    "cellar": Kind((1,), (2.9, 4.0), (0.4, 0.6), soffits=0.0, glass=0.0, passages=0.1, full_doors=0.0, vaults=0.9, is_for_all_seeds=False),
 }
 
 PARTITIONS = {"flat": (0.08, 0.1, 0.12, 0.15, 0.24), "house": (0.1, 0.12, 0.15, 0.2, 0.3),
               "office": (0.08, 0.1, 0.12, 0.15), "openplan": (0.1, 0.12, 0.2, 0.25),
-              "school": (0.12, 0.2, 0.25, 0.3), "hall": (0.15, 0.2, 0.3, 0.4)}
+              "school": (0.12, 0.2, 0.25, 0.3), "hall": (0.15, 0.2, 0.3, 0.4),
+              "cellar": (0.5, 0.6, 0.7, 0.75)}
 
 
 def lines_for(rng, kind):
@@ -167,4 +171,20 @@ def hall(rng, storeys, flight):
     return plans, lines
 
 
-PLANS = {"flat": flat, "house": house, "office": office, "openplan": openplan, "school": school, "hall": hall}
+def cellar(rng, _storeys, _flight):
+    """Vaulted rooms behind thick walls, on both sides of a passage or in rows."""
+    w, d = snapped(rng.uniform(16, 26)), snapped(rng.uniform(11, 17))
+    rect = (0.0, 0.0, w, d)
+    lines = lines_for(rng, "cellar")
+    lines.enclose(rect)
+    if rng.random() < 0.6:
+        width = snapped(rng.uniform(2.4, 3.2))
+        near = snapped(rng.uniform(0.4, 0.6) * (d - width))
+        spaces = corridor_plan(rng, rect, width, near, d - width - near, 3.4, 6.5)
+    else:
+        spaces = [Space("room", r) for r in split(rng, rect, 45, 12, 3.2)]
+    return [spaces], lines
+
+
+PLANS = {"flat": flat, "house": house, "office": office, "openplan": openplan, "school": school, "hall": hall,
+         "cellar": cellar}
