@@ -29,14 +29,32 @@ TEST(WallBody, AMeshEndsAtTheRoomBehindIt)
   plan.rooms[2].ceiling = slabAt(7);
   const PlanWall wall = wallBehind({0, 0, 0}, 4, 0.2);
   const ifc::WallHeights heights{0, {{0, 2.5}, {1, 3.5}}};
-  EXPECT_NEAR(ifc::meshOf(plan, wall, heights, {}, {}).signedVolume(), 2.4, 1e-9);
+  const auto volumeBeside = [&](const std::vector<const PlanRoom*>& rooms) {
+    const PlanArea profile = ifc::profileOf(plan, wall, rooms);
+    return ifc::meshOf(plan, wall, heights, {}, profile).signedVolume();
+  };
+  EXPECT_NEAR(volumeBeside({}), 2.4, 1e-6);
   const auto rooms = ifc::roomsIn(plan, wall);
   ASSERT_EQ(rooms.size(), 1u);
   EXPECT_EQ(rooms[0]->id, 2u);
   EXPECT_NEAR(ifc::profileOf(plan, wall, rooms).boundary.area(), 0.7, 1e-6);
   // 2.875 m is the mean height of what is cut off.
-  EXPECT_NEAR(ifc::meshOf(plan, wall, heights, {}, rooms).signedVolume(),
-              2.4 - 0.1 * 2.875, 0.03);
+  EXPECT_NEAR(volumeBeside(rooms), 2.4 - 0.1 * 2.875, 1e-6);
+}
+
+TEST(WallBody, AMeshBendsWithItsTopAndItsSides)
+{
+  const Floorplan plan{{roomOf(rectangle(0, 0, 4, 3), 3)}};
+  const PlanWall wall = wallBehind({0, 0, 0}, 4, 0.2);
+  const ifc::WallHeights heights{0, {{0, 2}, {0.25, 3}, {1, 2}}};
+  const PlanArea profile = ifc::profileOf(plan, wall, {});
+  // 1 m with a mean height of 2.5 m, 3 m with the same.
+  const TriangleMesh mesh = ifc::meshOf(plan, wall, heights, {}, profile);
+  EXPECT_NEAR(mesh.signedVolume(), 4 * 0.2 * 2.5, 1e-6);
+  // Its far side is tilted: 1 cm a metre thicker, over the squared height's mean.
+  const TriangleMesh tapered = ifc::meshOf(plan, wall, heights, {0, -0.01}, profile);
+  const double squares = (4 + 6 + 9) / 3.0; // mean along each of the two parts
+  EXPECT_NEAR(tapered.signedVolume(), 4 * 0.2 * 2.5 + 4 * 0.01 * squares / 2, 1e-3);
 }
 
 TEST(WallBody, IsNothingBesideADoorUpToTheTop)

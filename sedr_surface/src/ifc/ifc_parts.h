@@ -19,9 +19,8 @@ struct WrittenWall {
   StepRef placement{}; ///< of the wall's frame, z from its bottom
   double bottom = 0;   ///< metres
   double top = 0;
-  WallRuns runs{};                      ///< of a tilted wall
-  std::vector<const PlanRoom*> rooms{}; ///< that it ends at
-  PlanArea profile{};                   ///< in the frame
+  WallRuns runs{};    ///< of a tilted wall
+  PlanArea profile{}; ///< in the frame
 };
 
 /** @brief Adds a space with quantities for each room. */

@@ -106,8 +106,7 @@ bodyOf(IfcDocument& document, const WrittenWall& written, const WallHeights& hei
     }
   }
   else
-    item = shapes.faceSet(
-        meshOf(document.plan, wall, heights, written.runs, written.rooms));
+    item = shapes.faceSet(meshOf(document.plan, wall, heights, written.runs, profile));
   shapes.colour(item, "wall");
   return shapes.body(document.body_context, type, {item});
 }
@@ -134,8 +133,7 @@ writeWalls(IfcDocument& document)
     added.bottom = heights.bottom;
     added.top = heights.highest();
     added.runs = runsOf(plan, wall, document.settings.tilts);
-    added.rooms = roomsIn(plan, wall);
-    added.profile = profileOf(plan, wall, added.rooms);
+    added.profile = profileOf(plan, wall, roomsIn(plan, wall));
     if (isWhollyOpen(plan, added))
       continue;
     const IfcStorey& storey = document.storeys[added.storey];

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace pcl::sedr::ifc {
@@ -128,6 +129,20 @@ WallHeights::highest() const
   return height;
 }
 
+double
+WallHeights::topAt(double along) const
+{
+  const auto next = std::find_if(tops.begin(), tops.end(),
+                                 [&](const Top& t) { return t.along >= along; });
+  if (next == tops.begin())
+    return next->height;
+  const Top& from = *std::prev(next);
+  if (next == tops.end() || next->along <= from.along)
+    return from.height;
+  const double share = (along - from.along) / (next->along - from.along);
+  return from.height + share * (next->height - from.height);
+}
+
 WallHeights
 heightsOf(const Floorplan& plan, const PlanWall& wall)
 {
@@ -174,7 +189,7 @@ heightsOf(const Floorplan& plan, const PlanWall& wall)
     heights.roof = roofOf(above);
   if (!slopes || high - low < level)
     heights.tops = {{0, high}, {1, high}};
-  else if (!sides[0].element->isArc()) // whose sections follow the arc
+  else
     heights.tops = simplified(heights.tops);
   return heights;
 }

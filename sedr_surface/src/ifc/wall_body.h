@@ -32,6 +32,9 @@ struct WallHeights {
   bool isSwept() const { return isLevel() || !roof.empty(); }
 
   double highest() const;
+  /** @brief Returns the height of the top at a share of the length, on the line between
+   * two of `tops`; beyond the ends, that of the end. */
+  double topAt(double along) const;
 };
 
 /** @brief Returns the heights of a wall, from the floors and the higher ceiling beside
@@ -72,13 +75,13 @@ double heightAbove(const PlanArea& profile,
                    const WallHeights& heights,
                    double run);
 
-/** @brief Returns a wall whose top is not level as a mesh in its frame, with z from its
- * bottom.
- * @param rooms from roomsIn(): every 2 cm the wall ends at the first of them */
+/** @brief Returns a wall whose top is not level, or with sides of different runs, as a
+ * mesh in its frame, with z from its bottom.
+ * @param profile its plan, from profileOf() */
 TriangleMesh meshOf(const Floorplan& plan,
                     const PlanWall& wall,
                     const WallHeights& heights,
                     const WallRuns& runs,
-                    const std::vector<const PlanRoom*>& rooms);
+                    const PlanArea& profile);
 
 } // namespace pcl::sedr::ifc

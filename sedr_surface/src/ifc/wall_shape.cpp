@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "mesh_prism.h"
 #include "wall_body.h"
 
 #include "sedr_filters/src/plan/plan_bounds.h"
@@ -9,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -84,43 +85,6 @@ areaOf(const PlanRoom& room, const WallFrame& frame)
   return area;
 }
 
-/** @brief The last place on the way from a face to the far side of its wall before
- * another room. */
-Eigen::Vector2d
-beforeRooms(const std::vector<const PlanRoom*>& rooms,
-            const Eigen::Vector2d& near,
-            const Eigen::Vector2d& far)
-{
-  constexpr double step = 0.01;
-  const double length = (far - near).norm();
-  for (double s = step; s < length; s += step) {
-    const Eigen::Vector2d p = near + s / length * (far - near);
-    if (std::any_of(rooms.begin(), rooms.end(),
-                    [&](const PlanRoom* room) { return room->contains(p); }))
-      return near + (s - step / 2) / length * (far - near);
-  }
-  return far;
-}
-
-/** @brief Returns the tops of a wall, those between two of them every 2 cm. */
-std::vector<WallHeights::Top>
-refined(const std::vector<WallHeights::Top>& tops, double length)
-{
-  constexpr double step = 0.02;
-  std::vector<WallHeights::Top> fine;
-  for (std::size_t i = 0; i + 1 < tops.size(); ++i) {
-    const double stretch = (tops[i + 1].along - tops[i].along) * length;
-    const auto n = static_cast<std::size_t>(std::max(std::ceil(stretch / step), 1.0));
-    for (std::size_t k = 0; k < n; ++k) {
-      const double share = static_cast<double>(k) / static_cast<double>(n);
-      fine.push_back({tops[i].along + share * (tops[i + 1].along - tops[i].along),
-                      tops[i].height + share * (tops[i + 1].height - tops[i].height)});
-    }
-  }
-  fine.push_back(tops.back());
-  return fine;
-}
-
 } // namespace
 
 std::vector<const PlanRoom*>
@@ -169,51 +133,32 @@ meshOf(const Floorplan& plan,
        const PlanWall& wall,
        const WallHeights& heights,
        const WallRuns& runs,
-       const std::vector<const PlanRoom*>& rooms)
+       const PlanArea& profile)
 {
-  const std::vector<WallHeights::Top> tops =
-      rooms.empty() ? heights.tops : refined(heights.tops, wall.stretch.length());
   const PlanElement& element = elementOf(plan, wall.face);
   const WallFrame frame = frameOf(plan, wall);
-  TriangleMesh mesh;
+  const double length = wall.stretch.length();
+  // The top bends across the wall where it bends along it.
+  std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> bends;
+  for (std::size_t k = 1; k + 1 < heights.tops.size(); ++k) {
+    constexpr double beyond = 0.01;
+    const auto [place, inward] =
+        faceAt(element, wall.stretch.from + heights.tops[k].along * length);
+    bends.emplace_back(frame.toLocal(place + beyond * inward),
+                       frame.toLocal(place - (2 * wall.thickness + beyond) * inward));
+  }
+  const TriangleMesh foot = triangulated(profile, bends);
+  std::vector<std::size_t> all(foot.triangles.size());
+  std::iota(all.begin(), all.end(), 0);
   constexpr double min_height = 0.001;
-  for (const WallHeights::Top& top : tops) {
-    Eigen::Vector2d near(top.along * wall.outline[1].x(), 0);
-    Eigen::Vector2d far =
-        (1 - top.along) * wall.outline[3] + top.along * wall.outline[2];
-    if (element.isArc()) {
-      const Eigen::Vector2d place =
-          faceAt(element, wall.stretch.from + top.along * wall.stretch.length()).first;
-      near = frame.toLocal(place);
-      far = frame.toLocal(element.centre +
-                          (place - element.centre) *
-                              (farRadius(element, wall.thickness) / element.radius));
-    }
-    far = frame.toLocal(beforeRooms(rooms, frame.toPlan(near), frame.toPlan(far)));
-    const double z = std::max(top.height - heights.bottom, min_height);
-    for (const auto& [p, run] : {std::pair(near, runs.near), std::pair(far, runs.far)})
-      for (const double height : {0.0, z})
-        mesh.vertices.emplace_back(p.x(), p.y() + run * height, height);
+  TriangleMesh mesh = prismOn(foot, all, [&](const Eigen::Vector3d& p) {
+    const double s = element.project(frame.toPlan(p.head<2>())) - wall.stretch.from;
+    return std::max(heights.topAt(s / length) - heights.bottom, min_height);
+  });
+  for (Eigen::Vector3d& p : mesh.vertices) {
+    const double across = std::clamp(-p.y() / wall.thickness, 0.0, 1.0);
+    p.y() += ((1 - across) * runs.near + across * runs.far) * p.z();
   }
-  // A section has four corners: near bottom and top, far bottom and top.
-  const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c,
-                        std::uint32_t d) {
-    mesh.triangles.push_back({a, b, c});
-    mesh.triangles.push_back({a, c, d});
-  };
-  const auto n = static_cast<std::uint32_t>(tops.size());
-  for (std::uint32_t k = 0; k + 1 < n; ++k) {
-    const std::uint32_t i = 4 * k;
-    quad(i, i + 1, i + 5, i + 4);     // the face
-    quad(i + 2, i + 6, i + 7, i + 3); // the far side
-    quad(i + 1, i + 3, i + 7, i + 5); // the top
-    quad(i, i + 4, i + 6, i + 2);     // the bottom
-  }
-  quad(0, 2, 3, 1);
-  const std::uint32_t last = 4 * (n - 1);
-  quad(last, last + 1, last + 3, last + 2);
-  if (mesh.signedVolume() < 0)
-    mesh.flip();
   return mesh;
 }
 

@@ -2,6 +2,8 @@
 #include "plan_area.h"
 
 #include "../solid/plan_grid.h"
+#include "../triangulation/constrained_triangulation.h"
+#include "../triangulation/segment_arrangement.h"
 #include "sedr_filters/src/plan/plan_bounds.h"
 #include "sedr_segmentation/src/curves/contour.h"
 #include "sedr_segmentation/src/curves/plan_segment.h"
@@ -56,6 +58,21 @@ setOf(const PlanArea& area, const PlanGrid& grid)
   return set;
 }
 
+/** @brief Returns whether a point is in an area: on the inner side of all its edges
+ * that a ray meets. */
+bool
+isInside(const std::vector<GridSegment>& edges, const Eigen::Vector2d& p)
+{
+  bool is_inside = false;
+  for (const GridSegment& e : edges)
+    if ((e.from.y > p.y()) != (e.to.y > p.y()) &&
+        p.x() < e.from.x + (p.y() - e.from.y) *
+                               (static_cast<double>(e.to.x) - e.from.x) /
+                               (static_cast<double>(e.to.y) - e.from.y))
+      is_inside = !is_inside;
+  return is_inside;
+}
+
 /** @brief A loop of grid points without the corners that are on a line. */
 template <typename Points>
 PlanLoop
@@ -101,6 +118,52 @@ largestPartOutside(const PlanArea& area, const std::vector<PlanArea>& others)
   for (auto hole = largest->begin_holes(); hole != largest->end_holes(); ++hole)
     part.holes.push_back(loopOf(*hole, grid, true));
   return part;
+}
+
+TriangleMesh
+triangulated(const PlanArea& area,
+             const std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>& lines)
+{
+  std::vector<PlanArea> extent;
+  for (const auto& [from, to] : lines)
+    extent.push_back({{{segment(from, to)}}});
+  const PlanGrid grid = gridAround(area, extent);
+  std::vector<GridSegment> segments;
+  const auto addLoop = [&](const PlanLoop& loop) {
+    const std::vector<Eigen::Vector2d> corners = loop.polygon(chord);
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      segments.push_back(
+          {grid.toGrid(corners[k]), grid.toGrid(corners[(k + 1) % corners.size()])});
+  };
+  addLoop(area.boundary);
+  std::for_each(area.holes.begin(), area.holes.end(), addLoop);
+  const std::vector<GridSegment> outline = segments;
+  for (const auto& [from, to] : lines)
+    segments.push_back({grid.toGrid(from), grid.toGrid(to)});
+
+  constexpr double separation = 1e-5; // metres
+  Arrangement arrangement;
+  PlanTriangulation triangulation;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  arrangeSegments(segments, separation / grid.unit(), arrangement);
+  for (const Arrangement::Edge& edge : arrangement.edges)
+    edges.emplace_back(edge.a, edge.b);
+  TriangleMesh mesh;
+  if (!triangulateConstrained(arrangement.vertices, edges, triangulation))
+    return mesh;
+  for (const GridPoint& p : arrangement.vertices) {
+    const Eigen::Vector2d place = grid.toPlan(p);
+    mesh.vertices.emplace_back(place.x(), place.y(), 0);
+  }
+  for (const Triangle& t : triangulation.triangles) {
+    Eigen::Vector2d middle(0, 0);
+    for (const std::uint32_t v : t)
+      middle +=
+          Eigen::Vector2d(arrangement.vertices[v].x, arrangement.vertices[v].y) / 3;
+    if (isInside(outline, middle))
+      mesh.triangles.push_back(t);
+  }
+  return mesh;
 }
 
 } // namespace pcl::sedr

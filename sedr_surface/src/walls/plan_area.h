@@ -2,7 +2,11 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
 
+#include <Eigen/Core>
+
+#include <utility>
 #include <vector>
 
 namespace pcl::sedr {
@@ -22,5 +26,12 @@ double commonArea(const PlanArea& a, const PlanArea& b);
  * straight segments; empty if nothing is left. Corners are left out where none is more
  * than 0.1 mm off the outline. Places are rounded as by commonArea(). O(n log n). */
 PlanArea largestPartOutside(const PlanArea& area, const std::vector<PlanArea>& others);
+
+/** @brief Triangulates an area at z = 0 so that no triangle crosses any of `lines`.
+ * Arcs are chords within 0.05 mm. Places are rounded as by commonArea(). Empty if the
+ * area is. O(n log n) plus the crossings. */
+TriangleMesh
+triangulated(const PlanArea& area,
+             const std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>& lines);
 
 } // namespace pcl::sedr
