@@ -4,6 +4,10 @@
 const fs = require('fs');
 const web = require('web-ifc');
 
+// Of each arc, which is a quarter of a circle at most: within 0.04 % of its area. web-ifc cuts openings wrongly into
+// walls whose chords are a few millimetres long, as those of a short flat arc are with more of them. Its default is 12.
+const CHORDS = 32;
+
 function volumeOf(triangles, points) {
   let volume = 0;
   for (let t = 0; t < triangles.length; t += 3) {
@@ -21,7 +25,7 @@ async function main() {
   const log = console.log;
   console.log = (text) => said.push(String(text));
   await api.Init();
-  const model = api.OpenModel(fs.readFileSync(process.argv[2]), { COORDINATE_TO_ORIGIN: false, CIRCLE_SEGMENTS: 200 });
+  const model = api.OpenModel(fs.readFileSync(process.argv[2]), { COORDINATE_TO_ORIGIN: false, CIRCLE_SEGMENTS: CHORDS });
   const products = {};
   const add = (mesh) => {
     const line = api.GetLine(model, mesh.expressID);

@@ -5,6 +5,7 @@
 #include "../refit/plan_regularisation.h"
 #include "plan_fit.h"
 #include "room_separation.h"
+#include "short_elements.h"
 
 #include "sedr_filters/src/plan/plan_evidence.h"
 #include <pcl/impl/instantiate.hpp>
@@ -136,6 +137,7 @@ fitFloorplan(const PlanInput& input,
     fitToRaw(input.raw, raw_indices, parameters.threads, priors, plan, warnings);
   const std::vector<std::string> cuts =
       separateRooms(plan, input.points, input.indices, priors);
+  removeShortElements(plan, priors);
   giveCeilings(sheets, has_raw ? &input.raw : nullptr, raw_indices, parameters.threads,
                plan);
   measureEvidence(plan, input.points, input.indices, priors.wall_band,

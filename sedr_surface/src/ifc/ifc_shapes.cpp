@@ -23,14 +23,17 @@ hasArcs(const PlanLoop& loop)
                      [](const PlanElement& e) { return e.isArc(); });
 }
 
-/** @brief Returns the elements of a loop, with arcs of nearly half a circle or more
- * divided in three, since three points do not define such an arc reliably. */
+/** @brief Returns the elements of a loop, with arcs divided into parts of a quarter of
+ * a circle at most: three points do not define an arc of half a circle reliably, and
+ * viewers take so many chords for each, however long it is. */
 std::vector<PlanElement>
 shortArcs(const PlanLoop& loop)
 {
   std::vector<PlanElement> parts;
   for (const PlanElement& e : loop.elements) {
-    const int n = e.isArc() && std::abs(e.sweep()) > 0.9 * M_PI ? 3 : 1;
+    const int n = e.isArc() ? std::max(1, static_cast<int>(std::ceil(
+                                              std::abs(e.sweep()) / M_PI_2 - 0.01)))
+                            : 1;
     const double length = e.length();
     for (int k = 0; k < n; ++k)
       parts.push_back(n == 1 ? e : e.part(length * k / n, length * (k + 1) / n));

@@ -54,7 +54,8 @@ struct WallRuns {
  * face is tilted like that. */
 WallRuns runsOf(const Floorplan& plan, const PlanWall& wall, const WallTilts& tilts);
 
-constexpr double no_area = 0.001; ///< smaller ones in plan are none, square metres
+constexpr double no_area =
+    0.001; ///< smaller openings and walls are none, square metres
 constexpr double min_wall_height = 0.01; ///< lower walls are none, metres
 
 /** @brief Returns the rooms at the heights of a wall that reach behind its face: beside

@@ -98,7 +98,8 @@ roomsIn(const Floorplan& plan, const PlanWall& wall)
     if (!shareHeights(room, own))
       continue;
     const PlanArea area = areaOf(room, frameOf(plan, wall));
-    if (boundsOf(area.boundary).intersects(box) && commonArea(band, area) > no_area)
+    constexpr double rounding = 1e-5; // square metres
+    if (boundsOf(area.boundary).intersects(box) && commonArea(band, area) > rounding)
       rooms.push_back(&room);
   }
   return rooms;

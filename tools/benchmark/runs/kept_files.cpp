@@ -7,6 +7,7 @@
 #include "tool_cloud.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_filters/wall_tilts.h>
 #include <pcl/sedr_surface/mesh_io.h>
 
 #include <stdexcept>
@@ -52,7 +53,9 @@ KeptFiles::keepResult(const pcl::IndoorStructureReconstruction<pcl::PointXYZ>& c
   if (folder_.empty() || chain.getStructure()->empty())
     return;
   tools::saveStructure((folder_ / "structure.pcd").string(), *chain.getStructure());
-  sim::writeText(folder_ / "floorplan.json", floorplanToJson(*chain.getFloorplan()));
+  sim::writeText(
+      folder_ / "floorplan.json",
+      withTilts(floorplanToJson(*chain.getFloorplan()), chain.getChain().tilts, {}));
   const TriangleMesh& solid = chain.getChain().extrusion.getMesh();
   if (!solid.empty())
     saveMesh(folder_ / "solid.ply", solid);
