@@ -68,6 +68,7 @@ main(int argc, char** argv)
     checkDrawingOutput(output);
     const auto drawn = loadFloorplan(plan);
     settings.origin = planOrigin(plan);
+    settings.tilts = planTilts(plan);
     settings.paper = paperNamed(paper);
     if (storey > 0) {
       saveDrawing(sheetOf(output, *drawn, static_cast<std::uint32_t>(storey)), *drawn,

@@ -44,27 +44,98 @@ offsetsOf(const PlanRoom& room,
   return {at_start, at_start + slope * doorway.width()};
 }
 
+/** @brief Returns a doorway along the nearest straight wall of one of its rooms, if it
+ * is within 30 degrees of it. */
+PlanDoorway
+alongItsWall(const Floorplan& plan, PlanDoorway doorway)
+{
+  constexpr double min_cosine = 0.866;
+  const Eigen::Vector2d middle = (doorway.start + doorway.end) / 2;
+  const Eigen::Vector2d way = doorway.end - doorway.start;
+  const PlanElement* nearest = nullptr;
+  for (const std::uint32_t id : doorway.rooms) {
+    const PlanRoom* room = roomOf(plan, id);
+    if (!room || room->boundary.elements.empty())
+      continue;
+    const PlanElement& wall = room->boundary.elements[room->boundary.nearest(middle)];
+    if (!nearest || wall.distance(middle) < nearest->distance(middle))
+      nearest = &wall;
+  }
+  if (!nearest || nearest->isArc() || nearest->distance(middle) > farthest_face)
+    return doorway;
+  const Eigen::Vector2d along = (nearest->end - nearest->start).normalized();
+  const double length = along.dot(way);
+  if (std::abs(length) < min_cosine * way.norm())
+    return doorway;
+  doorway.start = middle - length / 2 * along;
+  doorway.end = middle + length / 2 * along;
+  return doorway;
+}
+
+/** @brief Cuts off the ends of a doorway beside which one of its rooms has ended. */
+PlanDoorway
+withinRooms(const Floorplan& plan, PlanDoorway doorway)
+{
+  constexpr double step = 0.01;
+  constexpr double inside = 0.05; // of a face
+  const double width = doorway.width();
+  const Eigen::Vector2d way = (doorway.end - doorway.start) / width;
+  const Eigen::Vector2d left(-way.y(), way.x());
+  double from = 0;
+  double to = width;
+  for (const std::uint32_t id : doorway.rooms) {
+    const PlanRoom* room = roomOf(plan, id);
+    if (!room || room->boundary.elements.empty())
+      continue;
+    const FaceOffsets face = offsetsOf(*room, doorway, way, left);
+    const auto isBeside = [&](double s, double side) {
+      const double off = face[0] + s / width * (face[1] - face[0]) + side * inside;
+      return room->contains(doorway.start + s * way + off * left);
+    };
+    const double middle = width / 2;
+    const double side = isBeside(middle, 1) ? 1 : -1;
+    if (!isBeside(middle, side))
+      continue;
+    double low = middle;
+    double high = middle;
+    while (low > from && isBeside(std::max(low - step, 0.0), side))
+      low -= step;
+    while (high < to && isBeside(std::min(high + step, width), side))
+      high += step;
+    from = std::max(from, low);
+    to = std::min(to, high);
+  }
+  if (to - from < width / 2)
+    return doorway;
+  const Eigen::Vector2d start = doorway.start;
+  doorway.start = start + from * way;
+  doorway.end = start + to * way;
+  return doorway;
+}
+
 } // namespace
 
 std::vector<DrawnDoorway>
 drawnDoorways(const Floorplan& plan)
 {
   std::vector<DrawnDoorway> drawn;
-  for (const PlanDoorway& doorway : plan.doorways) {
-    if (!(doorway.width() > 0))
+  for (const PlanDoorway& found : plan.doorways) {
+    if (!(found.width() > 0))
       continue;
+    const PlanDoorway doorway = withinRooms(plan, alongItsWall(plan, found));
     const Eigen::Vector2d way = (doorway.end - doorway.start) / doorway.width();
     const Eigen::Vector2d left(-way.y(), way.x());
-    FaceOffsets low = FaceOffsets::Zero();
-    FaceOffsets high = FaceOffsets::Zero();
+    std::vector<FaceOffsets> faces;
     for (const std::uint32_t id : doorway.rooms) {
       const PlanRoom* room = roomOf(plan, id);
       if (!room || room->boundary.elements.empty())
         continue;
-      const FaceOffsets offsets = offsetsOf(*room, doorway, way, left);
-      low = low.cwiseMin(offsets);
-      high = high.cwiseMax(offsets);
+      faces.push_back(offsetsOf(*room, doorway, way, left));
     }
+    if (faces.empty())
+      faces.emplace_back(FaceOffsets::Zero());
+    FaceOffsets low = faces.front().cwiseMin(faces.back());
+    FaceOffsets high = faces.front().cwiseMax(faces.back());
     const bool leads_outside =
         !roomOf(plan, doorway.rooms[0]) || !roomOf(plan, doorway.rooms[1]);
     if (leads_outside) {
@@ -73,7 +144,7 @@ drawnDoorways(const Floorplan& plan)
     }
     drawn.push_back({{doorway.start + low[0] * left, doorway.end + low[1] * left,
                       doorway.end + high[1] * left, doorway.start + high[0] * left},
-                     doorway.width(),
+                     found.width(),
                      doorway.top - doorway.bottom});
   }
   return drawn;

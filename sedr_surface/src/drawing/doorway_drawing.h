@@ -25,8 +25,10 @@ struct DrawnDoorway {
 };
 
 /** @brief Returns the doorways of a plan that have a width. A gap ends at the wall
- * faces of its two rooms, up to 0.5 m away. Outwards it is as deep as towards the
- * room. */
+ * faces of its two rooms, up to 0.5 m away, and its sides are square to them. It is cut
+ * off where one of the rooms ends beside it. Outwards it is as deep as towards the
+ * room.
+ */
 std::vector<DrawnDoorway> drawnDoorways(const Floorplan& plan);
 
 /** @brief A text at stairs on the drawing of a plan or a part of it. */

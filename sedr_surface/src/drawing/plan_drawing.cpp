@@ -157,10 +157,24 @@ addHeadroom(const PlanRoom& room, std::vector<DrawnElement>& drawn)
   }
 }
 
+/** @brief Adds the heads of tilted walls, each with its tilt. */
+void
+addHeads(const PlanRoom& room, const WallTilts& tilts, std::vector<DrawnElement>& drawn)
+{
+  if (!isTilted(room, tilts))
+    return;
+  const PlanLoop head = boundaryAt(room, tilts, headOf(room, tilts));
+  for (const WallTilt& tilt : tilts)
+    if (tilt.room == room.id && tilt.tilt != 0)
+      drawn.push_back(
+          {head.elements[tilt.wall], DrawnLayer::Detail, room.id,
+           "tilt " + decimalText(std::abs(tilt.tilt) * 180 / M_PI, 1) + "°"});
+}
+
 } // namespace
 
 std::vector<DrawnElement>
-drawnElements(const Floorplan& plan)
+drawnElements(const Floorplan& plan, const WallTilts& tilts)
 {
   std::vector<DrawnElement> all;
   for (const PlanRoom& room : plan.rooms) {
@@ -201,6 +215,7 @@ drawnElements(const Floorplan& plan)
     for (const PlanNiche& niche : room.niches)
       add(niche.boundary, DrawnLayer::Niche, true);
     addHeadroom(room, drawn);
+    addHeads(room, tilts, drawn);
     all.insert(all.end(), drawn.begin(), drawn.end());
   }
   return all;

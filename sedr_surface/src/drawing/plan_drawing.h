@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/wall_tilts.h>
 
 #include <Eigen/Geometry>
 
@@ -32,8 +33,10 @@ struct DrawnElement {
 /** @brief Returns all lines and arcs of a plan. Edges of details and niches that
  * coincide with a wall or column, within tolerance, are drawn only as such. Edges of
  * details are cut off at the room. A border of two facets is drawn once, and only where
- * there is a step or a bend. */
-std::vector<DrawnElement> drawnElements(const Floorplan& plan);
+ * there is a step or a bend. The head of a tilted wall is a detail, with its
+ * tilt as text. */
+std::vector<DrawnElement> drawnElements(const Floorplan& plan,
+                                        const WallTilts& tilts = {});
 
 /** @brief A place for text within a loop, as far as possible from the loop and from
  * `obstacles`, and that distance in metres. */

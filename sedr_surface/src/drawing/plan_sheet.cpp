@@ -40,11 +40,14 @@ lookOf(DrawnLayer layer)
 /** @brief Draws a plan, layer by layer. */
 class PlanDrawing {
 public:
-  PlanDrawing(Sheet& sheet, const Floorplan& plan, const PlanFrame& frame)
+  PlanDrawing(Sheet& sheet,
+              const Floorplan& plan,
+              const WallTilts& tilts,
+              const PlanFrame& frame)
       : sheet_(sheet)
       , plan_(plan)
       , frame_(frame)
-      , drawn_(drawnElements(plan))
+      , drawn_(drawnElements(plan, tilts))
   {}
 
   bool hasHeadroom() const
@@ -149,7 +152,7 @@ planSheet(const Floorplan& whole, const DrawingSettings& settings)
     sheet.description = settings.origin.comment();
   if (plan.rooms.empty())
     return sheet;
-  PlanDrawing drawing(sheet, plan, layout.frame);
+  PlanDrawing drawing(sheet, plan, settings.tilts, layout.frame);
   drawing.addWallBodies();
   drawing.addRooms();
   drawing.addDoorways();

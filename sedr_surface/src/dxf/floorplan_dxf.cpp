@@ -86,7 +86,8 @@ layerOf(const std::string& look)
 std::string
 asciiOf(std::string text)
 {
-  for (const auto& [sign, plain] : {std::make_pair("m²", "m2"), {"Ø", "%%c"}}) {
+  for (const auto& [sign, plain] :
+       {std::make_pair("m²", "m2"), {"Ø", "%%c"}, {"°", "%%d"}}) {
     const std::size_t at = text.find(sign);
     if (at != std::string::npos)
       text.replace(at, std::string(sign).size(), plain);
@@ -247,7 +248,7 @@ floorplanToDxf(const Floorplan& whole, const DrawingSettings& settings)
   writeHeader(dxf, bounds, settings.origin);
   const FromSheet from_sheet(layout.frame);
   DxfDimensions dimensions(size_layer, from_sheet.height(sheet_measures::small_font));
-  const std::vector<DrawnElement> drawn = drawnElements(plan);
+  const std::vector<DrawnElement> drawn = drawnElements(plan, settings.tilts);
   PlanAnnotations annotations;
   if (!plan.rooms.empty())
     annotations = annotationsOf(plan, drawn, layout.frame);

@@ -43,12 +43,18 @@ fits(const Eigen::Vector2d& plan, double scale, const Eigen::Vector2d& paper)
   return needed.x() <= paper.x() + hair && needed.y() <= paper.y() + hair;
 }
 
-/** @brief Returns the k-th usual scale: 10, 20, 50, 100, ... */
+/** @brief Returns the k-th usual scale: those of a scale ruler, then 1000, 2000, 5000,
+ * ... */
 double
-usualScale(int k)
+usualScale(std::size_t k)
 {
-  constexpr std::array<double, 3> steps{10, 20, 50};
-  return steps[static_cast<std::size_t>(k % 3)] * std::pow(10.0, k / 3);
+  constexpr std::array<double, 12> ruler{10,  20,  25,  50,  75,  100,
+                                         125, 200, 250, 300, 400, 500};
+  constexpr std::array<double, 3> steps{1000, 2000, 5000};
+  if (k < ruler.size())
+    return ruler[k];
+  k -= ruler.size();
+  return steps[k % 3] * std::pow(10.0, static_cast<double>(k / 3));
 }
 
 /** @brief Chooses the first orientation of the paper that the plan fits on. */
@@ -76,7 +82,7 @@ layoutOf(const Floorplan& plan, double scale, PaperSize paper)
     bounds = Eigen::AlignedBox2d(Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
   const auto first = static_cast<std::size_t>(paper);
   bool is_placed = false;
-  for (int k = 0; scale <= 0 && !is_placed && k < 40; ++k) {
+  for (std::size_t k = 0; scale <= 0 && !is_placed && k < 50; ++k) {
     layout.scale = usualScale(k);
     is_placed = takePaper(layout, bounds.sizes(), papers[first]);
   }

@@ -154,9 +154,10 @@ writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_me
 
 /** @brief Returns drawing settings with the building's name, if any, as title. */
 DrawingSettings
-drawingSettings(const Reconstruction& chain, const ModelSettings& settings)
+drawingSettings(Reconstruction& chain, const ModelSettings& settings)
 {
   DrawingSettings drawing;
+  drawing.tilts = chain.getChain().tilts;
   drawing.origin = chain.getOrigin();
   if (settings.ifc.settings.name != IfcSettings{}.name)
     drawing.title = settings.ifc.settings.name;

@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/scan_frame.h>
+#include <pcl/sedr_filters/wall_tilts.h>
 
 #include <string>
 
@@ -13,8 +14,9 @@ enum class PaperSize { A4, A3, A2, A1, A0 };
 
 /** @brief How a plan is drawn. */
 struct DrawingSettings {
-  /** World metres per paper metre: 50 for 1:50. 0: the largest usual scale (1:10, 1:20,
-   * 1:50, 1:100, ...) at which the plan fits the paper. */
+  /** World metres per paper metre: 50 for 1:50. 0: the largest scale of a scale ruler
+   * (1:10, 20, 25, 50, 75, 100, 125, 200, 250, 300, 400, 500; then 1:1000, ...) at
+   * which the plan fits the paper. */
   double scale = 0;
   /** The storey to draw, one of storeysOf(), with its name. Sheet and coordinates stay
    * those of the whole plan, so that the sheets of a building can be overlaid. Null:
@@ -23,6 +25,7 @@ struct DrawingSettings {
   Origin origin{};                 ///< origin of the coordinates
   PaperSize paper = PaperSize::A3; ///< larger if the given scale needs it
   std::string title{};             ///< "": "Floor plan"
+  WallTilts tilts{};               ///< of walls, whose heads are drawn dashed
 };
 
 /** @brief Draws a floor plan as an SVG sheet in millimetres of paper.
@@ -53,7 +56,7 @@ double drawingScale(const Floorplan& plan, PaperSize paper = PaperSize::A3);
  * Layers are named after the US National CAD Standard: A-WALL, A-COLS, A-CLNG, ...; see
  * the page on drawings. Rooms are closed polylines with bulges, walls and columns LINE,
  * ARC and CIRCLE, lengths DIMENSION. Text heights are those of the sheet at its scale.
- * @param settings only scale, storey, origin and paper are used */
+ * @param settings title is not used */
 std::string floorplanToDxf(const Floorplan& plan, const DrawingSettings& settings = {});
 
 } // namespace pcl::sedr
