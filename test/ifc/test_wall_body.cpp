@@ -57,6 +57,25 @@ TEST(WallBody, AMeshBendsWithItsTopAndItsSides)
   EXPECT_NEAR(tapered.signedVolume(), 4 * 0.2 * 2.5 + 4 * 0.01 * squares / 2, 1e-3);
 }
 
+TEST(WallBody, EndsAtTheRoomsOfOtherStoreys)
+{
+  // The floor of the second room lies 30 cm below the ceiling of the room below it, and
+  // a room above begins 20 cm below its ceiling.
+  Floorplan plan{
+      {roomOf(rectangle(0, 0, 4, 3), 3), roomOf(rectangle(4.2, 0, 8, 3), 3, 2),
+       roomOf(rectangle(0, 0, 8, 3), -0.1, 3), roomOf(rectangle(0, 0, 8, 3), 6, 4)}};
+  plan.rooms[1].floor = slabAt(-0.4);
+  plan.rooms[2].floor = slabAt(-3);
+  plan.rooms[3].floor = slabAt(2.8);
+  PlanWall wall = wallBehind({0, 1, 0}, 3, 0.2);
+  wall.other = WallFace{1, 3, 0};
+  ifc::WallHeights heights = ifc::heightsOf(plan, wall);
+  EXPECT_NEAR(heights.bottom, -0.4, 1e-9);
+  ifc::endAtStoreys(plan, wall, heights);
+  EXPECT_NEAR(heights.bottom, -0.1, 1e-9);
+  EXPECT_NEAR(heights.highest(), 2.8, 1e-9);
+}
+
 TEST(WallBody, IsNothingBesideADoorUpToTheTop)
 {
   Floorplan plan{

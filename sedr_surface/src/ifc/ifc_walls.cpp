@@ -122,7 +122,8 @@ writeWalls(IfcDocument& document)
   std::map<std::string, int> parts;
   std::vector<WrittenWall> written;
   for (const PlanWall& wall : findWalls(plan, parameters)) {
-    const WallHeights heights = heightsOf(plan, wall);
+    WallHeights heights = heightsOf(plan, wall);
+    endAtStoreys(plan, wall, heights);
     if (heights.highest() - heights.bottom < min_wall_height)
       continue;
     WrittenWall added{wall, faceName(plan, wall.face),

@@ -85,24 +85,52 @@ areaOf(const PlanRoom& room, const WallFrame& frame)
   return area;
 }
 
-} // namespace
-
+/** @brief Returns the rooms above or below which something of a wall is. */
 std::vector<const PlanRoom*>
-roomsIn(const Floorplan& plan, const PlanWall& wall)
+roomsInPlan(const Floorplan& plan, const PlanWall& wall)
 {
   const PlanArea band = bandOf(plan, wall);
   const Eigen::AlignedBox2d box = boundsOf(band.boundary);
-  const PlanRoom& own = plan.rooms[wall.face.room];
   std::vector<const PlanRoom*> rooms;
   for (const PlanRoom& room : plan.rooms) {
-    if (!shareHeights(room, own))
-      continue;
     const PlanArea area = areaOf(room, frameOf(plan, wall));
     constexpr double rounding = 1e-5; // square metres
     if (boundsOf(area.boundary).intersects(box) && commonArea(band, area) > rounding)
       rooms.push_back(&room);
   }
   return rooms;
+}
+
+} // namespace
+
+std::vector<const PlanRoom*>
+roomsIn(const Floorplan& plan, const PlanWall& wall)
+{
+  std::vector<const PlanRoom*> rooms = roomsInPlan(plan, wall);
+  const PlanRoom& own = plan.rooms[wall.face.room];
+  rooms.erase(
+      std::remove_if(rooms.begin(), rooms.end(),
+                     [&](const PlanRoom* room) { return !shareHeights(*room, own); }),
+      rooms.end());
+  return rooms;
+}
+
+void
+endAtStoreys(const Floorplan& plan, const PlanWall& wall, WallHeights& heights)
+{
+  const PlanRoom& own = plan.rooms[wall.face.room];
+  const RoomHeights own_heights = pcl::sedr::heightsOf(own);
+  const double middle = (own_heights.low + own_heights.high) / 2;
+  for (const PlanRoom* room : roomsInPlan(plan, wall)) {
+    const RoomHeights others = pcl::sedr::heightsOf(*room);
+    if (shareHeights(*room, own))
+      continue;
+    if (others.high < middle)
+      heights.bottom = std::max(heights.bottom, others.high);
+    if (others.low > middle)
+      for (WallHeights::Top& top : heights.tops)
+        top.height = std::min(top.height, others.low);
+  }
 }
 
 PlanArea

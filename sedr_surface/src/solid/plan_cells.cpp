@@ -2,6 +2,7 @@
 #include "plan_cells.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pcl::sedr {
 
@@ -173,6 +174,14 @@ PlanCells::heirOf(const Part& part)
   return heir;
 }
 
+/** @brief Returns the shorter side of the rectangle of the same area and perimeter. */
+double
+PlanCells::widthOf(const Part& part)
+{
+  const double sides = part.perimeter / 2;
+  return (sides - std::sqrt(std::max(sides * sides - 4 * part.area, 0.0))) / 2;
+}
+
 void
 PlanCells::assign(const Part& part, const PlanRegion& region)
 {
@@ -189,7 +198,7 @@ PlanCells::mergeSlivers()
     const Part* narrowest = nullptr;
     double least = 0;
     for (const Part& part : parts) {
-      const double width = 2 * part.area / part.perimeter;
+      const double width = widthOf(part);
       if (part.is_outside || width >= part.tolerance)
         continue;
       if (narrowest != nullptr && width >= least)

@@ -82,6 +82,8 @@ private:
    * common edge; `nothing` if there is none. */
   static PlanRegion heirOf(const Part& part);
 
+  static double widthOf(const Part& part);
+
   void assign(const Part& part, const PlanRegion& region);
 
   double heightOf(int slab, std::uint32_t vertex) const;

@@ -33,6 +33,19 @@ TEST(RoomSolidContradictions, NoiseWidensTheTolerance)
   EXPECT_NEAR(Solid(room, parameters).report.volume, 30 * 2.5 - 6 * 0.98 * 0.3, 1e-5);
 }
 
+TEST(RoomSolidContradictions, APostIsASliverByItsShorterSideOnly)
+{
+  for (const double side : {0.04, 0.08}) { // tolerance: 5 cm
+    PlanRoom room = roomOf(rectangle(0, 0, 6, 5), 2.5);
+    room.columns = {reversed(rectangle(2, 2, 2 + side, 2 + side))};
+    for (auto& element : room.columns[0].elements)
+      element.residual = 0.03;
+    EXPECT_NEAR(Solid(room).report.volume, (side < 0.05 ? 30 : 30 - side * side) * 2.5,
+                1e-4)
+        << side;
+  }
+}
+
 TEST(RoomSolidContradictions, ASoffitFollowsACurvedWall)
 {
   // Its arc is 1 mm off the wall's and starts at another angle.
