@@ -17,7 +17,6 @@ cornerOf(const PlanElement& before,
          const PlanElement& after,
          double reach)
 {
-  constexpr double nothing = 0.001; // metres, as finely as plans are read
   const Eigen::Vector2d middle = (between.start + between.end) / 2;
   const Eigen::Vector2d u = before.end - before.start;
   const Eigen::Vector2d v = after.end - after.start;
@@ -30,7 +29,7 @@ cornerOf(const PlanElement& before,
         (after.end - corner).dot(v) > 0)
       return corner;
   }
-  if (between.length() < nothing)
+  if (between.length() < reach / 10) // far below the noise
     return middle;
   return std::nullopt;
 }

@@ -62,9 +62,9 @@ constexpr double min_wall_height = 0.01; ///< lower walls are none, metres
  * a niche or at a mitre. */
 std::vector<const PlanRoom*> roomsIn(const Floorplan& plan, const PlanWall& wall);
 
-/** @brief Cuts a wall off at the ceilings of rooms below it and at the floors of rooms
- * above, unless planes of a roof cut it. One of its own rooms may reach into the storey
- * of another room. */
+/** @brief Cuts a wall off at the ceilings of rooms below most of it and at the floors
+ * of rooms above, unless planes of a roof cut it. One of its own rooms may reach into
+ * the storey of another room. */
 void endAtStoreys(const Floorplan& plan, const PlanWall& wall, WallHeights& heights);
 
 /** @brief Returns the plan of a wall in its frame, counter-clockwise. A wall that

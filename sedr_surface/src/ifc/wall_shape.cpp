@@ -121,9 +121,12 @@ endAtStoreys(const Floorplan& plan, const PlanWall& wall, WallHeights& heights)
   const PlanRoom& own = plan.rooms[wall.face.room];
   const RoomHeights own_heights = pcl::sedr::heightsOf(own);
   const double middle = (own_heights.low + own_heights.high) / 2;
+  const PlanArea band = bandOf(plan, wall);
+  const double half = band.boundary.area() / 2; // the room may be below a corner only
   for (const PlanRoom* room : roomsInPlan(plan, wall)) {
     const RoomHeights others = pcl::sedr::heightsOf(*room);
-    if (shareHeights(*room, own))
+    if (shareHeights(*room, own) ||
+        commonArea(band, areaOf(*room, frameOf(plan, wall))) < half)
       continue;
     if (others.high < middle)
       heights.bottom = std::max(heights.bottom, others.high);
