@@ -12,7 +12,8 @@ namespace pcl::sedr {
  *
  * Such an element goes where its neighbours' lines meet beside it, which moves neither
  * line. A step between parallel walls has no such place and stays, unless it is shorter
- * than a tenth of the noise. Of boundaries and columns. O(n squared) a loop of n elements. */
+ * than a tenth of the noise. Of boundaries and columns. O(n squared) a loop of n
+ * elements. */
 void removeShortElements(Floorplan& plan, const Priors& priors);
 
 } // namespace pcl::sedr
