@@ -61,6 +61,15 @@ SightLines::SightLines(const std::vector<SightLine>& lines)
   }
 }
 
+std::vector<Eigen::Vector3f>
+SightLines::places() const
+{
+  std::vector<Eigen::Vector3f> places;
+  for (const Station& station : stations_)
+    places.push_back(station.from);
+  return places;
+}
+
 SightLines
 SightLines::levelled(const Levelling& levelling) const
 {

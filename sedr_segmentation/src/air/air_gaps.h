@@ -3,8 +3,6 @@
 
 #include "voxel_columns.h"
 
-#include <pcl/sedr_filters/sight_lines.h>
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -36,8 +34,6 @@ struct AirParameters {
                               ///< above itself
   double largest_hole = 1.5;  ///< square metres, of a slab; a larger one is a void
   double min_air = 0.1;       ///< of the rim of low gaps that are air: tall ones
-  double min_through = 0.1;   ///< of a hole of a slab that rays go through: it is open
-  const SightLines* sight = nullptr; ///< rays, where positions are known
   unsigned threads = 0;
 };
 

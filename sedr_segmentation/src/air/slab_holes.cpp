@@ -124,31 +124,11 @@ private:
             hole.push_back(o);
           }
         });
-      if (static_cast<double>(hole.size()) <= largest && !isLookedThrough(hole))
+      if (static_cast<double>(hole.size()) <= largest)
         for (const std::uint32_t g : hole)
           is_hole[g] = 1;
     }
     return is_hole;
-  }
-
-  /** @brief Whether rays go through enough of the gaps of a hole to prove it. */
-  bool isLookedThrough(const std::vector<std::uint32_t>& hole) const
-  {
-    const SightLines* const sight = air_.parameters().sight;
-    if (!sight)
-      return false;
-    const VoxelColumns& columns = air_.columns();
-    std::size_t through = 0;
-    for (const std::uint32_t g : hole) {
-      const Eigen::Vector2d plan =
-          columns.grid().centre(columns.cellOf(air_[g].column));
-      const double z = columns.heightOf(slab_[g].ceiling + slab_[g].floor) / 2;
-      const auto rays = sight->across({plan.x(), plan.y(), z}, Eigen::Vector3d::UnitZ(),
-                                      columns.cellSize() / 2);
-      through += rays.through > 0 ? 1 : 0;
-    }
-    return static_cast<double>(through) >=
-           air_.parameters().min_through * static_cast<double>(hole.size());
   }
 
   const AirGaps& air_;

@@ -56,12 +56,11 @@ withHolesClosed(VoxelColumns columns, bool is_dense, unsigned threads)
 }
 
 AirParameters
-airParameters(const BuildingParameters& parameters, const BuildingSight& sight)
+airParameters(const BuildingParameters& parameters)
 {
   AirParameters air;
   air.headroom = parameters.headroom;
   air.threads = parameters.threads;
-  air.sight = sight.lines;
   return air;
 }
 
@@ -222,7 +221,7 @@ findBuilding(const PointView& points,
              const std::vector<int>& indices,
              const BuildingParameters& parameters,
              std::string& problem,
-             const BuildingSight& sight)
+             const std::vector<std::uint8_t>& behind)
 {
   problem.clear();
   Building building;
@@ -235,7 +234,7 @@ findBuilding(const PointView& points,
   const bool is_dense = filled.cellSize() < 3 * fine.cellSize();
   const VoxelColumns columns = withHolesClosed(filled, is_dense, parameters.threads);
   building.cell_size = columns.cellSize();
-  const AirGaps air(columns, airParameters(parameters, sight));
+  const AirGaps air(columns, airParameters(parameters));
   PartingParameters of_parting;
   of_parting.widest_door = parameters.widest_door;
   of_parting.widest_passage = parameters.widest_passage;
@@ -243,7 +242,7 @@ findBuilding(const PointView& points,
   const PartedAir parted = partRooms(air, of_parting);
   std::vector<BuildingRoom> parts = describeRooms(air, parted);
   const std::vector<std::uint8_t> is_view =
-      viewsThroughPanes(parts, columns.grid(), points, sight.behind);
+      viewsThroughPanes(parts, columns.grid(), points, behind);
   const std::vector<PartAccess> access =
       accessTo(parts, parted.openings, seenDensities(parts, fine, columns.grid()));
   const std::vector<std::uint32_t> number =

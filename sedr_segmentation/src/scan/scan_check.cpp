@@ -191,24 +191,54 @@ namespace {
 
 constexpr double foot = 0.3048; ///< metres
 
-/** @brief Returns whether the median doorway has the height of a door in feet. */
-bool
-hasDoorsAsHighAsInFeet(const Floorplan& plan, const Priors& priors)
+/** @brief What a height of doors or scanners tells of the unit. */
+enum class Unit { Unknown, Metre, Foot };
+
+/** @brief Returns what the median of heights that are at most those of doors tells.
+ * @param min_height of such things, metres */
+Unit
+unitOf(const std::vector<double>& heights, double min_height, const Priors& priors)
+{
+  if (heights.empty())
+    return Unit::Unknown;
+  const double height = middleValue(heights);
+  if (height <= priors.max_door_height)
+    return Unit::Metre;
+  const double in_feet = height * foot;
+  return in_feet >= min_height && in_feet <= priors.max_door_height ? Unit::Foot
+                                                                    : Unit::Unknown;
+}
+
+std::vector<double>
+heightsOfDoors(const Floorplan& plan)
 {
   std::vector<double> heights;
   for (const PlanDoorway& doorway : plan.doorways)
     heights.push_back(doorway.top - doorway.bottom);
-  if (heights.empty())
-    return false;
-  const double height = middleValue(heights);
-  return height * foot >= priors.min_headroom &&
-         height * foot <= priors.max_door_height;
+  return heights;
+}
+
+/** @brief Returns how far above the floors of rooms the scanner stood. */
+std::vector<double>
+heightsOfScanners(const Floorplan& plan, const std::vector<Eigen::Vector3f>& places)
+{
+  std::vector<double> heights;
+  for (const Eigen::Vector3f& place : places) {
+    const Eigen::Vector3d p = place.cast<double>();
+    for (const PlanRoom& room : plan.rooms)
+      if (p.z() > room.floor.heightAt(p.head<2>()) &&
+          p.z() < room.ceiling.heightAt(p.head<2>()) && room.contains(p.head<2>()))
+        heights.push_back(p.z() - room.floor.heightAt(p.head<2>()));
+  }
+  return heights;
 }
 
 } // namespace
 
 std::string
-footProblem(const Floorplan& plan, const Priors& priors)
+footProblem(const Floorplan& plan,
+            const std::vector<Eigen::Vector3f>& places,
+            const Priors& priors)
 {
   constexpr double sliver = 0.1; // of the largest room; smaller rooms are ignored
   std::vector<double> heights;
@@ -231,10 +261,15 @@ footProblem(const Floorplan& plan, const Priors& priors)
     heights.push_back(height);
     areas.push_back(room.area());
   }
-  if (heights.empty() || middleValue(areas) * foot * foot > priors.max_home_area ||
+  if (heights.empty() ||
       std::accumulate(areas.begin(), areas.end(), 0.0) < priors.share_most * whole_area)
     return {};
-  if (heights.size() == 2 && !hasDoorsAsHighAsInFeet(plan, priors))
+  std::vector<double> stood = heightsOfScanners(plan, places);
+  Unit unit = unitOf(heightsOfDoors(plan), priors.min_headroom, priors);
+  if (unit == Unit::Unknown)
+    unit = unitOf(stood, 0, priors);
+  if (unit == Unit::Metre || (unit == Unit::Unknown &&
+                              middleValue(areas) * foot * foot > priors.max_home_area))
     return {};
   const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
   const std::string which =
@@ -242,8 +277,13 @@ footProblem(const Floorplan& plan, const Priors& priors)
                           : (heights.size() == rooms ? "all " : "") +
                                 text("%.0f rooms are %.1f to %.1f m high",
                                      static_cast<double>(heights.size()), *low, *high);
-  return which + ", as rooms of homes and offices are in feet: if the foot is the unit "
-                 "of the scan, scale it by 0.3048 (--unit 0.3048 in pcl_sedr)";
+  const std::string scanner =
+      stood.empty()
+          ? ""
+          : text(" and the scanner stood %.1f m above the floor", middleValue(stood));
+  return which + scanner +
+         ", as rooms of homes and offices are in feet: if the foot is the unit "
+         "of the scan, scale it by 0.3048 (--unit 0.3048 in pcl_sedr)";
 }
 
 } // namespace pcl::sedr

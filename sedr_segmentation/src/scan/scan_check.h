@@ -101,9 +101,14 @@ std::string upProblem(const PointView& points,
                       const Priors& priors = {});
 
 /** @brief Returns a sentence if the unit of a plan seems to be the foot, else an empty
- * one. Rooms with four fifths of the area must be 7 to 12 high. At least half of them
- * must have an area below 300, as halls of that height are larger. Two rooms alone
- * could still be halls, so their doors must be 5.9 to 8.5 high. O(rooms). */
-std::string footProblem(const Floorplan& plan, const Priors& priors = {});
+ * one. Rooms with four fifths of the area must be 7 to 12 high. Rooms of any area are
+ * then in feet if their doors are 5.9 to 8.5 high or the scanner, which was carried
+ * through doors, stood above 2.6 and up to 8.5; lower doors and scanners tell metres.
+ * Where neither is known, half of the rooms must have an area below 540, as halls of
+ * that height are larger. O(rooms times places).
+ * @param places where the scanner stood, in the frame of the plan; may be empty */
+std::string footProblem(const Floorplan& plan,
+                        const std::vector<Eigen::Vector3f>& places = {},
+                        const Priors& priors = {});
 
 } // namespace pcl::sedr

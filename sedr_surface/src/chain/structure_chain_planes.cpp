@@ -59,7 +59,7 @@ bool
 StructureChain::partRooms(StageReport& report)
 {
   room_segmentation.setInputCloud(cloud);
-  room_segmentation.setSight(sight_, mirrored.behind);
+  room_segmentation.setSeenThroughPanes(mirrored.behind);
   std::vector<pcl::PointIndices> unused;
   const auto turned = [&](RoomsAlongZ known, double area) {
     return trust_up ? std::string()

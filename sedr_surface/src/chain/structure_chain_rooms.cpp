@@ -201,7 +201,9 @@ StructureChain::fitPlan(StageReport& report)
   giveStoreys(getBuilding(), *plan);
   closeReveals(*plan, priors_);
   warnOfCeilings();
-  if (const std::string doubt = footProblem(*plan, priors_); !doubt.empty())
+  if (const std::string doubt = footProblem(
+          *plan, sight_ ? sight_->places() : std::vector<Eigen::Vector3f>(), priors_);
+      !doubt.empty())
     warnings.push_back(doubt);
   for (const auto& room : plan->rooms)
     for (const auto& element : room.boundary.elements)

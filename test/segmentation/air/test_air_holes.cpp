@@ -151,31 +151,6 @@ TEST(AirGaps, ASlabGoesOnAcrossSuchAHoleThatIsInPartAboveACupboard)
   EXPECT_FALSE(upper.floor_seen);
 }
 
-TEST(AirGaps, ASmallHoleOfASlabThatRaysGoThroughStaysOpen)
-{
-  const AirScene scene = storeysWithHole(0.9);
-  std::vector<SightLine> lines;
-  for (double x = 2.1; x < 2.9; x += 0.05) // from below, up through the hole
-    for (double y = 1.1; y < 1.9; y += 0.05)
-      lines.push_back({{2.5F, 1.5F, 1},
-                       Eigen::Vector3d(2.5 + 2 * (x - 2.5), 1.5 + 2 * (y - 1.5), 4.32)
-                           .cast<float>()});
-  const SightLines through(lines);
-  for (SightLine& line : lines)
-    line.to.z() = 2.4F; // they end below it
-  const SightLines before(lines);
-  const SceneAir closed(scene);
-  AirParameters parameters;
-  parameters.sight = &before;
-  EXPECT_EQ(AirGaps(closed.columns, parameters).size(), closed.gaps.size());
-  parameters.sight = &through;
-  const AirGaps open(closed.columns, parameters);
-  EXPECT_LT(open.size(), closed.gaps.size());
-  const AirGap& gap = open[open.first(closed.gaps[closed.at(2.45, 1.45, 1)].column)];
-  EXPECT_EQ(gap.low, 1);
-  EXPECT_EQ(gap.high, 106);
-}
-
 TEST(AirGaps, AVoidOverTwoStoreysStaysOpen)
 {
   const AirScene scene = storeysWithHole(1.9);

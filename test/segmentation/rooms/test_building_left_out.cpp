@@ -42,15 +42,15 @@ TEST(FindBuilding, WhatWasSeenOnlyThroughPanesIsNoRoom)
   scene.room(4.15, 0.05, 7.05, 4.05, 0.01, 2.51);
   ASSERT_EQ(Found(scene).building.rooms.size(), 2u);
   const auto roomsIf = [&](double share) { // of the second room's points
-    BuildingSight sight;
+    std::vector<std::uint8_t> behind;
     std::size_t k = 0;
     for (int i = 0; i < static_cast<int>(scene.points.size()); ++i)
-      sight.behind.push_back(scene.points[i].x() > 4.1F &&
-                                     static_cast<double>(k++ % 100) < 100 * share
-                                 ? 1
-                                 : 0);
+      behind.push_back(scene.points[i].x() > 4.1F &&
+                               static_cast<double>(k++ % 100) < 100 * share
+                           ? 1
+                           : 0);
     std::string problem;
-    return findBuilding(scene.points.view(), {}, {}, problem, sight);
+    return findBuilding(scene.points.view(), {}, {}, problem, behind);
   };
   EXPECT_EQ(roomsIf(0.5).rooms.size(), 2u) << "half of it was seen freely";
   const Building building = roomsIf(1);

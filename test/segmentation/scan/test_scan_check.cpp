@@ -155,11 +155,30 @@ TEST(FootProblem, ASingleRoomAndTheDoorsOfTwoTellItToo)
   EXPECT_EQ(footProblem(two), "") << "halls with doors of metres";
 }
 
+TEST(FootProblem, DoorsAndScannersTellItOfLargeRoomsToo)
+{
+  Floorplan halls = planOf({8, 8.5, 10}, 600);
+  EXPECT_EQ(footProblem(halls), "");
+  const std::vector<Eigen::Vector3f> in_feet{{3, 3, 5.2F}, {5, 5, 5.4F}, {3, 3, -2}};
+  const std::string problem = footProblem(halls, in_feet);
+  EXPECT_TRUE(mentions(problem, "the scanner stood 5.")) << problem;
+  halls.doorways.resize(1);
+  halls.doorways[0].top = 6.7;
+  EXPECT_TRUE(mentions(footProblem(halls), "--unit 0.3048"));
+}
+
+TEST(FootProblem, AScannerAsHighAsADoorOfMetresTellsMetres)
+{
+  const Floorplan hall = planOf({10.6}, 240);
+  EXPECT_EQ(footProblem(hall, {{3, 3, 1.6F}}), "");
+  EXPECT_NE(footProblem(hall, {{3, 3, 9.5F}}), "") << "a camera below the ceiling";
+}
+
 TEST(FootProblem, HallsAndRoomsInMetresAreNone)
 {
   EXPECT_EQ(footProblem(planOf({2.5, 2.4, 3}, 15)), "");
-  EXPECT_EQ(footProblem(planOf({8, 8}, 150)), "") << "two halls";
-  EXPECT_EQ(footProblem(planOf({8, 8, 2.6}, 150)), "") << "and a room beside them";
+  EXPECT_EQ(footProblem(planOf({8, 8, 2.6}, 150)), "")
+      << "halls and a room beside them";
   EXPECT_EQ(footProblem(planOf({8, 8, 15}, 150)), "");
   EXPECT_EQ(footProblem(planOf({8, 8, 9}, 600)), "") << "three large halls";
   EXPECT_EQ(footProblem(Floorplan()), "");

@@ -32,7 +32,7 @@ struct Priors {
   double max_building_extent = 20000; ///< likewise for the extent in plan
   double min_home_height = 2.1336;    ///< of rooms in homes and offices, seven feet
   double max_home_height = 3.6576;    ///< likewise, twelve feet
-  double max_home_area = 27.87091;    ///< median area of those rooms, 300 square feet
+  double max_home_area = 50.16764;    ///< median area of those rooms, 540 square feet
   double max_door_height = 2.5908;    ///< of interior doors, eight and a half feet
   double max_unseen_area = 4;         ///< maximum area of a ceiling hidden in one place
   double small_area = 0.1; ///< plan area that may be dropped without a message

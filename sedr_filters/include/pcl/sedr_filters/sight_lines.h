@@ -31,6 +31,9 @@ public:
   /** @brief Returns the number of rays. */
   std::size_t size() const { return lines_.size(); }
 
+  /** @brief Returns where the scanners stood, each place once. */
+  std::vector<Eigen::Vector3f> places() const;
+
   /** @brief Returns the rays in the levelled frame. */
   SightLines levelled(const Levelling& levelling) const;
 

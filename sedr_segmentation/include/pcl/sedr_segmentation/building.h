@@ -4,7 +4,6 @@
 #include <pcl/sedr_filters/cell_grid.h>
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
-#include <pcl/sedr_filters/sight_lines.h>
 
 #include <Eigen/Core>
 
@@ -86,13 +85,6 @@ struct Building {
   std::vector<std::uint32_t> label_of;
 };
 
-/** @brief Visibility information from scanners with known positions. */
-struct BuildingSight {
-  const SightLines* lines = nullptr; ///< rays; null: not known
-  std::vector<std::uint8_t>
-      behind{}; ///< 1 per point seen only through panes, see findMirroredPoints()
-};
-
 /** @brief Divides a scan into rooms and storeys (paper, section 2.3.1, on the envelope
  * instead of a plane). The gaps of the profiles are linked to the free space of the
  * building, which is divided at walls, doors and lintels.
@@ -100,14 +92,15 @@ struct BuildingSight {
  * @param points thinned, z up
  * @param indices the points to use; empty: all
  * @param[out] problem the reason if there is no building, a sentence; else empty
- * @param sight space seen only through panes is no room; a hole in a slab that rays
- * pass is open. O(n) for n points; the result does not depend on the number of threads.
+ * @param behind 1 per point seen only through panes, see findMirroredPoints(): space
+ * behind them is no room; empty: not known. O(n) for n points; the result does not
+ * depend on the number of threads.
  */
 Building findBuilding(const PointView& points,
                       const std::vector<int>& indices,
                       const BuildingParameters& parameters,
                       std::string& problem,
-                      const BuildingSight& sight = {});
+                      const std::vector<std::uint8_t>& behind = {});
 
 /** @brief Adds to a plan the storeys, doorways and stairs of a building, for the rooms
  * in the plan. Rooms are matched by their ids. */

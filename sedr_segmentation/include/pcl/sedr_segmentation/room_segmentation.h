@@ -68,13 +68,11 @@ public:
   void setNumberOfThreads(unsigned threads) { parameters_.threads = threads; }
   unsigned getNumberOfThreads() const { return parameters_.threads; }
 
-  /** @brief Sets the rays of the scanners and, for each input point, 1 if it was seen
-   * only through panes, see sedr::findMirroredPoints(). A hole in a slab that rays pass
-   * stays open; space behind panes is no room. Null and empty (default): not known. */
-  void setSight(const std::shared_ptr<const sedr::SightLines>& sight,
-                const std::vector<std::uint8_t>& behind)
+  /** @brief Sets for each input point 1 if it was seen only through panes, see
+   * sedr::findMirroredPoints(): space behind panes is no room. Empty (default): not
+   * known. */
+  void setSeenThroughPanes(const std::vector<std::uint8_t>& behind)
   {
-    sight_ = sight;
     behind_ = behind;
   }
 
@@ -107,7 +105,6 @@ private:
   using PCLBase<PointT>::indices_;
 
   sedr::BuildingParameters parameters_;
-  std::shared_ptr<const sedr::SightLines> sight_;
   std::vector<std::uint8_t> behind_;
   sedr::Building building_;
 };

@@ -31,7 +31,7 @@ RoomSegmentation<PointT>::segment(std::vector<PointIndices>& rooms)
     problem = "there are no points";
   if (problem.empty())
     building_ = sedr::findBuilding(sedr::PointView(*input_), *indices_, parameters_,
-                                   problem, {sight_.get(), behind_});
+                                   problem, behind_);
   if (problem.empty()) {
     rooms.resize(building_.rooms.size());
     for (PointIndices& room : rooms)
