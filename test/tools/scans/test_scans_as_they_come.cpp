@@ -35,14 +35,19 @@ const Eigen::Vector3d place(691600, 5336000, 12); // of the building in its grid
 
 class ScansAsTheyCome : public ::testing::Test {
 protected:
-  /** Simulates the building once for all tests, scanned from three stations. */
   static void SetUpTestSuite()
   {
+    scanBuilding("bls_room",
+                 R"([{"stations": [[1.3, 1, 1.6], [4.3, 1.1, 1.5], [2.8, 3.4, 1.7]],
+                      "rays": 64000, "jitter": 1, "max_range": 40, "noise": 0.01}])");
+  }
+
+  /** Simulates a building once for all tests, scanned from three stations. */
+  static void scanBuilding(const std::string& name, const std::string& scanners)
+  {
     folder_ = std::make_unique<TemporaryFolder>();
-    auto scene = nlohmann::json::parse(bytesOf(SCENES "/bls_room.json"));
-    scene["scanners"] = nlohmann::json::parse(
-        R"([{"stations": [[1.3, 1, 1.6], [4.3, 1.1, 1.5], [2.8, 3.4, 1.7]],
-             "rays": 64000, "jitter": 1, "max_range": 40, "noise": 0.01}])");
+    auto scene = nlohmann::json::parse(bytesOf(SCENES "/" + name + ".json"));
+    scene["scanners"] = nlohmann::json::parse(scanners);
     writeFile(in("scene.json"), scene.dump());
     ASSERT_EQ(run(SIMULATE_INDOOR_SCAN, {in("scene.json"), in("study")}).exit_code, 0);
     const ToolCloud scan = loadCloud(in("study/scan.pcd"));
@@ -234,6 +239,30 @@ TEST_F(ScansAsTheyCome, SphericalE57GivesThePlan)
   writeFile(in("spherical.e57"), e57(true));
   ASSERT_EQ(model(in("spherical.e57"), "of_spherical").exit_code, 0);
   expectPlan("of_spherical");
+}
+
+/** Two rooms and the closet beside them, each scanned from its own station. */
+class RoomsAsTheyCome : public ScansAsTheyCome {
+protected:
+  static void SetUpTestSuite()
+  {
+    scanBuilding("closet",
+                 R"([{"stations": [[3, 2.4, 1.6], [6.9, 4.3, 1.5], [9.5, 2.6, 1.7]],
+                      "rays": 200000, "jitter": 1, "max_range": 40, "noise": 0.01}])");
+  }
+};
+
+TEST_F(RoomsAsTheyCome, E57OfEitherKindAndLasGiveThePlan)
+{
+  EXPECT_EQ(plan_.rooms.size(), 3u);
+  for (const bool is_spherical : {false, true}) {
+    writeFile(in("scan.e57"), e57(is_spherical));
+    ASSERT_EQ(model(in("scan.e57"), "of_e57").exit_code, 0);
+    expectPlan("of_e57");
+  }
+  writeFile(in("scan.las"), las());
+  ASSERT_EQ(model(in("scan.las"), "of_las").exit_code, 0);
+  expectPlan("of_las");
 }
 
 TEST_F(ScansAsTheyCome, PosesThatAreNotWhereTheScannerStoodDoNoHarm)
