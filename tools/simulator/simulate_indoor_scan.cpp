@@ -39,6 +39,7 @@ struct Arguments {
   std::int64_t building = 0;
   double noise = 0.0;
   double max_range = 0.0;
+  double chord_tolerance = sim::kChordTolerance;
   sim::ScanOptions scan;
   bool help = false;
   bool version = false;
@@ -69,6 +70,11 @@ visibleOptions(Arguments& arguments)
       "rays a scanner position, about (default: see --list)");
   add("max-range", po::value(&arguments.max_range)->value_name("M"),
       "longest range in metres (default: see --list)");
+  add("chord-tolerance",
+      po::value(&arguments.chord_tolerance)
+          ->default_value(arguments.chord_tolerance, "0.0005")
+          ->value_name("M"),
+      "distance of the truth's chords from their arcs in metres");
   add("building", po::value(&arguments.building)->value_name("N"),
       "write a storey of copies of the scene side by side instead, of about N points "
       "in all: scan.pcd alone, of x y z label");
@@ -126,6 +132,8 @@ applyNumbers(Arguments& arguments, const po::variables_map& given)
           "--threads must be from 0 to 256");
   arguments.scan.seed = static_cast<std::uint64_t>(arguments.seed);
   arguments.scan.threads = static_cast<unsigned>(arguments.threads);
+  require(arguments.chord_tolerance >= 1e-6 && arguments.chord_tolerance <= 0.1,
+          "--chord-tolerance must be from 0.000001 to 0.1 metres");
   if (given.count("noise") > 0) {
     require(std::isfinite(arguments.noise) && arguments.noise >= 0.0,
             "--noise must be a number of metres, not negative");
@@ -216,7 +224,7 @@ simulate(Arguments& arguments)
               << building.copies << " copies\n";
     return;
   }
-  const sim::Mesh truth = sim::truthMesh(scene);
+  const sim::Mesh truth = sim::truthMesh(scene, arguments.chord_tolerance);
   const sim::Scan scan = sim::scan(scene, arguments.scan);
   sim::writePly(arguments.folder / "truth.ply", truth, scene.placement);
   sim::writeText(arguments.folder / "truth.json",

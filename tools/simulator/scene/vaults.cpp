@@ -116,10 +116,11 @@ facetsOf(const Dome& dome)
   const auto placeAt = [&](int ring, int ray) {
     const double radius = steps.radius * std::sin(out * ring / rings);
     const double angle = 2.0 * pi * (ray % rays) / rays;
-    return dome.at + radius * Vec2{std::cos(angle), std::sin(angle)};
+    const Vec2 place{dome.along * std::cos(angle), dome.across * std::sin(angle)};
+    return dome.at + radius * rotated(place, dome.direction);
   };
   const auto heightAt = [&](int ring) {
-    return dome.height + steps.radius * std::cos(out * ring / rings);
+    return dome.height + dome.up * steps.radius * std::cos(out * ring / rings);
   };
   std::vector<SlabDetail> facets;
   std::vector<Vec2> top;
@@ -134,10 +135,10 @@ facetsOf(const Dome& dome)
       // The two level edges are parallel.
       const Vec2 outer = 0.5 * (corners[0] + corners[1]);
       const Vec2 inner = 0.5 * (corners[2] + corners[3]);
-      const Vec2 way = outer - inner;
+      const Vec2 uphill = leftOf(normalized(corners[1] - corners[0]));
       const double rise = heightAt(ring + 1) - heightAt(ring);
-      facets.push_back(
-          facetOver(corners, {heightAt(ring), (rise / dot(way, way)) * way, inner}));
+      const double slope = rise / dot(outer - inner, uphill);
+      facets.push_back(facetOver(corners, {heightAt(ring), slope * uphill, inner}));
     }
   return facets;
 }

@@ -21,12 +21,18 @@ struct Vault {
   double radius = 0.0;
 };
 
-/** @brief A cap of a sphere. */
+/** @brief A cap of a sphere, or of an ellipsoid with a vertical axis. */
 struct Dome {
   Vec2 at;             ///< centre in plan
   double height = 0.0; ///< z of the sphere's centre
   double radius = 0.0;
   double rim = 0.0; ///< radius in plan, at most that of the sphere
+  /// What the sphere is scaled by about its centre, at most 1: in plan along and
+  /// across a direction, and upwards.
+  double along = 1.0;
+  double across = 1.0;
+  double up = 1.0;
+  double direction = 0.0; ///< radians
 };
 
 /** @brief Returns the facets of a vault over a convex loop with straight sides.

@@ -107,6 +107,21 @@ readRibs(const std::vector<JsonView>& list, Room& room)
   }
 }
 
+/** @brief Reads what makes an ellipsoid of the sphere of a dome. */
+void
+readScale(const JsonView& view, Dome& dome)
+{
+  dome.direction = view.numberOr("direction", 0.0) * pi / 180.0;
+  if (const auto scale = view.find("scale")) {
+    const Vec3 factors = scale->size3();
+    if (std::max({factors.x, factors.y, factors.z}) > 1.0)
+      scale->fail("must not be more than 1");
+    dome.along = factors.x;
+    dome.across = factors.y;
+    dome.up = factors.z;
+  }
+}
+
 /** @brief Adds a part of a ceiling that is not level: a slope, a vault or a dome. */
 void
 readFacet(const JsonView& view, Room& room)
@@ -116,7 +131,7 @@ readFacet(const JsonView& view, Room& room)
   };
   if (const auto dome = view.find("dome")) {
     view.allowOnly({"dome"});
-    dome->allowOnly({"at", "height", "radius", "rim"});
+    dome->allowOnly({"at", "height", "radius", "rim", "scale", "direction"});
     Dome cap;
     cap.at = dome->at("at").point2();
     cap.height = dome->at("height").number();
@@ -124,6 +139,7 @@ readFacet(const JsonView& view, Room& room)
     cap.rim = dome->at("rim").size();
     if (cap.rim > cap.radius)
       dome->at("rim").fail("is more than the radius of the dome");
+    readScale(*dome, cap);
     append(facetsOf(cap));
     return;
   }

@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs pcl_sedr on random rooms of any shape and grades their solids: random_shapes.py FIRST LAST [options]
+
+For every seed from FIRST to LAST one room is made, or two, whose plan, ceiling and walls may slope, curve and tilt. It is
+scanned with a centimetre of noise, modelled by pcl_sedr --no-mesh and compared with the truth. A scene is all right if the rooms
+are right as random_buildings.py has it, the solid is closed, and in both directions it is 0.05 cm from the truth on average at
+most, and at least 98 % of it within a centimetre. Needs numpy, scipy and shapely, for pictures matplotlib.
+Exit code 0: all were graded, however well; 1: not all were.
+"""
+import json
+import sys
+
+from buildings import runs
+from buildings.shaped import build
+
+try:
+    from buildings import grades, pictures
+except ImportError as error:
+    sys.exit(f"random_shapes.py: the Python package {error.name} is missing; on Debian: "
+             "apt install python3-numpy python3-scipy python3-shapely python3-matplotlib, and use /usr/bin/python3")
+
+MOST_MEAN = 0.0005   # metres
+LEAST_NEAR = 0.98    # share within a centimetre
+FINE_CHORDS = 1e-5   # metres, of the arcs of the truth
+
+
+def distances(folder, options):
+    """Columns of the solid against the truth: the worse of both directions."""
+    row = {"closed": 0, "mean_cm": "", "near": "", "max_cm": "", "triangles": ""}
+    if not (folder / "out" / "solid.ply").exists():
+        return row
+    code, _, text = runs.run([options.bin / "pcl_mesh_evaluation", folder / "out" / "solid.ply", "--truth", folder / "truth.ply",
+                              "--json", folder / "solid.json"], 600)
+    if code != 0:
+        raise RuntimeError(f"{folder}: {text}")
+    figures = json.loads((folder / "solid.json").read_text(encoding="utf-8"))
+    both = [figures["truth_to_mesh"], figures["mesh_to_truth"]]
+    return {"closed": int(figures["mesh"]["closed"]), "mean_cm": round(100 * max(b["mean"] for b in both), 4),
+            "near": round(min(b["within_1cm"] for b in both), 4), "max_cm": round(100 * max(b["max"] for b in both), 2),
+            "triangles": figures["mesh"]["triangles"]}
+
+
+def one_scene(seed, folder, options):
+    row = runs.scan(build(seed), seed, folder, options, "--chord-tolerance", str(FINE_CHORDS))
+    figures, message = runs.model(folder, options)
+    row.update(figures)
+    rooms, graded = grades.grade(folder, folder / "out")
+    row.update({"rooms": rooms["rooms"], "rooms_found": rooms["rooms_found"], "rooms_right": rooms["all_right"]})
+    row.update(distances(folder, options))
+    row["all_right"] = int(bool(row["rooms_right"] and row["closed"] and row["mean_cm"] <= 100 * MOST_MEAN and row["near"] >= LEAST_NEAR))
+    row["message"] = message
+    kept = runs.keep(folder, row, options)
+    if kept:
+        shown = ("rooms", "rooms_found", "closed", "mean_cm", "near", "max_cm")
+        title = f"{row['kind']} {seed}: " + ", ".join(f"{k} {row[k]}" for k in shown)
+        pictures.draw(kept / "rooms.png", title, graded, grades.read_points(folder / "scan.pcd"))
+    return row
+
+
+def summary(rows):
+    found = sorted(r["mean_cm"] for r in rows if r["mean_cm"] != "")
+    right = sum(r["all_right"] for r in rows)
+    lines = [f"{len(rows)} scenes, all right {right} ({100 * right / len(rows):.0f} %)",
+             f"rooms right {sum(r['rooms_right'] for r in rows)}, closed {sum(r['closed'] for r in rows)}, "
+             f"mean {sum(r['mean_cm'] != '' and r['mean_cm'] <= 100 * MOST_MEAN for r in rows)}, "
+             f"within 1 cm {sum(r['near'] != '' and r['near'] >= LEAST_NEAR for r in rows)}"]
+    if found:
+        lines.append(f"mean distance, cm: median {found[len(found) // 2]:.4f}, worst {found[-1]:.3f}")
+    return "\n".join(lines)
+
+
+def main():
+    runs.all_seeds(runs.parser(__doc__, "scenes").parse_args(), ["pcl_simulate_indoor_scan", "pcl_mesh_evaluation"], one_scene, summary)
+
+
+if __name__ == "__main__":
+    main()
