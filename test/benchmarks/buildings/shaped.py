@@ -82,13 +82,14 @@ def attempt_to_build(rng, seed):
     names = [plan] + [overhead.hang(rng, room) for room in rooms]
     if tilt_walls(rng, rooms, partition):
         names.append("tilted")
-    building = Building("-".join(names) + f"_{seed}", " ".join(names), rng)
+    building = Building("-".join(names) + f"_{seed}", "", rng)
     building.rooms = rooms
     open_walls(rng, building)
     if rng.random() < 0.7:
         names.append("furnished")
         for room in rooms:
             furnish.furnish(rng, room)
+    building.summary = " ".join(names)
     building.outside = [{"block": {"name": "ground", "at": [5, 2], "floor": -0.6, "size": [80, 80, 0.2]}},
                         {"block": {"name": "facade", "at": [4, -16], "floor": -0.4, "size": [40, 1, 8]}}]
     return scanned(rng, building)

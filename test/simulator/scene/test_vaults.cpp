@@ -49,6 +49,21 @@ TEST(Vaults, aDomeHoldsACapOfASphere)
   EXPECT_NEAR(signedVolume(mesh), 6 * 4 * 2.5 + pi * h * h * (3.0 - h / 3.0), 0.003);
 }
 
+TEST(Vaults, aScaledDomeHoldsACapOfAnEllipsoid)
+{
+  Dome dome{{3, 2}, 0, 3.0, 1.5};
+  dome.along = 0.9;
+  dome.across = 0.6;
+  dome.up = 0.5;
+  dome.direction = 0.4;
+  dome.height = 2.5 - dome.up * std::sqrt(9.0 - 1.5 * 1.5);
+  const Mesh mesh = truthOf(roomBelow(facetsOf(dome)));
+  const double h = 3.0 - std::sqrt(9.0 - 1.5 * 1.5);
+  EXPECT_TRUE(isClosedManifold(mesh));
+  EXPECT_NEAR(signedVolume(mesh),
+              6 * 4 * 2.5 + 0.9 * 0.6 * 0.5 * pi * h * h * (3.0 - h / 3.0), 0.003);
+}
+
 TEST(Vaults, facetsStrayByTenthsOfAMillimetre)
 {
   const Vault vault{{0, 2}, 0.3, -1.0, 5.0};
