@@ -144,7 +144,7 @@ drawnDoorways(const Floorplan& plan)
     }
     drawn.push_back({{doorway.start + low[0] * left, doorway.end + low[1] * left,
                       doorway.end + high[1] * left, doorway.start + high[0] * left},
-                     found.width(),
+                     doorway.width(),
                      doorway.top - doorway.bottom});
   }
   return drawn;

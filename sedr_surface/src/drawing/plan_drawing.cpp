@@ -165,7 +165,7 @@ addHeads(const PlanRoom& room, const WallTilts& tilts, std::vector<DrawnElement>
     return;
   const PlanLoop head = boundaryAt(room, tilts, headOf(room, tilts));
   for (const WallTilt& tilt : tilts)
-    if (tilt.room == room.id && tilt.tilt != 0)
+    if (tilt.room == room.id && tilt.tilt != 0 && tilt.wall < head.elements.size())
       drawn.push_back(
           {head.elements[tilt.wall], DrawnLayer::Detail, room.id,
            "tilt " + decimalText(std::abs(tilt.tilt) * 180 / M_PI, 1) + "°"});

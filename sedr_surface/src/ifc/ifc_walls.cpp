@@ -90,7 +90,10 @@ bodyOf(IfcDocument& document, const WrittenWall& written, const WallHeights& hei
   IfcShapes& shapes = document.shapes;
   const char* type = "Tessellation";
   StepRef item;
-  if (heights.isSwept() && written.runs.areAlike()) {
+  TriangleMesh mesh;
+  if (!heights.isSwept() || !written.runs.areAlike())
+    mesh = meshOf(document.plan, wall, heights, written.runs, profile);
+  if (mesh.triangles.empty()) { // also where the plan cannot be triangulated
     const WallFrame frame = frameOf(document.plan, wall);
     const double top = heights.roof.empty()
                            ? heights.highest()
@@ -106,7 +109,7 @@ bodyOf(IfcDocument& document, const WrittenWall& written, const WallHeights& hei
     }
   }
   else
-    item = shapes.faceSet(meshOf(document.plan, wall, heights, written.runs, profile));
+    item = shapes.faceSet(mesh);
   shapes.colour(item, "wall");
   return shapes.body(document.body_context, type, {item});
 }

@@ -184,7 +184,9 @@ meshOf(const Floorplan& plan,
   std::iota(all.begin(), all.end(), 0);
   constexpr double min_height = 0.001;
   TriangleMesh mesh = prismOn(foot, all, [&](const Eigen::Vector3d& p) {
-    const double s = element.project(frame.toPlan(p.head<2>())) - wall.stretch.from;
+    const double s =
+        element.isArc() ? element.project(frame.toPlan(p.head<2>())) - wall.stretch.from
+                        : p.x(); // stretches may go on beyond their element
     return std::max(heights.topAt(s / length) - heights.bottom, min_height);
   });
   for (Eigen::Vector3d& p : mesh.vertices) {

@@ -90,7 +90,9 @@ def roof(rng, room):
         profile = [(low, knee), (ridge, top), (high, knee)]
     room.ceiling = round(cap, 4)
     ceilings.facet(room, axis, profile)
-    return not (rng.random() < 0.4 and dormer(rng, room, axis, low, knee, slope, cap)) or True
+    if rng.random() < 0.4:
+        dormer(rng, room, axis, low, knee, slope, cap)
+    return True
 
 
 def dormer(rng, room, axis, low, knee, slope, cap):
@@ -98,7 +100,7 @@ def dormer(rng, room, axis, low, knee, slope, cap):
     z = round(rng.uniform(max(knee + 0.4, 2.0), max(cap - 0.1, knee + 0.5)), 3)
     run = (z - knee) / slope
     sides = strip(room, axis, low, low + run)
-    start, end = sorted(p[1 - axis] for p in sides)[0], sorted(p[1 - axis] for p in sides)[-1]
+    start, end = min(p[1 - axis] for p in sides), max(p[1 - axis] for p in sides)
     width = round(rng.uniform(1.0, 2.0), 2)
     if z > cap - 0.05 or end - start < width + 1.2:
         return False

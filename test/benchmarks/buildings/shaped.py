@@ -179,7 +179,8 @@ def open_walls(rng, building):
 
 def front_door(rng, room, rooms):
     """A door to a lobby, shut or open."""
-    for wall, start, end in rng.sample(walls.outer_stretches(room, rooms, 4.0), k=len(walls.outer_stretches(room, rooms, 4.0))):
+    stretches = walls.outer_stretches(room, rooms, 4.0)
+    for wall, start, end in rng.sample(stretches, k=len(stretches)):
         if end - start < 1.6:
             continue
         at = round(rng.uniform(start + 0.3, end - 1.2), 3)

@@ -115,13 +115,13 @@ TEST(VoxelHash, ScattersTheVoxelsOfARoom)
   // twice its share of 64.
   std::vector<int> low(4096);
   std::vector<int> high(4096);
-  std::set<std::uint32_t> all;
+  std::set<std::uint64_t> all;
   for (std::int32_t x = -32; x < 32; ++x)
     for (std::int32_t y = -32; y < 32; ++y)
       for (std::int32_t z = -32; z < 32; ++z) {
-        const std::uint32_t hash = hashOf({x, y, z});
+        const std::uint64_t hash = hashOf({x, y, z});
         ++low[hash % 4096];
-        ++high[hash >> 20];
+        ++high[hash >> 52];
         all.insert(hash);
       }
   EXPECT_LT(*std::max_element(low.begin(), low.end()), 128);

@@ -52,7 +52,9 @@ TEST(DoorwayDrawing, ItsSidesAreSquareToTheWall)
       drawnDoorways(twoRooms({{1, 2}, {4.05 - skew, 1}, {4.05 + skew, 2}, 0, 2}));
   for (const auto& [from, to] : drawn.at(0).jambs())
     EXPECT_NEAR(from.y(), to.y(), 1e-9);
-  EXPECT_NEAR(drawn[0].width, std::hypot(1, 2 * skew), 1e-9) << "is told as found";
+  EXPECT_NEAR(drawn[0].width,
+              (drawn[0].jambs()[0].first - drawn[0].jambs()[1].first).norm(), 1e-9)
+      << "is told as drawn";
 }
 
 TEST(DoorwayDrawing, EndsWhereARoomEnds)
@@ -77,6 +79,8 @@ TEST(TiltedWallDrawing, ShowsItsHeadAndItsTilt)
   EXPECT_NEAR(head->element.end.y(), -out, 1e-9);
   EXPECT_EQ(head->note, "tilt 10.0°");
   EXPECT_EQ(drawnElements(plan).size() + 1, drawn.size());
+  const WallTilts stale{tilts[0], {1, 7, 0.1}}; // of a wall that the room has not
+  EXPECT_EQ(drawnElements(plan, stale).size(), drawn.size());
 }
 
 TEST(SheetScale, IsTheLargestOfARulerThatFits)
