@@ -19,7 +19,6 @@ public:
   explicit SlabHoles(const AirGaps& air)
       : air_(air)
       , tall_(air.voxels(air.parameters().headroom))
-      , lowest_(air.voxels(air.parameters().thinnest))
       , slab_(air.size())
       , is_through_(air.size(), 0)
   {
@@ -52,11 +51,10 @@ public:
   }
 
 private:
-  /** @brief Whether a gap reaches through a slab, with headroom above it; below it may
-   * begin on furniture. */
+  /** @brief Whether a gap reaches through a slab, with headroom on both sides. */
   bool reachesThrough(std::uint32_t g, const Slab& slab) const
   {
-    return slab.ceiling - air_[g].low >= lowest_ && air_[g].high - slab.floor >= tall_;
+    return slab.ceiling - air_[g].low >= tall_ && air_[g].high - slab.floor >= tall_;
   }
 
   bool findSlabBeside(std::uint32_t g, int d)
@@ -133,7 +131,6 @@ private:
 
   const AirGaps& air_;
   std::int32_t tall_;
-  std::int32_t lowest_;                  ///< voxels of a gap
   std::vector<Slab> slab_;               ///< of each gap that reaches through one
   std::vector<std::uint8_t> is_through_; ///< whether it does
   std::vector<std::uint32_t> front_;     ///< those, outwards from the slabs

@@ -139,18 +139,6 @@ TEST(AirGaps, ASlabGoesOnAcrossAHoleInWhatWasSeenOfIt)
   EXPECT_EQ(upper.low, 57);
 }
 
-TEST(AirGaps, ASlabGoesOnAcrossSuchAHoleThatIsInPartAboveACupboard)
-{
-  AirScene scene = storeysWithHole(0.9);
-  scene.slab(1.55, 0.55, 2.45, 2.45, 1.01);
-  const SceneAir air(scene);
-  ASSERT_NE(air.at(2.2, 1.45, 1.5), AirGaps::none);
-  EXPECT_EQ(air.gaps[air.at(2.2, 1.45, 1.5)].high, 50);
-  const AirGap& upper = air.gaps[air.at(2.2, 1.45, 4)];
-  EXPECT_EQ(upper.low, 57);
-  EXPECT_FALSE(upper.floor_seen);
-}
-
 TEST(AirGaps, AVoidOverTwoStoreysStaysOpen)
 {
   const AirScene scene = storeysWithHole(1.9);
