@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "picture_file.h"
 #include "run_tool.h"
+#include "scan_options.h"
 #include "tool_error.h"
 #include "viewer/keys.h"
 #include "viewer/window/display.h"
@@ -29,6 +30,7 @@ struct Settings {
   std::size_t storey = 0;
   double range = 0.05; ///< metres
   ReadSettings reading;
+  ScanOptions file;
   ViewState state;
 };
 
@@ -36,8 +38,9 @@ void
 addOptions(Options& options, Settings& s)
 {
   options.file("INPUT", s.path,
-               "folder that pcl_sedr has left; or a PCD or PLY cloud, with label or "
-               "room as a stage leaves it, or raw; or one of its meshes or plans");
+               "folder that pcl_sedr has left; or a cloud, with label or room as a "
+               "stage leaves it, or raw, as PCD, PLY, E57, LAS or text; or one of its "
+               "meshes or plans");
   options.text("layers", s.layers,
                "what is shown, of raw, thinned, structure, plan, mesh, solid: one or "
                "more, with commas between; none given: mesh, or the next best");
@@ -57,6 +60,7 @@ addOptions(Options& options, Settings& s)
                  Range::between(1e-4, 100));
   options.text("scan", s.reading.scan,
                "raw scan, where it is not where report.json says");
+  addColumnsOption(options, s.file);
   options.number("max-points", s.reading.max_points, "points",
                  "of a cloud that are shown, 0 for all", Range::atLeast(0));
   options.text("screenshot", s.screenshot, "PNG to write instead of opening a window");
@@ -115,7 +119,9 @@ run(const Settings& settings)
   if (!settings.screenshot.empty())
     checkPictureOutput(settings.screenshot);
   requireDisplay();
-  const ViewedResult result = readResult(settings.path, settings.reading);
+  ReadSettings reading = settings.reading;
+  reading.file = settings.file.settings;
+  const ViewedResult result = readResult(settings.path, reading);
   for (const auto& note : result.notes)
     say("pcl_sedr_viewer: " + note);
   if (state.layers.empty())

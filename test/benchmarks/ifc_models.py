@@ -69,7 +69,7 @@ def check(tool, folder, schema):
     wrong += ["opening #%d has no wall" % n for n in openings - hosted]
     with tempfile.TemporaryDirectory() as scratch:  # chords, that the cuts are known
         chords = os.path.join(scratch, "model.ifc")
-        subprocess.run([tool, os.path.join(folder, "floorplan.json"), chords, "--ifc-arcs", "facets"], check=True,
+        subprocess.run([tool, os.path.join(folder, "floorplan.json"), chords, "--ifc-arcs", "faceted"], check=True,
                        capture_output=True)
         cuts = web_ifc.cuts(chords, step_reader.read(chords), web_ifc.opened(chords)["products"])
     worst = 0

@@ -35,7 +35,7 @@ class IfcSchema(unittest.TestCase):
         return Check(self.schema, instances).problems
 
     def test_all_kinds_of_elements(self):
-        for options in ((), ("--ifc-arcs", "facets"), ("--crs", "EPSG:25832")):
+        for options in ((), ("--ifc-arcs", "faceted"), ("--crs", "EPSG:25832")):
             instances = step_reader.read(write(TOOL, house(), self.folder, *options))
             self.assertEqual(self.problems(instances), [])
             kinds = {name for name, _ in instances.values()}
@@ -43,7 +43,7 @@ class IfcSchema(unittest.TestCase):
                          "RELSPACEBOUNDARY1STLEVEL", "TRIANGULATEDFACESET", "EXTRUDEDAREASOLID",
                          "BOOLEANCLIPPINGRESULT"):
                 self.assertIn("IFC" + kind, kinds)
-            self.assertEqual("IFCINDEXEDPOLYCURVE" in kinds, "facets" not in options)
+            self.assertEqual("IFCINDEXEDPOLYCURVE" in kinds, "faceted" not in options)
 
     def test_one_room_without_an_origin(self):
         plan = {"format": "sedr-floorplan", "version": 1, "unit": "m",

@@ -33,7 +33,7 @@ class WebIfc(unittest.TestCase):
         self.folder = folder.name
 
     def test_volumes_of_spaces(self):
-        for arcs in ("exact", "facets"):
+        for arcs in ("exact", "faceted"):
             found = opened(write(TOOL, house(), self.folder, "--ifc-arcs", arcs))
             self.assertEqual(found["said"], [])
             for number, volume in VOLUMES.items():
@@ -140,7 +140,7 @@ class WebIfc(unittest.TestCase):
     def expect_cuts(self, plan, what):
         """Every opening takes as much of its wall as is in both, of walls below roofs and vaults at least
         something."""
-        path = write(TOOL, plan, self.folder, "--ifc-arcs", "facets", name="with")
+        path = write(TOOL, plan, self.folder, "--ifc-arcs", "faceted", name="with")
         cuts = web_ifc.cuts(path, step_reader.read(path), opened(path)["products"])
         for name, cut, expected in cuts:
             self.assertGreater(cut if expected is None else expected, 0.001, what + name)

@@ -4,6 +4,8 @@
 #include "tools/sample_files.h"
 #include "viewed_sample.h"
 
+#include <fstream>
+
 namespace {
 
 using namespace programs;
@@ -50,6 +52,17 @@ TEST_F(ViewedSample, OfOneCloudIsStructureWhereItHasLabels)
   EXPECT_TRUE(raw.firstLayers() == LayerSet{Layer::Raw});
   EXPECT_EQ(raw.raw.size(), 500u);
   EXPECT_EQ(raw.raw.whole_size, sample_.scan.points.size());
+}
+
+TEST_F(ViewedSample, OfOneTextIsReadByItsColumns)
+{
+  const auto path = folder_.path() / "scan.csv";
+  std::ofstream(path) << "7,1,2,3\n7,4,5,6\n";
+  ReadSettings settings;
+  settings.file.columns = "_,x,y,z";
+  const ViewedResult text = readResult(path.string(), settings);
+  EXPECT_EQ(text.raw.size(), 2u);
+  EXPECT_EQ(text.bounds().max(), Eigen::Vector3d(4, 5, 6));
 }
 
 TEST_F(ViewedSample, OfOneFileIsThePlanOrTheMeshThatItHolds)

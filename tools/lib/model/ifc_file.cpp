@@ -9,8 +9,8 @@ void
 addIfcOptions(Options& options, IfcOptions& ifc)
 {
   options.text("ifc-arcs", ifc.arcs,
-               "arcs of the IFC: exact, or facets for programs that misread arcs",
-               {"exact", "facets"});
+               "arcs of the IFC: exact, or faceted for programs that misread them",
+               {"exact", "faceted"});
   options.text("ifc-name", ifc.settings.name,
                "name of the building in the IFC; its GUIDs are made of it");
   options.text("crs", ifc.settings.crs,
@@ -24,7 +24,7 @@ IfcSettings
 settingsOf(const IfcOptions& ifc)
 {
   IfcSettings settings = ifc.settings;
-  settings.arcs = ifc.arcs == "facets" ? IfcArcs::Facets : IfcArcs::Exact;
+  settings.arcs = ifc.arcs == "faceted" ? IfcArcs::Facets : IfcArcs::Exact;
   return settings;
 }
 

@@ -85,7 +85,8 @@ readFile(const std::string& path, const ReadSettings& settings)
     result.solid_names.clear();
     result.notes.push_back(problem + ": its vertices are shown");
   }
-  DisplayCloud cloud = displayCloudOf(ScanFile(path), settings.max_points);
+  DisplayCloud cloud =
+      displayCloudOf(ScanFile(path, settings.file), settings.max_points);
   const bool is_structure = !cloud.labels.empty() || !cloud.rooms.empty();
   (is_structure ? result.structure : result.raw) = std::move(cloud);
   return result;

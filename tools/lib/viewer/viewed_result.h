@@ -3,6 +3,7 @@
 
 #include "results/ceiling_rule.h"
 #include "results/display_cloud.h"
+#include "scan_settings.h"
 #include "view_state.h"
 
 #include <pcl/sedr_filters/floorplan.h>
@@ -46,6 +47,7 @@ struct ViewedResult {
 /** @brief Settings for reading a result. */
 struct ReadSettings {
   std::string scan;                 ///< raw scan; empty: from report.json
+  ScanSettings file;                ///< how a scan that is given itself is read
   std::size_t max_points = 1000000; ///< maximum to show per cloud; 0: all
 };
 
