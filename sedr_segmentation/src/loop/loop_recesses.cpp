@@ -183,7 +183,10 @@ closeRecesses(PlanRoom& room,
     const double top = room.ceiling.heightAt(place) - room.floor.heightAt(place);
     const bool is_above_wall =
         seen(recess.mouth(), wall_low, priors.low_wall, on_wall) >= priors.share_half;
-    if (!is_above_wall &&
+    const double head = top - wall_low; // of a door or a window there is a lintel above
+    const bool is_below_wall = seen(recess.mouth(), head - priors.evidence_cell, head,
+                                    on_wall) >= priors.share_half;
+    if (!is_above_wall && !is_below_wall &&
         seen(recess.back, wall_low, top - wall_low, near_back) >= priors.share_unseen)
       continue;
     if (is_above_wall && recess.depth() >= min_depth) {

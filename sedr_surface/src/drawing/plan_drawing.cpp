@@ -161,14 +161,14 @@ addHeadroom(const PlanRoom& room, std::vector<DrawnElement>& drawn)
 void
 addHeads(const PlanRoom& room, const WallTilts& tilts, std::vector<DrawnElement>& drawn)
 {
-  if (!isTilted(room, tilts))
-    return;
-  const PlanLoop head = boundaryAt(room, tilts, headOf(room, tilts));
-  for (const WallTilt& tilt : tilts)
-    if (tilt.room == room.id && tilt.tilt != 0 && tilt.wall < head.elements.size())
-      drawn.push_back(
-          {head.elements[tilt.wall], DrawnLayer::Detail, room.id,
-           "tilt " + decimalText(std::abs(tilt.tilt) * 180 / M_PI, 1) + "°"});
+  for (const WallTilt& tilt : tilts) {
+    if (tilt.room != room.id || tilt.tilt == 0 ||
+        tilt.wall >= room.boundary.elements.size())
+      continue;
+    const PlanLoop head = boundaryAt(room, tilts, headOf(room, {tilt}));
+    drawn.push_back({head.elements[tilt.wall], DrawnLayer::Detail, room.id,
+                     "tilt " + decimalText(std::abs(tilt.tilt) * 180 / M_PI, 1) + "°"});
+  }
 }
 
 } // namespace

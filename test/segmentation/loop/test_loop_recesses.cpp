@@ -243,6 +243,19 @@ TEST(LoopRecesses, SeveralOfOneWallAreClosedOneAfterTheOther)
   EXPECT_LT(cornerError(room.boundary, rectangle(0, 0, 5, 4)), 1e-9);
 }
 
+TEST(LoopRecesses, BelowALintelIsTheLeafOfADoor)
+{
+  for (const bool has_lintel : {true, false}) {
+    PlanRoom room = roomOf(withRecess(0.1), 2.6);
+    RoomPoints points;
+    points.wall(segment({3.5, 4.1}, {1.5, 4.1}), 0, has_lintel ? 2.05 : 2.6);
+    if (has_lintel)
+      points.wall(segment({3.5, 4}, {1.5, 4}), 2.05, 2.6);
+    closeRecesses(room, points.view(), points.all());
+    EXPECT_EQ(room.boundary.elements.size(), has_lintel ? 4u : 8u);
+  }
+}
+
 TEST(LoopRecesses, WhatIsAStepInAWallIsNone)
 {
   // Behind the step the wall continues 10 cm farther back.
