@@ -122,7 +122,9 @@ reachesCeiling(const ColumnTable& columns,
 
 /** @brief Returns whether risers close at least half of the edge between a detail and
  * its neighbours. A shelf below a soffit has no riser, and that of a duct ends below
- * the ceiling; neither is a detail. */
+ * the ceiling; neither is a detail. The riser of a recess is seen only from inside it;
+ * walls seen above the main ceiling close a recess too, but not a missing tile or a
+ * reflection. */
 bool
 hasRisers(const HeightMap& map,
           const ColumnTable& columns,
@@ -138,24 +140,27 @@ hasRisers(const HeightMap& map,
     const Cell cell = map.room.cellAt(i);
     for (const Cell d : {Cell{1, 0}, Cell{-1, 0}, Cell{0, 1}, Cell{0, -1}}) {
       const Cell to{cell.x + d.x, cell.y + d.y};
-      const std::int32_t other =
-          map.room.at(to) ? map.label[map.room.indexOf(to)] : std::int32_t{-1};
+      const bool is_wall = !map.room.at(to);
+      const std::int32_t other = is_wall ? 0 : map.label[map.room.indexOf(to)];
       if (other < 0 || other == label)
         continue;
       const Eigen::Vector2d p = grid.centre(cell);
       const double a = map.slabOf(label).heightAt(p);
       const double b = map.slabOf(other).heightAt(p);
-      ++edges;
+      if (is_wall && (is_floor || a < b))
+        continue;
       const double low = std::min(a, b) + 0.02;
       const double high = std::max(a, b) - 0.02;
       // At most four bins, each at least a voxel high.
       const int bins = std::min(4, cellsFor(high - low, 1.2 * grid.size()));
       const PlanSlab& higher = map.slabOf(a > b ? label : other);
-      if (high - low < map.priors.min_floor_step ||
+      const bool is_closed =
+          high - low < map.priors.min_floor_step ||
           (columns.share(cell, low, high, bins, 2) >= map.priors.share_half &&
            (is_floor || reachesCeiling(columns, cell, std::min(a, b), std::max(a, b),
-                                       higher, map.priors))))
-        ++closed;
+                                       higher, map.priors)));
+      edges += is_closed || !is_wall ? 1 : 0;
+      closed += is_closed ? 1 : 0;
     }
   }
   return 2 * closed >= edges;

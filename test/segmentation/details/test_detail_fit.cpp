@@ -3,14 +3,22 @@
 
 #include "sedr_segmentation/src/details/detail_fit.h"
 
+#include <algorithm>
+
 namespace {
 
 using namespace pcl::sedr;
 using namespace sedr_test;
 
+/** What is vertical between two heights that was not seen. */
+enum class Hidden { Nothing, Risers, RisersAndWalls };
+
 /** Returns the details of the ceiling or floor of a room known except for them. */
 std::vector<PlanDetail>
-detailsOf(const PlanRoom& truth, bool is_floor = false, double noise = 0)
+detailsOf(const PlanRoom& truth,
+          bool is_floor = false,
+          double noise = 0,
+          Hidden hidden = Hidden::Nothing)
 {
   RoomPoints points(0.05, noise);
   const RoomParts parts = points.room(truth);
@@ -32,7 +40,15 @@ detailsOf(const PlanRoom& truth, bool is_floor = false, double noise = 0)
   CellMask cells(grown(boxOf(outline), 12));
   for (std::size_t i = 0; i < cells.values().size(); ++i)
     cells.values()[i] = room.contains(grid.centre(cells.cellAt(i))) ? 1 : 0;
-  const ColumnTable columns(grid, cells.box(), points.view(), points.all());
+  const auto isHidden = [&](int i) {
+    const Eigen::Vector3f p = points[i];
+    const double to_wall = truth.boundary.distance(p.head<2>().cast<double>());
+    return hidden != Hidden::Nothing && p.z() > 2.25 && p.z() < 2.45 &&
+           (hidden == Hidden::RisersAndWalls || to_wall > 0.02);
+  };
+  std::vector<int> seen = points.all();
+  seen.erase(std::remove_if(seen.begin(), seen.end(), isHidden), seen.end());
+  const ColumnTable columns(grid, cells.box(), points.view(), seen);
   return fitDetails(points.view(), evidence, room, cells, columns, parameters);
 }
 
@@ -56,6 +72,30 @@ TEST(FitDetails, TheEdgesOfASoffitAreTheWallsAndItsRiser)
     EXPECT_NEAR(details[0].slab.heightAt({2, 3.6}), 2.2, 0.001 + noise / 10);
     EXPECT_TRUE(details[0].holes.empty());
   }
+}
+
+TEST(FitDetails, TheSidesOfARecessAreItsRisersAndTheWallsAboveTheCeiling)
+{
+  const auto countOf = [](const PlanLoop& part, Hidden hidden) {
+    PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.2);
+    room.details = {detailOf(part, 2.5)};
+    return detailsOf(room, false, 0, hidden).size();
+  };
+  const PlanLoop step = rectangle(0.01, 2.81, 5.01, 4.01);
+  const PlanLoop coffer = rectangle(1.51, 1.01, 3.51, 3.01);
+  EXPECT_EQ(countOf(step, Hidden::Nothing), 1u);
+  EXPECT_EQ(countOf(coffer, Hidden::Nothing), 1u);
+  EXPECT_EQ(countOf(step, Hidden::Risers), 1u) << "walls on three sides";
+  EXPECT_EQ(countOf(coffer, Hidden::Risers), 0u) << "a missing tile";
+  EXPECT_EQ(countOf(step, Hidden::RisersAndWalls), 0u) << "a reflection";
+}
+
+TEST(FitDetails, ASoffitNeedsARiserWhateverWallsAreAboveIt)
+{
+  PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
+  room.details = {detailOf(rectangle(0.01, 2.81, 5.01, 4.01), 2.2)};
+  EXPECT_EQ(detailsOf(room, false, 0, Hidden::Nothing).size(), 1u);
+  EXPECT_EQ(detailsOf(room, false, 0, Hidden::Risers).size(), 0u) << "a shelf";
 }
 
 TEST(FitDetails, BeamsBelowASoffitPartItIntoFields)
