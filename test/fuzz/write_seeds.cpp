@@ -115,6 +115,8 @@ writeClouds(Seeds& seeds)
   for (const char* order : {"binary_little_endian", "binary_big_endian"})
     seeds.write("ply", std::string("ply\nformat ") + order + " 1.0\ncomment a\n" +
                            element + xyz + "abc" + xyz + "def" + faces);
+  seeds.write("ply",
+              "ply\nformat binary_big_endian 1.0\nelement vertex 3\nend_header\nabc");
   seeds.write("ply", "ply\nformat ascii 1.0\n" + element +
                          "1 2 3 4 5 6\n7 8 9 10 11 12\n3 0 1 0\n");
   seeds.write("text", "//X Y Z Intensity\n1 2 3 4\n5 6 7 8\n");

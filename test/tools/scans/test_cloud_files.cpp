@@ -205,6 +205,11 @@ TEST_F(CloudFiles, HeadersThatPromiseTooMuchAreRefusedWithTheNumbers)
               "end_header\n1\n")
           .find("2000000000"),
       std::string::npos);
+  EXPECT_NE(
+      refusal("ply\nformat binary_little_endian 1.0\nelement vertex 3\nend_header\n"
+              "abcabcabc")
+          .find("3 points of 0 bytes"),
+      std::string::npos);
   EXPECT_NE(refusal("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 1\nDATA ascii\n"
                     "1 2 3\n4 5 6\n")
                 .find("promises 1 points, but more lines follow"),

@@ -140,6 +140,9 @@ layOut(pcl::PCLPointCloud2& blob, std::uint64_t points, const std::string& path)
     field.offset = static_cast<pcl::uindex_t>(step);
     step += fieldSize(field.datatype) * field.count;
   }
+  if (step == 0)
+    throw ToolError("'" + path + "' promises " + std::to_string(points) +
+                    " points of 0 bytes: it has no field");
   constexpr std::size_t largest = std::numeric_limits<pcl::uindex_t>::max();
   if (step > largest)
     throw ToolError("'" + path + "' promises points of " + std::to_string(step) +
