@@ -33,7 +33,6 @@ AirGaps::AirGaps(const VoxelColumns& columns, const AirParameters& parameters)
   findGaps();
   closeSlabs();
   sortGaps(enclosedHolesOf(*this));
-  linkGaps();
   gaps_ = withBothFaces(*this);
   linkGaps();
   keepAir();

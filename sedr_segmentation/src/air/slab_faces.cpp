@@ -2,7 +2,6 @@
 #include "slab_faces.h"
 
 #include "height_counts.h"
-#include "low_air.h"
 
 #include <algorithm>
 #include <array>
@@ -25,7 +24,7 @@ struct OneFaced {
 
 class SlabFaces {
 public:
-  SlabFaces(const AirGaps& air, const std::vector<std::uint8_t>& is_air)
+  explicit SlabFaces(const AirGaps& air)
       : air_(air)
       , tall_(air.voxels(air.parameters().headroom))
       , above_(air.size(), AirGaps::none)
@@ -34,10 +33,9 @@ public:
     std::uint32_t below = AirGaps::none;
     for (std::uint32_t g = 0; g < air.size(); ++g) {
       gaps_.push_back(air[g]);
-      if (is_air[g] == 0)
+      if (air[g].high - air[g].low < tall_)
         continue;
-      const bool is_tall = air[g].high - air[g].low >= tall_;
-      if (is_tall && below != AirGaps::none && air[below].column == air[g].column)
+      if (below != AirGaps::none && air[below].column == air[g].column)
         above_[below] = g;
       below = g;
     }
@@ -142,8 +140,7 @@ private:
 
   const AirGaps& air_;
   std::int32_t tall_;                ///< voxels of headroom
-  std::vector<std::uint32_t> above_; ///< of air, if low then above furniture: the next
-                                     ///< in its column, if one can stand there
+  std::vector<std::uint32_t> above_; ///< of a tall gap: the next in its column
   std::vector<std::uint8_t> is_met_;
   std::vector<AirGap> gaps_;
 };
@@ -153,7 +150,7 @@ private:
 std::vector<AirGap>
 withBothFaces(const AirGaps& air)
 {
-  return SlabFaces(air, airOf(air)).completed();
+  return SlabFaces(air).completed();
 }
 
 } // namespace pcl::sedr

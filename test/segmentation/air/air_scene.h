@@ -86,12 +86,6 @@ public:
     return Eigen::Rotation2Dd(degrees_ * M_PI / 180) * Eigen::Vector2d(x, y);
   }
 
-  /** Returns where a place was before the turn. */
-  Eigen::Vector2d unturned(double x, double y) const
-  {
-    return Eigen::Rotation2Dd(-degrees_ * M_PI / 180) * Eigen::Vector2d(x, y);
-  }
-
   RoomPoints points{0.05};
 
 private:

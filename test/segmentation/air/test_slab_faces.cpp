@@ -77,16 +77,6 @@ TEST(SlabFaces, AFloorIsFoundThoughThatOfTheStoreyBelowWasHiddenAtTheSamePlace)
   EXPECT_EQ(air.gaps[air.at(3, 2, 1)].low, 1);
 }
 
-TEST(SlabFaces, NorWhereABedTakesTheHeadroomBelowIt)
-{
-  AirScene scene = storeys(always, isAside);
-  scene.slab(1.55, 0.55, 4.45, 3.45, 0.86);
-  const SceneAir air(scene);
-  const AirGap& upper = air.gaps[air.at(3, 2, 4)];
-  EXPECT_EQ(upper.low, 57);
-  EXPECT_FALSE(upper.floor_seen);
-}
-
 TEST(SlabFaces, FurnitureAlongTheRimIsNotTakenForTheFloor)
 {
   AirScene scene = storeys(always, isAside);
