@@ -15,13 +15,15 @@ from buildings.build import build
 from buildings.kinds import KINDS
 
 try:
-    from buildings import grades, pictures
+    from buildings import grades, instrument, pictures
 except ImportError as error:
     sys.exit(f"random_buildings.py: the Python package {error.name} is missing; on Debian: "
              "apt install python3-numpy python3-scipy python3-shapely python3-matplotlib, and use /usr/bin/python3")
 
 def one_building(seed, folder, options):
     row = runs.scan(build(seed, options.kind), seed, folder, options)
+    if options.measured:
+        instrument.spoil(folder, seed)
     figures, message = runs.model(folder, options)
     row.update(figures)
     figures, graded = grades.grade(folder, folder / "out")
@@ -58,6 +60,8 @@ def summary(rows):
 def main():
     parser = runs.parser(__doc__, "buildings")
     parser.add_argument("--kind", choices=sorted(KINDS), help="all of this kind; else each seed chooses")
+    parser.add_argument("--measured", action="store_true",
+                        help="points with the errors of real scans: registration, mixed pixels, lost grazing returns")
     runs.all_seeds(parser.parse_args(), ["pcl_simulate_indoor_scan"], one_building, summary)
 
 

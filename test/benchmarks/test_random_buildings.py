@@ -13,7 +13,9 @@ from buildings.build import build
 from buildings.kinds import KINDS
 
 try:
-    from buildings import grades
+    import numpy as np
+
+    from buildings import grades, instrument
 except ImportError:
     grades = None  # numpy, scipy or shapely is missing: what needs no grade is tested
 
@@ -142,6 +144,44 @@ class Grades(unittest.TestCase):
         figures = grades.grade(self.folder, self.folder)[0]
         self.assertEqual(figures["missed"], figures["rooms"])
         self.assertEqual(figures["storeys_found"], 0)
+
+
+@unittest.skipUnless(grades, "needs numpy, scipy and shapely")
+class Measured(unittest.TestCase):
+    """A scan line over a floor, 2 m below two stations, with a post at every tenth point."""
+
+    def setUp(self):
+        self.points = np.zeros(4000, [("x", "<f4"), ("y", "<f4"), ("z", "<f4"), ("label", "<u4"), ("room", "<u4")])
+        self.points["x"] = np.tile(np.linspace(1, 30, 2000), 2)
+        self.points["label"] = 2
+        self.points["x"][::10] -= 0.5
+        self.points["z"][::10] = 0.5
+        self.points["label"][::10] = 3
+        self.stations = np.array([[0, 0, 2, 2000], [0, 0, 2, 2000]])
+        self.measured = instrument.measure(self.points, self.stations, 1)
+
+    def test_points_are_the_same_for_the_same_seed(self):
+        self.assertEqual(self.measured.tobytes(), instrument.measure(self.points, self.stations, 1).tobytes())
+        self.assertNotEqual(self.measured.tobytes(), instrument.measure(self.points, self.stations, 2).tobytes())
+
+    def test_points_between_neighbours_at_different_depths_belong_to_nothing(self):
+        mixed = self.measured[self.measured["label"] == 0]
+        self.assertGreater(len(mixed), 20)
+        self.assertTrue(((mixed["z"] > -0.05) & (mixed["z"] < 0.55)).all())
+
+    def test_floors_lose_grazing_returns_only(self):
+        limit = 2 * np.tan(instrument.GRAZING)
+        is_floor, was_floor = self.measured["label"] == 2, self.points["label"] == 2
+        for place, share in ((self.points["x"] < limit - 2, 1.0), (self.points["x"] > limit + 2, 1 - instrument.GRAZING_LOST)):
+            low, high = self.points["x"][place & was_floor].min() - 0.3, self.points["x"][place & was_floor].max() + 0.3
+            kept = (is_floor & (self.measured["x"] > low) & (self.measured["x"] < high)).sum() / (place & was_floor).sum()
+            self.assertAlmostEqual(kept, share, delta=0.05)
+
+    def test_stations_are_apart_by_their_registration(self):
+        heights = [self.measured[half][self.measured[half]["label"] == 2]["z"].mean()
+                   for half in (slice(0, len(self.measured) // 2), slice(len(self.measured) // 2, None))]
+        self.assertGreater(abs(heights[0] - heights[1]), 1e-4)
+        self.assertLess(abs(heights[0] - heights[1]), 0.05)
 
 
 if __name__ == "__main__":

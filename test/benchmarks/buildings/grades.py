@@ -101,6 +101,14 @@ def read_points(path):
     return np.frombuffer(data, form, offset=start)
 
 
+def write_points(path, points):
+    """Writes what read_points() reads."""
+    header = (f"# .PCD v0.7\nVERSION 0.7\nFIELDS x y z label room\nSIZE 4 4 4 4 4\nTYPE F F F U U\nCOUNT 1 1 1 1 1\n"
+              f"WIDTH {len(points)}\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {len(points)}\nDATA binary\n")
+    with open(path, "wb") as file:
+        file.write(header.encode() + points.tobytes())
+
+
 def within(loop, points):
     """Which of the points are inside a loop of corners."""
     x, y = points[:, 0], points[:, 1]
