@@ -79,7 +79,7 @@ cellSizeFor(const std::vector<CellSet>& ceilings, double size, const Priors& pri
   const double enlargement =
       std::sqrt(std::log(1 - priors.cell_fill) / std::log(1 - fill));
   const double wanted = size * std::clamp(enlargement, 1.0, priors.max_enlargement);
-  return std::max(size, std::round(wanted * 100) / 100);
+  return std::max(size, 1 / std::max(1.0, std::floor(1 / wanted)));
 }
 
 } // namespace pcl::sedr

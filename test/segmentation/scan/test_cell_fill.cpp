@@ -48,7 +48,7 @@ TEST(CellSize, OfASparseScanGrowsUntilNearlyAllAreFilled)
   // 1 - exp(-400 size^2) = 0.97 at 9.4 cm; the squares scatter about that.
   const double size = cellSizeFor({scattered(400, 0.05)}, 0.05);
   EXPECT_NEAR(std::sqrt(-std::log(0.03) / 400), size, 0.02);
-  EXPECT_EQ(size, std::round(size * 100) / 100);
+  EXPECT_EQ(size, 1 / std::round(1 / size)) << "a whole part of a metre";
   EXPECT_EQ(size, cellSizeFor({scattered(400, size)}, size));
 }
 
@@ -92,6 +92,11 @@ TEST(CellSize, GrowsForASparseThirdOfAScanOnlyWhereTheRestIsNotFilled)
     const double expected = rest < 1500 ? std::sqrt(-std::log(0.03) / 400) : 0.05;
     EXPECT_NEAR(expected, cellSizeFor(ceilings, 0.05), 0.02) << rest;
   }
+}
+
+TEST(CellSize, OfTheLargestCellsIsAMetreAtMost)
+{
+  EXPECT_EQ(1, cellSizeFor({scattered(4, 0.6)}, 0.6));
 }
 
 TEST(CellSize, OfNothingStays)
