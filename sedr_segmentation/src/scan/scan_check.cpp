@@ -202,11 +202,10 @@ unitOf(const std::vector<double>& heights, double min_height, const Priors& prio
   if (heights.empty())
     return Unit::Unknown;
   const double height = middleValue(heights);
-  if (height <= priors.max_door_height)
-    return Unit::Metre;
   const double in_feet = height * foot;
-  return in_feet >= min_height && in_feet <= priors.max_door_height ? Unit::Foot
-                                                                    : Unit::Unknown;
+  if (height <= priors.max_door_height || in_feet < min_height)
+    return Unit::Metre;
+  return in_feet <= priors.max_door_height ? Unit::Foot : Unit::Unknown;
 }
 
 std::vector<double>
@@ -241,13 +240,14 @@ footProblem(const Floorplan& plan,
             const Priors& priors)
 {
   constexpr double sliver = 0.1; // of the largest room; smaller rooms are ignored
-  std::vector<double> heights;
-  std::vector<double> areas;
   double whole_area = 0;
+  double high_area = 0;
   double largest_area = 0;
   for (const PlanRoom& room : plan.rooms)
     largest_area = std::max(largest_area, room.area());
   std::size_t rooms = 0;
+  std::vector<double> heights; // of rooms that are high enough in feet
+  std::vector<double> areas;   // of those as high as in homes
   for (const PlanRoom& room : plan.rooms) {
     if (room.boundary.elements.empty() || room.area() < sliver * largest_area)
       continue;
@@ -255,35 +255,44 @@ footProblem(const Floorplan& plan,
     const Eigen::Vector2d& corner = room.boundary.elements.front().start;
     const double height = room.ceiling.heightAt(corner) - room.floor.heightAt(corner);
     whole_area += room.area();
-    if (height * foot < priors.min_home_height ||
-        height * foot > priors.max_home_height)
+    if (height * foot < priors.min_home_height)
       continue;
     heights.push_back(height);
-    areas.push_back(room.area());
+    high_area += room.area();
+    if (height * foot <= priors.max_home_height)
+      areas.push_back(room.area());
   }
-  if (heights.empty() ||
-      std::accumulate(areas.begin(), areas.end(), 0.0) < priors.share_most * whole_area)
+  const double most = priors.share_most * whole_area;
+  if (heights.empty() || high_area < most)
     return {};
-  std::vector<double> stood = heightsOfScanners(plan, places);
-  Unit unit = unitOf(heightsOfDoors(plan), priors.min_headroom, priors);
+  const std::vector<double> doors = heightsOfDoors(plan);
+  const std::vector<double> stood = heightsOfScanners(plan, places);
+  Unit unit = unitOf(doors, priors.min_headroom, priors);
+  const bool is_told_by_doors = unit == Unit::Foot;
   if (unit == Unit::Unknown)
     unit = unitOf(stood, 0, priors);
-  if (unit == Unit::Metre || (unit == Unit::Unknown &&
-                              middleValue(areas) * foot * foot > priors.max_home_area))
+  if (unit == Unit::Metre)
     return {};
+  const bool is_home =
+      std::accumulate(areas.begin(), areas.end(), 0.0) >= most &&
+      (unit == Unit::Foot || middleValue(areas) * foot * foot <= priors.max_home_area);
   const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
-  const std::string which =
+  std::string sentence =
       heights.size() == 1 ? text("the room is %.1f m high", *low)
                           : (heights.size() == rooms ? "all " : "") +
                                 text("%.0f rooms are %.1f to %.1f m high",
                                      static_cast<double>(heights.size()), *low, *high);
-  const std::string scanner =
-      stood.empty()
-          ? ""
-          : text(" and the scanner stood %.1f m above the floor", middleValue(stood));
-  return which + scanner +
-         ", as rooms of homes and offices are in feet: if the foot is the unit "
-         "of the scan, scale it by 0.3048 (--unit 0.3048 in pcl_sedr)";
+  if (is_told_by_doors)
+    sentence += text(", doors are %.1f m high", middleValue(doors));
+  if (!stood.empty())
+    sentence +=
+        text(" and the scanner stood %.1f m above the floor", middleValue(stood));
+  if (is_home)
+    sentence += ", as rooms of homes and offices are in feet";
+  else if (unit == Unit::Unknown)
+    sentence += ", and nothing that was found tells the unit";
+  return sentence + ": if the foot is the unit of the scan, scale it by 0.3048 "
+                    "(--unit 0.3048 in pcl_sedr)";
 }
 
 } // namespace pcl::sedr

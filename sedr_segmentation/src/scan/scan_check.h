@@ -100,12 +100,13 @@ std::string upProblem(const PointView& points,
                       unsigned threads = 1,
                       const Priors& priors = {});
 
-/** @brief Returns a sentence if the unit of a plan seems to be the foot, else an empty
- * one. Rooms with four fifths of the area must be 7 to 12 high. Rooms of any area are
- * then in feet if their doors are 5.9 to 8.5 high or the scanner, which was carried
- * through doors, stood above 2.6 and up to 8.5; lower doors and scanners tell metres.
- * Where neither is known, half of the rooms must have an area below 540, as halls of
- * that height are larger. O(rooms times places).
+/** @brief Returns a sentence if the unit of a plan may be the foot, else an empty one.
+ * Rooms with four fifths of the area must be 7 and more high. Doors and scanners,
+ * which were carried through doors, tell the unit: doors of 5.9 to 8.5 and scanners
+ * above 2.6 and up to 8.5 the foot, others up to 5.9 the metre. Where neither is known,
+ * rooms up to 12 high, half of them with an area below 540, are those of homes in feet;
+ * of higher and larger ones the sentence says that nothing tells the unit.
+ * O(rooms times places).
  * @param places where the scanner stood, in the frame of the plan; may be empty */
 std::string footProblem(const Floorplan& plan,
                         const std::vector<Eigen::Vector3f>& places = {},

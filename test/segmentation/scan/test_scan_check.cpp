@@ -138,7 +138,9 @@ TEST(FootProblem, ASingleRoomAndTheDoorsOfTwoTellItToo)
 {
   const std::string alone = footProblem(planOf({10.6}, 240));
   EXPECT_TRUE(mentions(alone, "the room is 10.6 m high")) << alone;
-  EXPECT_EQ(footProblem(planOf({10.6}, 600)), "") << "a hall";
+  const std::string hall = footProblem(planOf({10.6}, 600));
+  EXPECT_FALSE(mentions(hall, "homes")) << hall;
+  EXPECT_TRUE(mentions(hall, "nothing that was found tells the unit")) << hall;
   Floorplan with_sliver = planOf({9.2, 3}, 20);
   with_sliver.rooms[0].boundary = rectangle(0, 20, 16, 36);
   const std::string beside = footProblem(with_sliver);
@@ -153,18 +155,26 @@ TEST(FootProblem, ASingleRoomAndTheDoorsOfTwoTellItToo)
   EXPECT_TRUE(mentions(footProblem(two), "--unit 0.3048"));
   two.doorways[0].top = 2.1;
   EXPECT_EQ(footProblem(two), "") << "halls with doors of metres";
+  two.doorways[0].top = 4;
+  EXPECT_EQ(footProblem(two), "") << "portals, which nobody passes in feet";
 }
 
 TEST(FootProblem, DoorsAndScannersTellItOfLargeRoomsToo)
 {
   Floorplan halls = planOf({8, 8.5, 10}, 600);
-  EXPECT_EQ(footProblem(halls), "");
+  EXPECT_TRUE(mentions(footProblem(halls), "nothing that was found tells the unit"));
   const std::vector<Eigen::Vector3f> in_feet{{3, 3, 5.2F}, {5, 5, 5.4F}, {3, 3, -2}};
   const std::string problem = footProblem(halls, in_feet);
   EXPECT_TRUE(mentions(problem, "the scanner stood 5.")) << problem;
   halls.doorways.resize(1);
   halls.doorways[0].top = 6.7;
   EXPECT_TRUE(mentions(footProblem(halls), "--unit 0.3048"));
+  Floorplan gym = planOf({21}, 6000);
+  EXPECT_TRUE(mentions(footProblem(gym), "nothing that was found tells the unit"));
+  EXPECT_EQ(footProblem(gym, {{3, 3, 1.6F}}), "");
+  gym.doorways = halls.doorways;
+  const std::string by_doors = footProblem(gym);
+  EXPECT_TRUE(mentions(by_doors, "21.0 m high, doors are 6.7 m high")) << by_doors;
 }
 
 TEST(FootProblem, AScannerAsHighAsADoorOfMetresTellsMetres)
@@ -179,8 +189,7 @@ TEST(FootProblem, HallsAndRoomsInMetresAreNone)
   EXPECT_EQ(footProblem(planOf({2.5, 2.4, 3}, 15)), "");
   EXPECT_EQ(footProblem(planOf({8, 8, 2.6}, 150)), "")
       << "halls and a room beside them";
-  EXPECT_EQ(footProblem(planOf({8, 8, 15}, 150)), "");
-  EXPECT_EQ(footProblem(planOf({8, 8, 9}, 600)), "") << "three large halls";
+  EXPECT_EQ(footProblem(planOf({4, 6, 6.5}, 600)), "") << "three large halls";
   EXPECT_EQ(footProblem(Floorplan()), "");
 }
 
