@@ -69,8 +69,7 @@ main(int argc, char** argv)
                        "PCD or PLY to write, not needed with --list");
   options.flag("list", settings.list,
                "print number, points, position and name of every scan instead");
-  addE57Options(options, settings.scan);
-  addUnitOption(options, settings.scan);
-  addOriginOptions(options, settings.scan);
+  addScanOptions(options, settings.scan);
+  addDoublesOption(options, settings.scan);
   return runTool(options, argc, argv, [&] { return run(settings); });
 }

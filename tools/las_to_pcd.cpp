@@ -37,8 +37,7 @@ main(int argc, char** argv)
   options.file("INPUT.las", settings.input,
                "LAS 1.0 to 1.4, .xyz, .txt, .pts or .csv; - is the standard input");
   options.file("OUTPUT", settings.output, "PCD or PLY to write");
-  addUnitOption(options, settings.scan);
-  addColumnsOption(options, settings.scan);
-  addOriginOptions(options, settings.scan);
+  addScanOptions(options, settings.scan);
+  addDoublesOption(options, settings.scan);
   return runTool(options, argc, argv, [&] { return run(settings); });
 }

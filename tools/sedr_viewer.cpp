@@ -58,9 +58,11 @@ addOptions(Options& options, Settings& s)
                  Range::between(1, 20));
   options.number("range", s.range, "m", "distance of the last colour",
                  Range::between(1e-4, 100));
-  options.text("scan", s.reading.scan,
-               "raw scan, where it is not where report.json says");
-  addColumnsOption(options, s.file);
+  options.text(
+      "raw", s.reading.scan,
+      "raw scan of a folder, where it is not where report.json says; it is read "
+      "as it was then");
+  addScanOptions(options, s.file);
   options.number("max-points", s.reading.max_points, "points",
                  "of a cloud that are shown, 0 for all", Range::atLeast(0));
   options.text("screenshot", s.screenshot, "PNG to write instead of opening a window");
@@ -120,7 +122,7 @@ run(const Settings& settings)
     checkPictureOutput(settings.screenshot);
   requireDisplay();
   ReadSettings reading = settings.reading;
-  reading.file = settings.file.settings;
+  reading.file = settings.file.resolved();
   const ViewedResult result = readResult(settings.path, reading);
   for (const auto& note : result.notes)
     say("pcl_sedr_viewer: " + note);

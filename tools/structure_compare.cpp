@@ -3,12 +3,12 @@
 #include "compare/change_picture.h"
 #include "compare/comparison.h"
 #include "compare/plan_alignment.h"
+#include "joint_scan.h"
 #include "picture_file.h"
 #include "plan_file.h"
 #include "progress.h"
 #include "run_tool.h"
 #include "scale.h"
-#include "scan_file.h"
 #include "scan_options.h"
 #include "tool_error.h"
 #include "bytes/whole_file.h"
@@ -46,8 +46,10 @@ planOfScan(const std::string& path, const ScanSettings& reading)
 {
   const Progress progress("reconstructing " + path);
   pcl::IndoorStructureReconstruction<pcl::PointXYZ> chain;
-  const auto scan = std::make_shared<ScanFile>(path, reading);
+  const auto scan =
+      std::make_shared<JointScan>(std::vector<std::string>{path}, reading);
   chain.setInputSource(scan);
+  chain.setScanPositions(scan->positions());
   if (!chain.findStructure())
     throw ToolError("'" + path + "': no structure found: " + chain.getErrorMessage(),
                     NothingFound);

@@ -72,8 +72,11 @@ ScanOptions::resolved() const
 }
 
 void
-addOriginOptions(Options& options, ScanOptions& scan)
+addScanOptions(Options& options, ScanOptions& scan)
 {
+  options.number("unit", scan.settings.unit, "m",
+                 "length of one unit of the scan: 0.001 for millimetres",
+                 Range::between(1e-6, 1e6));
   options.text("origin", scan.origin,
                "x,y,z in m that coordinates are counted from; whole metres in the "
                "middle of scans that lie more than 1 km from 0, else 0,0,0");
@@ -81,32 +84,15 @@ addOriginOptions(Options& options, ScanOptions& scan)
                "count from the origin of this model, so that both have one frame");
   options.flag("no-shift", scan.no_shift,
                "take coordinates as they are, however large");
-}
-
-void
-addColumnsOption(Options& options, ScanOptions& scan)
-{
+  options.number("scan", scan.settings.scan, "",
+                 "number of the scan of an E57 file that is read, 0 = all",
+                 Range::atLeast(0));
+  options.flag("skip-broken", scan.settings.skip_broken,
+               "leave out the scans of an E57 file that cannot be read");
   options.text(
       "columns", scan.settings.columns,
       "names of the columns of a text, such as x,y,z,intensity,red,green,blue; "
       "_ is skipped");
-}
-
-void
-addUnitOption(Options& options, ScanOptions& scan)
-{
-  options.number("unit", scan.settings.unit, "m",
-                 "length of one unit of the scan: 0.001 for millimetres",
-                 Range::between(1e-6, 1e6));
-}
-
-void
-addScanOptions(Options& options, ScanOptions& scan)
-{
-  addUnitOption(options, scan);
-  addOriginOptions(options, scan);
-  addE57Options(options, scan);
-  addColumnsOption(options, scan);
 }
 
 void
@@ -119,13 +105,11 @@ addPositionsOption(Options& options, ScanOptions& scan)
 }
 
 void
-addE57Options(Options& options, ScanOptions& scan)
+addDoublesOption(Options& options, ScanOptions& scan)
 {
-  options.number("scan", scan.settings.scan, "",
-                 "number of the scan of an E57 file that is read, 0 = all",
-                 Range::atLeast(0));
-  options.flag("skip-broken", scan.settings.skip_broken,
-               "leave out the scans of an E57 file that cannot be read");
+  options.flag("doubles", scan.settings.keeps_doubles,
+               "write x, y and z as doubles, which PCL's own types do not have, where "
+               "floats would round them");
 }
 
 } // namespace pcl::sedr::tools

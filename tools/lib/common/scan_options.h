@@ -20,23 +20,16 @@ struct ScanOptions {
   ScanSettings resolved() const;
 };
 
-/** @brief Declares --origin, --origin-of and --no-shift. */
-void addOriginOptions(Options& options, ScanOptions& scan);
+/** @brief Declares what every program that reads scans takes: --scan, --skip-broken,
+ * --columns, --unit, --origin, --origin-of and --no-shift. */
+void addScanOptions(Options& options, ScanOptions& scan);
 
-/** @brief Declares --scan and --skip-broken, for E57. */
-void addE57Options(Options& options, ScanOptions& scan);
-
-/** @brief Declares --columns, for text. */
-void addColumnsOption(Options& options, ScanOptions& scan);
-
-/** @brief Declares --unit. */
-void addUnitOption(Options& options, ScanOptions& scan);
-
-/** @brief Declares --positions. */
+/** @brief Declares --positions, for programs that use where a point was scanned from.
+ */
 void addPositionsOption(Options& options, ScanOptions& scan);
 
-/** @brief Declares all of them but --positions. */
-void addScanOptions(Options& options, ScanOptions& scan);
+/** @brief Declares --doubles, for programs that write what they read. */
+void addDoublesOption(Options& options, ScanOptions& scan);
 
 /** @brief Returns the origin of a model's coordinates, from a folder of pcl_sedr, its
  * floorplan.json, or a PCD, PLY or OBJ; 0, 0, 0 if none is stated. */

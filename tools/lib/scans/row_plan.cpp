@@ -38,8 +38,10 @@ RowPlan::RowPlan(const std::vector<pcl::PCLPointField>& raw,
                  std::size_t raw_size,
                  double unit,
                  const Eigen::Vector3d& shift,
+                 std::uint8_t datatype,
                  const std::string& path)
     : raw_size_(raw_size)
+    , datatype_(datatype)
     , unit_(unit)
 {
   for (const auto& field : raw) {
@@ -57,7 +59,7 @@ RowPlan::RowPlan(const std::vector<pcl::PCLPointField>& raw,
                       field.count != 1 || move.shift != 0);
     fields_.push_back(field);
     if (move.converts) {
-      fields_.back().datatype = pcl::PCLPointField::FLOAT32;
+      fields_.back().datatype = datatype_;
       fields_.back().count = 1;
     }
     move.size = fieldSize(field.datatype) * field.count;
@@ -76,21 +78,33 @@ RowPlan::RowPlan(const std::vector<pcl::PCLPointField>& raw,
   is_plain_ = is_plain_ && row_size_ == raw_size_;
 }
 
+template <typename OutT>
+void
+RowPlan::convert(const Move& move,
+                 const std::uint8_t* raw,
+                 std::size_t rows,
+                 std::uint8_t* to) const
+{
+  withFieldType(move.datatype, [&](auto typed) {
+    for (std::size_t i = 0; i < rows; ++i) {
+      std::memcpy(&typed, raw + move.from + i * raw_size_, sizeof typed);
+      const auto value =
+          static_cast<OutT>(unit_ * static_cast<double>(typed) - move.shift);
+      std::memcpy(to + move.to + i * row_size_, &value, sizeof value);
+    }
+  });
+}
+
 void
 RowPlan::bring(const std::uint8_t* raw, std::size_t rows, std::uint8_t* to) const
 {
   for (const Move& move : moves_) {
     const auto* from = raw + move.from;
     auto* where = to + move.to;
-    if (move.converts)
-      withFieldType(move.datatype, [&](auto typed) {
-        for (std::size_t i = 0; i < rows; ++i) {
-          std::memcpy(&typed, from + i * raw_size_, sizeof typed);
-          const auto value =
-              static_cast<float>(unit_ * static_cast<double>(typed) - move.shift);
-          std::memcpy(where + i * row_size_, &value, sizeof value);
-        }
-      });
+    if (move.converts && datatype_ == pcl::PCLPointField::FLOAT64)
+      convert<double>(move, raw, rows, to);
+    else if (move.converts)
+      convert<float>(move, raw, rows, to);
     else if (move.size == 4)
       copyField<4>(from, raw_size_, rows, where, row_size_);
     else

@@ -144,7 +144,10 @@ ScanFile::prepare(const ScanSettings& settings)
   if (layout_.is_ply)
     nameAsPcl(named);
   plan_ =
-      std::make_unique<RowPlan>(named.fields, named.point_step, unit_, shift_, path_);
+      std::make_unique<RowPlan>(named.fields, named.point_step, unit_, shift_,
+                                settings.keeps_doubles ? pcl::PCLPointField::FLOAT64
+                                                       : pcl::PCLPointField::FLOAT32,
+                                path_);
   is_plain_ =
       layout_.data != FileData::BinaryBigEndian && layout_.data != FileData::Decoded &&
       plan_->isPlain() && named.point_step == layout_.blob.point_step &&

@@ -31,11 +31,11 @@ using ScanPlaces = std::array<std::vector<double>, 3>;
  * demand.
  *
  * Rows have every field of a PCD or PLY, and of other formats those that a stage uses.
- * x, y and z are FLOAT32 metres, without padding. Rows come piece by piece from the
- * mapped file, without a copy if they are stored in this form. The pages of a piece are
- * released while the next one is read. Hence a scan of any size takes the memory of two
- * pieces, and one more if they are copied. binary_compressed and ascii are unpacked
- * into memory first.
+ * x, y and z are FLOAT32 metres, without padding, FLOAT64 if the settings keep doubles.
+ * Rows come piece by piece from the mapped file, without a copy if they are stored in
+ * this form. The pages of a piece are released while the next one is read. Hence a scan
+ * of any size takes the memory of two pieces, and one more if they are copied.
+ * binary_compressed and ascii are unpacked into memory first.
  *
  * Coordinates stored as doubles or integers, more than 1 km from 0, are relative to an
  * origin: the centre of the points in whole metres, per axis. This is printed once per

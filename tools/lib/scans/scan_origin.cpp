@@ -157,7 +157,8 @@ ScanFile::settleOrigin(const ScanSettings& settings)
   // An origin cannot restore the precision that floats have lost.
   const double farthest = are_floats ? std::max(given, farthestFrom(shift, places))
                                      : farthestFrom(shift, places);
-  if (farthest * float_step > coarsest) {
+  const bool are_rounded = are_floats || !settings.keeps_doubles;
+  if (are_rounded && farthest * float_step > coarsest) {
     if (unit_ == 1 && couldBeMillimetres(places[2]))
       throw ToolError(
           "the coordinates of '" + path_ +

@@ -76,7 +76,7 @@ readFile(const std::string& path, const ReadSettings& settings)
     result.plan = *loadFloorplan(path);
     return result;
   }
-  if (readScanHead(path).is_mesh) {
+  if (readScanHead(path, settings.file).is_mesh) {
     result.solid_names = solidNames(path);
     const std::string problem =
         loadMesh(path, result.solid_names.empty() ? result.mesh : result.solid);
@@ -98,7 +98,7 @@ readScan(const ResultFolder& folder, const ReadSettings& settings, ViewedResult&
 {
   const std::string path = settings.scan.empty() ? folder.scanPath() : settings.scan;
   if (path.empty()) {
-    result.notes.emplace_back("the scan itself is not there: name it by --scan");
+    result.notes.emplace_back("the scan itself is not there: name it by --raw");
     return;
   }
   const ScanFile scan(path, folder.scanSettings());

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The programs that read scans: their options, what they write, and what they refuse.
+#include "scanned_building.h"
+#include "tools/option_help.h"
+
+#include "sedr_filters/src/base/field_access.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+namespace {
+
+using namespace pcl::sedr::tools;
+using namespace programs;
+using pcl::sedr::Origin;
+
+class ScanTools : public ScannedBuilding {};
+
+TEST(ScanPrograms, AllTakeTheSameReadingOptions)
+{
+  for (const char* program :
+       {SEDR, PARALLEL_VOXEL_GRID, STRUCTURE_COMPARE, E57_TO_PCD, LAS_TO_PCD,
+#ifdef SEDR_VIEWER
+        SEDR_VIEWER,
+#endif
+#ifdef SEDR_MPI
+        SEDR_MPI
+#endif
+       }) {
+    std::map<std::string, std::string> texts;
+    for (const OptionHelp& option : optionsIn(run(program, {"--help"}).out))
+      texts[option.name] = option.text;
+    static std::map<std::string, std::string> first;
+    if (first.empty())
+      first = texts;
+    for (const char* name : {"unit", "origin", "origin-of", "no-shift", "scan",
+                             "skip-broken", "columns"}) {
+      ASSERT_EQ(texts.count(name), 1u) << program << " --" << name;
+      EXPECT_EQ(texts[name], first[name]) << program;
+    }
+  }
+}
+
+TEST(ScanPrograms, DoublesKeepWhatFloatsRound)
+{
+  const TemporaryFolder folder;
+  const auto in = [&](const char* name) { return (folder.path() / name).string(); };
+  LasSample las; // several kilometres wide: floats are 0.2 mm apart at its ends
+  las.shift = {600000, 5000000, 0};
+  for (int i = 0; i < 1000; ++i)
+    las.points.push_back({i * 3137, i * 2111, i % 7 * 401});
+  writeFile(in("wide.las"), las.bytes());
+  const auto worst = [&](const std::string& path) {
+    ScanSettings settings;
+    settings.keeps_doubles = true;
+    const ScanFile scan(path, settings);
+    double farthest = 0;
+    scan.forEachPiece([&](const pcl::sedr::RowSource::Piece& piece) {
+      for (std::size_t i = 0; i < piece.size; ++i)
+        for (int axis = 0; axis < 3; ++axis) {
+          const auto a = static_cast<std::size_t>(axis);
+          const auto& field = scan.fields()[a];
+          const double value = pcl::sedr::readField(
+              piece.rows + i * scan.rowSize() + field.offset, field.datatype);
+          const double expected = 1e-3 * las.points[piece.first + i][a] + las.shift[a];
+          farthest = std::max(farthest,
+                              std::abs(value + scan.origin().place[axis] - expected));
+        }
+      return true;
+    });
+    return farthest;
+  };
+  for (const char* name : {"wide.pcd", "wide.ply"}) {
+    ASSERT_EQ(run(LAS_TO_PCD, {in("wide.las"), in(name)}).exit_code, 0);
+    EXPECT_GT(worst(in(name)), 2e-5) << name;
+    ASSERT_EQ(run(LAS_TO_PCD, {in("wide.las"), in(name), "--doubles"}).exit_code, 0);
+    EXPECT_LT(worst(in(name)), 1e-8) << name;
+    ASSERT_EQ(run(LAS_TO_PCD, {in("wide.las"), in(name), "--doubles", "--no-shift"})
+                  .exit_code,
+              0);
+    EXPECT_LT(worst(in(name)), 1e-8) << name;
+    ScanSettings as_given;
+    as_given.keeps_doubles = true;
+    as_given.shifts = false;
+    EXPECT_TRUE(ScanFile(in(name), as_given).origin().isZero());
+  }
+  EXPECT_EQ(loadCloud(in("wide.ply")).blob.data, loadCloud(in("wide.las")).blob.data);
+}
+
+TEST_F(ScanTools, BadOptionsAndScansThatStayTooLargeAreOneSentence)
+{
+  writeFile(in("large.las"), las());
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{"--no-shift"},
+        {"--origin", "1,2"},
+        {"--origin", "0,0,0"},
+        {"--origin", "0,0,0", "--no-shift"},
+        {"--origin-of", in("nowhere")},
+        {"--origin-of", in("large.las")},
+        {"--origin-of", in("study/scan.pcd")},
+        {"--scan", "2"}}) {
+    const ProgramRun made = model(in("large.las"), "refused", options);
+    EXPECT_EQ(made.exit_code, 1);
+    EXPECT_TRUE(made.failsInOneSentence()) << made.err;
+    EXPECT_FALSE(std::filesystem::exists(in("refused")));
+  }
+}
+
+TEST_F(ScanTools, ConvertersWriteWhatIsRead)
+{
+  writeFile(in("scan.e57"), e57());
+  writeFile(in("scan.las"), las());
+  const ProgramRun listed = run(E57_TO_PCD, {in("scan.e57"), "--list"});
+  EXPECT_EQ(listed.exit_code, 0);
+  EXPECT_NE(listed.out.find("station 2"), std::string::npos) << listed.out;
+  EXPECT_NE(listed.out.find(Origin{stationOf(1)}.text(", ")), std::string::npos)
+      << listed.out;
+  ASSERT_EQ(run(E57_TO_PCD, {in("scan.e57"), in("one.pcd"), "--scan", "1"}).exit_code,
+            0);
+  const ToolCloud one = loadCloud(in("one.pcd"));
+  ASSERT_EQ(one.size(), part(0).size());
+  for (std::size_t i = 0; i < one.size(); i += 100)
+    EXPECT_LT((one.origin.toGiven((*one.points)[i].getVector3fMap().cast<double>()) -
+               part(0)[i])
+                  .norm(),
+              3e-6);
+  ASSERT_EQ(run(LAS_TO_PCD, {in("scan.las"), in("all.ply")}).exit_code, 0);
+  EXPECT_EQ(loadCloud(in("all.ply")).blob.data, loadCloud(in("scan.las")).blob.data);
+  EXPECT_EQ(run(E57_TO_PCD, {in("scan.e57")}).exit_code, 1);
+  const ProgramRun broken = run(LAS_TO_PCD, {in("scan.e57") + "x", in("no.pcd")});
+  EXPECT_EQ(broken.exit_code, 1);
+  EXPECT_FALSE(std::filesystem::exists(in("no.pcd")));
+}
+
+TEST_F(ScanTools, AFileThatShrinksWhileItIsReadIsAnError)
+{
+  LasSample sample;
+  sample.points.assign(200000, {1, 2, 3});
+  for (std::size_t i = 0; i < sample.points.size(); ++i)
+    sample.points[i][0] = static_cast<std::int32_t>(i);
+  std::string lines;
+  for (int i = 0; i < 100000; ++i)
+    lines += std::to_string(i % 900) + " 2 3\n";
+  for (const std::string& bytes : {sample.bytes(), e57(), lines}) {
+    writeFile(in("shrinks"), bytes);
+    const ScanFile scan(in("shrinks"), 1, 100000);
+    std::string reason;
+    try {
+      scan.forEachPiece([&](const pcl::sedr::RowSource::Piece& piece) {
+        if (piece.first == 0)
+          std::filesystem::resize_file(in("shrinks"), 300000);
+        return true;
+      });
+    }
+    catch (const std::exception& error) {
+      reason = error.what();
+    }
+    EXPECT_NE(reason.find("300000 of its " + std::to_string(bytes.size()) +
+                          " bytes are left"),
+              std::string::npos)
+        << reason;
+  }
+}
+
+TEST_F(ScanTools, AnOutputBeyondTheLimitOfFilesLeavesNothingBehind)
+{
+  std::filesystem::create_directory(in("limited"));
+  const std::string command = "ulimit -f 8; " + programs::quoted(PARALLEL_VOXEL_GRID) +
+                              " " + programs::quoted(in("study/scan.pcd")) + " " +
+                              programs::quoted(in("limited/out.pcd")) + " 2>/dev/null";
+  const int status = std::system(command.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_TRUE(std::filesystem::is_empty(in("limited")));
+}
+
+} // namespace
