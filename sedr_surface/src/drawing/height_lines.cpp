@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "height_lines.h"
 
+#include "line_pieces.h"
 #include "roof_lines.h"
 #include "sedr_filters/src/plan/room_lookup.h"
 
@@ -136,35 +137,6 @@ private:
   std::map<Side, bool> is_used_;
 };
 
-/** @brief Appends a line as few straight pieces, at most 5 mm off. */
-void
-addPieces(const std::vector<Eigen::Vector2d>& line,
-          std::size_t first,
-          std::size_t last,
-          std::vector<PlanElement>& pieces)
-{
-  constexpr double tolerance = 0.005;
-  PlanElement piece;
-  piece.start = line[first];
-  piece.end = line[last];
-  std::size_t farthest = first;
-  double most = tolerance;
-  for (std::size_t k = first + 1; k < last; ++k) {
-    const double distance =
-        piece.length() > 0 ? piece.distance(line[k]) : (line[k] - piece.start).norm();
-    if (distance <= most)
-      continue;
-    most = distance;
-    farthest = k;
-  }
-  if (farthest == first) {
-    pieces.push_back(piece);
-    return;
-  }
-  addPieces(line, first, farthest, pieces);
-  addPieces(line, farthest, last, pieces);
-}
-
 } // namespace
 
 std::vector<PlanElement>
@@ -176,9 +148,10 @@ heightLines(const PlanRoom& room, double height)
   const HeightGrid grid = heightsOf(room);
   if (grid.columns < 2 || grid.rows < 2)
     return pieces;
+  constexpr double tolerance = 0.005;
   for (const auto& line : LineTracer(grid, height).run())
-    if (line.size() > 1)
-      addPieces(line, 0, line.size() - 1, pieces);
+    for (const PlanElement& piece : piecesOf(line, tolerance))
+      pieces.push_back(piece);
   return pieces;
 }
 

@@ -9,7 +9,7 @@
 namespace pcl::sedr {
 
 /** @brief Returns the lines in plan along which the ceiling of a room is `height`
- * metres above its floor, as under a roof. Straight pieces, accurate to a few
+ * metres above its floor, as under a roof. Pieces accurate to a few
  * millimetres; empty if the ceiling is level. */
 std::vector<PlanElement> heightLines(const PlanRoom& room, double height);
 

@@ -3,12 +3,12 @@
 
 #include "../formats/decimal_text.h"
 #include "../sheet/plan_frame.h"
-#include "roof_lines.h"
+#include "ceiling_lines.h"
 #include "sedr_filters/src/plan/level_planes.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <map>
 
 namespace pcl::sedr {
 
@@ -24,77 +24,32 @@ circleAbout(const Eigen::Vector2d& centre, double radius)
   return {{circle}};
 }
 
-/** @brief Puts details of a ceiling that go on into each other into one group. */
-class CeilingGroups {
-public:
-  explicit CeilingGroups(const PlanRoom& room)
-      : parent_(room.details.size() + 1)
-  {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-    for (std::size_t d = 0; d < room.details.size(); ++d)
-      if (room.details[d].is_facet)
-        joinAcross(room, d);
-  }
-
-  /** @brief The group of a detail; of the main ceiling for -1. */
-  std::size_t of(int detail)
-  {
-    auto k = static_cast<std::size_t>(detail + 1);
-    while (parent_[k] != k)
-      k = parent_[k];
-    return k;
-  }
-
-private:
-  void joinAcross(const PlanRoom& room, std::size_t d)
-  {
-    for (const PlanElement& border : room.details[d].boundary.elements) {
-      if (border.length() <= 0 || roofLineAt(room, border).is_seen)
-        continue;
-      const double s = border.length() / 2;
-      const Eigen::Vector2d outside =
-          border.pointAt(s) - beside_border * border.normalAt(s);
-      if (!room.contains(outside))
-        continue;
-      const int other = room.detailAt(outside);
-      if (other < 0 || room.details[static_cast<std::size_t>(other)].is_facet)
-        join(of(static_cast<int>(d)), of(other));
-    }
-  }
-
-  void join(std::size_t a, std::size_t b) { parent_[std::max(a, b)] = std::min(a, b); }
-
-  std::vector<std::size_t> parent_;
-};
-
 /** @brief Returns the details of the ceiling that have a note: the largest of each
- * group, in order. */
+ * part, in order.
+ * @param part of the main ceiling and of each detail, see CeilingLines */
 std::vector<std::size_t>
-notedDetails(const PlanRoom& room)
+notedDetails(const PlanRoom& room, const std::vector<std::size_t>& part)
 {
-  CeilingGroups groups(room);
   const auto areaOf = [&](std::size_t d) {
     return std::abs(room.details[d].boundary.area());
   };
-  std::vector<std::size_t> largest(room.details.size() + 1, room.details.size());
+  std::map<std::size_t, std::size_t> largest;
   for (std::size_t d = 0; d < room.details.size(); ++d) {
-    std::size_t& best = largest[groups.of(static_cast<int>(d))];
-    if (best == room.details.size() || areaOf(d) > areaOf(best))
-      best = d;
+    const auto [best, is_first] = largest.emplace(part[d + 1], d);
+    if (!is_first && areaOf(d) > areaOf(best->second))
+      best->second = d;
   }
   std::vector<std::size_t> noted;
-  for (std::size_t d = 0; d < room.details.size(); ++d) {
-    const std::size_t group = groups.of(static_cast<int>(d));
-    if (group != groups.of(-1) && largest[group] == d)
+  for (std::size_t d = 0; d < room.details.size(); ++d)
+    if (part[d + 1] != part.front() && largest[part[d + 1]] == d)
       noted.push_back(d);
-  }
   return noted;
 }
 
 } // namespace
 
 std::vector<LevelNote>
-levelNotes(const PlanRoom& room, const TextSpot& room_spot)
+levelNotes(const PlanRoom& room, const TextSpot& room_spot, double finest)
 {
   constexpr double around_name = 0.35; // share of the free space
   std::vector<LevelNote> notes;
@@ -125,7 +80,7 @@ levelNotes(const PlanRoom& room, const TextSpot& room_spot)
     return boxes;
   };
   const std::vector<Eigen::AlignedBox2d> overhead = boxesOf(room.details);
-  for (const std::size_t d : notedDetails(room))
+  for (const std::size_t d : notedDetails(room, ceilingLines(room, finest).part))
     add(room.details, d, overhead, DrawnLayer::Detail);
   const std::vector<Eigen::AlignedBox2d> steps = boxesOf(room.floor_details);
   for (std::size_t d = 0; d < room.floor_details.size(); ++d)

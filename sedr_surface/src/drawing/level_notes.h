@@ -13,10 +13,12 @@ struct LevelNote {
   DrawnLayer layer = DrawnLayer::Detail;
 };
 
-/** @brief Returns the levels of a room's ceiling and floor. Facets that go on into each
- * other without a step or a bend have one note, at the largest of them; none if they go
- * on into the main ceiling, of which the room's text tells.
- * @param room_spot place of the room's text, which notes avoid */
-std::vector<LevelNote> levelNotes(const PlanRoom& room, const TextSpot& room_spot);
+/** @brief Returns the levels of a room's ceiling and floor. Facets without a line
+ * between them have one note, at the largest of them; none if the main ceiling, of
+ * which the room's text tells, is one of them.
+ * @param room_spot place of the room's text, which notes avoid
+ * @param finest as for ceilingLines() */
+std::vector<LevelNote>
+levelNotes(const PlanRoom& room, const TextSpot& room_spot, double finest);
 
 } // namespace pcl::sedr

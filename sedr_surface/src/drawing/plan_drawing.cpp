@@ -4,8 +4,8 @@
 #include "../formats/decimal_text.h"
 #include "../sheet/plan_frame.h"
 #include "../walls/plan_walls.h"
+#include "ceiling_lines.h"
 #include "height_lines.h"
-#include "roof_lines.h"
 
 #include "../solid/plan_facets.h"
 
@@ -125,19 +125,6 @@ private:
   std::vector<const PlanElement*> edges_;
 };
 
-/** @brief Returns whether a line has been drawn, in either direction. */
-bool
-isDrawn(const PlanElement& line, const std::vector<DrawnElement>& drawn)
-{
-  constexpr double near = 0.01;
-  return std::any_of(drawn.begin(), drawn.end(), [&](const DrawnElement& other) {
-    return (other.layer == DrawnLayer::Detail || other.layer == DrawnLayer::Ridge) &&
-           other.element.distance(line.start) < near &&
-           other.element.distance(line.end) < near &&
-           other.element.distance(line.pointAt(line.length() / 2)) < near;
-  });
-}
-
 /** @brief Adds the lines of the headrooms below a ceiling. The longest piece of each
  * carries its height. */
 void
@@ -174,7 +161,7 @@ addHeads(const PlanRoom& room, const WallTilts& tilts, std::vector<DrawnElement>
 } // namespace
 
 std::vector<DrawnElement>
-drawnElements(const Floorplan& plan, const WallTilts& tilts)
+drawnElements(const Floorplan& plan, const WallTilts& tilts, double finest)
 {
   std::vector<DrawnElement> all;
   for (const PlanRoom& room : plan.rooms) {
@@ -183,12 +170,6 @@ drawnElements(const Floorplan& plan, const WallTilts& tilts)
       for (const PlanElement& element : loop.elements)
         if (element.length() > 0 && !(is_on_top && liesOn(element, room)))
           drawn.push_back({element, layer, room.id});
-    };
-    const auto addDetail = [&](const PlanElement& piece, bool is_facet) {
-      const RoofLine roof = is_facet ? roofLineAt(room, piece) : RoofLine{true};
-      if (roof.is_seen && (!is_facet || !isDrawn(piece, drawn)))
-        drawn.push_back({piece, roof.is_crease ? DrawnLayer::Ridge : DrawnLayer::Detail,
-                         room.id, roof.text()});
     };
     const auto addInside = [&](const PlanLoop& loop, const auto& addPiece) {
       for (const PlanElement& element : loop.elements)
@@ -206,8 +187,14 @@ drawnElements(const Floorplan& plan, const WallTilts& tilts)
       add(column, isIsland(room, column) ? DrawnLayer::Wall : DrawnLayer::Column,
           false);
     for (const PlanDetail& detail : room.details)
-      addAll(detail,
-             [&](const PlanElement& piece) { addDetail(piece, detail.is_facet); });
+      if (!detail.is_facet)
+        addAll(detail, [&](const PlanElement& piece) {
+          drawn.push_back({piece, DrawnLayer::Detail, room.id});
+        });
+    for (const CeilingLine& line : ceilingLines(room, finest).lines)
+      drawn.push_back({line.element,
+                       line.is_crease ? DrawnLayer::Ridge : DrawnLayer::Detail, room.id,
+                       line.text});
     for (const PlanDetail& detail : room.floor_details)
       addAll(detail, [&](const PlanElement& piece) {
         drawn.push_back({piece, DrawnLayer::FloorDetail, room.id});

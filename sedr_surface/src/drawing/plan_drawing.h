@@ -32,11 +32,11 @@ struct DrawnElement {
 
 /** @brief Returns all lines and arcs of a plan. Edges of details and niches that
  * coincide with a wall or column, within tolerance, are drawn only as such. Edges of
- * details are cut off at the room. A border of two facets is drawn once, and only where
- * there is a step or a bend. The head of a tilted wall is a detail, with its
- * tilt as text. */
-std::vector<DrawnElement> drawnElements(const Floorplan& plan,
-                                        const WallTilts& tilts = {});
+ * details are cut off at the room; borders of facets are those of ceilingLines(). The
+ * head of a tilted wall is a detail, with its tilt as text.
+ * @param finest metres that a millimetre of paper stands for */
+std::vector<DrawnElement>
+drawnElements(const Floorplan& plan, const WallTilts& tilts = {}, double finest = 0.01);
 
 /** @brief A place for text within a loop, as far as possible from the loop and from
  * `obstacles`, and that distance in metres. */

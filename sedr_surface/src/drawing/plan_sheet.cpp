@@ -47,7 +47,7 @@ public:
       : sheet_(sheet)
       , plan_(plan)
       , frame_(frame)
-      , drawn_(drawnElements(plan, tilts))
+      , drawn_(drawnElements(plan, tilts, 1 / frame.scale))
   {}
 
   bool hasHeadroom() const

@@ -48,7 +48,7 @@ PlanTexts::place(const Floorplan& plan, const std::vector<DrawnElement>& drawn)
   for (const StairNote& note : stairNotes(plan))
     writeAt("stair", {note.place, 0}, {note.text}, small_font);
   for (std::size_t r = 0; r < plan.rooms.size(); ++r)
-    for (const LevelNote& note : levelNotes(plan.rooms[r], spots[r]))
+    for (const LevelNote& note : levelNotes(plan.rooms[r], spots[r], 1 / frame_.scale))
       writeAt(note.layer == DrawnLayer::FloorDetail ? "floor_level" : "level",
               note.spot, {note.text}, small_font);
   for (const DrawnElement& line : drawn)

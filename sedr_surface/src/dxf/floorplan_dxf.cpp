@@ -248,7 +248,8 @@ floorplanToDxf(const Floorplan& whole, const DrawingSettings& settings)
   writeHeader(dxf, bounds, settings.origin);
   const FromSheet from_sheet(layout.frame);
   DxfDimensions dimensions(size_layer, from_sheet.height(sheet_measures::small_font));
-  const std::vector<DrawnElement> drawn = drawnElements(plan, settings.tilts);
+  const std::vector<DrawnElement> drawn =
+      drawnElements(plan, settings.tilts, 1 / layout.frame.scale);
   PlanAnnotations annotations;
   if (!plan.rooms.empty())
     annotations = annotationsOf(plan, drawn, layout.frame);

@@ -101,7 +101,7 @@ TEST(Annotations, ASlopeOfMoreThanFourDegreesHasNoLevel)
     const double slope = std::tan(degrees * M_PI / 180);
     PlanRoom room = roomOf(rectangle(0, 0, 9, 4), 2.5);
     room.details = {facetOf(rectangle(0, 0, 3, 4), slabAt(2, slope))};
-    EXPECT_EQ(levelNotes(room, {{8, 2}, 0.5}).empty(), degrees > 4) << degrees;
+    EXPECT_EQ(levelNotes(room, {{8, 2}, 0.5}, 0.05).empty(), degrees > 4) << degrees;
     room.details.clear();
     room.ceiling = slabAt(2, slope);
     EXPECT_EQ(room.hasFacets(), degrees > 4) << degrees;
@@ -130,7 +130,7 @@ TEST(Annotations, WhereACeilingGoesOnNothingIsDrawn)
   const auto notes = [&](double first, double second) {
     const Floorplan plan = planWith(first, second);
     std::string texts;
-    for (const LevelNote& note : levelNotes(plan.rooms[0], {{8, 2}, 0.5}))
+    for (const LevelNote& note : levelNotes(plan.rooms[0], {{8, 2}, 0.5}, 0.05))
       texts += note.text + " ";
     return texts;
   };

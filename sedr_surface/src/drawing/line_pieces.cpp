@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "line_pieces.h"
+
+#include <Eigen/LU>
+
+#include <cmath>
+#include <cstddef>
+
+namespace pcl::sedr {
+namespace {
+
+/** @brief A line and the pieces it is divided into. */
+class LinePieces {
+public:
+  LinePieces(const std::vector<Eigen::Vector2d>& line, double tolerance)
+      : line_(line)
+      , tolerance_(tolerance)
+  {}
+
+  /** @brief Appends the part between two of the places. */
+  void add(std::size_t first, std::size_t last)
+  {
+    PlanElement piece;
+    piece.start = line_[first];
+    piece.end = line_[last];
+    std::size_t farthest = first;
+    double most = tolerance_;
+    for (std::size_t k = first + 1; k < last; ++k) {
+      const double distance = piece.length() > 0 ? piece.distance(line_[k])
+                                                 : (line_[k] - piece.start).norm();
+      if (distance <= most)
+        continue;
+      most = distance;
+      farthest = k;
+    }
+    if (farthest == first || isArc(first, last, piece)) {
+      pieces.push_back(piece);
+      return;
+    }
+    add(first, farthest);
+    add(farthest, last);
+  }
+
+  std::vector<PlanElement> pieces;
+
+private:
+  /** @brief Tries the circle through three of the places. */
+  bool isArc(std::size_t first, std::size_t last, PlanElement& piece) const
+  {
+    constexpr std::size_t fewest = 8;
+    constexpr double part = 1.0 / 3; // of the tolerance
+    if (last - first + 1 < fewest)
+      return false;
+    const bool is_closed = piece.length() == 0;
+    const Eigen::Vector2d& a = line_[first];
+    const Eigen::Vector2d& b = line_[first + (last - first) / (is_closed ? 3 : 2)];
+    const Eigen::Vector2d& c =
+        is_closed ? line_[first + 2 * (last - first) / 3] : piece.end;
+    Eigen::Matrix2d chords;
+    chords << (b - a).transpose(), (c - a).transpose();
+    const double across = chords.determinant();
+    if (std::abs(across) < 1e-9)
+      return false;
+    PlanElement arc = piece;
+    arc.centre = a + chords.inverse() *
+                         Eigen::Vector2d((b - a).squaredNorm(), (c - a).squaredNorm()) /
+                         2;
+    arc.radius = (a - arc.centre).norm();
+    arc.counter_clockwise = across > 0;
+    for (std::size_t k = first; k <= last; ++k)
+      if (arc.distance(line_[k]) > part * tolerance_)
+        return false;
+    piece = arc;
+    return true;
+  }
+
+  const std::vector<Eigen::Vector2d>& line_;
+  double tolerance_;
+};
+
+} // namespace
+
+std::vector<PlanElement>
+piecesOf(const std::vector<Eigen::Vector2d>& line, double tolerance)
+{
+  LinePieces parts(line, tolerance);
+  if (line.size() > 1)
+    parts.add(0, line.size() - 1);
+  return parts.pieces;
+}
+
+} // namespace pcl::sedr

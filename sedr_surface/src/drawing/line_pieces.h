@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace pcl::sedr {
+
+/** @brief Returns a line through places as few segments that no place is farther from
+ * than the tolerance, metres. Where eight places or more are on an arc, a third of the
+ * tolerance off at most, it is an arc. The ends of the line stay; one that ends where
+ * it starts is closed. */
+std::vector<PlanElement> piecesOf(const std::vector<Eigen::Vector2d>& line,
+                                  double tolerance);
+
+} // namespace pcl::sedr

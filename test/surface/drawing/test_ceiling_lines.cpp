@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_loops.h"
+
+#include "sedr_surface/src/drawing/ceiling_lines.h"
+#include "sedr_surface/src/drawing/line_pieces.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+constexpr double at_1_50 = 0.05; // metres for a millimetre of paper
+constexpr double at_1_10 = 0.01;
+
+PlanRoom
+roomWith(const std::vector<std::pair<PlanLoop, PlanSlab>>& facets)
+{
+  PlanRoom room = roomOf(rectangle(0, 0, 8, 4), 2.5);
+  for (const auto& [loop, slab] : facets) {
+    room.details.push_back(detailOf(loop, 0));
+    room.details.back().slab = slab;
+    room.details.back().is_facet = true;
+  }
+  return room;
+}
+
+TEST(CeilingLines, ABorderIsDrawnAsAWholeOrNotAtAll)
+{
+  // Along x = 4 a step of 0 to 10 cm: 70 % of it are 3 cm and more. Along x = 6 it is 0
+  // to 5 cm.
+  const CeilingLines found =
+      ceilingLines(roomWith({{rectangle(4, 0, 6, 4), slabAt(2.5, 0, 0.025)},
+                             {rectangle(6, 0, 8, 4), slabAt(2.5, 0, 0.0375)}}),
+                   at_1_50);
+  ASSERT_EQ(found.lines.size(), 1u);
+  EXPECT_NEAR(found.lines[0].element.start.x(), 4, 1e-5);
+  EXPECT_NEAR(found.lines[0].element.length(), 4, 1e-5);
+  EXPECT_NE(found.part[1], found.part[0]);
+  EXPECT_EQ(found.part[1], found.part[2]) << "there is no line between them";
+}
+
+TEST(CeilingLines, WhatIsTooSmallForThePaperGoesToItsNeighbour)
+{
+  const PlanRoom room = roomWith({{rectangle(3, 1, 3.2, 1.2), slabAt(2.3)}});
+  EXPECT_EQ(ceilingLines(room, at_1_10).lines.size(), 4u);
+  const CeilingLines found = ceilingLines(room, at_1_50);
+  EXPECT_TRUE(found.lines.empty());
+  EXPECT_EQ(found.part[1], found.part[0]);
+}
+
+TEST(CeilingLines, AStripBetweenTwoVaultsIsAValley)
+{
+  // 6 cm wide, level at 2 m; the ceiling rises from it on both sides.
+  const PlanRoom room = roomWith({{rectangle(0, 0, 4, 4), slabAt(3.2, -0.3)},
+                                  {rectangle(4, 0, 4.06, 4), slabAt(2)},
+                                  {rectangle(4.06, 0, 8, 4), slabAt(0.782, 0.3)}});
+  EXPECT_EQ(ceilingLines(room, at_1_10).lines.size(), 2u);
+  const std::vector<CeilingLine> lines = ceilingLines(room, at_1_50).lines;
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_TRUE(lines[0].is_crease);
+  EXPECT_EQ(lines[0].text, "valley 2.00");
+}
+
+TEST(CeilingLines, EndsThatLeadNowhereAreLeftOut)
+{
+  // A step between two facets, a metre long, which both go on into the ceiling.
+  const PlanRoom room = roomWith({{rectangle(0, 0, 4, 1), slabAt(2.5)},
+                                  {rectangle(4, 0, 8, 1), slabAt(2.6, 0, -0.09)}});
+  EXPECT_EQ(ceilingLines(room, at_1_10).lines.size(), 1u);
+  EXPECT_TRUE(ceilingLines(room, at_1_50).lines.empty());
+}
+
+TEST(CeilingLines, ARoundBorderIsACircle)
+{
+  Corners corners;
+  for (int k = 0; k < 200; ++k)
+    corners.emplace_back(4 + 1.5 * std::cos(k * M_PI / 100),
+                         2 + 1.5 * std::sin(k * M_PI / 100));
+  const auto lines = ceilingLines(roomWith({{polygon(corners), slabAt(2.8)}}), at_1_50);
+  ASSERT_EQ(lines.lines.size(), 1u);
+  EXPECT_NEAR(lines.lines[0].element.radius, 1.5, 0.001);
+  EXPECT_NEAR(lines.lines[0].element.length(), 3 * M_PI, 0.01);
+}
+
+TEST(LinePieces, AreFew)
+{
+  // Teeth of 2 cm along 4 m, then a corner.
+  Corners line;
+  for (int k = 0; k <= 40; ++k)
+    line.emplace_back(0.1 * k, k % 2 == 0 ? 0 : 0.02);
+  line.emplace_back(4, 2);
+  EXPECT_EQ(piecesOf(line, 0.03).size(), 2u);
+  EXPECT_GT(piecesOf(line, 0.01).size(), 20u);
+  EXPECT_EQ(piecesOf(line, 0.03)[1].end, Eigen::Vector2d(4, 2));
+  EXPECT_TRUE(piecesOf({}, 0.01).empty());
+}
+
+TEST(LinePieces, AnArcIsOne)
+{
+  Corners line;
+  for (int k = 0; k <= 30; ++k)
+    line.emplace_back(2 * std::cos(k * M_PI / 60), 2 * std::sin(k * M_PI / 60));
+  const auto pieces = piecesOf(line, 0.03);
+  ASSERT_EQ(pieces.size(), 1u);
+  EXPECT_NEAR(pieces[0].length(), M_PI, 1e-6);
+  EXPECT_TRUE(pieces[0].counter_clockwise);
+}
+
+} // namespace
