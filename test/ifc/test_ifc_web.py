@@ -87,14 +87,27 @@ class WebIfc(unittest.TestCase):
         self.assertEqual(web_ifc.lost(step_reader.read(path), products), [])
 
     def test_no_wall_stands_in_a_space(self):
-        """A room that ends in a point behind a wall whose other face was not seen, and a niche that goes on past
-        the corner of its room, into both walls."""
+        """A room that ends in a point behind a wall whose other face was not seen; a niche that goes on past
+        the corner of its room, into both walls, and one with a sloping top; a post of 7 cm between a recess and a niche, which the
+        solid fills."""
+        beside_post = [[30, 0], [40, 0], [40, 4], [37.55, 4], [37.55, 4.22], [36.016, 4.221], [36.031, 4.069],
+                       [36.1, 4.072], [36.1, 4], [30.45, 4], [30, 4]]
+        niche = [[36.0255, 4.0001], [36.026, 4.2214], [30.45, 4.2255], [30.45, 4]]
+
+        def loop(corners, residuals):
+            return [segment(a, b, residual=r) for a, b, r in zip(corners, corners[1:] + corners[:1], residuals)]
+
         pointed = [[4.05, 4 / 3], [7, 4 / 3 - 1.7], [7, 4 / 3 + 1.7]]
         plan = dict(house(), rooms=[
             room(1, rectangle(0, 0, 4, 3), slab(0), slab(2.5)),
             room(2, [segment(a, b) for a, b in zip(pointed, pointed[1:] + pointed[:1])], slab(0), slab(2.5)),
             room(3, rectangle(10, 0, 14, 3), slab(0), slab(2.5),
-                 niches=[{"bottom": slab(1), "top": slab(2), "boundary": rectangle(13, 3, 14.1, 3.15)}])],
+                 niches=[{"bottom": slab(1), "top": slab(2), "boundary": rectangle(13, 3, 14.1, 3.15)}]),
+            room(4, rectangle(20, 0, 24, 3), slab(0), slab(2.5),
+                 niches=[{"bottom": slab(1), "top": slab(-0.1, 0.1), "boundary": rectangle(21, 3, 23, 3.15)}]),
+            room(5, loop(beside_post, [0.004, 0.004, 0.013, 0.005, 0.006, 0, 0, 0, 0.013, 0.013, 0.004]), slab(0),
+                 slab(2.5), niches=[{"bottom": slab(0.2), "top": slab(2.3),
+                                     "boundary": loop(niche, [0, 0.005, 0, 0.013])}])],
                     storeys=[], doorways=[])
         path = write(TOOL, plan, self.folder)
         products = opened(path, with_triangles=True)["products"]

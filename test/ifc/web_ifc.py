@@ -81,7 +81,7 @@ def common_volume(wall, openings):
 
 def cuts(path, instances, products):
     """(wall, what its openings take of it, what they should take) of each wall with openings; the last is None
-    where the wall is not swept. The file is to have its arcs as facets."""
+    where the wall or an opening is not swept. The file is to have its arcs as facets."""
     hosted = {}
     for name, v in instances.values():
         if name == "IFCRELVOIDSELEMENT":
@@ -95,7 +95,8 @@ def cuts(path, instances, products):
     for host, openings in hosted.items():
         name = "IFCWALL " + instances[host][1][2]
         wall = swept_body(instances, host)
-        expected = None if wall is None else common_volume(wall, [swept_body(instances, n) for n in openings])
+        bodies = [wall] + [swept_body(instances, n) for n in openings]
+        expected = None if None in bodies else common_volume(wall, bodies[1:])
         found.append((name, without[name]["volume"] - products[name]["volume"], expected))
     return found
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ifc_parts.h"
 #include "level_slab.h"
+#include "mesh_prism.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace pcl::sedr::ifc {
 namespace {
@@ -115,12 +117,13 @@ writeOpening(IfcDocument& document,
              const WrittenWall& wall,
              const std::string& name,
              StepRef item,
-             const char* kind)
+             const char* kind,
+             const char* type = "SweptSolid")
 {
   const StepValue none = StepValue::none();
   const StepRef frame = document.shapes.axes(Eigen::Vector3d::Zero());
   const StepRef place = document.step.add("IFCLOCALPLACEMENT", {wall.placement, frame});
-  const StepRef shape = document.shapeOf(item, "SweptSolid", "opening");
+  const StepRef shape = document.shapeOf(item, type, "opening");
   const StepRef opening = document.step.add(
       "IFCOPENINGELEMENT", {document.guid(name), none, name, none, none, place, shape,
                             none, StepValue::enumerated(kind)});
@@ -216,6 +219,25 @@ writePassage(IfcDocument& document, const PlanDoorway& doorway, const std::strin
   }
 }
 
+/** @brief Returns what is between bottom and top of a niche that is not level, in the
+ * frame of a wall, with z from its bottom. */
+TriangleMesh
+meshOf(const PlanNiche& niche, const PlanLoop& loop, const WallFrame& frame, double z)
+{
+  TriangleMesh foot = triangulated({loop}, {});
+  const auto heightAt = [&](const PlanSlab& slab, const Eigen::Vector3d& p) {
+    return slab.heightAt(frame.toPlan(p.head<2>())) - z;
+  };
+  for (Eigen::Vector3d& p : foot.vertices)
+    p.z() = heightAt(niche.bottom, p);
+  std::vector<std::size_t> all(foot.triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  constexpr double min_height = 0.001;
+  return prismOn(foot, all, [&](const Eigen::Vector3d& p) {
+    return std::max(heightAt(niche.top, p), p.z() + min_height);
+  });
+}
+
 void
 writeNiches(IfcDocument& document, const std::vector<WrittenWall>& walls)
 {
@@ -227,17 +249,21 @@ writeNiches(IfcDocument& document, const std::vector<WrittenWall>& walls)
       const Eigen::Vector2d middle = boundsOf(niche.boundary).center();
       const double bottom = niche.bottom.heightAt(middle);
       const double height = niche.top.heightAt(middle) - bottom;
+      const bool is_level = levelOf(niche.bottom, boundsOf(niche.boundary)) &&
+                            levelOf(niche.top, boundsOf(niche.boundary));
       std::size_t count = 0;
       for (const WrittenWall& wall : walls) {
-        const PlanLoop loop =
-            inFrame(niche.boundary, frameOf(document.plan, wall.wall));
+        const WallFrame frame = frameOf(document.plan, wall.wall);
+        const PlanLoop loop = inFrame(niche.boundary, frame);
         if (height <= 0 || bottom >= wall.top || bottom + height <= wall.bottom ||
             commonArea(wall.profile, {loop}) <= no_area)
           continue;
         const std::string part = count == 0 ? "" : "_part_" + std::to_string(count + 1);
         const StepRef body =
-            document.shapes.extrusion(loop, {}, bottom - wall.bottom, height);
-        writeOpening(document, wall, name + part, body, "RECESS");
+            is_level ? document.shapes.extrusion(loop, {}, bottom - wall.bottom, height)
+                     : document.shapes.faceSet(meshOf(niche, loop, frame, wall.bottom));
+        writeOpening(document, wall, name + part, body, "RECESS",
+                     is_level ? "SweptSolid" : "Tessellation");
         ++count;
       }
       if (count == 0)

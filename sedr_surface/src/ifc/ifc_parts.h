@@ -71,6 +71,10 @@ StepRef rectangleOf(IfcDocument& document,
 std::vector<std::size_t> trianglesOn(const IfcRoom& room,
                                      const std::vector<std::string>& names);
 
+/** @brief Returns the triangles of a room's floors in plan; those of niches are not
+ * floors. None if the body of its space is swept from its plan. */
+std::vector<PlanLoop> floorTriangles(const IfcRoom& room);
+
 /** @brief Returns the name of a part of a room: "room_1_wall". */
 std::string nameIn(const PlanRoom& room, const std::string& part);
 

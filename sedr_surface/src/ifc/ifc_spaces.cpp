@@ -115,6 +115,26 @@ describe(IfcDocument& document, const IfcRoom& written, const std::string& name)
 
 } // namespace
 
+std::vector<PlanLoop>
+floorTriangles(const IfcRoom& written)
+{
+  std::vector<PlanLoop> floors;
+  if (prismOf(written))
+    return floors;
+  const std::string floor = nameIn(*written.room, "floor");
+  for (std::size_t t = 0; t < written.solid.triangles.size(); ++t) {
+    const std::uint32_t e = written.solid.elements[t];
+    if (e == 0 || written.elements[e - 1].name.compare(0, floor.size(), floor) != 0 ||
+        written.solid.scaledNormal(t).z() >= 0)
+      continue;
+    std::vector<Eigen::Vector2d> corners;
+    for (int k = 2; k >= 0; --k) // they face down
+      corners.emplace_back(written.solid.corner(t, k).head<2>());
+    floors.push_back(loopOf(corners));
+  }
+  return floors;
+}
+
 void
 writeSpaces(IfcDocument& document)
 {

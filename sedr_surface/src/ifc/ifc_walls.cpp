@@ -114,6 +114,55 @@ bodyOf(IfcDocument& document, const WrittenWall& written, const WallHeights& hei
   return shapes.body(document.body_context, type, {item});
 }
 
+/** @brief Returns whether most of a wall's face is within an area: behind it, too. */
+bool
+isWithin(const Floorplan& plan,
+         const PlanWall& wall,
+         const std::vector<PlanArea>& areas)
+{
+  constexpr int samples = 9;
+  constexpr double behind = 0.005;
+  const WallFrame frame = frameOf(plan, wall);
+  int within = 0;
+  for (int i = 0; i < samples; ++i) {
+    const auto [place, inward] =
+        faceAt(elementOf(plan, wall.face),
+               wall.stretch.from + wall.stretch.length() * (i + 0.5) / samples);
+    const Eigen::Vector2d p = frame.toLocal(place - behind * inward);
+    within += std::any_of(areas.begin(), areas.end(), [&](const PlanArea& area) {
+      return area.boundary.contains(p);
+    });
+  }
+  return within > samples / 2;
+}
+
+/** @brief Takes from a wall what the bodies of rooms have of its plan: a solid fills
+ * posts and slits that are narrower than the walls around them are known. A face that
+ * no solid has is that of no wall. */
+void
+endAtBodies(const IfcDocument& document, WrittenWall& written)
+{
+  const Floorplan& plan = document.plan;
+  const WallFrame frame = frameOf(plan, written.wall);
+  const Eigen::AlignedBox2d box = boundsOf(written.profile.boundary);
+  std::vector<PlanArea> floors;
+  double common = 0;
+  for (const IfcRoom& room : document.rooms)
+    if (shareHeights(*room.room, plan.rooms[written.wall.face.room]) &&
+        boundsOf(inFrame(room.room->boundary, frame)).intersects(box))
+      for (const PlanLoop& floor : floorTriangles(room)) {
+        const PlanArea area{inFrame(floor, frame)};
+        if (!boundsOf(area.boundary).intersects(box))
+          continue;
+        common += commonArea(written.profile, area);
+        floors.push_back(area);
+      }
+  if (isWithin(plan, written.wall, floors))
+    written.profile = {};
+  else if (common > no_area) // less is between arcs and their chords
+    written.profile = largestPartOutside(written.profile, floors);
+}
+
 } // namespace
 
 std::vector<WrittenWall>
@@ -138,6 +187,7 @@ writeWalls(IfcDocument& document)
     added.top = heights.highest();
     added.runs = runsOf(plan, wall, document.settings.tilts);
     added.profile = profileOf(plan, wall, roomsIn(plan, wall));
+    endAtBodies(document, added);
     if (isWhollyOpen(plan, added))
       continue;
     const IfcStorey& storey = document.storeys[added.storey];
