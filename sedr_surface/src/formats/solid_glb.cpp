@@ -5,7 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <map>
 
 namespace pcl::sedr {
@@ -60,15 +62,16 @@ public:
                                             origin.place.z()};
     json_["scene"] = 0;
     json_["scenes"] = Json::array({Json::object()});
-    for (const char* list : {"nodes", "meshes", "accessors", "bufferViews"})
+    for (const char* list :
+         {"nodes", "meshes", "accessors", "bufferViews", "materials"})
       json_[list] = Json::array();
-    addMaterials();
     Json roots = Json::array();
     for (const PlanStorey& storey : storeys)
       roots.push_back(addStorey(storey));
     if (!roots.empty())
       json_["scenes"][0]["nodes"] = roots;
-    for (const char* list : {"nodes", "meshes", "accessors", "bufferViews"})
+    for (const char* list :
+         {"nodes", "meshes", "accessors", "bufferViews", "materials"})
       if (json_[list].empty()) // the schema forbids empty lists
         json_.erase(list);
     if (!bytes_.empty())
@@ -77,19 +80,26 @@ public:
   }
 
 private:
-  void addMaterials()
+  /** @brief Adds the index of a label's material to a primitive; the material is
+   * written with its first use. */
+  void addMaterial(Json& primitive, StructureLabel label)
   {
-    json_["materials"] = Json::array();
-    for (const LabelColour& c : label_colours) {
-      material_of_[static_cast<std::uint32_t>(c.label)] = json_["materials"].size();
+    const auto* c =
+        std::find_if(std::begin(label_colours), std::end(label_colours),
+                     [&](const LabelColour& colour) { return colour.label == label; });
+    if (c == std::end(label_colours))
+      return;
+    const auto [entry, is_new] =
+        material_of_.emplace(static_cast<std::uint32_t>(label), material_of_.size());
+    primitive["material"] = entry->second;
+    if (is_new)
       json_["materials"].push_back(
-          {{"name", toString(c.label)},
+          {{"name", toString(label)},
            {"pbrMetallicRoughness",
-            {{"baseColorFactor", {c.red, c.green, c.blue, 1.0}},
+            {{"baseColorFactor", {c->red, c->green, c->blue, 1.0}},
              {"metallicFactor", 0.0},
              {"roughnessFactor", 0.9}}},
            {"doubleSided", true}});
-    }
   }
 
   std::size_t addNode(Json node)
@@ -142,9 +152,7 @@ private:
     bytes_ += corners;
     const std::size_t indices = addAccessor(after, 3 * triangles.size(), triangle_list);
     Json primitive{{"attributes", {{"POSITION", place}}}, {"indices", indices}};
-    const auto material = material_of_.find(static_cast<std::uint32_t>(e.label));
-    if (material != material_of_.end())
-      primitive["material"] = material->second;
+    addMaterial(primitive, e.label);
     json_["meshes"].push_back(
         {{"name", e.name}, {"primitives", Json::array({primitive})}});
     return addNode({{"name", e.name}, {"mesh", json_["meshes"].size() - 1}});

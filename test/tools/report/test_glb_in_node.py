@@ -39,7 +39,7 @@ class GlbInNode(unittest.TestCase):
 
     def test_without_a_message(self):
         found = self.opened(house())
-        self.assertEqual([found["issues"][k] for k in ("numErrors", "numWarnings")], [0, 0], found["issues"])
+        self.assertEqual([found["issues"][k] for k in ("numErrors", "numWarnings", "numInfos")], [0, 0, 0], found["issues"])
         self.assertEqual(found["said"], [])
         rooms = {m["name"].split("_")[1] for m in found["meshes"]}
         self.assertEqual(rooms, set("12345"))
