@@ -4,12 +4,21 @@
 namespace pcl::sedr {
 
 bool
-isWallAt(const AirGaps& air, std::uint32_t column, const AirGap& gap)
+isWalledUp(const AirGaps& air,
+           std::uint32_t column,
+           std::int32_t low,
+           std::int32_t high)
 {
   constexpr double least = 0.3; // of the heights
-  const std::int32_t from = gap.low + (gap.high - gap.low) / 3;
+  return column != VoxelColumns::none &&
+         air.occupiedShare(column, low + (high - low) / 3, high) >= least;
+}
+
+bool
+isWallAt(const AirGaps& air, std::uint32_t column, const AirGap& gap)
+{
   const auto isWall = [&](std::uint32_t c) {
-    return c != VoxelColumns::none && air.occupiedShare(c, from, gap.high) >= least;
+    return isWalledUp(air, c, gap.low, gap.high);
   };
   if (column == VoxelColumns::none)
     return false;
@@ -22,9 +31,8 @@ isWallAt(const AirGaps& air, std::uint32_t column, const AirGap& gap)
 bool
 isWallBeside(const AirGaps& air, std::size_t g, int d)
 {
-  constexpr int depth = 3;
   std::uint32_t column = air[g].column;
-  for (int step = 0; step < depth && column != VoxelColumns::none; ++step) {
+  for (int step = 0; step < wall_depth && column != VoxelColumns::none; ++step) {
     column = air.columns().neighbour(column, d);
     if (isWallAt(air, column, air[g]))
       return true;

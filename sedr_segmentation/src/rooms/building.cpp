@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mirror_images.h"
 #include "pane_views.h"
+#include "room_closure.h"
 #include "room_description.h"
 #include "room_points.h"
 #include "storey_levels.h"
@@ -158,7 +159,10 @@ judge(const std::vector<BuildingRoom>& parts,
 /** @brief Keeps what is a room, numbered anew, and tells the rest with reasons.
  * @return number of each part of the air among the rooms, 0 for those left out */
 std::vector<std::uint32_t>
-keepRooms(std::vector<BuildingRoom> parts,
+keepRooms(const AirGaps& air,
+          const PartedAir& parted,
+          const PartingParameters& of_parting,
+          std::vector<BuildingRoom> parts,
           const std::vector<PartAccess>& access,
           const std::vector<std::uint8_t>& is_view,
           const BuildingParameters& parameters,
@@ -167,6 +171,12 @@ keepRooms(std::vector<BuildingRoom> parts,
   constexpr double worth_telling = 0.25; // square metres
   const std::vector<Verdict> verdicts =
       judge(parts, access, is_view, parameters, building.cell_size);
+  std::vector<PartUse> use;
+  for (const Verdict& verdict : verdicts)
+    use.push_back(verdict.reason.empty()                ? PartUse::Room
+                  : verdict.kind == LeftOutKind::Mirror ? PartUse::Other
+                                                        : PartUse::Spare);
+  closeRooms(air, parted, use, of_parting, parts);
   std::vector<std::uint32_t> number(parts.size(), 0);
   for (std::size_t p = 0; p < parts.size(); ++p) {
     BuildingRoom& part = parts[p];
@@ -245,8 +255,8 @@ findBuilding(const PointView& points,
       viewsThroughPanes(parts, columns.grid(), points, behind);
   const std::vector<PartAccess> access =
       accessTo(parts, parted.openings, seenDensities(parts, fine, columns.grid()));
-  const std::vector<std::uint32_t> number =
-      keepRooms(std::move(parts), access, is_view, parameters, building);
+  const std::vector<std::uint32_t> number = keepRooms(
+      air, parted, of_parting, std::move(parts), access, is_view, parameters, building);
   building.storeys = findStoreys(building.rooms, parameters.storey_step);
   tellOpenings(parted.openings, number, building);
   std::stable_sort(building.left_out.begin(), building.left_out.end(),

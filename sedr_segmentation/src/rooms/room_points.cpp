@@ -54,6 +54,8 @@ public:
     for (const BuildingRoom& room : building.rooms)
       for (const RoomColumn& column : room.columns) {
         const std::uint32_t c = coarse.columnAt(column.cell);
+        if (c == VoxelColumns::none)
+          continue; // nothing was seen there
         sheets_.push_back({c, room.id, StructureLabel::Ceiling, column.ceiling});
         sheets_.push_back({c, room.id, StructureLabel::Floor, column.floor});
       }

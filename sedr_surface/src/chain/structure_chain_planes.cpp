@@ -85,6 +85,15 @@ StructureChain::partRooms(StageReport& report)
                     thing.area, thing.at.x(), thing.at.y(), thing.reason.c_str());
       warnings.push_back(text);
     }
+  for (const BuildingRoom& room : building.rooms)
+    if (room.inferred >= priors_.min_slab_area) {
+      char text[160];
+      std::snprintf(text, sizeof text,
+                    "%.1f of its %.1f m2 were not seen, behind what stands before "
+                    "them: its walls go on until they meet, %.1f m of them unseen",
+                    room.inferred, room.area, room.unseen_outline);
+      warn(room.id, text);
+    }
   regions_.assign(building.rooms.size(), {});
   for (std::size_t i = 0; i < building.room_of.size(); ++i)
     if (building.room_of[i] != 0) {

@@ -167,6 +167,7 @@ roomsOf(const Reconstruction& chain)
   std::map<std::uint32_t, UnseenShares> unseen = chain.getChain().unseenShares();
   const Floorplan& plan = *chain.getFloorplan();
   const std::map<std::uint32_t, std::uint32_t> storeys = storeyOfRooms(plan);
+  const std::vector<BuildingRoom>& found = chain.getChain().getBuilding().rooms;
   for (const auto& room : plan.rooms) {
     const double height = meanHeight(room);
     rooms.push_back({{"id", room.id},
@@ -181,6 +182,8 @@ roomsOf(const Reconstruction& chain)
                      {"repaired_share", repaired[room.id]},
                      {"unseen_share", unseen[room.id].surface},
                      {"unseen_walls", unseen[room.id].walls},
+                     {"inferred_area", found.at(room.id - 1).inferred},
+                     {"unseen_outline", found.at(room.id - 1).unseen_outline},
                      {"solid", solidOf(chain.getChain(), room.id)},
                      {"mesh", meshOf(chain.getChain(), room.id)}});
   }
