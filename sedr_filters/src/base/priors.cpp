@@ -115,7 +115,7 @@ const std::vector<Prior> table = {
      "details, planes"},
     {"min_slab_area", &Priors::min_slab_area, "slabs", "m2", 0.1, 20,
      "lamps and panels are smaller",
-     "details, planes, scan"},
+     "chain, details, planes, scan"},
     {"min_recess", &Priors::min_recess, "slabs", "m", 0.05, 2,
      "spacing of ribs",
      "details, niches"},
