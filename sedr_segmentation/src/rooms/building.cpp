@@ -169,7 +169,7 @@ keepRooms(const AirGaps& air,
           Building& building)
 {
   constexpr double worth_telling = 0.25; // square metres
-  const std::vector<Verdict> verdicts =
+  std::vector<Verdict> verdicts =
       judge(parts, access, is_view, parameters, building.cell_size);
   std::vector<PartUse> use;
   for (const Verdict& verdict : verdicts)
@@ -177,6 +177,9 @@ keepRooms(const AirGaps& air,
                   : verdict.kind == LeftOutKind::Mirror ? PartUse::Other
                                                         : PartUse::Spare);
   closeRooms(air, parted, use, of_parting, parts);
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    if (p > 0 && verdicts[p].reason.empty() && access[p] == PartAccess::Reached)
+      verdicts[p] = {seenInPart(parts[p]), LeftOutKind::Open};
   std::vector<std::uint32_t> number(parts.size(), 0);
   for (std::size_t p = 0; p < parts.size(); ++p) {
     BuildingRoom& part = parts[p];

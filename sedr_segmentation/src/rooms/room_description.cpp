@@ -76,6 +76,9 @@ private:
   std::vector<std::uint8_t> is_met_;
 };
 
+/** @brief Share of the outline of a room that has walls, unless it was seen well. */
+constexpr double not_glazed = 0.5;
+
 } // namespace
 
 std::vector<BuildingRoom>
@@ -205,7 +208,6 @@ noRoomBecause(const BuildingRoom& room,
   // Of a place too small for a scanner only what an opening shows may be seen.
   constexpr double too_small = 5;      // square metres
   constexpr double closed = 0.6;       // of its outline
-  constexpr double not_glazed = 0.5;   // likewise
   constexpr double one_side = 1.0 / 3; // likewise: a balcony has no more walls
   const double least = area < too_small                ? closed
                        : access == PartAccess::Reached ? 0
@@ -221,6 +223,20 @@ noRoomBecause(const BuildingRoom& room,
     return text;
   }
   return "";
+}
+
+std::string
+seenInPart(const BuildingRoom& room)
+{
+  if (room.enclosure >= not_glazed)
+    return "";
+  char text[120];
+  std::snprintf(
+      text, sizeof text,
+      "a room seen in part: walls along %.0f %% of its outline, nothing along "
+      "%.1f m",
+      100 * room.enclosure, room.unseen_outline);
+  return text;
 }
 
 } // namespace pcl::sedr

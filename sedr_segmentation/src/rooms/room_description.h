@@ -37,4 +37,8 @@ std::string noRoomBecause(const BuildingRoom& room,
                           const BuildingParameters& parameters,
                           LeftOutKind& kind);
 
+/** @brief Why a room that one walks into is none once it is completed, see
+ * closeRooms(): most of its outline is where the view ended. Empty if it is one. */
+std::string seenInPart(const BuildingRoom& room);
+
 } // namespace pcl::sedr

@@ -3,6 +3,7 @@
 
 #include "../parting/wall_beside.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -12,20 +13,23 @@ namespace pcl::sedr {
 
 namespace {
 
-/** @brief Whether what ends a room's air in a direction was seen: a wall, or the air of
- * another part. */
-bool
-isEndSeen(const AirGaps& air, const AirGap& end, Cell cell, Cell by)
+/** @brief What ends a room's air in a direction. */
+enum class End { Unseen, Wall, Opening };
+
+End
+endOf(const AirGaps& air, const AirGap& last, Cell cell, Cell by)
 {
   for (int step = 0; step < wall_depth; ++step) {
     cell = moved(cell, by);
     const std::uint32_t column = air.columns().columnAt(cell);
     if (column == VoxelColumns::none)
-      return false;
-    if (isWallAt(air, column, end) || air.goingOnFrom(end, column) != AirGaps::none)
-      return true;
+      break;
+    if (isWallAt(air, column, last))
+      return End::Wall;
+    if (air.goingOnFrom(last, column) != AirGaps::none)
+      return End::Opening;
   }
-  return false;
+  return End::Unseen;
 }
 
 } // namespace
@@ -39,16 +43,19 @@ measureUnseen(const AirGaps& air, BuildingRoom& room)
     keys.push_back(keyOf(c.cell));
   const CellSet cells(std::move(keys));
   std::size_t unseen = 0;
-  std::size_t ends = 0;
+  std::array<std::size_t, 3> ends{0, 0, 0};
   for (const RoomColumn& c : room.columns) {
     unseen += !c.floor_seen && !c.ceiling_seen ? 1 : 0;
     const AirGap gap{0, lowOf(air, c), highOf(air, c)};
     for (const Cell& by : plan_directions)
       if (!cells.contains(moved(c.cell, by)))
-        ends += isEndSeen(air, gap, c.cell, by) ? 0 : 1;
+        ++ends[static_cast<std::size_t>(endOf(air, gap, c.cell, by))];
   }
   room.inferred = static_cast<double>(unseen) * cell * cell;
-  room.unseen_outline = M_PI / 4 * cell * static_cast<double>(ends); // all directions
+  const auto open = static_cast<double>(ends[static_cast<std::size_t>(End::Unseen)]);
+  const auto walled = static_cast<double>(ends[static_cast<std::size_t>(End::Wall)]);
+  room.unseen_outline = M_PI / 4 * cell * open; // in the mean of all directions
+  room.enclosure = open + walled == 0 ? 1 : walled / (open + walled);
 }
 
 } // namespace pcl::sedr

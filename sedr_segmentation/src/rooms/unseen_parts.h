@@ -29,7 +29,8 @@ highOf(const AirGaps& air, const RoomColumn& c)
   return air.columns().voxelAt(c.ceiling + air.columns().voxelHeight() / 2);
 }
 
-/** @brief Measures what nobody saw of a room, see BuildingRoom. O(columns).
+/** @brief Measures what nobody saw of a room, and its enclosure, see BuildingRoom.
+ * O(columns).
  * @param[in,out] room its columns, by the keys of their cells */
 void measureUnseen(const AirGaps& air, BuildingRoom& room);
 

@@ -108,6 +108,48 @@ TEST(FindBuilding, SeenMoreSparselyItIsBehindGlass)
   EXPECT_EQ(found.building.left_out[0].kind, LeftOutKind::Open);
 }
 
+/** A room of 4 m x 3 m whose open door shows of the next, 6 m deep, what one sees from
+ * (1, 1.5), and in it all if `is_entered`. */
+AirScene
+besideOpenDoor(bool is_entered)
+{
+  AirScene scene;
+  const auto isSeen = [=](double x, double y) {
+    return is_entered || std::abs(y - 1.5) < 0.45 * (x - 1) / 3.1;
+  };
+  scene.slab(0.05, 0.05, 4.05, 3.05, 0.01);
+  scene.slab(0.05, 0.05, 4.05, 3.05, 2.51);
+  for (const double y : {0.05, 3.05})
+    scene.wall(0.05, y, 4.05, y, 0.01, 2.51);
+  scene.wall(0.05, 0.05, 0.05, 3.05, 0.01, 2.51);
+  scene.partition(4.05, 0.05, 3.05, 0.01, 2.51, {1.05, 1.95, 2.11});
+  const PlanLoop beyond = scene.loop(4.15, -2.05, 10.15, 5.05);
+  for (const double z : {0.01, 2.51})
+    scene.points.slab(beyond, z, isSeen);
+  for (const PlanElement& e : beyond.elements)
+    scene.points.wall(e, 0.01, 2.51, [&](double s, double) {
+      const Eigen::Vector2d p = e.pointAt(s);
+      return p.x() > 4.2 ? isSeen(p.x(), p.y())
+                         : is_entered && std::abs(p.y() - 1.5) > 1.5;
+    });
+  return scene;
+}
+
+TEST(FindBuilding, AConeOfSightThroughADoorIsARoomSeenInPart)
+{
+  const AirScene entered = besideOpenDoor(true);
+  ASSERT_EQ(Found(entered).building.rooms.size(), 2u);
+  const AirScene scene = besideOpenDoor(false);
+  const Found found(scene);
+  ASSERT_EQ(found.building.rooms.size(), 1u);
+  EXPECT_NEAR(found.building.rooms[0].area, 12, 1.2);
+  ASSERT_FALSE(found.building.left_out.empty());
+  const LeftOut& part = found.building.left_out[0];
+  EXPECT_EQ(part.kind, LeftOutKind::Open);
+  EXPECT_NEAR(part.area, 10.7, 1.5);
+  EXPECT_NE(part.reason.find("seen in part"), std::string::npos) << part.reason;
+}
+
 TEST(FindBuilding, TheEdgeOfAGalleryIsNoStair)
 {
   AirScene scene;
