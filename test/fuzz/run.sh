@@ -10,7 +10,7 @@ shift || true
 formats=("$@")
 [ ${#formats[@]} -gt 0 ] || formats=(e57 las pcd ply text)
 build=build/fuzz
-[ -f $build/build.ninja ] || cmake -S test/fuzz -B $build -G Ninja -DCMAKE_CXX_COMPILER=clang++
+[ -f $build/build.ninja ] || cmake -S test/fuzz -B $build -G Ninja -DCMAKE_CXX_COMPILER=clang++ > /dev/null
 cmake --build $build
 rm -rf $build/seeds
 $build/bin/write_fuzz_seeds $build/seeds
