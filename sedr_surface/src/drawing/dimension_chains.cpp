@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dimension_chains.h"
 
+#include <pcl/sedr_filters/priors.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -139,7 +141,7 @@ placesOf(const std::vector<double>& ends, double least)
 void
 closeGaps(const std::vector<double>& places, std::vector<SideView::Sight>& sights)
 {
-  constexpr double thickest = 0.6;
+  const double thickest = Priors().max_wall;
   for (std::size_t first = 1; first + 1 < sights.size(); ++first) {
     std::size_t last = first; // sights[first] to sights[last - 1] are deeper
     const double rim = sights[first - 1].depth + thickest;

@@ -101,10 +101,11 @@ halfSizeOf(const std::vector<std::string>& lines)
 double
 readableAngle(const Eigen::Vector2d& way)
 {
+  constexpr double past_vertical = 20; // walls that nearly run up the sheet are alike
   double degrees = std::atan2(way.y(), way.x()) * 180 / M_PI;
-  if (degrees > 91)
+  if (degrees > 90 + past_vertical)
     degrees -= 180;
-  if (degrees <= -89)
+  if (degrees <= past_vertical - 90)
     degrees += 180;
   return degrees;
 }

@@ -28,7 +28,8 @@ struct TextBox {
 Eigen::Vector2d halfSizeOf(const std::vector<std::string>& lines);
 
 /** @brief Returns the angle, degrees, at which text along a direction is readable from
- * below or from the right: above -89, up to 91, so that nearly vertical lines agree. */
+ * below or from the right: above -70, up to 110, so that nearly vertical lines agree.
+ */
 double readableAngle(const Eigen::Vector2d& way);
 
 /** @brief Occupied places of a page: texts, lines that texts keep off, and lines that

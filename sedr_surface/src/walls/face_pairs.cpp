@@ -118,8 +118,29 @@ FacePairs::consider(const WallFace& face, const WallFace& other)
                                    : straightBehind(a, b, pair.stretch, pair.thickness);
   // Faces fitted independently may overlap by up to the minimum thickness.
   if (is_behind && pair.thickness > -parameters_.min_thickness &&
-      pair.thickness <= parameters_.greatest_thickness)
+      (pair.thickness <= parameters_.max_thickness ||
+       (pair.thickness <= parameters_.max_depth_of_doorway && isOpen(pair))))
     candidates_.push_back(pair);
+}
+
+bool
+FacePairs::isOpen(const FacePair& pair) const
+{
+  const PlanElement& face = elementOf(plan_, pair.face);
+  const std::uint32_t near = plan_.rooms[pair.face.room].id;
+  const std::uint32_t far = plan_.rooms[pair.other.room].id;
+  return std::any_of(
+      plan_.doorways.begin(), plan_.doorways.end(), [&](const PlanDoorway& doorway) {
+        const Eigen::Vector2d middle = (doorway.start + doorway.end) / 2;
+        const double s = face.project(middle);
+        const auto [place, inward] = faceAt(face, s);
+        const double behind = (place - middle).dot(inward);
+        const bool joins_both = doorway.rooms[0] == near ? doorway.rooms[1] == far
+                                                         : doorway.rooms[0] == far &&
+                                                               doorway.rooms[1] == near;
+        return joins_both && s > pair.stretch.from && s < pair.stretch.to &&
+               behind >= 0 && behind <= pair.thickness;
+      });
 }
 
 void

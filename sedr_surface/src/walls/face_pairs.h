@@ -36,6 +36,9 @@ public:
 
 private:
   void consider(const WallFace& face, const WallFace& other);
+  /** @brief Returns whether a doorway leads from one face of a pair to the other. */
+  bool isOpen(const FacePair& pair) const;
+
   void pairNearestFirst();
 
   /** @brief Pairs the free parts of a stretch of both faces. */

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/priors.h>
 
 #include <Eigen/Core>
 
@@ -78,12 +79,14 @@ struct WallParameters {
   double assumed_thickness = 0.2;  ///< of a wall with one face seen
   double min_assumed_share = 0.25; ///< of it that is left before a room near behind the
                                    ///< face: 5 cm, the thinnest partition that is built
-  double greatest_thickness = 0.6; ///< maximum distance of faces, see wallThickness()
-  double min_thickness = 0.02;     ///< nearer faces have no wall between them
+  double max_thickness = Priors().max_wall;          ///< maximum distance of two faces
+  double max_depth_of_doorway = 1.5 * max_thickness; ///< likewise, beside a doorway
+  double min_thickness = 0.02; ///< nearer faces have no wall between them
 };
 
 /** @brief Finds the walls of a plan from pairs of faces; each part of a face belongs to
- * one wall at most.
+ * one wall at most. Faces farther apart than walls usually are belong to one if a
+ * doorway leads from one to the other.
  *
  * Faces belong to one wall if they are parallel (5 degrees; arcs concentric within 10
  * cm), face away from each other and are nearest to each other. A remainder of a face

@@ -4,6 +4,7 @@
 #include "sedr_surface/src/drawing/doorway_drawing.h"
 #include "sedr_surface/src/drawing/plan_drawing.h"
 #include "sedr_surface/src/sheet/sheet_layout.h"
+#include "sedr_surface/src/sheet/text_places.h"
 
 #include <gtest/gtest.h>
 
@@ -81,6 +82,15 @@ TEST(TiltedWallDrawing, ShowsItsHeadAndItsTilt)
   EXPECT_EQ(drawnElements(plan).size() + 1, drawn.size());
   const WallTilts stale{tilts[0], {1, 7, 0.1}}; // of a wall that the room has not
   EXPECT_EQ(drawnElements(plan, stale).size(), drawn.size());
+}
+
+TEST(TextAngle, IsReadFromBelowOrFromTheRight)
+{
+  EXPECT_NEAR(readableAngle({-1, 0.1}), -5.7, 0.1);
+  EXPECT_NEAR(readableAngle({0, -1}), 90, 1e-9);
+  EXPECT_NEAR(readableAngle({0.1, -1}), 95.7, 0.1) << "a wall that is slightly aslant";
+  EXPECT_NEAR(readableAngle({0.1, 1}), 84.3, 0.1);
+  EXPECT_NEAR(readableAngle({1, -1}), -45, 1e-9);
 }
 
 TEST(SheetScale, IsTheLargestOfARulerThatFits)
