@@ -3,7 +3,7 @@
 
 #include "../formats/decimal_text.h"
 #include "../sheet/plan_frame.h"
-#include "ceiling_lines.h"
+#include "../overhead/ceiling_lines.h"
 #include "sedr_filters/src/plan/level_planes.h"
 
 #include <algorithm>

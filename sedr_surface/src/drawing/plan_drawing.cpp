@@ -4,8 +4,8 @@
 #include "../formats/decimal_text.h"
 #include "../sheet/plan_frame.h"
 #include "../walls/plan_walls.h"
-#include "ceiling_lines.h"
-#include "height_lines.h"
+#include "../overhead/ceiling_lines.h"
+#include "../overhead/height_lines.h"
 
 #include "../solid/plan_facets.h"
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ceiling_lines.h"
 
+#include "ceiling_meeting.h"
+
 #include "../formats/decimal_text.h"
 #include "../solid/plan_subdivision.h"
 #include "line_pieces.h"
 
+#include "sedr_filters/src/grids/disjoint_sets.h"
 #include "sedr_filters/src/plan/room_lookup.h"
 #include <pcl/sedr_surface/room_solid.h>
 
@@ -22,57 +25,6 @@ constexpr double min_width = 2; ///< of a part between two lines, millimetres
 constexpr double min_area = 25; ///< of a part, square millimetres
 constexpr double min_end = 30;  ///< of a line that leads nowhere, millimetres
 constexpr double straight = 1;  ///< distance of corners that are one, millimetres
-
-/** @brief How two parts of a ceiling meet at a place. */
-struct Meeting {
-  bool is_seen = false;
-  bool is_crease = false; ///< they meet at one height; otherwise there is a step
-  bool is_ridge = false;  ///< both fall away
-};
-
-/** @param left,right heights of both at the place, and `beside` metres from it */
-Meeting
-meetingOf(const Eigen::Vector2d& left, const Eigen::Vector2d& right, double beside)
-{
-  constexpr double step = 0.03;  // metres; a higher step is no crease
-  constexpr double falls = 0.02; // slope beside the line: 2 %
-  constexpr double bends = 0.1;  // change of slope: 6 degrees
-  const double a = (left[1] - left[0]) / beside;
-  const double b = (right[1] - right[0]) / beside;
-  const bool do_meet = std::abs(left[0] - right[0]) < step;
-  Meeting meeting;
-  meeting.is_ridge = do_meet && a < -falls && b < -falls;
-  meeting.is_crease = meeting.is_ridge || (do_meet && a > falls && b > falls);
-  meeting.is_seen = meeting.is_crease || !do_meet || std::abs(a + b) > bends;
-  return meeting;
-}
-
-/** @brief Sets with a number each. */
-class Sets {
-public:
-  explicit Sets(std::size_t n)
-      : parent_(n)
-  {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-
-  std::size_t of(std::size_t k) const
-  {
-    while (parent_[k] != k)
-      k = parent_[k];
-    return k;
-  }
-
-  void join(std::size_t a, std::size_t b)
-  {
-    a = of(a);
-    b = of(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  std::vector<std::size_t> parent_;
-};
 
 /** @brief Finds the lines of a room's ceiling. */
 class LineFinder {
@@ -101,7 +53,7 @@ public:
     for (const std::vector<std::size_t>& line : lines())
       addPieces(line, found.lines);
     for (std::size_t d = 0; d <= room_.details.size(); ++d)
-      found.part.push_back(parts_.of(ceiling_slab + d));
+      found.part.push_back(parts_.find(ceiling_slab + d));
     return found;
   }
 
@@ -117,6 +69,12 @@ private:
     Eigen::Vector2d middle = Eigen::Vector2d::Zero();
     Eigen::Vector2d normal = Eigen::Vector2d::Zero(); ///< to the left
   };
+
+  double roughnessAt(const SubdivisionEdge& edge) const
+  {
+    return std::hypot(slab(edge.left.ceiling).residual,
+                      slab(edge.right.ceiling).residual);
+  }
 
   const PlanSlab& slab(int k) const
   {
@@ -148,8 +106,9 @@ private:
           slab(k).heightAt(border.middle),
           slab(k).heightAt(border.middle + side * beside * border.normal));
     };
-    border.meeting = meetingOf(heights(edge.left.ceiling, 1),
-                               heights(edge.right.ceiling, -1), beside);
+    border.meeting =
+        meetingOf(heights(edge.left.ceiling, 1), heights(edge.right.ceiling, -1),
+                  beside, roughnessAt(edge));
     return border;
   }
 
@@ -169,7 +128,8 @@ private:
       if (edges_[e].is_drawn)
         edges_[e].meeting =
             meetingOf(heights(edges_[e], plan_.edges[e].left.ceiling, 1),
-                      heights(edges_[e], plan_.edges[e].right.ceiling, -1), away);
+                      heights(edges_[e], plan_.edges[e].right.ceiling, -1), away,
+                      roughnessAt(plan_.edges[e]));
   }
 
   /** @brief Decides border by border, not edge by edge, what is seen. */
@@ -204,7 +164,7 @@ private:
   std::size_t partOf(std::size_t e, bool is_left) const
   {
     const SubdivisionEdge& edge = plan_.edges[e];
-    return parts_.of(
+    return parts_.find(
         static_cast<std::size_t>(is_left ? edge.left.ceiling : edge.right.ceiling));
   }
 
@@ -413,8 +373,8 @@ private:
   double finest_;
   RoomLayers layers_;
   PlanSubdivision plan_;
-  std::vector<Border> edges_; ///< as in the subdivision
-  Sets parts_;                ///< of slabs
+  std::vector<Border> edges_;               ///< as in the subdivision
+  mutable DisjointSets<std::size_t> parts_; ///< of slabs; finding shortens its paths
 };
 
 } // namespace

@@ -67,9 +67,15 @@ private:
                          2;
     arc.radius = (a - arc.centre).norm();
     arc.counter_clockwise = across > 0;
-    for (std::size_t k = first; k <= last; ++k)
+    double length = 0;
+    for (std::size_t k = first; k <= last; ++k) {
       if (arc.distance(line_[k]) > part * tolerance_)
         return false;
+      length += k > first ? (line_[k] - line_[k - 1]).norm() : 0;
+    }
+    constexpr double same_length = 0.05; // chords are little shorter, detours are not
+    if (std::abs(arc.length() - length) > same_length * length)
+      return false;
     piece = arc;
     return true;
   }

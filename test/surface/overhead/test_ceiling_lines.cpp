@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
-#include "sedr_surface/src/drawing/ceiling_lines.h"
-#include "sedr_surface/src/drawing/line_pieces.h"
+#include "sedr_surface/src/overhead/ceiling_lines.h"
+#include "sedr_surface/src/overhead/line_pieces.h"
 
 #include <gtest/gtest.h>
 
@@ -63,6 +63,17 @@ TEST(CeilingLines, AStripBetweenTwoVaultsIsAValley)
   EXPECT_EQ(lines[0].text, "valley 2.00");
 }
 
+TEST(CeilingLines, AStepOfARoughCeilingIsHigher)
+{
+  PlanRoom room = roomWith({{rectangle(4, 0, 8, 4), slabAt(2.6)}});
+  EXPECT_EQ(ceilingLines(room, at_1_50).lines.size(), 1u);
+  room.ceiling.residual = room.details[0].slab.residual = 0.05; // ribs
+  EXPECT_TRUE(ceilingLines(room, at_1_50).lines.empty());
+  room.details[0].slab = slabAt(2.8);
+  room.details[0].slab.residual = 0.05;
+  EXPECT_EQ(ceilingLines(room, at_1_50).lines.size(), 1u);
+}
+
 TEST(CeilingLines, EndsThatLeadNowhereAreLeftOut)
 {
   // A step between two facets, a metre long, which both go on into the ceiling.
@@ -106,6 +117,11 @@ TEST(LinePieces, AnArcIsOne)
   ASSERT_EQ(pieces.size(), 1u);
   EXPECT_NEAR(pieces[0].length(), M_PI, 1e-6);
   EXPECT_TRUE(pieces[0].counter_clockwise);
+  // There and back again on the same arc is none.
+  for (int k = 30; k > 0; --k)
+    line.push_back(line[static_cast<std::size_t>(k)]);
+  for (const PlanElement& piece : piecesOf(line, 0.03))
+    EXPECT_LT(piece.length(), M_PI + 0.1);
 }
 
 } // namespace

@@ -27,10 +27,11 @@ struct CeilingLines {
 /** @brief Returns the borders of the facets of a room's ceiling that can be seen and
  * can be drawn.
  *
- * A border of two facets is a line if along half of it there is a step or a bend. A
- * part between lines that is too small for the drawing goes to the neighbour with the
- * longest line in common. What remains is straightened to `finest`. Ridges of roofs
- * stay as exact as the plan has them, arcs remain arcs.
+ * A border of two facets is a line if along half of it there is a step or a bend, which
+ * is more than three times what the ceiling beside it is rough. A part between lines
+ * that is too small for the drawing goes to the neighbour with the longest line in
+ * common. What remains is straightened to `finest`. Ridges of roofs stay as exact as
+ * the plan has them, arcs remain arcs.
  *
  * @param finest metres that a millimetre of paper stands for: parts narrower than
  * two of them or below 25 square ones and lines up to 30 that lead nowhere are not
