@@ -130,6 +130,13 @@ TEST(WriteIfc, BelowARoofOfPlanesWallsAreSweptAndCut)
   EXPECT_EQ(halves(-0.25), 2u) << "walls at the eaves";
 }
 
+TEST(WriteIfc, ArcsAreAQuarterOfACircleAtMost)
+{
+  const std::string text = writeIfc({{roomOf(circle({0, 0}, 3), 2.5)}}).text;
+  EXPECT_GT(count(text, "=IFCINDEXEDPOLYCURVE("), 0u);
+  EXPECT_EQ(count(text, "IFCARCINDEX("), 4 * count(text, "=IFCINDEXEDPOLYCURVE("));
+}
+
 TEST(WriteIfc, FacetsHaveNoArcs)
 {
   const Floorplan plan{{roomOf(stadium(3, 1), 2.5)}};

@@ -161,6 +161,8 @@ TEST_F(Program, refusesBadOptions)
   expectRefused(start + " --threads -1", "--threads");
   expectRefused(start + " --seed -1", "--seed");
   expectRefused(start + " --max-range 0", "--max-range");
+  for (const char* tolerance : {"0", "0.2", "nan"})
+    expectRefused(start + " --chord-tolerance " + tolerance, "--chord-tolerance");
   EXPECT_FALSE(std::filesystem::exists(at("out")));
 }
 

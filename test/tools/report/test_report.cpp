@@ -312,6 +312,16 @@ TEST_F(ReportFacts, OfStoreysAreToldAStoreyAtATime)
   EXPECT_NE(figuresPart(data).find("storeys</dt><dd>2"), std::string::npos);
 }
 
+TEST_F(ReportFacts, OfTiltedWallsAreOnThePlan)
+{
+  const Floorplan plan = twoStoreys();
+  const WallTilts tilts{{plan.rooms[0].id, 0, 10 * M_PI / 180}};
+  writeFile((folder_.path() / "floorplan.json").string(),
+            withTilts(floorplanToJson(plan), tilts, {}));
+  EXPECT_NE(planPart(read(R"({"format": "sedr-report"})")).find("tilt 10.0"),
+            std::string::npos);
+}
+
 TEST_F(ReportFacts, OfTheCoverageAreASection)
 {
   const std::string report = R"({"format": "sedr-report", "coverage": {

@@ -189,8 +189,10 @@ readReportData(const ResultFolder& folder)
   const Json& evaluation = member(report, "evaluation");
   data.distances = distancesOf(member(evaluation, "cloud_to_mesh"));
   data.mesh_triangles = count(member(evaluation, "mesh"), "triangles");
-  if (folder.has("floorplan.json"))
+  if (folder.has("floorplan.json")) {
     data.plan = *loadFloorplan(folder.file("floorplan.json"));
+    data.tilts = planTilts(folder.file("floorplan.json"));
+  }
   data.storeys = storeysOf(data.plan);
   for (const auto& room : member(report, "rooms"))
     data.rooms.push_back(roomOf(room));
