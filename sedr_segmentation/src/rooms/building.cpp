@@ -88,6 +88,18 @@ reachedParts(const std::vector<BuildingRoom>& parts,
   return is_reached;
 }
 
+/** @brief Which parts of the air one walks into from a larger one, which may be all
+ * that shows them. */
+std::vector<std::uint8_t>
+partsBesideLarger(std::size_t parts, const std::vector<RoomOpening>& openings)
+{
+  std::vector<std::uint8_t> is_beside(parts, 0);
+  for (const RoomOpening& opening : openings)
+    if (isWalkable(opening))
+      is_beside[std::max(opening.a, opening.b)] = 1; // parts are by size
+  return is_beside;
+}
+
 /** @brief How one knows of each part of the air that it is of this building. */
 std::vector<PartAccess>
 accessTo(const std::vector<BuildingRoom>& parts,
@@ -177,8 +189,10 @@ keepRooms(const AirGaps& air,
                   : verdict.kind == LeftOutKind::Mirror ? PartUse::Other
                                                         : PartUse::Spare);
   closeRooms(air, parted, use, of_parting, parts);
+  const std::vector<std::uint8_t> is_beside_larger =
+      partsBesideLarger(parts.size(), parted.openings);
   for (std::size_t p = 0; p < parts.size(); ++p)
-    if (p > 0 && verdicts[p].reason.empty() && access[p] == PartAccess::Reached)
+    if (verdicts[p].reason.empty() && is_beside_larger[p] != 0)
       verdicts[p] = {seenInPart(parts[p]), LeftOutKind::Open};
   std::vector<std::uint32_t> number(parts.size(), 0);
   for (std::size_t p = 0; p < parts.size(); ++p) {

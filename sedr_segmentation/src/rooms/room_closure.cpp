@@ -35,6 +35,14 @@ struct Beside {
   RoomColumn column;   ///< what it would be of the room
 };
 
+/** @brief Whether two stretches of a column overlap by half of the lower of them. */
+bool
+isSameAir(std::int32_t low, std::int32_t high, std::int32_t other, std::int32_t top)
+{
+  return 2 * (std::min(high, top) - std::max(low, other)) >=
+         std::min(high - low, top - other);
+}
+
 /** @brief Which cells hold air of rooms, or what completes them. */
 class TakenCells {
 public:
@@ -48,7 +56,7 @@ public:
     const auto found = at_.find(keyOf(cell));
     return found != at_.end() &&
            std::any_of(found->second.begin(), found->second.end(), [&](const auto& h) {
-             return std::min(h.second, high) > std::max(h.first, low);
+             return isSameAir(h.first, h.second, low, high);
            });
   }
 
@@ -167,9 +175,8 @@ private:
     bool ceiling_seen = false;
     if (column != VoxelColumns::none) {
       for (std::size_t g = air_.first(column); g < air_.first(column + 1); ++g) {
-        const std::int32_t common =
-            std::min(air_[g].high, high) - std::max(air_[g].low, low);
-        if (common <= 0 || parted_.room[g] == PartedAir::no_room)
+        if (parted_.room[g] == PartedAir::no_room ||
+            !isSameAir(air_[g].low, air_[g].high, low, high))
           continue;
         if (parted_.is_reveal[g] != 0 ||
             use_[static_cast<std::size_t>(parted_.room[g])] != PartUse::Spare) {

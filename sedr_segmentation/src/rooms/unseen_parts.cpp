@@ -3,6 +3,8 @@
 
 #include "../parting/wall_beside.h"
 
+#include "sedr_filters/src/grids/cell_mask.h"
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -42,13 +44,16 @@ measureUnseen(const AirGaps& air, BuildingRoom& room)
   for (const RoomColumn& c : room.columns)
     keys.push_back(keyOf(c.cell));
   const CellSet cells(std::move(keys));
+  const CellBox box = grown(boxOf(cells), 1);
+  const CellMask holes =
+      maskProblem(box).empty() ? enclosedCells(CellMask(cells, box)) : CellMask();
   std::size_t unseen = 0;
   std::array<std::size_t, 3> ends{0, 0, 0};
   for (const RoomColumn& c : room.columns) {
     unseen += !c.floor_seen && !c.ceiling_seen ? 1 : 0;
     const AirGap gap{0, lowOf(air, c), highOf(air, c)};
     for (const Cell& by : plan_directions)
-      if (!cells.contains(moved(c.cell, by)))
+      if (!cells.contains(moved(c.cell, by)) && !holes.at(moved(c.cell, by)))
         ++ends[static_cast<std::size_t>(endOf(air, gap, c.cell, by))];
   }
   room.inferred = static_cast<double>(unseen) * cell * cell;
