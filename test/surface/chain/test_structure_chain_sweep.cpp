@@ -31,6 +31,35 @@ TEST(StructureChain, ARoomIsWholeThoughItsFarCeilingWasSeenInLinesOnly)
   EXPECT_EQ(chain.labels.size(), chain.cloud->size());
 }
 
+/** A corner of 12 m x 8 m is hidden from (3, 4) behind a pier at x = 6. */
+TEST(StructureChain, AHiddenCornerIsOfTheRoomAndAWarningTellsHowMuchNobodySaw)
+{
+  const auto isSeen = [](double x, double y) {
+    const double angle = std::atan2(y - 4, x - 3);
+    return x < 6 || angle < 0.26 || angle > 0.58;
+  };
+  RoomPoints points;
+  const PlanLoop room = rectangle(0.01, 0.01, 12.01, 8.01);
+  for (const double z : {0.0, 3.0})
+    points.slab(room, z, isSeen);
+  for (const auto& wall : room.elements)
+    points.wall(wall, 0, 3, [&](double s, double) {
+      return isSeen(wall.pointAt(s).x(), wall.pointAt(s).y());
+    });
+  points.wall(segment({6.01, 4.8}, {6.01, 5.96}), 0, 3);
+  StructureChain chain;
+  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
+  ASSERT_EQ(chain.plan->rooms.size(), 1u);
+  const PlanLoop& boundary = chain.plan->rooms[0].boundary;
+  EXPECT_EQ(boundary.elements.size(), 4u);
+  EXPECT_NEAR(boundary.area(), 96, 0.3);
+  EXPECT_EQ(std::count_if(chain.warnings.begin(), chain.warnings.end(),
+                          [](const std::string& warning) {
+                            return warning.find("were not seen") != std::string::npos;
+                          }),
+            1);
+}
+
 /** A room of 6 m x 4 m x 2.5 m with a random point in every square of `spacing`. */
 StructureChain::Cloud::Ptr
 sparseRoom(double spacing, const RoomPoints::InSpace& keep)
