@@ -238,7 +238,7 @@ const std::vector<Prior> table = {
      "columns, details, links, loop, niches, plan, planes"},
     {"share_clear", &Priors::share_clear, "shares", "", 0.1, 1,
      "chosen on the proving ground",
-     "plan, walls"},
+     "chain, plan, walls"},
     {"share_closed", &Priors::share_closed, "shares", "", 0.1, 1,
      "chosen on the proving ground",
      "niches"},

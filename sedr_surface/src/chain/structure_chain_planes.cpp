@@ -53,6 +53,25 @@ areaOfLargestStorey(const Building& building)
   return largest;
 }
 
+/** @brief Returns what a warning tells of the parts of a room that nobody saw; empty if
+ * there are few. */
+std::string
+unseenWarning(const BuildingRoom& room, const Priors& priors)
+{
+  char text[160] = "";
+  if (room.inferred >= priors.min_slab_area)
+    std::snprintf(text, sizeof text,
+                  "%.1f of its %.1f m2 were not seen, behind what stands before them: "
+                  "its walls go on until they meet, %.1f m of them unseen",
+                  room.inferred, room.area, room.unseen_outline);
+  else if (room.enclosure < priors.share_clear)
+    std::snprintf(text, sizeof text,
+                  "along %.1f m of its outline neither a wall nor an opening was seen: "
+                  "it may go on there",
+                  room.unseen_outline);
+  return text;
+}
+
 } // namespace
 
 bool
@@ -86,14 +105,8 @@ StructureChain::partRooms(StageReport& report)
       warnings.push_back(text);
     }
   for (const BuildingRoom& room : building.rooms)
-    if (room.inferred >= priors_.min_slab_area) {
-      char text[160];
-      std::snprintf(text, sizeof text,
-                    "%.1f of its %.1f m2 were not seen, behind what stands before "
-                    "them: its walls go on until they meet, %.1f m of them unseen",
-                    room.inferred, room.area, room.unseen_outline);
-      warn(room.id, text);
-    }
+    if (const std::string warning = unseenWarning(room, priors_); !warning.empty())
+      warn(room.id, warning);
   regions_.assign(building.rooms.size(), {});
   for (std::size_t i = 0; i < building.room_of.size(); ++i)
     if (building.room_of[i] != 0) {

@@ -31,6 +31,15 @@ TEST(StructureChain, ARoomIsWholeThoughItsFarCeilingWasSeenInLinesOnly)
   EXPECT_EQ(chain.labels.size(), chain.cloud->size());
 }
 
+bool
+tells(const StructureChain& chain, const char* words)
+{
+  return std::any_of(chain.warnings.begin(), chain.warnings.end(),
+                     [&](const std::string& warning) {
+                       return warning.find(words) != std::string::npos;
+                     });
+}
+
 /** A corner of 12 m x 8 m is hidden from (3, 4) behind a pier at x = 6. */
 TEST(StructureChain, AHiddenCornerIsOfTheRoomAndAWarningTellsHowMuchNobodySaw)
 {
@@ -53,11 +62,7 @@ TEST(StructureChain, AHiddenCornerIsOfTheRoomAndAWarningTellsHowMuchNobodySaw)
   const PlanLoop& boundary = chain.plan->rooms[0].boundary;
   EXPECT_EQ(boundary.elements.size(), 4u);
   EXPECT_NEAR(boundary.area(), 96, 0.3);
-  EXPECT_EQ(std::count_if(chain.warnings.begin(), chain.warnings.end(),
-                          [](const std::string& warning) {
-                            return warning.find("were not seen") != std::string::npos;
-                          }),
-            1);
+  EXPECT_TRUE(tells(chain, "m2 were not seen"));
 }
 
 /** A room of 6 m x 4 m x 2.5 m with a random point in every square of `spacing`. */
@@ -82,10 +87,7 @@ sparseRoom(double spacing, const RoomPoints::InSpace& keep)
 bool
 tellsOfGuesses(const StructureChain& chain)
 {
-  return std::any_of(chain.warnings.begin(), chain.warnings.end(),
-                     [](const std::string& warning) {
-                       return warning.find("filled in, not seen") != std::string::npos;
-                     });
+  return tells(chain, "filled in, not seen");
 }
 
 TEST(StructureChain, AScanThatCoversItsWallsSparselyButEvenlyIsNoGuess)
@@ -100,9 +102,11 @@ TEST(StructureChain, AScanThatCoversItsWallsSparselyButEvenlyIsNoGuess)
     ASSERT_TRUE(chain.findStructure(sparseRoom(spacing, everywhere))) << chain.problem;
     EXPECT_GT(chain.repairedShares().at(1), 0.5) << "its cells are smaller";
     EXPECT_FALSE(tellsOfGuesses(chain));
+    EXPECT_FALSE(tells(chain, "neither a wall nor an opening"));
     EXPECT_LT(chain.unseenShares().at(1).walls, 0.05);
     ASSERT_TRUE(chain.findStructure(sparseRoom(spacing, ofTwoWalls))) << chain.problem;
     EXPECT_TRUE(tellsOfGuesses(chain));
+    EXPECT_TRUE(tells(chain, "neither a wall nor an opening"));
     EXPECT_NEAR(chain.unseenShares().at(1).walls, 0.5, 0.05);
   }
 }
