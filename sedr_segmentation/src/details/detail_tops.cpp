@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "detail_tops.h"
-
-#include "../levels/level_relief.h"
+#include "height_drops.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +44,7 @@ stepsBetween(const Tops& tops, const Priors& priors)
   std::vector<double> heights;
   for (std::size_t i = 0; i < cells.size(); ++i)
     heights.push_back(tops.mean[tops.undersides.indexOf(cells[i])]);
-  const std::vector<std::uint8_t> edges = cellsOfDrops(cells, heights, 1, priors);
+  const std::vector<std::uint8_t> edges = cellsOfDrops(cells, heights, priors);
   CellMask steps(tops.undersides.box());
   for (std::size_t i = 0; i < cells.size(); ++i)
     steps.set(cells[i], edges[i]);
@@ -175,8 +174,8 @@ regionsOfOneHeight(const SliceScene& scene, const Tops& tops)
     if (k.size() < scene.parameters.minimum_cells)
       continue;
     const CellSet cells(std::move(k));
-    regions.push_back(
-        CellMask(cells, grown(boxOf(cells), stepReach(scene.parameters.priors))));
+    const auto margin = static_cast<int>(2 * priors.riser_cells);
+    regions.push_back(CellMask(cells, grown(boxOf(cells), margin)));
   }
   return regions;
 }

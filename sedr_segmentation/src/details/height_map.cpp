@@ -8,12 +8,38 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pcl::sedr {
 
 namespace {
 
-/** @brief Finds the levels among the detail points. */
+/** @brief Returns the detail points of each region of cells up to four cells apart: a
+ * coffer has nothing to do with the level of another one. */
+std::vector<std::vector<int>>
+regionsOfDetails(const PointView& points,
+                 const std::vector<int>& details,
+                 double cell_size)
+{
+  constexpr int reach = 2; // cells
+  if (details.empty())
+    return {};
+  const CellGrid grid(cell_size);
+  const CellSet cells(grid, points, details);
+  const CellMask mask = dilated(CellMask(cells, grown(boxOf(cells), reach + 1)), reach);
+  const MaskRegions labels = labelRegions(mask, true);
+  std::vector<std::vector<int>> regions(labels.sizes.size());
+  for (const int i : details) {
+    if (!points.isFinite(static_cast<std::size_t>(i)))
+      continue;
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    const std::int32_t label = labels.label[mask.indexOf(grid.at(p.x(), p.y()))];
+    regions[static_cast<std::size_t>(label)].push_back(i);
+  }
+  return regions;
+}
+
+/** @brief Finds the levels of each region of the detail points. */
 std::vector<Level>
 detailLevels(const PointView& points,
              const SlabEvidence& evidence,
@@ -26,7 +52,12 @@ detailLevels(const PointView& points,
   p.seed = parameters.loop.seed;
   p.threads = parameters.threads;
   p.priors = parameters.loop.priors;
-  return findLevels(points, evidence.details, p);
+  std::vector<Level> levels;
+  for (const auto& region :
+       regionsOfDetails(points, evidence.details, parameters.cell_size))
+    for (Level& level : findLevels(points, region, p))
+      levels.push_back(std::move(level));
+  return levels;
 }
 
 /** @brief Returns the plane of the detail over some cells: parallel to the main slab,

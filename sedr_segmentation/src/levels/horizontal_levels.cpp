@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "height_windows.h"
 #include "level_candidates.h"
-#include "level_contrast.h"
-#include "level_parting.h"
-#include "level_regions.h"
-#include "level_relief.h"
-#include "level_steps.h"
 
 #include "horizontal_levels.h"
 
@@ -19,9 +14,6 @@ namespace pcl::sedr {
 
 namespace {
 
-/** @brief Maximum number of rounds of plane fit and region search. */
-constexpr int max_rounds = 10;
-
 /** @brief Marks the cells that hold a chosen candidate. */
 std::vector<std::uint8_t>
 cellsOf(const std::vector<Candidate>& candidates,
@@ -34,17 +26,16 @@ cellsOf(const std::vector<Candidate>& candidates,
   return marked;
 }
 
-/** @brief Returns the positions of the candidates within `band` of a level's plane. */
+/** @brief Returns the positions of the candidates within `band` of a plane. */
 std::vector<std::size_t>
 nearPlane(const LevelColumns& columns,
           const std::vector<Candidate>& candidates,
-          const LevelDraft& draft,
+          const PlanSlab& slab,
           double band)
 {
   std::vector<std::size_t> near;
-  for (const Candidate& c : stretchNear(columns, candidates, draft.slab, band))
-    if (!draft.apart[c.cell] &&
-        std::abs(distanceAbove(draft.slab, c.position())) <= band)
+  for (const Candidate& c : stretchNear(columns, candidates, slab, band))
+    if (std::abs(distanceAbove(slab, c.position())) <= band)
       near.push_back(static_cast<std::size_t>(&c - candidates.data()));
   return near;
 }
@@ -76,70 +67,21 @@ reachOfNoise(const PlanSlab& slab, double tolerance)
 std::vector<std::size_t>
 withTails(const LevelColumns& columns,
           const std::vector<Candidate>& candidates,
-          const LevelDraft& draft,
+          const std::vector<std::uint8_t>& cells,
           const PlanSlab& slab,
           double tolerance)
 {
   std::vector<std::size_t> near =
-      nearPlane(columns, candidates, draft, reachOfNoise(slab, tolerance));
+      nearPlane(columns, candidates, slab, reachOfNoise(slab, tolerance));
   const auto isElsewhere = [&](std::size_t k) {
-    if (draft.cells[candidates[k].cell]) // the usual case
+    if (cells[candidates[k].cell]) // the usual case
       return false;
     const CellBlock block = blockAround(columns.cells(), candidates[k].cell);
     return std::none_of(block.begin(), block.end(),
-                        [&](std::size_t b) { return draft.cells[b] != 0; });
+                        [&](std::size_t b) { return cells[b] != 0; });
   };
   near.erase(std::remove_if(near.begin(), near.end(), isElsewhere), near.end());
   return near;
-}
-
-/** @brief Fits a plane to candidates in marked cells within the tolerance of `near`. */
-PlanSlab
-slabOver(const LevelColumns& columns,
-         const std::vector<Candidate>& candidates,
-         const std::vector<std::uint8_t>& marked,
-         const PlanSlab& near,
-         double tolerance)
-{
-  Positions own;
-  for (const Candidate& c : stretchNear(columns, candidates, near, tolerance))
-    if (marked[c.cell] && std::abs(distanceAbove(near, c.position())) <= tolerance)
-      own.push_back(c.position());
-  return fitSlabRobustly(own, near, tolerance);
-}
-
-/** @brief Keeps a level that stands out, or else only its regions that do. At the
- * height of a small ceiling there may be clutter throughout the building.
- * @return whether anything is left */
-bool
-keepWhatStandsOut(const LevelColumns& columns,
-                  const std::vector<Candidate>& candidates,
-                  double tolerance,
-                  std::size_t minimum_cells,
-                  LevelDraft& draft)
-{
-  const auto count = std::count(draft.cells.begin(), draft.cells.end(), 1);
-  if (static_cast<std::size_t>(count) < minimum_cells)
-    return false;
-  if (standsOut(columns, draft.cells, draft.slab, tolerance))
-    return true;
-  std::vector<std::uint8_t> standing;
-  for (const auto& region :
-       levelRegions(columns, draft.cells, draft.slab, tolerance, minimum_cells)) {
-    std::vector<std::uint8_t> alone(draft.cells.size(), 0);
-    for (const std::size_t i : region)
-      alone[i] = 1;
-    if (!standsOut(columns, alone, draft.slab, tolerance))
-      continue;
-    standing.resize(draft.cells.size(), 0);
-    for (const std::size_t i : region)
-      standing[i] = 1;
-  }
-  if (standing.empty())
-    return false;
-  draft.slab = slabOver(columns, candidates, standing, draft.slab, tolerance);
-  draft.cells = std::move(standing);
-  return true;
 }
 
 /** @brief Fits a plane to the candidates in and just outside a window, as it may tilt.
@@ -164,36 +106,6 @@ slabOfWindow(const std::vector<Candidate>& candidates,
     around.push_back(c->position());
   return findLargerSlab(around, parameters.tolerance, parameters.maximum_tilt, seed,
                         parameters.threads);
-}
-
-/** @brief Returns the cells of a level and those up to two cells away: its walls. */
-CellSet
-withRim(const CellSet& all, const CellSet& cells)
-{
-  std::vector<std::uint8_t> marked(all.size(), 0);
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    for (const std::size_t near : blockAround(all, all.find(cells[i])))
-      for (const std::size_t k : blockAround(all, near))
-        marked[k] = 1;
-  return markedCells(all, marked);
-}
-
-/** @brief Excludes from a level the cells and wall cells of earlier levels from which
- * it was separated. */
-void
-keepApart(const CellSet& all,
-          const std::vector<Level>& earlier,
-          std::vector<CellSet>& with_rims,
-          Level& level)
-{
-  with_rims.resize(earlier.size());
-  for (std::size_t l = 0; l < earlier.size(); ++l) {
-    if (2 * intersect(level.cells, earlier[l].without).size() <= level.cells.size())
-      continue;
-    if (with_rims[l].empty())
-      with_rims[l] = withRim(all, earlier[l].cells);
-    level.without = unite(level.without, subtract(with_rims[l], level.cells));
-  }
 }
 
 } // namespace
@@ -231,35 +143,20 @@ findLevels(const LevelColumns& columns,
              std::ceil(parameters.minimum_area / (grid.size() * grid.size()) - 1e-9)));
 
   std::vector<Level> levels;
-  std::vector<CellSet> with_rims; // computed on demand per level
   while (true) {
     const HeightWindow window = densestWindow(candidates, 2 * parameters.tolerance,
                                               cells.size(), minimum_cells - 1);
     if (window.cells == 0)
       break;
-    LevelDraft draft;
-    draft.slab =
+    Level level;
+    level.slab =
         slabOfWindow(candidates, window, parameters, parameters.seed + levels.size());
-    draft.apart.assign(cells.size(), 0);
-    for (int round = 0;; ++round) {
-      draft.relief =
-          reliefOf(columns, candidates, draft.slab, 2 * parameters.tolerance);
-      if (round == max_rounds ||
-          !partLevel(columns, candidates, parameters, minimum_cells, draft))
-        break;
-    }
-    setStepsApart(columns, parameters.tolerance, parameters.priors, draft);
     std::vector<std::size_t> own =
-        nearPlane(columns, candidates, draft, parameters.tolerance);
-    draft.cells = cellsOf(candidates, own, cells.size());
-    if (keepWhatStandsOut(columns, candidates, parameters.tolerance, minimum_cells,
-                          draft)) {
-      Level level;
-      level.slab = draft.slab;
-      level.cells = markedCells(cells, draft.cells);
-      own = withTails(columns, candidates, draft, level.slab, parameters.tolerance);
-      level.without = markedCells(cells, draft.apart);
-      keepApart(cells, levels, with_rims, level);
+        nearPlane(columns, candidates, level.slab, parameters.tolerance);
+    const std::vector<std::uint8_t> marked = cellsOf(candidates, own, cells.size());
+    level.cells = markedCells(cells, marked);
+    if (level.cells.size() >= minimum_cells) {
+      own = withTails(columns, candidates, marked, level.slab, parameters.tolerance);
       levels.push_back(std::move(level));
     }
     else { // no plane: the window's points are clutter

@@ -23,8 +23,7 @@ struct Level {
   std::vector<int>
       inliers; ///< indices into the points, increasing; see collectInliers()
   LevelKind kind = LevelKind::Other;
-  CellSet within;  ///< if not empty, only points of these cells are inliers
-  CellSet without; ///< points of these cells belong to another level
+  CellSet within; ///< if not empty, only points of these cells are inliers
 };
 
 /** @brief Builds the profiles of points for the level detection. */
@@ -37,8 +36,7 @@ LevelColumns columnsOf(const PointView& points,
  *
  * Points of walls, i.e. with points both above and below them in their profile, are
  * left out first. The height window with the maximum number of occupied cells is the
- * next candidate, and RANSAC fits its plane. Regions separated by walls become separate
- * levels if their own planes are a step apart. The search continues without the level's
+ * next candidate, and RANSAC fits its plane. The search continues without the level's
  * points down to the minimum area. O(n log n) plus O(n) per level.
  * @param[out] histogram of all heights before the search; optional */
 std::vector<Level> findLevels(const PointView& points,

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "level_candidates.h"
-#include "level_steps.h"
 
 #include "horizontal_levels.h"
 
@@ -18,8 +17,8 @@ namespace pcl::sedr {
 namespace {
 
 /** @brief Returns the level of each point: the nearest within the tolerance among those
- * found in its cell, or else among those allowed there. The plane of one room's ceiling
- * may pass close to another's. Other points get the number of levels. */
+ * found in its cell, or else among all. The plane of one room's ceiling may pass close
+ * to another's. Other points get the number of levels. */
 std::vector<std::size_t>
 ownLevels(const std::vector<Level>& levels,
           const LevelColumns& columns,
@@ -44,8 +43,6 @@ ownLevels(const std::vector<Level>& levels,
       const bool is_here = levels[l].cells.contains(cell);
       const bool is_nearer = d < least || (d == least && own[k] == levels.size());
       if (is_here == is_found_there ? !is_nearer : is_found_there)
-        continue;
-      if (!is_here && levels[l].without.contains(cell))
         continue;
       least = d;
       own[k] = l;
@@ -76,6 +73,30 @@ cellsLeftOut(const LevelColumns& columns,
       if (asked[i] && !level.within.contains(cells[i]))
         left_out[i] = 1;
   return left_out;
+}
+
+/** @brief Returns the maximum distance of a plane's own points: four standard
+ * deviations, at least 1.5 cm, at most the tolerance; metres. */
+double
+noiseOf(const PlanSlab& slab, double tolerance, const Priors& priors)
+{
+  return std::min(tolerance, std::max(4 * slab.residual, priors.slab_noise));
+}
+
+/** @brief Returns the cells that lie in a block of 5 x 5 with more than 10 cells of the
+ * set, i.e. more than a strip two cells wide. This keeps uneven parts of a ceiling and
+ * removes the last centimetres of a wall below it. */
+CellSet
+withoutFringes(const CellSet& cells)
+{
+  std::vector<std::uint8_t> is_kept(cells.size(), 0);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    std::size_t count = 0;
+    forEachAround(cells, cells[i], 2, [&](std::size_t) { ++count; });
+    if (count > 10)
+      forEachAround(cells, cells[i], 2, [&](std::size_t k) { is_kept[k] = 1; });
+  }
+  return markedCells(cells, is_kept);
 }
 
 /** @brief Sets the inliers and cells of a level: its own points without those of walls.

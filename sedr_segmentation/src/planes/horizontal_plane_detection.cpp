@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "floor_platforms.h"
-#include "floor_reflections.h"
 
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/sedr_filters/point_types.h>
@@ -55,34 +54,17 @@ detectHorizontalPlanes(const PointView& points,
                        const pcl::Indices& indices,
                        const LevelParameters& parameters,
                        std::vector<pcl::HorizontalPlane>& planes,
-                       HeightHistogram& histogram,
-                       pcl::Indices& reflections)
+                       HeightHistogram& histogram)
 {
   std::string problem = indicesProblem(indices, points.size());
   if (problem.empty())
     problem = problemOf(parameters);
   if (!problem.empty())
     return problem;
-  const auto findKinds = [&](const LevelColumns& columns) {
-    std::vector<Level> levels = findLevels(columns, parameters, &histogram);
-    classifyLevels(levels, parameters);
-    return levels;
-  };
-  pcl::Indices used = indices;
-  LevelColumns columns = columnsOf(points, used, parameters);
-  std::vector<Level> levels = findKinds(columns);
-  reflections = findReflections(columns, levels, parameters);
-  if (!reflections.empty()) {
-    used.erase(std::remove_if(used.begin(), used.end(),
-                              [&](index_t i) {
-                                return std::binary_search(reflections.begin(),
-                                                          reflections.end(), i);
-                              }),
-               used.end());
-    columns = columnsOf(points, used, parameters);
-    levels = findKinds(columns);
-  }
-  markPlatforms(levels, points, used, parameters);
+  const LevelColumns columns = columnsOf(points, indices, parameters);
+  std::vector<Level> levels = findLevels(columns, parameters, &histogram);
+  classifyLevels(levels, parameters);
+  markPlatforms(levels, points, indices, parameters);
   collectInliers(levels, columns, parameters);
   for (Level& level : levels)
     planes.push_back(planeOf(std::move(level), parameters.cell_size));

@@ -2,7 +2,6 @@
 #include "level_checks.h"
 
 #include <limits>
-#include <random>
 #include <set>
 
 namespace {
@@ -85,28 +84,6 @@ TEST(Levels, TheTailsOfASlabAreNotThoseOfAnotherRoomsSoffit)
   EXPECT_NEAR(levels[2].height, 2.57, 0.005);
 }
 
-TEST(Levels, AStepOfFiveCentimetresInTheCeilingIsTwoCeilings)
-{
-  RoomPoints points(0.05, 0.005);
-  PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
-  room.details = {detailOf(rectangle(3.51, 0.01, 5.01, 4.01), 2.45)};
-  points.room(room);
-  const auto levels = levelsOf(points);
-  expectHeights(levels, {0, 2.45, 2.5}, 0.002);
-  EXPECT_EQ(kindsOf(levels), (std::vector<LevelKind>{Floor, Ceiling, Ceiling}));
-}
-
-TEST(Levels, TheHeadOfAWindowJustBelowTheCeilingIsNoneOfIt)
-{
-  RoomPoints points(0.05, 0.005);
-  points.room(rectangle(0.01, 0.01, 5.01, 4.01), 0, 2.5);
-  const std::vector<int> reveal = points.slab(rectangle(1, 4.01, 3, 4.31), 2.45);
-  const auto levels = levelsOf(points);
-  expectHeights(levels, {0, 2.5}, 0.002);
-  for (const int i : levels.back().inliers)
-    EXPECT_TRUE(i < reveal.front() || i > reveal.back());
-}
-
 TEST(Levels, ACeilingThatSagsIsOne)
 {
   // A sag of 5 cm in the middle of 5 m.
@@ -136,38 +113,6 @@ TEST(Levels, ASlabThatIsTiltedIsOneLevel)
   EXPECT_NEAR(normal.y(), 0, 1e-5);
   EXPECT_NEAR(heightOf(levels[1]), 2.5, 1e-4);
   EXPECT_EQ(levels[1].inliers, besideWalls(points, parts.ceiling, parts.walls));
-}
-
-/** Four rooms about a cross of walls, their ceilings at these heights. */
-RoomPoints
-fourRooms(const std::vector<double>& ceilings, double noise)
-{
-  RoomPoints points(0.05, noise);
-  for (std::size_t r = 0; r < 4; ++r) {
-    const double x = r % 2 == 0 ? 0 : 4.7;
-    const double y = r < 2 ? 0 : 4.2;
-    points.room(rectangle(x, y, x + 4.5, y + 4), 0, ceilings[r]);
-  }
-  return points;
-}
-
-TEST(Levels, CeilingsOfRoomsAFewCentimetresApartAreLevelsOfTheirOwn)
-{
-  for (const double noise : {0.0, 0.01, 0.02}) {
-    const RoomPoints points = fourRooms({2.5, 2.58, 2.5, 2.66}, noise);
-    const auto levels = levelsOf(points);
-    expectHeights(levels, {0, 2.5, 2.58, 2.66}, 0.002 + 0.4 * noise);
-    for (std::size_t l = 1; l < levels.size(); ++l) {
-      EXPECT_NEAR(levels[l].slab.plane[2], 1, 5e-6);
-      std::size_t elsewhere = 0;
-      for (const int i : levels[l].inliers) {
-        const auto p = points[i];
-        const double ceiling = p.x() < 4.6 ? 2.5 : p.y() < 4.1 ? 2.58 : 2.66;
-        elsewhere += std::abs(levels[l].height - ceiling) < 0.01 ? 0 : 1;
-      }
-      EXPECT_LE(elsewhere, levels[l].inliers.size() / 200);
-    }
-  }
 }
 
 TEST(Levels, RoomsUnderOneTiltedSlabShareALevel)
@@ -247,36 +192,6 @@ TEST(Levels, CountCellsNotPoints)
   const auto levels = levelsOf(points);
   expectHeights(levels, {0, 2.5});
   EXPECT_EQ(kindsOf(levels), (std::vector<LevelKind>{Floor, Ceiling}));
-}
-
-TEST(Levels, ClutterIsNone)
-{
-  RoomPoints points;
-  points.room(rectangle(0, 0, 4, 3), 0, 2.5);
-  std::mt19937 random(8);
-  std::uniform_real_distribution<double> x(0.2, 3.8);
-  std::uniform_real_distribution<double> y(0.2, 2.8);
-  std::uniform_real_distribution<double> z(0.3, 2.2);
-  for (int i = 0; i < 20000; ++i)
-    points.point(x(random), y(random), z(random));
-  expectHeights(levelsOf(points), {0, 2.5}, 1e-3);
-}
-
-TEST(Levels, ASmallCeilingStandsOutWhereScreensElsewhereEndAtItsHeight)
-{
-  RoomPoints points;
-  points.room(rectangle(0, 0, 12, 8), 0, 3);
-  for (double y = 1; y < 7.5; y += 1.5)
-    points.wall(segment({1, y}, {11, y}), 0, 2.42);
-  const auto small = rectangle(12.2, 0, 13.7, 0.8);
-  points.room(small, 0, 2.42);
-  const auto levels = levelsOf(points);
-  ASSERT_EQ(kindsOf(levels), (std::vector<LevelKind>{Floor, Ceiling, Ceiling}));
-  EXPECT_NEAR(levels[1].slab.heightAt({13, 0.4}), 2.42, 0.002);
-  std::size_t in_room = 0;
-  for (const int i : levels[1].inliers)
-    in_room += small.contains(points[i].head<2>().cast<double>()) ? 1 : 0;
-  EXPECT_GT(in_room, 400u); // of 480
 }
 
 TEST(Levels, OfNothingAreNone)

@@ -27,8 +27,6 @@ struct LevelParameters {
   double maximum_tilt = radians(Priors().max_slab_tilt); ///< of a plane
   double minimum_area = 1.0; ///< square metres of occupied cells
   double minimum_room_height = Priors().min_headroom; ///< from a floor to its ceiling
-  double min_step =
-      Priors().min_floor_step; ///< rooms whose slabs differ by less may share a level
   Priors priors;
   std::uint64_t seed = 1;
   unsigned threads = 0; ///< 0: all processors
@@ -68,9 +66,9 @@ struct HorizontalPlane {
  * Non-finite points are never inliers.
  *
  * A scan may contain several ceilings and floors at different heights; a table top is
- * neither. Reflections in a glossy floor are left out, see getReflections(). Sizes are
- * counted in occupied cells, so the density of the scan does not matter. Time O(n log
- * n) for n points plus O(n) per plane; input thinned to the grid size is enough.
+ * neither. Sizes are counted in occupied cells, so the density of the scan does not
+ * matter. Time O(n log n) for n points plus O(n) per plane; input thinned to the grid
+ * size is enough.
  * @code
  * pcl::HorizontalPlaneDetection<pcl::PointXYZ> detection;
  * detection.setInputCloud(thinned);
@@ -106,13 +104,12 @@ public:
   void setMinimumRoomHeight(double height) { parameters_.minimum_room_height = height; }
   double getMinimumRoomHeight() const { return parameters_.minimum_room_height; }
 
-  /** @brief Sets the priors, and with them the room height, tilt and step. */
+  /** @brief Sets the priors, and with them the room height and tilt. */
   void setPriors(const sedr::Priors& priors)
   {
     parameters_.priors = priors;
     parameters_.maximum_tilt = sedr::radians(priors.max_slab_tilt);
     parameters_.minimum_room_height = priors.min_headroom;
-    parameters_.min_step = priors.min_floor_step;
   }
   const sedr::Priors& getPriors() const { return parameters_.priors; }
 
@@ -135,16 +132,11 @@ public:
    * without walls. Empty after bad input or parameters. */
   const sedr::HeightHistogram& getHeightHistogram() const { return histogram_; }
 
-  /** @brief Returns the points that the last run left out as reflections in a floor.
-   * Indices, increasing. */
-  const pcl::Indices& getReflections() const { return reflections_; }
-
 private:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;
 
   sedr::LevelParameters parameters_;
-  pcl::Indices reflections_;
   sedr::HeightHistogram histogram_;
 };
 

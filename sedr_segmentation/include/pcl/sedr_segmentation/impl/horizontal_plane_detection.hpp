@@ -17,8 +17,7 @@ std::string detectHorizontalPlanes(const PointView& points,
                                    const pcl::Indices& indices,
                                    const LevelParameters& parameters,
                                    std::vector<pcl::HorizontalPlane>& planes,
-                                   HeightHistogram& histogram,
-                                   pcl::Indices& reflections);
+                                   HeightHistogram& histogram);
 
 } // namespace sedr
 
@@ -28,13 +27,11 @@ HorizontalPlaneDetection<PointT>::segment(std::vector<HorizontalPlane>& planes)
 {
   planes.clear();
   histogram_ = sedr::HeightHistogram();
-  reflections_.clear();
   this->clearError();
   if (!this->initCompute())
     return this->fail("HorizontalPlaneDetection", "no input cloud was set");
-  const std::string problem =
-      sedr::detectHorizontalPlanes(sedr::PointView(*input_), *indices_, parameters_,
-                                   planes, histogram_, reflections_);
+  const std::string problem = sedr::detectHorizontalPlanes(
+      sedr::PointView(*input_), *indices_, parameters_, planes, histogram_);
   for (HorizontalPlane& plane : planes)
     plane.inliers.header = plane.coefficients.header = input_->header;
   this->deinitCompute();
