@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 
 namespace pcl::sedr {
 
@@ -81,6 +82,31 @@ heightOfSill(const PlanElement& mouth,
   return near.size() < 5 ? top : middleValue(std::move(near));
 }
 
+/** @brief Share of the height of a recess at which its sides go on behind its back: a
+ * pane and its frame stand within an opening of the wall, whose jambs are deeper. */
+double
+shareGoingOn(const PlanElement& back,
+             double low,
+             double high,
+             const PlanSlab& floor,
+             const PointView& points,
+             const std::vector<int>& indices,
+             const Priors& priors)
+{
+  const double cell = priors.evidence_cell;
+  const double length = back.length();
+  WallCells left(-cell, cell, low, high, 2 * cell);
+  WallCells right(length - cell, length + cell, low, high, 2 * cell);
+  for (const int i : indices) {
+    const WallPoint p = seenFrom(back, floor, points[static_cast<std::size_t>(i)]);
+    if (p.behind <= priors.wall_band || p.behind > viewBehind(priors) || p.up >= high)
+      continue;
+    left.add(p.along, p.up);
+    right.add(p.along, p.up);
+  }
+  return (left.shareSeen() + right.shareSeen()) / 2;
+}
+
 /** @brief Five elements of a loop of which the first and the last are stretches of one
  * wall, and the others a recess in it. */
 struct Recess {
@@ -95,6 +121,8 @@ struct Recess {
       , after(at(loop, first + 4))
       , is_straight_(!before.isArc() && !at(loop, first + 1).isArc() && !back.isArc() &&
                      !at(loop, first + 3).isArc() && !after.isArc())
+      , on_wall_(longest().start)
+      , way_(along(longest()))
   {}
 
   static const PlanElement& at(const PlanLoop& loop, std::size_t i)
@@ -108,10 +136,12 @@ struct Recess {
     constexpr double cosine = 0.99;
     if (!is_straight_)
       return false;
-    return std::abs(aside(after.start)) < in_line &&
-           back.length() > priors.max_pilaster &&
-           along(before).dot(along(after)) > cosine &&
-           along(before).dot(along(back)) > cosine &&
+    const auto isInLine = [&](const PlanElement& e) {
+      return std::abs(aside(e.start)) < in_line && std::abs(aside(e.end)) < in_line &&
+             way_.dot(e.end - e.start) > 0;
+    };
+    return isInLine(before) && isInLine(mouth()) && isInLine(after) &&
+           back.length() > priors.max_pilaster && way_.dot(along(back)) > cosine &&
            depth() > priors.min_ceiling_step && depth() < priors.max_wall &&
            std::abs(depth() + aside(back.end)) < in_line;
   }
@@ -147,15 +177,27 @@ private:
     return (e.end - e.start).normalized();
   }
 
+  /** @brief The longest of the stretches of the wall and what closes the recess: a jamb
+   * of a few centimetres has an end on the wall, but no direction. */
+  PlanElement longest() const
+  {
+    const PlanElement parts[] = {before, after, mouth()};
+    return *std::max_element(std::begin(parts), std::end(parts),
+                             [](const PlanElement& a, const PlanElement& b) {
+                               return a.length() < b.length();
+                             });
+  }
+
   /** @brief How far to the left of the wall a place is. */
   double aside(const Eigen::Vector2d& p) const
   {
-    const Eigen::Vector2d way = along(before);
-    const Eigen::Vector2d to = p - before.end;
-    return way.x() * to.y() - way.y() * to.x();
+    const Eigen::Vector2d to = p - on_wall_;
+    return way_.x() * to.y() - way_.y() * to.x();
   }
 
   bool is_straight_;
+  Eigen::Vector2d on_wall_;
+  Eigen::Vector2d way_; ///< of the wall
 };
 
 } // namespace
@@ -186,8 +228,11 @@ closeRecesses(PlanRoom& room,
     const double head = top - wall_low; // of a door or a window there is a lintel above
     const bool is_below_wall = seen(recess.mouth(), head - priors.evidence_cell, head,
                                     on_wall) >= priors.share_half;
-    if (!is_above_wall && !is_below_wall &&
-        seen(recess.back, wall_low, top - wall_low, near_back) >= priors.share_unseen)
+    const bool is_solid =
+        seen(recess.back, wall_low, top - wall_low, near_back) >= priors.share_unseen &&
+        shareGoingOn(recess.back, wall_low, top - wall_low, room.floor, points, indices,
+                     priors) < priors.share_some;
+    if (!is_above_wall && !is_below_wall && is_solid)
       continue;
     if (is_above_wall && recess.depth() >= min_depth) {
       const double sill = heightOfSill(recess.mouth(), recess.depth(), on_wall,

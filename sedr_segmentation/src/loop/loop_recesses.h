@@ -12,8 +12,8 @@ namespace pcl::sedr {
 /** @brief Leads the boundary of a room straight past recesses of its ceiling's outline
  * that are none of its plan: the wall that they are in goes on below them, as below a
  * window or a niche that reaches the ceiling, or above them, as above a shut door, or
- * nothing was seen of their back. Those of up to 0.6 m between two stretches of one
- * straight wall are looked at.
+ * nothing was seen of their back, or it is a pane: their sides go on behind it. Those
+ * of up to 0.6 m between two stretches of one straight wall are looked at.
  * @param room whose floor, ceiling and boundary are known
  * @param indices points of the room and near it
  * @return niches for those above a wall of whose back half was seen, as of an alcove

@@ -256,6 +256,36 @@ TEST(LoopRecesses, BelowALintelIsTheLeafOfADoor)
   }
 }
 
+TEST(LoopRecesses, InWhichAPaneStandsAreOpenings)
+{
+  for (const double reveal : {0.0, 0.15}) { // metres, behind the pane
+    PlanRoom room = roomOf(withRecess(0.15), 2.6);
+    RoomPoints points;
+    points.wall(segment({3.5, 4.15}, {1.5, 4.15}), 0, 2.6);
+    for (const double x : {1.5, 3.5})
+      points.wall(segment({x, 4}, {x, 4.15 + reveal}), 0, 2.6);
+    closeRecesses(room, points.view(), points.all());
+    EXPECT_EQ(room.boundary.elements.size(), reveal > 0 ? 4u : 8u);
+  }
+}
+
+TEST(LoopRecesses, LieBetweenJambsHoweverShort)
+{
+  // A jamb of 12 cm that is 2 cm off at its far end points 9 degrees away.
+  PlanRoom room = roomOf(polygon({{0, 0},
+                                  {5, 0},
+                                  {5, 4.02},
+                                  {4.88, 4},
+                                  {4.88, 4.3},
+                                  {0.12, 4.3},
+                                  {0.12, 4},
+                                  {0, 4}}),
+                         2.6);
+  const RoomPoints points;
+  closeRecesses(room, points.view(), points.all());
+  EXPECT_EQ(room.boundary.elements.size(), 4u);
+}
+
 TEST(LoopRecesses, WhatIsAStepInAWallIsNone)
 {
   // Behind the step the wall continues 10 cm farther back.
