@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl::sedr {
 
@@ -104,13 +105,18 @@ CellPoints::noise() const
       sum += std::pow(distanceOf(plane, p), 2);
     deviations.push_back(std::sqrt(sum / static_cast<double>(near.size() - 3)));
   }
+  return std::max(least, typicalDeviation(std::move(deviations)));
+}
+
+double
+typicalDeviation(std::vector<double> deviations)
+{
   if (deviations.empty())
-    return least;
-  // A third of the patches may lie on creases, steps and lamps.
+    return 0;
   const auto typical =
       deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 3);
   std::nth_element(deviations.begin(), typical, deviations.end());
-  return std::max(least, *typical);
+  return *typical;
 }
 
 } // namespace pcl::sedr

@@ -256,9 +256,11 @@ proposeFacets(const FacetEvidence& evidence)
     ShapeKind kind;
     std::vector<int> reaches; // cells, one search after the other
   };
+  // A window with a curve in it is mostly of that curve: a dome may be 1.2 m wide.
+  const std::vector<int> of_curves{5, 10, 16};
   const std::vector<Search> searches{{ShapeKind::Plane, {3, 1}},
-                                     {ShapeKind::Cylinder, {5, 10, 16}},
-                                     {ShapeKind::Sphere, {10, 16}}};
+                                     {ShapeKind::Cylinder, of_curves},
+                                     {ShapeKind::Sphere, of_curves}};
   std::vector<std::vector<FacetProposal>> found(searches.size());
   parallelBlocks(searches.size(), 1, evidence.parameters.threads,
                  [&](std::size_t k, std::size_t) {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl::sedr {
 
@@ -46,11 +47,10 @@ windowOf(const std::vector<Eigen::Vector3d>& points)
           std::sqrt(std::max(0.0, left) / freedom / (1 + rise.squaredNorm()))};
 }
 
-/** @brief The windows of 3 x 3 cells about each one that are smooth and slope; others
- * are left as they are.
- * @param strays from what is smooth, metres */
+/** @brief The windows of 3 x 3 cells about each one that slope; others are left as they
+ * are. */
 std::vector<Window>
-slopingWindows(const CellPoints& cells, double strays)
+slopingWindows(const CellPoints& cells)
 {
   constexpr std::size_t min_points = 10;
   constexpr std::size_t max_points = 60;
@@ -61,10 +61,22 @@ slopingWindows(const CellPoints& cells, double strays)
     if (points.size() < min_points)
       continue;
     const Window window = windowOf(points);
-    if (window.slope > std::tan(SheetParameters().level) && window.deviation < strays)
+    if (window.slope > std::tan(SheetParameters().level))
       windows[cell] = window;
   }
   return windows;
+}
+
+/** @brief The noise of the points of what slopes. That of level ceilings is less: their
+ * voxels are full, those of a slope are cut by it and some hold a point or two. */
+double
+noiseOf(const std::vector<Window>& windows)
+{
+  std::vector<double> deviations;
+  for (const Window& window : windows)
+    if (window.slope > 0)
+      deviations.push_back(window.deviation);
+  return typicalDeviation(std::move(deviations));
 }
 
 /** @brief The cells of squares of 2 x reach + 1 that are all in a set. */
@@ -109,12 +121,12 @@ slopingArea(const std::vector<Eigen::Vector3d>& points)
   const SheetGrid grid = sheetGrid(box, parameters);
   const std::vector<std::uint8_t> all(grid.count(), 1);
   const CellPoints cells(grid, all, points);
-  const double noise = std::min(cells.noise(), parameters.largest_noise);
+  const std::vector<Window> windows = slopingWindows(cells);
+  const double noise = std::min(noiseOf(windows), parameters.largest_noise);
   const double strays = std::hypot(smooth * noise, parameters.unevenness);
-  const std::vector<Window> windows = slopingWindows(cells, strays);
   std::vector<std::uint8_t> slopes(grid.count(), 0);
   for (std::size_t cell = 0; cell < grid.count(); ++cell)
-    slopes[cell] = windows[cell].slope > 0 ? 1 : 0;
+    slopes[cell] = windows[cell].slope > 0 && windows[cell].deviation < strays ? 1 : 0;
   std::size_t largest = 0;
   for (const auto& piece : piecesOf(grid, opened(grid, slopes, 1))) {
     const auto [low, high] =

@@ -129,6 +129,43 @@ TEST(FitSheet, ASegmentalVaultIsOneCylinder)
   EXPECT_LT(offBy(scene, fittedRoom(scene)).mean, 0.0005);
 }
 
+/** Height of a dome of 1.07 m radius over a circle of 0.84 m in a level ceiling. */
+double
+smallDome(double x, double y)
+{
+  const double square = std::pow(x - 1.8, 2) + std::pow(y - 2.2, 2);
+  return square < 0.84 * 0.84 ? 2.8 + std::sqrt(1.07 * 1.07 - square) -
+                                    std::sqrt(1.07 * 1.07 - 0.84 * 0.84)
+                              : 2.8;
+}
+
+/** Returns its room; the points of the dome are noisier than those of the level
+ * ceiling, whose voxels are full. */
+Scene
+roomBelowSmallDome()
+{
+  Scene scene = sceneOf(6, 4, smallDome, 0.001);
+  const Scene noisy = sceneOf(6, 4, smallDome, 0.013);
+  for (std::size_t i = 0; i < scene.points.size(); ++i)
+    if (smallDome(noisy.points[i].x(), noisy.points[i].y()) > 2.8)
+      scene.points[i] = noisy.points[i];
+  return scene;
+}
+
+TEST(FitSheet, ASmallDomeIsASphereInCoarseCellsToo)
+{
+  const Scene scene = roomBelowSmallDome();
+  for (const double size : {0.1, 0.15}) {
+    SheetParameters parameters;
+    parameters.cell_size = size;
+    const FacetSheet sheet = fitted(scene, parameters);
+    ASSERT_EQ(sheet.facets.size(), 2u) << size;
+    ASSERT_TRUE(sheet.facets[1].curve) << size;
+    EXPECT_TRUE(sheet.facets[1].curve->isSphere()) << size;
+    EXPECT_NEAR(sheet.facets[1].curve->across, 1.07, 0.02) << size;
+  }
+}
+
 TEST(FitSheet, ADomeIsASphereInALevelCeiling)
 {
   const Scene scene = sceneOf(6, 4, domed);
@@ -325,6 +362,11 @@ TEST(SlopingArea, TellsWhatSlopesFromLevelCeilings)
           0)
           << noise << ' ' << step;
   EXPECT_EQ(slopingArea({}), 0);
+}
+
+TEST(SlopingArea, OfADomeIsSeenThoughItsPointsAreNoisierThanThoseOfTheLevelCeiling)
+{
+  EXPECT_GT(slopingArea(roomBelowSmallDome().points), 1);
 }
 
 TEST(FitSheet, TooFewPointsMakeNoSheet)
