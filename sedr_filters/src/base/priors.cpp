@@ -229,7 +229,7 @@ const std::vector<Prior> table = {
      "links, niches"},
     {"share_some", &Priors::share_some, "shares", "", 0.05, 0.9,
      "chosen on the proving ground",
-     "columns, walls"},
+     "columns, loop, walls"},
     {"share_part", &Priors::share_part, "shares", "", 0.1, 0.9,
      "half of a thing is in view",
      "links, niches, plan"},
