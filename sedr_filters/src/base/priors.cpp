@@ -33,7 +33,7 @@ const std::vector<Prior> table = {
     {"max_unseen_area", &Priors::max_unseen_area, "rooms", "m2", 0.5, 100,
      "smallest courts and cores", "plan"},
     {"small_area", &Priors::small_area, "rooms", "m2", 0, 1, "a column of 32 cm",
-     "plan"},
+     "loop, plan"},
     {"min_wall", &Priors::min_wall, "walls", "m", 0.005, 0.2,
      "plates of glass and board, with their noise",
      "columns, links, loop, niches, plan, walls"},

@@ -139,6 +139,30 @@ curvesOf(const std::vector<PlanElement>& elements)
   return curves;
 }
 
+/** @brief A chain without the arcs that run nearly around their circle: the ends of a
+ * short one have come out in the wrong order. */
+LoopChain
+withoutTurnedArcs(const LoopChain& chain, const LoopParameters& parameters)
+{
+  std::vector<LoopLink> links;
+  std::vector<Eigen::Vector2d> places;
+  bool was_turned = false;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const PlanElement e = chain.element(i);
+    const bool is_turned = e.isArc() && std::abs(e.sweep()) > 1.5 * M_PI;
+    if (!is_turned) {
+      links.push_back(chain.links[i]);
+      places.push_back(
+          was_turned ? Eigen::Vector2d((chain.corners[chain.before(i)] + e.start) / 2)
+                     : e.start);
+    }
+    was_turned = is_turned;
+  }
+  if (was_turned && !places.empty())
+    places.front() = (chain.corners.back() + places.front()) / 2;
+  return links.size() < 3 ? chain : joinLinks(links, places, parameters);
+}
+
 /** @brief Fits the links to the evidence and improves them by it, in turn. */
 void
 revise(LoopChain& chain,
@@ -189,7 +213,8 @@ fitLoop(const Contour& contour,
     const LoopChain found = join(runs, samples, parameters);
     LoopChain revised = found;
     revise(revised, samples, evidence, beside, curves, known.empty(), parameters);
-    for (LoopChain chain : {revised, found}) {
+    for (LoopChain chain : {revised, withoutTurnedArcs(revised, parameters), found,
+                            withoutTurnedArcs(found, parameters)}) {
       closeTangents(chain, parameters);
       PlanLoop loop = chain.loop();
       dropPoints(loop);

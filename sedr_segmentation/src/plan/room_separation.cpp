@@ -6,6 +6,7 @@
 #include "../curves/contour.h"
 #include "../curves/loop_difference.h"
 #include "../loop/loop_lobes.h"
+#include "../loop/loop_necks.h"
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/plan/plan_bounds.h"
 #include "sedr_filters/src/plan/plan_evidence.h"
@@ -261,6 +262,17 @@ separateOnce(Floorplan& plan,
   return has_changed;
 }
 
+/** @brief Cuts off slits and spikes of a room and of its details. */
+void
+cutNecksOf(PlanRoom& room, const Priors& priors)
+{
+  if (cutNecks(room.boundary, priors) == 0)
+    return;
+  for (auto* details : {&room.details, &room.floor_details})
+    for (PlanDetail& detail : *details)
+      cutNecks(detail.boundary, priors);
+}
+
 } // namespace
 
 std::vector<std::string>
@@ -278,6 +290,7 @@ separateRooms(Floorplan& plan,
   for (auto it = gone.rbegin(); it != gone.rend(); ++it)
     plan.rooms.erase(plan.rooms.begin() + static_cast<std::ptrdiff_t>(*it));
   for (PlanRoom& room : plan.rooms) {
+    cutNecksOf(room, priors);
     dropPoints(room.boundary);
     trimDetails(room);
   }

@@ -15,8 +15,8 @@ namespace pcl::sedr {
  * Where a wall was hidden, a room may extend beyond its neighbour's wall. The overlap
  * of two rooms of one storey is assigned to the room with more wall length seen there,
  * else to the smaller one. The other room is cut back to 1 cm from it, with its columns
- * and details. Niches that reach into another room are removed. Finally, details are
- * clipped to their rooms.
+ * and details. Niches that reach into another room are removed. Finally, slits and
+ * spikes are cut off, see cutNecks(), and details are clipped to their rooms.
  *
  * @param points thinned to 5 cm or denser, to measure which walls were seen
  * @param indices the points to use
