@@ -76,6 +76,24 @@ TEST_F(RoomSegmentationTool, WritesTheBuilding)
       << result.out;
 }
 
+TEST_F(RoomSegmentationTool, WhatNobodySawOfARoomIsWrittenAndRead)
+{
+  pcl::sedr::Building building;
+  building.cell_size = 0.1;
+  building.rooms.resize(1);
+  building.rooms[0].inferred = 2.5;
+  building.rooms[0].unseen_outline = 4.25;
+  building.left_out = {{pcl::sedr::LeftOutKind::Partial, "a part", 6, 0, 2.5, {0, 9}}};
+  auto json = nlohmann::json::parse(pcl::sedr::tools::buildingToJson(building));
+  EXPECT_EQ(json.at("left_out").at(0).at("kind"), "seen in part");
+  writeFile(in("building.json"), json.dump());
+  EXPECT_EQ(loadBuilding(in("building.json")).rooms.at(0).inferred, 2.5);
+  EXPECT_EQ(loadBuilding(in("building.json")).rooms.at(0).unseen_outline, 4.25);
+  json.at("rooms").at(0).erase("inferred");
+  writeFile(in("building.json"), json.dump());
+  EXPECT_EQ(loadBuilding(in("building.json")).rooms.at(0).inferred, 0);
+}
+
 TEST_F(RoomSegmentationTool, TakesItsOptions)
 {
   const std::string scan = scanOf().pcd(false);

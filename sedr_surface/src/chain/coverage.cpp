@@ -27,14 +27,16 @@ middleOf(const std::vector<Eigen::Vector2d>& places)
   return places.empty() ? Eigen::Vector2d(0, 0) : places[places.size() / 2];
 }
 
-/** @brief Returns the columns of a room that lie outside its plan by more than noise
- * and cells explain; all of them if it has none. */
+/** @brief Returns the seen columns of a room that lie outside its plan by more than
+ * noise and cells explain; all of them if it has none. */
 std::vector<Eigen::Vector2d>
 placesLeftOut(const BuildingRoom& room, const PlanRoom* plan, const CellGrid& grid)
 {
   const double edge = 2 * grid.size();
   std::vector<Eigen::Vector2d> places;
   for (const RoomColumn& column : room.columns) {
+    if (!column.floor_seen && !column.ceiling_seen)
+      continue;
     const Eigen::Vector2d at = grid.centre(column.cell);
     if (!plan || (!plan->boundary.contains(at) && plan->nicheAt(at) < 0 &&
                   plan->boundary.distance(at) > edge))
@@ -85,7 +87,8 @@ coverageOf(const Building& building, const Floorplan& plan)
     if (thing.kind != LeftOutKind::Void)
       coverage.left_out.push_back(
           {thing.reason, thing.area, thing.floor, thing.ceiling, thing.at,
-           thing.kind == LeftOutKind::Open && thing.area > largest_room});
+           thing.kind == LeftOutKind::Partial ||
+               (thing.kind == LeftOutKind::Open && thing.area > largest_room)});
   std::stable_sort(coverage.left_out.begin(), coverage.left_out.end(),
                    [](const CoverageGap& a, const CoverageGap& b) {
                      return a.counts != b.counts ? a.counts : a.area > b.area;

@@ -98,8 +98,8 @@ StructureChain::partRooms(StageReport& report)
     return fail("the storeys that were found are too high for a building");
   const Building& building = getBuilding();
   for (const LeftOut& thing : building.left_out)
-    if (thing.kind == LeftOutKind::Mirror) {
-      char text[120];
+    if (thing.kind == LeftOutKind::Mirror || thing.kind == LeftOutKind::Partial) {
+      char text[160];
       std::snprintf(text, sizeof text, "%.1f m2 at (%.1f, %.1f) are left out: %s",
                     thing.area, thing.at.x(), thing.at.y(), thing.reason.c_str());
       warnings.push_back(text);

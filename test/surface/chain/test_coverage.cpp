@@ -101,6 +101,29 @@ TEST(Coverage, WhatHasNoWallsIsAGlimpseUnlessItIsLargerThanAllRooms)
   EXPECT_EQ(coverage.largest()->reason, "no walls");
 }
 
+TEST(Coverage, ARoomSeenInPartCounts)
+{
+  Building building = buildingOfTwoRooms();
+  building.left_out = {{LeftOutKind::Partial, "seen in part", 6, 0, 2.5, {0, 9}}};
+  const Coverage coverage =
+      coverageOf(building, {{planned(1, 0, 4), planned(2, 5, 7)}});
+  EXPECT_NEAR(coverage.share(), 18.0 / 24, 1e-9);
+  ASSERT_NE(coverage.largest(), nullptr);
+  EXPECT_NE(coverageWarning(coverage).find("seen in part"), std::string::npos);
+}
+
+TEST(Coverage, WhatNobodySawOfARoomIsNotMissing)
+{
+  Building building = buildingOfTwoRooms();
+  for (RoomColumn& column : building.rooms[0].columns)
+    if (CellGrid(0.1).centre(column.cell).x() > 2)
+      column.floor_seen = column.ceiling_seen = false;
+  const Coverage coverage =
+      coverageOf(building, {{planned(1, 0, 2), planned(2, 5, 7)}});
+  EXPECT_TRUE(coverage.left_out.empty());
+  EXPECT_EQ(coverage.share(), 1);
+}
+
 TEST(Coverage, OfNothingIsWhole)
 {
   const Coverage coverage = coverageOf(Building(), Floorplan());

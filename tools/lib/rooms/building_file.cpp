@@ -48,6 +48,8 @@ jsonOf(const BuildingRoom& room, const CellGrid& grid)
           {"floor", room.floor},
           {"ceiling", room.ceiling},
           {"enclosure", room.enclosure},
+          {"inferred", room.inferred},
+          {"unseen_outline", room.unseen_outline},
           {"hidden_floor_area", floor},
           {"hidden_ceiling", hidden}};
 }
@@ -62,6 +64,8 @@ roomFrom(const Json& json, const CellGrid& grid)
   room.floor = json.at("floor").get<double>();
   room.ceiling = json.at("ceiling").get<double>();
   room.enclosure = json.at("enclosure").get<double>();
+  room.inferred = json.value("inferred", 0.0);
+  room.unseen_outline = json.value("unseen_outline", 0.0);
   for (const Json& place : json.at("hidden_ceiling")) {
     const Eigen::Vector2d at = placeOf(place);
     if (!grid.holds(at.x(), at.y()))
@@ -183,6 +187,8 @@ nameOf(LeftOutKind kind)
     return "no headroom";
   case LeftOutKind::Open:
     return "outdoors";
+  case LeftOutKind::Partial:
+    return "seen in part";
   case LeftOutKind::Landing:
     return "landing";
   case LeftOutKind::Mirror:

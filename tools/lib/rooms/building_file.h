@@ -7,7 +7,7 @@
 
 namespace pcl::sedr::tools {
 
-/** @brief Returns "no headroom", "outdoors" or "void". */
+/** @brief Returns "no headroom", "outdoors", "seen in part" and the like. */
 const char* nameOf(LeftOutKind kind);
 
 /** @brief Writes a building as JSON: {"format": "sedr-building", "version": 1, "unit":

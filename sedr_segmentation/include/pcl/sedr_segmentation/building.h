@@ -57,6 +57,7 @@ struct BuildingRoom {
 enum class LeftOutKind {
   Low,     ///< no sufficient area with headroom
   Open,    ///< no walls around it: outdoors, or seen through an opening
+  Partial, ///< a room of which an opening shows a part
   Landing, ///< small and not on the floor of a storey
   Mirror,  ///< a reflection in a floor, or seen only through panes
   Void     ///< within slabs or below furniture
@@ -80,7 +81,7 @@ struct Building {
   std::vector<PlanDoorway> doorways;
   std::vector<PlanStair> stairs;
   std::vector<LeftOut> left_out; ///< largest first
-  double seen_area = 0;          ///< area of all free space in plan, square metres
+  double seen_area = 0;          ///< area of all free space that was seen, in plan, m2
 
   /** @brief Room of every point of the scan, 0 for none, and its label: ceiling (1),
    * floor (2) or neither (0), see StructureLabel. */

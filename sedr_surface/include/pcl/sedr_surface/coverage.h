@@ -19,7 +19,7 @@ struct CoverageGap {
   double ceiling = 0; ///< height of the ceiling, metres
   Eigen::Vector2d at = Eigen::Vector2d::Zero(); ///< a point inside the part
   /** Whether the part is usable floor inside the building. False for places without
-   * headroom, outdoors, or seen only through an opening. */
+   * headroom, outdoors, or seen only through glass. */
   bool counts = true;
 };
 
@@ -42,9 +42,9 @@ struct Coverage {
  * same ids.
  *
  * Reported as left out: rooms without a plan, parts of rooms outside their plan, and
- * Building::left_out. A place without walls that is larger than every room of the plan
- * counts as inside. Others count as glimpses through an opening. O(columns times
- * elements of their room's loop). */
+ * Building::left_out. A room of which an opening shows a part counts as inside, and so
+ * does a place without walls that is larger than every room of the plan. Others count
+ * as glimpses through an opening. O(columns times elements of their room's loop). */
 Coverage coverageOf(const Building& building, const Floorplan& plan);
 
 /** @brief Returns a warning if the coverage is below nine tenths; empty otherwise. It

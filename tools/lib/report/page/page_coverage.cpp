@@ -43,7 +43,7 @@ coveragePart(const ReportData& data)
         gapTable(coverage.left_out) +
         "<p class=\"note\">What counts is floor to stand on inside the building. "
         "What has no headroom or no walls around it does not: cavities, and what was "
-        "seen outdoors or through an opening.</p>\n";
+        "seen outdoors or through glass.</p>\n";
   return htmlSection("coverage", "What was modelled", html);
 }
 
