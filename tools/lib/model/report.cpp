@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -170,6 +171,10 @@ roomsOf(const Reconstruction& chain)
   const std::vector<BuildingRoom>& found = chain.getChain().getBuilding().rooms;
   for (const auto& room : plan.rooms) {
     const double height = meanHeight(room);
+    const auto seen =
+        std::find_if(found.begin(), found.end(),
+                     [&](const BuildingRoom& r) { return r.id == room.id; });
+    const bool is_known = seen != found.end();
     rooms.push_back({{"id", room.id},
                      {"storey", storeys.at(room.id)},
                      {"area", room.area()},
@@ -182,8 +187,8 @@ roomsOf(const Reconstruction& chain)
                      {"repaired_share", repaired[room.id]},
                      {"unseen_share", unseen[room.id].surface},
                      {"unseen_walls", unseen[room.id].walls},
-                     {"inferred_area", found.at(room.id - 1).inferred},
-                     {"unseen_outline", found.at(room.id - 1).unseen_outline},
+                     {"inferred_area", is_known ? seen->inferred : 0},
+                     {"unseen_outline", is_known ? seen->unseen_outline : 0},
                      {"solid", solidOf(chain.getChain(), room.id)},
                      {"mesh", meshOf(chain.getChain(), room.id)}});
   }
