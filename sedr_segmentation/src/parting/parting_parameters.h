@@ -33,10 +33,10 @@ struct PartingParameters {
                                  ///< room
   double max_open = 0.4;         ///< share of a room's outline that doors may be
   double smallest_room = 1.0;    ///< square metres
-  double min_line = 1; ///< of wall on one line, for that to go on where nobody saw it
-  double line_cost =
-      0.2; ///< of the outline there, of another that nobody saw 1 a metre
-  double area_cost = 0.1; ///< of a square metre of a room that nobody saw
+  double min_line = 1;    ///< minimum length of seen wall on a line that is continued
+  double line_cost = 0.2; ///< cost of a metre of unseen outline on such a line;
+                          ///< elsewhere 1
+  double area_cost = 0.1; ///< cost of a square metre whose ceiling was not seen
 };
 
 } // namespace pcl::sedr

@@ -88,18 +88,6 @@ reachedParts(const std::vector<BuildingRoom>& parts,
   return is_reached;
 }
 
-/** @brief Which parts of the air one walks into from a larger one, which may be all
- * that shows them. */
-std::vector<std::uint8_t>
-partsBesideLarger(std::size_t parts, const std::vector<RoomOpening>& openings)
-{
-  std::vector<std::uint8_t> is_beside(parts, 0);
-  for (const RoomOpening& opening : openings)
-    if (isWalkable(opening))
-      is_beside[std::max(opening.a, opening.b)] = 1; // parts are by size
-  return is_beside;
-}
-
 /** @brief How one knows of each part of the air that it is of this building. */
 std::vector<PartAccess>
 accessTo(const std::vector<BuildingRoom>& parts,
@@ -134,10 +122,10 @@ judge(const std::vector<BuildingRoom>& parts,
       const std::vector<PartAccess>& access,
       const std::vector<std::uint8_t>& is_view,
       const BuildingParameters& parameters,
+      double smallest_level,
       double cell_size)
 {
-  constexpr double smallest_level = 5; // square metres: less may be a landing
-  constexpr double surface = 0.1;      // metres, of one that noise thickens
+  constexpr double surface = 0.1; // metres, of one that noise thickens
   const std::vector<std::uint8_t> is_image = mirrorImages(parts, surface);
   std::vector<Verdict> verdicts(parts.size());
   std::vector<double> floors; // of rooms that are large enough to make a level
@@ -168,6 +156,29 @@ judge(const std::vector<BuildingRoom>& parts,
   return verdicts;
 }
 
+/** @brief Whether one walks into a part from a larger one that is a room, or of which
+ * a part of one was seen: a view from there may be all that shows it. */
+bool
+isBesideRoom(std::uint32_t part,
+             const std::vector<RoomOpening>& openings,
+             const std::vector<PartUse>& use)
+{
+  return std::any_of(openings.begin(), openings.end(), [&](const RoomOpening& o) {
+    return std::max(o.a, o.b) == part && isWalkable(o) && // parts are by size
+           use[std::min(o.a, o.b)] == PartUse::Room;
+  });
+}
+
+/** @brief Area of the columns of a part that were seen, square metres. */
+double
+seenArea(const BuildingRoom& part, double cell_size)
+{
+  const auto seen =
+      std::count_if(part.columns.begin(), part.columns.end(),
+                    [](const RoomColumn& c) { return c.floor_seen || c.ceiling_seen; });
+  return static_cast<double>(seen) * cell_size * cell_size;
+}
+
 /** @brief Keeps what is a room, numbered anew, and tells the rest with reasons.
  * @return number of each part of the air among the rooms, 0 for those left out */
 std::vector<std::uint32_t>
@@ -181,32 +192,40 @@ keepRooms(const AirGaps& air,
           Building& building)
 {
   constexpr double worth_telling = 0.25; // square metres
-  std::vector<Verdict> verdicts =
-      judge(parts, access, is_view, parameters, building.cell_size);
+  std::vector<Verdict> verdicts = judge(parts, access, is_view, parameters,
+                                        of_parting.smallest_level, building.cell_size);
   std::vector<PartUse> use;
   for (const Verdict& verdict : verdicts)
     use.push_back(verdict.reason.empty()                ? PartUse::Room
                   : verdict.kind == LeftOutKind::Mirror ? PartUse::Other
                                                         : PartUse::Spare);
-  closeRooms(air, parted, use, of_parting, parts);
-  const std::vector<std::uint8_t> is_beside_larger =
-      partsBesideLarger(parts.size(), parted.openings);
-  for (std::size_t p = 0; p < parts.size(); ++p)
-    if (verdicts[p].reason.empty() && is_beside_larger[p] != 0)
-      verdicts[p] = {seenInPart(parts[p]), LeftOutKind::Open};
-  std::vector<std::uint32_t> number(parts.size(), 0);
+  closeRooms(air, parted, use, of_parting, parts,
+             [&](std::uint32_t p, const BuildingRoom& completed, double box) {
+               if (parameters.minimum_enclosure > 0 &&
+                   isBesideRoom(p, parted.openings, use))
+                 verdicts[p] = {seenInPart(completed, box), LeftOutKind::Partial};
+               return verdicts[p].reason.empty();
+             });
+  std::vector<std::size_t> rooms;
   for (std::size_t p = 0; p < parts.size(); ++p) {
-    BuildingRoom& part = parts[p];
-    building.seen_area += part.area;
-    if (verdicts[p].reason.empty()) {
-      part.id = number[p] = static_cast<std::uint32_t>(building.rooms.size() + 1);
-      building.rooms.push_back(std::move(part));
-    }
-    else if (part.area >= worth_telling)
+    const BuildingRoom& part = parts[p];
+    const double seen = seenArea(part, building.cell_size);
+    building.seen_area += seen;
+    if (verdicts[p].reason.empty())
+      rooms.push_back(p);
+    else if (seen >= worth_telling)
       building.left_out.push_back(
-          {verdicts[p].kind, verdicts[p].reason, part.area, part.floor, part.ceiling,
+          {verdicts[p].kind, verdicts[p].reason, seen, part.floor, part.ceiling,
            CellGrid(building.cell_size)
                .centre(part.columns[part.columns.size() / 2].cell)});
+  }
+  std::stable_sort(rooms.begin(), rooms.end(), [&](std::size_t a, std::size_t b) {
+    return parts[a].area > parts[b].area;
+  });
+  std::vector<std::uint32_t> number(parts.size(), 0);
+  for (const std::size_t p : rooms) {
+    parts[p].id = number[p] = static_cast<std::uint32_t>(building.rooms.size() + 1);
+    building.rooms.push_back(std::move(parts[p]));
   }
   return number;
 }

@@ -83,6 +83,7 @@ public:
   {
     for (const RoomColumn& c : room.columns)
       box_.extend(lines_.along(air.columns().grid().centre(c.cell)));
+    seen_box_ = (box_.sizes().array() + air.columns().cellSize()).prod();
     const double depth = (wall_depth + 1) * air.columns().cellSize();
     box_.min().array() -= depth;
     box_.max().array() += depth;
@@ -101,6 +102,11 @@ public:
         added.push_back(unseen_[k]);
     return withoutFringes(std::move(added));
   }
+
+  /** @brief Area of the rectangle around what was seen, along the walls. */
+  double seenBox() const { return seen_box_; }
+
+  const WallLines& lines() const { return lines_; }
 
 private:
   /** @brief What is known of a cell that is none of unseen_. */
@@ -327,6 +333,7 @@ private:
   CellMask holes_; ///< in what was seen of the room
   WallLines lines_;
   Eigen::AlignedBox2d box_;
+  double seen_box_ = 0;
 };
 
 } // namespace
@@ -336,7 +343,8 @@ closeRooms(const AirGaps& air,
            const PartedAir& parted,
            const std::vector<PartUse>& use,
            const PartingParameters& parameters,
-           std::vector<BuildingRoom>& parts)
+           std::vector<BuildingRoom>& parts,
+           const RoomTest& isRoom)
 {
   const double cell = air.columns().cellSize();
   TakenCells taken;
@@ -344,20 +352,25 @@ closeRooms(const AirGaps& air,
   for (std::size_t p = 0; p < parts.size(); ++p) {
     if (use[p] != PartUse::Room)
       continue;
-    BuildingRoom& room = parts[p];
-    for (const Beside& b :
-         RoomClosure(air, parted, use, parameters, taken, room).added()) {
-      taken.take(b.cell, b.low, b.high);
+    RoomClosure closure(air, parted, use, parameters, taken, parts[p]);
+    const std::vector<Beside> added = closure.added();
+    BuildingRoom room = parts[p];
+    for (const Beside& b : added)
       room.columns.push_back(b.column);
-      if (b.gap < air.size())
-        gone[static_cast<std::size_t>(parted.room[b.gap])].push_back(keyOf(b.cell));
-    }
     std::sort(room.columns.begin(), room.columns.end(),
               [](const RoomColumn& a, const RoomColumn& b) {
                 return keyOf(a.cell) < keyOf(b.cell);
               });
     room.area = static_cast<double>(room.columns.size()) * cell * cell;
-    measureUnseen(air, room);
+    measureUnseen(air, closure.lines().steps(), room);
+    if (!isRoom(static_cast<std::uint32_t>(p), room, closure.seenBox()))
+      continue;
+    parts[p] = std::move(room);
+    for (const Beside& b : added) {
+      taken.take(b.cell, b.low, b.high);
+      if (b.gap < air.size())
+        gone[static_cast<std::size_t>(parted.room[b.gap])].push_back(keyOf(b.cell));
+    }
   }
   for (std::size_t p = 0; p < parts.size(); ++p) {
     if (gone[p].empty())

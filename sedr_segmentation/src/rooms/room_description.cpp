@@ -76,9 +76,6 @@ private:
   std::vector<std::uint8_t> is_met_;
 };
 
-/** @brief Share of the outline of a room that has walls, unless it was seen well. */
-constexpr double not_glazed = 0.5;
-
 } // namespace
 
 std::vector<BuildingRoom>
@@ -209,6 +206,7 @@ noRoomBecause(const BuildingRoom& room,
   constexpr double too_small = 5;      // square metres
   constexpr double closed = 0.6;       // of its outline
   constexpr double one_side = 1.0 / 3; // likewise: a balcony has no more walls
+  constexpr double not_glazed = 0.5;   // likewise
   const double least = area < too_small                ? closed
                        : access == PartAccess::Reached ? 0
                        : access == PartAccess::Dense   ? one_side
@@ -226,9 +224,10 @@ noRoomBecause(const BuildingRoom& room,
 }
 
 std::string
-seenInPart(const BuildingRoom& room)
+seenInPart(const BuildingRoom& room, double box)
 {
-  if (room.enclosure >= not_glazed)
+  constexpr double min_filled = 0.8; // of the rectangle: a cone of sight fills less
+  if (room.enclosure >= 0.5 || room.area >= min_filled * box)
     return "";
   char text[120];
   std::snprintf(

@@ -37,7 +37,7 @@ endOf(const AirGaps& air, const AirGap& last, Cell cell, Cell by)
 } // namespace
 
 void
-measureUnseen(const AirGaps& air, BuildingRoom& room)
+measureUnseen(const AirGaps& air, double steps, BuildingRoom& room)
 {
   const double cell = air.columns().cellSize();
   std::vector<CellKey> keys;
@@ -59,7 +59,7 @@ measureUnseen(const AirGaps& air, BuildingRoom& room)
   room.inferred = static_cast<double>(unseen) * cell * cell;
   const auto open = static_cast<double>(ends[static_cast<std::size_t>(End::Unseen)]);
   const auto walled = static_cast<double>(ends[static_cast<std::size_t>(End::Wall)]);
-  room.unseen_outline = M_PI / 4 * cell * open; // in the mean of all directions
+  room.unseen_outline = cell * open / steps;
   room.enclosure = open + walled == 0 ? 1 : walled / (open + walled);
 }
 

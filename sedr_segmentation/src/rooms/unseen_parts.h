@@ -30,8 +30,9 @@ highOf(const AirGaps& air, const RoomColumn& c)
 }
 
 /** @brief Measures what nobody saw of a room, and its enclosure, see BuildingRoom.
- * O(columns).
+ * O(cells of the box around it).
+ * @param steps edges of cells per cell of length of its outline, see WallLines::steps()
  * @param[in,out] room its columns, by the keys of their cells */
-void measureUnseen(const AirGaps& air, BuildingRoom& room);
+void measureUnseen(const AirGaps& air, double steps, BuildingRoom& room);
 
 } // namespace pcl::sedr

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace pcl::sedr {
  * square to each other. */
 class WallLines {
 public:
-  /** @brief O(n) for n cells of walls in plan.
+  /** @brief O(n log n) for n cells of walls in plan, times the directions tried.
    * @param cell their edge, metres
    * @param min_length of wall on one line, metres */
   WallLines(const std::vector<Eigen::Vector2d>& walls, double cell, double min_length);
@@ -23,6 +24,10 @@ public:
   {
     return {across_.dot(place), Eigen::Vector2d(-across_.y(), across_.x()).dot(place)};
   }
+
+  /** @brief How many edges of cells a line along the walls has per cell of its length:
+   * 1 along the grid, 1.4 at 45 degrees to it. */
+  double steps() const { return std::abs(across_.x()) + std::abs(across_.y()); }
 
   /** @brief Number of lines of each direction that lie before a place: two places for
    * which one differs are on different sides of a line. */

@@ -145,9 +145,38 @@ TEST(FindBuilding, AConeOfSightThroughADoorIsARoomSeenInPart)
   EXPECT_NEAR(found.building.rooms[0].area, 12, 1.2);
   ASSERT_FALSE(found.building.left_out.empty());
   const LeftOut& part = found.building.left_out[0];
-  EXPECT_EQ(part.kind, LeftOutKind::Open);
+  EXPECT_EQ(part.kind, LeftOutKind::Partial);
   EXPECT_NEAR(part.area, 10.7, 1.5);
   EXPECT_NE(part.reason.find("seen in part"), std::string::npos) << part.reason;
+}
+
+/** A hall of 10 m x 8 m with a door to a room of 6 m x 5 m whose other three sides are
+ * glass, of which no point was seen. */
+TEST(FindBuilding, ARoomWithGlassOnThreeSidesBesideALargerOneIsARoom)
+{
+  for (const double degrees : {0.0, 30.0}) {
+    AirScene scene(degrees);
+    for (const double z : {0.01, 2.51}) {
+      scene.slab(0.05, 0.05, 10.05, 8.05, z);
+      scene.slab(10.15, 1.05, 16.15, 6.05, z);
+    }
+    scene.wall(0.05, 0.05, 10.05, 0.05, 0.01, 2.51);
+    scene.wall(0.05, 8.05, 10.05, 8.05, 0.01, 2.51);
+    scene.wall(0.05, 0.05, 0.05, 8.05, 0.01, 2.51);
+    scene.partition(10.05, 0.05, 8.05, 0.01, 2.51, {3.05, 3.95, 2.11});
+    const Found found(scene);
+    ASSERT_EQ(found.building.rooms.size(), 2u) << degrees;
+    EXPECT_LT(found.building.rooms[1].enclosure, 0.5);
+    EXPECT_NEAR(found.building.rooms[1].area, 30, 2);
+  }
+}
+
+TEST(FindBuilding, WithoutAMinimumEnclosureAConeOfSightIsARoom)
+{
+  const AirScene scene = besideOpenDoor(false);
+  BuildingParameters parameters;
+  parameters.minimum_enclosure = 0;
+  EXPECT_EQ(Found(scene, parameters).building.rooms.size(), 2u);
 }
 
 TEST(FindBuilding, TheEdgeOfAGalleryIsNoStair)
