@@ -82,10 +82,14 @@ heightOfSill(const PlanElement& mouth,
   return near.size() < 5 ? top : middleValue(std::move(near));
 }
 
-/** @brief Share of the height of a recess at which its sides go on behind its back: a
- * pane and its frame stand within an opening of the wall, whose jambs are deeper. */
+/** @brief Share of the height of a recess at which one of its sides goes on behind its
+ * back: a pane and its frame stand within an opening of the wall, whose jambs are
+ * deeper. There most points are on the line of the side; of a surface that is parallel
+ * to the back twice as many are beside it.
+ * @param end metres along the back, of that side */
 double
 shareGoingOn(const PlanElement& back,
+             double end,
              double low,
              double high,
              const PlanSlab& floor,
@@ -93,18 +97,23 @@ shareGoingOn(const PlanElement& back,
              const std::vector<int>& indices,
              const Priors& priors)
 {
-  const double cell = priors.evidence_cell;
-  const double length = back.length();
-  WallCells left(-cell, cell, low, high, 2 * cell);
-  WallCells right(length - cell, length + cell, low, high, 2 * cell);
+  const double band = priors.wall_band;
+  const double strip = 2 * priors.evidence_cell;
+  WallCells on(0, strip, low, high, strip);
+  WallCells beside(0, strip, low, high, strip);
   for (const int i : indices) {
     const WallPoint p = seenFrom(back, floor, points[static_cast<std::size_t>(i)]);
-    if (p.behind <= priors.wall_band || p.behind > viewBehind(priors) || p.up >= high)
-      continue;
-    left.add(p.along, p.up);
-    right.add(p.along, p.up);
+    const double off = std::abs(p.along - end);
+    if (p.behind > band && p.behind <= viewBehind(priors) && p.up < high &&
+        off <= 3 * band)
+      (off <= band ? on : beside).add(0, p.up);
   }
-  return (left.shareSeen() + right.shareSeen()) / 2;
+  const std::size_t count = on.counts().size();
+  std::size_t is_side = 0;
+  for (std::size_t k = 0; k < count; ++k)
+    is_side += on.counts()[k] > beside.counts()[k] ? 1 : 0;
+  return static_cast<double>(is_side) /
+         static_cast<double>(std::max<std::size_t>(1, count));
 }
 
 /** @brief Five elements of a loop of which the first and the last are stretches of one
@@ -228,10 +237,13 @@ closeRecesses(PlanRoom& room,
     const double head = top - wall_low; // of a door or a window there is a lintel above
     const bool is_below_wall = seen(recess.mouth(), head - priors.evidence_cell, head,
                                     on_wall) >= priors.share_half;
+    const auto goesOn = [&](double end) {
+      return shareGoingOn(recess.back, end, wall_low, top - wall_low, room.floor,
+                          points, indices, priors) >= priors.share_some;
+    };
     const bool is_solid =
         seen(recess.back, wall_low, top - wall_low, near_back) >= priors.share_unseen &&
-        shareGoingOn(recess.back, wall_low, top - wall_low, room.floor, points, indices,
-                     priors) < priors.share_some;
+        !(goesOn(0) && goesOn(recess.back.length()));
     if (!is_above_wall && !is_below_wall && is_solid)
       continue;
     if (is_above_wall && recess.depth() >= min_depth) {

@@ -10,10 +10,12 @@
 namespace pcl::sedr {
 
 /** @brief Leads the boundary of a room straight past recesses of its ceiling's outline
- * that are none of its plan: the wall that they are in goes on below them, as below a
- * window or a niche that reaches the ceiling, or above them, as above a shut door, or
- * nothing was seen of their back, or it is a pane: their sides go on behind it. Those
- * of up to 0.6 m between two stretches of one straight wall are looked at.
+ * that are none of its plan. Those of up to 0.6 m between two stretches of one straight
+ * wall are looked at.
+ *
+ * One is none of the plan if the wall goes on below it, as below a window or a niche
+ * that reaches the ceiling. Or the wall goes on above it, as above a shut door. Or
+ * nothing was seen of its back. Or the back is a pane: both sides go on behind it.
  * @param room whose floor, ceiling and boundary are known
  * @param indices points of the room and near it
  * @return niches for those above a wall of whose back half was seen, as of an alcove

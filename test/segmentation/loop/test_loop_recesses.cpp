@@ -256,17 +256,50 @@ TEST(LoopRecesses, BelowALintelIsTheLeafOfADoor)
   }
 }
 
+/** A recess 15 cm deep whose back was seen from floor to ceiling, and more. */
+RoomPoints
+recessAndMore(const std::vector<PlanElement>& more, double noise)
+{
+  RoomPoints points(0.05, noise);
+  points.wall(segment({3.5, 4.15}, {1.5, 4.15}), 0, 2.6);
+  for (const PlanElement& e : more)
+    points.wall(e, 0, 2.6);
+  return points;
+}
+
+std::size_t
+elementsWith(const std::vector<PlanElement>& more, double noise = 0.003)
+{
+  PlanRoom room = roomOf(withRecess(0.15), 2.6);
+  const RoomPoints points = recessAndMore(more, noise);
+  closeRecesses(room, points.view(), points.all());
+  return room.boundary.elements.size();
+}
+
+PlanElement
+jamb(double x, double reveal) ///< metres, behind the back
+{
+  return segment({x, 4}, {x, 4.15 + reveal});
+}
+
 TEST(LoopRecesses, InWhichAPaneStandsAreOpenings)
 {
-  for (const double reveal : {0.0, 0.15}) { // metres, behind the pane
-    PlanRoom room = roomOf(withRecess(0.15), 2.6);
-    RoomPoints points;
-    points.wall(segment({3.5, 4.15}, {1.5, 4.15}), 0, 2.6);
-    for (const double x : {1.5, 3.5})
-      points.wall(segment({x, 4}, {x, 4.15 + reveal}), 0, 2.6);
-    closeRecesses(room, points.view(), points.all());
-    EXPECT_EQ(room.boundary.elements.size(), reveal > 0 ? 4u : 8u);
+  for (const double noise : {0.003, 0.02}) {
+    EXPECT_EQ(elementsWith({jamb(1.5, 0.15), jamb(3.5, 0.15)}, noise), 4u);
+    EXPECT_EQ(elementsWith({jamb(1.5, 0), jamb(3.5, 0)}, noise), 8u);
+    EXPECT_EQ(elementsWith({jamb(1.5, 0.15)}, noise), 8u) << "one jamb";
+    EXPECT_EQ(elementsWith({jamb(3.5, 0.15)}, noise), 8u) << "one jamb";
   }
+}
+
+TEST(LoopRecesses, OfWhichTheOtherFaceOfTheirWallWasSeenAreNoOpenings)
+{
+  for (const double noise : {0.003, 0.02})
+    for (const double behind : {0.08, 0.12, 0.25}) {
+      const double y = 4.15 + behind;
+      EXPECT_EQ(elementsWith({segment({5, y}, {0, y})}, noise), 8u) << behind;
+      EXPECT_EQ(elementsWith({segment({3.5, y}, {1.5, y})}, noise), 8u) << behind;
+    }
 }
 
 TEST(LoopRecesses, LieBetweenJambsHoweverShort)
@@ -284,6 +317,8 @@ TEST(LoopRecesses, LieBetweenJambsHoweverShort)
   const RoomPoints points;
   closeRecesses(room, points.view(), points.all());
   EXPECT_EQ(room.boundary.elements.size(), 4u);
+  EXPECT_LT(cornerError(room.boundary, polygon({{0, 0}, {5, 0}, {5, 4.02}, {0, 4}})),
+            1e-9);
 }
 
 TEST(LoopRecesses, WhatIsAStepInAWallIsNone)
