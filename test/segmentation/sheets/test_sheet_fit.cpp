@@ -369,6 +369,22 @@ TEST(SlopingArea, OfADomeIsSeenThoughItsPointsAreNoisierThanThoseOfTheLevelCeili
   EXPECT_GT(slopingArea(roomBelowSmallDome().points), 1);
 }
 
+TEST(SlopingArea, OfStepsIsNone)
+{
+  // The underside of stairs, of whose voxels only those of risers slope.
+  for (const double noise : {0.002, 0.02})
+    for (const double seen : {0.0, 0.17}) {
+      Scene scene = sceneOf(
+          6, 4, [](double x, double) { return 2 + 0.17 * std::floor(x / 0.28); },
+          noise);
+      for (double x = 0.28; x < 6; x += 0.28)
+        for (double at = 0; at < 4; at += 0.04)
+          for (double z = 0; z < seen; z += 0.04)
+            scene.points.emplace_back(x, at, 2 + 0.17 * (x / 0.28 - 1) + z);
+      EXPECT_EQ(slopingArea(scene.points), 0) << noise << ' ' << seen;
+    }
+}
+
 TEST(FitSheet, TooFewPointsMakeNoSheet)
 {
   Scene scene = sceneOf(6, 4, gable);
