@@ -109,7 +109,7 @@ struct Priors {
   double share_unseen = 0.05;  ///< smaller shares count as nothing
   double share_few = 0.15;     ///< seen through an opening
   double share_little = 0.2;   ///< smaller shares may be strays
-  double share_some = 0.3;     ///< of an object before or around another
+  double share_some = 0.3;     ///< of an object before or around another, of a jamb
   double share_part = 0.4;     ///< shown by one side of an object
   double share_half = 0.5;     ///< seen of an existing wall
   double share_clear = 0.6;    ///< seen of a wall that certainly exists
