@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <random>
 
 namespace pcl::sedr {
 
@@ -51,14 +52,22 @@ heightOverOwnCells(const Level& level, const CellGrid& grid)
   return level.slab.heightAt(middle);
 }
 
+/** @brief Returns whether the points of a plane are noise. Points evenly spread within
+ * the tolerance are a surface that bends away, or several. */
+bool
+isNoise(const PlanSlab& slab, double tolerance)
+{
+  return slab.residual < 0.45 * tolerance;
+}
+
 /** @brief Returns the maximum distance of a plane's noise: six standard deviations,
- * between one and two tolerances. Points evenly spread within the tolerance are no
- * noise but a surface that bends away. */
+ * between one and two tolerances. */
 double
 reachOfNoise(const PlanSlab& slab, double tolerance)
 {
-  const bool is_noise = slab.residual < 0.45 * tolerance;
-  return is_noise ? std::clamp(6 * slab.residual, tolerance, 2 * tolerance) : tolerance;
+  return isNoise(slab, tolerance)
+             ? std::clamp(6 * slab.residual, tolerance, 2 * tolerance)
+             : tolerance;
 }
 
 /** @brief Returns the points of a level and the tails of its noise in and next to its
@@ -84,28 +93,63 @@ withTails(const LevelColumns& columns,
   return near;
 }
 
+/** @brief Draws one point of each cell from a range of candidates: cells count, not
+ * points, or the clutter on a sparse floor would outnumber it. */
+Positions
+onePointACell(const Candidate* first,
+              const Candidate* last,
+              std::size_t cell_count,
+              std::uint64_t seed)
+{
+  std::mt19937_64 random(seed);
+  std::vector<std::uint32_t> points_in(cell_count, 0);
+  std::vector<const Candidate*> drawn(cell_count, nullptr);
+  for (const Candidate* c = first; c != last; ++c)
+    if (random() % ++points_in[c->cell] == 0)
+      drawn[c->cell] = c;
+  Positions positions;
+  for (const Candidate* c : drawn)
+    if (c)
+      positions.push_back(c->position());
+  return positions;
+}
+
+/** @brief Finds the plane on which the points are densest, within the noise of a slab:
+ * clutter beside it and rugs on it stay outside. It is refitted within the tolerance if
+ * its points there are noise, and not several surfaces. */
+PlanSlab
+densestSlab(const Positions& points,
+            const LevelParameters& parameters,
+            std::uint64_t seed)
+{
+  const double tolerance = parameters.tolerance;
+  const PlanSlab core =
+      findSlab(points, std::min(parameters.priors.slab_noise, tolerance),
+               parameters.maximum_tilt, seed, parameters.threads);
+  const PlanSlab whole = fitSlabRobustly(points, core, tolerance);
+  const bool is_level = whole.plane[2] >= std::cos(parameters.maximum_tilt);
+  return is_level && isNoise(whole, tolerance) ? whole : core;
+}
+
 /** @brief Fits a plane to the candidates in and just outside a window, as it may tilt.
  */
 PlanSlab
-slabOfWindow(const std::vector<Candidate>& candidates,
+slabOfWindow(const LevelColumns& columns,
+             const std::vector<Candidate>& candidates,
              const HeightWindow& window,
              const LevelParameters& parameters,
              std::uint64_t seed)
 {
   const double low = candidates[window.first].z - 2 * parameters.tolerance;
   const double high = candidates[window.last - 1].z + 2 * parameters.tolerance;
-  const auto first =
-      std::lower_bound(candidates.begin(), candidates.end(), low,
+  const Candidate* const end = candidates.data() + candidates.size();
+  const Candidate* const first =
+      std::lower_bound(candidates.data(), end, low,
                        [](const Candidate& c, double z) { return c.z < z; });
-  const auto last =
-      std::upper_bound(first, candidates.end(), high,
-                       [](double z, const Candidate& c) { return z < c.z; });
-  Positions around;
-  around.reserve(static_cast<std::size_t>(last - first));
-  for (auto c = first; c != last; ++c)
-    around.push_back(c->position());
-  return findLargerSlab(around, parameters.tolerance, parameters.maximum_tilt, seed,
-                        parameters.threads);
+  const Candidate* const last = std::upper_bound(
+      first, end, high, [](double z, const Candidate& c) { return z < c.z; });
+  return densestSlab(onePointACell(first, last, columns.cells().size(), seed),
+                     parameters, seed);
 }
 
 } // namespace
@@ -149,8 +193,8 @@ findLevels(const LevelColumns& columns,
     if (window.cells == 0)
       break;
     Level level;
-    level.slab =
-        slabOfWindow(candidates, window, parameters, parameters.seed + levels.size());
+    level.slab = slabOfWindow(columns, candidates, window, parameters,
+                              parameters.seed + levels.size());
     std::vector<std::size_t> own =
         nearPlane(columns, candidates, level.slab, parameters.tolerance);
     const std::vector<std::uint8_t> marked = cellsOf(candidates, own, cells.size());

@@ -84,6 +84,40 @@ TEST(Levels, TheTailsOfASlabAreNotThoseOfAnotherRoomsSoffit)
   EXPECT_NEAR(levels[2].height, 2.57, 0.005);
 }
 
+TEST(Levels, ClutterAndARugDoNotMoveTheFloor)
+{
+  // A rug of 6 cm on a fifth of the floor along one wall, clutter on another fifth:
+  // three points a cell between 1 and 9 cm.
+  for (const bool is_rug : {true, false}) {
+    RoomPoints points(0.05, 0.004);
+    points.room(rectangle(0, 0, 5, 4), 0, 2.5);
+    if (is_rug)
+      points.slab(rectangle(0.2, 0.2, 1.2, 3.8), 0.06);
+    for (double y = 0.225; y < 3.8 && !is_rug; y += 0.05)
+      for (double x = 0.225; x < 1.2; x += 0.05)
+        for (const double z : {0.02, 0.045, 0.08})
+          points.point(x, y, z);
+    const auto levels = levelsOf(points);
+    ASSERT_FALSE(levels.empty());
+    EXPECT_EQ(levels[0].kind, Floor);
+    EXPECT_NEAR(levels[0].height, 0, 0.003) << is_rug;
+    const double tilt = std::acos(levels[0].slab.plane[2]) * 180 / M_PI;
+    EXPECT_LT(tilt, 0.05) << is_rug;
+  }
+}
+
+TEST(Levels, TwoCeilingsElevenCentimetresApartAreTwo)
+{
+  RoomPoints points(0.05, 0.005);
+  points.room(rectangle(0, 0, 5, 4), 0, 2.89);
+  points.room(rectangle(5.1, 0, 9.1, 4), 0, 3);
+  const auto levels = levelsOf(points);
+  ASSERT_EQ(kindsOf(levels), (std::vector<LevelKind>{Floor, Ceiling, Ceiling}));
+  EXPECT_NEAR(levels[1].height, 2.89, 0.002);
+  EXPECT_NEAR(levels[2].height, 3, 0.002);
+  EXPECT_LT(levels[1].slab.residual, 0.007);
+}
+
 TEST(Levels, ACeilingThatSagsIsOne)
 {
   // A sag of 5 cm in the middle of 5 m.
