@@ -15,28 +15,40 @@ namespace pcl::sedr {
 namespace {
 
 /** @brief Returns the detail points of each region of cells up to four cells apart: a
- * coffer has nothing to do with the level of another one. */
+ * coffer has nothing to do with the level of another one. Regions below the minimum
+ * area of a detail, widened as they are, hold none. Of points too far apart for a mask,
+ * all are one region. */
 std::vector<std::vector<int>>
 regionsOfDetails(const PointView& points,
                  const std::vector<int>& details,
-                 double cell_size)
+                 const RoomFitParameters& parameters)
 {
   constexpr int reach = 2; // cells
-  if (details.empty())
-    return {};
-  const CellGrid grid(cell_size);
+  const CellGrid grid(parameters.cell_size);
   const CellSet cells(grid, points, details);
-  const CellMask mask = dilated(CellMask(cells, grown(boxOf(cells), reach + 1)), reach);
+  if (cells.empty())
+    return {};
+  const CellBox box = grown(boxOf(cells), reach + 1);
+  if (!maskProblem(box).empty())
+    return {details};
+  const CellMask mask = dilated(CellMask(cells, box), reach);
   const MaskRegions labels = labelRegions(mask, true);
   std::vector<std::vector<int>> regions(labels.sizes.size());
   for (const int i : details) {
     if (!points.isFinite(static_cast<std::size_t>(i)))
       continue;
     const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    if (!grid.holds(p.x(), p.y()))
+      continue;
     const std::int32_t label = labels.label[mask.indexOf(grid.at(p.x(), p.y()))];
     regions[static_cast<std::size_t>(label)].push_back(i);
   }
-  return regions;
+  std::vector<std::vector<int>> large;
+  for (std::size_t r = 0; r < regions.size(); ++r)
+    if (static_cast<double>(labels.sizes[r]) * grid.size() * grid.size() >=
+        parameters.minimum_detail_area)
+      large.push_back(std::move(regions[r]));
+  return large;
 }
 
 /** @brief Finds the levels of each region of the detail points. */
@@ -53,8 +65,7 @@ detailLevels(const PointView& points,
   p.threads = parameters.threads;
   p.priors = parameters.loop.priors;
   std::vector<Level> levels;
-  for (const auto& region :
-       regionsOfDetails(points, evidence.details, parameters.cell_size))
+  for (const auto& region : regionsOfDetails(points, evidence.details, parameters))
     for (Level& level : findLevels(points, region, p))
       levels.push_back(std::move(level));
   return levels;

@@ -2,8 +2,10 @@
 #include "segmentation/plan/room_evidence.h"
 
 #include "sedr_segmentation/src/details/detail_fit.h"
+#include "sedr_segmentation/src/details/height_map.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace {
 
@@ -50,6 +52,30 @@ detailsOf(const PlanRoom& truth,
   seen.erase(std::remove_if(seen.begin(), seen.end(), isHidden), seen.end());
   const ColumnTable columns(grid, cells.box(), points.view(), seen);
   return fitDetails(points.view(), evidence, room, cells, columns, parameters);
+}
+
+TEST(FitDetails, StrayPointsFarAwayAreNone)
+{
+  PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
+  truth.details = {detailOf(rectangle(3.91, 0.01, 5.01, 4.01), 2.2)};
+  RoomPoints points;
+  const RoomParts parts = points.room(truth);
+  SlabEvidence evidence{parts.ceiling, parts.details, false};
+  CellMask cells(CellBox{{0, 0}, {100, 80}});
+  std::fill(cells.values().begin(), cells.values().end(), std::uint8_t{1});
+  const std::size_t without =
+      seenHeights(points.view(), evidence, truth.ceiling, cells, {}).details.size();
+  EXPECT_GE(without, 1u);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  // The first two span more cells than a mask may have, the third is beyond the grid.
+  for (const double far : {9e4, -9e4, 1e12, double{nan}}) {
+    points.point(far, far, 2.2);
+    evidence.details.push_back(points.all().back());
+    EXPECT_EQ(
+        seenHeights(points.view(), evidence, truth.ceiling, cells, {}).details.size(),
+        without)
+        << far;
+  }
 }
 
 TEST(FitDetails, OfAPlainCeilingAreNone)
