@@ -9,8 +9,8 @@
 
 namespace pcl::sedr {
 
-/** @brief Marks the cells of drops: the trimmed means of the heights of the 20 cm on
- * either side differ by at least 1.5 cm and clearly more than by noise. O(n).
+/** @brief Marks the cells of drops: the trimmed means of the heights of the four
+ * cells on either side differ by at least 1.5 cm and clearly more than by noise. O(n).
  * @param heights of the cells, metres */
 std::vector<std::uint8_t> cellsOfDrops(const CellSet& cells,
                                        const std::vector<double>& heights,

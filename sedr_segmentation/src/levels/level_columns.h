@@ -26,8 +26,8 @@ struct Candidate {
 };
 
 /** @brief The points of a scan, sorted into profiles and by height, for the detection
- * of levels, reflections and inliers. Points not finite or beyond the grid are left
- * out. O(n log n); the result does not depend on the number of threads. */
+ * of levels and inliers. Points not finite or beyond the grid are left out. O(n log n);
+ * the result does not depend on the number of threads. */
 class LevelColumns {
 public:
   /** @param points    must outlive this
