@@ -161,16 +161,16 @@ TEST(FitRoom, APanelOfFiveCentimetresIsNoDetail)
   EXPECT_TRUE(fitted(points, parts).details.empty());
 }
 
-TEST(FitRoom, SmallCoffersOfFourAndFiveCentimetresAreDetails)
+TEST(FitRoom, SmallCoffersOfThreeAndFiveCentimetresAreDetails)
 {
   PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
-  truth.details = {detailOf(rectangle(1.01, 1.01, 1.61, 2.21), 2.54),
+  truth.details = {detailOf(rectangle(1.01, 1.01, 1.61, 2.21), 2.53),
                    detailOf(rectangle(3.01, 1.01, 3.61, 2.21), 2.55)};
   RoomPoints points(0.05, 0.002);
   const RoomParts parts = points.room(truth);
   const PlanRoom room = fitted(points, parts);
   EXPECT_EQ(room.details.size(), 2u);
-  EXPECT_NEAR(room.ceilingAt({1.3, 1.6}), 2.54, 0.002);
+  EXPECT_NEAR(room.ceilingAt({1.3, 1.6}), 2.53, 0.002);
   EXPECT_NEAR(room.ceilingAt({3.3, 1.6}), 2.55, 0.002);
 }
 
