@@ -332,9 +332,11 @@ private:
         share(line, [](const Meeting& m) { return m.is_crease; }) >= 0.5;
     if (const PlanElement* arc = arcAt(line.front())) {
       const bool is_whole = (places.front() - places.back()).norm() < 1e-6;
-      const auto [from, to] =
-          std::minmax(arc->project(places.front()), arc->project(places.back()));
-      found.push_back({is_whole ? *arc : arc->part(from, to), is_crease, {}});
+      found.push_back({is_whole ? *arc
+                                : partPassing(*arc, places.front(), places.back(),
+                                              edges_[line[line.size() / 2]].middle),
+                       is_crease,
+                       {}});
       return;
     }
     const std::size_t begin = found.size();

@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -93,6 +94,17 @@ piecesOf(const std::vector<Eigen::Vector2d>& line, double tolerance)
   if (line.size() > 1)
     parts.add(0, line.size() - 1);
   return parts.pieces;
+}
+
+PlanElement
+partPassing(const PlanElement& arc,
+            const Eigen::Vector2d& a,
+            const Eigen::Vector2d& b,
+            const Eigen::Vector2d& passed)
+{
+  const auto [from, to] = std::minmax({arc.project(a), arc.project(b)});
+  const double between = arc.project(passed);
+  return from <= between && between <= to ? arc.part(from, to) : arc.part(to, from);
 }
 
 } // namespace pcl::sedr

@@ -16,4 +16,11 @@ namespace pcl::sedr {
 std::vector<PlanElement> piecesOf(const std::vector<Eigen::Vector2d>& line,
                                   double tolerance);
 
+/** @brief Returns the part of an arc between two places that passes a third one; of a
+ * circle it may run through the circle's start. */
+PlanElement partPassing(const PlanElement& arc,
+                        const Eigen::Vector2d& a,
+                        const Eigen::Vector2d& b,
+                        const Eigen::Vector2d& passed);
+
 } // namespace pcl::sedr

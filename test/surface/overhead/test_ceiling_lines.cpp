@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace {
 
 using namespace pcl::sedr;
@@ -93,6 +95,50 @@ TEST(CeilingLines, ARoundBorderIsACircle)
   ASSERT_EQ(lines.lines.size(), 1u);
   EXPECT_NEAR(lines.lines[0].element.radius, 1.5, 0.001);
   EXPECT_NEAR(lines.lines[0].element.length(), 3 * M_PI, 0.01);
+}
+
+TEST(CeilingLines, AQuarterOfACircleStaysOne)
+{
+  const PlanLoop quarter{
+      {segment({0, 0}, {3, 0}), arc({0, 0}, 3, 0, 90), segment({0, 3}, {0, 0})}};
+  const auto lines = ceilingLines(roomWith({{quarter, slabAt(2.9)}}), at_1_50).lines;
+  ASSERT_EQ(lines.size(), 1u);
+  const PlanElement& drawn = lines[0].element;
+  EXPECT_NEAR(drawn.length(), 1.5 * M_PI, 1e-4);
+  EXPECT_NEAR((drawn.start - Eigen::Vector2d(3, 0)).norm(), 0, 1e-4);
+  EXPECT_NEAR((drawn.end - Eigen::Vector2d(0, 3)).norm(), 0, 1e-4);
+}
+
+TEST(CeilingLines, HalfOfACircleIsThatHalf)
+{
+  // A circle as one arc, which begins at its right. Beside one half of it the ceiling
+  // is as high as in it, so the other half is drawn: through the start, and not.
+  const Eigen::Vector2d middle(4, 2);
+  for (const double side : {-1., 1.}) {
+    const double end = side < 0 ? 0 : 8;
+    PlanLoop beside{{segment({4, 3}, {4, 4}), segment({4, 4}, {end, 4}),
+                     segment({end, 4}, {end, 0}), segment({end, 0}, {4, 0}),
+                     segment({4, 0}, {4, 1}), arc(middle, 1, -90, -90 - side * 180)}};
+    if (side > 0)
+      beside = reversed(beside);
+    const auto lines = ceilingLines(roomWith({{beside, slabAt(2.8)},
+                                              {circle(middle, 1), slabAt(2.8)}}),
+                                    at_1_50)
+                           .lines;
+    const auto drawn = std::find_if(lines.begin(), lines.end(), [](const auto& line) {
+      return line.element.isArc();
+    });
+    ASSERT_NE(drawn, lines.end());
+    const PlanElement& half = drawn->element;
+    EXPECT_EQ(lines.size(), 3u) << "with the border above the half and that below";
+    EXPECT_NEAR(half.length(), M_PI, 1e-4);
+    EXPECT_NEAR((half.start - half.end).norm(), 2, 1e-4);
+    EXPECT_NEAR((half.pointAt(half.length() / 2) - middle).x(), -side, 1e-4);
+    for (const CeilingLine& line : lines)
+      for (const double share : {0.01, 0.3, 0.7, 0.99})
+        EXPECT_TRUE(rectangle(0, 0, 8, 4)
+                        .contains(line.element.pointAt(share * line.element.length())));
+  }
 }
 
 TEST(LinePieces, AreFew)
