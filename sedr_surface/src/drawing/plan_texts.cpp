@@ -6,7 +6,7 @@
 #include "../walls/plan_walls.h"
 #include "doorway_drawing.h"
 #include "level_notes.h"
-#include "../overhead/roof_lines.h"
+#include "../overhead/eaves.h"
 
 #include <cmath>
 

@@ -248,8 +248,9 @@ floorplanToDxf(const Floorplan& whole, const DrawingSettings& settings)
   writeHeader(dxf, bounds, settings.origin);
   const FromSheet from_sheet(layout.frame);
   DxfDimensions dimensions(size_layer, from_sheet.height(sheet_measures::small_font));
+  constexpr double finest = 0.02; // whatever the sheet: a CAD program zooms in
   const std::vector<DrawnElement> drawn =
-      drawnElements(plan, settings.tilts, 1 / layout.frame.scale);
+      drawnElements(plan, settings.tilts, std::min(1 / layout.frame.scale, finest));
   PlanAnnotations annotations;
   if (!plan.rooms.empty())
     annotations = annotationsOf(plan, drawn, layout.frame);

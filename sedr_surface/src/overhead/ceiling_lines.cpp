@@ -24,6 +24,7 @@ namespace {
 constexpr double min_width = 2; ///< of a part between two lines, millimetres
 constexpr double min_area = 25; ///< of a part, square millimetres
 constexpr double min_end = 30;  ///< of a line that leads nowhere, millimetres
+constexpr double max_end = 1;   ///< which is no more than this, metres
 constexpr double straight = 1;  ///< distance of corners that are one, millimetres
 
 /** @brief Finds the lines of a room's ceiling. */
@@ -100,15 +101,14 @@ private:
     border.normal = Eigen::Vector2d(-way.y(), way.x()) / std::max(border.length, 1e-9);
     if (!border.is_of_facets)
       return border;
-    constexpr double beside = 0.05;
     const auto heights = [&](int k, double side) {
       return Eigen::Vector2d(
           slab(k).heightAt(border.middle),
-          slab(k).heightAt(border.middle + side * beside * border.normal));
+          slab(k).heightAt(border.middle + side * beside_border * border.normal));
     };
     border.meeting =
         meetingOf(heights(edge.left.ceiling, 1), heights(edge.right.ceiling, -1),
-                  beside, roughnessAt(edge));
+                  beside_border, roughnessAt(edge));
     return border;
   }
 
@@ -117,7 +117,7 @@ private:
   void lookFromAfar()
   {
     const RoomLookup lookup(room_);
-    const double away = std::max(min_width * finest_, 0.05);
+    const double away = std::max(min_width * finest_, beside_border);
     const auto heights = [&](const Border& border, int k, double side) {
       const Eigen::Vector2d p = border.middle + side * away * border.normal;
       return Eigen::Vector2d(slab(k).heightAt(border.middle),
@@ -235,7 +235,7 @@ private:
         is_loose =
             is_loose || ends[plan_.edges[e].a] == 1 || ends[plan_.edges[e].b] == 1;
       }
-      if (!is_loose || length >= min_end * finest_)
+      if (!is_loose || length >= std::min(min_end * finest_, max_end))
         continue;
       for (const std::size_t e : line)
         edges_[e].is_drawn = false;

@@ -28,14 +28,15 @@ struct CeilingLines {
  * can be drawn.
  *
  * A border of two facets is a line if along half of it there is a step or a bend, which
- * is more than three times what the ceiling beside it is rough. A part between lines
+ * is more than three times what both are rough: the root of the sum of their squared
+ * residuals. A part between lines
  * that is too small for the drawing goes to the neighbour with the longest line in
  * common. What remains is straightened to `finest`. Ridges of roofs stay as exact as
  * the plan has them, arcs remain arcs.
  *
  * @param finest metres that a millimetre of paper stands for: parts narrower than
- * two of them or below 25 square ones and lines up to 30 that lead nowhere are not
- * drawn */
+ * two of them or below 25 square ones and lines up to 30, but no more than a metre,
+ * that lead nowhere are not drawn */
 CeilingLines ceilingLines(const PlanRoom& room, double finest);
 
 } // namespace pcl::sedr

@@ -15,7 +15,9 @@ meetingOf(const Eigen::Vector2d& left,
   constexpr double certain = 3;                            // times the roughness
   const double step = std::max(0.03, certain * roughness); // higher ones are no creases
   constexpr double falls = 0.02;                           // slope beside the line: 2 %
-  const double bends = std::max(0.1, step); // change of slope, on a metre: 6 degrees
+  constexpr double facet = 1; // metre; on one of that length a slope is known as well
+                              // as its height
+  const double bends = std::max(0.1, certain * roughness / facet); // 6 degrees
   const double a = (left[1] - left[0]) / beside;
   const double b = (right[1] - right[0]) / beside;
   const bool do_meet = std::abs(left[0] - right[0]) < step;

@@ -2,7 +2,6 @@
 #include "height_lines.h"
 
 #include "line_pieces.h"
-#include "roof_lines.h"
 #include "sedr_filters/src/plan/room_lookup.h"
 
 #include <Eigen/Geometry>

@@ -9,6 +9,10 @@
 
 namespace pcl::sedr {
 
+/** @brief Distance from a border at which the ceiling beside it is asked for: loops of
+ * facets meet within tolerance only; metres. */
+constexpr double beside_border = 0.05;
+
 /** @brief Returns a line through places as few segments that no place is farther from
  * than the tolerance, metres. Where eight places or more are on an arc, a third of the
  * tolerance off at most, it is an arc. The ends of the line stay; one that ends where

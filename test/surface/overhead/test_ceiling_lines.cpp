@@ -79,10 +79,32 @@ TEST(CeilingLines, AStepOfARoughCeilingIsHigher)
 TEST(CeilingLines, EndsThatLeadNowhereAreLeftOut)
 {
   // A step between two facets, a metre long, which both go on into the ceiling.
-  const PlanRoom room = roomWith({{rectangle(0, 0, 4, 1), slabAt(2.5)},
-                                  {rectangle(4, 0, 8, 1), slabAt(2.6, 0, -0.09)}});
+  const PlanRoom room = roomWith({{rectangle(0, 0, 4, 0.9), slabAt(2.5)},
+                                  {rectangle(4, 0, 8, 0.9), slabAt(2.6, 0, -0.1)}});
   EXPECT_EQ(ceilingLines(room, at_1_10).lines.size(), 1u);
   EXPECT_TRUE(ceilingLines(room, at_1_50).lines.empty());
+}
+
+TEST(CeilingLines, AStepOfMetresIsThereAtAnyScale)
+{
+  constexpr double at_1_300 = 0.3;
+  const PlanRoom room = roomWith({{rectangle(0, 0, 4, 3.5), slabAt(2.5)},
+                                  {rectangle(4, 0, 8, 3.5), slabAt(2.85, 0, -0.1)}});
+  EXPECT_EQ(ceilingLines(room, at_1_300).lines.size(), 1u);
+}
+
+TEST(CeilingLines, ABendOfARoughCeilingIsSharper)
+{
+  // Three times the residual of both on a metre: a slope of 0.212.
+  for (const bool is_rough : {false, true})
+    for (const double slope : {0.09, 0.11, 0.2, 0.22}) {
+      PlanRoom room =
+          roomWith({{rectangle(4, 0, 8, 4), slabAt(2.5 - 4 * slope, slope)}});
+      room.ceiling.residual = room.details[0].slab.residual = is_rough ? 0.05 : 0.002;
+      EXPECT_EQ(ceilingLines(room, at_1_50).lines.size(),
+                slope > (is_rough ? 0.212 : 0.1) ? 1u : 0u)
+          << slope;
+    }
 }
 
 TEST(CeilingLines, ARoundBorderIsACircle)

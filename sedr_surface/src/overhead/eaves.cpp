@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "roof_lines.h"
+#include "eaves.h"
 
 #include "../formats/decimal_text.h"
 
