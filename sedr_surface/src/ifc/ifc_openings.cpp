@@ -251,11 +251,17 @@ writeNiches(IfcDocument& document, const std::vector<WrittenWall>& walls)
       const double height = niche.top.heightAt(middle) - bottom;
       const bool is_level = levelOf(niche.bottom, boundsOf(niche.boundary)) &&
                             levelOf(niche.top, boundsOf(niche.boundary));
+      // A solid leaves out a niche without height or depth.
+      const IfcRoom& written = document.rooms[r];
+      const bool is_built =
+          written.solid.empty() ||
+          !trianglesOn(written, {name + "_bottom", name + "_top"}).empty();
       std::size_t count = 0;
       for (const WrittenWall& wall : walls) {
         const WallFrame frame = frameOf(document.plan, wall.wall);
         const PlanLoop loop = inFrame(niche.boundary, frame);
-        if (height <= 0 || bottom >= wall.top || bottom + height <= wall.bottom ||
+        if (!is_built || height <= 0 || bottom >= wall.top ||
+            bottom + height <= wall.bottom ||
             commonArea(wall.profile, {loop}) <= no_area)
           continue;
         const std::string part = count == 0 ? "" : "_part_" + std::to_string(count + 1);
