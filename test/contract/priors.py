@@ -99,7 +99,7 @@ def page(root):
 What is believed of buildings, furniture, scanners and samples before a scan is looked at stands in one structure,
 `pcl::sedr::Priors` (`<pcl/sedr_filters/priors.h>`). The stages from the planes of a scan to its plan read it; what depends on one
 of its numbers is written as a function of that number. `RoomSegmentation` takes headroom and the width of doors from it. How rooms
-are parted, sheets, walls of the IFC and rays have parameters of their own, which it does not set.
+are parted, sheets, walls of the IFC and rays have parameters of their own, of which `pcl_sedr` sets the thickness of walls from it.
 
 In C++:
 

@@ -137,6 +137,46 @@ TEST(WriteIfc, ArcsAreAQuarterOfACircleAtMost)
   EXPECT_EQ(count(text, "IFCARCINDEX("), 4 * count(text, "=IFCINDEXEDPOLYCURVE("));
 }
 
+TEST(WriteIfc, ACurvedWallBesideTrianglesKeepsItsArcs)
+{
+  // A half circle bulges into a room whose ceiling slopes in a corner. The space is
+  // triangles, of which chords of the arc reach into the wall.
+  PlanRoom room = roomOf(
+      {{segment({0, 0}, {12, 0}), segment({12, 0}, {12, 8}), segment({12, 8}, {10, 8}),
+        arc({6, 8}, 4, 0, -180), segment({2, 8}, {0, 8}), segment({0, 8}, {0, 0})}},
+      2.5);
+  room.details = {detailOf(rectangle(6, 0, 12, 3), 0)};
+  room.details[0].slab = slabAt(1.5, 0.25, 0);
+  room.details[0].is_facet = true;
+  EXPECT_GT(count(writeIfc({{room}}).text, "IFCARCINDEX"), 0u);
+}
+
+TEST(WriteIfc, AWallIsAsThickAsWallsMayBe)
+{
+  const Floorplan plan{
+      {roomOf(rectangle(0, 0, 4, 3), 2.5), roomOf(rectangle(4.8, 0, 8, 3), 2.5, 2)}};
+  EXPECT_EQ(writeIfc(plan).paired_walls, 0u);
+  IfcSettings settings;
+  settings.max_wall = 0.9;
+  EXPECT_EQ(writeIfc(plan, settings).paired_walls, 1u);
+}
+
+TEST(WriteIfc, NichesThatTheSolidLeavesOutAreNotCut)
+{
+  PlanRoom room = roomOf(rectangle(0, 0, 4, 3), 2.5);
+  const auto openings = [&](double depth, const PlanSlab& top) {
+    PlanNiche niche;
+    niche.boundary = rectangle(1, 3, 3, 3 + depth);
+    niche.bottom = slabAt(1);
+    niche.top = top;
+    room.niches = {niche};
+    return writeIfc({{room}}).openings;
+  };
+  EXPECT_EQ(openings(0.15, slabAt(2)), 1u);
+  EXPECT_EQ(openings(0.15, slabAt(0.5, 0.3, 0)), 0u) << "its top crosses its bottom";
+  EXPECT_EQ(openings(0.0006, slabAt(2)), 0u);
+}
+
 TEST(WriteIfc, FacetsHaveNoArcs)
 {
   const Floorplan plan{{roomOf(stadium(3, 1), 2.5)}};

@@ -139,9 +139,10 @@ placesOf(const std::vector<double>& ends, double least)
 /** @brief Marks as gap a place between two nearer walls that is no wider than a wall:
  * it lies between the faces of one wall. */
 void
-closeGaps(const std::vector<double>& places, std::vector<SideView::Sight>& sights)
+closeGaps(const std::vector<double>& places,
+          double thickest,
+          std::vector<SideView::Sight>& sights)
 {
-  const double thickest = Priors().max_wall;
   for (std::size_t first = 1; first + 1 < sights.size(); ++first) {
     std::size_t last = first; // sights[first] to sights[last - 1] are deeper
     const double rim = sights[first - 1].depth + thickest;
@@ -192,7 +193,10 @@ wayOff(DrawingSide side)
 }
 
 DimensionChain
-chainAlong(const std::vector<PlanElement>& walls, DrawingSide side, double least)
+chainAlong(const std::vector<PlanElement>& walls,
+           DrawingSide side,
+           double max_wall,
+           double least)
 {
   const SideView view(walls, side);
   const std::vector<double> places = placesOf(view.ends(), least);
@@ -200,7 +204,7 @@ chainAlong(const std::vector<PlanElement>& walls, DrawingSide side, double least
   for (std::size_t k = 0; k + 1 < places.size(); ++k)
     sights.push_back(view.sightAt((places[k] + places[k + 1]) / 2));
   sights.emplace_back();
-  closeGaps(places, sights);
+  closeGaps(places, max_wall, sights);
   DimensionChain chain{side, {}};
   for (std::size_t k = 0; k < places.size(); ++k) {
     const SideView::Sight& before = sights[k];
@@ -242,14 +246,19 @@ uncrowded(DimensionChain chain, double room)
 }
 
 std::vector<DimensionChain>
-wallChains(const std::vector<PlanElement>& walls, double least, double room)
+wallChains(const std::vector<PlanElement>& walls,
+           double max_wall,
+           double least,
+           double room)
 {
   std::vector<DimensionChain> chains;
   for (const auto& [side, opposite] :
        {std::make_pair(DrawingSide::Bottom, DrawingSide::Top),
         std::make_pair(DrawingSide::Left, DrawingSide::Right)}) {
-    const DimensionChain first = uncrowded(chainAlong(walls, side, least), room);
-    const DimensionChain second = uncrowded(chainAlong(walls, opposite, least), room);
+    const DimensionChain first =
+        uncrowded(chainAlong(walls, side, max_wall, least), room);
+    const DimensionChain second =
+        uncrowded(chainAlong(walls, opposite, max_wall, least), room);
     if (first.places.size() > 2)
       chains.push_back(first);
     if (second.places.size() > 2 && !areAlike(first, second, least))

@@ -32,9 +32,12 @@ struct DimensionChain {
  * as a wall counts as a wall: what is visible through it is ignored. Cost: walls
  * squared.
  * @param walls of all rooms, including arcs, metres
+ * @param max_wall maximum thickness of a wall, metres
  * @param least metres, e.g. 0.03 */
-DimensionChain
-chainAlong(const std::vector<PlanElement>& walls, DrawingSide side, double least);
+DimensionChain chainAlong(const std::vector<PlanElement>& walls,
+                          DrawingSide side,
+                          double max_wall,
+                          double least);
 
 /** @brief Removes places until no two neighbouring dimensions are both shorter than
  * `room`, as on ragged walls; the shortest pair first. A single short one, such as a
@@ -44,8 +47,10 @@ DimensionChain uncrowded(DimensionChain chain, double room);
 /** @brief Returns the chains that a drawing needs: bottom and left, and the opposite
  * sides where they differ. Chains with only the overall dimension are omitted.
  * @param room space for the text of a length along its chain, metres */
-std::vector<DimensionChain>
-wallChains(const std::vector<PlanElement>& walls, double least, double room);
+std::vector<DimensionChain> wallChains(const std::vector<PlanElement>& walls,
+                                       double max_wall,
+                                       double least,
+                                       double room);
 
 /** @brief Returns the overall dimensions of a box, at its bottom and on its left. */
 std::vector<DimensionChain> overallChains(const Eigen::AlignedBox2d& box);

@@ -3,7 +3,6 @@
 
 #include "../formats/decimal_text.h"
 #include "../sheet/plan_frame.h"
-#include "../overhead/ceiling_lines.h"
 #include "sedr_filters/src/plan/level_planes.h"
 
 #include <algorithm>
@@ -49,7 +48,7 @@ notedDetails(const PlanRoom& room, const std::vector<std::size_t>& part)
 } // namespace
 
 std::vector<LevelNote>
-levelNotes(const PlanRoom& room, const TextSpot& room_spot, double finest)
+levelNotes(const PlanRoom& room, const CeilingLines& ceiling, const TextSpot& room_spot)
 {
   constexpr double around_name = 0.35; // share of the free space
   std::vector<LevelNote> notes;
@@ -80,7 +79,7 @@ levelNotes(const PlanRoom& room, const TextSpot& room_spot, double finest)
     return boxes;
   };
   const std::vector<Eigen::AlignedBox2d> overhead = boxesOf(room.details);
-  for (const std::size_t d : notedDetails(room, ceilingLines(room, finest).part))
+  for (const std::size_t d : notedDetails(room, ceiling.part))
     add(room.details, d, overhead, DrawnLayer::Detail);
   const std::vector<Eigen::AlignedBox2d> steps = boxesOf(room.floor_details);
   for (std::size_t d = 0; d < room.floor_details.size(); ++d)

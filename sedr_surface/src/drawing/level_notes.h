@@ -17,8 +17,9 @@ struct LevelNote {
  * between them have one note, at the largest of them; none if the main ceiling, of
  * which the room's text tells, is one of them.
  * @param room_spot place of the room's text, which notes avoid
- * @param finest as for ceilingLines() */
-std::vector<LevelNote>
-levelNotes(const PlanRoom& room, const TextSpot& room_spot, double finest);
+ * @param ceiling lines of the room's ceiling, and the parts between them */
+std::vector<LevelNote> levelNotes(const PlanRoom& room,
+                                  const CeilingLines& ceiling,
+                                  const TextSpot& room_spot);
 
 } // namespace pcl::sedr

@@ -19,7 +19,7 @@ struct ChainRow {
 
 /** @brief The rows around a plan: by wall, and overall farther out. */
 std::vector<ChainRow>
-rowsAround(const Floorplan& plan, const PlanFrame& frame)
+rowsAround(const Floorplan& plan, const PlanFrame& frame, double max_wall)
 {
   std::vector<PlanElement> walls;
   const PlanFrame turned{frame.turn};
@@ -35,7 +35,7 @@ rowsAround(const Floorplan& plan, const PlanFrame& frame)
   };
   const double room = 2 * small_font * halfSizeOf({"0.00"}).x();
   const std::vector<DimensionChain> chains =
-      wallChains(walls, min_dimension / frame.scale, room / frame.scale);
+      wallChains(walls, max_wall, min_dimension / frame.scale, room / frame.scale);
   for (const DimensionChain& chain : chains)
     addRow(chain, chain_off);
   for (const DimensionChain& chain : overallChains(boundsOf(plan, turned))) {
@@ -112,11 +112,13 @@ placeRows(std::vector<ChainRow> rows,
 PlanAnnotations
 annotationsOf(const Floorplan& plan,
               const std::vector<DrawnElement>& drawn,
-              const PlanFrame& frame)
+              const std::vector<CeilingLines>& ceilings,
+              const PlanFrame& frame,
+              double max_wall)
 {
   PlanAnnotations annotations;
   TextPlaces places;
-  placeRows(rowsAround(plan, frame), {0, frame.scale, frame.shift}, places,
+  placeRows(rowsAround(plan, frame, max_wall), {0, frame.scale, frame.shift}, places,
             annotations);
   for (const PlanRoom& room : plan.rooms) {
     places.keepOff(frame(room.boundary));
@@ -126,7 +128,7 @@ annotationsOf(const Floorplan& plan,
   for (const DrawnElement& line : drawn)
     if (line.layer != DrawnLayer::Wall && line.layer != DrawnLayer::Column)
       places.avoid(frame(line.element));
-  PlanTexts(annotations, places, frame).place(plan, drawn);
+  PlanTexts(annotations, places, frame).place(plan, drawn, ceilings);
   return annotations;
 }
 

@@ -18,9 +18,13 @@ struct PlanAnnotations {
 
 /** @brief Places rows of dimensions, then the texts within the plan by importance.
  * @param drawn the plan's lines
- * @param frame maps the plan to the sheet */
+ * @param ceilings of each room
+ * @param frame maps the plan to the sheet
+ * @param max_wall maximum thickness of a wall, metres */
 PlanAnnotations annotationsOf(const Floorplan& plan,
                               const std::vector<DrawnElement>& drawn,
-                              const PlanFrame& frame);
+                              const std::vector<CeilingLines>& ceilings,
+                              const PlanFrame& frame,
+                              double max_wall);
 
 } // namespace pcl::sedr

@@ -2,12 +2,10 @@
 #include "plan_drawing.h"
 
 #include "../formats/decimal_text.h"
-#include "../sheet/plan_frame.h"
-#include "../walls/plan_walls.h"
-#include "../overhead/ceiling_lines.h"
 #include "../overhead/height_lines.h"
-
+#include "../sheet/plan_frame.h"
 #include "../solid/plan_facets.h"
+#include "../walls/plan_walls.h"
 
 #include <algorithm>
 #include <cmath>
@@ -160,11 +158,23 @@ addHeads(const PlanRoom& room, const WallTilts& tilts, std::vector<DrawnElement>
 
 } // namespace
 
+std::vector<CeilingLines>
+ceilingsOf(const Floorplan& plan, double finest)
+{
+  std::vector<CeilingLines> lines;
+  for (const PlanRoom& room : plan.rooms)
+    lines.push_back(ceilingLines(room, finest));
+  return lines;
+}
+
 std::vector<DrawnElement>
-drawnElements(const Floorplan& plan, const WallTilts& tilts, double finest)
+drawnElements(const Floorplan& plan,
+              const std::vector<CeilingLines>& ceilings,
+              const WallTilts& tilts)
 {
   std::vector<DrawnElement> all;
-  for (const PlanRoom& room : plan.rooms) {
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
+    const PlanRoom& room = plan.rooms[r];
     std::vector<DrawnElement> drawn;
     const auto add = [&](const PlanLoop& loop, DrawnLayer layer, bool is_on_top) {
       for (const PlanElement& element : loop.elements)
@@ -191,7 +201,7 @@ drawnElements(const Floorplan& plan, const WallTilts& tilts, double finest)
         addAll(detail, [&](const PlanElement& piece) {
           drawn.push_back({piece, DrawnLayer::Detail, room.id});
         });
-    for (const CeilingLine& line : ceilingLines(room, finest).lines)
+    for (const CeilingLine& line : ceilings[r].lines)
       drawn.push_back({line.element,
                        line.is_crease ? DrawnLayer::Ridge : DrawnLayer::Detail, room.id,
                        line.text});

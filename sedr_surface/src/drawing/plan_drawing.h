@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "../overhead/ceiling_lines.h"
+
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/wall_tilts.h>
 
@@ -30,13 +32,17 @@ struct DrawnElement {
   std::string note{}; ///< text along it: "ridge 4.35", "h 1.50"; usually empty
 };
 
+/** @brief Returns the lines of the ceiling of each room, see ceilingLines(). */
+std::vector<CeilingLines> ceilingsOf(const Floorplan& plan, double finest);
+
 /** @brief Returns all lines and arcs of a plan. Edges of details and niches that
  * coincide with a wall or column, within tolerance, are drawn only as such. Edges of
- * details are cut off at the room; borders of facets are those of ceilingLines(). The
+ * details are cut off at the room; borders of facets are lines of the ceilings. The
  * head of a tilted wall is a detail, with its tilt as text.
- * @param finest metres that a millimetre of paper stands for */
-std::vector<DrawnElement>
-drawnElements(const Floorplan& plan, const WallTilts& tilts = {}, double finest = 0.01);
+ * @param ceilings from ceilingsOf() */
+std::vector<DrawnElement> drawnElements(const Floorplan& plan,
+                                        const std::vector<CeilingLines>& ceilings,
+                                        const WallTilts& tilts = {});
 
 /** @brief A place for text within a loop, as far as possible from the loop and from
  * `obstacles`, and that distance in metres. */

@@ -42,12 +42,14 @@ class PlanDrawing {
 public:
   PlanDrawing(Sheet& sheet,
               const Floorplan& plan,
-              const WallTilts& tilts,
+              const DrawingSettings& settings,
               const PlanFrame& frame)
       : sheet_(sheet)
       , plan_(plan)
       , frame_(frame)
-      , drawn_(drawnElements(plan, tilts, 1 / frame.scale))
+      , max_wall_(settings.max_wall)
+      , ceilings_(ceilingsOf(plan, 1 / frame.scale))
+      , drawn_(drawnElements(plan, ceilings_, settings.tilts))
   {}
 
   bool hasHeadroom() const
@@ -77,7 +79,7 @@ public:
 
   void addWallBodies()
   {
-    for (const std::vector<PlanLoop>& body : wallBodies(plan_))
+    for (const std::vector<PlanLoop>& body : wallBodies(plan_, max_wall_))
       addArea("wall_body", body);
   }
 
@@ -98,7 +100,8 @@ public:
 
   void addAnnotations()
   {
-    const PlanAnnotations annotations = annotationsOf(plan_, drawn_, frame_);
+    const PlanAnnotations annotations =
+        annotationsOf(plan_, drawn_, ceilings_, frame_, max_wall_);
     for (const std::vector<PlacedDimension>& row : annotations.rows)
       addChain(sheet_, row);
     for (const SheetText& text : annotations.texts)
@@ -119,6 +122,8 @@ private:
   Sheet& sheet_;
   const Floorplan& plan_;
   PlanFrame frame_;
+  double max_wall_;
+  std::vector<CeilingLines> ceilings_;
   std::vector<DrawnElement> drawn_;
 };
 
@@ -152,7 +157,7 @@ planSheet(const Floorplan& whole, const DrawingSettings& settings)
     sheet.description = settings.origin.comment();
   if (plan.rooms.empty())
     return sheet;
-  PlanDrawing drawing(sheet, plan, settings.tilts, layout.frame);
+  PlanDrawing drawing(sheet, plan, settings, layout.frame);
   drawing.addWallBodies();
   drawing.addRooms();
   drawing.addDoorways();

@@ -2,11 +2,11 @@
 #include "plan_texts.h"
 
 #include "../formats/decimal_text.h"
+#include "../overhead/eaves.h"
 #include "../sheet/sheet_layout.h"
 #include "../walls/plan_walls.h"
 #include "doorway_drawing.h"
 #include "level_notes.h"
-#include "../overhead/eaves.h"
 
 #include <cmath>
 
@@ -38,7 +38,9 @@ PlanTexts::PlanTexts(PlanAnnotations& annotations,
 {}
 
 void
-PlanTexts::place(const Floorplan& plan, const std::vector<DrawnElement>& drawn)
+PlanTexts::place(const Floorplan& plan,
+                 const std::vector<DrawnElement>& drawn,
+                 const std::vector<CeilingLines>& ceilings)
 {
   std::vector<TextSpot> spots;
   for (const PlanRoom& room : plan.rooms) {
@@ -48,7 +50,7 @@ PlanTexts::place(const Floorplan& plan, const std::vector<DrawnElement>& drawn)
   for (const StairNote& note : stairNotes(plan))
     writeAt("stair", {note.place, 0}, {note.text}, small_font);
   for (std::size_t r = 0; r < plan.rooms.size(); ++r)
-    for (const LevelNote& note : levelNotes(plan.rooms[r], spots[r], 1 / frame_.scale))
+    for (const LevelNote& note : levelNotes(plan.rooms[r], ceilings[r], spots[r]))
       writeAt(note.layer == DrawnLayer::FloorDetail ? "floor_level" : "level",
               note.spot, {note.text}, small_font);
   for (const DrawnElement& line : drawn)

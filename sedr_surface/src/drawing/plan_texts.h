@@ -15,8 +15,11 @@ public:
   /** @param frame maps the plan to the sheet */
   PlanTexts(PlanAnnotations& annotations, TextPlaces& places, const PlanFrame& frame);
 
-  /** @param drawn lines, whose notes are placed along them */
-  void place(const Floorplan& plan, const std::vector<DrawnElement>& drawn);
+  /** @param drawn lines, whose notes are placed along them
+   * @param ceilings of each room, whose parts have notes */
+  void place(const Floorplan& plan,
+             const std::vector<DrawnElement>& drawn,
+             const std::vector<CeilingLines>& ceilings);
 
 private:
   void writeRoom(const PlanRoom& room, const TextSpot& spot);

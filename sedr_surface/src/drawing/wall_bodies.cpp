@@ -63,11 +63,11 @@ addEnd(const Floorplan& plan,
 } // namespace
 
 std::vector<std::vector<PlanLoop>>
-wallBodies(const Floorplan& plan)
+wallBodies(const Floorplan& plan, double max_wall)
 {
   constexpr double min_length = 0.01;
   std::vector<std::vector<PlanLoop>> bodies;
-  for (const PlanWall& wall : findWalls(plan)) {
+  for (const PlanWall& wall : findWalls(plan, {max_wall})) {
     if (wall.isAssumed())
       continue;
     const PlanElement& element = elementOf(plan, wall.face);

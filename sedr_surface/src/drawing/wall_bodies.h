@@ -10,6 +10,6 @@ namespace pcl::sedr {
 /** @brief Returns the bodies of walls with both faces seen: the outline of each, and
  * the hole of a wall that surrounds a room. These are the walls of the IFC model
  * without mitres; walls of assumed thickness are omitted. */
-std::vector<std::vector<PlanLoop>> wallBodies(const Floorplan& plan);
+std::vector<std::vector<PlanLoop>> wallBodies(const Floorplan& plan, double max_wall);
 
 } // namespace pcl::sedr

@@ -249,11 +249,12 @@ floorplanToDxf(const Floorplan& whole, const DrawingSettings& settings)
   const FromSheet from_sheet(layout.frame);
   DxfDimensions dimensions(size_layer, from_sheet.height(sheet_measures::small_font));
   constexpr double finest = 0.02; // whatever the sheet: a CAD program zooms in
-  const std::vector<DrawnElement> drawn =
-      drawnElements(plan, settings.tilts, std::min(1 / layout.frame.scale, finest));
+  const std::vector<CeilingLines> ceilings =
+      ceilingsOf(plan, std::min(1 / layout.frame.scale, finest));
+  const std::vector<DrawnElement> drawn = drawnElements(plan, ceilings, settings.tilts);
   PlanAnnotations annotations;
   if (!plan.rooms.empty())
-    annotations = annotationsOf(plan, drawn, layout.frame);
+    annotations = annotationsOf(plan, drawn, ceilings, layout.frame, settings.max_wall);
   annotations.rows.push_back(annotations.walls);
   for (const std::vector<PlacedDimension>& row : annotations.rows)
     for (const PlacedDimension& dimension : row)

@@ -157,9 +157,17 @@ endAtBodies(const IfcDocument& document, WrittenWall& written)
         common += commonArea(written.profile, area);
         floors.push_back(area);
       }
+  // A solid has chords for arcs: what is between them is not taken.
+  const double between =
+      elementOf(plan, written.wall.face).isArc()
+          ? SolidParameters().chord_tolerance *
+                (written.wall.stretch.length() +
+                 (written.wall.other ? elementOf(plan, *written.wall.other).length()
+                                     : 0))
+          : 0;
   if (isWithin(plan, written.wall, floors))
     written.profile = {};
-  else if (common > no_area) // less is between arcs and their chords
+  else if (common > no_area + between)
     written.profile = largestPartOutside(written.profile, floors);
 }
 
@@ -169,7 +177,7 @@ std::vector<WrittenWall>
 writeWalls(IfcDocument& document)
 {
   const Floorplan& plan = document.plan;
-  WallParameters parameters;
+  WallParameters parameters{document.settings.max_wall};
   parameters.assumed_thickness = document.settings.assumed_thickness;
   std::map<std::string, int> parts;
   std::vector<WrittenWall> written;

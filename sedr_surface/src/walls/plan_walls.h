@@ -76,12 +76,12 @@ struct PlanWall {
 
 /** @brief Parameters of walls, metres. */
 struct WallParameters {
-  double assumed_thickness = 0.2;  ///< of a wall with one face seen
-  double min_assumed_share = 0.25; ///< of it that is left before a room near behind the
-                                   ///< face: 5 cm, the thinnest partition that is built
   double max_thickness = Priors().max_wall;          ///< maximum distance of two faces
   double max_depth_of_doorway = 1.5 * max_thickness; ///< likewise, beside a doorway
-  double min_thickness = 0.02; ///< nearer faces have no wall between them
+  double assumed_thickness = 0.2;                    ///< of a wall with one face seen
+  double min_assumed_share = 0.25; ///< of it that is left before a room near behind the
+                                   ///< face: 5 cm, the thinnest partition that is built
+  double min_thickness = 0.02;     ///< nearer faces have no wall between them
 };
 
 /** @brief Finds the walls of a plan from pairs of faces; each part of a face belongs to

@@ -24,8 +24,9 @@ onePlan(const PlanLoop& boundary)
 PlanAnnotations
 annotationsAt(const Floorplan& plan, double scale)
 {
-  return annotationsOf(plan, drawnElements(plan),
-                       layoutOf(plan, scale, PaperSize::A3).frame);
+  const std::vector<CeilingLines> ceilings = ceilingsOf(plan, 0.01);
+  return annotationsOf(plan, drawnElements(plan, ceilings), ceilings,
+                       layoutOf(plan, scale, PaperSize::A3).frame, 0.6);
 }
 
 bool
@@ -101,7 +102,9 @@ TEST(Annotations, ASlopeOfMoreThanFourDegreesHasNoLevel)
     const double slope = std::tan(degrees * M_PI / 180);
     PlanRoom room = roomOf(rectangle(0, 0, 9, 4), 2.5);
     room.details = {facetOf(rectangle(0, 0, 3, 4), slabAt(2, slope))};
-    EXPECT_EQ(levelNotes(room, {{8, 2}, 0.5}, 0.05).empty(), degrees > 4) << degrees;
+    EXPECT_EQ(levelNotes(room, ceilingLines(room, 0.05), {{8, 2}, 0.5}).empty(),
+              degrees > 4)
+        << degrees;
     room.details.clear();
     room.ceiling = slabAt(2, slope);
     EXPECT_EQ(room.hasFacets(), degrees > 4) << degrees;
@@ -119,7 +122,7 @@ TEST(Annotations, WhereACeilingGoesOnNothingIsDrawn)
   };
   const auto borders = [&](double first, double second) {
     const Floorplan plan = planWith(first, second);
-    const auto drawn = drawnElements(plan);
+    const auto drawn = drawnElements(plan, ceilingsOf(plan, 0.01));
     return std::count_if(drawn.begin(), drawn.end(), [](const DrawnElement& e) {
       return e.layer == DrawnLayer::Detail;
     });
@@ -130,7 +133,8 @@ TEST(Annotations, WhereACeilingGoesOnNothingIsDrawn)
   const auto notes = [&](double first, double second) {
     const Floorplan plan = planWith(first, second);
     std::string texts;
-    for (const LevelNote& note : levelNotes(plan.rooms[0], {{8, 2}, 0.5}, 0.05))
+    for (const LevelNote& note :
+         levelNotes(plan.rooms[0], ceilingLines(plan.rooms[0], 0.05), {{8, 2}, 0.5}))
       texts += note.text + " ";
     return texts;
   };

@@ -70,7 +70,8 @@ TEST(TiltedWallDrawing, ShowsItsHeadAndItsTilt)
 {
   const Floorplan plan{{roomOf(rectangle(0, 0, 4, 3), 2.5)}};
   const WallTilts tilts{{1, 0, -10 * M_PI / 180}}; // the wall at y = 0, out of the room
-  const std::vector<DrawnElement> drawn = drawnElements(plan, tilts);
+  const std::vector<CeilingLines> ceilings = ceilingsOf(plan, 0.01);
+  const std::vector<DrawnElement> drawn = drawnElements(plan, ceilings, tilts);
   const auto head = std::find_if(drawn.begin(), drawn.end(), [](const DrawnElement& e) {
     return e.layer == DrawnLayer::Detail;
   });
@@ -79,9 +80,9 @@ TEST(TiltedWallDrawing, ShowsItsHeadAndItsTilt)
   EXPECT_NEAR(head->element.start.y(), -out, 1e-9);
   EXPECT_NEAR(head->element.end.y(), -out, 1e-9);
   EXPECT_EQ(head->note, "tilt 10.0°");
-  EXPECT_EQ(drawnElements(plan).size() + 1, drawn.size());
+  EXPECT_EQ(drawnElements(plan, ceilings).size() + 1, drawn.size());
   const WallTilts stale{tilts[0], {1, 7, 0.1}}; // of a wall that the room has not
-  EXPECT_EQ(drawnElements(plan, stale).size(), drawn.size());
+  EXPECT_EQ(drawnElements(plan, ceilings, stale).size(), drawn.size());
 }
 
 TEST(TextAngle, IsReadFromBelowOrFromTheRight)

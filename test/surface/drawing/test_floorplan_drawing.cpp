@@ -78,6 +78,17 @@ TEST(FloorplanDrawing, LengthsOnPaperAreToScale)
                     "M 189 151 L 249 151 L 249 111 L 189 111 L 189 151 Z"));
 }
 
+TEST(FloorplanDrawing, AWallIsAsThickAsWallsMayBe)
+{
+  const Floorplan plan{
+      {roomOf(rectangle(0, 0, 4, 3), 2.5), roomOf(rectangle(4.8, 0, 8, 3), 2.5, 2)}};
+  const std::string body = "class=\"wall_body\"";
+  EXPECT_FALSE(holds(floorplanToSvg(plan), body));
+  DrawingSettings settings;
+  settings.max_wall = 0.9;
+  EXPECT_TRUE(holds(floorplanToSvg(plan, settings), body));
+}
+
 TEST(FloorplanDrawing, ArcsKeepTheirSenseAndSize)
 {
   // From 270 to 180 degrees counter-clockwise: the larger part of the circle.

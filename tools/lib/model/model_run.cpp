@@ -157,6 +157,7 @@ DrawingSettings
 drawingSettings(Reconstruction& chain, const ModelSettings& settings)
 {
   DrawingSettings drawing;
+  drawing.max_wall = chain.getPriors().max_wall;
   drawing.tilts = chain.getChain().tilts;
   drawing.origin = chain.getOrigin();
   if (settings.ifc.settings.name != IfcSettings{}.name)
@@ -171,6 +172,7 @@ writeBuildingModel(const OutputFolder& folder,
                    const ModelSettings& settings)
 {
   IfcSettings ifc = settingsOf(settings.ifc);
+  ifc.max_wall = chain.getPriors().max_wall;
   ifc.tilts = chain.getChain().tilts;
   const IfcModel model =
       saveIfc(folder.file("model.ifc"), *chain.getFloorplan(), ifc, chain.getOrigin());

@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/scan_frame.h>
+#include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/wall_tilts.h>
 
 #include <string>
@@ -22,10 +23,11 @@ struct DrawingSettings {
    * those of the whole plan, so that the sheets of a building can be overlaid. Null:
    * all rooms. */
   const PlanStorey* storey = nullptr;
-  Origin origin{};                 ///< origin of the coordinates
-  PaperSize paper = PaperSize::A3; ///< larger if the given scale needs it
-  std::string title{};             ///< "": "Floor plan"
-  WallTilts tilts{};               ///< of walls, whose heads are drawn dashed
+  Origin origin{};                     ///< origin of the coordinates
+  PaperSize paper = PaperSize::A3;     ///< larger if the given scale needs it
+  std::string title{};                 ///< "": "Floor plan"
+  WallTilts tilts{};                   ///< of walls, whose heads are drawn dashed
+  double max_wall = Priors().max_wall; ///< maximum thickness of a wall, metres
 };
 
 /** @brief Draws a floor plan as an SVG sheet in millimetres of paper.

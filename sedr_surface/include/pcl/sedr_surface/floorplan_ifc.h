@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/scan_frame.h>
+#include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/wall_tilts.h>
 
 #include <cstddef>
@@ -20,7 +21,8 @@ struct IfcSettings {
   std::string name = "building"; ///< of project and building; the GUIDs depend on it
   std::string crs;               ///< grid of the origin, such as EPSG:25832
   IfcArcs arcs = IfcArcs::Exact;
-  double assumed_thickness = 0.2; ///< if one face was seen, metres, 0.02 to 2
+  double assumed_thickness = 0.2;      ///< if one face was seen, metres, 0.02 to 2
+  double max_wall = Priors().max_wall; ///< maximum thickness of a wall, metres
   WallTilts tilts{}; ///< tilted walls: spaces show the tilt, walls stand at their feet
 };
 
