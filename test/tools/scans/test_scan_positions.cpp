@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_file.h"
+#include "tool_cloud.h"
 #include "tool_error.h"
 #include "tools/run_program.h"
 #include "tools/sample_files.h"
@@ -85,6 +86,14 @@ TEST_F(ScanPositionFiles, AViewpointOfPcdIsOneUnlessItIsZero)
   ASSERT_EQ(positions.size(), 1u);
   EXPECT_EQ(positions[0].first_row, 0u);
   EXPECT_EQ(positions[0].place, Eigen::Vector3f(1, 2, 1.5F));
+}
+
+TEST_F(ScanPositionFiles, AnUnknownOneStaysUnknownInAPcdOfAScanFarFromZero)
+{
+  writeFile(in("far.xyz"), "691600 5336000 500\n691610 5336000 500\n"
+                           "691600 5336010 503\n");
+  saveScan(in("far.pcd"), ScanFile(in("far.xyz"), 1));
+  EXPECT_TRUE(ScanFile(in("far.pcd"), 1).positions().empty());
 }
 
 TEST_F(ScanPositionFiles, PosesOfE57AreThoseOfItsScansIfAllHaveOne)

@@ -162,7 +162,8 @@ Eigen::Vector4f
 ScanFile::viewpoint() const
 {
   Eigen::Vector4f viewpoint = Eigen::Vector4f::Zero();
-  viewpoint.head<3>() = inMetres(layout_.viewpoint);
+  if (!layout_.viewpoint.isZero(0)) // 0 means unknown, also relative to an origin
+    viewpoint.head<3>() = inMetres(layout_.viewpoint);
   return viewpoint;
 }
 

@@ -81,7 +81,7 @@ public:
   /** @brief Returns the origin of all coordinates. */
   const Origin& origin() const { return origin_; }
 
-  /** @brief Returns the viewpoint of the scan, metres. */
+  /** @brief Returns the viewpoint of the scan, metres; 0, 0, 0 if it is unknown. */
   Eigen::Vector4f viewpoint() const;
   const Eigen::Quaternionf& orientation() const { return layout_.orientation; }
 
