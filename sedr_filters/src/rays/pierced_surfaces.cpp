@@ -3,8 +3,7 @@
 
 #include "../base/parallel_for.h"
 
-#include <Eigen/Geometry>
-
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -81,8 +80,14 @@ PiercedSurfaces::PiercedSurfaces(const PointView& points)
 {
   std::vector<std::uint32_t> cube_of(points.size(), CubeTable::none);
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (points.isFinite(i))
+    if (points.isFinite(i)) {
       cube_of[i] = cubes_.add(cubes_.at(points[i].cast<double>()));
+      box_.extend(points[i]);
+    }
+  if (!box_.isEmpty()) {
+    const Eigen::Vector3f rim = Eigen::Vector3f::Constant(cube_size);
+    box_ = Eigen::AlignedBox3f(box_.min() - rim, box_.max() + rim);
+  }
   first_.assign(cubes_.size() + 1, 0);
   for (const std::uint32_t cube : cube_of)
     if (cube != CubeTable::none)
@@ -120,6 +125,19 @@ PiercedSurfaces::isSurrounded(const Eigen::Vector3f& from,
   });
 }
 
+float
+PiercedSurfaces::entryOf(const ScanRay& ray) const
+{
+  const Eigen::Vector3f whole = ray.to - ray.from;
+  float share = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    if (whole[axis] != 0) {
+      const float side = whole[axis] > 0 ? box_.min()[axis] : box_.max()[axis];
+      share = std::max(share, (side - ray.from[axis]) / whole[axis]);
+    }
+  return std::min(share, 1.0F) * whole.norm();
+}
+
 std::uint32_t
 PiercedSurfaces::firstPierced(const ScanRay& ray) const
 {
@@ -128,10 +146,12 @@ PiercedSurfaces::firstPierced(const ScanRay& ray) const
   if (!(length > before_end))
     return CubeTable::none;
   const Eigen::Vector3f direction = whole.normalized();
-  CubeWalk walk(cubes_, ray.from.cast<double>(), direction.cast<double>());
-  float begin = 0;
+  const float entry = entryOf(ray);
+  const Eigen::Vector3f start = ray.from + entry * direction;
+  CubeWalk walk(cubes_, start.cast<double>(), direction.cast<double>());
+  float begin = entry;
   while (begin < length) {
-    const auto end = static_cast<float>(walk.end());
+    const auto end = entry + static_cast<float>(walk.end());
     const std::uint32_t cube = cubes_.find(walk.cube());
     if (cube != CubeTable::none && end > before_end &&
         isSurrounded(ray.from, direction, (begin + end) / 2, walk.cube()))

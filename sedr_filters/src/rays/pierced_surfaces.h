@@ -3,6 +3,8 @@
 
 #include "scan_rays.h"
 
+#include <Eigen/Geometry>
+
 #include <vector>
 
 namespace pcl::sedr {
@@ -24,11 +26,16 @@ public:
       see(places_[k]);
   }
 
+  /** @brief Returns how far from its start a ray enters the box of the points, metres;
+   * 0 if it starts inside. Rays end inside. */
+  float entryOf(const ScanRay& ray) const;
+
   /** @brief The first cube in which a ray has points on all sides around it, at least
    * 0.4 m before its end; CubeTable::none where it has none. */
   std::uint32_t firstPierced(const ScanRay& ray) const;
 
-  /** @brief firstPierced() of all rays. O(rays times their length). */
+  /** @brief firstPierced() of all rays. O(rays times their length within the
+   * box of the points). */
   std::vector<std::uint32_t> firstPierced(const std::vector<ScanRay>& rays,
                                           unsigned threads) const;
 
@@ -41,6 +48,7 @@ private:
                     const Cube& cube) const;
 
   CubeTable cubes_;
+  Eigen::AlignedBox3f box_;             ///< of the points, and a cube around it
   std::vector<std::uint32_t> first_;    ///< point of each cube, and the end
   std::vector<Eigen::Vector3f> places_; ///< of points, cube by cube
 };

@@ -47,7 +47,10 @@ public:
     const Eigen::Vector3f whole = ray.to - ray.from;
     const float length = whole.norm();
     const Eigen::Vector3f direction = whole / length;
-    for (float along = clear; along < length - clear; along += step)
+    const float first = std::max(clear, surfaces_.entryOf(ray));
+    // Far from 0, a step may be less than floats resolve.
+    for (float along = first; along < length - clear;
+         along = std::max(along + step, std::nextafter(along, length)))
       if (patchAt(ray.from + along * direction, direction, patch) &&
           std::abs((ray.from - patch.place).dot(patch.normal)) > clear &&
           std::abs((ray.to - patch.place).dot(patch.normal)) > clear)
