@@ -267,12 +267,11 @@ footProblem(const Floorplan& plan,
     return {};
   const std::vector<double> doors = heightsOfDoors(plan);
   const std::vector<double> stood = heightsOfScanners(plan, places);
-  Unit unit = unitOf(doors, priors.min_headroom, priors);
-  const bool is_told_by_doors = unit == Unit::Foot;
-  if (unit == Unit::Unknown)
-    unit = unitOf(stood, 0, priors);
-  if (unit == Unit::Metre)
+  const Unit by_doors = unitOf(doors, priors.min_headroom, priors);
+  const Unit by_scanners = unitOf(stood, 0, priors);
+  if (by_doors == Unit::Metre || by_scanners == Unit::Metre)
     return {};
+  const Unit unit = by_doors == Unit::Unknown ? by_scanners : by_doors;
   const bool is_home =
       std::accumulate(areas.begin(), areas.end(), 0.0) >= most &&
       (unit == Unit::Foot || middleValue(areas) * foot * foot <= priors.max_home_area);
@@ -282,7 +281,7 @@ footProblem(const Floorplan& plan,
                           : (heights.size() == rooms ? "all " : "") +
                                 text("%.0f rooms are %.1f to %.1f m high",
                                      static_cast<double>(heights.size()), *low, *high);
-  if (is_told_by_doors)
+  if (by_doors == Unit::Foot)
     sentence += text(", doors are %.1f m high", middleValue(doors));
   if (!stood.empty())
     sentence +=

@@ -175,6 +175,7 @@ TEST(FootProblem, DoorsAndScannersTellItOfLargeRoomsToo)
   gym.doorways = halls.doorways;
   const std::string by_doors = footProblem(gym);
   EXPECT_TRUE(mentions(by_doors, "21.0 m high, doors are 6.7 m high")) << by_doors;
+  EXPECT_EQ(footProblem(gym, {{3, 3, 1.6F}}), "") << "gates, not doors";
 }
 
 TEST(FootProblem, AScannerAsHighAsADoorOfMetresTellsMetres)
