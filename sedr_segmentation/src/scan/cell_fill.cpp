@@ -79,7 +79,9 @@ cellSizeFor(const std::vector<CellSet>& ceilings, double size, const Priors& pri
   const double enlargement =
       std::sqrt(std::log(1 - priors.cell_fill) / std::log(1 - fill));
   const double wanted = size * std::clamp(enlargement, 1.0, priors.max_enlargement);
-  return std::max(size, 1 / std::max(1.0, std::floor(1 / wanted)));
+  const double up = 1 / std::max(1.0, std::floor(1 / wanted));
+  const bool is_too_large = up > size * priors.max_enlargement;
+  return std::max(size, is_too_large ? 1 / std::ceil(1 / wanted) : up);
 }
 
 } // namespace pcl::sedr

@@ -17,9 +17,9 @@ namespace pcl::sedr {
  * Independently scattered points fill 1 - exp(-density * size^2) of the cells. If the
  * median fill is below 98 %, cells are enlarged such that a square at the 10 % quantile
  * would reach 97 %. The limit is 2.5 times `size`. The result is rounded up to
- * a whole part of a metre, so that cells are the same in frames that are whole metres
- * apart. Squares are weighted by their occupied cells, as reflections in windows
- * may be large but have few points.
+ * a whole part of a metre, or down where that exceeds the limit, so that cells are the
+ * same in frames that are whole metres apart. Squares are weighted by their occupied
+ * cells, as reflections in windows may be large but have few points.
  * @param ceilings occupied cells, of edge `size`. O(n log n) for n cells. */
 double cellSizeFor(const std::vector<CellSet>& ceilings,
                    double size,

@@ -55,6 +55,8 @@ TEST(CellSize, OfASparseScanGrowsUntilNearlyAllAreFilled)
 TEST(CellSize, GrowsNoMoreThanTwoAndAHalfTimes)
 {
   EXPECT_NEAR(0.125, cellSizeFor({scattered(60, 0.05)}, 0.05), 0.006);
+  const double size = cellSizeFor({scattered(40, 0.06)}, 0.06);
+  EXPECT_EQ(size, 1.0 / 7) << "1/6 m would be more than 2.5 times 0.06 m";
 }
 
 TEST(CellSize, IsNotChangedByWhatHidesALargePart)
