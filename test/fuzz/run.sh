@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Builds the fuzzers of the readers with clang (two minutes) and runs each for SECONDS (600), one
-# after the other: run.sh [SECONDS] [FORMAT ...]. What breaks a reader stays in build/fuzz/found;
+# after the other: run.sh [SECONDS] [FORMAT ...]. What breaks a reader stays in build/reader_fuzzers/found;
 # exit code 1 if there is anything.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -9,7 +9,7 @@ seconds=${1:-600}
 shift || true
 formats=("$@")
 [ ${#formats[@]} -gt 0 ] || formats=(e57 las pcd ply text)
-build=build/fuzz
+build=build/reader_fuzzers
 [ -f $build/build.ninja ] || cmake -S test/fuzz -B $build -G Ninja -DCMAKE_CXX_COMPILER=clang++ > /dev/null
 cmake --build $build
 rm -rf $build/seeds
