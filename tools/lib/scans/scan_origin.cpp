@@ -6,6 +6,7 @@
 
 #include "sedr_filters/src/base/field_access.h"
 #include "sedr_filters/src/base/middle_value.h"
+#include "sedr_filters/src/base/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,6 +74,15 @@ tellOrigin(const std::string& path, const Origin& origin)
          origin.text(", ") + ") m, which every result tells as its origin");
 }
 
+/** @brief Returns a length in whole metres; one that has no such digits as 1e+300. */
+std::string
+wholeMetres(double length)
+{
+  constexpr double vast = 1e15;
+  return std::abs(length) < vast ? std::to_string(std::llround(length))
+                                 : numberText(length);
+}
+
 [[noreturn]] void
 refuseTooLarge(const std::string& path,
                double farthest,
@@ -82,14 +92,13 @@ refuseTooLarge(const std::string& path,
   std::ostringstream sentence;
   sentence.precision(2);
   sentence << "the coordinates of '" << path << "' are too large: at "
-           << static_cast<long long>(std::min(farthest, 1e18)) << " m "
+           << wholeMetres(std::floor(farthest)) << " m "
            << (shift.isZero(0) ? "" : "from the origin ")
            << "a float resolves no finer than " << farthest * float_step * 1000
            << " mm; subtract an origin first, say (";
   for (std::size_t axis = 0; axis < 3; ++axis)
     sentence << (axis > 0 ? ", " : "")
-             << static_cast<long long>(std::clamp(
-                    std::round(middleValue(places[axis]) / 1000) * 1000, -1e18, 1e18));
+             << wholeMetres(std::round(middleValue(places[axis]) / 1000) * 1000);
   throw ToolError(sentence.str() + ") m");
 }
 
