@@ -18,7 +18,7 @@ main(int argc, char** argv)
                   "rooms, model, distances and stages on one\npage that loads nothing "
                   "from anywhere.");
   options.file("OUTPUT_DIR", folder, "folder that pcl_sedr has left");
-  options.text("raw", settings.scan,
+  options.text("scan", settings.scan,
                "raw scan, where it is not where report.json says");
   options.text("three", settings.three, "folder of three.js, Debian's libjs-three");
   options.number("max-triangles", settings.max_triangles, "triangles",

@@ -233,7 +233,7 @@ class ReportCase(unittest.TestCase):
             return file.read()
 
     def page(self, *options):
-        page = Page(self.make("--raw", self.scan, *options))
+        page = Page(self.make("--scan", self.scan, *options))
         self.assertEqual(page.faults, [])
         self.assertEqual(len(page.ids), len(set(page.ids)), "ids are unique")
         return page
@@ -385,14 +385,14 @@ class ReportPage(ReportCase):
         self.assertEqual(subprocess.run([REPORT, self.model], capture_output=True).returncode, 1)
 
     def test_is_the_same_every_time(self):
-        self.assertEqual(self.make("--raw", self.scan), self.make("--raw", self.scan))
+        self.assertEqual(self.make("--scan", self.scan), self.make("--scan", self.scan))
 
 
 @unittest.skipUnless(chromium.program(), "there is no Chromium")
 class ReportInABrowser(ReportCase):
     def setUp(self):
         super().setUp()
-        self.make("--raw", self.scan)
+        self.make("--scan", self.scan)
 
     def open(self, width=1000, height=1200, *flags):
         browser = chromium.Browser(width, height, *flags)
