@@ -44,6 +44,11 @@ listScans(const std::string& path)
 int
 run(const Settings& settings)
 {
+  const std::string given =
+      settings.scan.settings.keeps_doubles ? "--doubles" : settings.scan.given();
+  if (settings.list && !(settings.output.empty() && given.empty()))
+    throw ToolError("--list reads no points, it takes no " +
+                    (given.empty() ? "OUTPUT" : given));
   if (settings.list)
     return listScans(settings.input);
   if (settings.output.empty())

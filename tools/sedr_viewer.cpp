@@ -8,11 +8,14 @@
 #include "viewer/window/window.h"
 
 #include <cstdio>
+#include <filesystem>
 #include <string>
 
 using namespace pcl::sedr::tools;
 
 namespace {
+
+constexpr const char* raw_hint = "the raw scan of a folder is named by --raw";
 
 /** @brief The options of the command line. */
 struct Settings {
@@ -63,6 +66,7 @@ addOptions(Options& options, Settings& s)
       "raw scan of a folder, where it is not where report.json says; it is read "
       "as it was then");
   addScanOptions(options, s.file);
+  options.hint("scan", raw_hint);
   options.number("max-points", s.reading.max_points, "points",
                  "of a cloud that are shown, 0 for all", Range::atLeast(0));
   options.text("screenshot", s.screenshot, "PNG to write instead of opening a window");
@@ -113,9 +117,26 @@ checkStorey(const Painter& painter, std::uint32_t storey)
                     std::to_string(painter.storeys().storeys().size()));
 }
 
+/** @brief Throws a ToolError if an option has nothing to act on. */
+void
+checkOptions(const Settings& settings)
+{
+  std::error_code error;
+  const bool is_folder = std::filesystem::is_directory(settings.path, error);
+  const bool is_plan = std::filesystem::path(settings.path).extension() == ".json";
+  const std::string given = settings.file.given();
+  if (!given.empty() && (is_folder || is_plan))
+    throw ToolError(given + " tells how a scan is read, and '" + settings.path +
+                    "' is none; " + raw_hint);
+  if (!settings.reading.scan.empty() && !is_folder)
+    throw ToolError("--raw names the raw scan of a folder that pcl_sedr has left, '" +
+                    settings.path + "' is none");
+}
+
 int
 run(const Settings& settings)
 {
+  checkOptions(settings);
   const WindowSettings window_settings = windowSettings(settings);
   ViewState state = stateOf(settings);
   if (!settings.screenshot.empty())

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "bytes/whole_file.h"
 #include "compare/change_mesh.h"
 #include "compare/change_picture.h"
 #include "compare/comparison.h"
@@ -11,7 +12,6 @@
 #include "scale.h"
 #include "scan_options.h"
 #include "tool_error.h"
-#include "bytes/whole_file.h"
 
 #include <pcl/common/angles.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
@@ -49,11 +49,18 @@ planOfScan(const std::string& path, const ScanSettings& reading)
   const auto scan =
       std::make_shared<JointScan>(std::vector<std::string>{path}, reading);
   chain.setInputSource(scan);
-  chain.setScanPositions(scan->positions());
   if (!chain.findStructure())
     throw ToolError("'" + path + "': no structure found: " + chain.getErrorMessage(),
                     NothingFound);
   return {*chain.getFloorplan(), scan->origin()};
+}
+
+/** @brief Returns whether a path is that of a scan, not of a folder or plan file. */
+bool
+isScan(const std::string& path)
+{
+  std::error_code error;
+  return !std::filesystem::is_directory(path, error) && !endsIn(path, ".json");
 }
 
 /** @brief Returns the plan of a folder of pcl_sedr, of a plan file, or of a scan. */
@@ -69,7 +76,7 @@ planOf(const std::string& path, const ScanSettings& reading)
                       "named by its file");
     return {*loadFloorplan(plan.string()), planOrigin(plan.string())};
   }
-  if (endsIn(path, ".json"))
+  if (!isScan(path))
     return {*loadFloorplan(path), planOrigin(path)};
   return planOfScan(path, reading);
 }
@@ -136,6 +143,10 @@ run(const Settings& settings)
                     "' does not end in .ply");
   if (!settings.mesh.empty())
     checkWritable(settings.mesh);
+  if (const std::string given = settings.reading.given();
+      !given.empty() && !isScan(settings.before) && !isScan(settings.after))
+    throw ToolError(given + " tells how a scan is read, and neither '" +
+                    settings.before + "' nor '" + settings.after + "' is one");
   ScanSettings reading = settings.reading.resolved();
   const auto [before, origin] = planOf(settings.before, reading);
   reading.origin = origin; // one frame for both

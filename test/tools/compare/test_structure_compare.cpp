@@ -117,6 +117,10 @@ TEST_F(CompareTool, RefusesWhatIsNoModel)
   EXPECT_NE(folder.err.find("a scan is named by its file"), std::string::npos)
       << folder.err;
   EXPECT_EQ(run(STRUCTURE_COMPARE, {good}).exit_code, 1);
+  const ProgramRun no_scan = run(STRUCTURE_COMPARE, {good, good, "--scan", "2"});
+  EXPECT_EQ(no_scan.exit_code, 1);
+  EXPECT_NE(no_scan.err.find("--scan tells how a scan is read"), std::string::npos)
+      << no_scan.err;
   EXPECT_EQ(run(STRUCTURE_COMPARE, {good, good, "--mesh", in("d.obj")}).exit_code, 1);
   const ProgramRun same = run(STRUCTURE_COMPARE, {good, good});
   EXPECT_EQ(same.exit_code, 0);

@@ -100,7 +100,9 @@ TEST_F(ScanTools, BadOptionsAndScansThatStayTooLargeAreOneSentence)
         {"--origin-of", in("nowhere")},
         {"--origin-of", in("large.las")},
         {"--origin-of", in("study/scan.pcd")},
-        {"--scan", "2"}}) {
+        {"--scan", "2"},
+        {"--skip-broken"},
+        {"--columns", "x,y,z"}}) {
     const ProgramRun made = model(in("large.las"), "refused", options);
     EXPECT_EQ(made.exit_code, 1);
     EXPECT_TRUE(made.failsInOneSentence()) << made.err;
@@ -117,6 +119,10 @@ TEST_F(ScanTools, ConvertersWriteWhatIsRead)
   EXPECT_NE(listed.out.find("station 2"), std::string::npos) << listed.out;
   EXPECT_NE(listed.out.find(Origin{stationOf(1)}.text(", ")), std::string::npos)
       << listed.out;
+  const ProgramRun both =
+      run(E57_TO_PCD, {in("scan.e57"), in("one.pcd"), "--list", "--scan", "9"});
+  EXPECT_EQ(both.exit_code, 1);
+  EXPECT_NE(both.err.find("it takes no --scan"), std::string::npos) << both.err;
   ASSERT_EQ(run(E57_TO_PCD, {in("scan.e57"), in("one.pcd"), "--scan", "1"}).exit_code,
             0);
   const ToolCloud one = loadCloud(in("one.pcd"));

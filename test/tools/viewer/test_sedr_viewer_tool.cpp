@@ -2,9 +2,9 @@
 #include "colour.h"
 #include "tools/pictures/pictures.h"
 #include "tools/run_program.h"
-#include "tools/scans/e57_writer.h"
 #include "tools/sample_files.h"
 #include "tools/sample_result.h"
+#include "tools/scans/e57_writer.h"
 #include "virtual_screen.h"
 
 #include <gtest/gtest.h>
@@ -118,6 +118,12 @@ TEST_F(ViewerTool, BadCommandLinesAreRefusedBeforeADisplayIsAskedFor)
   refuses({"--size", "600"}, "600");
   refuses({"--size", "600x20000"}, "20000");
   refuses({"--screenshot", in("view.jpg")}, "png");
+  refuses({"--scan", "2"}, "is none; the raw scan of a folder is named by --raw");
+  refuses({"--unit", "1"}, "--unit tells how a scan is read");
+  refuses({"--scan", "raw.pcd"}, "not 'raw.pcd'; the raw scan of a folder is named by");
+  const ProgramRun raw = run(SEDR_VIEWER, {in("stage.pcd"), "--raw", in("none.pcd")});
+  EXPECT_EQ(raw.exit_code, 1);
+  EXPECT_NE(raw.err.find("--raw names the raw scan"), std::string::npos) << raw.err;
   const ProgramRun help = run(SEDR_VIEWER, {"-h"});
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_NE(help.out.find("--screenshot"), std::string::npos);

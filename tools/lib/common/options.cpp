@@ -192,6 +192,20 @@ Options::flag(const std::string& name, bool& value, const std::string& help)
       {name, help, false, [&value](const std::string&) { value = true; }});
 }
 
+void
+Options::read(const Option& option, const std::string& given) const
+{
+  const auto hint = hints_.find(option.name);
+  try {
+    option.read(given);
+  }
+  catch (const ToolError& error) {
+    if (hint == hints_.end())
+      throw;
+    throw ToolError(error.what() + ("; " + hint->second), error.exitCode());
+  }
+}
+
 bool
 Options::parse(int argc, const char* const* argv)
 {
@@ -231,7 +245,7 @@ Options::parse(int argc, const char* const* argv)
   readFiles(names);
   for (const auto& option : options_)
     if (given.count(option.name) != 0)
-      option.read(option.takes_value ? given[option.name].as<std::string>() : "");
+      read(option, option.takes_value ? given[option.name].as<std::string>() : "");
   return true;
 }
 

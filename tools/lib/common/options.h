@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <map>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -109,6 +110,9 @@ public:
   /** @brief Declares a switch, `--name`, which sets `value`. */
   void flag(const std::string& name, bool& value, const std::string& help);
 
+  /** @brief Adds what every refusal of an option's value ends with. */
+  void hint(const std::string& name, const std::string& text) { hints_[name] = text; }
+
   /** @brief Reads the command line into the variables.
    * @return false if -h, --help or --version was given; answer() then returns the
    * text */
@@ -149,6 +153,8 @@ private:
                  const std::string& default_text,
                  const std::function<void(double)>& store);
 
+  void read(const Option& option, const std::string& given) const;
+
   std::string usage() const;
 
   /** @brief Assigns the file names of the command line. */
@@ -158,6 +164,7 @@ private:
   std::string purpose_;
   std::vector<File> files_;
   std::vector<Option> options_;
+  std::map<std::string, std::string> hints_;
   bool wants_version_ = false;
 };
 

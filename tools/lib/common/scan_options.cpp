@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 namespace pcl::sedr::tools {
 
@@ -71,12 +72,29 @@ ScanOptions::resolved() const
   return all;
 }
 
+std::string
+ScanOptions::given() const
+{
+  const std::pair<const char*, bool> options[] = {
+      {"--scan", settings.scan != 0},
+      {"--skip-broken", settings.skip_broken},
+      {"--columns", !settings.columns.empty()},
+      {"--unit", has_unit},
+      {"--origin", !origin.empty()},
+      {"--origin-of", !origin_of.empty()},
+      {"--no-shift", no_shift}};
+  for (const auto& [name, is_given] : options)
+    if (is_given)
+      return name;
+  return "";
+}
+
 void
 addScanOptions(Options& options, ScanOptions& scan)
 {
-  options.number("unit", scan.settings.unit, "m",
-                 "length of one unit of the scan: 0.001 for millimetres",
-                 Range::between(1e-6, 1e6));
+  options.optionalNumber("unit", scan.settings.unit, scan.has_unit, "m",
+                         "length of one unit of the scan: 0.001 for millimetres", "1",
+                         Range::between(1e-6, 1e6));
   options.text("origin", scan.origin,
                "x,y,z in m that coordinates are counted from; whole metres in the "
                "middle of scans that lie more than 1 km from 0, else 0,0,0");

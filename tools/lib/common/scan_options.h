@@ -14,10 +14,15 @@ struct ScanOptions {
   std::string origin;    ///< "x,y,z"
   std::string origin_of; ///< a model or cloud
   bool no_shift = false;
+  bool has_unit = false; ///< whether the unit was given
 
   /** @brief Returns the complete settings; throws ToolError on invalid or contradictory
    * options. */
   ScanSettings resolved() const;
+
+  /** @brief Returns the name of an option of addScanOptions() that was given, such as
+   * --scan; empty if none was. */
+  std::string given() const;
 };
 
 /** @brief Declares what every program that reads scans takes: --scan, --skip-broken,

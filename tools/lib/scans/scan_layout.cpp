@@ -50,13 +50,25 @@ readLayout(const MappedFile& file,
     throw ToolError("'" + path +
                     "' is no E57 file and holds one scan, there is no scan " +
                     std::to_string(settings.scan));
-  if (looksLikeE57(file))
+  if (!looksLikeE57(file) && settings.skip_broken)
+    throw ToolError("'" + path +
+                    "' is no E57 file and holds one scan, --skip-broken has no others");
+  const auto refuseColumns = [&] {
+    if (!settings.columns.empty())
+      throw ToolError("'" + path +
+                      "' tells its columns itself, --columns names those of a text");
+  };
+  if (looksLikeE57(file)) {
+    refuseColumns();
     return decodedLayout(
         std::make_shared<E57Reader>(file, path,
                                     E57Choice{settings.scan, settings.skip_broken}),
         path);
-  if (looksLikeLas(file))
+  }
+  if (looksLikeLas(file)) {
+    refuseColumns();
     return decodedLayout(openLas(file, path), path);
+  }
   if (!looksLikePly(file) && !looksLikePcd(file)) {
     if (!looksLikeColumns(file))
       throw ToolError("'" + path +
@@ -64,6 +76,7 @@ readLayout(const MappedFile& file,
     return decodedLayout(std::make_shared<TextReader>(file, path, settings.columns),
                          path);
   }
+  refuseColumns();
   FileLayout layout =
       looksLikePly(file) ? readPlyLayout(file, path) : readPcdLayout(file, path);
   if (layout.data == FileData::Ascii)
