@@ -191,6 +191,38 @@ TEST_F(SedrTool, TakesAScanInMillimetresByItsUnit)
   EXPECT_NEAR(report.at("rooms")[0].at("area").get<double>(), 12, 0.05);
 }
 
+TEST_F(SedrTool, DoubtsTheUnitOfHighRoomsUnlessItWasNamed)
+{
+  std::vector<std::vector<float>> points;
+  const auto add = [&](int x, int y, int z) {
+    points.push_back({0.1F * static_cast<float>(x), 0.1F * static_cast<float>(y),
+                      0.1F * static_cast<float>(z)});
+  };
+  for (int a = 0; a <= 120; ++a) {
+    for (int b = 0; b <= 100; ++b)
+      for (const int z : {0, 80})
+        add(a, b, z);
+    for (int z = 0; z <= 80; ++z)
+      for (const int side : {0, 1}) {
+        add(a, 100 * side, z);
+        if (a <= 100)
+          add(120 * side, a, z);
+      }
+  }
+  const std::string scan = programs::pcdBytes(points);
+  for (const bool is_named : {false, true}) {
+    std::vector<std::string> options{"--no-mesh"};
+    if (is_named)
+      options.insert(options.end(), {"--unit", "1"});
+    const ProgramRun result = onFile(scan, options);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.err.find("--unit 1 says that it is the metre") ==
+                  std::string::npos,
+              is_named)
+        << result.err;
+  }
+}
+
 TEST_F(SedrTool, ReportsAPathThatIsNoUtf8)
 {
   const std::string path = in("scan\xff.pcd");

@@ -290,8 +290,9 @@ footProblem(const Floorplan& plan,
     sentence += ", as rooms of homes and offices are in feet";
   else if (unit == Unit::Unknown)
     sentence += ", and nothing that was found tells the unit";
-  return sentence + ": if the foot is the unit of the scan, scale it by 0.3048 "
-                    "(--unit 0.3048 in pcl_sedr)";
+  return sentence +
+         ": if the foot is the unit of the scan, scale it by 0.3048 "
+         "(--unit 0.3048 in pcl_sedr), else --unit 1 says that it is the metre";
 }
 
 } // namespace pcl::sedr

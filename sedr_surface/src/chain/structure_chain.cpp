@@ -114,6 +114,7 @@ StructureChain::reset(const Cloud::ConstPtr& thinned)
   unseen_.clear();
   reports.clear();
   warnings.clear();
+  unit_doubt.clear();
   failed_stage.clear();
   problem.clear();
   regions_.clear();

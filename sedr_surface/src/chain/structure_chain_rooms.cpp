@@ -201,10 +201,11 @@ StructureChain::fitPlan(StageReport& report)
   giveStoreys(getBuilding(), *plan);
   closeReveals(*plan, priors_);
   warnOfCeilings();
-  if (const std::string doubt = footProblem(
-          *plan, sight_ ? sight_->places() : std::vector<Eigen::Vector3f>(), priors_);
-      !doubt.empty())
-    warnings.push_back(doubt);
+  if (!unit_is_known)
+    unit_doubt = footProblem(
+        *plan, sight_ ? sight_->places() : std::vector<Eigen::Vector3f>(), priors_);
+  if (!unit_doubt.empty())
+    warnings.push_back(unit_doubt);
   for (const auto& room : plan->rooms)
     for (const auto& element : room.boundary.elements)
       report.points_out += element.inliers;

@@ -311,6 +311,10 @@ TEST(StructureChain, WarnsOfRoomsInFeet)
     for (const auto& warning : chain.warnings)
       warns = warns || warning.find("--unit 0.3048") != std::string::npos;
     EXPECT_EQ(warns, unit == 1.0);
+    EXPECT_EQ(!chain.unit_doubt.empty(), warns);
+    chain.unit_is_known = true;
+    ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
+    EXPECT_EQ(chain.unit_doubt, "");
   }
 }
 

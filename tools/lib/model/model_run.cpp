@@ -4,7 +4,9 @@
 #include "bytes/whole_file.h"
 #include "chain_pictures.h"
 #include "drawing_files.h"
+#include "e57/e57_pages.h"
 #include "ifc_file.h"
+#include "joint_scan.h"
 #include "output_folder.h"
 #include "progress.h"
 #include "report.h"
@@ -15,7 +17,6 @@
 #include "tool_error.h"
 
 #include "sedr_filters/src/base/parallel.h"
-#include "sedr_segmentation/src/scan/scan_check.h"
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>
 #include <pcl/sedr_surface/mesh_io.h>
@@ -52,6 +53,18 @@ timed(const std::string& name, const std::function<void(StageReport&)>& step)
   return report;
 }
 
+/** @brief Returns whether the unit of the scan needs no doubt: the user named it, or
+ * the files are E57, whose unit is the metre by its standard. */
+bool
+knowsUnit(const ModelSettings& settings)
+{
+  const std::vector<std::string> files = scanFilesOf(settings.inputs);
+  return settings.scan.has_unit ||
+         std::all_of(files.begin(), files.end(), [](const std::string& file) {
+           return looksLikeE57(MappedFile(file));
+         });
+}
+
 /** @brief Returns the coverage. Throws ToolError if less than half of the scanned floor
  * is in the plan, unless a partial model is allowed. */
 Coverage
@@ -62,9 +75,8 @@ checkedCoverage(const Reconstruction& chain, bool takes_partial)
       coverageOf(chain.getChain().getBuilding(), *chain.getFloorplan());
   if (coverage.share() >= least || takes_partial)
     return coverage;
-  const Floorplan& plan = *chain.getFloorplan();
   std::string reason = coverageWarning(coverage);
-  if (const std::string doubt = footProblem(plan); !doubt.empty())
+  if (const std::string& doubt = chain.getChain().unit_doubt; !doubt.empty())
     reason += "; " + doubt;
   throw ToolError("less than half of the floor that was seen could be modelled: " +
                       reason + "; say --partial for a model of what there is",
@@ -250,6 +262,7 @@ makeModel(const ModelSettings& settings,
   record.reading = settings.scan.settings;
   const StageReport reading = timed("reading", [&](StageReport& report) {
     record.points = report.points_in = report.points_out = open();
+    chain.getChain().unit_is_known = knowsUnit(settings);
   });
   reconstruct(settings, chain, record);
   const std::string gap = coverageWarning(record.coverage);

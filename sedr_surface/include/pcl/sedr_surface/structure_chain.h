@@ -123,6 +123,9 @@ public:
    * `levelling`. */
   bool keep_levelled = false;
 
+  /** @brief Whether the unit is known to be the metre, so that no warning doubts it. */
+  bool unit_is_known = false;
+
   /** @brief Origin of the scan's coordinates, for writers of the results. */
   Origin origin;
 
@@ -162,6 +165,7 @@ public:
   StructureCloud::Ptr structure; ///< refined and repaired
   std::vector<StageReport> reports;
   std::vector<std::string> warnings;
+  std::string unit_doubt; ///< the one of `warnings` that doubts the unit, or empty
   std::string failed_stage;
   std::string problem;
 
