@@ -227,7 +227,8 @@ std::string
 seenInPart(const BuildingRoom& room, double box)
 {
   constexpr double min_filled = 0.8; // of the rectangle: a cone of sight fills less
-  if (room.enclosure >= 0.5 || room.area >= min_filled * box)
+  // Walls along two fifths of the outline: a glazed room may have no more.
+  if (room.enclosure >= 0.4 || room.area >= min_filled * box)
     return "";
   char text[120];
   std::snprintf(
