@@ -126,10 +126,15 @@ private:
 /** @brief Adds the lines of the headrooms below a ceiling. The longest piece of each
  * carries its height. */
 void
-addHeadroom(const PlanRoom& room, std::vector<DrawnElement>& drawn)
+addHeadroom(const PlanRoom& room,
+            const CeilingLines& ceiling,
+            std::vector<DrawnElement>& drawn)
 {
   for (const double height : headrooms) {
-    const std::vector<PlanElement> lines = heightLines(room, height);
+    std::vector<PlanElement> lines;
+    for (const PlanElement& line : heightLines(room, ceiling.is_given, height))
+      for (const PlanElement& piece : piecesInside(line, room))
+        lines.push_back(piece);
     if (lines.empty())
       continue;
     const auto longest = std::max_element(
@@ -211,7 +216,7 @@ drawnElements(const Floorplan& plan,
       });
     for (const PlanNiche& niche : room.niches)
       add(niche.boundary, DrawnLayer::Niche, true);
-    addHeadroom(room, drawn);
+    addHeadroom(room, ceilings[r], drawn);
     addHeads(room, tilts, drawn);
     all.insert(all.end(), drawn.begin(), drawn.end());
   }
@@ -276,12 +281,15 @@ columnText(const PlanLoop& column)
 }
 
 std::vector<std::string>
-roomTexts(const PlanRoom& room, const Eigen::Vector2d& place, const std::string& square)
+roomTexts(const PlanRoom& room,
+          const CeilingLines& ceiling,
+          const Eigen::Vector2d& place,
+          const std::string& square)
 {
   const double height = room.ceiling.heightAt(place) - room.floor.heightAt(place);
   std::string heights = decimalText(height, 2);
   if (room.hasFacets()) {
-    const auto [eaves, ridge] = heightRange(room);
+    const auto [eaves, ridge] = heightRange(room, ceiling.is_given);
     heights = decimalText(eaves, 2) + " - " + decimalText(ridge, 2);
   }
   return {"Room " + std::to_string(room.id), decimalText(room.area(), 2) + " " + square,

@@ -63,6 +63,7 @@ std::string columnText(const PlanLoop& column);
 
 /** @brief Returns the text lines of a room: "Room 1", "23.65 m2", "h 2.40 m". */
 std::vector<std::string> roomTexts(const PlanRoom& room,
+                                   const CeilingLines& ceiling,
                                    const Eigen::Vector2d& place,
                                    const std::string& square);
 

@@ -43,9 +43,10 @@ PlanTexts::place(const Floorplan& plan,
                  const std::vector<CeilingLines>& ceilings)
 {
   std::vector<TextSpot> spots;
-  for (const PlanRoom& room : plan.rooms) {
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
+    const PlanRoom& room = plan.rooms[r];
     spots.push_back(textSpotIn(room.boundary, room.columns));
-    writeRoom(room, spots.back());
+    writeRoom(room, ceilings[r], spots.back());
   }
   for (const StairNote& note : stairNotes(plan))
     writeAt("stair", {note.place, 0}, {note.text}, small_font);
@@ -57,9 +58,10 @@ PlanTexts::place(const Floorplan& plan,
     if (!line.note.empty())
       writeAlong(line.element,
                  line.layer == DrawnLayer::Headroom ? "headroom" : "level", line.note);
-  for (const PlanRoom& room : plan.rooms) {
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
+    const PlanRoom& room = plan.rooms[r];
     for (const PlanElement& wall : room.boundary.elements)
-      writeAlong(wall, "level", eavesText(room, wall));
+      writeAlong(wall, "level", eavesText(room, ceilings[r].is_given, wall));
     for (const PlanLoop& column : room.columns)
       if (!isIsland(room, column))
         writeColumn(column);
@@ -70,9 +72,11 @@ PlanTexts::place(const Floorplan& plan,
 }
 
 void
-PlanTexts::writeRoom(const PlanRoom& room, const TextSpot& spot)
+PlanTexts::writeRoom(const PlanRoom& room,
+                     const CeilingLines& ceiling,
+                     const TextSpot& spot)
 {
-  std::vector<std::string> lines = roomTexts(room, spot.place, "m²");
+  std::vector<std::string> lines = roomTexts(room, ceiling, spot.place, "m²");
   if (writeAt("name", spot, lines, large_font))
     return;
   lines.pop_back();

@@ -22,7 +22,8 @@ public:
              const std::vector<CeilingLines>& ceilings);
 
 private:
-  void writeRoom(const PlanRoom& room, const TextSpot& spot);
+  void
+  writeRoom(const PlanRoom& room, const CeilingLines& ceiling, const TextSpot& spot);
   /** @brief Places a text beside a line, if there is space. */
   std::optional<SheetText> placeAlong(const PlanElement& element,
                                       const std::string& look,

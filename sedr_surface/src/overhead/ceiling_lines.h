@@ -22,6 +22,9 @@ struct CeilingLines {
   /** Of the main ceiling, then of each detail: a number that facets without a line
    * between them have in common. */
   std::vector<std::size_t> part;
+  /** Of the main ceiling, then of each detail: whether a drawing gives it to its
+   * neighbour, as too small or too sparse. */
+  std::vector<bool> is_given;
 };
 
 /** @brief Returns the borders of the facets of a room's ceiling that can be seen and
@@ -31,8 +34,9 @@ struct CeilingLines {
  * is more than three times what both are rough: the root of the sum of their squared
  * residuals. A part between lines
  * that is too small for the drawing goes to the neighbour with the longest line in
- * common. What remains is straightened to `finest`. Ridges of roofs stay as exact as
- * the plan has them, arcs remain arcs.
+ * common, one of sparse facets, see sparseFacets(), to the largest. Where two surfaces
+ * meet, a line is the curve of their intersection. What remains is straightened to
+ * `finest`, without bulges smaller than a part. Arcs remain arcs.
  *
  * @param finest metres that a millimetre of paper stands for: parts narrower than
  * two of them or below 25 square ones and lines up to 30, but no more than a metre,

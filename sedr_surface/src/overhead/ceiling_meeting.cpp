@@ -28,4 +28,30 @@ meetingOf(const Eigen::Vector2d& left,
   return meeting;
 }
 
+std::optional<Eigen::Vector2d>
+placeOfMeeting(const PlanSlab& left, const PlanSlab& right, Eigen::Vector2d place)
+{
+  constexpr double reach = 0.3;      // metres
+  constexpr double same = 0.001;     // metres of height
+  constexpr double min_slope = 0.05; // of one against the other
+  constexpr int max_steps = 8;
+  const auto slopeOf = [&](const PlanSlab& slab) -> Eigen::Vector2d {
+    const Eigen::Vector3d up = slab.normalAt(place);
+    return -up.head<2>() / up.z();
+  };
+  const Eigen::Vector2d start = place;
+  for (int k = 0; k < max_steps; ++k) {
+    const double off = left.heightAt(place) - right.heightAt(place);
+    if (std::abs(off) < same)
+      return place;
+    const Eigen::Vector2d slope = slopeOf(left) - slopeOf(right);
+    if (!(slope.norm() > min_slope))
+      return std::nullopt;
+    place -= off / slope.squaredNorm() * slope;
+    if (!((place - start).norm() < reach))
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
 } // namespace pcl::sedr

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/floorplan.h>
+
 #include <Eigen/Core>
+
+#include <optional>
 
 namespace pcl::sedr {
 
@@ -18,5 +22,10 @@ Meeting meetingOf(const Eigen::Vector2d& left,
                   const Eigen::Vector2d& right,
                   double beside,
                   double roughness);
+
+/** @brief Finds where two surfaces are at one height, up to 0.3 m from a place; nothing
+ * where they are nearly parallel. */
+std::optional<Eigen::Vector2d>
+placeOfMeeting(const PlanSlab& left, const PlanSlab& right, Eigen::Vector2d place);
 
 } // namespace pcl::sedr

@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl::sedr {
 
 std::string
-eavesText(const PlanRoom& room, const PlanElement& wall)
+eavesText(const PlanRoom& room,
+          const std::vector<bool>& is_given,
+          const PlanElement& wall)
 {
   constexpr double level = 0.05; // maximum height difference along eaves
   constexpr double beside = 0.03;
@@ -22,14 +25,18 @@ eavesText(const PlanRoom& room, const PlanElement& wall)
   const auto heightAt = [&](double share, double distance) {
     const double s = share * wall.length();
     const Eigen::Vector2d inside = wall.pointAt(s) + beside * wall.normalAt(s);
-    return room.ceilingSlab(room.detailAt(inside))
-        .heightAt(wall.pointAt(s) + distance * wall.normalAt(s));
+    const int detail = room.detailAt(inside);
+    return is_given[static_cast<std::size_t>(detail + 1)]
+               ? std::numeric_limits<double>::quiet_NaN()
+               : room.ceilingSlab(detail).heightAt(wall.pointAt(s) +
+                                                   distance * wall.normalAt(s));
   };
   const double first = heightAt(at_ends, 0);
   const double middle = heightAt(0.5, 0);
   const double last = heightAt(1 - at_ends, 0);
   const auto [low, high] = std::minmax({first, middle, last});
-  if (high - low > level || heightAt(0.5, inward) < middle + rises)
+  const bool is_known = std::isfinite(first + middle + last);
+  if (!is_known || high - low > level || heightAt(0.5, inward) < middle + rises)
     return "";
   const Eigen::Vector2d place =
       wall.pointAt(wall.length() / 2) + beside * wall.normalAt(wall.length() / 2);

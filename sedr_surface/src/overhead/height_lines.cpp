@@ -25,7 +25,8 @@ struct HeightGrid {
   double step = usual_step;
   std::size_t columns = 0;
   std::size_t rows = 0;
-  std::vector<double> height; ///< NaN outside the room
+  std::vector<double> height; ///< NaN outside the room, but not beside it
+  std::vector<const PlanSlab*> ceiling;
 
   Eigen::Vector2d placeOf(std::size_t k) const
   {
@@ -34,8 +35,44 @@ struct HeightGrid {
   }
 };
 
+constexpr int outside = -3; ///< of the room
+constexpr int given = -2;   ///< to a neighbour; others are as of PlanRoom::detailAt()
+
+bool
+isGiven(const std::vector<bool>& is_given, int detail)
+{
+  return is_given[static_cast<std::size_t>(detail + 1)];
+}
+
+/** @brief Lets details go on over what is given to them, and one sample out of the
+ * room, so that lines reach its walls. */
+void
+spreadDetails(const HeightGrid& grid, std::vector<int>& detail)
+{
+  const auto stride = static_cast<std::ptrdiff_t>(grid.columns);
+  std::vector<std::size_t> wave;
+  for (std::size_t k = 0; k < detail.size(); ++k)
+    if (detail[k] > given)
+      wave.push_back(k);
+  const std::vector<int> in_room = detail;
+  for (std::size_t next = 0; next < wave.size(); ++next) {
+    const std::size_t k = wave[next];
+    if (in_room[k] == outside)
+      continue;
+    for (const std::ptrdiff_t way :
+         {std::ptrdiff_t{-1}, std::ptrdiff_t{1}, -stride, stride, -stride - 1,
+          -stride + 1, stride - 1, stride + 1}) {
+      const auto other = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(k) + way);
+      if (other >= detail.size() || detail[other] > given)
+        continue;
+      detail[other] = detail[k];
+      wave.push_back(other);
+    }
+  }
+}
+
 HeightGrid
-heightsOf(const PlanRoom& room)
+heightsOf(const PlanRoom& room, const std::vector<bool>& is_given)
 {
   HeightGrid grid;
   Eigen::AlignedBox2d box;
@@ -44,15 +81,24 @@ heightsOf(const PlanRoom& room)
   if (box.isEmpty())
     return grid;
   grid.step = std::max(usual_step, box.sizes().maxCoeff() / max_steps);
-  // Shifted slightly, or the first and last samples would lie on the walls.
-  grid.origin = box.min() + Eigen::Vector2d::Constant(1e-6);
-  grid.columns = static_cast<std::size_t>(box.sizes().x() / grid.step) + 2;
-  grid.rows = static_cast<std::size_t>(box.sizes().y() / grid.step) + 2;
+  // Shifted, or the first and last samples would lie on the walls.
+  grid.origin = box.min() - Eigen::Vector2d::Constant(grid.step / 2);
+  grid.columns = static_cast<std::size_t>(box.sizes().x() / grid.step) + 3;
+  grid.rows = static_cast<std::size_t>(box.sizes().y() / grid.step) + 3;
   const RoomLookup lookup(room);
+  std::vector<int> detail;
   for (std::size_t k = 0; k < grid.columns * grid.rows; ++k) {
     const Eigen::Vector2d p = grid.placeOf(k);
-    grid.height.push_back(lookup.contains(p)
-                              ? lookup.ceilingAt(p) - lookup.floorAt(p)
+    const int at = lookup.contains(p) ? lookup.detailAt(p) : outside;
+    detail.push_back(at != outside && isGiven(is_given, at) ? given : at);
+  }
+  spreadDetails(grid, detail);
+  for (std::size_t k = 0; k < detail.size(); ++k) {
+    const Eigen::Vector2d p = grid.placeOf(k);
+    const bool is_known = detail[k] > given;
+    grid.ceiling.push_back(is_known ? &room.ceilingSlab(detail[k]) : nullptr);
+    grid.height.push_back(is_known
+                              ? grid.ceiling.back()->heightAt(p) - lookup.floorAt(p)
                               : std::numeric_limits<double>::quiet_NaN());
   }
   return grid;
@@ -108,9 +154,24 @@ private:
   Eigen::Vector2d placeOf(const Side& side) const
   {
     const std::size_t other = side.first + (side.second ? 1 : grid_.columns);
+    const Eigen::Vector2d from = grid_.placeOf(side.first);
+    const Eigen::Vector2d to = grid_.placeOf(other);
     const double low = grid_.height[side.first];
-    const double share = (height_ - low) / (grid_.height[other] - low);
-    return (1 - share) * grid_.placeOf(side.first) + share * grid_.placeOf(other);
+    const double high = grid_.height[other];
+    const PlanSlab* ceiling = grid_.ceiling[side.first];
+    const Eigen::Vector2d straight =
+        from + (height_ - low) / (high - low) * (to - from);
+    if (!ceiling->curve || ceiling != grid_.ceiling[other])
+      return straight;
+    // A steep vault is far from its chord, even on a few centimetres.
+    const double level = height_ - low + ceiling->heightAt(from);
+    Eigen::Vector2d below = low < high ? from : to;
+    Eigen::Vector2d above = low < high ? to : from;
+    for (int k = 0; k < 12; ++k) {
+      const Eigen::Vector2d middle = (below + above) / 2;
+      (ceiling->heightAt(middle) > level ? above : below) = middle;
+    }
+    return (below + above) / 2;
   }
 
   std::vector<Eigen::Vector2d> follow(Side side)
@@ -139,12 +200,12 @@ private:
 } // namespace
 
 std::vector<PlanElement>
-heightLines(const PlanRoom& room, double height)
+heightLines(const PlanRoom& room, const std::vector<bool>& is_given, double height)
 {
   std::vector<PlanElement> pieces;
   if (!room.hasFacets())
     return pieces;
-  const HeightGrid grid = heightsOf(room);
+  const HeightGrid grid = heightsOf(room, is_given);
   if (grid.columns < 2 || grid.rows < 2)
     return pieces;
   constexpr double tolerance = 0.005;
@@ -155,34 +216,34 @@ heightLines(const PlanRoom& room, double height)
 }
 
 std::pair<double, double>
-heightRange(const PlanRoom& room)
+heightRange(const PlanRoom& room, const std::vector<bool>& is_given)
 {
   const RoomLookup lookup(room);
   std::pair<double, double> range(std::numeric_limits<double>::infinity(),
                                   -std::numeric_limits<double>::infinity());
-  const auto add = [&](double ceiling, const Eigen::Vector2d& p) {
-    const double height = ceiling - lookup.floorAt(p);
+  const auto add = [&](double height) {
     range.first = std::min(range.first, height);
     range.second = std::max(range.second, height);
   };
-  const HeightGrid grid = heightsOf(room);
+  const HeightGrid grid = heightsOf(room, is_given);
   for (std::size_t k = 0; k < grid.height.size(); ++k)
-    if (std::isfinite(grid.height[k]))
-      add(lookup.ceilingAt(grid.placeOf(k)), grid.placeOf(k));
+    if (std::isfinite(grid.height[k]) && lookup.contains(grid.placeOf(k)))
+      add(grid.height[k]);
   // Eaves and ridges lie on the borders of facets, whose loops end at the walls only
   // within tolerance: what is above a wall is asked for beside it.
   for (const PlanElement& wall : room.boundary.elements)
     for (const double share : {0.02, 0.5, 0.98}) {
       const double s = share * wall.length();
       const Eigen::Vector2d p = wall.pointAt(s) + beside_border * wall.normalAt(s);
-      if (room.contains(p))
-        add(room.ceilingSlab(room.detailAt(p)).heightAt(wall.pointAt(s)), p);
+      const int detail = room.detailAt(p);
+      if (room.contains(p) && !isGiven(is_given, detail))
+        add(room.ceilingSlab(detail).heightAt(wall.pointAt(s)) - lookup.floorAt(p));
     }
-  for (const PlanDetail& detail : room.details)
-    for (const PlanElement& border : detail.boundary.elements) {
+  for (std::size_t d = 0; d < room.details.size(); ++d)
+    for (const PlanElement& border : room.details[d].boundary.elements) {
       const Eigen::Vector2d p = border.pointAt(border.length() / 2);
-      if (room.contains(p))
-        add(detail.slab.heightAt(p), p);
+      if (!is_given[d + 1] && room.contains(p))
+        add(room.details[d].slab.heightAt(p) - lookup.floorAt(p));
     }
   return range;
 }

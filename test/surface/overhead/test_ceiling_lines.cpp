@@ -2,6 +2,7 @@
 #include "plan_loops.h"
 
 #include "sedr_surface/src/overhead/ceiling_lines.h"
+#include "sedr_surface/src/overhead/height_lines.h"
 #include "sedr_surface/src/overhead/line_pieces.h"
 
 #include <gtest/gtest.h>
@@ -161,6 +162,109 @@ TEST(CeilingLines, HalfOfACircleIsThatHalf)
         EXPECT_TRUE(rectangle(0, 0, 8, 4)
                         .contains(line.element.pointAt(share * line.element.length())));
   }
+}
+
+TEST(CeilingLines, TwoSurfacesMeetInALine)
+{
+  // They do so along x = 4; their border is up to 2 cm beside that.
+  Corners border{{8, 0}, {8, 4}};
+  for (int k = 0; k <= 16; ++k)
+    border.emplace_back(k % 3 == 0 ? 4.02 : 3.98, 4 - 0.25 * k);
+  const PlanRoom room = roomWith({{rectangle(0, 0, 8, 4), slabAt(1.3, 0.3)},
+                                  {polygon(border), slabAt(4.9, -0.6)}});
+  for (const double finest : {at_1_10, at_1_50}) {
+    const auto lines = ceilingLines(room, finest).lines;
+    ASSERT_EQ(lines.size(), 1u) << finest;
+    EXPECT_EQ(lines[0].text, "ridge 2.50");
+    EXPECT_NEAR(lines[0].element.start.x(), 4, 0.002);
+    EXPECT_NEAR(lines[0].element.end.x(), 4, 0.002);
+    EXPECT_NEAR(lines[0].element.length(), 4, 0.01);
+  }
+}
+
+TEST(CeilingLines, ASparseFacetGoesToTheLargestBesideIt)
+{
+  // Beside the left wall, steps of 50 cm: 200 points on 4 square metres, 2000 on all.
+  PlanRoom room = roomWith(
+      {{rectangle(0, 0, 1, 4), slabAt(2)}, {rectangle(1, 0, 3, 4), slabAt(3)}});
+  room.ceiling.inliers = 1400;
+  room.details[1].slab.inliers = 400;
+  for (const std::size_t points : {200u, 20u}) {
+    room.details[0].slab.inliers = points;
+    const CeilingLines found = ceilingLines(room, at_1_50);
+    const bool is_sparse = points < 50;
+    EXPECT_EQ(found.lines.size(), is_sparse ? 1u : 2u);
+    EXPECT_EQ(found.is_given, (std::vector<bool>{false, is_sparse, false}));
+    EXPECT_NEAR(heightRange(room, found.is_given).first, is_sparse ? 2.5 : 2, 1e-6);
+  }
+}
+
+TEST(HeightLines, ReachTheWalls)
+{
+  // A slope in a room that is turned: 2 m high along a line across it.
+  const double slope = 0.5;
+  PlanRoom room = roomOf(placed(rectangle(0, 0, 6, 4), 20, {1, 2}), 0);
+  const Eigen::Rotation2Dd turn(20 * M_PI / 180);
+  const Eigen::Vector2d rise = turn * Eigen::Vector2d(slope, 0);
+  room.ceiling = slabAt(0.5 - rise.dot(Eigen::Vector2d(1, 2)), rise.x(), rise.y());
+  const auto lines = heightLines(room, {false}, 2);
+  ASSERT_EQ(lines.size(), 1u);
+  const PlanElement& line = lines[0];
+  EXPECT_GE(line.length(), 4) << "from wall to wall, and somewhat behind them";
+  EXPECT_LE(line.length(), 4.3);
+  for (const Eigen::Vector2d& end : {line.start, line.end})
+    EXPECT_NEAR(room.ceiling.heightAt(end), 2, 1e-6);
+}
+
+TEST(HeightLines, OfASteepVaultAreExact)
+{
+  // A barrel of 2 m that starts 1 m up: 1.2 m high 1 cm from the wall.
+  PlanRoom room = roomOf(rectangle(0, 0, 6, 4), 0);
+  SlabCurve vault;
+  vault.centre = {0, 2};
+  vault.base = 1;
+  vault.across = vault.up = 2;
+  room.ceiling.curve = std::make_shared<SlabCurve>(vault);
+  const auto lines = heightLines(room, {false}, 1.2);
+  ASSERT_EQ(lines.size(), 2u);
+  for (const PlanElement& line : lines)
+    EXPECT_NEAR(std::abs(line.pointAt(3).y() - 2), std::sqrt(4 - 0.04), 1e-4);
+}
+
+TEST(LinePieces, HaveNoBulgesThatAreTooSmall)
+{
+  // A tooth of 20 by 10 cm, and a step of 20 cm that goes on.
+  const std::vector<PlanElement> line =
+      polygon({{0, 0}, {2, 0}, {2.1, 0.2}, {2.2, 0}, {5, 0}, {5, 0.2}, {9, 0.2}})
+          .elements;
+  const std::vector<PlanElement> open(line.begin(), line.end() - 1);
+  EXPECT_EQ(withoutBulges(open, 0.01).size(), 6u);
+  const auto kept = withoutBulges(open, 0.05);
+  ASSERT_EQ(kept.size(), 3u);
+  EXPECT_EQ(kept[0].end, Eigen::Vector2d(5, 0));
+  EXPECT_EQ(kept[2].end, Eigen::Vector2d(9, 0.2));
+}
+
+TEST(LinePieces, AnEllipseIsRound)
+{
+  // Ten corners up to 5 cm off an ellipse; an octagon cut from a square is none.
+  Corners line;
+  for (int k = 0; k <= 10; ++k) {
+    const double r = k % 2 == 0 ? 1 : 0.975;
+    line.emplace_back(2.5 * r * std::cos(k * M_PI / 5), 2 * r * std::sin(k * M_PI / 5));
+  }
+  line.back() = line.front();
+  double length = 0;
+  for (const PlanElement& piece : piecesOf(line, 0.1)) {
+    EXPECT_TRUE(piece.isArc());
+    length += piece.length();
+  }
+  EXPECT_NEAR(length, 13.8, 0.4) << "14.18 through its outer corners";
+  EXPECT_FALSE(piecesOf(line, 0.01)[0].isArc());
+  Corners octagon{{0, 0.5}, {0.5, 0},   {4, 0}, {4.5, 0.5}, {4.5, 4},
+                  {4, 4.5}, {0.5, 4.5}, {0, 4}, {0, 0.5}};
+  for (const PlanElement& piece : piecesOf(octagon, 0.1))
+    EXPECT_FALSE(piece.isArc());
 }
 
 TEST(LinePieces, AreFew)
