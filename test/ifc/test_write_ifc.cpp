@@ -137,6 +137,19 @@ TEST(WriteIfc, ArcsAreAQuarterOfACircleAtMost)
   EXPECT_EQ(count(text, "IFCARCINDEX("), 4 * count(text, "=IFCINDEXEDPOLYCURVE("));
 }
 
+TEST(WriteIfc, AnArcFlatterThanItsChordsIsStraight)
+{
+  // A wall of 4 m, 0.4 and 1.6 mm deep.
+  for (const double radius : {5000.0, 1250.0}) {
+    PlanLoop loop = rectangle(0, 0, 4, 3);
+    loop.elements[0].centre = {2, std::sqrt(radius * radius - 4)};
+    loop.elements[0].radius = radius;
+    EXPECT_EQ(count(writeIfc({{roomOf(loop, 2.5)}}).text, "IFCARCINDEX") > 0,
+              radius < 2000)
+        << radius;
+  }
+}
+
 TEST(WriteIfc, ACurvedWallBesideTrianglesKeepsItsArcs)
 {
   // A half circle bulges into a room whose ceiling slopes in a corner. The space is

@@ -16,11 +16,12 @@ numbers(const Eigen::VectorXd& v)
   return {v.data(), v.data() + v.size()};
 }
 
+/** @brief Returns whether an arc differs from its chord: of a flatter one, a viewer's
+ * chords are thinner than it can tell apart, and openings are lost. */
 bool
-hasArcs(const PlanLoop& loop)
+isCurved(const PlanElement& e)
 {
-  return std::any_of(loop.elements.begin(), loop.elements.end(),
-                     [](const PlanElement& e) { return e.isArc(); });
+  return e.isArc() && e.radius * (1 - std::cos(e.sweep() / 2)) > chord_tolerance;
 }
 
 /** @brief Returns the elements of a loop, with arcs divided into parts of a quarter of
@@ -31,9 +32,9 @@ shortArcs(const PlanLoop& loop)
 {
   std::vector<PlanElement> parts;
   for (const PlanElement& e : loop.elements) {
-    const int n = e.isArc() ? std::max(1, static_cast<int>(std::ceil(
-                                              std::abs(e.sweep()) / M_PI_2 - 0.01)))
-                            : 1;
+    const int n = isCurved(e) ? std::max(1, static_cast<int>(std::ceil(
+                                                std::abs(e.sweep()) / M_PI_2 - 0.01)))
+                              : 1;
     const double length = e.length();
     for (int k = 0; k < n; ++k)
       parts.push_back(n == 1 ? e : e.part(length * k / n, length * (k + 1) / n));
@@ -123,13 +124,13 @@ IfcShapes::indexedCurve(const PlanLoop& loop)
   for (std::size_t i = 0; i < parts.size(); ++i) {
     std::vector<StepValue> indices{indexOf(points.size())};
     points.emplace_back(numbers(parts[i].start));
-    if (parts[i].isArc()) {
+    if (isCurved(parts[i])) {
       indices.push_back(indexOf(points.size()));
       points.emplace_back(numbers(parts[i].pointAt(parts[i].length() / 2)));
     }
     indices.push_back(indexOf(i + 1 < parts.size() ? points.size() : 0));
     segments.push_back(StepValue::typed(
-        parts[i].isArc() ? "IFCARCINDEX" : "IFCLINEINDEX", StepValue::list(indices)));
+        isCurved(parts[i]) ? "IFCARCINDEX" : "IFCLINEINDEX", StepValue::list(indices)));
   }
   const StepRef list = step_.add("IFCCARTESIANPOINTLIST2D", {StepValue::list(points)});
   return step_.add("IFCINDEXEDPOLYCURVE",
@@ -139,7 +140,8 @@ IfcShapes::indexedCurve(const PlanLoop& loop)
 StepRef
 IfcShapes::closedCurve(const PlanLoop& loop)
 {
-  return arcs_ == IfcArcs::Exact && hasArcs(loop)
+  return arcs_ == IfcArcs::Exact &&
+                 std::any_of(loop.elements.begin(), loop.elements.end(), isCurved)
              ? indexedCurve(loop)
              : polyline(loop.polygon(chord_tolerance), true);
 }
