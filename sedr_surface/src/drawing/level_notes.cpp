@@ -48,9 +48,8 @@ notedDetails(const PlanRoom& room, const std::vector<std::size_t>& part)
 } // namespace
 
 std::vector<LevelNote>
-levelNotes(const PlanRoom& room, const CeilingLines& ceiling, const TextSpot& room_spot)
+levelNotes(const PlanRoom& room, const CeilingLines& ceiling, const TextSpot& room_text)
 {
-  constexpr double around_name = 0.35; // share of the free space
   std::vector<LevelNote> notes;
   const auto add = [&](const std::vector<PlanDetail>& details, std::size_t d,
                        const std::vector<Eigen::AlignedBox2d>& boxes,
@@ -60,11 +59,12 @@ levelNotes(const PlanRoom& room, const CeilingLines& ceiling, const TextSpot& ro
     for (std::size_t later = d + 1; later < details.size(); ++later)
       if (boxes[later].intersects(boxes[d]))
         others.push_back(details[later].boundary);
-    others.push_back(circleAbout(room_spot.place, around_name * room_spot.radius));
+    others.push_back(circleAbout(room_text.place, room_text.radius));
     LevelNote note{textSpotIn(detail.boundary, others), {}, layer};
     if (!room.contains(note.spot.place))
       return;
     const Eigen::Vector2d& p = note.spot.place;
+    note.spot.radius = std::min(note.spot.radius, room.boundary.distance(p));
     const double height = detail.slab.heightAt(p) - room.floor.heightAt(p);
     if (detail.is_facet && !isLevel(detail.slab))
       return; // its height is not constant

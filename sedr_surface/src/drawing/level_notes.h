@@ -16,10 +16,10 @@ struct LevelNote {
 /** @brief Returns the levels of a room's ceiling and floor. Facets without a line
  * between them have one note, at the largest of them; none if the main ceiling, of
  * which the room's text tells, is one of them.
- * @param room_spot place of the room's text, which notes avoid
+ * @param room_text circle around the room's text, which notes avoid
  * @param ceiling lines of the room's ceiling, and the parts between them */
 std::vector<LevelNote> levelNotes(const PlanRoom& room,
                                   const CeilingLines& ceiling,
-                                  const TextSpot& room_spot);
+                                  const TextSpot& room_text);
 
 } // namespace pcl::sedr

@@ -42,11 +42,11 @@ PlanTexts::place(const Floorplan& plan,
                  const std::vector<DrawnElement>& drawn,
                  const std::vector<CeilingLines>& ceilings)
 {
-  std::vector<TextSpot> spots;
+  std::vector<TextSpot> spots; // then circles around the rooms' texts
   for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
     const PlanRoom& room = plan.rooms[r];
     spots.push_back(textSpotIn(room.boundary, room.columns));
-    writeRoom(room, ceilings[r], spots.back());
+    spots.back().radius = writeRoom(room, ceilings[r], spots.back());
   }
   for (const StairNote& note : stairNotes(plan))
     writeAt("stair", {note.place, 0}, {note.text}, small_font);
@@ -71,21 +71,24 @@ PlanTexts::place(const Floorplan& plan,
     writeSize(elementOf(plan, face));
 }
 
-void
+double
 PlanTexts::writeRoom(const PlanRoom& room,
                      const CeilingLines& ceiling,
                      const TextSpot& spot)
 {
   std::vector<std::string> lines = roomTexts(room, ceiling, spot.place, "m²");
-  if (writeAt("name", spot, lines, large_font))
-    return;
+  auto box = writeAt("name", spot, lines, large_font);
   lines.pop_back();
-  if (writeAt("name", spot, lines, large_font))
-    return;
-  writeAt("name", spot, {std::to_string(room.id)}, large_font);
+  if (!box)
+    box = writeAt("name", spot, lines, large_font);
+  if (!box)
+    box = writeAt("name", spot, {std::to_string(room.id)}, large_font);
+  return box ? ((box->middle - frame_(spot.place)).norm() + box->half_size.norm()) /
+                   frame_.scale
+             : 0;
 }
 
-bool
+std::optional<TextBox>
 PlanTexts::writeAt(const std::string& look,
                    const TextSpot& spot,
                    const std::vector<std::string>& lines,
@@ -117,9 +120,9 @@ PlanTexts::writeAt(const std::string& look,
       add(textIn(look, {at, {}, 0}, font, line));
       at.y() -= line_height;
     }
-    return true;
+    return box;
   }
-  return false;
+  return std::nullopt;
 }
 
 std::optional<SheetText>

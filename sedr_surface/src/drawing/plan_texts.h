@@ -22,7 +22,9 @@ public:
              const std::vector<CeilingLines>& ceilings);
 
 private:
-  void
+  /** @brief Returns the radius of a circle around the spot that contains the text,
+   * metres. */
+  double
   writeRoom(const PlanRoom& room, const CeilingLines& ceiling, const TextSpot& spot);
   /** @brief Places a text beside a line, if there is space. */
   std::optional<SheetText> placeAlong(const PlanElement& element,
@@ -35,10 +37,10 @@ private:
   void writeColumn(const PlanLoop& column);
   void writeWays(const Floorplan& plan);
   /** @brief Writes lines about a place in the largest font that fits there. */
-  bool writeAt(const std::string& look,
-               const TextSpot& spot,
-               const std::vector<std::string>& lines,
-               double font);
+  std::optional<TextBox> writeAt(const std::string& look,
+                                 const TextSpot& spot,
+                                 const std::vector<std::string>& lines,
+                                 double font);
   void add(const SheetText& text) { annotations_.texts.push_back(text); }
 
   PlanAnnotations& annotations_;

@@ -96,6 +96,27 @@ TEST(Annotations, TextsCrossALineWhereThereIsNoOtherPlace)
   EXPECT_TRUE(hasName(annotationsAt(plan, 50).texts));
 }
 
+TEST(Annotations, ALevelIsWithinItsPart)
+{
+  // The middle of a hall is raised: the room's name is there, and so is the level. The
+  // other part goes on behind the wall.
+  Floorplan plan = onePlan(rectangle(0, 0, 20, 20));
+  plan.rooms[0].details = {facetOf(rectangle(8, 8, 12, 12), slabAt(3)),
+                           facetOf(rectangle(19.4, -5, 30, 25), slabAt(2))};
+  const SheetLayout layout = layoutOf(plan, 100, PaperSize::A3);
+  const auto texts = annotationsAt(plan, 100).texts;
+  const auto levelBetween = [&](const std::string& level, double from, double to) {
+    return std::any_of(texts.begin(), texts.end(), [&](const SheetText& text) {
+      const double x = text.place.x();
+      return text.text == level && x > layout.frame(Eigen::Vector2d(from, 0)).x() &&
+             x < layout.frame(Eigen::Vector2d(to, 0)).x();
+    });
+  };
+  EXPECT_TRUE(hasName(texts));
+  EXPECT_TRUE(levelBetween("3.00", 8.3, 11.7));
+  EXPECT_FALSE(levelBetween("2.00", 20, 40));
+}
+
 TEST(Annotations, ASlopeOfMoreThanFourDegreesHasNoLevel)
 {
   for (const double degrees : {3.8, 4.2}) {
