@@ -69,6 +69,7 @@ main(int argc, char** argv)
     const auto drawn = loadFloorplan(plan);
     settings.origin = planOrigin(plan);
     settings.tilts = planTilts(plan);
+    settings.max_wall = planMaxWall(plan);
     settings.paper = paperNamed(paper);
     if (storey > 0) {
       saveDrawing(sheetOf(output, *drawn, static_cast<std::uint32_t>(storey)), *drawn,

@@ -47,6 +47,7 @@ main(int argc, char** argv)
     const auto rooms = loadFloorplan(plan);
     pcl::sedr::IfcSettings settings = settingsOf(ifc);
     settings.tilts = planTilts(plan);
+    settings.max_wall = planMaxWall(plan);
     tell(saveIfc(output, *rooms, settings, planOrigin(plan)));
     return Done;
   });

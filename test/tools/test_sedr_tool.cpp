@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "option_help.h"
+#include "plan_file.h"
 #include "sedr_tool_runs.h"
 #include "tool_cloud.h"
 #include "tools/pictures/pictures.h"
@@ -73,6 +74,8 @@ TEST_F(SedrTool, PriorsAreSetByNameOrFileExplainedAndReported)
               std::string::npos);
   }
   EXPECT_EQ(values.at("max_wall"), 1.5) << "the command line overrides the file";
+  EXPECT_EQ(pcl::sedr::tools::planMaxWall(in("model/floorplan.json")), 1.5)
+      << "for drawing it again";
   EXPECT_EQ(values.at("min_headroom"), 2.1);
   EXPECT_EQ(values.at("door_width"), 0.9) << "the default";
   EXPECT_EQ(report.at("parameters").at("headroom"), 2.1) << "of the stage";

@@ -29,6 +29,14 @@ Origin planOrigin(const std::string& path);
  * ToolError if they are invalid. */
 WallTilts planTilts(const std::string& path);
 
+/** @brief Returns a plan's JSON with the maximum thickness of a wall, metres, unless it
+ * is the default. */
+std::string withMaxWall(const std::string& json, double max_wall);
+
+/** @brief Returns the maximum thickness of a wall that a plan file states, metres, or
+ * the default. Throws ToolError if it is invalid. */
+double planMaxWall(const std::string& path);
+
 /** @brief Throws ToolError if `path` cannot be written or does not end in .json, which
  * protects scans. To be called before the work. */
 void checkJsonOutput(const std::string& path);

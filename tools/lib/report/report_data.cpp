@@ -192,6 +192,7 @@ readReportData(const ResultFolder& folder)
   if (folder.has("floorplan.json")) {
     data.plan = *loadFloorplan(folder.file("floorplan.json"));
     data.tilts = planTilts(folder.file("floorplan.json"));
+    data.max_wall = planMaxWall(folder.file("floorplan.json"));
   }
   data.storeys = storeysOf(data.plan);
   for (const auto& room : member(report, "rooms"))

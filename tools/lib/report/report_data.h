@@ -4,6 +4,7 @@
 #include "results/result_folder.h"
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/wall_tilts.h>
 #include <pcl/sedr_surface/mesh_distance.h>
 
@@ -72,8 +73,9 @@ struct ReportData {
   std::optional<DistanceStatistics> distances; ///< from labelled scan to mesh
   std::size_t mesh_triangles = 0;
   Floorplan plan;
-  WallTilts tilts;                 ///< of walls of the plan
-  std::vector<PlanStorey> storeys; ///< of the plan, from the lowest up
+  WallTilts tilts;                     ///< of walls of the plan
+  double max_wall = Priors().max_wall; ///< maximum thickness of a wall, metres
+  std::vector<PlanStorey> storeys;     ///< of the plan, from the lowest up
 
   double area() const;
   double volume() const;

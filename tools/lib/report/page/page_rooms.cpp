@@ -90,6 +90,7 @@ drawing(const ReportData& data, const PlanStorey* storey)
   DrawingSettings settings;
   settings.storey = storey;
   settings.tilts = data.tilts;
+  settings.max_wall = data.max_wall;
   settings.paper = PaperSize::A4; // for larger letters on the page
   return "<div class=\"plan\">" + inlineSvg(floorplanToSvg(data.plan, settings)) +
          "</div>\n";
