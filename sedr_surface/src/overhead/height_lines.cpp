@@ -26,6 +26,7 @@ struct HeightGrid {
   std::size_t columns = 0;
   std::size_t rows = 0;
   std::vector<double> height; ///< NaN outside the room, but not beside it
+  std::vector<double> floor;  ///< z
   std::vector<const PlanSlab*> ceiling;
 
   Eigen::Vector2d placeOf(std::size_t k) const
@@ -97,9 +98,9 @@ heightsOf(const PlanRoom& room, const std::vector<bool>& is_given)
     const Eigen::Vector2d p = grid.placeOf(k);
     const bool is_known = detail[k] > given;
     grid.ceiling.push_back(is_known ? &room.ceilingSlab(detail[k]) : nullptr);
-    grid.height.push_back(is_known
-                              ? grid.ceiling.back()->heightAt(p) - lookup.floorAt(p)
-                              : std::numeric_limits<double>::quiet_NaN());
+    grid.floor.push_back(lookup.floorAt(p));
+    grid.height.push_back(is_known ? grid.ceiling.back()->heightAt(p) - grid.floor[k]
+                                   : std::numeric_limits<double>::quiet_NaN());
   }
   return grid;
 }
@@ -143,7 +144,7 @@ private:
         {{k, true}, {k + 1, false}, {k + grid_.columns, true}, {k, false}}};
     std::vector<Side> crossed;
     for (std::size_t i = 0; i < 4; ++i)
-      if (isAbove(corners[i]) != isAbove(corners[(i + 1) % 4]))
+      if (isAbove(corners[i]) != isAbove(corners[(i + 1) % 4]) && !isStep(sides[i]))
         crossed.push_back(sides[i]);
     for (std::size_t i = 0; i + 1 < crossed.size(); i += 2) {
       next_[crossed[i]].push_back(crossed[i + 1]);
@@ -151,9 +152,27 @@ private:
     }
   }
 
+  std::size_t otherEnd(const Side& side) const
+  {
+    return side.first + (side.second ? 1 : grid_.columns);
+  }
+
+  /** @brief Returns whether ceiling or floor step between two samples: that edge is
+   * drawn as such. */
+  bool isStep(const Side& side) const
+  {
+    constexpr double min_step = 0.03;
+    const std::size_t other = otherEnd(side);
+    const Eigen::Vector2d p = (grid_.placeOf(side.first) + grid_.placeOf(other)) / 2;
+    const auto heightAt = [&](std::size_t k) {
+      return grid_.ceiling[k]->heightAt(p) - grid_.floor[k];
+    };
+    return std::abs(heightAt(side.first) - heightAt(other)) > min_step;
+  }
+
   Eigen::Vector2d placeOf(const Side& side) const
   {
-    const std::size_t other = side.first + (side.second ? 1 : grid_.columns);
+    const std::size_t other = otherEnd(side);
     const Eigen::Vector2d from = grid_.placeOf(side.first);
     const Eigen::Vector2d to = grid_.placeOf(other);
     const double low = grid_.height[side.first];

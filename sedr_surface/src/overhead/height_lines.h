@@ -10,7 +10,7 @@ namespace pcl::sedr {
 
 /** @brief Returns the lines in plan along which the ceiling of a room is `height`
  * metres above its floor, as under a roof. Pieces accurate to a few millimetres, which
- * may go on behind the walls; empty if the ceiling is level.
+ * may go on behind the walls; none along steps, and empty if the ceiling is level.
  * @param is_given of the main ceiling and each detail: its neighbours go on over it,
  * see CeilingLines */
 std::vector<PlanElement>

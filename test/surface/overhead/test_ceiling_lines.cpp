@@ -216,6 +216,20 @@ TEST(HeightLines, ReachTheWalls)
     EXPECT_NEAR(room.ceiling.heightAt(end), 2, 1e-6);
 }
 
+TEST(HeightLines, DoNotFollowSteps)
+{
+  // A slope from 1 to 3 m, and a soffit of 1.5 m across a part of it: the line of 2 m
+  // ends there. So does it at a platform.
+  PlanRoom room = roomOf(rectangle(0, 0, 4, 4), 0);
+  room.ceiling = slabAt(1, 0.5);
+  room.details = {detailOf(rectangle(0, 0, 4, 1), 1.5)};
+  room.floor_details = {detailOf(rectangle(0, 3, 4, 4), 0.2)};
+  for (const PlanElement& line : heightLines(room, {false, false}, 2)) {
+    EXPECT_NEAR(line.start.x(), line.end.x(), 0.001);
+    EXPECT_GE(std::min(line.start.y(), line.end.y()), 0.9);
+  }
+}
+
 TEST(HeightLines, OfASteepVaultAreExact)
 {
   // A barrel of 2 m that starts 1 m up: 1.2 m high 1 cm from the wall.
