@@ -38,7 +38,8 @@ surfaceNear(const AirGaps& air,
 }
 
 /** @brief A gap whose ends were taken from its neighbours, with those that were seen in
- * its own column. */
+ * its own column. What hangs from the ceiling, thicker than a surface, is a wall of
+ * which furniture hides the foot: the gap ends where it was seen last. */
 AirGap
 withSeenEnds(const AirGaps& air, AirGap gap)
 {
@@ -47,8 +48,13 @@ withSeenEnds(const AirGaps& air, AirGap gap)
   if (gap.floor_seen)
     gap.low = at + 1;
   gap.ceiling_seen = surfaceNear(air, gap.column, gap.high, at);
-  if (gap.ceiling_seen)
-    gap.high = at;
+  if (gap.ceiling_seen) {
+    std::int32_t foot = at;
+    while (air.columns().isOccupied(gap.column, foot - 1))
+      --foot;
+    const bool is_wall = at - foot > air.voxels(air.parameters().same_surface);
+    gap.high = is_wall ? foot : at;
+  }
   return gap;
 }
 

@@ -47,6 +47,21 @@ TEST(AirGaps, TakeACeilingThatWasHiddenFromTheirNeighboursAndTellIt)
   EXPECT_TRUE(air.gaps[air.at(2, 2, 1)].ceiling_seen);
 }
 
+TEST(AirGaps, EndBelowAWallOfWhichFurnitureHidesTheFoot)
+{
+  AirScene scene;
+  scene.points.slab(scene.loop(0.05, 0.05, 4.05, 3.05), 0.01,
+                    [](double x, double) { return x < 1.5 || x > 2.6; });
+  scene.slab(0.05, 0.05, 4.05, 3.05, 2.51);
+  scene.sides(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
+  scene.wall(2.05, 0.05, 2.05, 3.05, 2.11, 2.51); // above cupboards on both sides
+  const SceneAir air(scene);
+  const std::uint32_t below = air.at(2.05, 1.5, 1);
+  ASSERT_NE(below, AirGaps::none);
+  EXPECT_EQ(air.gaps[below].high, 42);
+  EXPECT_EQ(air.gaps[air.at(1.85, 1.5, 1)].high, 50);
+}
+
 /** A closet of 2 m x 2 m; a scanner in it sees the floor from 0.7 m on, the ceiling
  * from `blind` m on, and no floor towards x = 2.05. */
 AirScene
