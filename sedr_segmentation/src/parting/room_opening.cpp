@@ -62,6 +62,7 @@ MeasuredOpening
 OpeningMeasures::measure(const std::vector<Crossing>& crossings, RoomLabels& rooms)
 {
   MeasuredOpening m;
+  m.crossing = crossings.front();
   Eigen::Vector2d through = Eigen::Vector2d::Zero();
   double beside_top = 0;
   for (const Crossing& c : crossings) {

@@ -40,6 +40,7 @@ std::vector<std::vector<Crossing>> openingsOf(const AirGaps& air,
 
 /** @brief An opening with what is needed to judge it; lengths in metres. */
 struct MeasuredOpening : RoomOpening {
+  Crossing crossing;      ///< one of those in it
   double floor_a = 0;     ///< z of the floor near it, of its first room
   double floor_b = 0;     ///< the same of the second
   double open_height = 0; ///< of the opening over that of the air beside it

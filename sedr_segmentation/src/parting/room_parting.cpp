@@ -86,7 +86,9 @@ private:
       open += m.width * (is_above_furniture ? 1 : m.open_height);
       if (has_way && !isWay(m))
         continue; // a gap in what was seen of a wall
-      are_doors = are_doors && !is_above_furniture && isDoor(m, parameters_);
+      are_doors = are_doors && !is_above_furniture &&
+                  (isDoor(m, parameters_) || isPartOfDoor(pair.first, m) ||
+                   isPartOfDoor(pair.second, m));
       beside = std::max(beside, m.width * m.open_height + m.beside);
       have_lintels = have_lintels && m.dip >= parameters_.min_lintel;
       are_plain = are_plain && have_lintels && m.width <= parameters_.widest_door;
@@ -110,6 +112,30 @@ private:
                          smaller >= parameters_.smallest_room && isPlace(pair.first) &&
                          isPlace(pair.second);
     return openness;
+  }
+
+  /** @brief Whether an opening below a lintel goes on into more than one other room, as
+   * into those between the beams of a hall, and is a door with jambs on both sides if
+   * all of it is looked at from the room that it leads out of. */
+  bool isPartOfDoor(std::uint32_t room, const MeasuredOpening& opening)
+  {
+    if (opening.has_ends || opening.dip < parameters_.min_lintel)
+      return false;
+    std::vector<Crossing> around;
+    for (const std::uint32_t other : rooms_.room(room).beside)
+      for (const Crossing& c : rooms_.between(std::minmax(room, other)).crossings)
+        around.push_back(labels_.roomOf(c.from) == room ? c : Crossing{c.to, c.from});
+    const auto isOfOpening = [&](const Crossing& c) {
+      return std::minmax(c.from, c.to) ==
+             std::minmax(opening.crossing.from, opening.crossing.to);
+    };
+    for (const auto& crossings : openingsOf(air_, around, 0))
+      if (std::any_of(crossings.begin(), crossings.end(), isOfOpening)) {
+        const MeasuredOpening whole = measures_.measure(crossings, labels_);
+        return isDoor(whole, parameters_) &&
+               std::min(whole.jamb_a, whole.jamb_b) >= parameters_.jamb;
+      }
+    return false;
   }
 
   /** @brief Whether an opening is as wide as someone who walks through it. */
