@@ -83,8 +83,9 @@ OpeningMeasures::measure(const std::vector<Crossing>& crossings, RoomLabels& roo
   m.top /= n;
   m.direction = directionOf(crossings, through);
   const Ends ends = endsOf(crossings, m.direction);
-  m.width = std::max(m.direction.dot(placeOf(ends[1]) - placeOf(ends[0])) + cell_,
-                     n / std::sqrt(2.0) * cell_);
+  m.width =
+      std::max(m.direction.dot(placeOf(ends[1].from) - placeOf(ends[0].from)) + cell_,
+               n / std::sqrt(2.0) * cell_);
   m.floor_a = floorBeside(crossings, true, rooms);
   m.floor_b = floorBeside(crossings, false, rooms);
   const auto [lower, higher] = std::minmax(m.floor_a, m.floor_b);
@@ -96,10 +97,8 @@ OpeningMeasures::measure(const std::vector<Crossing>& crossings, RoomLabels& roo
     Eigen::Vector2d into(-m.direction.y(), m.direction.x());
     if (into.dot(through) < 0)
       into = -into;
-    const auto a =
-        besideOf(ends, m.direction, -into, rooms.roomOf(crossings[0].from), rooms);
-    const auto b =
-        besideOf(ends, m.direction, into, rooms.roomOf(crossings[0].to), rooms);
+    const auto a = besideOf(ends, m.direction, -into, true, rooms);
+    const auto b = besideOf(ends, m.direction, into, false, rooms);
     m.jamb_a = std::max(a[0], a[1]);
     m.jamb_b = std::max(b[0], b[1]);
     m.beside = std::max(a[0] + a[1], b[0] + b[1]);
@@ -129,7 +128,7 @@ OpeningMeasures::directionOf(const std::vector<Crossing>& crossings,
       .col(1);
 }
 
-/** @brief The gaps at the two ends of an opening along its direction. */
+/** @brief The crossings at the two ends of an opening along its direction. */
 OpeningMeasures::Ends
 OpeningMeasures::endsOf(const std::vector<Crossing>& crossings,
                         const Eigen::Vector2d& direction) const
@@ -138,7 +137,7 @@ OpeningMeasures::endsOf(const std::vector<Crossing>& crossings,
       crossings.begin(), crossings.end(), [&](const Crossing& a, const Crossing& b) {
         return direction.dot(placeOf(a.from)) < direction.dot(placeOf(b.from));
       });
-  return {first->from, last->from};
+  return {*first, *last};
 }
 
 /** @brief The height of a room's floor near an opening: that which most of it has, not
@@ -184,29 +183,25 @@ OpeningMeasures::endsAtWalls(const Ends& ends, const Eigen::Vector2d& direction)
     const Eigen::Vector2d outwards = (end == 0 ? -cell_ : cell_) * direction;
     bool is_wall = false;
     for (int step = 0; step <= reach && !is_wall; ++step)
-      is_wall = isWallAt(air_, columnAt(placeOf(ends[end]) + step * outwards),
-                         air_[ends[end]]);
+      is_wall = isWallAt(air_, columnAt(placeOf(ends[end].from) + step * outwards),
+                         air_[ends[end].from]);
     if (!is_wall)
       return false;
   }
   return true;
 }
 
-/** @brief How far a room goes on beside each end of an opening, metres: behind the wall
- * in which it is. */
+/** @brief How far the room on one side goes on beside each end of an opening, metres:
+ * behind the wall in which it is. */
 std::array<double, 2>
 OpeningMeasures::besideOf(const Ends& ends,
                           const Eigen::Vector2d& direction,
                           const Eigen::Vector2d& into,
-                          std::uint32_t room,
+                          bool of_first,
                           RoomLabels& rooms) const
 {
   const auto gapAt = [&](const Eigen::Vector2d& place, const AirGap& like) {
     return air_.goingOnFrom(like, columnAt(place));
-  };
-  const auto isInRoom = [&](const Eigen::Vector2d& place, const AirGap& like) {
-    const std::uint32_t g = gapAt(place, like);
-    return g != AirGaps::none && rooms.hasRoom(g) && rooms.roomOf(g) == room;
   };
   const int depth = static_cast<int>(std::ceil(parameters_.thickest_wall / cell_));
   const auto isInWall = [&](const Eigen::Vector2d& place, const AirGap& like) {
@@ -214,19 +209,26 @@ OpeningMeasures::besideOf(const Ends& ends,
     return g != AirGaps::none && dip_[g] >= parameters_.lintel;
   };
   std::array<double, 2> farthest{0, 0};
-  for (std::size_t end = 0; end < 2; ++end)
+  for (std::size_t end = 0; end < 2; ++end) {
+    const AirGap& like = air_[ends[end].from];
+    const std::uint32_t room = rooms.roomOf(of_first ? ends[end].from : ends[end].to);
+    const auto isInRoom = [&](const Eigen::Vector2d& place) {
+      const std::uint32_t g = gapAt(place, like);
+      return g != AirGaps::none && rooms.hasRoom(g) && rooms.roomOf(g) == room;
+    };
     for (int away = 1;; ++away) {
       const Eigen::Vector2d outwards = (end == 0 ? -cell_ : cell_) * direction;
-      Eigen::Vector2d place = placeOf(ends[end]) + away * cell_ * into;
-      if (away > depth && !isInWall(place - cell_ * into, air_[ends[end]]))
+      Eigen::Vector2d place = placeOf(ends[end].from) + away * cell_ * into;
+      if (away > depth && !isInWall(place - cell_ * into, like))
         break; // no lintel goes on above: a wall thicker than most ends here
       double length = -cell_; // the first step is the end itself
-      while (length < parameters_.jamb_reach && isInRoom(place, air_[ends[end]])) {
+      while (length < parameters_.jamb_reach && isInRoom(place)) {
         length += cell_;
         place += outwards;
       }
       farthest[end] = std::max(farthest[end], length);
     }
+  }
   return farthest;
 }
 

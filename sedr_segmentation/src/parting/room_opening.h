@@ -63,7 +63,7 @@ public:
   MeasuredOpening measure(const std::vector<Crossing>& crossings, RoomLabels& rooms);
 
 private:
-  using Ends = std::array<std::uint32_t, 2>; ///< gaps
+  using Ends = std::array<Crossing, 2>;
 
   Eigen::Vector2d placeOf(std::uint32_t g) const
   {
@@ -84,7 +84,7 @@ private:
   std::array<double, 2> besideOf(const Ends& ends,
                                  const Eigen::Vector2d& direction,
                                  const Eigen::Vector2d& into,
-                                 std::uint32_t room,
+                                 bool of_first,
                                  RoomLabels& rooms) const;
 
   const AirGaps& air_;
