@@ -109,13 +109,13 @@ TEST(FindBuilding, SeenMoreSparselyItIsBehindGlass)
 }
 
 /** A room of 4 m x 3 m whose open door shows of the next, 6 m deep, what one sees from
- * (1, 1.5), and in it all if `is_entered`. */
+ * (eye, 1.5), and in it all if `is_entered`. */
 AirScene
-besideOpenDoor(bool is_entered)
+besideOpenDoor(bool is_entered, double eye = 1)
 {
   AirScene scene;
   const auto isSeen = [=](double x, double y) {
-    return is_entered || std::abs(y - 1.5) < 0.45 * (x - 1) / 3.1;
+    return is_entered || std::abs(y - 1.5) < 0.45 * (x - eye) / (4.1 - eye);
   };
   scene.slab(0.05, 0.05, 4.05, 3.05, 0.01);
   scene.slab(0.05, 0.05, 4.05, 3.05, 2.51);
@@ -148,6 +148,17 @@ TEST(FindBuilding, AConeOfSightThroughADoorIsARoomSeenInPart)
   EXPECT_EQ(part.kind, LeftOutKind::Partial);
   EXPECT_NEAR(part.area, 10.7, 1.5);
   EXPECT_NE(part.reason.find("seen in part"), std::string::npos) << part.reason;
+}
+
+TEST(FindBuilding, SoIsANarrowerOneFromFartherAway)
+{
+  for (const double eye : {0.3, 0.6, 1.0}) {
+    const AirScene scene = besideOpenDoor(false, eye);
+    const Found found(scene);
+    ASSERT_EQ(found.building.rooms.size(), 1u) << eye;
+    ASSERT_FALSE(found.building.left_out.empty()) << eye;
+    EXPECT_EQ(found.building.left_out[0].kind, LeftOutKind::Partial) << eye;
+  }
 }
 
 /** A hall of 10 m x 8 m with a door to a room of 6 m x 5 m whose other three sides are

@@ -190,4 +190,38 @@ TEST(NoRoomBecause, TooLittleOfItsOutlineIsWalled)
   EXPECT_NE(reasonOf(room).find("14 %"), std::string::npos) << reasonOf(room);
 }
 
+/** A room of which walls were seen along a share of its outline and nothing along 7 m.
+ */
+BuildingRoom
+roomWithWallsAlong(double share, double area)
+{
+  BuildingRoom room;
+  room.enclosure = share;
+  room.area = area;
+  room.unseen_outline = 7;
+  return room;
+}
+
+TEST(SeenInPart, IsWhatHasWallsAlongLessThanTwoFifthsOfItsOutlineAndIsNoRectangle)
+{
+  const std::string reason = seenInPart(roomWithWallsAlong(0.39, 15), 20);
+  EXPECT_NE(reason.find("seen in part"), std::string::npos) << reason;
+  EXPECT_NE(reason.find("39 %"), std::string::npos) << reason;
+  EXPECT_NE(reason.find("7.0 m"), std::string::npos) << reason;
+}
+
+TEST(SeenInPart, IsNoRoomWithWallsAlongTwoFifthsOfItsOutlineWhateverItsShape)
+{
+  for (const double area : {2.0, 10.0, 15.0})
+    EXPECT_EQ(seenInPart(roomWithWallsAlong(0.41, area), 20), "") << area;
+}
+
+TEST(SeenInPart, IsNoRoomThatFillsFourFifthsOfItsRectangleHoweverMuchIsGlass)
+{
+  for (const double share : {0.16, 0.3, 0.39}) {
+    EXPECT_EQ(seenInPart(roomWithWallsAlong(share, 16.2), 20), "") << share;
+    EXPECT_NE(seenInPart(roomWithWallsAlong(share, 15.8), 20), "") << share;
+  }
+}
+
 } // namespace
