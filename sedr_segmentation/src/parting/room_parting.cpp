@@ -119,7 +119,8 @@ private:
    * all of it is looked at from the room that it leads out of. */
   bool isPartOfDoor(std::uint32_t room, const MeasuredOpening& opening)
   {
-    if (opening.has_ends || opening.dip < parameters_.min_lintel)
+    if (opening.has_ends || opening.dip < parameters_.min_lintel ||
+        opening.width > parameters_.widest_passage)
       return false;
     std::vector<Crossing> around;
     for (const std::uint32_t other : rooms_.room(room).beside)
