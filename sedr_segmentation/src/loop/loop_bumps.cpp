@@ -115,10 +115,12 @@ private:
     return intersections(carrierOf(before), carrierOf(after));
   }
 
+  /** @brief Whether the sides are square to the wall, or along it: a side is short, and
+   * its direction as uncertain either way. */
   bool isSquare() const
   {
     return std::all_of(sides.begin(), sides.end(), [&](const PlanElement& side) {
-      return slant(side) < square || slant(side) > min_cosine;
+      return slant(side) < square || slant(side) > std::sqrt(1 - square * square);
     });
   }
 };

@@ -10,7 +10,8 @@ namespace pcl::sedr {
  * `narrowest` metres away from where it left, along the wall or off it: at a cable, a
  * curtain, a corner of two scans that do not agree. Where there are two or more such
  * short sides between a wall and another one, the walls meet in their corner. A
- * pilaster or a groove with sides square to the wall stays, however narrow. Where
+ * pilaster or a groove with sides square to the wall or along it, within 10 degrees,
+ * stays, however narrow. Where
  * parallel walls are apart, a step is left, at the end of the bump that is squarer.
  * @return how many bumps were dropped. O(n) for n elements, and for each bump */
 int dropBumps(PlanLoop& loop, double narrowest);

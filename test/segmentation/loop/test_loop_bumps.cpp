@@ -91,6 +91,9 @@ TEST(LoopBumps, ArePartedFromSquareOnesByTenDegrees)
     const double slant = 0.1 * std::tan(degrees * M_PI / 180);
     PlanLoop loop = roomWith({{2, 0}, {2 + slant, 0.1}, {2.15, 0.1}, {2.15, 0}});
     EXPECT_EQ(dropBumps(loop, narrowest), degrees > 10 ? 1 : 0) << degrees;
+    const double rise = 0.15 * std::tan(degrees * M_PI / 180); // along the wall
+    PlanLoop along = roomWith({{2, 0}, {2, 0.1}, {2.15, 0.1 + rise}, {2.15, 0}});
+    EXPECT_EQ(dropBumps(along, narrowest), degrees > 10 ? 1 : 0) << degrees;
   }
 }
 
