@@ -40,12 +40,13 @@ struct RefitReport {
  *
  * A plan is found on voxel means, which weigh one point like a thousand and are biased
  * on small columns. The refit uses the points within `reach` of each surface, away from
- * corners, the ceiling and other surfaces. Walls use their upper half, narrow ones all
- * heights. The mode and scatter of these points are found, then the surface is fitted
- * by robust least squares (Tukey's biweight), which excludes furniture. Corners are the
- * intersections of the moved curves. Smooth joints stay smooth, and nearly smooth ones
- * become smooth unless the scan contradicts. Surfaces that would move more than their
- * noise explains, or break a loop, are not changed.
+ * corners, the ceiling and other surfaces, and without those on what stands square to a
+ * wall, such as the jambs and lintels of its openings. Walls use their upper half,
+ * narrow ones all heights. The mode and scatter of these points are found, then the
+ * surface is fitted by robust least squares (Tukey's biweight), which excludes
+ * furniture. Corners are the intersections of the moved curves. Smooth joints stay
+ * smooth, and nearly smooth ones become smooth unless the scan contradicts. Surfaces
+ * that would move more than their noise explains, or break a loop, are not changed.
  *
  * Between two faces of a partition, each uses only the points on its own side.
  *

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refit_sums.h"
 
+#include "square_surfaces.h"
 #include "weighted_values.h"
 
 #include "sedr_filters/src/base/parallel.h"
@@ -69,6 +70,34 @@ Sightings::Sightings(const RawPoints& raw, const RefitTargets& targets)
   parallelBlocks(raw.size(), block, threads_, [&](std::size_t begin, std::size_t end) {
     blocks_[begin / block] = lookAt(raw, begin, end);
   });
+  parallelBlocks(targets_.curveCount(), 1, threads_,
+                 [&](std::size_t c, std::size_t) { dropSquareSurfaces(c); });
+}
+
+void
+Sightings::dropSquareSurfaces(std::size_t curve)
+{
+  // The other face of a partition may be at every depth, where it is noisy.
+  if (std::isfinite(targets_.gap(curve)))
+    return;
+  std::vector<FacePlace> places;
+  targets_.viewCurve(curve, [&](const auto& view) {
+    for (const BySurface& block : blocks_)
+      for (const Sighting& sighting : block[curve]) {
+        const Eigen::Vector3d p = sighting.point.cast<double>();
+        places.push_back(
+            Eigen::Vector3d(view.along(view.row(p)), p.z(), view.distance(p))
+                .cast<float>());
+      }
+  });
+  const std::vector<std::uint8_t> are_dropped = areOnSquareSurfaces(places);
+  std::size_t k = 0;
+  for (BySurface& block : blocks_) {
+    std::vector<Sighting>& seen = block[curve];
+    seen.erase(std::remove_if(seen.begin(), seen.end(),
+                              [&](const Sighting&) { return are_dropped[k++] != 0; }),
+               seen.end());
+  }
 }
 
 Sightings::BySurface

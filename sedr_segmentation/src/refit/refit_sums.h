@@ -86,6 +86,9 @@ private:
 
   BySurface lookAt(const RawPoints& raw, std::size_t begin, std::size_t end) const;
 
+  /** @brief Leaves out points of what stands square to a vertical surface. */
+  void dropSquareSurfaces(std::size_t curve);
+
   template <typename See>
   void forEach(std::size_t surface, See see) const;
 

@@ -43,6 +43,7 @@ public:
   /** @brief Returns the maximum distance of a surface's points, metres. */
   double reach() const { return reach_; }
 
+  std::size_t curveCount() const { return curves_.curves.size(); }
   std::size_t slabCount() const { return places_.slabs.size(); }
   PlanSlab& slab(std::size_t k) const { return *places_.slabs[k].slab; }
   const Eigen::Vector2d& middle(std::size_t k) const { return places_.slabs[k].middle; }
@@ -100,11 +101,18 @@ public:
   template <typename See>
   void view(std::size_t number, See see) const
   {
-    if (number >= curves_.curves.size()) {
-      const RefitSlab& slab = places_.slabs[number - curves_.curves.size()];
-      see(SlabView{*slab.slab, slab.middle});
+    if (number < curves_.curves.size()) {
+      viewCurve(number, see);
       return;
     }
+    const RefitSlab& slab = places_.slabs[number - curves_.curves.size()];
+    see(SlabView{*slab.slab, slab.middle});
+  }
+
+  /** @brief The same of a curve. */
+  template <typename See>
+  void viewCurve(std::size_t number, See see) const
+  {
     const PatchColumns columns{patch_[number], along_[number]};
     const MeasuredCurve& m = curves_.curves[number];
     if (m.curve.isCircle())

@@ -46,9 +46,12 @@ struct LineView {
     return {1, (p.head<2>() - line.pivot).dot(line.curve.direction), 0};
   }
 
+  /** @brief Metres along the line, of the point of a row. */
+  double along(const Eigen::Vector3d& row) const { return row[1] + reach; }
+
   std::size_t patch(const Eigen::Vector3d& row, std::size_t place) const
   {
-    return columns.patch(row[1] + reach, place);
+    return columns.patch(along(row), place);
   }
 };
 
@@ -68,10 +71,14 @@ struct CircleView {
     return row;
   }
 
+  double along(const Eigen::Vector3d& row) const
+  {
+    return quarterTurns(row.x(), row.y()) * M_PI / 2 * circle.radius;
+  }
+
   std::size_t patch(const Eigen::Vector3d& row, std::size_t place) const
   {
-    return columns.patch(quarterTurns(row.x(), row.y()) * M_PI / 2 * circle.radius,
-                         place);
+    return columns.patch(along(row), place);
   }
 };
 

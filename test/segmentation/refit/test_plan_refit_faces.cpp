@@ -104,4 +104,24 @@ TEST(RefitToRaw, RevealsWithinAThinPartitionDoNotDrawItsFaceIn)
   EXPECT_NEAR(plan.rooms[1].boundary.elements[1].pointAt(0.6).x(), -0.1, 0.005);
 }
 
+TEST(RefitToRaw, RevealsOfAPaneAsWideAsItsWallDoNotDrawTheFaceOut)
+{
+  // Of the wall 12 cm are left on both sides and 5 cm above: most of the points near
+  // it are on jambs and below the lintel.
+  const double noise = 0.01;
+  RoomPoints raw(0.01, noise, 4);
+  const PlanRoom room = roomOf(rectangle(0, 0, 5, 4), 2.6);
+  raw.room(room, [](const Vector3d& p) {
+    return p.y() > 1e-6 || p.x() < 0.12 || p.x() > 4.88 || p.z() > 2.55;
+  });
+  raw.wall(segment({0.12, 0}, {0.12, -0.3}), 0, 2.55);
+  raw.wall(segment({4.88, 0}, {4.88, -0.3}), 0, 2.55);
+  raw.slab(rectangle(0.12, -0.3, 4.88, 0), 2.55);
+  Floorplan plan;
+  plan.rooms = {room};
+  setSeen(plan.rooms[0].boundary, noise);
+  refitToRaw(plan, raw.view());
+  EXPECT_LT(cornerError(plan.rooms[0].boundary, room.boundary), 0.001);
+}
+
 } // namespace
