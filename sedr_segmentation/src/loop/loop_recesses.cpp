@@ -82,6 +82,35 @@ heightOfSill(const PlanElement& mouth,
   return near.size() < 5 ? top : middleValue(std::move(near));
 }
 
+/** @brief Height of the ceiling before a recess, metres above the floor: the middle of
+ * the highest points in strips of 10 cm. Beside a step or below a beam it is lower than
+ * the room's. */
+double
+heightBefore(const PlanElement& mouth,
+             double top,
+             const PlanSlab& floor,
+             const PointView& points,
+             const std::vector<int>& indices,
+             const Priors& priors)
+{
+  const double strip = priors.evidence_cell;
+  std::vector<double> highest(
+      static_cast<std::size_t>(std::ceil(mouth.length() / strip)), 0);
+  for (const int i : indices) {
+    const WallPoint p = seenFrom(mouth, floor, points[static_cast<std::size_t>(i)]);
+    if (p.along >= 0 && p.along < mouth.length() && p.behind < -priors.wall_band &&
+        p.behind > -2 * strip && p.up < top + priors.wall_band) {
+      double& high = highest[std::min(highest.size() - 1,
+                                      static_cast<std::size_t>(p.along / strip))];
+      high = std::max(high, p.up);
+    }
+  }
+  highest.erase(std::remove_if(highest.begin(), highest.end(),
+                               [&](double high) { return high < top / 2; }),
+                highest.end()); // there the ceiling was not seen
+  return highest.empty() ? top : std::min(top, middleValue(std::move(highest)));
+}
+
 /** @brief Share of the height of a recess at which one of its sides goes on behind its
  * back: a pane and its frame stand within an opening of the wall, whose jambs are
  * deeper. There most points are on the line of the side; of a surface that is parallel
@@ -150,9 +179,8 @@ struct Recess {
              way_.dot(e.end - e.start) > 0;
     };
     return isInLine(before) && isInLine(mouth()) && isInLine(after) &&
-           back.length() > priors.max_pilaster && way_.dot(along(back)) > cosine &&
-           depth() > priors.min_ceiling_step && depth() < priors.max_wall &&
-           std::abs(depth() + aside(back.end)) < in_line;
+           way_.dot(along(back)) > cosine && depth() > priors.min_ceiling_step &&
+           depth() < priors.max_wall && std::abs(depth() + aside(back.end)) < in_line;
   }
 
   double depth() const { return -aside(back.start); }
@@ -231,7 +259,9 @@ closeRecesses(PlanRoom& room,
     if (!recess.isOne(priors))
       continue;
     const Eigen::Vector2d& place = recess.back.start;
-    const double top = room.ceiling.heightAt(place) - room.floor.heightAt(place);
+    const double top = heightBefore(
+        recess.mouth(), room.ceiling.heightAt(place) - room.floor.heightAt(place),
+        room.floor, points, indices, priors);
     const bool is_above_wall =
         seen(recess.mouth(), wall_low, priors.low_wall, on_wall) >= priors.share_half;
     const double head = top - wall_low; // of a door or a window there is a lintel above
@@ -244,7 +274,8 @@ closeRecesses(PlanRoom& room,
     const bool is_solid =
         seen(recess.back, wall_low, top - wall_low, near_back) >= priors.share_unseen &&
         !(goesOn(0) && goesOn(recess.back.length()));
-    if (!is_above_wall && !is_below_wall && is_solid)
+    const bool is_narrow = recess.back.length() <= priors.max_pilaster;
+    if (!is_below_wall && (is_narrow || (!is_above_wall && is_solid)))
       continue;
     if (is_above_wall && recess.depth() >= min_depth) {
       const double sill = heightOfSill(recess.mouth(), recess.depth(), on_wall,

@@ -256,6 +256,35 @@ TEST(LoopRecesses, BelowALintelIsTheLeafOfADoor)
   }
 }
 
+TEST(LoopRecesses, BelowALintelAreNoneHoweverNarrow)
+{
+  PlanRoom room = roomOf(polygon({{0, 0},
+                                  {5, 0},
+                                  {5, 4},
+                                  {2.7, 4},
+                                  {2.7, 4.1},
+                                  {2.35, 4.1},
+                                  {2.35, 4},
+                                  {0, 4}}),
+                         2.6);
+  RoomPoints points;
+  points.wall(segment({3.5, 4}, {1.5, 4}), 2.05, 2.6);
+  closeRecesses(room, points.view(), points.all());
+  EXPECT_EQ(room.boundary.elements.size(), 4u);
+}
+
+TEST(LoopRecesses, BelowALintelUpToALowerPartOfTheCeilingAreNone)
+{
+  PlanRoom room = roomOf(withRecess(0.1), 2.6);
+  RoomPoints points;
+  points.wall(segment({3.5, 4.1}, {1.5, 4.1}), 0, 2.05);
+  points.wall(segment({3.5, 4}, {1.5, 4}), 2.05, 2.3);
+  points.slab(rectangle(0, 3, 5, 4), 2.3);
+  points.slab(rectangle(0, 0, 5, 3), 2.6);
+  closeRecesses(room, points.view(), points.all());
+  EXPECT_EQ(room.boundary.elements.size(), 4u);
+}
+
 /** A recess 15 cm deep whose back was seen from floor to ceiling, and more. */
 RoomPoints
 recessAndMore(const std::vector<PlanElement>& more, double noise)
