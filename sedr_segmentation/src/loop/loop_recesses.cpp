@@ -6,6 +6,8 @@
 #include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/base/plane_fit.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -198,7 +200,30 @@ struct Recess {
              straight(back.end, end), straight(end, start)}};
   }
 
-  PlanElement wall() const { return straight(before.start, after.end); }
+  /** @brief On the line of least squares of the wall beside it: a short stretch tells
+   * where the wall is, but not its direction. */
+  PlanElement wall() const
+  {
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+    double length = 0;
+    for (const PlanElement* e : {&before, &after}) {
+      middle += e->length() * (e->start + e->end) / 2;
+      length += e->length();
+    }
+    middle /= length;
+    Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
+    for (const PlanElement* e : {&before, &after}) {
+      const Eigen::Vector2d off = (e->start + e->end) / 2 - middle;
+      const Eigen::Vector2d chord = e->end - e->start;
+      squares += e->length() * (off * off.transpose() + chord * chord.transpose() / 12);
+    }
+    const Eigen::Vector2d way =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(squares).eigenvectors().col(1);
+    const auto onLine = [&](const Eigen::Vector2d& p) -> Eigen::Vector2d {
+      return middle + way.dot(p - middle) * way;
+    };
+    return straight(onLine(before.start), onLine(after.end));
+  }
 
 private:
   static PlanElement straight(const Eigen::Vector2d& start, const Eigen::Vector2d& end)
@@ -287,10 +312,16 @@ closeRecesses(PlanRoom& room,
                           horizontalSlab(room.floor.heightAt(place) + sill),
                           room.ceiling});
     }
-    const PlanElement wall = recess.wall();
+    PlanElement wall = recess.wall();
     std::rotate(elements.begin(), elements.begin() + static_cast<std::ptrdiff_t>(i),
                 elements.end());
     elements.erase(elements.begin(), elements.begin() + 4);
+    if (elements.back().isArc())
+      wall.start = recess.before.start;
+    if (elements[1].isArc())
+      wall.end = recess.after.end;
+    elements.back().end = wall.start;
+    elements[1].start = wall.end;
     elements.front() = wall;
     i = static_cast<std::size_t>(-1); // it may end at the next one
   }

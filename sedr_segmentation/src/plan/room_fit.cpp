@@ -241,8 +241,9 @@ fitRoom(const PointView& points,
   const Contour contour = outerContour(outline.room, grid.size());
   FittedBoundary fitted;
   room.boundary = boundaryOf(contour, std::move(walls), parameters, &fitted.samples);
-  dropBumps(room.boundary, parameters.loop.minimum_length);
+  // First, as a pier between two windows looks like a bump of the panes.
   std::vector<PlanNiche> alcoves = closeRecesses(room, points, evidence.around, priors);
+  dropBumps(room.boundary, parameters.loop.minimum_length);
   if (record) {
     record->boundaries.push_back(fitted);
     record->lost_area = outline.lost_area;
