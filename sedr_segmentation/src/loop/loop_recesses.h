@@ -14,8 +14,10 @@ namespace pcl::sedr {
  * wall are looked at.
  *
  * One is none of the plan if the wall goes on below it, as below a window or a niche
- * that reaches the ceiling. Or the wall goes on above it, as above a shut door. Or
- * nothing was seen of its back. Or the back is a pane: both sides go on behind it.
+ * that reaches the ceiling. Or the wall goes on above it, as above a shut door, up to
+ * the ceiling before it. Or nothing was seen of its back. Or the back is a pane: both
+ * sides go on behind it. Narrow ones are closed below a lintel only. The wall that
+ * closes one is on the line of both stretches, where its corners are moved to.
  * @param room whose floor, ceiling and boundary are known
  * @param indices points of the room and near it
  * @return niches for those above a wall of whose back half was seen, as of an alcove
