@@ -6,6 +6,8 @@
 #include "tools/sample_files.h"
 #include "e57_writer.h"
 
+#include <pcl/io/pcd_io.h>
+
 #include <gtest/gtest.h>
 
 namespace {
@@ -86,6 +88,57 @@ TEST_F(ScanPositionFiles, AViewpointOfPcdIsOneUnlessItIsZero)
   ASSERT_EQ(positions.size(), 1u);
   EXPECT_EQ(positions[0].first_row, 0u);
   EXPECT_EQ(positions[0].place, Eigen::Vector3f(1, 2, 1.5F));
+}
+
+/** Returns what PCL's own reader takes for the place of the sensor. */
+Eigen::Vector3f
+sensorOrigin(const std::string& path)
+{
+  pcl::PCLPointCloud2 blob;
+  Eigen::Vector4f origin;
+  Eigen::Quaternionf orientation;
+  int version = 0;
+  EXPECT_EQ(pcl::PCDReader().read(path, blob, origin, orientation, version), 0);
+  EXPECT_TRUE(orientation.isApprox(Eigen::Quaternionf::Identity()));
+  return origin.head<3>();
+}
+
+TEST_F(ScanPositionFiles, ThePositionIsKeptBesideAnOriginThatPclSeesInViewpoint)
+{
+  const std::string pcd = "FIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nWIDTH 2\nHEIGHT 1\n"
+                          "VIEWPOINT 691604 5336005 501.5 0 1 0 0\nDATA ascii\n"
+                          "691600 5336000 500\n691601 5336000 500\n";
+  writeFile(in("scan.pcd"), pcd);
+  std::string from = in("scan.pcd");
+  for (const char* copy : {"one.pcd", "two.pcd"}) {
+    saveScan(in(copy), ScanFile(from, 1));
+    EXPECT_EQ(sensorOrigin(in(copy)), Eigen::Vector3f(691601, 5336000, 0)) << copy;
+    const ScanFile read(in(copy), 1);
+    EXPECT_EQ(read.origin(), (pcl::sedr::Origin{{691601, 5336000, 0}}));
+    ASSERT_EQ(read.positions().size(), 1u);
+    EXPECT_EQ(read.positions()[0].place, Eigen::Vector3f(3, 5, 501.5F));
+    EXPECT_EQ(read.orientation().x(), 1.F);
+    from = in(copy);
+  }
+}
+
+TEST_F(ScanPositionFiles, AViewpointBeyondTheReachOfAScannerIsAnOrigin)
+{
+  const auto written = [&](const std::string& viewpoint) {
+    std::string pcd = programs::pcdBytes({{1, 2, 3}, {4, 5, 6}});
+    pcd.replace(pcd.find("VIEWPOINT 0 0 0"), 15, "VIEWPOINT " + viewpoint);
+    writeFile(in("scan.pcd"), pcd);
+    return ScanFile(in("scan.pcd"), 1);
+  };
+  const ScanFile far = written("691600 5336000 0"); // as PCL writes what it has read
+  EXPECT_EQ(far.origin(), (pcl::sedr::Origin{{691600, 5336000, 0}}));
+  EXPECT_TRUE(far.positions().empty());
+  EXPECT_EQ(written("691600.5 5336000 0").positions().size(), 1u);
+  for (const char* near : {"200 30 2", "inf 0 0", "1e300 0 0"}) {
+    const ScanFile scan = written(near);
+    EXPECT_TRUE(scan.origin().isZero()) << near;
+    EXPECT_EQ(scan.positions().size(), 1u) << near;
+  }
 }
 
 TEST_F(ScanPositionFiles, AnUnknownOneStaysUnknownInAPcdOfAScanFarFromZero)

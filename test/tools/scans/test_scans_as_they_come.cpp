@@ -3,6 +3,8 @@
 #include "scan_options.h"
 #include "scanned_building.h"
 
+#include <pcl/io/pcd_io.h>
+
 namespace {
 
 using namespace pcl::sedr::tools;
@@ -33,6 +35,9 @@ TEST_F(ScansAsTheyCome, E57OfThreePosesInAGridGivesThePlanAndEveryOutputItsOrigi
   for (const char* name : {"structure.pcd", "solid.ply", "solid.obj"})
     EXPECT_EQ(originOfModel(in("of_e57/") + name), origin) << name;
   EXPECT_EQ(loadCloud(in("of_e57/structure.pcd")).origin, origin);
+  pcl::PointCloud<pcl::PointXYZ> cloud; // by PCL's own reader
+  ASSERT_EQ(pcl::io::loadPCDFile(in("of_e57/structure.pcd"), cloud), 0);
+  EXPECT_EQ(cloud.sensor_origin_.head<3>().cast<double>(), origin.place);
 }
 
 TEST_F(ScansAsTheyCome, SphericalE57GivesThePlan)

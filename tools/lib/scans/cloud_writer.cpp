@@ -57,9 +57,22 @@ struct Frame {
   Eigen::Vector4f viewpoint = Eigen::Vector4f::Zero();
   Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
   Origin origin;
+
+  /** @brief Returns the values of VIEWPOINT: place and quaternion, w first. */
+  std::string viewpointText() const
+  {
+    std::ostringstream text;
+    text.precision(std::numeric_limits<float>::max_digits10);
+    text << viewpoint.x() << ' ' << viewpoint.y() << ' ' << viewpoint.z() << ' '
+         << orientation.w() << ' ' << orientation.x() << ' ' << orientation.y() << ' '
+         << orientation.z();
+    return text.str();
+  }
 };
 
-/** @param rows number of rows in the file */
+/** @brief Returns the header of a PCD. Where the coordinates have an origin, that is
+ * its VIEWPOINT, which PCL keeps, and comments have origin and viewpoint of the scan.
+ * @param rows number of rows in the file */
 std::string
 pcdHeader(const std::vector<pcl::PCLPointField>& fields,
           std::size_t rows,
@@ -77,17 +90,17 @@ pcdHeader(const std::vector<pcl::PCLPointField>& fields,
     counts << ' ' << field.count;
   }
   std::ostringstream header;
-  header.precision(std::numeric_limits<float>::max_digits10);
   header << "# .PCD v0.7 - Point Cloud Data file format\n";
-  if (!frame.origin.isZero())
+  const bool has_origin = !frame.origin.isZero();
+  if (has_origin)
     header << "# " << frame.origin.comment() << '\n';
+  if (has_origin && !frame.viewpoint.isZero(0))
+    header << "# sedr_viewpoint " << frame.viewpointText() << '\n';
   header << "VERSION 0.7\nFIELDS" << names.str() << "\nSIZE" << sizes.str() << "\nTYPE"
          << types.str() << "\nCOUNT" << counts.str() << "\nWIDTH " << rows
-         << "\nHEIGHT 1\nVIEWPOINT " << frame.viewpoint.x() << ' '
-         << frame.viewpoint.y() << ' ' << frame.viewpoint.z() << ' '
-         << frame.orientation.w() << ' ' << frame.orientation.x() << ' '
-         << frame.orientation.y() << ' ' << frame.orientation.z() << "\nPOINTS " << rows
-         << "\nDATA " << data << '\n';
+         << "\nHEIGHT 1\nVIEWPOINT "
+         << (has_origin ? frame.origin.text() + " 1 0 0 0" : frame.viewpointText())
+         << "\nPOINTS " << rows << "\nDATA " << data << '\n';
   return header.str();
 }
 

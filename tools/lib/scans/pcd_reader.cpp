@@ -21,7 +21,8 @@ using Words = std::vector<std::string_view>;
 struct PcdHeader {
   std::map<std::string, Words, std::less<>> lines;
   std::size_t data_begin = 0;
-  Origin origin; ///< from a comment
+  Origin origin;   ///< from a comment
+  Words viewpoint; ///< from a comment, empty if there is none
 
   const Words* find(std::string_view keyword) const
   {
@@ -54,6 +55,8 @@ readPcdHeader(const MappedFile& file, const std::string& path)
     const Words words = wordsOf(line);
     if (!words.empty() && words[0][0] == '#')
       Origin::fromComment(std::string(line.substr(0, 256)), header.origin);
+    if (words.size() > 2 && words[0] == "#" && words[1] == "sedr_viewpoint")
+      header.viewpoint.assign(words.begin() + 2, words.end());
     if (words.empty() || words[0][0] == '#')
       continue;
     if (!isKeyword(words[0]))
@@ -148,20 +151,34 @@ readSize(const PcdHeader& header, const std::string& path)
   return points;
 }
 
-void
-readViewpoint(const PcdHeader& header, FileLayout& layout)
+/** @brief Reads a place and a quaternion; false if the words are anything else. */
+bool
+readViewpoint(const Words& words, FileLayout& layout)
 {
-  const Words* words = header.find("VIEWPOINT");
-  std::array<double, 7> v{0, 0, 0, 1, 0, 0, 0};
-  if (!words || words->size() != v.size())
-    return;
+  std::array<double, 7> v{};
+  if (words.size() != v.size())
+    return false;
   for (std::size_t i = 0; i < v.size(); ++i) {
-    const auto& word = (*words)[i];
+    const auto& word = words[i];
     if (std::from_chars(word.data(), word.data() + word.size(), v[i]).ec != std::errc())
-      return;
+      return false;
   }
   layout.viewpoint = {v[0], v[1], v[2]};
   layout.orientation = Eigen::Quaterniond(v[3], v[4], v[5], v[6]).cast<float>();
+  return true;
+}
+
+/** @brief Reads where the scanner stood. A VIEWPOINT that is the origin, as in files
+ * written here, says nothing of it. */
+void
+readScannerPosition(const PcdHeader& header, FileLayout& layout)
+{
+  const Words* words = header.find("VIEWPOINT");
+  if (!words || !readViewpoint(*words, layout) || header.origin.isZero() ||
+      layout.viewpoint.cast<float>() != header.origin.place.cast<float>())
+    return;
+  layout.viewpoint.setZero();
+  readViewpoint(header.viewpoint, layout);
 }
 
 /** @brief Refuses a header that counts more binary points than follow it, or fewer. */
@@ -201,7 +218,7 @@ readPcdLayout(const MappedFile& file, const std::string& path)
   auto& blob = layout.blob;
   blob.fields = readFields(header, path);
   layOut(blob, readSize(header, path), path);
-  readViewpoint(header, layout);
+  readScannerPosition(header, layout);
   layout.counted_from = header.origin;
   layout.begin = header.data_begin;
 

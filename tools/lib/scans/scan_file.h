@@ -121,6 +121,10 @@ private:
     return (unit_ * place - shift_).cast<float>();
   }
 
+  /** @brief Takes VIEWPOINT for the origin where it is too far away for a scanner's
+   * position: PCL's own programs keep it, but not the comment of the origin. */
+  bool takeOriginFromViewpoint(const ScanPlaces& places);
+
   ScanPlaces samplePlaces() const;
   void addPlaces(std::size_t first, std::size_t size, ScanPlaces& places) const;
 

@@ -148,6 +148,21 @@ ScanFile::samplePlaces() const
   return places;
 }
 
+bool
+ScanFile::takeOriginFromViewpoint(const ScanPlaces& places)
+{
+  const Eigen::Vector3d place = layout_.viewpoint;
+  const bool is_origin =
+      layout_.counted_from.isZero() && !place.isZero(0) && unit_ == 1 &&
+      place.lpNorm<Eigen::Infinity>() < farthest_grid &&
+      place == place.array().round().matrix() && farthestFrom(place, places) > far_away;
+  if (is_origin) {
+    layout_.counted_from.place = place;
+    layout_.viewpoint.setZero();
+  }
+  return is_origin;
+}
+
 void
 ScanFile::settleOrigin(const ScanSettings& settings)
 {
@@ -156,6 +171,7 @@ ScanFile::settleOrigin(const ScanSettings& settings)
     return findField(layout_.blob, name)->datatype == pcl::PCLPointField::FLOAT32;
   };
   const bool are_floats = isFloat("x") && isFloat("y") && isFloat("z");
+  const bool takes_viewpoint = are_floats && takeOriginFromViewpoint(places);
   const double given = farthestFrom(Eigen::Vector3d::Zero(), places);
   const bool finds_shift = settings.shifts && !settings.origin && !are_floats;
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
@@ -178,7 +194,7 @@ ScanFile::settleOrigin(const ScanSettings& settings)
   }
   shift_ = shift;
   origin_ = {layout_.counted_from.place + shift};
-  if (finds_shift && !shift.isZero(0))
+  if ((finds_shift && !shift.isZero(0)) || (takes_viewpoint && !settings.origin))
     tellOrigin(path_, origin_);
 }
 
