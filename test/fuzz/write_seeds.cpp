@@ -107,6 +107,9 @@ writeClouds(Seeds& seeds)
   const std::string fields = xyz + xyz + "\1\2";
   seeds.write("pcd", header + "binary_compressed\n" +
                          std::string("\x1b\0\0\0\x1a\0\0\0\x19", 9) + fields);
+  seeds.write("pcd", "# sedr_origin 2000 0 0\n# sedr_viewpoint 1 2 1.5 1 0 0 0\n"
+                     "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 1\n"
+                     "VIEWPOINT 2000 0 0 1 0 0 0\nPOINTS 1\nDATA ascii\n1 2 3\n");
   const std::string element =
       "element vertex 2\nproperty float x\nproperty float y\nproperty float z\n"
       "property uchar red\nproperty uchar green\nproperty uchar blue\n"
@@ -117,10 +120,15 @@ writeClouds(Seeds& seeds)
                            element + xyz + "abc" + xyz + "def" + faces);
   seeds.write("ply",
               "ply\nformat binary_big_endian 1.0\nelement vertex 3\nend_header\nabc");
+  seeds.write("ply", "ply\nformat binary_little_endian 1.0\nelement face 1\nproperty "
+                     "list uchar int vertex_indices\nelement vertex 1\nproperty float "
+                     "x\nproperty float y\nproperty float z\nend_header\n" +
+                         faces + xyz);
   seeds.write("ply", "ply\nformat ascii 1.0\n" + element +
                          "1 2 3 4 5 6\n7 8 9 10 11 12\n3 0 1 0\n");
   seeds.write("text", "//X Y Z Intensity\n1 2 3 4\n5 6 7 8\n");
   seeds.write("text", "1,5;2,5;3\n4;5,25;6e1\n");
+  seeds.write("text", "\"X\";\"Y\";\"Z\"\n\"1,5\";\"2\";\"3\"\n");
   seeds.write("text", "# comment\n1 2 3 10 20 30\n-4 +5 .6 1 2 3\n\n");
 }
 

@@ -173,6 +173,40 @@ TEST_F(CloudFiles, PlyOfAnyByteOrderIsReadAndFacesAreSkipped)
   EXPECT_EQ(load(swapped).blob.data, ascii.blob.data);
 }
 
+TEST_F(CloudFiles, PlyWithListsBeforeItsVerticesIsRead)
+{
+  const std::string elements = "element face 2\nproperty list ushort int i\nproperty "
+                               "uchar kind\nelement nothing 9\nelement vertex 2\n"
+                               "property float x\nproperty float y\nproperty float z\n"
+                               "end_header\n";
+  const ToolCloud ascii =
+      load("ply\nformat ascii 1.0\nelement face 2\nproperty list ushort int i\nelement "
+           "vertex 2\nproperty float x\nproperty float y\nproperty float z\n"
+           "end_header\n2 5 6 1\n0 1\n1 2 3\n4 5 6\n");
+  for (const bool is_big : {false, true}) {
+    std::string bytes = std::string("ply\nformat binary_") +
+                        (is_big ? "big" : "little") + "_endian 1.0\n" + elements;
+    const auto append = [&](auto value) {
+      const char* first = reinterpret_cast<const char*>(&value);
+      for (std::size_t k = 0; k < sizeof value; ++k)
+        bytes += first[is_big ? sizeof value - 1 - k : k];
+    };
+    append(std::uint16_t{2});
+    append(5);
+    append(6);
+    append('a');
+    append(std::uint16_t{0});
+    append('b');
+    const std::string faces = bytes;
+    for (const float v : {1.F, 2.F, 3.F, 4.F, 5.F, 6.F})
+      append(v);
+    EXPECT_EQ(load(bytes).blob.data, ascii.blob.data);
+    EXPECT_NE(refusal(faces).find("cut off"), std::string::npos);
+    EXPECT_NE(refusal(bytes.substr(0, faces.size() - 3)).find("cut off"),
+              std::string::npos);
+  }
+}
+
 TEST_F(CloudFiles, HeadersThatPromiseTooMuchAreRefusedWithTheNumbers)
 {
   const std::string good = programs::pcdBytes({{1, 2, 3}, {4, 5, 6}});

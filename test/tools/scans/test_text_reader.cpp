@@ -79,6 +79,14 @@ TEST_F(TextFiles, DecimalCommasAreFoundThoughTheFirstNumbersAreWhole)
   expectFirst(load("1,2,3\n4,5,6\n"), 1, 2, 3); // commas between columns
 }
 
+TEST_F(TextFiles, NumbersMayStandInQuotes)
+{
+  expectFirst(load("\"X\",\"Y\",\"Z\"\n\"1.5\",\"2\",\"3\"\n"), 1.5f, 2, 3);
+  expectFirst(load("\"1,5\";\"2\";\"3,25\"\n"), 1.5f, 2, 3.25f);
+  // Both commas at once are refused rather than taken for columns.
+  EXPECT_NE(refusal("\"1,5\",\"2,5\",\"3,5\"\n").find("neither"), std::string::npos);
+}
+
 TEST_F(TextFiles, TheMarkBeforeUtf8IsNoPartOfThePoints)
 {
   const ToolCloud cloud = load("\xEF\xBB\xBF"

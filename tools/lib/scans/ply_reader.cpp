@@ -18,8 +18,14 @@ namespace {
 struct PlyElement {
   std::string name;
   std::uint64_t count = 0;
-  std::vector<pcl::PCLPointField> fields;
-  bool has_lists = false;
+  std::vector<pcl::PCLPointField> fields; ///< of a list its values, with `count` 0
+  std::vector<std::uint8_t> counts; ///< types of the lists' counts, 0 for other fields
+
+  bool hasLists() const
+  {
+    return std::any_of(counts.begin(), counts.end(),
+                       [](auto type) { return type != 0; });
+  }
 };
 
 struct PlyHeader {
@@ -59,19 +65,23 @@ addProperty(const std::vector<std::string_view>& words,
 {
   if (header.elements.empty() || words.size() < 3)
     refusePly(path, "its header holds a property without an element or a name");
-  auto& element = header.elements.back();
-  if (words[1] == "list") {
-    element.has_lists = true;
-    return;
-  }
+  const bool is_list = words[1] == "list";
+  if (is_list && words.size() < 5)
+    refusePly(path, "its header holds a list without types or a name");
+  const auto knownType = [&](std::string_view type) {
+    const std::uint8_t known = dataType(type);
+    if (known == 0)
+      refusePly(path, "property " + quotedWord(words.back()) +
+                          " is of the unknown type " + quotedWord(type));
+    return known;
+  };
   pcl::PCLPointField field;
-  field.name = std::string(words[2]);
-  field.count = 1;
-  field.datatype = dataType(words[1]);
-  if (field.datatype == 0)
-    refusePly(path, "property " + quotedWord(field.name) + " is of the unknown type " +
-                        quotedWord(words[1]));
+  field.name = std::string(words[is_list ? 4 : 2]);
+  field.count = is_list ? 0 : 1;
+  field.datatype = knownType(words[is_list ? 3 : 1]);
+  auto& element = header.elements.back();
   element.fields.push_back(field);
+  element.counts.push_back(is_list ? knownType(words[2]) : std::uint8_t{0});
 }
 
 PlyHeader
@@ -108,6 +118,39 @@ readPlyHeader(const MappedFile& file, const std::string& path)
       refusePly(path, "its header holds a line that is none, before end_header");
   }
   refusePly(path, "its header does not end, the file may be cut off");
+}
+
+/** @brief Returns the byte behind a binary element of any lists; the end of the file at
+ * most. */
+std::size_t
+pastElement(const MappedFile& file,
+            const PlyElement& element,
+            bool is_big_endian,
+            std::size_t begin)
+{
+  std::size_t at = begin;
+  if (element.fields.empty())
+    return at;
+  const auto skip = [&](std::uint64_t bytes) {
+    at += static_cast<std::size_t>(std::min<std::uint64_t>(bytes, file.size() - at));
+  };
+  for (std::uint64_t i = 0; i < element.count && at < file.size(); ++i)
+    for (std::size_t f = 0; f < element.fields.size(); ++f) {
+      const std::uint8_t type = element.counts[f];
+      const std::size_t size = fieldSize(element.fields[f].datatype);
+      std::array<std::uint8_t, sizeof(double)> count{};
+      const std::size_t count_size = type == 0 ? 0 : fieldSize(type);
+      if (count_size > file.size() - at)
+        return file.size();
+      std::copy_n(file.data() + at, count_size, count.begin());
+      if (is_big_endian)
+        std::reverse(count.begin(), count.begin() + static_cast<int>(count_size));
+      at += count_size;
+      const double values = type == 0 ? 1 : readField(count.data(), type);
+      constexpr double many = 1e12; // beyond the end of all files
+      skip(values > 0 ? static_cast<std::uint64_t>(std::min(values, many)) * size : 0);
+    }
+  return at;
 }
 
 [[noreturn]] void
@@ -190,7 +233,7 @@ readPlyLayout(const MappedFile& file, const std::string& path)
     refusePly(path, "its format is " + quotedWord(header.format));
   const auto vertices = std::find_if(header.elements.begin(), header.elements.end(),
                                      [](const auto& e) { return e.name == "vertex"; });
-  if (vertices == header.elements.end() || vertices->has_lists)
+  if (vertices == header.elements.end() || vertices->hasLists())
     refusePly(path, "it has no element 'vertex' without lists");
 
   FileLayout layout;
@@ -203,32 +246,27 @@ readPlyLayout(const MappedFile& file, const std::string& path)
   auto& blob = layout.blob;
   blob.fields = vertices->fields;
   layOut(blob, vertices->count, path);
-  TextCursor cursor(file, header.data_begin);
-  std::size_t skip = 0;
+  layout.data = ascii                                  ? FileData::Ascii
+                : header.format == "binary_big_endian" ? FileData::BinaryBigEndian
+                                                       : FileData::Binary;
+  layout.begin = header.data_begin;
   for (auto e = header.elements.begin(); e != vertices; ++e) {
-    if (e->has_lists || e->count > file.size())
-      refusePly(path, "element " + quotedWord(e->name) +
-                          " before the vertices cannot be skipped");
+    TextCursor cursor(file, layout.begin);
     std::string_view line;
-    for (std::uint64_t i = 0; ascii && i < e->count; ++i)
-      cursor.nextLine(line);
-    for (const auto& field : e->fields)
-      skip += fieldSize(field.datatype) * e->count;
+    for (std::uint64_t i = 0; ascii && i < e->count && cursor.nextLine(line); ++i)
+      ;
+    layout.begin = ascii
+                       ? cursor.position()
+                       : pastElement(file, *e, layout.data == FileData::BinaryBigEndian,
+                                     layout.begin);
   }
-  if (ascii) {
-    layout.data = FileData::Ascii;
-    layout.begin = cursor.position();
+  if (ascii)
     return layout;
-  }
-  if (header.format == "binary_big_endian")
-    layout.data = FileData::BinaryBigEndian;
-  layout.begin = header.data_begin + skip;
   const std::size_t needed = std::size_t{blob.width} * blob.point_step;
-  const std::size_t follow = file.size() - header.data_begin;
-  const std::size_t left = follow - std::min(skip, follow);
+  const std::size_t left = file.size() - layout.begin;
   const std::string sizes =
       std::to_string(needed) + " bytes, but " + std::to_string(left) + " bytes follow";
-  if (follow < skip || left < needed)
+  if (left < needed)
     refuseCutOff(path, vertices->count, sizes);
   if (layout.are_last && areMorePoints(left - needed, blob.point_step, path))
     refusePly(path, "its header promises " + std::to_string(vertices->count) +

@@ -23,7 +23,7 @@ using Numbers = std::array<double, max_columns>;
 bool
 partsColumns(char c, bool has_decimal_comma)
 {
-  return c == ' ' || c == '\t' || c == '\r' || c == ';' ||
+  return c == ' ' || c == '\t' || c == '\r' || c == ';' || c == '"' ||
          (c == ',' && !has_decimal_comma);
 }
 
@@ -41,10 +41,15 @@ isCommaNumber(std::string_view word)
 }
 
 /** @brief Returns whether a line uses decimal commas: its columns are separated by
- * semicolons, or by blanks with commas inside of the first three words only. */
+ * semicolons, or by blanks with commas inside of the first three words only, or the
+ * first number in quotes has one. */
 bool
 hasDecimalComma(std::string_view line)
 {
+  const std::size_t quote = line.find('"');
+  if (quote != line.npos &&
+      isCommaNumber(line.substr(quote + 1, line.find('"', quote + 1) - quote - 1)))
+    return true;
   if (line.find(';') != line.npos)
     return line.find(',') != line.npos;
   const std::vector<std::string_view> words = wordsOf(line);
