@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "picture_file.h"
 #include "run_tool.h"
+#include "scan_file.h"
 #include "scan_options.h"
 #include "tool_error.h"
 #include "viewer/keys.h"
@@ -125,7 +126,10 @@ checkOptions(const Settings& settings)
   const bool is_folder = std::filesystem::is_directory(settings.path, error);
   const bool is_plan = std::filesystem::path(settings.path).extension() == ".json";
   const std::string given = settings.file.given();
-  if (!given.empty() && (is_folder || is_plan))
+  const auto isMesh = [&] {
+    return readScanHead(settings.path, settings.file.resolved()).is_mesh;
+  };
+  if (!given.empty() && (is_folder || is_plan || isMesh()))
     throw ToolError(given + " tells how a scan is read, and '" + settings.path +
                     "' is none; " + raw_hint);
   if (!settings.reading.scan.empty() && !is_folder)

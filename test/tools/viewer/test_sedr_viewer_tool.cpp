@@ -124,6 +124,10 @@ TEST_F(ViewerTool, BadCommandLinesAreRefusedBeforeADisplayIsAskedFor)
   const ProgramRun raw = run(SEDR_VIEWER, {in("stage.pcd"), "--raw", in("none.pcd")});
   EXPECT_EQ(raw.exit_code, 1);
   EXPECT_NE(raw.err.find("--raw names the raw scan"), std::string::npos) << raw.err;
+  const ProgramRun mesh = run(SEDR_VIEWER, {in("model/mesh.ply"), "--no-shift"});
+  EXPECT_EQ(mesh.exit_code, 1);
+  EXPECT_NE(mesh.err.find("--no-shift tells how a scan is read"), std::string::npos)
+      << mesh.err;
   const ProgramRun help = run(SEDR_VIEWER, {"-h"});
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_NE(help.out.find("--screenshot"), std::string::npos);
