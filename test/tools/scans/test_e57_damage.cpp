@@ -102,6 +102,12 @@ TEST_F(E57Files, XmlThatWouldGrowOrGoTooDeepIsRefused)
   EXPECT_NE(refusal(writer.fileWith("<!DOCTYPE x [<!ENTITY a \"aaaa\">]><e57Root/>"))
                 .find("document type"),
             std::string::npos);
+  std::string wide = "<e57Root>";
+  for (int k = 0; k < 600000; ++k) // hundreds of bytes of memory each
+    wide += "<a b=''/>";
+  EXPECT_NE(
+      refusal(writer.fileWith(wide + "</e57Root>")).find("1200002 tags and attributes"),
+      std::string::npos);
   EXPECT_NE(refusal(writer.fileWith("<!doctype x><e57Root/>")).find("document type"),
             std::string::npos);
   EXPECT_FALSE(shapeOf("<!-- <!DOCTYPE x> --><a><![CDATA[<!DOCTYPE y>]]></a>", 9)

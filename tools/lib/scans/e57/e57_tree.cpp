@@ -92,6 +92,14 @@ readE57Tree(const E57Pages& pages)
   pages.copy(pages.xmlBegin(), xml.size(), reinterpret_cast<std::uint8_t*>(&xml[0]));
   // Some writers include the padding of the last page.
   xml.erase(xml.find_last_not_of(std::string("\0 \t\r\n", 5)) + 1);
+  // An element or attribute takes some 400 bytes of memory, of four in the file.
+  constexpr std::ptrdiff_t most = std::ptrdiff_t{1} << 20;
+  const auto marks = std::count_if(xml.begin(), xml.end(),
+                                   [](char c) { return c == '<' || c == '='; });
+  if (marks > most)
+    throw ToolError("its XML has " + std::to_string(marks) +
+                    " tags and attributes, more than the " + std::to_string(most) +
+                    " that are taken for sane");
   const XmlShape shape = shapeOf(xml, deepest);
   if (shape.has_document_type)
     throw ToolError("its XML defines a document type, which E57 does not have");
