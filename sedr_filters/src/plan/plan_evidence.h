@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "sedr_filters/src/rays/sight_lines.h"
+
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
-#include <pcl/sedr_filters/sight_lines.h>
 
 #include <cstddef>
 #include <vector>

@@ -8,6 +8,7 @@
 
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/plan/plan_evidence.h"
+#include "sedr_filters/src/rays/sight_lines.h"
 #include "sedr_segmentation/src/niches/niche_fit.h"
 #include "sedr_segmentation/src/plan/doorway_reveals.h"
 #include "sedr_segmentation/src/plan/room_territory.h"

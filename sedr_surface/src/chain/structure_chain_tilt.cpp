@@ -4,6 +4,7 @@
 #include <pcl/sedr_surface/structure_chain.h>
 
 #include "../mesh/mesh_repair.h"
+#include "sedr_filters/src/rays/sight_lines.h"
 #include "sedr_segmentation/src/refit/wall_tilt_fit.h"
 #include "sedr_segmentation/src/scan/tilted_faces.h"
 #include "sedr_segmentation/src/scan/scan_tilt.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/sight_lines.h>
+#include "sedr_filters/src/rays/sight_lines.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,6 @@
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/scan_frame.h>
-#include <pcl/sedr_filters/sight_lines.h>
 #include <pcl/sedr_filters/straightening.h>
 #include <pcl/sedr_filters/structure_refinement.h>
 #include <pcl/sedr_filters/vertical_hole_repair.h>
@@ -31,6 +30,7 @@ namespace pcl::sedr {
 
 class RoomTerritory;
 class RoomWorkers;
+class SightLines;
 struct RepairJob;
 struct RepairedRoom;
 struct WallJob;
