@@ -51,5 +51,5 @@ head -n 1 "${present[0]}" >"$out/runs.csv"
 for file in "${present[@]}"; do
   tail -n +2 "$file" >>"$out/runs.csv"
 done
-"$benchmark" --from "$out/runs.csv" --table "$table"
+"$root/test/benchmarks/proving_ground_table.py" "$out/runs.csv" >"$table"
 echo "$table"

@@ -5,7 +5,6 @@
 #include "benchmark/table/bars.h"
 #include "benchmark/table/csv_file.h"
 #include "benchmark/table/formatted.h"
-#include "benchmark/table/table.h"
 #include "bytes/whole_file.h"
 #include "prior_values.h"
 #include "progress.h"
@@ -13,12 +12,8 @@
 #include "simulator/scene/scenes.h"
 #include "tool_error.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <filesystem>
-#include <iostream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -35,8 +30,6 @@ struct Settings {
   std::string seeds = "1,2,3";
   std::string part = "1/1";
   std::string csv;
-  std::string table;
-  std::string from;
   std::string keep;
   std::string priors;
   bool resume = false;
@@ -59,9 +52,6 @@ addOptions(Options& options, Settings& s)
   options.flag("positions", s.positions, "tell the positions of the scanner");
   options.text("csv", s.csv, "file to which every run adds a line when it ends");
   options.flag("resume", s.resume, "skip the runs that --csv has already");
-  options.text("table", s.table, "Markdown file for the table of all runs");
-  options.text("from", s.from,
-               "make the table of these CSV files, with commas, and run nothing");
   options.text("part", s.part, "do every N-th run only, such as 1/2 and 2/2");
   options.text("keep", s.keep, "folder in which to keep the files of every run");
   options.text("prior", s.priors,
@@ -115,26 +105,6 @@ tasksOf(const std::vector<sim::Scene>& scenes, const Settings& settings)
   return tasks;
 }
 
-/** @brief Executes a run in a separate process, so that even a crash yields a row. */
-RunRow
-run(const Task& task)
-{
-  const RunRow asked = rowOf(*task.scene, task.settings);
-  try {
-    return rowFromCsv(csvHeader(), runIsolated([&task, &asked] {
-                        const Progress progress(asked.scene +
-                                                formatted(", noise %g m, seed %zu",
-                                                          asked.noise, asked.seed));
-                        return toCsv(runScene(*task.scene, task.settings));
-                      }));
-  }
-  catch (const std::exception& error) {
-    RunRow failed = asked;
-    failed.failure = error.what();
-    return failed;
-  }
-}
-
 void
 print(const RunRow& row)
 {
@@ -159,59 +129,52 @@ print(const RunRow& row)
   std::fflush(stdout);
 }
 
-/** @brief Executes all runs that are missing; returns the existing and the new rows. */
-std::vector<RunRow>
-runAll(const std::vector<Task>& tasks, const Settings& settings)
+void
+tell(const RunRow& row, const std::string& csv)
 {
-  std::vector<RunRow> rows;
-  if (!settings.csv.empty())
-    rows = rowsToContinue(settings.csv);
-  for (const Task& task : tasks) {
-    const RunRow asked = rowOf(*task.scene, task.settings);
-    const bool is_there =
-        std::any_of(rows.begin(), rows.end(),
-                    [&asked](const RunRow& row) { return row.isSameRun(asked); });
-    if (settings.resume && is_there)
-      continue;
-    rows.push_back(run(task));
-    print(rows.back());
-    if (!settings.csv.empty())
-      appendRow(settings.csv, rows.back());
-  }
-  return rows;
+  print(row);
+  if (!csv.empty())
+    appendRow(csv, row);
 }
 
-std::vector<RunRow>
-readAll(const std::string& list)
+/** @brief Executes a run in a separate process, so that even a crash yields a row. */
+void
+run(const Task& task, const std::string& csv)
 {
-  std::vector<RunRow> rows;
-  for (const std::string& path : wordsOf(list, "from")) {
-    const auto more = readRows(path);
-    rows.insert(rows.end(), more.begin(), more.end());
+  const RunRow asked = rowOf(*task.scene, task.settings);
+  try {
+    runIsolated([&] {
+      RunRow row;
+      {
+        const Progress progress(
+            asked.scene + formatted(", noise %g m, seed %zu", asked.noise, asked.seed));
+        row = runScene(*task.scene, task.settings);
+      }
+      tell(row, csv);
+    });
   }
-  return rows;
+  catch (const std::exception& error) {
+    RunRow failed = asked;
+    failed.failure = error.what();
+    tell(failed, csv);
+  }
 }
 
+/** @brief Executes all runs that are missing. */
 int
 work(const Settings& settings)
 {
   if (settings.resume && settings.csv.empty())
     throw ToolError("--resume goes on with the rows of a file, but there is no --csv");
-  if (!settings.from.empty() && settings.table.empty())
-    throw ToolError("--from makes a table of rows, but there is no --table");
-  for (const std::string& path : {settings.csv, settings.table})
-    if (!path.empty())
-      checkWritable(path);
-  std::vector<RunRow> rows;
-  if (settings.from.empty()) {
-    const auto scenes = loadScenes(settings.scenes);
-    rows = runAll(tasksOf(scenes, settings), settings);
+  std::vector<std::string> lines;
+  if (!settings.csv.empty()) {
+    checkWritable(settings.csv);
+    lines = linesToContinue(settings.csv);
   }
-  else
-    rows = readAll(settings.from);
-  if (!settings.table.empty())
-    writeWhole(settings.table,
-               [&rows](std::ostream& stream) { stream << tableOf(rows); });
+  const std::vector<sim::Scene> scenes = loadScenes(settings.scenes);
+  for (const Task& task : tasksOf(scenes, settings))
+    if (!settings.resume || !rowOf(*task.scene, task.settings).isIn(lines))
+      run(task, settings.csv);
   return Done;
 }
 

@@ -159,14 +159,5 @@ TEST(Bars, a_miss_tells_by_how_much)
   EXPECT_EQ(misses[2].text, "within 5 cm 98.12 % < 99 %");
 }
 
-TEST(Bars, have_different_names)
-{
-  std::set<std::string> names;
-  for (const Bar bar : all_bars)
-    names.insert(nameOf(bar));
-  EXPECT_EQ(names.size(), all_bars.size());
-  EXPECT_EQ(names.count(""), 0u);
-}
-
 } // namespace
 } // namespace benchmark_test

@@ -45,8 +45,9 @@ struct RunRow {
   StageSeconds stage_seconds;
   std::string warnings;
 
-  /** @brief Returns true if both rows are of the same scene, noise, seed and kind. */
-  bool isSameRun(const RunRow& other) const;
+  /** @brief Returns true if one of some lines of CSV is of the same scene, noise, seed
+   * and kind. */
+  bool isIn(const std::vector<std::string>& lines) const;
 };
 
 /** @brief Returns the names of all columns as a line of CSV without line end. */
@@ -55,11 +56,5 @@ std::string csvHeader();
 /** @brief Returns a row as a line of CSV without line end. Text is quoted if necessary,
  * and its line ends become blanks; unknown values are empty. */
 std::string toCsv(const RunRow& row);
-
-/** @brief Parses a row.
- * @param header the header line of its file; columns may be missing, reordered or
- * unknown
- * @throw std::invalid_argument, a sentence, if a cell cannot be read */
-RunRow rowFromCsv(const std::string& header, const std::string& line);
 
 } // namespace pcl::sedr::benchmark

@@ -5,6 +5,7 @@
 #include "formatted.h"
 
 #include <algorithm>
+#include <array>
 
 namespace pcl::sedr::benchmark {
 
@@ -148,7 +149,7 @@ meanLimit(double noise)
 std::string
 nameOf(Bar bar)
 {
-  static constexpr std::array<const char*, all_bars.size()> names{
+  static constexpr std::array<const char*, 21> names{
       "failed",    "rooms",        "closed",         "components",   "mean",
       "1 cm",      "5 cm",         "model > 5 cm",   "details",      "points > 5 cm",
       "covered",   "solid closed", "solid crossing", "solid mean",   "solid max",

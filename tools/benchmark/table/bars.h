@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -34,22 +33,6 @@ enum class Bar {
   Radius,          ///< of every arc within 1 %
   Corners          ///< the true number in every room
 };
-
-constexpr std::array<Bar, 21> all_bars{
-    Bar::Done,       Bar::Rooms,           Bar::Closed,      Bar::Components,
-    Bar::Mean,       Bar::Within1cm,       Bar::Within5cm,   Bar::ModelBeyond5cm,
-    Bar::DetailZone, Bar::PointsBeyond5cm, Bar::Covered,     Bar::SolidClosed,
-    Bar::SolidMean,  Bar::SolidMax,        Bar::SolidVolume, Bar::SolidCrossing,
-    Bar::WallArea,   Bar::SolidTriangles,  Bar::PlanArea,    Bar::Radius,
-    Bar::Corners};
-
-/** @brief Returns true for a bar of the plan and its solids, which have their own
- * table. */
-constexpr bool
-isOfSolid(Bar bar)
-{
-  return bar >= Bar::SolidClosed;
-}
 
 constexpr double min_within_1cm = 0.95;
 constexpr double min_within_5cm = 0.99;

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <sstream>
 #include <stdexcept>
 
 namespace pcl::sedr::benchmark {
@@ -84,50 +83,6 @@ readCell(const std::string& cell, std::size_t& value)
       cell.find_first_not_of("0123456789") != std::string::npos)
     refuse(cell, "whole number");
   value = std::stoull(cell);
-}
-
-void
-readCell(const std::string& cell, std::optional<std::size_t>& value)
-{
-  value.reset();
-  if (!cell.empty())
-    readCell(cell, value.emplace());
-}
-
-void
-readCell(const std::string& cell, bool& value)
-{
-  if (cell != "0" && cell != "1")
-    refuse(cell, "0 or 1");
-  value = cell == "1";
-}
-
-void
-readCell(const std::string& cell, std::optional<bool>& value)
-{
-  value.reset();
-  if (!cell.empty())
-    readCell(cell, value.emplace());
-}
-
-void
-readCell(const std::string& cell, std::string& value)
-{
-  value = cell;
-}
-
-void
-readCell(const std::string& cell, StageSeconds& value)
-{
-  value.clear();
-  std::istringstream parts(cell);
-  for (std::string part; std::getline(parts, part, ';');) {
-    const std::size_t equals = part.find('=');
-    if (equals == std::string::npos)
-      refuse(cell, "list of stages with seconds");
-    value.emplace_back(part.substr(0, equals), 0.0);
-    readCell(part.substr(equals + 1), value.back().second);
-  }
 }
 
 } // namespace pcl::sedr::benchmark

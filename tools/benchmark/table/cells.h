@@ -28,10 +28,5 @@ std::string cellOf(const StageSeconds& value);
 
 void readCell(const std::string& cell, double& value);
 void readCell(const std::string& cell, std::size_t& value);
-void readCell(const std::string& cell, std::optional<std::size_t>& value);
-void readCell(const std::string& cell, bool& value);
-void readCell(const std::string& cell, std::optional<bool>& value);
-void readCell(const std::string& cell, std::string& value);
-void readCell(const std::string& cell, StageSeconds& value);
 
 } // namespace pcl::sedr::benchmark

@@ -9,7 +9,6 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
-#include <stdexcept>
 #include <system_error>
 
 namespace pcl::sedr::benchmark {
@@ -36,38 +35,23 @@ wholeLinesOf(const std::string& path)
 
 } // namespace
 
-std::vector<RunRow>
-readRows(const std::string& path)
-{
-  std::istringstream lines(wholeLinesOf(path));
-  std::string header;
-  std::getline(lines, header);
-  if (header.compare(0, 6, "scene,") != 0)
-    throw ToolError("'" + path +
-                    "' is no table of runs: its first column is no 'scene'");
-  std::vector<RunRow> rows;
-  for (std::string line; std::getline(lines, line);)
-    try {
-      rows.push_back(rowFromCsv(header, line));
-    }
-    catch (const std::invalid_argument& error) {
-      throw ToolError("'" + path + "', line " + std::to_string(rows.size() + 2) + ": " +
-                      error.what());
-    }
-  return rows;
-}
-
-std::vector<RunRow>
-rowsToContinue(const std::string& path)
+std::vector<std::string>
+linesToContinue(const std::string& path)
 {
   std::error_code error;
-  if (!fs::exists(path, error) || wholeLinesOf(path).empty())
+  if (!fs::exists(path, error))
     return {};
-  const std::string text = wholeLinesOf(path);
-  if (text.substr(0, text.find('\n')) != csvHeader())
+  std::istringstream text(wholeLinesOf(path));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);)
+    lines.push_back(line);
+  if (lines.empty())
+    return {};
+  if (lines.front() != csvHeader())
     throw ToolError("'" + path +
                     "' has other columns than the rows that would be added to it");
-  return readRows(path);
+  lines.erase(lines.begin());
+  return lines;
 }
 
 void

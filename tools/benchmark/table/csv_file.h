@@ -11,13 +11,10 @@
 
 namespace pcl::sedr::benchmark {
 
-/** @brief Reads the rows of a file. A last line without line end is ignored, since it
- * comes from an interrupted run. */
-std::vector<RunRow> readRows(const std::string& path);
-
-/** @brief Reads the rows of a file before it is extended; none if it does not exist.
- * Rejects a file with other columns. */
-std::vector<RunRow> rowsToContinue(const std::string& path);
+/** @brief Returns the lines of a file before it is extended, without the column names;
+ * none if it does not exist. A last line without line end is ignored, since it comes
+ * from an interrupted run. Rejects a file with other columns. */
+std::vector<std::string> linesToContinue(const std::string& path);
 
 /** @brief Appends a row; writes the column names before the first one. A last line
  * without line end is dropped. */

@@ -10,8 +10,4 @@ namespace pcl::sedr::benchmark {
  * line ends in a cell become blanks, so that a row is one line. */
 std::string joinCells(const std::vector<std::string>& cells);
 
-/** @brief Splits a line made by joinCells() into its cells.
- * @throw std::invalid_argument if a quoted cell does not end */
-std::vector<std::string> splitCells(const std::string& line);
-
 } // namespace pcl::sedr::benchmark
