@@ -151,7 +151,7 @@ TEST_F(Program, refusesBadOptions)
 {
   const std::string start = "bls_room " + at("out").string();
   expectRefused("bls_room", "OUTPUT_DIR");
-  expectRefused(start + " surplus", "positional");
+  expectRefused(start + " surplus", "too many");
   expectRefused(start + " --wrong 1", "--wrong");
   expectRefused(start + " --noise -0.1", "--noise");
   expectRefused(start + " --noise nan", "--noise");

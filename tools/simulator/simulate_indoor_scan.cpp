@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "run_tool.h"
 #include "simulator/scan/scan.h"
 #include "simulator/scene/building.h"
 #include "simulator/scene/scenes.h"
@@ -6,13 +7,11 @@
 #include "simulator/truth/room_links.h"
 #include "simulator/truth/room_truth.h"
 #include "simulator/truth/truth_mesh.h"
-
-#include <boost/program_options.hpp>
+#include "tool_error.h"
 
 #include <unistd.h>
 
 #include <cmath>
-#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -22,82 +21,61 @@
 #include <string>
 #include <system_error>
 
-namespace po = boost::program_options;
 namespace sim = pcl::sedr::sim;
+using namespace pcl::sedr::tools;
 
 namespace {
 
 constexpr int kNameWidth = 16; ///< of scene names in a list
 
-/** @brief The command line. Numbers are signed so that -1 is not read as a huge one. */
-struct Arguments {
-  std::string scene;
-  std::filesystem::path folder;
-  std::int64_t seed = static_cast<std::int64_t>(sim::ScanOptions{}.seed);
-  std::int64_t threads = sim::ScanOptions{}.threads;
-  std::int64_t rays = 0;
-  std::int64_t building = 0;
-  double noise = 0.0;
-  double max_range = 0.0;
-  double chord_tolerance = sim::kChordTolerance;
-  sim::ScanOptions scan;
-  bool help = false;
-  bool version = false;
-  bool list = false;
-  std::string print;
-
-  /** @brief Returns true if only information is requested and nothing is scanned. */
-  bool isQuestion() const { return help || version || list || !print.empty(); }
+/** @brief A number that the scene gives unless an option does. */
+struct SceneNumber {
+  double value = 0;
+  bool is_given = false;
 };
 
-po::options_description
-visibleOptions(Arguments& arguments)
-{
-  po::options_description options("Options");
-  auto add = options.add_options();
-  add("help,h", po::bool_switch(&arguments.help), "print this help");
-  add("version", po::bool_switch(&arguments.version), "print the version");
-  add("list", po::bool_switch(&arguments.list),
-      "list the built-in scenes and how they are scanned");
-  add("print", po::value(&arguments.print)->value_name("SCENE"),
-      "print the file of a scene, to copy and edit");
-  add("seed",
-      po::value(&arguments.seed)->default_value(arguments.seed)->value_name("N"),
-      "seed of all random numbers, not negative");
-  add("noise", po::value(&arguments.noise)->value_name("M"),
-      "standard deviation along the ray in metres (default: see --list)");
-  add("rays", po::value(&arguments.rays)->value_name("N"),
-      "rays a scanner position, about (default: see --list)");
-  add("max-range", po::value(&arguments.max_range)->value_name("M"),
-      "longest range in metres (default: see --list)");
-  add("chord-tolerance",
-      po::value(&arguments.chord_tolerance)
-          ->default_value(arguments.chord_tolerance, "0.0005")
-          ->value_name("M"),
-      "distance of the truth's chords from their arcs in metres");
-  add("building", po::value(&arguments.building)->value_name("N"),
-      "write a storey of copies of the scene side by side instead, of about N points "
-      "in all: scan.pcd alone, of x y z label");
-  add("threads",
-      po::value(&arguments.threads)->default_value(arguments.threads)->value_name("N"),
-      "threads; 0: as many as the machine has");
-  return options;
-}
+struct Settings {
+  std::string scene;
+  std::string folder;
+  std::string print;
+  bool list = false;
+  double chord_tolerance = sim::kChordTolerance;
+  SceneNumber noise;
+  SceneNumber rays;
+  SceneNumber max_range;
+  SceneNumber building;
+  sim::ScanOptions scan;
+};
 
 void
-printHelp(const po::options_description& options)
+addOptions(Options& options, Settings& s)
 {
-  std::cout
-      << "Usage: pcl_simulate_indoor_scan SCENE OUTPUT_DIR [options]\n"
-      << "       pcl_simulate_indoor_scan --list\n"
-      << "       pcl_simulate_indoor_scan --print SCENE\n\n"
-      << "Scans an indoor scene: SCENE is the name of a built-in one or a scene file,\n"
-      << "which ends in .json. Writes OUTPUT_DIR/scan.pcd (x y z label room),\n"
-      << "OUTPUT_DIR/positions.txt (x y z points: where they were scanned from),\n"
-      << "OUTPUT_DIR/truth.ply (the closed structure, one component a room)\n"
-      << "and OUTPUT_DIR/truth.json (rooms, storeys and what joins them).\n"
-      << "Label: 0 other, 1 ceiling, 2 floor, 3 wall, 4 detail, 5 column.\n\n"
-      << options;
+  options.optionalFile(
+      "SCENE", s.scene,
+      "name of a built-in scene, or a scene file, which ends in .json");
+  options.optionalFile("OUTPUT_DIR", s.folder, "folder for the files, made if missing");
+  options.flag("list", s.list, "list the built-in scenes and how they are scanned");
+  options.text("print", s.print, "print the file of this scene, to copy and edit");
+  options.number("seed", s.scan.seed, "", "seed of all random numbers");
+  const auto add = [&options](const char* name, SceneNumber& number, const char* unit,
+                              const char* help, const char* otherwise, Range range) {
+    options.optionalNumber(name, number.value, number.is_given, unit, help, otherwise,
+                           range);
+  };
+  add("noise", s.noise, "m", "standard deviation along the ray", "see --list",
+      Range::atLeast(0));
+  add("rays", s.rays, "", "rays a scanner position, about", "see --list",
+      Range::between(1, 1e8));
+  add("max-range", s.max_range, "m", "longest range", "see --list", Range::above(0));
+  options.number("chord-tolerance", s.chord_tolerance, "m",
+                 "distance of the truth's chords from their arcs",
+                 Range::between(1e-6, 0.1));
+  add("building", s.building, "",
+      "write a storey of copies of the scene side by side instead, of about so many "
+      "points in all: scan.pcd alone, of x y z label",
+      "none", Range::between(1, 2e9));
+  options.number("threads", s.scan.threads, "",
+                 "threads; 0: as many as the machine has", Range::between(0, 256));
 }
 
 void
@@ -111,83 +89,6 @@ printScenes()
                 << " positions, --rays " << scanner.rays_per_station << " --noise "
                 << scanner.noise << " --max-range " << scanner.max_range << '\n';
   }
-}
-
-/** @brief Throws @p sentence unless a value is valid. */
-void
-require(bool is_valid, const std::string& sentence)
-{
-  if (!is_valid)
-    throw std::invalid_argument(sentence);
-}
-
-/** @brief Checks the numbers and applies them to the scan options.
- * @throw std::invalid_argument if one is out of range
- */
-void
-applyNumbers(Arguments& arguments, const po::variables_map& given)
-{
-  require(arguments.seed >= 0, "--seed must not be negative");
-  require(arguments.threads >= 0 && arguments.threads <= 256,
-          "--threads must be from 0 to 256");
-  arguments.scan.seed = static_cast<std::uint64_t>(arguments.seed);
-  arguments.scan.threads = static_cast<unsigned>(arguments.threads);
-  require(arguments.chord_tolerance >= 1e-6 && arguments.chord_tolerance <= 0.1,
-          "--chord-tolerance must be from 0.000001 to 0.1 metres");
-  if (given.count("noise") > 0) {
-    require(std::isfinite(arguments.noise) && arguments.noise >= 0.0,
-            "--noise must be a number of metres, not negative");
-    arguments.scan.noise = arguments.noise;
-  }
-  if (given.count("max-range") > 0) {
-    require(arguments.max_range > 0.0,
-            "--max-range must be a positive number of metres");
-    arguments.scan.max_range = arguments.max_range;
-  }
-  if (given.count("building") > 0)
-    require(arguments.building >= 1 && arguments.building <= 2'000'000'000,
-            "--building must be from 1 to 2000000000 points");
-  if (given.count("rays") > 0) {
-    require(arguments.rays >= 1 && arguments.rays <= 100'000'000,
-            "--rays must be from 1 to 100000000");
-    arguments.scan.rays_per_station = static_cast<std::size_t>(arguments.rays);
-  }
-}
-
-Arguments
-parse(int argc, char** argv)
-{
-  Arguments arguments;
-  po::options_description options = visibleOptions(arguments);
-  po::options_description positional_options;
-  positional_options.add_options()("scene", po::value(&arguments.scene));
-  positional_options.add_options()("folder", po::value<std::string>());
-  po::positional_options_description positional;
-  positional.add("scene", 1).add("folder", 1);
-
-  po::options_description all;
-  all.add(options).add(positional_options);
-  // Accept -rays for --rays, as the other programs and PCL's tools do.
-  const int style = (po::command_line_style::default_style |
-                     po::command_line_style::allow_long_disguise) &
-                    ~po::command_line_style::allow_guessing;
-  po::variables_map given;
-  po::store(po::command_line_parser(argc, argv)
-                .options(all)
-                .positional(positional)
-                .style(style)
-                .run(),
-            given);
-  po::notify(given);
-  if (arguments.help)
-    printHelp(options);
-  if (arguments.isQuestion())
-    return arguments;
-  if (given.count("folder") == 0)
-    throw std::invalid_argument("SCENE and OUTPUT_DIR are needed; see -h");
-  arguments.folder = given["folder"].as<std::string>();
-  applyNumbers(arguments, given);
-  return arguments;
 }
 
 void
@@ -210,30 +111,60 @@ prepareFolder(const std::filesystem::path& folder)
 }
 
 void
-simulate(Arguments& arguments)
+simulate(const Settings& settings)
 {
-  const sim::Scene scene = sim::sceneNamed(arguments.scene);
-  prepareFolder(arguments.folder);
+  const sim::Scene scene = sim::sceneNamed(settings.scene);
+  const std::filesystem::path folder = settings.folder;
+  prepareFolder(folder);
+  sim::ScanOptions options = settings.scan;
+  if (settings.noise.is_given)
+    options.noise = settings.noise.value;
+  if (settings.rays.is_given)
+    options.rays_per_station = static_cast<std::size_t>(settings.rays.value);
+  if (settings.max_range.is_given)
+    options.max_range = settings.max_range.value;
   if (isatty(STDERR_FILENO) != 0)
-    arguments.scan.progress = showProgress;
-  if (arguments.building > 0) {
-    const sim::BuildingScan building = sim::writeBuilding(
-        arguments.folder / "scan.pcd", scene,
-        static_cast<std::size_t>(arguments.building), arguments.scan);
+    options.progress = showProgress;
+  if (settings.building.is_given) {
+    const sim::BuildingScan building =
+        sim::writeBuilding(folder / "scan.pcd", scene,
+                           static_cast<std::size_t>(settings.building.value), options);
     std::cout << scene.name << ": " << building.points << " points of "
               << building.copies << " copies\n";
     return;
   }
-  const sim::Mesh truth = sim::truthMesh(scene, arguments.chord_tolerance);
-  const sim::Scan scan = sim::scan(scene, arguments.scan);
-  sim::writePly(arguments.folder / "truth.ply", truth, scene.placement);
-  sim::writeText(arguments.folder / "truth.json",
+  const sim::Mesh truth = sim::truthMesh(scene, settings.chord_tolerance);
+  const sim::Scan scan = sim::scan(scene, options);
+  sim::writePly(folder / "truth.ply", truth, scene.placement);
+  sim::writeText(folder / "truth.json",
                  sim::roomTruthsToJson(scene.name, sim::roomTruths(scene, truth),
                                        sim::roomLinks(scene)));
-  sim::writePcd(arguments.folder / "scan.pcd", scan.points);
-  sim::writePositions(arguments.folder / "positions.txt", scan.positions);
+  sim::writePcd(folder / "scan.pcd", scan.points);
+  sim::writePositions(folder / "positions.txt", scan.positions);
   std::cout << scene.name << ": " << scan.points.size() << " points of " << scan.rays
             << " rays, truth of " << truth.faces.size() << " triangles\n";
+}
+
+int
+run(const Settings& settings)
+{
+  try {
+    if (settings.list)
+      printScenes();
+    else if (!settings.print.empty())
+      std::cout << sim::sceneText(settings.print);
+    else if (settings.folder.empty())
+      throw ToolError("SCENE and OUTPUT_DIR are needed; see -h");
+    else
+      simulate(settings);
+  }
+  catch (const std::bad_alloc&) {
+    throw;
+  }
+  catch (const std::exception& error) {
+    throw ToolError(error.what());
+  }
+  return Done;
 }
 
 } // namespace
@@ -241,20 +172,14 @@ simulate(Arguments& arguments)
 int
 main(int argc, char** argv)
 {
-  try {
-    Arguments arguments = parse(argc, argv);
-    if (!arguments.isQuestion())
-      simulate(arguments);
-    else if (arguments.version)
-      std::cout << "pcl_simulate_indoor_scan (SEDR) " SEDR_VERSION "\n";
-    else if (arguments.list)
-      printScenes();
-    else if (!arguments.print.empty())
-      std::cout << sim::sceneText(arguments.print);
-    return 0;
-  }
-  catch (const std::exception& error) {
-    std::cerr << "pcl_simulate_indoor_scan: " << error.what() << '\n';
-    return 1;
-  }
+  Settings settings;
+  Options options(
+      "pcl_simulate_indoor_scan",
+      "Scans an indoor scene. Writes OUTPUT_DIR/scan.pcd (x y z label room),\n"
+      "OUTPUT_DIR/positions.txt (x y z points: where they were scanned from),\n"
+      "OUTPUT_DIR/truth.ply (the closed structure, one component a room)\n"
+      "and OUTPUT_DIR/truth.json (rooms, storeys and what joins them).\n"
+      "Label: 0 other, 1 ceiling, 2 floor, 3 wall, 4 detail, 5 column.");
+  addOptions(options, settings);
+  return runTool(options, argc, argv, [&] { return run(settings); });
 }
