@@ -132,7 +132,7 @@ addHeadroom(const PlanRoom& room,
 {
   for (const double height : headrooms) {
     std::vector<PlanElement> lines;
-    for (const PlanElement& line : heightLines(room, ceiling.is_given, height))
+    for (const PlanElement& line : heightLines(room, ceiling, height))
       for (const PlanElement& piece : piecesInside(line, room))
         lines.push_back(piece);
     if (lines.empty())
@@ -207,9 +207,9 @@ drawnElements(const Floorplan& plan,
           drawn.push_back({piece, DrawnLayer::Detail, room.id});
         });
     for (const CeilingLine& line : ceilings[r].lines)
-      drawn.push_back({line.element,
-                       line.is_crease ? DrawnLayer::Ridge : DrawnLayer::Detail, room.id,
-                       line.text});
+      for (const PlanElement& piece : piecesInside(line.element, room))
+        drawn.push_back({piece, line.is_crease ? DrawnLayer::Ridge : DrawnLayer::Detail,
+                         room.id, line.text});
     for (const PlanDetail& detail : room.floor_details)
       addAll(detail, [&](const PlanElement& piece) {
         drawn.push_back({piece, DrawnLayer::FloorDetail, room.id});
@@ -289,7 +289,7 @@ roomTexts(const PlanRoom& room,
   const double height = room.ceiling.heightAt(place) - room.floor.heightAt(place);
   std::string heights = decimalText(height, 2);
   if (room.hasFacets()) {
-    const auto [eaves, ridge] = heightRange(room, ceiling.is_given);
+    const auto [eaves, ridge] = heightRange(room, ceiling);
     heights = decimalText(eaves, 2) + " - " + decimalText(ridge, 2);
   }
   return {"Room " + std::to_string(room.id), decimalText(room.area(), 2) + " " + square,

@@ -61,7 +61,7 @@ PlanTexts::place(const Floorplan& plan,
   for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
     const PlanRoom& room = plan.rooms[r];
     for (const PlanElement& wall : room.boundary.elements)
-      writeAlong(wall, "level", eavesText(room, ceilings[r].is_given, wall));
+      writeAlong(wall, "level", eavesText(room, ceilings[r], wall));
     for (const PlanLoop& column : room.columns)
       if (!isIsland(room, column))
         writeColumn(column);

@@ -2,13 +2,13 @@
 #include "ceiling_borders.h"
 
 #include "line_pieces.h"
-#include "sparse_facets.h"
 
 #include "sedr_filters/src/plan/room_lookup.h"
 #include <pcl/sedr_surface/room_solid.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace pcl::sedr {
@@ -24,22 +24,22 @@ CeilingBorders::CeilingBorders(const PlanRoom& room, double finest)
     : room_(room)
     , finest_(finest)
     , layers_(room)
-    , is_sparse_(sparseFacets(room))
-    , is_given_(is_sparse_.size(), false)
+    , shown_(room.details.size() + 1)
     , parts_(layers_.slabs.size())
 {
+  std::iota(shown_.begin(), shown_.end(), -1);
   std::vector<std::string> warnings;
   if (!subdivideRoom(layers_, {}, plan_, warnings).empty())
     plan_ = {}; // its solid says why
   for (const SubdivisionEdge& edge : plan_.edges)
     edges_.push_back(borderOf(edge));
-  giveSparseParts();
-  joinBesideSparse();
   joinWhereUnseen();
-  giveSmallParts();
+  joinSmallParts();
   while (dropShortEnds()) {
   }
   lookFromAfar();
+  findSteps();
+  moveVertices();
 }
 
 double
@@ -159,10 +159,10 @@ CeilingBorders::placesOf(const std::vector<std::size_t>& line) const
   std::uint32_t at =
       line.size() > 1 && isAt(first.a, line[1]) && !isAt(first.b, line[1]) ? first.b
                                                                            : first.a;
-  std::vector<Eigen::Vector2d> places{plan_.placeOf(at)};
+  std::vector<Eigen::Vector2d> places{places_[at]};
   for (const std::size_t e : line) {
     at = plan_.edges[e].a == at ? plan_.edges[e].b : plan_.edges[e].a;
-    places.push_back(plan_.placeOf(at));
+    places.push_back(places_[at]);
   }
   return places;
 }
@@ -225,8 +225,6 @@ CeilingBorders::partsBetween() const
         continue;
       Part& part = parts[partOf(e, is_left)];
       part.area += is_left ? under : -under;
-      if (isSparse(is_left ? edge.left : edge.right))
-        part.sparse_area += is_left ? under : -under;
       part.perimeter += is_inside ? 0 : edges_[e].length;
       if (edges_[e].is_drawn && partOf(e, true) != partOf(e, false))
         part.beside[partOf(e, !is_left)] += edges_[e].length;
@@ -235,78 +233,50 @@ CeilingBorders::partsBetween() const
   return parts;
 }
 
-template <typename IsGiven, typename Rank>
 void
-CeilingBorders::giveParts(IsGiven isGiven, Rank rank)
+CeilingBorders::joinSmallParts()
 {
+  const auto isSmall = [&](const Part& part) {
+    return part.area < min_part_area * finest_ * finest_ ||
+           2 * part.area < min_width * finest_ * part.perimeter;
+  };
   while (true) {
     const std::map<std::size_t, Part> parts = partsBetween();
     auto smallest = parts.end();
     for (auto p = parts.begin(); p != parts.end(); ++p)
-      if (!p->second.beside.empty() && isGiven(p->second) &&
+      if (!p->second.beside.empty() && isSmall(p->second) &&
           (smallest == parts.end() || p->second.area < smallest->second.area))
         smallest = p;
     if (smallest == parts.end())
       return;
     const auto& beside = smallest->second.beside;
-    const auto heir = std::max_element(
-        beside.begin(), beside.end(), [&](const auto& a, const auto& b) {
-          return rank(parts.at(a.first), a.second) < rank(parts.at(b.first), b.second);
-        });
-    for (std::size_t e = 0; e < edges_.size(); ++e)
-      if (edges_[e].is_drawn && std::minmax(partOf(e, true), partOf(e, false)) ==
-                                    std::minmax(smallest->first, heir->first))
+    join(smallest->first, std::max_element(beside.begin(), beside.end(),
+                                           [](const auto& a, const auto& b) {
+                                             return a.second < b.second;
+                                           })
+                              ->first);
+  }
+}
+
+void
+CeilingBorders::join(std::size_t small, std::size_t neighbour)
+{
+  std::map<int, double> in_common; // with the facets of the neighbour
+  for (std::size_t e = 0; e < edges_.size(); ++e)
+    for (const bool is_left : {true, false})
+      if (edges_[e].is_drawn && partOf(e, is_left) == small &&
+          partOf(e, !is_left) == neighbour) {
         edges_[e].is_drawn = false;
-    for (std::size_t k = 0; k < is_given_.size(); ++k)
-      is_given_[k] = is_given_[k] || parts_.find(ceiling_slab + k) == smallest->first;
-    parts_.join(smallest->first, heir->first);
-  }
-}
-
-void
-CeilingBorders::giveSparseParts()
-{
-  giveParts([](const Part& part) { return 2 * part.sparse_area > part.area; },
-            [](const Part& neighbour, double) { return neighbour.area; });
-}
-
-void
-CeilingBorders::joinBesideSparse()
-{
-  struct InCommon {
-    double length = 0;
-    double sparse = 0;
-    std::vector<std::size_t> edges;
-  };
-  std::map<std::pair<std::size_t, std::size_t>, InCommon> borders;
-  for (std::size_t e = 0; e < edges_.size(); ++e) {
-    if (!edges_[e].is_drawn)
-      continue;
-    const auto [a, b] = std::minmax({partOf(e, true), partOf(e, false)});
-    InCommon& border = borders[{a, b}];
-    border.length += edges_[e].length;
-    if (isSparse(plan_.edges[e].left) || isSparse(plan_.edges[e].right))
-      border.sparse += edges_[e].length;
-    border.edges.push_back(e);
-  }
-  for (const auto& [parts, border] : borders) {
-    if (2 * border.sparse <= border.length)
-      continue;
-    for (const std::size_t e : border.edges)
-      edges_[e].is_drawn = false;
-    parts_.join(parts.first, parts.second);
-  }
-}
-
-void
-CeilingBorders::giveSmallParts()
-{
-  giveParts(
-      [&](const Part& part) {
-        return part.area < min_part_area * finest_ * finest_ ||
-               2 * part.area < min_width * finest_ * part.perimeter;
-      },
-      [](const Part&, double in_common) { return in_common; });
+        in_common[shownOn(e, !is_left)] += edges_[e].length;
+      }
+  const int facet =
+      std::max_element(in_common.begin(), in_common.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; })
+          ->first;
+  for (std::size_t k = 0; k < shown_.size(); ++k)
+    if (parts_.find(ceiling_slab + k) == small)
+      shown_[k] = facet;
+  parts_.join(small, neighbour);
 }
 
 bool
@@ -328,6 +298,56 @@ CeilingBorders::dropShortEnds()
     is_changed = true;
   }
   return is_changed;
+}
+
+void
+CeilingBorders::findSteps()
+{
+  for (const std::vector<std::size_t>& line : lines()) {
+    const bool is_step = share(line, [](const Meeting& m) { return m.is_step; }) >= 0.5;
+    for (const std::size_t e : line)
+      edges_[e].is_step = is_step;
+  }
+}
+
+void
+CeilingBorders::moveVertices()
+{
+  std::vector<std::vector<Limit>> limits(plan_.vertices.size());
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    const SubdivisionEdge& edge = plan_.edges[e];
+    if (edges_[e].is_of_facets ? !edges_[e].is_drawn
+                               : edge.left.ceiling == edge.right.ceiling)
+      continue;
+    for (const std::uint32_t v : {edge.a, edge.b})
+      limits[v].push_back(limitOf(e));
+  }
+  for (std::uint32_t v = 0; v < limits.size(); ++v)
+    places_.push_back(placeOfMeeting(limits[v], plan_.placeOf(v)));
+}
+
+Limit
+CeilingBorders::limitOf(std::size_t e) const
+{
+  const bool do_meet = edges_[e].is_drawn && !edges_[e].is_step && !arcAt(e);
+  return {edges_[e].normal, do_meet ? &slabOn(e, true) : nullptr,
+          do_meet ? &slabOn(e, false) : nullptr};
+}
+
+CeilingLines::Borders
+CeilingBorders::borders() const
+{
+  CeilingLines::Borders found;
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    if (!edges_[e].is_of_facets)
+      continue;
+    PlanElement border;
+    border.start = plan_.placeOf(plan_.edges[e].a);
+    border.end = plan_.placeOf(plan_.edges[e].b);
+    found[std::minmax({shownOn(e, true), shownOn(e, false)})].emplace_back(
+        border, edges_[e].is_drawn && edges_[e].is_step);
+  }
+  return found;
 }
 
 std::vector<std::size_t>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../solid/plan_subdivision.h"
+#include "ceiling_lines.h"
 #include "ceiling_meeting.h"
 
 #include "sedr_filters/src/grids/disjoint_sets.h"
@@ -26,6 +27,7 @@ public:
   struct Border {
     bool is_drawn = false; ///< so far; never for what is no border of facets
     bool is_of_facets = false;
+    bool is_step = false; ///< so is most of the line that it is drawn as
     Meeting meeting;
     double length = 0;
     Eigen::Vector2d middle = Eigen::Vector2d::Zero();
@@ -44,7 +46,8 @@ public:
    * end, or closed. They end where others do, and where an arc begins. */
   std::vector<std::vector<std::size_t>> lines() const;
 
-  /** @brief Returns the vertices along a line. */
+  /** @brief Returns the vertices along a line, each where the surfaces around it meet.
+   */
   std::vector<Eigen::Vector2d> placesOf(const std::vector<std::size_t>& line) const;
 
   /** @brief Returns the arc that an edge is a chord of, or null. */
@@ -65,13 +68,16 @@ public:
 
   /** @brief As of CeilingLines. */
   std::vector<std::size_t> parts() const;
-  const std::vector<bool>& given() const { return is_given_; }
+  const std::vector<int>& shown() const { return shown_; }
+  CeilingLines::Borders borders() const;
+
+  /** @brief Returns what an edge asks of the places of its line. */
+  Limit limitOf(std::size_t e) const;
 
 private:
   /** @brief A part between lines, and what it has in common with others. */
   struct Part {
     double area = 0;
-    double sparse_area = 0;
     double perimeter = 0;
     std::map<std::size_t, double> beside;
   };
@@ -80,9 +86,11 @@ private:
   {
     return layers_.slabs[static_cast<std::size_t>(k)].slab;
   }
-  bool isSparse(const PlanRegion& facet) const
+  int shownOn(std::size_t e, bool is_left) const
   {
-    return is_sparse_[static_cast<std::size_t>(facet.ceiling) - ceiling_slab];
+    const SubdivisionEdge& edge = plan_.edges[e];
+    const int k = is_left ? edge.left.ceiling : edge.right.ceiling;
+    return shown_[static_cast<std::size_t>(k) - ceiling_slab];
   }
   double roughnessAt(const SubdivisionEdge& edge) const;
   bool isFacet(const PlanRegion& region) const;
@@ -90,17 +98,10 @@ private:
   std::size_t partOf(std::size_t e, bool is_left) const;
   std::map<std::size_t, Part> partsBetween() const;
 
-  /** @brief Gives parts to a neighbour, the smallest first.
-   * @param isGiven which ones
-   * @param rank of a neighbour by its part and the length in common */
-  template <typename IsGiven, typename Rank>
-  void giveParts(IsGiven isGiven, Rank rank);
-  void giveSparseParts();
-  void giveSmallParts();
-
-  /** @brief Joins parts whose border is one of sparse facets along more than half of
-   * it. */
-  void joinBesideSparse();
+  /** @brief Joins parts that are too small to the neighbours with the longest border in
+   * common, the smallest first. */
+  void joinSmallParts();
+  void join(std::size_t small, std::size_t neighbour);
 
   /** @brief Decides border by border, not edge by edge, what is seen. */
   void joinWhereUnseen();
@@ -111,6 +112,10 @@ private:
   /** @brief Looks at the lines that are left from where the parts are that a drawing
    * shows: a strip between two vaults is a valley. */
   void lookFromAfar();
+  void findSteps();
+
+  /** @brief Moves each vertex once, so that the lines around it end at one place. */
+  void moveVertices();
 
   /** @brief Returns how many lines end at each vertex; far more than two where a wall,
    * a column or the edge of a detail passes. */
@@ -123,10 +128,10 @@ private:
   const PlanRoom& room_;
   double finest_;
   RoomLayers layers_;
-  std::vector<bool> is_sparse_; ///< of the main ceiling and each detail
-  std::vector<bool> is_given_;  ///< likewise, to a neighbour
+  std::vector<int> shown_; ///< as of CeilingLines
   PlanSubdivision plan_;
   std::vector<Border> edges_;               ///< as in the subdivision
+  std::vector<Eigen::Vector2d> places_;     ///< of its vertices
   mutable DisjointSets<std::size_t> parts_; ///< of slabs; finding shortens its paths
 };
 

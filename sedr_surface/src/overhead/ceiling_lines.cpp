@@ -30,35 +30,27 @@ public:
     for (const std::vector<std::size_t>& line : borders_.lines())
       addPieces(line, found.lines);
     found.part = borders_.parts();
-    found.is_given = borders_.given();
+    found.shown = borders_.shown();
+    found.borders = borders_.borders();
     return found;
   }
 
 private:
-  /** @brief Returns a line's places on the curve in which its surfaces meet: borders
-   * follow that by cells only. A line along which most of them do not meet stays. */
-  std::vector<Eigen::Vector2d>
-  whereTheyMeet(const std::vector<std::size_t>& line,
-                const std::vector<Eigen::Vector2d>& places) const
+  /** @brief Returns places along a line, on the curve in which its surfaces meet:
+   * borders follow that by cells only. */
+  std::vector<Eigen::Vector2d> placesAlong(const std::vector<std::size_t>& line,
+                                           const std::vector<Eigen::Vector2d>& ends)
   {
-    std::vector<Eigen::Vector2d> met;
-    double length = 0;
-    double apart = 0;
+    std::vector<Eigen::Vector2d> places{ends.front()};
     for (std::size_t k = 0; k < line.size(); ++k) {
-      const double part = borders_.border(line[k]).length;
-      const auto steps =
-          static_cast<std::size_t>(std::ceil(part / (sample * finest_))) + 1;
-      for (std::size_t i = k == 0 ? 0 : 1; i <= steps; ++i) {
-        const double share = static_cast<double>(i) / static_cast<double>(steps);
-        const Eigen::Vector2d place = (1 - share) * places[k] + share * places[k + 1];
-        const auto meeting = placeOfMeeting(borders_.slabOn(line[k], true),
-                                            borders_.slabOn(line[k], false), place);
-        met.push_back(meeting.value_or(place));
-        apart += meeting ? 0 : part / static_cast<double>(steps);
-      }
-      length += part;
+      const Eigen::Vector2d way = ends[k + 1] - ends[k];
+      const double steps = std::ceil(way.norm() / (sample * finest_));
+      for (double i = 1; i < steps; ++i)
+        places.push_back(
+            placeOfMeeting({borders_.limitOf(line[k])}, ends[k] + i / steps * way));
+      places.push_back(ends[k + 1]);
     }
-    return apart > length / 2 ? places : met;
+    return places;
   }
 
   void addPieces(const std::vector<std::size_t>& line, std::vector<CeilingLine>& found)
@@ -78,7 +70,7 @@ private:
     }
     const std::size_t begin = found.size();
     for (const PlanElement& piece :
-         withoutBulges(piecesOf(whereTheyMeet(line, places), straight * finest_),
+         withoutBulges(piecesOf(placesAlong(line, places), straight * finest_),
                        min_part_area * finest_ * finest_))
       found.push_back({piece, is_crease, {}});
     const auto longest =
@@ -117,13 +109,28 @@ private:
 
 } // namespace
 
+bool
+CeilingLines::isStep(int a, int b, const Eigen::Vector2d& place) const
+{
+  const auto found = borders.find(std::minmax({a, b}));
+  if (found == borders.end())
+    return false;
+  return std::min_element(found->second.begin(), found->second.end(),
+                          [&](const auto& one, const auto& other) {
+                            return one.first.distance(place) <
+                                   other.first.distance(place);
+                          })
+      ->second;
+}
+
 CeilingLines
 ceilingLines(const PlanRoom& room, double finest)
 {
   if (room.hasFacets())
     return LineFinder(room, finest).find();
   CeilingLines none;
-  none.is_given.resize(room.details.size() + 1);
+  none.shown.resize(room.details.size() + 1);
+  std::iota(none.shown.begin(), none.shown.end(), -1);
   none.part.resize(room.details.size() + 1);
   std::iota(none.part.begin(), none.part.end(), std::size_t{0});
   return none;

@@ -4,7 +4,9 @@
 #include <pcl/sedr_filters/floorplan.h>
 
 #include <cstddef>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pcl::sedr {
@@ -22,9 +24,21 @@ struct CeilingLines {
   /** Of the main ceiling, then of each detail: a number that facets without a line
    * between them have in common. */
   std::vector<std::size_t> part;
-  /** Of the main ceiling, then of each detail: whether a drawing gives it to its
-   * neighbour, as too small or too sparse. */
-  std::vector<bool> is_given;
+  /** Likewise: the detail that the drawing shows there, or -1 for the main ceiling.
+   * Another one than itself where it is too small. */
+  std::vector<int> shown;
+  /** The borders of facets, by the details that are shown beside them, and whether they
+   * are drawn as steps. */
+  using Borders =
+      std::map<std::pair<int, int>, std::vector<std::pair<PlanElement, bool>>>;
+  Borders borders;
+
+  /** @param detail as of PlanRoom::detailAt() */
+  int shownFor(int detail) const { return shown[static_cast<std::size_t>(detail + 1)]; }
+
+  /** @brief Returns whether two facets are parted by a step that is drawn, at their
+   * border nearest to a place. */
+  bool isStep(int a, int b, const Eigen::Vector2d& place) const;
 };
 
 /** @brief Returns the borders of the facets of a room's ceiling that can be seen and
@@ -32,11 +46,11 @@ struct CeilingLines {
  *
  * A border of two facets is a line if along half of it there is a step or a bend, which
  * is more than three times what both are rough: the root of the sum of their squared
- * residuals. A part between lines
- * that is too small for the drawing goes to the neighbour with the longest line in
- * common, one of sparse facets, see sparseFacets(), to the largest. Where two surfaces
- * meet, a line is the curve of their intersection. What remains is straightened to
- * `finest`, without bulges smaller than a part. Arcs remain arcs.
+ * residuals. A part between lines that is too small for the drawing is shown as the
+ * neighbour with the longest line in common. Where surfaces meet, a line is the curve
+ * of their intersection; where there is a step, it is their border. Lines end where
+ * others do, and at walls. What remains is straightened to `finest`, without bulges
+ * smaller than a part. Arcs remain arcs.
  *
  * @param finest metres that a millimetre of paper stands for: parts narrower than
  * two of them or below 25 square ones and lines up to 30, but no more than a metre,

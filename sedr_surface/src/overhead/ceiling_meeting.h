@@ -5,14 +5,15 @@
 
 #include <Eigen/Core>
 
-#include <optional>
+#include <vector>
 
 namespace pcl::sedr {
 
 /** @brief How two parts of a ceiling meet at a place. */
 struct Meeting {
   bool is_seen = false;
-  bool is_crease = false; ///< they meet at one height; otherwise there is a step
+  bool is_step = false;   ///< they are at one height nowhere within 0.1 m
+  bool is_crease = false; ///< they meet in a ridge or a valley
   bool is_ridge = false;  ///< both fall away
 };
 
@@ -23,9 +24,16 @@ Meeting meetingOf(const Eigen::Vector2d& left,
                   double beside,
                   double roughness);
 
-/** @brief Finds where two surfaces are at one height, up to 0.3 m from a place; nothing
- * where they are nearly parallel. */
-std::optional<Eigen::Vector2d>
-placeOfMeeting(const PlanSlab& left, const PlanSlab& right, Eigen::Vector2d place);
+/** @brief What a line in plan asks of the places on it. */
+struct Limit {
+  Eigen::Vector2d normal;          ///< of the line
+  const PlanSlab* left = nullptr;  ///< null: a place stays on the line
+  const PlanSlab* right = nullptr; ///< otherwise both are at one height there
+};
+
+/** @brief Returns the place nearest to a given one that is within all limits, those of
+ * heights by least squares; the given one if that is not within 0.2 m. */
+Eigen::Vector2d placeOfMeeting(const std::vector<Limit>& limits,
+                               const Eigen::Vector2d& start);
 
 } // namespace pcl::sedr

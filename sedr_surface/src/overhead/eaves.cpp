@@ -10,9 +10,7 @@
 namespace pcl::sedr {
 
 std::string
-eavesText(const PlanRoom& room,
-          const std::vector<bool>& is_given,
-          const PlanElement& wall)
+eavesText(const PlanRoom& room, const CeilingLines& ceiling, const PlanElement& wall)
 {
   constexpr double level = 0.05; // maximum height difference along eaves
   constexpr double beside = 0.03;
@@ -26,7 +24,7 @@ eavesText(const PlanRoom& room,
     const double s = share * wall.length();
     const Eigen::Vector2d inside = wall.pointAt(s) + beside * wall.normalAt(s);
     const int detail = room.detailAt(inside);
-    return is_given[static_cast<std::size_t>(detail + 1)]
+    return ceiling.shownFor(detail) != detail
                ? std::numeric_limits<double>::quiet_NaN()
                : room.ceilingSlab(detail).heightAt(wall.pointAt(s) +
                                                    distance * wall.normalAt(s));

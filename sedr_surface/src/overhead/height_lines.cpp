@@ -26,8 +26,8 @@ struct HeightGrid {
   std::size_t columns = 0;
   std::size_t rows = 0;
   std::vector<double> height; ///< NaN outside the room, but not beside it
-  std::vector<double> floor;  ///< z
-  std::vector<const PlanSlab*> ceiling;
+  std::vector<int> ceiling;   ///< the detail that is shown, or `outside`
+  std::vector<int> floor;     ///< detail of the floor
 
   Eigen::Vector2d placeOf(std::size_t k) const
   {
@@ -36,44 +36,27 @@ struct HeightGrid {
   }
 };
 
-constexpr int outside = -3; ///< of the room
-constexpr int given = -2;   ///< to a neighbour; others are as of PlanRoom::detailAt()
+constexpr int outside = -2; ///< of the room; others are as of PlanRoom::detailAt()
 
-bool
-isGiven(const std::vector<bool>& is_given, int detail)
-{
-  return is_given[static_cast<std::size_t>(detail + 1)];
-}
-
-/** @brief Lets details go on over what is given to them, and one sample out of the
- * room, so that lines reach its walls. */
+/** @brief Lets details go on one sample out of the room, so that lines reach its walls.
+ */
 void
-spreadDetails(const HeightGrid& grid, std::vector<int>& detail)
+passWalls(HeightGrid& grid)
 {
   const auto stride = static_cast<std::ptrdiff_t>(grid.columns);
-  std::vector<std::size_t> wave;
-  for (std::size_t k = 0; k < detail.size(); ++k)
-    if (detail[k] > given)
-      wave.push_back(k);
-  const std::vector<int> in_room = detail;
-  for (std::size_t next = 0; next < wave.size(); ++next) {
-    const std::size_t k = wave[next];
-    if (in_room[k] == outside)
-      continue;
+  const std::vector<int> in_room = grid.ceiling;
+  for (std::size_t k = 0; k < in_room.size(); ++k)
     for (const std::ptrdiff_t way :
          {std::ptrdiff_t{-1}, std::ptrdiff_t{1}, -stride, stride, -stride - 1,
           -stride + 1, stride - 1, stride + 1}) {
       const auto other = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(k) + way);
-      if (other >= detail.size() || detail[other] > given)
-        continue;
-      detail[other] = detail[k];
-      wave.push_back(other);
+      if (grid.ceiling[k] == outside && other < in_room.size())
+        grid.ceiling[k] = in_room[other];
     }
-  }
 }
 
 HeightGrid
-heightsOf(const PlanRoom& room, const std::vector<bool>& is_given)
+heightsOf(const PlanRoom& room, const CeilingLines& ceiling)
 {
   HeightGrid grid;
   Eigen::AlignedBox2d box;
@@ -87,20 +70,19 @@ heightsOf(const PlanRoom& room, const std::vector<bool>& is_given)
   grid.columns = static_cast<std::size_t>(box.sizes().x() / grid.step) + 3;
   grid.rows = static_cast<std::size_t>(box.sizes().y() / grid.step) + 3;
   const RoomLookup lookup(room);
-  std::vector<int> detail;
   for (std::size_t k = 0; k < grid.columns * grid.rows; ++k) {
     const Eigen::Vector2d p = grid.placeOf(k);
-    const int at = lookup.contains(p) ? lookup.detailAt(p) : outside;
-    detail.push_back(at != outside && isGiven(is_given, at) ? given : at);
+    grid.ceiling.push_back(lookup.contains(p) ? ceiling.shownFor(lookup.detailAt(p))
+                                              : outside);
+    grid.floor.push_back(lookup.floorDetailAt(p));
   }
-  spreadDetails(grid, detail);
-  for (std::size_t k = 0; k < detail.size(); ++k) {
+  passWalls(grid);
+  for (std::size_t k = 0; k < grid.ceiling.size(); ++k) {
     const Eigen::Vector2d p = grid.placeOf(k);
-    const bool is_known = detail[k] > given;
-    grid.ceiling.push_back(is_known ? &room.ceilingSlab(detail[k]) : nullptr);
-    grid.floor.push_back(lookup.floorAt(p));
-    grid.height.push_back(is_known ? grid.ceiling.back()->heightAt(p) - grid.floor[k]
-                                   : std::numeric_limits<double>::quiet_NaN());
+    grid.height.push_back(grid.ceiling[k] == outside
+                              ? std::numeric_limits<double>::quiet_NaN()
+                              : room.ceilingSlab(grid.ceiling[k]).heightAt(p) -
+                                    room.floorSlab(grid.floor[k]).heightAt(p));
   }
   return grid;
 }
@@ -111,8 +93,13 @@ using Side = std::pair<std::size_t, bool>;
 /** @brief Joins the crossings of a height with the sides of squares into lines. */
 class LineTracer {
 public:
-  LineTracer(const HeightGrid& grid, double height)
-      : grid_(grid)
+  LineTracer(const PlanRoom& room,
+             const CeilingLines& ceiling,
+             const HeightGrid& grid,
+             double height)
+      : room_(room)
+      , ceiling_(ceiling)
+      , grid_(grid)
       , height_(height)
   {}
 
@@ -157,17 +144,20 @@ private:
     return side.first + (side.second ? 1 : grid_.columns);
   }
 
-  /** @brief Returns whether ceiling or floor step between two samples: that edge is
-   * drawn as such. */
+  /** @brief Returns whether a step of ceiling or floor is drawn between two samples. */
   bool isStep(const Side& side) const
   {
-    constexpr double min_step = 0.03;
     const std::size_t other = otherEnd(side);
-    const Eigen::Vector2d p = (grid_.placeOf(side.first) + grid_.placeOf(other)) / 2;
-    const auto heightAt = [&](std::size_t k) {
-      return grid_.ceiling[k]->heightAt(p) - grid_.floor[k];
+    const int a = grid_.ceiling[side.first];
+    const int b = grid_.ceiling[other];
+    const auto isFacet = [&](int k) {
+      return k < 0 || room_.details[static_cast<std::size_t>(k)].is_facet;
     };
-    return std::abs(heightAt(side.first) - heightAt(other)) > min_step;
+    if (grid_.floor[side.first] != grid_.floor[other] ||
+        (a != b && !(isFacet(a) && isFacet(b))))
+      return true;
+    return a != b && ceiling_.isStep(
+                         a, b, (grid_.placeOf(side.first) + grid_.placeOf(other)) / 2);
   }
 
   Eigen::Vector2d placeOf(const Side& side) const
@@ -177,24 +167,26 @@ private:
     const Eigen::Vector2d to = grid_.placeOf(other);
     const double low = grid_.height[side.first];
     const double high = grid_.height[other];
-    const PlanSlab* ceiling = grid_.ceiling[side.first];
+    const int detail = grid_.ceiling[side.first];
+    const PlanSlab& ceiling = room_.ceilingSlab(detail);
     const Eigen::Vector2d straight =
         from + (height_ - low) / (high - low) * (to - from);
-    if (!ceiling->curve || ceiling != grid_.ceiling[other])
+    if (!ceiling.curve || detail != grid_.ceiling[other])
       return straight;
     // A steep vault is far from its chord, even on a few centimetres.
-    const double level = height_ - low + ceiling->heightAt(from);
+    const double level = height_ - low + ceiling.heightAt(from);
     Eigen::Vector2d below = low < high ? from : to;
     Eigen::Vector2d above = low < high ? to : from;
     for (int k = 0; k < 12; ++k) {
       const Eigen::Vector2d middle = (below + above) / 2;
-      (ceiling->heightAt(middle) > level ? above : below) = middle;
+      (ceiling.heightAt(middle) > level ? above : below) = middle;
     }
     return (below + above) / 2;
   }
 
   std::vector<Eigen::Vector2d> follow(Side side)
   {
+    const Side first = side;
     std::vector<Eigen::Vector2d> line;
     for (bool goes_on = true; goes_on;) {
       is_used_[side] = true;
@@ -207,9 +199,14 @@ private:
           break;
         }
     }
+    const std::vector<Side>& ends = next_[side];
+    if (line.size() > 2 && std::find(ends.begin(), ends.end(), first) != ends.end())
+      line.push_back(line.front());
     return line;
   }
 
+  const PlanRoom& room_;
+  const CeilingLines& ceiling_;
   const HeightGrid& grid_;
   double height_;
   std::map<Side, std::vector<Side>> next_;
@@ -219,23 +216,23 @@ private:
 } // namespace
 
 std::vector<PlanElement>
-heightLines(const PlanRoom& room, const std::vector<bool>& is_given, double height)
+heightLines(const PlanRoom& room, const CeilingLines& ceiling, double height)
 {
   std::vector<PlanElement> pieces;
   if (!room.hasFacets())
     return pieces;
-  const HeightGrid grid = heightsOf(room, is_given);
+  const HeightGrid grid = heightsOf(room, ceiling);
   if (grid.columns < 2 || grid.rows < 2)
     return pieces;
   constexpr double tolerance = 0.005;
-  for (const auto& line : LineTracer(grid, height).run())
+  for (const auto& line : LineTracer(room, ceiling, grid, height).run())
     for (const PlanElement& piece : piecesOf(line, tolerance))
       pieces.push_back(piece);
   return pieces;
 }
 
 std::pair<double, double>
-heightRange(const PlanRoom& room, const std::vector<bool>& is_given)
+heightRange(const PlanRoom& room, const CeilingLines& ceiling)
 {
   const RoomLookup lookup(room);
   std::pair<double, double> range(std::numeric_limits<double>::infinity(),
@@ -244,9 +241,13 @@ heightRange(const PlanRoom& room, const std::vector<bool>& is_given)
     range.first = std::min(range.first, height);
     range.second = std::max(range.second, height);
   };
-  const HeightGrid grid = heightsOf(room, is_given);
+  const auto isShown = [&](const Eigen::Vector2d& p) {
+    const int detail = lookup.detailAt(p);
+    return lookup.contains(p) && ceiling.shownFor(detail) == detail;
+  };
+  const HeightGrid grid = heightsOf(room, ceiling);
   for (std::size_t k = 0; k < grid.height.size(); ++k)
-    if (std::isfinite(grid.height[k]) && lookup.contains(grid.placeOf(k)))
+    if (isShown(grid.placeOf(k)))
       add(grid.height[k]);
   // Eaves and ridges lie on the borders of facets, whose loops end at the walls only
   // within tolerance: what is above a wall is asked for beside it.
@@ -254,14 +255,15 @@ heightRange(const PlanRoom& room, const std::vector<bool>& is_given)
     for (const double share : {0.02, 0.5, 0.98}) {
       const double s = share * wall.length();
       const Eigen::Vector2d p = wall.pointAt(s) + beside_border * wall.normalAt(s);
-      const int detail = room.detailAt(p);
-      if (room.contains(p) && !isGiven(is_given, detail))
-        add(room.ceilingSlab(detail).heightAt(wall.pointAt(s)) - lookup.floorAt(p));
+      if (isShown(p))
+        add(room.ceilingSlab(lookup.detailAt(p)).heightAt(wall.pointAt(s)) -
+            lookup.floorAt(p));
     }
   for (std::size_t d = 0; d < room.details.size(); ++d)
     for (const PlanElement& border : room.details[d].boundary.elements) {
       const Eigen::Vector2d p = border.pointAt(border.length() / 2);
-      if (!is_given[d + 1] && room.contains(p))
+      const int detail = static_cast<int>(d);
+      if (ceiling.shownFor(detail) == detail && room.contains(p))
         add(room.details[d].slab.heightAt(p) - lookup.floorAt(p));
     }
   return range;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/floorplan.h>
+#include "ceiling_lines.h"
 
 #include <utility>
 #include <vector>
@@ -10,15 +10,14 @@ namespace pcl::sedr {
 
 /** @brief Returns the lines in plan along which the ceiling of a room is `height`
  * metres above its floor, as under a roof. Pieces accurate to a few millimetres, which
- * may go on behind the walls; none along steps, and empty if the ceiling is level.
- * @param is_given of the main ceiling and each detail: its neighbours go on over it,
- * see CeilingLines */
+ * may go on behind the walls; none along steps that are drawn, and empty if the ceiling
+ * is level. */
 std::vector<PlanElement>
-heightLines(const PlanRoom& room, const std::vector<bool>& is_given, double height);
+heightLines(const PlanRoom& room, const CeilingLines& ceiling, double height);
 
 /** @brief Returns the minimum and maximum height of the ceiling above the floor,
- * metres: at eaves and ridge. */
+ * metres: at eaves and ridge. What the drawing does not show does not count. */
 std::pair<double, double> heightRange(const PlanRoom& room,
-                                      const std::vector<bool>& is_given);
+                                      const CeilingLines& ceiling);
 
 } // namespace pcl::sedr

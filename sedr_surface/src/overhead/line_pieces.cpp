@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "line_pieces.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -71,10 +70,12 @@ private:
     arc.radius = (a - arc.centre).norm();
     arc.counter_clockwise = across > 0;
     double length = 0;
-    for (std::size_t k = first; k <= last; ++k) {
-      if (arc.distance(line_[k]) > part * tolerance_)
+    for (std::size_t k = first + 1; k <= last; ++k) {
+      const Eigen::Vector2d middle =
+          (line_[k - 1] + line_[k]) / 2; // of a polygon's side
+      if (std::max(arc.distance(line_[k]), arc.distance(middle)) > part * tolerance_)
         return false;
-      length += k > first ? (line_[k] - line_[k - 1]).norm() : 0;
+      length += (line_[k] - line_[k - 1]).norm();
     }
     constexpr double same_length = 0.05; // chords are little shorter, detours are not
     if (std::abs(arc.length() - length) > same_length * length)
@@ -86,57 +87,6 @@ private:
   const std::vector<Eigen::Vector2d>& line_;
   double tolerance_;
 };
-
-/** @brief Returns places on the ellipse nearest to a closed line, closed; none if its
- * corners are farther from it than the tolerance, root mean square. */
-std::vector<Eigen::Vector2d>
-ellipseNear(const std::vector<Eigen::Vector2d>& line, double tolerance)
-{
-  // a x^2 + b x y + c y^2 + d x + e y = 1 about the middle, by the middles of its
-  // segments and their ends: a border's corners are farther out than its segments.
-  constexpr int parts = 4;
-  const auto size = static_cast<double>(line.size());
-  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-  for (const Eigen::Vector2d& corner : line)
-    middle += corner / size;
-  using Row = Eigen::Matrix<double, 5, 1>;
-  const auto rowOf = [&](const Eigen::Vector2d& q) {
-    return Row(q.x() * q.x(), q.x() * q.y(), q.y() * q.y(), q.x(), q.y());
-  };
-  Eigen::Matrix<double, 5, 5> squares = Eigen::Matrix<double, 5, 5>::Zero();
-  Row sum = Row::Zero();
-  for (std::size_t k = 0; k + 1 < line.size(); ++k)
-    for (int i = 0; i < parts; ++i) {
-      const double weight = (line[k + 1] - line[k]).norm();
-      const Row row =
-          rowOf(line[k] + (i + 0.5) / parts * (line[k + 1] - line[k]) - middle);
-      squares += weight * row * row.transpose();
-      sum += weight * row;
-    }
-  const Row f = squares.ldlt().solve(sum);
-  Eigen::Matrix2d shape;
-  shape << f[0], f[1] / 2, f[1] / 2, f[2];
-  if (!f.allFinite() || !(shape.determinant() > 0) || !(f[0] > 0))
-    return {};
-  const Eigen::Vector2d centre = -shape.inverse() * f.segment<2>(3) / 2;
-  const double level = 1 + centre.dot(shape * centre);
-  const auto onEllipse = [&](const Eigen::Vector2d& way) -> Eigen::Vector2d {
-    return middle + centre + way * std::sqrt(level / way.dot(shape * way));
-  };
-  double off = 0;
-  for (const Eigen::Vector2d& corner : line)
-    off += (corner - onEllipse(corner - middle - centre)).squaredNorm() / size;
-  if (!(std::sqrt(off) <= tolerance))
-    return {};
-  constexpr int places = 96;
-  std::vector<Eigen::Vector2d> ellipse;
-  for (int k = 0; k < places; ++k) {
-    const double turn = 2 * M_PI * k / places;
-    ellipse.push_back(onEllipse({std::cos(turn), std::sin(turn)}));
-  }
-  ellipse.push_back(ellipse.front());
-  return ellipse;
-}
 
 /** @brief Returns the area between a segment and the corners of a line, first to
  * last. */
@@ -223,18 +173,10 @@ withoutBulges(const std::vector<PlanElement>& line, double min_area)
 std::vector<PlanElement>
 piecesOf(const std::vector<Eigen::Vector2d>& line, double tolerance)
 {
-  constexpr std::size_t round = 8; // corners; a coffer has fewer
   LinePieces parts(line, tolerance);
   if (line.size() > 1)
     parts.add(0, line.size() - 1);
-  if (parts.pieces.size() < round || line.front() != line.back())
-    return parts.pieces;
-  const std::vector<Eigen::Vector2d> ellipse = ellipseNear(line, tolerance);
-  if (ellipse.empty())
-    return parts.pieces;
-  LinePieces arcs(ellipse, tolerance);
-  arcs.add(0, ellipse.size() - 1);
-  return arcs.pieces;
+  return parts.pieces;
 }
 
 PlanElement

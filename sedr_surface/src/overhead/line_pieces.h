@@ -14,10 +14,9 @@ namespace pcl::sedr {
 constexpr double beside_border = 0.05;
 
 /** @brief Returns a line through places as few segments that no place is farther from
- * than the tolerance, metres. Where eight places or more are on an arc, a third of the
- * tolerance off at most, it is an arc. A closed line of eight pieces or more with its
- * corners on an ellipse, within the tolerance, root mean square, is that, as arcs. The
- * ends of the line stay; one that ends where it starts is closed. */
+ * than the tolerance, metres. Where eight places or more and the middles between them
+ * are on an arc, a third of the tolerance off at most, it is an arc. The ends of the
+ * line stay; one that ends where it starts is closed. */
 std::vector<PlanElement> piecesOf(const std::vector<Eigen::Vector2d>& line,
                                   double tolerance);
 

@@ -182,21 +182,90 @@ TEST(CeilingLines, TwoSurfacesMeetInALine)
   }
 }
 
-TEST(CeilingLines, ASparseFacetGoesToTheLargestBesideIt)
+TEST(CeilingLines, AStepStaysWhereItIs)
 {
-  // Beside the left wall, steps of 50 cm: 200 points on 4 square metres, 2000 on all.
-  PlanRoom room = roomWith(
-      {{rectangle(0, 0, 1, 4), slabAt(2)}, {rectangle(1, 0, 3, 4), slabAt(3)}});
-  room.ceiling.inliers = 1400;
-  room.details[1].slab.inliers = 400;
-  for (const std::size_t points : {200u, 20u}) {
-    room.details[0].slab.inliers = points;
-    const CeilingLines found = ceilingLines(room, at_1_50);
-    const bool is_sparse = points < 50;
-    EXPECT_EQ(found.lines.size(), is_sparse ? 1u : 2u);
-    EXPECT_EQ(found.is_given, (std::vector<bool>{false, is_sparse, false}));
-    EXPECT_NEAR(heightRange(room, found.is_given).first, is_sparse ? 2.5 : 2, 1e-6);
+  // A riser of 20 cm, then a slope of 45 degrees: they would meet at 3.8 m.
+  const auto lines =
+      ceilingLines(roomWith({{rectangle(4, 0, 8, 4), slabAt(2.7 - 4, 1)}}), at_1_50)
+          .lines;
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_NEAR(lines[0].element.start.x(), 4, 1e-5);
+  EXPECT_NEAR(lines[0].element.end.x(), 4, 1e-5);
+}
+
+TEST(CeilingLines, AStripAtTheRidgeIsThereHoweverFewPointsItHas)
+{
+  PlanRoom room = roomWith({{rectangle(0, 0, 3.8, 4), slabAt(1, 0.5)},
+                            {rectangle(3.8, 0, 4.2, 4), slabAt(2.7)},
+                            {rectangle(4.2, 0, 8, 4), slabAt(5, -0.5)}});
+  for (PlanDetail& detail : room.details)
+    detail.slab.inliers = 6000;
+  room.details[1].slab.inliers = 60;
+  EXPECT_EQ(ceilingLines(room, at_1_50).lines.size(), 2u);
+}
+
+TEST(CeilingLines, FewPointsOnALargeFacetTakeNothingFromThoseBesideIt)
+{
+  PlanRoom room = roomOf(rectangle(0, 0, 18, 1), 2.9);
+  room.ceiling.inliers = 1000;
+  const double ends[] = {10, 13, 16, 18};
+  const double heights[] = {2.3, 3.5, 4.2};
+  for (int k = 0; k < 3; ++k) {
+    room.details.push_back(detailOf(rectangle(ends[k], 0, ends[k + 1], 1), heights[k]));
+    room.details.back().is_facet = true;
+    room.details.back().slab.inliers = 3000;
   }
+  const CeilingLines found = ceilingLines(room, at_1_50);
+  EXPECT_EQ(found.lines.size(), 3u);
+  EXPECT_NEAR(heightRange(room, found).first, 2.3, 1e-6);
+  EXPECT_NEAR(heightRange(room, found).second, 4.2, 1e-6);
+}
+
+/** @brief A roof with four slopes, whose ridge runs along y = 2. */
+PlanRoom
+hippedRoom(double slope, double ridge)
+{
+  PlanRoom room = roomOf(rectangle(0, 0, 8, 4), 0);
+  room.ceiling = slabAt(1, 0, slope);
+  const std::vector<std::pair<PlanLoop, PlanSlab>> facets{
+      {polygon({{0, 4}, {2, ridge}, {6, ridge}, {8, 4}}),
+       slabAt(1 + 4 * slope, 0, -slope)},
+      {polygon({{0, 0}, {2, ridge}, {0, 4}}), slabAt(1, slope)},
+      {polygon({{8, 0}, {8, 4}, {6, ridge}}), slabAt(1 + 8 * slope, -slope)}};
+  for (const auto& [loop, slab] : facets) {
+    room.details.push_back(detailOf(loop, 0));
+    room.details.back().slab = slab;
+    room.details.back().is_facet = true;
+  }
+  return room;
+}
+
+TEST(CeilingLines, EndAtOnePlace)
+{
+  // The border at the ridge is 6 cm off it.
+  const auto lines = ceilingLines(hippedRoom(0.7, 2.06), at_1_50).lines;
+  ASSERT_EQ(lines.size(), 5u);
+  for (const CeilingLine& line : lines)
+    for (const Eigen::Vector2d& end : {line.element.start, line.element.end}) {
+      const Eigen::Vector2d vertex(end.x() < 4 ? 2 : 6, 2);
+      const Eigen::Vector2d corner(end.x() < 4 ? 0 : 8, end.y() < 2 ? 0 : 4);
+      EXPECT_LT(std::min((end - vertex).norm(), (end - corner).norm()), 1e-4)
+          << end.transpose();
+    }
+}
+
+TEST(CeilingLines, EndAtWalls)
+{
+  // Two slopes meet in a hip aslant to the walls; their border is 5 cm beside it.
+  const PlanRoom room =
+      roomWith({{rectangle(0, 0, 8, 4), slabAt(1, 0.5)},
+                {polygon({{2.07, 0}, {8, 0}, {8, 4}, {6.07, 4}}), slabAt(2, 0, 0.5)}});
+  const auto lines = ceilingLines(room, at_1_50).lines;
+  ASSERT_EQ(lines.size(), 1u);
+  const PlanElement& hip = lines[0].element;
+  EXPECT_NEAR(std::abs(hip.start.y() - hip.end.y()), 4, 1e-4);
+  for (const Eigen::Vector2d& end : {hip.start, hip.end})
+    EXPECT_NEAR(end.x(), 2 + end.y(), 1e-4);
 }
 
 TEST(HeightLines, ReachTheWalls)
@@ -207,7 +276,7 @@ TEST(HeightLines, ReachTheWalls)
   const Eigen::Rotation2Dd turn(20 * M_PI / 180);
   const Eigen::Vector2d rise = turn * Eigen::Vector2d(slope, 0);
   room.ceiling = slabAt(0.5 - rise.dot(Eigen::Vector2d(1, 2)), rise.x(), rise.y());
-  const auto lines = heightLines(room, {false}, 2);
+  const auto lines = heightLines(room, ceilingLines(room, at_1_50), 2);
   ASSERT_EQ(lines.size(), 1u);
   const PlanElement& line = lines[0];
   EXPECT_GE(line.length(), 4) << "from wall to wall, and somewhat behind them";
@@ -224,10 +293,38 @@ TEST(HeightLines, DoNotFollowSteps)
   room.ceiling = slabAt(1, 0.5);
   room.details = {detailOf(rectangle(0, 0, 4, 1), 1.5)};
   room.floor_details = {detailOf(rectangle(0, 3, 4, 4), 0.2)};
-  for (const PlanElement& line : heightLines(room, {false, false}, 2)) {
+  for (const PlanElement& line : heightLines(room, ceilingLines(room, at_1_50), 2)) {
     EXPECT_NEAR(line.start.x(), line.end.x(), 0.001);
     EXPECT_GE(std::min(line.start.y(), line.end.y()), 0.9);
   }
+}
+
+TEST(HeightLines, GoOnWhereFacetsMeet)
+{
+  // Around a roof of 60 degrees, 1.5 m high.
+  for (const double ridge : {2., 2.04}) {
+    const PlanRoom room = hippedRoom(std::tan(M_PI / 3), ridge);
+    const CeilingLines ceiling = ceilingLines(room, at_1_50);
+    const auto lines = heightLines(room, ceiling, 1.5);
+    double length = 0;
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      length += lines[k].length();
+      EXPECT_LT((lines[k].end - lines[(k + 1) % lines.size()].start).norm(), 1e-6);
+    }
+    EXPECT_NEAR(length, 24 - 8 * 0.5 / std::tan(M_PI / 3), 0.15);
+  }
+}
+
+TEST(HeightLines, PassWhatIsTooSmall)
+{
+  // A slope with a lamp of 20 cm on the line of 2 m.
+  PlanRoom room = roomWith({{rectangle(1.9, 1, 2.1, 1.2), slabAt(1.7)}});
+  room.ceiling = slabAt(1, 0.5);
+  const CeilingLines ceiling = ceilingLines(room, at_1_50);
+  EXPECT_EQ(ceiling.shown, (std::vector<int>{-1, -1}));
+  const auto lines = heightLines(room, ceiling, 2);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_NEAR(lines[0].start.x(), 2, 0.001);
 }
 
 TEST(HeightLines, OfASteepVaultAreExact)
@@ -239,7 +336,7 @@ TEST(HeightLines, OfASteepVaultAreExact)
   vault.base = 1;
   vault.across = vault.up = 2;
   room.ceiling.curve = std::make_shared<SlabCurve>(vault);
-  const auto lines = heightLines(room, {false}, 1.2);
+  const auto lines = heightLines(room, ceilingLines(room, at_1_50), 1.2);
   ASSERT_EQ(lines.size(), 2u);
   for (const PlanElement& line : lines)
     EXPECT_NEAR(std::abs(line.pointAt(3).y() - 2), std::sqrt(4 - 0.04), 1e-4);
@@ -259,26 +356,25 @@ TEST(LinePieces, HaveNoBulgesThatAreTooSmall)
   EXPECT_EQ(kept[2].end, Eigen::Vector2d(9, 0.2));
 }
 
-TEST(LinePieces, AnEllipseIsRound)
+TEST(LinePieces, AnOctagonHasCorners)
 {
-  // Ten corners up to 5 cm off an ellipse; an octagon cut from a square is none.
-  Corners line;
-  for (int k = 0; k <= 10; ++k) {
-    const double r = k % 2 == 0 ? 1 : 0.975;
-    line.emplace_back(2.5 * r * std::cos(k * M_PI / 5), 2 * r * std::sin(k * M_PI / 5));
-  }
-  line.back() = line.front();
-  double length = 0;
-  for (const PlanElement& piece : piecesOf(line, 0.1)) {
-    EXPECT_TRUE(piece.isArc());
-    length += piece.length();
-  }
-  EXPECT_NEAR(length, 13.8, 0.4) << "14.18 through its outer corners";
-  EXPECT_FALSE(piecesOf(line, 0.01)[0].isArc());
-  Corners octagon{{0, 0.5}, {0.5, 0},   {4, 0}, {4.5, 0.5}, {4.5, 4},
-                  {4, 4.5}, {0.5, 4.5}, {0, 4}, {0, 0.5}};
-  for (const PlanElement& piece : piecesOf(octagon, 0.1))
-    EXPECT_FALSE(piece.isArc());
+  for (const int places : {1, 10})
+    for (const double radius : {0.5, 1.5}) {
+      Corners line;
+      for (int k = 0; k < 8; ++k)
+        for (int i = 0; i < places; ++i) {
+          const auto corner = [&](int c) {
+            return Eigen::Vector2d(radius * std::cos(c * M_PI / 4),
+                                   radius * std::sin(c * M_PI / 4));
+          };
+          line.push_back(corner(k) + double(i) / places * (corner(k + 1) - corner(k)));
+        }
+      line.push_back(line.front());
+      const auto pieces = piecesOf(line, at_1_50);
+      EXPECT_EQ(pieces.size(), 8u);
+      for (const PlanElement& piece : pieces)
+        EXPECT_FALSE(piece.isArc());
+    }
 }
 
 TEST(LinePieces, AreFew)
