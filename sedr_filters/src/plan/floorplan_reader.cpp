@@ -263,6 +263,21 @@ originFromJson(const std::string& text, Origin& origin)
   return readOrigin(Json::parse(text, nullptr, false), origin);
 }
 
+double
+maxWallFromJson(const std::string& text, std::string& problem)
+{
+  problem.clear();
+  Priors priors;
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object() || !json.contains("max_wall"))
+    return priors.max_wall;
+  const Json& stated = json["max_wall"];
+  problem = stated.is_number()
+                ? setPrior("max_wall", stated.get<double>(), priors)
+                : "the max_wall must be a number, it is " + stated.dump();
+  return priors.max_wall;
+}
+
 bool
 readOrigin(const Json& json, Origin& origin)
 {

@@ -155,7 +155,10 @@ pointToJson(const Eigen::Vector2d& p)
 }
 
 std::string
-floorplanToJson(const Floorplan& plan, const Levelling* levelling, const Origin& origin)
+floorplanToJson(const Floorplan& plan,
+                const Levelling* levelling,
+                const Origin& origin,
+                double max_wall)
 {
   Json rooms = Json::array();
   for (std::size_t r = 0; r < plan.rooms.size(); ++r)
@@ -170,6 +173,8 @@ floorplanToJson(const Floorplan& plan, const Levelling* levelling, const Origin&
             {"stairs", stairsToJson(plan)}};
   if (levelling)
     json["levelling"] = levellingToJson(*levelling);
+  if (max_wall != Priors().max_wall)
+    json["max_wall"] = max_wall;
   return json.dump(1) + "\n";
 }
 

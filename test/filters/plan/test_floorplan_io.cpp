@@ -164,6 +164,25 @@ TEST(FloorplanJson, TheOriginReadsBackAndMayBeMissing)
   EXPECT_FALSE(originFromJson("{\"origin\": [1, 2, \"3\"]}", read));
 }
 
+TEST(FloorplanJson, StatesTheMaximumThicknessOfAWall)
+{
+  const auto read = [](const std::string& text) {
+    std::string problem;
+    const double max_wall = maxWallFromJson(text, problem);
+    return problem.empty() ? std::to_string(max_wall) : problem;
+  };
+  const std::string usual = std::to_string(Priors().max_wall);
+  EXPECT_EQ(read(floorplanToJson(samplePlan())), usual);
+  const std::string castle = floorplanToJson(samplePlan(), nullptr, {}, 1.5);
+  EXPECT_EQ(read(castle), std::to_string(1.5));
+  EXPECT_EQ(
+      read(R"({"max_wall": 1e9})").find("the prior max_wall must be from 0.1 to 3"),
+      0u);
+  EXPECT_EQ(read(R"({"max_wall": "wide"})"),
+            "the max_wall must be a number, it is \"wide\"");
+  EXPECT_EQ(read("{"), usual);
+}
+
 TEST(FloorplanJson, OfAnEmptyPlanReadsBackAsOne)
 {
   std::string problem;

@@ -53,9 +53,10 @@ KeptFiles::keepResult(const pcl::IndoorStructureReconstruction<pcl::PointXYZ>& c
   if (folder_.empty() || chain.getStructure()->empty())
     return;
   tools::saveStructure((folder_ / "structure.pcd").string(), *chain.getStructure());
-  sim::writeText(
-      folder_ / "floorplan.json",
-      withTilts(floorplanToJson(*chain.getFloorplan()), chain.getChain().tilts, {}));
+  sim::writeText(folder_ / "floorplan.json",
+                 withTilts(floorplanToJson(*chain.getFloorplan(), nullptr, {},
+                                           chain.getPriors().max_wall),
+                           chain.getChain().tilts, {}));
   const TriangleMesh& solid = chain.getChain().extrusion.getMesh();
   if (!solid.empty())
     saveMesh(folder_ / "solid.ply", solid);

@@ -8,7 +8,6 @@
 
 #include "sedr_filters/src/plan/floorplan_format.h"
 #include <pcl/sedr_filters/floorplan_io.h>
-#include <pcl/sedr_filters/priors.h>
 
 #include <nlohmann/json.hpp>
 
@@ -102,26 +101,14 @@ planTilts(const std::string& path)
   return tilts;
 }
 
-std::string
-withMaxWall(const std::string& json, double max_wall)
-{
-  if (max_wall == Priors().max_wall)
-    return json;
-  auto plan = nlohmann::ordered_json::parse(json);
-  plan["max_wall"] = max_wall;
-  return plan.dump(1) + "\n";
-}
-
 double
 planMaxWall(const std::string& path)
 {
-  const auto plan = nlohmann::ordered_json::parse(textOfFile(path), nullptr, false);
-  if (!plan.is_object() || !plan.contains("max_wall"))
-    return Priors().max_wall;
-  const auto& stated = plan["max_wall"];
-  if (!stated.is_number() || !(stated.get<double>() > 0))
-    throw ToolError("the max_wall in '" + path + "' is no number above 0");
-  return stated.get<double>();
+  std::string problem;
+  const double max_wall = maxWallFromJson(textOfFile(path), problem);
+  if (!problem.empty())
+    throw ToolError("'" + path + "': " + problem);
+  return max_wall;
 }
 
 void

@@ -29,10 +29,6 @@ Origin planOrigin(const std::string& path);
  * ToolError if they are invalid. */
 WallTilts planTilts(const std::string& path);
 
-/** @brief Returns a plan's JSON with the maximum thickness of a wall, metres, unless it
- * is the default. */
-std::string withMaxWall(const std::string& json, double max_wall);
-
 /** @brief Returns the maximum thickness of a wall that a plan file states, metres, or
  * the default. Throws ToolError if it is invalid. */
 double planMaxWall(const std::string& path);

@@ -9,7 +9,6 @@
 #include "joint_scan.h"
 #include "output_folder.h"
 #include "progress.h"
-#include "plan_file.h"
 #include "report.h"
 #include "report/report_page.h"
 #include "run_tool.h"
@@ -154,11 +153,10 @@ writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_me
       if (tilt.room == report.room && report.closed)
         volumes[report.room] = report.volume;
   writeWhole(folder.file("floorplan.json"), [&](std::ostream& stream) {
-    stream << withMaxWall(
-        withTilts(floorplanToJson(*chain.getFloorplan(),
-                                  c.levelling ? &*c.levelling : nullptr, c.origin),
-                  c.tilts, volumes),
-        chain.getPriors().max_wall);
+    stream << withTilts(floorplanToJson(*chain.getFloorplan(),
+                                        c.levelling ? &*c.levelling : nullptr, c.origin,
+                                        chain.getPriors().max_wall),
+                        c.tilts, volumes);
   });
   const TriangleMesh solid = c.inScanFrame(c.extrusion.getMesh());
   for (const char* name : {"solid.ply", "solid.obj", "model.glb"})

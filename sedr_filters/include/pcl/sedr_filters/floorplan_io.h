@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/scan_frame.h>
 
 #include <string>
@@ -16,15 +17,24 @@ namespace pcl::sedr {
  * Numbers are written so that they read back exactly.
  * @param levelling the rotation that made the scan level, null if none: written as
  * `levelling` with angle and direction in degrees, `rotation` by rows, and `about`
- * @param origin the place that the plan's coordinates are relative to */
+ * @param origin the place that the plan's coordinates are relative to
+ * @param max_wall maximum thickness of a wall, metres; written unless it is the
+ * default */
 std::string floorplanToJson(const Floorplan& plan,
                             const Levelling* levelling = nullptr,
-                            const Origin& origin = {});
+                            const Origin& origin = {},
+                            double max_wall = Priors().max_wall);
 
 /** @brief Reads the origin from a floor plan or a report.json; (0, 0, 0) if there is
  * none.
  * @return false if there is an origin that is not three numbers */
 bool originFromJson(const std::string& text, Origin& origin);
+
+/** @brief Reads the maximum thickness of a wall from a floor plan, metres; the default
+ * if there is none.
+ * @param[out] problem what is wrong, as a sentence: it is no number, or not in the
+ * range of the prior; empty if nothing is */
+double maxWallFromJson(const std::string& text, std::string& problem);
 
 /** @brief Reads what floorplanToJson() wrote.
  *
