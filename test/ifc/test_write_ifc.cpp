@@ -137,7 +137,7 @@ TEST(WriteIfc, ArcsAreAQuarterOfACircleAtMost)
   EXPECT_EQ(count(text, "IFCARCINDEX("), 4 * count(text, "=IFCINDEXEDPOLYCURVE("));
 }
 
-TEST(WriteIfc, AnArcFlatterThanItsChordsIsStraight)
+TEST(WriteIfc, AnArcThatRisesLessThanTheToleranceIsStraight)
 {
   // A wall of 4 m, 0.4 and 1.6 mm deep.
   for (const double radius : {5000.0, 1250.0}) {

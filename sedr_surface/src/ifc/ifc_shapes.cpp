@@ -16,8 +16,8 @@ numbers(const Eigen::VectorXd& v)
   return {v.data(), v.data() + v.size()};
 }
 
-/** @brief Returns whether an arc differs from its chord: of a flatter one, a viewer's
- * chords are thinner than it can tell apart, and openings are lost. */
+/** @brief Returns whether an arc rises above its chord by more than the tolerance of
+ * chords: viewers drop openings in the slivers of a flatter one. */
 bool
 isCurved(const PlanElement& e)
 {
