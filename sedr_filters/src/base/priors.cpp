@@ -39,7 +39,7 @@ const std::vector<Prior> table = {
      "columns, links, loop, niches, plan, walls"},
     {"max_wall", &Priors::max_wall, "walls", "m", 0.1, 3,
      "walls of stone with facing; castles have more",
-     "details, floorplan_drawing, ifc, links, loop, plan, planes, walls"},
+     "details, floorplan_drawing, floorplan_io, ifc, links, loop, plan, planes, walls"},
     {"min_wall_length", &Priors::min_wall_length, "walls", "m", 0.1, 2,
      "chosen on the proving ground", "walls"},
     {"short_wall", &Priors::short_wall, "walls", "m", 0.1, 5,
