@@ -51,5 +51,6 @@ head -n 1 "${present[0]}" >"$out/runs.csv"
 for file in "${present[@]}"; do
   tail -n +2 "$file" >>"$out/runs.csv"
 done
-"$root/test/benchmarks/proving_ground_table.py" "$out/runs.csv" >"$table"
+"$root/test/benchmarks/proving_ground_table.py" "$out/runs.csv" >"$table.part" # a table of before stays if this fails
+mv "$table.part" "$table"
 echo "$table"

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Tests of the table of the proving ground."""
-import csv
+import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -19,8 +20,8 @@ GOOD = {"scene": "hall", "noise": "0.01", "seed": "1", "with_mesh": "1", "points
         "points_beyond_5cm": "0", "truth_covered": "0.999", "ceiling_recall": "0.99", "ceiling_precision": "0.98", "floor_recall": "1",
         "floor_precision": "", "wall_recall": "", "wall_precision": "", "detail_recall": "", "detail_precision": "", "seconds": "12.5",
         "stage_seconds": "ParallelVoxelGrid=0.25;StructuralPoisson=12.25", "missed_bars": "", "missed": ""}
-FAILED = dict.fromkeys(GOOD, "") | {"scene": "hall", "noise": "0.01", "seed": "2", "with_mesh": "1", "rooms_true": "4", "rooms_found": "0",
-                                    "failure": "no floor", "missed_bars": "failed"}
+FAILED = {**dict.fromkeys(GOOD, ""), "scene": "hall", "noise": "0.01", "seed": "2", "with_mesh": "1", "rooms_true": "4",
+          "rooms_found": "0", "failure": "no floor", "missed_bars": "failed"}
 
 
 def run(*texts):
@@ -28,8 +29,12 @@ def run(*texts):
         files = []
         for text in texts:
             files.append(pathlib.Path(folder) / f"{len(files)}.csv")
-            files[-1].write_text(text, encoding="utf-8")
-        return subprocess.run([sys.executable, SCRIPT, *files], capture_output=True, encoding="utf-8", check=False)
+            files[-1].write_bytes(text if isinstance(text, bytes) else text.encode())
+        return run_with(*files)
+
+
+def run_with(*arguments):
+    return subprocess.run([sys.executable, SCRIPT, *arguments], capture_output=True, encoding="utf-8", check=False)
 
 
 def text_of(*rows):
@@ -51,20 +56,20 @@ def cell(text, column, row="| hall"):
 
 class Table(unittest.TestCase):
     def test_has_a_row_a_scene_and_noise_in_order(self):
-        text = table(GOOD | {"noise": "0.02"}, GOOD | {"scene": "attic", "noise": "0.001"}, GOOD | {"noise": "0.001"},
-                     GOOD | {"noise": "0.001", "seed": "2"})
+        text = table({**GOOD, "noise": "0.02"}, {**GOOD, "scene": "attic", "noise": "0.001"}, {**GOOD, "noise": "0.001"},
+                     {**GOOD, "noise": "0.001", "seed": "2"})
         places = [text.index(f"| {row} |") for row in ("hall | 0.1", "hall | 2", "attic | 0.1")]
         self.assertEqual(places, sorted(places))
         self.assertIn("Scenes: 2. Seeds: 1, 2. Runs: 4. Runs that reach every bar: 4.\n", text)
 
     def test_shows_the_worst_seed_and_the_median(self):
-        text = table(GOOD | {"truth_to_mesh_mean": "0.0012", "truth_within_1cm": "0.97"},
-                     GOOD | {"truth_to_mesh_mean": "0.0025", "seed": "2"}, GOOD | {"truth_to_mesh_mean": "0.0015", "seed": "3"})
+        text = table({**GOOD, "truth_to_mesh_mean": "0.0012", "truth_within_1cm": "0.97"},
+                     {**GOOD, "truth_to_mesh_mean": "0.0025", "seed": "2"}, {**GOOD, "truth_to_mesh_mean": "0.0015", "seed": "3"})
         self.assertEqual([cell(text, c) for c in ("mean, cm", "≤ 1 cm", "max, cm", "rooms", "closed", "volume", "ceiling", "floor", "missed")],
                          ["0.250 (0.150)", "97.00 (98.00)", "3.1", "4/4", "yes", "0.40", "99.0 / 98.0", "100.0 / -", ""])
 
     def test_marks_what_misses_its_bar(self):
-        text = table(GOOD, GOOD | {"seed": "2", "truth_to_mesh_mean": "0.005", "rooms_found": "3",
+        text = table(GOOD, {**GOOD, "seed": "2", "truth_to_mesh_mean": "0.005", "rooms_found": "3",
                                    "missed_bars": "rooms;closed;mean;corners"})
         self.assertEqual([cell(text, c) for c in ("mean, cm", "rooms", "closed", "≤ 5 cm", "missed")],
                          ["**0.500 (0.100)**", "**3-4/4**", "**no 1**", "99.90", "rooms 1/2, closed 1/2, mean 1/2"])
@@ -78,18 +83,18 @@ class Table(unittest.TestCase):
         self.assertEqual(cell(table(GOOD, FAILED), "mean, cm"), "0.100")
 
     def test_counts_the_latest_of_equal_runs(self):
-        text = run(text_of(GOOD | {"truth_to_mesh_mean": "0.1"}), text_of(GOOD)).stdout
+        text = run(text_of({**GOOD, "truth_to_mesh_mean": "0.1"}), text_of(GOOD)).stdout
         self.assertEqual(cell(text, "mean, cm"), "0.100")
         self.assertIn("Runs: 1.", text)
 
     def test_gives_runs_without_mesh_a_table_of_their_own(self):
-        text = table(GOOD | {"with_mesh": "0"})
+        text = table({**GOOD, "with_mesh": "0"})
         self.assertNotIn("## Models", text)
         self.assertEqual([cell(text, c) for c in ("mean, cm", "covered", "volume")], ["0.050", "99.90", "0.30"])
 
     def test_has_the_seconds_of_each_stage(self):
-        text = table(GOOD, GOOD | {"seed": "2", "stage_seconds": "ParallelVoxelGrid=0.75;StructuralPoisson=12.25"},
-                     GOOD | {"noise": "0.02", "stage_seconds": "ParallelVoxelGrid=0.5"})
+        text = table(GOOD, {**GOOD, "seed": "2", "stage_seconds": "ParallelVoxelGrid=0.75;StructuralPoisson=12.25"},
+                     {**GOOD, "noise": "0.02", "stage_seconds": "ParallelVoxelGrid=0.5"})
         self.assertIn("| scene | points, M | ParallelVoxelGrid | StructuralPoisson | all |", text)
         self.assertIn("| hall | 1.23 | 0.50 | 12.25 | 12.50 |", text)
 
@@ -99,8 +104,63 @@ class Table(unittest.TestCase):
             self.assertEqual((result.returncode, result.stdout), (1, ""), text)
             self.assertIn("is no table of runs", result.stderr)
 
+    def test_refuses_wrong_cells_with_their_line(self):
+        wrong = {"seed": ("one", "1.5", ""), "noise": ("loud", ""), "truth_to_mesh_mean": ("abc", "nan"), "rooms_found": ("3.5", "inf"),
+                 "stage_seconds": ("ParallelVoxelGrid", "ParallelVoxelGrid=x"), "missed_bars": ("mean distance", "mean;radii")}
+        for column, cells in wrong.items():
+            for text in cells:
+                result = run(text_of(GOOD, {**GOOD, column: text}))
+                self.assertEqual((result.returncode, result.stdout), (1, ""), (column, text))
+                self.assertRegex(result.stderr, r"^proving_ground_table.py: '.*0\.csv', line 3, is no table of runs: [^\n]*\n$",
+                                 (column, text))
+
+    def test_refuses_lines_of_more_cells_and_other_encodings(self):
+        for text in (text_of(GOOD)[:-1] + ",7\n", text_of({**GOOD, "scene": "Küche"}).encode("latin-1"),
+                     "\n".join(line.split(",", 2)[0] + "," + line.split(",", 2)[2] for line in text_of(GOOD).splitlines()) + "\n"):
+            result = run(text)
+            self.assertEqual((result.returncode, result.stdout), (1, ""), text)
+            self.assertRegex(result.stderr, r"^proving_ground_table.py: .*no table of runs: [^\n]*\n$")
+
+    def test_keeps_the_message_of_a_failure_whole(self):
+        for mark in ("\f", "\x1c", "\u2028"):
+            text = run(text_of({**FAILED, "failure": f"no{mark}floor"})).stdout
+            self.assertIn(f"- hall, noise 1 cm, seed 2: no{mark}floor\n", text)
+
+    def test_knows_the_bars_of_the_benchmark(self):
+        program = pathlib.Path(__file__).parents[2] / "tools/benchmark/table/bars.cpp"
+        names = re.findall('"([^"]+)"', re.search(r"names\{(.*?)\}", program.read_text(encoding="utf-8"), re.DOTALL).group(1))
+        self.assertGreater(len(names), 20)
+        self.assertEqual(len(names), len(set(names)))
+        for name in names:
+            text = table({**GOOD, "missed_bars": name})
+            self.assertIn(f"Missed: {name} 1/1.", text)
+            self.assertIn("Runs that reach every bar: 0.", text)
+        self.assertEqual(run(text_of({**GOOD, "missed_bars": ";".join(names)})).returncode, 0)
+
+    def test_has_help(self):
+        for option, code in (("-h", 0), ("--help", 0), ("--wrong", 1)):
+            result = run_with(option)
+            self.assertEqual(result.returncode, code)
+            self.assertIn("RUNS.csv", result.stderr if code else result.stdout)
+
     def test_leaves_out_the_line_that_was_interrupted(self):
         self.assertIn("Runs: 1.", run(text_of(GOOD) + "hall,0.01,2").stdout)
+
+
+class AllRuns(unittest.TestCase):
+    def test_keep_the_table_of_before_until_there_is_another(self):
+        with tempfile.TemporaryDirectory() as folder:
+            page = pathlib.Path(folder) / "page.md"
+            page.write_text("before", encoding="utf-8")
+            program = pathlib.Path(folder) / "pcl_sedr_benchmark"
+            program.write_text('#!/bin/sh\ncat "$(dirname "$0")/made.csv" > "$4"\n', encoding="utf-8")
+            program.chmod(0o755)
+            for text, code, part in ((text_of({**GOOD, "missed_bars": "unknown"}), 1, "before"), (text_of(GOOD), 0, "Runs: 1.")):
+                (pathlib.Path(folder) / "made.csv").write_text(text, encoding="utf-8")
+                result = subprocess.run(["bash", SCRIPT.with_name("proving_ground.sh"), pathlib.Path(folder) / "runs", "1"],
+                                        env={**os.environ, "SEDR_BIN": folder, "SEDR_TABLE": str(page)}, capture_output=True, check=False)
+                self.assertEqual(result.returncode, code, result.stderr)
+                self.assertIn(part, page.read_text(encoding="utf-8"))
 
 
 if __name__ == "__main__":
