@@ -158,6 +158,10 @@ TEST_F(Program, refusesBadOptions)
   expectRefused(start + " --noise much", "--noise");
   expectRefused(start + " --rays 0", "--rays");
   expectRefused(start + " --rays -5", "--rays");
+  expectRefused(start + " --rays 1.5", "--rays takes a whole number");
+  expectRefused(start + " --building 2.5", "--building takes a whole number");
+  expectRefused("--print closet " + start, "--print");
+  expectRefused("--list " + start, "--list");
   expectRefused(start + " --threads -1", "--threads");
   expectRefused(start + " --seed -1", "--seed");
   expectRefused(start + " --max-range 0", "--max-range");

@@ -29,8 +29,9 @@ namespace {
 constexpr int kNameWidth = 16; ///< of scene names in a list
 
 /** @brief A number that the scene gives unless an option does. */
+template <typename NumberT>
 struct SceneNumber {
-  double value = 0;
+  NumberT value = 0;
   bool is_given = false;
 };
 
@@ -40,10 +41,10 @@ struct Settings {
   std::string print;
   bool list = false;
   double chord_tolerance = sim::kChordTolerance;
-  SceneNumber noise;
-  SceneNumber rays;
-  SceneNumber max_range;
-  SceneNumber building;
+  SceneNumber<double> noise;
+  SceneNumber<std::size_t> rays;
+  SceneNumber<double> max_range;
+  SceneNumber<std::size_t> building;
   sim::ScanOptions scan;
 };
 
@@ -57,7 +58,7 @@ addOptions(Options& options, Settings& s)
   options.flag("list", s.list, "list the built-in scenes and how they are scanned");
   options.text("print", s.print, "print the file of this scene, to copy and edit");
   options.number("seed", s.scan.seed, "", "seed of all random numbers");
-  const auto add = [&options](const char* name, SceneNumber& number, const char* unit,
+  const auto add = [&options](const char* name, auto& number, const char* unit,
                               const char* help, const char* otherwise, Range range) {
     options.optionalNumber(name, number.value, number.is_given, unit, help, otherwise,
                            range);
@@ -120,15 +121,14 @@ simulate(const Settings& settings)
   if (settings.noise.is_given)
     options.noise = settings.noise.value;
   if (settings.rays.is_given)
-    options.rays_per_station = static_cast<std::size_t>(settings.rays.value);
+    options.rays_per_station = settings.rays.value;
   if (settings.max_range.is_given)
     options.max_range = settings.max_range.value;
   if (isatty(STDERR_FILENO) != 0)
     options.progress = showProgress;
   if (settings.building.is_given) {
-    const sim::BuildingScan building =
-        sim::writeBuilding(folder / "scan.pcd", scene,
-                           static_cast<std::size_t>(settings.building.value), options);
+    const sim::BuildingScan building = sim::writeBuilding(
+        folder / "scan.pcd", scene, settings.building.value, options);
     std::cout << scene.name << ": " << building.points << " points of "
               << building.copies << " copies\n";
     return;
@@ -149,6 +149,8 @@ int
 run(const Settings& settings)
 {
   try {
+    if ((settings.list || !settings.print.empty()) && !settings.scene.empty())
+      throw ToolError("--list and --print scan nothing: they take no SCENE");
     if (settings.list)
       printScenes();
     else if (!settings.print.empty())

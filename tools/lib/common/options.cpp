@@ -152,21 +152,6 @@ Options::addNumber(const std::string& name,
 }
 
 void
-Options::optionalNumber(const std::string& name,
-                        double& value,
-                        bool& is_set,
-                        const std::string& unit,
-                        const std::string& help,
-                        const std::string& otherwise,
-                        Range range)
-{
-  addNumber(name, unit, help, range, false, otherwise, [&value, &is_set](double v) {
-    value = v;
-    is_set = true;
-  });
-}
-
-void
 Options::text(const std::string& name,
               std::string& value,
               const std::string& help,

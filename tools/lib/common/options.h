@@ -79,27 +79,27 @@ public:
               const std::string& help,
               Range range = Range())
   {
-    static_assert(std::is_arithmetic<NumberT>::value, "an option of numbers");
-    constexpr bool whole = std::is_integral<NumberT>::value;
-    range.low = std::max(range.low,
-                         static_cast<double>(std::numeric_limits<NumberT>::lowest()));
-    // Up to 2^53, doubles represent all integers.
-    range.high =
-        std::min({range.high, static_cast<double>(std::numeric_limits<NumberT>::max()),
-                  whole ? 9007199254740992.0 : range.high});
-    addNumber(name, unit, help, range, whole, textOf(static_cast<double>(value)),
-              [&value](double v) { value = static_cast<NumberT>(v); });
+    addNumber<NumberT>(name, unit, help, range, textOf(static_cast<double>(value)),
+                       [&value](NumberT v) { value = v; });
   }
 
   /** @brief Declares a number without a default. `is_set` returns whether it was given;
    * `otherwise` describes its absence in the help. */
+  template <typename NumberT>
   void optionalNumber(const std::string& name,
-                      double& value,
+                      NumberT& value,
                       bool& is_set,
                       const std::string& unit,
                       const std::string& help,
                       const std::string& otherwise,
-                      Range range = Range());
+                      Range range = Range())
+  {
+    addNumber<NumberT>(name, unit, help, range, otherwise,
+                       [&value, &is_set](NumberT v) {
+                         value = v;
+                         is_set = true;
+                       });
+  }
 
   /** @brief Declares a text, `--name text`; one of `choices` unless that is empty. */
   void text(const std::string& name,
@@ -144,6 +144,26 @@ private:
   };
 
   static std::string textOf(double value);
+
+  template <typename NumberT>
+  void addNumber(const std::string& name,
+                 const std::string& unit,
+                 const std::string& help,
+                 Range range,
+                 const std::string& default_text,
+                 const std::function<void(NumberT)>& store)
+  {
+    static_assert(std::is_arithmetic<NumberT>::value, "an option of numbers");
+    constexpr bool whole = std::is_integral<NumberT>::value;
+    range.low = std::max(range.low,
+                         static_cast<double>(std::numeric_limits<NumberT>::lowest()));
+    // Up to 2^53, doubles represent all integers.
+    range.high =
+        std::min({range.high, static_cast<double>(std::numeric_limits<NumberT>::max()),
+                  whole ? 9007199254740992.0 : range.high});
+    addNumber(name, unit, help, range, whole, default_text,
+              [store](double v) { store(static_cast<NumberT>(v)); });
+  }
 
   void addNumber(const std::string& name,
                  const std::string& unit,
