@@ -38,8 +38,7 @@ surfaceNear(const AirGaps& air,
 }
 
 /** @brief A gap whose ends were taken from its neighbours, with those that were seen in
- * its own column. What hangs from the ceiling, thicker than a surface, is a wall of
- * which furniture hides the foot: the gap ends where it was seen last. */
+ * its own column. */
 AirGap
 withSeenEnds(const AirGaps& air, AirGap gap)
 {
@@ -48,13 +47,21 @@ withSeenEnds(const AirGaps& air, AirGap gap)
   if (gap.floor_seen)
     gap.low = at + 1;
   gap.ceiling_seen = surfaceNear(air, gap.column, gap.high, at);
-  if (gap.ceiling_seen) {
-    std::int32_t foot = at;
-    while (air.columns().isOccupied(gap.column, foot - 1))
-      --foot;
-    const bool is_wall = at - foot > air.voxels(air.parameters().same_surface);
-    gap.high = is_wall ? foot : at;
-  }
+  if (gap.ceiling_seen)
+    gap.high = at;
+  return gap;
+}
+
+/** @brief A gap with its high end below what hangs from the ceiling, thicker than a
+ * surface: a wall of which furniture hides the foot, a beam or a pipe. */
+AirGap
+belowHanging(const AirGaps& air, AirGap gap)
+{
+  std::int32_t foot = gap.high;
+  while (air.columns().isOccupied(gap.column, foot - 1))
+    --foot;
+  if (gap.high - foot > air.voxels(air.parameters().same_surface))
+    gap.high = foot;
   return gap;
 }
 
@@ -158,7 +165,8 @@ private:
   }
 
   /** @brief Grows air outwards, so that each hole takes its missing end from the air
-   * nearest to it; where neither end was seen it stops. */
+   * nearest to it; where neither end was seen it stops. Behind what hangs from the
+   * ceiling it goes on as high as before. */
   void grow(std::vector<AirGap> front)
   {
     while (!front.empty()) {
@@ -168,16 +176,17 @@ private:
           const std::uint32_t column = air_.columns().neighbour(gap.column, d);
           if (!mayGoOn(gap, column))
             continue;
-          const AirGap hole =
+          const AirGap seen =
               withSeenEnds(air_, {column, gap.low, gap.high, false, false});
+          const AirGap hole = belowHanging(air_, seen);
           if (!isTall(air_, hole))
             continue;
           if (!hole.floor_seen && !hole.ceiling_seen) {
-            blanks_.push_back(hole);
+            blanks_.push_back(seen);
             continue;
           }
           holes_.add(hole);
-          next.push_back(hole);
+          next.push_back(seen);
         }
       front = std::move(next);
     }

@@ -49,17 +49,37 @@ TEST(AirGaps, TakeACeilingThatWasHiddenFromTheirNeighboursAndTellIt)
 
 TEST(AirGaps, EndBelowAWallOfWhichFurnitureHidesTheFoot)
 {
-  AirScene scene;
-  scene.points.slab(scene.loop(0.05, 0.05, 4.05, 3.05), 0.01,
-                    [](double x, double) { return x < 1.5 || x > 2.6; });
-  scene.slab(0.05, 0.05, 4.05, 3.05, 2.51);
-  scene.sides(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
-  scene.wall(2.05, 0.05, 2.05, 3.05, 2.11, 2.51); // above cupboards on both sides
-  const SceneAir air(scene);
-  const std::uint32_t below = air.at(2.05, 1.5, 1);
-  ASSERT_NE(below, AirGaps::none);
-  EXPECT_EQ(air.gaps[below].high, 42);
-  EXPECT_EQ(air.gaps[air.at(1.85, 1.5, 1)].high, 50);
+  for (const auto& [depth, high] : {std::pair(0.3, 44), {0.4, 42}}) {
+    AirScene scene;
+    scene.points.slab(scene.loop(0.05, 0.05, 4.05, 3.05), 0.01,
+                      [](double x, double) { return x < 1.5 || x > 2.6; });
+    scene.slab(0.05, 0.05, 4.05, 3.05, 2.51);
+    scene.sides(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
+    scene.wall(2.05, 0.05, 2.05, 3.05, 2.51 - depth, 2.51);
+    const SceneAir air(scene);
+    const std::uint32_t below = air.at(2.05, 1.5, 1);
+    ASSERT_NE(below, AirGaps::none) << depth;
+    EXPECT_EQ(air.gaps[below].high, high) << depth;
+    EXPECT_EQ(air.gaps[air.at(1.85, 1.5, 1)].high, 50) << depth;
+  }
+}
+
+TEST(AirGaps, GoOnWhereTheFloorIsHiddenBehindWhatHangsFromTheCeiling)
+{
+  for (const double depth : {0.15, 0.2, 0.4}) {
+    AirScene scene;
+    scene.points.slab(scene.loop(0.05, 0.05, 8.05, 3.05), 0.01,
+                      [](double x, double) { return x < 5; });
+    scene.slab(0.05, 0.05, 8.05, 3.05, 2.51);
+    scene.sides(0.05, 0.05, 8.05, 3.05, 0.01, 2.51);
+    scene.hanging(6.05, 0.05, 6.15, 3.05, 2.51 - depth, 2.51);
+    const SceneAir air(scene);
+    EXPECT_EQ(air.gaps.size(), std::size_t{79} * 29) << depth;
+    for (const double x : {5.5, 7.5}) {
+      ASSERT_NE(air.at(x, 1.5, 1), AirGaps::none) << depth << ' ' << x;
+      EXPECT_EQ(air.gaps[air.at(x, 1.5, 1)].high, 50) << depth << ' ' << x;
+    }
+  }
 }
 
 /** A closet of 2 m x 2 m; a scanner in it sees the floor from 0.7 m on, the ceiling
