@@ -83,6 +83,9 @@ OpeningMeasures::measure(const std::vector<Crossing>& crossings, RoomLabels& roo
   m.top /= n;
   m.direction = directionOf(crossings, through);
   const Ends ends = endsOf(crossings, m.direction);
+  const Eigen::Vector2d across(-m.direction.y(), m.direction.x());
+  const Ends sides = endsOf(crossings, across);
+  m.depth = across.dot(placeOf(sides[1].from) - placeOf(sides[0].from));
   m.width =
       std::max(m.direction.dot(placeOf(ends[1].from) - placeOf(ends[0].from)) + cell_,
                n / std::sqrt(2.0) * cell_);
@@ -94,9 +97,7 @@ OpeningMeasures::measure(const std::vector<Crossing>& crossings, RoomLabels& roo
       0.0, 1.0);
   m.has_ends = endsAtWalls(ends, m.direction);
   if (m.has_ends && m.width <= parameters_.widest_passage) {
-    Eigen::Vector2d into(-m.direction.y(), m.direction.x());
-    if (into.dot(through) < 0)
-      into = -into;
+    const Eigen::Vector2d into = across.dot(through) < 0 ? -across : across;
     const auto a = besideOf(ends, m.direction, -into, true, rooms);
     const auto b = besideOf(ends, m.direction, into, false, rooms);
     m.jamb_a = std::max(a[0], a[1]);

@@ -5,6 +5,7 @@
 #include "reveals.h"
 #include "room_basins.h"
 #include "room_borders.h"
+#include "whole_openings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,6 +37,7 @@ public:
       , labels_(labels)
       , rooms_(air, parameters, labels)
       , measures_(air, dip, parameters)
+      , wholes_(air, parameters, rooms_, measures_, labels)
   {}
 
   void joinAll()
@@ -87,8 +89,8 @@ private:
       if (has_way && !isWay(m))
         continue; // a gap in what was seen of a wall
       are_doors = are_doors && !is_above_furniture &&
-                  (isDoor(m, parameters_) || isPartOfDoor(pair.first, m) ||
-                   isPartOfDoor(pair.second, m));
+                  (isDoor(m, parameters_) || wholes_.isPartOfDoor(pair.first, m) ||
+                   wholes_.isPartOfDoor(pair.second, m));
       beside = std::max(beside, m.width * m.open_height + m.beside);
       have_lintels = have_lintels && m.dip >= parameters_.min_lintel;
       are_plain = are_plain && have_lintels && m.width <= parameters_.widest_door;
@@ -112,31 +114,6 @@ private:
                          smaller >= parameters_.smallest_room && isPlace(pair.first) &&
                          isPlace(pair.second);
     return openness;
-  }
-
-  /** @brief Whether an opening below a lintel goes on into more than one other room, as
-   * into those between the beams of a hall, and is a door with jambs on both sides if
-   * all of it is looked at from the room that it leads out of. */
-  bool isPartOfDoor(std::uint32_t room, const MeasuredOpening& opening)
-  {
-    if (opening.has_ends || opening.dip < parameters_.min_lintel ||
-        opening.width > parameters_.widest_passage)
-      return false;
-    std::vector<Crossing> around;
-    for (const std::uint32_t other : rooms_.room(room).beside)
-      for (const Crossing& c : rooms_.between(std::minmax(room, other)).crossings)
-        around.push_back(labels_.roomOf(c.from) == room ? c : Crossing{c.to, c.from});
-    const auto isOfOpening = [&](const Crossing& c) {
-      return std::minmax(c.from, c.to) ==
-             std::minmax(opening.crossing.from, opening.crossing.to);
-    };
-    for (const auto& crossings : openingsOf(air_, around, 0))
-      if (std::any_of(crossings.begin(), crossings.end(), isOfOpening)) {
-        const MeasuredOpening whole = measures_.measure(crossings, labels_);
-        return isDoor(whole, parameters_) &&
-               std::min(whole.jamb_a, whole.jamb_b) >= parameters_.jamb;
-      }
-    return false;
   }
 
   /** @brief Whether an opening is as wide as someone who walks through it. */
@@ -205,17 +182,19 @@ private:
                (are_rooms ? parameters_.min_open : parameters_.min_open_of_part);
   }
 
-  /** @brief Joins two rooms and judges all borders of the joined one anew. */
+  /** @brief Joins two rooms and judges anew all borders of the joined one, and those of
+   * others that share an opening with one of these. */
   void join(const RoomPair pair)
   {
     openness_.erase(pair);
     for (const std::uint32_t other : rooms_.room(pair.second).beside)
       openness_.erase(std::minmax(pair.second, other));
     rooms_.join(pair);
-    for (const std::uint32_t other : rooms_.room(pair.first).beside) {
-      const RoomPair beside = std::minmax(pair.first, other);
-      openness_[beside] = opennessOf(beside);
-    }
+    std::vector<RoomPair> changed = wholes_.afterJoining(pair);
+    for (const std::uint32_t other : rooms_.room(pair.first).beside)
+      changed.push_back(std::minmax(pair.first, other));
+    for (const RoomPair& border : changed)
+      openness_[border] = opennessOf(border);
   }
 
   const AirGaps& air_;
@@ -223,6 +202,7 @@ private:
   RoomLabels& labels_;
   RoomBorders rooms_;
   OpeningMeasures measures_;
+  WholeOpenings wholes_;
   std::map<RoomPair, Openness> openness_;
 };
 
