@@ -35,16 +35,17 @@ public:
   }
 
   /** Returns whether the largest opening of a border is part of a door out of a room.
-   */
-  bool isPartOfDoor(std::uint32_t room, const RoomPair& border)
+   * @param wider it is by so much, with others behind columns */
+  bool isPartOfDoor(std::uint32_t room, const RoomPair& border, double wider = 0)
   {
     auto openings = openingsOf(air_.gaps, rooms_.between(border).crossings, 0);
     const auto largest = std::max_element(
         openings.begin(), openings.end(),
         [](const auto& a, const auto& b) { return a.size() < b.size(); });
-    const MeasuredOpening opening = measures_.measure(*largest, labels_);
+    MeasuredOpening opening = measures_.measure(*largest, labels_);
     EXPECT_FALSE(opening.has_ends) << "a part that is a whole";
     EXPECT_GE(opening.dip, parameters_.min_lintel);
+    opening.width += wider;
     return wholes_.isPartOfDoor(room, opening);
   }
 
@@ -115,6 +116,7 @@ TEST(WholeOpenings, AreDoorsThoughTheirPartsHaveNoEnds)
       EXPECT_TRUE(wholes.isPartOfDoor(room, border)) << y;
       EXPECT_FALSE(wholes.isPartOfDoor(wholes.at(7, y), border))
           << "the other side is the part itself " << y;
+      EXPECT_FALSE(wholes.isPartOfDoor(room, border, 2)) << "a piece is no whole " << y;
     }
   });
 }
