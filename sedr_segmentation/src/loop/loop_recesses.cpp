@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loop_recesses.h"
 
+#include "loop_bumps.h"
+
 #include "../niches/niche_fit.h"
 #include "../walls/wall_cells.h"
 #include "sedr_filters/src/base/middle_value.h"
@@ -13,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <utility>
 
 namespace pcl::sedr {
 
@@ -325,6 +328,20 @@ closeRecesses(PlanRoom& room,
     elements.front() = wall;
     i = static_cast<std::size_t>(-1); // it may end at the next one
   }
+  return niches;
+}
+
+std::vector<PlanNiche>
+straightenWalls(PlanRoom& room,
+                const PointView& points,
+                const std::vector<int>& indices,
+                double minimum_length,
+                const Priors& priors)
+{
+  std::vector<PlanNiche> niches = closeRecesses(room, points, indices, priors);
+  dropBumps(room.boundary, minimum_length);
+  for (PlanNiche& niche : closeRecesses(room, points, indices, priors))
+    niches.push_back(std::move(niche));
   return niches;
 }
 

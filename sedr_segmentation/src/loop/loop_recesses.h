@@ -28,4 +28,15 @@ std::vector<PlanNiche> closeRecesses(PlanRoom& room,
                                      const std::vector<int>& indices,
                                      const Priors& priors = {});
 
+/** @brief Closes recesses of a room's boundary, and drops its bumps of up to
+ * `minimum_length` metres, see dropBumps(). Recesses first, as a pier between two
+ * windows is like a bump of their panes, and again after the bumps, as one with a nick
+ * in its back or its jambs is then known as such.
+ * @return the niches of closeRecesses() */
+std::vector<PlanNiche> straightenWalls(PlanRoom& room,
+                                       const PointView& points,
+                                       const std::vector<int>& indices,
+                                       double minimum_length,
+                                       const Priors& priors = {});
+
 } // namespace pcl::sedr

@@ -2,7 +2,6 @@
 #include "../curves/main_directions.h"
 
 #include "../details/height_map.h"
-#include "../loop/loop_bumps.h"
 #include "../loop/loop_recesses.h"
 #include "../walls/wall_boards.h"
 #include "../walls/wall_evidence.h"
@@ -241,9 +240,8 @@ fitRoom(const PointView& points,
   const Contour contour = outerContour(outline.room, grid.size());
   FittedBoundary fitted;
   room.boundary = boundaryOf(contour, std::move(walls), parameters, &fitted.samples);
-  // First, as a pier between two windows looks like a bump of the panes.
-  std::vector<PlanNiche> alcoves = closeRecesses(room, points, evidence.around, priors);
-  dropBumps(room.boundary, parameters.loop.minimum_length);
+  std::vector<PlanNiche> alcoves = straightenWalls(
+      room, points, evidence.around, parameters.loop.minimum_length, priors);
   if (record) {
     record->boundaries.push_back(fitted);
     record->lost_area = outline.lost_area;

@@ -256,6 +256,65 @@ TEST(LoopRecesses, BelowALintelIsTheLeafOfADoor)
   }
 }
 
+/** What straightenWalls() leaves of a room with a shut door below a lintel. */
+std::size_t
+elementsOfDoor(const Corners& corners)
+{
+  PlanRoom room = roomOf(polygon(corners), 2.6);
+  RoomPoints points;
+  points.wall(segment({3.5, 4.1}, {1.5, 4.1}), 0, 2.05);
+  points.wall(segment({3.5, 4}, {1.5, 4}), 2.05, 2.6);
+  straightenWalls(room, points.view(), points.all(), 0.2);
+  EXPECT_NEAR(room.area(), 20, 0.01);
+  return room.boundary.elements.size();
+}
+
+TEST(LoopRecesses, WithANickInTheirBackOrAJambAreClosed)
+{
+  EXPECT_EQ(elementsOfDoor({{0, 0},
+                            {5, 0},
+                            {5, 4},
+                            {3.5, 4},
+                            {3.5, 4.1},
+                            {2.6, 4.1},
+                            {2.56, 4.05},
+                            {2.48, 4.05},
+                            {2.45, 4.1},
+                            {1.5, 4.1},
+                            {1.5, 4},
+                            {0, 4}}),
+            4u)
+      << "back";
+  EXPECT_EQ(elementsOfDoor({{0, 0},
+                            {5, 0},
+                            {5, 4},
+                            {3.5, 4},
+                            {3.53, 4.05},
+                            {3.5, 4.1},
+                            {1.5, 4.1},
+                            {1.5, 4},
+                            {0, 4}}),
+            4u)
+      << "jamb";
+}
+
+TEST(LoopRecesses, BesideANarrowPierAreClosedBeforeItIsTakenForABumpOfTheirBacks)
+{
+  EXPECT_EQ(elementsOfDoor({{0, 0},
+                            {5, 0},
+                            {5, 4},
+                            {3.5, 4},
+                            {3.5, 4.1},
+                            {2.6, 4.1},
+                            {2.57, 4},
+                            {2.47, 4},
+                            {2.44, 4.1},
+                            {1.5, 4.1},
+                            {1.5, 4},
+                            {0, 4}}),
+            4u);
+}
+
 TEST(LoopRecesses, BelowALintelAreNoneHoweverNarrow)
 {
   PlanRoom room = roomOf(polygon({{0, 0},
