@@ -22,7 +22,7 @@ namespace pcl::sedr {
 namespace {
 
 /** @brief Share of the 10 cm cells of a vertical rectangle in which a point is on it;
- * a cell at both ends, where other walls are, is left out.
+ * a cell at both ends, where other walls are, is left out. A stray or two is none.
  * @param low, high metres above the floor
  * @param tolerance metres */
 double
@@ -37,12 +37,16 @@ shareSeen(const PlanElement& e,
 {
   const double cell = priors.evidence_cell;
   WallCells cells(cell, e.length() - cell, low, high, cell);
+  double count = 0;
   for (const int i : indices) {
     const WallPoint p = seenFrom(e, floor, points[static_cast<std::size_t>(i)]);
-    if (std::abs(p.behind) <= tolerance && p.up < high)
-      cells.add(p.along, p.up);
+    if (std::abs(p.behind) > tolerance || p.up >= high)
+      continue;
+    cells.add(p.along, p.up);
+    if (p.along >= cell && p.along < e.length() - cell && p.up >= low)
+      ++count;
   }
-  return cells.shareSeen();
+  return count < priors.min_evidence ? 0 : cells.shareSeen();
 }
 
 /** @brief How high the wall below a recess goes, metres above the floor: the middle of

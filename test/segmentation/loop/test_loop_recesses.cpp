@@ -332,6 +332,29 @@ TEST(LoopRecesses, BelowALintelAreNoneHoweverNarrow)
   EXPECT_EQ(room.boundary.elements.size(), 4u);
 }
 
+TEST(LoopRecesses, AStrayIsNoLintel)
+{
+  for (const bool has_lintel : {true, false}) {
+    PlanRoom room = roomOf(polygon({{0, 0},
+                                    {5, 0},
+                                    {5, 4},
+                                    {2.6, 4},
+                                    {2.6, 4.1},
+                                    {2.35, 4.1},
+                                    {2.35, 4},
+                                    {0, 4}}),
+                           2.6);
+    RoomPoints points;
+    points.wall(segment({2.6, 4.1}, {2.35, 4.1}), 0, 2.6);
+    const double width = has_lintel ? 0.25 : 0.03;
+    points.wall(segment({2.46 + width / 2, 4}, {2.46 - width / 2, 4}), 2.42, 2.45);
+    if (has_lintel)
+      points.wall(segment({2.6, 4}, {2.35, 4}), 2.05, 2.6);
+    closeRecesses(room, points.view(), points.all());
+    EXPECT_EQ(room.boundary.elements.size(), has_lintel ? 4u : 8u);
+  }
+}
+
 TEST(LoopRecesses, BelowALintelUpToALowerPartOfTheCeilingAreNone)
 {
   PlanRoom room = roomOf(withRecess(0.1), 2.6);
