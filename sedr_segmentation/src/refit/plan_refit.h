@@ -50,10 +50,11 @@ struct RefitReport {
  *
  * Between two faces of a partition, each uses only the points on its own side.
  *
- * O(n) for n points: one pass over all or every k-th point, and four over those near a
- * surface. The result does not depend on the number of threads. Memory is 16 bytes per
- * point and nearby surface, up to some 160 MiB for 5 million points. A plan with an
- * empty loop, or too large for a table of its cells, is not changed, and the report
+ * O(n) for n points: one pass over all or every k-th point, and some ten over those
+ * near a surface. The result does not depend on the number of threads. Memory is 16
+ * bytes per point and nearby surface, up to some 160 MiB for 5 million points, and as
+ * much again for the points of the curves that are looked at, one a thread. A plan with
+ * an empty loop, or too large for a table of its cells, is not changed, and the report
  * gives the reason.
  * @param raw the scan; points that are not finite are left out
  * @param indices the points to use; empty: all */

@@ -100,7 +100,6 @@ RefitPlaces::addRoom(const PlanRoom& room,
 std::string
 RefitPlaces::tabulate(double reach)
 {
-  constexpr double step = 0.05;
   const auto around = [&](const CellTable& table, const Eigen::Vector2d& low,
                           const Eigen::Vector2d& high, double margin, std::size_t k) {
     const Eigen::Vector2d far = Eigen::Vector2d::Constant(margin);

@@ -74,6 +74,10 @@ struct RefitPlaces {
   CellTable rooms_near{table_cell};
   CellTable niches_near{table_cell};
 
+  /** @brief Step along stretches and slabs, metres; so much beyond `reach` all points
+   * near a stretch are its. */
+  static constexpr double step = 0.05;
+
   /** @brief Adds the map of a room; `ceiling` and `floor` are its main slabs' numbers.
    */
   void addRoom(const PlanRoom& room,

@@ -36,7 +36,7 @@ public:
     constexpr int rounds = 3;
     std::vector<double> centre;
     std::vector<double> band;
-    const Sightings sightings(raw_, targets_);
+    const Sightings sightings(raw_, targets_, parameters_.priors);
     scatters_ = sightings.scatters(parameters_.reach);
     for (std::size_t t = 0; t < targets_.size(); ++t) {
       centre.push_back(scatters_[t].centre);

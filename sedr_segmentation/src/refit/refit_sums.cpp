@@ -61,7 +61,9 @@ findSurfaces(const RefitTargets& targets,
 
 } // namespace
 
-Sightings::Sightings(const RawPoints& raw, const RefitTargets& targets)
+Sightings::Sightings(const RawPoints& raw,
+                     const RefitTargets& targets,
+                     const Priors& priors)
     : targets_(targets)
     , threads_(raw.threads)
 {
@@ -71,11 +73,11 @@ Sightings::Sightings(const RawPoints& raw, const RefitTargets& targets)
     blocks_[begin / block] = lookAt(raw, begin, end);
   });
   parallelBlocks(targets_.curveCount(), 1, threads_,
-                 [&](std::size_t c, std::size_t) { dropSquareSurfaces(c); });
+                 [&](std::size_t c, std::size_t) { dropSquareSurfaces(c, priors); });
 }
 
 void
-Sightings::dropSquareSurfaces(std::size_t curve)
+Sightings::dropSquareSurfaces(std::size_t curve, const Priors& priors)
 {
   // The other face of a partition may be at every depth, where it is noisy.
   if (std::isfinite(targets_.gap(curve)))
@@ -90,7 +92,8 @@ Sightings::dropSquareSurfaces(std::size_t curve)
                 .cast<float>());
       }
   });
-  const std::vector<std::uint8_t> are_dropped = areOnSquareSurfaces(places);
+  const std::vector<std::uint8_t> are_dropped =
+      areOnSquareSurfaces(places, targets_.reach() + RefitPlaces::step, priors);
   std::size_t k = 0;
   for (BySurface& block : blocks_) {
     std::vector<Sighting>& seen = block[curve];

@@ -4,6 +4,7 @@
 #include "refit_targets.h"
 
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_filters/priors.h>
 
 #include <Eigen/Core>
 
@@ -62,7 +63,7 @@ struct RawPoints {
 class Sightings {
 public:
   /** @brief Assigns all points, O(n). `targets` must outlive this object. */
-  Sightings(const RawPoints& raw, const RefitTargets& targets);
+  Sightings(const RawPoints& raw, const RefitTargets& targets, const Priors& priors);
 
   /** @brief Returns the scatter of the points within `reach` of each surface, up to
    * midway to an adjacent parallel surface. It is the shortest interval with half of
@@ -87,7 +88,7 @@ private:
   BySurface lookAt(const RawPoints& raw, std::size_t begin, std::size_t end) const;
 
   /** @brief Leaves out points of what stands square to a vertical surface. */
-  void dropSquareSurfaces(std::size_t curve);
+  void dropSquareSurfaces(std::size_t curve, const Priors& priors);
 
   template <typename See>
   void forEach(std::size_t surface, See see) const;
