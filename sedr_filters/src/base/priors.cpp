@@ -146,7 +146,7 @@ const std::vector<Prior> table = {
     {"coarse_cell", &Priors::coarse_cell, "sampling", "m", 0.05, 1, "legs and chairs",
      "levels"},
     {"min_evidence", &Priors::min_evidence, "sampling", "points", 1, 100,
-     "a line needs two", "columns, links, refit, walls"},
+     "a line needs two", "columns, links, loop, refit, walls"},
     {"min_points", &Priors::min_points, "sampling", "points", 3, 1000,
      "five for each number of a line", "columns, links, loop, niches"},
     {"blur", &Priors::blur, "sampling", "samples", 1, 20, "0.2 m in samples of 5 cm",
