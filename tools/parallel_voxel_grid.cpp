@@ -75,6 +75,7 @@ run(const Settings& settings)
   cloud.origin = scan.origin();
   cloud.blob = compute(settings, scan);
   cloud.points.reset(new pcl::PointCloud<pcl::PointXYZ>);
+  cloud.knows_viewpoint = scan.knowsViewpoint();
   cloud.points->sensor_origin_ = scan.viewpoint();
   cloud.points->sensor_orientation_ = scan.orientation();
   if (rowsOf(cloud.blob) == 0)
@@ -82,6 +83,7 @@ run(const Settings& settings)
                         std::to_string(settings.minimum_points) + " or more of the " +
                         std::to_string(scan.size()) + " points within the limits",
                     NothingFound);
+  warnOfPositions(scan);
   saveCloud(settings.output, cloud,
             settings.compress ? PcdData::Compressed : PcdData::Binary);
   if (!settings.picture.empty())

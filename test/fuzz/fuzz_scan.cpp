@@ -66,6 +66,21 @@ private:
   int file_;
 };
 
+/** Reads a file as the scanner positions of another scan. */
+void
+readAsPositions(const std::string& path)
+{
+  constexpr std::size_t rows = 100;
+  static const MemoryFile other("1 2 3\n");
+  static const ScanFile scan(other.path(), 1);
+  try {
+    scan.positionsIn(path, rows);
+  }
+  catch (const ToolError&) {
+    return;
+  }
+}
+
 } // namespace
 
 extern "C" int
@@ -77,14 +92,21 @@ LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
   if (is_e57)
     bytes = sealed(bytes);
   const MemoryFile file(bytes);
+  const bool is_text = std::strcmp(FUZZED_FORMAT, "text") == 0;
+  if (is_text)
+    readAsPositions(file.path());
   try {
     ScanSettings settings;
     settings.skip_broken = is_e57 && size % 2 == 1; // others refuse it
     settings.piece_bytes = 4096;
+    settings.unit = size % 5 == 1 ? 0.001 : 1;
+    if (is_text && size % 3 == 1)
+      settings.columns = "z,_,x,y";
     if (readScanHead(file.path(), settings).rows > max_points)
       return 0;
     const ScanFile scan(file.path(), settings);
     scan.stations();
+    scan.positions();
     unsigned sum = 0;
     scan.forEachPiece([&](const pcl::sedr::RowSource::Piece& piece) {
       for (std::size_t i = 0; i < piece.size * scan.rowSize(); ++i)

@@ -107,9 +107,12 @@ writeClouds(Seeds& seeds)
   const std::string fields = xyz + xyz + "\1\2";
   seeds.write("pcd", header + "binary_compressed\n" +
                          std::string("\x1b\0\0\0\x1a\0\0\0\x19", 9) + fields);
-  seeds.write("pcd", "# sedr_origin 2000 0 0\n# sedr_viewpoint 1 2 1.5 1 0 0 0\n"
-                     "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 1\n"
-                     "VIEWPOINT 2000 0 0 1 0 0 0\nPOINTS 1\nDATA ascii\n1 2 3\n");
+  const std::string far = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 1\n"
+                          "VIEWPOINT 2000 0 0 1 0 0 0\nPOINTS 1\nDATA ";
+  seeds.write("pcd", "# .PCD v0.7\n# sedr_origin 2000 0 0\n"
+                     "# sedr_viewpoint 1 2 1.5 1 0 0 0\n" +
+                         far + "ascii\n1 2 3\n");
+  seeds.write("pcd", "# .PCD v0.7\n" + far + "binary\n" + xyz);
   const std::string element =
       "element vertex 2\nproperty float x\nproperty float y\nproperty float z\n"
       "property uchar red\nproperty uchar green\nproperty uchar blue\n"
@@ -130,6 +133,7 @@ writeClouds(Seeds& seeds)
   seeds.write("text", "1,5;2,5;3\n4;5,25;6e1\n");
   seeds.write("text", "\"X\";\"Y\";\"Z\"\n\"1,5\";\"2\";\"3\"\n");
   seeds.write("text", "# comment\n1 2 3 10 20 30\n-4 +5 .6 1 2 3\n\n");
+  seeds.write("text", "# positions\n1 2 1.5 40\n3 2 1.5 60\n");
 }
 
 } // namespace

@@ -180,9 +180,7 @@ TEST_F(CloudFiles, PlyWithListsBeforeItsVerticesIsRead)
                                "property float x\nproperty float y\nproperty float z\n"
                                "end_header\n";
   const ToolCloud ascii =
-      load("ply\nformat ascii 1.0\nelement face 2\nproperty list ushort int i\nelement "
-           "vertex 2\nproperty float x\nproperty float y\nproperty float z\n"
-           "end_header\n2 5 6 1\n0 1\n1 2 3\n4 5 6\n");
+      load("ply\nformat ascii 1.0\n" + elements + "2 5 6 1\n\n0 1\n1 2 3\n\n4 5 6\n");
   for (const bool is_big : {false, true}) {
     std::string bytes = std::string("ply\nformat binary_") +
                         (is_big ? "big" : "little") + "_endian 1.0\n" + elements;

@@ -133,6 +133,14 @@ TEST_F(JointScans, OfOneFileAreThatFile)
 TEST_F(JointScans, FilesOfAFolderComeByNameAndWhatIsAmissIsRefused)
 {
   EXPECT_EQ(scanFilesOf({folder_.path().string()}), all());
+  writeFile(in("z.xyz"), "1 2 3\n");
+  writeFile(in("positions.txt"), "1 2 3\n");
+  testing::internal::CaptureStderr();
+  const std::vector<std::string> with_text = scanFilesOf({folder_.path().string()});
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("positions.txt"),
+            std::string::npos);
+  EXPECT_EQ(with_text.size(), all().size() + 1);
+  EXPECT_EQ(with_text.back(), in("z.xyz"));
   std::filesystem::create_directory(in("empty"));
   EXPECT_THROW(scanFilesOf({in("empty")}), ToolError);
   EXPECT_THROW(scanFilesOf({"-", in("a.e57"), "-"}), ToolError);

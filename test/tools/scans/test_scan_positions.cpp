@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_file.h"
+#include "scan_options.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
 #include "tools/run_program.h"
@@ -74,6 +75,8 @@ TEST_F(ScanPositionFiles, WhatIsAmissIsOneSentenceWithTheNumbers)
   EXPECT_NE(refusal("1 2 3 3\n1 2\n").find("line 2 of"), std::string::npos);
   EXPECT_NE(refusal("1 2 3 -3\n").find("line 1 of"), std::string::npos);
   EXPECT_NE(refusal("1 2 3m 3\n").find("line 1 of"), std::string::npos);
+  EXPECT_NE(refusal("inf 0 0\n").find("line 1 of"), std::string::npos);
+  EXPECT_NE(refusal("1e300 0 0\n").find("line 1 of"), std::string::npos);
   EXPECT_NE(refusal("# none\n").find("has no positions"), std::string::npos);
 }
 
@@ -124,20 +127,81 @@ TEST_F(ScanPositionFiles, ThePositionIsKeptBesideAnOriginThatPclSeesInViewpoint)
 
 TEST_F(ScanPositionFiles, AViewpointBeyondTheReachOfAScannerIsAnOrigin)
 {
-  const auto written = [&](const std::string& viewpoint) {
-    std::string pcd = programs::pcdBytes({{1, 2, 3}, {4, 5, 6}});
+  const auto written = [&](const std::string& viewpoint, double unit = 1,
+                           float size = 1) {
+    std::string pcd = programs::pcdBytes({{size, 2, 3}, {4, size, 6}});
     pcd.replace(pcd.find("VIEWPOINT 0 0 0"), 15, "VIEWPOINT " + viewpoint);
     writeFile(in("scan.pcd"), pcd);
-    return ScanFile(in("scan.pcd"), 1);
+    return ScanFile(in("scan.pcd"), unit);
   };
-  const ScanFile far = written("691600 5336000 0"); // as PCL writes what it has read
-  EXPECT_EQ(far.origin(), (pcl::sedr::Origin{{691600, 5336000, 0}}));
-  EXPECT_TRUE(far.positions().empty());
+  const pcl::sedr::Origin grid{{691600, 5336000, 0}};
+  EXPECT_EQ(written("691600 5336000 0").origin(), grid);
+  EXPECT_TRUE(written("691600 5336000 0").positions().empty());
+  EXPECT_EQ(written("691600 5336000 0", 0.3048).origin(), grid); // in metres
   EXPECT_EQ(written("691600.5 5336000 0").positions().size(), 1u);
-  for (const char* near : {"200 30 2", "inf 0 0", "1e300 0 0"}) {
-    const ScanFile scan = written(near);
-    EXPECT_TRUE(scan.origin().isZero()) << near;
-    EXPECT_EQ(scan.positions().size(), 1u) << near;
+  EXPECT_EQ(written("691600 5336005 0").positions().size(), 1u); // seven digits
+  for (const char* unknown :
+       {"inf 0 0", "nan 0 0", "1e300 0 0", "1e400 0 0", "1 2 3x"}) {
+    const ScanFile scan = written(unknown);
+    EXPECT_TRUE(scan.origin().isZero()) << unknown;
+    EXPECT_TRUE(scan.positions().empty()) << unknown;
+  }
+  EXPECT_EQ(written("200 30 2").positions().size(), 1u);
+  EXPECT_EQ(written("0 0 1500", 1, 5000).positions().size(), 1u); // millimetres
+  EXPECT_EQ(written("0 0 1500", 0.001, 5000).positions().size(), 1u);
+}
+
+TEST_F(ScanPositionFiles, PclsOwnWritersKeepTheOriginThatIsChosen)
+{
+  writeFile(in("scan.xyz"), "691614 5335995 500\n691615 5335995 500\n"
+                            "691614 5335996 503\n");
+  saveScan(in("scan.pcd"), ScanFile(in("scan.xyz"), 1));
+  const pcl::sedr::Origin origin{{691614, 5336000, 0}};
+  EXPECT_EQ(ScanFile(in("scan.pcd"), 1).origin(), origin);
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  ASSERT_EQ(pcl::io::loadPCDFile(in("scan.pcd"), cloud), 0);
+  pcl::PCDWriter writer;
+  ASSERT_EQ(writer.writeASCII(in("ascii.pcd"), cloud), 0);
+  ASSERT_EQ(writer.writeBinary(in("binary.pcd"), cloud), 0);
+  ASSERT_EQ(writer.writeBinaryCompressed(in("compressed.pcd"), cloud), 0);
+  for (const char* name : {"ascii.pcd", "binary.pcd", "compressed.pcd"}) {
+    const ScanFile scan(in(name), 1);
+    EXPECT_EQ(scan.origin(), origin) << name;
+    EXPECT_TRUE(scan.positions().empty()) << name;
+    EXPECT_EQ(originOfModel(in(name)), origin) << name;
+  }
+}
+
+TEST_F(ScanPositionFiles, AnOriginOfMoreDigitsThanPclWritesIsInACommentOnly)
+{
+  writeFile(in("scan.xyz"), "691614 5335995 500\n691615 5335995 500\n");
+  ScanSettings settings;
+  settings.origin = pcl::sedr::Origin{{691614, 5335995, 0}};
+  saveScan(in("scan.pcd"), ScanFile(in("scan.xyz"), settings));
+  EXPECT_EQ(sensorOrigin(in("scan.pcd")), Eigen::Vector3f(0, 0, 0));
+  EXPECT_EQ(ScanFile(in("scan.pcd"), 1).origin(), *settings.origin);
+  EXPECT_TRUE(ScanFile(in("scan.pcd"), 1).positions().empty());
+}
+
+TEST_F(ScanPositionFiles, AScannerAtTheOriginIsKnown)
+{
+  for (const double x : {0., 691600.}) {
+    E57Writer writer;
+    writer.addScan("",
+                   {E57TestField::ofFloats("cartesianX", {-1, 0, 1}),
+                    E57TestField::ofFloats("cartesianY", {1, 2, 3}),
+                    E57TestField::ofFloats("cartesianZ", {1, 2, 3})},
+                   E57Writer::pose(0, 0, 0, 1, x, 0, 0));
+    writeFile(in("scan.e57"), writer.file());
+    saveScan(in("scan.pcd"), ScanFile(in("scan.e57"), 1));
+    saveCloud(in("cloud.pcd"), loadCloud(in("scan.pcd")));
+    for (const char* name : {"scan.pcd", "cloud.pcd"}) {
+      const ScanFile scan(in(name), 1);
+      EXPECT_EQ(scan.origin().place.x(), x) << name;
+      ASSERT_EQ(scan.positions().size(), 1u) << name;
+      EXPECT_EQ(scan.positions()[0].place, Eigen::Vector3f(0, 0, 0)) << name;
+      EXPECT_EQ(scan.orientation().z(), 1.F) << name;
+    }
   }
 }
 

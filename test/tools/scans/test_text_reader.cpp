@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 namespace {
@@ -65,6 +66,40 @@ TEST_F(TextFiles, ColumnsAreToldByTheFileOrByTheirNumber)
   EXPECT_EQ(rgb[1], 128);
   EXPECT_EQ(rgb[0], 0);
   EXPECT_EQ(findField(load("1 2 3 0.5 0.5 0.7\n").blob, "rgb"), nullptr);
+}
+
+TEST_F(TextFiles, NoColumnTakesThePlaceOfAnother)
+{
+  EXPECT_NE(refusal("1,2,3,4,5\n1,,3,4,5\n").find("point 2 has 1 of 5 numbers"),
+            std::string::npos);
+  EXPECT_NE(refusal("1\t2\t3\t4\n1\t\t3\t4\n").find("point 2 has 1 of 4 numbers"),
+            std::string::npos);
+  EXPECT_NE(refusal("1,2,3,a\n1,,3,a\n").find("point 2 has 1 of 3"), std::string::npos);
+  std::string late;
+  for (int k = 0; k < 150; ++k)
+    late += "1;2;3\n";
+  EXPECT_NE(refusal(late + "1,5;2;3\n").find("point 151 has more than 3 numbers"),
+            std::string::npos);
+  EXPECT_NE(refusal("1 2 3 4\n1 2 3\n").find("point 2 has 3 of 4"), std::string::npos);
+  expectFirst(load("1;2;3; \n4;5;6;\n"), 1, 2, 3);
+  expectFirst(load("1, 2 ,\t3,,\n4, 5, 6,\n"), 1, 2, 3);
+  expectFirst(load("1 2 3 a door\n4 5 6 wall\n"), 1, 2, 3);
+}
+
+TEST_F(TextFiles, QuotesEncloseWholeCells)
+{
+  expectFirst(load("\"1\",\"2.5\",\"3\"\n"), 1, 2.5f, 3);
+  expectFirst(load("\"1,5\";\"2\";\"3\"\n"), 1.5f, 2, 3);
+  refusal("\"691,600.5\",\"5,336,000.2\",\"3.1\"\n");
+  refusal("\"1\"2 3 4\n");
+  refusal("\"1 2 3\n");
+}
+
+TEST_F(TextFiles, NumbersBeyondThoseOfDoublesAreNoPlaces)
+{
+  const ToolCloud cloud = load("1e400 2 3\n1e-400 2 3\n");
+  EXPECT_FALSE(std::isfinite((*cloud.points)[0].x));
+  EXPECT_EQ((*cloud.points)[1].x, 0);
 }
 
 TEST_F(TextFiles, DecimalCommasAreFoundThoughTheFirstNumbersAreWhole)
@@ -179,7 +214,7 @@ TEST_F(TextFiles, NamesThatAreNotKnownAreRefusedNotTakenForXyz)
 {
   for (const char* const text :
        {"a,b,c\n1,2,3\n", "Lat Lon Alt\n1 2 3\n", "//Lat Lon H\n1 2 3\n",
-        "id x y z\n1 2 3\n", "1e400 0 0\n1 2 3\n", "# east;middle;up\n1;2;3\n"}) {
+        "id x y z\n1 2 3\n", "# east;middle;up\n1;2;3\n"}) {
     const std::string reason = refusal(text);
     EXPECT_NE(reason.find("--columns"), std::string::npos) << text << reason;
     EXPECT_LT(reason.size(), 300u);

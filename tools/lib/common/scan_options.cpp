@@ -3,6 +3,7 @@
 
 #include "cloud_readers.h"
 #include "plan_file.h"
+#include "scan_file.h"
 #include "tool_error.h"
 
 #include <filesystem>
@@ -13,8 +14,8 @@ namespace pcl::sedr::tools {
 
 namespace {
 
-/** @brief Returns the origin that a folder of pcl_sedr, a JSON file or a comment in the
- * head of another file states. */
+/** @brief Returns the origin that a folder of pcl_sedr, a JSON file, a comment in the
+ * head of another file or the VIEWPOINT of a PCD states. */
 std::optional<Origin>
 statedOrigin(const std::string& path)
 {
@@ -37,7 +38,13 @@ statedOrigin(const std::string& path)
   for (int k = 0; k < max_lines && cursor.nextLine(line); ++k)
     if (Origin::fromComment(std::string(line.substr(0, max_bytes)), origin))
       return origin;
-  return std::nullopt;
+  if (!looksLikePcd(file))
+    return std::nullopt;
+  ScanSettings as_it_is;
+  as_it_is.shifts = false;
+  as_it_is.keeps_doubles = true;
+  origin = ScanFile(path, as_it_is).origin();
+  return origin.isZero() ? std::nullopt : std::make_optional(origin);
 }
 
 } // namespace

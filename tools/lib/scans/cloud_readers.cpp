@@ -7,7 +7,7 @@
 #include "sedr_filters/src/base/field_access.h"
 
 #include <algorithm>
-#include <charconv>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 
@@ -72,31 +72,50 @@ wordsOf(std::string_view line)
   return words;
 }
 
-std::size_t
+std::from_chars_result
+readNumber(const char* begin, const char* end, double& value)
+{
+  const auto result = std::from_chars(begin, end, value);
+  if (result.ec != std::errc::result_out_of_range)
+    return result;
+  value = std::strtod(std::string(begin, result.ptr).c_str(), nullptr);
+  return {result.ptr, std::errc()};
+}
+
+void
 readNumbers(std::string_view line,
-            const std::vector<pcl::PCLPointField>& fields,
-            std::uint8_t* point)
+            const pcl::PCLPointCloud2& blob,
+            const std::string& path,
+            std::size_t point,
+            std::uint8_t* row)
 {
   const char* c = line.data();
   const char* const end = c + line.size();
+  std::size_t values = 0;
+  for (const auto& field : blob.fields)
+    values += field.count;
+  const auto refuse = [&](const std::string& found) {
+    throw ToolError("cannot read '" + path + "': point " + std::to_string(point + 1) +
+                    " has " + found + " numbers");
+  };
   std::size_t read = 0;
-  for (const auto& field : fields) {
-    const std::size_t size = fieldSize(field.datatype);
-    for (std::size_t k = 0; k < field.count; ++k, ++read) {
-      c = std::find_if_not(c, end, isBlank);
-      if (c != end && *c == '+')
-        ++c;
-      double value = 0;
-      const auto result = std::from_chars(c, end, value);
-      if (result.ec == std::errc::invalid_argument)
-        return read;
-      if (result.ptr != end && !isBlank(*result.ptr))
-        return read;
-      c = result.ptr;
-      writeField(point + field.offset + k * size, field.datatype, value);
-    }
-  }
-  return read;
+  const auto readValue = [&](const pcl::PCLPointField& field, std::uint8_t* to) {
+    c = std::find_if_not(c, end, isBlank);
+    if (c != end && *c == '+')
+      ++c;
+    double value = 0;
+    const auto result = readNumber(c, end, value);
+    if (result.ec != std::errc() || (result.ptr != end && !isBlank(*result.ptr)))
+      refuse(std::to_string(read) + " of " + std::to_string(values));
+    c = result.ptr;
+    writeField(to, field.datatype, value);
+    ++read;
+  };
+  for (const auto& field : blob.fields)
+    for (std::size_t k = 0; k < field.count; ++k)
+      readValue(field, row + field.offset + k * fieldSize(field.datatype));
+  if (std::find_if_not(c, end, isBlank) != end)
+    refuse("more than " + std::to_string(values));
 }
 
 pcl::PCLPointCloud2

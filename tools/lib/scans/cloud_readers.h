@@ -9,7 +9,9 @@
 
 #include <Eigen/Geometry>
 
+#include <charconv>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,9 +28,10 @@ struct FileLayout {
   bool is_ply = false;
   std::uint64_t faces = 0; ///< of a mesh, including strips of triangles
   bool are_last = false;   ///< whether nothing follows the points
-  Eigen::Vector3d viewpoint = Eigen::Vector3d::Zero(); ///< in the unit of the file
+  std::optional<Eigen::Vector3d> viewpoint; ///< in the unit of the file, if known
   Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
-  Origin counted_from; ///< origin subtracted when the file was written
+  Origin counted_from;     ///< origin subtracted when the file was written
+  bool has_floats = false; ///< whether x, y and z are floats by the header of a PCD
   std::shared_ptr<const PointReader> reader; ///< for Decoded points
 };
 
@@ -104,12 +107,17 @@ private:
 
 std::vector<std::string_view> wordsOf(std::string_view line);
 
-/** @brief Reads the numbers of `line` as the fields of one point.
- * @return how many numbers were read, at most the number of values in the fields */
-std::size_t readNumbers(std::string_view line,
-                        const std::vector<pcl::PCLPointField>& fields,
-                        std::uint8_t* point);
+/** @brief Reads a number as std::from_chars does, but one too large for a double as
+ * infinite and one too small as 0. */
+std::from_chars_result readNumber(const char* begin, const char* end, double& value);
 
+/** @brief Reads the numbers of `line` as the fields of one point. Throws ToolError
+ * if they are more or fewer than the values in the fields. */
+void readNumbers(std::string_view line,
+                 const pcl::PCLPointCloud2& blob,
+                 const std::string& path,
+                 std::size_t point,
+                 std::uint8_t* row);
 /** @brief Sets width, height, offsets and steps of a blob from its fields and allocates
  * `points`. Throws ToolError if an index cannot count them. */
 void layOut(pcl::PCLPointCloud2& blob, std::uint64_t points, const std::string& path);

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <locale>
 #include <sstream>
 
 namespace pcl::sedr::tools {
@@ -57,6 +58,7 @@ struct Frame {
   Eigen::Vector4f viewpoint = Eigen::Vector4f::Zero();
   Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
   Origin origin;
+  bool knows_viewpoint = false;
 
   /** @brief Returns the values of VIEWPOINT: place and quaternion, w first. */
   std::string viewpointText() const
@@ -70,8 +72,27 @@ struct Frame {
   }
 };
 
-/** @brief Returns the header of a PCD. Where the coordinates have an origin, that is
- * its VIEWPOINT, which PCL keeps, and comments have origin and viewpoint of the scan.
+/** @brief Returns whether PCL's writers, which print six digits, keep an origin in
+ * VIEWPOINT. */
+bool
+isKeptByPcl(const Origin& origin)
+{
+  const auto isKept = [](double length) {
+    std::ostringstream text; // six digits
+    text.imbue(std::locale::classic());
+    text << length;
+    const std::string digits = text.str();
+    double kept = 0;
+    readNumber(digits.data(), digits.data() + digits.size(), kept);
+    return kept == length;
+  };
+  return isKept(origin.place.x()) && isKept(origin.place.y()) &&
+         isKept(origin.place.z());
+}
+
+/** @brief Returns the header of a PCD. Comments have origin and viewpoint of the scan.
+ * VIEWPOINT is the viewpoint if there is no origin, and else the origin if PCL keeps
+ * it.
  * @param rows number of rows in the file */
 std::string
 pcdHeader(const std::vector<pcl::PCLPointField>& fields,
@@ -94,12 +115,16 @@ pcdHeader(const std::vector<pcl::PCLPointField>& fields,
   const bool has_origin = !frame.origin.isZero();
   if (has_origin)
     header << "# " << frame.origin.comment() << '\n';
-  if (has_origin && !frame.viewpoint.isZero(0))
+  const bool is_kept = has_origin && isKeptByPcl(frame.origin);
+  const bool has_zero = !has_origin && frame.viewpoint.isZero(0);
+  if (frame.knows_viewpoint && (has_origin || has_zero))
     header << "# sedr_viewpoint " << frame.viewpointText() << '\n';
   header << "VERSION 0.7\nFIELDS" << names.str() << "\nSIZE" << sizes.str() << "\nTYPE"
          << types.str() << "\nCOUNT" << counts.str() << "\nWIDTH " << rows
          << "\nHEIGHT 1\nVIEWPOINT "
-         << (has_origin ? frame.origin.text() + " 1 0 0 0" : frame.viewpointText())
+         << (is_kept      ? frame.origin.text() + " 1 0 0 0"
+             : has_origin ? "0 0 0 1 0 0 0"
+                          : frame.viewpointText())
          << "\nPOINTS " << rows << "\nDATA " << data << '\n';
   return header.str();
 }
@@ -305,7 +330,8 @@ void
 saveCloud(const std::string& path, const ToolCloud& cloud, PcdData data)
 {
   save(path, cloud.blob,
-       {cloud.points->sensor_origin_, cloud.points->sensor_orientation_, cloud.origin},
+       {cloud.points->sensor_origin_, cloud.points->sensor_orientation_, cloud.origin,
+        cloud.knows_viewpoint},
        data);
 }
 
@@ -319,7 +345,9 @@ void
 saveScan(const std::string& path, const ScanFile& scan)
 {
   checkCloudOutput(path);
-  const Frame frame{scan.viewpoint(), scan.orientation(), scan.origin()};
+  const Frame frame{scan.viewpoint(), scan.orientation(), scan.origin(),
+                    scan.knowsViewpoint()};
+  warnOfPositions(scan);
   const bool is_ply = endsIn(path, ".ply");
   const auto properties =
       is_ply ? plyProperties(scan.fields()) : std::vector<Property>();

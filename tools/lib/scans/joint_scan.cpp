@@ -2,6 +2,7 @@
 #include "joint_scan.h"
 
 #include "bytes/standard_input.h"
+#include "run_tool.h"
 #include "tool_error.h"
 
 #include "sedr_filters/src/base/parallel.h"
@@ -22,7 +23,8 @@ namespace {
 bool
 isScanName(const fs::path& path)
 {
-  constexpr std::array<const char*, 5> known{".pcd", ".ply", ".e57", ".las", ".laz"};
+  constexpr std::array<const char*, 7> known{".pcd", ".ply", ".e57", ".las",
+                                             ".laz", ".xyz", ".pts"};
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return std::tolower(c); });
@@ -33,17 +35,24 @@ std::vector<std::string>
 scansIn(const std::string& folder)
 {
   std::vector<std::string> paths;
+  std::vector<std::string> others;
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error))
-    if (isScanName(entry->path()) && !fs::is_directory(entry->path(), error))
-      paths.push_back(entry->path().string());
+    if (!fs::is_directory(entry->path(), error))
+      (isScanName(entry->path()) ? paths : others).push_back(entry->path().string());
   if (error)
     throw ToolError("cannot read the folder '" + folder + "': " + error.message());
   if (paths.empty())
     throw ToolError("the folder '" + folder +
-                    "' has no .pcd, .ply, .e57, .las or .laz file");
+                    "' has no .pcd, .ply, .e57, .las, .laz, .xyz or .pts file");
   std::sort(paths.begin(), paths.end());
+  std::sort(others.begin(), others.end());
+  if (!others.empty())
+    warnOnce("the folder '" + folder + "' has " + std::to_string(others.size()) +
+             (others.size() == 1 ? " file" : " files") +
+             " of other names, which are left out, the first is '" + others.front() +
+             "'; a scan among them can be named by itself");
   return paths;
 }
 

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <map>
 
@@ -151,7 +152,8 @@ readSize(const PcdHeader& header, const std::string& path)
   return points;
 }
 
-/** @brief Reads a place and a quaternion; false if the words are anything else. */
+/** @brief Reads a place and a quaternion; false if the words are anything else, also
+ * numbers that no float holds. */
 bool
 readViewpoint(const Words& words, FileLayout& layout)
 {
@@ -160,24 +162,29 @@ readViewpoint(const Words& words, FileLayout& layout)
     return false;
   for (std::size_t i = 0; i < v.size(); ++i) {
     const auto& word = words[i];
-    if (std::from_chars(word.data(), word.data() + word.size(), v[i]).ec != std::errc())
+    const char* const end = word.data() + word.size();
+    if (readNumber(word.data(), end, v[i]).ptr != end ||
+        !std::isfinite(static_cast<float>(v[i])))
       return false;
   }
-  layout.viewpoint = {v[0], v[1], v[2]};
+  layout.viewpoint = Eigen::Vector3d(v[0], v[1], v[2]);
   layout.orientation = Eigen::Quaterniond(v[3], v[4], v[5], v[6]).cast<float>();
   return true;
 }
 
-/** @brief Reads where the scanner stood. A VIEWPOINT that is the origin, as in files
- * written here, says nothing of it. */
+/** @brief Reads where the scanner stood. A VIEWPOINT that is 0 or the origin, as in
+ * files written here, says nothing of it; then a comment counts. */
 void
 readScannerPosition(const PcdHeader& header, FileLayout& layout)
 {
   const Words* words = header.find("VIEWPOINT");
-  if (!words || !readViewpoint(*words, layout) || header.origin.isZero() ||
-      layout.viewpoint.cast<float>() != header.origin.place.cast<float>())
+  const bool is_read = words && readViewpoint(*words, layout);
+  const Origin& origin = header.origin;
+  if (is_read && !layout.viewpoint->isZero(0) &&
+      (origin.isZero() ||
+       layout.viewpoint->cast<float>() != origin.place.cast<float>()))
     return;
-  layout.viewpoint.setZero();
+  layout.viewpoint.reset();
   readViewpoint(header.viewpoint, layout);
 }
 
@@ -220,6 +227,11 @@ readPcdLayout(const MappedFile& file, const std::string& path)
   layOut(blob, readSize(header, path), path);
   readScannerPosition(header, layout);
   layout.counted_from = header.origin;
+  layout.has_floats =
+      std::all_of(blob.fields.begin(), blob.fields.end(), [](const auto& field) {
+        return (field.name != "x" && field.name != "y" && field.name != "z") ||
+               field.datatype == pcl::PCLPointField::FLOAT32;
+      });
   layout.begin = header.data_begin;
 
   const Words& format = *header.find("DATA");
@@ -260,12 +272,7 @@ readAsciiPcd(const MappedFile& file,
     if (point == blob.width)
       refusePcd(path, "its header promises " + std::to_string(blob.width) +
                           " points, but more lines follow");
-    const std::size_t read =
-        readNumbers(line, blob.fields, blob.data.data() + point * blob.point_step);
-    if (read != values)
-      refusePcd(path, "point " + std::to_string(point + 1) + " has " +
-                          std::to_string(read) + " of " + std::to_string(values) +
-                          " numbers");
+    readNumbers(line, blob, path, point, blob.data.data() + point * blob.point_step);
     ++point;
   }
   if (point < blob.width)

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <map>
 
@@ -81,7 +82,11 @@ addProperty(const std::vector<std::string_view>& words,
   field.datatype = knownType(words[is_list ? 3 : 1]);
   auto& element = header.elements.back();
   element.fields.push_back(field);
-  element.counts.push_back(is_list ? knownType(words[2]) : std::uint8_t{0});
+  const std::uint8_t count = is_list ? knownType(words[2]) : std::uint8_t{0};
+  if (count == pcl::PCLPointField::FLOAT32 || count == pcl::PCLPointField::FLOAT64)
+    refusePly(path, "the list " + quotedWord(words.back()) + " counts its values as " +
+                        quotedWord(words[2]) + ", which is no whole number");
+  element.counts.push_back(count);
 }
 
 PlyHeader
@@ -120,35 +125,66 @@ readPlyHeader(const MappedFile& file, const std::string& path)
   refusePly(path, "its header does not end, the file may be cut off");
 }
 
+bool
+isEmpty(std::string_view line)
+{
+  return wordsOf(line.substr(0, 64)).empty();
+}
+
+/** @brief Returns the byte behind an element in text; one without properties has no
+ * lines. */
+std::size_t
+pastLines(const MappedFile& file, const PlyElement& element, std::size_t begin)
+{
+  TextCursor cursor(file, begin);
+  std::uint64_t left = element.fields.empty() ? 0 : element.count;
+  for (std::string_view line; left > 0 && cursor.nextLine(line);)
+    left -= isEmpty(line) ? 0 : 1;
+  return cursor.position();
+}
+
+/** @brief Returns the bytes of `rows` rows from `at` on, at most those of the file. */
+std::size_t
+bytesOf(const MappedFile& file, std::size_t at, std::uint64_t rows, std::uint64_t row)
+{
+  const std::size_t left = file.size() - at;
+  return row > 0 && rows > left / row ? left : static_cast<std::size_t>(rows * row);
+}
+
 /** @brief Returns the byte behind a binary element of any lists; the end of the file at
  * most. */
 std::size_t
 pastElement(const MappedFile& file,
             const PlyElement& element,
             bool is_big_endian,
-            std::size_t begin)
+            std::size_t begin,
+            const std::string& path)
 {
   std::size_t at = begin;
-  if (element.fields.empty())
-    return at;
-  const auto skip = [&](std::uint64_t bytes) {
-    at += static_cast<std::size_t>(std::min<std::uint64_t>(bytes, file.size() - at));
-  };
+  if (!element.hasLists()) {
+    std::uint64_t row = 0;
+    for (const auto& field : element.fields)
+      row += fieldSize(field.datatype);
+    return at + bytesOf(file, at, element.count, row);
+  }
   for (std::uint64_t i = 0; i < element.count && at < file.size(); ++i)
     for (std::size_t f = 0; f < element.fields.size(); ++f) {
       const std::uint8_t type = element.counts[f];
-      const std::size_t size = fieldSize(element.fields[f].datatype);
-      std::array<std::uint8_t, sizeof(double)> count{};
       const std::size_t count_size = type == 0 ? 0 : fieldSize(type);
       if (count_size > file.size() - at)
         return file.size();
+      std::array<std::uint8_t, sizeof(double)> count{};
       std::copy_n(file.data() + at, count_size, count.begin());
       if (is_big_endian)
         std::reverse(count.begin(), count.begin() + static_cast<int>(count_size));
       at += count_size;
       const double values = type == 0 ? 1 : readField(count.data(), type);
-      constexpr double many = 1e12; // beyond the end of all files
-      skip(values > 0 ? static_cast<std::uint64_t>(std::min(values, many)) * size : 0);
+      if (values < 0)
+        refusePly(path, "list " + std::to_string(i + 1) + " of its element " +
+                            quotedWord(element.name) + " has " +
+                            std::to_string(std::llround(values)) + " values");
+      at += bytesOf(file, at, static_cast<std::uint64_t>(values),
+                    fieldSize(element.fields[f].datatype));
     }
   return at;
 }
@@ -251,14 +287,10 @@ readPlyLayout(const MappedFile& file, const std::string& path)
                                                        : FileData::Binary;
   layout.begin = header.data_begin;
   for (auto e = header.elements.begin(); e != vertices; ++e) {
-    TextCursor cursor(file, layout.begin);
-    std::string_view line;
-    for (std::uint64_t i = 0; ascii && i < e->count && cursor.nextLine(line); ++i)
-      ;
     layout.begin = ascii
-                       ? cursor.position()
+                       ? pastLines(file, *e, layout.begin)
                        : pastElement(file, *e, layout.data == FileData::BinaryBigEndian,
-                                     layout.begin);
+                                     layout.begin, path);
   }
   if (ascii)
     return layout;
@@ -287,18 +319,16 @@ readAsciiPly(const MappedFile& file,
     refuseCutOff(path, blob.width, "but " + std::to_string(left) + " bytes follow");
   blob.data.resize(std::size_t{blob.width} * blob.point_step);
   std::size_t point = 0;
-  for (std::string_view line; point < blob.width && cursor.nextLine(line); ++point) {
-    const std::size_t read =
-        readNumbers(line, blob.fields, blob.data.data() + point * blob.point_step);
-    if (read != values)
-      refusePly(path, "vertex " + std::to_string(point + 1) + " has " +
-                          std::to_string(read) + " of " + std::to_string(values) +
-                          " numbers");
+  for (std::string_view line; point < blob.width && cursor.nextLine(line);) {
+    if (isEmpty(line))
+      continue;
+    readNumbers(line, blob, path, point, blob.data.data() + point * blob.point_step);
+    ++point;
   }
   if (point < blob.width)
     refuseCutOff(path, blob.width, "it holds " + std::to_string(point));
   for (std::string_view line; layout.are_last && cursor.nextLine(line);)
-    if (!wordsOf(line.substr(0, 64)).empty())
+    if (!isEmpty(line))
       refusePly(path, "its header promises " + std::to_string(blob.width) +
                           " vertices, but more lines follow");
 }

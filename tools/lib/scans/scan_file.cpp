@@ -21,10 +21,13 @@ checkCoordinates(const pcl::PCLPointCloud2& blob, const std::string& path)
   std::string names;
   for (const auto& field : blob.fields)
     names += " " + quotedWord(field.name);
-  for (const char* name : {"x", "y", "z"})
-    if (!findField(blob, name))
-      throw ToolError("'" + path + "' has no field '" + name +
-                      "', its fields are:" + names);
+  for (const char* name : {"x", "y", "z"}) {
+    const auto times = std::count_if(blob.fields.begin(), blob.fields.end(),
+                                     [&](const auto& f) { return f.name == name; });
+    if (times != 1)
+      throw ToolError("'" + path + "' has " + (times == 0 ? "no field" : "two fields") +
+                      " '" + name + "', its fields are:" + names);
+  }
 }
 
 bool
@@ -162,8 +165,8 @@ Eigen::Vector4f
 ScanFile::viewpoint() const
 {
   Eigen::Vector4f viewpoint = Eigen::Vector4f::Zero();
-  if (!layout_.viewpoint.isZero(0)) // 0 means unknown, also relative to an origin
-    viewpoint.head<3>() = inMetres(layout_.viewpoint);
+  if (layout_.viewpoint)
+    viewpoint.head<3>() = inMetres(*layout_.viewpoint);
   return viewpoint;
 }
 

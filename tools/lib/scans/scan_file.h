@@ -38,8 +38,8 @@ using ScanPlaces = std::array<std::vector<double>, 3>;
  * binary_compressed and ascii are unpacked into memory first.
  *
  * Coordinates stored as doubles or integers, more than 1 km from 0, are relative to an
- * origin: the centre of the points in whole metres, per axis. This is printed once per
- * file.
+ * origin: the centre of the points, per axis, rounded to what PCL's writers keep: 1 m,
+ * 10 m from 1,000 km on and 100 m from 10,000 km on. This is printed once per file.
  *
  * Of a mesh, the vertices are the points; a warning is printed once per file when the
  * first of them is read.
@@ -83,6 +83,7 @@ public:
 
   /** @brief Returns the viewpoint of the scan, metres; 0, 0, 0 if it is unknown. */
   Eigen::Vector4f viewpoint() const;
+  bool knowsViewpoint() const { return layout_.viewpoint.has_value(); }
   const Eigen::Quaternionf& orientation() const { return layout_.orientation; }
 
   /** @brief Returns the viewpoints of its parts, metres, if the file gives all of
@@ -121,8 +122,9 @@ private:
     return (unit_ * place - shift_).cast<float>();
   }
 
-  /** @brief Takes VIEWPOINT for the origin where it is too far away for a scanner's
-   * position: PCL's own programs keep it, but not the comment of the origin. */
+  /** @brief Takes VIEWPOINT for the origin where it is far from 0 and the points are
+   * not: PCL's own programs keep it, but not the comment of the origin. It is in metres
+   * whatever the unit, as in the comment. */
   bool takeOriginFromViewpoint(const ScanPlaces& places);
 
   ScanPlaces samplePlaces() const;

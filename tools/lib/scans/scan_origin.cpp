@@ -48,16 +48,26 @@ farthestFrom(const Eigen::Vector3d& shift, const ScanPlaces& places)
   return middleValue(sizes);
 }
 
-/** @brief Returns the median of the points in whole metres, on axes where it is far
- * away. */
+/** @brief Returns a length with six significant digits at most, which PCL's writers
+ * keep of VIEWPOINT, but no finer than whole metres. */
+double
+inSixDigits(double length)
+{
+  double step = 1;
+  while (std::abs(length) >= 1e6 * step)
+    step *= 10;
+  return std::round(length / step) * step;
+}
+
+/** @brief Returns the median of the points, rounded, on axes where it is far away. */
 Eigen::Vector3d
-wholeMetresNear(const ScanPlaces& places)
+roundPlaceNear(const ScanPlaces& places)
 {
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double middle = middleValue(places[axis]);
     if (std::abs(middle) > far_away && std::abs(middle) < farthest_grid)
-      shift[static_cast<Eigen::Index>(axis)] = std::round(middle);
+      shift[static_cast<Eigen::Index>(axis)] = inSixDigits(middle);
   }
   return shift;
 }
@@ -151,14 +161,17 @@ ScanFile::samplePlaces() const
 bool
 ScanFile::takeOriginFromViewpoint(const ScanPlaces& places)
 {
-  const Eigen::Vector3d place = layout_.viewpoint;
-  const bool is_origin =
-      layout_.counted_from.isZero() && !place.isZero(0) && unit_ == 1 &&
-      place.lpNorm<Eigen::Infinity>() < farthest_grid &&
-      place == place.array().round().matrix() && farthestFrom(place, places) > far_away;
+  if (!layout_.has_floats || !layout_.viewpoint || !layout_.counted_from.isZero())
+    return false;
+  const Eigen::Vector3d place = *layout_.viewpoint;
+  const double size = place.lpNorm<Eigen::Infinity>();
+  const bool is_origin = size < farthest_grid &&
+                         size * std::min(1.0, unit_) > far_away &&
+                         place == place.unaryExpr(&inSixDigits) &&
+                         farthestFrom(Eigen::Vector3d::Zero(), places) < far_away;
   if (is_origin) {
     layout_.counted_from.place = place;
-    layout_.viewpoint.setZero();
+    layout_.viewpoint.reset();
   }
   return is_origin;
 }
@@ -171,14 +184,14 @@ ScanFile::settleOrigin(const ScanSettings& settings)
     return findField(layout_.blob, name)->datatype == pcl::PCLPointField::FLOAT32;
   };
   const bool are_floats = isFloat("x") && isFloat("y") && isFloat("z");
-  const bool takes_viewpoint = are_floats && takeOriginFromViewpoint(places);
+  const bool takes_viewpoint = takeOriginFromViewpoint(places);
   const double given = farthestFrom(Eigen::Vector3d::Zero(), places);
   const bool finds_shift = settings.shifts && !settings.origin && !are_floats;
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
   if (settings.origin)
     shift = settings.origin->place - layout_.counted_from.place;
   else if (finds_shift)
-    shift = wholeMetresNear(places);
+    shift = roundPlaceNear(places);
   // An origin cannot restore the precision that floats have lost.
   const double farthest = are_floats ? std::max(given, farthestFrom(shift, places))
                                      : farthestFrom(shift, places);

@@ -30,6 +30,8 @@ positionIn(const std::vector<std::string_view>& words)
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (!isWhole(words[axis], line.place[static_cast<Eigen::Index>(axis)]))
       return {};
+  if (!line.place.cast<float>().allFinite())
+    return {};
   if (words.size() == 4 && !isWhole(words[3], line.points.emplace()))
     return {};
   return line;
@@ -74,8 +76,8 @@ ScanFile::positions() const
   if (layout_.reader)
     for (const ScanStation& station : layout_.reader->stations())
       positions.push_back({station.first_row, inMetres(station.position)});
-  else if (!layout_.viewpoint.isZero(0)) // 0 in a PCD means unknown
-    positions.push_back({0, inMetres(layout_.viewpoint)});
+  else if (layout_.viewpoint)
+    positions.push_back({0, inMetres(*layout_.viewpoint)});
   return positions;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool_cloud.h"
 
+#include "run_tool.h"
 #include "scan_file.h"
 
 #include <array>
@@ -49,6 +50,7 @@ loadCloud(const std::string& path, const ScanSettings& settings)
 
   cloud.points.reset(new pcl::PointCloud<pcl::PointXYZ>(blob.width, 1));
   cloud.points->is_dense = false;
+  cloud.knows_viewpoint = file.knowsViewpoint();
   cloud.points->sensor_origin_ = file.viewpoint();
   cloud.points->sensor_orientation_ = file.orientation();
   const std::array<std::size_t, 3> offsets{findField(blob, "x")->offset,
@@ -66,6 +68,15 @@ loadCloud(const std::string& path, const ScanSettings& settings)
   cloud.label.resize(blob.width, 0);
   cloud.room.resize(blob.width, 0);
   return cloud;
+}
+
+void
+warnOfPositions(const ScanFile& scan)
+{
+  const std::size_t positions = scan.positions().size();
+  if (positions > 1)
+    warnOnce("the " + std::to_string(positions) + " scanner positions of '" +
+             scan.path() + "' are left out: a PCD or PLY has one at most");
 }
 
 } // namespace pcl::sedr::tools

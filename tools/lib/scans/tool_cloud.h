@@ -21,6 +21,7 @@ struct ToolCloud {
       label; ///< StructureLabel per row, zeros if the file has none
   std::vector<std::uint32_t> room; ///< 0 none, zeros if the file has none
   Origin origin;                   ///< origin of the coordinates
+  bool knows_viewpoint = false;    ///< whether `points` tell it, also if it is 0
   bool has_label = false;
   bool has_room = false;
 
@@ -61,6 +62,10 @@ void saveStructure(const std::string& path,
                    const Origin& origin = {});
 
 class ScanFile;
+
+/** @brief Warns once per file that scanner positions are not written, if there are
+ * several. */
+void warnOfPositions(const ScanFile& scan);
 
 /** @brief Writes a scan while reading it, piece by piece: binary PCD, or PLY if `path`
  * ends in .ply. */

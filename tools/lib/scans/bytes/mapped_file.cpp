@@ -44,15 +44,20 @@ MappedFile::MappedFile(const std::string& path)
     refuse(std::strerror(map_error));
   data_ = static_cast<const std::uint8_t*>(mapped);
   size_ = static_cast<std::size_t>(status.st_size);
+  device_ = status.st_dev;
+  number_ = status.st_ino;
   lost_ = std::make_unique<LostPages>(data_, size_);
 }
 
 void
 MappedFile::checkWhole() const
 {
-  // The rest of its last page reads as zeros, without a signal.
+  // The rest of its last page reads as zeros, without a signal. Another file that has
+  // taken its name does not matter.
   struct stat status {};
-  const bool is_shorter = stat(path_.c_str(), &status) == 0 &&
+  const bool is_shorter = !isStandardInput(path_) &&
+                          stat(path_.c_str(), &status) == 0 &&
+                          status.st_dev == device_ && status.st_ino == number_ &&
                           static_cast<std::size_t>(status.st_size) < size_;
   if (!lost_->any() && !is_shorter)
     return;

@@ -3,6 +3,8 @@
 
 #include "lost_pages.h"
 
+#include <sys/types.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -38,6 +40,8 @@ private:
   std::string path_;
   const std::uint8_t* data_ = nullptr;
   std::size_t size_ = 0;
+  dev_t device_ = 0; ///< with number_ the file itself, whatever its name
+  ino_t number_ = 0;
   std::unique_ptr<LostPages> lost_;
 };
 

@@ -10,12 +10,14 @@
 namespace pcl::sedr::tools {
 
 /** @brief Parses the XML of an E57 file. Throws ToolError for more than 64 MiB, a
- * document type (whose entities may expand), and nesting deeper than 64. */
+ * document type (whose entities may expand), more than 262,144 elements and attributes,
+ * and nesting deeper than 64. */
 boost::property_tree::ptree readE57Tree(const E57Pages& pages);
 
 /** @brief What is known of an XML text before it is parsed. */
 struct XmlShape {
   std::size_t nesting = 0;        ///< depth of its elements
+  std::size_t parts = 0;          ///< number of its elements and attributes
   bool has_document_type = false; ///< or another declaration outside of comments
 };
 

@@ -21,10 +21,57 @@ constexpr std::size_t max_lines_before = 20; // that are neither empty nor comme
 using Numbers = std::array<double, max_columns>;
 
 bool
-partsColumns(char c, bool has_decimal_comma)
+isBlankInLine(char c)
 {
-  return c == ' ' || c == '\t' || c == '\r' || c == ';' || c == '"' ||
-         (c == ',' && !has_decimal_comma);
+  return c == ' ' || c == '\t' || c == '\r';
+}
+
+/** @brief Moves behind what separates two columns: blanks with one comma or semicolon
+ * at most, or one tab. Empty cells are missing numbers. */
+bool
+passesSeparator(const char*& c, const char* end, bool has_decimal_comma)
+{
+  int marks = 0;
+  int tabs = 0;
+  const char* const begin = c;
+  for (; c != end; ++c)
+    if (*c == ';' || (*c == ',' && !has_decimal_comma))
+      ++marks;
+    else if (isBlankInLine(*c))
+      tabs += *c == '\t' ? 1 : 0;
+    else
+      break;
+  return c != begin && c != end && (marks == 1 || (marks == 0 && tabs <= 1));
+}
+
+/** @brief Reads a cell, which may be in quotes, and moves behind it if it is a number.
+ * @return whether it is a number as a whole */
+bool
+readCell(const char*& c, const char* end, bool has_decimal_comma, double& number)
+{
+  const bool is_quoted = c != end && *c == '"';
+  const char* const begin = is_quoted ? c + 1 : c;
+  const char* const cell_end = std::find_if(begin, end, [&](char sign) {
+    return is_quoted ? sign == '"'
+                     : isBlankInLine(sign) || sign == ';' ||
+                           (sign == ',' && !has_decimal_comma);
+  });
+  if (is_quoted && cell_end == end)
+    return false;
+  std::string_view text(begin, static_cast<std::size_t>(cell_end - begin));
+  if (!text.empty() && text.front() == '+')
+    text.remove_prefix(1);
+  std::string with_point;
+  if (has_decimal_comma) {
+    with_point = text;
+    std::replace(with_point.begin(), with_point.end(), ',', '.');
+    text = with_point;
+  }
+  const auto result = readNumber(text.data(), text.data() + text.size(), number);
+  if (result.ec != std::errc() || result.ptr != text.data() + text.size())
+    return false;
+  c = cell_end + (is_quoted ? 1 : 0);
+  return true;
 }
 
 /** @brief Returns whether a word is a number such as 12,5. */
@@ -195,32 +242,21 @@ std::size_t
 readColumns(std::string_view line,
             bool has_decimal_comma,
             std::size_t most,
-            double* numbers)
+            double* numbers,
+            bool* is_all)
 {
   const char* c = line.data();
   const char* const end = c + line.size();
+  c = std::find_if_not(c, end, isBlankInLine);
   std::size_t read = 0;
-  for (; read < most; ++read) {
-    while (c != end && partsColumns(*c, has_decimal_comma))
-      ++c;
-    if (c != end && *c == '+')
-      ++c;
-    const char* const begin = c;
-    while (c != end && !partsColumns(*c, has_decimal_comma))
-      ++c;
-    std::from_chars_result result{};
-    if (has_decimal_comma) {
-      std::string number(begin, c);
-      std::replace(number.begin(), number.end(), ',', '.');
-      result =
-          std::from_chars(number.data(), number.data() + number.size(), numbers[read]);
-      result.ptr = begin + (result.ptr - number.data());
-    }
-    else
-      result = std::from_chars(begin, c, numbers[read]);
-    if (begin == c || result.ec != std::errc() || result.ptr != c)
-      return read;
+  while (read < most && readCell(c, end, has_decimal_comma, numbers[read])) {
+    ++read;
+    if (!passesSeparator(c, end, has_decimal_comma))
+      break;
   }
+  if (is_all)
+    *is_all =
+        c == end && line.find_last_not_of(" \t\r,;") == line.find_last_not_of(" \t\r");
   return read;
 }
 
@@ -243,8 +279,9 @@ findColumns(const MappedFile& file, const std::string& path, const std::string& 
   columns.begin = first.begin;
   columns.has_decimal_comma = linesHaveDecimalComma(file, first.begin);
   Numbers numbers{};
-  const std::size_t n =
-      readColumns(first.text, columns.has_decimal_comma, max_columns, numbers.data());
+  const std::size_t n = readColumns(first.text, columns.has_decimal_comma, max_columns,
+                                    numbers.data(), &columns.is_nothing_else);
+  columns.numbers = n;
   first.numbers.assign(numbers.begin(),
                        numbers.begin() + static_cast<std::ptrdiff_t>(n));
   takeCount(first.before, columns);

@@ -15,6 +15,8 @@ struct TextColumns {
   std::vector<std::string> names; ///< of the columns; "_" is skipped
   std::size_t begin = 0;          ///< byte offset of the first line of numbers
   bool has_decimal_comma = false; ///< separators are then semicolons or blanks
+  std::size_t numbers = 0;        ///< in the first line, also those without a name
+  bool is_nothing_else = false;   ///< whether that line holds nothing but numbers
   bool has_counts = false; ///< whether lines with the number of points are before them
   std::uint64_t promised = 0; ///< the first such number
 };
@@ -34,11 +36,13 @@ TextColumns
 findColumns(const MappedFile& file, const std::string& path, const std::string& asked);
 
 /** @brief Reads up to `most` numbers of a line.
- * @return how many there are before the end of the line or another character */
+ * @param is_all gets whether the line holds nothing but these numbers, if given
+ * @return how many there are before the end of the line, an empty cell or a word */
 std::size_t readColumns(std::string_view line,
                         bool has_decimal_comma,
                         std::size_t most,
-                        double* numbers);
+                        double* numbers,
+                        bool* is_all = nullptr);
 
 /** @brief Reads a line with nothing but the number of points that follow.
  * @return whether it is one; else `count` is not changed */

@@ -109,7 +109,9 @@ void
 TextReader::read(std::size_t first, std::size_t size, std::uint8_t* rows) const
 {
   const std::size_t columns = columns_.names.size();
-  std::vector<double> numbers(columns);
+  const bool is_exact = columns_.is_nothing_else;
+  const std::size_t expected = is_exact ? columns_.numbers : columns;
+  std::vector<double> numbers(std::max(expected, columns));
   const std::size_t row_size =
       xyz_.size() * sizeof(double) + (fields_.size() - xyz_.size()) * sizeof(float);
   const Mark& mark = markBefore(first);
@@ -120,12 +122,14 @@ TextReader::read(std::size_t first, std::size_t size, std::uint8_t* rows) const
       continue;
     if (row++ < first)
       continue;
-    const std::size_t read =
-        readColumns(line, columns_.has_decimal_comma, columns, numbers.data());
-    if (read < columns)
+    bool is_all = false;
+    const std::size_t read = readColumns(line, columns_.has_decimal_comma, expected,
+                                         numbers.data(), &is_all);
+    if (read < expected || (is_exact && !is_all))
       throw ToolError("cannot read '" + path_ + "' as columns of numbers: point " +
-                      std::to_string(row) + " has " + std::to_string(read) + " of " +
-                      std::to_string(columns) + " numbers");
+                      std::to_string(row) + " has " +
+                      (read < expected ? std::to_string(read) + " of " : "more than ") +
+                      std::to_string(expected) + " numbers");
     writeRow(numbers.data(), rows + (row - 1 - first) * row_size);
   }
   if (row < first + size)
