@@ -59,6 +59,19 @@ TEST(WriteIfc, TellsWhatIsInIt)
   EXPECT_EQ(count(model.text, "=IFCRELSPACEBOUNDARY1STLEVEL("), 8u + 4u);
 }
 
+TEST(WriteIfc, AFaceTowardsTheRoofOfTheRoomBelowIsOfNoWall)
+{
+  Floorplan plan{
+      {roomOf(rectangle(0, 0, 6, 4), 2.5), roomOf(rectangle(0, 0, 4, 4), 5.2, 2)}};
+  plan.rooms[1].floor = slabAt(2.7);
+  const std::size_t walls = writeIfc(plan).walls;
+  PlanDetail roof; // beside the upper room
+  roof.boundary = rectangle(4, 0, 6, 4);
+  roof.slab = slabAt(5);
+  plan.rooms[0].details = {roof};
+  EXPECT_EQ(writeIfc(plan).walls, walls - 1);
+}
+
 TEST(WriteIfc, ADoorwayWithoutAWallIsTold)
 {
   Floorplan plan = twoRooms();

@@ -5,6 +5,7 @@
 #include "../refit/plan_regularisation.h"
 #include "plan_fit.h"
 #include "room_separation.h"
+#include "rooms_above.h"
 #include "short_elements.h"
 
 #include "sedr_filters/src/plan/plan_evidence.h"
@@ -140,6 +141,7 @@ fitFloorplan(const PlanInput& input,
   removeShortElements(plan, priors);
   giveCeilings(sheets, has_raw ? &input.raw : nullptr, raw_indices, parameters.threads,
                plan);
+  endBelowRoomsAbove(plan, priors);
   measureEvidence(plan, input.points, input.indices, priors.wall_band,
                   parameters.threads);
   warnings.insert(warnings.end(), cuts.begin(), cuts.end());

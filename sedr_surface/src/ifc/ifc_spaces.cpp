@@ -135,6 +135,21 @@ floorTriangles(const IfcRoom& written)
   return floors;
 }
 
+std::vector<PlanLoop>
+topTriangles(const IfcRoom& written, double above)
+{
+  constexpr double rounding = 0.001;
+  std::vector<PlanLoop> tops;
+  for (std::size_t t = 0; t < written.solid.triangles.size(); ++t) {
+    const auto corner = [&](int k) { return written.solid.corner(t, k); };
+    if (written.solid.scaledNormal(t).z() > 0 &&
+        std::max({corner(0).z(), corner(1).z(), corner(2).z()}) > above + rounding)
+      tops.push_back(
+          loopOf({corner(0).head<2>(), corner(1).head<2>(), corner(2).head<2>()}));
+  }
+  return tops;
+}
+
 void
 writeSpaces(IfcDocument& document)
 {

@@ -145,18 +145,22 @@ endAtBodies(const IfcDocument& document, WrittenWall& written)
   const Floorplan& plan = document.plan;
   const WallFrame frame = frameOf(plan, written.wall);
   const Eigen::AlignedBox2d box = boundsOf(written.profile.boundary);
-  std::vector<PlanArea> floors;
+  std::vector<PlanArea> bodies;
   double common = 0;
-  for (const IfcRoom& room : document.rooms)
-    if (shareHeights(*room.room, plan.rooms[written.wall.face.room]) &&
-        boundsOf(inFrame(room.room->boundary, frame)).intersects(box))
-      for (const PlanLoop& floor : floorTriangles(room)) {
-        const PlanArea area{inFrame(floor, frame)};
-        if (!boundsOf(area.boundary).intersects(box))
-          continue;
-        common += commonArea(written.profile, area);
-        floors.push_back(area);
-      }
+  for (const IfcRoom& room : document.rooms) {
+    const bool is_beside = shareHeights(*room.room, plan.rooms[written.wall.face.room]);
+    if ((!is_beside && heightsOf(*room.room).low > written.bottom) ||
+        !boundsOf(inFrame(room.room->boundary, frame)).intersects(box))
+      continue;
+    for (const PlanLoop& part :
+         is_beside ? floorTriangles(room) : topTriangles(room, written.bottom)) {
+      const PlanArea area{inFrame(part, frame)};
+      if (!boundsOf(area.boundary).intersects(box))
+        continue;
+      common += commonArea(written.profile, area);
+      bodies.push_back(area);
+    }
+  }
   // A solid has chords for arcs: what is between them is not taken.
   const double between =
       elementOf(plan, written.wall.face).isArc()
@@ -165,10 +169,10 @@ endAtBodies(const IfcDocument& document, WrittenWall& written)
                  (written.wall.other ? elementOf(plan, *written.wall.other).length()
                                      : 0))
           : 0;
-  if (isWithin(plan, written.wall, floors))
+  if (isWithin(plan, written.wall, bodies))
     written.profile = {};
   else if (common > no_area + between)
-    written.profile = largestPartOutside(written.profile, floors);
+    written.profile = largestPartOutside(written.profile, bodies);
 }
 
 } // namespace

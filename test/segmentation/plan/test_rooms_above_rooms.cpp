@@ -6,6 +6,7 @@
 
 #include "sedr_filters/src/plan/plan_evidence.h"
 #include "sedr_segmentation/src/plan/room_separation.h"
+#include "sedr_segmentation/src/plan/rooms_above.h"
 #include "sedr_segmentation/src/refit/plan_refit.h"
 #include "sedr_segmentation/src/refit/plan_regularisation.h"
 
@@ -153,6 +154,59 @@ TEST(RoomsAboveRooms, AWallThatOnlyTheStoreyAboveShowsIsNotSeen)
   measureEvidence(plan, points.view(), points.all(), 0.05, 1);
   for (const PlanElement& e : plan.rooms.front().boundary.elements)
     EXPECT_EQ(e.evidence.seen, 0);
+}
+
+/** A hall of 6 x 4 m, 2.5 m high but for x from 4, where it has a roof that rises from
+ * 4 to 6 m, and above it a gallery on x up to 5 with a shaft in its floor. */
+Floorplan
+hallBelowGallery()
+{
+  Floorplan plan;
+  plan.rooms = {roomBetween(rectangle(0, 0, 6, 4), 0, 2.5, 1),
+                roomBetween(rectangle(0, 0, 5, 4), 2.7, 5.2, 2)};
+  PlanDetail roof;
+  roof.boundary = rectangle(4, 0, 6, 4);
+  roof.slab.plane = Eigen::Vector4d(0, -0.5, 1, -4).normalized();
+  roof.slab.plane /= roof.slab.plane.head<3>().norm();
+  roof.is_facet = true;
+  plan.rooms[0].details = {roof};
+  plan.rooms[1].columns = {reversed(rectangle(4.2, 1, 4.6, 1.5))};
+  return plan;
+}
+
+/** Returns the height of a ceiling at a place: that of the last detail there. */
+double
+ceilingAt(const PlanRoom& room, const Eigen::Vector2d& p)
+{
+  double height = room.ceiling.heightAt(p);
+  for (const PlanDetail& detail : room.details)
+    if (detail.contains(p))
+      height = detail.slab.heightAt(p);
+  return height;
+}
+
+TEST(RoomsAboveRooms, EndTheCeilingsBelowAtTheirFloors)
+{
+  Floorplan plan = hallBelowGallery();
+  endBelowRoomsAbove(plan, Priors());
+  const PlanRoom& hall = plan.rooms[0];
+  EXPECT_NEAR(ceilingAt(hall, {1, 1}), 2.5, 1e-9);     // below the slab
+  EXPECT_NEAR(ceilingAt(hall, {4.5, 3}), 2.69, 1e-9);  // open to the gallery
+  EXPECT_NEAR(ceilingAt(hall, {5.5, 2}), 5, 1e-9);     // beside it, below the roof
+  EXPECT_NEAR(ceilingAt(hall, {4.4, 1.2}), 4.6, 1e-9); // in its shaft
+  ASSERT_EQ(hall.details.size(), 2u);
+  EXPECT_EQ(hall.details[1].slab.inferred, 1);
+  EXPECT_TRUE(plan.rooms[1].details.empty());
+}
+
+TEST(RoomsAboveRooms, LeaveCeilingsBelowTheirFloorsAlone)
+{
+  for (const double shift : {0.0, 0.3}) {
+    Floorplan plan = twoStoreys(shift);
+    endBelowRoomsAbove(plan, Priors());
+    for (const PlanRoom& room : plan.rooms)
+      EXPECT_TRUE(room.details.empty()) << shift;
+  }
 }
 
 } // namespace
