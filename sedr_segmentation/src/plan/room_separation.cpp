@@ -136,8 +136,21 @@ reachesInto(const PlanNiche& niche, const PlanRoom& room)
          });
 }
 
+/** @brief Returns whether a niche takes all of a pier: two of its sides, besides that
+ * in its wall, lie on the room's boundary, so that it is a part of the room beside it.
+ */
+bool
+takesPier(const PlanNiche& niche, const PlanRoom& room, const Priors& priors)
+{
+  const auto& sides = niche.boundary.elements;
+  return std::count_if(sides.begin(), sides.end(), [&](const PlanElement& side) {
+           return room.boundary.distance(side.pointAt(side.length() / 2)) <
+                  priors.min_wall;
+         }) > 2;
+}
+
 void
-dropNiches(Floorplan& plan)
+dropNiches(Floorplan& plan, const Priors& priors)
 {
   std::vector<Eigen::AlignedBox2d> bounds; // of rooms with their niches
   for (const auto& room : plan.rooms) {
@@ -147,7 +160,9 @@ dropNiches(Floorplan& plan)
   }
   for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
     PlanRoom& room = plan.rooms[r];
-    const auto isInOther = [&](const PlanNiche& niche) {
+    const auto isNone = [&](const PlanNiche& niche) {
+      if (takesPier(niche, room, priors))
+        return true;
       const Eigen::AlignedBox2d own = boundsOf(niche.boundary);
       for (std::size_t o = 0; o < plan.rooms.size(); ++o)
         if (const PlanRoom& other = plan.rooms[o];
@@ -156,7 +171,7 @@ dropNiches(Floorplan& plan)
           return true;
       return false;
     };
-    room.niches.erase(std::remove_if(room.niches.begin(), room.niches.end(), isInOther),
+    room.niches.erase(std::remove_if(room.niches.begin(), room.niches.end(), isNone),
                       room.niches.end());
   }
 }
@@ -294,7 +309,7 @@ separateRooms(Floorplan& plan,
     dropPoints(room.boundary);
     trimDetails(room);
   }
-  dropNiches(plan);
+  dropNiches(plan, priors);
   return sentences;
 }
 

@@ -187,6 +187,27 @@ TEST(SeparateRooms, ANicheThatReachesIntoAnotherRoomIsDropped)
   EXPECT_LT(plan.rooms[0].niches[0].boundary.elements[0].start.x(), 0);
 }
 
+TEST(SeparateRooms, ANicheAsWideAsItsPierIsDropped)
+{
+  Floorplan plan;
+  // a pier from x = 1 to 2 between two recesses
+  plan.rooms = {roomAt(
+      1,
+      polygon(
+          {{0, 0}, {4, 0}, {4, 3.2}, {2, 3.2}, {2, 3}, {1, 3}, {1, 3.2}, {0, 3.2}}))};
+  PlanNiche niche;
+  niche.bottom = slabAt(1);
+  niche.top = slabAt(2);
+  for (const double left : {1.01, 1.2}) { // the second leaves wall on one side
+    niche.boundary = rectangle(left, 3, 1.99, 3.19);
+    plan.rooms[0].niches.push_back(niche);
+  }
+  separate(plan, RoomPoints());
+  ASSERT_EQ(plan.rooms[0].niches.size(), 1u);
+  EXPECT_TRUE(plan.rooms[0].niches[0].boundary.contains({1.5, 3.1}));
+  EXPECT_FALSE(plan.rooms[0].niches[0].boundary.contains({1.1, 3.1}));
+}
+
 TEST(SeparateRooms, RoomsThatAreApartOrOneAboveTheOtherStay)
 {
   Floorplan plan;
