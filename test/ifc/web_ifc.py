@@ -65,17 +65,28 @@ def stretches(edges, y):
     return list(zip(xs[::2], xs[1::2]))
 
 
+def united(spans):
+    """The length of what lies in any of some spans."""
+    length, end = 0, float("-inf")
+    for low, high in sorted(spans):
+        length += max(0, high - max(low, end))
+        end = max(end, high)
+    return length
+
+
 def common_volume(wall, openings):
-    """Of a swept wall and openings apart from each other, by lines along the wall."""
+    """Of a swept wall and its openings, which may overlap, by lines along the wall."""
     outline, bottom, top = wall
     low, high = (f(p[1] for edge in outline for p in edge) for f in (min, max))
+    levels = sorted({min(max(z, bottom), top) for _, *ends in openings for z in ends})
     volume, lines = 0, 1000
     for k in range(lines):
         y = low + (high - low) * (k + 0.5) / lines
-        for hole, hole_bottom, hole_top in openings:
-            height = min(top, hole_top) - max(bottom, hole_bottom)
-            volume += max(height, 0) * sum(max(0, min(b, d) - max(a, c)) for a, b in stretches(outline, y)
-                                           for c, d in stretches(hole, y)) * (high - low) / lines
+        cut = [([(max(a, c), min(b, d)) for a, b in stretches(outline, y) for c, d in stretches(hole, y)], *ends)
+               for hole, *ends in openings]
+        for z, above in zip(levels, levels[1:]):
+            spans = [s for part, first, last in cut if first < (z + above) / 2 < last for s in part if s[0] < s[1]]
+            volume += united(spans) * (above - z) * (high - low) / lines
     return volume
 
 
