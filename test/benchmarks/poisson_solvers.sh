@@ -3,7 +3,7 @@
 # Compares StructuralPoisson with pcl::Poisson on the scenes of the proving ground; prints the table of
 # doc/structural_poisson.md, of each figure that of pcl::Poisson first:
 #
-#     test/benchmarks/poisson_solvers.sh OUT_DIR [RUNS] [THREADS] [options of pcl_sedr_benchmark]
+#     test/benchmarks/poisson_solvers.sh OUT_DIR [RUNS] [THREADS] [options of proving_ground.py]
 #
 # Seconds are the median of RUNS runs (5): of the processor with one thread, by the clock with more (0, all).
 # OUT_DIR/runs keeps the scans, truths and structures; what is there is not made again. SEDR_BIN is the
@@ -20,13 +20,11 @@ threads=${3:-0}
 shift $(($# < 3 ? $# : 3))
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 bin=${SEDR_BIN:-$root/build/release/bin}
-for program in pcl_sedr_benchmark benchmark_poisson_solvers; do
-  if [ ! -x "$bin/$program" ]; then
-    echo "poisson_solvers.sh: there is no program $bin/$program; SEDR_BIN says where it is" >&2
-    exit 1
-  fi
-done
+if [ ! -x "$bin/benchmark_poisson_solvers" ]; then
+  echo "poisson_solvers.sh: there is no program $bin/benchmark_poisson_solvers; SEDR_BIN says where it is" >&2
+  exit 1
+fi
 mkdir -p "$out/runs"
-"$bin/pcl_sedr_benchmark" --no-mesh --noise 0.001,0.02 --seeds 1 --keep "$out/runs" --csv "$out/runs.csv" \
-  --resume "$@" >&2
+"$root/test/benchmarks/proving_ground.py" "$out/runs.csv" --bin "$bin" --no-mesh --noise 0.001,0.02 --seeds 1 \
+  --keep "$out/runs" "$@" >&2
 "$bin/benchmark_poisson_solvers" "$runs" "$threads" "$out"/runs/*

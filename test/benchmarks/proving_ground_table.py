@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Prints the table of the proving ground as Markdown: proving_ground_table.py RUNS.csv... > TABLE.md
 
-RUNS.csv are files of pcl_sedr_benchmark --csv. Where a run occurs twice, the later counts. A row is a scene and a noise.
+RUNS.csv are files of proving_ground.py. Where a run occurs twice, the later counts. A row is a scene and a noise.
 Exit code 1: a file is no table of runs.
 """
 import csv

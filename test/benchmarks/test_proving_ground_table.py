@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Tests of the table of the proving ground."""
-import os
 import pathlib
 import re
 import subprocess
@@ -127,10 +126,9 @@ class Table(unittest.TestCase):
             self.assertIn(f"- hall, noise 1 cm, seed 2: no{mark}floor\n", text)
 
     def test_knows_the_bars_of_the_benchmark(self):
-        program = pathlib.Path(__file__).parents[2] / "tools/benchmark/table/bars.cpp"
-        names = re.findall('"([^"]+)"', re.search(r"names\{(.*?)\}", program.read_text(encoding="utf-8"), re.DOTALL).group(1))
-        self.assertGreater(len(names), 20)
-        self.assertEqual(len(names), len(set(names)))
+        code = (SCRIPT.parent / "proving/bars.py").read_text(encoding="utf-8")
+        names = re.findall(r'(?:append\(\(|at_least\(|at_most\(|\[\()"([^"]+)"', code.split("def at_most", 1)[1]) + ["failed"]
+        self.assertEqual(len(set(names)), 21)
         for name in names:
             text = table({**GOOD, "missed_bars": name})
             self.assertIn(f"Missed: {name} 1/1.", text)
@@ -145,22 +143,6 @@ class Table(unittest.TestCase):
 
     def test_leaves_out_the_line_that_was_interrupted(self):
         self.assertIn("Runs: 1.", run(text_of(GOOD) + "hall,0.01,2").stdout)
-
-
-class AllRuns(unittest.TestCase):
-    def test_keep_the_table_of_before_until_there_is_another(self):
-        with tempfile.TemporaryDirectory() as folder:
-            page = pathlib.Path(folder) / "page.md"
-            page.write_text("before", encoding="utf-8")
-            program = pathlib.Path(folder) / "pcl_sedr_benchmark"
-            program.write_text('#!/bin/sh\ncat "$(dirname "$0")/made.csv" > "$4"\n', encoding="utf-8")
-            program.chmod(0o755)
-            for text, code, part in ((text_of({**GOOD, "missed_bars": "unknown"}), 1, "before"), (text_of(GOOD), 0, "Runs: 1.")):
-                (pathlib.Path(folder) / "made.csv").write_text(text, encoding="utf-8")
-                result = subprocess.run(["bash", SCRIPT.with_name("proving_ground.sh"), pathlib.Path(folder) / "runs", "1"],
-                                        env={**os.environ, "SEDR_BIN": folder, "SEDR_TABLE": str(page)}, capture_output=True, check=False)
-                self.assertEqual(result.returncode, code, result.stderr)
-                self.assertIn(part, page.read_text(encoding="utf-8"))
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@
 //     benchmark_poisson_solvers RUNS THREADS FOLDER...
 //     benchmark_poisson_solvers STRUCTURE.pcd MESH.ply  (only pcl::Poisson's mesh)
 //
-// Each FOLDER holds structure.pcd and truth.ply, as pcl_sedr_benchmark --keep leaves
+// Each FOLDER holds out/structure.pcd and truth.ply, as proving_ground.py --keep leaves
 // them. Seconds are the median of RUNS runs in which the solvers alternate: processor
 // time with one thread, wall-clock time with more.
 #include <pcl/io/pcd_io.h>
@@ -147,7 +147,7 @@ compareOn(const std::string& folder,
 {
   const Cloud::Ptr cloud(new Cloud);
   TriangleMesh truth;
-  if (pcl::io::loadPCDFile(folder + "/structure.pcd", *cloud) < 0)
+  if (pcl::io::loadPCDFile(folder + "/out/structure.pcd", *cloud) < 0)
     return false;
   const std::string problem = loadMesh(folder + "/truth.ply", truth);
   if (!problem.empty()) {

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Meshes and clouds in the files that the programs write, and samples of meshes. Metres."""
+import re
+
+import numpy as np
+
+TYPES = {"float": "<f4", "double": "<f8", "uchar": "u1", "int": "<i4", "uint": "<u4"}
+WALL, DETAIL, COLUMN = 3, 4, 5
+
+
+class Mesh:
+    """Triangles: `corners` is n x 3 x 3, `labels` and `rooms` one a triangle."""
+
+    def __init__(self, corners, labels, rooms):
+        self.corners, self.labels, self.rooms = corners, labels, rooms
+
+    def part(self, keep):
+        return Mesh(self.corners[keep], self.labels[keep], self.rooms[keep])
+
+    def areas(self):
+        return np.linalg.norm(np.cross(self.corners[:, 1] - self.corners[:, 0], self.corners[:, 2] - self.corners[:, 0]), axis=1) / 2
+
+    def volume(self):
+        a, b, c = (self.corners[:, k] for k in range(3))
+        return float(np.einsum("ij,ij->", a, np.cross(b, c)) / 6)
+
+    def wall_area(self):
+        return float(self.areas()[np.isin(self.labels, (WALL, COLUMN))].sum())
+
+
+def read_mesh(path):
+    """A binary PLY of triangles with labels and rooms."""
+    data = path.read_bytes()
+    start = data.index(b"end_header\n") + len(b"end_header\n")
+    forms, counts = {}, {}
+    for line in data[:start].decode().splitlines():
+        word = line.split()
+        if word[0] == "element":
+            at, counts[word[1]] = word[1], int(word[2])
+            forms[at] = []
+        elif word[0] == "property" and word[1] == "list":
+            forms[at] += [("three", TYPES[word[2]]), ("corners", TYPES[word[3]], 3)]
+        elif word[0] == "property":
+            forms[at].append((word[2], TYPES[word[1]]))
+    vertices = np.frombuffer(data, forms["vertex"], counts["vertex"], start)
+    faces = np.frombuffer(data, forms["face"], counts["face"], start + vertices.nbytes)
+    points = np.stack([vertices[axis].astype(float) for axis in "xyz"], axis=1)
+    return Mesh(points[faces["corners"]], faces["label"], faces["room"])
+
+
+def write_mesh(path, mesh):
+    count = len(mesh.corners)
+    faces = np.empty(count, [("three", "u1"), ("corners", "<i4", 3)])
+    faces["three"] = 3
+    faces["corners"] = np.arange(3 * count).reshape(count, 3)
+    path.write_bytes(f"ply\nformat binary_little_endian 1.0\nelement vertex {3 * count}\nproperty double x\nproperty double y\n"
+                     f"property double z\nelement face {count}\nproperty list uchar int vertex_indices\nend_header\n".encode() +
+                     mesh.corners.astype("<f8").tobytes() + faces.tobytes())
+
+
+def read_xyz(path):
+    """The coordinates of a binary PCD whose fields have four bytes each."""
+    data = path.read_bytes()
+    start = data.index(b"DATA binary\n") + len(b"DATA binary\n")
+    fields = re.search(rb"\nFIELDS (.*)\n", data[:start]).group(1).split()
+    return np.frombuffer(data, "<f4", offset=start).reshape(-1, len(fields))[:, :3]
+
+
+def point_count(path):
+    with open(path, "rb") as file:
+        return int(re.search(rb"\nPOINTS (\d+)", file.read(1000)).group(1))
+
+
+def write_xyz(path, points):
+    header = f"FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH {len(points)}\nHEIGHT 1\nPOINTS {len(points)}\nDATA binary\n"
+    path.write_bytes(("# .PCD v0.7\nVERSION 0.7\n" + header).encode() + points.astype("<f4").tobytes())
+
+
+def mixed(x):
+    """The splitmix64 generator: a well-mixed number for every count."""
+    with np.errstate(over="ignore"):
+        x = np.asarray(x, np.uint64) + np.uint64(0x9e3779b97f4a7c15)
+        x = (x ^ (x >> np.uint64(30))) * np.uint64(0xbf58476d1ce4e5b9)
+        x = (x ^ (x >> np.uint64(27))) * np.uint64(0x94d049bb133111eb)
+        return x ^ (x >> np.uint64(31))
+
+
+def unit(x):
+    return (mixed(x) >> np.uint64(11)).astype(float) * 2.0 ** -53
+
+
+def samples(mesh, spacing=0.02, seed=1):
+    """The points of a mesh at which pcl_mesh_evaluation measures: evenly over the area, the same for the same seed."""
+    summed = np.cumsum(mesh.areas())
+    count = int(np.ceil(summed[-1] / spacing ** 2 * (1 - 1e-12)))
+    numbers = np.arange(count, dtype=np.uint64)
+    with np.errstate(over="ignore"):
+        at = summed[-1] * (numbers + unit(mixed(seed) + numbers)) / count
+        triangle = np.minimum(np.searchsorted(summed, at, side="right"), len(summed) - 1)
+        key = mixed(np.uint64(seed) ^ mixed(triangle))
+        step = numbers - np.searchsorted(triangle, triangle, side="left")  # in the triangle, from 0
+        u = (unit(key) + 0.7548776662466927 * step) % 1
+        v = (unit(key + np.uint64(1)) + 0.5698402909980532 * step) % 1
+    u, v = np.where(u + v > 1, 1 - u, u), np.where(u + v > 1, 1 - v, v)
+    a, b, c = (mesh.corners[triangle, k] for k in range(3))
+    return a + u[:, None] * (b - a) + v[:, None] * (c - a)

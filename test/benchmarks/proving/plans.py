@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Found and true rooms side by side: floorplan.json and report.json of pcl_sedr, truth.json of the simulator."""
+import math
+
+import numpy as np
+
+from buildings import grades
+
+SAME_PLACE = 1e-6    # metres; tolerance of equal curves in a scene
+SHARP_CORNER = 0.17  # sine of the turning angle, about 10 degrees
+ARC_REACH = 0.1      # metres from an arc to the plan's element
+MIN_OVERLAP = 0.5    # share of the union of two matched rooms
+
+
+def keep_larger(row, column, error):
+    row[column] = max(row.get(column, 0), error)
+
+
+def keep_error(row, column, found, true):
+    keep_larger(row, column, abs(found - true) / true)
+
+
+def pairs(plan, truth):
+    """Found and true rooms, one to one in order of decreasing overlap in plan, with overlap and union as measured there."""
+    founds = [(room, grades.polygon(room["boundary"], room["columns"])) for room in plan["rooms"]]
+    trues = [(room, grades.polygon(room["boundary"], room["columns"])) for room in truth["rooms"]]
+    candidates = sorted(((f.intersection(t).area, i, k) for i, (_, f) in enumerate(founds) for k, (_, t) in enumerate(trues)),
+                        key=lambda c: -c[0])
+    result, used = [], set()
+    for overlap, i, k in candidates:
+        if overlap > 0 and not used & {("found", i), ("true", k)}:
+            used |= {("found", i), ("true", k)}
+            result.append((founds[i][0], trues[k][0], overlap, founds[i][1].union(trues[k][1]).area))
+    return result
+
+
+def is_arc(element):
+    return element["type"] == "arc"
+
+
+def sweep(arc):
+    """Radians, negative for clockwise arcs."""
+    start, end, centre = (np.array(arc[k], float) for k in ("start", "end", "centre"))
+    sign = 1 if arc.get("counter_clockwise", True) else -1
+    if np.linalg.norm(end - start) < 1e-9:
+        return sign * 2 * math.pi
+    first, last = (math.atan2(*(p - centre)[::-1]) for p in (start, end))
+    return sign * ((sign * (last - first)) % (2 * math.pi))
+
+
+def middle(arc):
+    centre, way = np.array(arc["centre"], float), np.subtract(arc["start"], arc["centre"])
+    angle = math.atan2(way[1], way[0]) + sweep(arc) / 2
+    return centre + arc["radius"] * np.array([math.cos(angle), math.sin(angle)])
+
+
+def distance_of_arc(arc, point):
+    way = point - np.array(arc["centre"], float)
+    turned = math.atan2(way[1], way[0]) - math.atan2(*np.subtract(arc["start"], arc["centre"])[::-1])
+    sign = math.copysign(1, sweep(arc))
+    if (sign * turned) % (2 * math.pi) <= abs(sweep(arc)):
+        return abs(np.linalg.norm(way) - arc["radius"])
+    return min(np.linalg.norm(point - np.array(arc[end])) for end in ("start", "end"))
+
+
+def direction(element, end):
+    """The unit vector along an element at its "start" or "end"."""
+    if not is_arc(element):
+        way = np.subtract(element["end"], element["start"])
+    else:
+        x, y = np.subtract(element[end], element["centre"])
+        way = np.array([-y, x]) if element.get("counter_clockwise", True) else np.array([y, -x])
+    return way / np.linalg.norm(way)
+
+
+def turn(a, b):
+    """Sine of the turning angle from one element to the next."""
+    (ax, ay), (bx, by) = direction(a, "end"), direction(b, "start")
+    return ax * by - ay * bx
+
+
+def continues(a, b):
+    if is_arc(a) != is_arc(b) or abs(turn(a, b)) > SAME_PLACE:
+        return False
+    return not is_arc(a) or (a.get("counter_clockwise") == b.get("counter_clockwise") and abs(a["radius"] - b["radius"]) < SAME_PLACE)
+
+
+def curves(loop):
+    """True lines and arcs: each one or more consecutive elements on one curve."""
+    result = []
+    for element in loop:
+        if result and continues(result[-1][-1], element):
+            result[-1].append(element)
+        else:
+            result.append([element])
+    if len(result) > 1 and continues(result[-1][-1], result[0][0]):
+        result[-1] += result.pop(0)
+    return result
+
+
+def corners_among(count):
+    return 0 if count == 1 else count  # a loop of one curve is a circle
+
+
+def compare_loops(found, true, row):
+    """Adds what the walls and columns of one pair of rooms show."""
+    elements = [e for loop in (found["boundary"], *found["columns"]) for e in loop]
+    corners = 0
+    for loop in (true["boundary"], *true["columns"]):
+        parts = curves(loop)
+        corners += corners_among(len(parts))
+        for before, part in zip([parts[-1], *parts[:-1]], parts):
+            if abs(turn(before[-1], part[0])) > SHARP_CORNER:
+                keep_larger(row, "corner_distance_max", min(math.dist(e["start"], part[0]["start"]) for e in elements))
+            if is_arc(part[0]):
+                row["arcs_true"] += 1
+                radius, at = part[0]["radius"], middle(part[0])
+                near = [abs(e["radius"] - radius) / radius for e in elements if is_arc(e) and distance_of_arc(e, at) < ARC_REACH]
+                keep_larger(row, "radius_error", min([1, *near]))
+    corners_found = sum(corners_among(len(loop)) for loop in (found["boundary"], *found["columns"]))
+    row["corners_true"] += corners
+    row["corners_found"] += corners_found
+    row["rooms_with_other_corners"] += corners != corners_found
+    row["arcs_found"] += sum(map(is_arc, elements))
+
+
+def compare_rooms(plan, report, truth, row):
+    """Adds the figures of the plan to a row; returns the ids of the paired rooms, found and true."""
+    found_pairs = pairs(plan, truth)
+    row.update(rooms_true=len(truth["rooms"]), rooms_found=len(plan["rooms"]), rooms_matched=0)
+    if found_pairs:
+        row.update(dict.fromkeys(("corners_true", "corners_found", "rooms_with_other_corners", "arcs_true", "arcs_found"), 0))
+    meshes = {room["id"]: room["mesh"] for room in report["rooms"]}
+    for found, true, overlap, union in found_pairs:
+        row["rooms_matched"] += overlap >= MIN_OVERLAP * union
+        for name in ("area", "height", "volume", "perimeter"):
+            keep_error(row, f"{name}_error", found[name], true[name])
+        if meshes.get(found["id"]):
+            keep_error(row, "mesh_volume_error", meshes[found["id"]]["volume"], true["volume"])
+        compare_loops(found, true, row)
+    return [(found["id"], true["id"]) for found, true, _, _ in found_pairs]
