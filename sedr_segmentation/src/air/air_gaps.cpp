@@ -33,7 +33,10 @@ AirGaps::AirGaps(const VoxelColumns& columns, const AirParameters& parameters)
   findGaps();
   closeSlabs();
   sortGaps(enclosedHolesOf(*this));
-  gaps_ = withBothFaces(*this);
+  linkGaps();
+  std::vector<AirGap> with_faces = withBothFaces(*this);
+  gaps_.clear();
+  sortGaps(std::move(with_faces));
   linkGaps();
   keepAir();
 }

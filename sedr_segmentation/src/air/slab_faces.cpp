@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slab_faces.h"
 
+#include "ceiling_dip.h"
 #include "height_counts.h"
 
 #include <algorithm>
@@ -26,14 +27,14 @@ class SlabFaces {
 public:
   explicit SlabFaces(const AirGaps& air)
       : air_(air)
-      , tall_(air.voxels(air.parameters().headroom))
       , above_(air.size(), AirGaps::none)
       , is_met_(air.size(), 0)
+      , ceiling_(closedCeiling(air, ribReach(air)))
   {
     std::uint32_t below = AirGaps::none;
     for (std::uint32_t g = 0; g < air.size(); ++g) {
       gaps_.push_back(air[g]);
-      if (air[g].high - air[g].low < tall_)
+      if (air[g].high - air[g].low < air.voxels(air.parameters().headroom))
         continue;
       if (below != AirGaps::none && air[below].column == air[g].column)
         above_[below] = g;
@@ -46,15 +47,34 @@ public:
     for (std::uint32_t g = 0; g < air_.size(); ++g)
       if (hasOneFace(g) && is_met_[g] == 0)
         completeRegion(g);
+    gaps_.erase(std::remove_if(gaps_.begin(), gaps_.end(),
+                               [](const AirGap& gap) { return gap.low >= gap.high; }),
+                gaps_.end());
     return gaps_;
   }
 
 private:
+  /** @brief Columns to the middle of the widest beam: it is less than four slabs wide.
+   */
+  static int ribReach(const AirGaps& air)
+  {
+    return static_cast<int>(
+        std::lround(2 * air.parameters().thinnest_slab / air.columns().cellSize()));
+  }
+
+  /** @brief Height of the floor above the slab over a gap. */
+  double floorAbove(std::uint32_t below) const
+  {
+    return air_.columns().heightOf(air_[above_[below]].low);
+  }
+
+  /** @brief Whether the slab over a gap is thinner than one with both faces: as
+   * measured from the ceiling beside its ribs and beams. */
   bool hasOneFace(std::uint32_t below) const
   {
     return above_[below] != AirGaps::none &&
-           air_[above_[below]].low - air_[below].high <
-               air_.voxels(air_.parameters().thinnest_slab);
+           floorAbove(below) - ceiling_[below] <
+               air_.parameters().thinnest_slab - air_.columns().voxelHeight() / 2;
   }
 
   void completeRegion(std::uint32_t start)
@@ -77,7 +97,7 @@ private:
     const std::int32_t other = voxelOf(is_ceiling ? others[0].lowestOf(share_of_floor)
                                                   : others[1].highestCount());
     for (const std::uint32_t below : region.gaps)
-      if (std::abs(air_.columns().heightOf(air_[below].high) - seen[0]) <=
+      if (std::abs(ceiling_[below] - seen[0]) <=
           air_.parameters().same_surface) // else a tread of stairs
         moveApart(gaps_[below], gaps_[above_[below]], other, is_ceiling);
   }
@@ -87,14 +107,12 @@ private:
   void
   moveApart(AirGap& lower, AirGap& upper, std::int32_t other, bool is_ceiling) const
   {
-    const std::int32_t low = std::max(upper.low, other);
-    const std::int32_t high = std::min(lower.high, other);
-    if (is_ceiling && upper.high - low >= tall_) {
-      upper.low = low;
+    if (is_ceiling && upper.low < other) {
+      upper.low = other;
       upper.floor_seen = false;
     }
-    if (!is_ceiling && high - lower.low >= tall_) {
-      lower.high = high;
+    if (!is_ceiling && lower.high > other) {
+      lower.high = other;
       lower.ceiling_seen = false;
     }
   }
@@ -106,16 +124,14 @@ private:
     region.gaps = {start};
     is_met_[start] = 1;
     for (std::size_t k = 0; k < region.gaps.size(); ++k) {
-      const AirGap& gap = air_[region.gaps[k]];
-      region.sides[0].add(air_.columns().heightOf(gap.high));
-      region.sides[1].add(air_.columns().heightOf(air_[above_[region.gaps[k]]].low));
+      region.sides[0].add(ceiling_[region.gaps[k]]);
+      region.sides[1].add(floorAbove(region.gaps[k]));
       for (int d = 0; d < 4; ++d) {
         const std::uint32_t o = slabBeside(region.gaps[k], d);
         if (o == AirGaps::none)
           continue;
         if (!hasOneFace(o))
-          region.rim.push_back({air_.columns().heightOf(air_[o].high),
-                                air_.columns().heightOf(air_[above_[o]].low)});
+          region.rim.push_back({ceiling_[o], floorAbove(o)});
         else if (is_met_[o] == 0) {
           is_met_[o] = 1;
           region.gaps.push_back(o);
@@ -125,12 +141,20 @@ private:
     return region;
   }
 
-  /** @brief The gap below the slab that goes on beside that above another gap. */
+  /** @brief The gap below the slab that goes on beside that above another gap, also
+   * past the side of a cupboard on it. */
   std::uint32_t slabBeside(std::uint32_t below, int d) const
   {
-    const std::uint32_t column = air_.columns().neighbour(air_[below].column, d);
-    const std::uint32_t o = air_.goingOnFrom(air_[below], column);
-    return o == AirGaps::none || above_[o] == AirGaps::none ? AirGaps::none : o;
+    const auto reach =
+        1 + std::lround(air_.parameters().same_surface / air_.columns().cellSize());
+    std::uint32_t column = air_[below].column;
+    for (long step = 0; step < reach && column != VoxelColumns::none; ++step) {
+      column = air_.columns().neighbour(column, d);
+      const std::uint32_t o = air_.goingOnFrom(air_[below], column);
+      if (o != AirGaps::none && above_[o] != AirGaps::none)
+        return o;
+    }
+    return AirGaps::none;
   }
 
   std::int32_t voxelOf(double height) const
@@ -139,9 +163,9 @@ private:
   }
 
   const AirGaps& air_;
-  std::int32_t tall_;                ///< voxels of headroom
   std::vector<std::uint32_t> above_; ///< of a tall gap: the next in its column
   std::vector<std::uint8_t> is_met_;
+  std::vector<float> ceiling_; ///< above a gap, beside ribs and beams
   std::vector<AirGap> gaps_;
 };
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_parting.h"
 
-#include "ceiling_dip.h"
 #include "reveals.h"
 #include "room_basins.h"
 #include "room_borders.h"
 #include "whole_openings.h"
+
+#include "../air/ceiling_dip.h"
 
 #include <algorithm>
 #include <cmath>

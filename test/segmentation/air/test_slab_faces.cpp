@@ -96,6 +96,30 @@ TEST(SlabFaces, ABeamBelowTheSurfaceDoesNotMakeAFloorOfIt)
   EXPECT_EQ(air.gaps[air.at(3, 2, 4)].low, 57);
 }
 
+TEST(SlabFaces, AFloorThatWasNotSeenIsFoundAboveARibbedCeiling)
+{
+  AirScene scene = storeys(always, isAside);
+  for (double y = 0.55; y < 4; y += 0.6)
+    scene.hanging(0.05, y, 6.05, y + 0.2, 2.21, 2.51);
+  const SceneAir air(scene);
+  for (const double y : {1.65, 1.95, 2.25, 2.55})
+    EXPECT_EQ(air.gaps[air.at(3, y, 4)].low, 57) << "at " << y;
+  EXPECT_EQ(air.gaps[air.at(3, 1.85, 1)].high, 44) << "the rib stays";
+}
+
+TEST(SlabFaces, TheInsideOfACupboardDoesNotReachThroughTheSlab)
+{
+  const auto is_beside = [](double x, double y) {
+    return x < 2 || x > 3 || y < 1 || y > 2;
+  };
+  AirScene scene = storeys(always, is_beside);
+  scene.slab(2.05, 1.05, 2.95, 1.95, 4.46);
+  scene.sides(2.05, 1.05, 2.95, 1.95, 2.81, 4.46);
+  const SceneAir air(scene);
+  const std::uint32_t inside = air.at(2.5, 1.5, 4);
+  EXPECT_TRUE(inside == AirGaps::none || air.gaps[inside].low >= 57);
+}
+
 TEST(SlabFaces, APlateWithoutASlabBesideItStaysAsItWasSeen)
 {
   AirScene scene;

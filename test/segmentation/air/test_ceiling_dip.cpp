@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sedr_segmentation/src/parting/ceiling_dip.h"
+#include "sedr_segmentation/src/air/ceiling_dip.h"
 
 #include "segmentation/air/air_scene.h"
 

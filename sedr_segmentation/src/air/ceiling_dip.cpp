@@ -11,7 +11,7 @@ namespace pcl::sedr {
 
 namespace {
 
-constexpr std::size_t gaps_a_block = 16384;
+constexpr std::size_t ceilings_a_block = 16384;
 
 /** @brief The extreme of each gap's value and its four neighbours', `reach` times. */
 template <typename Better>
@@ -20,7 +20,7 @@ spread(const AirGaps& air, std::vector<float> values, int reach, Better better)
 {
   std::vector<float> next(values.size());
   for (int round = 0; round < reach; ++round) {
-    parallelBlocks(values.size(), gaps_a_block, air.parameters().threads,
+    parallelBlocks(values.size(), ceilings_a_block, air.parameters().threads,
                    [&](std::size_t begin, std::size_t end) {
                      for (std::size_t g = begin; g < end; ++g) {
                        float best = values[g];
@@ -37,20 +37,49 @@ spread(const AirGaps& air, std::vector<float> values, int reach, Better better)
   return values;
 }
 
-} // namespace
+bool
+higher(float a, float b)
+{
+  return a > b;
+}
+
+bool
+lower(float a, float b)
+{
+  return a < b;
+}
 
 std::vector<float>
-dipOfCeiling(const AirGaps& air, int reach)
+ceilingOf(const AirGaps& air)
 {
   std::vector<float> high(air.size());
   for (std::size_t g = 0; g < air.size(); ++g)
     high[g] = static_cast<float>(air.columns().heightOf(air[g].high));
-  const auto higher = [](float a, float b) { return a > b; };
-  const auto lower = [](float a, float b) { return a < b; };
+  return high;
+}
+
+std::vector<float>
+closed(const AirGaps& air, const std::vector<float>& high, int reach)
+{
+  return spread(air, spread(air, high, reach, higher), reach, lower);
+}
+
+} // namespace
+
+std::vector<float>
+closedCeiling(const AirGaps& air, int reach)
+{
+  return closed(air, ceilingOf(air), reach);
+}
+
+std::vector<float>
+dipOfCeiling(const AirGaps& air, int reach)
+{
   // What is narrower than a lintel is long is a hole in the ceiling, or between ribs.
   const int narrow = reach / 2;
-  high = spread(air, spread(air, std::move(high), narrow, lower), narrow, higher);
-  std::vector<float> dip = spread(air, spread(air, high, reach, higher), reach, lower);
+  const std::vector<float> high =
+      spread(air, spread(air, ceilingOf(air), narrow, lower), narrow, higher);
+  std::vector<float> dip = closed(air, high, reach);
   for (std::size_t g = 0; g < dip.size(); ++g)
     dip[g] -= high[g];
   return dip;
