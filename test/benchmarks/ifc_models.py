@@ -7,8 +7,8 @@
 TOOL is pcl_floorplan_ifc, a FOLDER has model.ifc, floorplan.json and solid.ply as pcl_sedr leaves them. A row a
 model: errors of the schema check; what web-ifc said; elements that it shows nothing of; spaces, and the largest
 difference of a space's volume in web-ifc from that of the solid; openings, those that are hosted and that cut, and
-the largest difference of a cut from the volume that wall and opening have in common; the part of a wall that stands
-in a space. SEDR_DATA names a folder with formats/IFC4_ADD2_TC1.exp; NODE_PATH one with web-ifc. Exit code 1: some
+the largest difference of a cut from the volume that wall and opening have in common; the part of a wall or space that
+stands in a space. SEDR_DATA names a folder with formats/IFC4_ADD2_TC1.exp; NODE_PATH one with web-ifc. Exit code 1: some
 model failed.
 """
 
@@ -26,7 +26,7 @@ from express_schema import Check, Schema  # noqa: E402
 
 SAME_VOLUME = 0.001  # share of a space's volume
 SAME_CUT = 0.005  # share of what an opening should take
-IN_SPACE = 0.005  # cubic metres of a wall: two fitted faces may cross by millimetres
+IN_SPACE = 0.005  # cubic metres: two fitted faces may cross by millimetres
 
 
 def solid_volumes(path):
@@ -81,8 +81,8 @@ def check(tool, folder, schema):
             if abs(cut - expected) > SAME_CUT * expected + 1e-4:
                 wrong.append("%s: openings take %.4f of %.4f m3" % (name, cut, expected))
 
-    inside = web_ifc.walls_in_spaces(products)
-    wrong += ["%s stands in %s, %.4f m3 of it" % (wall, space, v) for v, wall, space in inside if v > IN_SPACE]
+    inside = web_ifc.within_spaces(products)
+    wrong += ["%s stands in %s, %.4f m3 of it" % (name, space, v) for v, name, space in inside if v > IN_SPACE]
     row = [os.path.basename(os.path.dirname(os.path.abspath(path))), errors, len(found["said"]), len(lost), len(spaces),
            "%.4f %%" % (100 * max(off.values(), default=0)), "%d / %d" % (len(openings), len(openings & hosted)),
            "%.2f %%" % (100 * worst), "%.3f m3" % (inside[0][0] if inside else 0)]
@@ -92,7 +92,7 @@ def check(tool, folder, schema):
 def main(tool, folders):
     schema = Schema(os.path.join(os.environ.get("SEDR_DATA", ""), "formats", "IFC4_ADD2_TC1.exp"))
     print("| model | schema errors | messages | not shown | spaces | volumes off, at most | openings / hosted "
-          "| cuts off, at most | a wall within a space |\n|" + "---|" * 9)
+          "| cuts off, at most | a wall or space within a space |\n|" + "---|" * 9)
     failed = 0
     for folder in folders:
         try:

@@ -111,7 +111,7 @@ class WebIfc(unittest.TestCase):
                     storeys=[], doorways=[])
         path = write(TOOL, plan, self.folder)
         products = opened(path, with_triangles=True)["products"]
-        self.assertEqual([f for f in web_ifc.walls_in_spaces(products) if f[0] > 0.002], [])
+        self.assertEqual([f for f in web_ifc.within_spaces(products) if f[0] > 0.002], [])
         self.assertEqual(web_ifc.lost(step_reader.read(path), products), [])
         # The wall of room 1 ends at the point of room 2.
         point = 0.15 * 0.15 * 1.7 / 2.95
@@ -126,7 +126,7 @@ class WebIfc(unittest.TestCase):
                     doorways=[doorway([0, 1], [1, 0], [1.9, 0])])
         path = write(TOOL, plan, self.folder)
         products = opened(path, with_triangles=True)["products"]
-        self.assertEqual([f for f in web_ifc.walls_in_spaces(products) if f[0] > 0.002], [])
+        self.assertEqual([f for f in web_ifc.within_spaces(products) if f[0] > 0.002], [])
         out = 2.5 * math.tan(math.radians(10))
         self.assertAlmostEqual(products["IFCSPACE 1"]["volume"], 4 * (3 + out / 2) * 2.5, 3)
         wall = products["IFCWALL room_1_wall_1"]
@@ -144,7 +144,7 @@ class WebIfc(unittest.TestCase):
                     doorways=[doorway([1, 2], [4.1, 1], [4.1, 1.9])])
         path = write(TOOL, plan, self.folder)
         products = opened(path, with_triangles=True)["products"]
-        self.assertEqual([f for f in web_ifc.walls_in_spaces(products) if f[0] > 0.002], [])
+        self.assertEqual([f for f in web_ifc.within_spaces(products) if f[0] > 0.002], [])
         whole = opened(write(TOOL, dict(plan, doorways=[]), self.folder, name="whole"))["products"]
         name = "IFCWALL room_1_wall_2"
         taken = 0.9 * 2.05 * (0.2 - math.tan(math.radians(3)) * 2.05 / 2)

@@ -154,10 +154,10 @@ def inside_both(first, second):
     return length * step * step
 
 
-def walls_in_spaces(products):
-    """(cubic metres, wall, space) of each wall that stands in a space, the largest first. The products have their
-    triangles."""
-    walls = [(n, p) for n, p in products.items() if n.startswith("IFCWALL ")]
-    spaces = [(n, p) for n, p in products.items() if n.startswith("IFCSPACE ")]
-    found = [(inside_both(wall, space), name, of) for name, wall in walls for of, space in spaces]
+def within_spaces(products):
+    """(cubic metres, wall or space, space) of each wall or space that stands in a space, the largest first. The
+    products have their triangles."""
+    walls, spaces = ([(n, p) for n, p in products.items() if n.startswith(kind)] for kind in ("IFCWALL ", "IFCSPACE "))
+    found = [(inside_both(first, space), name, of) for k, (of, space) in enumerate(spaces)
+             for name, first in walls + spaces[:k]]
     return sorted((f for f in found if f[0] > 0.001), reverse=True)
