@@ -9,34 +9,19 @@
 
 namespace pcl::sedr::sim {
 
-/** @brief Indices of points, in order around the polygon. */
+/** @brief Indices of points, in order around an area. */
 using Ring = std::vector<std::size_t>;
-
-/** @brief A polygon with a counter-clockwise outer ring and clockwise holes. */
-struct Polygon {
-  Ring outer;
-  std::vector<Ring> holes;
-};
 
 using Triangle = std::array<std::size_t, 3>;
 
-/** @brief Returns the signed area of a ring, positive for counter-clockwise ones. */
-double areaOf(const std::vector<Vec2>& points, const Ring& ring);
-
-/** @brief Groups rings (counter-clockwise: outer, clockwise: hole) into polygons.
- * @throw std::invalid_argument if a hole lies in no outer ring.
- */
-std::vector<Polygon> polygonsOf(const std::vector<Vec2>& points,
-                                const std::vector<Ring>& rings);
-
-/** @brief Triangulates a polygon by ear clipping; clips the best-shaped ear first.
+/** @brief Triangulates the areas to the left of rings: inside of counter-clockwise
+ * rings, outside of clockwise ones, which are holes.
  *
  * Every edge of the rings is an edge of exactly one triangle, even where several points
- * are collinear. Neighbouring polygons therefore fit together. No points are added.
- * Cost: quadratic in the number of points.
- * @throw std::invalid_argument if the rings cross or touch.
- */
+ * are collinear. Neighbouring areas therefore fit together. No points are added.
+ * @param points only those of the rings matter
+ * @throw std::invalid_argument if rings cross or touch, or a hole lies in no ring. */
 std::vector<Triangle> triangulate(const std::vector<Vec2>& points,
-                                  const Polygon& polygon);
+                                  const std::vector<Ring>& rings);
 
 } // namespace pcl::sedr::sim

@@ -153,15 +153,15 @@ private:
     for (Region region = kMain; region < count; ++region) {
       std::vector<bool> member(count + 1, false);
       member[region + 1] = true;
-      for (const Polygon& polygon : polygonsOf(points_, ringsOf(layer, member)))
-        addPolygon(polygon, slabOf(room_, region, layer), layer,
-                   labelOf(room_, region, layer));
+      addAreas(ringsOf(layer, member), slabOf(room_, region, layer), layer,
+               labelOf(room_, region, layer));
     }
   }
 
-  void addPolygon(const Polygon& polygon, const Slab& slab, Layer layer, Label label)
+  void
+  addAreas(const std::vector<Ring>& rings, const Slab& slab, Layer layer, Label label)
   {
-    for (Triangle t : triangulate(points_, polygon)) {
+    for (Triangle t : triangulate(points_, rings)) {
       if (layer == Layer::Floor)
         std::swap(t[1], t[2]);
       addFace({vertex(t[0], slab), vertex(t[1], slab), vertex(t[2], slab)}, label);
@@ -199,11 +199,10 @@ private:
   {
     const Slab low{niche.sill};
     const Slab high{niche.head};
-    Polygon footprint{points.far, {}};
-    footprint.outer.insert(footprint.outer.end(), points.near.rbegin(),
-                           points.near.rend());
-    addPolygon(footprint, low, Layer::Floor, Label::Detail);
-    addPolygon(footprint, high, Layer::Ceiling, Label::Detail);
+    Ring footprint = points.far;
+    footprint.insert(footprint.end(), points.near.rbegin(), points.near.rend());
+    addAreas({footprint}, low, Layer::Floor, Label::Detail);
+    addAreas({footprint}, high, Layer::Ceiling, Label::Detail);
     addStrips({points.near.front(), points.far.front()}, low, high, Label::Detail);
     addStrips(points.far, low, high, Label::Detail);
     addStrips({points.far.back(), points.near.back()}, low, high, Label::Detail);
