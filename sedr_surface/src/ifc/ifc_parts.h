@@ -75,9 +75,10 @@ std::vector<std::size_t> trianglesOn(const IfcRoom& room,
  * floors. None if the body of its space is swept from its plan. */
 std::vector<PlanLoop> floorTriangles(const IfcRoom& room);
 
-/** @brief Returns the triangles in plan of the top of a room's solid that reach above a
- * height, such as below a roof that is seen through an opening in a slab. */
-std::vector<PlanLoop> topTriangles(const IfcRoom& room, double above);
+/** @brief Returns the triangles in plan of the top of a room's solid below which it
+ * shares the heights of a wall, such as below a roof that is seen through an opening in
+ * a slab. */
+std::vector<PlanLoop> topTriangles(const IfcRoom& room, const RoomHeights& wall);
 
 /** @brief Returns the name of a part of a room: "room_1_wall". */
 std::string nameIn(const PlanRoom& room, const std::string& part);

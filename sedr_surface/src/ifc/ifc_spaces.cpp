@@ -136,14 +136,14 @@ floorTriangles(const IfcRoom& written)
 }
 
 std::vector<PlanLoop>
-topTriangles(const IfcRoom& written, double above)
+topTriangles(const IfcRoom& written, const RoomHeights& wall)
 {
-  constexpr double rounding = 0.001;
+  const double low = heightsOf(*written.room).low;
   std::vector<PlanLoop> tops;
   for (std::size_t t = 0; t < written.solid.triangles.size(); ++t) {
     const auto corner = [&](int k) { return written.solid.corner(t, k); };
-    if (written.solid.scaledNormal(t).z() > 0 &&
-        std::max({corner(0).z(), corner(1).z(), corner(2).z()}) > above + rounding)
+    const double high = std::max({corner(0).z(), corner(1).z(), corner(2).z()});
+    if (written.solid.scaledNormal(t).z() > 0 && shareHeights({low, high}, wall))
       tops.push_back(
           loopOf({corner(0).head<2>(), corner(1).head<2>(), corner(2).head<2>()}));
   }

@@ -153,7 +153,8 @@ endAtBodies(const IfcDocument& document, WrittenWall& written)
         !boundsOf(inFrame(room.room->boundary, frame)).intersects(box))
       continue;
     for (const PlanLoop& part :
-         is_beside ? floorTriangles(room) : topTriangles(room, written.bottom)) {
+         is_beside ? floorTriangles(room)
+                   : topTriangles(room, {written.bottom, written.top})) {
       const PlanArea area{inFrame(part, frame)};
       if (!boundsOf(area.boundary).intersects(box))
         continue;
