@@ -34,9 +34,7 @@ AirGaps::AirGaps(const VoxelColumns& columns, const AirParameters& parameters)
   closeSlabs();
   sortGaps(enclosedHolesOf(*this));
   linkGaps();
-  std::vector<AirGap> with_faces = withBothFaces(*this);
-  gaps_.clear();
-  sortGaps(std::move(with_faces));
+  gaps_ = withBothFaces(*this);
   linkGaps();
   keepAir();
 }

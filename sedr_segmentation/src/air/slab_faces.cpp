@@ -27,6 +27,7 @@ class SlabFaces {
 public:
   explicit SlabFaces(const AirGaps& air)
       : air_(air)
+      , tall_(air.voxels(air.parameters().headroom))
       , above_(air.size(), AirGaps::none)
       , is_met_(air.size(), 0)
       , ceiling_(closedCeiling(air, ribReach(air)))
@@ -34,7 +35,7 @@ public:
     std::uint32_t below = AirGaps::none;
     for (std::uint32_t g = 0; g < air.size(); ++g) {
       gaps_.push_back(air[g]);
-      if (air[g].high - air[g].low < air.voxels(air.parameters().headroom))
+      if (air[g].high - air[g].low < tall_)
         continue;
       if (below != AirGaps::none && air[below].column == air[g].column)
         above_[below] = g;
@@ -47,9 +48,6 @@ public:
     for (std::uint32_t g = 0; g < air_.size(); ++g)
       if (hasOneFace(g) && is_met_[g] == 0)
         completeRegion(g);
-    gaps_.erase(std::remove_if(gaps_.begin(), gaps_.end(),
-                               [](const AirGap& gap) { return gap.low >= gap.high; }),
-                gaps_.end());
     return gaps_;
   }
 
@@ -107,12 +105,14 @@ private:
   void
   moveApart(AirGap& lower, AirGap& upper, std::int32_t other, bool is_ceiling) const
   {
-    if (is_ceiling && upper.low < other) {
-      upper.low = other;
+    const std::int32_t low = std::max(upper.low, other);
+    const std::int32_t high = std::min(lower.high, other);
+    if (is_ceiling && upper.high - low >= tall_) {
+      upper.low = low;
       upper.floor_seen = false;
     }
-    if (!is_ceiling && lower.high > other) {
-      lower.high = other;
+    if (!is_ceiling && high - lower.low >= tall_) {
+      lower.high = high;
       lower.ceiling_seen = false;
     }
   }
@@ -141,20 +141,12 @@ private:
     return region;
   }
 
-  /** @brief The gap below the slab that goes on beside that above another gap, also
-   * past the side of a cupboard on it. */
+  /** @brief The gap below the slab that goes on beside that above another gap. */
   std::uint32_t slabBeside(std::uint32_t below, int d) const
   {
-    const auto reach =
-        1 + std::lround(air_.parameters().same_surface / air_.columns().cellSize());
-    std::uint32_t column = air_[below].column;
-    for (long step = 0; step < reach && column != VoxelColumns::none; ++step) {
-      column = air_.columns().neighbour(column, d);
-      const std::uint32_t o = air_.goingOnFrom(air_[below], column);
-      if (o != AirGaps::none && above_[o] != AirGaps::none)
-        return o;
-    }
-    return AirGaps::none;
+    const std::uint32_t column = air_.columns().neighbour(air_[below].column, d);
+    const std::uint32_t o = air_.goingOnFrom(air_[below], column);
+    return o == AirGaps::none || above_[o] == AirGaps::none ? AirGaps::none : o;
   }
 
   std::int32_t voxelOf(double height) const
@@ -163,6 +155,7 @@ private:
   }
 
   const AirGaps& air_;
+  std::int32_t tall_;                ///< voxels of headroom
   std::vector<std::uint32_t> above_; ///< of a tall gap: the next in its column
   std::vector<std::uint8_t> is_met_;
   std::vector<float> ceiling_; ///< above a gap, beside ribs and beams

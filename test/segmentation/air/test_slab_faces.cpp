@@ -107,19 +107,6 @@ TEST(SlabFaces, AFloorThatWasNotSeenIsFoundAboveARibbedCeiling)
   EXPECT_EQ(air.gaps[air.at(3, 1.85, 1)].high, 44) << "the rib stays";
 }
 
-TEST(SlabFaces, TheInsideOfACupboardDoesNotReachThroughTheSlab)
-{
-  const auto is_beside = [](double x, double y) {
-    return x < 2 || x > 3 || y < 1 || y > 2;
-  };
-  AirScene scene = storeys(always, is_beside);
-  scene.slab(2.05, 1.05, 2.95, 1.95, 4.46);
-  scene.sides(2.05, 1.05, 2.95, 1.95, 2.81, 4.46);
-  const SceneAir air(scene);
-  const std::uint32_t inside = air.at(2.5, 1.5, 4);
-  EXPECT_TRUE(inside == AirGaps::none || air.gaps[inside].low >= 57);
-}
-
 TEST(SlabFaces, APlateWithoutASlabBesideItStaysAsItWasSeen)
 {
   AirScene scene;
