@@ -202,6 +202,7 @@ seenSheet(const std::vector<Eigen::Vector3d>& points,
   SheetParameters parameters; // coarse: used only for the tops of walls
   parameters.cell_size = 0.15;
   parameters.max_cells = 6000;
+  parameters.is_rough = true;
   parameters.threads = threads;
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector3d& p : points)

@@ -17,8 +17,12 @@ namespace pcl::sedr {
 
 namespace {
 
-constexpr ShapeKind kinds[] = {ShapeKind::Plane, ShapeKind::Cylinder, ShapeKind::Sphere,
-                               ShapeKind::EllipticCylinder, ShapeKind::Ellipsoid};
+constexpr ShapeKind all_kinds[] = {ShapeKind::Level,
+                                   ShapeKind::Plane,
+                                   ShapeKind::Cylinder,
+                                   ShapeKind::Sphere,
+                                   ShapeKind::EllipticCylinder,
+                                   ShapeKind::Ellipsoid};
 
 constexpr std::size_t min_cells = 10; ///< that another shape is tried for
 constexpr double settled = 1e-4;      ///< share of its cost: a last fit follows
@@ -29,6 +33,8 @@ public:
   explicit Chooser(const FacetEvidence& evidence)
       : evidence_(evidence)
       , cells_(evidence.cells)
+      , kinds_(std::begin(all_kinds) + (evidence.parameters.is_rough ? 1 : 0),
+               std::end(all_kinds))
   {
     for (std::size_t cell = 0; cell < cells_.grid().count(); ++cell)
       if (isSeen(cell))
@@ -198,7 +204,7 @@ private:
     refineShape(known.kind, cells_.pointsOf(own, 5000), evidence_.deviation,
                 refined.slab, settled);
     consider(refined);
-    for (const ShapeKind kind : kinds) {
+    for (const ShapeKind kind : kinds_) {
       // What is left is noise, at least: another shape must earn its parameters.
       const double cost_of_kind = penaltyOf(parametersOf(kind)) + noiseOver(own);
       if (cost_of_kind < least)
@@ -264,7 +270,7 @@ private:
     std::vector<FacetProposal> found;
     FacetEvidence coarse = evidence_;
     coarse.deviation *= 2;
-    for (const ShapeKind kind : kinds) {
+    for (const ShapeKind kind : kinds_) {
       FacetProposal facet = fitFacet(kind, evidence_, own, few_points);
       if (!isBuilt(facet, evidence_.parameters) ||
           shareExplained(facet, coarse, own) <= min_share)
@@ -300,7 +306,8 @@ private:
 
   const FacetEvidence& evidence_;
   const CellPoints& cells_;
-  double patches_ = 0;     ///< with points
+  std::vector<ShapeKind> kinds_; ///< that facets may be of
+  double patches_ = 0;           ///< with points
   double noise_share_ = 0; ///< of the points' noise in the variance of the deviation
 };
 

@@ -77,7 +77,7 @@ ShapeDistance::ShapeDistance(ShapeKind kind,
     , about_(about)
     , plane_(slab.plane)
 {
-  if (kind == ShapeKind::Plane)
+  if (isFlat(kind))
     return;
   const SlabCurve& c = *slab.curve;
   axis_ = c.axis;
@@ -91,7 +91,7 @@ void
 ShapeDistance::of(const PointRow& points, ShapeValues& distance) const
 {
   const auto& [x, y, z] = points.at;
-  if (kind_ == ShapeKind::Plane) {
+  if (isFlat(kind_)) {
     distance = plane_[0] * x + plane_[1] * y + plane_[2] * z + plane_[3];
     return;
   }
@@ -127,8 +127,12 @@ ShapeDistance::of(const PointRow& points,
                   std::array<ShapeValues, 7>& growth) const
 {
   const auto& [x, y, z] = points.at;
-  if (kind_ == ShapeKind::Plane) {
+  if (isFlat(kind_)) {
     of(points, distance);
+    if (kind_ == ShapeKind::Level) {
+      growth[0].setConstant(points.size(), -1);
+      return;
+    }
     growth[0] = -plane_[2] * (x - about_.x()) + distance * plane_[2] * plane_[0];
     growth[1] = -plane_[2] * (y - about_.y()) + distance * plane_[2] * plane_[1];
     growth[2].setConstant(points.size(), -plane_[2]);

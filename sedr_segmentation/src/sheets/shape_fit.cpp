@@ -24,6 +24,8 @@ using Normal = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 7, 7>;
 Parameters
 numbersOf(ShapeKind kind, const PlanSlab& slab, const Eigen::Vector3d& about)
 {
+  if (kind == ShapeKind::Level)
+    return Parameters::Constant(1, slab.heightAt(about.head<2>()) - about.z());
   if (kind == ShapeKind::Plane) {
     const Eigen::Vector3d n = slab.plane.head<3>();
     return Eigen::Vector3d(-n.x() / n.z(), -n.y() / n.z(),
@@ -62,6 +64,10 @@ takeNumbers(ShapeKind kind,
 {
   if (!numbers.allFinite())
     return false;
+  if (kind == ShapeKind::Level) {
+    slab.plane << 0, 0, 1, -(about.z() + numbers[0]);
+    return true;
+  }
   if (kind == ShapeKind::Plane) {
     slab.plane =
         planeThrough(about + Eigen::Vector3d(0, 0, numbers[2]), numbers.head<2>())
@@ -173,6 +179,8 @@ sumsOf(const std::vector<PointRow>& points,
        int count)
 {
   switch (count) {
+  case 1:
+    return sumsOf<1>(points, shape, band);
   case 3:
     return sumsOf<3>(points, shape, band);
   case 4:
@@ -190,6 +198,8 @@ int
 parametersOf(ShapeKind kind)
 {
   switch (kind) {
+  case ShapeKind::Level:
+    return 1;
   case ShapeKind::Plane:
     return 3;
   case ShapeKind::Cylinder:
@@ -220,7 +230,7 @@ refineShape(ShapeKind kind,
   constexpr int max_steps = 30;
   constexpr double cut = 4.7; // of Tukey's biweight, standard deviations
   const double band = cut * deviation;
-  if (points.empty() || (kind != ShapeKind::Plane && !slab.curve))
+  if (points.empty() || (!isFlat(kind) && !slab.curve))
     return infinity;
   const Eigen::Vector3d about = meanOf(points);
   Parameters numbers = numbersOf(kind, slab, about);

@@ -11,7 +11,14 @@ namespace pcl::sedr {
 
 /** @brief The closed forms that a facet may have, by increasing number of parameters.
  */
-enum class ShapeKind { Plane, Cylinder, Sphere, EllipticCylinder, Ellipsoid };
+enum class ShapeKind { Level, Plane, Cylinder, Sphere, EllipticCylinder, Ellipsoid };
+
+/** @brief Whether facets of a kind are planes, level or not. */
+inline bool
+isFlat(ShapeKind kind)
+{
+  return kind <= ShapeKind::Plane;
+}
 
 /** @brief How many numbers say what a facet of the kind is. */
 int parametersOf(ShapeKind kind);

@@ -67,12 +67,6 @@ grownCells(const PlanSlab& slab,
   return grown;
 }
 
-bool
-isCurve(ShapeKind kind)
-{
-  return kind != ShapeKind::Plane;
-}
-
 /** @brief Grows shapes from one window. */
 class Grower {
 public:
@@ -95,7 +89,7 @@ public:
     if (2 * window.size() < static_cast<std::size_t>((2 * reach + 1) * (2 * reach + 1)))
       return;
     leaveOutUnreachable(seed, window);
-    if (isCurve(kind) && isFlat(window))
+    if (!isFlat(kind) && isEven(window))
       return;
     FacetProposal facet = fitFacet(kind, evidence_, window, few_points);
     for (int round = 0; round < rounds; ++round) {
@@ -132,7 +126,7 @@ private:
   }
 
   /** @brief Whether a plane explains all of some cells. */
-  bool isFlat(const std::vector<std::size_t>& window) const
+  bool isEven(const std::vector<std::size_t>& window) const
   {
     const auto points = cells_.pointsOf(window, max_points);
     const PlanSlab plane = fitPlane(points);
@@ -202,7 +196,7 @@ bool
 isBuilt(const FacetProposal& facet, const SheetParameters& parameters)
 {
   constexpr double min_radius = 0.3; // of a cove, metres
-  if (!isCurve(facet.kind)) {
+  if (isFlat(facet.kind)) {
     // A rafter's slope is measured to a degree.
     const double steepest = std::cos(parameters.steepest + M_PI / 180);
     return facet.slab.plane.allFinite() && facet.slab.plane[2] >= steepest;
@@ -240,7 +234,7 @@ fitFacet(ShapeKind kind,
   facet.kind = kind;
   facet.cells = std::move(own);
   facet.slab = startShape(kind, points, evidence.directions);
-  if (isCurve(kind) && !facet.slab.curve)
+  if (!isFlat(kind) && !facet.slab.curve)
     return facet; // is not built
   // Wide at first: a window may hold a lamp, or reach over a crease.
   constexpr double roughly = 1e-3;
@@ -269,6 +263,10 @@ proposeFacets(const FacetEvidence& evidence)
                      growFromSeeds(evidence, searches[k].kind, reach, found[k]);
                  });
   std::vector<FacetProposal> all;
+  // A level plane is one number only, and worth it where a tilted one is not.
+  for (const FacetProposal& plane : found.front())
+    if (!evidence.parameters.is_rough && isLevel(plane.slab))
+      all.push_back(fitFacet(ShapeKind::Level, evidence, plane.cells));
   for (auto& of_kind : found)
     std::move(of_kind.begin(), of_kind.end(), std::back_inserter(all));
   return all;

@@ -168,6 +168,8 @@ startShape(ShapeKind kind,
            const std::vector<Eigen::Vector3d>& points,
            const std::vector<double>& directions)
 {
+  if (kind == ShapeKind::Level)
+    return planeThrough(meanOf(points), Eigen::Vector2d::Zero());
   const PlanSlab plane = fitPlane(points);
   if (kind == ShapeKind::Plane)
     return plane;

@@ -38,6 +38,9 @@ struct SheetParameters {
   double steepest = M_PI / 3;   ///< of a plane, radians
   double level = level_tilt;    ///< greatest tilt of a level ceiling, radians
   double largest_radius = 40;   ///< of a vault; flatter ones are planes, metres
+  bool is_rough = false; ///< before the outline is known: level planes cost as much as
+                         ///< tilted ones, so that lintels below the eaves are no
+                         ///< facets
   unsigned threads = 1;
 };
 

@@ -18,7 +18,7 @@ ShapeKind
 kindOf(const PlanSlab& slab)
 {
   if (!slab.curve)
-    return ShapeKind::Plane;
+    return slab.plane.head<2>().isZero(0) ? ShapeKind::Level : ShapeKind::Plane;
   if (slab.curve->kind == CurveKind::Cylinder)
     return slab.curve->isRound() ? ShapeKind::Cylinder : ShapeKind::EllipticCylinder;
   return slab.curve->isSphere() ? ShapeKind::Sphere : ShapeKind::Ellipsoid;

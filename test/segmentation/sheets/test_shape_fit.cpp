@@ -15,8 +15,11 @@ namespace {
 
 using namespace pcl::sedr;
 
-constexpr ShapeKind all_kinds[] = {ShapeKind::Plane, ShapeKind::Cylinder,
-                                   ShapeKind::Sphere, ShapeKind::EllipticCylinder,
+constexpr ShapeKind all_kinds[] = {ShapeKind::Level,
+                                   ShapeKind::Plane,
+                                   ShapeKind::Cylinder,
+                                   ShapeKind::Sphere,
+                                   ShapeKind::EllipticCylinder,
                                    ShapeKind::Ellipsoid};
 
 /** Points of a height field over 4 m x 3 m; a tenth of them are strays below it. */
@@ -45,6 +48,8 @@ fitOf(ShapeKind kind, const std::vector<Eigen::Vector3d>& points)
 PlanSlab
 slabOf(ShapeKind kind)
 {
+  if (kind == ShapeKind::Level)
+    return planeThrough({1, 2, 3}, {0, 0});
   PlanSlab slab = planeThrough({1, 2, 3}, {0.3, -0.2});
   if (kind == ShapeKind::Plane)
     return slab;
@@ -83,13 +88,16 @@ TEST(ShapeFit, DistancesOfManyPointsAreThoseOfEach)
   }
 }
 
-/** The slab with one of its numbers changed: of a plane its slopes and its height at
- * `about`; of a cylinder its direction, how far its axis is to the left of `about`, its
- * crown and its inverse radii; of others place, crown, direction and inverse radii. */
+/** The slab with one of its numbers changed: its height, if it is level; of a plane its
+ * slopes and its height at `about`; of a cylinder its direction, how far its axis is to
+ * the left of `about`, its crown and its inverse radii; of others place, crown,
+ * direction and inverse radii. */
 PlanSlab
 changed(ShapeKind kind, const Eigen::Vector3d& about, int number, double step)
 {
   PlanSlab slab = slabOf(kind);
+  if (kind == ShapeKind::Level)
+    return planeThrough({0, 0, slab.heightAt({0, 0}) + step}, {0, 0});
   if (kind == ShapeKind::Plane) {
     const Eigen::Vector4d& p = slab.plane;
     Eigen::Vector2d slope = -p.head<2>() / p[2];
@@ -174,6 +182,15 @@ TEST(ShapeFit, APlaneIsFoundAmongStrays)
   const PlanSlab slab = fitOf(ShapeKind::Plane, points);
   EXPECT_NEAR(slab.heightAt({2, 1}), 2.8, 0.001);
   EXPECT_NEAR(-slab.plane[0] / slab.plane[2], 0.5, 0.001);
+}
+
+TEST(ShapeFit, ALevelPlaneStaysLevelBelowAHigherEdge)
+{
+  const auto points =
+      pointsOf([](double x, double) { return x < 3.6 ? 2.5 : 2.6; }, 0.005);
+  const PlanSlab slab = fitOf(ShapeKind::Level, points);
+  EXPECT_NEAR(slab.heightAt({0, 0}), 2.5, 0.001);
+  EXPECT_TRUE(slab.plane.head<2>().isZero(0));
 }
 
 TEST(ShapeFit, ACylinderIsFoundInAnyDirection)
