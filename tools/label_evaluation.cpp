@@ -6,6 +6,7 @@
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/voxels/voxel_sums.h"
 #include "sedr_filters/src/voxels/voxel_visit.h"
+#include <pcl/common/point_tests.h>
 #include <pcl/conversions.h>
 #include <pcl/search/kdtree.h>
 #include <pcl/sedr_filters/point_types.h>
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -20,6 +22,7 @@
 #include <numeric>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 using namespace pcl::sedr::tools;
@@ -70,14 +73,17 @@ labelMapOf(const std::string& text)
   std::map<std::uint32_t, std::uint32_t> map;
   std::istringstream pairs(text.empty() ? "" : text + ",");
   for (std::string pair; std::getline(pairs, pair, ',');) {
+    const char* const begin = pair.c_str();
+    const char* const end = begin + pair.size();
+    const char* const sign = std::find(begin, end, '=');
     std::uint32_t label = 0;
     std::uint32_t meaning = 0;
-    int end = 0;
-    const bool has_numbers =
-        pair.find_first_not_of("0123456789=") == std::string::npos && pair.size() <= 11;
-    if (!has_numbers ||
-        std::sscanf(pair.c_str(), "%u=%u%n", &label, &meaning, &end) != 2 ||
-        static_cast<std::size_t>(end) != pair.size() || meaning > column ||
+    const auto isNumber = [](const char* from, const char* to, std::uint32_t& value) {
+      const auto [stop, error] = std::from_chars(from, to, value);
+      return error == std::errc() && stop == to;
+    };
+    if (sign == end || !isNumber(begin, sign, label) ||
+        !isNumber(sign + 1, end, meaning) || meaning > column ||
         !map.emplace(label, meaning).second)
       throw ToolError("--map takes pairs of a label of the scan and one from 0 to 5, "
                       "each label once, such as 7=3,8=3, not '" +
@@ -138,7 +144,7 @@ thinned(const LabelledPoints& cloud)
 }
 
 /** @brief Returns the point of `cloud` nearest to each query, or -1 if none is within
- * the radius. */
+ * the radius or the query is not finite. */
 pcl::Indices
 nearestPoints(const Cloud::ConstPtr& cloud,
               const Cloud& queries,
@@ -155,7 +161,8 @@ nearestPoints(const Cloud::ConstPtr& cloud,
         pcl::Indices index(1);
         std::vector<float> squared(1);
         for (std::size_t i = begin; i < end; ++i)
-          if (tree.nearestKSearch(queries[i], 1, index, squared) == 1 &&
+          if (pcl::isFinite(queries[i]) &&
+              tree.nearestKSearch(queries[i], 1, index, squared) == 1 &&
               squared[0] <= limit)
             nearest[i] = index[0];
       });

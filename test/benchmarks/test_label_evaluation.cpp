@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <sstream>
+#include <utility>
 
 namespace {
 
@@ -103,6 +105,37 @@ TEST_F(LabelEvaluation, surfaces_without_normals_are_refused)
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_NE(result.err.find("has no field 'normal_x'"), std::string::npos)
       << result.err;
+}
+
+TEST_F(LabelEvaluation, points_that_are_not_finite_count_neither_here_nor_there)
+{
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const std::string bad = in("bad.pcd");
+  const std::string good = in("good.pcd");
+  writeFile(bad, pcdBytes({{0, 0, 0}, {1, 0, nan}, {nan, nan, nan}}, {1, 2, 2}));
+  writeFile(good, pcdBytes({{0, 0, 0}}, {1}));
+  const ProgramRun expected = run(LABEL_EVALUATION, {good, good});
+  for (const auto& [structure, scan] :
+       {std::pair(bad, good), std::pair(good, bad), std::pair(bad, bad)}) {
+    const ProgramRun result = run(LABEL_EVALUATION, {structure, scan});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out, expected.out);
+  }
+}
+
+TEST_F(LabelEvaluation, maps_every_label_of_32_bits)
+{
+  writeFile(in("structure.pcd"), pcdBytes({{0, 0, 0}}, {1}));
+  writeFile(in("scan.pcd"), pcdBytes({{0, 0, 0}}, {4294967295}));
+  const auto mapped = [this](const std::string& map) {
+    return run(LABEL_EVALUATION, {in("structure.pcd"), in("scan.pcd"), "--map", map});
+  };
+  const ProgramRun result = mapped("4294967295=00000000001");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(cellsAfter("ceiling", result)[0], "1");
+  for (const char* wrong :
+       {"4294967296=1", "-1=1", "1=", "=1", "1=6", "1= 1", "1=1,1=2"})
+    EXPECT_EQ(mapped(wrong).exit_code, 1) << wrong;
 }
 
 TEST_F(LabelEvaluation, refuses_what_it_cannot_score)
