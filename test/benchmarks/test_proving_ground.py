@@ -57,6 +57,14 @@ class Bars(unittest.TestCase):
         self.assertEqual(bars.missed(GOOD), [])
         for bar, figures in WORSE.items():
             self.assertEqual([name for name, _ in bars.missed({**GOOD, **figures})], [bar])
+        self.assertEqual({*WORSE, "points > 5 cm", "covered"}, set(bars.NAMES))
+
+    def test_are_missed_by_figures_that_are_no_number(self):
+        points = {**GOOD, "with_mesh": False}
+        for bar, good, column in (("area", GOOD, "area_error"), ("5 cm", GOOD, "truth_within_5cm"), ("radius", GOOD, "radius_error"),
+                                  ("details", GOOD, "detail_within_5cm"), ("covered", points, "truth_covered"),
+                                  ("solid max", points, "truth_to_solid_max")):
+            self.assertEqual([name for name, _ in bars.missed({**good, column: math.nan})], [bar])
 
     def test_of_points_apply_without_a_mesh(self):
         points = {**GOOD, "with_mesh": False, "closed_manifold": None}

@@ -13,11 +13,11 @@ MIN_OVERLAP = 0.5    # share of the union of two matched rooms
 
 
 def keep_larger(row, column, error):
-    row[column] = max(row.get(column, 0), error)
+    row[column] = float(np.maximum(row.get(column, 0), error))  # NaN stays
 
 
 def keep_error(row, column, found, true):
-    keep_larger(row, column, abs(found - true) / true)
+    keep_larger(row, column, abs(found - true) / true if true else math.nan)
 
 
 def pairs(plan, truth):
