@@ -25,6 +25,6 @@ if [ ! -x "$bin/benchmark_poisson_solvers" ]; then
   exit 1
 fi
 mkdir -p "$out/runs"
-"$root/test/benchmarks/proving_ground.py" "$out/runs.csv" --bin "$bin" --no-mesh --noise 0.001,0.02 --seeds 1 \
+/usr/bin/python3 "$root/test/benchmarks/proving_ground.py" "$out/runs.csv" --bin "$bin" --no-mesh --noise 0.001,0.02 --seeds 1 \
   --keep "$out/runs" "$@" >&2
 "$bin/benchmark_poisson_solvers" "$runs" "$threads" "$out"/runs/*

@@ -3,10 +3,13 @@
 """Tests of the proving ground's runs, figures and bars: test_proving_ground.py FOLDER_OF_PROGRAMS"""
 import csv
 import math
+import os
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 from proving import bars
@@ -151,24 +154,76 @@ class Runs(unittest.TestCase):
         self.assertEqual((again.returncode, again.stdout.count("\n")), (0, 2), again.stderr)
         with_mesh, *points = self.rows()
         self.assertEqual(sorted(row["seed"] for row in points), ["1", "2"])
-        self.assertEqual(self.bench("--seeds", "1,2", "--no-mesh").stdout, "")
+        self.assertRegex(self.bench("--seeds", "1,2", "--no-mesh").stdout, r"^2 of 2 runs are in .*runs.csv already.*\n$")
         self.assertEqual({row["missed"] for row in self.rows()}, {""})
         empty = {column for column, text in with_mesh.items() if not text}
         self.assertEqual(empty - {"missed", "missed_bars", "failure", "warnings"}, {"radius_error"})  # it has details, but no arc
         self.assertIn("Runs: 2.", table.read_text(encoding="utf-8"))
 
     def test_that_fail_do_not_stop_the_others(self):
-        done = self.bench("--rays", "1", "--seeds", "1,2", "--no-mesh")
+        done = self.bench("--rays", "1", "--seeds", "1,2", "--no-mesh", "--prior", "min_headroom=2")
         self.assertEqual((done.returncode, done.stdout.count("failed: ")), (0, 2), done.stderr)
         self.assertEqual([row["missed_bars"] for row in self.rows()], ["failed", "failed"])
 
     def test_of_bad_options_are_refused_before_the_work(self):
-        for option, text in (("--scenes", "no_such_scene"), ("--noise", "much"), ("--seeds", "-1"), ("--noise", "2")):
-            done = self.bench(f"{option}={text}")
-            self.assertNotEqual(done.returncode, 0)
-            self.assertIn(text, done.stderr)
-        self.csv.write_text("scene,colour\nattic,blue\n", encoding="utf-8")
-        self.assertIn("other columns", self.bench().stderr)
+        scene = pathlib.Path(self.folder.name) / "no_scene.json"
+        scene.write_text('{"format": 1}', encoding="utf-8")
+        for option, value in (("--scenes", "no_such_scene"), ("--scenes", "gone.json"), ("--scenes", scene), ("--noise", "much"),
+                              ("--noise", "2"), ("--seeds", "-1"), ("--rays", "-5"), ("--threads", "999"), ("--jobs", "0"),
+                              ("--prior", "nonsense=1"), ("--table", "/no/such/folder/t.md"), ("--bin", "/no/such/folder")):
+            done = self.bench(f"{option}={value}")
+            self.assertEqual((done.returncode, done.stdout, self.csv.exists()), (1, "", False), done.stderr)
+            self.assertRegex(done.stderr, r"^proving_ground.py: [^\n]+\n$")
+            self.assertIn(str(value).split("=", maxsplit=1)[0], done.stderr)
+        for content in (b"scene,colour\nattic,blue\nhall", b"\xff\n"):
+            self.csv.write_bytes(content)
+            done = self.bench()
+            self.assertEqual((done.returncode, done.stderr.count("\n"), self.csv.read_bytes()), (1, 1, content), done.stderr)
+
+    def test_keep_what_others_made(self):
+        kept = pathlib.Path(self.folder.name) / "kept/bls_room_n0.005_s1"
+        kept.mkdir(parents=True)
+        (kept / "notes.txt").touch()
+        done = self.bench("--seeds", "1", "--keep", kept.parent)
+        self.assertEqual((done.returncode, done.stderr.count("\n"), (kept / "notes.txt").exists()), (1, 1, True), done.stderr)
+
+    def stand_in(self, code):
+        """The programs, with another pcl_sedr, a shell script."""
+        folder = pathlib.Path(self.folder.name) / "bin"
+        folder.mkdir()
+        for program in pathlib.Path(BIN).iterdir():
+            (folder / program.name).symlink_to(program.resolve())
+        (folder / "pcl_sedr").unlink()
+        (folder / "pcl_sedr").write_text("#!/bin/sh\n" + code, encoding="utf-8")
+        (folder / "pcl_sedr").chmod(0o755)
+        return folder
+
+    def test_of_any_exception_are_rows(self):
+        done = self.bench("--bin", self.stand_in("exit 0"), "--rays", "100", "--seeds", "1,2")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual([row["failure"].split(":")[0] for row in self.rows()], ["FileNotFoundError"] * 2)
+
+    def test_of_a_program_that_crashes_tell_the_signal(self):
+        self.bench("--bin", self.stand_in("echo a warning >&2; kill -SEGV $$"), "--rays", "100", "--seeds", "1")
+        self.assertEqual(self.rows()[0]["failure"], "pcl_sedr was ended by signal 11 (Segmentation fault)")
+
+    def test_that_are_interrupted_leave_no_row_and_no_program(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            with self.subTest(number):
+                self.setUp()
+                mark, kept = (pathlib.Path(self.folder.name) / name for name in ("pid", "kept"))
+                bin_folder = self.stand_in(f"echo $$ > {mark}.new; mv {mark}.new {mark}; exec sleep 600")
+                command = [sys.executable, SCRIPT, self.csv, "--bin", bin_folder, "--scenes", "bls_room", "--noise", "0.005",
+                           "--rays", "100", "--keep", kept]
+                with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as bench:
+                    while not mark.exists() and bench.poll() is None:
+                        time.sleep(0.01)
+                    bench.send_signal(number)
+                    out, err = bench.communicate()
+                self.assertEqual((bench.returncode, out, err.count("\n"), self.rows()), (130, "", 1, []), err)
+                self.assertEqual(list(kept.iterdir()), [])
+                with self.assertRaises(ProcessLookupError):
+                    os.kill(int(mark.read_text(encoding="utf-8")), 0)
 
 
 if __name__ == "__main__":

@@ -1,24 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Figures of one run, measured by the programs on the files that pcl_sedr and the simulator left. Metres, shares from 0 to 1."""
 import json
-import subprocess
 
 import numpy as np
 from scipy.spatial import cKDTree
 
 from proving import meshes, plans
+from proving.programs import output_of
 
 DETAIL_ZONE = 0.10   # metres around the true details
 POINT_REACH = 0.08   # metres within which a point of the structure covers a point of the truth
 VOXEL_DIAGONAL = 3 ** 0.5 * 0.05
 LABELS = ("ceiling", "floor", "wall", "detail")
-
-
-def output_of(command):
-    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        raise RuntimeError((done.stderr.strip().splitlines() or [f"{command[0]} ended with {done.returncode}"])[-1])
-    return done.stdout
 
 
 def evaluate(run, model, *options):
@@ -31,6 +24,8 @@ def evaluate(run, model, *options):
 def of_solid(run, rooms):
     """The solids against a truth of negligible chords; vertices count for the maxima only, fine facets have more of them."""
     path, true_path = run.out / "solid.ply", run.folder / "fine/truth.ply"
+    if not path.exists():
+        return {}
     solid, truth = meshes.read_mesh(path), meshes.read_mesh(true_path)
     if not len(solid.corners):
         return {}
