@@ -66,7 +66,7 @@ const std::vector<Prior> table = {
     {"max_slab_tilt", &Priors::max_slab_tilt, "slabs", "degrees", 0, 45,
      "falls of floors and ceilings, up to 5 %", "details, plan, planes"},
     {"min_ceiling_step", &Priors::min_ceiling_step, "slabs", "m", 0.005, 0.3,
-     "chosen on the proving ground", "columns, details, loop, plan"},
+     "chosen on the proving ground", "columns, details, loop"},
     {"max_platform_height", &Priors::max_platform_height, "slabs", "m", 0.1, 1.5,
      "stages; tables are higher", "planes"},
     {"max_step_height", &Priors::max_step_height, "slabs", "m", 0.1, 0.6,

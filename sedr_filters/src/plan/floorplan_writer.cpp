@@ -55,9 +55,12 @@ loopsToJson(const std::vector<PlanLoop>& loops)
 Json
 toJson(const PlanSlab& slab)
 {
-  return {{"plane", {slab.plane[0], slab.plane[1], slab.plane[2], slab.plane[3]}},
-          {"inliers", slab.inliers},
-          {"residual", slab.residual}};
+  Json json{{"plane", {slab.plane[0], slab.plane[1], slab.plane[2], slab.plane[3]}},
+            {"inliers", slab.inliers},
+            {"residual", slab.residual}};
+  if (slab.inferred > 0)
+    json["inferred"] = slab.inferred;
+  return json;
 }
 
 /** @brief Writes a slab with the fields that only facets have. */

@@ -21,12 +21,14 @@ PlanLoop widened(const PlanLoop& loop, double by);
 /** @brief Returns the interior of `loop` minus that of `cutter`, both
  * counter-clockwise. Outer loops come first, counter-clockwise and largest first, then
  * clockwise loops of holes. Elements taken from `cutter` have no inliers. Empty if
- * nothing is left. O(n m). */
+ * nothing is left. `loop` may also hold the elements of clockwise loops of holes.
+ * O(n m). */
 std::vector<PlanLoop> difference(const PlanLoop& loop, const PlanLoop& cutter);
 
 /** @brief Returns the common interior of `loop` and `other`, both counter-clockwise,
- * largest first. Elements taken from `other` have no inliers. Empty if they do not
- * overlap. O(n m). */
+ * largest first. Either may also hold the elements of clockwise loops of holes; those
+ * of the result come last. Elements taken from `other` have no inliers. Empty if they
+ * do not overlap. O(n m). */
 std::vector<PlanLoop> intersection(const PlanLoop& loop, const PlanLoop& other);
 
 } // namespace pcl::sedr

@@ -136,17 +136,33 @@ reachesInto(const PlanNiche& niche, const PlanRoom& room)
          });
 }
 
-/** @brief Returns whether a niche takes all of a pier: two of its sides, besides that
- * in its wall, lie on the room's boundary, so that it is a part of the room beside it.
- */
+/** @brief Returns whether a niche takes all of a pier: two of its sides, square to its
+ * mouth, lie at both ends on walls of the room that are square to it, too, so that it
+ * is a part of the room beside it. */
 bool
 takesPier(const PlanNiche& niche, const PlanRoom& room, const Priors& priors)
 {
   const auto& sides = niche.boundary.elements;
+  const auto middleOf = [](const PlanElement& e) { return e.pointAt(e.length() / 2); };
+  const PlanElement& mouth = *std::min_element(
+      sides.begin(), sides.end(), [&](const PlanElement& a, const PlanElement& b) {
+        return room.boundary.distance(middleOf(a)) <
+               room.boundary.distance(middleOf(b));
+      });
+  const Eigen::Vector2d normal = mouth.normalAt(mouth.length() / 2);
+  const auto isSquare = [&](const PlanElement& e, const Eigen::Vector2d& p) {
+    return std::abs(e.normalAt(e.project(p)).dot(normal)) < M_SQRT1_2;
+  };
+  const auto isOnWall = [&](const Eigen::Vector2d& p) {
+    return std::any_of(room.boundary.elements.begin(), room.boundary.elements.end(),
+                       [&](const PlanElement& e) {
+                         return e.distance(p) < priors.min_wall && isSquare(e, p);
+                       });
+  };
   return std::count_if(sides.begin(), sides.end(), [&](const PlanElement& side) {
-           return room.boundary.distance(side.pointAt(side.length() / 2)) <
-                  priors.min_wall;
-         }) > 2;
+           return isSquare(side, side.start) && isOnWall(side.start) &&
+                  isOnWall(side.end);
+         }) > 1;
 }
 
 void

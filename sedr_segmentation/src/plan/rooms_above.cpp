@@ -2,6 +2,7 @@
 #include "rooms_above.h"
 
 #include "../curves/loop_difference.h"
+#include "../curves/plan_segment.h"
 #include "sedr_filters/src/plan/plan_bounds.h"
 #include <pcl/sedr_filters/plan_measures.h>
 
@@ -13,54 +14,101 @@ namespace pcl::sedr {
 
 namespace {
 
-/** @brief Returns whether a ceiling is above another one anywhere in a loop. */
-bool
-isHigher(const PlanSlab& ceiling,
-         const PlanSlab& other,
-         const PlanLoop& loop,
-         const Priors& priors)
+/** @brief A floor, or a part of one, in its region in plan. */
+struct Floor {
+  PlanSlab slab;
+  PlanLoop region; ///< with its holes
+};
+
+PlanLoop
+joined(const std::vector<PlanLoop>& loops, PlanLoop region = {})
 {
-  const auto isHigherAt = [&](const Eigen::Vector2d& p) {
-    return ceiling.heightAt(p) > other.heightAt(p);
-  };
-  const std::vector<Eigen::Vector2d> corners = loop.polygon(priors.min_ceiling_step);
-  if (std::any_of(corners.begin(), corners.end(), isHigherAt))
-    return true;
-  const Eigen::AlignedBox2d box = boundsOf(loop);
-  Eigen::Vector2d p = box.min();
-  for (; ceiling.curve && p.y() < box.max().y(); p.y() += priors.patch)
-    for (p.x() = box.min().x(); p.x() < box.max().x(); p.x() += priors.patch)
-      if (loop.contains(p) && isHigherAt(p))
-        return true;
-  return false;
+  for (const PlanLoop& loop : loops)
+    region.elements.insert(region.elements.end(), loop.elements.begin(),
+                           loop.elements.end());
+  return region;
 }
 
-/** @brief Appends the parts of a ceiling, within a loop, that a room's floor is below.
+/** @brief Appends the floors of a room, wider by a gap, its shafts left out. */
+void
+appendFloors(const PlanRoom& room, double gap, std::vector<Floor>& floors)
+{
+  PlanLoop plan = widened(room.boundary, gap);
+  for (const PlanLoop& column : room.columns)
+    plan = joined(difference(plan, widened(reversed(column), -gap)));
+  floors.push_back({room.floor, plan});
+  for (const PlanDetail& part : room.floor_details)
+    floors.push_back(
+        {part.slab, joined(intersection(joined(part.holes, part.boundary), plan))});
+}
+
+/** @brief Returns a square on the side of a line where one plane is above another one,
+ * around a box that the line crosses. */
+PlanLoop
+sideAbove(const PlanSlab& high, const PlanSlab& low, const Eigen::AlignedBox2d& box)
+{
+  const Eigen::Vector2d rise =
+      low.plane.head<2>() / low.plane[2] - high.plane.head<2>() / high.plane[2];
+  const Eigen::Vector2d up = 2 * box.diagonal().norm() * rise.normalized();
+  const Eigen::Vector2d left(-up.y(), up.x());
+  const double above = high.heightAt(box.center()) - low.heightAt(box.center());
+  const Eigen::Vector2d level = box.center() - above / rise.squaredNorm() * rise;
+  return {{segment(level - left, level - left + up),
+           segment(level - left + up, level + left + up),
+           segment(level + left + up, level + left),
+           segment(level + left, level - left)}};
+}
+
+/** @brief Returns the loops of the region where a ceiling is above a floor; of a curved
+ * ceiling, all of what they have in common or nothing. */
+std::vector<PlanLoop>
+regionAbove(const PlanSlab& ceiling,
+            const PlanLoop& region,
+            const Floor& floor,
+            const Priors& priors)
+{
+  if (!boundsOf(region).intersects(boundsOf(floor.region)))
+    return {};
+  const std::vector<PlanLoop> loops = intersection(region, floor.region);
+  const PlanLoop common = joined(loops);
+  const std::vector<Eigen::Vector2d> corners = common.polygon(priors.unevenness);
+  const auto above =
+      std::count_if(corners.begin(), corners.end(), [&](const Eigen::Vector2d& p) {
+        return ceiling.heightAt(p) > floor.slab.heightAt(p);
+      });
+  if (above == static_cast<std::ptrdiff_t>(corners.size()))
+    return loops;
+  if (above == 0 || ceiling.curve)
+    return {};
+  return intersection(common, sideAbove(ceiling, floor.slab, boundsOf(common)));
+}
+
+/** @brief Appends the parts of a ceiling that end below floors, the lowest floor last.
  */
 void
 appendParts(const PlanSlab& ceiling,
-            const PlanLoop& loop,
-            const PlanRoom& above,
+            const PlanLoop& region,
             bool is_facet,
+            const std::vector<Floor>& floors,
             const Priors& priors,
             std::vector<PlanDetail>& parts)
 {
-  const double gap = priors.assumed_partition;
-  PlanDetail part;
-  part.slab.plane = above.floor.plane;
-  part.slab.plane[3] += gap * part.slab.plane[2];
-  part.slab.inferred = 1;
-  part.is_facet = is_facet;
-  for (PlanLoop& common : intersection(loop, widened(above.boundary, gap))) {
-    if (common.area() < priors.small_area ||
-        !isHigher(ceiling, part.slab, common, priors))
-      continue;
-    part.holes.clear();
-    for (const PlanLoop& hole : above.columns)
-      if (common.contains(hole.elements.front().start))
-        part.holes.push_back(reversed(widened(reversed(hole), -gap)));
-    part.boundary = std::move(common);
-    parts.push_back(part);
+  for (const Floor& floor : floors) {
+    const std::vector<PlanLoop> loops = regionAbove(ceiling, region, floor, priors);
+    for (const PlanLoop& loop : loops) {
+      if (loop.area() <= 0)
+        continue;
+      PlanDetail part{loop, {}, {floor.slab.plane}, is_facet};
+      part.slab.plane[3] += priors.assumed_partition * part.slab.plane[2];
+      part.slab.inferred = 1;
+      for (const PlanLoop& hole : loops)
+        if (hole.area() < 0 && loop.contains(hole.elements.front().pointAt(
+                                   hole.elements.front().length() / 2)))
+          part.holes.push_back(hole);
+      const PlanLoop edges = joined(part.holes, loop);
+      if (2 * edges.area() > priors.min_wall * edges.length())
+        parts.push_back(std::move(part));
+    }
   }
 }
 
@@ -72,22 +120,21 @@ endBelowRoomsAbove(Floorplan& plan, const Priors& priors)
   const std::vector<RoomHeights> heights = heightsOf(plan);
   for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
     PlanRoom& room = plan.rooms[r];
-    const bool has_facets =
-        std::any_of(room.details.begin(), room.details.end(),
-                    [](const PlanDetail& detail) { return detail.is_facet; });
-    std::vector<const PlanRoom*> above;
+    const Eigen::AlignedBox2d box = boundsOf(room.boundary);
+    std::vector<Floor> floors;
     for (std::size_t o = 0; o < plan.rooms.size(); ++o)
-      if (heights[o].low > heights[r].low && !shareHeights(heights[o], heights[r]))
-        above.push_back(&plan.rooms[o]);
+      if (heights[o].low > heights[r].low && !shareHeights(heights[o], heights[r]) &&
+          boundsOf(plan.rooms[o].boundary).intersects(box))
+        appendFloors(plan.rooms[o], priors.assumed_partition, floors);
+    std::stable_sort(floors.begin(), floors.end(), [&](const Floor& a, const Floor& b) {
+      return a.slab.heightAt(box.center()) > b.slab.heightAt(box.center());
+    });
     std::vector<PlanDetail> details;
-    const auto appendAbove = [&](const PlanSlab& ceiling, const PlanLoop& loop) {
-      for (const PlanRoom* other : above)
-        appendParts(ceiling, loop, *other, has_facets, priors, details);
-    };
-    appendAbove(room.ceiling, room.boundary);
+    appendParts(room.ceiling, room.boundary, room.hasFacets(), floors, priors, details);
     for (const PlanDetail& detail : room.details) {
       details.push_back(detail);
-      appendAbove(detail.slab, detail.boundary);
+      appendParts(detail.slab, joined(detail.holes, detail.boundary), detail.is_facet,
+                  floors, priors, details);
     }
     room.details = std::move(details);
   }

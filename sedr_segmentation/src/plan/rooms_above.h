@@ -7,9 +7,13 @@
 namespace pcl::sedr {
 
 /** @brief Ends each room at the floors of the rooms above it: where its ceiling is
- * higher, as a roof that is seen through an opening in a slab, it gets a part 1 cm
- * below that floor, of which nothing was seen. So no air is in two rooms. The parts
- * follow what they replace in PlanRoom::details. O(pairs of rooms). */
+ * higher, as a roof that is seen beside a gallery, it gets a part 1 cm below that
+ * floor, the lowest one if there are several, of which nothing was seen. Shafts of the
+ * room above (its columns) stay the lower room's, and no ceiling is raised. The parts
+ * follow what they replace in PlanRoom::details. Left as they are: rooms that share
+ * heights (shareHeights()), curved ceilings that are partly lower, and strips narrower
+ * than Priors::min_wall. O(rooms squared), and for rooms that overlap in plan O(n m) of
+ * the elements of their ceilings and floors. */
 void endBelowRoomsAbove(Floorplan& plan, const Priors& priors);
 
 } // namespace pcl::sedr

@@ -208,6 +208,20 @@ TEST(SeparateRooms, ANicheAsWideAsItsPierIsDropped)
   EXPECT_FALSE(plan.rooms[0].niches[0].boundary.contains({1.1, 3.1}));
 }
 
+TEST(SeparateRooms, AShallowNicheInAWallStays)
+{
+  for (const double depth : {0.03, 0.07, 0.09}) {
+    Floorplan plan;
+    plan.rooms = {roomAt(1, rectangle(0, 0, 6, 4))};
+    plan.rooms[0].niches = {
+        {rectangle(1, 4, 2, 4 + depth), slabAt(1), slabAt(2)},
+        {polygon({{3, 4}, {3.5, 4}, {4, 4}, {4, 4 + depth}, {3, 4 + depth}}), slabAt(1),
+         slabAt(2)}};
+    separate(plan, RoomPoints());
+    EXPECT_EQ(plan.rooms[0].niches.size(), 2u) << depth;
+  }
+}
+
 TEST(SeparateRooms, RoomsThatAreApartOrOneAboveTheOtherStay)
 {
   Floorplan plan;

@@ -9,8 +9,12 @@
 #include "sedr_segmentation/src/plan/rooms_above.h"
 #include "sedr_segmentation/src/refit/plan_refit.h"
 #include "sedr_segmentation/src/refit/plan_regularisation.h"
+#include <pcl/sedr_filters/floorplan_io.h>
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
 
 namespace {
 
@@ -156,33 +160,28 @@ TEST(RoomsAboveRooms, AWallThatOnlyTheStoreyAboveShowsIsNotSeen)
     EXPECT_EQ(e.evidence.seen, 0);
 }
 
-/** A hall of 6 x 4 m, 2.5 m high but for x from 4, where it has a roof that rises from
- * 4 to 6 m, and above it a gallery on x up to 5 with a shaft in its floor. */
+/** A roof over the hall, rising by `rise` in each metre along x. */
+PlanDetail
+roofOver(const PlanLoop& loop, double height, double rise)
+{
+  PlanDetail roof;
+  roof.boundary = loop;
+  roof.slab.plane = Eigen::Vector4d(-rise, 0, 1, -height);
+  roof.slab.plane /= roof.slab.plane.head<3>().norm();
+  roof.is_facet = true;
+  return roof;
+}
+
+/** A hall of 6 x 4 m, 2.5 m high but for a roof 5 m high for x from 4, and above it a
+ * gallery on x up to 5. */
 Floorplan
 hallBelowGallery()
 {
   Floorplan plan;
   plan.rooms = {roomBetween(rectangle(0, 0, 6, 4), 0, 2.5, 1),
                 roomBetween(rectangle(0, 0, 5, 4), 2.7, 5.2, 2)};
-  PlanDetail roof;
-  roof.boundary = rectangle(4, 0, 6, 4);
-  roof.slab.plane = Eigen::Vector4d(0, -0.5, 1, -4).normalized();
-  roof.slab.plane /= roof.slab.plane.head<3>().norm();
-  roof.is_facet = true;
-  plan.rooms[0].details = {roof};
-  plan.rooms[1].columns = {reversed(rectangle(4.2, 1, 4.6, 1.5))};
+  plan.rooms[0].details = {roofOver(rectangle(4, 0, 6, 4), 5, 0)};
   return plan;
-}
-
-/** Returns the height of a ceiling at a place: that of the last detail there. */
-double
-ceilingAt(const PlanRoom& room, const Eigen::Vector2d& p)
-{
-  double height = room.ceiling.heightAt(p);
-  for (const PlanDetail& detail : room.details)
-    if (detail.contains(p))
-      height = detail.slab.heightAt(p);
-  return height;
 }
 
 TEST(RoomsAboveRooms, EndTheCeilingsBelowAtTheirFloors)
@@ -190,13 +189,96 @@ TEST(RoomsAboveRooms, EndTheCeilingsBelowAtTheirFloors)
   Floorplan plan = hallBelowGallery();
   endBelowRoomsAbove(plan, Priors());
   const PlanRoom& hall = plan.rooms[0];
-  EXPECT_NEAR(ceilingAt(hall, {1, 1}), 2.5, 1e-9);     // below the slab
-  EXPECT_NEAR(ceilingAt(hall, {4.5, 3}), 2.69, 1e-9);  // open to the gallery
-  EXPECT_NEAR(ceilingAt(hall, {5.5, 2}), 5, 1e-9);     // beside it, below the roof
-  EXPECT_NEAR(ceilingAt(hall, {4.4, 1.2}), 4.6, 1e-9); // in its shaft
+  EXPECT_NEAR(hall.ceilingAt({1, 1}), 2.5, 1e-9);    // below the slab
+  EXPECT_NEAR(hall.ceilingAt({4.5, 3}), 2.69, 1e-9); // open to the gallery
+  EXPECT_NEAR(hall.ceilingAt({5.5, 2}), 5, 1e-9);    // beside it, below the roof
   ASSERT_EQ(hall.details.size(), 2u);
   EXPECT_EQ(hall.details[1].slab.inferred, 1);
+  EXPECT_NEAR(hall.details[1].boundary.area(), 1.01 * 4, 1e-9);
   EXPECT_TRUE(plan.rooms[1].details.empty());
+}
+
+TEST(RoomsAboveRooms, LeaveTheirShaftsToTheRoomBelow)
+{
+  // within the roof, over its edge, over the gallery's edge, wider than the roof
+  for (const Eigen::AlignedBox2d& shaft :
+       {Eigen::AlignedBox2d(Eigen::Vector2d(4.2, 1), Eigen::Vector2d(4.6, 3)),
+        Eigen::AlignedBox2d(Eigen::Vector2d(3.5, 1), Eigen::Vector2d(4.6, 3)),
+        Eigen::AlignedBox2d(Eigen::Vector2d(4.2, 1), Eigen::Vector2d(5.1, 3)),
+        Eigen::AlignedBox2d(Eigen::Vector2d(3.98, -0.1), Eigen::Vector2d(4.98, 4.1))})
+    for (std::size_t first = 0; first < 4; ++first) {
+      Floorplan plan = hallBelowGallery();
+      PlanLoop loop = reversed(rectangle(shaft.min().x(), shaft.min().y(),
+                                         shaft.max().x(), shaft.max().y()));
+      std::rotate(loop.elements.begin(),
+                  loop.elements.begin() + static_cast<std::ptrdiff_t>(first),
+                  loop.elements.end());
+      plan.rooms[1].columns = {loop};
+      endBelowRoomsAbove(plan, Priors());
+      const PlanRoom& hall = plan.rooms[0];
+      EXPECT_NEAR(hall.ceilingAt({4.4, 2}), 5, 1e-9) << shaft.min().transpose();
+      EXPECT_NEAR(hall.ceilingAt({1, 2}), 2.5, 1e-9);
+      const bool is_whole = shaft.min().y() < 0; // but a strip of 2 cm
+      EXPECT_NEAR(hall.ceilingAt({4.1, 0.5}), is_whole ? 5 : 2.69, 1e-9);
+      EXPECT_EQ(hall.details.size(), is_whole ? 1u : 2u);
+    }
+}
+
+TEST(RoomsAboveRooms, TheLowestOfThemCounts)
+{
+  for (const bool is_highest_first : {false, true}) {
+    Floorplan plan = hallBelowGallery();
+    plan.rooms.push_back(roomBetween(rectangle(0, 0, 5.5, 4), 4, 6, 3));
+    if (is_highest_first)
+      std::swap(plan.rooms[1], plan.rooms[2]);
+    endBelowRoomsAbove(plan, Priors());
+    EXPECT_NEAR(plan.rooms[0].ceilingAt({4.5, 2}), 2.69, 1e-9);
+    EXPECT_NEAR(plan.rooms[0].ceilingAt({5.2, 2}), 3.99, 1e-9);
+    EXPECT_NEAR(plan.rooms[0].ceilingAt({5.8, 2}), 5, 1e-9);
+  }
+}
+
+TEST(RoomsAboveRooms, AndTheLowestPartOfTheirFloors)
+{
+  Floorplan plan = hallBelowGallery();
+  plan.rooms[1].floor_details = {roofOver(rectangle(4.5, 1, 5, 3), 2.6, 0)};
+  endBelowRoomsAbove(plan, Priors());
+  EXPECT_NEAR(plan.rooms[0].ceilingAt({4.2, 2}), 2.69, 1e-9);
+  EXPECT_NEAR(plan.rooms[0].ceilingAt({4.8, 2}), 2.59, 1e-9);
+}
+
+TEST(RoomsAboveRooms, RaiseNoCeiling)
+{
+  // It rises from 2.2 to 3.2 m and crosses the floor above at x = 3.
+  Floorplan plan;
+  plan.rooms = {roomBetween(rectangle(0, 0, 6, 4), 0, 2.5, 1),
+                roomBetween(rectangle(0, 0, 6, 4), 2.7, 5.2, 2)};
+  plan.rooms[0].ceiling = roofOver({}, 2.2, 1.0 / 6).slab;
+  const PlanRoom before = plan.rooms[0];
+  endBelowRoomsAbove(plan, Priors());
+  for (double x = 0.05; x < 6; x += 0.1)
+    EXPECT_NEAR(plan.rooms[0].ceilingAt({x, 2}),
+                x < 3 ? before.ceilingAt({x, 2}) : 2.69, 1e-9)
+        << x;
+}
+
+TEST(RoomsAboveRooms, TheirPartsAreTheSameInTheFile)
+{
+  Floorplan plan = hallBelowGallery();
+  PlanDetail skylight = roofOver(rectangle(4.2, 1, 5.8, 3), 6, 0);
+  skylight.is_facet = false;
+  plan.rooms[0].details.push_back(skylight);
+  endBelowRoomsAbove(plan, Priors());
+  std::string problem;
+  const Floorplan read = floorplanFromJson(floorplanToJson(plan), problem);
+  ASSERT_EQ(problem, "");
+  ASSERT_EQ(read.rooms[0].details.size(), 4u);
+  for (double x = 0.05; x < 6; x += 0.1)
+    EXPECT_NEAR(read.rooms[0].ceilingAt({x, 2}), plan.rooms[0].ceilingAt({x, 2}), 1e-9)
+        << x;
+  for (std::size_t d = 0; d < 4; ++d)
+    EXPECT_EQ(read.rooms[0].details[d].slab.inferred,
+              plan.rooms[0].details[d].slab.inferred);
 }
 
 TEST(RoomsAboveRooms, LeaveCeilingsBelowTheirFloorsAlone)
