@@ -72,6 +72,40 @@ TEST(WriteIfc, AFaceTowardsTheRoofOfTheRoomBelowIsOfNoWall)
   EXPECT_EQ(writeIfc(plan).walls, walls - 1);
 }
 
+TEST(WriteIfc, AWallAboveALowerRoofStandsOnIt)
+{
+  Floorplan plan{
+      {roomOf(rectangle(0, 0, 6, 4), 2.5), roomOf(rectangle(0, 0, 4, 4), 5.2, 2)}};
+  plan.rooms[1].floor = slabAt(2.7);
+  const std::size_t walls = writeIfc(plan).walls;
+  PlanDetail roof; // beside the upper room
+  roof.boundary = rectangle(4, 0, 6, 4);
+  roof.is_facet = true;
+  for (const double rise : {0.0, 0.5}) { // level, or rising along the wall
+    roof.slab.plane = Eigen::Vector4d(0, -rise, 1, -3.6 + 2 * rise);
+    roof.slab.plane /= roof.slab.plane.head<3>().norm();
+    plan.rooms[0].details = {roof};
+    const IfcModel model = writeIfc(plan);
+    EXPECT_EQ(model.walls, walls) << rise;
+    EXPECT_EQ(count(model.text, "IFCQUANTITYLENGTH('Height',$,$,1.6,$)"), 1u) << rise;
+  }
+}
+
+TEST(WriteIfc, NoWallStandsAroundAShaftThatIsOpenToTheRoof)
+{
+  Floorplan plan{
+      {roomOf(rectangle(0, 0, 9, 6), 2.5), roomOf(rectangle(0, 0, 9, 6), 5.2, 2)}};
+  plan.rooms[1].floor = slabAt(2.7);
+  const std::size_t walls = writeIfc(plan).walls;
+  plan.rooms[1].columns = {reversed(rectangle(3, 2, 6, 4))};
+  EXPECT_EQ(writeIfc(plan).walls, walls + 4); // nothing is known of the shaft
+  PlanDetail roof;
+  roof.boundary = rectangle(3, 2, 6, 4);
+  roof.slab = slabAt(5.2);
+  plan.rooms[0].details = {roof};
+  EXPECT_EQ(writeIfc(plan).walls, walls);
+}
+
 TEST(WriteIfc, ADoorwayWithoutAWallIsTold)
 {
   Floorplan plan = twoRooms();

@@ -6,6 +6,7 @@
 #include "ifc_document.h"
 #include "wall_body.h"
 
+#include <functional>
 #include <vector>
 
 namespace pcl::sedr::ifc {
@@ -75,10 +76,11 @@ std::vector<std::size_t> trianglesOn(const IfcRoom& room,
  * floors. None if the body of its space is swept from its plan. */
 std::vector<PlanLoop> floorTriangles(const IfcRoom& room);
 
-/** @brief Returns the triangles in plan of the top of a room's solid below which it
- * shares the heights of a wall, such as below a roof that is seen through an opening in
- * a slab. */
-std::vector<PlanLoop> topTriangles(const IfcRoom& room, const RoomHeights& wall);
+/** @brief Returns the triangles in plan of the top of a room's solid all corners of
+ * which satisfy a condition. */
+std::vector<PlanLoop>
+topTriangles(const IfcRoom& room,
+             const std::function<bool(const Eigen::Vector3d&)>& isTop);
 
 /** @brief Returns the name of a part of a room: "room_1_wall". */
 std::string nameIn(const PlanRoom& room, const std::string& part);

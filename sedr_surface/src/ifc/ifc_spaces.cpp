@@ -136,14 +136,14 @@ floorTriangles(const IfcRoom& written)
 }
 
 std::vector<PlanLoop>
-topTriangles(const IfcRoom& written, const RoomHeights& wall)
+topTriangles(const IfcRoom& written,
+             const std::function<bool(const Eigen::Vector3d&)>& isTop)
 {
-  const double low = heightsOf(*written.room).low;
   std::vector<PlanLoop> tops;
   for (std::size_t t = 0; t < written.solid.triangles.size(); ++t) {
     const auto corner = [&](int k) { return written.solid.corner(t, k); };
-    const double high = std::max({corner(0).z(), corner(1).z(), corner(2).z()});
-    if (written.solid.scaledNormal(t).z() > 0 && shareHeights({low, high}, wall))
+    if (written.solid.scaledNormal(t).z() > 0 && isTop(corner(0)) && isTop(corner(1)) &&
+        isTop(corner(2)))
       tops.push_back(
           loopOf({corner(0).head<2>(), corner(1).head<2>(), corner(2).head<2>()}));
   }

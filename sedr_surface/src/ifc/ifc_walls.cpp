@@ -147,14 +147,16 @@ endAtBodies(const IfcDocument& document, WrittenWall& written)
   const Eigen::AlignedBox2d box = boundsOf(written.profile.boundary);
   std::vector<PlanArea> bodies;
   double common = 0;
+  const auto isOpen = [&](const Eigen::Vector3d& p) {
+    return p.z() > openHeight(plan, written.wall.face, p.head<2>());
+  };
   for (const IfcRoom& room : document.rooms) {
     const bool is_beside = shareHeights(*room.room, plan.rooms[written.wall.face.room]);
     if ((!is_beside && heightsOf(*room.room).low > written.bottom) ||
         !boundsOf(inFrame(room.room->boundary, frame)).intersects(box))
       continue;
     for (const PlanLoop& part :
-         is_beside ? floorTriangles(room)
-                   : topTriangles(room, {written.bottom, written.top})) {
+         is_beside ? floorTriangles(room) : topTriangles(room, isOpen)) {
       const PlanArea area{inFrame(part, frame)};
       if (!boundsOf(area.boundary).intersects(box))
         continue;

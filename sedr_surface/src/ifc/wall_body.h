@@ -62,6 +62,11 @@ constexpr double min_wall_height = 0.01; ///< lower walls are none, metres
  * a niche or at a mitre. */
 std::vector<const PlanRoom*> roomsIn(const Floorplan& plan, const PlanWall& wall);
 
+/** @brief Returns the height from which on a room below, at a place behind a face, is
+ * open to the ceiling before the face. */
+double
+openHeight(const Floorplan& plan, const WallFace& face, const Eigen::Vector2d& p);
+
 /** @brief Cuts a wall off at the ceilings of rooms below most of it and at the floors
  * of rooms above, unless planes of a roof cut it. One of its own rooms may reach into
  * the storey of another room. */

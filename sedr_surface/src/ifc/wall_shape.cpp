@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -101,7 +102,37 @@ roomsInPlan(const Floorplan& plan, const PlanWall& wall)
   return rooms;
 }
 
+/** @brief Returns the median height of a room's ceiling along the middle of a wall;
+ * infinite where that is open to the ceiling of the wall's own room. */
+double
+ceilingInside(const Floorplan& plan, const PlanWall& wall, const PlanRoom& room)
+{
+  constexpr std::size_t samples = 9;
+  std::vector<double> heights;
+  for (std::size_t i = 0; i < samples; ++i) {
+    const double along = (static_cast<double>(i) + 0.5) / samples;
+    const auto [place, inward] = faceAt(
+        elementOf(plan, wall.face), wall.stretch.from + wall.stretch.length() * along);
+    const double height = room.ceilingAt(place - wall.thickness / 2 * inward);
+    heights.push_back(height > openHeight(plan, wall.face, place)
+                          ? std::numeric_limits<double>::infinity()
+                          : height);
+  }
+  std::sort(heights.begin(), heights.end());
+  return heights[samples / 2];
+}
+
 } // namespace
+
+double
+openHeight(const Floorplan& plan, const WallFace& face, const Eigen::Vector2d& p)
+{
+  constexpr double slab_edge = 0.25; // metres; less is no wall, but a roof's thickness
+  constexpr double before = 0.01;
+  const PlanElement& element = elementOf(plan, face);
+  const auto [place, inward] = faceAt(element, element.project(p));
+  return plan.rooms[face.room].ceilingAt(place + before * inward) - slab_edge;
+}
 
 std::vector<const PlanRoom*>
 roomsIn(const Floorplan& plan, const PlanWall& wall)
@@ -128,8 +159,8 @@ endAtStoreys(const Floorplan& plan, const PlanWall& wall, WallHeights& heights)
     if (shareHeights(*room, own) ||
         commonArea(band, areaOf(*room, frameOf(plan, wall))) < half)
       continue;
-    if (others.high < middle)
-      heights.bottom = std::max(heights.bottom, others.high);
+    if (others.low < own_heights.low)
+      heights.bottom = std::max(heights.bottom, ceilingInside(plan, wall, *room));
     if (others.low > middle)
       for (WallHeights::Top& top : heights.tops)
         top.height = std::min(top.height, others.low);
