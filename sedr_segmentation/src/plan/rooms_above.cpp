@@ -29,17 +29,21 @@ joined(const std::vector<PlanLoop>& loops, PlanLoop region = {})
   return region;
 }
 
-/** @brief Appends the floors of a room, wider by a gap, its shafts left out. */
+/** @brief Appends the floors of a room, lower and wider by a gap, its shafts left out.
+ */
 void
 appendFloors(const PlanRoom& room, double gap, std::vector<Floor>& floors)
 {
   PlanLoop plan = widened(room.boundary, gap);
   for (const PlanLoop& column : room.columns)
     plan = joined(difference(plan, widened(reversed(column), -gap)));
-  floors.push_back({room.floor, plan});
+  const auto lowered = [&](const PlanSlab& slab) {
+    return PlanSlab{slab.plane + gap * Eigen::Vector4d(0, 0, 0, slab.plane[2])};
+  };
+  floors.push_back({lowered(room.floor), plan});
   for (const PlanDetail& part : room.floor_details)
-    floors.push_back(
-        {part.slab, joined(intersection(joined(part.holes, part.boundary), plan))});
+    floors.push_back({lowered(part.slab),
+                      joined(intersection(joined(part.holes, part.boundary), plan))});
 }
 
 /** @brief Returns a square on the side of a line where one plane is above another one,
@@ -99,7 +103,6 @@ appendParts(const PlanSlab& ceiling,
       if (loop.area() <= 0)
         continue;
       PlanDetail part{loop, {}, {floor.slab.plane}, is_facet};
-      part.slab.plane[3] += priors.assumed_partition * part.slab.plane[2];
       part.slab.inferred = 1;
       for (const PlanLoop& hole : loops)
         if (hole.area() < 0 && loop.contains(hole.elements.front().pointAt(

@@ -249,7 +249,7 @@ TEST(RoomsAboveRooms, AndTheLowestPartOfTheirFloors)
 
 TEST(RoomsAboveRooms, RaiseNoCeiling)
 {
-  // It rises from 2.2 to 3.2 m and crosses the floor above at x = 3.
+  // It rises from 2.2 to 3.2 m and crosses the floor above.
   Floorplan plan;
   plan.rooms = {roomBetween(rectangle(0, 0, 6, 4), 0, 2.5, 1),
                 roomBetween(rectangle(0, 0, 6, 4), 2.7, 5.2, 2)};
@@ -258,7 +258,7 @@ TEST(RoomsAboveRooms, RaiseNoCeiling)
   endBelowRoomsAbove(plan, Priors());
   for (double x = 0.05; x < 6; x += 0.1)
     EXPECT_NEAR(plan.rooms[0].ceilingAt({x, 2}),
-                x < 3 ? before.ceilingAt({x, 2}) : 2.69, 1e-9)
+                std::min(before.ceilingAt({x, 2}), 2.69), 1e-9)
         << x;
 }
 
