@@ -36,6 +36,9 @@ if [ "$with_tests" = yes ]; then
     "xauth               xvfb-run needs it"
     "python3             tests read solids, drawings and report.html back"
     "python3-ezdxf       reads the DXF there"
+    "python3-numpy       tests measure models and grade random buildings with it"
+    "python3-scipy       likewise"
+    "python3-shapely     likewise"
     "librsvg2-bin        draws the SVG there"
     "poppler-utils       reads the PDF there"
   )

@@ -12,6 +12,7 @@ import tempfile
 import time
 import unittest
 
+from buildings import run_tests
 from proving import bars
 
 try:
@@ -227,4 +228,4 @@ class Runs(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    run_tests.main()

@@ -8,7 +8,7 @@ import sys
 import tempfile
 import unittest
 
-from buildings import geometry as g
+from buildings import geometry as g, run_tests
 from buildings.build import build
 from buildings.kinds import KINDS
 
@@ -185,4 +185,4 @@ class Measured(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    run_tests.main()

@@ -49,13 +49,13 @@ def read_mesh(path):
 
 
 def write_mesh(path, mesh):
-    count = len(mesh.corners)
-    faces = np.empty(count, [("three", "u1"), ("corners", "<i4", 3)])
-    faces["three"] = 3
-    faces["corners"] = np.arange(3 * count).reshape(count, 3)
-    path.write_bytes(f"ply\nformat binary_little_endian 1.0\nelement vertex {3 * count}\nproperty double x\nproperty double y\n"
-                     f"property double z\nelement face {count}\nproperty list uchar int vertex_indices\nend_header\n".encode() +
-                     mesh.corners.astype("<f8").tobytes() + faces.tobytes())
+    """A PLY as read_mesh() reads it; equal corners are one vertex."""
+    points, corners = np.unique(mesh.corners.reshape(-1, 3), axis=0, return_inverse=True)
+    faces = np.empty(len(mesh.corners), [("three", "u1"), ("corners", "<i4", 3), ("label", "u1"), ("room", "<i4")])
+    faces["three"], faces["corners"], faces["label"], faces["room"] = 3, corners.reshape(-1, 3), mesh.labels, mesh.rooms
+    path.write_bytes(f"ply\nformat binary_little_endian 1.0\nelement vertex {len(points)}\nproperty double x\nproperty double y\n"
+                     f"property double z\nelement face {len(faces)}\nproperty list uchar int vertex_indices\n"
+                     "property uchar label\nproperty int room\nend_header\n".encode() + points.astype("<f8").tobytes() + faces.tobytes())
 
 
 def read_xyz(path):
