@@ -20,10 +20,11 @@ thinLine(const Eigen::Vector2d& corner, const Eigen::Vector2d& at)
 {
   constexpr double gap = 1.5;
   constexpr double longest = 50;
-  constexpr double stub = 4;
+  constexpr double extension = 4;
   const double length = (at - corner).norm();
   const Eigen::Vector2d off = (at - corner) / std::max(length, 1e-9);
-  return {corner + (length > longest ? length - stub : gap) * off, at + beyond * off};
+  return {corner + (length > longest ? length - extension : gap) * off,
+          at + beyond * off};
 }
 
 /** @brief Returns candidate boxes for the text of a dimension, the best first. */
