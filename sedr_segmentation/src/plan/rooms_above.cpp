@@ -87,6 +87,30 @@ regionAbove(const PlanSlab& ceiling,
   return intersection(common, sideAbove(ceiling, floor.slab, boundsOf(common)));
 }
 
+/** @brief Tells whether a region, with its holes, is no strip. */
+bool
+isWide(const PlanLoop& region, const Priors& priors)
+{
+  return 2 * region.area() > priors.min_wall * region.length();
+}
+
+/** @brief Tells whether anything but strips of a detail is outside parts that follow
+ * it. */
+bool
+staysBeside(const PlanDetail& detail,
+            const std::vector<PlanDetail>& parts,
+            const Priors& priors)
+{
+  PlanLoop rest = joined(detail.holes, detail.boundary);
+  for (const PlanDetail& part : parts) {
+    PlanLoop beside = joined(difference(rest, part.boundary));
+    for (const PlanLoop& hole : part.holes)
+      beside = joined(intersection(rest, reversed(hole)), beside);
+    rest = std::move(beside);
+  }
+  return isWide(rest, priors);
+}
+
 /** @brief Appends the parts of a ceiling that end below floors, the lowest floor last.
  */
 void
@@ -108,8 +132,7 @@ appendParts(const PlanSlab& ceiling,
         if (hole.area() < 0 && loop.contains(hole.elements.front().pointAt(
                                    hole.elements.front().length() / 2)))
           part.holes.push_back(hole);
-      const PlanLoop edges = joined(part.holes, loop);
-      if (2 * edges.area() > priors.min_wall * edges.length())
+      if (isWide(joined(part.holes, loop), priors))
         parts.push_back(std::move(part));
     }
   }
@@ -135,9 +158,12 @@ endBelowRoomsAbove(Floorplan& plan, const Priors& priors)
     std::vector<PlanDetail> details;
     appendParts(room.ceiling, room.boundary, room.hasFacets(), floors, priors, details);
     for (const PlanDetail& detail : room.details) {
-      details.push_back(detail);
+      std::vector<PlanDetail> parts;
       appendParts(detail.slab, joined(detail.holes, detail.boundary), detail.is_facet,
-                  floors, priors, details);
+                  floors, priors, parts);
+      if (parts.empty() || staysBeside(detail, parts, priors))
+        details.push_back(detail);
+      details.insert(details.end(), parts.begin(), parts.end());
     }
     room.details = std::move(details);
   }

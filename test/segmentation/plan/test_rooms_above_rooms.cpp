@@ -198,6 +198,26 @@ TEST(RoomsAboveRooms, EndTheCeilingsBelowAtTheirFloors)
   EXPECT_TRUE(plan.rooms[1].details.empty());
 }
 
+TEST(RoomsAboveRooms, NothingStaysOfAFacetBelowOneOfThem)
+{
+  Floorplan plan = hallBelowGallery();
+  plan.rooms[1].boundary = rectangle(0, 0, 6, 4);
+  endBelowRoomsAbove(plan, Priors());
+  ASSERT_EQ(plan.rooms[0].details.size(), 1u);
+  EXPECT_EQ(plan.rooms[0].details[0].slab.inferred, 1);
+  EXPECT_NEAR(plan.rooms[0].ceilingAt({5, 2}), 2.69, 1e-9);
+}
+
+TEST(RoomsAboveRooms, AFacetInOneOfTheirShaftsStays)
+{
+  // The shaft is the facet but for 5 cm all around.
+  Floorplan plan = hallBelowGallery();
+  plan.rooms[1].boundary = rectangle(0, 0, 6, 4);
+  plan.rooms[1].columns = {reversed(rectangle(4.05, 0.05, 5.95, 3.95))};
+  endBelowRoomsAbove(plan, Priors());
+  EXPECT_NEAR(plan.rooms[0].ceilingAt({5, 2}), 5, 1e-9);
+}
+
 TEST(RoomsAboveRooms, LeaveTheirShaftsToTheRoomBelow)
 {
   // within the roof, over its edge, over the gallery's edge, wider than the roof
