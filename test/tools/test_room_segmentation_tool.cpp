@@ -79,7 +79,7 @@ TEST_F(RoomSegmentationTool, WritesTheBuilding)
 TEST_F(RoomSegmentationTool, WhatNobodySawOfARoomIsWrittenAndRead)
 {
   pcl::sedr::Building building;
-  building.cell_size = 0.1;
+  building.grid = pcl::sedr::CellGrid(0.1);
   building.rooms.resize(1);
   building.rooms[0].inferred = 2.5;
   building.rooms[0].unseen_outline = 4.25;

@@ -84,8 +84,9 @@ VoxelColumns::VoxelColumns(const PointView& points,
                            const std::vector<int>& indices,
                            double cell,
                            double voxel_height,
-                           unsigned threads)
-    : grid_(cell)
+                           unsigned threads,
+                           const Eigen::Vector2d& corner)
+    : grid_(cell, corner)
     , voxel_height_(voxel_height)
 {
   const std::size_t n = indices.empty() ? points.size() : indices.size();
@@ -200,7 +201,7 @@ VoxelColumns::makeTiles(const std::vector<std::pair<CellKey, TileHeights>>& heig
 VoxelColumns
 VoxelColumns::halved(unsigned threads) const
 {
-  VoxelColumns half(2 * cellSize(), voxel_height_);
+  VoxelColumns half(CellGrid(2 * cellSize(), grid_.corner()), voxel_height_);
   std::map<CellKey, TileHeights> heights;
   const auto halfOf = [](std::int32_t v) { return v >= 0 ? v / 2 : -((1 - v) / 2); };
   for (const Tile& tile : tiles_)

@@ -39,12 +39,14 @@ public:
    * @param cell edge of a column, metres
    * @param voxel_height metres
    * @param indices empty: all points
-   * @param threads 0: as many as there are processors; the result is the same */
+   * @param threads 0: as many as there are processors; the result is the same
+   * @param corner a place where columns meet, metres */
   VoxelColumns(const PointView& points,
                const std::vector<int>& indices,
                double cell,
                double voxel_height,
-               unsigned threads);
+               unsigned threads,
+               const Eigen::Vector2d& corner = {0, 0});
 
   /** @brief Why there are no columns: the points lie so far apart that the columns
    * between them would take more than 2 KB a point (and 1 GB); empty if there are. */
@@ -136,8 +138,8 @@ public:
   void closeHoles(int reach, unsigned threads);
 
 private:
-  explicit VoxelColumns(double cell, double voxel_height)
-      : grid_(cell)
+  VoxelColumns(const CellGrid& grid, double voxel_height)
+      : grid_(grid)
       , voxel_height_(voxel_height)
   {}
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mirror_images.h"
+#include "most_alike.h"
 #include "pane_views.h"
 #include "room_closure.h"
 #include "room_description.h"
@@ -9,14 +10,19 @@
 #include <pcl/sedr_segmentation/building.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace pcl::sedr {
 
 namespace {
 
 constexpr double voxel_height = 0.05; // metres
+
+/** @brief Corners of the grids that rooms are looked for in, in half cells. */
+const std::array<Eigen::Vector2d, 4> grid_corners{{{0, 0}, {1, 0}, {0, 1}, {1, 1}}};
 
 /** @brief Columns of twice the size, or of more where the scan is too sparse to fill
  * them, without what floats in the air. */
@@ -192,8 +198,9 @@ keepRooms(const AirGaps& air,
           Building& building)
 {
   constexpr double worth_telling = 0.25; // square metres
-  std::vector<Verdict> verdicts = judge(parts, access, is_view, parameters,
-                                        of_parting.smallest_level, building.cell_size);
+  std::vector<Verdict> verdicts =
+      judge(parts, access, is_view, parameters, of_parting.smallest_level,
+            building.grid.size());
   std::vector<PartUse> use;
   for (const Verdict& verdict : verdicts)
     use.push_back(verdict.reason.empty()                ? PartUse::Room
@@ -209,15 +216,14 @@ keepRooms(const AirGaps& air,
   std::vector<std::size_t> rooms;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const BuildingRoom& part = parts[p];
-    const double seen = seenArea(part, building.cell_size);
+    const double seen = seenArea(part, building.grid.size());
     building.seen_area += seen;
     if (verdicts[p].reason.empty())
       rooms.push_back(p);
     else if (seen >= worth_telling)
       building.left_out.push_back(
           {verdicts[p].kind, verdicts[p].reason, seen, part.floor, part.ceiling,
-           CellGrid(building.cell_size)
-               .centre(part.columns[part.columns.size() / 2].cell)});
+           building.grid.centre(part.columns[part.columns.size() / 2].cell)});
   }
   std::stable_sort(rooms.begin(), rooms.end(), [&](std::size_t a, std::size_t b) {
     return parts[a].area > parts[b].area;
@@ -260,26 +266,26 @@ tellOpenings(const std::vector<RoomOpening>& openings,
   }
 }
 
-} // namespace
-
+/** @brief Finds the rooms of a scan in a grid with a corner at `corner`. */
 Building
-findBuilding(const PointView& points,
-             const std::vector<int>& indices,
-             const BuildingParameters& parameters,
-             std::string& problem,
-             const std::vector<std::uint8_t>& behind)
+buildingOn(const Eigen::Vector2d& corner,
+           const PointView& points,
+           const std::vector<int>& indices,
+           const BuildingParameters& parameters,
+           std::string& problem,
+           const std::vector<std::uint8_t>& behind)
 {
   problem.clear();
   Building building;
   const VoxelColumns fine(points, indices, parameters.cell_size, voxel_height,
-                          parameters.threads);
+                          parameters.threads, corner);
   problem = fine.problem();
   if (!problem.empty())
     return building;
   const VoxelColumns filled = columnsThatFill(fine, parameters.threads);
   const bool is_dense = filled.cellSize() < 3 * fine.cellSize();
   const VoxelColumns columns = withHolesClosed(filled, is_dense, parameters.threads);
-  building.cell_size = columns.cellSize();
+  building.grid = columns.grid();
   const AirGaps air(columns, airParameters(parameters));
   PartingParameters of_parting;
   of_parting.widest_door = parameters.widest_door;
@@ -317,6 +323,31 @@ findBuilding(const PointView& points,
   }
   labelSheets(points, indices, fine, columns, parameters.threads, building);
   return building;
+}
+
+} // namespace
+
+Building
+findBuilding(const PointView& points,
+             const std::vector<int>& indices,
+             const BuildingParameters& parameters,
+             std::string& problem,
+             const std::vector<std::uint8_t>& behind)
+{
+  std::vector<Building> found;
+  std::vector<std::string> problems;
+  double half = 0; // a cell
+  for (const Eigen::Vector2d& corner : grid_corners) {
+    problems.emplace_back();
+    found.push_back(buildingOn(half * corner, points, indices, parameters,
+                               problems.back(), behind));
+    half = found.front().grid.size() / 2;
+    if (half == 0)
+      break; // no grid can hold these points
+  }
+  const std::size_t best = mostAlike(found);
+  problem = problems[best];
+  return std::move(found[best]);
 }
 
 } // namespace pcl::sedr

@@ -70,15 +70,14 @@ pointsOn(const PointView& points,
 
 std::vector<HiddenCeiling>
 hiddenCeiling(const std::vector<RoomColumn>& columns,
-              double column_size,
+              const CellGrid& coarse,
               const CellGrid& grid,
               const CellSet& seen,
               const PlanSlab& plane)
 {
   constexpr double same = 0.2; // metres between the main plane and the height inferred
-  const CellGrid coarse(column_size);
   const int parts =
-      std::max(1, static_cast<int>(std::lround(column_size / grid.size())));
+      std::max(1, static_cast<int>(std::lround(coarse.size() / grid.size())));
   std::vector<HiddenCeiling> hidden;
   for (const RoomColumn& column : columns) {
     if (column.ceiling_seen)

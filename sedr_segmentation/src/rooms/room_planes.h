@@ -59,10 +59,10 @@ struct HiddenCeiling {
 /** @brief Where the ceiling of a room was hidden, a place for each cell of `grid` in
  * which nothing of it was seen. Where it may go on in the main plane it does.
  * @param columns of the room; of those whose ceiling was hidden the places are
- * @param column_size edge of the columns, metres, see Building::cell_size
+ * @param coarse grid of the columns, see Building::grid
  * @param seen cells of the ceiling that was seen */
 std::vector<HiddenCeiling> hiddenCeiling(const std::vector<RoomColumn>& columns,
-                                         double column_size,
+                                         const CellGrid& coarse,
                                          const CellGrid& grid,
                                          const CellSet& seen,
                                          const PlanSlab& plane);

@@ -51,7 +51,7 @@ addRoom(const BuildingRoom& room,
         const Floorplan& plan,
         Coverage& coverage)
 {
-  const CellGrid grid(building.cell_size);
+  const CellGrid& grid = building.grid;
   const PlanRoom* const own = planOf(room, plan);
   const std::vector<Eigen::Vector2d> places = placesLeftOut(room, own, grid);
   const double area = static_cast<double>(places.size()) * grid.size() * grid.size();
@@ -80,7 +80,7 @@ coverageOf(const Building& building, const Floorplan& plan)
     coverage.modelled += room.area();
     largest_room = std::max(largest_room, room.area());
   }
-  if (building.cell_size > 0)
+  if (building.grid.size() > 0)
     for (const BuildingRoom& room : building.rooms)
       addRoom(room, building, plan, coverage);
   for (const LeftOut& thing : building.left_out)

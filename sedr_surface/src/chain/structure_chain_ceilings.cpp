@@ -53,7 +53,7 @@ std::size_t
 StructureChain::labelLowerCeilings(std::size_t region)
 {
   const PointView points(*cloud);
-  const CellGrid columns(getBuilding().cell_size);
+  const CellGrid& columns = getBuilding().grid;
   const CellSet level = levelColumns(region);
   std::size_t found = 0;
   double lowest = std::numeric_limits<double>::infinity();
@@ -84,13 +84,13 @@ StructureChain::ceilingOff(
 {
   constexpr double off = 0.1; // metres from the model
   const Building& building = getBuilding();
-  const CellGrid columns(building.cell_size);
+  const CellGrid& columns = building.grid;
   PlaceOff place;
   for (const RoomColumn& column : building.rooms[region].columns) {
     if (column.is_level || !column.ceiling_seen ||
         distance(columns.centre(column.cell), column.ceiling) <= off)
       continue;
-    place.area += building.cell_size * building.cell_size;
+    place.area += columns.size() * columns.size();
     place.low = std::min<double>(place.low, column.ceiling);
     place.high = std::max<double>(place.high, column.ceiling);
   }
@@ -141,7 +141,7 @@ StructureChain::warnOfCeilings()
     const RoomLookup lookup(room);
     const PlanSlab& slab = regions_[region].ceiling_slab;
     const PlaceOff off = ceilingOff(region, [&](const Eigen::Vector2d& p, double z) {
-      return has_facets ? distanceFromCeiling(lookup, p, getBuilding().cell_size, z)
+      return has_facets ? distanceFromCeiling(lookup, p, getBuilding().grid.size(), z)
                         : std::abs(z - slab.heightAt(p));
     });
     if (off.area < worth_word)

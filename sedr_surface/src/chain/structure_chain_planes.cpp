@@ -254,7 +254,7 @@ StructureChain::addHiddenCeiling(std::size_t r)
   ChainRoom& room = regions_[r];
   const CellSet seen(grid, PointView(*cloud), room.ceiling);
   const std::vector<HiddenCeiling> hidden = hiddenCeiling(
-      building.rooms[r].columns, building.cell_size, grid, seen, room.ceiling_slab);
+      building.rooms[r].columns, building.grid, grid, seen, room.ceiling_slab);
   for (const HiddenCeiling& place : hidden) {
     room.ceiling.push_back(static_cast<int>(cloud->size()));
     cloud->push_back({place.at.x(), place.at.y(), place.at.z()});

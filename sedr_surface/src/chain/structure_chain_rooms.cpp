@@ -82,7 +82,7 @@ StructureChain::findDetails(StageReport& report)
     tellResult("GridSliceDetail", room);
     slice_height_.push_back(slice_detail.getSliceHeight());
     // Slices do not apply to vaults and roofs.
-    const CellGrid columns(getBuilding().cell_size);
+    const CellGrid& columns = getBuilding().grid;
     const CellSet level = levelColumns(r);
     for (const int i : details[r].indices) {
       const pcl::PointXYZ& p = (*cloud)[static_cast<std::size_t>(i)];

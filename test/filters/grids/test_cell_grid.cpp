@@ -76,6 +76,16 @@ TEST(CellGrid, TheCentreOfACellLiesInIt)
   EXPECT_TRUE(grid.centre({-1, 0}).isApprox(Eigen::Vector2d(-0.025, 0.025)));
 }
 
+TEST(CellGrid, ItsCellsMeetAtTheCorner)
+{
+  const CellGrid grid(0.5, {0.125, -7.25});
+  EXPECT_TRUE(grid.at(0.125, -7.25) == (Cell{0, 0}));
+  EXPECT_TRUE(grid.at(0.1249, -6.75) == (Cell{-1, 1}));
+  EXPECT_EQ(grid.centre({-1, 1}), Eigen::Vector2d(-0.125, -6.5));
+  EXPECT_TRUE(CellGrid(1, {1e9, 0}).holds(1e9, 0));
+  EXPECT_FALSE(CellGrid(1, {1e10, 0}).holds(0, 0));
+}
+
 TEST(CellGrid, HoldsWhatA32BitCellCanName)
 {
   const CellGrid grid(0.05);

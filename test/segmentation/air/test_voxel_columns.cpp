@@ -141,6 +141,24 @@ TEST(VoxelColumns, HalvedTheyHoldWhatOneOfFourHeld)
             (Voxels{{0, 0, 500}, {32, 0, -500}, {0, 63, 3}, {-1, -65, 0}}));
 }
 
+TEST(VoxelColumns, MeetAtTheirCornerHalvedOrNot)
+{
+  const Voxels voxels = cloudOfVoxels(60);
+  const Eigen::Vector2d corner(cell, -3 * cell);
+  const VoxelColumns columns(pointsIn(voxels).view(), {}, cell, voxel_height, 1,
+                             corner);
+  Voxels moved;
+  Voxels halves;
+  for (const auto& [x, y, k] : voxels) {
+    moved.emplace(x - 1, y + 3, k);
+    halves.emplace((x - 1) >> 1, (y + 3) >> 1, k);
+  }
+  EXPECT_EQ(voxelsOf(columns), moved);
+  const VoxelColumns half = columns.halved(1);
+  EXPECT_EQ(voxelsOf(half), halves);
+  EXPECT_EQ(half.grid().corner(), corner);
+}
+
 TEST(VoxelColumns, DropThoseWithFewAround)
 {
   const Voxels voxels = cloudOfVoxels(500);

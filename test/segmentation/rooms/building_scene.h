@@ -21,8 +21,7 @@ struct Found {
   std::uint32_t roomAt(double x, double y, double z = 1) const
   {
     const Eigen::Vector2d p = scene.place(x, y);
-    const pcl::sedr::Cell cell =
-        pcl::sedr::CellGrid(building.cell_size).at(p.x(), p.y());
+    const pcl::sedr::Cell cell = building.grid.at(p.x(), p.y());
     for (const pcl::sedr::BuildingRoom& room : building.rooms)
       for (const pcl::sedr::RoomColumn& column : room.columns)
         if (column.cell == cell && column.floor < z && z < column.ceiling)

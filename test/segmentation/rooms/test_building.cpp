@@ -239,8 +239,8 @@ TEST(FindBuilding, ASparseScanGetsLargerColumns)
     scene.room(0.05, 0.05, 8.05, 6.05, 0.01, 2.51);
     const Found found(scene);
     ASSERT_EQ(found.building.rooms.size(), 1u) << spacing;
-    EXPECT_NEAR(found.building.rooms[0].area, 48, 28 * found.building.cell_size);
-    EXPECT_EQ(found.building.cell_size > 0.15, spacing > 0.1) << spacing;
+    EXPECT_NEAR(found.building.rooms[0].area, 48, 28 * found.building.grid.size());
+    EXPECT_EQ(found.building.grid.size() > 0.15, spacing > 0.1) << spacing;
   }
 }
 

@@ -63,7 +63,7 @@ TEST(RoomPlanes, AHiddenCeilingGoesOnInTheMainPlaneWhereItIsInferredNearIt)
   columns[0] = {{0, 0}, 0, 2.45F, true, false};
   columns[1] = {{1, 0}, 0, 2.1F, true, false};
   columns[2] = {{2, 0}, 0, 2.5F, true, true};
-  const auto hidden = hiddenCeiling(columns, 0.1, grid, seen, slabAt(2.5));
+  const auto hidden = hiddenCeiling(columns, CellGrid(0.1), grid, seen, slabAt(2.5));
   ASSERT_EQ(hidden.size(), 6u) << "two of the four cells of the first were seen";
   for (const HiddenCeiling& place : hidden) {
     EXPECT_EQ(place.is_main, place.at.x() < 0.1F);

@@ -30,7 +30,7 @@ Building
 buildingOfTwoRooms()
 {
   Building building;
-  building.cell_size = 0.1;
+  building.grid = CellGrid(0.1);
   building.rooms = {seenRoom(1, 0, 4), seenRoom(2, 5, 7)};
   return building;
 }

@@ -239,7 +239,7 @@ addColumns(BuildingRoom& room, const CellSet& cells, float ceiling, bool is_seen
 TEST(RoomPicture, ShowsRoomsByStoreyWhatWasHiddenOfThemAndTheirHeights)
 {
   Building building;
-  building.cell_size = cell;
+  building.grid = CellGrid(cell);
   building.rooms.resize(3);
   addColumns(building.rooms[0], block(0, 29, 0, 29), 2.5, true);
   addColumns(building.rooms[1], block(32, 59, 0, 19), 4, true);

@@ -32,10 +32,10 @@ roomsOf(const Building& building, const PlanStorey& storey)
     if (room.storey != storey.number)
       continue;
     const CellSet cells = cellsOf(room, false);
-    panel.addCells(cells, building.cell_size, colourNumber(room.id));
-    panel.addCells(cellsOf(room, true), building.cell_size,
+    panel.addCells(cells, building.grid.size(), colourNumber(room.id));
+    panel.addCells(cellsOf(room, true), building.grid.size(),
                    darkened(colourNumber(room.id), 0.25));
-    panel.addLabel(labelPlace(cells, building.cell_size),
+    panel.addLabel(labelPlace(cells, building.grid.size()),
                    std::to_string(room.id) + ": " + fixedText(room.area, 1) + " m2");
   }
   return panel;
@@ -59,7 +59,7 @@ heightsOf(const Building& building, const PlanStorey& storey)
       }
   for (int shade = 0; shade < shades; ++shade)
     panel.addCells(CellSet(std::move(keys[static_cast<std::size_t>(shade)])),
-                   building.cell_size,
+                   building.grid.size(),
                    lightened(darkened(colours::ceiling, 0.5),
                              shade / static_cast<double>(shades)));
   return panel;
@@ -79,7 +79,7 @@ drawRooms(const Building& building)
     Panel rooms = roomsOf(building, storey);
     Panel heights = heightsOf(building, storey);
     for (Panel* panel : {&rooms, &heights})
-      panel->setView(viewOf(all, building.cell_size));
+      panel->setView(viewOf(all, building.grid.size()));
     picture.addMaps({rooms, heights});
   }
   picture.addLegend("ceiling, the lighter the higher above the storey's floor",

@@ -161,11 +161,16 @@ buildingFrom(const Json& json)
       json.value("version", 0) != format_version)
     throw ToolError("it is no building of pcl_room_segmentation");
   Building building;
-  building.cell_size = json.at("cell_size").get<double>();
-  if (!(building.cell_size > 0))
+  const auto corner =
+      json.value("corner", std::vector<double>{0, 0}); // of files written before
+  if (corner.size() != 2)
+    throw ToolError("the corner of its grid has no x and y");
+  building.grid =
+      CellGrid(json.at("cell_size").get<double>(), {corner.front(), corner.back()});
+  if (!(building.grid.size() > 0))
     throw ToolError("its cells have no size");
   building.seen_area = json.at("seen_area").get<double>();
-  const CellGrid grid(building.cell_size);
+  const CellGrid& grid = building.grid;
   for (const Json& room : json.at("rooms"))
     building.rooms.push_back(roomFrom(room, grid));
   for (const Json& storey : json.at("storeys"))
@@ -202,14 +207,15 @@ nameOf(LeftOutKind kind)
 std::string
 buildingToJson(const Building& building)
 {
-  const CellGrid grid(building.cell_size);
+  const CellGrid& grid = building.grid;
   Json rooms = Json::array();
   for (const BuildingRoom& room : building.rooms)
     rooms.push_back(jsonOf(room, grid));
   const Json json{{"format", format_name},
                   {"version", format_version},
                   {"unit", "m"},
-                  {"cell_size", building.cell_size},
+                  {"cell_size", grid.size()},
+                  {"corner", {grid.corner().x(), grid.corner().y()}},
                   {"seen_area", building.seen_area},
                   {"rooms", rooms},
                   {"storeys", listOf(building.storeys)},

@@ -33,7 +33,7 @@ knownRoom(const Building& building, std::uint32_t id)
 
 void
 addHiddenCeiling(const BuildingRoom& known,
-                 double column_size,
+                 const CellGrid& columns,
                  const FileRoom& room,
                  const PlanSlab& plane,
                  const CellGrid& grid,
@@ -42,7 +42,7 @@ addHiddenCeiling(const BuildingRoom& known,
   const CellSet seen(grid, PointView(*cloud.points), room.ceiling);
   std::vector<Eigen::Vector3f> places;
   for (const HiddenCeiling& hidden :
-       hiddenCeiling(known.columns, column_size, grid, seen, plane))
+       hiddenCeiling(known.columns, columns, grid, seen, plane))
     places.push_back(hidden.at);
   const std::size_t before = cloud.size();
   const pcl::Indices sources(places.size(), room.ceiling.front());
@@ -89,7 +89,7 @@ labelPlanesOfRooms(const RoomPlaneParameters& parameters,
       label(StructureLabel::Floor, room.id, planes.back().inliers.indices, cloud);
     }
     if (known)
-      addHiddenCeiling(*known, building.cell_size, room, ceiling, grid, cloud);
+      addHiddenCeiling(*known, building.grid, room, ceiling, grid, cloud);
   }
   setField(cloud.blob, "label", cloud.label);
   setField(cloud.blob, "room", cloud.room);

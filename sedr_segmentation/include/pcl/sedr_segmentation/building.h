@@ -75,7 +75,7 @@ struct LeftOut {
 
 /** @brief A building: rooms, storeys, doorways and stairs of a scan. */
 struct Building {
-  double cell_size = 0; ///< of the profiles of its rooms, metres
+  CellGrid grid{0}; ///< of the profiles of its rooms; of size 0 where there are none
   std::vector<BuildingRoom> rooms;
   std::vector<PlanStorey> storeys; ///< from the lowest up
   std::vector<PlanDoorway> doorways;

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_segmentation/building.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl::sedr {
+
+/** @brief Returns how alike two partitions of the same points into rooms are: the sum
+ * of the intersections over unions of the rooms that overlap by more than half, divided
+ * by the mean number of rooms (panoptic quality, Kirillov et al. 2019). 1 if they are
+ * the same, 0 if they have no room in common. O(n).
+ * @param a room of each point, 0 for none
+ * @param b likewise */
+double likeness(const std::vector<std::uint32_t>& a,
+                const std::vector<std::uint32_t>& b);
+
+/** @brief Returns the number of the building whose rooms are the most like those of
+ * all: what most of them agree on. The first of equal ones, 0 if there is none.
+ * O(buildings squared times points). */
+std::size_t mostAlike(const std::vector<Building>& buildings);
+
+} // namespace pcl::sedr
