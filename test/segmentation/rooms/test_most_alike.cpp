@@ -66,7 +66,7 @@ buildingsOf(const std::vector<std::string>& rooms)
 TEST(MostAlike, IsWhatMostAgreeOn)
 {
   EXPECT_EQ(mostAlike(buildingsOf({"11111111", "11112222", "11112220"})), 1u);
-  EXPECT_EQ(mostAlike(buildingsOf({"11112222", "11111111", "11111110"})), 1u);
+  EXPECT_EQ(mostAlike(buildingsOf({"11112222", "11111111", "11111111"})), 1u);
 }
 
 TEST(MostAlike, IsTheFirstOfEqualOnesAndNeverOneWithoutRooms)
