@@ -105,8 +105,8 @@ AirGaps::goingOnFrom(const AirGap& gap, std::uint32_t column) const
     const std::int32_t common = overlapOf(gaps_[g], gap);
     const std::int32_t lower =
         std::min(gaps_[g].high - gaps_[g].low, gap.high - gap.low);
-    const bool is_same_floor = gaps_[g].high - gaps_[g].low >= tall &&
-                               std::abs(gaps_[g].low - gap.low) <= same;
+    const bool is_same_floor =
+        common >= tall && std::abs(gaps_[g].low - gap.low) <= same;
     const std::pair here(is_same_floor, common);
     if (common > 0 && 2 * common >= lower && here > most) {
       most = here;
@@ -160,6 +160,17 @@ AirGaps::isDrop(std::size_t g, int d) const
   return o != none && gaps_[g].high - gaps_[g].low >= tall &&
          gaps_[o].high - gaps_[o].low >= tall &&
          std::abs(gaps_[g].low - gaps_[o].low) > voxels(parameters_.highest_step);
+}
+
+std::uint32_t
+AirGaps::climb(std::size_t g, int d) const
+{
+  const AirGap& gap = gaps_[g];
+  if (link(g, d) != none || gap.high - gap.low < voxels(parameters_.headroom))
+    return none;
+  const std::uint32_t next = goingOnFrom(gap, columns_.neighbour(gap.column, d));
+  const std::uint32_t above = next == none ? none : link(next, (d + 2) % 4);
+  return above == none || above < g ? none : next;
 }
 
 std::uint32_t

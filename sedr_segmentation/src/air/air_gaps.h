@@ -38,8 +38,10 @@ struct AirParameters {
 };
 
 /** @brief The air of a scan: its gaps, linked across the plan (a height field of
- * several layers), where floors go on before where they overlap most: a void over two
- * storeys goes on into the lower. Gaps are sorted by column, in it from below. */
+ * several layers), where one walks on before where they overlap most: a void over two
+ * storeys goes on into the lower as far as one can stand below the slab, the air over
+ * the stairs in it above that into the upper. Gaps are sorted by column, in it from
+ * below. */
 class AirGaps {
 public:
   static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
@@ -66,6 +68,11 @@ public:
    * a gallery. */
   bool isDrop(std::size_t g, int d) const;
 
+  /** @brief The gap into which one climbs from a gap in direction d: over stairs, on
+   * which one cannot stand below the slab above that gap, so that it goes on over the
+   * slab. `none` where there are none. */
+  std::uint32_t climb(std::size_t g, int d) const;
+
   /** @brief The gap that goes on at the corner between directions d and d + 1: reached
    * both ways round, or `none`. */
   std::uint32_t diagonal(std::size_t g, int d) const;
@@ -80,8 +87,8 @@ public:
   }
 
   /** @brief The gap of a column in which another goes on, `none` where there is none:
-   * of those that overlap it by half of the lower of both at least one in which one can
-   * stand on the same floor, else that which does so most. */
+   * of those that overlap it by half of the lower of both at least one into which one
+   * can walk upright on the same floor, else that which does so most. */
   std::uint32_t goingOnFrom(const AirGap& gap, std::uint32_t column) const;
 
   /** @brief Share of the heights [low, high) of a column at which something is. Heights

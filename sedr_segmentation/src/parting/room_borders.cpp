@@ -39,20 +39,45 @@ facedFrom(const AirGaps& air, std::uint32_t g, int d, int reach)
   return AirGaps::none;
 }
 
+/** @brief Collects the steps from one room to another, by pairs of rooms; `next` tells
+ * the gap to which there is one from a gap in a direction. */
+template <typename Next>
+std::map<RoomPair, std::vector<Crossing>>
+stepsBetween(const AirGaps& air, RoomLabels& labels, Next next)
+{
+  std::map<RoomPair, std::vector<Crossing>> steps;
+  for (std::uint32_t g = 0; g < air.size(); ++g)
+    for (int d = 0; d < 4; ++d) {
+      const std::uint32_t o = next(g, d);
+      if (o == AirGaps::none || !labels.hasRoom(g) || !labels.hasRoom(o))
+        continue;
+      const std::uint32_t a = labels.roomOf(g);
+      const std::uint32_t b = labels.roomOf(o);
+      if (a < b)
+        steps[{a, b}].push_back({g, o});
+      else if (b < a && air.link(g, d) == AirGaps::none)
+        steps[{b, a}].push_back({o, g}); // one climbs one way, links go both
+    }
+  return steps;
+}
+
 } // namespace
 
 std::map<RoomPair, std::vector<Crossing>>
-crossingsOf(const AirGaps& air, RoomLabels& labels, bool with_drops)
+crossingsOf(const AirGaps& air, RoomLabels& labels)
 {
-  std::map<RoomPair, std::vector<Crossing>> crossings;
-  for (std::uint32_t g = 0; g < air.size(); ++g)
-    for (int d = 0; d < 4; ++d) {
-      const std::uint32_t o = air.link(g, d);
-      if (o != AirGaps::none && labels.hasRoom(g) && labels.hasRoom(o) &&
-          labels.roomOf(g) < labels.roomOf(o) && (with_drops || !air.isDrop(g, d)))
-        crossings[{labels.roomOf(g), labels.roomOf(o)}].push_back({g, o});
-    }
-  return crossings;
+  return stepsBetween(air, labels,
+                      [&](std::uint32_t g, int d) { return air.link(g, d); });
+}
+
+std::map<RoomPair, std::vector<Crossing>>
+waysBetween(const AirGaps& air, RoomLabels& labels)
+{
+  return stepsBetween(air, labels, [&](std::uint32_t g, int d) {
+    return air.isDrop(g, d)                  ? AirGaps::none
+           : air.link(g, d) == AirGaps::none ? air.climb(g, d)
+                                             : air.link(g, d);
+  });
 }
 
 RoomBorders::RoomBorders(const AirGaps& air,
@@ -62,7 +87,7 @@ RoomBorders::RoomBorders(const AirGaps& air,
     , rooms_(labels.sizes().size())
 {
   measureRooms(air, parameters.thickest_wall);
-  for (auto& [pair, crossings] : crossingsOf(air, labels, true))
+  for (auto& [pair, crossings] : crossingsOf(air, labels))
     borders_[pair].crossings = std::move(crossings);
   countWalls(air, static_cast<int>(std::lround(2 * parameters.lintel_reach /
                                                air.columns().cellSize())));

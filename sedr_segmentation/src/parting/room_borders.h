@@ -26,10 +26,15 @@ struct RoomBorder {
   std::size_t stacked = 0; ///< columns in which one lies above the other
 };
 
-/** @brief The links from one room to another, by pairs of rooms. O(links).
- * @param with_drops also those over the edge of a gallery, see AirGaps::isDrop() */
-std::map<RoomPair, std::vector<Crossing>>
-crossingsOf(const AirGaps& air, RoomLabels& labels, bool with_drops);
+/** @brief The links from one room to another, by pairs of rooms. O(links). */
+std::map<RoomPair, std::vector<Crossing>> crossingsOf(const AirGaps& air,
+                                                      RoomLabels& labels);
+
+/** @brief The ways from one room to another, by pairs of rooms: their links, but for
+ * those over the edge of a gallery, and where one climbs through a slab, see
+ * AirGaps::isDrop() and AirGaps::climb(). O(links). */
+std::map<RoomPair, std::vector<Crossing>> waysBetween(const AirGaps& air,
+                                                      RoomLabels& labels);
 
 /** @brief What is known of a room while rooms are joined. */
 struct RoomExtent {

@@ -226,7 +226,7 @@ openingsBetween(const AirGaps& air,
 {
   OpeningMeasures measures(air, dip, parameters);
   std::vector<RoomOpening> openings;
-  for (const auto& [pair, all] : crossingsOf(air, labels, false))
+  for (const auto& [pair, all] : waysBetween(air, labels))
     for (const auto& crossings : openingsOf(air, all, 0)) {
       openings.push_back(measures.measure(crossings, labels));
       openings.back().a = pair.first;

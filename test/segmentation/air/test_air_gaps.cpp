@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "air_scene.h"
+#include "stairs_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -180,6 +180,23 @@ TEST(AirGaps, DropWhereAFloorEndsAboveAnother)
   const std::uint32_t stage = air.at(4.05, 2, 4);
   ASSERT_EQ(air.gaps.link(stage, 2), air.at(3.95, 2, 4));
   EXPECT_TRUE(air.gaps.isDrop(stage, 2));
+}
+
+TEST(AirGaps, OverStairsGoOnAboveTheSlabBelowWhichNobodyCanStandOnThem)
+{
+  AirScene scene;
+  addStoreysWithStairs(scene);
+  const SceneAir air(scene);
+  const std::uint32_t below = air.at(0.55, 1.85, 1.5); // the slab, on the third tread
+  const std::uint32_t above = air.at(0.55, 1.85, 4);
+  const std::uint32_t next = air.at(0.55, 1.95, 4);
+  EXPECT_NE(below, above);
+  EXPECT_EQ(next, air.at(0.55, 1.95, 1.5)) << "through the slab";
+  EXPECT_EQ(air.gaps.link(next, 3), above);
+  EXPECT_EQ(air.gaps.link(below, 1), none);
+  EXPECT_EQ(air.gaps.climb(below, 1), next);
+  EXPECT_EQ(air.gaps.climb(next, 3), none) << "one climbs up only";
+  EXPECT_EQ(air.gaps.climb(air.at(0.55, 1.35, 1.5), 1), none) << "on its foot";
 }
 
 TEST(AirGaps, AreLinkedMutually)

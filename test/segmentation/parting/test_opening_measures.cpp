@@ -42,7 +42,7 @@ jambsOfRoomsThatMeetAt(AirScene& scene, double x)
                    ? 0
                    : 1;
   RoomLabels labels(std::move(label));
-  const auto crossings = crossingsOf(air.gaps, labels, false);
+  const auto crossings = waysBetween(air.gaps, labels);
   const std::vector<float> no_dip(air.gaps.size(), 0.0F);
   const PartingParameters parameters;
   const MeasuredOpening opening = OpeningMeasures(air.gaps, no_dip, parameters)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parted_scenes.h"
 
+#include "segmentation/air/stairs_scene.h"
+
 #include <array>
 #include <tuple>
 
@@ -222,6 +224,24 @@ TEST(PartRooms, AVoidOverTwoStoreysIsOfTheLower)
     EXPECT_EQ(air.rooms(), 2u);
     EXPECT_EQ(air.roomAt(3, 3, 1), air.roomAt(1, 1, 1));
     EXPECT_NE(air.roomAt(3, 3, 1), air.roomAt(1, 1, 4));
+  });
+}
+
+TEST(PartRooms, AStairwellPartsNothingOfTheStoreyAboveAndIsNoneOfTheOneBelow)
+{
+  forBothTurns([](AirScene& scene) {
+    addStoreysWithStairs(scene);
+    const Parted air(scene);
+    EXPECT_EQ(air.rooms(), 2u);
+    const int upper = air.roomAt(2, 1, 4);
+    EXPECT_NE(air.roomAt(2, 1, 1), upper);
+    EXPECT_EQ(air.roomAt(2, 6.5, 4), upper) << "behind the shaft";
+    EXPECT_EQ(air.roomAt(1.45, 3.5, 4), upper) << "beside it";
+    EXPECT_EQ(air.roomAt(0.55, 3.5, 4), upper) << "over the stairs";
+    ASSERT_EQ(air.parted.openings.size(), 1u);
+    const RoomOpening& flight = air.parted.openings.front();
+    EXPECT_NEAR((flight.middle - scene.place(0.55, 1.95)).norm(), 0, 0.3);
+    EXPECT_NEAR(flight.width, 1, 0.3);
   });
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "building_scene.h"
 
+#include "segmentation/air/stairs_scene.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -171,6 +173,21 @@ TEST(FindBuilding, WhereOneClimbsToARoomThereAreStairs)
   EXPECT_NEAR(stair.top, 2.01, 0.051);
   EXPECT_NEAR((stair.at - Eigen::Vector2d(6.15, 2)).norm(), 0, 0.4);
   EXPECT_TRUE(found.building.doorways.empty());
+}
+
+TEST(FindBuilding, StairsThroughAHoleInASlabLeadFromRoomToRoom)
+{
+  AirScene scene;
+  addStoreysWithStairs(scene);
+  const Found found(scene);
+  ASSERT_EQ(found.building.rooms.size(), 2u);
+  ASSERT_EQ(found.building.storeys.size(), 2u);
+  ASSERT_EQ(found.building.stairs.size(), 1u);
+  const PlanStair& stair = found.building.stairs[0];
+  EXPECT_EQ(stair.rooms[0], found.roomAt(2, 1));
+  EXPECT_EQ(stair.rooms[1], found.roomAt(2, 1, 4));
+  EXPECT_NEAR(stair.bottom, 0.01, 0.051);
+  EXPECT_NEAR(stair.top, 2.81, 0.051);
 }
 
 TEST(FindBuilding, WhateverTheShapeOfItsCeilingOrWallsARoomIsOne)
