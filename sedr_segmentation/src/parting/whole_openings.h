@@ -32,8 +32,8 @@ public:
   {}
 
   /** @brief Whether an opening below a lintel, with no wall at one of its ends, is part
-   * of one out of a room that is a door: in one wall, with jambs on both sides. The
-   * first question for a room is O(its crossings). */
+   * of a wider one out of a room that is a door: in one wall, with jambs on both sides.
+   * The first question for a room is O(its crossings). */
   bool isPartOfDoor(std::uint32_t room, const MeasuredOpening& opening);
 
   /** @brief Forgets what has changed when the second of two rooms was joined to the

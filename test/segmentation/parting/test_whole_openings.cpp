@@ -38,14 +38,20 @@ public:
    * @param wider it is by so much, with others behind columns */
   bool isPartOfDoor(std::uint32_t room, const RoomPair& border, double wider = 0)
   {
-    auto openings = openingsOf(air_.gaps, rooms_.between(border).crossings, 0);
-    const auto largest = std::max_element(
-        openings.begin(), openings.end(),
-        [](const auto& a, const auto& b) { return a.size() < b.size(); });
-    MeasuredOpening opening = measures_.measure(*largest, labels_);
+    MeasuredOpening opening = largestOf(border);
     EXPECT_FALSE(opening.has_ends) << "a part that is a whole";
     EXPECT_GE(opening.dip, parameters_.min_lintel);
     opening.width += wider;
+    return wholes_.isPartOfDoor(room, opening);
+  }
+
+  /** Returns whether the largest opening of a border, of which the other room sees no
+   * wall at an end, is part of a door out of a room. */
+  bool isPartOfDoorIfHalfSeen(std::uint32_t room, const RoomPair& border)
+  {
+    MeasuredOpening opening = largestOf(border);
+    EXPECT_TRUE(opening.has_ends);
+    opening.has_ends = false;
     return wholes_.isPartOfDoor(room, opening);
   }
 
@@ -56,6 +62,15 @@ public:
   }
 
 private:
+  MeasuredOpening largestOf(const RoomPair& border)
+  {
+    auto openings = openingsOf(air_.gaps, rooms_.between(border).crossings, 0);
+    const auto largest = std::max_element(
+        openings.begin(), openings.end(),
+        [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    return measures_.measure(*largest, labels_);
+  }
+
   std::vector<std::int32_t> labelsOf(const AirScene& scene, const RoomAt& room_at) const
   {
     std::vector<std::int32_t> label;
@@ -118,6 +133,17 @@ TEST(WholeOpenings, AreDoorsThoughTheirPartsHaveNoEnds)
           << "the other side is the part itself " << y;
       EXPECT_FALSE(wholes.isPartOfDoor(room, border, 2)) << "a piece is no whole " << y;
     }
+  });
+}
+
+TEST(WholeOpenings, AreNoPartsOfThemselves)
+{
+  forBothTurns([](AirScene& scene) {
+    addRoomBesideHall(scene, {2.45, 5.65, 2.41});
+    Wholes wholes(scene, hallSplitAt({}));
+    const RoomPair border = wholes.between(2, 4, 7, 4);
+    for (const double x : {2.0, 7.0})
+      EXPECT_FALSE(wholes.isPartOfDoorIfHalfSeen(wholes.at(x, 4), border)) << x;
   });
 }
 
