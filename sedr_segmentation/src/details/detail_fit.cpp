@@ -197,8 +197,10 @@ fitDetails(const PointView& points,
                   withinBoundary(cells, room.boundary, grid), parameters);
   if (map.details.empty())
     return {};
-  if (!evidence.is_floor)
+  if (!evidence.is_floor) {
     extendBeams(map, grid);
+    giveShadowsToHigher(map, grid);
+  }
   fillHeights(map);
   if (evidence.is_floor)
     fillHiddenParts(map, columns, grid);

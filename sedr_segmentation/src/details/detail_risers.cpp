@@ -7,11 +7,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <map>
+#include <utility>
 
 namespace pcl::sedr {
 
 namespace {
+
+constexpr Cell sides[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
 
 /** @brief Minimum and maximum slab height around a cell; no step with only one slab. */
 struct StepBeside {
@@ -121,10 +126,10 @@ reachesCeiling(const ColumnTable& columns,
 }
 
 /** @brief Returns whether risers close at least half of the edge between a detail and
- * its neighbours. A shelf below a soffit has no riser, and that of a duct ends below
- * the ceiling; neither is a detail. The riser of a recess is seen only from inside it;
- * walls seen above the main ceiling close a recess too, but not a missing tile or a
- * reflection. */
+ * its neighbours, apart from where a lower ceiling hides the higher one and its riser.
+ * A shelf below a soffit has no riser, and that of a duct ends below the ceiling;
+ * neither is a detail. The riser of a recess is seen only from inside it; walls seen
+ * above the main ceiling close a recess too, but not a missing tile or a reflection. */
 bool
 hasRisers(const HeightMap& map,
           const ColumnTable& columns,
@@ -138,7 +143,7 @@ hasRisers(const HeightMap& map,
     if (map.label[i] != label)
       continue;
     const Cell cell = map.room.cellAt(i);
-    for (const Cell d : {Cell{1, 0}, Cell{-1, 0}, Cell{0, 1}, Cell{0, -1}}) {
+    for (const Cell d : sides) {
       const Cell to{cell.x + d.x, cell.y + d.y};
       const bool is_wall = !map.room.at(to);
       const std::int32_t other = is_wall ? 0 : map.label[map.room.indexOf(to)];
@@ -159,11 +164,53 @@ hasRisers(const HeightMap& map,
           (columns.share(cell, low, high, bins, 2) >= map.priors.share_half &&
            (is_floor || reachesCeiling(columns, cell, std::min(a, b), std::max(a, b),
                                        higher, map.priors)));
-      edges += is_closed || !is_wall ? 1 : 0;
+      const bool is_hidden =
+          !is_floor && !is_wall && a < b && map.isShadow(map.room.indexOf(to));
+      edges += is_closed || !(is_wall || is_hidden) ? 1 : 0;
       closed += is_closed ? 1 : 0;
     }
   }
   return 2 * closed >= edges;
+}
+
+/** @brief Appends where the lower part of a ceiling ends before what it hides, a place
+ * for each cell and direction: its riser is not seen from below it. */
+void
+appendHiddenRisers(const PointView& points,
+                   const std::vector<int>& indices,
+                   const HeightMap& map,
+                   const CellGrid& grid,
+                   std::vector<Eigen::Vector2d>& risers)
+{
+  // A voxel that an edge cuts is half full, and its mean halfway from there.
+  const double to_edge = grid.size() / 4;
+  std::map<std::pair<std::size_t, std::size_t>, Eigen::Vector2d> ends;
+  for (const int i : indices) {
+    const auto at = static_cast<std::size_t>(i);
+    const Eigen::Vector2d p = points[at].head<2>().cast<double>();
+    if (!points.isFinite(at) || !grid.holds(points[at].x(), points[at].y()))
+      continue;
+    const Cell cell = grid.at(p.x(), p.y());
+    const std::size_t own = map.room.indexOf(cell);
+    if (!map.room.at(cell) || map.seen[own] < 0 || map.seen[own] != map.label[own])
+      continue;
+    for (std::size_t d = 0; d < std::size(sides); ++d) {
+      const Cell step = sides[d];
+      const Cell to{cell.x + step.x, cell.y + step.y};
+      if (!map.room.at(to) || !map.isShadow(map.room.indexOf(to)) ||
+          map.slabOf(map.label[map.room.indexOf(to)]).heightAt(p) <=
+              map.slabOf(map.label[own]).heightAt(p))
+        continue;
+      const Eigen::Vector2d ahead(step.x, step.y);
+      const auto end = ends.emplace(std::pair(own, d), p).first;
+      if (ahead.dot(p - end->second) > 0)
+        end->second = p;
+    }
+  }
+  for (const auto& [from, p] : ends) {
+    const Cell step = sides[from.second];
+    risers.push_back(p + to_edge * Eigen::Vector2d(step.x, step.y));
+  }
 }
 
 } // namespace
@@ -192,6 +239,9 @@ riserPoints(const PointView& points,
         !goesOn(columns, cell, p.z(), low, high, evidence.is_floor, map.priors))
       risers.push_back(p.head<2>().cast<double>());
   }
+  if (!evidence.is_floor)
+    for (const auto* part : {&evidence.main, &evidence.details})
+      appendHiddenRisers(points, *part, map, grid, risers);
   return risers;
 }
 

@@ -232,8 +232,11 @@ seenHeights(const PointView& points,
   map.room = room;
   map.label.assign(room.values().size(), -1);
   map.main = main_slab;
-  const CellMask main =
-      intersect(CellMask(CellSet(grid, points, evidence.main), room.box()), room);
+  const CellMask main = dilated(
+      eroded(
+          intersect(CellMask(CellSet(grid, points, evidence.main), room.box()), room),
+          1),
+      1);
   // A beam between two parts of the ceiling may be narrow.
   const CellMask beams =
       evidence.is_floor ? CellMask(room.box()) : eroded(dilated(main, 2), 2);
@@ -291,6 +294,43 @@ cellsOf(const HeightMap& map, std::int32_t label, const CellBox& box)
   for (std::size_t i = 0; i < cells.values().size(); ++i)
     cells.values()[i] = map.label[map.room.indexOf(cells.cellAt(i))] == label ? 1 : 0;
   return cells;
+}
+
+void
+giveShadowsToHigher(HeightMap& map, const CellGrid& grid)
+{
+  constexpr Cell lines[] = {{1, 0}, {0, 1}, {1, 1}, {1, -1}};
+  const std::vector<std::int32_t> seen = map.label;
+  struct End {
+    std::int32_t label = -1;
+    double distance = 0; // cells
+  };
+  const auto endFrom = [&](Cell cell, Cell step) {
+    End end;
+    do {
+      cell = {cell.x + step.x, cell.y + step.y};
+      end.distance += std::hypot(step.x, step.y);
+      end.label = map.room.at(cell) ? seen[map.room.indexOf(cell)] : -1;
+    } while (end.label < 0 && map.room.at(cell));
+    return end;
+  };
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (seen[i] >= 0 || !map.room.values()[i])
+      continue;
+    const Cell cell = map.room.cellAt(i);
+    const Eigen::Vector2d place = grid.centre(cell);
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const Cell step : lines) {
+      const End a = endFrom(cell, step);
+      const End b = endFrom(cell, {-step.x, -step.y});
+      if (a.label < 0 || b.label < 0 || a.distance + b.distance >= shortest)
+        continue;
+      shortest = a.distance + b.distance;
+      const bool is_higher =
+          map.slabOf(a.label).heightAt(place) > map.slabOf(b.label).heightAt(place);
+      map.label[i] = is_higher ? a.label : b.label;
+    }
+  }
 }
 
 void

@@ -20,6 +20,9 @@ struct HeightMap {
   PlanSlab main;
   std::vector<PlanSlab> details; ///< with labels 1, 2, ...
 
+  /** @brief Returns whether a cell was not seen. */
+  bool isShadow(std::size_t i) const { return label[i] != seen[i]; }
+
   const PlanSlab& slabOf(std::int32_t of) const
   {
     return of == 0 ? main : details[static_cast<std::size_t>(of - 1)];
@@ -52,6 +55,11 @@ std::vector<CellBox> boxesOf(const HeightMap& map);
 
 /** @brief Returns the cells of a label; `box` must contain them. */
 CellMask cellsOf(const HeightMap& map, std::int32_t label, const CellBox& box);
+
+/** @brief Gives cells that were not seen, straight between two heights, to the higher
+ * one: a ceiling's lower part ends where it was last seen, and hides what is beside it.
+ */
+void giveShadowsToHigher(HeightMap& map, const CellGrid& grid);
 
 /** @brief Assigns the nearest label, by grid steps, to every other cell of the room. */
 void fillHeights(HeightMap& map);

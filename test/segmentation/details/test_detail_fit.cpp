@@ -15,12 +15,16 @@ using namespace sedr_test;
 /** What is vertical between two heights that was not seen. */
 enum class Hidden { Nothing, Risers, RisersAndWalls };
 
+/** A strip of the higher ceiling that the lower one hides: from y to y. */
+using Shadow = std::pair<double, double>;
+
 /** Returns the details of the ceiling or floor of a room known except for them. */
 std::vector<PlanDetail>
 detailsOf(const PlanRoom& truth,
           bool is_floor = false,
           double noise = 0,
-          Hidden hidden = Hidden::Nothing)
+          Hidden hidden = Hidden::Nothing,
+          Shadow shadow = {0, 0})
 {
   RoomPoints points(0.05, noise);
   const RoomParts parts = points.room(truth);
@@ -33,6 +37,11 @@ detailsOf(const PlanRoom& truth,
   for (const int i : parts.details)
     if ((points[i].z() < truth.ceiling.heightAt({0, 0}) / 2) == is_floor)
       evidence.details.push_back(i);
+  const auto isInShadow = [&](int i) {
+    return points[i].y() > shadow.first && points[i].y() < shadow.second;
+  };
+  for (std::vector<int>* part : {&evidence.main, &evidence.details})
+    part->erase(std::remove_if(part->begin(), part->end(), isInShadow), part->end());
   PlanRoom room = truth;
   room.details.clear();
   room.floor_details.clear();
@@ -122,6 +131,15 @@ TEST(FitDetails, ASoffitNeedsARiserWhateverWallsAreAboveIt)
   room.details = {detailOf(rectangle(0.01, 2.81, 5.01, 4.01), 2.2)};
   EXPECT_EQ(detailsOf(room, false, 0, Hidden::Nothing).size(), 1u);
   EXPECT_EQ(detailsOf(room, false, 0, Hidden::Risers).size(), 0u) << "a shelf";
+}
+
+TEST(FitDetails, AStepWithAHiddenRiserIsWhereTheLowerCeilingEnds)
+{
+  PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
+  room.details = {detailOf(rectangle(0.01, 2.06, 5.01, 4.01), 2.2)};
+  const auto details = detailsOf(room, false, 0, Hidden::Risers, Shadow(1.63, 2.055));
+  ASSERT_EQ(details.size(), 1u);
+  EXPECT_LT(cornerError(details[0].boundary, room.details[0].boundary), 0.02);
 }
 
 TEST(FitDetails, BeamsBelowASoffitPartItIntoFields)
