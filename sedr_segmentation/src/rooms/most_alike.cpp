@@ -26,15 +26,14 @@ likeness(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& 
     ++both(a[i], b[i]);
   const Eigen::VectorXd of_a = both.rowwise().sum();
   const Eigen::VectorXd of_b = both.colwise().sum();
-  double matched = 0;
+  Eigen::Index matched = 0;
   for (Eigen::Index m = 1; m < both.rows(); ++m)
-    for (Eigen::Index n = 1; n < both.cols(); ++n) {
-      const double share = both(m, n) / std::max(1.0, of_a(m) + of_b(n) - both(m, n));
-      matched += share > 0.5 ? share : 0;
-    }
+    for (Eigen::Index n = 1; n < both.cols(); ++n)
+      if (2 * both(m, n) > of_a(m) + of_b(n) - both(m, n))
+        ++matched;
   const auto rooms = (of_a.array() > 0).count() - (of_a(0) > 0) +
                      (of_b.array() > 0).count() - (of_b(0) > 0);
-  return rooms == 0 ? 0 : 2 * matched / static_cast<double>(rooms);
+  return rooms == 0 ? 0 : 2 * static_cast<double>(matched) / static_cast<double>(rooms);
 }
 
 std::size_t

@@ -9,10 +9,10 @@
 
 namespace pcl::sedr {
 
-/** @brief Returns how alike two partitions of the same points into rooms are: the sum
- * of the intersections over unions of the rooms that overlap by more than half, divided
- * by the mean number of rooms (panoptic quality, Kirillov et al. 2019). 1 if they are
- * the same, 0 if they have no room in common. O(n).
+/** @brief Returns how alike two partitions of the same points into rooms are: the
+ * number of rooms that match, divided by the mean number of rooms (their F1). Two rooms
+ * match if what they have in common is more than half of what they have together, so a
+ * room has one match at most. 1 if all match, 0 if none does. O(n).
  * @param a room of each point, 0 for none
  * @param b likewise */
 double likeness(const std::vector<std::uint32_t>& a,

@@ -31,10 +31,9 @@ TEST(Likeness, IsOneForTheSameRoomsWhateverTheirNumbers)
 TEST(Likeness, CountsTheRoomsThatOverlapByMoreThanHalf)
 {
   // 4 of 5 points, and 3 of 3; then one room against its halves; then 3 of 4 and none.
-  EXPECT_DOUBLE_EQ(likeness(roomsOf("11111222"), roomsOf("11110222")), (0.8 + 1) / 2);
+  EXPECT_DOUBLE_EQ(likeness(roomsOf("11111222"), roomsOf("11110222")), 1);
   EXPECT_DOUBLE_EQ(likeness(roomsOf("11111111"), roomsOf("11112222")), 0);
-  EXPECT_DOUBLE_EQ(likeness(roomsOf("11112222"), roomsOf("11100000")),
-                   2 * 0.75 / (2 + 1));
+  EXPECT_DOUBLE_EQ(likeness(roomsOf("11112222"), roomsOf("11100000")), 2.0 / (2 + 1));
 }
 
 TEST(Likeness, IsTheSameBothWays)
