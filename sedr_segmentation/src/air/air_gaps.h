@@ -68,9 +68,8 @@ public:
    * a gallery. */
   bool isDrop(std::size_t g, int d) const;
 
-  /** @brief The gap into which one climbs from a gap in direction d: over stairs, on
-   * which one cannot stand below the slab above that gap, so that it goes on over the
-   * slab. `none` where there are none. */
+  /** @brief Returns the gap over stairs that one enters from gap g, below a slab, in
+   * direction d, and that goes on above the slab; `none` if there is none. */
   std::uint32_t climb(std::size_t g, int d) const;
 
   /** @brief The gap that goes on at the corner between directions d and d + 1: reached

@@ -232,11 +232,8 @@ seenHeights(const PointView& points,
   map.room = room;
   map.label.assign(room.values().size(), -1);
   map.main = main_slab;
-  const CellMask main = dilated(
-      eroded(
-          intersect(CellMask(CellSet(grid, points, evidence.main), room.box()), room),
-          1),
-      1);
+  const CellMask main =
+      intersect(CellMask(CellSet(grid, points, evidence.main), room.box()), room);
   // A beam between two parts of the ceiling may be narrow.
   const CellMask beams =
       evidence.is_floor ? CellMask(room.box()) : eroded(dilated(main, 2), 2);

@@ -21,7 +21,7 @@ struct HeightMap {
   std::vector<PlanSlab> details; ///< with labels 1, 2, ...
 
   /** @brief Returns whether a cell was not seen. */
-  bool isShadow(std::size_t i) const { return label[i] != seen[i]; }
+  bool isShadow(std::size_t i) const { return seen[i] < 0; }
 
   const PlanSlab& slabOf(std::int32_t of) const
   {
@@ -58,7 +58,7 @@ CellMask cellsOf(const HeightMap& map, std::int32_t label, const CellBox& box);
 
 /** @brief Gives cells that were not seen, straight between two heights, to the higher
  * one: a ceiling's lower part ends where it was last seen, and hides what is beside it.
- */
+ * O(cells not seen times their distance from those that were). */
 void giveShadowsToHigher(HeightMap& map, const CellGrid& grid);
 
 /** @brief Assigns the nearest label, by grid steps, to every other cell of the room. */

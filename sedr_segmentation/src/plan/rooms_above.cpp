@@ -87,11 +87,26 @@ regionAbove(const PlanSlab& ceiling,
   return intersection(common, sideAbove(ceiling, floor.slab, boundsOf(common)));
 }
 
-/** @brief Tells whether a region, with its holes, is no strip. */
-bool
-isWide(const PlanLoop& region, const Priors& priors)
+/** @brief Returns a part for each outer one of loops, with the holes in it, but for
+ * strips. */
+std::vector<PlanDetail>
+partsOf(const std::vector<PlanLoop>& loops, const Priors& priors)
 {
-  return 2 * region.area() > priors.min_wall * region.length();
+  std::vector<PlanDetail> parts;
+  for (const PlanLoop& loop : loops) {
+    if (loop.area() <= 0)
+      continue;
+    PlanDetail part;
+    part.boundary = loop;
+    for (const PlanLoop& hole : loops)
+      if (hole.area() < 0 && loop.contains(hole.elements.front().pointAt(
+                                 hole.elements.front().length() / 2)))
+        part.holes.push_back(hole);
+    const PlanLoop edges = joined(part.holes, loop);
+    if (2 * edges.area() > priors.min_wall * edges.length())
+      parts.push_back(std::move(part));
+  }
+  return parts;
 }
 
 /** @brief Tells whether anything but strips of a detail is outside parts that follow
@@ -101,14 +116,22 @@ staysBeside(const PlanDetail& detail,
             const std::vector<PlanDetail>& parts,
             const Priors& priors)
 {
-  PlanLoop rest = joined(detail.holes, detail.boundary);
+  std::vector<PlanDetail> rest{detail};
   for (const PlanDetail& part : parts) {
-    PlanLoop beside = joined(difference(rest, part.boundary));
-    for (const PlanLoop& hole : part.holes)
-      beside = joined(intersection(rest, reversed(hole)), beside);
+    std::vector<PlanDetail> beside;
+    const auto keep = [&](const std::vector<PlanLoop>& loops) {
+      for (PlanDetail& kept : partsOf(loops, priors))
+        beside.push_back(std::move(kept));
+    };
+    for (const PlanDetail& piece : rest) {
+      const PlanLoop region = joined(piece.holes, piece.boundary);
+      keep(difference(region, part.boundary));
+      for (const PlanLoop& hole : part.holes)
+        keep(intersection(region, reversed(hole)));
+    }
     rest = std::move(beside);
   }
-  return isWide(rest, priors);
+  return !rest.empty();
 }
 
 /** @brief Appends the parts of a ceiling that end below floors, the lowest floor last.
@@ -121,21 +144,14 @@ appendParts(const PlanSlab& ceiling,
             const Priors& priors,
             std::vector<PlanDetail>& parts)
 {
-  for (const Floor& floor : floors) {
-    const std::vector<PlanLoop> loops = regionAbove(ceiling, region, floor, priors);
-    for (const PlanLoop& loop : loops) {
-      if (loop.area() <= 0)
-        continue;
-      PlanDetail part{loop, {}, {floor.slab.plane}, is_facet};
+  for (const Floor& floor : floors)
+    for (PlanDetail& part :
+         partsOf(regionAbove(ceiling, region, floor, priors), priors)) {
+      part.slab.plane = floor.slab.plane;
       part.slab.inferred = 1;
-      for (const PlanLoop& hole : loops)
-        if (hole.area() < 0 && loop.contains(hole.elements.front().pointAt(
-                                   hole.elements.front().length() / 2)))
-          part.holes.push_back(hole);
-      if (isWide(joined(part.holes, loop), priors))
-        parts.push_back(std::move(part));
+      part.is_facet = is_facet;
+      parts.push_back(std::move(part));
     }
-  }
 }
 
 } // namespace

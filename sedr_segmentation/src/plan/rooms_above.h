@@ -10,7 +10,7 @@ namespace pcl::sedr {
  * higher, as a roof that is seen beside a gallery, it gets a part 1 cm below that
  * floor, the lowest one if there are several, of which nothing was seen. Shafts of the
  * room above (its columns) stay the lower room's, and no ceiling is raised. The parts
- * follow what they replace in PlanRoom::details; a detail of which nothing is left
+ * follow what they replace in PlanRoom::details; a detail of which only strips are left
  * goes. Left as they are: rooms that share
  * heights (shareHeights()), curved ceilings that are partly lower, and strips narrower
  * than Priors::min_wall. O(rooms squared), and for rooms that overlap in plan O(n m) of

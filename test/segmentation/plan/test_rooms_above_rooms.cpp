@@ -218,6 +218,19 @@ TEST(RoomsAboveRooms, AFacetInOneOfTheirShaftsStays)
   EXPECT_NEAR(plan.rooms[0].ceilingAt({5, 2}), 5, 1e-9);
 }
 
+TEST(RoomsAboveRooms, APieceOfAFacetBesideStripsStays)
+{
+  // Of 20 x 4 m a shaft of 0.8 x 0.8 m is left, and 2 cm all along both sides.
+  Floorplan plan;
+  plan.rooms = {roomBetween(rectangle(0, 0, 20, 4), 0, 2.5, 1),
+                roomBetween(rectangle(0, 0.03, 20, 3.97), 2.7, 5.2, 2)};
+  plan.rooms[0].details = {roofOver(rectangle(0, 0, 20, 4), 5, 0)};
+  plan.rooms[1].columns = {reversed(rectangle(4, 3, 4.8, 3.8))};
+  endBelowRoomsAbove(plan, Priors());
+  EXPECT_NEAR(plan.rooms[0].ceilingAt({4.4, 3.4}), 5, 1e-9);
+  EXPECT_NEAR(plan.rooms[0].ceilingAt({9, 2}), 2.69, 1e-9);
+}
+
 TEST(RoomsAboveRooms, LeaveTheirShaftsToTheRoomBelow)
 {
   // within the roof, over its edge, over the gallery's edge, wider than the roof

@@ -297,4 +297,27 @@ TEST(FindBuilding, GivesTheSameForAnyNumberOfThreads)
     EXPECT_EQ(one.building.rooms[r].enclosure, three.building.rooms[r].enclosure);
 }
 
+TEST(FindBuilding, ARoomThatOneGridFindsTooSmallIsFoundInTheOthers)
+{
+  // Between the walls are 29 whole cells with a corner at 0, half a cell beside it 30.
+  AirScene scene;
+  const double a = 0.02;
+  const double b = 3.08;
+  scene.slab(a, a, b, b, 0.01);
+  scene.slab(a, a, b, b, 2.51);
+  for (const double at : {a, b}) {
+    scene.wall(at, a, at, b, 0.01, 2.51);
+    scene.wall(a, at, b, at, 0.01, 2.51);
+  }
+  BuildingParameters parameters;
+  parameters.minimum_area = 8.6; // between 29 x 29 and 29 x 30 cells
+  const Found found(scene, parameters);
+  EXPECT_EQ(found.problem, "");
+  ASSERT_EQ(found.building.rooms.size(), 1u);
+  EXPECT_NE(found.building.grid.corner(), Eigen::Vector2d(0, 0));
+  EXPECT_EQ(found.roomAt(1.5, 1.5), 1u);
+  parameters.minimum_area = 9.5;
+  EXPECT_NE(Found(scene, parameters).problem, "");
+}
+
 } // namespace

@@ -53,6 +53,15 @@ TEST(Coverage, IsWholeWhereEveryRoomHasItsPlan)
   EXPECT_EQ(coverageWarning(coverage), "");
 }
 
+TEST(Coverage, ColumnsAreWhereTheirGridHasThem)
+{
+  Building building = buildingOfTwoRooms();
+  const auto plan = Floorplan{{planned(1, 0, 4), planned(2, 5, 7)}};
+  EXPECT_TRUE(coverageOf(building, plan).left_out.empty());
+  building.grid = CellGrid(0.1, {0, 2});
+  EXPECT_EQ(coverageOf(building, plan).left_out.size(), 2u);
+}
+
 TEST(Coverage, ARoomWithoutAPlanIsLeftOut)
 {
   const Coverage coverage = coverageOf(buildingOfTwoRooms(), {{planned(2, 5, 7)}});

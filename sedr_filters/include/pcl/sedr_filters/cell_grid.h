@@ -45,11 +45,11 @@ cellOf(CellKey key)
 }
 
 /** @brief A regular grid of square cells in the x-y plane (paper, section 2.3.1). One
- * corner lies at the origin unless another place is given for it, so grids of the same
- * cell size coincide. */
+ * corner lies at the origin, so grids of the same cell size coincide, unless another
+ * place is given for it. */
 class CellGrid {
 public:
-  /** @param size edge of a cell, metres, > 0
+  /** @param size edge of a cell, metres, > 0; 0 for a grid that is not known
    * @param corner a place where cells meet, metres */
   explicit CellGrid(double size, const Eigen::Vector2d& corner = {0, 0})
       : size_(size)
