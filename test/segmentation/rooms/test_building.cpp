@@ -177,17 +177,23 @@ TEST(FindBuilding, WhereOneClimbsToARoomThereAreStairs)
 
 TEST(FindBuilding, StairsThroughAHoleInASlabLeadFromRoomToRoom)
 {
-  AirScene scene;
-  addStoreysWithStairs(scene);
-  const Found found(scene);
-  ASSERT_EQ(found.building.rooms.size(), 2u);
-  ASSERT_EQ(found.building.storeys.size(), 2u);
-  ASSERT_EQ(found.building.stairs.size(), 1u);
-  const PlanStair& stair = found.building.stairs[0];
-  EXPECT_EQ(stair.rooms[0], found.roomAt(2, 1));
-  EXPECT_EQ(stair.rooms[1], found.roomAt(2, 1, 4));
-  EXPECT_NEAR(stair.bottom, 0.01, 0.051);
-  EXPECT_NEAR(stair.top, 2.81, 0.051);
+  for (const bool is_upper_larger : {false, true}) {
+    SCOPED_TRACE(is_upper_larger);
+    AirScene scene;
+    addStoreysWithStairs(scene);
+    if (is_upper_larger) // a closet beyond the stairs, below
+      for (const double y : {5.65, 5.75})
+        scene.wall(0.05, y, 3.05, y, 0.01, 2.51);
+    const Found found(scene);
+    const std::uint32_t lower = found.roomAt(2, 1);
+    const std::uint32_t upper = found.roomAt(2, 1, 4);
+    EXPECT_EQ(upper < lower, is_upper_larger) << "numbered by size";
+    ASSERT_EQ(found.building.stairs.size(), 1u);
+    const PlanStair& stair = found.building.stairs[0];
+    EXPECT_EQ(stair.rooms, (std::array<std::uint32_t, 2>{lower, upper}));
+    EXPECT_NEAR(stair.bottom, 0.01, 0.051);
+    EXPECT_NEAR(stair.top, 2.81, 0.051);
+  }
 }
 
 TEST(FindBuilding, WhateverTheShapeOfItsCeilingOrWallsARoomIsOne)
