@@ -39,22 +39,21 @@ public:
    * @param cell edge of a column, metres
    * @param voxel_height metres
    * @param indices empty: all points
-   * @param threads 0: as many as there are processors; the result is the same
-   * @param corner a place where columns meet, metres */
+   * @param threads 0: as many as there are processors; the result is the same */
   VoxelColumns(const PointView& points,
                const std::vector<int>& indices,
                double cell,
                double voxel_height,
-               unsigned threads,
-               const Eigen::Vector2d& corner = {0, 0});
+               unsigned threads);
 
   /** @brief Why there are no columns: the points lie so far apart that the columns
    * between them would take more than 2 KB a point (and 1 GB); empty if there are. */
   const std::string& problem() const { return problem_; }
 
   /** @brief The same with columns of two by two of these: a voxel is occupied where
-   * one of its four is. O(columns). */
-  VoxelColumns halved(unsigned threads) const;
+   * one of its four is. O(columns).
+   * @param corner the cell of these at which four of the wider ones meet: 0 or 1 */
+  VoxelColumns halved(unsigned threads, Cell corner = {0, 0}) const;
 
   const CellGrid& grid() const { return grid_; }
   double cellSize() const { return grid_.size(); }

@@ -7,6 +7,7 @@
 #include "room_points.h"
 #include "storey_levels.h"
 
+#include "sedr_filters/src/base/parallel.h"
 #include <pcl/sedr_segmentation/building.h>
 
 #include <algorithm>
@@ -22,23 +23,30 @@ namespace {
 constexpr double voxel_height = 0.05; // metres
 
 /** @brief Corners of the grids that rooms are looked for in, in half cells. */
-const std::array<Eigen::Vector2d, 4> grid_corners{{{0, 0}, {1, 0}, {0, 1}, {1, 1}}};
+constexpr std::array<Cell, 4> grid_corners{Cell{0, 0}, {1, 0}, {0, 1}, {1, 1}};
 
-/** @brief Columns of twice the size, or of more where the scan is too sparse to fill
- * them, without what floats in the air. */
+/** @brief Columns half as wide as those that rooms are looked for in: `fine` ones, or
+ * larger where the scan is too sparse to fill twice their size. */
 VoxelColumns
-columnsThatFill(const VoxelColumns& fine, unsigned threads)
+halfOfThoseFilled(VoxelColumns columns, unsigned threads)
 {
-  constexpr int filled = 6;         // neighbours of a voxel, of 8 on a plane
-  constexpr double largest = 0.4;   // metres
+  constexpr int filled = 6;       // neighbours of a voxel, of 8 on a plane
+  constexpr double largest = 0.4; // metres
+  for (;;) {
+    VoxelColumns halved = columns.halved(threads);
+    if (2 * halved.cellSize() > largest || halved.usualCompany(threads) >= filled)
+      return columns;
+    columns = std::move(halved);
+  }
+}
+
+/** @brief Columns without what floats in the air. */
+VoxelColumns
+withoutStrays(VoxelColumns columns, unsigned threads)
+{
   constexpr double min_share = 0.5; // of the usual neighbours, for what is no stray
   constexpr int most = 4;           // neighbours: a surface's edge has five
-  VoxelColumns columns = fine.halved(threads);
-  int usual = columns.usualCompany(threads);
-  while (usual < filled && 2 * columns.cellSize() <= largest) {
-    columns = columns.halved(threads);
-    usual = columns.usualCompany(threads);
-  }
+  const int usual = columns.usualCompany(threads);
   columns.dropStrays(
       std::clamp(static_cast<int>(std::lround(min_share * usual)), 1, most), threads);
   return columns;
@@ -266,25 +274,17 @@ tellOpenings(const std::vector<RoomOpening>& openings,
   }
 }
 
-/** @brief Finds the rooms of a scan in a grid with a corner at `corner`. */
+/** @brief Finds the rooms of a scan in the columns of a grid. */
 Building
-buildingOn(const Eigen::Vector2d& corner,
+buildingIn(const VoxelColumns& columns,
+           const VoxelColumns& fine,
            const PointView& points,
            const std::vector<int>& indices,
            const BuildingParameters& parameters,
            std::string& problem,
            const std::vector<std::uint8_t>& behind)
 {
-  problem.clear();
   Building building;
-  const VoxelColumns fine(points, indices, parameters.cell_size, voxel_height,
-                          parameters.threads, corner);
-  problem = fine.problem();
-  if (!problem.empty())
-    return building;
-  const VoxelColumns filled = columnsThatFill(fine, parameters.threads);
-  const bool is_dense = filled.cellSize() < 3 * fine.cellSize();
-  const VoxelColumns columns = withHolesClosed(filled, is_dense, parameters.threads);
   building.grid = columns.grid();
   const AirGaps air(columns, airParameters(parameters));
   PartingParameters of_parting;
@@ -334,17 +334,24 @@ findBuilding(const PointView& points,
              std::string& problem,
              const std::vector<std::uint8_t>& behind)
 {
-  std::vector<Building> found;
-  std::vector<std::string> problems;
-  double half = 0; // a cell
-  for (const Eigen::Vector2d& corner : grid_corners) {
-    problems.emplace_back();
-    found.push_back(buildingOn(half * corner, points, indices, parameters,
-                               problems.back(), behind));
-    half = found.front().grid.size() / 2;
-    if (half == 0)
-      break; // no grid can hold these points
-  }
+  const VoxelColumns fine(points, indices, parameters.cell_size, voxel_height,
+                          parameters.threads);
+  problem = fine.problem();
+  if (!problem.empty())
+    return {};
+  const VoxelColumns half = halfOfThoseFilled(fine, parameters.threads);
+  const bool is_dense = half.cellSize() == fine.cellSize();
+  std::vector<Building> found(grid_corners.size());
+  std::vector<std::string> problems(grid_corners.size());
+  parallelBlocks(
+      grid_corners.size(), 1, parameters.threads, [&](std::size_t g, std::size_t) {
+        const VoxelColumns columns = withHolesClosed(
+            withoutStrays(half.halved(parameters.threads, grid_corners[g]),
+                          parameters.threads),
+            is_dense, parameters.threads);
+        found[g] =
+            buildingIn(columns, fine, points, indices, parameters, problems[g], behind);
+      });
   const std::size_t best = mostAlike(found);
   problem = problems[best];
   return std::move(found[best]);
