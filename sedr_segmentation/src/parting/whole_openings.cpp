@@ -18,7 +18,7 @@ WholeOpenings::isPartOfDoor(std::uint32_t room, const MeasuredOpening& opening)
   if (!whole.measured)
     whole.measured = measures_.measure(whole.crossings, labels_);
   // Where columns stand in an opening, a piece between two of them is no whole.
-  return whole.measured->width > opening.width + air_.columns().cellSize() / 2 &&
+  return whole.measured->width > opening.width &&
          whole.measured->depth <= parameters_.thickest_wall &&
          isDoor(*whole.measured, parameters_) &&
          std::min(whole.measured->jamb_a, whole.measured->jamb_b) >= parameters_.jamb;
