@@ -207,6 +207,17 @@ private:
   std::map<RoomPair, Openness> openness_;
 };
 
+/** @brief How far the ceiling dips over each gap, without specks. */
+std::vector<float>
+dipsOf(const AirGaps& air, const PartingParameters& parameters)
+{
+  std::vector<float> dip =
+      dipOfCeiling(air, static_cast<int>(std::lround(parameters.lintel_reach /
+                                                     air.columns().cellSize())));
+  dropSpecks(air, parameters.lintel, parameters.smallest_lintel, dip);
+  return dip;
+}
+
 /** @brief Of the gaps of a column that are of one room the tallest stays: others are
  * below its stairs or above its furniture. */
 void
@@ -237,16 +248,21 @@ openingsBetween(const AirGaps& air,
 
 } // namespace
 
-PartedAir
-partRooms(const AirGaps& air, const PartingParameters& parameters)
+std::vector<std::int32_t>
+roomsIn(const AirGaps& air, const PartingParameters& parameters)
 {
-  std::vector<float> dip =
-      dipOfCeiling(air, static_cast<int>(std::lround(parameters.lintel_reach /
-                                                     air.columns().cellSize())));
-  dropSpecks(air, parameters.lintel, parameters.smallest_lintel, dip);
+  const std::vector<float> dip = dipsOf(air, parameters);
   RoomLabels labels(roomBasins(air, dip, parameters));
   RoomJoining(air, dip, parameters, labels).joinAll();
-  std::vector<std::int32_t> room = labels.joined();
+  return labels.joined();
+}
+
+PartedAir
+partInto(std::vector<std::int32_t> room,
+         const AirGaps& air,
+         const PartingParameters& parameters)
+{
+  const std::vector<float> dip = dipsOf(air, parameters);
   keepHeightField(air, room);
   RoomLabels rooms(std::move(room));
   PartedAir parted;

@@ -23,9 +23,17 @@ struct PartedAir {
 /** @brief Parts air into rooms: basins of the distance from what ends the air (see
  * roomBasins()), of which neighbours are joined again unless a wall is between them.
  * Two are parted by what is between them as a whole: if walls make up most of it, or if
- * all openings are doors or passages (see isDoor()). A room is one height field: what
- * lies above each other is never joined, nor are floors a step of a storey apart.
- * O(gaps log gaps). Rooms are numbered by size, largest first. */
-PartedAir partRooms(const AirGaps& air, const PartingParameters& parameters);
+ * all openings are doors or passages (see isDoor()). What lies above each other is
+ * never joined, nor are floors a step of a storey apart. O(gaps log gaps).
+ * @return room of each gap, by size, largest first, no_room for specks */
+std::vector<std::int32_t> roomsIn(const AirGaps& air,
+                                  const PartingParameters& parameters);
+
+/** @brief Describes air by the rooms it is parted into: each is one height field, of
+ * which the tallest gap of a column stays; with the openings between them. O(gaps).
+ * @param room of each gap, any numbers from 0, no_room for none */
+PartedAir partInto(std::vector<std::int32_t> room,
+                   const AirGaps& air,
+                   const PartingParameters& parameters);
 
 } // namespace pcl::sedr

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "agreed_rooms.h"
 #include "mirror_images.h"
-#include "most_alike.h"
 #include "pane_views.h"
 #include "room_closure.h"
 #include "room_description.h"
@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <utility>
 
 namespace pcl::sedr {
@@ -274,24 +275,52 @@ tellOpenings(const std::vector<RoomOpening>& openings,
   }
 }
 
-/** @brief Finds the rooms of a scan in the columns of a grid. */
-Building
-buildingIn(const VoxelColumns& columns,
-           const VoxelColumns& fine,
-           const PointView& points,
-           const std::vector<int>& indices,
-           const BuildingParameters& parameters,
-           std::string& problem,
-           const std::vector<std::uint8_t>& behind)
+/** @brief The air of a scan in one grid, and the rooms that it is parted into. */
+struct AirInGrid {
+  AirInGrid(VoxelColumns all,
+            const BuildingParameters& parameters,
+            const PartingParameters& of_parting)
+      : columns(std::move(all))
+      , air(columns, airParameters(parameters))
+      , room(roomsIn(air, of_parting))
+  {}
+
+  VoxelColumns columns;
+  AirGaps air;
+  std::vector<std::int32_t> room; ///< of each gap
+};
+
+/** @brief The rooms in one grid of the gaps of another. */
+std::vector<std::int32_t>
+roomsOfGaps(const AirGaps& gaps, const AirInGrid& grid)
 {
+  std::vector<std::int32_t> room(gaps.size(), PartedAir::no_room);
+  for (std::size_t g = 0; g < gaps.size(); ++g) {
+    const Eigen::Vector2d p =
+        gaps.columns().grid().centre(gaps.columns().cellOf(gaps[g].column));
+    const std::uint32_t same = grid.air.goingOnFrom(
+        gaps[g], grid.columns.columnAt(grid.columns.grid().at(p.x(), p.y())));
+    if (same != AirGaps::none)
+      room[g] = grid.room[same];
+  }
+  return room;
+}
+
+/** @brief Describes the rooms of a scan as found in one grid. */
+Building
+describe(const AirGaps& air,
+         const PartedAir& parted,
+         const VoxelColumns& fine,
+         const PointView& points,
+         const std::vector<int>& indices,
+         const BuildingParameters& parameters,
+         const PartingParameters& of_parting,
+         std::string& problem,
+         const std::vector<std::uint8_t>& behind)
+{
+  const VoxelColumns& columns = air.columns();
   Building building;
   building.grid = columns.grid();
-  const AirGaps air(columns, airParameters(parameters));
-  PartingParameters of_parting;
-  of_parting.widest_door = parameters.widest_door;
-  of_parting.widest_passage = parameters.widest_passage;
-  of_parting.smallest_room = parameters.minimum_area;
-  const PartedAir parted = partRooms(air, of_parting);
   std::vector<BuildingRoom> parts = describeRooms(air, parted);
   const std::vector<std::uint8_t> is_view =
       viewsThroughPanes(parts, columns.grid(), points, behind);
@@ -341,20 +370,27 @@ findBuilding(const PointView& points,
     return {};
   const VoxelColumns half = halfOfThoseFilled(fine, parameters.threads);
   const bool is_dense = half.cellSize() == fine.cellSize();
-  std::vector<Building> found(grid_corners.size());
-  std::vector<std::string> problems(grid_corners.size());
-  parallelBlocks(
-      grid_corners.size(), 1, parameters.threads, [&](std::size_t g, std::size_t) {
-        const VoxelColumns columns = withHolesClosed(
-            withoutStrays(half.halved(parameters.threads, grid_corners[g]),
-                          parameters.threads),
-            is_dense, parameters.threads);
-        found[g] =
-            buildingIn(columns, fine, points, indices, parameters, problems[g], behind);
-      });
-  const std::size_t best = mostAlike(found);
-  problem = problems[best];
-  return std::move(found[best]);
+  PartingParameters of_parting;
+  of_parting.widest_door = parameters.widest_door;
+  of_parting.widest_passage = parameters.widest_passage;
+  of_parting.smallest_room = parameters.minimum_area;
+  std::array<std::optional<AirInGrid>, grid_corners.size()> grids;
+  std::vector<std::vector<std::int32_t>> rooms(grids.size());
+  const auto forEachGrid = [&](const auto& body) {
+    parallelBlocks(grids.size(), 1, parameters.threads,
+                   [&](std::size_t g, std::size_t) { body(g); });
+  };
+  forEachGrid([&](std::size_t g) {
+    grids[g].emplace(
+        withHolesClosed(withoutStrays(half.halved(parameters.threads, grid_corners[g]),
+                                      parameters.threads),
+                        is_dense, parameters.threads),
+        parameters, of_parting);
+  });
+  const AirGaps& air = grids.front()->air;
+  forEachGrid([&](std::size_t g) { rooms[g] = roomsOfGaps(air, *grids[g]); });
+  return describe(air, partInto(agreedRooms(rooms), air, of_parting), fine, points,
+                  indices, parameters, of_parting, problem, behind);
 }
 
 } // namespace pcl::sedr
