@@ -303,27 +303,31 @@ TEST(FindBuilding, GivesTheSameForAnyNumberOfThreads)
     EXPECT_EQ(one.building.rooms[r].enclosure, three.building.rooms[r].enclosure);
 }
 
-TEST(FindBuilding, ARoomThatOneGridFindsTooSmallIsFoundInTheOthers)
+TEST(FindBuilding, WhatOneGridJoinsIsPartedWhereTheOthersPartIt)
 {
-  // Between the walls are 29 whole cells with a corner at 0, half a cell beside it 30.
-  AirScene scene;
+  // Between the walls of the smaller room are 29 x 29 whole cells with a corner at 0,
+  // 29 x 30 or 30 x 30 half a cell beside it.
   const double a = 0.02;
   const double b = 3.08;
-  scene.slab(a, a, b, b, 0.01);
-  scene.slab(a, a, b, b, 2.51);
-  for (const double at : {a, b}) {
-    scene.wall(at, a, at, b, 0.01, 2.51);
-    scene.wall(a, at, b, at, 0.01, 2.51);
+  AirScene scene;
+  for (const auto& [x0, x1] : {std::pair(a, b), std::pair(b + 0.1, b + 5.1)}) {
+    scene.slab(x0, a, x1, b, 0.01);
+    scene.slab(x0, a, x1, b, 2.51);
+    for (const double y : {a, b})
+      scene.wall(x0, y, x1, y, 0.01, 2.51);
   }
+  for (const double x : {a, b + 5.1})
+    scene.wall(x, a, x, b, 0.01, 2.51);
+  scene.partition(b, a, b, 0.01, 2.51, {0.8, 2.3, 2.11});
   BuildingParameters parameters;
-  parameters.minimum_area = 8.6; // between 29 x 29 and 29 x 30 cells
-  const Found found(scene, parameters);
-  EXPECT_EQ(found.problem, "");
-  ASSERT_EQ(found.building.rooms.size(), 1u);
-  EXPECT_NE(found.building.grid.corner(), Eigen::Vector2d(0, 0));
-  EXPECT_EQ(found.roomAt(1.5, 1.5), 1u);
-  parameters.minimum_area = 9.5;
-  EXPECT_NE(Found(scene, parameters).problem, "");
+  const auto areParted = [&](double smallest_room) {
+    parameters.minimum_area = smallest_room;
+    const Found found(scene, parameters);
+    return found.roomAt(1.5, 1.5) != found.roomAt(6, 1.5);
+  };
+  EXPECT_TRUE(areParted(8.3));
+  EXPECT_TRUE(areParted(8.6)) << "in three of four grids";
+  EXPECT_FALSE(areParted(9.1)) << "in none";
 }
 
 } // namespace
