@@ -132,9 +132,6 @@ seenDensities(const std::vector<BuildingRoom>& parts,
               const CellGrid& grid)
 {
   const auto edge = static_cast<int>(std::lround(grid.size() / fine.cellSize()));
-  const Eigen::Vector2d from = (grid.corner() - fine.grid().corner()) / fine.cellSize();
-  const Cell corner{static_cast<std::int32_t>(std::lround(from.x())),
-                    static_cast<std::int32_t>(std::lround(from.y()))};
   const auto isSeenAt = [&](Cell cell, double height) {
     constexpr int reach = 2; // voxels: a surface's noise
     const std::uint32_t column = fine.columnAt(cell);
@@ -148,8 +145,8 @@ seenDensities(const std::vector<BuildingRoom>& parts,
     std::array<std::size_t, 2> seen{0, 0};
     for (const RoomColumn& column : part.columns)
       for (int k = 0; k < edge * edge; ++k) {
-        const Cell cell{column.cell.x * edge + k % edge + corner.x,
-                        column.cell.y * edge + k / edge + corner.y};
+        const Cell cell{column.cell.x * edge + k % edge,
+                        column.cell.y * edge + k / edge};
         all[0] += column.floor_seen ? 1 : 0;
         all[1] += column.ceiling_seen ? 1 : 0;
         seen[0] += column.floor_seen && isSeenAt(cell, column.floor) ? 1 : 0;

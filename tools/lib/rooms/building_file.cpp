@@ -161,12 +161,7 @@ buildingFrom(const Json& json)
       json.value("version", 0) != format_version)
     throw ToolError("it is no building of pcl_room_segmentation");
   Building building;
-  const auto corner =
-      json.value("corner", std::vector<double>{0, 0}); // of files written before
-  if (corner.size() != 2)
-    throw ToolError("the corner of its grid has no x and y");
-  building.grid =
-      CellGrid(json.at("cell_size").get<double>(), {corner.front(), corner.back()});
+  building.grid = CellGrid(json.at("cell_size").get<double>());
   if (!(building.grid.size() > 0))
     throw ToolError("its cells have no size");
   building.seen_area = json.at("seen_area").get<double>();
@@ -215,7 +210,6 @@ buildingToJson(const Building& building)
                   {"version", format_version},
                   {"unit", "m"},
                   {"cell_size", grid.size()},
-                  {"corner", {grid.corner().x(), grid.corner().y()}},
                   {"seen_area", building.seen_area},
                   {"rooms", rooms},
                   {"storeys", listOf(building.storeys)},

@@ -92,7 +92,7 @@ struct Building {
 /** @brief Divides a scan into rooms and storeys (paper, section 2.3.1, on the envelope
  * instead of a plane). The gaps of the profiles are linked to the free space of the
  * building, which is divided at walls, doors and lintels. This is done in four grids
- * half a cell apart; the rooms that are most like those of all four are returned.
+ * half a cell apart; the rooms are those that most of the four agree on.
  *
  * @param points thinned, z up
  * @param indices the points to use; empty: all
