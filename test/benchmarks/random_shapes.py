@@ -45,7 +45,7 @@ def one_scene(seed, folder, options):
     row = runs.scan(build(seed), seed, folder, options, "--chord-tolerance", str(FINE_CHORDS))
     figures, message = runs.model(folder, options)
     row.update(figures)
-    rooms, graded = grades.grade(folder, folder / "out")
+    rooms, graded = grades.grade(folder, folder / "out", every_room=True)
     row.update({"rooms": rooms["rooms"], "rooms_found": rooms["rooms_found"], "rooms_right": rooms["all_right"]})
     row.update(distances(folder, options))
     row["all_right"] = int(bool(row["rooms_right"] and row["closed"] and row["mean_cm"] <= 100 * MOST_MEAN and row["near"] >= LEAST_NEAR))

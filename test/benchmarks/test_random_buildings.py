@@ -139,6 +139,17 @@ class Grades(unittest.TestCase):
         figures = self.grade(plan)
         self.assertEqual(figures["matched_0.5"], 0)
 
+    def test_may_count_every_room_though_little_of_it_was_seen(self):
+        points = grades.read_points(self.folder / "scan.pcd")
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            for file, content in (("truth.json", self.truth), ("floorplan.json", plan_of(self.truth))):
+                (folder / file).write_text(json.dumps(content), encoding="utf-8")
+            grades.write_points(folder / "scan.pcd", points[points["label"] != 2])  # no floors
+            self.assertEqual(grades.grade(folder, folder)[0]["rooms"], 0)
+            figures = grades.grade(folder, folder, every_room=True)[0]
+        self.assertEqual((figures["all_right"], figures["rooms"]), (1, len(self.truth["rooms"])))
+
     def test_without_a_plan_miss_all(self):
         (self.folder / "floorplan.json").unlink(missing_ok=True)
         figures = grades.grade(self.folder, self.folder)[0]

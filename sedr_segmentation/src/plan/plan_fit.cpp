@@ -219,6 +219,19 @@ seenSheet(const std::vector<Eigen::Vector3d>& points,
   return std::make_shared<const PlanSlab>(reliefOf(sheet, grid.size / 2));
 }
 
+/** @brief Returns the boundary of a room with walls that tilt out of it at their heads
+ * and all others at their feet: no ceiling reaches farther. */
+PlanLoop
+outermostBoundary(const PlanRoom& room, const WallTilts& tilts)
+{
+  WallTilts outwards;
+  for (const WallTilt& tilt : tilts)
+    if (tilt.room == room.id && tilt.tilt < 0)
+      outwards.push_back(tilt);
+  return outwards.empty() ? room.boundary
+                          : boundaryAt(room, outwards, headOf(room, outwards));
+}
+
 } // namespace
 
 Floorplan
@@ -352,7 +365,8 @@ giveCeilings(const std::vector<RoomSheet>& sheets,
              const PointView* scan,
              const std::vector<int>& indices,
              unsigned threads,
-             Floorplan& plan)
+             Floorplan& plan,
+             const WallTilts& tilts)
 {
   parallelBlocks(sheets.size(), 1, threads, [&](std::size_t k, std::size_t) {
     const auto room =
@@ -362,10 +376,10 @@ giveCeilings(const std::vector<RoomSheet>& sheets,
       return;
     SheetParameters parameters;
     parameters.threads = threads;
-    const SheetGrid grid = gridWithin(room->boundary, parameters);
-    FacetSheet sheet =
-        fitSheet(sheets[k].points, grid, cellsWithin(grid, room->boundary),
-                 wallDirections(room->boundary), parameters);
+    const PlanLoop outline = outermostBoundary(*room, tilts);
+    const SheetGrid grid = gridWithin(outline, parameters);
+    FacetSheet sheet = fitSheet(sheets[k].points, grid, cellsWithin(grid, outline),
+                                wallDirections(outline), parameters);
     if (!hasSlope(sheet))
       return;
     std::vector<Eigen::Vector3d> risers;
@@ -373,7 +387,9 @@ giveCeilings(const std::vector<RoomSheet>& sheets,
       refitToScan(sheet, *scan, indices, parameters);
       risers = pointsOfRisers(sheet, *scan, indices);
     }
+    const PlanLoop foot = std::exchange(room->boundary, outline);
     giveCeiling(sheet, sheets[k].points, risers, *room);
+    room->boundary = foot;
   });
 }
 

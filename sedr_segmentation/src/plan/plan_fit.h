@@ -3,6 +3,8 @@
 
 #include "room_fit.h"
 
+#include <pcl/sedr_filters/wall_tilts.h>
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -48,11 +50,13 @@ Floorplan fitPlan(const PointView& points,
 
 /** @brief Sets the ceiling facets of rooms. A room without facets is not changed.
  * @param scan the raw scan, if known, for the fit of the facets
- * @param indices the points of the scan to use; empty: all */
+ * @param indices the points of the scan to use; empty: all
+ * @param tilts of the walls of `plan`; points are where they were scanned */
 void giveCeilings(const std::vector<RoomSheet>& sheets,
                   const PointView* scan,
                   const std::vector<int>& indices,
                   unsigned threads,
-                  Floorplan& plan);
+                  Floorplan& plan,
+                  const WallTilts& tilts = {});
 
 } // namespace pcl::sedr

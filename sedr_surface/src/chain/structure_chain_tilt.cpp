@@ -5,9 +5,10 @@
 
 #include "../mesh/mesh_repair.h"
 #include "sedr_filters/src/rays/sight_lines.h"
+#include "sedr_segmentation/src/plan/plan_fit.h"
 #include "sedr_segmentation/src/refit/wall_tilt_fit.h"
-#include "sedr_segmentation/src/scan/tilted_faces.h"
 #include "sedr_segmentation/src/scan/scan_tilt.h"
+#include "sedr_segmentation/src/scan/tilted_faces.h"
 
 #include <cmath>
 #include <cstdio>
@@ -85,6 +86,7 @@ StructureChain::tiltPlan()
       fitTilts(straightening, tilted_faces_, raw.size() > 0 ? raw : PointView(*cloud),
                indices ? *indices : pcl::Indices(), *plan);
   straight_plan_ = std::make_shared<Floorplan>(straightened(*plan, tilts));
+  fitCeilingsAsScanned(raw, indices ? *indices : pcl::Indices());
   const Straightening fitted(tiltedFaces(*plan, tilts));
   for (auto& p : *cloud) {
     const Eigen::Vector3d scanned =
@@ -99,6 +101,31 @@ StructureChain::tiltPlan()
                   tilt.tilt > 0 ? "into" : "out of");
     warn(tilt.room, text);
   }
+}
+
+void
+StructureChain::fitCeilingsAsScanned(const PointView& raw, const pcl::Indices& indices)
+{
+  const auto scanned = [this](const PointView& points, std::size_t i) {
+    return straightening.back(points[i].cast<double>());
+  };
+  std::vector<RoomSheet> sheets;
+  for (const PlanRoom& room : plan->rooms)
+    if (isTilted(room, tilts))
+      sheets.push_back({room.id, {}});
+  if (sheets.empty())
+    return;
+  const pcl::IndicesConstPtr ceilings = sheetPoints();
+  for (const int i : *ceilings)
+    for (RoomSheet& sheet : sheets)
+      if (sheet.room == rooms[static_cast<std::size_t>(i)])
+        sheet.points.push_back(scanned(PointView(*cloud), static_cast<std::size_t>(i)));
+  std::vector<Eigen::Vector3f> all;
+  for (std::size_t i = 0; i < raw.size(); ++i)
+    all.push_back(scanned(raw, i).cast<float>());
+  const PointView of_all(all.data(), sizeof(Eigen::Vector3f), all.size());
+  giveCeilings(sheets, all.empty() ? nullptr : &of_all, indices,
+               room_segmentation.getNumberOfThreads(), *plan, tilts);
 }
 
 void

@@ -190,10 +190,11 @@ def what_became(true, wanted, found, best):
     return "shape"
 
 
-def grade(folder, output):
+def grade(folder, output, every_room=False):
     """All figures of a building, and the places that a picture shows.
 
-    folder holds truth.json and scan.pcd, output floorplan.json; without that nothing was found.
+    folder holds truth.json and scan.pcd, output floorplan.json; without that nothing was found. every_room: a scanner stood in
+    each of them, so all count, even where tilted walls leave too little ceiling above the floor.
     """
     with open(os.path.join(folder, "truth.json"), encoding="utf-8") as file:
         truth = json.load(file)
@@ -204,8 +205,8 @@ def grade(folder, output):
             plan = json.load(file)
     found = found_places(plan)
     places = read_openings(true_places(truth, read_points(os.path.join(folder, "scan.pcd"))), truth["links"], found)
-    wanted = [p for p in places if p.counts()]
-    rest = [p for p in places if not p.counts()]
+    wanted = [p for p in places if every_room or p.counts()]
+    rest = [p for p in places if p not in wanted]
     table = np.array([[iou(t, f) for f in found] for t in wanted]).reshape(len(wanted), len(found))
     pairs = [(i, k) for i, k in zip(*linear_sum_assignment(-table)) if table[i, k] > 0]
     of_true, of_found = {i: k for i, k in pairs}, {k: table[i, k] for i, k in pairs}

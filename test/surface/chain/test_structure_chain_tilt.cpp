@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace {
@@ -82,6 +83,59 @@ TEST(StructureChainTilt, WhatIsTrustedToBeLevelStays)
   chain.trust_up = true;
   ASSERT_TRUE(chain.findStructure(turnedFlat(1))) << chain.problem;
   EXPECT_FALSE(chain.levelling);
+}
+
+/** A room of 5 m x 4 m below a plane that rises along x. Its wall at y = 4 m tilts into
+ * it, that at x = 0 out of it, each by `tilt`. */
+StructureChain::Cloud::Ptr
+tiltedBelowASlope(const PlanSlab& ceiling, double tilt)
+{
+  constexpr double step = 0.04;
+  const double run = std::tan(tilt);
+  const auto isWithin = [&](const Eigen::Vector3d& p) {
+    return p.x() > -run * p.z() && p.x() < 5 && p.y() > 0 && p.y() < 4 - run * p.z() &&
+           p.z() > 0 && p.z() < ceiling.heightAt(p.head<2>());
+  };
+  RoomPoints points(step, 0.002);
+  points.slab(rectangle(0, 0, 5, 4), 0);
+  points.slab(rectangle(-2, 0, 5, 4), ceiling, [&](double x, double y) {
+    return isWithin({x, y, ceiling.heightAt({x, y}) - 1e-6});
+  });
+  for (const double y : {0.0, 4.0})
+    for (double x = -2; x < 5; x += step)
+      for (double z = step / 2; z < 5; z += step)
+        if (const double at = y - (y > 0 ? run * z : 0);
+            isWithin({x, at + (y > 0 ? -1e-6 : 1e-6), z}))
+          points.point(x, at, z);
+  for (const double x : {0.0, 5.0})
+    for (double y = step / 2; y < 4; y += step)
+      for (double z = step / 2; z < 5; z += step)
+        if (const double at = x - (x > 0 ? 0 : run * z);
+            isWithin({at + (x > 0 ? -1e-6 : 1e-6), y, z}))
+          points.point(at, y, z);
+  return points.cloud();
+}
+
+TEST(StructureChainTilt, ASlopingCeilingOverTiltedWallsIsOnePlane)
+{
+  const PlanSlab truth = slabAt(2.4, 0.25, -0.1);
+  const auto scan = tiltedBelowASlope(truth, 15 * M_PI / 180);
+  StructureChain chain;
+  ASSERT_TRUE(chain.findStructure(scan)) << chain.problem;
+  ASSERT_EQ(chain.plan->rooms.size(), 1u);
+  const PlanRoom& room = chain.plan->rooms[0];
+  EXPECT_EQ(chain.tilts.size(), 2u);
+  EXPECT_EQ(room.boundary.elements.size(), 4u);
+  EXPECT_TRUE(room.details.empty());
+  const Eigen::Vector3d normal = truth.plane.head<3>().normalized();
+  EXPECT_LT(std::acos(std::min(1.0, normal.dot(room.ceiling.plane.head<3>()))),
+            0.1 * M_PI / 180);
+  std::vector<Eigen::Vector3d> points;
+  for (const auto& p : *scan)
+    points.push_back(p.getVector3fMap().cast<double>());
+  EXPECT_LT(
+      summarizeDistances(MeshDistance(chain.extrusion.getMesh()).distances(points)).max,
+      0.02);
 }
 
 } // namespace

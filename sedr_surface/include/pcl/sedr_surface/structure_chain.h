@@ -227,6 +227,10 @@ private:
    * vertical walls for the following stages. */
   void tiltPlan();
 
+  /** @brief Fits the ceilings of rooms with tilted walls again, to points where they
+   * were scanned: with straightened walls a sloping plane is none. */
+  void fitCeilingsAsScanned(const PointView& raw, const pcl::Indices& indices);
+
   /** @brief Moves the structure to the frame of the scan; the mesh is made in the other
    * frame. */
   void tiltStructure();
