@@ -26,11 +26,14 @@ overlapOf(const AirGap& a, const AirGap& b)
 
 } // namespace
 
-AirGaps::AirGaps(const VoxelColumns& columns, const AirParameters& parameters)
+AirGaps::AirGaps(const VoxelColumns& columns,
+                 const VoxelColumns& seen,
+                 const AirParameters& parameters)
     : columns_(columns)
     , parameters_(parameters)
 {
   findGaps();
+  followCeilings(seen);
   closeSlabs();
   sortGaps(enclosedHolesOf(*this));
   linkGaps();
@@ -61,6 +64,39 @@ AirGaps::findGaps()
   for (auto& of_tile : found)
     gaps_.insert(gaps_.end(), of_tile.begin(), of_tile.end());
   sortGaps({});
+}
+
+/** @brief Raises the gaps that end below a closed hole to the ceiling that was seen
+ * above it, where that goes on from a gap beside. */
+void
+AirGaps::followCeilings(const VoxelColumns& seen)
+{
+  const int step = voxels(parameters_.same_ceiling);
+  std::vector<std::int32_t> ceiling; // of each gap, the first seen voxel above
+  std::vector<std::uint32_t> front;  // gaps that end at it
+  for (std::uint32_t g = 0; g < gaps_.size(); ++g) {
+    std::int32_t at = gaps_[g].high;
+    const std::uint32_t column = gaps_[g].column;
+    while (columns_.isOccupied(column, at) && !seen.isOccupied(column, at))
+      ++at;
+    ceiling.push_back(at);
+    if (at == gaps_[g].high)
+      front.push_back(g);
+  }
+  for (std::size_t k = 0; k < front.size(); ++k) {
+    const AirGap from = gaps_[front[k]];
+    for (int d = 0; d < 4; ++d) {
+      const std::uint32_t column = columns_.neighbour(from.column, d);
+      if (column == VoxelColumns::none)
+        continue;
+      for (std::uint32_t g = first_[column]; g < first_[column + 1]; ++g)
+        if (gaps_[g].high < ceiling[g] && columns_.isOccupied(column, ceiling[g]) &&
+            overlapOf(gaps_[g], from) > 0 && std::abs(ceiling[g] - from.high) <= step) {
+          gaps_[g].high = ceiling[g];
+          front.push_back(g);
+        }
+    }
+  }
 }
 
 void

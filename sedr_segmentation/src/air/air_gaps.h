@@ -48,8 +48,17 @@ public:
   using Links = std::array<std::uint32_t, 4>;
 
   /** @brief Finds the gaps of all columns, fills holes, links, and keeps what is air.
-   * O(columns + gaps). The same for any number of threads. */
-  AirGaps(const VoxelColumns& columns, const AirParameters& parameters);
+   * O(columns + gaps). The same for any number of threads.
+   * @param seen the same columns before holes were closed: ceilings that go on in them,
+   * into the wedge between a slope and a wall, end the air there */
+  AirGaps(const VoxelColumns& columns,
+          const VoxelColumns& seen,
+          const AirParameters& parameters);
+
+  /** @brief The same where no holes were closed. */
+  AirGaps(const VoxelColumns& columns, const AirParameters& parameters)
+      : AirGaps(columns, columns, parameters)
+  {}
 
   const VoxelColumns& columns() const { return columns_; }
   const AirParameters& parameters() const { return parameters_; }
@@ -106,6 +115,7 @@ public:
 
 private:
   void findGaps();
+  void followCeilings(const VoxelColumns& seen);
   void closeSlabs();
   void sortGaps(std::vector<AirGap>&& added);
   void linkGaps();

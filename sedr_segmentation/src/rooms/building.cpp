@@ -277,11 +277,12 @@ tellOpenings(const std::vector<RoomOpening>& openings,
 
 /** @brief The air of a scan in one grid, and the rooms that it is parted into. */
 struct AirInGrid {
-  AirInGrid(VoxelColumns all,
+  AirInGrid(const VoxelColumns& seen,
+            bool is_dense,
             const BuildingParameters& parameters,
             const PartingParameters& of_parting)
-      : columns(std::move(all))
-      , air(columns, airParameters(parameters))
+      : columns(withHolesClosed(seen, is_dense, parameters.threads))
+      , air(columns, seen, airParameters(parameters))
       , room(roomsIn(air, of_parting))
   {}
 
@@ -381,11 +382,9 @@ findBuilding(const PointView& points,
                    [&](std::size_t g, std::size_t) { body(g); });
   };
   forEachGrid([&](std::size_t g) {
-    grids[g].emplace(
-        withHolesClosed(withoutStrays(half.halved(parameters.threads, grid_corners[g]),
-                                      parameters.threads),
-                        is_dense, parameters.threads),
-        parameters, of_parting);
+    grids[g].emplace(withoutStrays(half.halved(parameters.threads, grid_corners[g]),
+                                   parameters.threads),
+                     is_dense, parameters, of_parting);
   });
   const AirGaps& air = grids.front()->air;
   forEachGrid([&](std::size_t g) { rooms[g] = roomsOfGaps(air, *grids[g]); });

@@ -233,6 +233,35 @@ TEST(AirGaps, AreLinkedWhereTheyOverlapByHalfOfTheLower)
   }
 }
 
+TEST(AirGaps, ReachASlopeUpToTheWallThoughWhatIsNarrowIsClosed)
+{
+  // A ceiling that rises by 0.4 to the wall at 4.05 m, and below it a duct with a slit
+  // of 20 cm to the other wall.
+  AirScene scene;
+  const PlanSlab slope = slabAt(2.41, 0.4);
+  scene.slab(0.05, 0.05, 4.05, 3.05, 0.01);
+  scene.points.slab(rectangle(0.05, 0.05, 4.05, 3.05), slope);
+  scene.sides(0.05, 0.05, 4.05, 3.05, 0.01, 4.01);
+  scene.hanging(0.25, 0.05, 0.65, 3.05, 2.11, 2.5);
+  const VoxelColumns seen(scene.points.view(), {}, 0.1, 0.05, 1);
+  VoxelColumns closed = seen;
+  closed.closeDots(2, 1);
+  const AirParameters parameters;
+  const AirGaps lower(closed, parameters);
+  const AirGaps gaps(closed, seen, parameters);
+  ASSERT_EQ(gaps.size(), lower.size());
+  int raised = 0;
+  for (std::uint32_t g = 0; g < gaps.size(); ++g) {
+    const Eigen::Vector2d p = closed.grid().centre(closed.cellOf(gaps[g].column));
+    raised += gaps[g].high > lower[g].high ? 1 : 0;
+    EXPECT_TRUE(p.x() > 0.9 || gaps[g].high == lower[g].high) << "in the slit";
+    if (p.x() > 1.2 && p.y() > 0.2 && p.y() < 2.9) {
+      EXPECT_NEAR(closed.heightOf(gaps[g].high), slope.heightAt(p), 0.11) << p.x();
+    }
+  }
+  EXPECT_GE(raised, 29) << "columns along the wall";
+}
+
 TEST(AirGaps, AreTheSameForAnyNumberOfThreads)
 {
   AirScene scene;
