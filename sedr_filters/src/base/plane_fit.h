@@ -4,7 +4,6 @@
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 

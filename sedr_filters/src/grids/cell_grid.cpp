@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <functional>
 #include <iterator>
-#include <limits>
 #include <numeric>
 
 namespace pcl::sedr {

@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <utility>
 
 namespace pcl::sedr {
 

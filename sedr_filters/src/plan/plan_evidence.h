@@ -6,7 +6,6 @@
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
 
-#include <cstddef>
 #include <vector>
 
 namespace pcl::sedr {

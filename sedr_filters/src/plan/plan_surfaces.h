@@ -5,8 +5,6 @@
 #include "room_lookup.h"
 #include <pcl/sedr_filters/floorplan.h>
 
-#include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <vector>
 

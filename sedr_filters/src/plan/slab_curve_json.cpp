@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "floorplan_format.h"
 
-#include "../base/number_text.h"
-
 #include <nlohmann/json.hpp>
 
 #include <stdexcept>

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <map>
 #include <tuple>
-#include <utility>
 
 namespace pcl::sedr {
 

@@ -7,7 +7,6 @@
 #include <pcl/sedr_filters/voxel_grid_settings.h>
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 #include <tuple>
 

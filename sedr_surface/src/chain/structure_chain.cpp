@@ -5,9 +5,7 @@
 #include "sedr_filters/src/base/large_memory.h"
 #include "sedr_segmentation/src/scan/unit_check.h"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #ifdef __GLIBC__
 #include <malloc.h>

@@ -2,7 +2,6 @@
 #include "surface_planes.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl::sedr {
 

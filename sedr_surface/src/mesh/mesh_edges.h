@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <numeric>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace pcl::sedr {

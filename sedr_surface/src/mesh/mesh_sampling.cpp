@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_surface/mesh_distance.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace pcl::sedr {

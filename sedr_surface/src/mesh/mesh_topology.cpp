@@ -5,7 +5,6 @@
 #include <pcl/sedr_surface/mesh_topology.h>
 
 #include <algorithm>
-#include <array>
 
 namespace pcl::sedr {
 namespace {

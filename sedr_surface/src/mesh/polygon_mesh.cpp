@@ -2,7 +2,6 @@
 #include <pcl/PolygonMesh.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 
-#include <cmath>
 #include <cstring>
 
 namespace pcl::sedr {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_surface/triangle_mesh.h>
 
-#include <cmath>
 #include <limits>
 
 namespace pcl::sedr {

@@ -6,11 +6,9 @@
 #include <pcl/sedr_surface/structural_poisson.h>
 
 #include "screened_poisson.h"
-#include "sedr_filters/src/base/parallel.h"
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

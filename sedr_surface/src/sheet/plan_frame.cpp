@@ -2,7 +2,6 @@
 #include "plan_frame.h"
 
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace pcl::sedr {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sheet_layout.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>

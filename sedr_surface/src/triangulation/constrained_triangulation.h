@@ -4,7 +4,6 @@
 #include "../solid/plan_grid.h"
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>

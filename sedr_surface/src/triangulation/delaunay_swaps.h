@@ -3,7 +3,6 @@
 
 #include "constrained_triangulation.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>

@@ -3,7 +3,6 @@
 
 #include "change_mesh.h"
 
-#include <algorithm>
 #include <map>
 
 namespace pcl::sedr::tools {

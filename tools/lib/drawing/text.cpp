@@ -7,9 +7,7 @@
 #include <vtkStdString.h>
 #include <vtkTextProperty.h>
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 namespace pcl::sedr::tools {

@@ -6,7 +6,6 @@
 
 #include <pcl/sedr_surface/mesh_io.h>
 
-#include <algorithm>
 #include <utility>
 
 namespace pcl::sedr::tools {

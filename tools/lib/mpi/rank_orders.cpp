@@ -6,7 +6,6 @@
 #include "packing.h"
 #include "tool_error.h"
 
-#include <utility>
 #include <variant>
 
 namespace pcl::sedr::tools {

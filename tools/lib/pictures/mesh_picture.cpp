@@ -2,7 +2,6 @@
 #include "mesh_picture.h"
 
 #include "map_cells.h"
-#include "scale.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,6 @@
 #include "text/text_reader.h"
 #include "tool_error.h"
 
-#include <algorithm>
-
 namespace pcl::sedr::tools {
 
 namespace {

@@ -4,7 +4,6 @@
 #include "tool_error.h"
 
 #include <charconv>
-#include <cmath>
 #include <optional>
 
 namespace pcl::sedr::tools {

@@ -2,7 +2,6 @@
 #include "surface.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <utility>
 

@@ -4,7 +4,6 @@
 #include "scene.h"
 
 #include <string>
-#include <vector>
 
 /** @file Ready-made objects, placed in a scene by position and direction.
  *

@@ -8,7 +8,6 @@
 
 #include <pcl/surface/reconstruction.h>
 
-#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>

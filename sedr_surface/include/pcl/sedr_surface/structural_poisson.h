@@ -6,7 +6,6 @@
 #include <pcl/sedr_surface/mesh_topology.h>
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <string>
 #include <utility>

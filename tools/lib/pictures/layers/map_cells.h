@@ -8,7 +8,6 @@
 #include <pcl/sedr_filters/point_view.h>
 #include <pcl/types.h>
 
-#include <cstdint>
 #include <string>
 #include <vector>
 

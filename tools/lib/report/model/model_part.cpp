@@ -10,7 +10,6 @@
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/solid_io.h>
 
-#include <array>
 #include <fstream>
 #include <iterator>
 #include <map>

@@ -6,7 +6,6 @@
 #include "scale.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace pcl::sedr::tools {
 

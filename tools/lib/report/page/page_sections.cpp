@@ -4,7 +4,6 @@
 #include "advice.h"
 #include "histogram_svg.h"
 #include "html_text.h"
-#include "results/distance_colour.h"
 
 #include <algorithm>
 #include <cstdio>

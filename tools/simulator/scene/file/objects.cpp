@@ -4,7 +4,6 @@
 #include "object_places.h"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 
 namespace pcl::sedr::sim {

@@ -5,7 +5,6 @@
 #include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_filters/structure_label.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>

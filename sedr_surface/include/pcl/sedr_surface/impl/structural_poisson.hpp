@@ -7,7 +7,6 @@
 #include <pcl/sedr_surface/structural_poisson.h>
 
 #include <cmath>
-#include <utility>
 
 namespace pcl {
 namespace sedr {
