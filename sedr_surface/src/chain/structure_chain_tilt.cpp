@@ -170,19 +170,13 @@ StructureChain::structureInScanFrame() const
 }
 
 TriangleMesh
-StructureChain::tiltedMesh() const
-{
-  TriangleMesh mesh = poisson.getMesh();
-  if (!straightening.isIdentity())
-    for (Eigen::Vector3d& v : mesh.vertices)
-      v = straightening.back(v);
-  return mesh;
-}
-
-TriangleMesh
 StructureChain::meshInScanFrame() const
 {
-  TriangleMesh mesh = inScanFrame(tiltedMesh());
+  TriangleMesh mesh = poisson.getMesh();
+  if (!straightening.isIdentity()) // the walls get their tilts back
+    for (Eigen::Vector3d& v : mesh.vertices)
+      v = straightening.back(v);
+  mesh = inScanFrame(std::move(mesh));
   if (isMeshMoved())
     partEqualPositions(mesh); // as floats, two rotated positions may coincide
   return mesh;

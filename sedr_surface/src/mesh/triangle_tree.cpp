@@ -27,8 +27,8 @@ squaredToSegment(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   return (a + t * way).squaredNorm();
 }
 
-/** @brief Returns the squared distance of the origin from a triangle, which may be
- * degenerate. */
+} // namespace
+
 double
 squaredToTriangle(const Eigen::Vector3d& a,
                   const Eigen::Vector3d& b,
@@ -44,8 +44,6 @@ squaredToTriangle(const Eigen::Vector3d& a,
   return std::min(
       {squaredToSegment(a, b), squaredToSegment(b, c), squaredToSegment(c, a)});
 }
-
-} // namespace
 
 TriangleTree::TriangleTree(const TriangleMesh& mesh, unsigned threads)
     : mesh_(mesh)

@@ -12,6 +12,12 @@
 
 namespace pcl::sedr {
 
+/** @brief Returns the squared distance of the origin from a triangle, which may be
+ * degenerate. */
+double squaredToTriangle(const Eigen::Vector3d& a,
+                         const Eigen::Vector3d& b,
+                         const Eigen::Vector3d& c);
+
 /** @brief A balanced tree of boxes over the triangles of a mesh. Finds the nearest
  * triangle of a point in about O(log n).
  *

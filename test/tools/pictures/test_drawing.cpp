@@ -235,7 +235,7 @@ samplePicture()
   map.addCells(block(0, 39, 0, 29), 0.05, colours::ceiling);
   map.addLabel({1, 0.7}, "1");
   Panel chart("chart");
-  chart.setAxes("x, m", "m");
+  chart.setAxis("x, m");
   chart.addBoxes({{{0, 0}, {2, 3}}}, colours::floor);
   Picture picture("A picture");
   picture.addMaps({map, map, map});

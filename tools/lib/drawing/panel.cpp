@@ -56,11 +56,10 @@ struct Panel::Frame {
 };
 
 void
-Panel::setAxes(const std::string& along_x, const std::string& along_y)
+Panel::setAxis(const std::string& along_x)
 {
   is_chart_ = true;
   x_axis_ = along_x;
-  y_axis_ = along_y;
 }
 
 void

@@ -28,12 +28,11 @@ public:
       : title(std::move(panel_title))
   {}
 
-  /** @brief Turns the panel into a chart with these axis titles. */
-  void setAxes(const std::string& along_x, const std::string& along_y);
+  /** @brief Turns the panel into a chart with this title of its x axis. */
+  void setAxis(const std::string& along_x);
 
   bool isChart() const { return is_chart_; }
   const std::string& xAxis() const { return x_axis_; }
-  const std::string& yAxis() const { return y_axis_; }
 
   void addBoxes(std::vector<Box> boxes, Colour colour);
 
@@ -106,7 +105,6 @@ private:
   std::vector<Label> labels_;
   bool is_chart_ = false;
   std::string x_axis_;
-  std::string y_axis_;
 };
 
 /** @brief Returns the extent of cells without outliers, since a scan may hold points

@@ -70,7 +70,7 @@ Panel
 histogramPanel(const Planes& planes, const HeightHistogram& histogram)
 {
   Panel panel("what is seen at each height");
-  panel.setAxes("cells of the plan, walls left out", "m");
+  panel.setAxis("cells of the plan, walls left out");
   std::size_t most = 1;
   for (const auto& bin : histogram.bins)
     most = std::max(most, bin.cells);

@@ -77,7 +77,7 @@ wayPanel(const RefinedWalls& walls)
     mean += wayOf(point) / count;
   }
   Panel panel("they moved " + fixedText(100 * mean, 1) + " cm on average");
-  panel.setAxes("way, cm", "% of the points");
+  panel.setAxis("way, cm");
   std::vector<Box> bars;
   for (std::size_t b = 0; b < share.size(); ++b)
     bars.push_back({{bin * static_cast<double>(b), 0},

@@ -171,7 +171,7 @@ sectionPanel(const RoomSlices& room, const PointView& points, double cell_size)
               (room.room > 0 ? " of room " + std::to_string(room.room) : "") + " at " +
               axes[1 - line.axis] + " = " + fixedText(line.at, 2) +
               " m, and the slices");
-  panel.setAxes(std::string(axes[line.axis]) + ", m", "m");
+  panel.setAxis(std::string(axes[line.axis]) + ", m");
   const Box view = sectionView(room, points, cell_size, line.axis);
   panel.setView(view);
   panel.addPoints(inSection(points, room.points, line), colours::other, 2.5);

@@ -4,7 +4,6 @@
 #include "colour.h"
 
 #include <string>
-#include <vector>
 
 namespace pcl::sedr::tools {
 

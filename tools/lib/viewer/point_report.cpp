@@ -2,9 +2,11 @@
 #include "point_report.h"
 
 #include "results/distance_colour.h"
-#include "results/surface_finder.h"
 #include "scale.h"
 
+#include "sedr_surface/src/mesh/triangle_tree.h"
+
+#include <cmath>
 #include <limits>
 
 namespace pcl::sedr::tools {
@@ -40,6 +42,26 @@ kindOfNearestPoint(const DisplayCloud& cloud, const Eigen::Vector3d& place)
     }
   }
   return least > farthest * farthest ? "" : kindOf(cloud.labels, cloud.rooms, nearest);
+}
+
+/** @brief The triangle of a mesh nearest to a point. */
+struct NearestTriangle {
+  std::size_t triangle = 0;
+  double distance = std::numeric_limits<double>::infinity(); ///< metres
+};
+
+NearestTriangle
+nearestTriangle(const TriangleMesh& mesh, const Eigen::Vector3d& p)
+{
+  constexpr double same_distance = 1e-6; // metres
+  NearestTriangle nearest;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const double distance = std::sqrt(squaredToTriangle(
+        mesh.corner(t, 0) - p, mesh.corner(t, 1) - p, mesh.corner(t, 2) - p));
+    if (distance < nearest.distance - same_distance)
+      nearest = {t, distance};
+  }
+  return nearest;
 }
 
 std::string

@@ -36,8 +36,6 @@ public:
   /** @brief Returns the first hit beyond @p from and at most @p to metres away. */
   std::optional<Hit> nearest(const Ray& ray, double from, double to) const;
 
-  const std::vector<Surface>& getSurfaces() const { return surfaces_; }
-
 private:
   /** @brief A box around surfaces: a leaf if count > 0, otherwise with two children. */
   struct Node {

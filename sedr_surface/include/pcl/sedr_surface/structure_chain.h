@@ -176,9 +176,6 @@ public:
    * keep_levelled. */
   TriangleMesh inScanFrame(TriangleMesh mesh) const;
 
-  /** @brief Returns the mesh with tilted walls, in the level frame like all results. */
-  TriangleMesh tiltedMesh() const;
-
   /** @brief Returns the mesh in the frame of the scan. */
   TriangleMesh meshInScanFrame() const;
 

@@ -63,17 +63,6 @@ escaped(const std::string& text)
 }
 
 std::string
-scriptString(const std::string& text)
-{
-  using Json = nlohmann::json;
-  std::string quoted;
-  // As ASCII, with < escaped as well, so that the string cannot contain </script>.
-  for (const char c : Json(text).dump(-1, ' ', true, Json::error_handler_t::replace))
-    quoted += c == '<' ? std::string("\\u003c") : std::string(1, c);
-  return quoted;
-}
-
-std::string
 htmlTable(const std::vector<std::string>& heads,
           const std::vector<std::vector<std::string>>& rows,
           const std::vector<bool>& is_text)

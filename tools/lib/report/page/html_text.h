@@ -17,9 +17,6 @@ std::string hexCode(Colour colour);
  * characters and invalid UTF-8 become U+FFFD. */
 std::string escaped(const std::string& text);
 
-/** @brief Returns a quoted string for a script. It cannot end the script. */
-std::string scriptString(const std::string& text);
-
 /** @brief Returns a table with one header row; cells are HTML. Columns from the second
  * on hold numbers, unless `is_text` says otherwise. */
 std::string htmlTable(const std::vector<std::string>& heads,
