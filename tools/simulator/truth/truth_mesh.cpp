@@ -1,17 +1,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "truth_mesh.h"
 
+#include "room_regions.h"
 #include "subdivision.h"
 #include "triangulation.h"
-#include "vertex_levels.h"
 
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <stdexcept>
 
 namespace pcl::sedr::sim {
 
 namespace {
+
+/** @brief The heights at which a plan point has a vertex; equal up to rounding means
+ * one. */
+class VertexLevels {
+public:
+  void insert(double z)
+  {
+    const auto next = firstFrom(z);
+    if (next == levels_.end() || *next > z + kSameHeight)
+      levels_.insert(next, z);
+  }
+
+  /** @brief Returns the level equal to @p z, which was inserted before. */
+  double at(double z) const
+  {
+    const auto level = firstFrom(z);
+    if (level == levels_.end() || *level > z + kSameHeight)
+      throw std::logic_error("A vertex has a height that is none of its point's");
+    return *level;
+  }
+
+  /** @brief Returns all levels from @p low to @p high, which were inserted before. */
+  std::vector<double> within(double low, double high) const
+  {
+    return {firstFrom(low), std::next(firstFrom(high))};
+  }
+
+private:
+  std::vector<double>::const_iterator firstFrom(double z) const
+  {
+    return std::lower_bound(levels_.begin(), levels_.end(), z - kSameHeight);
+  }
+
+  std::vector<double> levels_; ///< ascending
+};
 
 /** @brief Returns points along @p element within the tolerance, both ends included. */
 std::vector<Vec2>
