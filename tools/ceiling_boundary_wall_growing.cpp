@@ -24,21 +24,10 @@ using Growing = pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ>;
 
 constexpr double territory_cell = 0.05; // metres
 
-struct Settings {
-  std::string input;
-  std::string output;
+struct Settings : StageFiles {
   std::string boundary_output;
-  std::string picture;
-  double distance = 0;
-  double angle = 0; ///< degrees
-  unsigned int neighbors = 0;
   double slice_height = 0;
   bool has_slice_height = false;
-  double minimum_support = 0;
-  unsigned int threads = 0;
-  bool compress = false;
-
-  PcdData format() const { return compress ? PcdData::Compressed : PcdData::Binary; }
 };
 
 /** @brief The input of wall growing in one room. */
@@ -89,23 +78,17 @@ sliceHeight(const Settings& settings, const ToolCloud& cloud, const Room& room)
 }
 
 RoomWalls
-growIn(const Settings& settings, const ToolCloud& cloud, const Room& room)
+growIn(const Settings& settings,
+       const ToolCloud& cloud,
+       const Room& room,
+       Growing& growing)
 {
-  const auto shared = [](const pcl::Indices& indices) {
-    return pcl::make_shared<const pcl::Indices>(indices);
-  };
-  Growing growing;
   growing.setInputCloud(cloud.points);
-  growing.setIndices(shared(room.candidates));
-  growing.setCeilingIndices(shared(room.ceiling));
-  growing.setFloorIndices(shared(room.floor));
-  growing.setDetailIndices(shared(room.details));
+  growing.setIndices(pcl::make_shared<const pcl::Indices>(room.candidates));
+  growing.setCeilingIndices(room.ceiling);
+  growing.setFloorIndices(room.floor);
+  growing.setDetailIndices(room.details);
   growing.setSliceHeight(sliceHeight(settings, cloud, room));
-  growing.setDistanceThreshold(settings.distance);
-  growing.setAngleThreshold(static_cast<float>(settings.angle * M_PI / 180));
-  growing.setNumberOfNeighbors(settings.neighbors);
-  growing.setMinimumSupport(settings.minimum_support);
-  growing.setNumberOfThreads(settings.threads);
   pcl::PointIndices walls_and_details;
   if (!growing.segment(walls_and_details))
     throw ToolError((room.id > 0 ? "room " + std::to_string(room.id) + ": " : "") +
@@ -189,36 +172,35 @@ saveBoundary(const Settings& settings,
   ToolCloud points;
   points.blob = selectRows(cloud.blob, boundary);
   points.points = cloud.points;
-  saveCloud(settings.boundary_output, points, settings.format());
+  settings.save(points, settings.boundary_output);
 }
 
 int
-run(const Settings& settings)
+run(const Settings& settings, Growing& growing)
 {
-  checkCloudOutput(settings.output);
+  settings.check();
   if (!settings.boundary_output.empty())
     checkCloudOutput(settings.boundary_output);
-  checkPictureOutput(settings.picture);
   ToolCloud cloud = loadCloud(settings.input);
   std::vector<Room> rooms_of_file;
   for (const auto id : ceilingRooms(cloud))
     rooms_of_file.push_back(pointsOfRoom(cloud, id));
   if (isByRooms(cloud))
-    takeTerritories(cloud, settings.threads, rooms_of_file);
+    takeTerritories(cloud, growing.getNumberOfThreads(), rooms_of_file);
   std::vector<RoomWalls> rooms;
   for (const Room& room : rooms_of_file) {
     const Progress progress(
         "growing walls" +
         (room.id > 0 ? " of room " + std::to_string(room.id) : std::string()));
-    rooms.push_back(growIn(settings, cloud, room));
+    rooms.push_back(growIn(settings, cloud, room, growing));
   }
   const std::size_t walls = labelWalls(rooms, cloud);
   if (walls == 0)
     throw ToolError("no point of '" + cloud.path + "' is within " +
-                        std::to_string(settings.distance) +
+                        std::to_string(growing.getDistanceThreshold()) +
                         " m of the boundary of the ceiling in plan",
                     NothingFound);
-  saveCloud(settings.output, cloud, settings.format());
+  settings.save(cloud);
   if (!settings.boundary_output.empty())
     saveBoundary(settings, rooms, cloud);
   if (!settings.picture.empty())
@@ -235,13 +217,8 @@ run(const Settings& settings)
 int
 main(int argc, char** argv)
 {
-  const Growing defaults;
+  Growing growing;
   Settings settings;
-  settings.distance = defaults.getDistanceThreshold();
-  settings.angle = defaults.getAngleThreshold() * 180 / M_PI;
-  settings.neighbors = defaults.getNumberOfNeighbors();
-  settings.minimum_support = defaults.getMinimumSupport();
-  settings.threads = defaults.getNumberOfThreads();
 
   Options options(
       "pcl_ceiling_boundary_wall_growing",
@@ -251,25 +228,29 @@ main(int argc, char** argv)
   options.file("INPUT", settings.input,
                "PCD or PLY file with labels, and rooms if several");
   options.file("OUTPUT", settings.output, "PCD or PLY file to write");
-  options.number("distance", settings.distance, "m",
-                 "farthest a wall point is from the boundary in plan", Range::above(0));
-  options.number("angle", settings.angle, "degrees",
-                 "widest gap between directions to the neighbors of an inner point",
-                 Range::between(1, 359));
-  options.number("neighbors", settings.neighbors, "",
-                 "neighbors looked at; fewer find the rims of smaller columns",
-                 Range::atLeast(3));
+  options.parameter("distance", growing, &Growing::getDistanceThreshold,
+                    &Growing::setDistanceThreshold, "m",
+                    "farthest a wall point is from the boundary in plan",
+                    Range::above(0));
+  options.parameter("angle", growing, &Growing::getAngleThreshold,
+                    &Growing::setAngleThreshold, "degrees",
+                    "widest gap between directions to the neighbors of an inner point",
+                    Range::between(1, 359), M_PI / 180);
+  options.parameter("neighbors", growing, &Growing::getNumberOfNeighbors,
+                    &Growing::setNumberOfNeighbors, "",
+                    "neighbors looked at; fewer find the rims of smaller columns",
+                    Range::atLeast(3));
   options.optionalNumber(
       "slice-height", settings.slice_height, settings.has_slice_height, "m",
       "height above which walls grow from the ceiling, below from the floor",
       "the lowest detail of the room; no slice without details");
-  options.number("min-support", settings.minimum_support, "",
-                 "share of the height that must be occupied below a rim, 0 = any",
-                 Range::between(0, 1));
-  options.number("threads", settings.threads, "", "threads to use, 0 = all processors");
+  options.parameter("min-support", growing, &Growing::getMinimumSupport,
+                    &Growing::setMinimumSupport, "",
+                    "share of the height that must be occupied below a rim, 0 = any",
+                    Range::between(0, 1));
+  options.threads(growing);
   options.text("boundary", settings.boundary_output,
                "file for the boundary points alone");
-  addPictureOption(options, settings.picture);
-  options.flag("compress", settings.compress, "write PCD as binary_compressed");
-  return runTool(options, argc, argv, [&] { return run(settings); });
+  settings.addOptions(options);
+  return runTool(options, argc, argv, [&] { return run(settings, growing); });
 }

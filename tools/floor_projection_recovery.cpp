@@ -21,15 +21,11 @@ using pcl::sedr::StructureLabel;
 
 namespace {
 
-struct Settings {
-  std::string input;
-  std::string output;
+struct Settings : StageFiles {
   double grid = 0;
   double height = 0;
   bool has_height = false;
   bool remove = false;
-  std::string picture;
-  bool compress = false;
 };
 
 /** @brief The points of one room by label. */
@@ -95,9 +91,6 @@ recoverRoom(const Settings& settings,
             double common_height,
             Recovered& result)
 {
-  const auto shared = [](const pcl::Indices& indices) {
-    return pcl::IndicesConstPtr(new pcl::Indices(indices));
-  };
   if (points.ceiling.empty()) { // no ceiling above: outside
     for (const auto i : points.floor)
       result.removed[static_cast<std::size_t>(i)] = true;
@@ -108,9 +101,9 @@ recoverRoom(const Settings& settings,
   }
   pcl::FloorProjectionRecovery<pcl::PointXYZ> recovery(true);
   recovery.setInputCloud(cloud.points);
-  recovery.setIndices(shared(points.floor));
-  recovery.setCeilingIndices(shared(points.ceiling));
-  recovery.setDetailIndices(shared(points.detail));
+  recovery.setIndices(pcl::make_shared<const pcl::Indices>(points.floor));
+  recovery.setCeilingIndices(points.ceiling);
+  recovery.setDetailIndices(points.detail);
   recovery.setGridSize(settings.grid);
   const auto level = std::make_shared<pcl::ModelCoefficients>();
   level->values = {0, 0, 1, -static_cast<float>(common_height)};
@@ -179,8 +172,7 @@ apply(const Settings& settings, const Recovered& result, ToolCloud& cloud)
 int
 run(const Settings& settings)
 {
-  checkCloudOutput(settings.output);
-  checkPictureOutput(settings.picture);
+  settings.check();
   ToolCloud cloud = loadCloud(settings.input);
   const auto rooms = splitRooms(settings, cloud);
   // For rooms whose own floor is hidden.
@@ -195,8 +187,7 @@ run(const Settings& settings)
       recoverRoom(settings, cloud, room.first, room.second, height, result);
   }
   apply(settings, result, cloud);
-  saveCloud(settings.output, cloud,
-            settings.compress ? PcdData::Compressed : PcdData::Binary);
+  settings.save(cloud);
   if (!settings.picture.empty())
     savePicture(settings.picture, drawFloor(result.cells));
   say(std::to_string(result.points.size()) + " points projected, " +
@@ -225,7 +216,6 @@ main(int argc, char** argv)
                          "z of the projected points",
                          "the mean of the room's floor points");
   options.flag("remove", settings.remove, "leave floor points outside the rooms out");
-  addPictureOption(options, settings.picture);
-  options.flag("compress", settings.compress, "write PCD as binary_compressed");
+  settings.addOptions(options);
   return runTool(options, argc, argv, [&] { return run(settings); });
 }

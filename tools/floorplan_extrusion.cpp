@@ -73,8 +73,6 @@ main(int argc, char** argv)
 {
   Extrusion extrusion;
   Settings settings;
-  double chord = extrusion.getChordTolerance();
-  double snap = extrusion.getSnapTolerance();
   Options options("pcl_floorplan_extrusion",
                   "Makes the sharp solid of a floor plan: one closed surface a room.");
   options.file("PLAN.json", settings.plan,
@@ -85,15 +83,13 @@ main(int argc, char** argv)
       "solid to write: .ply, faces with room, label and element, or .obj with "
       "groups of element, room and storey and materials by label in a .mtl beside it, "
       "or .glb (glTF 2.0) for the web");
-  options.number("chord-tolerance", chord, "m",
-                 "farthest that facets are off their arc", Range::between(1e-6, 1));
-  options.number("snap-tolerance", snap, "m",
-                 "nearer edges and corners are one; 0: by the plan's residuals",
-                 Range::between(0, 0.5));
+  options.parameter("chord-tolerance", extrusion, &Extrusion::getChordTolerance,
+                    &Extrusion::setChordTolerance, "m",
+                    "farthest that facets are off their arc", Range::between(1e-6, 1));
+  options.parameter("snap-tolerance", extrusion, &Extrusion::getSnapTolerance,
+                    &Extrusion::setSnapTolerance, "m",
+                    "nearer edges and corners are one; 0: by the plan's residuals",
+                    Range::between(0, 0.5));
   addPictureOption(options, settings.picture);
-  return runTool(options, argc, argv, [&] {
-    extrusion.setChordTolerance(chord);
-    extrusion.setSnapTolerance(snap);
-    return run(settings, extrusion);
-  });
+  return runTool(options, argc, argv, [&] { return run(settings, extrusion); });
 }

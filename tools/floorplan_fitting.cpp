@@ -36,14 +36,11 @@ struct Settings {
 void
 setEvidence(const ToolCloud& cloud, Fitting& fitting)
 {
-  const auto shared = [](const pcl::Indices& indices) {
-    return pcl::make_shared<const pcl::Indices>(indices);
-  };
   fitting.setInputCloud(cloud.points);
-  fitting.setCeilingIndices(shared(requireLabel(cloud, StructureLabel::Ceiling)));
-  fitting.setFloorIndices(shared(requireLabel(cloud, StructureLabel::Floor)));
-  fitting.setDetailIndices(shared(cloud.withLabel(StructureLabel::Detail)));
-  fitting.setWallIndices(shared(requireLabel(cloud, StructureLabel::Wall)));
+  fitting.setCeilingIndices(requireLabel(cloud, StructureLabel::Ceiling));
+  fitting.setFloorIndices(requireLabel(cloud, StructureLabel::Floor));
+  fitting.setDetailIndices(cloud.withLabel(StructureLabel::Detail));
+  fitting.setWallIndices(requireLabel(cloud, StructureLabel::Wall));
   if (ceilingRooms(cloud) != std::set<std::uint32_t>{0})
     fitting.setRooms(cloud.room);
 }
@@ -108,13 +105,8 @@ main(int argc, char** argv)
 {
   Fitting fitting;
   Settings settings;
-  double distance = fitting.getDistanceThreshold();
-  double grid = fitting.getGridSize();
-  double length = fitting.getMinimumLength();
   double min_radius = fitting.getMinimumRadius();
   double greatest_radius = fitting.getMaximumRadius();
-  std::uint64_t seed = fitting.getSeed();
-  unsigned threads = fitting.getNumberOfThreads();
 
   Options options(
       "pcl_floorplan_fitting",
@@ -126,18 +118,19 @@ main(int argc, char** argv)
       "PCD or PLY file with labels 1 ceiling, 2 floor, 3 wall, perhaps 4 detail, and "
       "rooms if several");
   options.file("OUTPUT.json", settings.output, "floor plan to write");
-  options.number("distance", distance, "m",
-                 "farthest a point is from its line or circle", Range::above(0));
-  options.number("grid", grid, "m", "edge of a cell of the outline",
-                 Range::between(0.01, 1));
-  options.number("min-length", length, "m",
-                 "shortest wall with a line or circle of its own", Range::above(0));
+  options.parameter("distance", fitting, &Fitting::getDistanceThreshold,
+                    &Fitting::setDistanceThreshold, "m",
+                    "farthest a point is from its line or circle", Range::above(0));
+  options.parameter("grid", fitting, &Fitting::getGridSize, &Fitting::setGridSize, "m",
+                    "edge of a cell of the outline", Range::between(0.01, 1));
+  options.parameter("min-length", fitting, &Fitting::getMinimumLength,
+                    &Fitting::setMinimumLength, "m",
+                    "shortest wall with a line or circle of its own", Range::above(0));
   options.number("min-radius", min_radius, "m", "of an arc", Range::above(0));
   options.number("max-radius", greatest_radius, "m",
                  "of an arc; flatter walls are straight", Range::above(0));
-  options.number("seed", seed, "", "seed of the random samples", Range::atLeast(0));
-  options.number("threads", threads, "", "threads to use, 0 = all processors",
-                 Range::atLeast(0));
+  options.seed(fitting);
+  options.threads(fitting);
   options.text("raw", settings.raw,
                "PCD or PLY file of the scan before thinning, to fit the plan to");
   options.text(
@@ -148,12 +141,7 @@ main(int argc, char** argv)
   return runTool(options, argc, argv, [&] {
     if (greatest_radius <= min_radius)
       throw ToolError("--max-radius must be above --min-radius");
-    fitting.setDistanceThreshold(distance);
-    fitting.setGridSize(grid);
-    fitting.setMinimumLength(length);
     fitting.setRadiusLimits(min_radius, greatest_radius);
-    fitting.setSeed(seed);
-    fitting.setNumberOfThreads(threads);
     return run(settings, fitting);
   });
 }

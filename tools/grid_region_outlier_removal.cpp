@@ -17,20 +17,11 @@ namespace {
 
 using Removal = pcl::GridRegionOutlierRemoval<pcl::PointXYZ>;
 
-struct Settings {
-  std::string input;
-  std::string output;
+struct Settings : StageFiles {
   unsigned int label = static_cast<unsigned int>(StructureLabel::Ceiling);
-  double grid = 0;
-  int opening = 0;
-  std::size_t minimum_part = 0;
   unsigned int support_label = 0;
-  double minimum_support = 0;
-  std::size_t minimum_supported_cells = 0;
   bool remove = false;
   std::string rooms = "auto";
-  std::string picture;
-  bool compress = false;
 
   bool writesRooms() const
   {
@@ -66,14 +57,9 @@ compute(const Settings& settings,
   const Progress progress("labelling regions");
   removal.setInputCloud(cloud.points);
   removal.setIndices(pcl::IndicesConstPtr(new pcl::Indices(selected)));
-  removal.setGridSize(settings.grid);
-  removal.setOpeningRadius(settings.opening);
-  removal.setMinimumPart(settings.minimum_part);
-  removal.setMinimumSupport(settings.minimum_support);
-  removal.setMinimumSupportedCells(settings.minimum_supported_cells);
   if (settings.support_label > 0)
-    removal.setSupportIndices(pcl::IndicesConstPtr(new pcl::Indices(
-        cloud.withLabel(static_cast<StructureLabel>(settings.support_label)))));
+    removal.setSupportIndices(
+        cloud.withLabel(static_cast<StructureLabel>(settings.support_label)));
   pcl::Indices kept;
   removal.filter(kept);
   if (!removal.getErrorMessage().empty())
@@ -110,21 +96,18 @@ apply(const Settings& settings,
 }
 
 int
-run(const Settings& settings)
+run(const Settings& settings, Removal& removal)
 {
-  checkCloudOutput(settings.output);
-  checkPictureOutput(settings.picture);
+  settings.check();
   ToolCloud cloud = loadCloud(settings.input);
   const pcl::Indices selected = selectPoints(settings, cloud);
-  Removal removal(true);
   const pcl::Indices kept = compute(settings, cloud, selected, removal);
   if (kept.empty())
     throw ToolError("none of the " + std::to_string(selected.size()) +
                         " points is finite, there is no region",
                     NothingFound);
   apply(settings, selected, removal, cloud);
-  saveCloud(settings.output, cloud,
-            settings.compress ? PcdData::Compressed : PcdData::Binary);
+  settings.save(cloud);
   if (!settings.picture.empty())
     savePicture(settings.picture, drawRegions({removal.getRegionMap()}));
   say(std::to_string(kept.size()) + " of " + std::to_string(selected.size()) +
@@ -139,13 +122,8 @@ run(const Settings& settings)
 int
 main(int argc, char** argv)
 {
-  const Removal defaults;
+  Removal removal(true);
   Settings settings;
-  settings.grid = defaults.getGridSize();
-  settings.opening = defaults.getOpeningRadius();
-  settings.minimum_part = defaults.getMinimumPart();
-  settings.minimum_support = defaults.getMinimumSupport();
-  settings.minimum_supported_cells = defaults.getMinimumSupportedCells();
 
   Options options(
       "pcl_grid_region_outlier_removal",
@@ -156,25 +134,29 @@ main(int argc, char** argv)
   options.file("OUTPUT", settings.output, "PCD or PLY file to write");
   options.number("label", settings.label, "",
                  "label of the points to work on, 1 ceiling, 2 floor");
-  options.number("grid", settings.grid, "m", "edge of a cell", Range::above(0));
-  options.number("opening", settings.opening, "cells",
-                 "necks narrower than 2 n + 1 cells do not join regions, 0 = off",
-                 Range::between(0, 1000));
-  options.number("min-part", settings.minimum_part, "cells",
-                 "with --opening: smaller pieces are not parted from larger ones");
+  options.parameter("grid", removal, &Removal::getGridSize, &Removal::setGridSize, "m",
+                    "edge of a cell", Range::above(0));
+  options.parameter("opening", removal, &Removal::getOpeningRadius,
+                    &Removal::setOpeningRadius, "cells",
+                    "necks narrower than 2 n + 1 cells do not join regions, 0 = off",
+                    Range::between(0, 1000));
+  options.parameter("min-part", removal, &Removal::getMinimumPart,
+                    &Removal::setMinimumPart, "cells",
+                    "with --opening: smaller pieces are not parted from larger ones");
   options.number(
       "support", settings.support_label, "",
       "label of points, say 2 floor, that save a smaller region above them, 0 = none");
-  options.number("min-support", settings.minimum_support, "",
-                 "share of such a region's cells with support", Range::between(0, 1));
-  options.number("min-supported-cells", settings.minimum_supported_cells, "cells",
-                 "size of such a region");
+  options.parameter(
+      "min-support", removal, &Removal::getMinimumSupport, &Removal::setMinimumSupport,
+      "", "share of such a region's cells with support", Range::between(0, 1));
+  options.parameter("min-supported-cells", removal, &Removal::getMinimumSupportedCells,
+                    &Removal::setMinimumSupportedCells, "cells",
+                    "size of such a region");
   options.flag("remove", settings.remove,
                "leave rejected points out, instead of label 0");
   options.text("rooms", settings.rooms,
                "write the regions' numbers into 'room'; auto: for ceilings",
                {"auto", "yes", "no"});
-  addPictureOption(options, settings.picture);
-  options.flag("compress", settings.compress, "write PCD as binary_compressed");
-  return runTool(options, argc, argv, [&] { return run(settings); });
+  settings.addOptions(options);
+  return runTool(options, argc, argv, [&] { return run(settings, removal); });
 }

@@ -20,13 +20,9 @@ namespace {
 
 using Analysis = pcl::GridSliceDetail<pcl::PointXYZ>;
 
-struct Settings {
-  std::string input;
-  std::string output;
+struct Settings : StageFiles {
   double floor_height = 0;
   bool has_floor_height = false;
-  std::string picture;
-  bool compress = false;
 };
 
 /** @brief Finds the details of one room. */
@@ -36,13 +32,10 @@ analyse(Analysis& analysis,
         const DetailRoom& room,
         double floor_height)
 {
-  const auto shared = [](const pcl::Indices& indices) {
-    return pcl::make_shared<const pcl::Indices>(indices);
-  };
   analysis.setInputCloud(cloud.points);
-  analysis.setIndices(shared(room.around));
-  analysis.setCeilingIndices(shared(room.ceiling));
-  analysis.setFloorIndices(shared(room.floor));
+  analysis.setIndices(pcl::make_shared<const pcl::Indices>(room.around));
+  analysis.setCeilingIndices(room.ceiling);
+  analysis.setFloorIndices(room.floor);
   analysis.setFloorHeight(floor_height);
   pcl::PointIndices details;
   if (!analysis.segment(details))
@@ -95,8 +88,7 @@ label(const DetailRoom& room, const pcl::Indices& details, ToolCloud& cloud)
 int
 run(const Settings& settings, Analysis& analysis)
 {
-  checkCloudOutput(settings.output);
-  checkPictureOutput(settings.picture);
+  settings.check();
   ToolCloud cloud = loadCloud(settings.input);
   std::replace(cloud.label.begin(), cloud.label.end(),
                static_cast<std::uint32_t>(StructureLabel::Detail),
@@ -129,8 +121,7 @@ run(const Settings& settings, Analysis& analysis)
   setField(cloud.blob, "label", cloud.label);
   if (cloud.has_room)
     setField(cloud.blob, "room", cloud.room);
-  saveCloud(settings.output, cloud,
-            settings.compress ? PcdData::Compressed : PcdData::Binary);
+  settings.save(cloud);
   if (!settings.picture.empty())
     savePicture(settings.picture,
                 drawSlices(slices, pcl::sedr::PointView(*cloud.points),
@@ -145,14 +136,6 @@ main(int argc, char** argv)
 {
   Analysis analysis;
   Settings settings;
-  double grid = analysis.getGridSize();
-  double distance = analysis.getDistanceThreshold();
-  std::size_t cells = analysis.getMinimumCells();
-  int trials = analysis.getTrials();
-  double thickness = analysis.getSliceThickness();
-  double island = analysis.getMinimumIslandArea();
-  std::uint64_t seed = analysis.getSeed();
-  unsigned threads = analysis.getNumberOfThreads();
 
   Options options(
       "pcl_grid_slice_detail",
@@ -169,35 +152,30 @@ main(int argc, char** argv)
   options.file("INPUT", settings.input,
                "PCD or PLY file with labels, and rooms if several");
   options.file("OUTPUT", settings.output, "PCD or PLY file to write");
-  options.number("grid", grid, "m", "edge of a cell", Range::between(0.01, 1));
-  options.number("distance", distance, "m",
-                 "farthest a point is from the plane of the ceiling", Range::above(0));
-  options.number("min-cells", cells, "cells", "smallest detail");
-  options.number(
-      "trials", trials, "",
+  options.parameter("grid", analysis, &Analysis::getGridSize, &Analysis::setGridSize,
+                    "m", "edge of a cell", Range::between(0.01, 1));
+  options.parameter("distance", analysis, &Analysis::getDistanceThreshold,
+                    &Analysis::setDistanceThreshold, "m",
+                    "farthest a point is from the plane of the ceiling",
+                    Range::above(0));
+  options.parameter("min-cells", analysis, &Analysis::getMinimumCells,
+                    &Analysis::setMinimumCells, "cells", "smallest detail");
+  options.parameter(
+      "trials", analysis, &Analysis::getTrials, &Analysis::setTrials, "",
       "slices at 1/4; then at 1/2; then at 1/8 and 3/8 of the height below the ceiling",
       Range::between(1, 3));
-  options.number("thickness", thickness, "m", "of a slice", Range::above(0));
-  options.number(
-      "min-island", island, "m2",
+  options.parameter("thickness", analysis, &Analysis::getSliceThickness,
+                    &Analysis::setSliceThickness, "m", "of a slice", Range::above(0));
+  options.parameter(
+      "min-island", analysis, &Analysis::getMinimumIslandArea,
+      &Analysis::setMinimumIslandArea, "m2",
       "what the ceiling encloses all around and is smaller is a lamp or a vent",
       Range::atLeast(0));
   options.optionalNumber("floor-height", settings.floor_height,
                          settings.has_floor_height, "m", "z of the floor",
                          "the mean of the room's floor points");
-  options.number("seed", seed, "", "seed of the random samples", Range::atLeast(0));
-  options.number("threads", threads, "", "threads to use, 0 = all processors");
-  addPictureOption(options, settings.picture);
-  options.flag("compress", settings.compress, "write PCD as binary_compressed");
-  return runTool(options, argc, argv, [&] {
-    analysis.setGridSize(grid);
-    analysis.setDistanceThreshold(distance);
-    analysis.setMinimumCells(cells);
-    analysis.setTrials(trials);
-    analysis.setSliceThickness(thickness);
-    analysis.setMinimumIslandArea(island);
-    analysis.setSeed(seed);
-    analysis.setNumberOfThreads(threads);
-    return run(settings, analysis);
-  });
+  options.seed(analysis);
+  options.threads(analysis);
+  settings.addOptions(options);
+  return runTool(options, argc, argv, [&] { return run(settings, analysis); });
 }

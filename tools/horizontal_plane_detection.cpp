@@ -36,16 +36,12 @@ using Planes = std::vector<pcl::HorizontalPlane>;
 /** Radians. PCL's factor is slightly larger and would exceed a limit of 45 degrees. */
 constexpr double degree = M_PI / 180;
 
-struct Settings {
-  std::string input;
-  std::string output;
+struct Settings : StageFiles {
   std::string planes;
   std::string building;
-  std::string picture;
   bool trust_up = false;
   bool whole = false;
   bool keep_rooms = false;
-  bool compress = false;
 };
 
 double
@@ -201,10 +197,9 @@ print(const Planes& planes)
 int
 run(const Settings& settings, Detection& detection)
 {
-  checkCloudOutput(settings.output);
+  settings.check();
   if (!settings.planes.empty())
     checkJsonOutput(settings.planes);
-  checkPictureOutput(settings.picture);
   ToolCloud cloud = loadCloud(settings.input);
   const bool is_by_rooms = !settings.whole && isByRooms(cloud);
   if (!settings.building.empty() && !is_by_rooms)
@@ -216,8 +211,7 @@ run(const Settings& settings, Detection& detection)
     planes = is_by_rooms ? planesByRoom(settings, detection, cloud)
                          : planesOfAll(settings, detection, cloud);
   }
-  saveCloud(settings.output, cloud,
-            settings.compress ? PcdData::Compressed : PcdData::Binary);
+  settings.save(cloud);
   if (!settings.planes.empty())
     savePlanes(settings.planes, planes);
   if (!settings.picture.empty())
@@ -235,13 +229,6 @@ main(int argc, char** argv)
 {
   Detection detection;
   Settings settings;
-  double distance = detection.getDistanceThreshold();
-  double grid = detection.getGridSize();
-  double tilt = detection.getMaximumTilt() / degree;
-  double area = detection.getMinimumArea();
-  double height = detection.getMinimumRoomHeight();
-  std::uint64_t seed = detection.getSeed();
-  unsigned threads = detection.getNumberOfThreads();
 
   Options options(
       "pcl_horizontal_plane_detection",
@@ -252,17 +239,24 @@ main(int argc, char** argv)
       "0.");
   options.file("INPUT", settings.input, "PCD or PLY file, z up, metres");
   options.file("OUTPUT", settings.output, "PCD or PLY file to write");
-  options.number("distance", distance, "m", "farthest a point is from its plane",
-                 Range::above(0));
-  options.number("grid", grid, "m", "edge of the cells that areas are counted in",
-                 Range::between(0.01, 1));
-  options.number("max-tilt", tilt, "degrees",
-                 "largest angle of a plane with the horizontal", Range::between(0, 45));
-  options.number("min-area", area, "m2", "smallest plane", Range::above(0));
-  options.number("min-height", height, "m",
-                 "smallest height of a ceiling above its floor", Range::above(0));
-  options.number("seed", seed, "", "seed of the random samples", Range::atLeast(0));
-  options.number("threads", threads, "", "threads to use, 0 = all processors");
+  options.parameter("distance", detection, &Detection::getDistanceThreshold,
+                    &Detection::setDistanceThreshold, "m",
+                    "farthest a point is from its plane", Range::above(0));
+  options.parameter("grid", detection, &Detection::getGridSize, &Detection::setGridSize,
+                    "m", "edge of the cells that areas are counted in",
+                    Range::between(0.01, 1));
+  options.parameter("max-tilt", detection, &Detection::getMaximumTilt,
+                    &Detection::setMaximumTilt, "degrees",
+                    "largest angle of a plane with the horizontal",
+                    Range::between(0, 45), degree);
+  options.parameter("min-area", detection, &Detection::getMinimumArea,
+                    &Detection::setMinimumArea, "m2", "smallest plane",
+                    Range::above(0));
+  options.parameter("min-height", detection, &Detection::getMinimumRoomHeight,
+                    &Detection::setMinimumRoomHeight, "m",
+                    "smallest height of a ceiling above its floor", Range::above(0));
+  options.seed(detection);
+  options.threads(detection);
   options.text(
       "building", settings.building,
       "JSON file of pcl_room_segmentation: at which heights to look, and where "
@@ -270,20 +264,10 @@ main(int argc, char** argv)
   options.flag("whole", settings.whole,
                "look at the file as a whole even if it has rooms");
   options.text("planes", settings.planes, "JSON file for the list of planes");
-  addPictureOption(options, settings.picture);
   options.flag(
       "z-up", settings.trust_up,
       "take z as up even if another axis seems to be, or the scan is inclined");
   options.flag("keep-rooms", settings.keep_rooms, "leave the field 'room' as it is");
-  options.flag("compress", settings.compress, "write PCD as binary_compressed");
-  return runTool(options, argc, argv, [&] {
-    detection.setDistanceThreshold(distance);
-    detection.setGridSize(grid);
-    detection.setMaximumTilt(tilt * degree);
-    detection.setMinimumArea(area);
-    detection.setMinimumRoomHeight(height);
-    detection.setSeed(seed);
-    detection.setNumberOfThreads(threads);
-    return run(settings, detection);
-  });
+  settings.addOptions(options);
+  return runTool(options, argc, argv, [&] { return run(settings, detection); });
 }

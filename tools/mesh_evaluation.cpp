@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "bytes/whole_file.h"
 #include "progress.h"
 #include "run_tool.h"
 #include "scan_options.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
-#include "bytes/whole_file.h"
 
 #include <pcl/common/point_tests.h>
 #include <pcl/sedr_surface/mesh_distance.h>
@@ -248,12 +248,9 @@ main(int argc, char** argv)
 {
   pcl::MeshEvaluation evaluation;
   Settings settings;
-  double spacing = evaluation.getSampleSpacing();
-  std::uint64_t seed = evaluation.getSeed();
   std::size_t bins = evaluation.getHistogramBins();
   double range = evaluation.getHistogramRange();
   bool find_intersections = evaluation.getFindSelfIntersections();
-  unsigned threads = evaluation.getNumberOfThreads();
   Options options(
       "pcl_mesh_evaluation",
       "Tells whether a mesh is closed and how far it lies from a cloud and from the "
@@ -267,21 +264,20 @@ main(int argc, char** argv)
   options.number("near-distance", settings.near_distance, "m", "how near, with --near",
                  Range::atLeast(0));
   options.text("json", settings.json, "file to write all figures to");
-  options.number("spacing", spacing, "m", "between the samples of a mesh",
-                 Range::above(0));
-  options.number("seed", seed, "", "chooses the samples");
+  options.parameter("spacing", evaluation, &pcl::MeshEvaluation::getSampleSpacing,
+                    &pcl::MeshEvaluation::setSampleSpacing, "m",
+                    "between the samples of a mesh", Range::above(0));
+  options.parameter("seed", evaluation, &pcl::MeshEvaluation::getSeed,
+                    &pcl::MeshEvaluation::setSeed, "", "chooses the samples");
   options.number("bins", bins, "", "of the histograms in the JSON",
                  Range::between(0, 1e6));
   options.number("range", range, "m", "where the histograms end", Range::above(0));
   options.flag("self-intersections", find_intersections,
                "look for triangles of the model that go through each other");
-  options.number("threads", threads, "", "threads to use, 0 = all processors");
+  options.threads(evaluation);
   return runTool(options, argc, argv, [&] {
-    evaluation.setSampleSpacing(spacing);
-    evaluation.setSeed(seed);
     evaluation.setHistogram(bins, range);
     evaluation.setFindSelfIntersections(find_intersections);
-    evaluation.setNumberOfThreads(threads);
     return run(settings, evaluation);
   });
 }

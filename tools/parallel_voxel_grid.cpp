@@ -15,10 +15,8 @@ using namespace pcl::sedr::tools;
 
 namespace {
 
-struct Settings {
-  std::string input;
+struct Settings : StageFiles {
   ScanOptions reading;
-  std::string output;
   float leaf = 0;
   unsigned int minimum_points = 0;
   bool keep_strays = false;
@@ -28,8 +26,6 @@ struct Settings {
   double high = 0;
   bool outside = false;
   bool only_xyz = false;
-  std::string picture;
-  bool compress = false;
 };
 
 pcl::PCLPointCloud2
@@ -67,8 +63,7 @@ savePicture(const Settings& settings,
 int
 run(const Settings& settings)
 {
-  checkCloudOutput(settings.output);
-  checkPictureOutput(settings.picture);
+  settings.check();
   const ScanFile scan(settings.input, settings.reading.resolved());
   ToolCloud cloud;
   cloud.path = settings.input;
@@ -84,8 +79,7 @@ run(const Settings& settings)
                         std::to_string(scan.size()) + " points within the limits",
                     NothingFound);
   warnOfPositions(scan);
-  saveCloud(settings.output, cloud,
-            settings.compress ? PcdData::Compressed : PcdData::Binary);
+  settings.save(cloud);
   if (!settings.picture.empty())
     savePicture(settings, scan, cloud.blob);
   say(std::to_string(scan.size()) + " points -> " + std::to_string(rowsOf(cloud.blob)));
@@ -125,7 +119,6 @@ main(int argc, char** argv)
   options.flag("only-xyz", settings.only_xyz,
                "average x, y and z alone, other fields become 0");
   addScanOptions(options, settings.reading);
-  addPictureOption(options, settings.picture);
-  options.flag("compress", settings.compress, "write PCD as binary_compressed");
+  settings.addOptions(options);
   return runTool(options, argc, argv, [&] { return run(settings); });
 }

@@ -28,13 +28,9 @@ namespace {
 
 using Segmentation = pcl::RoomSegmentation<pcl::PointXYZ>;
 
-struct Settings {
-  std::string input;
-  std::string output;
+struct Settings : StageFiles {
   std::string building;
-  std::string picture;
   bool trust_up = false;
-  bool compress = false;
 };
 
 /** @brief Throws unless the input is a scan of rooms in metres with z up. */
@@ -94,17 +90,15 @@ print(const Building& building)
 int
 run(const Settings& settings, Segmentation& segmentation)
 {
-  checkCloudOutput(settings.output);
+  settings.check();
   if (!settings.building.empty())
     checkJsonOutput(settings.building);
-  checkPictureOutput(settings.picture);
   ToolCloud cloud = loadCloud(settings.input);
   segment(settings, cloud, segmentation);
   const Building& building = segmentation.getBuilding();
   setField(cloud.blob, "label", building.label_of);
   setField(cloud.blob, "room", building.room_of);
-  saveCloud(settings.output, cloud,
-            settings.compress ? PcdData::Compressed : PcdData::Binary);
+  settings.save(cloud);
   if (!settings.building.empty())
     writeWhole(settings.building,
                [&](std::ostream& stream) { stream << buildingToJson(building); });
@@ -121,14 +115,6 @@ main(int argc, char** argv)
 {
   Segmentation segmentation;
   Settings settings;
-  double grid = segmentation.getGridSize();
-  double area = segmentation.getMinimumArea();
-  double headroom = segmentation.getHeadroom();
-  double enclosure = segmentation.getMinimumEnclosure();
-  double door = segmentation.getWidestDoor();
-  double passage = segmentation.getWidestPassage();
-  double step = segmentation.getStoreyStep();
-  unsigned threads = segmentation.getNumberOfThreads();
 
   Options options(
       "pcl_room_segmentation",
@@ -137,38 +123,36 @@ main(int argc, char** argv)
       "its room.");
   options.file("INPUT", settings.input, "PCD or PLY file, thinned, z up, metres");
   options.file("OUTPUT", settings.output, "PCD or PLY file to write");
-  options.number("grid", grid, "m", "edge of a cell; air is looked for in larger ones",
-                 Range::between(0.01, 1));
-  options.number("min-area", area, "m2", "smallest room, with headroom",
-                 Range::above(0));
-  options.number("headroom", headroom, "m", "least height of a room", Range::above(0));
-  options.number("min-enclosure", enclosure, "",
-                 "share of a room's outline at which walls stand",
-                 Range::between(0, 1));
-  options.number("widest-door", door, "m",
-                 "widest opening that jambs or a small lintel make a door",
-                 Range::above(0));
-  options.number("widest-passage", passage, "m",
-                 "widest opening below a lintel that parts two rooms", Range::above(0));
-  options.number("storey-step", step, "m",
-                 "floors that differ by less are of one storey", Range::above(0));
-  options.number("threads", threads, "", "threads to use, 0 = all processors");
+  options.parameter(
+      "grid", segmentation, &Segmentation::getGridSize, &Segmentation::setGridSize, "m",
+      "edge of a cell; air is looked for in larger ones", Range::between(0.01, 1));
+  options.parameter("min-area", segmentation, &Segmentation::getMinimumArea,
+                    &Segmentation::setMinimumArea, "m2", "smallest room, with headroom",
+                    Range::above(0));
+  options.parameter("headroom", segmentation, &Segmentation::getHeadroom,
+                    &Segmentation::setHeadroom, "m", "least height of a room",
+                    Range::above(0));
+  options.parameter("min-enclosure", segmentation, &Segmentation::getMinimumEnclosure,
+                    &Segmentation::setMinimumEnclosure, "",
+                    "share of a room's outline at which walls stand",
+                    Range::between(0, 1));
+  options.parameter("widest-door", segmentation, &Segmentation::getWidestDoor,
+                    &Segmentation::setWidestDoor, "m",
+                    "widest opening that jambs or a small lintel make a door",
+                    Range::above(0));
+  options.parameter("widest-passage", segmentation, &Segmentation::getWidestPassage,
+                    &Segmentation::setWidestPassage, "m",
+                    "widest opening below a lintel that parts two rooms",
+                    Range::above(0));
+  options.parameter("storey-step", segmentation, &Segmentation::getStoreyStep,
+                    &Segmentation::setStoreyStep, "m",
+                    "floors that differ by less are of one storey", Range::above(0));
+  options.threads(segmentation);
   options.text("building", settings.building,
                "JSON file for rooms, storeys, doorways, stairs and what was left out");
-  addPictureOption(options, settings.picture);
   options.flag(
       "z-up", settings.trust_up,
       "take z as up even if another axis seems to be, or the scan is inclined");
-  options.flag("compress", settings.compress, "write PCD as binary_compressed");
-  return runTool(options, argc, argv, [&] {
-    segmentation.setGridSize(grid);
-    segmentation.setMinimumArea(area);
-    segmentation.setHeadroom(headroom);
-    segmentation.setMinimumEnclosure(enclosure);
-    segmentation.setWidestDoor(door);
-    segmentation.setWidestPassage(passage);
-    segmentation.setStoreyStep(step);
-    segmentation.setNumberOfThreads(threads);
-    return run(settings, segmentation);
-  });
+  settings.addOptions(options);
+  return runTool(options, argc, argv, [&] { return run(settings, segmentation); });
 }

@@ -113,12 +113,6 @@ main(int argc, char** argv)
 {
   Poisson poisson;
   Settings settings;
-  int depth = poisson.getDepth();
-  float weight = poisson.getPointWeight();
-  double cell = poisson.getCellRatio();
-  std::size_t min_points = poisson.getMinimumPoints();
-  double support = poisson.getSupportDistance();
-  unsigned threads = poisson.getNumberOfThreads();
   Options options(
       "pcl_structural_poisson",
       "Makes one closed mesh a room from oriented points, by screened Poisson.");
@@ -129,27 +123,24 @@ main(int argc, char** argv)
                "mesh to write, faces with room and label");
   options.text("plan", settings.plan,
                "floor plan, as JSON, to take the samples from instead of INPUT");
-  options.number("depth", depth, "", "largest depth of the octree",
-                 Range::between(3, 14));
-  options.number("cell-ratio", cell, "", "finest octree cell / spacing of the points",
-                 Range::between(0.1, 10));
-  options.number("point-weight", weight, "", "of the points against smoothness",
-                 Range::atLeast(0));
-  options.number("min-points", min_points, "", "rooms of fewer are left out",
-                 Range::atLeast(10));
-  options.number("support", support, "m",
-                 "surface further from all points is told as a guess", Range::above(0));
+  options.parameter("depth", poisson, &Poisson::getDepth, &Poisson::setDepth, "",
+                    "largest depth of the octree", Range::between(3, 14));
+  options.parameter(
+      "cell-ratio", poisson, &Poisson::getCellRatio, &Poisson::setCellRatio, "",
+      "finest octree cell / spacing of the points", Range::between(0.1, 10));
+  options.parameter("point-weight", poisson, &Poisson::getPointWeight,
+                    &Poisson::setPointWeight, "", "of the points against smoothness",
+                    Range::atLeast(0));
+  options.parameter("min-points", poisson, &Poisson::getMinimumPoints,
+                    &Poisson::setMinimumPoints, "", "rooms of fewer are left out",
+                    Range::atLeast(10));
+  options.parameter(
+      "support", poisson, &Poisson::getSupportDistance, &Poisson::setSupportDistance,
+      "m", "surface further from all points is told as a guess", Range::above(0));
   options.flag("one-room", settings.one_room, "take all points for one room");
-  options.number("threads", threads, "",
-                 "0 = all processors; the result does not depend on it");
+  options.parameter("threads", poisson, &Poisson::getNumberOfThreads,
+                    &Poisson::setNumberOfThreads, "",
+                    "0 = all processors; the result does not depend on it");
   addPictureOption(options, settings.picture);
-  return runTool(options, argc, argv, [&] {
-    poisson.setDepth(depth);
-    poisson.setPointWeight(weight);
-    poisson.setCellRatio(cell);
-    poisson.setMinimumPoints(min_points);
-    poisson.setSupportDistance(support);
-    poisson.setNumberOfThreads(threads);
-    return run(settings, poisson);
-  });
+  return runTool(options, argc, argv, [&] { return run(settings, poisson); });
 }

@@ -17,19 +17,14 @@ namespace {
 
 using Refinement = pcl::StructureRefinement<pcl::PointXYZ>;
 
-struct Settings {
-  std::string input;
+struct Settings : StageFiles {
   std::string plan;
-  std::string output;
-  std::string picture;
-  bool compress = false;
 };
 
 int
 run(const Settings& settings, Refinement& refinement)
 {
-  checkCloudOutput(settings.output);
-  checkPictureOutput(settings.picture);
+  settings.check();
   const auto plan = loadFloorplan(settings.plan);
   ToolCloud cloud = loadCloud(settings.input);
   giveRooms(*plan, cloud);
@@ -55,8 +50,7 @@ run(const Settings& settings, Refinement& refinement)
                     NothingFound);
   cloud.blob = selectRows(cloud.blob, refinement.getSourceIndices());
   setSurfacePoints(cloud.blob, refinement.getSurfacePoints());
-  saveCloud(settings.output, cloud,
-            settings.compress ? PcdData::Compressed : PcdData::Binary);
+  settings.save(cloud);
   if (!settings.picture.empty())
     savePicture(settings.picture,
                 drawRefinement(refinedWallsOf(refinement, cloud.label), *plan));
@@ -72,8 +66,6 @@ main(int argc, char** argv)
 {
   Refinement refinement;
   Settings settings;
-  double distance = refinement.getMaximumDistance();
-  unsigned threads = refinement.getNumberOfThreads();
 
   Options options("pcl_structure_refinement",
                   "Moves labelled points onto the planes, lines and arcs of a floor "
@@ -85,14 +77,11 @@ main(int argc, char** argv)
   options.file("PLAN.json", settings.plan,
                "floor plan, as pcl_floorplan_fitting writes it");
   options.file("OUTPUT", settings.output, "PCD or PLY file to write");
-  options.number("max-distance", distance, "m",
-                 "the farthest a point may move; others are left out", Range::above(0));
-  options.number("threads", threads, "", "threads to use, 0 = all processors");
-  addPictureOption(options, settings.picture);
-  options.flag("compress", settings.compress, "write PCD as binary_compressed");
-  return runTool(options, argc, argv, [&] {
-    refinement.setMaximumDistance(distance);
-    refinement.setNumberOfThreads(threads);
-    return run(settings, refinement);
-  });
+  options.parameter("max-distance", refinement, &Refinement::getMaximumDistance,
+                    &Refinement::setMaximumDistance, "m",
+                    "the farthest a point may move; others are left out",
+                    Range::above(0));
+  options.threads(refinement);
+  settings.addOptions(options);
+  return runTool(options, argc, argv, [&] { return run(settings, refinement); });
 }

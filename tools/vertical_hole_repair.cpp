@@ -15,12 +15,8 @@ namespace {
 
 using Repair = pcl::VerticalHoleRepair<pcl::PointXYZ>;
 
-struct Settings {
-  std::string input;
+struct Settings : StageFiles {
   std::string plan;
-  std::string output;
-  std::string picture;
-  bool compress = false;
 };
 
 /** @brief Replaces the cloud by the repaired one: the retained rows, then those that
@@ -49,8 +45,7 @@ apply(const Repair& repair, ToolCloud& cloud)
 int
 run(const Settings& settings, Repair& repair)
 {
-  checkCloudOutput(settings.output);
-  checkPictureOutput(settings.picture);
+  settings.check();
   const auto plan = loadFloorplan(settings.plan);
   ToolCloud cloud = loadCloud(settings.input);
   giveRooms(*plan, cloud);
@@ -71,8 +66,7 @@ run(const Settings& settings, Repair& repair)
                         "': refine the structure first",
                     NothingFound);
   const std::size_t filled = apply(repair, cloud);
-  saveCloud(settings.output, cloud,
-            settings.compress ? PcdData::Compressed : PcdData::Binary);
+  settings.save(cloud);
   if (!settings.picture.empty())
     savePicture(settings.picture, drawRepair(repairedSurfacesOf(repair), *plan));
   say(std::to_string(rowsOf(cloud.blob)) + " points, " + std::to_string(filled) +
@@ -87,7 +81,6 @@ main(int argc, char** argv)
 {
   Repair repair;
   Settings settings;
-  double grid = repair.getGridSize();
 
   Options options("pcl_vertical_hole_repair",
                   "Fills the holes of a refined structure: one point for every cell of "
@@ -98,11 +91,8 @@ main(int argc, char** argv)
                "PCD or PLY file, as pcl_structure_refinement writes it");
   options.file("PLAN.json", settings.plan, "the floor plan it was refined to");
   options.file("OUTPUT", settings.output, "PCD or PLY file to write");
-  options.number("grid", grid, "m", "edge of a cell", Range::between(0.01, 1));
-  addPictureOption(options, settings.picture);
-  options.flag("compress", settings.compress, "write PCD as binary_compressed");
-  return runTool(options, argc, argv, [&] {
-    repair.setGridSize(grid);
-    return run(settings, repair);
-  });
+  options.parameter("grid", repair, &Repair::getGridSize, &Repair::setGridSize, "m",
+                    "edge of a cell", Range::between(0.01, 1));
+  settings.addOptions(options);
+  return runTool(options, argc, argv, [&] { return run(settings, repair); });
 }

@@ -83,6 +83,42 @@ public:
                        [&value](NumberT v) { value = v; });
   }
 
+  /** @brief Declares a number that a stage holds: `get` returns the default, `set`
+   * takes what is given, in units of `scale`. Both are members of the stage. */
+  template <typename StageT, typename GetT, typename SetT>
+  void parameter(const std::string& name,
+                 StageT& stage,
+                 GetT get,
+                 SetT set,
+                 const std::string& unit,
+                 const std::string& help,
+                 Range range = Range(),
+                 double scale = 1)
+  {
+    using NumberT = std::decay_t<decltype((stage.*get)())>;
+    addNumber<NumberT>(name, unit, help, range,
+                       textOf(static_cast<double>((stage.*get)()) / scale),
+                       [&stage, set, scale](NumberT v) {
+                         if constexpr (std::is_floating_point<NumberT>::value)
+                           v = static_cast<NumberT>(v * scale);
+                         (stage.*set)(v);
+                       });
+  }
+
+  /** @brief Declares --threads and --seed of a stage. */
+  template <typename StageT>
+  void threads(StageT& stage)
+  {
+    parameter("threads", stage, &StageT::getNumberOfThreads,
+              &StageT::setNumberOfThreads, "", "threads to use, 0 = all processors");
+  }
+  template <typename StageT>
+  void seed(StageT& stage)
+  {
+    parameter("seed", stage, &StageT::getSeed, &StageT::setSeed, "",
+              "seed of the random samples", Range::atLeast(0));
+  }
+
   /** @brief Declares a number without a default. `is_set` returns whether it was given;
    * `otherwise` describes its absence in the help. */
   template <typename NumberT>

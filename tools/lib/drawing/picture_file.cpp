@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "picture_file.h"
 
-#include "tool_error.h"
 #include "bytes/whole_file.h"
+#include "tool_error.h"
 
 namespace pcl::sedr::tools {
 
@@ -20,6 +20,27 @@ checkPictureOutput(const std::string& path)
   if (path.size() < 4 || path.compare(path.size() - 4, 4, ".png") != 0)
     throw ToolError("cannot write '" + path + "': the name of a picture ends in .png");
   checkWritable(path);
+}
+
+void
+StageFiles::addOptions(Options& options)
+{
+  addPictureOption(options, picture);
+  options.flag("compress", compress, "write PCD as binary_compressed");
+}
+
+void
+StageFiles::check() const
+{
+  checkCloudOutput(output);
+  checkPictureOutput(picture);
+}
+
+void
+StageFiles::save(const ToolCloud& cloud, const std::string& other) const
+{
+  saveCloud(other.empty() ? output : other, cloud,
+            compress ? PcdData::Compressed : PcdData::Binary);
 }
 
 void

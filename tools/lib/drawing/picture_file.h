@@ -3,6 +3,7 @@
 
 #include "options.h"
 #include "picture.h"
+#include "tool_cloud.h"
 
 #include <string>
 
@@ -14,6 +15,24 @@ void addPictureOption(Options& options, std::string& path);
 /** @brief Throws ToolError if `path` is not empty and cannot be written or does not end
  * in .png. To be called before the work. */
 void checkPictureOutput(const std::string& path);
+
+/** @brief The files of a stage's program: a cloud in, one out, and a picture. */
+struct StageFiles {
+  std::string input;
+  std::string output;
+  std::string picture;
+  bool compress = false;
+
+  /** @brief Declares --picture and --compress. */
+  void addOptions(Options& options);
+
+  /** @brief Throws ToolError if an output cannot be written. To be called before the
+   * work. */
+  void check() const;
+
+  /** @brief Writes the cloud to `output`, or to another file. */
+  void save(const ToolCloud& cloud, const std::string& other = "") const;
+};
 
 /** @brief Writes a picture as PNG, completely or not at all. */
 void savePicture(const std::string& path, const Picture& picture);
