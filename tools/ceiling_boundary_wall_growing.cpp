@@ -26,8 +26,7 @@ constexpr double territory_cell = 0.05; // metres
 
 struct Settings : StageFiles {
   std::string boundary_output;
-  double slice_height = 0;
-  bool has_slice_height = false;
+  std::optional<double> slice_height;
 };
 
 /** @brief The input of wall growing in one room. */
@@ -69,8 +68,8 @@ pointsOfRoom(const ToolCloud& cloud, std::uint32_t id)
 double
 sliceHeight(const Settings& settings, const ToolCloud& cloud, const Room& room)
 {
-  if (settings.has_slice_height)
-    return settings.slice_height;
+  if (settings.slice_height)
+    return *settings.slice_height;
   double lowest = std::numeric_limits<double>::quiet_NaN();
   for (const auto i : room.details)
     lowest = std::fmin(lowest, (*cloud.points)[static_cast<std::size_t>(i)].z);
@@ -241,7 +240,7 @@ main(int argc, char** argv)
                     "neighbors looked at; fewer find the rims of smaller columns",
                     Range::atLeast(3));
   options.optionalNumber(
-      "slice-height", settings.slice_height, settings.has_slice_height, "m",
+      "slice-height", settings.slice_height, "m",
       "height above which walls grow from the ceiling, below from the floor",
       "the lowest detail of the room; no slice without details");
   options.parameter("min-support", growing, &Growing::getMinimumSupport,

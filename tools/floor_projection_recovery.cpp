@@ -23,8 +23,7 @@ namespace {
 
 struct Settings : StageFiles {
   double grid = 0;
-  double height = 0;
-  bool has_height = false;
+  std::optional<double> height;
   bool remove = false;
 };
 
@@ -107,7 +106,7 @@ recoverRoom(const Settings& settings,
   recovery.setGridSize(settings.grid);
   const auto level = std::make_shared<pcl::ModelCoefficients>();
   level->values = {0, 0, 1, -static_cast<float>(common_height)};
-  if (points.has_plane && !settings.has_height)
+  if (points.has_plane && !settings.height)
     for (int k = 0; k < 4; ++k)
       level->values[static_cast<std::size_t>(k)] =
           static_cast<float>(points.plane.plane[k]);
@@ -115,7 +114,7 @@ recoverRoom(const Settings& settings,
                                             pcl::sedr::PointView(*cloud.points),
                                             points.floor, points.ceiling, points.detail)
                         .kept;
-  if (settings.has_height || points.has_plane || kept.empty())
+  if (settings.height || points.has_plane || kept.empty())
     recovery.setFloorCoefficients(level);
   pcl::PointCloud<pcl::PointXYZ> floor;
   recovery.filter(floor);
@@ -176,8 +175,8 @@ run(const Settings& settings)
   ToolCloud cloud = loadCloud(settings.input);
   const auto rooms = splitRooms(settings, cloud);
   // For rooms whose own floor is hidden.
-  const double height = settings.has_height
-                            ? settings.height
+  const double height = settings.height
+                            ? *settings.height
                             : meanFloorHeight(cloud, "--height would stand for them");
   Recovered result;
   result.removed.assign(cloud.size(), false);
@@ -212,8 +211,7 @@ main(int argc, char** argv)
                "PCD or PLY file with field 'label', perhaps 'room'");
   options.file("OUTPUT", settings.output, "PCD or PLY file to write");
   options.number("grid", settings.grid, "m", "edge of a cell", Range::above(0));
-  options.optionalNumber("height", settings.height, settings.has_height, "m",
-                         "z of the projected points",
+  options.optionalNumber("height", settings.height, "m", "z of the projected points",
                          "the mean of the room's floor points");
   options.flag("remove", settings.remove, "leave floor points outside the rooms out");
   settings.addOptions(options);

@@ -21,8 +21,7 @@ namespace {
 using Analysis = pcl::GridSliceDetail<pcl::PointXYZ>;
 
 struct Settings : StageFiles {
-  double floor_height = 0;
-  bool has_floor_height = false;
+  std::optional<double> floor_height;
 };
 
 /** @brief Finds the details of one room. */
@@ -100,8 +99,8 @@ run(const Settings& settings, Analysis& analysis)
   std::vector<DetailRoom> rooms;
   // For rooms whose own floor is hidden.
   const double height =
-      settings.has_floor_height
-          ? settings.floor_height
+      settings.floor_height
+          ? *settings.floor_height
           : meanFloorHeight(cloud, "--floor-height would stand for them");
   std::vector<pcl::Indices> found;
   std::vector<RoomSlices> slices;
@@ -109,7 +108,7 @@ run(const Settings& settings, Analysis& analysis)
     const Progress progress("looking at slices");
     rooms = detailRooms(cloud, analysis.getGridSize(), parameters);
     for (const DetailRoom& room : rooms) {
-      const bool is_known = !settings.has_floor_height && !room.floor.empty();
+      const bool is_known = !settings.floor_height && !room.floor.empty();
       found.push_back(
           analyse(analysis, cloud, room, is_known ? room.floor_height : height));
       tell(analysis, room, found.back());
@@ -171,8 +170,7 @@ main(int argc, char** argv)
       &Analysis::setMinimumIslandArea, "m2",
       "what the ceiling encloses all around and is smaller is a lamp or a vent",
       Range::atLeast(0));
-  options.optionalNumber("floor-height", settings.floor_height,
-                         settings.has_floor_height, "m", "z of the floor",
+  options.optionalNumber("floor-height", settings.floor_height, "m", "z of the floor",
                          "the mean of the room's floor points");
   options.seed(analysis);
   options.threads(analysis);

@@ -29,8 +29,7 @@ struct Settings {
   bool no_ceiling = false;
   bool no_edges = false;
   bool no_legend = false;
-  double clip = 0; ///< metres
-  bool has_clip = false;
+  std::optional<double> clip; ///< metres
   std::size_t storey = 0;
   double range = 0.05; ///< metres
   ReadSettings reading;
@@ -51,8 +50,8 @@ addOptions(Options& options, Settings& s)
   options.text("colour", s.colour, "what colours mean", colouringNames());
   options.text("view", s.view, "where the camera stands", viewPointNames());
   options.flag("no-ceiling", s.no_ceiling, "look inside: leave the ceilings out");
-  options.optionalNumber("clip", s.clip, s.has_clip, "m",
-                         "height above which nothing is shown", "none");
+  options.optionalNumber("clip", s.clip, "m", "height above which nothing is shown",
+                         "none");
   options.number("storey", s.storey, "", "number of the only storey shown; 0: all",
                  Range::between(0, 1e6));
   options.flag("two-views", s.state.two_views, "scan at the left, model at the right");
@@ -103,8 +102,8 @@ stateOf(const Settings& settings)
   state.ceiling = !settings.no_ceiling;
   state.edges = !settings.no_edges;
   state.legend = !settings.no_legend;
-  if (settings.has_clip)
-    state.clip_height = settings.clip;
+  if (settings.clip)
+    state.clip_height = *settings.clip;
   state.storey = static_cast<std::uint32_t>(settings.storey);
   return state;
 }

@@ -18,8 +18,7 @@ struct SampleOptions {
   float leaf = 0.05f;
   unsigned int threads = 0;
   int steps = 3;
-  double height = 0;
-  bool has_height = false;
+  std::optional<double> height;
   std::string mode = "auto";
   bool fast = false;
   Options options{"pcl_sample", "Does something."};
@@ -30,7 +29,7 @@ struct SampleOptions {
     options.number("leaf", leaf, "m", "edge of a voxel", Range::above(0));
     options.number("threads", threads, "", "threads");
     options.number("steps", steps, "", "steps", Range::between(-5, 5));
-    options.optionalNumber("height", height, has_height, "m", "height", "measured");
+    options.optionalNumber("height", height, "m", "height", "measured");
     options.text("mode", mode, "mode", {"auto", "manual"});
     options.flag("fast", fast, "in haste");
   }
@@ -64,7 +63,6 @@ TEST(ToolOptions, ReadNumbersTextsFlagsAndFilesAnywhere)
   EXPECT_EQ(sample.leaf, 0.1f);
   EXPECT_EQ(sample.threads, 0u);
   EXPECT_EQ(sample.steps, -4);
-  EXPECT_TRUE(sample.has_height);
   EXPECT_EQ(sample.height, -1.5);
   EXPECT_EQ(sample.mode, "manual");
   EXPECT_TRUE(sample.fast);

@@ -28,23 +28,13 @@ namespace {
 
 constexpr int kNameWidth = 16; ///< of scene names in a list
 
-/** @brief A number that the scene gives unless an option does. */
-template <typename NumberT>
-struct SceneNumber {
-  NumberT value = 0;
-  bool is_given = false;
-};
-
 struct Settings {
   std::string scene;
   std::string folder;
   std::string print;
   bool list = false;
   double chord_tolerance = sim::kChordTolerance;
-  SceneNumber<double> noise;
-  SceneNumber<std::size_t> rays;
-  SceneNumber<double> max_range;
-  SceneNumber<std::size_t> building;
+  std::optional<std::size_t> building;
   sim::ScanOptions scan;
 };
 
@@ -58,20 +48,18 @@ addOptions(Options& options, Settings& s)
   options.flag("list", s.list, "list the built-in scenes and how they are scanned");
   options.text("print", s.print, "print the file of this scene, to copy and edit");
   options.number("seed", s.scan.seed, "", "seed of all random numbers");
-  const auto add = [&options](const char* name, auto& number, const char* unit,
-                              const char* help, const char* otherwise, Range range) {
-    options.optionalNumber(name, number.value, number.is_given, unit, help, otherwise,
-                           range);
-  };
-  add("noise", s.noise, "m", "standard deviation along the ray", "see --list",
-      Range::atLeast(0));
-  add("rays", s.rays, "", "rays a scanner position, about", "see --list",
-      Range::between(1, 1e8));
-  add("max-range", s.max_range, "m", "longest range", "see --list", Range::above(0));
+  options.optionalNumber("noise", s.scan.noise, "m", "standard deviation along the ray",
+                         "see --list", Range::atLeast(0));
+  options.optionalNumber("rays", s.scan.rays_per_station, "",
+                         "rays a scanner position, about", "see --list",
+                         Range::between(1, 1e8));
+  options.optionalNumber("max-range", s.scan.max_range, "m", "longest range",
+                         "see --list", Range::above(0));
   options.number("chord-tolerance", s.chord_tolerance, "m",
                  "distance of the truth's chords from their arcs",
                  Range::between(1e-6, 0.1));
-  add("building", s.building, "",
+  options.optionalNumber(
+      "building", s.building, "",
       "write a storey of copies of the scene side by side instead, of about so many "
       "points in all: scan.pcd alone, of x y z label",
       "none", Range::between(1, 2e9));
@@ -118,17 +106,11 @@ simulate(const Settings& settings)
   const std::filesystem::path folder = settings.folder;
   prepareFolder(folder);
   sim::ScanOptions options = settings.scan;
-  if (settings.noise.is_given)
-    options.noise = settings.noise.value;
-  if (settings.rays.is_given)
-    options.rays_per_station = settings.rays.value;
-  if (settings.max_range.is_given)
-    options.max_range = settings.max_range.value;
   if (isatty(STDERR_FILENO) != 0)
     options.progress = showProgress;
-  if (settings.building.is_given) {
-    const sim::BuildingScan building = sim::writeBuilding(
-        folder / "scan.pcd", scene, settings.building.value, options);
+  if (settings.building) {
+    const sim::BuildingScan building =
+        sim::writeBuilding(folder / "scan.pcd", scene, *settings.building, options);
     std::cout << scene.name << ": " << building.points << " points of "
               << building.copies << " copies\n";
     return;

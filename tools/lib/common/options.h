@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -119,22 +120,18 @@ public:
               "seed of the random samples", Range::atLeast(0));
   }
 
-  /** @brief Declares a number without a default. `is_set` returns whether it was given;
-   * `otherwise` describes its absence in the help. */
+  /** @brief Declares a number without a default; `otherwise` describes its absence in
+   * the help. */
   template <typename NumberT>
   void optionalNumber(const std::string& name,
-                      NumberT& value,
-                      bool& is_set,
+                      std::optional<NumberT>& value,
                       const std::string& unit,
                       const std::string& help,
                       const std::string& otherwise,
                       Range range = Range())
   {
     addNumber<NumberT>(name, unit, help, range, otherwise,
-                       [&value, &is_set](NumberT v) {
-                         value = v;
-                         is_set = true;
-                       });
+                       [&value](NumberT v) { value = v; });
   }
 
   /** @brief Declares a text, `--name text`; one of `choices` unless that is empty. */

@@ -61,6 +61,7 @@ ScanOptions::resolved() const
   if ((origin.empty() ? 0 : 1) + (origin_of.empty() ? 0 : 1) + (no_shift ? 1 : 0) > 1)
     throw ToolError("--origin, --origin-of and --no-shift exclude one another");
   ScanSettings all = settings;
+  all.unit = unit.value_or(all.unit);
   all.shifts = !no_shift;
   if (!origin_of.empty()) {
     all.origin = statedOrigin(origin_of);
@@ -86,7 +87,7 @@ ScanOptions::given() const
       {"--scan", settings.scan != 0},
       {"--skip-broken", settings.skip_broken},
       {"--columns", !settings.columns.empty()},
-      {"--unit", has_unit},
+      {"--unit", unit.has_value()},
       {"--origin", !origin.empty()},
       {"--origin-of", !origin_of.empty()},
       {"--no-shift", no_shift}};
@@ -99,7 +100,7 @@ ScanOptions::given() const
 void
 addScanOptions(Options& options, ScanOptions& scan)
 {
-  options.optionalNumber("unit", scan.settings.unit, scan.has_unit, "m",
+  options.optionalNumber("unit", scan.unit, "m",
                          "length of one unit of the scan: 0.001 for millimetres", "1",
                          Range::between(1e-6, 1e6));
   options.text("origin", scan.origin,

@@ -4,6 +4,7 @@
 #include "options.h"
 #include "scan_settings.h"
 
+#include <optional>
 #include <string>
 
 namespace pcl::sedr::tools {
@@ -14,7 +15,7 @@ struct ScanOptions {
   std::string origin;    ///< "x,y,z"
   std::string origin_of; ///< a model or cloud
   bool no_shift = false;
-  bool has_unit = false; ///< whether the unit was given
+  std::optional<double> unit; ///< metres per unit of the file, if given
 
   /** @brief Returns the complete settings; throws ToolError on invalid or contradictory
    * options. */

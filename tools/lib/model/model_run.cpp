@@ -59,7 +59,7 @@ bool
 knowsUnit(const ModelSettings& settings)
 {
   const std::vector<std::string> files = scanFilesOf(settings.inputs);
-  return settings.scan.has_unit ||
+  return settings.scan.unit ||
          std::all_of(files.begin(), files.end(), [](const std::string& file) {
            return looksLikeE57(MappedFile(file));
          });

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "files.h"
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
+#include "bytes/whole_file.h"
+
 #include <sstream>
-#include <stdexcept>
 #include <string>
-#include <system_error>
 
 namespace pcl::sedr::sim {
 
@@ -15,65 +12,14 @@ namespace {
 
 static_assert(sizeof(ScanPoint) == 20, "a point is written as it lies in memory");
 
-/** @brief The bytes of a binary file, little endian as the machine. */
-class Bytes {
-public:
-  template <typename T>
-  void append(T value)
-  {
-    char raw[sizeof(T)];
-    std::memcpy(raw, &value, sizeof(T));
-    bytes_.append(raw, sizeof(T));
-  }
-
-  const std::string& get() const { return bytes_; }
-
-private:
-  std::string bytes_;
-};
-
-[[noreturn]] void
-failToWrite(const std::filesystem::path& path, const std::string& reason)
-{
-  throw std::runtime_error("Cannot write " + path.string() + ": " + reason);
-}
-
-/** @brief Writes header and data to a temporary file, then renames it to @p path. */
-void
-writeWhole(const std::filesystem::path& path,
-           const std::string& header,
-           const std::function<void(std::ostream&)>& write_data)
-{
-  std::filesystem::path part = path;
-  part += ".part";
-  std::error_code ignored;
-  {
-    std::ofstream file(part, std::ios::binary | std::ios::trunc);
-    if (!file)
-      failToWrite(path, std::strerror(errno));
-    file << header;
-    write_data(file);
-    file.close();
-    if (!file) {
-      std::filesystem::remove(part, ignored);
-      failToWrite(path, "the disk may be full");
-    }
-  }
-  std::error_code error;
-  std::filesystem::rename(part, path, error);
-  if (error) {
-    std::filesystem::remove(part, ignored);
-    failToWrite(path, error.message());
-  }
-}
-
 void
 writeWhole(const std::filesystem::path& path,
            const std::string& header,
            const char* data,
            std::size_t size)
 {
-  writeWhole(path, header, [&](std::ostream& file) {
+  tools::writeWhole(path.string(), [&](std::ostream& file) {
+    file << header;
     file.write(data, static_cast<std::streamsize>(size));
   });
 }
@@ -132,7 +78,8 @@ writePcdStream(const std::filesystem::path& path,
 {
   static_assert(sizeof(LabelledPoint) == 16, "a point is written as it lies in memory");
   constexpr std::size_t at_once = 1 << 16;
-  writeWhole(path, pcdHeader(count, false), [&](std::ostream& file) {
+  tools::writeWhole(path.string(), [&](std::ostream& file) {
+    file << pcdHeader(count, false);
     std::vector<LabelledPoint> points;
     const auto flush = [&] {
       file.write(reinterpret_cast<const char*>(points.data()),
@@ -153,21 +100,24 @@ writePly(const std::filesystem::path& path,
          const Mesh& mesh,
          const Placement& placement)
 {
-  Bytes bytes;
+  std::string bytes; // little endian as the machine
+  const auto append = [&bytes](auto value) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  };
   for (const Vec3& vertex : mesh.vertices) {
     const Vec3 point = placed(placement, vertex);
-    bytes.append(static_cast<float>(point.x));
-    bytes.append(static_cast<float>(point.y));
-    bytes.append(static_cast<float>(point.z));
+    append(static_cast<float>(point.x));
+    append(static_cast<float>(point.y));
+    append(static_cast<float>(point.z));
   }
   for (const Face& face : mesh.faces) {
-    bytes.append(static_cast<std::uint8_t>(3));
+    append(static_cast<std::uint8_t>(3));
     for (const std::uint32_t vertex : face.vertices)
-      bytes.append(static_cast<std::int32_t>(vertex));
-    bytes.append(static_cast<std::int32_t>(face.label));
-    bytes.append(static_cast<std::int32_t>(face.room));
+      append(static_cast<std::int32_t>(vertex));
+    append(static_cast<std::int32_t>(face.label));
+    append(static_cast<std::int32_t>(face.room));
   }
-  writeWhole(path, plyHeader(mesh), bytes.get().data(), bytes.get().size());
+  writeWhole(path, plyHeader(mesh), bytes.data(), bytes.size());
 }
 
 void

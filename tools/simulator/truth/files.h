@@ -12,9 +12,8 @@
 #include <string>
 #include <vector>
 
-/** @file Binary PCD and PLY, and text. Each file is written under a temporary name
- * beside it and renamed when complete, so that no reader sees a partial file. Failure
- * throws std::runtime_error with a sentence. */
+/** @file Binary PCD and PLY, and text, each by tools::writeWhole(): completely or not
+ * at all. */
 
 namespace pcl::sedr::sim {
 
