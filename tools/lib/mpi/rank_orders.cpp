@@ -26,12 +26,17 @@ struct Order {
 
 } // namespace pcl::sedr::tools
 
-namespace boost::serialization {
+BOOST_FUSION_ADAPT_STRUCT(pcl::sedr::tools::GoHome)
+BOOST_FUSION_ADAPT_STRUCT(pcl::sedr::tools::ThinOrder,
+                          ranges,
+                          rows,
+                          excerpt_step,
+                          settings,
+                          inverse_leaf,
+                          removes_strays)
+BOOST_FUSION_ADAPT_STRUCT(pcl::sedr::tools::Order, threads, what)
 
-template <typename Archive>
-void
-serialize(Archive&, pcl::sedr::tools::GoHome&, unsigned)
-{}
+namespace boost::serialization {
 
 /** The origin is known by then, so it always has a value. */
 template <typename Archive>
@@ -43,21 +48,6 @@ serialize(Archive& archive, pcl::sedr::tools::ScanSettings& settings, unsigned)
     archive& origin.place[axis];
   settings.origin = origin;
   archive& settings.unit& settings.scan& settings.skip_broken& settings.columns;
-}
-
-template <typename Archive>
-void
-serialize(Archive& archive, pcl::sedr::tools::ThinOrder& order, unsigned)
-{
-  archive& order.ranges& order.rows& order.excerpt_step& order.settings;
-  archive& order.inverse_leaf& order.removes_strays;
-}
-
-template <typename Archive>
-void
-serialize(Archive& archive, pcl::sedr::tools::Order& order, unsigned)
-{
-  archive& order.threads& order.what;
 }
 
 } // namespace boost::serialization
