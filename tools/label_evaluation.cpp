@@ -9,7 +9,7 @@
 #include <pcl/common/point_tests.h>
 #include <pcl/conversions.h>
 #include <pcl/search/kdtree.h>
-#include <pcl/sedr_filters/row_source.h>
+#include <pcl/sedr_filters/point_view.h>
 
 #include <algorithm>
 #include <array>

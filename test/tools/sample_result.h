@@ -6,7 +6,6 @@
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_surface/floorplan_extrusion.h>
 #include <pcl/sedr_surface/mesh_io.h>
-#include <pcl/sedr_surface/solid_io.h>
 
 #include <gtest/gtest.h>
 

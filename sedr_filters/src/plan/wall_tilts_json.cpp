@@ -2,7 +2,7 @@
 #include "floorplan_format.h"
 
 #include "sedr_filters/src/base/number_text.h"
-#include <pcl/sedr_filters/wall_tilts.h>
+#include <pcl/sedr_filters/straightening.h>
 
 #include <cmath>
 

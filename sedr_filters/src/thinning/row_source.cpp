@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../base/field_access.h"
 #include "../base/parallel_for.h"
-#include <pcl/sedr_filters/row_source.h>
+#include <pcl/sedr_filters/point_view.h>
 
 #include <algorithm>
 

@@ -4,7 +4,6 @@
 #include "voxel_census.h"
 #include "voxel_frame.h"
 #include <pcl/sedr_filters/point_view.h>
-#include <pcl/sedr_filters/row_source.h>
 #include <pcl/types.h>
 
 #include <cstddef>

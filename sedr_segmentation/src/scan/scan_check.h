@@ -4,7 +4,6 @@
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_filters/priors.h>
-#include <pcl/sedr_filters/row_source.h>
 
 #include <cstddef>
 #include <functional>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scan_check.h"
-#include <pcl/sedr_filters/row_source.h>
+#include <pcl/sedr_filters/point_view.h>
 
 #include <Eigen/Core>
 

@@ -4,7 +4,7 @@
 #include "../overhead/ceiling_lines.h"
 
 #include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_filters/wall_tilts.h>
+#include <pcl/sedr_filters/straightening.h>
 
 #include <Eigen/Geometry>
 

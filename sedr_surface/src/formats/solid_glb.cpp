@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_surface/solid_io.h>
+#include <pcl/sedr_surface/mesh_io.h>
 
 #include "labels.h"
 

@@ -2,7 +2,7 @@
 #include "decimal_text.h"
 #include "labels.h"
 
-#include <pcl/sedr_surface/solid_io.h>
+#include <pcl/sedr_surface/mesh_io.h>
 
 #include <algorithm>
 #include <numeric>

@@ -5,7 +5,7 @@
 #include "../walls/plan_walls.h"
 #include "ifc_shapes.h"
 
-#include <pcl/sedr_filters/wall_tilts.h>
+#include <pcl/sedr_filters/straightening.h>
 
 #include <cmath>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/slab_curve.h>
+#include <pcl/sedr_filters/floorplan.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

@@ -2,12 +2,12 @@
 #include "room_points.h"
 
 #include <pcl/sedr_filters/cell_grid.h>
+#include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_filters/point_types.h>
-#include <pcl/sedr_filters/row_source.h>
+#include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_filters/scan_frame.h>
-#include <pcl/sedr_filters/slab_curve.h>
 
 #include <pcl/conversions.h>
 

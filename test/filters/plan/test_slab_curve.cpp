@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/slab_curve.h>
+#include <pcl/sedr_filters/floorplan.h>
 
 #include "plan_loops.h"
 

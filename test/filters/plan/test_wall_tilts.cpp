@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/wall_tilts.h>
+#include <pcl/sedr_filters/straightening.h>
 
 #include "plan_loops.h"
 

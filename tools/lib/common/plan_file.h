@@ -4,7 +4,7 @@
 #include "tool_cloud.h"
 
 #include "sedr_filters/src/plan/plan_surfaces.h"
-#include <pcl/sedr_filters/wall_tilts.h>
+#include <pcl/sedr_filters/straightening.h>
 
 #include <memory>
 #include <optional>

@@ -6,7 +6,6 @@
 
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/mesh_io.h>
-#include <pcl/sedr_surface/solid_io.h>
 
 #include <filesystem>
 

@@ -4,7 +4,6 @@
 #include "picture.h"
 
 #include <pcl/sedr_filters/point_view.h>
-#include <pcl/sedr_filters/row_source.h>
 
 namespace pcl::sedr::tools {
 

@@ -5,7 +5,7 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/priors.h>
-#include <pcl/sedr_filters/wall_tilts.h>
+#include <pcl/sedr_filters/straightening.h>
 #include <pcl/sedr_surface/mesh_distance.h>
 
 #include <cstdint>

@@ -4,7 +4,7 @@
 #include "cloud_readers.h"
 #include "row_plan.h"
 
-#include <pcl/sedr_filters/row_source.h>
+#include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_filters/scan_frame.h>
 
 #include <array>

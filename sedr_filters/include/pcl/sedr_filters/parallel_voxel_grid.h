@@ -2,7 +2,7 @@
 #pragma once
 
 #include <pcl/filters/filter.h>
-#include <pcl/sedr_filters/row_source.h>
+#include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_filters/stage_filter.h>
 #include <pcl/sedr_filters/voxel_grid_settings.h>
 

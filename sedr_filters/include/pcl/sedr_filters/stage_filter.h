@@ -91,6 +91,11 @@ public:
   /** @brief Sets the room of every input point, 0 none; empty: from the point type. */
   void setRooms(std::vector<std::uint32_t> rooms) { rooms_ = std::move(rooms); }
 
+  /** @brief Sets the number of threads, 0 for all processors (default). The result does
+   * not depend on it. */
+  void setNumberOfThreads(unsigned int threads = 0) { threads_ = threads; }
+  unsigned int getNumberOfThreads() const { return threads_; }
+
   /** @brief Returns the input index of every output point, -1 for new points. */
   const Indices& getSourceIndices() const { return sources_; }
 
@@ -150,6 +155,7 @@ protected:
   std::shared_ptr<const Floorplan> plan_;
   std::vector<std::uint32_t> labels_;
   std::vector<std::uint32_t> rooms_;
+  unsigned int threads_ = 0;
   Indices sources_;
   std::vector<SurfacePoint> surface_points_;
 };

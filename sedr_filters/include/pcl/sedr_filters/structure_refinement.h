@@ -48,11 +48,6 @@ public:
   void setMaximumDistance(double distance) { maximum_distance_ = distance; }
   double getMaximumDistance() const { return maximum_distance_; }
 
-  /** @brief Sets the number of threads, 0 for all processors (default). The result does
-   * not depend on it. */
-  void setNumberOfThreads(unsigned int threads = 0) { threads_ = threads; }
-  unsigned int getNumberOfThreads() const { return threads_; }
-
 protected:
   void applyFilter(PointCloud& output) override;
 
@@ -60,6 +55,7 @@ private:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;
   using sedr::PlanFilter<PointT>::plan_;
+  using sedr::PlanFilter<PointT>::threads_;
   using sedr::PlanFilter<PointT>::sources_;
   using sedr::PlanFilter<PointT>::surface_points_;
   using sedr::PlanFilter<PointT>::fail;
@@ -68,7 +64,6 @@ private:
   bool validate(std::vector<std::uint32_t>& labels, std::vector<std::uint32_t>& rooms);
 
   double maximum_distance_ = 0.15;
-  unsigned int threads_ = 0;
 };
 
 } // namespace pcl

@@ -80,11 +80,6 @@ public:
   void setGridSize(double size) { grid_size_ = size; }
   double getGridSize() const { return grid_size_; }
 
-  /** @brief Sets the number of threads, 0 for all processors (default). The result does
-   * not depend on it. */
-  void setNumberOfThreads(unsigned int threads = 0) { threads_ = threads; }
-  unsigned int getNumberOfThreads() const { return threads_; }
-
   /** @brief Returns the output indices of the points that fill holes, increasing. */
   const Indices& getRepairedIndices() const { return repaired_; }
 
@@ -108,6 +103,7 @@ private:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;
   using sedr::PlanFilter<PointT>::plan_;
+  using sedr::PlanFilter<PointT>::threads_;
   using sedr::PlanFilter<PointT>::sources_;
   using sedr::PlanFilter<PointT>::surface_points_;
   using sedr::PlanFilter<PointT>::fail;
@@ -116,7 +112,6 @@ private:
   bool validate(std::vector<std::uint32_t>& labels, std::vector<std::uint32_t>& rooms);
 
   double grid_size_ = 0.05;
-  unsigned int threads_ = 0;
   Indices repaired_;
   std::vector<sedr::RepairedStrip> strips_;
   std::map<std::uint32_t, sedr::UnseenShares> unseen_;

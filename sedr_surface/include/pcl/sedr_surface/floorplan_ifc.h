@@ -2,9 +2,9 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_filters/scan_frame.h>
 #include <pcl/sedr_filters/priors.h>
-#include <pcl/sedr_filters/wall_tilts.h>
+#include <pcl/sedr_filters/scan_frame.h>
+#include <pcl/sedr_filters/straightening.h>
 
 #include <cstddef>
 #include <string>

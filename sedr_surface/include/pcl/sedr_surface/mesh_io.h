@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/scan_frame.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 
+#include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -32,5 +36,41 @@ std::string loadMesh(const std::string& path, TriangleMesh& mesh);
 std::string savePly(const std::string& path,
                     const TriangleMesh& mesh,
                     const std::vector<std::string>& comments = {});
+
+/** @brief Writes solids as OBJ: one object per room, materials by label, and groups
+ * named by element, room and, where known, storey. Metres, z up, seven decimals.
+ *
+ * @param mesh with rooms, labels and elements, as FloorplanExtrusion::getMesh()
+ * @param elements the mesh's elements, as FloorplanExtrusion::getElements()
+ * @param material_file name of the file that holds solidMaterials(), without a folder;
+ * empty for none
+ * @param storey_of storey of each room, as from storeyOfRooms() */
+std::string solidToObj(const TriangleMesh& mesh,
+                       const std::vector<SolidElement>& elements,
+                       const std::string& material_file,
+                       const std::map<std::uint32_t, std::uint32_t>& storey_of = {});
+
+/** @brief Returns the materials of solidToObj() as an MTL file: ceiling, floor, wall,
+ * detail, column. */
+std::string solidMaterials();
+
+/** @brief Returns comment lines for a PLY header, "element 3 room_1_wall_1", for each
+ * element that has triangles. The number is that stored with the triangles. */
+std::vector<std::string> elementComments(const TriangleMesh& mesh,
+                                         const std::vector<SolidElement>& elements);
+
+/** @brief Writes solids as binary glTF 2.0. A node per storey contains a node per room,
+ * which contains a node per element, with its name and the material of its label.
+ * Metres; y up, as glTF requires: x, z, -y of the plan. Faces point out of the rooms.
+ * Without normals glTF shades them flat; materials are two-sided.
+ *
+ * @param mesh with rooms, labels and elements, as FloorplanExtrusion::getMesh()
+ * @param elements the mesh's elements, as FloorplanExtrusion::getElements()
+ * @param storeys from storeysOf(); rooms that none of them lists are left out
+ * @param origin written to asset.extras unless it is 0 */
+std::string solidToGlb(const TriangleMesh& mesh,
+                       const std::vector<SolidElement>& elements,
+                       const std::vector<PlanStorey>& storeys,
+                       const Origin& origin = {});
 
 } // namespace pcl::sedr

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_filters/wall_tilts.h>
+#include <pcl/sedr_filters/straightening.h>
 #include <pcl/sedr_surface/mesh_topology.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 

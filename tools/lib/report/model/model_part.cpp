@@ -8,7 +8,7 @@
 #include "results/distance_colour.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
-#include <pcl/sedr_surface/solid_io.h>
+#include <pcl/sedr_surface/mesh_io.h>
 
 #include <fstream>
 #include <iterator>
