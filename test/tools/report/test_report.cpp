@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "report/model/depth_image.h"
+#include "canvas.h"
 #include "report/model/mesh_reduction.h"
+#include "report/model/model_pictures.h"
 #include "report/page/advice.h"
 #include "report/page/histogram_svg.h"
 #include "report/page/html_text.h"
@@ -175,14 +176,14 @@ TEST(HistogramSvg, IsEmptyWithoutAHistogram)
   EXPECT_EQ(histogramSvg(summarizeDistances({}), 0.05), "");
 }
 
-TEST(DepthImage, ShowsWhatIsNearest)
+TEST(Canvas, ShowsWhatIsNearest)
 {
   constexpr Colour red{200, 0, 0};
   constexpr Colour blue{0, 0, 200};
-  DepthImage image(10, 10);
-  image.addPoint({10, 10, 1}, red, 8);
-  image.addTriangle({{{0, 0, 2}, {20, 0, 2}, {0, 20, 2}}}, blue);
-  image.addPoint({-50, 5, 0}, red, 3); // outside the image
+  Canvas image(10, 10, 2);
+  image.fillSquare({5, 5, 1}, 4, red);
+  image.fillTriangle({{{0, 0, 2}, {10, 0, 2}, {0, 10, 2}}}, blue);
+  image.fillSquare({-25, 2.5, 0}, 1.5, red); // outside the image
   const Image seen = image.image();
   EXPECT_EQ(seen.width, 10);
   EXPECT_EQ(seen.at(5, 5), red) << "before the triangle, though drawn first";
@@ -190,12 +191,12 @@ TEST(DepthImage, ShowsWhatIsNearest)
   EXPECT_EQ(seen.at(9, 9), colours::paper);
 }
 
-TEST(DepthImage, DarkensWhatLiesBehindItsNeighbour)
+TEST(Canvas, DarkensWhatLiesBehindItsNeighbour)
 {
   constexpr Colour grey{200, 200, 200};
-  DepthImage image(20, 10);
-  image.addTriangle({{{0, 0, 0}, {20, 0, 0}, {0, 40, 0}}}, grey);
-  image.addTriangle({{{0, 0, 100}, {80, 0, 100}, {0, 80, 100}}}, grey);
+  Canvas image(20, 10, 2);
+  image.fillTriangle({{{0, 0, 0}, {10, 0, 0}, {0, 20, 0}}}, grey);
+  image.fillTriangle({{{0, 0, 50}, {40, 0, 50}, {0, 40, 50}}}, grey);
   image.shadeDepth();
   const Image seen = image.image();
   EXPECT_EQ(seen.at(2, 2), grey) << "in front";

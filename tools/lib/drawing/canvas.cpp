@@ -4,16 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pcl::sedr::tools {
 
 namespace {
 
-/** @brief Fine pixels per pixel along each axis. */
-constexpr int fineness = 3;
-
 /** @brief Minimum width of a box in fine pixels, so that single cells are visible. */
 constexpr double min_fine = 2;
+
+constexpr float background = std::numeric_limits<float>::infinity(); ///< depth
 
 /** @brief Returns the first fine pixel whose centre is not before `x`, within 0 and
  * `limit`. */
@@ -49,8 +49,9 @@ Box::grown(double margin) const
   return {low.array() - margin, high.array() + margin};
 }
 
-Canvas::Canvas(int width, int height)
-    : fine_(fineness * width, fineness * height, colours::paper)
+Canvas::Canvas(int width, int height, int fineness)
+    : fineness_(fineness)
+    , fine_(fineness * width, fineness * height, colours::paper)
     , clip_right_(fine_.width)
     , clip_bottom_(fine_.height)
 {}
@@ -58,10 +59,10 @@ Canvas::Canvas(int width, int height)
 void
 Canvas::setClip(const Box& box)
 {
-  clip_left_ = firstFrom(fineness * box.low.x(), fine_.width);
-  clip_right_ = firstFrom(fineness * box.high.x(), fine_.width);
-  clip_top_ = firstFrom(fineness * box.low.y(), fine_.height);
-  clip_bottom_ = firstFrom(fineness * box.high.y(), fine_.height);
+  clip_left_ = firstFrom(fineness_ * box.low.x(), fine_.width);
+  clip_right_ = firstFrom(fineness_ * box.high.x(), fine_.width);
+  clip_top_ = firstFrom(fineness_ * box.low.y(), fine_.height);
+  clip_bottom_ = firstFrom(fineness_ * box.high.y(), fine_.height);
 }
 
 void
@@ -78,8 +79,8 @@ Canvas::fillRow(int row, double from, double to, Colour colour)
 void
 Canvas::fillBox(const Box& box, Colour colour)
 {
-  Eigen::Vector2d low = fineness * box.low;
-  Eigen::Vector2d high = fineness * box.high;
+  Eigen::Vector2d low = fineness_ * box.low;
+  Eigen::Vector2d high = fineness_ * box.high;
   for (int k = 0; k < 2; ++k)
     if (high[k] - low[k] < min_fine) {
       low[k] = std::floor((low[k] + high[k] - min_fine) / 2 + 0.5);
@@ -93,8 +94,8 @@ Canvas::fillBox(const Box& box, Colour colour)
 void
 Canvas::drawDisc(const Eigen::Vector2d& centre, double radius, Colour colour)
 {
-  const Eigen::Vector2d middle = fineness * centre;
-  const double r = fineness * radius;
+  const Eigen::Vector2d middle = fineness_ * centre;
+  const double r = fineness_ * radius;
   const int last = firstFrom(middle.y() + r, fine_.height);
   for (int row = firstFrom(middle.y() - r, fine_.height); row < last; ++row) {
     const double up = row + 0.5 - middle.y();
@@ -145,19 +146,36 @@ Canvas::drawLine(const Eigen::Vector2d& a,
       Eigen::Vector2d(-way.y(), way.x()) / way.norm() * width / 2;
   std::vector<Eigen::Vector2d> corners{a + side, b + side, b - side, a - side};
   for (auto& c : corners)
-    c *= fineness;
+    c *= fineness_;
   fillConvex(corners, colour);
+}
+
+float&
+Canvas::depthAt(int x, int y)
+{
+  if (depths_.empty())
+    depths_.assign(fine_.pixels.size(), background);
+  return depths_[static_cast<std::size_t>(y) * static_cast<std::size_t>(fine_.width) +
+                 static_cast<std::size_t>(x)];
+}
+
+void
+Canvas::put(int x, int y, double depth, Colour colour)
+{
+  float& nearest = depthAt(x, y);
+  if (static_cast<float>(depth) >= nearest)
+    return;
+  nearest = static_cast<float>(depth);
+  fine_.at(x, y) = colour;
 }
 
 void
 Canvas::fillTriangle(const std::array<Eigen::Vector3d, 3>& corners, Colour colour)
 {
-  if (depths_.empty())
-    depths_.assign(fine_.pixels.size(), std::numeric_limits<float>::infinity());
   Box box;
   std::array<Eigen::Vector2d, 3> p;
   for (std::size_t k = 0; k < 3; ++k) {
-    p[k] = fineness * corners[k].head<2>();
+    p[k] = fineness_ * corners[k].head<2>();
     box.extend(p[k]);
   }
   const auto cross = [](const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
@@ -179,34 +197,62 @@ Canvas::fillTriangle(const std::array<Eigen::Vector3d, 3>& corners, Colour colou
       const double c = cross(p[1] - p[0], q - p[0]) / whole;
       if (b < rim || c < rim || b + c > 1 - rim)
         continue;
-      const auto depth = static_cast<float>((1 - b - c) * corners[0].z() +
-                                            b * corners[1].z() + c * corners[2].z());
-      float& nearest =
-          depths_[static_cast<std::size_t>(y) * static_cast<std::size_t>(fine_.width) +
-                  static_cast<std::size_t>(x)];
-      if (depth >= nearest)
+      put(x, y, (1 - b - c) * corners[0].z() + b * corners[1].z() + c * corners[2].z(),
+          colour);
+    }
+}
+
+void
+Canvas::fillSquare(const Eigen::Vector3d& place, double size, Colour colour)
+{
+  const auto side = static_cast<int>(std::lround(fineness_ * size));
+  const auto low = [&](double at) {
+    return static_cast<int>(std::floor(fineness_ * at - side / 2.0 + 0.5));
+  };
+  const int left = low(place.x());
+  const int top = low(place.y());
+  for (int y = std::max(top, clip_top_); y < std::min(top + side, clip_bottom_); ++y)
+    for (int x = std::max(left, clip_left_); x < std::min(left + side, clip_right_);
+         ++x)
+      put(x, y, place.z(), colour);
+}
+
+void
+Canvas::shadeDepth()
+{
+  constexpr int reach = 3;         // fine pixels
+  constexpr double gain = 0.04;    // per pixel of depth
+  constexpr double darkest = 0.65; // maximum darkening
+  for (int y = 0; y < fine_.height; ++y)
+    for (int x = 0; x < fine_.width; ++x) {
+      const float depth = depthAt(x, y);
+      if (depth == background)
         continue;
-      nearest = depth;
-      fine_.at(x, y) = colour;
+      double hidden = 0;
+      for (const auto& [u, v] :
+           {std::pair{x + reach, y}, {x - reach, y}, {x, y + reach}, {x, y - reach}})
+        if (u >= 0 && v >= 0 && u < fine_.width && v < fine_.height)
+          hidden += std::max(0.0F, depth - depthAt(u, v));
+      fine_.at(x, y) = darkened(fine_.at(x, y), std::min(darkest, gain * hidden / 4));
     }
 }
 
 Image
 Canvas::image() const
 {
-  Image result(fine_.width / fineness, fine_.height / fineness, colours::paper);
-  constexpr int count = fineness * fineness;
+  Image result(fine_.width / fineness_, fine_.height / fineness_, colours::paper);
+  const int count = fineness_ * fineness_;
   for (int y = 0; y < result.height; ++y)
     for (int x = 0; x < result.width; ++x) {
       int sum[3] = {0, 0, 0};
-      for (int dy = 0; dy < fineness; ++dy)
-        for (int dx = 0; dx < fineness; ++dx) {
-          const Colour c = fine_.at(fineness * x + dx, fineness * y + dy);
+      for (int dy = 0; dy < fineness_; ++dy)
+        for (int dx = 0; dx < fineness_; ++dx) {
+          const Colour c = fine_.at(fineness_ * x + dx, fineness_ * y + dy);
           sum[0] += c.red;
           sum[1] += c.green;
           sum[2] += c.blue;
         }
-      const auto mean = [](int s) {
+      const auto mean = [count](int s) {
         return static_cast<std::uint8_t>((s + count / 2) / count);
       };
       result.at(x, y) = {mean(sum[0]), mean(sum[1]), mean(sum[2])};

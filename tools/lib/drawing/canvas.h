@@ -37,7 +37,9 @@ struct Box {
  * down from the top left corner. Shapes are clipped to the clip box. */
 class Canvas {
 public:
-  Canvas(int width, int height);
+  /** @param width,height pixels
+   * @param fineness fine pixels per pixel along each axis */
+  Canvas(int width, int height, int fineness = 3);
 
   /** @brief Restricts what is drawn from now on to `box`. */
   void setClip(const Box& box);
@@ -57,6 +59,14 @@ public:
    * Corners are x, y and depth; smaller is nearer. */
   void fillTriangle(const std::array<Eigen::Vector3d, 3>& corners, Colour colour);
 
+  /** @brief Fills a square around a place, x, y and depth, where it is nearer to the
+   * viewer than earlier triangles and squares. */
+  void fillSquare(const Eigen::Vector3d& place, double size, Colour colour);
+
+  /** @brief Darkens triangles and squares behind nearby ones, which shows the shape of
+   * unshaded points. */
+  void shadeDepth();
+
   /** @brief Adds a text above all shapes, including later ones. */
   void addText(const Text& text) { texts_.push_back(text); }
 
@@ -69,8 +79,14 @@ private:
 
   void fillConvex(const std::vector<Eigen::Vector2d>& corners, Colour colour);
 
+  /** @brief Returns the depth of a fine pixel, infinite for the background. */
+  float& depthAt(int x, int y);
+
+  void put(int x, int y, double depth, Colour colour);
+
+  int fineness_;
   Image fine_;                ///< supersampled image
-  std::vector<float> depths_; ///< of the fine pixels; empty before the first triangle
+  std::vector<float> depths_; ///< of the fine pixels; empty before the first depth
   int clip_left_ = 0;
   int clip_right_ = 0; ///< one past
   int clip_top_ = 0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "depth_image.h"
 #include "results/ceiling_rule.h"
 #include "results/display_cloud.h"
 
@@ -11,6 +10,39 @@
 #include <vector>
 
 namespace pcl::sedr::tools {
+
+/** @brief An orthographic view of a model in an image. */
+class ParallelView {
+public:
+  /** @param model points that must be visible, metres; at least one
+   * @param azimuth,elevation from the model towards the viewer, degrees
+   * @param width pixels; the model fills it except for a margin */
+  ParallelView(const std::vector<Eigen::Vector3d>& model,
+               double azimuth,
+               double elevation,
+               int width);
+
+  /** @brief Returns the image height for the model with the margin, pixels. */
+  int height() const { return height_; }
+
+  /** @brief Projects a point to x to the right and y down, pixels, and the depth away
+   * from the viewer, pixels. */
+  Eigen::Vector3d see(const Eigen::Vector3d& p) const;
+
+  /** @brief Returns pixels per metre. */
+  double scale() const { return scale_; }
+
+  /** @brief Returns whether a face with this normal is turned to the viewer. */
+  bool faces(const Eigen::Vector3d& normal) const { return normal.dot(towards_) > 0; }
+
+private:
+  Eigen::Vector3d towards_;
+  Eigen::Vector3d right_;
+  Eigen::Vector3d up_;
+  Eigen::Vector2d corner_; ///< top left corner of the image, metres right and up
+  double scale_ = 1;
+  int height_ = 0;
+};
 
 /** @brief Pictures of a page, all with the same direction and scale, drawn without a
  * display. Ceilings of scan and model are omitted. Each is returned as the bytes of a
@@ -43,7 +75,7 @@ public:
 private:
   Eigen::AlignedBox3d box_;
   CeilingRule rule_;
-  ParallelView view_; ///< in fine pixels
+  ParallelView view_;
 };
 
 } // namespace pcl::sedr::tools
