@@ -66,33 +66,18 @@ dataOf(const ColouredPoints& shown)
   return data;
 }
 
-vtkSmartPointer<vtkPolyData>
-pointsData(const ColouredPoints& points)
-{
-  auto data = dataOf(points);
-  data->SetVerts(cellsOf(points.points.size(), 1));
-  return data;
-}
-
-vtkSmartPointer<vtkPolyData>
-linesData(const ColouredLines& lines)
-{
-  auto data = dataOf(lines);
-  data->SetLines(cellsOf(lines.points.size(), 2));
-  return data;
-}
-
-vtkSmartPointer<vtkPolyData>
-trianglesData(const ColouredPoints& corners)
-{
-  auto data = dataOf(corners);
-  data->SetPolys(cellsOf(corners.points.size(), 3));
-  return data;
-}
-
+/** @brief Returns an actor of points (`size` 1), lines (2) or triangles (3). */
 vtkSmartPointer<vtkActor>
-actorOf(vtkPolyData* data)
+actorOf(const ColouredPoints& shown, vtkIdType size)
 {
+  const auto data = dataOf(shown);
+  const auto cells = cellsOf(shown.points.size(), size);
+  if (size == 1)
+    data->SetVerts(cells);
+  else if (size == 2)
+    data->SetLines(cells);
+  else
+    data->SetPolys(cells);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);
   // Colours are already lit, or encode numbers, so VTK must not shade them.
@@ -193,15 +178,15 @@ View::addShapes(const ViewedResult& result,
   Shapes& shapes = shapes_[layer];
   shapes.made_for = keyOf(state);
   if (result.cloudOf(layer))
-    shapes.body = actorOf(pointsData(painter.points(layer, state)));
+    shapes.body = actorOf(painter.points(layer, state), 1);
   else if (result.meshOf(layer))
-    shapes.body = actorOf(trianglesData(painter.triangles(layer, state)));
+    shapes.body = actorOf(painter.triangles(layer, state), 3);
   else
-    shapes.body = actorOf(linesData(painter.planLines(state)));
+    shapes.body = actorOf(painter.planLines(state), 2);
   renderer_->AddActor(shapes.body);
   if (layer != Layer::Solid)
     return;
-  shapes.edges = actorOf(linesData(painter.solidEdges(state)));
+  shapes.edges = actorOf(painter.solidEdges(state), 2);
   shapes.edges->PickableOff();
   // Drawn in front of their faces.
   auto* mapper = vtkPolyDataMapper::SafeDownCast(shapes.edges->GetMapper());
