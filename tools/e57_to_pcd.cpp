@@ -2,9 +2,7 @@
 #include "e57/e57_reader.h"
 #include "plain_text.h"
 #include "run_tool.h"
-#include "scan_file.h"
 #include "scan_options.h"
-#include "tool_cloud.h"
 #include "tool_error.h"
 
 #include <cstdio>
@@ -53,10 +51,7 @@ run(const Settings& settings)
     return listScans(settings.input);
   if (settings.output.empty())
     throw ToolError("the name of the PCD to write is missing; --list names the scans");
-  checkCloudOutput(settings.output);
-  const ScanFile scan(settings.input, settings.scan.resolved());
-  saveScan(settings.output, scan);
-  say(std::to_string(scan.size()) + " points");
+  convertScan(settings.input, settings.output, settings.scan);
   return Done;
 }
 

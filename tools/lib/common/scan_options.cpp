@@ -3,6 +3,7 @@
 
 #include "cloud_readers.h"
 #include "plan_file.h"
+#include "run_tool.h"
 #include "scan_file.h"
 #include "tool_error.h"
 
@@ -48,6 +49,17 @@ statedOrigin(const std::string& path)
 }
 
 } // namespace
+
+void
+convertScan(const std::string& input,
+            const std::string& output,
+            const ScanOptions& options)
+{
+  checkCloudOutput(output);
+  const ScanFile scan(input, options.resolved());
+  saveScan(output, scan);
+  say(std::to_string(scan.size()) + " points");
+}
 
 Origin
 originOfModel(const std::string& path)
