@@ -72,7 +72,7 @@ readAsPositions(const std::string& path)
 {
   constexpr std::size_t rows = 100;
   static const MemoryFile other("1 2 3\n");
-  static const ScanFile scan(other.path(), 1);
+  static const ScanFile scan(other.path());
   try {
     scan.positionsIn(path, rows);
   }

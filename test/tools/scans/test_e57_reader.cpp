@@ -3,6 +3,7 @@
 #include "e57/e57_reader.h"
 #include "e57_files.h"
 #include "scan_file.h"
+#include "tools/reading_settings.h"
 
 #include <cmath>
 #include <limits>
@@ -172,7 +173,7 @@ TEST_F(E57Files, PiecesAndSingleRowsAreThoseOfTheWhole)
   const std::string path = write(writer.file());
   const ToolCloud whole = loadCloud(path);
   ASSERT_EQ(whole.size(), n + 777);
-  const ScanFile pieces(path, 1, 100000);
+  const ScanFile pieces(path, inPieces(100000));
   const auto begin = whole.blob.data.begin();
   const auto step = static_cast<std::ptrdiff_t>(pieces.rowSize());
   for (const auto& [from, to] : {std::make_pair<std::size_t>(0, n + 777),

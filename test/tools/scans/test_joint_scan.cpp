@@ -78,7 +78,7 @@ TEST_F(JointScans, HaveTheRowsOfAllFilesInOneFrame)
 {
   const JointScan scan(all(), {});
   ASSERT_EQ(scan.size(), 9u);
-  EXPECT_EQ(scan.origin(), ScanFile(in("a.e57"), 1).origin());
+  EXPECT_EQ(scan.origin(), ScanFile(in("a.e57")).origin());
   const std::vector<Eigen::Vector3d> points = pointsOf(scan);
   ASSERT_EQ(points.size(), 9u);
   EXPECT_LT((points[2] - grid - Eigen::Vector3d(3, 3, 3)).norm(), 1e-5);
@@ -124,7 +124,7 @@ TEST_F(JointScans, OfOneFileAreThatFile)
 {
   writeFile(in("one.pcd"), pcdBytes({{1, 2, 3}, {4, 5, 6}}));
   const JointScan scan({in("one.pcd")}, {});
-  const ScanFile file(in("one.pcd"), 1);
+  const ScanFile file(in("one.pcd"));
   EXPECT_EQ(scan.rowSize(), file.rowSize());
   EXPECT_EQ(scan.fields().size(), file.fields().size());
   EXPECT_EQ(pointsOf(scan).size(), 2u);

@@ -6,6 +6,7 @@
 #include "tools/sample_files.h"
 
 #include "sedr_segmentation/src/scan/scan_excerpt.h"
+#include "tools/reading_settings.h"
 #include <pcl/conversions.h>
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
 
@@ -19,6 +20,7 @@
 namespace {
 
 using namespace pcl::sedr::tools;
+using namespace programs;
 using pcl::sedr::RowSource;
 using programs::bytesOf;
 using programs::TemporaryFolder;
@@ -117,7 +119,7 @@ protected:
       if (piece == 1 && loadCloud(path).size() > 1000)
         continue;
       for (const unsigned threads : {1u, 2u, 3u, 8u})
-        EXPECT_EQ(thinned(ScanFile(path, 1, piece), threads).data, expected.data)
+        EXPECT_EQ(thinned(ScanFile(path, inPieces(piece)), threads).data, expected.data)
             << path << " by " << piece << " on " << threads;
     }
   }
@@ -132,7 +134,7 @@ TEST_F(ScanFiles, RowsFromOneToAnotherAreThoseOfTheWhole)
   saveCloud(in("scan.ply"), room);
   saveCloud(in("packed.pcd"), room, PcdData::Compressed);
   for (const char* name : {"scan.pcd", "scan.ply", "packed.pcd"}) {
-    const ScanFile scan(in(name), 1, 5000);
+    const ScanFile scan(in(name), inPieces(5000));
     const pcl::PCLPointCloud2 whole = loadCloud(in(name)).blob;
     std::size_t next = 333;
     scan.forEachPiece(333, 1500, [&](const RowSource::Piece& piece) {
@@ -188,7 +190,7 @@ TEST_F(ScanFiles, OnePointAndFewPointsGiveTheSameToo)
   writeFile(in("few.pcd"), programs::pcdBytes({{nan, 0, 0}, {1, 2, 3}, {1.01f, 2, 3}}));
   expectPiecesGiveTheSame(in("one.pcd"));
   expectPiecesGiveTheSame(in("few.pcd"));
-  EXPECT_EQ(thinned(ScanFile(in("few.pcd"), 1, 12), 2).width, 1u);
+  EXPECT_EQ(thinned(ScanFile(in("few.pcd"), inPieces(12)), 2).width, 1u);
 }
 
 TEST_F(ScanFiles, DoublesUnitsAndByteOrderAreBroughtIntoFormPieceByPiece)
@@ -214,10 +216,10 @@ TEST_F(ScanFiles, DoublesUnitsAndByteOrderAreBroughtIntoFormPieceByPiece)
   writeFile(in("doubles.pcd"), doubles);
   writeFile(in("big.ply"), big);
   for (const char* name : {"doubles.pcd", "big.ply"}) {
-    const ScanFile whole(in(name), 0.001);
-    const ScanFile pieces(in(name), 0.001, 100);
+    const ScanFile whole(in(name), inUnit(0.001));
+    const ScanFile pieces(in(name), inPieces(100, 0.001));
     EXPECT_EQ(thinned(whole, 1).data, thinned(pieces, 3).data);
-    const ToolCloud cloud = loadCloud(in(name), 0.001);
+    const ToolCloud cloud = loadCloud(in(name), inUnit(0.001));
     EXPECT_EQ((*cloud.points)[299].x, static_cast<float>(0.001 * 12.5 * 299));
     EXPECT_EQ((*cloud.points)[1].z, 1.001f);
   }
@@ -351,7 +353,7 @@ TEST_F(ScanFiles, AnExcerptKeepsEveryKthPointAndTheSentenceOfTheWhole)
 {
   writeFile(in("room.pcd"), programs::pcdBytes(roomPoints(20000)));
   const ToolCloud cloud = loadCloud(in("room.pcd"));
-  const ScanFile scan(in("room.pcd"), 1, 5000);
+  const ScanFile scan(in("room.pcd"), inPieces(5000));
   const pcl::sedr::ScanExcerpt excerpt(scan, 3000, 2);
   const auto output = thinned(excerpt, 2);
   EXPECT_EQ(output.data, thinned(scan, 1).data);
@@ -370,7 +372,7 @@ TEST_F(ScanFiles, AnExcerptKeepsEveryKthPointAndTheSentenceOfTheWhole)
     for (float& v : p)
       v *= 1000;
   writeFile(in("mm.pcd"), programs::pcdBytes(points));
-  const ScanFile large(in("mm.pcd"), 1, 5000);
+  const ScanFile large(in("mm.pcd"), inPieces(5000));
   const pcl::sedr::ScanExcerpt refused(large, 3000, 2);
   EXPECT_LT(thinned(refused, 2).width, 2000u);
   const ToolCloud whole = loadCloud(in("mm.pcd"));

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "e57_writer.h"
 #include "scan_file.h"
 #include "scan_options.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
+#include "tools/reading_settings.h"
 #include "tools/run_program.h"
 #include "tools/sample_files.h"
-#include "e57_writer.h"
 
 #include <pcl/io/pcd_io.h>
 
@@ -14,6 +15,7 @@
 namespace {
 
 using namespace pcl::sedr::tools;
+using namespace programs;
 using pcl::sedr::ScanPositions;
 using programs::E57TestField;
 using programs::E57Writer;
@@ -84,10 +86,10 @@ TEST_F(ScanPositionFiles, AViewpointOfPcdIsOneUnlessItIsZero)
 {
   std::string pcd = programs::pcdBytes({{1, 2, 3}, {4, 5, 6}});
   writeFile(in("scan.pcd"), pcd);
-  EXPECT_TRUE(ScanFile(in("scan.pcd"), 1).positions().empty());
+  EXPECT_TRUE(ScanFile(in("scan.pcd")).positions().empty());
   pcd.replace(pcd.find("VIEWPOINT 0 0 0"), 15, "VIEWPOINT 1 2 1.5");
   writeFile(in("scan.pcd"), pcd);
-  const ScanPositions positions = ScanFile(in("scan.pcd"), 1).positions();
+  const ScanPositions positions = ScanFile(in("scan.pcd")).positions();
   ASSERT_EQ(positions.size(), 1u);
   EXPECT_EQ(positions[0].first_row, 0u);
   EXPECT_EQ(positions[0].place, Eigen::Vector3f(1, 2, 1.5F));
@@ -114,9 +116,9 @@ TEST_F(ScanPositionFiles, ThePositionIsKeptBesideAnOriginThatPclSeesInViewpoint)
   writeFile(in("scan.pcd"), pcd);
   std::string from = in("scan.pcd");
   for (const char* copy : {"one.pcd", "two.pcd"}) {
-    saveScan(in(copy), ScanFile(from, 1));
+    saveScan(in(copy), ScanFile(from));
     EXPECT_EQ(sensorOrigin(in(copy)), Eigen::Vector3f(691601, 5336000, 0)) << copy;
-    const ScanFile read(in(copy), 1);
+    const ScanFile read(in(copy));
     EXPECT_EQ(read.origin(), (pcl::sedr::Origin{{691601, 5336000, 0}}));
     ASSERT_EQ(read.positions().size(), 1u);
     EXPECT_EQ(read.positions()[0].place, Eigen::Vector3f(3, 5, 501.5F));
@@ -132,7 +134,7 @@ TEST_F(ScanPositionFiles, AViewpointBeyondTheReachOfAScannerIsAnOrigin)
     std::string pcd = programs::pcdBytes({{size, 2, 3}, {4, size, 6}});
     pcd.replace(pcd.find("VIEWPOINT 0 0 0"), 15, "VIEWPOINT " + viewpoint);
     writeFile(in("scan.pcd"), pcd);
-    return ScanFile(in("scan.pcd"), unit);
+    return ScanFile(in("scan.pcd"), inUnit(unit));
   };
   const pcl::sedr::Origin grid{{691600, 5336000, 0}};
   EXPECT_EQ(written("691600 5336000 0").origin(), grid);
@@ -155,9 +157,9 @@ TEST_F(ScanPositionFiles, PclsOwnWritersKeepTheOriginThatIsChosen)
 {
   writeFile(in("scan.xyz"), "691614 5335995 500\n691615 5335995 500\n"
                             "691614 5335996 503\n");
-  saveScan(in("scan.pcd"), ScanFile(in("scan.xyz"), 1));
+  saveScan(in("scan.pcd"), ScanFile(in("scan.xyz")));
   const pcl::sedr::Origin origin{{691614, 5336000, 0}};
-  EXPECT_EQ(ScanFile(in("scan.pcd"), 1).origin(), origin);
+  EXPECT_EQ(ScanFile(in("scan.pcd")).origin(), origin);
   pcl::PointCloud<pcl::PointXYZ> cloud;
   ASSERT_EQ(pcl::io::loadPCDFile(in("scan.pcd"), cloud), 0);
   pcl::PCDWriter writer;
@@ -165,7 +167,7 @@ TEST_F(ScanPositionFiles, PclsOwnWritersKeepTheOriginThatIsChosen)
   ASSERT_EQ(writer.writeBinary(in("binary.pcd"), cloud), 0);
   ASSERT_EQ(writer.writeBinaryCompressed(in("compressed.pcd"), cloud), 0);
   for (const char* name : {"ascii.pcd", "binary.pcd", "compressed.pcd"}) {
-    const ScanFile scan(in(name), 1);
+    const ScanFile scan(in(name));
     EXPECT_EQ(scan.origin(), origin) << name;
     EXPECT_TRUE(scan.positions().empty()) << name;
     EXPECT_EQ(originOfModel(in(name)), origin) << name;
@@ -179,8 +181,8 @@ TEST_F(ScanPositionFiles, AnOriginOfMoreDigitsThanPclWritesIsInACommentOnly)
   settings.origin = pcl::sedr::Origin{{691614, 5335995, 0}};
   saveScan(in("scan.pcd"), ScanFile(in("scan.xyz"), settings));
   EXPECT_EQ(sensorOrigin(in("scan.pcd")), Eigen::Vector3f(0, 0, 0));
-  EXPECT_EQ(ScanFile(in("scan.pcd"), 1).origin(), *settings.origin);
-  EXPECT_TRUE(ScanFile(in("scan.pcd"), 1).positions().empty());
+  EXPECT_EQ(ScanFile(in("scan.pcd")).origin(), *settings.origin);
+  EXPECT_TRUE(ScanFile(in("scan.pcd")).positions().empty());
 }
 
 TEST_F(ScanPositionFiles, AScannerAtTheOriginIsKnown)
@@ -193,10 +195,10 @@ TEST_F(ScanPositionFiles, AScannerAtTheOriginIsKnown)
                     E57TestField::ofFloats("cartesianZ", {1, 2, 3})},
                    E57Writer::pose(0, 0, 0, 1, x, 0, 0));
     writeFile(in("scan.e57"), writer.file());
-    saveScan(in("scan.pcd"), ScanFile(in("scan.e57"), 1));
+    saveScan(in("scan.pcd"), ScanFile(in("scan.e57")));
     saveCloud(in("cloud.pcd"), loadCloud(in("scan.pcd")));
     for (const char* name : {"scan.pcd", "cloud.pcd"}) {
-      const ScanFile scan(in(name), 1);
+      const ScanFile scan(in(name));
       EXPECT_EQ(scan.origin().place.x(), x) << name;
       ASSERT_EQ(scan.positions().size(), 1u) << name;
       EXPECT_EQ(scan.positions()[0].place, Eigen::Vector3f(0, 0, 0)) << name;
@@ -209,8 +211,8 @@ TEST_F(ScanPositionFiles, AnUnknownOneStaysUnknownInAPcdOfAScanFarFromZero)
 {
   writeFile(in("far.xyz"), "691600 5336000 500\n691610 5336000 500\n"
                            "691600 5336010 503\n");
-  saveScan(in("far.pcd"), ScanFile(in("far.xyz"), 1));
-  EXPECT_TRUE(ScanFile(in("far.pcd"), 1).positions().empty());
+  saveScan(in("far.pcd"), ScanFile(in("far.xyz")));
+  EXPECT_TRUE(ScanFile(in("far.pcd")).positions().empty());
 }
 
 TEST_F(ScanPositionFiles, PosesOfE57AreThoseOfItsScansIfAllHaveOne)
@@ -222,13 +224,13 @@ TEST_F(ScanPositionFiles, PosesOfE57AreThoseOfItsScansIfAllHaveOne)
   writer.addScan("a", fields, E57Writer::pose(1, 0, 0, 0, 5, 6, 1.5));
   writer.addScan("b", fields, E57Writer::pose(1, 0, 0, 0, -5, 6, 1.5));
   writeFile(in("scan.e57"), writer.file());
-  const ScanPositions positions = ScanFile(in("scan.e57"), 1).positions();
+  const ScanPositions positions = ScanFile(in("scan.e57")).positions();
   ASSERT_EQ(positions.size(), 2u);
   EXPECT_EQ(positions[1].first_row, 2u);
   EXPECT_EQ(positions[1].place, Eigen::Vector3f(-5, 6, 1.5F));
   writer.addScan("c", fields);
   writeFile(in("scan.e57"), writer.file());
-  EXPECT_TRUE(ScanFile(in("scan.e57"), 1).positions().empty());
+  EXPECT_TRUE(ScanFile(in("scan.e57")).positions().empty());
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "tools/option_help.h"
 
 #include "sedr_filters/src/base/field_access.h"
+#include "tools/reading_settings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -151,7 +152,7 @@ TEST_F(ScanTools, AFileThatShrinksWhileItIsReadIsAnError)
     lines += std::to_string(i % 900) + " 2 3\n";
   for (const std::string& bytes : {sample.bytes(), e57(), lines}) {
     writeFile(in("shrinks"), bytes);
-    const ScanFile scan(in("shrinks"), 1, 100000);
+    const ScanFile scan(in("shrinks"), inPieces(100000));
     std::string reason;
     try {
       scan.forEachPiece([&](const pcl::sedr::RowSource::Piece& piece) {

@@ -2,6 +2,7 @@
 #include "scan_file.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
+#include "tools/reading_settings.h"
 #include "tools/run_program.h"
 #include "tools/sample_files.h"
 
@@ -13,6 +14,7 @@
 namespace {
 
 using namespace pcl::sedr::tools;
+using namespace programs;
 using programs::TemporaryFolder;
 using programs::writeFile;
 
@@ -177,7 +179,7 @@ TEST_F(TextFiles, PiecesAreThoseOfTheWhole)
   ASSERT_EQ(whole.size(), n);
   for (std::size_t i = 0; i < n; ++i)
     ASSERT_EQ((*whole.points)[i].x, static_cast<float>(i % 900));
-  const ScanFile pieces((folder_.path() / "scan.xyz").string(), 1, 5000);
+  const ScanFile pieces((folder_.path() / "scan.xyz").string(), inPieces(5000));
   std::vector<std::uint8_t> rows;
   pieces.forEachPiece(12345, 23456, [&](const pcl::sedr::RowSource::Piece& piece) {
     rows.insert(rows.end(), piece.rows, piece.rows + piece.size * pieces.rowSize());

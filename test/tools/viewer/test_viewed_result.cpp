@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_file.h"
 #include "tool_error.h"
+#include "tools/reading_settings.h"
 #include "tools/sample_files.h"
 #include "viewed_sample.h"
 
@@ -85,13 +86,14 @@ TEST_F(ViewedSample, OfACloudReadInPiecesTheSamePointsAreShown)
   const std::string path = (folder_.path() / "scan.pcd").string();
   constexpr std::size_t most = 700;
   const DisplayCloud whole = displayCloudOf(ScanFile(path), most);
-  const DisplayCloud pieces = displayCloudOf(ScanFile(path, 1, 100), most);
+  const DisplayCloud pieces = displayCloudOf(ScanFile(path, inPieces(100)), most);
   ASSERT_EQ(whole.size(), most);
   EXPECT_EQ(whole.points[0].x(), sample_.scan.points[0].x);
   EXPECT_EQ(pieces.points, whole.points);
   EXPECT_EQ(pieces.labels, whole.labels);
   EXPECT_EQ(pieces.whole_size, sample_.scan.points.size());
-  EXPECT_EQ(thinnedCloudOf(ScanFile(path, 1, 100), 0.1).points, result_.thinned.points);
+  EXPECT_EQ(thinnedCloudOf(ScanFile(path, inPieces(100)), 0.1).points,
+            result_.thinned.points);
 }
 
 /** A point at 1e6 m would reduce the room to a dot. */

@@ -63,15 +63,6 @@ wholly(const MappedFile& file, const Read& read)
   }
 }
 
-ScanSettings
-settingsOf(double unit, std::size_t piece_bytes)
-{
-  ScanSettings settings;
-  settings.unit = unit;
-  settings.piece_bytes = piece_bytes;
-  return settings;
-}
-
 } // namespace
 
 ScanHead
@@ -115,10 +106,6 @@ private:
   std::size_t done_ = std::string::npos; ///< pages before this byte are released
   std::future<void> turned_;
 };
-
-ScanFile::ScanFile(const std::string& path, double unit, std::size_t piece_bytes)
-    : ScanFile(path, settingsOf(unit, piece_bytes))
-{}
 
 ScanFile::ScanFile(const std::string& path, const ScanSettings& settings)
     : path_(path)

@@ -55,10 +55,6 @@ public:
    * relative to the origin in double precision, before conversion to float. */
   explicit ScanFile(const std::string& path, const ScanSettings& settings = {});
 
-  ScanFile(const std::string& path,
-           double unit,
-           std::size_t piece_bytes = ScanSettings().piece_bytes);
-
   const std::string& path() const { return path_; }
 
   const std::vector<pcl::PCLPointField>& fields() const override

@@ -20,14 +20,6 @@ ToolCloud::withLabel(StructureLabel wanted) const
 }
 
 ToolCloud
-loadCloud(const std::string& path, double unit)
-{
-  ScanSettings settings;
-  settings.unit = unit;
-  return loadCloud(path, settings);
-}
-
-ToolCloud
 loadCloud(const std::string& path, const ScanSettings& settings)
 {
   const ScanFile file(path, settings);

@@ -34,9 +34,6 @@ struct ToolCloud {
 /** @brief Reads a whole scan by ScanFile; throws ToolError on failure. */
 ToolCloud loadCloud(const std::string& path, const ScanSettings& settings = {});
 
-/** @param unit metres per unit of the file */
-ToolCloud loadCloud(const std::string& path, double unit);
-
 enum class PcdData { Binary, Compressed };
 
 /** @brief Throws ToolError if `path` cannot be written, see checkWritable(), or does
