@@ -3,7 +3,7 @@
 
 #include "room_fit.h"
 
-#include <pcl/sedr_filters/wall_tilts.h>
+#include <pcl/sedr_filters/straightening.h>
 
 #include <cstdint>
 #include <string>
