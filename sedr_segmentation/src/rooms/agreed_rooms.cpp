@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <queue>
 #include <set>
 #include <utility>
@@ -148,8 +149,7 @@ agreedRooms(const std::vector<std::vector<std::int32_t>>& rooms)
   std::map<std::vector<std::int32_t>, std::size_t> number;
   std::vector<PlaceSet> sets;
   const std::size_t places = rooms.empty() ? 0 : rooms.front().size();
-  constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> set_of(places, none);
+  std::vector<std::optional<std::size_t>> set_of(places);
   for (std::size_t i = 0; i < places; ++i) {
     std::vector<std::int32_t> here;
     for (const auto& partition : rooms)
@@ -160,7 +160,7 @@ agreedRooms(const std::vector<std::vector<std::int32_t>>& rooms)
     set_of[i] = entry->second;
     if (is_new)
       sets.push_back({0, std::vector<std::map<std::int32_t, double>>(rooms.size())});
-    PlaceSet& set = sets[set_of[i]];
+    PlaceSet& set = sets[entry->second];
     ++set.size;
     for (std::size_t p = 0; p < rooms.size(); ++p)
       if (entry->first[p] >= 0)
@@ -169,8 +169,8 @@ agreedRooms(const std::vector<std::vector<std::int32_t>>& rooms)
   const std::vector<std::size_t> joined = Agreement(std::move(sets)).joinAll();
   std::vector<std::int32_t> agreed(places, -1);
   for (std::size_t i = 0; i < places; ++i)
-    if (set_of[i] != none)
-      agreed[i] = static_cast<std::int32_t>(joined[set_of[i]]);
+    if (set_of[i])
+      agreed[i] = static_cast<std::int32_t>(joined[*set_of[i]]);
   return agreed;
 }
 
