@@ -152,6 +152,7 @@ agreedRooms(const std::vector<std::vector<std::int32_t>>& rooms)
   std::vector<std::optional<std::size_t>> set_of(places);
   for (std::size_t i = 0; i < places; ++i) {
     std::vector<std::int32_t> here;
+    here.reserve(rooms.size());
     for (const auto& partition : rooms)
       here.push_back(std::max(partition[i], -1));
     if (*std::max_element(here.begin(), here.end()) < 0)
