@@ -85,22 +85,29 @@ TEST(StructureChainTilt, WhatIsTrustedToBeLevelStays)
   EXPECT_FALSE(chain.levelling);
 }
 
-/** A room of 5 m x 4 m below a plane that rises along x. Its wall at y = 4 m tilts into
+/** A room of 5 m x 4 m below the lower of some planes. Its wall at y = 4 m tilts into
  * it, that at x = 0 out of it, each by `tilt`. */
 StructureChain::Cloud::Ptr
-tiltedBelowASlope(const PlanSlab& ceiling, double tilt)
+tiltedBelow(const std::vector<PlanSlab>& slopes, double tilt)
 {
   constexpr double step = 0.04;
   const double run = std::tan(tilt);
+  const auto ceilingAt = [&](double x, double y) {
+    double height = 1e9;
+    for (const PlanSlab& slope : slopes)
+      height = std::min(height, slope.heightAt({x, y}));
+    return height;
+  };
   const auto isWithin = [&](const Eigen::Vector3d& p) {
     return p.x() > -run * p.z() && p.x() < 5 && p.y() > 0 && p.y() < 4 - run * p.z() &&
-           p.z() > 0 && p.z() < ceiling.heightAt(p.head<2>());
+           p.z() > 0 && p.z() < ceilingAt(p.x(), p.y());
   };
   RoomPoints points(step, 0.002);
   points.slab(rectangle(0, 0, 5, 4), 0);
-  points.slab(rectangle(-2, 0, 5, 4), ceiling, [&](double x, double y) {
-    return isWithin({x, y, ceiling.heightAt({x, y}) - 1e-6});
-  });
+  for (const PlanSlab& slope : slopes)
+    points.slab(rectangle(-2, 0, 5, 4), slope, [&](double x, double y) {
+      return isWithin({x, y, slope.heightAt({x, y}) - 1e-6});
+    });
   for (const double y : {0.0, 4.0})
     for (double x = -2; x < 5; x += step)
       for (double z = step / 2; z < 5; z += step)
@@ -116,10 +123,19 @@ tiltedBelowASlope(const PlanSlab& ceiling, double tilt)
   return points.cloud();
 }
 
+double
+farthestFrom(const TriangleMesh& mesh, const StructureChain::Cloud& scan)
+{
+  std::vector<Eigen::Vector3d> points;
+  for (const auto& p : scan)
+    points.push_back(p.getVector3fMap().cast<double>());
+  return summarizeDistances(MeshDistance(mesh).distances(points)).max;
+}
+
 TEST(StructureChainTilt, ASlopingCeilingOverTiltedWallsIsOnePlane)
 {
   const PlanSlab truth = slabAt(2.4, 0.25, -0.1);
-  const auto scan = tiltedBelowASlope(truth, 15 * M_PI / 180);
+  const auto scan = tiltedBelow({truth}, 15 * M_PI / 180);
   StructureChain chain;
   ASSERT_TRUE(chain.findStructure(scan)) << chain.problem;
   ASSERT_EQ(chain.plan->rooms.size(), 1u);
@@ -130,12 +146,19 @@ TEST(StructureChainTilt, ASlopingCeilingOverTiltedWallsIsOnePlane)
   const Eigen::Vector3d normal = truth.plane.head<3>().normalized();
   EXPECT_LT(std::acos(std::min(1.0, normal.dot(room.ceiling.plane.head<3>()))),
             0.1 * M_PI / 180);
-  std::vector<Eigen::Vector3d> points;
-  for (const auto& p : *scan)
-    points.push_back(p.getVector3fMap().cast<double>());
-  EXPECT_LT(
-      summarizeDistances(MeshDistance(chain.extrusion.getMesh()).distances(points)).max,
-      0.02);
+  EXPECT_LT(farthestFrom(chain.extrusion.getMesh(), *scan), 0.02);
+}
+
+TEST(StructureChainTilt, AGableEndsAtAWallThatTiltsOutOfTheRoom)
+{
+  const auto scan =
+      tiltedBelow({slabAt(2.4, 0, 0.3), slabAt(3.6, 0, -0.3)}, 15 * M_PI / 180);
+  StructureChain chain;
+  ASSERT_TRUE(chain.findStructure(scan)) << chain.problem;
+  ASSERT_EQ(chain.plan->rooms.size(), 1u);
+  EXPECT_EQ(chain.tilts.size(), 2u);
+  EXPECT_EQ(chain.plan->rooms[0].details.size(), 1u);
+  EXPECT_LT(farthestFrom(chain.extrusion.getMesh(), *scan), 0.02);
 }
 
 } // namespace
