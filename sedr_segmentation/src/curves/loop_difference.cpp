@@ -91,7 +91,7 @@ chained(std::vector<PlanElement> parts)
     loop.elements.push_back(parts.back());
     parts.pop_back();
     while ((loop.elements.back().end - loop.elements.front().start).norm() > slack) {
-      const Eigen::Vector2d& end = loop.elements.back().end;
+      const Eigen::Vector2d end = loop.elements.back().end;
       const auto next =
           std::find_if(parts.begin(), parts.end(), [&](const PlanElement& e) {
             return (e.start - end).norm() <= slack;
