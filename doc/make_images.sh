@@ -95,19 +95,11 @@ look() {
 
 if command -v xvfb-run >/dev/null && [ -x "$bin/pcl_sedr_viewer" ]; then
   echo "== the viewer"
-  look raw       bls_room/model --layers raw --no-ceiling
-  look thinned   bls_room/model --layers thinned --no-ceiling
-  look label     bls_room/model --layers structure --no-ceiling --point-size 3
-  look room      syn_flat/model --layers structure --no-ceiling --colour room
-  look distance  bls_room/model --layers thinned --no-ceiling --colour distance --point-size 3
-  look plan      hls_hall/model --layers plan
-  look mesh      hls_hall/model --layers mesh
-  look open      hls_hall/model --layers mesh --no-ceiling
-  look solid     syn_flat/model --layers solid --no-ceiling --colour room
-  look clip      hls_hall/model --layers solid --clip 1.2
-  look top       syn_flat/model --layers mesh,plan --no-ceiling --view top
-  look inside    hls_hall/model --layers solid --view inside
-  size=960x400 look two_views syn_flat/model --layers mesh --no-ceiling --two-views
+  look label     bls_room/model --layers structure --point-size 3
+  look distance  bls_room/model --layers scan --colour distance
+  look solid     syn_flat/model --layers solid --colour room
+  look inside    hls_hall/model --layers solid --view inside --ceilings
+  size=960x400 look two_views syn_flat/model --layers mesh --two-views
   look stage     hls_hall/walls.pcd --colour label --point-size 3
 else
   echo "The viewer's pictures stay as they are: they need the Debian packages xvfb and xauth."

@@ -21,11 +21,6 @@ PARTS = [
     ("top", "syn_flat", "header", "#rooms", ""),
     ("advice", "cluttered_room", "#check", "#check", ""),
     ("model", "hls_hall", "#model h2", "#model .key", ""),
-    ("cut", "hls_hall", "#view-controls", "#view",
-     "const c = document.getElementById('clip'); c.value = 1.5; c.dispatchEvent(new Event('input'))"),
-    ("pictures", "bls_room", "#pictures h2", "#pictures .key", ""),
-    ("distances", "bls_room", "#distances h2", "#distances .key", ""),
-    ("stages", "bls_room", "#stages h2", "#stages table", ""),
 ]
 
 

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "picture_file.h"
 #include "run_tool.h"
 #include "scan_file.h"
 #include "scan_options.h"
 #include "tool_error.h"
-#include "viewer/keys.h"
-#include "viewer/window/display.h"
-#include "viewer/window/window.h"
+#include "viewer/window.h"
 
+#include <boost/algorithm/string/join.hpp>
+
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
+#include <sstream>
 #include <string>
 
 using namespace pcl::sedr::tools;
@@ -24,14 +26,9 @@ struct Settings {
   std::string screenshot;
   std::string size = "1200x800";
   std::string layers;
-  std::string colour = "label";
-  std::string view = "iso";
-  bool no_ceiling = false;
   bool no_edges = false;
   bool no_legend = false;
   std::optional<double> clip; ///< metres
-  std::size_t storey = 0;
-  double range = 0.05; ///< metres
   ReadSettings reading;
   ScanOptions file;
   ViewState state;
@@ -45,26 +42,29 @@ addOptions(Options& options, Settings& s)
                "stage leaves it, or raw, as PCD, PLY, E57, LAS or text; or one of its "
                "meshes or plans");
   options.text("layers", s.layers,
-               "what is shown, of raw, thinned, structure, plan, mesh, solid: one or "
-               "more, with commas between; none given: mesh, or the next best");
-  options.text("colour", s.colour, "what colours mean", colouringNames());
-  options.text("view", s.view, "where the camera stands", viewPointNames());
-  options.flag("no-ceiling", s.no_ceiling, "look inside: leave the ceilings out");
+               "what is shown, of scan, structure, mesh, solid, plan: one or more, "
+               "with commas between; none given: mesh, or the next best");
+  options.text("colour", s.state.colour, "what colours mean",
+               {"label", "room", "distance", "height"});
+  options.text("view", s.state.view, "where the camera stands",
+               {"top", "iso", "inside"});
+  options.flag("ceilings", s.state.ceilings, "show ceilings too");
   options.optionalNumber("clip", s.clip, "m", "height above which nothing is shown",
                          "none");
-  options.number("storey", s.storey, "", "number of the only storey shown; 0: all",
+  options.number("storey", s.state.storey, "",
+                 "number of the only storey shown; 0: all", Range::between(0, 1e6));
+  options.number("room", s.state.room, "", "number of the only room shown; 0: all",
                  Range::between(0, 1e6));
   options.flag("two-views", s.state.two_views, "scan at the left, model at the right");
   options.flag("no-edges", s.no_edges, "no edges on the solid");
   options.flag("no-legend", s.no_legend, "no legend");
   options.number("point-size", s.state.point_size, "pixels", "size of points",
                  Range::between(1, 20));
-  options.number("range", s.range, "m", "distance of the last colour",
+  options.number("range", s.state.range, "m", "distance of the last colour",
                  Range::between(1e-4, 100));
-  options.text(
-      "raw", s.reading.scan,
-      "raw scan of a folder, where it is not where report.json says; it is read "
-      "as it was then");
+  options.text("raw", s.reading.scan,
+               "raw scan of a folder, where it is not where report.json says; it is "
+               "read as it was then");
   addScanOptions(options, s.file);
   options.hint("scan", raw_hint);
   options.number("max-points", s.reading.max_points, "points",
@@ -76,45 +76,35 @@ addOptions(Options& options, Settings& s)
 WindowSettings
 windowSettings(const Settings& settings)
 {
-  constexpr int least = 100; // pixels
-  constexpr int most = 8000;
   WindowSettings window;
   char rest = 0;
   if (std::sscanf(settings.size.c_str(), "%dx%d%c", &window.width, &window.height,
                   &rest) != 2 ||
-      std::min(window.width, window.height) < least ||
-      std::max(window.width, window.height) > most)
+      std::min(window.width, window.height) < 100 ||
+      std::max(window.width, window.height) > 8000)
     throw ToolError("--size takes width and height as in 1200x800, each from 100 to "
                     "8000 pixels, not '" +
                     settings.size + "'");
   window.is_visible = settings.screenshot.empty();
+  if (!window.is_visible &&
+      std::filesystem::path(settings.screenshot).extension() != ".png")
+    throw ToolError("a picture is written as PNG, '" + settings.screenshot +
+                    "' does not end in .png");
   return window;
 }
 
-/** @brief Returns the initial state, checked before any file is read. */
-ViewState
-stateOf(const Settings& settings)
+std::set<std::string>
+layersOf(const std::string& names)
 {
-  ViewState state = settings.state;
-  state.layers = layersOf(settings.layers);
-  state.colouring = colouringOf(settings.colour);
-  state.view_point = viewPointOf(settings.view);
-  state.ceiling = !settings.no_ceiling;
-  state.edges = !settings.no_edges;
-  state.legend = !settings.no_legend;
-  if (settings.clip)
-    state.clip_height = *settings.clip;
-  state.storey = static_cast<std::uint32_t>(settings.storey);
-  return state;
-}
-
-/** @brief Throws a ToolError if the requested storey does not exist. */
-void
-checkStorey(const Painter& painter, std::uint32_t storey)
-{
-  if (storey != 0 && !painter.storeys().find(storey))
-    throw ToolError("there is no storey " + std::to_string(storey) + ": the plan has " +
-                    std::to_string(painter.storeys().storeys().size()));
+  std::set<std::string> layers;
+  std::istringstream list(names);
+  for (std::string name; std::getline(list, name, ',');) {
+    if (std::count(layer_names.begin(), layer_names.end(), name) == 0)
+      throw ToolError("there is no layer '" + name +
+                      "'; there are: " + boost::join(layer_names, ", "));
+    layers.insert(name);
+  }
+  return layers;
 }
 
 /** @brief Throws a ToolError if an option has nothing to act on. */
@@ -125,10 +115,8 @@ checkOptions(const Settings& settings)
   const bool is_folder = std::filesystem::is_directory(settings.path, error);
   const bool is_plan = std::filesystem::path(settings.path).extension() == ".json";
   const std::string given = settings.file.given();
-  const auto isMesh = [&] {
-    return readScanHead(settings.path, settings.file.resolved()).is_mesh;
-  };
-  if (!given.empty() && (is_folder || is_plan || isMesh()))
+  if (!given.empty() && (is_folder || is_plan ||
+                         readScanHead(settings.path, settings.file.resolved()).is_mesh))
     throw ToolError(given + " tells how a scan is read, and '" + settings.path +
                     "' is none; " + raw_hint);
   if (!settings.reading.scan.empty() && !is_folder)
@@ -136,27 +124,40 @@ checkOptions(const Settings& settings)
                     settings.path + "' is none");
 }
 
+/** @brief Throws a ToolError if the only storey or room to be shown does not exist. */
+void
+checkState(const ViewState& state, const ViewedResult& result)
+{
+  if (state.storey != 0 && !result.rules.find(state.storey))
+    throw ToolError("there is no storey " + std::to_string(state.storey) +
+                    ": the plan has " + std::to_string(result.rules.storeys().size()));
+  if (state.room != 0 && result.rules.boxOf(state.room).isEmpty())
+    throw ToolError("there is no room " + std::to_string(state.room) + " in the plan");
+}
+
 int
 run(const Settings& settings)
 {
   checkOptions(settings);
   const WindowSettings window_settings = windowSettings(settings);
-  ViewState state = stateOf(settings);
-  if (!settings.screenshot.empty())
-    checkPictureOutput(settings.screenshot);
+  ViewState state = settings.state;
+  state.layers = layersOf(settings.layers);
+  state.edges = !settings.no_edges;
+  state.legend = !settings.no_legend;
+  state.clip_height = settings.clip.value_or(state.clip_height);
   requireDisplay();
   ReadSettings reading = settings.reading;
   reading.file = settings.file.resolved();
   const ViewedResult result = readResult(settings.path, reading);
   for (const auto& note : result.notes)
     say("pcl_sedr_viewer: " + note);
-  if (state.layers.empty())
-    state.layers = result.firstLayers();
-  const Painter painter(result, settings.range);
-  checkStorey(painter, state.storey);
-  Window window(result, painter, state, window_settings);
+  checkState(state, result);
+  for (const char* layer : {"mesh", "solid", "structure", "plan", "scan"})
+    if (state.layers.empty() && result.has(layer))
+      state.layers = {layer};
+  Window window(result, state, window_settings);
   if (settings.screenshot.empty()) {
-    say(keyHelp());
+    say(window.help());
     window.run();
   }
   else

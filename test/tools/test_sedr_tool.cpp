@@ -117,8 +117,8 @@ TEST_F(SedrTool, WritesThePageOnDemandThatPclSedrReportWrites)
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.out + result.err, "") << "quiet when piped";
   const std::string page = bytesOf(in("model/report.html"));
-  EXPECT_NE(page.find("<h1>Model: model</h1>"), std::string::npos);
-  EXPECT_NE(page.find("floor area</dt><dd>12.0"), std::string::npos);
+  EXPECT_NE(page.find("{\"name\":\"model\",\"report\":{\"format\":\"sedr-report\""),
+            std::string::npos);
   std::filesystem::remove(in("model/report.html"));
   ASSERT_EQ(run(SEDR_REPORT, {in("model")}).exit_code, 0);
   EXPECT_TRUE(bytesOf(in("model/report.html")) == page);

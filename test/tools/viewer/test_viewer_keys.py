@@ -109,7 +109,7 @@ def main(viewer):
     hands.press("c")
     until("c shows another picture", lambda: picture() != first)
     hands.shift_click()
-    until("a click tells what the point is", lambda: "floor, room 7" in said())
+    until("a click tells what the point is", lambda: "ceiling, room 7" in said())
     os.remove("sedr_view.png")
     os.mkdir("sedr_view.png")
     hands.press("j")

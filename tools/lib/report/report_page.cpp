@@ -2,172 +2,153 @@
 #include "report_page.h"
 
 #include "bytes/whole_file.h"
-#include "report/model/model_part.h"
-#include "report/model/model_pictures.h"
-#include "report/page/html_text.h"
-#include "report/page/page_files.h"
-#include "report/page/page_sections.h"
-#include "results/distance_colour.h"
+#include "plan_file.h"
+#include "report/page_files.h"
+#include "report/page_models.h"
+#include "report/page_scan.h"
+#include "results/palette.h"
 #include "results/result_folder.h"
-#include "scan_file.h"
 
-#include <pcl/sedr_surface/mesh_distance.h>
+#include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_surface/floorplan_drawing.h>
+
+#include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <utility>
+#include <vector>
 
 namespace pcl::sedr::tools {
 
+namespace fs = std::filesystem;
+
 namespace {
 
-constexpr std::size_t max_scan_points = 1500000;    // in the picture
-constexpr std::size_t max_measured_points = 250000; // in the picture of distances
-constexpr double farthest = 0.5; // in the picture of distances, metres
+using Json = ResultFolder::Json;
 
-/** @brief Data of all pictures. */
-struct Contents {
-  ReportData data;
-  CeilingRule rule;
-  TriangleMesh mesh;  ///< triangles face into the rooms
-  TriangleMesh solid; ///< triangles face into the rooms
-  DisplayCloud scan;
-  DisplayCloud thinned;
-  DisplayCloud structure;
-  double voxel_size = 0; ///< metres
+std::string
+textOfFile(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
 
-  /** @brief Returns points that the pictures must show; empty without a model and
-   * points. */
-  std::vector<Eigen::Vector3d> outline() const
-  {
-    for (const auto* model : {&solid, &mesh})
-      if (!model->empty())
-        return model->vertices;
-    std::vector<Eigen::Vector3d> points;
-    for (const auto& p : (structure.empty() ? thinned : structure).points)
-      points.push_back(p.cast<double>());
-    return points;
+/** @brief Returns the scripts of three.js; empty if one is missing or has an end tag of
+ * its element. */
+std::string
+threeScripts(const std::string& folder)
+{
+  std::string scripts;
+  for (const char* name : {"/three.min.js", "/examples/js/controls/OrbitControls.js"}) {
+    const std::string text = textOfFile(folder + name);
+    if (text.empty() || text.find("</script") != std::string::npos)
+      return "";
+    scripts += text + "\n";
   }
-};
-
-Contents
-readContents(const ResultFolder& folder, const PageSettings& settings)
-{
-  Contents contents;
-  contents.data = readReportData(folder);
-  contents.voxel_size = folder.voxelSize();
-  contents.rule = CeilingRule(contents.data.plan);
-  contents.mesh = folder.mesh("mesh.ply");
-  contents.solid = folder.mesh("solid.ply");
-  contents.solid.flip();
-  if (folder.has("structure.pcd"))
-    contents.structure = displayCloudOf(ScanFile(folder.file("structure.pcd")), 0);
-  const std::string path = settings.scan.empty() ? folder.scanPath() : settings.scan;
-  if (path.empty())
-    return contents;
-  const ScanFile scan(path, folder.scanSettings());
-  contents.scan = displayCloudOf(scan, max_scan_points);
-  contents.scan.labels.clear(); // labels of a raw scan are meaningless
-  contents.scan.rooms.clear();
-  contents.thinned = thinnedCloudOf(scan, contents.voxel_size);
-  return contents;
+  return scripts;
 }
 
-/** @brief Returns scan and model side by side. */
-std::string
-picturesPart(const Contents& contents, const ModelPictures& pictures)
+/** @brief Returns the sorted names of the folder's files, without the page. */
+Json
+fileNames(const std::string& path)
 {
-  std::string html;
-  if (!contents.scan.empty())
-    html += htmlPicture(
-        pictures.scan(contents.scan),
-        "The scan, lighter the higher, cut off 15 cm below the ceilings: " +
-            numberText(static_cast<double>(contents.scan.whole_size), 0) + " points");
-  else
-    html += "<p class=\"note\">The scan was not found where this page was written, so "
-            "there is no picture of it.</p>\n";
-  const TriangleMesh& shown = contents.solid.empty() ? contents.mesh : contents.solid;
-  if (!shown.empty())
-    html += htmlPicture(pictures.model(shown),
-                        "The model without its ceilings and the walls in front: " +
-                            numberText(static_cast<double>(shown.triangles.size()), 0) +
-                            " triangles");
-  return htmlSection("pictures", "Scan and model",
-                     "<div class=\"pair\">\n" + html + "</div>\n" + labelKey());
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(path))
+    if (entry.is_regular_file() && entry.path().stem() != "report.html" &&
+        entry.path().filename() != "report.html")
+      names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
-/** @brief Selects the points for the picture of distances, as measuring all would take
- * long. */
-DisplayCloud
-shownOf(const DisplayCloud& cloud, const CeilingRule& rule, Eigen::AlignedBox3d box)
+/** @brief Returns the colours of labels by name, of rooms in order, and of distances
+ * from 0 to the range in even steps. */
+Json
+colours()
 {
-  box = Eigen::AlignedBox3d(box.min().array() - farthest, box.max().array() + farthest);
-  const auto is_ceiling = rule.ofCloud(cloud);
-  std::vector<Eigen::Vector3f> near;
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    if (!is_ceiling[i] && box.contains(cloud.points[i].cast<double>()))
-      near.push_back(cloud.points[i]);
-  DisplayCloud shown;
-  shown.whole_size = near.size();
-  const std::size_t count = std::min(near.size(), max_measured_points);
-  for (std::size_t k = 0; k < count; ++k)
-    shown.points.push_back(near[k * near.size() / count]);
-  return shown;
+  constexpr std::uint32_t rooms = 12;
+  Json json{{"labels", Json::object()},
+            {"rooms", Json::array()},
+            {"distances", Json::array()}};
+  for (std::uint32_t k = 0; k <= static_cast<std::uint32_t>(StructureLabel::Column);
+       ++k)
+    json["labels"][toString(static_cast<StructureLabel>(k))] =
+        hexCode(colourOf(static_cast<StructureLabel>(k)));
+  for (std::uint32_t room = 1; room <= rooms; ++room)
+    json["rooms"].push_back(hexCode(roomColour(room)));
+  for (int k = 0; k <= distance_steps; ++k)
+    json["distances"].push_back(hexCode(distanceColour(k, distance_steps)));
+  return json;
 }
 
-/** @brief Returns the picture of distances and the histogram (paper, Figure 11). */
-std::string
-distancesPart(const Contents& contents,
-              const ModelPictures& pictures,
-              const PageSettings& settings)
+/** @brief Returns a sheet of each storey, by its name. Sheets are small, so that their
+ * letters are large on a page. */
+Json
+drawings(const std::string& file, const Floorplan& plan)
 {
-  std::string html = histogramPart(contents.data, settings.range);
-  const bool has_scan = !contents.thinned.empty();
-  const DisplayCloud cloud = shownOf(has_scan ? contents.thinned : contents.structure,
-                                     contents.rule, contents.mesh.bounds());
-  if (!contents.mesh.empty() && !cloud.empty()) {
-    std::vector<Eigen::Vector3d> points;
-    for (const auto& p : cloud.points)
-      points.push_back(p.cast<double>());
-    const auto distances = MeshDistance(contents.mesh).distances(points);
-    const std::string caption =
-        has_scan
-            ? "The thinned scan by its distance from the mesh, ceilings and what is "
-              "more than " +
-                  distanceText(farthest) + " off left out; furniture is red"
-            : "The refined structure by its distance from the mesh: the scan was not "
-              "found where this page was written";
-    const double part =
-        static_cast<double>(cloud.size()) / static_cast<double>(cloud.whole_size);
-    html += htmlPicture(pictures.distances(cloud, distances,
-                                           contents.voxel_size / std::sqrt(part),
-                                           settings.range, farthest),
-                        caption) +
-            distanceKey(settings.range);
+  Json sheets = Json::array();
+  if (plan.rooms.empty())
+    return sheets;
+  DrawingSettings settings;
+  settings.tilts = planTilts(file);
+  settings.max_wall = planMaxWall(file);
+  settings.paper = PaperSize::A4;
+  const std::vector<PlanStorey> storeys = storeysOf(plan);
+  for (const PlanStorey& storey : storeys) {
+    settings.storey = storeys.size() > 1 ? &storey : nullptr;
+    sheets.push_back({{"name", storey.name}, {"svg", floorplanToSvg(plan, settings)}});
   }
-  return html.empty() ? "" : htmlSection("distances", "Distances from the model", html);
+  return sheets;
 }
 
-/** @brief Returns the page with its frame. */
-std::string
-frame(const std::string& folder, const ReportData& data, const std::string& body)
+Json
+modelOf(const std::string& glb, std::size_t triangles, std::size_t shown)
 {
-  const std::string name =
-      escaped(std::filesystem::absolute(folder).lexically_normal().filename().string());
-  const std::string title =
-      name.empty() || name == "." ? "Model of an indoor scan" : "Model: " + name;
-  std::string source = data.scan.empty() ? "" : "Scan: " + escaped(data.scan);
-  if (data.points > 0)
-    source += ", " + numberText(static_cast<double>(data.points), 0) + " points";
-  if (data.unit != 1)
-    source += ", unit " + numberText(data.unit, 4) + "&nbsp;m";
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-         "<meta name=\"generator\" content=\"pcl_sedr_report\">\n<title>" +
-         title + "</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>\n" +
-         page_style + "</style>\n</head>\n<body>\n<header>\n<h1>" + title +
-         "</h1>\n<p class=\"source\">" + source + "</p>\n" + figuresPart(data) +
-         "</header>\n<main>\n" + body + "</main>\n</body>\n</html>\n";
+  return {{"triangles", triangles},
+          {"shown", shown},
+          {"glb", base64(glb.data(), glb.size())}};
+}
+
+/** @brief Returns everything the page shows. */
+Json
+pageData(const std::string& path, const PageSettings& settings)
+{
+  const ResultFolder folder(path);
+  const fs::path full = fs::absolute(path).lexically_normal();
+  Json json{{"name", (full.has_filename() ? full : full.parent_path()).filename()},
+            {"report", folder.report()},
+            {"plan", nullptr},
+            {"drawings", Json::array()},
+            {"files", fileNames(path)},
+            {"colours", colours()},
+            {"range", settings.range},
+            {"models", Json::object()}};
+  Floorplan plan;
+  if (folder.has("floorplan.json")) {
+    const std::string file = folder.file("floorplan.json");
+    plan = *loadFloorplan(file);
+    json["plan"] = Json::parse(textOfFile(file));
+    json["drawings"] = drawings(file, plan);
+  }
+  const TriangleMesh mesh = folder.mesh("mesh.ply"); // triangles face into the rooms
+  const TriangleMesh solid = folder.mesh("solid.ply");
+  if (!solid.empty())
+    json["models"]["solid"] =
+        modelOf(folder.has("model.glb") ? textOfFile(folder.file("model.glb"))
+                                        : meshToGlb(solid, plan),
+                solid.triangles.size(), solid.triangles.size());
+  if (!mesh.empty()) {
+    TriangleMesh shown = reducedMesh(mesh, settings.max_triangles);
+    shown.flip();
+    json["models"]["mesh"] =
+        modelOf(meshToGlb(shown, plan), mesh.triangles.size(), shown.triangles.size());
+  }
+  const std::string scan = settings.scan.empty() ? folder.scanPath() : settings.scan;
+  json["scan"] = pagePoints(folder, scan, plan, mesh, solid, settings.range);
+  return json;
 }
 
 } // namespace
@@ -175,27 +156,29 @@ frame(const std::string& folder, const ReportData& data, const std::string& body
 std::string
 makePage(const std::string& path, const PageSettings& settings)
 {
-  const ResultFolder folder(path);
-  const Contents contents = readContents(folder, settings);
-  std::string body =
-      advicePart(contents.data) + coveragePart(contents.data) +
-      storeysPart(contents.data) + planPart(contents.data) + roomsPart(contents.data) +
-      modelPart(folder, contents.mesh, contents.solid, contents.data.plan, settings);
-  const auto outline = contents.outline();
-  if (!outline.empty()) {
-    const ModelPictures pictures(outline, contents.rule);
-    body += picturesPart(contents, pictures);
-    body += distancesPart(contents, pictures, settings);
+  std::string data =
+      pageData(path, settings).dump(-1, ' ', false, Json::error_handler_t::replace);
+  boost::replace_all(data, "<", "\\u003c"); // ends no script, starts no comment
+  const std::pair<std::string, std::string> parts[] = {
+      {"@page.css@", page_css},
+      {"@data@", data},
+      {"@three.js@", threeScripts(settings.three)},
+      {"@model.js@", model_js},
+      {"@page.js@", page_js}};
+  std::string page = page_html;
+  std::size_t place = 0;
+  for (const auto& [name, text] : parts) { // in their order, none within another
+    place = page.find(name, place);
+    page.replace(place, name.size(), text);
+    place += text.size();
   }
-  body += deliverablesPart(folder, contents.data);
-  body += stagesPart(contents.data) + parametersPart(contents.data);
-  return frame(path, contents.data, body);
+  return page;
 }
 
 std::string
 writePage(const std::string& path, const PageSettings& settings)
 {
-  const std::string page = (std::filesystem::path(path) / "report.html").string();
+  const std::string page = (fs::path(path) / "report.html").string();
   checkWritable(page);
   const std::string html = makePage(path, settings);
   writeWhole(page, [&](std::ostream& stream) { stream << html; });

@@ -15,9 +15,9 @@ struct PageSettings {
 };
 
 /** @brief Makes one self-contained HTML page on a result folder of pcl_sedr: plan,
- * rooms, model, distances, stages, parameters, and advice before using it. The page
- * loads no external resources. Missing parts are omitted with a note. Throws ToolError
- * if a file cannot be read.
+ * rooms, model, distances, stages, parameters, and advice before using it. The page is
+ * page.html with styles, scripts and one JSON in it, and loads nothing. Missing parts
+ * are omitted with a note. Throws ToolError if a file cannot be read.
  * @param folder result folder of pcl_sedr */
 std::string makePage(const std::string& folder, const PageSettings& settings);
 

@@ -64,50 +64,7 @@ dropStrays(DisplayCloud& cloud)
   keep(is_kept, cloud.points);
   keep(is_kept, cloud.labels);
   keep(is_kept, cloud.rooms);
-  keep(is_kept, cloud.normals);
 }
-
-/** @brief Extracts what is shown of a row. */
-class RowReader {
-public:
-  explicit RowReader(const std::vector<pcl::PCLPointField>& fields)
-      : label_(findField(fields, "label"))
-      , room_(findField(fields, "room"))
-      , normal_{findField(fields, "normal_x"), findField(fields, "normal_y"),
-                findField(fields, "normal_z")}
-  {}
-
-  void
-  add(const std::uint8_t* row, const Eigen::Vector3f& place, DisplayCloud& to) const
-  {
-    to.points.push_back(place);
-    if (label_)
-      to.labels.push_back(wholeAt(row, *label_));
-    if (room_)
-      to.rooms.push_back(wholeAt(row, *room_));
-    if (normal_[0] && normal_[1] && normal_[2])
-      to.normals.emplace_back(numberAt(row, *normal_[0]), numberAt(row, *normal_[1]),
-                              numberAt(row, *normal_[2]));
-  }
-
-private:
-  static float numberAt(const std::uint8_t* row, const pcl::PCLPointField& field)
-  {
-    return static_cast<float>(readField(row + field.offset, field.datatype));
-  }
-
-  static std::uint32_t wholeAt(const std::uint8_t* row, const pcl::PCLPointField& field)
-  {
-    std::uint32_t whole = 0;
-    writeField(reinterpret_cast<std::uint8_t*>(&whole), pcl::PCLPointField::UINT32,
-               readField(row + field.offset, field.datatype));
-    return whole;
-  }
-
-  const pcl::PCLPointField* label_;
-  const pcl::PCLPointField* room_;
-  std::array<const pcl::PCLPointField*, 3> normal_;
-};
 
 /** @brief Calls `see(row, place)` for every finite point. */
 template <typename See>
@@ -134,31 +91,53 @@ displayCloudOf(const RowSource& scan, std::size_t most)
       scan, [&](const std::uint8_t*, const Eigen::Vector3f&) { ++shown.whole_size; });
   const std::size_t count =
       most == 0 ? shown.whole_size : std::min(most, shown.whole_size);
-  const RowReader reader(scan.fields());
+  const auto* label = findField(scan.fields(), "label");
+  const auto* room = findField(scan.fields(), "room");
+  const auto add = [](const std::uint8_t* row, const pcl::PCLPointField* field,
+                      std::vector<std::uint32_t>& values) {
+    if (field)
+      values.push_back(static_cast<std::uint32_t>(
+          std::max(0.0, readField(row + field->offset, field->datatype))));
+  };
   shown.points.reserve(count);
   std::size_t seen = 0;
   forEachFinite(scan, [&](const std::uint8_t* row, const Eigen::Vector3f& place) {
     const std::size_t taken = shown.size();
-    if (taken < count && seen++ == taken * shown.whole_size / count)
-      reader.add(row, place, shown);
+    if (taken >= count || seen++ != taken * shown.whole_size / count)
+      return;
+    shown.points.push_back(place);
+    add(row, label, shown.labels);
+    add(row, room, shown.rooms);
   });
   dropStrays(shown);
   return shown;
 }
 
 DisplayCloud
-thinnedCloudOf(const RowSource& scan, double voxel_size)
+thinnedCloudOf(const RowSource& scan, double voxel_size, std::size_t most)
 {
-  const auto leaf = static_cast<float>(voxel_size);
+  constexpr double growth = 1.3;
   pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
-  grid.setLeafSize(leaf, leaf, leaf);
-  pcl::PointCloud<pcl::PointXYZ> thinned;
-  grid.filter(scan, thinned);
+  const auto setLeaf = [&](double size) {
+    const auto leaf = static_cast<float>(size);
+    grid.setLeafSize(leaf, leaf, leaf);
+  };
+  pcl::PointCloud<pcl::PointXYZ>::Ptr thinned(new pcl::PointCloud<pcl::PointXYZ>);
+  setLeaf(voxel_size);
+  grid.filter(scan, *thinned);
   if (!grid.getErrorMessage().empty())
     throw ToolError(grid.getErrorMessage());
+  while (thinned->size() > most) {
+    setLeaf(voxel_size *= growth);
+    grid.setInputCloud(thinned);
+    pcl::PointCloud<pcl::PointXYZ>::Ptr coarser(new pcl::PointCloud<pcl::PointXYZ>);
+    grid.filter(*coarser);
+    thinned = coarser;
+  }
   DisplayCloud shown;
-  shown.whole_size = thinned.size();
-  for (const auto& p : thinned)
+  shown.whole_size = scan.size();
+  shown.spacing = voxel_size;
+  for (const auto& p : *thinned)
     shown.points.emplace_back(p.x, p.y, p.z);
   dropStrays(shown);
   return shown;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <type_traits>
 
 namespace pcl::sedr::tools {
 
@@ -19,7 +20,25 @@ namespace {
 constexpr std::array<const char*, 5> known_files{
     "report.json", "structure.pcd", "floorplan.json", "mesh.ply", "solid.ply"};
 
-constexpr double default_voxel_size = 0.05; // metres, that of pcl_sedr
+/** @brief Returns a value of a report; a fallback if it is missing, of another type, or
+ * not above zero where it is a number. */
+template <typename ValueT>
+ValueT
+valueAt(const ResultFolder::Json& json, const char* place, const ValueT& fallback)
+{
+  const ResultFolder::Json::json_pointer pointer(place);
+  if (!json.contains(pointer))
+    return fallback;
+  const auto& value = json.at(pointer);
+  if constexpr (std::is_same_v<ValueT, std::string>)
+    return value.is_string() ? value.template get<std::string>() : fallback;
+  else if constexpr (std::is_same_v<ValueT, bool>)
+    return value.is_boolean() ? value.template get<bool>() : fallback;
+  else
+    return value.is_number() && value.template get<double>() > 0
+               ? value.template get<ValueT>()
+               : fallback;
+}
 
 ResultFolder::Json
 readReport(const std::string& path)
@@ -59,57 +78,34 @@ ResultFolder::has(const std::string& name) const
 std::string
 ResultFolder::scanPath() const
 {
-  const auto input = report_.find("input");
-  if (input == report_.end() || !input->is_object())
-    return "";
-  const auto named = input->find("path");
-  if (named == input->end() || !named->is_string())
-    return "";
-  const fs::path path = named->get<std::string>();
+  const fs::path path = valueAt(report_, "/input/path", std::string());
   std::error_code error;
   for (const auto& candidate :
        {path, path_ / path, path_ / path.filename(), path_ / ".." / path.filename()})
-    if (fs::is_regular_file(candidate, error))
+    if (!path.empty() && fs::is_regular_file(candidate, error))
       return candidate.string();
   return "";
-}
-
-double
-ResultFolder::number(const char* group, const char* name, double otherwise) const
-{
-  const auto values = report_.find(group);
-  if (values == report_.end() || !values->is_object())
-    return otherwise;
-  const auto value = values->find(name);
-  const bool is_usable =
-      value != values->end() && value->is_number() && value->get<double>() > 0;
-  return is_usable ? value->get<double>() : otherwise;
 }
 
 ScanSettings
 ResultFolder::scanSettings() const
 {
   ScanSettings settings;
-  settings.unit = number("input", "unit", 1);
-  settings.scan = static_cast<std::size_t>(number("input", "scan", 0));
+  settings.unit = valueAt(report_, "/input/unit", 1.0);
+  settings.scan = valueAt(report_, "/input/scan", std::size_t{0});
+  settings.columns = valueAt(report_, "/input/columns", std::string());
+  settings.skip_broken = valueAt(report_, "/input/skip_broken", false);
   Origin origin;
   if (report_.contains("origin") && originFromJson(report_.dump(), origin))
     settings.origin = origin;
-  const auto input = report_.find("input");
-  if (input == report_.end() || !input->is_object())
-    return settings;
-  const auto columns = input->find("columns");
-  if (columns != input->end() && columns->is_string())
-    settings.columns = columns->get<std::string>();
-  const auto skips = input->find("skip_broken");
-  settings.skip_broken = skips != input->end() && *skips == true;
   return settings;
 }
 
 double
 ResultFolder::voxelSize() const
 {
-  return number("parameters", "voxel_size", default_voxel_size);
+  constexpr double of_pcl_sedr = 0.05; // metres
+  return valueAt(report_, "/parameters/voxel_size", of_pcl_sedr);
 }
 
 TriangleMesh

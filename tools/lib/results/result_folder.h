@@ -44,8 +44,6 @@ public:
   TriangleMesh mesh(const std::string& name) const;
 
 private:
-  double number(const char* group, const char* name, double otherwise) const;
-
   std::filesystem::path path_;
   Json report_ = Json::object();
 };

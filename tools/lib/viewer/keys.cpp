@@ -1,173 +1,155 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "keys.h"
+#include "window.h"
+
+#include "tool_error.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <limits>
 
 namespace pcl::sedr::tools {
 
 namespace {
 
-using Press = std::function<KeyCommand(ViewState&, HeightRange)>;
-
-constexpr double clip_step = 0.1;     // metres
-constexpr double max_point_size = 20; // pixels
-
-Press
-flips(bool ViewState::*member)
-{
-  return [member](ViewState& state, HeightRange) {
-    state.*member = !(state.*member);
-    return KeyCommand::Redraw;
-  };
-}
-
-Press
-flips(Layer layer)
-{
-  return [layer](ViewState& state, HeightRange) {
-    state.layers.flip(layer);
-    return KeyCommand::Redraw;
-  };
-}
-
-template <typename ValueT>
-Press
-sets(ValueT ViewState::*member, ValueT value)
-{
-  return [member, value](ViewState& state, HeightRange) {
-    state.*member = value;
-    return KeyCommand::Redraw;
-  };
-}
-
-Press
-storey(std::uint32_t number)
-{
-  return [number](ViewState& state, HeightRange) {
-    return state.toggleStorey(number) ? KeyCommand::Redraw : KeyCommand::None;
-  };
-}
-
-Press
-goesTo(ViewPoint view_point)
-{
-  return [view_point](ViewState& state, HeightRange) {
-    state.view_point = view_point;
-    return KeyCommand::MoveCamera;
-  };
-}
-
-Press
-clips(double by)
-{
-  return [by](ViewState& state, HeightRange heights) {
-    state.moveClipping(by, heights);
-    return KeyCommand::Redraw;
-  };
-}
-
-Press
-resizesPoints(double by)
-{
-  return [by](ViewState& state, HeightRange) {
-    state.point_size = std::clamp(state.point_size + by, 1.0, max_point_size);
-    return KeyCommand::Redraw;
-  };
-}
-
-Press
-asks(KeyCommand command)
-{
-  return [command](ViewState&, HeightRange) { return command; };
-}
+constexpr double clip_step = 0.1; // metres
+constexpr double no_clipping = std::numeric_limits<double>::infinity();
+constexpr const char* screenshot_name = "sedr_view.png";
 
 } // namespace
 
-const std::vector<KeyBinding>&
-keyBindings()
+std::vector<Window::Key>
+Window::makeKeys()
 {
-  static const std::vector<KeyBinding> bindings{
-      {"1", "1", "raw scan", "--layers raw", flips(Layer::Raw)},
-      {"2", "2", "scan thinned to one point a voxel", "--layers thinned",
-       flips(Layer::Thinned)},
-      {"3", "3", "points of the structure", "--layers structure",
-       flips(Layer::Structure)},
-      {"4", "4", "floor plan: lines black, arcs blue", "--layers plan",
-       flips(Layer::Plan)},
-      {"5", "5", "Poisson mesh", "--layers mesh", flips(Layer::Mesh)},
-      {"6", "6", "sharp solid", "--layers solid", flips(Layer::Solid)},
-      {"l", "l", "colours by label", "--colour label",
-       sets(&ViewState::colouring, Colouring::Label)},
-      {"o", "o", "colours by room", "--colour room",
-       sets(&ViewState::colouring, Colouring::Room)},
-      {"d", "d", "colours by distance from the mesh", "--colour distance",
-       sets(&ViewState::colouring, Colouring::Distance)},
-      {"n", "n", "colours of clouds by height", "--colour plain",
-       sets(&ViewState::colouring, Colouring::Plain)},
-      {"c", "c", "ceilings on and off", "--no-ceiling", flips(&ViewState::ceiling)},
-      {"F1", "F1 to F9", "storey 1 to 9 alone, or all again", "--storey", storey(1)},
-      {"F2", "F2", "", "", storey(2)},
-      {"F3", "F3", "", "", storey(3)},
-      {"F4", "F4", "", "", storey(4)},
-      {"F5", "F5", "", "", storey(5)},
-      {"F6", "F6", "", "", storey(6)},
-      {"F7", "F7", "", "", storey(7)},
-      {"F8", "F8", "", "", storey(8)},
-      {"F9", "F9", "", "", storey(9)},
-      {"Down", "Down", "clip 10 cm lower", "--clip", clips(-clip_step)},
-      {"Up", "Up", "clip 10 cm higher", "--clip", clips(clip_step)},
-      {"0", "0", "no clipping", "",
-       sets(&ViewState::clip_height, ViewState::no_clipping)},
-      {"e", "e", "edges of the solid on and off", "--no-edges",
-       flips(&ViewState::edges)},
-      {"v", "v", "one view, or two: scan and model", "--two-views",
-       flips(&ViewState::two_views)},
-      {"g", "g", "legend on and off", "--no-legend", flips(&ViewState::legend)},
-      {"plus", "+", "larger points", "--point-size", resizesPoints(1)},
-      {"minus", "-", "smaller points", "--point-size", resizesPoints(-1)},
-      {"t", "t", "view from the top", "--view top", goesTo(ViewPoint::Top)},
-      {"i", "i", "view from outside, aslant", "--view iso", goesTo(ViewPoint::Iso)},
-      {"p", "p", "view of a person in the largest room", "--view inside",
-       goesTo(ViewPoint::Inside)},
-      {"j", "j", "write sedr_view.png", "--screenshot", asks(KeyCommand::Screenshot)},
-      {"h", "h", "print these keys", "", asks(KeyCommand::Help)},
-      {"q", "q", "quit", "", asks(KeyCommand::Quit)},
+  std::vector<Key> keys;
+  const auto add = [&](const std::string& symbol, const char* does, const char* option,
+                       const std::function<void()>& press) {
+    keys.push_back({symbol, does, option, press});
   };
-  return bindings;
-}
-
-KeyCommand
-pressKey(const std::string& key, HeightRange heights, ViewState& state)
-{
-  const auto& bindings = keyBindings();
-  const auto found =
-      std::find_if(bindings.begin(), bindings.end(),
-                   [&](const KeyBinding& binding) { return binding.key == key; });
-  return found == bindings.end() ? KeyCommand::None : found->press(state, heights);
+  const auto flips = [this](bool ViewState::*member) {
+    return [this, member] { state_.*member = !(state_.*member); };
+  };
+  const char* const layers[] = {"scan", "points of the structure", "Poisson mesh",
+                                "sharp solid", "floor plan: lines black, arcs blue"};
+  for (std::size_t k = 0; k < layer_names.size(); ++k)
+    add(std::to_string(k + 1), layers[k], "--layers", [this, k] {
+      if (state_.layers.erase(layer_names[k]) == 0)
+        state_.layers.insert(layer_names[k]);
+    });
+  const char* const colours[][2] = {{"l", "label"},
+                                    {"o", "room"},
+                                    {"d", "distance"},
+                                    {"n", "height"}};
+  for (const auto& [symbol, name] : colours)
+    add(symbol, name, "--colour", [this, name = name] { state_.colour = name; });
+  add("c", "ceilings on and off", "--ceilings", flips(&ViewState::ceilings));
+  add("r", "next room alone; all after the last", "--room", [this] { nextRoom(); });
+  for (std::uint32_t number = 1; number <= 9; ++number)
+    add("F" + std::to_string(number),
+        number == 1 ? "to F9: storey 1 to 9 alone, or all again" : "", "--storey",
+        [this, number] { toggleStorey(number); });
+  add("Down", "clip 10 cm lower", "--clip", [this] { moveClipping(-clip_step); });
+  add("Up", "clip 10 cm higher", "--clip", [this] { moveClipping(clip_step); });
+  add("0", "no clipping", "", [this] { state_.clip_height = no_clipping; });
+  add("e", "edges of the solid on and off", "--no-edges", flips(&ViewState::edges));
+  add("v", "one view, or two: scan and model", "--two-views",
+      flips(&ViewState::two_views));
+  add("g", "legend on and off", "--no-legend", flips(&ViewState::legend));
+  add("plus", "larger points", "--point-size", [this] { state_.point_size += 1; });
+  add("minus", "smaller points", "--point-size",
+      [this] { state_.point_size = std::max(1.0, state_.point_size - 1); });
+  const char* const views[][2] = {{"t", "top"}, {"i", "iso"}, {"p", "inside"}};
+  for (const auto& [symbol, name] : views)
+    add(symbol, name, "--view", [this, name = name] {
+      state_.view = name;
+      moveCamera();
+    });
+  add("j", "write sedr_view.png", "--screenshot", [this] { writeScreenshot(); });
+  add("h", "print these keys", "", [this] { std::cout << help() << std::flush; });
+  add("q", "quit", "", [this] { wants_to_quit_ = true; }); // closed outside of VTK
+  return keys;
 }
 
 std::string
-keyHelp()
+Window::help() const
 {
-  const auto line = [](const std::string& key, const std::string& does,
-                       const std::string& option) {
-    std::string text =
-        "  " + key + std::string(key.size() < 14 ? 14 - key.size() : 1, ' ') + does;
-    if (!option.empty())
-      text += std::string(text.size() < 56 ? 56 - text.size() : 1, ' ') + option;
-    return text + "\n";
+  std::string text = "Keys, and the option that does the same:\n";
+  const auto add = [&](const Key& key) {
+    const bool is_name = key.option == "--colour" || key.option == "--view";
+    const std::string option = key.option + (is_name ? " " + key.does : "");
+    const std::string does = key.option == "--colour" ? "colours by " + key.does
+                             : is_name                ? "view: " + key.does
+                                                      : key.does;
+    char line[120];
+    std::snprintf(line, sizeof line, "  %-14s%-42s%s\n", key.symbol.c_str(),
+                  does.c_str(), option.c_str());
+    text += line;
   };
-  std::string help = "Keys, and the option that does the same:\n";
-  for (const auto& binding : keyBindings())
-    if (!binding.does.empty())
-      help += line(binding.shown, binding.does, binding.option);
-  help += "Mouse:\n";
-  help += line("left", "turn", "");
-  help += line("middle", "shift", "");
-  help += line("right, wheel", "nearer and farther", "");
-  help +=
-      line("shift + left", "tell what a point is: label, room, element, distance", "");
-  return help;
+  for (const Key& key : keys_)
+    if (!key.does.empty())
+      add(key);
+  text += "Mouse:\n";
+  add({"left", "turn", "", {}});
+  add({"middle", "shift", "", {}});
+  add({"right, wheel", "nearer and farther", "", {}});
+  add({"shift + left", "what is there: label, room, element, distance", "", {}});
+  return text;
+}
+
+void
+Window::onKey(const std::string& symbol)
+{
+  const auto key = std::find_if(keys_.begin(), keys_.end(), [&](const Key& known) {
+    return known.symbol == symbol;
+  });
+  if (key == keys_.end())
+    return;
+  key->press();
+  update();
+  visualizer_->getRenderWindow()->Render();
+}
+
+void
+Window::moveClipping(double by)
+{
+  const Eigen::AlignedBox3d box = result_.bounds();
+  if (box.isEmpty() || (!std::isfinite(state_.clip_height) && by > 0))
+    return;
+  const double height =
+      std::isfinite(state_.clip_height) ? state_.clip_height + by : box.max().z();
+  constexpr double least = 0.01; // metres above the bottom, to leave something visible
+  state_.clip_height =
+      height > box.max().z() ? no_clipping : std::max(height, box.min().z() + least);
+}
+
+void
+Window::toggleStorey(std::uint32_t number)
+{
+  if (result_.rules.find(number))
+    state_.storey = state_.storey == number ? 0 : number;
+}
+
+void
+Window::nextRoom()
+{
+  std::uint32_t next = 0;
+  for (const PlanRoom& room : result_.plan.rooms)
+    if (room.id > state_.room && (next == 0 || room.id < next))
+      next = room.id;
+  state_.room = next;
+}
+
+void
+Window::writeScreenshot()
+{
+  try {
+    saveScreenshot(screenshot_name);
+    std::cout << "written: " << screenshot_name << std::endl;
+  }
+  catch (const ToolError& error) { // keeps the window open
+    std::cerr << error.what() << std::endl;
+  }
 }
 
 } // namespace pcl::sedr::tools

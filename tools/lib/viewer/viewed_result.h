@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "results/ceiling_rule.h"
 #include "results/display_cloud.h"
+#include "results/plan_rules.h"
 #include "scan_settings.h"
-#include "view_state.h"
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
@@ -16,32 +15,34 @@
 
 namespace pcl::sedr::tools {
 
-/** @brief A result to display; each part may be missing. */
+/** @brief Parts of a result that can be shown, in the order of their keys: scan,
+ * structure, mesh, solid, plan. */
+extern const std::vector<std::string> layer_names;
+
+/** @brief A result to display. Parts that are missing are absent from the maps. */
 struct ViewedResult {
-  std::string name; ///< of the folder or file
-  DisplayCloud raw;
-  DisplayCloud thinned;
-  DisplayCloud structure;
-  Floorplan plan;
-  TriangleMesh mesh;
-  TriangleMesh solid;
+  std::string name;                                 ///< of the folder or file
+  std::map<std::string, DisplayCloud> clouds;       ///< layers "scan" and "structure"
+  std::map<std::string, TriangleMesh> meshes;       ///< layers "mesh" and "solid"
+  Floorplan plan;                                   ///< layer "plan"
+  PlanRules rules;                                  ///< of the plan
   std::map<std::uint32_t, std::string> solid_names; ///< by TriangleMesh::elements
   std::vector<std::string> notes; ///< missing parts and reasons, a sentence each
 
-  bool has(Layer layer) const;
+  /** @brief Returns whether a layer has something to show. */
+  bool has(const std::string& layer) const;
 
-  /** @brief Returns the cloud of a layer of points, null for other layers. */
-  const DisplayCloud* cloudOf(Layer layer) const;
-
-  /** @brief Returns the mesh of a layer of triangles, null for other layers. */
-  const TriangleMesh* meshOf(Layer layer) const;
+  /** @brief Returns the mesh of a layer, empty if there is none. */
+  const TriangleMesh& mesh(const std::string& layer) const;
 
   /** @brief Returns the box around the model or, without a model, around the clouds;
    * metres. */
   Eigen::AlignedBox3d bounds() const;
 
-  /** @brief Returns the initial layers: the mesh, or the next best one present. */
-  LayerSet firstLayers() const;
+  /** @brief Describes a place in a line: coordinates, label and room of the nearest
+   * structure point (or face, without points), element of the solid, distance from the
+   * mesh. */
+  std::string describe(const Eigen::Vector3d& place) const;
 };
 
 /** @brief Settings for reading a result. */
@@ -53,7 +54,7 @@ struct ReadSettings {
 
 /** @brief Reads a result folder of pcl_sedr, or one file: a floor plan, a mesh, a solid
  * with its element names, or a cloud. A cloud with labels or rooms, as from a stage, is
- * structure; others are raw scans. Throws ToolError if the main file cannot be read;
+ * structure; others are scans. Throws ToolError if the main file cannot be read;
  * missing parts become notes. */
 ViewedResult readResult(const std::string& path, const ReadSettings& settings);
 

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "viewed_sample.h"
+#include "viewer/shapes.h"
+
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace {
+
+using namespace programs;
+using namespace pcl::sedr;
+using namespace pcl::sedr::tools;
+
+Colour
+colourAt(vtkPolyData* shape, vtkIdType i)
+{
+  double rgb[3];
+  shape->GetPointData()->GetScalars()->GetTuple(i, rgb);
+  return {static_cast<std::uint8_t>(rgb[0]), static_cast<std::uint8_t>(rgb[1]),
+          static_cast<std::uint8_t>(rgb[2])};
+}
+
+std::set<std::string>
+coloursIn(vtkPolyData* shape)
+{
+  std::set<std::string> found;
+  for (vtkIdType i = 0; i < shape->GetNumberOfPoints(); ++i)
+    found.insert(hexCode(colourAt(shape, i)));
+  return found;
+}
+
+double
+highest(vtkPolyData* shape)
+{
+  return shape->GetBounds()[5];
+}
+
+TEST(Palette, OfDistancesIsFromBlueToRedAndItsTextShort)
+{
+  EXPECT_EQ(distanceColour(0, 0.05), (Colour{44, 90, 200}));
+  EXPECT_EQ(distanceColour(0.05, 0.05), distanceColour(7, 0.05)) << "red from there on";
+  EXPECT_EQ(distanceColour(std::nan(""), 0.05), colours::other);
+  EXPECT_EQ(distanceText(0.003), "0.3 cm");
+  EXPECT_EQ(distanceText(0.04), "4 cm");
+  EXPECT_EQ(distanceText(1.2), "1.2 m");
+}
+
+TEST_F(ViewedSample, ColoursPointsByLabelRoomAndDistance)
+{
+  const Shapes shapes(result_);
+  ViewState state;
+  state.ceilings = true;
+  EXPECT_EQ(coloursIn(shapes.of("structure", state)),
+            (std::set<std::string>{hexCode(colours::ceiling), hexCode(colours::floor),
+                                   hexCode(colours::wall)}));
+  state.colour = "room";
+  EXPECT_EQ(coloursIn(shapes.of("structure", state)),
+            (std::set<std::string>{hexCode(roomColour(1)), hexCode(roomColour(2))}));
+  // Points are within 2 mm of the model; the table top is 0.75 m above the floor.
+  state.colour = "distance";
+  EXPECT_EQ(coloursIn(shapes.of("structure", state))
+                .count(hexCode(distanceColour(1, state.range))),
+            0u);
+  EXPECT_EQ(coloursIn(shapes.of("scan", state))
+                .count(hexCode(distanceColour(1, state.range))),
+            1u)
+      << "furniture is red";
+}
+
+TEST_F(ViewedSample, CeilingsAreHiddenAtFirst)
+{
+  const Shapes shapes(result_);
+  const ViewState state;
+  ViewState closed;
+  closed.ceilings = true;
+  EXPECT_NEAR(highest(shapes.of("structure", state)), 2.475, 0.003)
+      << "the top row of wall points, which stay";
+  EXPECT_NEAR(highest(shapes.of("scan", state)), 2.35, 0.05)
+      << "without labels, what is 15 cm below the plan's ceiling";
+  EXPECT_NEAR(highest(shapes.of("scan", closed)), 2.5, 0.003);
+  for (const char* layer : {"mesh", "solid"}) {
+    const TriangleMesh& mesh = result_.mesh(layer);
+    const auto ceilings =
+        std::count(mesh.labels.begin(), mesh.labels.end(),
+                   static_cast<std::uint32_t>(StructureLabel::Ceiling));
+    const auto all = static_cast<vtkIdType>(mesh.triangles.size());
+    EXPECT_EQ(shapes.of(layer, closed)->GetNumberOfPolys(), all);
+    EXPECT_EQ(shapes.of(layer, state)->GetNumberOfPolys(), all - ceilings);
+  }
+}
+
+TEST_F(ViewedSample, OneRoomAloneIsShownInAllLayers)
+{
+  const Shapes shapes(result_);
+  ViewState state;
+  state.room = 2;
+  const double first = result_.rules.boxOf(2).min().x();
+  for (const std::string& layer : layer_names)
+    EXPECT_GE(shapes.of(layer, state)->GetBounds()[0], first - 0.16) << layer;
+}
+
+TEST_F(ViewedSample, DrawsPlanLinesAndSolidEdges)
+{
+  const Shapes shapes(result_);
+  ViewState state;
+  // A box has four lower, four upper and four vertical edges.
+  EXPECT_EQ(shapes.of("plan", state)->GetNumberOfLines(), 2 * 8);
+  EXPECT_EQ(shapes.solidEdges(state)->GetNumberOfLines(), 2 * 12)
+      << "the walls still end where the ceiling was";
+  state.ceilings = true;
+  EXPECT_EQ(shapes.of("plan", state)->GetNumberOfLines(), 2 * 12);
+  EXPECT_EQ(shapes.solidEdges(state)->GetNumberOfLines(), 2 * 12);
+}
+
+TEST_F(ViewedSample, PlanLinesFollowArcs)
+{
+  ViewedResult round;
+  PlanRoom room = planOf(BoxRoom());
+  PlanElement circle;
+  circle.start = circle.end = {3, 0};
+  circle.centre = {2, 0};
+  circle.radius = 1;
+  circle.counter_clockwise = false;
+  room.columns.push_back({{circle}});
+  round.plan.rooms.push_back(room);
+  const auto lines = Shapes(round).of("plan", {});
+  std::size_t on_circle = 0;
+  for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i)
+    if (colourAt(lines, i) == colours::column) {
+      const Eigen::Vector3d p = Eigen::Vector3d::Map(lines->GetPoint(i));
+      EXPECT_NEAR((p.head<2>() - Eigen::Vector2d(2, 0)).norm(), 1, 1e-5);
+      ++on_circle;
+    }
+  EXPECT_GT(on_circle, 60u);
+}
+
+TEST_F(ViewedSample, LegendTellsCountsAreasAndColours)
+{
+  const Shapes shapes(result_);
+  ViewState state;
+  state.layers = {"structure"};
+  const auto has = [&](const std::string& text, std::optional<Colour> colour) {
+    const auto lines = shapes.legend(state);
+    return std::any_of(lines.begin(), lines.end(), [&](const LegendLine& line) {
+      return line.text.find(text) != std::string::npos && line.colour == colour;
+    });
+  };
+  // 80 by 60 and 70 by 60 points.
+  EXPECT_TRUE(has("ceiling  9,000 points", colours::ceiling));
+  EXPECT_TRUE(has("room 1  12.0 m2", std::nullopt));
+  EXPECT_TRUE(has("without ceilings", std::nullopt));
+  state.clip_height = 1.25;
+  EXPECT_TRUE(has("cut at 1.25 m", std::nullopt));
+  state.colour = "room";
+  EXPECT_TRUE(has("room 2  10.5 m2", roomColour(2)));
+  state.colour = "distance";
+  EXPECT_TRUE(has("5 cm or more", distanceColour(0.05, 0.05)));
+}
+
+TEST_F(ViewedSample, TellsWhatAPickedPointIs)
+{
+  const BoxRoom room = sample_.first;
+  // A point 3 cm in front of wall 2 of the plan, which is at x + width.
+  const std::string wall =
+      result_.describe({room.x + room.width - 0.03, room.y + 1.02, 1.23});
+  EXPECT_NE(wall.find("wall, room 1"), std::string::npos) << wall;
+  EXPECT_NE(wall.find("room_1_wall_2"), std::string::npos) << wall;
+  EXPECT_NE(wall.find("3.0 cm from the mesh"), std::string::npos) << wall;
+  const std::string far = result_.describe({50, 0, 0});
+  EXPECT_NE(far.find("nothing known"), std::string::npos) << far;
+}
+
+TEST(PlanRules, OfTwoStoreysTellWhichAPlaceBelongsTo)
+{
+  Floorplan plan;
+  for (std::uint32_t id = 1; id <= 2; ++id) {
+    plan.rooms.push_back(planOf(BoxRoom()));
+    plan.rooms.back().id = id;
+    plan.rooms.back().floor.plane[3] -= 2.8 * (id - 1);
+    plan.rooms.back().ceiling.plane[3] -= 2.8 * (id - 1);
+  }
+  const PlanRules rules(plan);
+  ASSERT_EQ(rules.storeys().size(), 2u);
+  const Eigen::Vector3d middle = rules.boxOf(1).center();
+  EXPECT_TRUE(rules.isInStorey(1, 0, 1));
+  EXPECT_FALSE(rules.isInStorey(2, 0, 1));
+  EXPECT_TRUE(rules.isInStorey(2, 2, 1)) << "a known room decides";
+  EXPECT_FALSE(rules.isCeiling(StructureLabel::Other, 0, middle));
+  EXPECT_TRUE(rules.isCeiling(StructureLabel::Other, 0, {middle.x(), middle.y(), 2.45}))
+      << "the lower ceiling";
+  EXPECT_FALSE(rules.isCeiling(StructureLabel::Other, 0, {middle.x(), middle.y(), 2.8}))
+      << "the upper floor";
+  EXPECT_TRUE(rules.isCeiling(StructureLabel::Detail, 1, {middle.x(), middle.y(), 2.2}))
+      << "a soffit";
+  EXPECT_FALSE(
+      rules.isCeiling(StructureLabel::Detail, 1, {middle.x(), middle.y(), 0.2}))
+      << "a step";
+}
+
+} // namespace

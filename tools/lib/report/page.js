@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fills the sections of page.html from the page's JSON. A section is a function below; it returns whether there is
+// anything to show. `readGlb` and `showModel` are in model.js.
+(function () {
+  'use strict';
+  const data = JSON.parse(document.getElementById('data').textContent);
+  const report = data.report, plan = data.plan || { rooms: [], storeys: [], doorways: [] };
+  const rooms = (report.rooms || []).length ? report.rooms : plan.rooms;
+  const storeys = plan.storeys || [];
+  const distances = (report.evaluation || {}).cloud_to_mesh;
+  const byId = id => document.getElementById(id);
+
+  // ---- Texts ----
+
+  const isNumber = value => typeof value === 'number' && isFinite(value);
+  const sum = (list, valueOf) => list.reduce((total, item) => total + (valueOf(item) || 0), 0);
+
+  // 1234567.5 becomes "1 234 567.5" with narrow spaces.
+  function number(value, digits = 0) {
+    if (!isNumber(value)) return '–';
+    const [whole, part] = value.toFixed(digits).split('.');
+    return whole.replace(/\B(?=(\d{3})+$)/g, '\u202f') + (part ? '.' + part : '');
+  }
+  const percent = share => !isNumber(share) ? '–'
+    : (100 * share).toFixed(share > 0 && share < 0.0995 ? 1 : 0) + '\u00a0%';
+  const centimetres = metres => number(100 * metres, metres < 0.1 ? 2 : 1) + '\u00a0cm';
+  const closed = mesh => !mesh ? '–' : mesh.closed_manifold ? 'closed' : 'open';
+  // A distance as short as it is: 4 cm, 0.3 cm, 1.2 m.
+  const distance = metres => metres >= 1 ? metres.toFixed(1) + ' m' : +(100 * metres).toPrecision(3) + ' cm';
+
+  function make(tag, attributes, ...children) {
+    const element = document.createElement(tag);
+    Object.entries(attributes).forEach(([name, value]) => element.setAttribute(name, value));
+    element.append(...children);
+    return element;
+  }
+
+  // A table of rows; each column is [heading, text of a row, 'text' for words].
+  function table(columns, rows) {
+    const cells = (tag, textOf) => columns.map(column =>
+      make(tag, column[2] ? { class: column[2] } : {}, textOf(column)));
+    const row = item => make('tr', {}, ...cells('td', column => column[1](item)));
+    return make('div', { class: 'wide' }, make('table', {},
+      make('thead', {}, make('tr', {}, ...cells('th', column => column[0]))), make('tbody', {}, ...rows.map(row))));
+  }
+
+  function fillKey(element, entries) {
+    element.append(...entries.map(([colour, text]) => make('span', { class: 'entry' },
+      make('span', { class: 'swatch', style: 'background:' + colour }), text)));
+  }
+
+  // ---- Head ----
+
+  function head() {
+    document.title = data.name ? 'Model: ' + data.name : 'Model of an indoor scan';
+    byId('title').textContent = document.title;
+    const input = report.input || {};
+    byId('source').textContent = [input.path && 'Scan: ' + input.path, input.points && number(input.points) + ' points',
+      input.unit && input.unit !== 1 && 'unit ' + input.unit + ' m'].filter(Boolean).join(', ');
+    const figures = [];
+    if (rooms.length) {
+      figures.push([rooms.length === 1 ? 'room' : 'rooms', rooms.length]);
+      if (storeys.length > 1) figures.push(['storeys', storeys.length]);
+      figures.push(['floor area', number(sum(rooms, room => room.area), 1) + '\u00a0m²'],
+        ['volume', number(sum(rooms, room => room.volume), 1) + '\u00a0m³']);
+      if (rooms[0].mesh) figures.push(['closed meshes',
+        rooms.filter(room => room.mesh && room.mesh.closed_manifold).length + ' of ' + rooms.length]);
+    }
+    if (distances && distances.count) figures.push(['half the points within', centimetres(distances.median)],
+      ['within 5\u00a0cm', percent(distances.within_5cm)]);
+    byId('figures').append(...figures.map(([name, value]) =>
+      make('div', {}, make('dt', {}, name), make('dd', {}, String(value)))));
+  }
+
+  // ---- Advice: [finding, remedy] ----
+
+  const unseen = room => isNumber(room.unseen_share) ? room.unseen_share : room.repaired_share;
+
+  function* openModels() {
+    for (const room of rooms)
+      for (const [name, model, remedy] of [
+        ['mesh', room.mesh, 'Take the solid, solid.ply, or make the mesh of the plan by --mesh-from-plan.'],
+        ['solid', room.solid, 'Look at its walls in the plan: lines that cross or miss each other.']])
+        if (model && model.closed_manifold === false)
+          yield [`Room ${room.id}: its ${name} is not closed${model.problem ? ': ' + model.problem : ''}.`, remedy];
+  }
+
+  function* filledIn() {
+    const much = rooms.filter(room => unseen(room) >= 0.25);
+    if (much.length)
+      yield ['Much of the surface was not seen and is filled in: '
+        + much.map(room => `room ${room.id} ${(100 * unseen(room)).toFixed(0)} %`).join(', ')
+        + '. That is doors, windows, what furniture hides, or what was out of the scanner\'s sight.',
+        'Compare the pictures of scan and model below. Where too much of a ceiling is missing, --plane-tolerance 0.1 '
+        + 'takes in noisier planes.'];
+  }
+
+  function* unseenWalls() {
+    const length = wall => Math.hypot(wall.end[0] - wall.start[0], wall.end[1] - wall.start[1]);
+    const texts = plan.rooms.map(room => {
+      const walls = room.boundary.map((wall, k) => ({ wall, number: k + 1 })).filter(({ wall }) => wall.evidence
+        && length(wall) >= 0.5 && wall.evidence.seen < 0.2 && wall.evidence.hidden > 0.5).map(({ wall, number }) =>
+        `wall ${number} (${length(wall).toFixed(1)} m, ${(100 * wall.evidence.hidden).toFixed(0)} % hidden)`);
+      return walls.length ? `room ${room.id}: ` + walls.slice(0, 6).join(', ')
+        + (walls.length > 6 ? ` and ${walls.length - 6} more` : '') : '';
+    }).filter(Boolean);
+    if (texts.length)
+      yield ['Walls of which hardly anything was seen: ' + texts.join('; ') + '.',
+        'Their places follow their neighbours and what little was seen. If they matter, scan again from another place.'];
+  }
+
+  function* farPoints() {
+    if (!distances || !distances.count) return;
+    const used = report.parameters || {};
+    const options = ['plane_tolerance', 'boundary_tolerance'].filter(name => !(used[name] >= 0.1))
+      .map(name => '--' + name.replace('_', '-') + ' 0.1').join(' and ');
+    if (distances.median > 0.02)
+      yield [`Half of the structure's points lie more than ${distance(distances.median)} off the model.`,
+        options ? `A scan so noisy needs ${options}; one in other units --unit.`
+          : 'That is its noise, which the tolerances of this run take in; a scan in other units needs --unit.'];
+    else if (distances.within_5cm < 0.85)
+      yield [`${percent(1 - distances.within_5cm)} of the structure's points lie more than 5 cm off the model.`,
+        'Often that is furniture at the walls: see where it is in the picture of distances. If whole walls are red '
+        + 'there, a smaller --minimum-cells finds smaller details, and a smaller --grid-size finer ones.'];
+  }
+
+  function* warnings() {
+    const isTold = rooms.some(room => isNumber(unseen(room)));
+    for (const warning of report.warnings || []) {
+      if (typeof warning !== 'string' || (isTold && warning.includes('were filled in, not seen'))) continue;
+      yield [warning, warning.includes('too sparse')
+        ? 'A denser scan, or scans from more places, would show more. --fixed-grid keeps the small cells.'
+        : /left out/.test(warning) && /ceiling/.test(warning) ? '--pictures shows what each stage decided, and why.' : ''];
+    }
+  }
+
+  function check(section) {
+    const list = section.querySelector('ul');
+    for (const source of [openModels, filledIn, unseenWalls, farPoints, warnings])
+      for (const [finding, remedy] of source())
+        list.append(make('li', {}, finding, ...(remedy ? [make('span', { class: 'remedy' }, remedy)] : [])));
+    const unknown = [[room => room.mesh || room.solid, 'whether all rooms are closed'],
+      [room => isNumber(unseen(room)), 'how much of their surface was seen']]
+      .filter(([isKnown]) => !rooms.length || !rooms.every(isKnown)).map(([, text]) => text);
+    if (!distances) unknown.push('how far the points lie from the model');
+    if (!list.children.length)
+      list.append(unknown.length ? make('li', {}, `Nothing stands out, but the files do not tell ${unknown.join(', ')}.`)
+        : make('li', { class: 'fine' }, 'Nothing stands out: all rooms are closed, most of their surface was seen, '
+          + 'and the points lie where the model is.'));
+    return true;
+  }
+
+  // ---- Sections ----
+
+  function coverage(section) {
+    const found = report.coverage;
+    if (!found) return false;
+    section.querySelector('.summary').append(`${number(found.modelled, 1)}\u00a0m² of ${number(found.seen, 1)}\u00a0m² of `
+      + 'floor that was seen are in the plan, ', make('strong', {}, percent(found.share)), '.');
+    section.querySelector('.note').hidden = !found.left_out.length;
+    if (found.left_out.length)
+      section.querySelector('.wide').append(table([
+        ['left out', gap => gap.reason, 'text'], ['area, m²', gap => number(gap.area, 1)],
+        ['around x, y, m', gap => gap.at.map(place => number(place, 1)).join(', ')],
+        ['z, m', gap => number(gap.floor, 1) + ' to ' + number(gap.ceiling, 1)],
+        ['counts', gap => gap.counts ? 'yes' : 'no', 'text']], found.left_out));
+    return true;
+  }
+
+  const roomsOf = storey => rooms.filter(room => storey.rooms.includes(room.id));
+
+  function storeyTable(section) {
+    section.querySelector('.wide').append(table([
+      ['storey', storey => storey.name, 'text'], ['rooms', storey => roomsOf(storey).length],
+      ['floor, m', storey => number(storey.floor, 2)], ['ceiling, m', storey => number(storey.ceiling, 2)],
+      ['area, m²', storey => number(sum(roomsOf(storey), room => room.area), 2)],
+      ['volume, m³', storey => number(sum(roomsOf(storey), room => room.volume), 2)]], storeys));
+    return storeys.length > 1;
+  }
+
+  function drawings(section) {
+    for (const drawing of data.drawings) {
+      if (data.drawings.length > 1) section.querySelector('.plans').append(make('h3', {}, drawing.name));
+      section.querySelector('.plans').append(make('img', {
+        alt: 'Plan: ' + drawing.name, src: 'data:image/svg+xml,' + encodeURIComponent(drawing.svg)
+      }));
+    }
+    if ((plan.doorways || []).length)
+      section.querySelector('.doors').textContent = 'Gaps: doorways that were found; windows are closed.';
+    return data.drawings.length > 0;
+  }
+
+  const roomColumns = [
+    ['room', room => room.id], ['area, m²', room => number(room.area, 2)],
+    ['perimeter, m', room => number(room.perimeter, 2)], ['height, m', room => number(room.height, 2)],
+    ['volume, m³', room => number(room.volume, 2)], ['wall surface, m²', room => number((room.solid || {}).wall_area, 2)],
+    ['walls', room => countOf(room.walls || room.boundary)], ['columns', room => countOf(room.columns)],
+    ['ceiling details', room => countOf(room.details)], ['filled in', room => percent(unseen(room))],
+    ['mesh', room => closed(room.mesh)], ['solid', room => closed(room.solid)]];
+  const countOf = list => String(Array.isArray(list) ? list.length : list || 0); // the plan has lists, the report numbers
+
+  function roomTables(section) {
+    const tables = section.querySelector('.tables');
+    if (storeys.length < 2)
+      tables.append(table(roomColumns, rooms));
+    else {
+      const others = rooms.filter(room => !storeys.some(storey => storey.rooms.includes(room.id)));
+      for (const storey of storeys) tables.append(make('h3', {}, storey.name), table(roomColumns, roomsOf(storey)));
+      if (others.length) tables.append(make('h3', {}, 'not in the plan'), table(roomColumns, others));
+    }
+    return rooms.length > 0;
+  }
+
+  const labelKey = Object.entries(data.colours.labels).filter(([label]) => label !== 'other')
+    .map(([label, colour]) => [colour, label]);
+
+  function model(section) {
+    fillKey(section.querySelector('.key'), labelKey);
+    const { mesh, solid } = data.models;
+    if (mesh && mesh.shown < mesh.triangles) {
+      byId('thinned').textContent = `The mesh is thinned for this page, from ${number(mesh.triangles)} to `
+        + `${number(mesh.shown)} triangles: mesh.ply has them all.`;
+      byId('thinned').hidden = false;
+    }
+    return Boolean(mesh || solid);
+  }
+
+  function pictures(section) {
+    fillKey(section.querySelector('.key'), labelKey);
+    const hasScan = data.scan && data.scan.is_scan, shown = data.models.solid || data.models.mesh;
+    byId('no-scan').hidden = hasScan;
+    byId('scan-picture').hidden = !hasScan;
+    byId('model-picture').hidden = !shown;
+    if (hasScan) byId('scan-picture').querySelector('span').textContent = number(data.scan.points);
+    if (shown) byId('model-picture').querySelector('span').textContent = number(shown.triangles);
+    return Boolean(data.scan || shown);
+  }
+
+  // Bars of the histogram as SVG, and one for all beyond its range.
+  function chart() {
+    const width = 700, height = 230, left = 48, bottom = 34, top = 18;
+    const space = 'http://www.w3.org/2000/svg', svg = document.createElementNS(space, 'svg');
+    const draw = (tag, attributes, text) => {
+      const element = document.createElementNS(space, tag);
+      Object.entries(attributes).forEach(([name, value]) => element.setAttribute(name, value));
+      if (text) element.textContent = text;
+      return element;
+    };
+    Object.entries({ viewBox: `0 0 ${width} ${height}`, role: 'img', 'aria-label': 'Histogram of distances' })
+      .forEach(([name, value]) => svg.setAttribute(name, value));
+    const bins = [...distances.histogram, distances.beyond_histogram], step = distances.histogram_range / (bins.length - 1);
+    const most = Math.max(...bins) / distances.count || 1, wide = (width - left) / bins.length;
+    const y = share => height - bottom - share / most * (height - bottom - top);
+    for (let k = 0; k <= 4; ++k)
+      svg.append(draw('line', { class: 'grid', x1: left, x2: width, y1: y(k * most / 4), y2: y(k * most / 4) }),
+        draw('text', { class: 'axis', x: left - 6, y: y(k * most / 4) + 4, 'text-anchor': 'end' },
+          +(25 * k * most).toPrecision(2) + ' %'));
+    bins.forEach((bin, k) => {
+      const share = bin / distances.count, isLast = k === bins.length - 1;
+      const bar = draw('rect', { x: left + k * wide + 1, width: wide - 2, y: y(share), height: height - bottom - y(share),
+        fill: colourOfDistance((k + 0.5) * step) });
+      bar.append(draw('title', {}, (isLast ? `${distance(k * step)} or more` : `${distance(k * step)} to `
+        + distance((k + 1) * step)) + `: ${(100 * share).toFixed(2)} %`));
+      svg.append(bar);
+      if (k % 4 === 0 || isLast)
+        svg.append(draw('text', { class: 'axis', x: left + k * wide, y: height - 14,
+          'text-anchor': isLast ? 'middle' : 'start' }, isLast ? 'more' : distance(k * step)));
+    });
+    return svg;
+  }
+
+  const colourOfDistance = metres => data.colours.distances[
+    Math.min(data.colours.distances.length - 1, Math.round(metres / data.range * (data.colours.distances.length - 1)))];
+
+  function distanceSection(section) {
+    const has = distances && distances.count > 0, hasPicture = data.scan && data.scan.distances;
+    section.querySelector('.figures').hidden = !has;
+    if (has) {
+      section.querySelector('.chart').append(chart());
+      section.querySelector('.wide').append(table([['points', d => number(d.count)], ['mean', d => centimetres(d.mean)],
+        ['half within', d => centimetres(d.median)], ['95\u00a0% within', d => centimetres(d.p95)],
+        ['99\u00a0% within', d => centimetres(d.p99)], ['farthest', d => centimetres(d.max)],
+        ['within 1\u00a0cm', d => percent(d.within_1cm)], ['within 5\u00a0cm', d => percent(d.within_5cm)]], [distances]));
+    }
+    byId('distance-picture').hidden = section.querySelector('.key').hidden = !hasPicture;
+    if (hasPicture) {
+      byId('distance-picture').querySelector('figcaption').textContent = data.scan.is_scan
+        ? 'The thinned scan by its distance from the mesh, ceilings and what is more than 50 cm off left out; furniture is red'
+        : 'The refined structure by its distance from the mesh: the scan was not found where this page was written';
+      fillKey(section.querySelector('.key'), [0, 1, 2, 3, 4, 5].map(k => [colourOfDistance(data.range * k / 5),
+        distance(data.range * k / 5) + (k === 5 ? ' or more' : '')]));
+    }
+    return Boolean(has || hasPicture);
+  }
+
+  const knownFiles = [
+    ['model.ifc', 'building model, IFC4: rooms, walls, slabs, openings',
+      'Revit, Archicad, Allplan, FreeCAD, Blender with Bonsai, IFC viewers'],
+    ['floorplan#.dxf', 'drawing in metres, with dimensions', 'AutoCAD, BricsCAD, QCAD, LibreCAD'],
+    ['floorplan#.pdf', 'drawing to scale, to print', 'any PDF viewer'],
+    ['floorplan#.svg', 'the same drawing, to edit', 'any browser, Inkscape, Illustrator'],
+    ['model.glb', 'sharp model for the web, glTF 2.0', 'Blender, three.js, Windows 3D Viewer, most viewers online'],
+    ['solid.obj', 'sharp model, grouped by storey, room and element', 'Blender, SketchUp, Rhino, MeshLab'],
+    ['solid.ply', 'sharp model, coloured by label', 'MeshLab, CloudCompare, Blender'],
+    ['mesh.ply', 'closed mesh, coloured by label', 'MeshLab, CloudCompare, Blender'],
+    ['structure.pcd', 'points of the structure, with label and room', 'CloudCompare, pcl_viewer, pcl_sedr_viewer'],
+    ['floorplan.json', 'plan, with all figures', 'programs'],
+    ['report.json', 'this report', 'programs']];
+
+  function files(section) {
+    const rows = knownFiles.flatMap(([name, what, opens]) => {
+      const pattern = new RegExp('^' + name.replace('.', '\\.').replace('#', '(_\\d+)?') + '$'); // # a storey's number
+      return data.files.filter(file => pattern.test(file)).map(file => ({ file, what, opens }));
+    });
+    section.querySelector('.wide').append(table([['file', row => make('a', { href: row.file }, row.file), 'text'],
+      ['what it is', row => row.what, 'text'], ['what opens it', row => row.opens, 'text']], rows));
+    return rows.length > 0;
+  }
+
+  // What matters most of a stage: [name in the report, shown as, unit].
+  const stageParameters = {
+    reading: [['unit', 'unit', 'm']],
+    ParallelVoxelGrid: [['voxel_size', 'voxel', 'm']],
+    HorizontalPlaneDetection: [['plane_tolerance', 'tolerance', 'm'], ['maximum_tilt_degrees', 'tilt up to', 'degrees']],
+    GridRegionOutlierRemoval: [['grid_size', 'cell', 'm']],
+    RoomSegmentation: [['minimum_room_area', 'rooms from', 'm²'], ['widest_door', 'doors up to', 'm']],
+    GridSliceDetail: [['minimum_cells', 'details from', 'cells'], ['trials', 'trials', '']],
+    FloorProjectionRecovery: [['grid_size', 'cell', 'm']],
+    CeilingBoundaryWallGrowing: [['boundary_angle_degrees', 'angle', 'degrees'], ['boundary_neighbors', 'neighbours', ''],
+      ['wall_distance', 'distance', 'm']],
+    FloorplanFitting: [['boundary_tolerance', 'tolerance', 'm']],
+    StructureRefinement: [['refinement_distance', 'distance', 'm']],
+    VerticalHoleRepair: [['repair_grid_size', 'cell', 'm']],
+    FloorplanExtrusion: [['chord_tolerance', 'chord', 'm']],
+    StructuralPoisson: [['tree_depth', 'depth up to', 'levels']]
+  };
+
+  function stages(section) {
+    const rows = report.stages || [], used = report.parameters || {};
+    const parameters = stage => (stageParameters[stage] || []).filter(([name]) => name in used).map(([name, text, unit]) =>
+      [text, isNumber(used[name]) ? +used[name].toPrecision(3) : used[name], unit].filter(part => part !== '').join('\u00a0'));
+    section.querySelector('.wide').append(table([['stage', row => row.stage, 'text'],
+      ['points in', row => isNumber(row.points_in) ? number(row.points_in) : ''],
+      ['points out', row => isNumber(row.points_out) ? number(row.points_out) : ''],
+      ['seconds', row => number(row.seconds, 2)], ['with', row => parameters(row.stage).join(', '), 'text']],
+    [...rows, { stage: 'together', seconds: sum(rows, row => row.seconds) }]));
+    return rows.length > 0;
+  }
+
+  function parameters(section) {
+    const rows = Object.entries(report.parameters || {});
+    section.querySelector('.wide').append(table([['parameter', row => make('code', {}, row[0])],
+      ['value', row => typeof row[1] === 'string' ? row[1] : JSON.stringify(row[1])]], rows));
+    return rows.length > 0;
+  }
+
+  head();
+  Object.entries({ check, coverage, storeys: storeyTable, plan: drawings, rooms: roomTables, model, pictures,
+    distances: distanceSection, files, stages, parameters }).forEach(([id, fill]) => {
+    byId(id).hidden = false;
+    try {
+      if (!fill(byId(id))) byId(id).remove();
+    } catch (error) { // a file of another version: the other sections are shown
+      console.error(id, error);
+      byId(id).remove();
+    }
+  });
+  showModel(data);
+})();

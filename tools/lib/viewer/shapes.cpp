@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "shapes.h"
+
+#include "progress.h"
+#include <pcl/sedr_surface/mesh_distance.h>
+
+#include <vtkCellArray.h>
+#include <vtkFeatureEdges.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+
+namespace pcl::sedr::tools {
+
+namespace {
+
+/** @brief Vertices, lines or triangles, each with points of its own and a colour. */
+class ColouredShape {
+public:
+  ColouredShape()
+  {
+    colours_->SetNumberOfComponents(3);
+    colours_->SetName("colours");
+  }
+
+  void add(const Eigen::Vector3d& point, Colour colour)
+  {
+    points_->InsertNextPoint(point.data());
+    const unsigned char rgb[3] = {colour.red, colour.green, colour.blue};
+    colours_->InsertNextTypedTuple(rgb);
+  }
+
+  void addLine(const Eigen::Vector3d& a, const Eigen::Vector3d& b, Colour colour)
+  {
+    add(a, colour);
+    add(b, colour);
+  }
+
+  /** @param corners of a cell: 1, 2 or 3 */
+  vtkSmartPointer<vtkPolyData> data(int corners) const
+  {
+    vtkNew<vtkCellArray> cells;
+    for (vtkIdType i = 0; i < points_->GetNumberOfPoints(); ++i) {
+      if (i % corners == 0)
+        cells->InsertNextCell(corners);
+      cells->InsertCellPoint(i);
+    }
+    auto shape = vtkSmartPointer<vtkPolyData>::New();
+    shape->SetPoints(points_);
+    if (corners == 1)
+      shape->SetVerts(cells);
+    else if (corners == 2)
+      shape->SetLines(cells);
+    else
+      shape->SetPolys(cells);
+    shape->GetPointData()->SetScalars(colours_);
+    return shape;
+  }
+
+private:
+  vtkNew<vtkPoints> points_;
+  vtkNew<vtkUnsignedCharArray> colours_;
+};
+
+/** @brief Returns a grey that becomes lighter with height. */
+Colour
+heightColour(double z, const Eigen::AlignedBox3d& box)
+{
+  const double share = (z - box.min().z()) / std::max(1e-6, box.sizes().z());
+  return mixed(Colour{60, 66, 78}, Colour{206, 208, 212}, std::clamp(share, 0.0, 1.0));
+}
+
+StructureLabel
+labelOf(const TriangleMesh& mesh, std::size_t t)
+{
+  return static_cast<StructureLabel>(mesh.labels.empty() ? 0 : mesh.labels[t]);
+}
+
+Eigen::Vector3d
+centreOf(const TriangleMesh& mesh, std::size_t t)
+{
+  return (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
+}
+
+/** @brief Adds a loop between two slabs, a little before its faces. */
+void
+addLoop(const PlanLoop& loop,
+        const PlanSlab& low,
+        const PlanSlab& high,
+        bool with_high,
+        Colour straight,
+        Colour bent,
+        ColouredShape& lines)
+{
+  constexpr double chord = 0.005; // metres, between an arc and its chords
+  constexpr double lift = 0.01;   // metres
+  const auto at = [](const Eigen::Vector2d& p, const PlanSlab& slab, double above) {
+    return Eigen::Vector3d(p.x(), p.y(), slab.heightAt(p) + above);
+  };
+  for (const auto& element : loop.elements) {
+    const Colour colour = element.isArc() ? bent : straight;
+    auto corners = PlanLoop{{element}}.polygon(chord);
+    corners.push_back(element.end);
+    for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
+      lines.addLine(at(corners[k], low, lift), at(corners[k + 1], low, lift), colour);
+      if (with_high)
+        lines.addLine(at(corners[k], high, -lift), at(corners[k + 1], high, -lift),
+                      colour);
+    }
+    lines.addLine(at(element.start, low, 0), at(element.start, high, 0), colour);
+  }
+}
+
+void
+addRoom(const PlanRoom& room, bool with_ceilings, ColouredShape& lines)
+{
+  using namespace colours;
+  const auto add = [&](const PlanLoop& loop, const PlanSlab& low, const PlanSlab& high,
+                       Colour straight, Colour bent) {
+    addLoop(loop, low, high, with_ceilings, straight, bent, lines);
+  };
+  add(room.boundary, room.floor, room.ceiling, ink, arc);
+  for (const auto& loop : room.columns)
+    add(loop, room.floor, room.ceiling, column, column);
+  for (const auto& niche : room.niches)
+    add(niche.boundary, niche.bottom, niche.top, wall, wall);
+  for (const auto& step : room.floor_details)
+    addLoop(step.boundary, room.floor, step.slab, true, floor, floor, lines);
+  if (with_ceilings)
+    for (const auto& soffit : room.details)
+      add(soffit.boundary, soffit.slab, room.ceiling, detail, detail);
+}
+
+} // namespace
+
+Shapes::Shapes(const ViewedResult& result)
+    : result_(result)
+    , bounds_(result.bounds())
+{}
+
+bool
+Shapes::shows(StructureLabel label,
+              std::uint32_t room,
+              const Eigen::Vector3d& place,
+              const ViewState& state) const
+{
+  return (state.ceilings || !result_.rules.isCeiling(label, room, place)) &&
+         result_.rules.isInStorey(state.storey, room, place.z()) &&
+         result_.rules.isInRoom(state.room, room, place);
+}
+
+vtkSmartPointer<vtkPolyData>
+Shapes::of(const std::string& layer, const ViewState& state) const
+{
+  ColouredShape shape;
+  const bool by_distance = state.colour == "distance";
+  const auto cloud = result_.clouds.find(layer);
+  if (cloud != result_.clouds.end()) {
+    const DisplayCloud& points = cloud->second;
+    const auto* measured = by_distance ? &distances(layer) : nullptr;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Eigen::Vector3d place = points.points[i].cast<double>();
+      if (!shows(points.label(i), points.room(i), place, state))
+        continue;
+      Colour colour = heightColour(place.z(), bounds_);
+      if (by_distance)
+        colour = measured->empty() ? colours::other
+                                   : distanceColour((*measured)[i], state.range);
+      else if (state.colour == "label" && !points.labels.empty())
+        colour = colourOf(points.label(i));
+      else if (state.colour == "room" && !points.rooms.empty())
+        colour = roomColour(points.room(i));
+      shape.add(place, colour);
+    }
+    return shape.data(1);
+  }
+  if (layer == "plan") {
+    for (const auto& room : result_.plan.rooms)
+      if (shows(StructureLabel::Wall, room.id, Eigen::Vector3d::Zero(), state))
+        addRoom(room, state.ceilings, shape);
+    return shape.data(2);
+  }
+  const TriangleMesh& mesh = result_.mesh(layer);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const StructureLabel label = labelOf(mesh, t);
+    const std::uint32_t room = mesh.rooms.empty() ? 0 : mesh.rooms[t];
+    if (!shows(label, room, centreOf(mesh, t), state))
+      continue;
+    const Colour colour = by_distance              ? lightened(colours::other, 0.5)
+                          : state.colour == "room" ? roomColour(room)
+                                                   : colourOf(label);
+    for (int k = 0; k < 3; ++k)
+      shape.add(mesh.corner(t, k), colour);
+  }
+  return shape.data(3);
+}
+
+vtkSmartPointer<vtkPolyData>
+Shapes::solidEdges(const ViewState& state) const
+{
+  const TriangleMesh& solid = result_.mesh("solid");
+  vtkNew<vtkPoints> points;
+  for (const Eigen::Vector3d& vertex : solid.vertices)
+    points->InsertNextPoint(vertex.data());
+  vtkNew<vtkCellArray> triangles;
+  for (std::size_t t = 0; t < solid.triangles.size(); ++t)
+    if (shows(labelOf(solid, t), solid.rooms.empty() ? 0 : solid.rooms[t],
+              centreOf(solid, t), state)) {
+      triangles->InsertNextCell(3);
+      for (const auto v : solid.triangles[t])
+        triangles->InsertCellPoint(v);
+    }
+  vtkNew<vtkPolyData> surface;
+  surface->SetPoints(points);
+  surface->SetPolys(triangles);
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(surface);
+  edges->SetFeatureAngle(15); // chords of arcs bend by less
+  edges->ColoringOff();
+  edges->Update();
+  return edges->GetOutput();
+}
+
+const std::vector<double>&
+Shapes::distances(const std::string& layer) const
+{
+  const auto [known, is_new] = distances_.emplace(layer, std::vector<double>());
+  std::vector<double>& distances = known->second;
+  const TriangleMesh& mesh = result_.mesh("mesh");
+  if (!is_new || mesh.empty() || result_.clouds.count(layer) == 0)
+    return distances;
+  const Progress progress("measuring distances");
+  constexpr double far = 1; // metres: from there on the distance from the box will do
+  const Eigen::AlignedBox3d box = mesh.bounds();
+  std::vector<std::size_t> near;
+  std::vector<Eigen::Vector3d> points;
+  for (const Eigen::Vector3f& point : result_.clouds.at(layer).points) {
+    distances.push_back(box.exteriorDistance(point.cast<double>()));
+    if (distances.back() > far)
+      continue;
+    near.push_back(distances.size() - 1);
+    points.push_back(point.cast<double>());
+  }
+  const auto measured = MeshDistance(mesh).distances(points);
+  for (std::size_t k = 0; k < near.size(); ++k)
+    distances[near[k]] = measured[k];
+  return distances;
+}
+
+} // namespace pcl::sedr::tools

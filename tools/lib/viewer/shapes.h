@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "results/palette.h"
+#include "viewed_result.h"
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace pcl::sedr::tools {
+
+/** @brief What is shown, set by keys and options. */
+struct ViewState {
+  std::set<std::string> layers;
+  std::string colour = "label"; ///< or "room", "distance" from the mesh, "height"
+  std::string view = "iso";     ///< or "top", "inside"
+  bool ceilings = false;
+  double clip_height = std::numeric_limits<double>::infinity(); ///< metres
+  bool edges = true;                                            ///< of the solid
+  bool legend = true;
+  bool two_views = false;   ///< scan on the left, model on the right
+  double point_size = 2;    ///< pixels
+  std::uint32_t storey = 0; ///< number of the only visible storey; 0: all
+  std::uint32_t room = 0;   ///< number of the only visible room; 0: all
+  double range = 0.05;      ///< distance of the last colour, metres
+};
+
+/** @brief A line of the legend, optionally with a colour that it explains. */
+struct LegendLine {
+  std::string text; ///< ASCII
+  std::optional<Colour> colour{};
+};
+
+/** @brief Makes the shapes that a state shows of a result. Clipping is left to the
+ * mapper. Distances are measured once, on first use. */
+class Shapes {
+public:
+  /** @param result must outlive this object */
+  explicit Shapes(const ViewedResult& result);
+
+  /** @brief Returns a layer as vertices, triangles or lines with colours as point
+   * scalars: without ceilings, other storeys and other rooms unless the state shows
+   * them. The plan has its elements at floor and ceiling, and lines at corners. */
+  vtkSmartPointer<vtkPolyData> of(const std::string& layer,
+                                  const ViewState& state) const;
+
+  /** @brief Returns the edges of the solid's faces: where it bends by more than 15
+   * degrees, and the borders of what is shown. */
+  vtkSmartPointer<vtkPolyData> solidEdges(const ViewState& state) const;
+
+  /** @brief Returns what is shown, counts, and the meanings of colours, rooms with
+   * their areas, from top to bottom. */
+  std::vector<LegendLine> legend(const ViewState& state) const;
+
+private:
+  /** @brief Returns whether a part with these properties is shown. */
+  bool shows(StructureLabel label,
+             std::uint32_t room,
+             const Eigen::Vector3d& place,
+             const ViewState& state) const;
+
+  /** @brief Returns the distances of a cloud's points from the mesh, metres; for points
+   * more than a metre outside its box, from the box. Empty without a mesh. */
+  const std::vector<double>& distances(const std::string& layer) const;
+
+  void addLabels(std::vector<LegendLine>& lines) const;
+  void addRooms(const ViewState& state, std::vector<LegendLine>& lines) const;
+  void addDistances(const ViewState& state, std::vector<LegendLine>& lines) const;
+
+  const ViewedResult& result_;
+  Eigen::AlignedBox3d bounds_;
+  mutable std::map<std::string, std::vector<double>> distances_;
+};
+
+} // namespace pcl::sedr::tools
