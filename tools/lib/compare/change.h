@@ -20,9 +20,16 @@ struct Change {
   std::string what;                ///< "partition", "wall", "column", "soffit", "room"
   std::vector<std::string> before; ///< elements of the first plan, named as in a solid
   std::vector<std::string> after;  ///< elements of the second plan
-  Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< of a moved element, metres
   double size = 0;        ///< length of walls (m), area of all else (square metres)
   bool is_length = false; ///< whether `size` is a length
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< of a moved element, metres
+
+  /** @brief Returns the elements of the plan that has them: the first one, unless they
+   * appeared. */
+  std::vector<std::string>& names()
+  {
+    return kind == ChangeKind::Appeared ? after : before;
+  }
 };
 
 /** @brief Thresholds for changes. */

@@ -2,22 +2,18 @@
 #include "change_mesh.h"
 
 #include "tool_error.h"
-#include "bytes/whole_file.h"
 
+#include <pcl/conversions.h>
+#include <pcl/io/ply_io.h>
+#include <pcl/point_types.h>
 #include <pcl/sedr_surface/floorplan_extrusion.h>
 
 #include <cstdint>
 #include <map>
-#include <ostream>
 
 namespace pcl::sedr::tools {
 
 namespace {
-
-struct ColouredTriangle {
-  std::array<Eigen::Vector3d, 3> corners;
-  Colour colour;
-};
 
 /** @brief Colours of elements by prefixes of their names: room_1_column_2 includes its
  * faces, room_1 the whole room. */
@@ -42,13 +38,13 @@ colourFor(const std::string& name, const NamedColours& colours, Colour otherwise
   return otherwise;
 }
 
-/** @brief Adds the faces of a plan's solids. `keep_others` includes faces without a
- * colour of their own. */
+/** @brief Adds the faces of a plan's solids, each with corners of its own.
+ * `keep_others` includes faces without a colour of their own. */
 void
 addFaces(const Floorplan& plan,
          const NamedColours& colours,
          bool keep_others,
-         std::vector<ColouredTriangle>& triangles)
+         pcl::PointCloud<pcl::PointXYZRGB>& corners)
 {
   if (plan.rooms.empty())
     return;
@@ -60,41 +56,11 @@ addFaces(const Floorplan& plan,
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& element = extrusion.getElements()[mesh.elements[t] - 1];
     const Colour colour = colourFor(element.name, colours, change_colours::unchanged);
-    if (keep_others || colour != change_colours::unchanged)
-      triangles.push_back(
-          {{mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, colour});
-  }
-}
-
-template <typename ValueT>
-void
-put(std::ostream& stream, ValueT value)
-{
-  stream.write(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
-void
-writePly(std::ostream& stream, const std::vector<ColouredTriangle>& triangles)
-{
-  stream << "ply\nformat binary_little_endian 1.0\n"
-         << "comment grey unchanged, green appeared, red vanished, orange moved\n"
-         << "element vertex " << 3 * triangles.size()
-         << "\nproperty double x\nproperty double y\nproperty double z\n"
-         << "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-         << "element face " << triangles.size()
-         << "\nproperty list uchar int vertex_indices\nend_header\n";
-  for (const auto& triangle : triangles)
-    for (const auto& corner : triangle.corners) {
-      for (int k = 0; k < 3; ++k)
-        put(stream, corner[k]);
-      put(stream, triangle.colour.red);
-      put(stream, triangle.colour.green);
-      put(stream, triangle.colour.blue);
+    for (int k = 0; k < 3 && (keep_others || colour != change_colours::unchanged);
+         ++k) {
+      corners.emplace_back(colour.red, colour.green, colour.blue);
+      corners.back().getVector3fMap() = mesh.corner(t, k).cast<float>();
     }
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    put(stream, std::uint8_t{3});
-    for (std::size_t k = 0; k < 3; ++k)
-      put(stream, static_cast<std::int32_t>(3 * t + k));
   }
 }
 
@@ -117,10 +83,18 @@ saveChangeMesh(const std::string& path,
     for (const auto& name : change.after)
       now[name] = colour;
   }
-  std::vector<ColouredTriangle> triangles;
-  addFaces(after, now, true, triangles);
-  addFaces(before, gone, false, triangles);
-  writeWhole(path, [&](std::ostream& stream) { writePly(stream, triangles); });
+  pcl::PointCloud<pcl::PointXYZRGB> corners;
+  addFaces(after, now, true, corners);
+  addFaces(before, gone, false, corners);
+  pcl::PolygonMesh mesh;
+  pcl::toPCLPointCloud2(corners, mesh.cloud);
+  for (std::uint32_t k = 0; k + 2 < corners.size(); k += 3) {
+    mesh.polygons.emplace_back();
+    for (std::uint32_t corner = k; corner < k + 3; ++corner)
+      mesh.polygons.back().vertices.push_back(static_cast<int>(corner));
+  }
+  if (pcl::io::savePLYFileBinary(path, mesh) != 0)
+    throw ToolError("cannot write '" + path + "'");
 }
 
 } // namespace pcl::sedr::tools

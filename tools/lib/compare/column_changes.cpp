@@ -18,11 +18,10 @@ struct Column {
   RoomHeights heights; ///< of its room
 };
 
-Column
-columnOf(const PlanLoop& loop, const std::string& name)
+/** @brief Sets area and centre of a column from its outline. */
+void
+measure(const PlanLoop& loop, Column& column)
 {
-  Column column;
-  column.name = name;
   const auto corners = loop.polygon(0.001);
   double sum = 0;
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();
@@ -36,7 +35,6 @@ columnOf(const PlanLoop& loop, const std::string& name)
   column.area = std::abs(sum) / 2;
   if (std::abs(sum) > 0)
     column.centre = corners[0] + moment / sum;
-  return column;
 }
 
 std::vector<Column>
@@ -45,10 +43,12 @@ columnsOf(const Floorplan& plan)
   std::vector<Column> columns;
   for (const auto& room : plan.rooms)
     for (std::size_t k = 0; k < room.columns.size(); ++k) {
-      columns.push_back(columnOf(room.columns[k], "room_" + std::to_string(room.id) +
-                                                      "_column_" +
-                                                      std::to_string(k + 1)));
-      columns.back().heights = heightsOf(room);
+      Column column;
+      column.name =
+          "room_" + std::to_string(room.id) + "_column_" + std::to_string(k + 1);
+      column.heights = heightsOf(room);
+      measure(room.columns[k], column);
+      columns.push_back(column);
     }
   return columns;
 }
@@ -64,32 +64,21 @@ distanceOf(const Column& a, const Column& b)
                   : std::numeric_limits<double>::infinity();
 }
 
-bool
-isInARoom(const Floorplan& plan, const Column& column)
-{
-  const auto rooms = roomsAt(plan, column.heights);
-  return std::any_of(rooms.begin(), rooms.end(), [&](const PlanRoom* room) {
-    return room->contains(column.centre);
-  });
-}
-
 /** @brief Adds the columns of a list that lie in a room of the other plan. */
 void
-addAll(const std::vector<Column>& columns,
-       const Floorplan& other,
-       ChangeKind kind,
-       std::vector<Change>& changes)
+addSingles(const std::vector<Column>& columns,
+           const Floorplan& other,
+           ChangeKind kind,
+           std::vector<Change>& changes)
 {
   for (const auto& column : columns) {
-    if (!isInARoom(other, column))
+    const auto rooms = roomsAt(other, column.heights);
+    if (std::none_of(rooms.begin(), rooms.end(), [&](const PlanRoom* room) {
+          return room->contains(column.centre);
+        }))
       continue;
-    Change change;
-    change.kind = kind;
-    change.what = "column";
-    (kind == ChangeKind::Appeared ? change.after : change.before)
-        .push_back(column.name);
-    change.size = column.area;
-    changes.push_back(change);
+    changes.push_back({kind, "column", {}, {}, column.area});
+    changes.back().names() = {column.name};
   }
 }
 
@@ -103,33 +92,13 @@ columnChanges(const Floorplan& before,
   std::vector<Change> changes;
   auto gone = columnsOf(before);
   auto come = columnsOf(after);
-  while (true) {
-    double least = settings.farthest;
-    auto a_best = gone.end();
-    auto b_best = come.end();
-    for (auto a = gone.begin(); a != gone.end(); ++a)
-      for (auto b = come.begin(); b != come.end(); ++b)
-        if (distanceOf(*a, *b) < least) {
-          least = distanceOf(*a, *b);
-          a_best = a;
-          b_best = b;
-        }
-    if (a_best == gone.end())
-      break;
-    if (least > settings.tolerance) {
-      Change change;
-      change.what = "column";
-      change.before = {a_best->name};
-      change.after = {b_best->name};
-      change.shift.head<2>() = b_best->centre - a_best->centre;
-      change.size = a_best->area;
-      changes.push_back(change);
+  for (const auto& [a, b] : takePairs(gone, come, settings.farthest, distanceOf))
+    if (distanceOf(a, b) > settings.tolerance) {
+      changes.push_back({ChangeKind::Moved, "column", {a.name}, {b.name}, a.area});
+      changes.back().shift.head<2>() = b.centre - a.centre;
     }
-    gone.erase(a_best);
-    come.erase(b_best);
-  }
-  addAll(gone, after, ChangeKind::Vanished, changes);
-  addAll(come, before, ChangeKind::Appeared, changes);
+  addSingles(gone, after, ChangeKind::Vanished, changes);
+  addSingles(come, before, ChangeKind::Appeared, changes);
   return changes;
 }
 

@@ -56,12 +56,12 @@ comparePlans(const Floorplan& before,
              const Floorplan& after,
              const CompareSettings& settings)
 {
-  RoomChanges rooms = roomChanges(before, after);
-  std::vector<Change> changes = std::move(rooms.changes);
+  const RoomChanges rooms = roomChanges(before, after);
+  std::vector<Change> changes = rooms.changes;
   const auto add = [&](const std::vector<Change>& more) {
     changes.insert(changes.end(), more.begin(), more.end());
   };
-  add(wallChanges(before, after, settings, rooms.before, rooms.after));
+  add(wallChanges(before, after, settings, rooms));
   add(columnChanges(before, after, settings));
   add(slabChanges(before, after, settings));
   return changes;

@@ -4,6 +4,7 @@
 #include "change.h"
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace pcl::sedr::tools {
@@ -22,13 +23,11 @@ RoomChanges roomChanges(const Floorplan& before, const Floorplan& after);
  * only. A wall that became longer or belongs to another room is not reported. Equal
  * changes of both faces of a partition are merged, as are neighbours in a room's
  * outline that appear or vanish together.
- * @param ignored_before,ignored_after rooms that appeared or vanished as a whole, whose
- * walls are ignored */
+ * @param rooms whose walls are ignored */
 std::vector<Change> wallChanges(const Floorplan& before,
                                 const Floorplan& after,
                                 const CompareSettings& settings,
-                                const std::vector<std::uint32_t>& ignored_before,
-                                const std::vector<std::uint32_t>& ignored_after);
+                                const RoomChanges& rooms);
 
 /** @brief Finds columns that moved, appeared or vanished. A column that only changed
  * its size, or became part of the walls, is not reported. */
@@ -37,10 +36,41 @@ std::vector<Change> columnChanges(const Floorplan& before,
                                   const CompareSettings& settings);
 
 /** @brief Finds ceilings and floors at another height, and soffits, recesses, steps and
- * platforms that moved vertically, appeared or vanished. A detail is unchanged if the
- * other plan has the same height over more than half of it, whatever its kind. */
+ * platforms that moved, appeared or vanished. A detail is unchanged if the other plan
+ * has the same height over more than half of it, whatever its kind. */
 std::vector<Change> slabChanges(const Floorplan& before,
                                 const Floorplan& after,
                                 const CompareSettings& settings);
+
+/** @brief Pairs the things of two lists, the nearest ones first, and removes them from
+ * their lists.
+ * @param distance of a thing of each list; infinite if they cannot be the same
+ * @param farthest distance of a pair, excluded */
+template <typename ThingT, typename DistanceT>
+std::vector<std::pair<ThingT, ThingT>>
+takePairs(std::vector<ThingT>& before,
+          std::vector<ThingT>& after,
+          double farthest,
+          const DistanceT& distance)
+{
+  std::vector<std::pair<ThingT, ThingT>> pairs;
+  while (true) {
+    double least = farthest;
+    auto a_best = before.end();
+    auto b_best = after.end();
+    for (auto a = before.begin(); a != before.end(); ++a)
+      for (auto b = after.begin(); b != after.end(); ++b)
+        if (const double found = distance(*a, *b); found < least) {
+          least = found;
+          a_best = a;
+          b_best = b;
+        }
+    if (a_best == before.end())
+      return pairs;
+    pairs.emplace_back(*a_best, *b_best);
+    before.erase(a_best);
+    after.erase(b_best);
+  }
+}
 
 } // namespace pcl::sedr::tools
