@@ -158,6 +158,8 @@ function paintPictures(data, models, scan) {
 
 // ---- The view to turn ----
 
+const fieldOfView = 32; // degrees, vertical
+
 function geometryOf(positions, colours) {
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(positions), 3));
@@ -225,7 +227,7 @@ function shapeMaker(data, models, scan, middle) {
         colours.push(...colour(i).map(value => value / 255));
       }
       return new THREE.Points(geometryOf(positions, colours),
-        new THREE.PointsMaterial({ size: 1.2 * scan.spacing, vertexColors: THREE.VertexColors }));
+        new THREE.PointsMaterial({ size: 1.2 * scan.spacing / Math.tan(fieldOfView * Math.PI / 360), vertexColors: THREE.VertexColors }));
     };
     return { body: cloud(0, scan.below), ceiling: cloud(scan.below, scan.count) };
   }
@@ -250,7 +252,7 @@ function showView(data, models, scan) {
   const middle = low.map((value, k) => (value + high[k]) / 2), radius = Math.hypot(...low.map((value, k) => high[k] - value)) / 2;
   const state = { model: models.solid ? 'solid' : 'mesh', colour: 'label', ceiling: false, clip: high[2] };
   const scene = new THREE.Scene(), plane = new THREE.Plane(new THREE.Vector3(0, 0, -1), 0);
-  const camera = new THREE.PerspectiveCamera(32, 1, radius / 200, radius * 20);
+  const camera = new THREE.PerspectiveCamera(fieldOfView, 1, radius / 200, radius * 20);
   const orbit = new THREE.OrbitControls(camera, renderer.domElement);
   camera.up.set(0, 0, 1);
   orbit.screenSpacePanning = true;

@@ -7,7 +7,6 @@
 #include <pcl/visualization/interactor_style.h>
 
 #include <vtkCamera.h>
-#include <vtkCellPicker.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPNGWriter.h>
@@ -19,6 +18,7 @@
 #include <vtkRendererCollection.h>
 #include <vtkTextProperty.h>
 #include <vtkWindowToImageFilter.h>
+#include <vtkWorldPointPicker.h>
 
 #include <cmath>
 #include <iostream>
@@ -67,8 +67,8 @@ actorOf(vtkPolyData* shape)
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->SetInterpolationToFlat();
-  actor->GetProperty()->SetAmbient(0.45); // walls beside the view stay bright
-  actor->GetProperty()->SetDiffuse(0.55);
+  actor->GetProperty()->SetAmbient(0.6); // walls beside the view stay bright
+  actor->GetProperty()->SetDiffuse(0.4);
   if (shape->GetNumberOfPolys() == 0)
     actor->GetProperty()->LightingOff();
   return actor;
@@ -165,6 +165,7 @@ Window::update()
     showLayer(layer, false, state_.layers.count(layer) > 0 && !is_left);
   }
   updateLegend();
+  resetDepth();
 }
 
 void
@@ -226,20 +227,16 @@ void
 Window::moveCamera()
 {
   vtkCamera* camera = right_->GetActiveCamera();
-  const Eigen::AlignedBox3d box = result_.bounds();
   if (state_.view == "inside" && !result_.plan.rooms.empty())
     goInside(*camera);
-  else {
-    const bool is_top = state_.view == "top";
-    camera->SetFocalPoint(0, 0, 0);
-    camera->SetPosition(is_top ? 0 : 0.43, is_top ? 0 : -0.61, is_top ? 1 : 0.67);
-    camera->SetViewUp(0, is_top ? 1 : 0, is_top ? 0 : 1);
-    camera->SetViewAngle(30);
-    const Eigen::Vector3d low = box.isEmpty() ? Eigen::Vector3d::Zero() : box.min();
-    const Eigen::Vector3d high = box.isEmpty() ? Eigen::Vector3d::Ones() : box.max();
-    right_->ResetCamera(low.x(), high.x(), low.y(), high.y(), low.z(), high.z());
-    camera->Dolly(1.25); // around the box rather than its sphere
-  }
+  else
+    goAround(*camera);
+  resetDepth();
+}
+
+void
+Window::resetDepth()
+{
   double all[6];
   double left[6];
   right_->ComputeVisiblePropBounds(all);
@@ -249,6 +246,39 @@ Window::moveCamera()
       all[k] = k % 2 == 0 ? std::min(all[k], left[k]) : std::max(all[k], left[k]);
   }
   right_->ResetCameraClippingRange(all);
+}
+
+void
+Window::goAround(vtkCamera& camera) const
+{
+  constexpr double view_angle = 30; // degrees
+  constexpr double margin = 1.08;
+  const bool is_top = state_.view == "top";
+  const Eigen::Vector3d towards = is_top
+                                      ? Eigen::Vector3d(0, 0, 1)
+                                      : Eigen::Vector3d(0.43, -0.61, 0.67).normalized();
+  const Eigen::Vector3d up(0, is_top ? 1 : 0, is_top ? 0 : 1);
+  const Eigen::Vector3d right = up.cross(towards).normalized();
+  const Eigen::Vector3d above = towards.cross(right);
+  const int* size = visualizer_->getRenderWindow()->GetSize();
+  const double aspect = size[0] / (state_.two_views ? 2.0 : 1.0) / size[1];
+  const double slope = std::tan(view_angle * M_PI / 360) / margin;
+  Eigen::AlignedBox3d box = result_.bounds();
+  if (box.isEmpty())
+    box.extend(Eigen::Vector3d::Zero());
+  double distance = 0;
+  for (int k = 0; k < 8; ++k) {
+    const Eigen::Vector3d corner =
+        box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(k)) - box.center();
+    const double needed = std::max(std::abs(corner.dot(above)) / slope,
+                                   std::abs(corner.dot(right)) / (slope * aspect));
+    distance = std::max(distance, needed + corner.dot(towards));
+  }
+  const Eigen::Vector3d eye = box.center() + distance * towards;
+  camera.SetPosition(eye.data());
+  camera.SetFocalPoint(box.center().eval().data());
+  camera.SetViewUp(up.data());
+  camera.SetViewAngle(view_angle);
 }
 
 void
@@ -290,11 +320,11 @@ Window::goInside(vtkCamera& camera) const
 void
 Window::onPick(int x, int y)
 {
-  vtkNew<vtkCellPicker> picker;
-  picker->SetTolerance(0.005);
-  const bool is_left = left_->GetDraw() && left_->IsInViewport(x, y);
-  if (picker->Pick(x, y, 0, is_left ? left_ : right_) == 0)
+  vtkRenderer* view = left_->GetDraw() && left_->IsInViewport(x, y) ? left_ : right_;
+  if (view->GetZ(x, y) >= 1) // nothing is there
     return;
+  vtkNew<vtkWorldPointPicker> picker; // what is seen, points and faces alike
+  picker->Pick(x, y, 0, view);
   const std::string answer =
       result_.describe(Eigen::Vector3d::Map(picker->GetPickPosition()));
   std::cout << answer << std::endl;

@@ -79,7 +79,11 @@ private:
    * fills the window; inside, it is at eye height in the only shown or largest room and
    * looks at its farthest corner. */
   void moveCamera();
+  void goAround(vtkCamera& camera) const;
   void goInside(vtkCamera& camera) const;
+
+  /** @brief Fits the camera's depth to what is shown in both views. */
+  void resetDepth();
 
   /** @brief The actors of a layer in a view, and the state for which they were made. */
   struct LayerActors {
