@@ -67,8 +67,8 @@ actorOf(vtkPolyData* shape)
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->SetInterpolationToFlat();
-  actor->GetProperty()->SetAmbient(0.6); // walls beside the view stay bright
-  actor->GetProperty()->SetDiffuse(0.4);
+  actor->GetProperty()->SetAmbient(0.65); // walls beside the view stay bright
+  actor->GetProperty()->SetDiffuse(0.35);
   if (shape->GetNumberOfPolys() == 0)
     actor->GetProperty()->LightingOff();
   return actor;
