@@ -13,7 +13,7 @@ from pathlib import Path
 
 from PIL import Image
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "test/tools"))
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "test/tools/report"))
 import chromium
 
 # name, scene, first and last element of the part, what is done before
