@@ -25,6 +25,7 @@ needed=(
   "ninja-build         runs it"
   "libpcl-dev          the Point Cloud Library and its visualizer; brings Eigen, FLANN, Boost and VTK"
   "nlohmann-json3-dev  reads and writes JSON"
+  "libembree-dev       casts the rays of the scan simulator, which is not built without it"
   "libjs-three         turns the model in report.html; not needed to build"
 )
 # Chromium (300 MB) is not among them: without it the test that opens report.html in a browser is skipped.

@@ -65,7 +65,6 @@ class Run:
         scan = ["--seed", self.seed, "--noise", self.noise, "--threads", self.threads]
         scan += ["--rays", self.options.rays] if self.options.rays else []
         programs.output_of([*command, self.folder, *scan])
-        programs.output_of([*command, self.folder / "fine", "--chord-tolerance", "1e-5", "--rays", 1])
 
     def reconstruct(self):
         more = ["--prior", self.options.prior] if self.options.prior else []

@@ -22,7 +22,6 @@ except ImportError as error:
 
 MOST_MEAN = 0.0005   # metres
 LEAST_NEAR = 0.98    # share within a centimetre
-FINE_CHORDS = 1e-5   # metres, of the arcs of the truth
 
 
 def distances(folder, options):
@@ -42,7 +41,7 @@ def distances(folder, options):
 
 
 def one_scene(seed, folder, options):
-    row = runs.scan(build(seed), seed, folder, options, "--chord-tolerance", str(FINE_CHORDS))
+    row = runs.scan(build(seed), seed, folder, options)
     figures, message = runs.model(folder, options)
     row.update(figures)
     rooms, graded = grades.grade(folder, folder / "out", every_room=True)

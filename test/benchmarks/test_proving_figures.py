@@ -48,8 +48,7 @@ class Figures(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
         self.run_ = types.SimpleNamespace(folder=self.folder, out=self.folder / "out", threads=1,
                                           program=lambda name: pathlib.Path(BIN) / name)
-        for name in ("out", "fine"):
-            (self.folder / name).mkdir()
+        (self.folder / "out").mkdir()
 
     def near(self, row, delta, **expected):
         for column, value in expected.items():
@@ -57,7 +56,7 @@ class Figures(unittest.TestCase):
 
     def of_solid(self, solid, truth):
         meshes.write_mesh(self.folder / "out/solid.ply", solid)
-        meshes.write_mesh(self.folder / "fine/truth.ply", truth)
+        meshes.write_mesh(self.folder / "truth.ply", truth)
         return figures.of_solid(self.run_, [(1, 1)])
 
     def test_of_an_equal_solid_are_without_error(self):

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulator/scan/scan.h"
 #include "simulator/scene/scenes.h"
-#include "simulator/truth/truth_mesh.h"
 
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>
@@ -35,14 +34,9 @@ class Ceiling : public testing::TestWithParam<ExpectedCeiling> {};
 std::shared_ptr<const pcl::sedr::TriangleMesh>
 truthOf(const sim::Scene& scene)
 {
-  const sim::Mesh truth = sim::truthMesh(scene);
-  auto mesh = std::make_shared<pcl::sedr::TriangleMesh>();
-  for (const auto& vertex : truth.vertices) {
-    const sim::Vec3 v = sim::placed(scene.placement, vertex);
-    mesh->vertices.emplace_back(v.x, v.y, v.z);
-  }
-  for (const auto& f : truth.faces)
-    mesh->triangles.push_back(f.vertices);
+  auto mesh = std::make_shared<pcl::sedr::TriangleMesh>(sim::truthMesh(scene));
+  for (Eigen::Vector3d& vertex : mesh->vertices)
+    vertex = sim::placed(scene.placement, vertex);
   return mesh;
 }
 

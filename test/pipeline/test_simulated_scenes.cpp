@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulator/scan/scan.h"
 #include "simulator/scene/scenes.h"
-#include "simulator/truth/truth_mesh.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
@@ -46,14 +45,9 @@ std::shared_ptr<const pcl::sedr::TriangleMesh>
 truthOf(const std::string& scene)
 {
   const sim::Scene s = sim::sceneNamed(scene);
-  const sim::Mesh truth = sim::truthMesh(s);
-  auto mesh = std::make_shared<pcl::sedr::TriangleMesh>();
-  for (const auto& vertex : truth.vertices) {
-    const sim::Vec3 v = sim::placed(s.placement, vertex);
-    mesh->vertices.emplace_back(v.x, v.y, v.z);
-  }
-  for (const auto& f : truth.faces)
-    mesh->triangles.push_back(f.vertices);
+  auto mesh = std::make_shared<pcl::sedr::TriangleMesh>(sim::truthMesh(s));
+  for (Eigen::Vector3d& vertex : mesh->vertices)
+    vertex = sim::placed(s.placement, vertex);
   return mesh;
 }
 

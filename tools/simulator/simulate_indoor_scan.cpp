@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "bytes/whole_file.h"
 #include "run_tool.h"
-#include "simulator/scan/scan.h"
-#include "simulator/scene/building.h"
+#include "simulator/scan/scan_files.h"
 #include "simulator/scene/scenes.h"
-#include "simulator/truth/files.h"
-#include "simulator/truth/room_links.h"
-#include "simulator/truth/room_truth.h"
-#include "simulator/truth/truth_mesh.h"
+#include "simulator/truth/truth_json.h"
 #include "tool_error.h"
+
+#include <pcl/sedr_surface/mesh_io.h>
 
 #include <unistd.h>
 
@@ -33,7 +32,6 @@ struct Settings {
   std::string folder;
   std::string print;
   bool list = false;
-  double chord_tolerance = sim::kChordTolerance;
   std::optional<std::size_t> building;
   sim::ScanOptions scan;
 };
@@ -55,14 +53,11 @@ addOptions(Options& options, Settings& s)
                          Range::between(1, 1e8));
   options.optionalNumber("max-range", s.scan.max_range, "m", "longest range",
                          "see --list", Range::above(0));
-  options.number("chord-tolerance", s.chord_tolerance, "m",
-                 "distance of the truth's chords from their arcs",
-                 Range::between(1e-6, 0.1));
-  options.optionalNumber(
-      "building", s.building, "",
-      "write a storey of copies of the scene side by side instead, of about so many "
-      "points in all: scan.pcd alone, of x y z label",
-      "none", Range::between(1, 2e9));
+  options.optionalNumber("building", s.building, "",
+                         "write a storey of copies of the scene side by side "
+                         "instead, of about so many "
+                         "points in all: scan.pcd alone",
+                         "none", Range::between(1, 2e9));
   options.number("threads", s.scan.threads, "",
                  "threads; 0: as many as the machine has", Range::between(0, 256));
 }
@@ -99,6 +94,28 @@ prepareFolder(const std::filesystem::path& folder)
     throw std::runtime_error("Cannot write to the folder " + folder.string());
 }
 
+/** @brief Writes truth.ply and truth.json; returns the number of triangles. */
+std::size_t
+writeTruth(const std::filesystem::path& folder,
+           const sim::Scene& scene,
+           const sim::SceneMesh& mesh)
+{
+  pcl::sedr::TriangleMesh truth = sim::truthOf(mesh);
+  const std::string json = sim::truthToJson(scene, truth);
+  for (sim::Vec3& vertex : truth.vertices)
+    vertex = sim::placed(scene.placement, vertex);
+  const std::string problem = pcl::sedr::savePly(
+      (folder / "truth.ply").string(), truth,
+      {"closed structure of a simulated scene, normals out of the rooms",
+       "label 1 ceiling 2 floor 3 wall 4 detail 5 column; metres, z up",
+       "element: the number of an opening in truth.json, from 1"});
+  if (!problem.empty())
+    throw std::runtime_error(problem);
+  writeWhole((folder / "truth.json").string(),
+             [&](std::ostream& file) { file << json; });
+  return truth.triangles.size();
+}
+
 void
 simulate(const Settings& settings)
 {
@@ -115,16 +132,13 @@ simulate(const Settings& settings)
               << building.copies << " copies\n";
     return;
   }
-  const sim::Mesh truth = sim::truthMesh(scene, settings.chord_tolerance);
-  const sim::Scan scan = sim::scan(scene, options);
-  sim::writePly(folder / "truth.ply", truth, scene.placement);
-  sim::writeText(folder / "truth.json",
-                 sim::roomTruthsToJson(scene.name, sim::roomTruths(scene, truth),
-                                       sim::roomLinks(scene)));
+  const sim::SceneMesh mesh = sim::meshOf(scene);
+  const sim::Scan scan = sim::scan(scene, mesh, options);
+  const std::size_t triangles = writeTruth(folder, scene, mesh);
   sim::writePcd(folder / "scan.pcd", scan.points);
   sim::writePositions(folder / "positions.txt", scan.positions);
   std::cout << scene.name << ": " << scan.points.size() << " points of " << scan.rays
-            << " rays, truth of " << truth.faces.size() << " triangles\n";
+            << " rays, truth of " << triangles << " triangles\n";
 }
 
 int

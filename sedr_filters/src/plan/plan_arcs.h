@@ -35,7 +35,12 @@ windingOf(const PlanElement& e, const Eigen::Vector2d& p)
     --winding;
   if (!e.isArc() || (p - e.centre).norm() >= e.radius)
     return winding;
-  if (isWhole(e) || (e.counter_clockwise ? side < 0 : side > 0))
+  // On the chord, the side on which the chord's own winding has put the point.
+  const Eigen::Vector2d chord = e.end - e.start;
+  const bool is_right =
+      side < 0 ||
+      (side == 0 && (chord.y() > 0 || (chord.y() == 0 && chord.x() < 0)));
+  if (isWhole(e) || is_right == e.counter_clockwise)
     winding += e.counter_clockwise ? 1 : -1;
   return winding;
 }

@@ -22,8 +22,8 @@ def evaluate(run, model, *options):
 
 
 def of_solid(run, rooms):
-    """The solids against a truth of negligible chords; vertices count for the maxima only, fine facets have more of them."""
-    path, true_path = run.out / "solid.ply", run.folder / "fine/truth.ply"
+    """The solids against the truth; vertices count for the maxima only, fine facets have more of them."""
+    path, true_path = run.out / "solid.ply", run.folder / "truth.ply"
     if not path.exists():
         return {}
     solid, truth = meshes.read_mesh(path), meshes.read_mesh(true_path)

@@ -1,54 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "simulator/scene/scene.h"
+#include "simulator/scene/queries.h"
 
 #include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
-
-/** @file The checks that problemsOf() consists of: see scene_check.h. */
 
 namespace pcl::sedr::sim {
 
 /** @brief Sentences about faults, each beginning with the place in the scene. */
-class Problems {
-public:
+struct Problems {
+  std::vector<std::string> sentences;
+
+  /** @brief Adds the sentence that the parts make up; returns false. */
   template <typename... Parts>
-  void report(const Parts&... parts)
+  bool report(const Parts&... parts)
   {
     std::ostringstream text;
     (text << ... << parts);
-    sentences_.push_back(text.str());
+    sentences.push_back(text.str());
+    return false;
   }
-
-  bool empty() const { return sentences_.empty(); }
-
-  std::vector<std::string> take() { return std::move(sentences_); }
-
-private:
-  std::vector<std::string> sentences_;
 };
 
-/** @brief Returns the place of an element of a list, as in "rooms[2]". */
+/** @brief Returns a point as " at (x, y)". */
 inline std::string
-placeOf(const std::string& list, std::size_t index)
+at(const Vec2& point)
 {
-  return list + '[' + std::to_string(index) + ']';
+  std::ostringstream text;
+  text << " at (" << point.x() << ", " << point.y() << ")";
+  return text.str();
 }
 
 constexpr double kContact = 1e-6; ///< metres of overlap that count as contact
-constexpr double kInside = 1e-3;  ///< metres inside a loop, clear of its edge
-
-/** @brief Checks outlines, heights, details and columns, and that no rooms overlap. */
-void checkRooms(const Scene& scene, Problems& problems);
-
-/** @brief Checks holes in ceilings; rooms must have no faults. */
-void checkVoids(const Scene& scene, Problems& problems);
-
-/** @brief Checks openings and niches; rooms must have no faults. */
-void checkOpenings(const Scene& scene, Problems& problems);
 
 /** @brief Checks furniture and scanners; rooms must have no faults. */
 void checkObjects(const Scene& scene, Problems& problems);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "vec.h"
-
 #include <cmath>
+
 #include <cstdint>
 
 namespace pcl::sedr::sim {
@@ -18,7 +17,8 @@ scrambled(std::uint64_t x)
   return x ^ (x >> 31);
 }
 
-/** @brief Random numbers of one ray, a function of seed, station and ray number only.
+/** @brief Random numbers of one ray, a function of seed, station and ray number
+ * only.
  *
  * A scan is therefore the same whichever thread casts a ray.
  */
@@ -39,7 +39,7 @@ public:
   double gaussian()
   {
     const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
-    return radius * std::cos(2.0 * pi * uniform());
+    return radius * std::cos(2.0 * M_PI * uniform());
   }
 
 private:

@@ -1,142 +1,112 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ray_caster.h"
 
-#include <algorithm>
-#include <array>
+#include <embree3/rtcore.h>
+
+#include <cmath>
 #include <limits>
-#include <numeric>
-#include <utility>
+#include <stdexcept>
 
 namespace pcl::sedr::sim {
 
 namespace {
 
-constexpr std::uint32_t kLeafSize = 2;
-constexpr double kMargin = 1e-9; ///< metres that thicken flat boxes
-
-Bounds
-merged(const Bounds& a, const Bounds& b)
-{
-  return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y),
-           std::min(a.min.z, b.min.z)},
-          {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y),
-           std::max(a.max.z, b.max.z)}};
-}
-
-Bounds
-widened(const Bounds& bounds)
-{
-  const Vec3 margin{kMargin, kMargin, kMargin};
-  return {bounds.min - margin, bounds.max + margin};
-}
-
-double
-coordinate(Vec3 p, int axis)
-{
-  return axis == 0 ? p.x : (axis == 1 ? p.y : p.z);
-}
-
-int
-longestAxis(const Bounds& bounds)
-{
-  const Vec3 size = bounds.max - bounds.min;
-  if (size.x >= size.y && size.x >= size.z)
-    return 0;
-  return size.y >= size.z ? 1 : 2;
-}
-
-/** @brief Returns where a ray enters a box; infinite if it misses or beyond @p to. */
-double
-entryDistance(const Bounds& bounds, const Ray& ray, Vec3 inverse, double to)
-{
-  const double tx0 = (bounds.min.x - ray.origin.x) * inverse.x;
-  const double tx1 = (bounds.max.x - ray.origin.x) * inverse.x;
-  const double ty0 = (bounds.min.y - ray.origin.y) * inverse.y;
-  const double ty1 = (bounds.max.y - ray.origin.y) * inverse.y;
-  const double tz0 = (bounds.min.z - ray.origin.z) * inverse.z;
-  const double tz1 = (bounds.max.z - ray.origin.z) * inverse.z;
-  const double enter =
-      std::max({std::min(tx0, tx1), std::min(ty0, ty1), std::min(tz0, tz1), 0.0});
-  const double leave =
-      std::min({std::max(tx0, tx1), std::max(ty0, ty1), std::max(tz0, tz1), to});
-  return enter <= leave ? enter : std::numeric_limits<double>::infinity();
-}
+/** @brief Difference of both distances, metres, beyond which a ray grazes its
+ * triangle so much that its plane says nothing. */
+constexpr double kGrazing = 1e-3;
 
 } // namespace
 
-RayCaster::RayCaster(std::vector<Surface> surfaces)
-    : surfaces_(std::move(surfaces))
-{
-  for (const Surface& surface : surfaces_)
-    bounds_.push_back(widened(boundsOf(surface.shape)));
-  if (!surfaces_.empty())
-    build(0, static_cast<std::uint32_t>(surfaces_.size()));
-}
-
-void
-RayCaster::build(std::uint32_t first, std::uint32_t count)
-{
-  Bounds around = bounds_[first];
-  for (std::uint32_t i = first; i < first + count; ++i)
-    around = merged(around, bounds_[i]);
-  const auto self = nodes_.size();
-  nodes_.push_back({around, first, count});
-  if (count <= kLeafSize)
-    return;
-
-  const int axis = longestAxis(around);
-  std::vector<std::uint32_t> order(count);
-  std::iota(order.begin(), order.end(), first);
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return coordinate(bounds_[a].min + bounds_[a].max, axis) <
-           coordinate(bounds_[b].min + bounds_[b].max, axis);
-  });
-  std::vector<Surface> surfaces;
-  std::vector<Bounds> bounds;
-  for (const std::uint32_t i : order) {
-    surfaces.push_back(std::move(surfaces_[i]));
-    bounds.push_back(bounds_[i]);
+struct RayCaster::Embree {
+  Embree()
+      : device(rtcNewDevice("threads=1")) // a tree that is the same in every run
+      , scene(device == nullptr ? nullptr : rtcNewScene(device))
+  {
+    if (scene == nullptr)
+      throw std::runtime_error("Embree cannot be started");
+    rtcSetSceneFlags(scene,
+                     RTC_SCENE_FLAG_ROBUST); // no ray passes between neighbours
   }
-  std::move(surfaces.begin(), surfaces.end(), surfaces_.begin() + first);
-  std::copy(bounds.begin(), bounds.end(), bounds_.begin() + first);
 
-  build(first, count / 2);
-  nodes_[self].first = static_cast<std::uint32_t>(nodes_.size());
-  nodes_[self].count = 0;
-  build(first + count / 2, count - count / 2);
+  ~Embree()
+  {
+    rtcReleaseScene(scene);
+    rtcReleaseDevice(device);
+  }
+
+  RTCDevice device;
+  RTCScene scene;
+};
+
+RayCaster::RayCaster(const SceneMesh& scene)
+    : scene_(scene)
+    , embree_(std::make_unique<Embree>())
+{
+  const TriangleMesh& mesh = scene.mesh;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (scene.surfaces[t] != Surface::Gap)
+      triangles_.push_back(t);
+  origin_ = triangles_.empty() ? Vec3(Vec3::Zero()) : mesh.bounds().center();
+  const RTCGeometry geometry =
+      rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  const auto buffer = [&](RTCBufferType type, RTCFormat format, std::size_t count) {
+    return rtcSetNewGeometryBuffer(geometry, type, 0, format, 12, count);
+  };
+  if (!triangles_.empty()) {
+    auto* place = static_cast<float*>(
+        buffer(RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.vertices.size()));
+    for (const Vec3& vertex : mesh.vertices)
+      for (int axis = 0; axis < 3; ++axis)
+        *place++ = static_cast<float>(vertex[axis] - origin_[axis]);
+    auto* corner = static_cast<std::uint32_t*>(
+        buffer(RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, triangles_.size()));
+    for (const std::size_t t : triangles_)
+      for (const std::uint32_t vertex : mesh.triangles[t])
+        *corner++ = vertex;
+  }
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(embree_->scene, geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(embree_->scene);
+  if (rtcGetDeviceError(embree_->device) != RTC_ERROR_NONE)
+    throw std::runtime_error("Embree cannot hold the scene");
 }
+
+RayCaster::~RayCaster() = default;
 
 std::optional<Hit>
 RayCaster::nearest(const Ray& ray, double from, double to) const
 {
-  if (nodes_.empty())
+  const Vec3 start = ray.origin - origin_;
+  RTCRayHit query{};
+  query.ray.org_x = static_cast<float>(start.x());
+  query.ray.org_y = static_cast<float>(start.y());
+  query.ray.org_z = static_cast<float>(start.z());
+  query.ray.dir_x = static_cast<float>(ray.direction.x());
+  query.ray.dir_y = static_cast<float>(ray.direction.y());
+  query.ray.dir_z = static_cast<float>(ray.direction.z());
+  query.ray.tnear = static_cast<float>(from);
+  query.ray.tfar = static_cast<float>(to);
+  query.ray.mask = ~0U;
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(embree_->scene, &context, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID)
     return std::nullopt;
-  const Vec3 inverse{1.0 / ray.direction.x, 1.0 / ray.direction.y,
-                     1.0 / ray.direction.z};
-  Hit hit{to, nullptr};
-  std::array<std::uint32_t, 64> stack{};
-  std::size_t depth = 0;
-  stack[depth++] = 0;
-  while (depth > 0) {
-    const std::uint32_t index = stack[--depth];
-    const Node& node = nodes_[index];
-    if (entryDistance(node.bounds, ray, inverse, hit.distance) > hit.distance)
-      continue;
-    if (node.count == 0) {
-      stack[depth++] = node.first;
-      stack[depth++] = index + 1;
-    }
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      if (entryDistance(bounds_[i], ray, inverse, hit.distance) > hit.distance)
-        continue;
-      const auto distance = intersect(surfaces_[i].shape, ray, from);
-      if (distance && *distance <= hit.distance)
-        hit = {*distance, &surfaces_[i]};
-    }
-  }
-  if (hit.surface == nullptr)
-    return std::nullopt;
+  Hit hit{static_cast<double>(query.ray.tfar), triangles_[query.hit.primID]};
+  const Vec3 normal = normalOf(hit.triangle);
+  const double exact = normal.dot(scene_.mesh.corner(hit.triangle, 0) - ray.origin) /
+                       normal.dot(ray.direction);
+  if (std::abs(exact - hit.distance) < kGrazing)
+    hit.distance = exact;
   return hit;
+}
+
+Vec3
+RayCaster::normalOf(std::size_t triangle) const
+{
+  return scene_.mesh.scaledNormal(triangle).normalized();
 }
 
 } // namespace pcl::sedr::sim

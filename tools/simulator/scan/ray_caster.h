@@ -1,54 +1,56 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "surface.h"
+#include "simulator/mesh/scene_mesh.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace pcl::sedr::sim {
 
-/** @brief A shape with the label and room of its points. */
-struct Surface {
-  Shape shape;
-  Label label = Label::Other;
-  std::uint32_t room = 0;                        ///< counts from 1; 0 none
-  std::optional<Glazing> glazing = std::nullopt; ///< set for window panes
-  Side front = Side::None; ///< the room's side; the other side is labelled Other
+/** @brief A half line; @p direction has unit length. */
+struct Ray {
+  Vec3 origin;
+  Vec3 direction;
+
+  /** @brief Returns the point at distance @p t. */
+  Vec3 at(double t) const { return origin + t * direction; }
 };
 
-/** @brief The nearest surface along a ray. */
+/** @brief The nearest triangle along a ray. */
 struct Hit {
   double distance = 0.0;
-  const Surface* surface = nullptr;
+  std::size_t triangle = 0; ///< of the scene's mesh
 };
 
-/** @brief Finds the nearest surface along a ray with a tree of bounding boxes.
+/** @brief Casts rays at a scene's mesh with Embree; gaps let them pass.
  *
- * Building costs O(n log^2 n), a ray O(log n) for scattered surfaces. Threads may share
- * it.
- */
+ * Embree finds the triangle in single precision. The distance is computed in
+ * double precision from the triangle's plane. Threads may share a caster; the
+ * same ray gives the same hit in every run. */
 class RayCaster {
 public:
-  explicit RayCaster(std::vector<Surface> surfaces);
+  /** @brief Keeps a reference to @p scene.
+   * @throw std::runtime_error if Embree fails */
+  explicit RayCaster(const SceneMesh& scene);
+  ~RayCaster();
 
-  /** @brief Returns the first hit beyond @p from and at most @p to metres away. */
+  /** @brief Returns the first hit beyond @p from and at most @p to metres away.
+   */
   std::optional<Hit> nearest(const Ray& ray, double from, double to) const;
 
+  /** @brief Returns the unit normal of a triangle. */
+  Vec3 normalOf(std::size_t triangle) const;
+
 private:
-  /** @brief A box around surfaces: a leaf if count > 0, otherwise with two children. */
-  struct Node {
-    Bounds bounds;
-    std::uint32_t first = 0; ///< leaf: first surface; otherwise: the second child
-    std::uint32_t count = 0;
-  };
+  struct Embree;
 
-  void build(std::uint32_t first, std::uint32_t count);
-
-  std::vector<Surface> surfaces_;
-  std::vector<Bounds> bounds_; ///< box of each surface, in the same order
-  std::vector<Node> nodes_;    ///< the first child follows its parent
+  const SceneMesh& scene_;
+  Vec3 origin_; ///< of Embree's coordinates, which have single precision
+  std::vector<std::size_t> triangles_; ///< of the scene, as Embree numbers them
+  std::unique_ptr<Embree> embree_;
 };
 
 } // namespace pcl::sedr::sim

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "simulator/scene/scene.h"
+#include "simulator/mesh/scene_mesh.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -16,7 +16,7 @@ struct ScanPoint {
   float x = 0.0F;
   float y = 0.0F;
   float z = 0.0F;
-  std::uint32_t label = 0; ///< see Label
+  std::uint32_t label = 0; ///< see StructureLabel
   std::uint32_t room = 0;  ///< counts from 1; 0 none
 };
 
@@ -27,11 +27,13 @@ struct ScanOptions {
   std::optional<std::size_t> rays_per_station; ///< approximate, to fill whole rows
   std::optional<double> max_range;             ///< metres
   unsigned threads = 0;                        ///< 0: one per core
-  /// Called from time to time with the completed share, by one thread at a time.
+  /// Called from time to time with the completed share, by one thread at a
+  /// time.
   std::function<void(double)> progress;
 };
 
-/** @brief A scanner position in the frame of the files and its number of points. */
+/** @brief A scanner position in the frame of the files and its number of
+ * points. */
 struct ScanPosition {
   Vec3 place;
   std::size_t points = 0;
@@ -46,10 +48,15 @@ struct Scan {
 
 /** @brief Returns the nearest hit of every ray, in the frame of the files.
  *
- * The same scene, seed and options give the same points in the same order for any
- * number of threads. Cost: rays times the logarithm of the number of surfaces.
- * @throw std::invalid_argument if the scene cannot be built: see surfacesOf()
- */
+ * A window pane returns some of the rays, mirrors some and transmits the
+ * others. A mirrored ray is recorded along its original direction, as a real
+ * scanner does. The same scene, seed and options give the same points in the
+ * same order for any number of threads. Cost: rays times the logarithm of the
+ * number of triangles.
+ * @throw std::invalid_argument if the scene cannot be built: see meshOf() */
 Scan scan(const Scene& scene, const ScanOptions& options = {});
+
+/** @brief As above, with meshOf(scene) made before. */
+Scan scan(const Scene& scene, const SceneMesh& mesh, const ScanOptions& options = {});
 
 } // namespace pcl::sedr::sim

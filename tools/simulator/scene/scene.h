@@ -1,81 +1,66 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "loop.h"
-#include "simulator/scan/vec.h"
+#include "geometry.h"
+
+#include <pcl/sedr_filters/structure_label.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-/** @file A scene to scan: plain structures without behaviour, all lengths in metres, z
- * up, plan loops as in loop.h. It is independent of how a scene is scanned or meshed.
- */
+/** @file A scene to scan: plain structures, all lengths in metres, z up. It is
+ * independent of how a scene is meshed or scanned. */
 
 namespace pcl::sedr::sim {
 
-/** @brief The structure a point or face belongs to: the label field of the files. */
-enum class Label : std::uint32_t {
-  Other = 0,
-  Ceiling = 1,
-  Floor = 2,
-  Wall = 3,
-  Detail = 4,
-  Column = 5
-};
+using Label = StructureLabel;
 
 /** @brief A floor or ceiling: a plane, level unless it has a gradient. */
 struct Slab {
-  double height = 0.0; ///< z at the origin
-  Vec2 gradient{};     ///< rise in metres per metre along x and y
-  Vec2 origin{};       ///< where the slab has that height
+  double height = 0.0;          ///< z at the origin
+  Vec2 gradient = Vec2::Zero(); ///< rise in metres per metre along x and y
+  Vec2 origin = Vec2::Zero();   ///< where the slab has that height
 };
 
 /** @brief Returns z of the slab at @p point. */
 inline double
-heightAt(const Slab& slab, Vec2 point)
+heightAt(const Slab& slab, const Vec2& point)
 {
-  return slab.height + dot(slab.gradient, point - slab.origin);
+  return slab.height + slab.gradient.dot(point - slab.origin);
 }
 
 /** @brief A part of a ceiling or floor with a plane of its own.
  *
- * Examples: soffit, recess, coffer, beam; step, platform, pit. Edges of the loop on a
- * wall must coincide with a part of a wall element. Where details of the same ceiling
- * or floor overlap, the later one replaces the earlier. Their outlines may touch along
- * edges, but not cross. Ceiling and floor are independent of each other.
- */
+ * Examples: soffit, recess, coffer, beam; step, platform, pit. Where details of
+ * the same ceiling or floor overlap, the later one replaces the earlier.
+ * Ceiling and floor are independent of each other. What reaches out of the room is cut
+ * off. */
 struct SlabDetail {
+  SlabDetail(Loop outline, const Slab& plane)
+      : loop(std::move(outline))
+      , slab(plane)
+      , bounds(boundsOf(loop))
+  {}
+
+  bool contains(const Vec2& point) const
+  {
+    return bounds.contains(point) && loop.contains(point);
+  }
+
   Loop loop;
   Slab slab;
+  Box2 bounds;           ///< of the loop
   bool is_facet = false; ///< part of a ceiling that is not level; labelled Ceiling
   bool is_wall = false;  ///< a tilted wall, as seen from above
 };
 
-/** @brief The pane of a window, in the middle of the reveal. */
-struct Glazing {
-  double return_share = 0.03; ///< share of the rays that end on the pane
-  double mirror_share = 0.01; ///< share that is reflected and yields a mirrored point
-};
-
-/** @brief A door or window: a rectangle cut out of a wall element, with its reveal. */
-struct Opening {
-  std::size_t wall = 0; ///< element of the room's outline
-  double from = 0.0;    ///< start along the element
-  double to = 0.0;      ///< end along the element
-  double sill = 0.0;    ///< lower z; the floor height for a door
-  double head = 0.0;    ///< upper z
-  double depth = 0.1;   ///< thickness of the wall, which is the depth of the reveal
-  /// Room behind the wall, whose wall gets the same opening; empty: the outside.
-  std::optional<std::size_t> leads_to = std::nullopt;
-  std::optional<Glazing> glazing = std::nullopt;
-  bool is_shut = false; ///< a door with its leaf in the opening
-};
-
-/** @brief A recess in a wall with back, sides, bottom and lid. */
-struct Niche {
+/** @brief A rectangle on a wall, behind which there is a space of some depth.
+ */
+struct WallGap {
   std::size_t wall = 0; ///< element of the room's outline
   double from = 0.0;    ///< start along the element
   double to = 0.0;      ///< end along the element
@@ -84,10 +69,39 @@ struct Niche {
   double depth = 0.0;   ///< behind the wall's face
 };
 
+using Niche = WallGap; ///< a recess with back, sides, bottom and lid
+
+/** @brief The pane of a window, in the middle of the reveal. */
+struct Glazing {
+  double return_share = 0.03; ///< share of the rays that end on the pane
+  double mirror_share = 0.01; ///< share that is reflected and yields a mirrored point
+};
+
+/** @brief The leaf of a door, as large as its opening. */
+struct Leaf {
+  bool hinge_at_start = true; ///< otherwise at the opening's end, along the wall
+  double angle = 0.0;         ///< radians into the room; 0: shut
+};
+
+/** @brief A door, window or passage, with its reveal; the depth is the
+ * thickness of the wall. */
+struct Opening : WallGap {
+  /// Room behind the wall, whose wall gets the same opening; empty: the
+  /// outside.
+  std::optional<std::size_t> leads_to = std::nullopt;
+  std::optional<Glazing> glazing = std::nullopt;
+  std::optional<Leaf> leaf = std::nullopt;
+  std::uint32_t number = 0; ///< in the scene, from 1: see openingsByRoom()
+
+  /** @brief Returns true if a leaf shuts it. */
+  bool isShut() const { return leaf && leaf->angle == 0.0; }
+};
+
 /** @brief A hole in a ceiling: a stairwell, an atrium, a missing tile. */
 struct CeilingVoid {
   Loop loop;
-  /// Room above, whose floor gets the same hole; empty: the plenum of the room itself.
+  /// Room above, whose floor gets the same hole; empty: the plenum of the room
+  /// itself.
   std::optional<std::size_t> leads_to = std::nullopt;
 };
 
@@ -123,20 +137,20 @@ struct Cylinder {
   double height = 0.0;
 };
 
-/** @brief An object that is no structure: furniture, a door leaf, a tree, a facade. */
+/** @brief An object that is no structure: furniture, a door leaf, a tree, a
+ * facade. */
 struct Object {
-  std::string name;
-  std::vector<Box> boxes;
-  std::vector<Cylinder> cylinders;
-  std::string place; ///< its place in the scene file, for messages
+  std::string name{};
+  std::vector<Box> boxes{};
+  std::vector<Cylinder> cylinders{};
+  std::string place{}; ///< its place in the scene file, for messages
 };
 
 /** @brief A scanner and its stations.
  *
  * Every station sends its rays at equal steps of azimuth and elevation, as a
- * terrestrial scanner does. A walk with a backpack is a scanner of many stations with
- * few rays each.
- */
+ * terrestrial scanner does. A walk with a backpack is a scanner of many
+ * stations with few rays each. */
 struct Scanner {
   std::vector<Vec3> stations;
   std::size_t rays_per_station = 0;
@@ -149,7 +163,7 @@ struct Scanner {
 /** @brief The transform from the scene's frame to that of the files. */
 struct Placement {
   double yaw = 0.0; ///< degrees about z, applied before the shift
-  Vec3 shift;
+  Vec3 shift = Vec3::Zero();
 };
 
 /** @brief A complete scene. */
@@ -165,10 +179,26 @@ struct Scene {
 
 /** @brief Returns @p point in the frame of the files. */
 inline Vec3
-placed(const Placement& placement, Vec3 point)
+placed(const Placement& placement, const Vec3& point)
 {
-  const Vec2 turned = rotated(plan(point), placement.yaw * pi / 180.0);
-  return lifted(turned, point.z) + placement.shift;
+  return lifted(rotated(plan(point), placement.yaw * pi / 180.0), point.z()) +
+         placement.shift;
+}
+
+inline Vec2
+placed(const Placement& placement, const Vec2& point)
+{
+  return plan(placed(placement, lifted(point, 0.0)));
+}
+
+/** @brief Returns the loop in the frame of the files. */
+inline Loop
+placed(const Placement& placement, Loop loop)
+{
+  for (Element& element : loop.elements)
+    for (Vec2* point : {&element.start, &element.end, &element.centre})
+      *point = placed(placement, *point);
+  return loop;
 }
 
 } // namespace pcl::sedr::sim

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scenes.h"
 
-#include "scene_file.h"
-
 #include <filesystem>
 #include <stdexcept>
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tilted_walls.h"
+#include "shapes.h"
 
-#include "simulator/truth/room_regions.h"
-#include "vaults.h"
+#include "queries.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,170 +15,180 @@ namespace {
 constexpr double kNear = 1e-3; ///< metres inside the room
 constexpr double kParallel = 1e-6;
 
-/** @brief A wall of the foot loop as a plane: dot(inwards, p) - run z = offset. */
+/** @brief A wall as a plane: inwards.dot(p) - run z = offset. */
 struct Face {
-  LoopVertex start;
-  std::size_t wall = 0; ///< of the previous outline
+  Element foot;         ///< at the floor
+  std::size_t wall = 0; ///< of the room's outline
   double run = 0.0;     ///< tangent of the tilt
-  Vec2 inwards{};
+  Vec2 inwards = Vec2::Zero();
   double offset = 0.0;
+  Vec2 head = Vec2::Zero(); ///< start of its upper edge, at the ceiling
 };
 
-/** @brief Returns the starts of the walls that make up an element: the facets of a
- * tilted arc. */
-std::vector<Vec2>
-startsAlong(const Element& element, double run)
-{
-  std::vector<Vec2> starts{element.start};
-  if (element.bulge == 0.0 || run == 0.0)
-    return starts;
-  const Arc arc = arcOf(element);
-  const double step = std::sqrt(8.0 * kFacetTolerance / arc.radius);
-  const auto count = static_cast<int>(std::ceil(std::abs(arc.sweep) / step));
-  const double radius = arc.radius + 2.0 / 3.0 * kFacetTolerance;
-  for (int k = 1; k < count; ++k)
-    starts.push_back(arc.center +
-                     radius *
-                         rotated({1.0, 0.0}, arc.start_angle + arc.sweep * k / count));
-  return starts;
-}
+/** @brief Tilts the walls of one room. */
+class WallTilter {
+public:
+  WallTilter(Room& room, const std::vector<double>& tilts)
+      : room_(room)
+      , floor_(room.floor.height)
+      , tilts_(tilts)
+  {}
 
-[[noreturn]] void
-fail(const Room& room, std::size_t wall, const std::string& why)
-{
-  throw std::invalid_argument("Wall " + std::to_string(wall) + " of room '" +
-                              room.name + "' cannot be tilted: " + why);
-}
-
-std::vector<Face>
-facesOf(const Room& room, const std::vector<double>& runs, double floor)
-{
-  std::vector<Face> faces;
-  for (std::size_t wall = 0; wall < room.outline.size(); ++wall) {
-    const Element element = elementOf(room.outline, wall);
-    const bool in_facets = runs[wall] != 0.0;
-    for (const Vec2 start : startsAlong(element, runs[wall]))
-      faces.push_back({{start, in_facets ? 0.0 : element.bulge}, wall, runs[wall]});
+  void run()
+  {
+    checkRoom();
+    collectFaces();
+    findHeads();
+    replaceOutline();
   }
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    Face& face = faces[i];
-    const Vec2 end = faces[(i + 1) % faces.size()].start.position;
-    face.inwards = leftOf(normalized(end - face.start.position));
-    face.offset = dot(face.inwards, face.start.position) - face.run * floor;
+
+private:
+  void checkRoom() const
+  {
+    const auto is_tilted = [this](const WallGap& gap) {
+      return tilts_[gap.wall] != 0.0;
+    };
+    if (std::any_of(room_.openings.begin(), room_.openings.end(), is_tilted) ||
+        std::any_of(room_.niches.begin(), room_.niches.end(), is_tilted))
+      throw std::invalid_argument("a tilted wall has an opening or a niche");
+    if (room_.floor.gradient.squaredNorm() > 0.0)
+      throw std::invalid_argument("the floor is not level");
   }
-  return faces;
-}
 
-/** @brief Returns the point where the corner between two walls meets the ceiling; at
- * height @p floor it is at @p foot. */
-Vec2
-headOf(const Face& before, const Face& after, Vec2 foot, double floor, const Slab& top)
-{
-  if (before.run == 0.0 && after.run == 0.0)
-    return foot;
-  // The corner runs along foot + way (z - floor).
-  Vec2 way = before.run * before.inwards;
-  const double turn = cross(before.inwards, after.inwards);
-  if (std::abs(turn) > kParallel)
-    way = (1.0 / turn) * (before.run * (-1.0 * leftOf(after.inwards)) +
-                          after.run * leftOf(before.inwards));
-  const double climb = 1.0 - dot(top.gradient, way);
-  const double rise = (heightAt(top, foot) - floor) / climb;
-  return foot + rise * way;
-}
+  /** @brief Makes a face of every wall, and several of every tilted arc. */
+  void collectFaces()
+  {
+    for (std::size_t wall = 0; wall < tilts_.size(); ++wall) {
+      const Element& element = room_.outline.elements[wall];
+      Face face{element, wall, std::tan(tilts_[wall])};
+      std::vector<Vec2> corners{element.start};
+      if (tilts_[wall] != 0.0 && element.isArc()) {
+        const FacetSteps steps = facetStepsOf(element.radius);
+        const double sweep = element.sweep();
+        const auto count = static_cast<int>(std::ceil(std::abs(sweep) / steps.angle));
+        const Vec2 first = (element.start - element.centre).normalized();
+        for (int k = 1; k < count; ++k)
+          corners.push_back(element.centre +
+                            steps.radius * rotated(first, sweep * k / count));
+      }
+      corners.push_back(element.end);
+      for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+        if (tilts_[wall] != 0.0)
+          face.foot = elementBetween(corners[i], corners[i + 1]);
+        face.inwards = leftOf((corners[i + 1] - corners[i]).normalized());
+        face.offset = face.inwards.dot(corners[i]) - face.run * floor_;
+        faces_.push_back(face);
+      }
+    }
+  }
 
-const Slab&
-ceilingBeside(const Room& room, const Element& wall, double s)
-{
-  const Vec2 point = pointAt(wall, s) - kNear * rightNormalAt(wall, s);
-  return slabOf(room, std::max(kMain, regionAt(room, point, Layer::Ceiling)),
-                Layer::Ceiling);
-}
+  void findHeads()
+  {
+    const std::size_t n = faces_.size();
+    for (std::size_t i = 0; i < n; ++i)
+      faces_[i].head = headBetween(faces_[(i + n - 1) % n], faces_[i]);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vec2 head = faces_[(i + 1) % n].head - faces_[i].head;
+      const Vec2 foot = faces_[i].foot.end - faces_[i].foot.start;
+      if (faces_[i].run != 0.0 && head.dot(foot) <= 0.0)
+        throw std::invalid_argument("the head of wall " +
+                                    std::to_string(faces_[i].wall) + " has no length");
+    }
+  }
 
-SlabDetail
-partOf(const Face& face, const std::vector<Vec2>& corners)
-{
-  SlabDetail part;
-  for (const Vec2 corner : corners)
-    part.loop.push_back({corner});
-  const double slope = 1.0 / face.run;
-  part.slab = {-slope * face.offset, slope * face.inwards, {}};
-  // Place the origin at the foot, where the plane meets the floor exactly.
-  const Vec2 foot = corners.front();
-  part.slab.height = heightAt(part.slab, foot);
-  part.slab.origin = foot;
-  part.is_wall = true;
-  return part;
-}
+  /** @brief Returns where the corner between two walls meets the ceiling. */
+  Vec2 headBetween(const Face& before, const Face& after) const
+  {
+    const Vec2& foot = after.foot.start;
+    if (before.run == 0.0 && after.run == 0.0)
+      return foot;
+    // The corner runs along foot + way (z - floor).
+    Vec2 way = before.run * before.inwards;
+    const double turn = cross(before.inwards, after.inwards);
+    if (std::abs(turn) > kParallel)
+      way = (after.run * leftOf(before.inwards) - before.run * leftOf(after.inwards)) /
+            turn;
+    const Slab& top = ceilingBeside(after.run != 0.0 ? after : before, foot);
+    const double climb = 1.0 - top.gradient.dot(way);
+    return foot + (heightAt(top, foot) - floor_) / climb * way;
+  }
+
+  /** @brief Returns the ceiling inside of a tilted wall, near one end of its
+   * foot. */
+  const Slab& ceilingBeside(const Face& face, const Vec2& end) const
+  {
+    const double s =
+        (end - face.foot.start).norm() < kNear ? kNear : face.foot.length() - kNear;
+    const Vec2 inside = pointBeside(face.foot, s, -kNear);
+    return slabOf(room_, regionAt(room_, inside, Layer::Ceiling), Layer::Ceiling);
+  }
+
+  /** @brief Makes the outline that of the whole area in plan; what lies between
+   * foot and head of a wall becomes a part of the ceiling or, tilted out, of
+   * the floor. */
+  void replaceOutline()
+  {
+    Loop outline;
+    std::vector<std::size_t> moved(tilts_.size()); // new number of each wall
+    std::vector<SlabDetail> ceiling_parts;
+    const auto add_corner = [&outline](const Vec2& end, const Element& shape) {
+      const Vec2 start =
+          outline.elements.empty() ? shape.start : outline.elements.back().end;
+      if ((end - start).norm() <= 1e-9)
+        return;
+      outline.elements.push_back(shape);
+      outline.elements.back().start = start;
+      outline.elements.back().end = end;
+    };
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      const Face& face = faces_[i];
+      const Face& next = faces_[(i + 1) % faces_.size()];
+      const bool tilts_out = face.run < 0.0;
+      if (i == 0 || face.wall != faces_[i - 1].wall)
+        moved[face.wall] = outline.elements.size();
+      Element edge = face.foot;
+      if (tilts_out)
+        edge = elementBetween(face.head, next.head);
+      const Vec2 after = next.run < 0.0 ? next.head : next.foot.start;
+      add_corner(edge.end, edge);
+      add_corner(after, elementBetween(edge.end, after));
+      if (face.run != 0.0)
+        (tilts_out ? room_.floor_details : ceiling_parts).push_back(partOf(face, next));
+    }
+    room_.details.insert(room_.details.end(), ceiling_parts.begin(),
+                         ceiling_parts.end());
+    for (Opening& opening : room_.openings)
+      opening.wall = moved[opening.wall];
+    for (Niche& niche : room_.niches)
+      niche.wall = moved[niche.wall];
+    room_.foot = room_.outline;
+    room_.tilts = tilts_;
+    room_.outline = outline;
+  }
+
+  SlabDetail partOf(const Face& face, const Face& next) const
+  {
+    const double slope = 1.0 / face.run;
+    // The origin is at the foot, where the plane meets the floor exactly.
+    SlabDetail part(polygonLoop({face.foot.start, face.foot.end, next.head, face.head}),
+                    {floor_, slope * face.inwards, face.foot.start});
+    part.is_wall = true;
+    return part;
+  }
+
+  Room& room_;
+  const double floor_;
+  const std::vector<double>& tilts_; ///< of the walls, radians
+  std::vector<Face> faces_;
+};
 
 } // namespace
 
 void
-tiltWalls(Room& room, const std::vector<TiltedWall>& walls)
+tiltWalls(Room& room, const std::vector<double>& tilts)
 {
-  if (walls.empty())
-    return;
-  std::vector<double> runs(room.outline.size(), 0.0);
-  for (const TiltedWall& wall : walls)
-    runs[wall.wall] = std::tan(wall.tilt);
-  const auto is_tilted = [&](const auto& gap) { return runs[gap.wall] != 0.0; };
-  for (const TiltedWall& wall : walls)
-    if (std::any_of(room.openings.begin(), room.openings.end(), is_tilted) ||
-        std::any_of(room.niches.begin(), room.niches.end(), is_tilted))
-      fail(room, wall.wall, "it has an opening or a niche");
-    else if (dot(room.floor.gradient, room.floor.gradient) > 0.0)
-      fail(room, wall.wall, "the floor is not level");
-  const double floor = room.floor.height;
-  const std::vector<Face> faces = facesOf(room, runs, floor);
-  const std::size_t n = faces.size();
-  std::vector<Vec2> heads(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const Face& before = faces[(i + n - 1) % n];
-    const Face& tilted = faces[i].run != 0.0 ? faces[i] : before;
-    const Element wall = elementOf(room.outline, tilted.wall);
-    const double s = &tilted == &before ? lengthOf(wall) - kNear : kNear;
-    heads[i] = headOf(before, faces[i], faces[i].start.position, floor,
-                      ceilingBeside(room, wall, s));
-  }
-  Loop outline;
-  std::vector<std::size_t> moved(room.outline.size());
-  std::vector<SlabDetail> ceiling_parts;
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t next = (i + 1) % n;
-    const bool tilts_out = faces[i].run < 0.0;
-    const Vec2 foot[2] = {faces[i].start.position, faces[next].start.position};
-    const Vec2 start = tilts_out ? heads[i] : foot[0];
-    const Vec2 end = tilts_out ? heads[next] : foot[1];
-    const Vec2 after = faces[next].run < 0.0 ? heads[next] : foot[1];
-    if (i == 0 || faces[i].wall != faces[i - 1].wall)
-      moved[faces[i].wall] = outline.size();
-    outline.push_back({start, faces[i].start.bulge});
-    if (length(after - end) > kSameHeight)
-      outline.push_back({end});
-    if (faces[i].run == 0.0)
-      continue;
-    const SlabDetail part = partOf(faces[i], {foot[0], foot[1], heads[next], heads[i]});
-    if (std::abs(heightAt(part.slab, foot[1]) - floor) > kNear)
-      fail(room, faces[i].wall, "its foot is not level");
-    (tilts_out ? room.floor_details : ceiling_parts).push_back(part);
-  }
-  for (std::size_t i = 0; i < n; ++i)
-    if (faces[i].run != 0.0 &&
-        dot(heads[(i + 1) % n] - heads[i],
-            faces[(i + 1) % n].start.position - faces[i].start.position) <= 0.0)
-      fail(room, faces[i].wall, "its head has no length");
-  for (std::vector<double>::size_type i = 0; i < ceiling_parts.size(); ++i)
-    room.details.push_back(ceiling_parts[i]);
-  for (Opening& opening : room.openings)
-    opening.wall = moved[opening.wall];
-  for (Niche& niche : room.niches)
-    niche.wall = moved[niche.wall];
-  room.foot = room.outline;
-  for (const TiltedWall& wall : walls) {
-    room.tilts.resize(room.outline.size(), 0.0);
-    room.tilts[wall.wall] = wall.tilt;
-  }
-  room.outline = outline;
+  if (std::any_of(tilts.begin(), tilts.end(), [](double tilt) { return tilt != 0.0; }))
+    WallTilter(room, tilts).run();
 }
 
 } // namespace pcl::sedr::sim

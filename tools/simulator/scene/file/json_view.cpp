@@ -1,50 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "json_view.h"
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
 
 namespace pcl::sedr::sim {
 
-namespace {
-
 using nlohmann::json;
 
-constexpr std::size_t kShownLength = 40;
-constexpr double kSmallest = 1e-4;
-
-/** @brief Returns a value or key as it is in the file, shortened if long. */
-std::string
-shown(const json& value)
+JsonView
+JsonView::below(const json& value, const std::string& step) const
 {
-  if (value.is_structured())
-    return value.is_array() ? "a list" : "an object";
-  std::string text = value.dump(-1, ' ', true);
-  if (text.size() > kShownLength)
-    text = text.substr(0, kShownLength) + "...";
-  return text;
+  seen_.insert(&value);
+  return {value, seen_, place_.empty() ? step.substr(1) : place_ + step};
 }
-
-std::string
-listed(const std::vector<std::string>& keys)
-{
-  std::string text;
-  for (const std::string& key : keys)
-    text += (text.empty() ? "\"" : ", \"") + key + '"';
-  return text;
-}
-
-std::string
-rangeText(double low, double high)
-{
-  std::ostringstream text;
-  text << low << " to " << high;
-  return text.str();
-}
-
-} // namespace
 
 JsonView
 JsonView::at(const std::string& key) const
@@ -58,25 +28,25 @@ JsonView::at(const std::string& key) const
 std::optional<JsonView>
 JsonView::find(const std::string& key) const
 {
-  if (!value_.is_object())
-    fail("must be an object, not " + shown(value_));
+  if (!isObject())
+    failToBe("an object");
   const auto entry = value_.find(key);
   if (entry == value_.end())
     return std::nullopt;
-  return JsonView(*entry, place_.empty() ? key : place_ + '.' + key);
+  return below(*entry, '.' + key);
 }
 
 std::vector<JsonView>
 JsonView::items(std::size_t least) const
 {
-  if (!value_.is_array())
-    fail("must be a list, not " + shown(value_));
+  if (!isList())
+    failToBe("a list");
   if (value_.size() < least)
     fail("must have at least " + std::to_string(least) + " elements, not " +
          std::to_string(value_.size()));
   std::vector<JsonView> elements;
   for (std::size_t i = 0; i < value_.size(); ++i)
-    elements.emplace_back(value_[i], place_ + '[' + std::to_string(i) + ']');
+    elements.push_back(below(value_[i], '[' + std::to_string(i) + ']'));
   return elements;
 }
 
@@ -90,45 +60,63 @@ JsonView::itemsOf(const std::string& key) const
 std::pair<std::string, JsonView>
 JsonView::single() const
 {
-  if (!value_.is_object() || value_.size() != 1)
+  if (!isObject() || value_.size() != 1)
     fail("must be an object with one key, the kind of thing it is");
   const std::string key = value_.begin().key();
   return {key, at(key)};
 }
 
 void
-JsonView::allowOnly(const std::vector<std::string>& keys) const
+JsonView::rejectUnknownKeys() const
 {
-  if (!value_.is_object())
-    fail("must be an object, not " + shown(value_));
-  for (const auto& entry : value_.items())
-    if (std::find(keys.begin(), keys.end(), entry.key()) == keys.end())
-      fail("has an unknown key " + shown(entry.key()) + "; known are " + listed(keys));
+  for (const auto& entry : value_.items()) {
+    const bool is_known = seen_.count(&entry.value()) > 0;
+    if (isObject() && !is_known)
+      fail("has a key that is unknown here: " + json(entry.key()).dump(-1, ' ', true));
+    const std::string step = isObject() ? '.' + entry.key() : '[' + entry.key() + ']';
+    if (entry.value().is_structured())
+      below(entry.value(), step).rejectUnknownKeys();
+  }
 }
 
 double
 JsonView::number(double low, double high) const
 {
   const double value = value_.is_number() ? value_.get<double>() : std::nan("");
-  if (!(value >= low && value <= high))
-    fail("must be a number from " + rangeText(low, high) + ", not " + shown(value_));
+  if (!(value >= low && value <= high)) {
+    std::ostringstream text;
+    text << "a number from " << low << " to " << high;
+    failToBe(text.str());
+  }
   return value;
+}
+
+double
+JsonView::numberOr(const std::string& key, double otherwise) const
+{
+  const auto value = find(key);
+  return value ? value->number() : otherwise;
+}
+
+double
+JsonView::angle(double low, double high) const
+{
+  return number(low, high) * pi / 180.0;
 }
 
 double
 JsonView::size() const
 {
-  return number(kSmallest);
+  return number(1e-4);
 }
 
 std::size_t
 JsonView::count(std::size_t least, std::size_t most) const
 {
-  const bool fits = value_.is_number_unsigned() && value_.get<std::size_t>() >= least &&
-                    value_.get<std::size_t>() <= most;
-  if (!fits)
-    fail("must be a whole number from " + std::to_string(least) + " to " +
-         std::to_string(most) + ", not " + shown(value_));
+  if (!value_.is_number_unsigned() || value_.get<std::size_t>() < least ||
+      value_.get<std::size_t>() > most)
+    failToBe("a whole number from " + std::to_string(least) + " to " +
+             std::to_string(most));
   return value_.get<std::size_t>();
 }
 
@@ -136,7 +124,7 @@ bool
 JsonView::boolean() const
 {
   if (!value_.is_boolean())
-    fail("must be true or false, not " + shown(value_));
+    failToBe("true or false");
   return value_.get<bool>();
 }
 
@@ -144,15 +132,15 @@ std::string
 JsonView::text() const
 {
   if (!value_.is_string() || value_.get_ref<const std::string&>().empty())
-    fail("must be a text, not " + shown(value_));
+    failToBe("a text");
   return value_.get<std::string>();
 }
 
 std::vector<double>
 JsonView::numbers(std::size_t count) const
 {
-  if (!value_.is_array() || value_.size() != count)
-    fail("must be a list of " + std::to_string(count) + " numbers");
+  if (!isList() || value_.size() != count)
+    failToBe("a list of " + std::to_string(count) + " numbers");
   std::vector<double> values;
   for (const JsonView& element : items())
     values.push_back(element.number());
@@ -176,23 +164,28 @@ JsonView::point3() const
 Vec3
 JsonView::size3() const
 {
-  const auto values = numbers(3);
+  const Vec3 values = point3();
   for (const JsonView& element : items())
     element.size();
-  return {values[0], values[1], values[2]};
-}
-
-double
-JsonView::numberOr(const std::string& key, double otherwise) const
-{
-  const auto value = find(key);
-  return value ? value->number() : otherwise;
+  return values;
 }
 
 void
 JsonView::fail(const std::string& sentence) const
 {
   throw std::invalid_argument(place() + ' ' + sentence);
+}
+
+void
+JsonView::failToBe(const std::string& what) const
+{
+  constexpr std::size_t longest = 40;
+  std::string text = isObject() ? "an object"
+                     : isList() ? "a list"
+                                : value_.dump(-1, ' ', true);
+  if (text.size() > longest)
+    text = text.substr(0, longest) + "...";
+  fail("must be " + what + ", not " + text);
 }
 
 } // namespace pcl::sedr::sim

@@ -13,14 +13,13 @@ constexpr double kLargestBulge = 10.0;
 Loop
 readRectangle(const JsonView& view)
 {
-  view.allowOnly({"rectangle"});
   const JsonView corners = view.at("rectangle");
   const auto points = corners.items(2);
   if (points.size() != 2)
     corners.fail("must be two corners, [[x, y], [x, y]]");
   const Vec2 min = points[0].point2();
   const Vec2 max = points[1].point2();
-  if (!(max.x - min.x >= kShortest && max.y - min.y >= kShortest))
+  if (!(max.x() - min.x() >= kShortest && max.y() - min.y() >= kShortest))
     corners.fail("must give the corner of smaller x and y first");
   return rectangleLoop(min, max);
 }
@@ -28,7 +27,6 @@ readRectangle(const JsonView& view)
 Loop
 readCircle(const JsonView& view)
 {
-  view.allowOnly({"circle", "radius"});
   return circleLoop(view.at("circle").point2(), view.at("radius").size());
 }
 
@@ -38,17 +36,16 @@ readPosition(const JsonView& corner)
   return corner.isObject() ? corner.at("at").point2() : corner.point2();
 }
 
-/** @brief Reads the bulge of the element from @p corner over @p chord metres. */
+/** @brief Reads the bulge of the element from @p corner over @p chord metres.
+ */
 double
 readBulge(const JsonView& corner, double chord)
 {
   if (!corner.isObject())
     return 0.0;
   if (corner.find("bulge")) {
-    corner.allowOnly({"at", "bulge"});
     return corner.at("bulge").number(-kLargestBulge, kLargestBulge);
   }
-  corner.allowOnly({"at", "radius"});
   const double radius = corner.at("radius").number();
   if (std::abs(radius) < 0.5 * chord) {
     std::ostringstream text;
@@ -56,7 +53,7 @@ readBulge(const JsonView& corner, double chord)
          << " m away";
     corner.at("radius").fail(text.str());
   }
-  return bulgeOf(chord, radius);
+  return std::tan(0.5 * std::asin(0.5 * chord / radius));
 }
 
 Loop
@@ -64,14 +61,13 @@ readCorners(const JsonView& view)
 {
   const auto corners = view.items(2);
   Loop loop;
-  for (const JsonView& corner : corners)
-    loop.push_back({readPosition(corner)});
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Element element = elementOf(loop, i);
-    const double chord = length(element.end - element.start);
+    const Vec2 start = readPosition(corners[i]);
+    const Vec2 end = readPosition(corners[(i + 1) % corners.size()]);
+    const double chord = (end - start).norm();
     if (chord < kShortest)
       corners[i].fail("is the same point as the corner after it");
-    loop[i].bulge = readBulge(corners[i], chord);
+    loop.elements.push_back(elementBetween(start, end, readBulge(corners[i], chord)));
   }
   return loop;
 }

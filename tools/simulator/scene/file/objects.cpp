@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "furniture.h"
 #include "scene_parts.h"
-
-#include "object_places.h"
-
-#include <algorithm>
-#include <map>
+#include "simulator/scene/queries.h"
 
 namespace pcl::sedr::sim {
 
@@ -12,59 +9,43 @@ namespace {
 
 constexpr std::size_t kMostParts = 200'000; ///< boxes and cylinders in a list
 constexpr int kDeepestGroup = 4;
-constexpr std::size_t kMostSteps = 200; ///< steps of a flight of stairs
+constexpr double kGap = 0.02; ///< metres between furniture and the wall behind it
+constexpr std::size_t kLongestRow = 1000;
 
-using Keys = std::vector<std::string>;
-
-/** @brief Reads a list of objects; groups read their own lists in their own frame. */
+/** @brief Reads a list of objects in a room, or outside; groups read their own
+ * lists in their own frame. */
 class ObjectReader {
 public:
+  /** @param room null for the outside */
   ObjectReader(const Room* room, std::vector<Object>& objects)
       : room_(room)
       , objects_(objects)
   {}
 
-  void readList(const std::vector<JsonView>& list, const ObjectPlaces& places)
+  void readList(const std::vector<JsonView>& list)
   {
     for (const JsonView& item : list) {
-      const auto [kind, view] = item.single();
-      const auto reader = readers().find(kind);
-      if (reader == readers().end())
-        item.fail("is of unknown kind \"" + kind + "\"; known are " + knownKinds());
-      (this->*reader->second)(view, places);
+      const auto [name, view] = item.single();
+      const auto kind = furnitureKinds().find(name);
+      if (name == "group")
+        readGroup(view);
+      else if (name == "object")
+        readObject(view);
+      else if (kind != furnitureKinds().end() && (room_ || !kind->second.is_indoors))
+        readKind(kind->second, view);
+      else
+        item.fail("is of unknown kind \"" + name + "\"; known are " + knownKinds());
     }
   }
 
 private:
-  using Reader = void (ObjectReader::*)(const JsonView&, const ObjectPlaces&);
-
-  /** @brief Returns the readers by kind; a room has more kinds than the outside. */
-  const std::map<std::string, Reader>& readers() const
-  {
-    static const std::map<std::string, Reader> anywhere{
-        {"block", &ObjectReader::readBlock}, {"car", &ObjectReader::readCar},
-        {"chair", &ObjectReader::readChair}, {"cylinder", &ObjectReader::readCylinder},
-        {"group", &ObjectReader::readGroup}, {"object", &ObjectReader::readObject},
-        {"shelf", &ObjectReader::readShelf}, {"table", &ObjectReader::readTable},
-        {"tree", &ObjectReader::readTree}};
-    static const std::map<std::string, Reader> indoors = [] {
-      auto readers = anywhere;
-      readers["door_leaf"] = &ObjectReader::readDoorLeaf;
-      readers["duct"] = &ObjectReader::readDuct;
-      readers["fixture"] = &ObjectReader::readFixture;
-      readers["lamp"] = &ObjectReader::readLamp;
-      readers["stairs"] = &ObjectReader::readStairs;
-      return readers;
-    }();
-    return room_ == nullptr ? anywhere : indoors;
-  }
-
   std::string knownKinds() const
   {
-    std::string kinds;
-    for (const auto& reader : readers())
-      kinds += (kinds.empty() ? "" : ", ") + reader.first;
-    return kinds;
+    std::string names = "group, object";
+    for (const auto& [name, kind] : furnitureKinds())
+      if (room_ || !kind.is_indoors)
+        names += ", " + name;
+    return names;
   }
 
   void add(const JsonView& view, Object object)
@@ -76,181 +57,142 @@ private:
     objects_.push_back(std::move(object));
   }
 
-  static void
-  allow(const JsonView& view, const ObjectPlaces& places, const Keys& others)
-  {
-    Keys keys = places.keysOfSpots();
-    keys.insert(keys.end(), others.begin(), others.end());
-    view.allowOnly(keys);
-  }
-
-  static Extent extentOf(const JsonView& view)
-  {
-    const Vec3 size = view.at("size").size3();
-    return {size.x, size.y, size.z};
-  }
-
-  static std::string nameOf(const JsonView& view, const std::string& otherwise)
+  void readKind(const Kind& kind, const JsonView& view)
   {
     const auto name = view.find("name");
-    return name ? name->text() : otherwise;
-  }
-
-  void readBlock(const JsonView& view, const ObjectPlaces& places)
-  {
-    allow(view, places, {"name", "size"});
-    const Extent extent = extentOf(view);
-    for (const Spot& spot : places.spotsOf(view, extent.width, extent.depth))
-      add(view, makeBlock(nameOf(view, "block"), spot, extent));
-  }
-
-  void readTable(const JsonView& view, const ObjectPlaces& places)
-  {
-    allow(view, places, {"size"});
-    const Extent extent = extentOf(view);
-    for (const Spot& spot : places.spotsOf(view, extent.width, extent.depth))
-      add(view, makeTable(spot, extent));
-  }
-
-  void readShelf(const JsonView& view, const ObjectPlaces& places)
-  {
-    allow(view, places, {"size"});
-    const Extent extent = extentOf(view);
-    for (const Spot& spot : places.spotsOf(view, extent.width, extent.depth))
-      add(view, makeShelf(spot, extent));
-  }
-
-  void readChair(const JsonView& view, const ObjectPlaces& places)
-  {
-    allow(view, places, {});
-    for (const Spot& spot : places.spotsOf(view, kChairWidth, kChairWidth))
-      add(view, makeChair(spot));
-  }
-
-  void readCylinder(const JsonView& view, const ObjectPlaces& places)
-  {
-    allow(view, places, {"name", "radius", "height"});
-    const double radius = view.at("radius").size();
-    const double height = view.at("height").size();
-    for (const Spot& spot : places.spotsOf(view, 2.0 * radius, 2.0 * radius)) {
-      Object object;
-      object.name = nameOf(view, "cylinder");
-      object.cylinders.push_back({lifted(spot.center, spot.floor), radius, height});
-      add(view, std::move(object));
+    for (const Spot& spot : spotsOf(kind, view)) {
+      Assembly assembly(name ? name->text() : kind.name, spot);
+      kind.build(view, assembly);
+      add(view, std::move(assembly.object));
     }
   }
 
-  void readTree(const JsonView& view, const ObjectPlaces& places)
+  /** @brief Returns where objects of a kind are: one place, or a row at a wall.
+   */
+  std::vector<Spot> spotsOf(const Kind& kind, const JsonView& view) const
   {
-    allow(view, places, {"height", "crown"});
-    const double height = view.at("height").size();
-    const double crown = view.at("crown").size();
-    for (const Spot& spot : places.spotsOf(view, 2.0 * crown, 2.0 * crown))
-      add(view, makeTree(spot, height, crown));
+    if (kind.standing == Standing::OnFloor && room_ && !is_group_ && view.find("wall"))
+      return spotsAtWall(view, kind.footprint(view));
+    if (kind.standing == Standing::Duct) {
+      const Vec2 from = toScene(view.at("from").point2());
+      const Vec2 to = toScene(view.at("to").point2());
+      if (!((to - from).norm() >= 0.01))
+        view.fail("begins where it ends");
+      const Vec2 middle = 0.5 * (from + to);
+      return {{middle, directionOf(to - from), ceilingAt(view, middle)}};
+    }
+    const bool is_hinged = kind.standing == Standing::Hinged;
+    const Vec2 place = toScene(view.at(is_hinged ? "hinge" : "at").point2());
+    return {{place, yawOf(view, is_hinged ? "direction" : "yaw"),
+             kind.standing == Standing::BelowCeiling ? ceilingAt(view, place)
+                                                     : floorAt(view, place)}};
   }
 
-  void readCar(const JsonView& view, const ObjectPlaces& places)
+  /** @param footprint width and depth of an object */
+  std::vector<Spot> spotsAtWall(const JsonView& view, const Vec2& footprint) const
   {
-    allow(view, places, {});
-    for (const Spot& spot : places.spotsOf(view, kCarLength, kCarWidth))
-      add(view, makeCar(spot));
+    const auto& walls = room_->outline.elements;
+    const Element& wall = walls[view.at("wall").count(0, walls.size() - 1)];
+    const auto gap = view.find("gap");
+    const double behind = gap ? gap->number(0.0, 100.0) : kGap;
+    const double first = view.at("s").number();
+    std::size_t count = 1;
+    double between = 0.0; // objects of a row
+    if (const auto row = view.find("row")) {
+      count = row->at("count").count(1, kLongestRow);
+      between = row->at("gap").number(0.0, 100.0);
+    }
+    std::vector<Spot> spots;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double s = first + static_cast<double>(i) * (footprint.x() + between);
+      double clearance = behind; // on a curved wall the corners keep clear
+      if (wall.isArc() && wall.counter_clockwise) {
+        const double reach = wall.radius - behind;
+        clearance +=
+            reach - std::sqrt(reach * reach - 0.25 * footprint.x() * footprint.x());
+      }
+      const Vec2 center = pointBeside(wall, s, -clearance - 0.5 * footprint.y());
+      const double yaw = directionOf(-wall.normalAt(s)) - 0.5 * pi;
+      spots.push_back({center, yaw, floorAt(view, center)});
+    }
+    return spots;
   }
 
-  void readDoorLeaf(const JsonView& view, const ObjectPlaces& places)
+  double floorAt(const JsonView& view, const Vec2& point) const
   {
-    view.allowOnly({"hinge", "direction", "width", "height", "raise"});
-    const Vec2 hinge = places.pointOf(view.at("hinge"));
-    add(view,
-        makeDoorLeaf(hinge, places.yawOf(view, "direction"), view.at("width").size(),
-                     view.at("height").size(), places.floorAt(view, hinge)));
+    if (!room_)
+      return view.numberOr("floor", 0.0);
+    requireWithin(view, point);
+    return floorBelow(*room_, point) + view.numberOr("raise", 0.0);
   }
 
-  void readStairs(const JsonView& view, const ObjectPlaces& places)
+  double ceilingAt(const JsonView& view, const Vec2& point) const
   {
-    view.allowOnly({"at", "yaw", "raise", "width", "rise", "going", "steps", "solid"});
-    Flight flight{view.at("width").size(), view.at("rise").size(),
-                  view.at("going").size(), view.at("steps").count(1, kMostSteps)};
-    if (const auto solid = view.find("solid"))
-      flight.is_solid = solid->boolean();
-    const Vec2 foot = places.pointOf(view.at("at"));
-    add(view,
-        makeStairs({foot, places.yawOf(view), places.floorAt(view, foot)}, flight));
+    requireWithin(view, point);
+    return ceilingAbove(*room_, point);
   }
 
-  void readLamp(const JsonView& view, const ObjectPlaces& places)
+  void requireWithin(const JsonView& view, const Vec2& point) const
   {
-    view.allowOnly({"at", "drop", "radius"});
-    const Vec2 center = places.pointOf(view.at("at"));
-    add(view, makeLamp(center, places.ceilingAt(view, center), view.at("drop").size(),
-                       view.at("radius").size()));
+    if (!isInRoom(*room_, point))
+      view.fail("is not within its room");
   }
 
-  void readFixture(const JsonView& view, const ObjectPlaces& places)
-  {
-    view.allowOnly({"name", "at", "yaw", "size", "drop"});
-    const Vec2 center = places.pointOf(view.at("at"));
-    const double drop = view.find("drop") ? view.at("drop").number(0.0) : 0.0;
-    add(view, makeFixture(nameOf(view, "fixture"), center, places.yawOf(view),
-                          extentOf(view), places.ceilingAt(view, center), drop));
-  }
+  Vec2 toScene(const Vec2& point) const { return origin_ + rotated(point, yaw_); }
 
-  void readDuct(const JsonView& view, const ObjectPlaces& places)
+  double yawOf(const JsonView& view, const std::string& key = "yaw") const
   {
-    view.allowOnly({"from", "to", "radius", "drop"});
-    const Vec2 from = places.pointOf(view.at("from"));
-    const Vec2 to = places.pointOf(view.at("to"));
-    if (!(length(to - from) >= 0.01))
-      view.fail("begins where it ends");
-    const double ceiling = places.ceilingAt(view, 0.5 * (from + to));
-    const double drop = view.at("drop").number(0.0);
-    add(view, makeDuct(from, to, view.at("radius").size(), ceiling - drop));
+    return yaw_ + view.numberOr(key, 0.0) * pi / 180.0;
   }
 
   /** @brief Reads single boxes and cylinders; z is that of the scene. */
-  void readObject(const JsonView& view, const ObjectPlaces& places)
+  void readObject(const JsonView& view)
   {
-    view.allowOnly({"name", "boxes", "cylinders"});
-    Object object;
-    object.name = nameOf(view, "object");
-    for (const JsonView& box : view.itemsOf("boxes")) {
-      box.allowOnly({"center", "size", "yaw"});
-      const Vec3 center = box.at("center").point3();
-      object.boxes.push_back({lifted(places.toScene(plan(center)), center.z),
-                              box.at("size").size3(), places.yawOf(box)});
-    }
-    for (const JsonView& cylinder : view.itemsOf("cylinders")) {
-      cylinder.allowOnly({"base", "radius", "height"});
-      const Vec3 base = cylinder.at("base").point3();
-      object.cylinders.push_back({lifted(places.toScene(plan(base)), base.z),
+    const auto name = view.find("name");
+    Object object{name ? name->text() : "object"};
+    const auto moved = [this](const Vec3& point) {
+      return lifted(toScene(plan(point)), point.z());
+    };
+    for (const JsonView& box : view.itemsOf("boxes"))
+      object.boxes.push_back(
+          {moved(box.at("center").point3()), box.at("size").size3(), yawOf(box)});
+    for (const JsonView& cylinder : view.itemsOf("cylinders"))
+      object.cylinders.push_back({moved(cylinder.at("base").point3()),
                                   cylinder.at("radius").size(),
                                   cylinder.at("height").size()});
-    }
     if (object.boxes.empty() && object.cylinders.empty())
       view.fail("has neither boxes nor cylinders");
     add(view, std::move(object));
   }
 
-  /** @brief Reads objects repeated at several places, each [x, y] or [x, y, yaw]. */
-  void readGroup(const JsonView& view, const ObjectPlaces& places)
+  /** @brief Reads objects repeated at several places, each [x, y] or [x, y,
+   * yaw]. */
+  void readGroup(const JsonView& view)
   {
-    view.allowOnly({"places", "objects"});
-    if (++depth_ > kDeepestGroup)
+    if (depth_ == kDeepestGroup)
       view.fail("is a group too deep within groups");
     const auto list = view.at("objects").items(1);
+    const ObjectReader outer = *this;
+    is_group_ = true;
+    ++depth_;
     for (const JsonView& place : view.at("places").items(1)) {
-      ObjectFrame frame;
       const bool is_turned = place.items().size() == 3;
-      if (is_turned)
-        frame.yaw = place.point3().z * pi / 180.0;
-      frame.origin = is_turned ? plan(place.point3()) : place.point2();
-      readList(list, places.within(frame));
+      origin_ = outer.toScene(is_turned ? plan(place.point3()) : place.point2());
+      yaw_ = outer.yaw_ + (is_turned ? place.point3().z() * pi / 180.0 : 0.0);
+      readList(list);
     }
+    origin_ = outer.origin_;
+    yaw_ = outer.yaw_;
+    is_group_ = outer.is_group_;
     --depth_;
   }
 
   const Room* room_;
   std::vector<Object>& objects_;
   std::size_t parts_ = 0;
+  Vec2 origin_ = Vec2::Zero(); ///< of the group's frame
+  double yaw_ = 0.0;           ///< of the group's frame, radians
+  bool is_group_ = false;      ///< whose objects cannot refer to walls
   int depth_ = 0;
 };
 
@@ -260,7 +202,7 @@ std::vector<Object>
 readObjects(const std::vector<JsonView>& list, const Room* room)
 {
   std::vector<Object> objects;
-  ObjectReader(room, objects).readList(list, ObjectPlaces(room));
+  ObjectReader(room, objects).readList(list);
   return objects;
 }
 

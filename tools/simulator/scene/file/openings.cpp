@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "furniture.h"
 #include "scene_parts.h"
 
-#include "../furniture.h"
-#include "../scene.h"
-#include "simulator/scan/assembly.h"
-#include "simulator/truth/room_regions.h"
+#include "simulator/scene/queries.h"
 
 #include <algorithm>
 #include <limits>
@@ -13,108 +11,80 @@ namespace pcl::sedr::sim {
 
 namespace {
 
-/** @brief The position of a door leaf in its opening. */
-struct LeafPose {
-  bool hinge_at_start = true; ///< otherwise at the opening's end, along the wall
-  double angle = 0.0;         ///< radians into the room; 0: shut
-};
-
-constexpr double kLeafThickness = 0.04;
 constexpr double kLeafStandOff = 0.03; ///< metres from an open leaf's axis to the wall
 
+/** @brief Makes the leaf of a door: shut in the middle of the reveal, otherwise
+ * beside the opening, turned into the room about its hinge. */
 Object
-makeShutLeaf(const Element& wall, const Opening& opening)
+makeLeaf(const Element& wall, const Opening& opening)
 {
-  const double middle = 0.5 * (opening.from + opening.to);
-  const Vec2 outward = rightNormalAt(wall, middle);
-  const Vec2 center = pointAt(wall, middle) + 0.5 * opening.depth * outward;
-  const Vec3 size{opening.to - opening.from, kLeafThickness,
-                  opening.head - opening.sill};
-  Object leaf;
-  leaf.name = "door leaf";
-  leaf.boxes.push_back({lifted(center, 0.5 * (opening.sill + opening.head)), size,
-                        directionOf(leftOf(outward))});
-  return leaf;
+  constexpr double half = 0.02; // of its thickness
+  const double width = opening.to - opening.from;
+  const double height = opening.head - opening.sill;
+  if (opening.isShut()) {
+    const double middle = 0.5 * (opening.from + opening.to);
+    Assembly leaf("door leaf",
+                  {pointBeside(wall, middle, 0.5 * opening.depth),
+                   directionOf(-leftOf(wall.normalAt(middle))), opening.sill});
+    leaf.addBox({-0.5 * width, -half, 0.0}, {0.5 * width, half, height});
+    return leaf.object;
+  }
+  const bool at_start = opening.leaf->hinge_at_start;
+  const double s = at_start ? opening.from - kLeafStandOff : opening.to + kLeafStandOff;
+  const double along = directionOf(-leftOf(wall.normalAt(s))); // of the wall
+  const double yaw =
+      at_start ? along + opening.leaf->angle : along + pi - opening.leaf->angle;
+  Assembly leaf("door leaf", {pointBeside(wall, s, -kLeafStandOff), yaw, opening.sill});
+  leaf.addBox({0.0, -half, 0.005}, {width, half, height - 0.005});
+  return leaf.object;
 }
 
-Object
-makeOpenLeaf(const Element& wall, const Opening& opening, const LeafPose& pose)
-{
-  const double s =
-      pose.hinge_at_start ? opening.from - kLeafStandOff : opening.to + kLeafStandOff;
-  const Vec2 outward = rightNormalAt(wall, s);
-  const Vec2 along = leftOf(outward); // direction of the wall
-  const Vec2 hinge = pointAt(wall, s) - kLeafStandOff * outward;
-  const double direction = pose.hinge_at_start ? directionOf(along) + pose.angle
-                                               : directionOf(-1.0 * along) - pose.angle;
-  return makeDoorLeaf(hinge, direction, opening.to - opening.from,
-                      opening.head - opening.sill, opening.sill);
-}
-
-/** @brief Returns how far the wall's outer face recedes at the ends of the opening. */
+/** @brief Returns how far the wall's outer face recedes at the ends of the
+ * opening. */
 double
 recessOf(const Element& wall, const Opening& opening)
 {
-  if (!(wall.bulge > 0.0))
+  if (!wall.isArc() || !wall.counter_clockwise)
     return 0.0;
-  const double radius = arcOf(wall).radius + opening.depth;
+  const double radius = wall.radius + opening.depth;
   const double half = 0.5 * (opening.to - opening.from);
   return radius - std::sqrt(std::max(0.0, radius * radius - half * half));
 }
 
-/** @brief Makes a leaf as large as the opening.
- *
- * A shut leaf stands in the middle of the reveal, an open one beside the opening.
- */
+/** @brief Reads the space behind a door: floor, ceiling and three walls, 0.1 m
+ * thick. */
 Object
-makeLeaf(const Room& room, const Opening& opening, const LeafPose& pose)
-{
-  const Element wall = elementOf(room.outline, opening.wall);
-  return pose.angle == 0.0 ? makeShutLeaf(wall, opening)
-                           : makeOpenLeaf(wall, opening, pose);
-}
-
-/** @brief Makes the space behind a door: floor, ceiling and three walls, 0.1 m thick.
- * @param depth away from the room's wall
- * @param margin distance by which it is wider than the opening on either side
- * @param height from the opening's sill to the lobby's ceiling
- */
-Object
-makeLobby(const Room& room,
-          const Opening& opening,
-          double depth,
-          double margin,
-          double height)
+readLobby(const JsonView& view, const Room& room, const Opening& opening)
 {
   constexpr double thickness = 0.1;
-  const Element wall = elementOf(room.outline, opening.wall);
+  const Element& wall = room.outline.elements[opening.wall];
   const double middle = 0.5 * (opening.from + opening.to);
-  const Vec2 outward = rightNormalAt(wall, middle);
-  const Spot spot{pointAt(wall, middle) + opening.depth * outward,
-                  directionOf(outward) - 0.5 * pi, opening.sill};
-  const double x = 0.5 * (opening.to - opening.from) + margin;
+  const double depth = view.at("depth").size();
+  const double height = view.at("height").number(opening.head - opening.sill);
+  const double x = 0.5 * (opening.to - opening.from) + view.at("margin").size();
   const double y = -recessOf(wall, opening);
   // x runs along the wall, y away from the room.
-  Assembly lobby("lobby", spot);
-  lobby.add({-x, y, -thickness}, {x, depth, 0.0});
-  lobby.add({-x, y, height}, {x, depth, height + thickness});
-  lobby.add({-x - thickness, y, 0.0}, {-x, depth, height});
-  lobby.add({x, y, 0.0}, {x + thickness, depth, height});
-  lobby.add({-x, depth, 0.0}, {x, depth + thickness, height});
-  return lobby.take();
+  Assembly lobby("lobby",
+                 {pointBeside(wall, middle, opening.depth),
+                  directionOf(-wall.normalAt(middle)) - 0.5 * pi, opening.sill});
+  lobby.addBox({-x, y, -thickness}, {x, depth, 0.0});
+  lobby.addBox({-x, y, height}, {x, depth, height + thickness});
+  lobby.addBox({-x - thickness, y, 0.0}, {-x, depth, height});
+  lobby.addBox({x, y, 0.0}, {x + thickness, depth, height});
+  lobby.addBox({-x, depth, 0.0}, {x, depth + thickness, height});
+  return lobby.object;
 }
 
 /** @brief Returns the maximum height of the floor along a part of a wall. */
 double
-floorAlong(const Room& room, const Opening& opening)
+floorAlong(const Room& room, const WallGap& gap)
 {
   constexpr int steps = 8;
-  const Element wall = elementOf(room.outline, opening.wall);
+  const Element& wall = room.outline.elements[gap.wall];
   double highest = -std::numeric_limits<double>::infinity();
   for (int i = 0; i <= steps; ++i) {
-    const double s = opening.from + (opening.to - opening.from) * i / steps;
-    const Vec2 inside = pointAt(wall, s) - 1e-3 * rightNormalAt(wall, s);
-    highest = std::max(highest, floorBelow(room, inside));
+    const double s = gap.from + (gap.to - gap.from) * i / steps;
+    highest = std::max(highest, floorBelow(room, pointBeside(wall, s, -1e-3)));
   }
   return highest;
 }
@@ -122,7 +92,6 @@ floorAlong(const Room& room, const Opening& opening)
 Glazing
 readGlazing(const JsonView& view)
 {
-  view.allowOnly({"return_share", "mirror_share"});
   Glazing glazing;
   if (const auto share = view.find("return_share"))
     glazing.return_share = share->number(0.0, 1.0);
@@ -133,25 +102,16 @@ readGlazing(const JsonView& view)
   return glazing;
 }
 
-LeafPose
+Leaf
 readLeaf(const JsonView& view)
 {
-  view.allowOnly({"hinge", "angle"});
-  LeafPose pose;
+  Leaf leaf;
   const JsonView hinge = view.at("hinge");
   if (hinge.text() != "from" && hinge.text() != "to")
     hinge.fail("must be \"from\" or \"to\", the end of the opening it hangs at");
-  pose.hinge_at_start = hinge.text() == "from";
-  pose.angle = view.at("angle").number(0.0, 180.0) * pi / 180.0;
-  return pose;
-}
-
-Object
-readLobby(const JsonView& view, const Room& room, const Opening& opening)
-{
-  view.allowOnly({"depth", "margin", "height"});
-  return makeLobby(room, opening, view.at("depth").size(), view.at("margin").size(),
-                   view.at("height").number(opening.head - opening.sill));
+  leaf.hinge_at_start = hinge.text() == "from";
+  leaf.angle = view.at("angle").angle(0.0, 180.0);
+  return leaf;
 }
 
 void
@@ -173,31 +133,37 @@ roomNamed(const JsonView& view, const Scene& scene)
   view.fail("is \"" + name + "\", which is no room of the scene");
 }
 
+WallGap
+readGap(const JsonView& view, const Room& room)
+{
+  WallGap gap;
+  gap.wall = view.at("wall").count(0, room.outline.elements.size() - 1);
+  gap.from = view.at("from").number();
+  gap.to = view.at("to").number();
+  gap.sill = view.numberOr("sill", floorAlong(room, gap));
+  gap.head = view.at("head").number();
+  gap.depth = view.at("depth").size();
+  return gap;
+}
+
 void
 readOpening(const JsonView& view, std::size_t room_index, Scene& scene)
 {
-  view.allowOnly({"wall", "from", "to", "sill", "head", "depth", "leads_to", "glazing",
-                  "leaf", "lobby"});
   Room& room = scene.rooms[room_index];
-  Opening opening;
-  opening.wall = view.at("wall").count(0, room.outline.size() - 1);
-  opening.from = view.at("from").number();
-  opening.to = view.at("to").number();
-  opening.sill = view.numberOr("sill", floorAlong(room, opening));
-  opening.head = view.at("head").number();
-  opening.depth = view.at("depth").size();
+  Opening opening{readGap(view, room)};
   if (const auto target = view.find("leads_to"))
     opening.leads_to = roomNamed(*target, scene);
   if (const auto glazing = view.find("glazing"))
     opening.glazing = readGlazing(*glazing);
-  room.openings.push_back(opening);
-
   if (const auto leaf = view.find("leaf")) {
-    const LeafPose pose = readLeaf(*leaf);
-    room.openings.back().is_shut = pose.angle == 0.0;
-    auto& objects = pose.angle == 0.0 ? scene.outside : scene.furniture;
-    addObject(objects, *leaf, makeLeaf(room, opening, pose));
+    opening.leaf = readLeaf(*leaf);
+    const Element& wall = room.outline.elements[opening.wall];
+    if (opening.isShut())
+      addObject(scene.outside, *leaf, makeLeaf(wall, opening));
+    else
+      addObject(scene.furniture, *leaf, makeLeaf(wall, opening));
   }
+  room.openings.push_back(opening);
   if (const auto lobby = view.find("lobby"))
     addObject(scene.outside, *lobby, readLobby(*lobby, room, opening));
 }

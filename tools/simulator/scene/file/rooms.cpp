@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene_parts.h"
 
-#include "simulator/scene/ribs.h"
-#include "simulator/scene/tilted_walls.h"
-#include "simulator/scene/vaults.h"
+#include "simulator/scene/shapes.h"
 
 #include <algorithm>
 #include <iterator>
@@ -16,7 +14,7 @@ namespace {
 constexpr double kSteepest = 60.0; ///< degrees
 constexpr double kMostTilt = 45.0; ///< degrees
 constexpr std::size_t kMostStoreys = 200;
-constexpr std::size_t kMostRibs = 5000; ///< pieces of ribs in a room
+constexpr std::size_t kMostRibs = 5000; ///< of a family
 constexpr double kNarrowest = 0.01;     ///< spacing of ribs, metres
 
 /** @brief Reads a plane: its height, or its height, slope and direction.
@@ -26,55 +24,39 @@ Slab
 readSlab(const JsonView& view, Vec2 origin)
 {
   if (!view.isObject())
-    return {view.number()};
-  view.allowOnly({"height", "slope", "towards", "at"});
+    return {view.number(), Vec2::Zero(), Vec2::Zero()};
   const auto at = view.find("at");
-  const double slope = view.at("slope").number(0.0, kSteepest) * pi / 180.0;
-  const double towards = view.at("towards").number() * pi / 180.0;
+  const double slope = view.at("slope").angle(0.0, kSteepest);
+  const double towards = view.at("towards").angle();
   return {view.at("height").number(), rotated({std::tan(slope), 0.0}, towards),
           at ? at->point2() : origin};
 }
 
-/** @brief Reads a part of the floor or ceiling: its own plane, or parallel to @p whole.
+/** @brief Reads a part of the floor or ceiling: its own plane, or parallel to
+ * @p whole.
  * @param offset key of the distance from @p whole
  * @param upwards direction of that distance: 1 or -1
  */
 SlabDetail
 readSlabDetail(const JsonView& view, const Slab& whole, const char* offset, int upwards)
 {
-  view.allowOnly({"loop", "height", offset});
   const auto height = view.find("height");
   const auto distance = view.find(offset);
   if (height.has_value() == distance.has_value())
     view.fail(std::string("must have either \"height\" or \"") + offset + '"');
-  SlabDetail detail{readLoop(view.at("loop")), whole};
+  Slab slab = whole;
   if (height)
-    detail.slab = readSlab(*height, whole.origin);
+    slab = readSlab(*height, whole.origin);
   else
-    detail.slab.height += upwards * distance->number();
-  return detail;
-}
-
-Niche
-readNiche(const JsonView& view, const Room& room)
-{
-  view.allowOnly({"wall", "from", "to", "sill", "head", "depth"});
-  Niche niche;
-  niche.wall = view.at("wall").count(0, room.outline.size() - 1);
-  niche.from = view.at("from").number();
-  niche.to = view.at("to").number();
-  niche.sill = view.at("sill").number();
-  niche.head = view.at("head").number();
-  niche.depth = view.at("depth").size();
-  return niche;
+    slab.height += upwards * distance->number();
+  return {readLoop(view.at("loop")), slab};
 }
 
 RibFamily
 readRibFamily(const JsonView& view)
 {
-  view.allowOnly({"direction", "spacing", "width", "depth", "first"});
   RibFamily family;
-  family.direction = view.at("direction").number() * pi / 180.0;
+  family.direction = view.at("direction").angle();
   family.spacing = view.at("spacing").number(kNarrowest);
   family.width = view.at("width").size();
   family.depth = view.at("depth").size();
@@ -87,24 +69,16 @@ readRibFamily(const JsonView& view)
 
 /** @brief Adds the ribs of a ceiling to its details. */
 void
-readRibs(const std::vector<JsonView>& list, Room& room)
+readRibs(const JsonView& view, Room& room)
 {
-  std::vector<RibFamily> families;
-  for (const JsonView& view : list) {
-    families.push_back(readRibFamily(view));
-    for (const LoopVertex& vertex : room.outline)
-      if (vertex.bulge != 0.0)
-        view.fail("needs a room with straight walls");
-  }
-  const auto loops = ribLoops(room.outline, families);
-  for (std::size_t i = 0; i < loops.size(); ++i) {
-    for (const Loop& loop : loops[i]) {
-      room.details.push_back({loop, room.ceiling});
-      room.details.back().slab.height -= families[i].depth;
-    }
-    if (room.details.size() > kMostRibs)
-      list[i].fail("makes more than " + std::to_string(kMostRibs) + " ribs");
-  }
+  const RibFamily family = readRibFamily(view);
+  for (const Element& wall : room.outline.elements)
+    if (wall.isArc())
+      view.fail("needs a room with straight walls");
+  std::vector<SlabDetail> ribs = ribsOf(room, family);
+  if (ribs.size() > kMostRibs)
+    view.fail("makes more than " + std::to_string(kMostRibs) + " ribs");
+  std::move(ribs.begin(), ribs.end(), std::back_inserter(room.details));
 }
 
 /** @brief Reads what makes an ellipsoid of the sphere of a dome. */
@@ -114,15 +88,16 @@ readScale(const JsonView& view, Dome& dome)
   dome.direction = view.numberOr("direction", 0.0) * pi / 180.0;
   if (const auto scale = view.find("scale")) {
     const Vec3 factors = scale->size3();
-    if (std::max({factors.x, factors.y, factors.z}) > 1.0)
+    if (factors.maxCoeff() > 1.0)
       scale->fail("must not be more than 1");
-    dome.along = factors.x;
-    dome.across = factors.y;
-    dome.up = factors.z;
+    dome.along = factors.x();
+    dome.across = factors.y();
+    dome.up = factors.z();
   }
 }
 
-/** @brief Adds a part of a ceiling that is not level: a slope, a vault or a dome. */
+/** @brief Adds a part of a ceiling that is not level: a slope, a vault or a
+ * dome. */
 void
 readFacet(const JsonView& view, Room& room)
 {
@@ -130,8 +105,6 @@ readFacet(const JsonView& view, Room& room)
     room.details.insert(room.details.end(), facets.begin(), facets.end());
   };
   if (const auto dome = view.find("dome")) {
-    view.allowOnly({"dome"});
-    dome->allowOnly({"at", "height", "radius", "rim", "scale", "direction"});
     Dome cap;
     cap.at = dome->at("at").point2();
     cap.height = dome->at("height").number();
@@ -144,11 +117,9 @@ readFacet(const JsonView& view, Room& room)
     return;
   }
   if (const auto vault = view.find("vault")) {
-    view.allowOnly({"loop", "vault"});
-    vault->allowOnly({"at", "direction", "height", "radius"});
     Vault barrel;
     barrel.at = vault->at("at").point2();
-    barrel.direction = vault->at("direction").number() * pi / 180.0;
+    barrel.direction = vault->at("direction").angle();
     barrel.height = vault->at("height").number();
     barrel.radius = vault->at("radius").size();
     try {
@@ -168,7 +139,6 @@ readFacet(const JsonView& view, Room& room)
 CeilingVoid
 readVoid(const JsonView& view, const Scene& scene)
 {
-  view.allowOnly({"loop", "leads_to"});
   CeilingVoid hole{readLoop(view.at("loop"))};
   if (const auto target = view.find("leads_to"))
     hole.leads_to = roomNamed(*target, scene);
@@ -179,15 +149,12 @@ readVoid(const JsonView& view, const Scene& scene)
 Room
 readShell(const JsonView& view)
 {
-  view.allowOnly({"name", "outline", "floor", "ceiling", "storey", "floor_details",
-                  "ceiling_details", "facets", "ribs", "plenum", "voids", "columns",
-                  "niches", "openings", "furniture", "tilts"});
   Room room;
   room.name = view.at("name").text();
   room.outline = readLoop(view.at("outline"));
-  if (!(areaOf(room.outline) > 0.0)) // otherwise walls and their objects would be lost
+  if (!(room.outline.area() > 0.0)) // otherwise walls and their objects would be lost
     view.at("outline").fail("does not run counter-clockwise");
-  const Vec2 origin = room.outline.front().position;
+  const Vec2 origin = room.outline.elements.front().start;
   room.floor = readSlab(view.at("floor"), origin);
   room.ceiling = readSlab(view.at("ceiling"), origin);
   if (const auto storey = view.find("storey"))
@@ -196,7 +163,8 @@ readShell(const JsonView& view)
     room.plenum = plenum->size();
   for (const JsonView& facet : view.itemsOf("facets"))
     readFacet(facet, room);
-  readRibs(view.itemsOf("ribs"), room);
+  for (const JsonView& ribs : view.itemsOf("ribs"))
+    readRibs(ribs, room);
   for (const JsonView& detail : view.itemsOf("floor_details"))
     room.floor_details.push_back(readSlabDetail(detail, room.floor, "rise", 1));
   for (const JsonView& detail : view.itemsOf("ceiling_details"))
@@ -204,7 +172,7 @@ readShell(const JsonView& view)
   for (const JsonView& column : view.itemsOf("columns"))
     room.columns.push_back(readLoop(column));
   for (const JsonView& niche : view.itemsOf("niches"))
-    room.niches.push_back(readNiche(niche, room));
+    room.niches.push_back(readGap(niche, room));
   return room;
 }
 
@@ -212,25 +180,16 @@ readShell(const JsonView& view)
 void
 readTilts(const JsonView& view, Room& room)
 {
-  std::vector<TiltedWall> walls;
-  for (const JsonView& item : view.itemsOf("tilts")) {
-    item.allowOnly({"wall", "tilt"});
-    const double tilt = item.at("tilt").number(-kMostTilt, kMostTilt);
-    walls.push_back(
-        {item.at("wall").count(0, room.outline.size() - 1), tilt * pi / 180.0});
-  }
+  std::vector<double> tilts(room.outline.elements.size(), 0.0);
+  for (const JsonView& item : view.itemsOf("tilts"))
+    tilts[item.at("wall").count(0, tilts.size() - 1)] =
+        item.at("tilt").angle(-kMostTilt, kMostTilt);
   try {
-    tiltWalls(room, walls);
+    tiltWalls(room, tilts);
   }
   catch (const std::invalid_argument& error) {
     view.at("tilts").fail(std::string("cannot be built: ") + error.what());
   }
-}
-
-void
-append(std::vector<Object>& objects, std::vector<Object> more)
-{
-  std::move(more.begin(), more.end(), std::back_inserter(objects));
 }
 
 } // namespace
@@ -253,8 +212,8 @@ readRooms(const JsonView& list, Scene& scene)
       readOpening(opening, i, scene);
     for (const JsonView& hole : views[i].itemsOf("voids"))
       scene.rooms[i].voids.push_back(readVoid(hole, scene));
-    append(scene.furniture,
-           readObjects(views[i].itemsOf("furniture"), &scene.rooms[i]));
+    for (Object& object : readObjects(views[i].itemsOf("furniture"), &scene.rooms[i]))
+      scene.furniture.push_back(std::move(object));
   }
   for (std::size_t i = 0; i < views.size(); ++i)
     readTilts(views[i], scene.rooms[i]);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene_parts.h"
 
-#include "simulator/scan/scene_surfaces.h"
-#include "simulator/scan/walk.h"
-#include "simulator/truth/room_regions.h"
+#include "simulator/scene/queries.h"
+
+#include <algorithm>
 
 namespace pcl::sedr::sim {
 
@@ -13,11 +13,44 @@ constexpr std::size_t kMostStations = 10'000;
 constexpr std::size_t kMostRays = 100'000'000;
 constexpr double kLowest = -1e5; ///< below every room
 
-/** @brief Reads stations along a path, at a height above the floor below them. */
+/** @brief Returns the point @p s metres along a path, or its end if that is
+ * nearer. */
+Vec2
+alongPath(const std::vector<Vec2>& path, double s)
+{
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    const Vec2 step = path[i + 1] - path[i];
+    const double size = step.norm();
+    if (s <= size)
+      return path[i] + s / size * step;
+    s -= size;
+  }
+  return path.back();
+}
+
+/** @brief Returns stations at equal steps along a path, @p height above z = 0;
+ * they sway up and down. */
+std::vector<Vec3>
+walkAlong(const std::vector<Vec2>& path, std::size_t count, double height, double sway)
+{
+  double total = 0.0;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i)
+    total += (path[i + 1] - path[i]).norm();
+  const auto last = static_cast<double>(std::max<std::size_t>(count, 2) - 1);
+  std::vector<Vec3> stations;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto step = static_cast<double>(i);
+    const Vec2 position = alongPath(path, total * step / last);
+    stations.push_back(lifted(position, height + sway * std::sin(2.1 * step)));
+  }
+  return stations;
+}
+
+/** @brief Reads stations along a path, at a height above the floor below them.
+ */
 std::vector<Vec3>
 readWalk(const JsonView& view, const Scene& scene)
 {
-  view.allowOnly({"path", "count", "height", "sway", "floor"});
   std::vector<Vec2> path;
   for (const JsonView& corner : view.at("path").items(2))
     path.push_back(corner.point2());
@@ -27,7 +60,7 @@ readWalk(const JsonView& view, const Scene& scene)
   const double floor = view.numberOr("floor", kLowest);
   for (Vec3& station : stations)
     if (const std::uint32_t room = roomAt(scene, lifted(plan(station), floor)))
-      station.z += floorBelow(scene.rooms[room - 1], plan(station));
+      station.z() += floorBelow(scene.rooms[room - 1], plan(station));
   return stations;
 }
 
@@ -53,8 +86,6 @@ readStations(const JsonView& view, const Scene& scene)
 Scanner
 readScanner(const JsonView& view, const Scene& scene)
 {
-  view.allowOnly(
-      {"stations", "walk", "rays", "min_elevation", "jitter", "max_range", "noise"});
   Scanner scanner;
   scanner.stations = readStations(view, scene);
   scanner.rays_per_station = view.at("rays").count(1, kMostRays);

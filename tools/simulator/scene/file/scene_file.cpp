@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulator/scene/scene_file.h"
+#include "simulator/scene/scenes.h"
 
 #include "json_view.h"
 #include "scene_parts.h"
@@ -20,7 +20,8 @@ using nlohmann::json;
 constexpr const char* kFormat = "sedr-scene";
 constexpr std::size_t kVersion = 1;
 
-/** @brief Parses the document; rejects repeated keys, which would hide a value. */
+/** @brief Parses the document; rejects repeated keys, which would hide a value.
+ */
 json
 parseDocument(const std::string& text)
 {
@@ -58,7 +59,6 @@ checkFormat(const JsonView& view)
 Placement
 readPlacement(const JsonView& view)
 {
-  view.allowOnly({"yaw", "shift"});
   Placement placement;
   placement.yaw = view.numberOr("yaw", 0.0);
   if (const auto shift = view.find("shift"))
@@ -69,8 +69,6 @@ readPlacement(const JsonView& view)
 Scene
 readScene(const JsonView& view)
 {
-  view.allowOnly({"format", "version", "name", "summary", "rooms", "outside",
-                  "scanners", "placement"});
   checkFormat(view);
   Scene scene;
   scene.name = view.at("name").text();
@@ -102,7 +100,10 @@ parseScene(const std::string& text, const std::string& source)
 {
   try {
     const json document = parseDocument(text);
-    const Scene scene = readScene(JsonView(document));
+    JsonView::Seen seen;
+    const JsonView view(document, seen);
+    const Scene scene = readScene(view);
+    view.rejectUnknownKeys();
     const auto problems = problemsOf(scene);
     if (!problems.empty())
       throw std::invalid_argument(problems.front());

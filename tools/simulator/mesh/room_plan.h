@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "simulator/scene/queries.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace pcl::sedr::sim {
+
+/** @brief A triangle of a room's plan, counter-clockwise, below one part of its
+ * ceiling and above one part of its floor. */
+struct PlanTriangle {
+  std::array<std::uint32_t, 3> corners{}; ///< points of the plan
+  Region floor = kVoid;
+  Region ceiling = kVoid;
+  bool floor_is_open = false;            ///< to a room below
+  std::optional<std::size_t> hole_above; ///< void of the room
+};
+
+/** @brief A side of a triangle where the room ends, or its floor or ceiling
+ * changes. */
+struct PlanSide {
+  std::uint32_t a = 0; ///< point where it starts, with the triangle to its left
+  std::uint32_t b = 0; ///< point where it ends
+  std::size_t triangle = 0;
+  std::optional<std::size_t> beyond; ///< triangle to its right; empty: a wall or column
+  std::optional<std::size_t> wall;   ///< element of the room's outline
+  double from = 0.0;                 ///< metres along that element, of a
+  double to = 0.0;                   ///< metres along that element, of b
+
+  bool isWithin(const WallGap& gap) const
+  {
+    const double middle = 0.5 * (from + to);
+    return wall == gap.wall && middle > gap.from && middle < gap.to;
+  }
+};
+
+/** @brief A room's plan in triangles. Its sides include all outlines, in
+ * chords, and end at the ends of all gaps in walls. */
+struct RoomPlan {
+  std::vector<Vec2> points;
+  std::vector<PlanTriangle> triangles; ///< in the room only
+  std::vector<PlanSide> sides;
+};
+
+/** @brief Returns the plan of a room, by the exact arrangement and the
+ * constrained triangulation of sedr_surface. O(n log n) for n corners.
+ * @param openings in its walls, also those given by other rooms
+ * @param floor_voids holes in its floor
+ * @throw std::invalid_argument if outlines are degenerate */
+RoomPlan planOf(const Room& room,
+                const std::vector<Opening>& openings,
+                const std::vector<Loop>& floor_voids);
+
+} // namespace pcl::sedr::sim

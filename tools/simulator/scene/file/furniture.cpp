@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "furniture.h"
+
+#include <algorithm>
+
+namespace pcl::sedr::sim {
+
+namespace {
+
+constexpr std::size_t kMostSteps = 200; ///< of a flight of stairs
+constexpr double kChairWidth = 0.45;    ///< metres, also the depth
+constexpr double kCarLength = 4.2;
+constexpr double kCarWidth = 1.75;
+
+void
+addCentred(Assembly& assembly, double width, double depth, double low, double high)
+{
+  assembly.addBox({-0.5 * width, -0.5 * depth, low}, {0.5 * width, 0.5 * depth, high});
+}
+
+void
+addLegs(Assembly& assembly, double half_width, double half_depth, double height)
+{
+  constexpr double thickness = 0.05;
+  for (const double x : {-half_width, half_width - thickness})
+    for (const double y : {-half_depth, half_depth - thickness})
+      assembly.addBox({x, y, 0.0}, {x + thickness, y + thickness, height});
+}
+
+void
+buildBlock(const JsonView& view, Assembly& assembly)
+{
+  const Vec3 size = view.at("size").size3();
+  addCentred(assembly, size.x(), size.y(), 0.0, size.z());
+}
+
+void
+buildTable(const JsonView& view, Assembly& assembly)
+{
+  const Vec3 size = view.at("size").size3();
+  const double under = size.z() - 0.03;
+  addCentred(assembly, size.x(), size.y(), under, size.z());
+  addLegs(assembly, 0.5 * size.x() - 0.04, 0.5 * size.y() - 0.04, under);
+}
+
+void
+buildChair(const JsonView&, Assembly& assembly)
+{
+  constexpr double half = 0.5 * kChairWidth;
+  addLegs(assembly, half, half, 0.43);
+  addCentred(assembly, kChairWidth, kChairWidth, 0.43, 0.47);
+  assembly.addBox({-half, half - 0.04, 0.47}, {half, half, 0.92});
+}
+
+/** @brief Adds books of varying height on about two thirds of a board's width.
+ */
+void
+addBooks(Assembly& assembly, const Vec3& shelf, double board, double room, int row)
+{
+  constexpr double width = 0.21;
+  const double half_width = 0.5 * shelf.x();
+  int place = 0;
+  for (double x = -half_width + 0.03; x + width < half_width - 0.03; x += width) {
+    ++place;
+    if ((place + row) % 3 == 0)
+      continue;
+    const double height = room * (0.62 + 0.08 * ((place * 7 + row * 3) % 4));
+    const double front = -0.5 * shelf.y() + 0.04 + 0.01 * ((place * 5 + row) % 4);
+    assembly.addBox({x, front, board},
+                    {x + width, 0.5 * shelf.y() - 0.02, board + height});
+  }
+}
+
+/** @brief Builds sides, back, boards about every 0.35 m, and books. */
+void
+buildShelf(const JsonView& view, Assembly& assembly)
+{
+  constexpr double board = 0.02;
+  const Vec3 size = view.at("size").size3();
+  const double x = 0.5 * size.x();
+  const double y = 0.5 * size.y();
+  assembly.addBox({-x, -y, 0.0}, {-x + board, y, size.z()});
+  assembly.addBox({x - board, -y, 0.0}, {x, y, size.z()});
+  assembly.addBox({-x + board, y - 0.01, 0.0}, {x - board, y, size.z()});
+  const int rows = std::max(1, static_cast<int>(std::lround(size.z() / 0.35)));
+  const double pitch = (size.z() - board) / rows;
+  for (int row = 0; row <= rows; ++row) {
+    const double z = row * pitch;
+    assembly.addBox({-x + board, -y, z}, {x - board, y - 0.01, z + board});
+    if (row < rows)
+      addBooks(assembly, size, z + board, pitch - board, row);
+  }
+}
+
+void
+buildCylinder(const JsonView& view, Assembly& assembly)
+{
+  assembly.addCylinder(Vec3::Zero(), view.at("radius").size(),
+                       view.at("height").size());
+}
+
+void
+buildTree(const JsonView& view, Assembly& assembly)
+{
+  const double height = view.at("height").size();
+  const double crown = view.at("crown").size();
+  assembly.addCylinder(Vec3::Zero(), 0.15, 0.4 * height);
+  assembly.addCylinder({0.0, 0.0, 0.4 * height}, crown, 0.4 * height);
+  assembly.addCylinder({0.0, 0.0, 0.8 * height}, 0.6 * crown, 0.2 * height);
+}
+
+void
+buildCar(const JsonView&, Assembly& assembly)
+{
+  addCentred(assembly, kCarLength, kCarWidth, 0.25, 0.85);
+  assembly.addBox({-1.3, -0.8, 0.85}, {1.0, 0.8, 1.45});
+}
+
+/** @brief Builds a straight flight that climbs along y from its foot. */
+void
+buildStairs(const JsonView& view, Assembly& assembly)
+{
+  constexpr double thickness = 0.15; // metres below the inner corners of the steps
+  const double half = 0.5 * view.at("width").size();
+  const double rise = view.at("rise").size();
+  const double going = view.at("going").size();
+  const auto solid = view.find("solid");
+  const bool is_solid = solid && solid->boolean();
+  const std::size_t steps = view.at("steps").count(1, kMostSteps);
+  for (std::size_t i = 0; i < steps; ++i) {
+    const double y = static_cast<double>(i) * going;
+    const double top = static_cast<double>(i + 1) * rise;
+    const double bottom = is_solid ? 0.0 : std::max(0.0, top - rise - thickness);
+    assembly.addBox({-half, y, bottom}, {half, y + going, top});
+  }
+}
+
+/** @brief Builds a shade on a cord. */
+void
+buildLamp(const JsonView& view, Assembly& assembly)
+{
+  const double drop = view.at("drop").size();
+  const double shade = std::min(0.25, 0.5 * drop);
+  assembly.addCylinder({0.0, 0.0, -drop}, view.at("radius").size(), shade);
+  assembly.addCylinder({0.0, 0.0, shade - drop}, 0.008, drop - shade);
+}
+
+/** @brief Builds a box at the ceiling, or on four rods below it. */
+void
+buildFixture(const JsonView& view, Assembly& assembly)
+{
+  constexpr double rod = 0.004;
+  constexpr double inset = 0.05;
+  const Vec3 size = view.at("size").size3();
+  const auto given = view.find("drop");
+  const double drop = given ? given->number(0.0) : 0.0;
+  addCentred(assembly, size.x(), size.y(), -drop - size.z(), -drop);
+  const double x = 0.5 * size.x() - inset;
+  const double y = 0.5 * size.y() - inset;
+  for (const Vec2& corner : {Vec2(-x, -y), Vec2(-x, y), Vec2(x, -y), Vec2(x, y)})
+    if (drop > 0.0)
+      assembly.addCylinder(lifted(corner, -drop), rod, drop);
+}
+
+/** @brief Builds a level round duct along x of boards within 3 % of the radius.
+ */
+void
+buildDuct(const JsonView& view, Assembly& assembly)
+{
+  constexpr int boards = 48;
+  const double radius = view.at("radius").size();
+  const double middle = -view.at("drop").number(0.0) - radius;
+  const double length = (view.at("to").point2() - view.at("from").point2()).norm();
+  for (int i = 0; i < boards; ++i)
+    addCentred(assembly, length, 2.0 * radius * std::sin(pi * (i + 0.5) / boards),
+               middle - radius * std::cos(pi * i / boards),
+               middle - radius * std::cos(pi * (i + 1) / boards));
+}
+
+/** @brief Builds the leaf of a door, 4 cm thick, from its hinge along x. */
+void
+buildDoorLeaf(const JsonView& view, Assembly& assembly)
+{
+  assembly.addBox({0.0, -0.02, 0.005},
+                  {view.at("width").size(), 0.02, view.at("height").size() - 0.005});
+}
+
+} // namespace
+
+Assembly::Assembly(std::string name, const Spot& spot)
+    : spot_(spot)
+{
+  object.name = std::move(name);
+}
+
+void
+Assembly::addBox(const Vec3& low, const Vec3& high)
+{
+  object.boxes.push_back({moved(0.5 * (low + high)), high - low, spot_.yaw});
+}
+
+void
+Assembly::addCylinder(const Vec3& base, double radius, double height)
+{
+  object.cylinders.push_back({moved(base), radius, height});
+}
+
+Vec3
+Assembly::moved(const Vec3& point) const
+{
+  return lifted(spot_.center + rotated(plan(point), spot_.yaw), spot_.z + point.z());
+}
+
+const std::map<std::string, Kind>&
+furnitureKinds()
+{
+  const auto sized = [](const JsonView& view) {
+    return Vec2(plan(view.at("size").size3()));
+  };
+  const auto round = [](const JsonView& view) {
+    return Vec2(Vec2::Constant(2.0 * view.at("radius").size()));
+  };
+  const auto crown = [](const JsonView& view) {
+    return Vec2(Vec2::Constant(2.0 * view.at("crown").size()));
+  };
+  const auto chair = [](const JsonView&) { return Vec2(kChairWidth, kChairWidth); };
+  const auto car = [](const JsonView&) { return Vec2(kCarLength, kCarWidth); };
+  const auto none = [](const JsonView&) { return Vec2(0.0, 0.0); };
+  const auto floor = Standing::OnFloor;
+  static const std::map<std::string, Kind> kinds{
+      {"block", {"block", floor, false, sized, buildBlock}},
+      {"car", {"car", floor, false, car, buildCar}},
+      {"chair", {"chair", floor, false, chair, buildChair}},
+      {"cylinder", {"cylinder", floor, false, round, buildCylinder}},
+      {"door_leaf", {"door leaf", Standing::Hinged, true, none, buildDoorLeaf}},
+      {"duct", {"duct", Standing::Duct, true, none, buildDuct}},
+      {"fixture", {"fixture", Standing::BelowCeiling, true, none, buildFixture}},
+      {"lamp", {"lamp", Standing::BelowCeiling, true, none, buildLamp}},
+      {"shelf", {"shelf", floor, false, sized, buildShelf}},
+      {"stairs", {kStairs, floor, true, none, buildStairs}},
+      {"table", {"table", floor, false, sized, buildTable}},
+      {"tree", {"tree", floor, false, crown, buildTree}}};
+  return kinds;
+}
+
+} // namespace pcl::sedr::sim
