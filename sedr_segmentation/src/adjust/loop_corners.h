@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "plan_ties.h"
+#include "plan_unknowns.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl::sedr {
+
+/** @brief Rebuilds the loops of a plan on moved unknowns: corners are intersections of
+ * neighbouring curves, or the points where tied curves touch.
+ * @param farthest maximum move of a corner between square walls, metres
+ * @return the indices of the loops that would break, i.e. cross themselves, reverse an
+ * element or lose a corner. The plan is changed only if there are none. */
+std::vector<std::size_t> rebuildLoops(const PlanUnknowns& plan,
+                                      const std::vector<PlanTie>& ties,
+                                      double farthest);
+
+} // namespace pcl::sedr

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_adjustment.h"
+
+#include "loop_corners.h"
+#include "patch_points.h"
+#include "plan_ties.h"
+#include "plan_unknowns.h"
+#include "surface_fit.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::sedr {
+
+namespace {
+
+/** @brief Returns the reason, an empty loop, why a plan cannot be adjusted, or "". */
+std::string
+emptyLoop(const PlanUnknowns& unknowns, const Floorplan& plan)
+{
+  for (const UnknownLoop& loop : unknowns.loops)
+    if (loop.of_element.empty())
+      return "room " + std::to_string(plan.rooms[loop.room].id) +
+             " has a loop of 0 elements";
+  return {};
+}
+
+/** @brief Limits the information to the accuracy of built surfaces. */
+void
+limitInformation(const AdjustmentParameters& parameters, Unknown& u)
+{
+  const double offset = parameters.accuracy;
+  const double turn = offset * std::sqrt(3.0) / std::max(0.05, u.half);
+  Eigen::Vector3d deviations(offset, turn, turn);
+  if (u.kind == UnknownKind::Circle)
+    deviations.setConstant(offset);
+  else if (u.kind == UnknownKind::Line)
+    deviations[2] = u.may_tilt ? offset : 0;
+  Eigen::Matrix3d covariance = u.information.inverse();
+  covariance += deviations.cwiseAbs2().asDiagonal().toDenseMatrix();
+  u.information = covariance.inverse();
+}
+
+void
+removeTies(const std::vector<bool>& of, std::vector<PlanTie>& ties)
+{
+  ties.erase(std::remove_if(ties.begin(), ties.end(),
+                            [&](const PlanTie& tie) { return of[tie.a] || of[tie.b]; }),
+             ties.end());
+}
+
+/** @brief Finds the unknowns that all their ties together move farther than is worth
+ * it, those that cost most. */
+std::vector<bool>
+overstrained(const std::vector<PlanTie>& ties, const std::vector<double>& costs)
+{
+  std::vector<double> excess = costs;
+  for (const PlanTie& tie : ties) {
+    excess[tie.a] -= tie.cost;
+    excess[tie.b] -= tie.a == tie.b ? 0 : tie.cost;
+  }
+  const double most = *std::max_element(excess.begin(), excess.end());
+  std::vector<bool> are(excess.size(), false);
+  for (std::size_t u = 0; u < excess.size(); ++u)
+    are[u] = excess[u] > 0 && excess[u] >= most / 2;
+  return are;
+}
+
+/** @brief Solves the ties; those of overstrained unknowns are removed. */
+void
+tie(std::vector<PlanTie>& ties, std::vector<Unknown>& unknowns)
+{
+  constexpr int max_tries = 20;
+  for (int tries = 0; tries < max_tries && !ties.empty(); ++tries) {
+    std::vector<Unknown> moved = unknowns;
+    const std::vector<double> costs = solveTies(ties, moved);
+    if (costs.empty()) { // tangents are the most demanding
+      const auto last = std::find_if(ties.rbegin(), ties.rend(), [](const PlanTie& t) {
+        return t.kind == PlanTieKind::Tangent;
+      });
+      ties.erase(last == ties.rend() ? ties.end() - 1 : std::next(last).base());
+      continue;
+    }
+    const std::vector<bool> are = overstrained(ties, costs);
+    if (std::find(are.begin(), are.end(), true) == are.end()) {
+      unknowns = std::move(moved);
+      return;
+    }
+    removeTies(are, ties);
+  }
+  ties.clear();
+}
+
+} // namespace
+
+AdjustmentReport
+adjustPlan(Floorplan& plan,
+           const PointView& raw,
+           const std::vector<int>& indices,
+           const AdjustmentParameters& parameters,
+           WallTilts* tilts)
+{
+  constexpr int max_tries = 10;
+  AdjustmentReport report;
+  PlanUnknowns unknowns(plan, tilts, parameters);
+  report.problem = emptyLoop(unknowns, plan);
+  if (!report.problem.empty())
+    return report;
+  const std::vector<Unknown> given = unknowns.all;
+  {
+    const PatchPoints points(plan, unknowns, raw, indices, parameters);
+    report.problem = points.problem();
+    if (!report.problem.empty())
+      return report;
+    const ScanErrors errors = SurfaceFit(unknowns, points, parameters).run();
+    report.noise = errors.noise;
+    report.waviness = errors.waviness;
+    report.correlation = errors.correlation;
+  }
+  for (Unknown& u : unknowns.all)
+    limitInformation(parameters, u);
+  std::vector<PlanTie> ties = chooseTies(unknowns, parameters);
+  const std::vector<Unknown> fitted = unknowns.all;
+  std::vector<bool> are_kept(fitted.size(), false);
+  for (int tries = 0; tries < max_tries; ++tries) {
+    unknowns.all = fitted;
+    for (std::size_t u = 0; u < given.size(); ++u)
+      if (are_kept[u])
+        unknowns.all[u] = given[u];
+    removeTies(are_kept, ties);
+    tie(ties, unknowns.all);
+    const std::vector<std::size_t> broken =
+        rebuildLoops(unknowns, ties, 2 * parameters.reach);
+    if (broken.empty())
+      break;
+    for (const std::size_t l : broken)
+      for (const std::size_t u : unknowns.loops[l].of_element)
+        are_kept[u] = true;
+    if (tries + 1 == max_tries)
+      unknowns.all = given;
+  }
+  unknowns.write();
+  if (tilts)
+    *tilts = unknowns.tilts(plan);
+  report.ties = ties.size();
+  for (const Unknown& u : unknowns.all)
+    if (u.isSeen())
+      ++(u.kind == UnknownKind::Plane ? report.slabs : report.walls);
+  return report;
+}
+
+} // namespace pcl::sedr

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_ties.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::sedr {
+
+namespace {
+
+/** @brief Returns an angle reduced to half a `period` on either side of 0. */
+double
+reduced(double angle, double period)
+{
+  return angle - period * std::round(angle / period);
+}
+
+double
+angleOf(const Unknown& line)
+{
+  return std::atan2(line.direction.y(), line.direction.x());
+}
+
+PlanTieEquation
+onLine(const PlanTie& tie, const Unknown& a, const Unknown& b)
+{
+  const Eigen::Vector2d left = leftOf(a.direction);
+  const Eigen::Vector2d way = b.point - a.point;
+  return {left.dot(way),
+          {{3 * tie.a, -1},
+           {3 * tie.a + 1, -a.direction.dot(way)},
+           {3 * tie.b, left.dot(leftOf(b.direction))}}};
+}
+
+PlanTieEquation
+tangent(const PlanTie& tie, const Unknown& a, const Unknown& b)
+{
+  const Eigen::Vector2d way = b.point - a.point;
+  if (a.kind == UnknownKind::Line) {
+    const Eigen::Vector2d left = leftOf(a.direction);
+    return {left.dot(way) - tie.side * b.radius,
+            {{3 * tie.a, -1},
+             {3 * tie.a + 1, -a.direction.dot(way)},
+             {3 * tie.b, left.x()},
+             {3 * tie.b + 1, left.y()},
+             {3 * tie.b + 2, -tie.side}}};
+  }
+  const double apart = std::max(1e-12, way.norm());
+  const Eigen::Vector2d u = way / apart;
+  const double of_a = tie.side < 0 || a.radius > b.radius ? -1 : 1;
+  const double of_b = tie.side < 0 ? -1 : -of_a;
+  return {apart + of_a * a.radius + of_b * b.radius,
+          {{3 * tie.a, -u.x()},
+           {3 * tie.a + 1, -u.y()},
+           {3 * tie.a + 2, of_a},
+           {3 * tie.b, u.x()},
+           {3 * tie.b + 1, u.y()},
+           {3 * tie.b + 2, of_b}}};
+}
+
+/** @brief Returns the values and the covariance of a tie's equations. */
+void
+momentsOf(const PlanTie& tie,
+          const std::vector<Unknown>& unknowns,
+          Eigen::VectorXd& value,
+          Eigen::MatrixXd& covariance)
+{
+  const std::vector<PlanTieEquation> equations = equationsOf(tie, unknowns);
+  const auto size = static_cast<Eigen::Index>(equations.size());
+  value.resize(size);
+  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(size, 6);
+  for (Eigen::Index r = 0; r < size; ++r) {
+    const PlanTieEquation& equation = equations[static_cast<std::size_t>(r)];
+    value[r] = equation.value;
+    for (const auto& [column, slope] : equation.slopes)
+      slopes(r, static_cast<Eigen::Index>(column % 3 + (column / 3 == tie.a ? 0 : 3))) =
+          slope;
+  }
+  Eigen::MatrixXd both = Eigen::MatrixXd::Zero(6, 6);
+  both.topLeftCorner<3, 3>() = unknowns[tie.a].information.inverse();
+  both.bottomRightCorner<3, 3>() = unknowns[tie.b].information.inverse();
+  covariance = slopes * both * slopes.transpose();
+}
+
+} // namespace
+
+std::vector<PlanTieEquation>
+equationsOf(const PlanTie& tie, const std::vector<Unknown>& unknowns)
+{
+  const Unknown& a = unknowns[tie.a];
+  const Unknown& b = unknowns[tie.b];
+  switch (tie.kind) {
+  case PlanTieKind::Direction:
+    return {{reduced(angleOf(a) - angleOf(b), M_PI / 2),
+             {{3 * tie.a + 1, 1}, {3 * tie.b + 1, -1}}}};
+  case PlanTieKind::OnLine:
+    return {onLine(tie, a, b)};
+  case PlanTieKind::Tangent:
+    return {tangent(tie, a, b)};
+  case PlanTieKind::EqualRadius:
+    return {{a.radius - b.radius, {{3 * tie.a + 2, 1}, {3 * tie.b + 2, -1}}}};
+  case PlanTieKind::Vertical:
+    return {{a.run, {{3 * tie.a + 2, 1}}}};
+  case PlanTieKind::Level:
+    return {{a.slope.x(), {{3 * tie.a + 1, 1}}}, {a.slope.y(), {{3 * tie.a + 2, 1}}}};
+  case PlanTieKind::EqualSlope:
+    return {{a.slope.x() - b.slope.x(), {{3 * tie.a + 1, 1}, {3 * tie.b + 1, -1}}},
+            {a.slope.y() - b.slope.y(), {{3 * tie.a + 2, 1}, {3 * tie.b + 2, -1}}}};
+  case PlanTieKind::EqualHeight: {
+    const Eigen::Vector2d way = b.point - a.point;
+    return {{a.height + a.slope.dot(way) - b.height,
+             {{3 * tie.a, 1},
+              {3 * tie.a + 1, way.x()},
+              {3 * tie.a + 2, way.y()},
+              {3 * tie.b, -1}}}};
+  }
+  }
+  return {};
+}
+
+double
+contradictionOf(const PlanTie& tie, const std::vector<Unknown>& unknowns)
+{
+  Eigen::VectorXd value;
+  Eigen::MatrixXd covariance;
+  momentsOf(tie, unknowns, value, covariance);
+  return value.dot(covariance.ldlt().solve(value)) / 2;
+}
+
+double
+sharpnessOf(const PlanTie& tie, const std::vector<Unknown>& unknowns)
+{
+  Eigen::VectorXd value;
+  Eigen::MatrixXd covariance;
+  momentsOf(tie, unknowns, value, covariance);
+  return -std::log((2 * M_PI * covariance).determinant()) / 2;
+}
+
+std::vector<double>
+solveTies(const std::vector<PlanTie>& ties, std::vector<Unknown>& unknowns)
+{
+  constexpr int max_rounds = 20;
+  constexpr double stiffness = 1e4; // of an equation, relative to its own information
+  constexpr double exact = 1e-12;
+  constexpr double good = 1e-9;
+  const auto size = static_cast<Eigen::Index>(3 * unknowns.size());
+  const std::vector<Unknown> start = unknowns;
+  std::vector<Unknown> moved = unknowns;
+  Eigen::VectorXd step = Eigen::VectorXd::Zero(size);
+  std::vector<double> forces;
+  double worst = 0;
+  for (int round = 0; round < max_rounds; ++round) {
+    std::vector<PlanTieEquation> equations;
+    for (const PlanTie& tie : ties)
+      for (PlanTieEquation& equation : equationsOf(tie, moved))
+        equations.push_back(std::move(equation));
+    forces.resize(equations.size(), 0);
+    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(size);
+    for (std::size_t u = 0; u < start.size(); ++u) {
+      const auto at = static_cast<Eigen::Index>(3 * u);
+      right.segment<3>(at) -= start[u].information * step.segment<3>(at);
+      for (Eigen::Index i = 0; i < 3; ++i)
+        for (Eigen::Index k = 0; k <= i; ++k)
+          entries.emplace_back(at + i, at + k, start[u].information(i, k));
+    }
+    worst = 0;
+    for (std::size_t e = 0; e < equations.size(); ++e) {
+      const PlanTieEquation& equation = equations[e];
+      worst = std::max(worst, std::abs(equation.value));
+      double variance = 0;
+      for (const auto& [i, slope] : equation.slopes)
+        variance += slope * slope /
+                    start[i / 3].information(static_cast<Eigen::Index>(i % 3),
+                                             static_cast<Eigen::Index>(i % 3));
+      const double weight = stiffness / variance;
+      forces[e] += round > 0 ? weight * equation.value : 0;
+      const double force = forces[e] + weight * equation.value;
+      for (const auto& [i, slope] : equation.slopes) {
+        right[static_cast<Eigen::Index>(i)] -= slope * force;
+        for (const auto& [k, other] : equation.slopes)
+          if (k <= i)
+            entries.emplace_back(static_cast<Eigen::Index>(i),
+                                 static_cast<Eigen::Index>(k), weight * slope * other);
+      }
+    }
+    if (round > 0 && worst < exact)
+      break;
+    Eigen::SparseMatrix<double> matrix(size, size);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+    if (solver.info() != Eigen::Success)
+      return {};
+    step += solver.solve(right);
+    if (!step.allFinite())
+      return {};
+    moved = start;
+    for (std::size_t u = 0; u < moved.size(); ++u)
+      moved[u].move(step.segment<3>(static_cast<Eigen::Index>(3 * u)));
+  }
+  if (!(worst < good))
+    return {};
+  std::vector<double> costs;
+  for (std::size_t u = 0; u < start.size(); ++u) {
+    const Eigen::Vector3d own = step.segment<3>(static_cast<Eigen::Index>(3 * u));
+    costs.push_back(own.dot(start[u].information * own) / 2);
+    if (moved[u].kind == UnknownKind::Circle && !(moved[u].radius > 0))
+      return {};
+  }
+  unknowns = std::move(moved);
+  return costs;
+}
+
+} // namespace pcl::sedr

@@ -1,0 +1,402 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_points.h"
+
+#include "sedr_segmentation/src/adjust/plan_adjustment.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/** The parameters for plans that are off by some centimetres. */
+AdjustmentParameters
+ofCoarsePlans()
+{
+  AdjustmentParameters parameters;
+  parameters.coarse = 0.02;
+  return parameters;
+}
+
+/** Moves the corners of a loop at random, by up to `most` in x and y; arcs keep their
+ * radius and their angles. */
+PlanLoop
+shaken(PlanLoop loop, double most, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> off(-most, most);
+  if (loop.elements.size() == 1) {
+    const Vector2d shift(off(random), off(random));
+    PlanElement& e = loop.elements[0];
+    e.centre += shift;
+    e.start += shift;
+    e.end += shift;
+    return loop;
+  }
+  for (std::size_t i = 0; i < loop.elements.size(); ++i) {
+    PlanElement& e = loop.elements[i];
+    PlanElement& before =
+        loop.elements[(i + loop.elements.size() - 1) % loop.elements.size()];
+    e.start += Vector2d(off(random), off(random));
+    before.end = e.start;
+  }
+  for (PlanElement& e : loop.elements)
+    if (e.isArc()) { // the centre is on the bisector of the chord
+      const Vector2d middle = (e.start + e.end) / 2;
+      const Vector2d chord = e.end - e.start;
+      const double height = std::sqrt(e.radius * e.radius - chord.squaredNorm() / 4);
+      Vector2d across(-chord.y(), chord.x());
+      across *= (e.centre - middle).dot(across) < 0 ? -1 : 1;
+      e.centre = middle + height * across.normalized();
+    }
+  return loop;
+}
+
+double
+cornerError(const PlanLoop& loop, const PlanLoop& truth)
+{
+  double worst = 0;
+  for (std::size_t i = 0; i < truth.elements.size(); ++i)
+    worst = std::max(worst, (loop.elements[i].start - truth.elements[i].start).norm());
+  return worst;
+}
+
+/** A plan of one room that is off by up to `most`. */
+Floorplan
+offPlan(PlanRoom room, double most = 0.02, unsigned seed = 1)
+{
+  room.boundary = shaken(room.boundary, most, seed);
+  room.floor = slabAt(most / 2);
+  room.ceiling = slabAt(room.ceiling.heightAt({0, 0}) - most / 2);
+  Floorplan plan;
+  plan.rooms.push_back(std::move(room));
+  return plan;
+}
+
+PlanRoom
+plainRoom()
+{
+  return roomOf(rectangle(0, 0, 4, 3), 2.6);
+}
+
+TEST(AdjustPlan, ARoomWithNoiseIsMet)
+{
+  // A wall of 20,000 points: 0.07 mm in its middle at 1 cm of noise.
+  for (const double noise : {0.0, 0.003, 0.01, 0.02})
+    for (const unsigned seed : {1u, 2u, 3u, 4u}) {
+      RoomPoints raw(0.02, noise, seed);
+      raw.room(plainRoom());
+      Floorplan plan = offPlan(plainRoom(), 0.03, seed);
+      const AdjustmentReport report = adjustPlan(plan, raw.view(), {}, ofCoarsePlans());
+      const PlanRoom& room = plan.rooms[0];
+      const double bar = 1e-5 + 0.06 * noise;
+      EXPECT_EQ(report.walls, 4u);
+      EXPECT_EQ(report.slabs, 2u);
+      EXPECT_NEAR(report.noise, std::max(noise, 0.0003), 0.1 * noise + 0.0003);
+      EXPECT_LT(report.waviness, 0.0001 + 0.1 * noise);
+      EXPECT_LT(cornerError(room.boundary, rectangle(0, 0, 4, 3)), bar) << noise;
+      for (const Vector2d& p : {Vector2d(0, 0), Vector2d(4, 0), Vector2d(4, 3)}) {
+        EXPECT_NEAR(room.floor.heightAt(p), 0, bar);
+        EXPECT_NEAR(room.ceiling.heightAt(p), 2.6, bar);
+      }
+      for (const auto& e : room.boundary.elements)
+        EXPECT_NEAR(e.residual, noise, 0.1 * noise + 1e-6);
+    }
+}
+
+TEST(AdjustPlan, BothFacesOfAPartitionAreMet)
+{
+  for (const double thickness : {0.06, 0.1, 0.2})
+    for (const unsigned seed : {1u, 2u}) {
+      const PlanLoop left = rectangle(0, 0, 3, 4);
+      const PlanLoop right = rectangle(3 + thickness, 0, 7, 4);
+      RoomPoints raw(0.03, 0.005, seed);
+      raw.room(left, 0, 2.5);
+      raw.room(right, 0, 2.5);
+      Floorplan plan = offPlan(roomOf(left, 2.5), 0.01, seed);
+      plan.rooms.push_back(roomOf(shaken(right, 0.01, seed + 7), 2.5));
+      adjustPlan(plan, raw.view());
+      EXPECT_LT(cornerError(plan.rooms[0].boundary, left), 0.0005) << thickness;
+      EXPECT_LT(cornerError(plan.rooms[1].boundary, right), 0.0005) << thickness;
+    }
+}
+
+TEST(AdjustPlan, TangentArcsStayTangent)
+{
+  const PlanLoop truth = roundedRectangle(6, 4, 1);
+  RoomPoints raw(0.02, 0.005);
+  raw.room(truth, 0, 3);
+  Floorplan plan = offPlan(roomOf(truth, 3), 0.01);
+  adjustPlan(plan, raw.view());
+  const auto& elements = plan.rooms[0].boundary.elements;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const PlanElement& e = elements[i];
+    EXPECT_LT((e.normalAt(e.length()) - elements[(i + 1) % 8].normalAt(0)).norm(),
+              1e-8);
+    if (e.isArc()) {
+      EXPECT_NEAR(e.radius, 1, 0.001);
+      EXPECT_LT((e.centre - truth.elements[i].centre).norm(), 0.001);
+    }
+  }
+}
+
+TEST(AdjustPlan, ArcsThatMeetAtACornerKeepIt)
+{
+  PlanLoop truth = rectangle(0, 0, 4, 3);
+  truth.elements[1] = arc({3, 1.5}, std::hypot(1, 1.5), -56.309932474, 56.309932474);
+  truth.elements[0].end = truth.elements[1].start;
+  truth.elements[2].start = truth.elements[1].end;
+  RoomPoints raw(0.02, 0.005);
+  raw.room(truth, 0, 3);
+  Floorplan plan = offPlan(roomOf(truth, 3), 0.01);
+  adjustPlan(plan, raw.view());
+  EXPECT_LT(cornerError(plan.rooms[0].boundary, truth), 0.001);
+}
+
+TEST(AdjustPlan, ColumnsNichesAndSoffitsAreMet)
+{
+  PlanRoom truth = roomOf(rectangle(0, 0, 6, 5), 3);
+  truth.columns = {reversed(circle({2, 2}, 0.2)), reversed(circle({4, 2}, 0.2)),
+                   reversed(rectangle(3, 3.5, 3.3, 3.8))};
+  PlanDetail soffit;
+  soffit.boundary = rectangle(0, 0, 6, 0.6);
+  soffit.slab = slabAt(2.6);
+  truth.details.push_back(soffit);
+  PlanNiche niche;
+  niche.boundary = rectangle(2, 5, 3, 5.3);
+  niche.bottom = slabAt(0.8);
+  niche.top = slabAt(2.2);
+  truth.niches.push_back(niche);
+  RoomPoints raw(0.015, 0.004);
+  raw.room(truth);
+  PlanRoom off = truth;
+  for (PlanLoop& column : off.columns)
+    column = shaken(column, 0.01, 3);
+  off.details[0].boundary.elements[2].start.y() += 0.01; // its edge in the room
+  off.details[0].boundary.elements[1].end.y() += 0.01;
+  off.details[0].boundary.elements[2].end.y() += 0.01;
+  off.details[0].boundary.elements[3].start.y() += 0.01;
+  off.details[0].slab = slabAt(2.608);
+  off.niches[0].top = slabAt(2.19);
+  off.niches[0].boundary.elements[2].start.y() -= 0.008; // its back
+  off.niches[0].boundary.elements[1].end.y() -= 0.008;
+  off.niches[0].boundary.elements[2].end.y() -= 0.008;
+  off.niches[0].boundary.elements[3].start.y() -= 0.008;
+  Floorplan plan;
+  plan.rooms.push_back(off);
+  adjustPlan(plan, raw.view());
+  const PlanRoom& room = plan.rooms[0];
+  EXPECT_LT(cornerError(room.boundary, truth.boundary), 0.0005);
+  for (const std::size_t c : {0, 1}) {
+    EXPECT_LT((room.columns[c].elements[0].centre - truth.columns[c].elements[0].centre)
+                  .norm(),
+              0.0005);
+    EXPECT_NEAR(room.columns[c].elements[0].radius, 0.2, 0.0005);
+  }
+  EXPECT_LT(cornerError(room.columns[2], truth.columns[2]), 0.001);
+  EXPECT_LT(cornerError(room.details[0].boundary, soffit.boundary), 0.001);
+  EXPECT_NEAR(room.details[0].slab.heightAt({3, 0.3}), 2.6, 0.0005);
+  EXPECT_LT(cornerError(room.niches[0].boundary, niche.boundary), 0.002);
+  EXPECT_NEAR(room.niches[0].bottom.heightAt({2.5, 5.1}), 0.8, 0.001);
+  EXPECT_NEAR(room.niches[0].top.heightAt({2.5, 5.1}), 2.2, 0.001);
+}
+
+TEST(AdjustPlan, WhatStandsBeforeAWallIsLeftOut)
+{
+  // A cupboard 4 cm before a third of the wall up to the ceiling, and boards 2 cm
+  // before all of it up to 1.2 m.
+  const auto isWall = [](const Vector3d& p) {
+    return p.y() > 1e-9 || (p.x() > 1.3 && p.z() > 1.2);
+  };
+  for (const double noise : {0.001, 0.005}) {
+    RoomPoints raw(0.02, noise);
+    raw.room(plainRoom(), isWall);
+    raw.wall(segment({0, 0.04}, {1.3, 0.04}), 0, 2.6);
+    raw.wall(segment({1.3, 0.02}, {4, 0.02}), 0, 1.2);
+    Floorplan plan = offPlan(plainRoom(), 0.01);
+    adjustPlan(plan, raw.view());
+    EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.001)
+        << noise;
+  }
+}
+
+TEST(AdjustPlan, RevealsOfOpeningsDoNotMoveTheWall)
+{
+  // Three windows whose reveals are 20 cm deep.
+  const auto isOpen = [](double s, double z) {
+    return std::fmod(s, 1.3) > 0.3 && z > 0.9 && z < 2.2;
+  };
+  RoomPoints raw(0.01, 0.004);
+  raw.room(plainRoom(),
+           [&](const Vector3d& p) { return p.y() > 1e-9 || !isOpen(p.x(), p.z()); });
+  for (const double x : {0.3, 1.6, 2.9})
+    for (const double jamb : {x, x + 1}) {
+      raw.wall(segment({jamb, 0}, {jamb, -0.2}), 0.9, 2.2);
+      for (const double z : {0.9, 2.2})
+        raw.slab(rectangle(x, -0.2, x + 1, 0), z);
+    }
+  Floorplan plan = offPlan(plainRoom(), 0.01);
+  adjustPlan(plan, raw.view());
+  EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.0004);
+}
+
+TEST(AdjustPlan, AWallThatIsHalfADegreeOffIsNotMadeSquare)
+{
+  const double turn = 4 * std::tan(0.5 * M_PI / 180);
+  for (const double off : {0.0, turn}) {
+    const PlanLoop truth = polygon({{0, 0}, {4, off}, {4, 3}, {0, 3}});
+    RoomPoints raw(0.02, 0.005);
+    raw.room(truth, 0, 2.6);
+    Floorplan plan = offPlan(roomOf(truth, 2.6), 0.008);
+    adjustPlan(plan, raw.view());
+    const PlanLoop& found = plan.rooms[0].boundary;
+    EXPECT_LT(cornerError(found, truth), 0.0006);
+    const Vector2d wall = found.elements[0].end - found.elements[0].start;
+    const Vector2d beside = found.elements[1].end - found.elements[1].start;
+    const double sine = std::abs(wall.normalized().dot(beside.normalized()));
+    if (off == 0)
+      EXPECT_LT(sine, 1e-9); // exactly square
+    else
+      EXPECT_NEAR(sine, std::sin(0.5 * M_PI / 180), 0.0003);
+  }
+}
+
+TEST(AdjustPlan, PartsOfOneWallComeOnOneLine)
+{
+  // A wall with a gap of 1 m; 1 cm between its parts is a step.
+  for (const double step : {0.0, 0.01}) {
+    const PlanLoop truth = polygon(
+        {{0, 0}, {2, 0}, {2, -1}, {3, -1}, {3, step}, {6, step}, {6, 4}, {0, 4}});
+    RoomPoints raw(0.02, 0.005);
+    raw.room(truth, 0, 2.6);
+    Floorplan plan = offPlan(roomOf(truth, 2.6), 0.005);
+    adjustPlan(plan, raw.view());
+    const auto& e = plan.rooms[0].boundary.elements;
+    EXPECT_LT(cornerError(plan.rooms[0].boundary, truth), 0.001);
+    const Vector2d way = (e[0].end - e[0].start).normalized();
+    const double between = std::abs(way.x() * (e[4].end - e[0].start).y() -
+                                    way.y() * (e[4].end - e[0].start).x());
+    if (step == 0)
+      EXPECT_LT(between, 1e-9);
+    else
+      EXPECT_NEAR(between, step, 0.001);
+  }
+}
+
+TEST(AdjustPlan, AWallThatNobodySawKeepsItsPlaceAndFollowsTheOthers)
+{
+  RoomPoints raw(0.02, 0.003);
+  raw.room(plainRoom(), [](const Vector3d& p) { return p.y() > 1e-9; });
+  Floorplan plan;
+  plan.rooms.push_back(
+      roomOf(polygon({{0.004, 0.02}, {4.006, 0.03}, {3.995, 3}, {0, 3.005}}), 2.6));
+  const AdjustmentReport report = adjustPlan(plan, raw.view());
+  EXPECT_EQ(report.walls, 3u);
+  const auto& e = plan.rooms[0].boundary.elements;
+  EXPECT_NEAR(e[0].start.y(), 0.025, 0.002);
+  EXPECT_NEAR(e[0].start.y(), e[0].end.y(), 0.0005); // square to its neighbours
+  EXPECT_NEAR(e[0].start.x(), 0, 0.0005);
+  EXPECT_NEAR(e[0].end.x(), 4, 0.0005);
+}
+
+TEST(AdjustPlan, SlopesOfSlabsAreMetAndLevelOnesAreLevel)
+{
+  PlanRoom truth = plainRoom();
+  truth.ceiling = slabAt(2.59, 0.004, -0.002);
+  RoomPoints raw(0.02, 0.005);
+  raw.room(truth);
+  Floorplan plan = offPlan(plainRoom(), 0.005);
+  adjustPlan(plan, raw.view());
+  EXPECT_LT(plan.rooms[0].floor.plane.head<2>().norm(), 1e-12);
+  for (const Vector2d& p : {Vector2d(0, 0), Vector2d(4, 0), Vector2d(4, 3)})
+    EXPECT_NEAR(plan.rooms[0].ceiling.heightAt(p), truth.ceiling.heightAt(p), 0.0005);
+}
+
+TEST(AdjustPlan, TiltedWallsAreMetAtTheirFeet)
+{
+  // The wall at x = 4 leans into the room by 3 degrees, that at y = 0 is vertical.
+  const double run = std::tan(3 * M_PI / 180);
+  RoomPoints upright(0.02, 0.004);
+  upright.room(plainRoom());
+  std::vector<Eigen::Vector3f> points;
+  for (const int i : upright.all()) {
+    Eigen::Vector3f p = upright[i];
+    if (std::abs(p.x() - 4) < 0.02F)
+      p.x() -= static_cast<float>(run) * p.z();
+    points.push_back(p);
+  }
+  const PointView raw(points.data(), sizeof(Eigen::Vector3f), points.size());
+  Floorplan plan = offPlan(plainRoom(), 0.005);
+  WallTilts tilts{{1, 1, 2 * M_PI / 180}};
+  adjustPlan(plan, raw, {}, ofCoarsePlans(), &tilts);
+  ASSERT_EQ(tilts.size(), 1u);
+  EXPECT_EQ(tilts[0].wall, 1u);
+  EXPECT_NEAR(tilts[0].tilt, 3 * M_PI / 180, 0.0005);
+  EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.001);
+}
+
+TEST(AdjustPlan, ErrorsThatPointsShareAreMeasured)
+{
+  // A depth camera: waves of 5 mm, some 40 cm long.
+  RoomPoints even(0.02, 0.002);
+  even.room(roomOf(rectangle(0, 0, 8, 6), 3));
+  std::vector<Eigen::Vector3f> points;
+  const auto wave = [](double a, double b) {
+    return 0.007 * std::sin(5 * a + std::sin(3 * b)) * std::sin(4.3 * b + 1);
+  };
+  for (const int i : even.all()) {
+    Vector3d p = even[i].cast<double>();
+    const double off = wave(p.x() + p.y(), p.z() + p.x());
+    if (p.z() < 0.05 || p.z() > 2.95)
+      p.z() += wave(p.x(), p.y());
+    else if (p.x() < 0.05 || p.x() > 7.95)
+      p.x() += off;
+    else
+      p.y() += off;
+    points.push_back(p.cast<float>());
+  }
+  const PointView raw(points.data(), sizeof(Eigen::Vector3f), points.size());
+  Floorplan plan = offPlan(roomOf(rectangle(0, 0, 8, 6), 3), 0.01);
+  const AdjustmentReport report = adjustPlan(plan, raw);
+  EXPECT_NEAR(report.waviness, 0.0035, 0.001);
+  EXPECT_GT(report.correlation, 0.15);
+  EXPECT_LT(report.correlation, 0.6);
+  EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 8, 6)), 0.003);
+}
+
+TEST(AdjustPlan, TheResultDoesNotDependOnTheNumberOfThreads)
+{
+  RoomPoints raw(0.02, 0.005);
+  raw.room(plainRoom());
+  Floorplan first;
+  for (const unsigned threads : {1u, 2u, 5u}) {
+    AdjustmentParameters parameters;
+    parameters.threads = threads;
+    Floorplan plan = offPlan(plainRoom(), 0.01);
+    adjustPlan(plan, raw.view(), {}, parameters);
+    if (threads == 1)
+      first = plan;
+    EXPECT_EQ(plan.rooms[0].floor.plane, first.rooms[0].floor.plane);
+    EXPECT_EQ(cornerError(plan.rooms[0].boundary, first.rooms[0].boundary), 0);
+  }
+}
+
+TEST(AdjustPlan, RefusesEmptyLoopsAndLeavesWhatNoPointShows)
+{
+  Floorplan plan = offPlan(plainRoom(), 0.01);
+  const PlanLoop was = plan.rooms[0].boundary;
+  EXPECT_EQ(adjustPlan(plan, PointView()).walls, 0u);
+  EXPECT_LT(cornerError(plan.rooms[0].boundary, was), 0.02);
+  plan.rooms[0].boundary.elements.clear();
+  RoomPoints raw(0.05);
+  raw.room(plainRoom());
+  EXPECT_EQ(adjustPlan(plan, raw.view()).problem, "room 1 has a loop of 0 elements");
+}
+
+} // namespace
