@@ -119,14 +119,19 @@ private:
 std::vector<std::size_t>
 rebuildLoops(const PlanUnknowns& plan,
              const std::vector<PlanTie>& ties,
+             const std::vector<bool>& are_kept,
              double farthest)
 {
   const LoopBuilder builder(plan, ties, farthest);
   std::vector<std::size_t> broken;
   std::vector<PlanLoop> results(plan.loops.size());
-  for (std::size_t l = 0; l < results.size(); ++l)
-    if (!builder.build(plan.loops[l], results[l]))
+  for (std::size_t l = 0; l < results.size(); ++l) {
+    const std::vector<std::size_t>& of = plan.loops[l].of_element;
+    if (std::all_of(of.begin(), of.end(), [&](std::size_t u) { return are_kept[u]; }))
+      results[l] = *plan.loops[l].loop;
+    else if (!builder.build(plan.loops[l], results[l]))
       broken.push_back(l);
+  }
   if (broken.empty())
     for (std::size_t l = 0; l < results.size(); ++l)
       *plan.loops[l].loop = std::move(results[l]);

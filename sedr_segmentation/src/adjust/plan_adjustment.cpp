@@ -132,7 +132,7 @@ adjustPlan(Floorplan& plan,
     removeTies(are_kept, ties);
     tie(ties, unknowns.all);
     const std::vector<std::size_t> broken =
-        rebuildLoops(unknowns, ties, 2 * parameters.reach);
+        rebuildLoops(unknowns, ties, are_kept, 2 * parameters.reach);
     if (broken.empty())
       break;
     for (const std::size_t l : broken)

@@ -65,7 +65,7 @@ private:
   }
 
   /** @brief Ties each unknown to the shared value that explains it best, if any does
-   * better than a value of its own. */
+   * better than a value of its own. Values are as probable as they are frequent. */
   template <typename Value>
   void shareValues(const std::vector<std::size_t>& numbers,
                    Eigen::Index parameter,
@@ -86,7 +86,8 @@ private:
         const double both = variance + 1 / s.information;
         double off = own - s.value;
         off -= period > 0 ? period * std::round(off / period) : 0;
-        const double cost = std::log(interval) - std::log(2 * M_PI * both) / 2;
+        const double cost = std::log(interval) - std::log(2 * M_PI * both) / 2 +
+                            std::log(static_cast<double>(s.members));
         if (cost - off * off / (2 * both) <= most)
           continue;
         most = cost - off * off / (2 * both);
