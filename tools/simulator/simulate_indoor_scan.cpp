@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bytes/whole_file.h"
 #include "run_tool.h"
 #include "simulator/scan/scan_files.h"
 #include "simulator/scene/scenes.h"
 #include "simulator/truth/truth_json.h"
 #include "tool_error.h"
-
-#include <pcl/sedr_surface/mesh_io.h>
 
 #include <unistd.h>
 
@@ -94,28 +91,6 @@ prepareFolder(const std::filesystem::path& folder)
     throw std::runtime_error("Cannot write to the folder " + folder.string());
 }
 
-/** @brief Writes truth.ply and truth.json; returns the number of triangles. */
-std::size_t
-writeTruth(const std::filesystem::path& folder,
-           const sim::Scene& scene,
-           const sim::SceneMesh& mesh)
-{
-  pcl::sedr::TriangleMesh truth = sim::truthOf(mesh);
-  const std::string json = sim::truthToJson(scene, truth);
-  for (sim::Vec3& vertex : truth.vertices)
-    vertex = sim::placed(scene.placement, vertex);
-  const std::string problem = pcl::sedr::savePly(
-      (folder / "truth.ply").string(), truth,
-      {"closed structure of a simulated scene, normals out of the rooms",
-       "label 1 ceiling 2 floor 3 wall 4 detail 5 column; metres, z up",
-       "element: the number of an opening in truth.json, from 1"});
-  if (!problem.empty())
-    throw std::runtime_error(problem);
-  writeWhole((folder / "truth.json").string(),
-             [&](std::ostream& file) { file << json; });
-  return truth.triangles.size();
-}
-
 void
 simulate(const Settings& settings)
 {
@@ -134,7 +109,7 @@ simulate(const Settings& settings)
   }
   const sim::SceneMesh mesh = sim::meshOf(scene);
   const sim::Scan scan = sim::scan(scene, mesh, options);
-  const std::size_t triangles = writeTruth(folder, scene, mesh);
+  const std::size_t triangles = sim::writeTruth(folder, scene, mesh);
   sim::writePcd(folder / "scan.pcd", scan.points);
   sim::writePositions(folder / "positions.txt", scan.positions);
   std::cout << scene.name << ": " << scan.points.size() << " points of " << scan.rays

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "truth_json.h"
 
+#include "bytes/whole_file.h"
 #include "openings.h"
 #include "simulator/scene/queries.h"
 
+#include <pcl/sedr_surface/mesh_io.h>
+
 #include <algorithm>
 #include <map>
+#include <ostream>
+#include <stdexcept>
 
 namespace pcl::sedr::sim {
 
@@ -138,6 +143,27 @@ truthToJson(const Scene& scene, const TriangleMesh& truth)
                   {"links", linksToJson(scene, openings)}};
   // A name may hold any bytes: invalid UTF-8 becomes U+FFFD.
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::size_t
+writeTruth(const std::filesystem::path& folder,
+           const Scene& scene,
+           const SceneMesh& mesh)
+{
+  TriangleMesh truth = truthOf(mesh);
+  const std::string json = truthToJson(scene, truth);
+  for (Vec3& vertex : truth.vertices)
+    vertex = placed(scene.placement, vertex);
+  const std::string problem =
+      savePly((folder / "truth.ply").string(), truth,
+              {"closed structure of a simulated scene, normals out of the rooms",
+               "label 1 ceiling 2 floor 3 wall 4 detail 5 column; metres, z up",
+               "element: the number of an opening in truth.json, from 1"});
+  if (!problem.empty())
+    throw std::runtime_error(problem);
+  tools::writeWhole((folder / "truth.json").string(),
+                    [&](std::ostream& file) { file << json; });
+  return truth.triangles.size();
 }
 
 } // namespace pcl::sedr::sim

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "simulator/scene/scene.h"
+#include "simulator/mesh/scene_mesh.h"
 
-#include <pcl/sedr_surface/triangle_mesh.h>
-
+#include <cstddef>
+#include <filesystem>
 #include <string>
 
 namespace pcl::sedr::sim {
@@ -17,5 +17,13 @@ namespace pcl::sedr::sim {
  * @param truth truthMesh() of the scene
  * @throw std::invalid_argument as meshOf() */
 std::string truthToJson(const Scene& scene, const TriangleMesh& truth);
+
+/** @brief Writes truth.ply and truth.json to a folder, in the frame of the files.
+ * @param mesh meshOf() the scene
+ * @return the number of triangles
+ * @throw std::runtime_error if a file cannot be written */
+std::size_t writeTruth(const std::filesystem::path& folder,
+                       const Scene& scene,
+                       const SceneMesh& mesh);
 
 } // namespace pcl::sedr::sim
