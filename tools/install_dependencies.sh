@@ -26,13 +26,15 @@ needed=(
   "libpcl-dev          the Point Cloud Library and its visualizer; brings Eigen, FLANN, Boost and VTK"
   "nlohmann-json3-dev  reads and writes JSON"
   "libembree-dev       casts the rays of the scan simulator, which is not built without it"
+  "libcairo2-dev       draws plans and pictures as SVG, PDF and PNG"
+  "pkg-config          finds it"
+  "fonts-liberation    the letters there: as wide as Helvetica and Arial on any machine"
   "libjs-three         turns the model in report.html; not needed to build"
 )
 # Chromium (300 MB) is not among them: without it the test that opens report.html in a browser is skipped.
 if [ "$with_tests" = yes ]; then
   needed+=(
     "libgtest-dev        GoogleTest, for the tests"
-    "pkg-config          a test builds a program by the installed .pc files"
     "xvfb                tests look at the viewer's window without a screen"
     "xauth               xvfb-run needs it"
     "python3             tests read solids, drawings and report.html back"

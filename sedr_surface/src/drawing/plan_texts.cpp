@@ -2,219 +2,334 @@
 #include "plan_texts.h"
 
 #include "../formats/decimal_text.h"
-#include "../overhead/eaves.h"
-#include "../sheet/sheet_layout.h"
+#include "../overhead/ceiling_heights.h"
 #include "../walls/plan_walls.h"
-#include "doorway_drawing.h"
-#include "level_notes.h"
+#include "text_spot.h"
 
+#include "sedr_filters/src/plan/level_planes.h"
+#include "sedr_filters/src/plan/plan_bounds.h"
+
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace pcl::sedr {
 namespace {
 
-using namespace sheet_measures;
-
 constexpr double smallest_font = 1.8;
-constexpr double beside_line = 0.95; ///< distance from a line over the font size
+constexpr double detail_font = 2.1; ///< of columns and doorways
 
-SheetText
-textIn(const std::string& look,
-       const TextBox& box,
-       double font,
-       const std::string& text)
+PlanLoop
+circleAbout(const TextSpot& spot)
 {
-  return {look, box.middle, font, text, box.degrees, TextAnchor::Middle, true};
+  PlanElement circle;
+  circle.centre = spot.place;
+  circle.radius = spot.radius;
+  circle.start = circle.end = spot.place + Eigen::Vector2d(spot.radius, 0);
+  return {{circle}};
+}
+
+/** @brief Returns the text lines of a room: number, area, height. */
+std::vector<std::string>
+roomTexts(const PlanRoom& room, const Eigen::Vector2d& place)
+{
+  std::string height =
+      decimalText(room.ceiling.heightAt(place) - room.floor.heightAt(place), 2);
+  if (room.hasFacets()) {
+    const auto [eaves, ridge] = heightRange(room);
+    height = decimalText(eaves, 2) + " - " + decimalText(ridge, 2);
+  }
+  return {"Room " + std::to_string(room.id), decimalText(room.area(), 2) + " m²",
+          "h " + height + " m"};
+}
+
+/** @brief Returns the size of a column: "Ø 0.40", "0.30 x 0.50"; empty for other
+ * shapes. */
+std::string
+columnText(const PlanLoop& column)
+{
+  constexpr double same = 0.02;
+  const std::vector<PlanElement>& e = column.elements;
+  const auto isRound = [&](const PlanElement& part) {
+    return part.isArc() && std::abs(part.radius - e.front().radius) < same;
+  };
+  if (!e.empty() && std::all_of(e.begin(), e.end(), isRound))
+    return "Ø " + decimalText(2 * e.front().radius, 2);
+  const bool is_quad =
+      e.size() == 4 && std::none_of(e.begin(), e.end(), [](const PlanElement& part) {
+        return part.isArc();
+      });
+  return is_quad ? decimalText(e[0].length(), 2) + " x " + decimalText(e[1].length(), 2)
+                 : "";
+}
+
+/** @brief Returns the details of the ceiling that have a note: the largest of each
+ * part other than that of the main ceiling. */
+std::vector<std::size_t>
+notedDetails(const PlanRoom& room, const std::vector<std::size_t>& part)
+{
+  std::map<std::size_t, std::pair<double, std::size_t>> largest;
+  for (std::size_t d = 0; d < room.details.size(); ++d) {
+    const double area = std::abs(room.details[d].boundary.area());
+    auto& best = largest[part[d + 1]];
+    if (part[d + 1] != part.front() && area > best.first)
+      best = {area, d};
+  }
+  std::vector<std::size_t> noted;
+  for (const auto& [number, best] : largest)
+    if (best.first > 0)
+      noted.push_back(best.second);
+  std::sort(noted.begin(), noted.end());
+  return noted;
+}
+
+/** @brief Places texts one after the other. */
+class TextWriter {
+public:
+  TextWriter(const PlanFrame& frame, TextPlaces& places)
+      : frame_(frame)
+      , places_(places)
+  {}
+
+  /** @brief Writes number, area and height of a room.
+   * @return a circle around the text, metres */
+  TextSpot writeRoom(const PlanRoom& room)
+  {
+    TextSpot spot = textSpotIn(room.boundary, room.columns);
+    const std::vector<std::string> lines = roomTexts(room, spot.place);
+    auto box = writeAt(PlanLayer::Room, spot, lines, large_font);
+    if (!box)
+      box = writeAt(PlanLayer::Room, spot, {lines[0], lines[1]}, large_font);
+    if (!box)
+      box = writeAt(PlanLayer::Room, spot, {std::to_string(room.id)}, large_font);
+    spot.radius =
+        box ? ((box->middle - frame_(spot.place)).norm() + box->half_size.norm()) /
+                  frame_.scale
+            : 0;
+    return spot;
+  }
+
+  /** @brief Writes the height of a detail over the room's floor where nothing else is
+   * above it, off the room's text. */
+  void writeLevel(const PlanRoom& room,
+                  const std::vector<PlanDetail>& details,
+                  std::size_t d,
+                  const TextSpot& room_text,
+                  PlanLayer layer)
+  {
+    const PlanDetail& detail = details[d];
+    if (!isLevel(detail.slab))
+      return;
+    std::vector<PlanLoop> others = detail.holes;
+    for (std::size_t later = d + 1; later < details.size(); ++later)
+      if (boundsOf(details[later].boundary).intersects(boundsOf(detail.boundary)))
+        others.push_back(details[later].boundary);
+    others.push_back(circleAbout(room_text));
+    TextSpot spot = textSpotIn(detail.boundary, others);
+    if (!room.contains(spot.place))
+      return;
+    spot.radius = std::min(spot.radius, room.boundary.distance(spot.place));
+    const double height =
+        detail.slab.heightAt(spot.place) - room.floor.heightAt(spot.place);
+    const bool has_sign = layer == PlanLayer::Floor && height > 0;
+    writeAt(layer, spot, {(has_sign ? "+" : "") + decimalText(height, 2)}, small_font);
+  }
+
+  /** @brief Writes lines about a place in the largest font that fits there. */
+  std::optional<TextBox> writeAt(PlanLayer layer,
+                                 const TextSpot& spot,
+                                 const std::vector<std::string>& lines,
+                                 double font)
+  {
+    constexpr double smaller = 0.9; // than the font that does not fit
+    constexpr int most_steps = 48;  // up and down by turns: to six lines off
+    constexpr double step = 0.25;   // lines
+    const Eigen::Vector2d place = frame_(spot.place);
+    for (; font >= smallest_font; font *= smaller) {
+      const double line_height = 1.3 * font;
+      const Eigen::Vector2d half = font * halfSizeOf(lines);
+      std::vector<TextBox> boxes;
+      for (const double across : {0.0, 1.0, -1.0, 2.0, -2.0}) // halves of its width
+        for (int k = 0; k <= most_steps; ++k) {
+          const double up = (k % 2 == 0 ? -step : step) * ((k + 1) / 2);
+          const Eigen::Vector2d off(across * half.x(), up * line_height);
+          if (off.norm() <= spot.radius * frame_.scale)
+            boxes.push_back({place + off, half, 0});
+        }
+      const auto box = places_.takeFirst(boxes);
+      if (!box)
+        continue;
+      Eigen::Vector2d at = box->middle;
+      at.y() += line_height * static_cast<double>(lines.size() - 1) / 2;
+      for (const std::string& line : lines) {
+        add(layer, {at, {}, 0}, font, line);
+        at.y() -= line_height;
+      }
+      return box;
+    }
+    return std::nullopt;
+  }
+
+  /** @brief Writes a text beside a line, if there is space.
+   * @return its box */
+  std::optional<TextBox>
+  writeAlong(PlanLayer layer, const PlanElement& element, const std::string& text)
+  {
+    constexpr double clear = 1;          // distance of the text from the ends
+    constexpr double beside_line = 0.95; // distance from the line over the font size
+    if (text.empty())
+      return std::nullopt;
+    const PlanElement drawn = frame_(element);
+    const Eigen::Vector2d half = small_font * halfSizeOf({text});
+    std::vector<TextBox> boxes;
+    for (const double share : {1.0 / 2, 1.0 / 3, 2.0 / 3, 1.0 / 5, 4.0 / 5}) {
+      const double s = share * drawn.length();
+      const Eigen::Vector2d normal = drawn.normalAt(s);
+      if (std::min(s, drawn.length() - s) >= half.x() + clear)
+        boxes.push_back({drawn.pointAt(s) + beside_line * small_font * normal, half,
+                         readableAngle({normal.y(), -normal.x()})});
+    }
+    const auto box = places_.takeFirst(boxes);
+    if (box)
+      add(layer, *box, small_font, text);
+    return box;
+  }
+
+  void writeColumn(const PlanLoop& column)
+  {
+    const std::string text = columnText(column);
+    if (text.empty())
+      return;
+    constexpr double gap = 0.6;
+    const Eigen::Vector2d half = detail_font * halfSizeOf({text});
+    const Eigen::AlignedBox2d around = boundsOf(frame_(column));
+    const Eigen::Vector2d reach =
+        around.sizes() / 2 + half + Eigen::Vector2d::Constant(gap);
+    std::vector<TextBox> boxes;
+    for (const auto& [x, y] : {std::pair(1, 0),
+                               {0, 1},
+                               {0, -1},
+                               {-1, 0},
+                               {1, 1},
+                               {1, -1},
+                               {-1, 1},
+                               {-1, -1}})
+      boxes.push_back(
+          {around.center() + reach.cwiseProduct(Eigen::Vector2d(x, y)), half, 0});
+    if (const auto box = places_.takeFirst(boxes))
+      add(PlanLayer::Dimension, *box, detail_font, text);
+  }
+
+  void writeDoorway(const DoorwayGap& doorway)
+  {
+    const std::string text =
+        decimalText(doorway.width, 2) + " x " + decimalText(doorway.height, 2);
+    const Eigen::Vector2d half = detail_font * halfSizeOf({text});
+    std::vector<TextBox> boxes;
+    for (const std::size_t k : {2U, 0U}) {
+      const Eigen::Vector2d a = frame_(doorway.corners[k]);
+      const Eigen::Vector2d b = frame_(doorway.corners[k + 1]);
+      const Eigen::Vector2d middle =
+          (frame_(doorway.corners[0]) + frame_(doorway.corners[2])) / 2;
+      const Eigen::Vector2d way = (b - a).normalized();
+      Eigen::Vector2d off(way.y(), -way.x());
+      if (off.dot((a + b) / 2 - middle) < 0)
+        off = -off;
+      for (const double rows : {1.2, 2.6})
+        boxes.push_back(
+            {(a + b) / 2 + rows * detail_font * off, half, readableAngle(way)});
+    }
+    if (const auto box = places_.takeFirst(boxes))
+      add(PlanLayer::Dimension, *box, detail_font, text);
+  }
+
+  /** @brief Writes the length of a segment, as a dimension, or the radius of an arc. */
+  void writeSize(const PlanElement& wall)
+  {
+    if (wall.isArc()) {
+      writeAlong(PlanLayer::Dimension, wall, "R " + decimalText(wall.radius, 2));
+      return;
+    }
+    if (!writeAlong(PlanLayer::Dimension, wall, decimalText(wall.length(), 2)))
+      return;
+    const PlanElement drawn = frame_(wall);
+    found.walls.push_back({drawn.start, drawn.end, drawn.start, drawn.end,
+                           wall.length(), found.texts.back().text});
+    found.texts.pop_back();
+  }
+
+  PlanTexts found;
+
+private:
+  void add(PlanLayer layer, const TextBox& box, double font, const std::string& text)
+  {
+    found.texts.push_back(
+        {layer, SheetText{styleOf(layer).text, box.middle, font, text, box.degrees,
+                          TextAnchor::Middle, looks::room_colour}});
+  }
+
+  const PlanFrame& frame_;
+  TextPlaces& places_;
+};
+
+/** @brief Writes where the stairs of a plan, or of a part of it, lead. */
+void
+writeStairs(const Floorplan& plan, TextWriter& writer)
+{
+  const auto hasRoom = [&](std::uint32_t id) {
+    return std::any_of(plan.rooms.begin(), plan.rooms.end(),
+                       [id](const PlanRoom& room) { return room.id == id; });
+  };
+  for (const PlanStair& stair : plan.stairs) {
+    const bool is_up = hasRoom(stair.rooms[0]);
+    if (!is_up && !hasRoom(stair.rooms[1]))
+      continue;
+    const std::uint32_t other = stair.rooms[is_up ? 1 : 0];
+    writer.writeAt(PlanLayer::Note, {stair.at, 0},
+                   {std::string(is_up ? "up" : "down") +
+                    (other == 0 ? "" : " to room " + std::to_string(other))},
+                   small_font);
+  }
 }
 
 } // namespace
 
-PlanTexts::PlanTexts(PlanAnnotations& annotations,
-                     TextPlaces& places,
-                     const PlanFrame& frame)
-    : annotations_(annotations)
-    , places_(places)
-    , frame_(frame)
-{}
-
-void
-PlanTexts::place(const Floorplan& plan,
-                 const std::vector<DrawnElement>& drawn,
-                 const std::vector<CeilingLines>& ceilings)
+PlanTexts
+placedTexts(const Floorplan& plan,
+            const std::vector<CeilingLines>& ceilings,
+            const std::vector<PlanLine>& lines,
+            const std::vector<DoorwayGap>& doorways,
+            const PlanFrame& frame,
+            TextPlaces& places)
 {
-  std::vector<TextSpot> spots; // then circles around the rooms' texts
+  TextWriter writer(frame, places);
+  std::vector<TextSpot> room_texts;
+  for (const PlanRoom& room : plan.rooms)
+    room_texts.push_back(writer.writeRoom(room));
+  writeStairs(plan, writer);
   for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
     const PlanRoom& room = plan.rooms[r];
-    spots.push_back(textSpotIn(room.boundary, room.columns));
-    spots.back().radius = writeRoom(room, ceilings[r], spots.back());
+    for (const std::size_t d : notedDetails(room, ceilings[r].part))
+      writer.writeLevel(room, room.details, d, room_texts[r], PlanLayer::Height);
+    for (std::size_t d = 0; d < room.floor_details.size(); ++d)
+      writer.writeLevel(room, room.floor_details, d, room_texts[r], PlanLayer::Floor);
   }
-  for (const StairNote& note : stairNotes(plan))
-    writeAt("stair", {note.place, 0}, {note.text}, small_font);
-  for (std::size_t r = 0; r < plan.rooms.size(); ++r)
-    for (const LevelNote& note : levelNotes(plan.rooms[r], ceilings[r], spots[r]))
-      writeAt(note.layer == DrawnLayer::FloorDetail ? "floor_level" : "level",
-              note.spot, {note.text}, small_font);
-  for (const DrawnElement& line : drawn)
-    if (!line.note.empty())
-      writeAlong(line.element,
-                 line.layer == DrawnLayer::Headroom ? "headroom" : "level", line.note);
-  for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
-    const PlanRoom& room = plan.rooms[r];
+  for (const PlanLine& line : lines)
+    writer.writeAlong(line.layer == PlanLayer::Headroom ? PlanLayer::Headroom
+                                                        : PlanLayer::Height,
+                      line.element, line.note);
+  for (const PlanRoom& room : plan.rooms) {
     for (const PlanElement& wall : room.boundary.elements)
-      writeAlong(wall, "level", eavesText(room, ceilings[r], wall));
+      writer.writeAlong(PlanLayer::Height, wall, eavesText(room, wall));
     for (const PlanLoop& column : room.columns)
       if (!isIsland(room, column))
-        writeColumn(column);
+        writer.writeColumn(column);
   }
-  writeWays(plan);
+  for (const DoorwayGap& doorway : doorways)
+    writer.writeDoorway(doorway);
   for (const WallFace& face : wallFaces(plan))
-    writeSize(elementOf(plan, face));
-}
-
-double
-PlanTexts::writeRoom(const PlanRoom& room,
-                     const CeilingLines& ceiling,
-                     const TextSpot& spot)
-{
-  std::vector<std::string> lines = roomTexts(room, ceiling, spot.place, "m²");
-  auto box = writeAt("name", spot, lines, large_font);
-  lines.pop_back();
-  if (!box)
-    box = writeAt("name", spot, lines, large_font);
-  if (!box)
-    box = writeAt("name", spot, {std::to_string(room.id)}, large_font);
-  return box ? ((box->middle - frame_(spot.place)).norm() + box->half_size.norm()) /
-                   frame_.scale
-             : 0;
-}
-
-std::optional<TextBox>
-PlanTexts::writeAt(const std::string& look,
-                   const TextSpot& spot,
-                   const std::vector<std::string>& lines,
-                   double font)
-{
-  constexpr double smaller = 0.9; // than the font that does not fit
-  constexpr int most_steps = 48;  // up and down by turns: to six lines off
-  constexpr double step = 0.25;   // lines
-  const Eigen::Vector2d place = frame_(spot.place);
-  const double radius = spot.radius * frame_.scale;
-  for (; font >= smallest_font; font *= smaller) {
-    const double line_height = 1.3 * font;
-    const Eigen::Vector2d half = font * halfSizeOf(lines);
-    std::vector<TextBox> boxes;
-    for (const double across : {0.0, 1.0, -1.0, 2.0, -2.0}) // halves of its width
-      for (int k = 0; k <= most_steps; ++k) {
-        const int steps = (k + 1) / 2;
-        const double lines_up = (k % 2 == 0 ? -step : step) * steps;
-        const Eigen::Vector2d off(across * half.x(), lines_up * line_height);
-        if (off.norm() <= radius)
-          boxes.push_back({place + off, half, 0});
-      }
-    const auto box = places_.takeFirst(boxes);
-    if (!box)
-      continue;
-    Eigen::Vector2d at = box->middle;
-    at.y() += line_height * static_cast<double>(lines.size() - 1) / 2;
-    for (const std::string& line : lines) {
-      add(textIn(look, {at, {}, 0}, font, line));
-      at.y() -= line_height;
-    }
-    return box;
-  }
-  return std::nullopt;
-}
-
-std::optional<SheetText>
-PlanTexts::placeAlong(const PlanElement& element,
-                      const std::string& look,
-                      const std::string& text)
-{
-  constexpr double clear = 1; // distance of the text from the ends, millimetres
-  if (text.empty())
-    return std::nullopt;
-  const PlanElement drawn = frame_(element);
-  const Eigen::Vector2d half = small_font * halfSizeOf({text});
-  std::vector<TextBox> boxes;
-  for (const double share : {1.0 / 2, 1.0 / 3, 2.0 / 3, 1.0 / 5, 4.0 / 5}) {
-    const double s = share * drawn.length();
-    const Eigen::Vector2d normal = drawn.normalAt(s);
-    if (std::min(s, drawn.length() - s) >= half.x() + clear)
-      boxes.push_back({drawn.pointAt(s) + beside_line * small_font * normal, half,
-                       readableAngle({normal.y(), -normal.x()})});
-  }
-  const auto box = places_.takeFirst(boxes);
-  return box ? std::make_optional(textIn(look, *box, small_font, text)) : std::nullopt;
-}
-
-void
-PlanTexts::writeAlong(const PlanElement& element,
-                      const std::string& look,
-                      const std::string& text)
-{
-  if (const auto placed = placeAlong(element, look, text))
-    add(*placed);
-}
-
-void
-PlanTexts::writeSize(const PlanElement& wall)
-{
-  const auto text = placeAlong(wall, "size", sizeText(wall));
-  if (text && wall.isArc())
-    add(*text);
-  else if (text) {
-    const PlanElement drawn = frame_(wall);
-    annotations_.walls.push_back(
-        {drawn.start, drawn.end, drawn.start, drawn.end, wall.length(), text});
-  }
-}
-
-void
-PlanTexts::writeColumn(const PlanLoop& column)
-{
-  const std::string text = columnText(column);
-  if (text.empty())
-    return;
-  constexpr double gap = 0.6;
-  constexpr double font = 2.1;
-  const Eigen::Vector2d half = font * halfSizeOf({text});
-  Eigen::AlignedBox2d around;
-  for (const Eigen::Vector2d& corner : frame_(column).polygon(0.05))
-    around.extend(corner);
-  const Eigen::Vector2d reach =
-      around.sizes() / 2 + half + Eigen::Vector2d::Constant(gap);
-  std::vector<TextBox> boxes;
-  for (const Eigen::Vector2d& way :
-       {Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1), Eigen::Vector2d(0, -1),
-        Eigen::Vector2d(-1, 0), Eigen::Vector2d(1, 1), Eigen::Vector2d(1, -1),
-        Eigen::Vector2d(-1, 1), Eigen::Vector2d(-1, -1)})
-    boxes.push_back({around.center() + reach.cwiseProduct(way), half, 0});
-  if (const auto box = places_.takeFirst(boxes))
-    add(textIn("size", *box, font, text));
-}
-
-void
-PlanTexts::writeWays(const Floorplan& plan)
-{
-  constexpr double font = 2.1;
-  for (const DrawnDoorway& doorway : drawnDoorways(plan)) {
-    const std::string text =
-        decimalText(doorway.width, 2) + " x " + decimalText(doorway.height, 2);
-    const Eigen::Vector2d half = font * halfSizeOf({text});
-    std::vector<TextBox> boxes;
-    for (const auto& [from, to] :
-         {std::make_pair(doorway.corners[2], doorway.corners[3]),
-          std::make_pair(doorway.corners[0], doorway.corners[1])}) {
-      const Eigen::Vector2d a = frame_(from);
-      const Eigen::Vector2d b = frame_(to);
-      const Eigen::Vector2d way = (b - a).normalized();
-      const Eigen::Vector2d off(way.y(), -way.x());
-      for (const double rows : {1.2, 2.6})
-        boxes.push_back({(a + b) / 2 + rows * font * off, half, readableAngle(way)});
-    }
-    if (const auto box = places_.takeFirst(boxes))
-      add(textIn("size", *box, font, text));
-  }
+    writer.writeSize(elementOf(plan, face));
+  return std::move(writer.found);
 }
 
 } // namespace pcl::sedr

@@ -44,10 +44,18 @@ public:
     return group(50, degrees).group(72, 1).place(at, 11).group(73, 2);
   }
 
-  DxfText& append(const DxfText& other)
+  DxfText& section(const std::string& name, const DxfText& content)
   {
-    text_ += other.text_;
-    return *this;
+    group(0, "SECTION").group(2, name);
+    text_ += content.text_;
+    return group(0, "ENDSEC");
+  }
+
+  DxfText& table(const std::string& name, int entries, const DxfText& content)
+  {
+    group(0, "TABLE").group(2, name).group(70, entries);
+    text_ += content.text_;
+    return group(0, "ENDTAB");
   }
 
   const std::string& text() const { return text_; }

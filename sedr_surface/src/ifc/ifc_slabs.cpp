@@ -3,7 +3,7 @@
 #include "level_slab.h"
 #include "mesh_prism.h"
 
-#include "../drawing/plan_drawing.h"
+#include "../drawing/text_spot.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,138 +2,206 @@
 #include "ceiling_lines.h"
 
 #include "../formats/decimal_text.h"
-#include "ceiling_borders.h"
-#include "line_pieces.h"
+#include "line_parts.h"
+
+#include "sedr_filters/src/grids/disjoint_sets.h"
+#include "sedr_filters/src/plan/room_lookup.h"
+#include "sedr_segmentation/src/curves/contour.h"
+#include "sedr_segmentation/src/curves/plan_segment.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <map>
+#include <tuple>
+#include <utility>
 
 namespace pcl::sedr {
 namespace {
 
-constexpr double straight = 1; ///< distance of corners that are one, millimetres
-constexpr double sample = 1;   ///< of a line along which two surfaces meet, millimetres
+constexpr double min_step = 0.03;       ///< metres
+constexpr double min_angle = M_PI / 30; ///< 6 degrees
+constexpr double beside = 0.05;         ///< where facets are asked for, metres
+constexpr double border_error = 0.1;    ///< of facets, by their cells, metres
+constexpr double shortest = 5;          ///< line, millimetres of paper
+constexpr int outside = -2;             ///< of the room
+
+/** @brief What lies to the left and to the right of a place of a line: details of the
+ * ceiling, -1 for the main one. */
+struct Sides {
+  int left = outside;
+  int right = outside;
+  bool is_drawn = false;
+  bool is_crease = false;
+
+  auto key() const { return std::tie(left, right, is_drawn, is_crease); }
+  bool operator==(const Sides& o) const { return key() == o.key(); }
+  bool operator<(const Sides& o) const { return key() < o.key(); }
+};
 
 /** @brief Finds the lines of a room's ceiling. */
 class LineFinder {
 public:
   LineFinder(const PlanRoom& room, double finest)
       : room_(room)
+      , lookup_(room)
       , finest_(finest)
-      , borders_(room, finest)
   {}
 
   CeilingLines find()
   {
-    CeilingLines found;
-    for (const std::vector<std::size_t>& line : borders_.lines())
-      addPieces(line, found.lines);
-    found.part = borders_.parts();
-    found.shown = borders_.shown();
-    found.borders = borders_.borders();
-    return found;
+    for (std::size_t d = 0; d < room_.details.size(); ++d) {
+      addLoop(d, room_.details[d].boundary);
+      for (const PlanLoop& hole : room_.details[d].holes)
+        addLoop(d, hole);
+    }
+    for (const auto& [sides, segments] : segments_)
+      for (const auto& line : chained(segments))
+        addLine(sides, line);
+    found_.part = parts();
+    return std::move(found_);
   }
 
 private:
-  /** @brief Returns places along a line, on the curve in which its surfaces meet:
-   * borders follow that by cells only. */
-  std::vector<Eigen::Vector2d> placesAlong(const std::vector<std::size_t>& line,
-                                           const std::vector<Eigen::Vector2d>& ends)
+  /** @brief Returns what is beside an edge of a detail that is seen from below. */
+  Sides sidesOf(std::size_t detail, const PlanElement& edge, double s) const
   {
-    std::vector<Eigen::Vector2d> places{ends.front()};
-    for (std::size_t k = 0; k < line.size(); ++k) {
-      const Eigen::Vector2d way = ends[k + 1] - ends[k];
-      const double steps = std::ceil(way.norm() / (sample * finest_));
-      for (double i = 1; i < steps; ++i)
-        places.push_back(
-            placeOfMeeting({borders_.limitOf(line[k])}, ends[k] + i / steps * way));
-      places.push_back(ends[k + 1]);
-    }
-    return places;
+    const Eigen::Vector2d place = edge.pointAt(s);
+    const Eigen::Vector2d off = beside * edge.normalAt(s);
+    if (!lookup_.contains(place + off) || !lookup_.contains(place - off))
+      return {};
+    Sides sides{lookup_.detailAt(place + off), lookup_.detailAt(place - off)};
+    if (sides.left == sides.right ||
+        std::max(sides.left, sides.right) != static_cast<int>(detail))
+      return {};
+    const PlanSlab& a = room_.ceilingSlab(sides.left);
+    const PlanSlab& b = room_.ceilingSlab(sides.right);
+    const double step = std::abs(a.heightAt(place) - b.heightAt(place));
+    const double cosine = a.normalAt(place).dot(b.normalAt(place));
+    const double angle = std::acos(std::clamp(cosine, -1.0, 1.0));
+    sides.is_drawn = step > min_step || angle > min_angle;
+    sides.is_crease =
+        angle > min_angle && step < min_step + border_error * std::tan(angle);
+    return sides;
   }
 
-  void addPieces(const std::vector<std::size_t>& line, std::vector<CeilingLine>& found)
+  void addLoop(std::size_t detail, const PlanLoop& loop)
   {
-    const std::vector<Eigen::Vector2d> places = borders_.placesOf(line);
-    const bool is_crease =
-        borders_.share(line, [](const Meeting& m) { return m.is_crease; }) >= 0.5;
-    if (const PlanElement* arc = borders_.arcAt(line.front())) {
-      const bool is_whole = (places.front() - places.back()).norm() < 1e-6;
-      found.push_back({is_whole
-                           ? *arc
-                           : partPassing(*arc, places.front(), places.back(),
-                                         borders_.border(line[line.size() / 2]).middle),
-                       is_crease,
-                       {}});
+    for (const PlanElement& edge : loop.elements) {
+      if (!(edge.length() > 0))
+        continue;
+      const auto sidesAt = [&](double s) { return sidesOf(detail, edge, s); };
+      forEachPart(edge, sidesAt, [&](const PlanElement& part, const Sides& sides) {
+        if (sides.left == outside)
+          return;
+        auto& lengths = borders_[std::minmax(sides.left, sides.right)];
+        (sides.is_drawn ? lengths.first : lengths.second) += part.length();
+        if (sides.is_drawn && part.isArc())
+          add({part, sides.is_crease});
+        else if (sides.is_drawn)
+          segments_[sides].emplace_back(part.start, part.end);
+      });
+    }
+  }
+
+  void addLine(const Sides& sides, const std::vector<Eigen::Vector2d>& line)
+  {
+    std::vector<Eigen::Vector2d> places =
+        simplifiedLine(line, std::max(finest_, beside));
+    if (sides.is_crease)
+      places = onIntersection(sides, std::move(places));
+    const std::size_t first = found_.lines.size();
+    for (std::size_t k = 0; k + 1 < places.size(); ++k)
+      add({segment(places[k], places[k + 1]), sides.is_crease});
+    if (!sides.is_crease || found_.lines.size() == first)
       return;
-    }
-    const std::size_t begin = found.size();
-    for (const PlanElement& piece :
-         withoutBulges(piecesOf(placesAlong(line, places), straight * finest_),
-                       min_part_area * finest_ * finest_))
-      found.push_back({piece, is_crease, {}});
-    const auto longest =
-        std::max_element(found.begin() + static_cast<std::ptrdiff_t>(begin),
-                         found.end(), [](const CeilingLine& a, const CeilingLine& b) {
-                           return a.element.length() < b.element.length();
-                         });
-    if (is_crease)
-      longest->text = textOf(line, longest->element);
+    const auto longest = std::max_element(
+        found_.lines.begin() + static_cast<std::ptrdiff_t>(first), found_.lines.end(),
+        [](const CeilingLine& a, const CeilingLine& b) {
+          return a.element.length() < b.element.length();
+        });
+    longest->text = textOf(sides, longest->element);
   }
 
-  std::string textOf(const std::vector<std::size_t>& line,
-                     const PlanElement& piece) const
+  void add(const CeilingLine& line)
   {
-    constexpr double level = 0.05; // maximum height difference along a level line
-    const Eigen::Vector2d middle = (piece.start + piece.end) / 2;
-    const auto offOf = [&](std::size_t e) {
-      return (borders_.border(e).middle - middle).norm();
+    if (line.element.length() >= shortest * finest_)
+      found_.lines.push_back(line);
+  }
+
+  /** @brief Returns the line in which two planes meet instead of their border, which
+   * follows it by cells only. */
+  std::vector<Eigen::Vector2d> onIntersection(const Sides& sides,
+                                              std::vector<Eigen::Vector2d> line) const
+  {
+    const PlanSlab& a = room_.ceilingSlab(sides.left);
+    const PlanSlab& b = room_.ceilingSlab(sides.right);
+    if (a.curve || b.curve)
+      return line;
+    // Where their difference of heights is zero.
+    const Eigen::Vector2d slope =
+        b.plane.head<2>() / b.plane[2] - a.plane.head<2>() / a.plane[2];
+    const auto moved = [&](const Eigen::Vector2d& p) -> Eigen::Vector2d {
+      return p - (a.heightAt(p) - b.heightAt(p)) / slope.squaredNorm() * slope;
     };
-    const std::size_t nearest =
-        *std::min_element(line.begin(), line.end(), [&](std::size_t a, std::size_t b) {
-          return offOf(a) < offOf(b);
-        });
-    const PlanSlab& ceiling = borders_.slabOn(nearest, true);
-    if (!borders_.border(nearest).meeting.is_crease ||
-        std::abs(ceiling.heightAt(piece.start) - ceiling.heightAt(piece.end)) >= level)
+    for (const Eigen::Vector2d& p : line)
+      if (!((moved(p) - p).norm() < 2 * border_error))
+        return line;
+    return {moved(line.front()), moved(line.back())};
+  }
+
+  /** @brief Returns the height of a ridge or valley, if it is level. */
+  std::string textOf(const Sides& sides, const PlanElement& line) const
+  {
+    constexpr double level = 0.05; // metres
+    constexpr double falls = 0.02; // slope
+    const PlanSlab& slab = room_.ceilingSlab(sides.left);
+    const Eigen::Vector2d middle = line.pointAt(line.length() / 2);
+    const Eigen::Vector2d off = beside * line.normalAt(line.length() / 2);
+    if (std::abs(slab.heightAt(line.start) - slab.heightAt(line.end)) > level)
       return "";
-    return (borders_.border(nearest).meeting.is_ridge ? "ridge " : "valley ") +
-           decimalText(ceiling.heightAt(middle) - room_.floorAt(middle), 2);
+    const auto rise = [&](const Eigen::Vector2d& to) {
+      const PlanSlab& there = room_.ceilingSlab(lookup_.detailAt(middle + to));
+      return (there.heightAt(middle + to) - there.heightAt(middle)) / beside;
+    };
+    const double a = rise(off);
+    const double b = rise(-off);
+    const bool is_ridge = a < -falls && b < -falls;
+    const bool is_valley = a > falls && b > falls;
+    if (!is_ridge && !is_valley)
+      return "";
+    return (is_ridge ? "ridge " : "valley ") +
+           decimalText(slab.heightAt(middle) - room_.floorAt(middle), 2);
+  }
+
+  /** @brief Returns the parts: along most of a border within one nothing is drawn. */
+  std::vector<std::size_t> parts() const
+  {
+    DisjointSets<std::size_t> sets(room_.details.size() + 1);
+    for (const auto& [sides, lengths] : borders_)
+      if (lengths.first < lengths.second)
+        sets.join(static_cast<std::size_t>(sides.first + 1),
+                  static_cast<std::size_t>(sides.second + 1));
+    std::vector<std::size_t> part;
+    for (std::size_t k = 0; k <= room_.details.size(); ++k)
+      part.push_back(sets.find(k));
+    return part;
   }
 
   const PlanRoom& room_;
+  RoomLookup lookup_;
   double finest_;
-  CeilingBorders borders_;
+  CeilingLines found_;
+  std::map<Sides, std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>> segments_;
+  /** Length of border that is drawn, and that is not. */
+  std::map<std::pair<int, int>, std::pair<double, double>> borders_;
 };
 
 } // namespace
 
-bool
-CeilingLines::isStep(int a, int b, const Eigen::Vector2d& place) const
-{
-  const auto found = borders.find(std::minmax({a, b}));
-  if (found == borders.end())
-    return false;
-  return std::min_element(found->second.begin(), found->second.end(),
-                          [&](const auto& one, const auto& other) {
-                            return one.first.distance(place) <
-                                   other.first.distance(place);
-                          })
-      ->second;
-}
-
 CeilingLines
 ceilingLines(const PlanRoom& room, double finest)
 {
-  if (room.hasFacets())
-    return LineFinder(room, finest).find();
-  CeilingLines none;
-  none.shown.resize(room.details.size() + 1);
-  std::iota(none.shown.begin(), none.shown.end(), -1);
-  none.part.resize(room.details.size() + 1);
-  std::iota(none.part.begin(), none.part.end(), std::size_t{0});
-  return none;
+  return LineFinder(room, finest).find();
 }
 
 } // namespace pcl::sedr

@@ -3,8 +3,10 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <variant>
@@ -12,57 +14,99 @@
 
 namespace pcl::sedr {
 
-/** @brief Lines and arcs of a sheet with the same look, one of sheet_looks. Coordinates
- * are millimetres of paper from the lower left corner, y up. */
+/** @brief A colour 0xRRGGBB, or none. */
+using SheetColour = std::int32_t;
+constexpr SheetColour no_colour = -1;
+constexpr SheetColour paper_colour = 0xffffff;
+constexpr SheetColour ink = 0x111111;
+
+/** @brief How lines and areas look; widths and dashes in units of the sheet. */
+struct SheetLook {
+  SheetColour fill = no_colour;
+  SheetColour stroke = no_colour;
+  double width = 0;
+  std::vector<double> dash{}; ///< strokes and gaps in turn; empty: solid
+};
+
+/** @brief Lines and arcs with one look, or the area within them (even-odd). */
 struct SheetPath {
-  std::string look;
+  SheetLook look;
   std::vector<PlanLoop> chains; ///< consecutive elements are connected
   bool is_closed = false;
 };
 
-enum class TextAnchor { Middle, Start };
+/** @brief Filled boxes of one colour, such as cells and points. */
+struct SheetBoxes {
+  SheetColour fill = ink;
+  std::vector<Eigen::AlignedBox2d> boxes;
+};
 
-/** @brief A line of text of a sheet, with one of text_looks. */
+/** @brief A filled triangle without seams to its neighbours. */
+struct SheetTriangle {
+  SheetColour fill = ink;
+  std::array<Eigen::Vector2d, 3> corners;
+};
+
+enum class TextAnchor { Start, Middle, End };
+
+/** @brief A line of text. */
 struct SheetText {
-  std::string look;
+  SheetColour colour = ink;
   Eigen::Vector2d place = Eigen::Vector2d::Zero(); ///< anchor, at half letter height
-  double font = 0;                                 ///< font size, millimetres
+  double font = 0;                                 ///< font size
   std::string text;                                ///< UTF-8
   double degrees = 0;                              ///< counter-clockwise
   TextAnchor anchor = TextAnchor::Middle;
-  bool has_halo = false; ///< lines are interrupted around it
+  SheetColour ground = no_colour; ///< of a box that hides lines behind the text
+  bool is_bold = false;
 };
 
-/** @brief Starts a group of items, up to the next SheetGroup; without a name it ends
- * one. */
+/** @brief Starts a group of items, up to the next one; SVG names it. */
 struct SheetGroup {
-  std::string name; ///< such as "room_1"
+  std::string name; ///< such as "room_1"; may be empty
 };
 
-/** @brief A drawing on paper, for any format. */
-struct Sheet {
-  Eigen::Vector2d size = Eigen::Vector2d::Zero(); ///< millimetres
-  std::string title;
-  std::string description; ///< metadata; may be empty
-  std::vector<std::variant<SheetPath, SheetText, SheetGroup>> items{};
+/** @brief What follows is seen only within the box; an empty box ends that. */
+struct SheetClip {
+  Eigen::AlignedBox2d box;
+};
 
-  template <typename Item>
-  void add(Item item)
-  {
-    items.emplace_back(std::move(item));
-  }
+/** @brief A drawing for any format: items in the order in which they are drawn. x runs
+ * to the right from the left edge, y upwards. The unit is a millimetre of paper
+ * for SVG and PDF; for PNG it is a pixel. */
+struct Sheet {
+  using Item = std::
+      variant<SheetPath, SheetBoxes, SheetTriangle, SheetText, SheetGroup, SheetClip>;
+
+  Eigen::Vector2d size = Eigen::Vector2d::Zero();
+  double bottom = 0; ///< y of the lower edge
+  std::string title{};
+  std::string description{}; ///< metadata; may be empty
+  std::vector<Item> items{};
+
+  void add(Item item) { items.push_back(std::move(item)); }
 
   /** @brief Adds a polyline. */
-  void addLine(const std::string& look,
+  void addLine(const SheetLook& look,
                const std::vector<Eigen::Vector2d>& places,
                bool is_closed = false);
+
+  /** @brief Adds the outline or area of a box. */
+  void addBox(const SheetLook& look, const Eigen::AlignedBox2d& box);
 };
 
-/** @brief Writes the sheet as SVG in millimetres. */
+/** @brief Returns the sheet as SVG. Texts stay texts, groups have their names as ids.
+ * The same sheet gives the same bytes, as in the other formats. */
 std::string sheetSvg(const Sheet& sheet);
 
-/** @brief Writes the sheet as a page of PDF 1.4 in Helvetica, which every viewer has.
- * Letters outside Western European become "?". The same sheet gives the same bytes. */
+/** @brief Returns the sheet as a page of PDF with the letters that it needs. */
 std::string sheetPdf(const Sheet& sheet);
+
+/** @brief Returns the sheet as PNG.
+ * @param pixels per unit */
+std::string sheetPng(const Sheet& sheet, double pixels = 1);
+
+/** @brief Returns the width of a line of text over its font size. */
+double textWidth(const std::string& utf8, bool is_bold = false);
 
 } // namespace pcl::sedr

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "text_places.h"
 
-#include "letter_widths.h"
+#include "sheet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,16 +30,7 @@ isParted(const TextBox& a, const TextBox& b)
          std::abs(between.dot(left(way))) >= a.half_size.y() + reach(left(way));
 }
 
-constexpr double chord = 0.2; ///< millimetres between an arc and its chords
-
 using Lines = std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>;
-
-void
-addChords(const std::vector<Eigen::Vector2d>& corners, bool is_closed, Lines& lines)
-{
-  for (std::size_t i = 0; i + (is_closed ? 0 : 1) < corners.size(); ++i)
-    lines.emplace_back(corners[i], corners[(i + 1) % corners.size()]);
-}
 
 bool
 meetsAny(const TextBox& box, const Lines& lines)
@@ -90,7 +81,7 @@ TextBox::meets(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const
 Eigen::Vector2d
 halfSizeOf(const std::vector<std::string>& lines)
 {
-  constexpr double reserve = 1.2; // DejaVu Sans is 15 % wider than Helvetica
+  constexpr double reserve = 1.1;
   constexpr double line_height = 1.3;
   double width = 0;
   for (const std::string& line : lines)
@@ -111,17 +102,13 @@ readableAngle(const Eigen::Vector2d& way)
 }
 
 void
-TextPlaces::keepOff(const PlanLoop& loop)
+TextPlaces::addChords(const PlanElement& line, Lines& lines)
 {
-  addChords(loop.polygon(chord), true, lines_);
-}
-
-void
-TextPlaces::avoid(const PlanElement& line)
-{
+  constexpr double chord = 0.2; // millimetres between an arc and its chords
   std::vector<Eigen::Vector2d> corners = PlanLoop{{line}}.polygon(chord);
   corners.push_back(line.end);
-  addChords(corners, false, avoided_);
+  for (std::size_t k = 0; k + 1 < corners.size(); ++k)
+    lines.emplace_back(corners[k], corners[k + 1]);
 }
 
 bool

@@ -23,8 +23,8 @@ struct TextBox {
   bool meets(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
 };
 
-/** @brief Returns half the width and height of lines of text over the font size, with a
- * reserve for viewers without Helvetica. */
+/** @brief Returns half the width and height of lines of text over the font size, with
+ * some space around. */
 Eigen::Vector2d halfSizeOf(const std::vector<std::string>& lines);
 
 /** @brief Returns the angle, degrees, at which text along a direction is readable from
@@ -36,15 +36,15 @@ double readableAngle(const Eigen::Vector2d& way);
  * texts cross only where there is no other place. */
 class TextPlaces {
 public:
-  /** @brief Adds a loop that texts keep off; arcs as chords. */
-  void keepOff(const PlanLoop& loop);
+  /** @brief Adds a line or arc that texts keep off. */
+  void keepOff(const PlanElement& line) { addChords(line, lines_); }
   void keepOff(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
   {
     lines_.emplace_back(from, to);
   }
 
   /** @brief Adds a line that texts cross only where there is no other place. */
-  void avoid(const PlanElement& line);
+  void avoid(const PlanElement& line) { addChords(line, avoided_); }
 
   /** @brief Occupies the first of some rectangles that no text and no line is in; if
    * there is none, the first one that only lines to avoid are in. */
@@ -53,6 +53,7 @@ public:
 private:
   using Lines = std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>;
 
+  static void addChords(const PlanElement& line, Lines& lines);
   bool isFree(const TextBox& box) const;
 
   std::vector<TextBox> taken_;

@@ -64,7 +64,7 @@ def boxes_of(path):
 def box_of(element):
     x, y, font = (float(element.get(k)) for k in ("x", "y", "font-size"))
     turn = re.match(r"rotate\((\S+)", element.get("transform", "rotate(0"))
-    return Box(element.text, font, x, y, float(turn.group(1)), "start" in element.get("class").split())
+    return Box(element.text, font, x, y, float(turn.group(1)), element.get("text-anchor") == "start")
 
 
 def boxes_of_dxf(path):
@@ -175,7 +175,7 @@ class DrawingTexts(unittest.TestCase):
     def test_the_check_itself(self):
         def box(x, y, text, turn=0):
             return box_of(xml.etree.ElementTree.fromstring(
-                '<text class="size" x="%g" y="%g" font-size="2" transform="rotate(%g %g %g)">%s</text>'
+                '<text x="%g" y="%g" font-size="2" transform="rotate(%g %g %g)">%s</text>'
                 % (x, y, turn, x, y, text)))
         self.assertEqual(collisions([box(0, 0, "1.00"), box(3, 0.5, "2.00")]), [("2.00", "1.00")])
         self.assertEqual(collisions([box(0, 0, "1.00"), box(0, 1.7, "2.00")]), [])

@@ -49,6 +49,12 @@ std::string floorplanToSvg(const Floorplan& plan, const DrawingSettings& setting
 /** @brief Draws the same sheet as a PDF page. */
 std::string floorplanToPdf(const Floorplan& plan, const DrawingSettings& settings = {});
 
+/** @brief Draws the same sheet as a PNG picture.
+ * @param resolution pixels an inch of paper */
+std::string floorplanToPng(const Floorplan& plan,
+                           const DrawingSettings& settings = {},
+                           double resolution = 150);
+
 /** @brief Returns the scale that is chosen if none is set. */
 double drawingScale(const Floorplan& plan, PaperSize paper = PaperSize::A3);
 

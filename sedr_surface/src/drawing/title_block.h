@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "sheet.h"
+#include "../sheet/sheet.h"
 #include "sheet_layout.h"
 
 #include <pcl/sedr_filters/scan_frame.h>

@@ -2,7 +2,7 @@
 #include "title_block.h"
 
 #include "../formats/decimal_text.h"
-#include "text_places.h"
+#include "plan_layers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +16,9 @@ constexpr double row_height = title_height / 3;
 constexpr double caption_font = 1.8;
 constexpr double indent = 1.5;     ///< of texts within their cell
 constexpr double north_width = 20; ///< of the cell with the arrow
+constexpr SheetColour grey = 0x777777;
 
-/** @brief Draws the strip, row by row. */
+/** @brief Draws the strip, row by row from the top. */
 class TitleStrip {
 public:
   TitleStrip(Sheet& sheet, const SheetLayout& layout)
@@ -25,15 +26,10 @@ public:
       , layout_(layout)
       , low_(margin_left, margin)
       , width_(layout.size.x() - margin_left - margin - north_width)
-  {}
-
-  void addFrame()
   {
-    const Eigen::Vector2d high = layout_.size - Eigen::Vector2d::Constant(margin);
-    addBox("frame", low_, high);
-    addBox("cell", low_, {high.x(), low_.y() + title_height});
-    addBox("cell", {high.x() - north_width, low_.y()},
-           {high.x(), low_.y() + title_height});
+    const Eigen::Vector2d high = layout.size - Eigen::Vector2d::Constant(margin);
+    sheet.addBox(looks::frame, {low_, high});
+    sheet.addBox(looks::cell, {low_, Eigen::Vector2d(high.x(), margin + title_height)});
   }
 
   /** @brief Adds a cell between two shares of the width; its text is made to fit. */
@@ -46,10 +42,10 @@ public:
   {
     const Eigen::Vector2d corner = cornerOf(row, from);
     const double width = (to - from) * width_;
-    addBox("cell", corner, corner + Eigen::Vector2d(width, row_height));
-    addText("caption", corner + Eigen::Vector2d(indent, row_height - 1.9), caption_font,
+    sheet_.addBox(looks::cell, {corner, corner + Eigen::Vector2d(width, row_height)});
+    addText(grey, corner + Eigen::Vector2d(indent, row_height - 1.9), caption_font,
             caption, width);
-    addText("title", corner + Eigen::Vector2d(indent, 3), font, text, width);
+    addText(ink, corner + Eigen::Vector2d(indent, 3), font, text, width);
   }
 
   /** @brief Adds a scale bar of 25 to 62.5 mm in four parts. */
@@ -62,11 +58,12 @@ public:
     const double part = length * per_metre / 4;
     const Eigen::Vector2d start = cornerOf(row, from) + Eigen::Vector2d(4, 2.2);
     for (int k = 0; k < 4; ++k)
-      addBox(k % 2 == 0 ? "bar_dark" : "bar_light",
-             start + Eigen::Vector2d(k * part, 0),
-             start + Eigen::Vector2d((k + 1) * part, 1.3));
+      sheet_.addBox({k % 2 == 0 ? ink : paper_colour, ink, 0.15},
+                    {start + Eigen::Vector2d(k * part, 0),
+                     start + Eigen::Vector2d((k + 1) * part, 1.3)});
     for (int k = 0; k <= 4; k += 2)
-      sheet_.add(SheetText{"size", start + Eigen::Vector2d(k * part, 3.6), caption_font,
+      sheet_.add(SheetText{0x444444, start + Eigen::Vector2d(k * part, 3.6),
+                           caption_font,
                            shortDecimalText(length * k / 4, 3) + (k == 4 ? " m" : "")});
   }
 
@@ -80,9 +77,8 @@ public:
     const auto at = [&](double x, double y) -> Eigen::Vector2d {
       return middle + turn * Eigen::Vector2d(x, y);
     };
-    sheet_.addLine("north",
-                   {at(0, 6), at(2.6, -6), at(0, -3.6), at(-2.6, -6), at(0, 6)}, true);
-    sheet_.add(SheetText{"title", at(0, 9), small_font, origin.isZero() ? "y" : "N"});
+    sheet_.addLine({ink}, {at(0, 6), at(2.6, -6), at(0, -3.6), at(-2.6, -6)}, true);
+    sheet_.add(SheetText{ink, at(0, 9), small_font, origin.isZero() ? "y" : "N"});
   }
 
 private:
@@ -91,13 +87,7 @@ private:
     return low_ + Eigen::Vector2d(share * width_, (2 - row) * row_height);
   }
 
-  void addBox(const char* look, const Eigen::Vector2d& low, const Eigen::Vector2d& high)
-  {
-    sheet_.addLine(look, {low, {high.x(), low.y()}, high, {low.x(), high.y()}, low},
-                   true);
-  }
-
-  void addText(const char* look,
+  void addText(SheetColour colour,
                const Eigen::Vector2d& place,
                double font,
                const std::string& text,
@@ -105,9 +95,9 @@ private:
   {
     if (text.empty())
       return;
-    const double fitting = (width - 2 * indent) / (2 * halfSizeOf({text}).x());
+    const double fitting = (width - 2 * indent) / textWidth(text);
     sheet_.add(
-        SheetText{look, place, std::min(font, fitting), text, 0, TextAnchor::Start});
+        SheetText{colour, place, std::min(font, fitting), text, 0, TextAnchor::Start});
   }
 
   Sheet& sheet_;
@@ -116,46 +106,34 @@ private:
   double width_;
 };
 
-std::string
-scaleText(const SheetLayout& layout)
-{
-  return "1:" + shortDecimalText(layout.scale, 2) +
-         (layout.paper.empty() ? "" : "  " + layout.paper);
-}
-
-std::string
-notesText(const TitleBlock& block)
-{
-  std::string text = "Dimensions in metres, from face to face. Dashed: overhead. "
-                     "h: height of the ceiling above the floor.";
-  if (block.has_slopes)
-    text += " Dotted: headroom.";
-  return text + " Walls filled where both faces were scanned.";
-}
-
 } // namespace
 
 void
 addTitleBlock(Sheet& sheet, const SheetLayout& layout, const TitleBlock& block)
 {
   TitleStrip strip(sheet, layout);
-  strip.addFrame();
   strip.addCell(0, 0, 0.45, "Title", block.title, large_font);
   strip.addCell(0, 0.45, 0.75, "Storey", block.storey.empty() ? "all" : block.storey,
                 large_font);
-  strip.addCell(0, 0.75, 1, "Scale", scaleText(layout), large_font);
+  strip.addCell(0, 0.75, 1, "Scale",
+                "1:" + shortDecimalText(layout.scale, 2) + "  " + layout.paper,
+                large_font);
   strip.addCell(1, 0, 0.3, "Rooms, floor area",
                 std::to_string(block.rooms) +
                     (block.rooms == 1 ? " room, " : " rooms, ") +
                     decimalText(block.area, 2) + " m²");
   for (const auto& [from, caption] :
-       {std::make_pair(0.3, "Date"), std::make_pair(0.4, "Drawn"),
-        std::make_pair(0.5, "Checked")})
+       {std::make_pair(0.3, "Date"), {0.4, "Drawn"}, {0.5, "Checked"}})
     strip.addCell(1, from, from + 0.1, caption, "");
   strip.addCell(1, 0.6, 1, "", "");
   strip.addScaleBar(1, 0.6);
   const bool has_origin = !block.origin.isZero();
-  strip.addCell(2, 0, has_origin ? 0.65 : 1, "Notes", notesText(block));
+  strip.addCell(
+      2, 0, has_origin ? 0.65 : 1, "Notes",
+      std::string("Dimensions in metres, from face to face. Dashed: overhead. "
+                  "h: height of the ceiling above the floor.") +
+          (block.has_slopes ? " Dotted: headroom." : "") +
+          " Walls filled where both faces were scanned.");
   if (has_origin)
     strip.addCell(2, 0.65, 1, "Origin of coordinates, m", block.origin.text(", "));
   strip.addNorth(block.origin);

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dimension_rows.h"
+
+#include "../formats/decimal_text.h"
+#include "plan_layers.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace pcl::sedr {
+namespace {
+
+// Millimetres of paper.
+constexpr double first_row = 9;       ///< from the plan to the first row
+constexpr double next_row = 8;        ///< from row to row
+constexpr double last_row = 5;        ///< what a row needs outwards
+constexpr double beyond = 1.5;        ///< overshoot of extension lines
+constexpr double min_dimension = 0.7; ///< nearer places are merged
+
+using Line = std::pair<Eigen::Vector2d, Eigen::Vector2d>;
+
+/** @brief Returns the extension line from a corner to the dimension line; only its last
+ * part if it would be long. */
+Line
+extensionLine(const Eigen::Vector2d& corner, const Eigen::Vector2d& at)
+{
+  constexpr double gap = 1.5;
+  constexpr double longest = 50;
+  constexpr double extension = 4;
+  const double length = (at - corner).norm();
+  const Eigen::Vector2d off = (at - corner) / std::max(length, 1e-9);
+  return {corner + (length > longest ? length - extension : gap) * off,
+          at + beyond * off};
+}
+
+/** @brief Returns the lines of a dimension: its own, and both extension lines. */
+std::vector<Line>
+linesOf(const SheetDimension& d)
+{
+  return {{d.start, d.end}, extensionLine(d.from, d.start), extensionLine(d.to, d.end)};
+}
+
+std::vector<SheetDimension>
+dimensionsOf(const DimensionRow& row, const PlanFrame& frame)
+{
+  const DimensionChain& chain = row.chain;
+  const Eigen::Vector2d along = wayAlong(chain.side);
+  const auto onLine = [&](const Eigen::Vector2d& p) -> Eigen::Vector2d {
+    return p.dot(along) * along + row.line * wayOff(chain.side);
+  };
+  std::vector<SheetDimension> dimensions;
+  for (std::size_t k = 0; k + 1 < chain.places.size(); ++k) {
+    const Eigen::Vector2d from = frame(chain.places[k]);
+    const Eigen::Vector2d to = frame(chain.places[k + 1]);
+    dimensions.push_back(
+        {from, to, onLine(from), onLine(to), chain.along(k + 1) - chain.along(k)});
+  }
+  return dimensions;
+}
+
+/** @brief Returns candidate boxes for the text of a dimension, the best first: on its
+ * line, else beyond or beside it. */
+std::vector<TextBox>
+boxesFor(const SheetDimension& d, const std::string& text, DrawingSide side)
+{
+  constexpr double rise = 2.1; // of the text above its line
+  const Eigen::Vector2d along = wayAlong(side);
+  const Eigen::Vector2d up(-along.y(), along.x());
+  const Eigen::Vector2d half = small_font * halfSizeOf({text});
+  const double stretch = (d.end - d.start).norm();
+  const double below = beyond + half.y() + 0.1;
+  std::vector<TextBox> boxes;
+  const auto add = [&](double shift, const Eigen::Vector2d& off) {
+    boxes.push_back(
+        {(d.start + d.end) / 2 + shift * along + off, half, along.x() > 0 ? 0. : 90.});
+  };
+  add(0, rise * up);
+  add(0, below * wayOff(side));
+  for (const double shift : {half.x(), 2 * half.x(), 3 * half.x()})
+    for (const double sign : {1.0, -1.0}) {
+      add(sign * (stretch / 2 + shift), rise * up);
+      add(sign * shift, below * wayOff(side));
+    }
+  return boxes;
+}
+
+/** @brief Places the texts of a row, longer ones first, in the better places.
+ * @return the first dimension whose text has no place, or their number */
+std::size_t
+placeTexts(TextPlaces& places, DrawingSide side, std::vector<SheetDimension>& row)
+{
+  std::vector<std::size_t> order(row.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return row[a].length > row[b].length;
+  });
+  std::size_t without = row.size();
+  for (const std::size_t k : order) {
+    const std::string text = decimalText(row[k].length, 2);
+    if (const auto box = places.takeFirst(boxesFor(row[k], text, side)))
+      row[k].text = SheetText{styleOf(PlanLayer::Dimension).text, box->middle,
+                              small_font, text, box->degrees};
+    else
+      without = std::min(without, k);
+  }
+  return without;
+}
+
+/** @brief Takes the place at one end of a dimension out of its chain, so that it is
+ * joined with the shorter one of its neighbours. */
+void
+joinWithNeighbour(DimensionChain& chain, std::size_t dimension)
+{
+  const std::size_t last = chain.places.size() - 1;
+  const auto length = [&](std::size_t k) {
+    return chain.along(k + 1) - chain.along(k);
+  };
+  const bool is_before =
+      dimension + 1 == last ||
+      (dimension > 0 && length(dimension - 1) < length(dimension + 1));
+  const std::size_t removed = is_before ? dimension : dimension + 1;
+  chain.places.erase(chain.places.begin() + static_cast<std::ptrdiff_t>(removed));
+}
+
+} // namespace
+
+std::vector<DimensionRow>
+rowsAround(const Floorplan& plan, const PlanFrame& frame, double max_wall)
+{
+  std::vector<PlanElement> walls;
+  const PlanFrame turned{frame.turn};
+  for (const PlanRoom& room : plan.rooms)
+    for (const PlanElement& e : room.boundary.elements)
+      walls.push_back(turned(e));
+  const Eigen::AlignedBox2d bounds = boundsOf(plan, frame);
+  const double text = 2 * small_font * halfSizeOf({"0.00"}).x();
+  std::vector<DimensionChain> chains =
+      wallChains(walls, max_wall, min_dimension / frame.scale, text / frame.scale);
+  for (const DimensionChain& chain : overallChains(boundsOf(plan, turned)))
+    chains.push_back(chain);
+  std::vector<DimensionRow> rows;
+  for (const DimensionChain& chain : chains) {
+    const auto inside =
+        std::count_if(rows.begin(), rows.end(), [&](const DimensionRow& other) {
+          return other.chain.side == chain.side;
+        });
+    const Eigen::Vector2d way = wayOff(chain.side);
+    rows.push_back({chain, std::max(bounds.min().dot(way), bounds.max().dot(way)) +
+                               first_row + static_cast<double>(inside) * next_row});
+  }
+  return rows;
+}
+
+Eigen::AlignedBox2d
+spaceOf(const std::vector<DimensionRow>& rows, const Eigen::AlignedBox2d& plan)
+{
+  constexpr double without_row = 4;
+  Eigen::AlignedBox2d space(Eigen::Vector2d::Constant(without_row),
+                            Eigen::Vector2d::Constant(without_row));
+  for (const DimensionRow& row : rows) {
+    const Eigen::Vector2d way = wayOff(row.chain.side);
+    const double off =
+        row.line + last_row - std::max(plan.min().dot(way), plan.max().dot(way));
+    (way.sum() < 0 ? space.min() : space.max()).array() =
+        (way.sum() < 0 ? space.min() : space.max())
+            .cwiseMax(off * way.cwiseAbs())
+            .array();
+  }
+  return space;
+}
+
+std::vector<SheetDimension>
+placedRows(std::vector<DimensionRow> rows, const PlanFrame& frame, TextPlaces& places)
+{
+  const PlanFrame of_walls{0, frame.scale, frame.shift};
+  for (bool is_complete = false; !is_complete;) {
+    TextPlaces tried = places;
+    std::vector<std::vector<SheetDimension>> placed;
+    for (const DimensionRow& row : rows) {
+      placed.push_back(dimensionsOf(row, of_walls));
+      for (const SheetDimension& d : placed.back())
+        for (const Line& line : linesOf(d))
+          tried.keepOff(line.first, line.second);
+    }
+    is_complete = true;
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      const std::size_t without = placeTexts(tried, rows[r].chain.side, placed[r]);
+      if (without == placed[r].size())
+        continue;
+      is_complete = false;
+      if (placed[r].size() > 1)
+        joinWithNeighbour(rows[r].chain, without);
+      else
+        rows[r].chain.places.clear();
+    }
+    if (!is_complete)
+      continue;
+    places = tried;
+    std::vector<SheetDimension> all;
+    for (const std::vector<SheetDimension>& row : placed)
+      all.insert(all.end(), row.begin(), row.end());
+    return all;
+  }
+  return {};
+}
+
+void
+addDimensions(Sheet& sheet, const std::vector<SheetDimension>& dimensions)
+{
+  const Eigen::Vector2d slant = 0.9 * Eigen::Vector2d(1, 1);
+  for (const SheetDimension& d : dimensions) {
+    for (const Line& line : linesOf(d))
+      sheet.addLine(looks::thin, {line.first, line.second});
+    for (const Eigen::Vector2d& at : {d.start, d.end})
+      sheet.addLine(looks::tick, {at - slant, at + slant});
+    if (d.text)
+      sheet.add(*d.text);
+  }
+}
+
+} // namespace pcl::sedr

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "../sheet/sheet.h"
+
+#include <array>
+#include <cstddef>
+
+namespace pcl::sedr {
+
+/** @brief What a line, an area or a text of a drawing tells of. */
+enum class PlanLayer {
+  Wall,
+  Column,
+  Niche,
+  Door,
+  Ceiling,  ///< edges of details, steps of a ceiling that is not level
+  Ridge,    ///< ridges, hips and valleys
+  Headroom, ///< where a ceiling that is not level is 1.5 or 2.3 m above the floor
+  Floor,    ///< steps and platforms
+  Room,     ///< numbers, areas and heights of rooms
+  Height,   ///< heights of ceilings
+  Dimension,
+  Note
+};
+
+/** @brief How a layer looks on a sheet, in millimetres, and in a DXF. */
+struct LayerStyle {
+  const char* dxf_name; ///< of the US National CAD Standard (AIA)
+  int dxf_colour;       ///< index of AutoCAD's palette
+  bool is_dashed;       ///< in a DXF
+  SheetLook line;
+  SheetColour text;
+};
+
+/** @brief Areas and marks without a layer of their own. */
+namespace looks {
+constexpr SheetColour room_colour = 0xf6f3ec;
+constexpr SheetColour blue = 0x2b62a8;
+inline const SheetLook room{room_colour};
+inline const SheetLook wall_body{0xbdb8ae};
+inline const SheetLook jamb{no_colour, ink, 0.25};
+inline const SheetLook thin{no_colour, 0x555555, 0.15};
+inline const SheetLook tick{no_colour, ink, 0.35};
+inline const SheetLook frame{no_colour, ink, 0.5};
+inline const SheetLook cell{no_colour, ink, 0.18};
+} // namespace looks
+
+/** In the order of PlanLayer. */
+inline const std::array<LayerStyle, 12> layer_styles{
+    {{"A-WALL", 7, false, {no_colour, ink, 0.5}, ink},
+     {"A-COLS", 1, false, {0x7d7d7d, ink, 0.35}, 0x444444},
+     {"A-WALL-NICH", 6, false, {looks::room_colour, 0x333333, 0.3}, ink},
+     {"A-DOOR", 4, false, {looks::room_colour, no_colour, 0}, 0x444444},
+     {"A-CLNG", 5, true, {no_colour, looks::blue, 0.2, {1.8, 0.9}}, looks::blue},
+     {"A-CLNG-RIDG",
+      5,
+      true,
+      {no_colour, looks::blue, 0.3, {5, 1, 0.6, 1}},
+      looks::blue},
+     {"A-CLNG-HEAD", 30, true, {no_colour, 0xb3562b, 0.2, {0.8, 0.8}}, 0xb3562b},
+     {"A-FLOR-LEVL", 3, false, {no_colour, 0x333333, 0.2}, looks::blue},
+     {"A-AREA-IDEN", 7, false, {}, ink},
+     {"A-CLNG-IDEN", 5, false, {}, looks::blue},
+     {"A-ANNO-DIMS", 8, false, {}, 0x444444},
+     {"A-ANNO-TEXT", 7, false, {}, looks::blue}}};
+
+inline const LayerStyle&
+styleOf(PlanLayer layer)
+{
+  return layer_styles[static_cast<std::size_t>(layer)];
+}
+
+/** @brief Font sizes, millimetres: letters 1.8 and 2.5 mm high, as usual in ISO 3098.
+ */
+constexpr double small_font = 2.5;
+constexpr double large_font = 3.5;
+
+} // namespace pcl::sedr

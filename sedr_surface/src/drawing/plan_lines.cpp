@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_lines.h"
+
+#include "../formats/decimal_text.h"
+#include "../overhead/ceiling_heights.h"
+#include "../overhead/line_parts.h"
+#include "../walls/plan_walls.h"
+
+#include "sedr_segmentation/src/curves/plan_segment.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::sedr {
+namespace {
+
+/** @brief Headrooms drawn below a roof, metres. Area rules such as the former DIN 277
+ * count half of what is lower than the first. Building codes require the second over
+ * half of a habitable room. */
+constexpr double headrooms[] = {1.5, 2.3};
+
+constexpr double on_wall = 0.03; ///< distance of what coincides with a wall, metres
+
+/** @brief Collects the lines of a room. */
+class RoomLines {
+public:
+  RoomLines(const PlanRoom& room, std::vector<PlanLine>& lines)
+      : room_(room)
+      , lines_(lines)
+  {}
+
+  void add(const PlanElement& element, PlanLayer layer, const std::string& note = "")
+  {
+    if (element.length() > 0)
+      lines_.push_back({element, layer, room_.id, note});
+  }
+
+  void addLoop(const PlanLoop& loop, PlanLayer layer)
+  {
+    for (const PlanElement& element : loop.elements)
+      add(element, layer);
+  }
+
+  /** @brief Adds what of a loop is on no wall and, if asked for, in the room. */
+  void addOffWalls(const PlanLoop& loop, PlanLayer layer, bool is_inside)
+  {
+    for (const PlanElement& element : loop.elements) {
+      const auto isFree = [&](double s) {
+        const Eigen::Vector2d p = element.pointAt(s);
+        return (!is_inside || room_.contains(p)) &&
+               room_.boundary.distance(p) > on_wall &&
+               std::none_of(
+                   room_.columns.begin(), room_.columns.end(),
+                   [&](const PlanLoop& c) { return c.distance(p) <= on_wall; });
+      };
+      forEachPart(element, isFree, [&](const PlanElement& part, bool is_free) {
+        if (is_free)
+          add(part, layer);
+      });
+    }
+  }
+
+  /** @brief Adds the lines of headroom; the longest of each carries its height. */
+  void addHeadroom()
+  {
+    for (const double height : headrooms) {
+      const std::vector<PlanElement> found = heightLines(room_, height);
+      const auto longest = std::max_element(
+          found.begin(), found.end(), [](const PlanElement& a, const PlanElement& b) {
+            return a.length() < b.length();
+          });
+      for (auto line = found.begin(); line != found.end(); ++line)
+        add(*line, PlanLayer::Headroom,
+            line == longest ? "h " + decimalText(height, 2) : "");
+    }
+  }
+
+  /** @brief Adds the heads of tilted walls. */
+  void addHeads(const WallTilts& tilts)
+  {
+    for (const WallTilt& tilt : tilts) {
+      if (tilt.room != room_.id || tilt.tilt == 0 ||
+          tilt.wall >= room_.boundary.elements.size())
+        continue;
+      const PlanLoop head = boundaryAt(room_, tilts, headOf(room_, {tilt}));
+      add(head.elements[tilt.wall], PlanLayer::Ceiling,
+          "tilt " + decimalText(std::abs(tilt.tilt) * 180 / M_PI, 1) + "°");
+    }
+  }
+
+private:
+  const PlanRoom& room_;
+  std::vector<PlanLine>& lines_;
+};
+
+/** @brief Returns the wall of a room nearest to a place, within 0.5 m, or null. */
+const PlanElement*
+faceNear(const Floorplan& plan, std::uint32_t room, const Eigen::Vector2d& place)
+{
+  constexpr double farthest = 0.5;
+  for (const PlanRoom& r : plan.rooms)
+    if (r.id == room && r.boundary.distance(place) <= farthest)
+      return &r.boundary.elements[r.boundary.nearest(place)];
+  return nullptr;
+}
+
+/** @brief Returns a corner of a wall's outline if another wall that was seen meets it
+ * there; else the end of its face, as what is beyond was not seen. */
+Eigen::Vector2d
+withinWalls(const Floorplan& plan,
+            const Eigen::Vector2d& corner,
+            const PlanElement& face)
+{
+  constexpr double same = 0.01; // metres
+  const bool is_at_room =
+      std::any_of(plan.rooms.begin(), plan.rooms.end(), [&](const PlanRoom& room) {
+        return room.boundary.distance(corner) < same;
+      });
+  return is_at_room ? corner : face.pointAt(face.project(corner));
+}
+
+} // namespace
+
+std::vector<CeilingLines>
+ceilingsOf(const Floorplan& plan, double finest)
+{
+  std::vector<CeilingLines> lines;
+  for (const PlanRoom& room : plan.rooms)
+    lines.push_back(ceilingLines(room, finest));
+  return lines;
+}
+
+std::vector<PlanLine>
+planLines(const Floorplan& plan,
+          const std::vector<CeilingLines>& ceilings,
+          const WallTilts& tilts)
+{
+  std::vector<PlanLine> all;
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
+    const PlanRoom& room = plan.rooms[r];
+    RoomLines lines(room, all);
+    lines.addLoop(room.boundary, PlanLayer::Wall);
+    for (const PlanLoop& column : room.columns)
+      lines.addLoop(column,
+                    isIsland(room, column) ? PlanLayer::Wall : PlanLayer::Column);
+    for (const CeilingLine& line : ceilings[r].lines)
+      lines.add(line.element, line.is_crease ? PlanLayer::Ridge : PlanLayer::Ceiling,
+                line.text);
+    for (const PlanDetail& detail : room.floor_details) {
+      lines.addOffWalls(detail.boundary, PlanLayer::Floor, true);
+      for (const PlanLoop& hole : detail.holes)
+        lines.addOffWalls(hole, PlanLayer::Floor, true);
+    }
+    for (const PlanNiche& niche : room.niches)
+      lines.addOffWalls(niche.boundary, PlanLayer::Niche, false);
+    lines.addHeadroom();
+    lines.addHeads(tilts);
+  }
+  return all;
+}
+
+std::vector<DoorwayGap>
+doorwayGaps(const Floorplan& plan)
+{
+  std::vector<DoorwayGap> gaps;
+  for (const PlanDoorway& doorway : plan.doorways) {
+    if (!(doorway.width() > 0))
+      continue;
+    const Eigen::Vector2d middle = (doorway.start + doorway.end) / 2;
+    const PlanElement* near = faceNear(plan, doorway.rooms[0], middle);
+    const PlanElement* far = faceNear(plan, doorway.rooms[1], middle);
+    if (!near)
+      std::swap(near, far);
+    Eigen::Vector2d a = doorway.start;
+    Eigen::Vector2d b = doorway.end;
+    const auto onto = [](const PlanElement& face, const Eigen::Vector2d& p) {
+      return face.pointAt(face.project(p));
+    };
+    DoorwayGap gap;
+    // What a face does not have ends at its end, on both sides of the wall.
+    for (int k = 0; k < 2 && near && far; ++k)
+      for (Eigen::Vector2d* p : {&a, &b})
+        *p = onto(k == 0 ? *far : *near, *p);
+    if (near && !far) {
+      const Eigen::Vector2d from = onto(*near, a);
+      const Eigen::Vector2d to = onto(*near, b);
+      gap.corners = {from, to, 2 * b - to, 2 * a - from};
+    }
+    else if (near)
+      gap.corners = {a, b, onto(*far, b), onto(*far, a)};
+    else
+      gap.corners = {a, b, b, a};
+    gap.width = (gap.corners[1] - gap.corners[0]).norm();
+    gap.height = doorway.top - doorway.bottom;
+    if (gap.width > 0)
+      gaps.push_back(gap);
+  }
+  return gaps;
+}
+
+std::vector<std::vector<PlanLoop>>
+wallBodies(const Floorplan& plan, double max_wall)
+{
+  std::vector<std::vector<PlanLoop>> bodies;
+  for (const PlanWall& wall : findWalls(plan, {max_wall})) {
+    if (wall.isAssumed())
+      continue;
+    const PlanElement& face = elementOf(plan, wall.face);
+    const PlanElement& other = elementOf(plan, *wall.other);
+    PlanLoop body;
+    if (!face.isArc()) {
+      const WallFrame frame = frameOf(plan, wall);
+      std::array<Eigen::Vector2d, 4> corners;
+      for (std::size_t k = 0; k < 4; ++k)
+        corners[k] =
+            withinWalls(plan, frame.toPlan(wall.outline[k]), k < 2 ? face : other);
+      for (std::size_t k = 0; k < 4; ++k)
+        body.elements.push_back(segment(corners[k], corners[(k + 1) % 4]));
+    }
+    else if (face.start == face.end && other.isArc() && other.start == other.end) {
+      bodies.push_back({{{face}}, {{other}}});
+      continue;
+    }
+    else {
+      // The faces run in opposite directions, so that both parts form a loop.
+      const PlanElement near = face.part(std::max(wall.stretch.from, 0.0),
+                                         std::min(wall.stretch.to, face.length()));
+      const auto [from, to] =
+          std::minmax({other.project(near.start), other.project(near.end)});
+      const PlanElement far = other.part(from, to);
+      body.elements = {near, segment(near.end, far.start), far,
+                       segment(far.end, near.start)};
+    }
+    bodies.push_back({body});
+  }
+  return bodies;
+}
+
+} // namespace pcl::sedr

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "../overhead/ceiling_lines.h"
+#include "plan_layers.h"
+
+#include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/straightening.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl::sedr {
+
+/** @brief A line of a drawing, metres. */
+struct PlanLine {
+  PlanElement element;
+  PlanLayer layer = PlanLayer::Wall;
+  std::uint32_t room = 0;
+  std::string note{}; ///< text along it: "ridge 4.35", "h 1.50"; usually empty
+};
+
+/** @brief Returns the lines of the ceiling of each room, see ceilingLines(). */
+std::vector<CeilingLines> ceilingsOf(const Floorplan& plan, double finest);
+
+/** @brief Returns all lines and arcs of a plan. Edges of floor details and niches on a
+ * wall or column are not repeated, nor is drawn what of them is outside of the room.
+ * The head of a tilted wall has its tilt as note.
+ * @param ceilings from ceilingsOf() */
+std::vector<PlanLine> planLines(const Floorplan& plan,
+                                const std::vector<CeilingLines>& ceilings,
+                                const WallTilts& tilts = {});
+
+/** @brief A doorway for drawing: a gap through its wall, from face to face. */
+struct DoorwayGap {
+  std::array<Eigen::Vector2d, 4>
+      corners;       ///< around the gap: along a face, back; metres
+  double width = 0;  ///< metres
+  double height = 0; ///< metres
+};
+
+/** @brief Returns the doorways of a plan that have a width. A gap is what the nearest
+ * wall faces of both rooms, within 0.5 m, have in common of it; outwards it is as deep
+ * as towards the room. */
+std::vector<DoorwayGap> doorwayGaps(const Floorplan& plan);
+
+/** @brief Returns the bodies of walls with both faces seen: the outline of each, and
+ * the hole of a wall that surrounds a room.
+ * @param max_wall maximum thickness, metres */
+std::vector<std::vector<PlanLoop>> wallBodies(const Floorplan& plan, double max_wall);
+
+} // namespace pcl::sedr
