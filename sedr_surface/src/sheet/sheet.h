@@ -35,7 +35,8 @@ struct SheetPath {
   bool is_closed = false;
 };
 
-/** @brief Filled boxes of one colour, such as cells and points. */
+/** @brief Filled boxes of one colour without seams between them, such as cells and
+ * points. */
 struct SheetBoxes {
   SheetColour fill = ink;
   std::vector<Eigen::AlignedBox2d> boxes;

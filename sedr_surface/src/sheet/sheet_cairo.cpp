@@ -96,12 +96,12 @@ public:
   void operator()(const SheetBoxes& boxes)
   {
     setColour(boxes.fill);
-    for (const Eigen::AlignedBox2d& box : boxes.boxes)
+    cairo_set_antialias(cairo_.get(), CAIRO_ANTIALIAS_NONE);
+    for (const Eigen::AlignedBox2d& box : boxes.boxes) {
       addBox(box);
-    // One path: boxes side by side have no seam, overlapping ones are one area.
-    cairo_set_fill_rule(cairo_.get(), CAIRO_FILL_RULE_WINDING);
-    cairo_fill(cairo_.get());
-    cairo_set_fill_rule(cairo_.get(), CAIRO_FILL_RULE_EVEN_ODD);
+      cairo_fill(cairo_.get()); // one by one: Cairo would unite them first
+    }
+    cairo_set_antialias(cairo_.get(), CAIRO_ANTIALIAS_DEFAULT);
   }
 
   void operator()(const SheetTriangle& triangle)

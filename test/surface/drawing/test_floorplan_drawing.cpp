@@ -57,11 +57,11 @@ facetOf(const PlanLoop& loop, const PlanSlab& slab)
 
 TEST(FloorplanDrawing, TheScaleIsTheLargestOfARulerThatFitsThePaper)
 {
-  // An A3 sheet has 364 mm by 224 mm for a rectangle between frame, title and
-  // dimensions, or 241 mm by 347 mm.
-  EXPECT_EQ(drawingScale(planOf(rectangle(0, 0, 3.6, 2.2))), 10);
-  EXPECT_EQ(drawingScale(planOf(rectangle(0, 0, 3.7, 2.2))), 20);
-  EXPECT_EQ(drawingScale(planOf(rectangle(0, 0, 2.4, 3.4))), 10) << "upright";
+  // An A3 sheet has 372 mm by 232 mm for a rectangle between frame, title and
+  // dimensions, or 249 mm by 355 mm.
+  EXPECT_EQ(drawingScale(planOf(rectangle(0, 0, 3.7, 2.3))), 10);
+  EXPECT_EQ(drawingScale(planOf(rectangle(0, 0, 3.75, 2.3))), 20);
+  EXPECT_EQ(drawingScale(planOf(rectangle(0, 0, 2.4, 3.5))), 10) << "upright";
   EXPECT_EQ(drawingScale(planOf(rectangle(0, 0, 16, 18))), 75);
   EXPECT_EQ(drawingScale(planOf(rectangle(0, 0, 34, 20))), 100);
   EXPECT_EQ(drawingScale(planOf(rectangle(0, 0, 34, 20)), PaperSize::A1), 50);
@@ -169,7 +169,7 @@ TEST(FloorplanDrawing, TextsTellSizesAndHeights)
   Floorplan plan = planOf(rectangle(0, 0, 8, 6));
   PlanRoom& room = plan.rooms[0];
   room.columns = {reversed(circle({2, 2}, 0.2)), reversed(rectangle(5, 4, 5.3, 4.5))};
-  room.details = {detailOf(rectangle(0, 5, 8, 7), 2.2),
+  room.details = {detailOf(rectangle(0, 5, 8, 6), 2.2),
                   detailOf(rectangle(9, 0, 10, 2), 2.1)}; // outside of the room
   // Each step is drawn over the previous ones.
   room.floor_details = {detailOf(rectangle(6, 0, 8, 4), 0.15),
@@ -223,8 +223,9 @@ gapOf(const PlanDoorway& doorway)
   Floorplan plan{
       {roomOf(rectangle(0, 0, 4, 3), 2.5), roomOf(rectangle(4.1, 0, 8, 3), 2.5, 2)}};
   plan.doorways = {doorway};
+  const std::vector<DoorwayGap> gaps = doorwayGaps(plan);
   Eigen::AlignedBox2d box;
-  for (const Eigen::Vector2d& corner : doorwayGaps(plan).at(0).corners)
+  for (const Eigen::Vector2d& corner : gaps.at(0).corners)
     box.extend(corner);
   return box;
 }

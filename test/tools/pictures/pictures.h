@@ -11,11 +11,11 @@
 
 #include <algorithm>
 #include <ostream>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
-namespace pcl {
-namespace sedr {
-namespace tools {
+namespace pcl::sedr::tools {
 
 inline std::ostream&
 operator<<(std::ostream& stream, Colour c)
@@ -24,13 +24,23 @@ operator<<(std::ostream& stream, Colour c)
                 << ')';
 }
 
-} // namespace tools
-} // namespace sedr
-} // namespace pcl
+} // namespace pcl::sedr::tools
 
 namespace programs {
 
 using namespace pcl::sedr::tools;
+
+/** Pixels row by row from the top left. */
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<Colour> pixels{};
+
+  Colour at(int x, int y) const
+  {
+    return pixels.at(static_cast<std::size_t>(y * width + x));
+  }
+};
 
 /** Decodes a PNG file; empty if the bytes are invalid. */
 inline Image
@@ -43,29 +53,14 @@ imageOf(std::string png)
   const int* size = reader->GetOutput()->GetDimensions();
   if (size[0] < 2 || reader->GetOutput()->GetNumberOfScalarComponents() != 3)
     return {};
-  Image image(size[0], size[1], colours::paper);
-  for (int y = 0; y < image.height; ++y)
+  Image image{size[0], size[1]};
+  for (int y = image.height - 1; y >= 0; --y)
     for (int x = 0; x < image.width; ++x) {
       const auto* p = static_cast<const std::uint8_t*>(
-          reader->GetOutput()->GetScalarPointer(x, image.height - 1 - y, 0));
-      image.at(x, y) = {p[0], p[1], p[2]};
+          reader->GetOutput()->GetScalarPointer(x, y, 0));
+      image.pixels.push_back({p[0], p[1], p[2]});
     }
   return image;
-}
-
-/** Returns the colour of a panel at a place, metres. */
-inline Colour
-colourAt(const Panel& panel, double x, double y)
-{
-  constexpr double size = 600;
-  Canvas canvas(static_cast<int>(size), static_cast<int>(size));
-  panel.draw(canvas, {{0, 0}, {size, size}});
-  const Box view = panel.view();
-  const Eigen::Vector2d at = (Eigen::Vector2d(x, y) - view.low)
-                                 .cwiseQuotient(view.size())
-                                 .cwiseProduct(Eigen::Vector2d(size, size));
-  EXPECT_TRUE(view.contains({x, y})) << x << ' ' << y;
-  return canvas.image().at(static_cast<int>(at.x()), static_cast<int>(size - at.y()));
 }
 
 /** Returns panel `i` of a picture, counted row by row. */
@@ -80,11 +75,26 @@ panelOf(const Picture& picture, std::size_t i)
   throw std::out_of_range("the picture has no such panel");
 }
 
+/** Returns the colour of a panel at a place, metres. */
+inline Colour
+colourAt(const Panel& panel, const Eigen::Vector2d& place)
+{
+  pcl::sedr::Sheet sheet;
+  sheet.size = {600, 600};
+  panel.draw(sheet, Box(Eigen::Vector2d::Zero(), sheet.size));
+  const Box view = panel.view();
+  EXPECT_TRUE(view.contains(place)) << place.transpose();
+  const Eigen::Vector2d at =
+      (place - view.min()).cwiseQuotient(view.sizes()).cwiseProduct(sheet.size);
+  return imageOf(pcl::sedr::sheetPng(sheet))
+      .at(static_cast<int>(at.x()), static_cast<int>(600 - at.y()));
+}
+
 /** Returns the colour of panel `i` of a picture at a place, metres. */
 inline Colour
 colourAt(const Picture& picture, std::size_t i, const Eigen::Vector2d& place)
 {
-  return colourAt(panelOf(picture, i), place.x(), place.y());
+  return colourAt(panelOf(picture, i), place);
 }
 
 /** Returns the cells of rows `y0` to `y1` and columns `x0` to `x1`, inclusive. */

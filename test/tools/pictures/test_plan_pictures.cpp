@@ -5,7 +5,6 @@
 #include "plan_picture.h"
 #include "refinement_picture.h"
 #include "repair_picture.h"
-#include "unrolled_walls.h"
 
 #include <pcl/sedr_filters/impl/refinement.h>
 
@@ -67,48 +66,18 @@ TEST(RepairPicture, ShowsADoorWhereItIsInTheWallSeenFromInside)
   RepairedSurfaces surfaces;
   for (const auto& point : repairHoles(seen, plan, 0.05, &surfaces.strips))
     surfaces.is_seen.push_back(point.source >= 0);
-  const auto strips = nameStrips(surfaces.strips);
-  ASSERT_EQ(strips.size(), 4u);
-  EXPECT_EQ(strips[3].name, "1.1") << "who turns to the right sees it last";
-  const StripBoxes boxes = boxesOf(strips[3], surfaces.is_seen, {10, 20});
-  Box door;
-  for (const Box& box : boxes.filled)
-    door.extend(box);
-  // Seen from inside, the wall at y = 0 starts on the left at x = 4.
-  EXPECT_NEAR(door.low.x(), 12, 1e-9);
-  EXPECT_NEAR(door.high.x(), 13, 1e-9);
-  EXPECT_NEAR(door.low.y(), 20, 1e-9);
-  EXPECT_NEAR(door.high.y(), 22, 1e-9);
-
   const Picture picture = drawRepair(surfaces, plan);
-  const StripLines lines = breakIntoLines(strips, 1, 1);
-  EXPECT_EQ(lines.origins.size(), 4u);
   EXPECT_EQ(colourAt(picture, 0, {3, 0}), colours::wall) << "the plan";
   EXPECT_EQ(colourAt(picture, 0, {1.5, 0}),
             mixed(colours::wall, colours::recovered, 0.8));
-}
-
-TEST(RepairPicture, BreaksWallsIntoLinesThatDoNotOverlap)
-{
-  PlanRoom hall = boxRoom();
-  hall.boundary = sedr_test::rectangle(0, 0, 30, 20);
-  std::vector<RepairedStrip> repaired;
-  repairHoles({}, {{boxRoom(), hall}}, 0.5, &repaired);
-  const auto strips = nameStrips(repaired);
-  ASSERT_EQ(strips.size(), 8u);
-  for (const double height : {0.2, 1.0, 5.0}) {
-    const StripLines lines = breakIntoLines(strips, 1, height);
-    std::vector<Box> boxes;
-    for (std::size_t i = 0; i < strips.size(); ++i) {
-      boxes.push_back(
-          {lines.origins[i], lines.origins[i] + Vector2d(strips[i].length, 2.5)});
-      EXPECT_TRUE(lines.view.contains(boxes[i].low));
-      EXPECT_TRUE(lines.view.contains(boxes[i].high));
-      for (std::size_t j = 0; j < i; ++j)
-        EXPECT_FALSE((boxes[i].low.array() < boxes[j].high.array()).all() &&
-                     (boxes[j].low.array() < boxes[i].high.array()).all());
-    }
-  }
+  // The wall at y = 0 is the last one, as who turns to the right sees it last, and
+  // starts on the left at x = 4.
+  const Panel& walls = panelOf(picture, 1);
+  const double right = walls.view().max().x() - 0.15;
+  const double low = walls.view().min().y() + 0.35;
+  EXPECT_EQ(colourAt(walls, {right - 1.5, low + 1}), colours::recovered) << "the door";
+  EXPECT_EQ(colourAt(walls, {right - 1.5, low + 2.2}), colours::wall) << "above it";
+  EXPECT_EQ(colourAt(walls, {right - 3, low + 1}), colours::wall);
 }
 
 TEST(MeshPicture, ShowsTheSidesThatFaceTheViewer)
@@ -126,7 +95,7 @@ TEST(MeshPicture, ShowsTheSidesThatFaceTheViewer)
   const Picture picture = drawMesh(mesh);
   for (std::size_t panel = 0; panel < 2; ++panel) {
     const Box view = panelOf(picture, panel).view();
-    const Colour middle = colourAt(picture, panel, (view.low + view.high) / 2);
+    const Colour middle = colourAt(picture, panel, view.center());
     EXPECT_EQ(middle.blue > middle.red, panel == 0)
         << "the floor is seen from above, the ceiling from below";
   }

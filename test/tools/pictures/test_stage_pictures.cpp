@@ -60,7 +60,7 @@ TEST(RegionPicture, ShowsTheBinaryMapTheRegionsAndWhatIsKept)
   EXPECT_EQ(colourAt(picture, 2, removed), colours::removed);
   for (std::size_t panel = 0; panel < 3; ++panel)
     EXPECT_EQ(colourAt(picture, panel, at(45, 20)), colours::paper);
-  EXPECT_GT(drawRegions({}).draw().width, 0) << "of nothing too";
+  EXPECT_GT(drawRegions({}).draw().size.x(), 0) << "of nothing too";
 }
 
 TEST(PlanePicture, ShowsPlanesByKindAndTheHistogramInTheirColours)

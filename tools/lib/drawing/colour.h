@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/point_types.h>
+#include <pcl/sedr_filters/structure_label.h>
 
 #include <cstdint>
 
@@ -19,6 +19,9 @@ struct Colour {
   }
 
   friend constexpr bool operator!=(Colour a, Colour b) { return !(a == b); }
+
+  /** @brief Returns the number 0xRRGGBB. */
+  constexpr std::int32_t number() const { return red << 16 | green << 8 | blue; }
 };
 
 /** @brief Meanings of colours, the same in all pictures. */

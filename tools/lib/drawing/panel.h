@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "canvas.h"
+#include "colour.h"
 
+#include "sedr_surface/src/sheet/sheet.h"
 #include <pcl/sedr_filters/cell_grid.h>
-#include <pcl/sedr_filters/floorplan.h>
 
-#include <array>
+#include <functional>
 #include <string>
-#include <variant>
+#include <utility>
 #include <vector>
 
 namespace pcl::sedr::tools {
 
-/** @brief A projected triangle: x to the right, y up, depth away from the viewer. */
-struct ViewedTriangle {
-  std::array<Eigen::Vector3d, 3> corners;
-  Colour colour;
-};
+using Box = Eigen::AlignedBox2d;
+using Places = std::vector<Eigen::Vector2d>;
 
 /** @brief A part of a picture: shapes in metres, later ones on top, x to the right and
  * y up. A map has the same scale on both axes and a scale bar. A chart scales each axis
@@ -29,31 +26,33 @@ public:
   {}
 
   /** @brief Turns the panel into a chart with this title of its x axis. */
-  void setAxis(const std::string& along_x);
+  void setAxis(const std::string& along_x) { x_axis_ = along_x; }
 
-  bool isChart() const { return is_chart_; }
+  bool isChart() const { return !x_axis_.empty(); }
   const std::string& xAxis() const { return x_axis_; }
 
   void addBoxes(std::vector<Box> boxes, Colour colour);
 
   void addCells(const CellSet& cells, double cell_size, Colour colour);
 
-  void addPoints(std::vector<Eigen::Vector2d> points, Colour colour, double pixels = 2);
+  /** @brief Adds points as squares of `pixels` pixels. */
+  void addPoints(Places points, Colour colour, double pixels = 2);
 
   /** @brief Adds a polyline, `pixels` wide. */
-  void addPath(std::vector<Eigen::Vector2d> points, Colour colour, double pixels = 1.5);
+  void addPath(const Places& points, Colour colour, double pixels = 1.5);
 
   /** @brief Adds the elements of a loop: segments in one colour, arcs in another. */
   void addLoop(const PlanLoop& loop, Colour segments, Colour arcs, double pixels = 1.5);
 
-  void addTriangles(std::vector<ViewedTriangle> triangles);
+  /** @brief Adds triangles, the farthest first. */
+  void addTriangles(std::vector<SheetTriangle> triangles);
 
-  /** @brief Adds a text at a place, unless it overlaps an earlier label of the
-   * panel. */
+  /** @brief Adds a text at a place, unless it overlaps an earlier label of the panel.
+   */
   void addLabel(const Eigen::Vector2d& place,
                 const std::string& text,
                 Colour colour = colours::ink,
-                Anchor anchor = Anchor::Middle);
+                TextAnchor anchor = TextAnchor::Middle);
 
   /** @brief Sets the visible part of the plane; default: all shapes with a margin. */
   void setView(const Box& view) { view_ = view; }
@@ -61,60 +60,46 @@ public:
   /** @brief Returns the visible part, never empty. */
   Box view() const;
 
-  /** @brief Draws the content of the panel into a box of pixels. */
-  void draw(Canvas& canvas, const Box& pixels) const;
+  /** @brief Draws the content of the panel into a box of a sheet. */
+  void draw(Sheet& sheet, const Box& box) const;
 
   std::string title;
 
 private:
-  struct Boxes {
-    std::vector<Box> boxes;
-    Colour colour;
-  };
-  struct Points {
-    std::vector<Eigen::Vector2d> points;
-    Colour colour;
-    double pixels;
-  };
-  struct Path {
-    std::vector<Eigen::Vector2d> points;
-    Colour colour;
-    double pixels;
-  };
   struct Label {
     Eigen::Vector2d place;
-    std::string text;
-    Colour colour;
-    Anchor anchor;
+    SheetText text;
   };
-  using Triangles = std::vector<ViewedTriangle>;
+  /** @brief Maps metres to the sheet. */
+  struct Frame {
+    Box box;
+    Box view;
 
-  /** @brief Maps metres to pixels. */
-  struct Frame;
+    Eigen::Vector2d scale() const { return box.sizes().cwiseQuotient(view.sizes()); }
+    Eigen::Vector2d operator()(const Eigen::Vector2d& place) const
+    {
+      return box.min() + (place - view.min()).cwiseProduct(scale());
+    }
+  };
+  using Layer = std::function<void(Sheet&, const Frame&)>;
 
-  static void draw(const Boxes& layer, const Frame& frame, Canvas& canvas);
-  static void draw(const Points& layer, const Frame& frame, Canvas& canvas);
-  static void draw(const Path& layer, const Frame& frame, Canvas& canvas);
-  static void draw(const Triangles& layer, const Frame& frame, Canvas& canvas);
-
-  void drawLabels(const Frame& frame, Canvas& canvas) const;
+  void drawLabels(Sheet& sheet, const Frame& frame) const;
 
   Box view_;
   Box bounds_; ///< of all shapes
-  std::vector<std::variant<Boxes, Points, Path, Triangles>> layers_;
+  std::vector<Layer> layers_;
   std::vector<Label> labels_;
-  bool is_chart_ = false;
   std::string x_axis_;
 };
 
-/** @brief Returns the extent of cells without outliers, since a scan may hold points
- * hundreds of metres away. One in a thousand cells at each end is cut off if that
- * halves the view.
- * @return empty for no cells */
-Box viewOf(const CellSet& cells, double cell_size);
+/** @brief Returns a box grown by `margin` on every side; empty stays empty. */
+Box grown(const Box& box, double margin);
 
-/** @brief Returns the extent of connected pieces of at least `least` cells; viewOf() if
- * there are none. */
-Box viewOfPieces(const CellSet& cells, double cell_size, std::size_t least);
+/** @brief Returns the extent of cells without outliers, since a scan may hold points
+ * hundreds of metres away: connected pieces of fewer than `min_piece` cells do not
+ * count if there are larger ones, and one in a thousand cells at each end is cut off if
+ * that halves the view.
+ * @return empty for no cells */
+Box viewOf(const CellSet& cells, double cell_size, std::size_t min_piece = 1);
 
 } // namespace pcl::sedr::tools

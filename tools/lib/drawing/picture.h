@@ -9,7 +9,7 @@
 namespace pcl::sedr::tools {
 
 /** @brief A picture of a stage's result: a title, rows of panels, and a legend. The
- * same content gives the same pixels.
+ * same content gives the same bytes.
  * @code
  * Panel map("ceiling");
  * map.addCells(cells, 0.05, colours::ceiling);
@@ -40,27 +40,21 @@ public:
   /** @brief Returns the panels row by row. */
   const std::vector<std::vector<Panel>>& rows() const { return rows_; }
 
-  Image draw() const;
+  /** @brief Returns the picture as a sheet whose unit is a pixel. */
+  Sheet draw() const;
+
+  std::string png() const { return sheetPng(draw()); }
 
 private:
-  struct Row {
-    std::vector<Panel> panels;
-    std::vector<Box> boxes; ///< of the panels' contents, pixels
-  };
   struct Meaning {
     std::string text;
     Colour colour;
   };
 
-  static double heightOfMaps(const std::vector<Panel>& panels, double most);
-
-  /** @brief Places the panels of a row whose top is at `top`.
+  /** @brief Draws a row below `top`; places count downwards from there.
    * @return the bottom of the row */
-  double place(Row& row, double top) const;
-
-  /** @brief Draws legend and notes below `top`.
-   * @return their bottom */
-  double drawLegend(Canvas& canvas, double top, double width) const;
+  double drawRow(Sheet& sheet, const std::vector<Panel>& row, double top) const;
+  double drawLegend(Sheet& sheet, double top) const;
 
   std::string title_;
   std::vector<std::vector<Panel>> rows_;

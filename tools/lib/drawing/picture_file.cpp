@@ -46,7 +46,7 @@ StageFiles::save(const ToolCloud& cloud, const std::string& other) const
 void
 savePicture(const std::string& path, const Picture& picture)
 {
-  const std::string bytes = pngOf(picture.draw());
+  const std::string bytes = picture.png();
   writeWhole(path, [&](std::ostream& stream) { stream << bytes; });
 }
 

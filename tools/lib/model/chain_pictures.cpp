@@ -87,7 +87,7 @@ ChainPictures::draw() const
       drawMesh(chain.poisson.getMesh())};
   std::vector<PictureFile> files;
   for (std::size_t i = 0; i < pictures.size(); ++i)
-    files.push_back({names()[i], pngOf(pictures[i].draw())});
+    files.push_back({names()[i], pictures[i].png()});
   return files;
 }
 

@@ -41,7 +41,7 @@ drawFloor(const std::vector<FloorCells>& rooms)
     recovered += room.recovered.size();
     removed += room.removed.size();
   }
-  const Box view = viewOfPieces(all, rooms.empty() ? 1 : rooms[0].cell_size, min_piece);
+  const Box view = viewOf(all, rooms.empty() ? 1 : rooms[0].cell_size, min_piece);
   for (Panel* panel : {&before, &after})
     panel->setView(view);
   Picture picture("Floor recovery: " + counted(recovered, "cell") +

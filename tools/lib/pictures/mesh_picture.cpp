@@ -6,10 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <tuple>
+#include <utility>
 
 namespace pcl::sedr::tools {
-
 namespace {
 
 /** @brief An orthographic viewer; horizontal lengths are true. */
@@ -28,9 +27,9 @@ struct Viewer {
     up = towards.cross(right);
   }
 
-  Eigen::Vector3d see(const Eigen::Vector3d& p) const
+  Eigen::Vector2d see(const Eigen::Vector3d& p) const
   {
-    return {p.dot(right), p.dot(up), -p.dot(towards)};
+    return {p.dot(right), p.dot(up)};
   }
 };
 
@@ -38,38 +37,80 @@ Colour
 shaded(Colour colour, const Eigen::Vector3d& normal, const Viewer& viewer)
 {
   const Eigen::Vector3d light = (viewer.towards - 0.5 * viewer.right).normalized();
-  const double brightness = 0.65 + 0.35 * std::max(0.0, normal.dot(light));
-  return darkened(colour, 1 - brightness);
+  return darkened(colour, 0.35 * (1 - std::max(0.0, normal.dot(light))));
 }
 
-/** @brief Adds a line in space as a ribbon in the viewer's plane, slightly in front of
- * its surface. */
-void
-addRibbon(const Eigen::Vector3d& a,
-          const Eigen::Vector3d& b,
-          double width,
-          std::vector<ViewedTriangle>& triangles)
-{
-  const Eigen::Vector2d way = (b - a).head<2>();
-  if (!(way.norm() > 0))
-    return;
-  Eigen::Vector3d side(-way.y(), way.x(), 0);
-  side *= width / 2 / way.norm();
-  const Eigen::Vector3d before(0, 0, -width);
-  const Eigen::Vector3d corners[] = {a + side + before, b + side + before,
-                                     b - side + before, a - side + before};
-  triangles.push_back({{corners[0], corners[1], corners[2]}, colours::ink});
-  triangles.push_back({{corners[0], corners[2], corners[3]}, colours::ink});
-}
+/** @brief Triangles seen by a viewer, to be drawn from the farthest to the nearest
+ * (painter's algorithm); large ones in pieces, so that their middles tell the order. */
+class SeenTriangles {
+public:
+  SeenTriangles(const Viewer& viewer, double largest)
+      : viewer_(viewer)
+      , largest_(largest)
+  {}
 
-/** @brief Returns the triangles that face the viewer, and dark lines at their
- * borders. */
-std::vector<ViewedTriangle>
-facing(const TriangleMesh& mesh, const Viewer& viewer, double line_width)
+  /** @param nearer metres that it is drawn nearer than it is */
+  void add(const std::array<Eigen::Vector3d, 3>& corners, Colour colour, double nearer)
+  {
+    std::size_t longest = 0;
+    double most = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double length = (corners[(k + 1) % 3] - corners[k]).norm();
+      if (length > most) {
+        most = length;
+        longest = k;
+      }
+    }
+    const Eigen::Vector3d& a = corners[longest];
+    const Eigen::Vector3d& b = corners[(longest + 1) % 3];
+    const Eigen::Vector3d& c = corners[(longest + 2) % 3];
+    if (most > largest_) {
+      add({a, (a + b) / 2, c}, colour, nearer);
+      add({(a + b) / 2, b, c}, colour, nearer);
+      return;
+    }
+    const double depth = -(a + b + c).dot(viewer_.towards) / 3 - nearer;
+    triangles_.emplace(depth,
+                       SheetTriangle{colour.number(),
+                                     {viewer_.see(a), viewer_.see(b), viewer_.see(c)}});
+  }
+
+  /** @brief Adds a line in space as a ribbon just in front of its surface. */
+  void addLine(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double width)
+  {
+    const Eigen::Vector3d side = width / 2 * viewer_.towards.cross(b - a).normalized();
+    add({a + side, b + side, b - side}, colours::ink, 2 * width);
+    add({a + side, b - side, a - side}, colours::ink, 2 * width);
+  }
+
+  std::vector<SheetTriangle> farthestFirst()
+  {
+    std::stable_sort(triangles_.begin(), triangles_.end(),
+                     [](const Seen& a, const Seen& b) { return a.depth > b.depth; });
+    std::vector<SheetTriangle> sorted;
+    for (const Seen& seen : triangles_)
+      sorted.push_back(seen.triangle);
+    return sorted;
+  }
+
+private:
+  struct Seen {
+    double depth;
+    SheetTriangle triangle;
+  };
+
+  const Viewer& viewer_;
+  double largest_;
+  std::vector<Seen> triangles_;
+};
+
+/** @brief Draws the triangles that face the viewer, and dark lines at their borders. */
+Panel
+viewPanel(const std::string& title, const TriangleMesh& mesh, const Viewer& viewer)
 {
-  std::vector<ViewedTriangle> triangles;
-  using Edge = std::tuple<std::uint32_t, std::uint32_t>;
-  std::set<Edge> open; // edges of a single visible triangle
+  const double extent = mesh.empty() ? 1 : mesh.bounds().sizes().maxCoeff();
+  SeenTriangles seen(viewer, extent / 40);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Eigen::Vector3d normal = mesh.scaledNormal(t).normalized();
     if (!(normal.dot(viewer.towards) > 0))
@@ -77,30 +118,23 @@ facing(const TriangleMesh& mesh, const Viewer& viewer, double line_width)
     const auto label = mesh.labels.empty()
                            ? StructureLabel::Wall
                            : static_cast<StructureLabel>(mesh.labels[t]);
-    ViewedTriangle seen;
-    for (int k = 0; k < 3; ++k)
-      seen.corners[static_cast<std::size_t>(k)] = viewer.see(mesh.corner(t, k));
-    seen.colour = shaded(colourOf(label), normal, viewer);
-    triangles.push_back(seen);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Edge edge =
-          std::minmax(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]);
-      if (!open.insert(edge).second)
-        open.erase(edge);
-    }
+    seen.add({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)},
+             shaded(colourOf(label), normal, viewer), 0);
+    for (std::size_t k = 0; k < 3; ++k)
+      edges.push_back(
+          std::minmax(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]));
   }
-  for (const auto& [a, b] : open)
-    addRibbon(viewer.see(mesh.vertices[a]), viewer.see(mesh.vertices[b]), line_width,
-              triangles);
-  return triangles;
-}
-
-Panel
-viewPanel(const std::string& title, const TriangleMesh& mesh, const Viewer& viewer)
-{
-  const double extent = mesh.empty() ? 1 : mesh.bounds().sizes().maxCoeff();
+  std::sort(edges.begin(), edges.end());
+  for (auto first = edges.begin(); first != edges.end();) {
+    const auto last = std::find_if(first, edges.end(),
+                                   [&](const auto& other) { return other != *first; });
+    if (last - first == 1)
+      seen.addLine(mesh.vertices[first->first], mesh.vertices[first->second],
+                   extent / 350);
+    first = last;
+  }
   Panel panel(title);
-  panel.addTriangles(facing(mesh, viewer, extent / 350));
+  panel.addTriangles(seen.farthestFirst());
   return panel;
 }
 

@@ -30,7 +30,7 @@ nameOf(const pcl::HorizontalPlane& plane)
                      : plane.kind == LevelKind::Floor ? "floor"
                                                       : "neither";
   return fixedText(plane.height, 2) + " m: " + kind + ", " + fixedText(plane.area, 1) +
-         " m2";
+         " m²";
 }
 
 /** @brief Returns the planes, largest first. */
@@ -85,15 +85,17 @@ histogramPanel(const Planes& planes, const HeightHistogram& histogram)
     return colour;
   };
   for (const auto& bin : histogram.bins)
-    panel.addBoxes({{{0, bin.low},
-                     {static_cast<double>(bin.cells), bin.low + histogram.bin_height}}},
+    panel.addBoxes({Box(Eigen::Vector2d(0, bin.low),
+                        Eigen::Vector2d(static_cast<double>(bin.cells),
+                                        bin.low + histogram.bin_height))},
                    colourAt(bin.low + histogram.bin_height / 2));
   const auto [low, high] = heightsOf(planes);
   for (const auto* plane : bySize(planes)) // above the bar
     panel.addLabel({static_cast<double>(most), plane->height + 0.03 * (high - low)},
                    nameOf(*plane), darkened(colourOfLevel(plane->kind), 0.3),
-                   Anchor::Right);
-  panel.setView({{0, low}, {1.05 * static_cast<double>(most), high}});
+                   TextAnchor::End);
+  panel.setView({Eigen::Vector2d(0, low),
+                 Eigen::Vector2d(1.05 * static_cast<double>(most), high)});
   return panel;
 }
 
@@ -130,7 +132,7 @@ drawPlanes(const Planes& planes,
                   counted(count[1], "floor") + ", " +
                   std::to_string(planes.size() - count[0] - count[1]) + " neither");
   for (Panel* panel : {&above, &below})
-    panel->setView(viewOfPieces(all, cell_size, min_piece));
+    panel->setView(viewOf(all, cell_size, min_piece));
   if (histogram.bins.empty()) // planes of rooms, which were not found by height
     picture.addMaps({above, below});
   else

@@ -34,7 +34,7 @@ busiestPlace(const RefinedWalls& walls, const Eigen::Vector2d& size)
       most = way;
       place = grid.centre(cellOf(key));
     }
-  return {place - size / 2, place + size / 2};
+  return {Eigen::Vector2d(place - size / 2), Eigen::Vector2d(place + size / 2)};
 }
 
 Panel
@@ -80,13 +80,14 @@ wayPanel(const RefinedWalls& walls)
   panel.setAxis("way, cm");
   std::vector<Box> bars;
   for (std::size_t b = 0; b < share.size(); ++b)
-    bars.push_back({{bin * static_cast<double>(b), 0},
-                    {bin * (static_cast<double>(b) + 0.9), share[b]}});
+    bars.emplace_back(Eigen::Vector2d(bin * static_cast<double>(b), 0),
+                      Eigen::Vector2d(bin * (static_cast<double>(b) + 0.9), share[b]));
   panel.addBoxes(std::move(bars), colours::wall);
   const double highest =
       share.empty() ? 1 : *std::max_element(share.begin(), share.end());
   panel.setView(
-      {{0, 0}, {bin * static_cast<double>(share.size() + 1), 1.05 * highest}});
+      {Eigen::Vector2d(0, 0),
+       Eigen::Vector2d(bin * static_cast<double>(share.size() + 1), 1.05 * highest)});
   return panel;
 }
 

@@ -36,7 +36,7 @@ roomsOf(const Building& building, const PlanStorey& storey)
     panel.addCells(cellsOf(room, true), building.grid.size(),
                    darkened(colourNumber(room.id), 0.25));
     panel.addLabel(labelPlace(cells, building.grid.size()),
-                   std::to_string(room.id) + ": " + fixedText(room.area, 1) + " m2");
+                   std::to_string(room.id) + ": " + fixedText(room.area, 1) + " m²");
   }
   return panel;
 }

@@ -6,13 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace pcl::sedr::tools {
-
 namespace {
 
 constexpr Colour accepted_colour = colours::detail;
 constexpr Colour rejected_colour = colours::removed;
+constexpr Colour ceiling_colour = lightened(colours::ceiling, 0.35);
 
 /** @brief Formats a fraction: "1/4", "3/8"; as decimal number if it is no such
  * fraction. */
@@ -25,25 +26,6 @@ fractionText(double fraction)
       return fixedText(count, 0) + "/" + std::to_string(parts);
   }
   return fixedText(fraction, 3);
-}
-
-std::string
-sliceNames(const SliceTrial& trial)
-{
-  std::string names;
-  for (const double fraction : trial.fractions)
-    names += (names.empty() ? "" : " and ") + fractionText(fraction);
-  return names;
-}
-
-/** @brief Returns a trial by number, null if the room needed none. */
-const SliceTrial*
-findTrial(const RoomSlices& room, int number)
-{
-  for (const auto& trial : room.analysis.trials)
-    if (trial.number == number)
-      return &trial;
-  return nullptr;
 }
 
 void
@@ -68,13 +50,18 @@ trialPanel(const std::vector<RoomSlices>& rooms, int number, double cell_size)
   std::string slices;
   std::size_t accepted = 0;
   Panel panel("");
-  for (const auto& room : rooms) {
-    const SliceTrial* trial = findTrial(room, number);
+  for (const RoomSlices& room : rooms) {
+    const auto& trials = room.analysis.trials;
+    const auto trial =
+        std::find_if(trials.begin(), trials.end(),
+                     [&](const SliceTrial& t) { return t.number == number; });
     panel.addCells(room.analysis.ceiling, cell_size,
-                   trial ? lightened(colours::ceiling, 0.35) : colours::faint);
-    if (!trial)
+                   trial == trials.end() ? colours::faint : ceiling_colour);
+    if (trial == trials.end())
       continue;
-    slices = sliceNames(*trial);
+    slices.clear();
+    for (const double fraction : trial->fractions)
+      slices += (slices.empty() ? "" : " and ") + fractionText(fraction);
     accepted += trial->accepted.size();
     panel.addCells(trial->slice, cell_size, colours::wall);
     addRegions(trial->accepted, cell_size, accepted_colour, panel);
@@ -90,12 +77,11 @@ detailPanel(const std::vector<RoomSlices>& rooms, double cell_size)
 {
   std::size_t count = 0;
   Panel panel("");
-  for (const auto& room : rooms) {
-    const SliceDetails& analysis = room.analysis;
-    panel.addCells(analysis.ceiling, cell_size, lightened(colours::ceiling, 0.35));
-    panel.addCells(analysis.refused, cell_size, rejected_colour);
-    panel.addCells(analysis.cells, cell_size, colours::detail);
-    count += analysis.sizes.size();
+  for (const RoomSlices& room : rooms) {
+    panel.addCells(room.analysis.ceiling, cell_size, ceiling_colour);
+    panel.addCells(room.analysis.refused, cell_size, rejected_colour);
+    panel.addCells(room.analysis.cells, cell_size, colours::detail);
+    count += room.analysis.sizes.size();
   }
   panel.title = "found: " + (count > 0 ? counted(count, "detail") : "no detail");
   return panel;
@@ -106,108 +92,82 @@ detailPanel(const std::vector<RoomSlices>& rooms, double cell_size)
 struct SectionLine {
   int axis = 0;  ///< 0: along x at one y; 1: along y at one x
   double at = 0; ///< that y or x, metres
-  bool isNear(const Eigen::Vector2d& p, double distance) const
+
+  SectionLine(const SliceDetails& analysis, double cell_size)
   {
-    return std::abs(p[1 - axis] - at) <= distance;
+    const CellSet& through = analysis.cells.empty() ? analysis.ceiling : analysis.cells;
+    const Eigen::Vector2d place = labelPlace(through, cell_size);
+    const Cell middle = CellGrid(cell_size).at(place.x(), place.y());
+    std::ptrdiff_t more_along_x = 0;
+    for (std::size_t i = 0; i < analysis.ceiling.size(); ++i)
+      more_along_x += (analysis.ceiling[i].y == middle.y ? 1 : 0) -
+                      (analysis.ceiling[i].x == middle.x ? 1 : 0);
+    axis = more_along_x >= 0 ? 0 : 1;
+    at = place[1 - axis];
+  }
+
+  /** @brief Returns the points near the line, seen from the side. */
+  Places section(const PointView& points, const pcl::Indices& indices) const
+  {
+    constexpr double half_thickness = 0.1;
+    Places places;
+    for (const auto index : indices) {
+      const Eigen::Vector3d p = points[static_cast<std::size_t>(index)].cast<double>();
+      if (p.allFinite() && std::abs(p[1 - axis] - at) <= half_thickness)
+        places.emplace_back(p[axis], p.z());
+    }
+    return places;
   }
 };
 
-SectionLine
-sectionOf(const SliceDetails& analysis, double cell_size)
-{
-  const CellSet& through = analysis.cells.empty() ? analysis.ceiling : analysis.cells;
-  const Eigen::Vector2d place = labelPlace(through, cell_size);
-  const Cell middle = CellGrid(cell_size).at(place.x(), place.y());
-  std::size_t along[2] = {0, 0};
-  for (std::size_t i = 0; i < analysis.ceiling.size(); ++i) {
-    along[0] += analysis.ceiling[i].y == middle.y ? 1 : 0;
-    along[1] += analysis.ceiling[i].x == middle.x ? 1 : 0;
-  }
-  const int axis = along[0] >= along[1] ? 0 : 1;
-  return {axis, place[1 - axis]};
-}
-
-/** @brief Returns the points of the room near the line, seen from the side. */
-std::vector<Eigen::Vector2d>
-inSection(const PointView& points, const pcl::Indices& indices, const SectionLine& line)
-{
-  constexpr double half_thickness = 0.1;
-  std::vector<Eigen::Vector2d> places;
-  for (const auto index : indices) {
-    const Eigen::Vector3d p = points[static_cast<std::size_t>(index)].cast<double>();
-    if (p.allFinite() && line.isNear(p.head<2>(), half_thickness))
-      places.emplace_back(p[line.axis], p.z());
-  }
-  return places;
-}
-
-/** @brief Returns the view of the room from its ceiling down, with a small margin. */
+/** @brief Returns the view of a room's section, without the highest and lowest stray
+ * points. */
 Box
-sectionView(const RoomSlices& room, const PointView& points, double cell_size, int axis)
+sectionView(const RoomSlices& room, const Places& section, double cell_size, int axis)
 {
   CellSet cells = room.analysis.ceiling;
   addTo(cells, room.analysis.cells);
   const Box plan = viewOf(cells, cell_size);
   std::vector<double> heights;
-  for (const auto index : room.points)
-    if (points.isFinite(static_cast<std::size_t>(index)) &&
-        plan.contains(points[static_cast<std::size_t>(index)].head<2>().cast<double>()))
-      heights.push_back(points[static_cast<std::size_t>(index)].z());
-  Box view{{plan.low[axis] - 0.3, 0}, {plan.high[axis] + 0.3, 1}};
-  if (heights.empty())
-    return view;
+  for (const Eigen::Vector2d& p : section)
+    if (p.x() > plan.min()[axis] && p.x() < plan.max()[axis])
+      heights.push_back(p.y());
   std::sort(heights.begin(), heights.end());
-  view.low.y() = heights[heights.size() / 200] - 0.2;
-  view.high.y() = heights[heights.size() - 1 - heights.size() / 2000] + 0.2;
-  return view;
+  const double low = heights.empty() ? 0.2 : heights[heights.size() / 200];
+  const double high =
+      heights.empty() ? 0.8 : heights[heights.size() - 1 - heights.size() / 2000];
+  return {Eigen::Vector2d(plan.min()[axis] - 0.3, low - 0.2),
+          Eigen::Vector2d(plan.max()[axis] + 0.3, high + 0.2)};
 }
 
 Panel
 sectionPanel(const RoomSlices& room, const PointView& points, double cell_size)
 {
-  const SectionLine line = sectionOf(room.analysis, cell_size);
   const char* axes[] = {"x", "y"};
+  const SectionLine line(room.analysis, cell_size);
   Panel panel("vertical section" +
               (room.room > 0 ? " of room " + std::to_string(room.room) : "") + " at " +
               axes[1 - line.axis] + " = " + fixedText(line.at, 2) +
               " m, and the slices");
   panel.setAxis(std::string(axes[line.axis]) + ", m");
-  const Box view = sectionView(room, points, cell_size, line.axis);
+  const Places section = line.section(points, room.points);
+  const Box view = sectionView(room, section, cell_size, line.axis);
   panel.setView(view);
-  panel.addPoints(inSection(points, room.points, line), colours::other, 2.5);
-  panel.addPoints(inSection(points, room.ceiling, line), colours::ceiling, 3);
-  panel.addPoints(
-      inSection(points, {room.analysis.indices.begin(), room.analysis.indices.end()},
-                line),
-      colours::detail, 3);
-  for (const auto& trial : room.analysis.trials)
+  panel.addPoints(section, colours::other, 2.5);
+  panel.addPoints(line.section(points, room.ceiling), colours::ceiling, 3);
+  panel.addPoints(line.section(points, {room.analysis.indices.begin(),
+                                        room.analysis.indices.end()}),
+                  colours::detail, 3);
+  for (const SliceTrial& trial : room.analysis.trials)
     for (std::size_t k = 0; k < trial.heights.size(); ++k) {
       const double z = trial.heights[k];
-      panel.addPath({{view.low.x(), z}, {view.high.x(), z}}, colours::wall, 2);
-      panel.addLabel({view.high.x(), z + 0.04 * view.size().y()},
+      panel.addPath({{view.min().x(), z}, {view.max().x(), z}}, colours::wall, 2);
+      panel.addLabel({view.max().x(), z + 0.04 * view.sizes().y()},
                      "trial " + std::to_string(trial.number) + ": " +
                          fractionText(trial.fractions[k]),
-                     darkened(colours::wall, 0.3), Anchor::Right);
+                     darkened(colours::wall, 0.3), TextAnchor::End);
     }
   return panel;
-}
-
-/** @brief Returns the room with the largest details or, without details, the largest
- * room. */
-const RoomSlices*
-roomToCut(const std::vector<RoomSlices>& rooms)
-{
-  const RoomSlices* best = nullptr;
-  for (const auto& room : rooms) {
-    if (room.analysis.ceiling.empty())
-      continue;
-    const auto score = [](const RoomSlices& r) {
-      return std::pair(r.analysis.cells.size(), r.analysis.ceiling.size());
-    };
-    if (!best || score(room) > score(*best))
-      best = &room;
-  }
-  return best;
 }
 
 } // namespace
@@ -220,26 +180,32 @@ drawSlices(const std::vector<RoomSlices>& rooms,
   CellSet all;
   int trials = 0;
   std::size_t details = 0;
-  for (const auto& room : rooms) {
+  const RoomSlices* cut = nullptr; // with the largest details, else the largest room
+  for (const RoomSlices& room : rooms) {
     addTo(all, room.analysis.ceiling);
     addTo(all, room.analysis.cells);
     details += room.analysis.sizes.size();
-    for (const auto& trial : room.analysis.trials)
+    for (const SliceTrial& trial : room.analysis.trials)
       trials = std::max(trials, trial.number);
+    const auto sizes = [](const RoomSlices& r) {
+      return std::pair(r.analysis.cells.size(), r.analysis.ceiling.size());
+    };
+    if (!room.analysis.ceiling.empty() && (!cut || sizes(room) > sizes(*cut)))
+      cut = &room;
   }
   std::vector<Panel> maps;
   for (int number = 1; number <= trials; ++number)
     maps.push_back(trialPanel(rooms, number, cell_size));
   maps.push_back(detailPanel(rooms, cell_size));
-  for (auto& map : maps)
-    map.setView(viewOf(all, cell_size).grown(0.3));
+  for (Panel& map : maps)
+    map.setView(grown(viewOf(all, cell_size), 0.3));
 
   Picture picture("Grid-slices analysis of " + counted(rooms.size(), "room") + ": " +
                   (details > 0 ? counted(details, "detail") : "no details"));
   picture.addMaps(maps);
-  if (const RoomSlices* room = roomToCut(rooms))
-    picture.addRow({sectionPanel(*room, points, cell_size)});
-  picture.addLegend("ceiling", lightened(colours::ceiling, 0.35));
+  if (cut)
+    picture.addRow({sectionPanel(*cut, points, cell_size)});
+  picture.addLegend("ceiling", ceiling_colour);
   picture.addLegend("slice", colours::wall);
   picture.addLegend("zero-valued region taken, its cells; detail", accepted_colour);
   picture.addLegend("rejected or refused: too small, nothing above, a lamp, a head of "

@@ -36,8 +36,8 @@ boxOf(const Box& view, double cell_size)
   const auto cell = [&](double x) {
     return static_cast<std::int32_t>(std::floor(x / cell_size));
   };
-  return {{cell(view.low.x()), cell(view.low.y())},
-          {cell(view.high.x()), cell(view.high.y())}};
+  return {{cell(view.min().x()), cell(view.min().y())},
+          {cell(view.max().x()), cell(view.max().y())}};
 }
 
 /** @brief Points, at once or piece by piece. */
@@ -91,13 +91,13 @@ draw(const PointPieces& before, const PointView& after, double leaf)
   std::iota(all.begin(), all.end(), 0);
   double size = leaf;
   CellSet cells(CellGrid(size), after, all);
-  Box view = viewOfPieces(cells, size, min_piece);
+  Box view = viewOf(cells, size, min_piece);
   // Buildings much larger than their voxels are drawn with larger cells.
   while (!maskProblem(boxOf(view, size)).empty() ||
-         view.size().maxCoeff() / size > 4000) {
+         view.sizes().maxCoeff() / size > 4000) {
     size *= 2;
     cells = CellSet(CellGrid(size), after, all);
-    view = viewOfPieces(cells, size, min_piece);
+    view = viewOf(cells, size, min_piece);
   }
   const CellGrid grid(size);
   const CellBox box = boxOf(view, size);

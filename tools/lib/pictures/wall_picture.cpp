@@ -92,7 +92,7 @@ viewOf(const std::vector<RoomWalls>& rooms, const PointView& points)
   for (const auto& room : rooms)
     for (const auto& place : placesOf(points, room.boundary))
       view.extend(place);
-  return view.isEmpty() ? view : view.grown(margin);
+  return grown(view, margin);
 }
 
 } // namespace

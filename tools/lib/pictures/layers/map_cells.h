@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "canvas.h"
 #include "panel.h"
 
 #include <pcl/sedr_filters/cell_grid.h>

@@ -11,11 +11,8 @@ namespace pcl::sedr::tools {
  * different colours. */
 void addPlan(const Floorplan& plan, double pixels, Panel& panel);
 
-/** @brief Adds a dot at every end of a wall. */
-void addCorners(const Floorplan& plan, Panel& panel);
-
-/** @brief Adds the number of each room, deep inside it, and optionally its area. */
-void addRoomNumbers(const Floorplan& plan, bool with_area, Panel& panel);
+/** @brief Adds the number of each room and its area, deep inside it. */
+void addRoomNumbers(const Floorplan& plan, Panel& panel);
 
 /** @brief Adds the legend of addPlan() for the elements in the plan. */
 void addPlanLegend(const Floorplan& plan, Picture& picture);
