@@ -87,15 +87,6 @@ TEST(PlanWalls, FarAndUnevenFacesAndOtherStoreysAreNoPair)
         pairsOf(findWalls({{roomOf(rectangle(0, 0, 4, 3), 2.5), other}})).empty());
 }
 
-TEST(PlanWalls, FacesThatTouchHaveNoWall)
-{
-  const Floorplan plan{
-      {roomOf(rectangle(0, 0, 4, 3), 2.5), roomOf(rectangle(4.005, 0, 8, 3), 2.5, 2)}};
-  const auto walls = findWalls(plan);
-  EXPECT_EQ(walls.size(), 6u);
-  EXPECT_TRUE(pairsOf(walls).empty());
-}
-
 TEST(PlanWalls, ArcsAboutOneCentreAreAPair)
 {
   // A rotunda inside a ring, half of which was scanned.
@@ -129,16 +120,6 @@ TEST(PlanWalls, AColumnIsNeitherLongNorLow)
                            segment(o + v + u, o + u), segment(o + u, o)}};
     EXPECT_EQ(isIsland(room, turned), c.is_island) << "turned";
   }
-}
-
-TEST(PlanWalls, OneThatStandsFreeHasTwoFaces)
-{
-  PlanRoom room = roomOf(rectangle(0, 0, 9, 9), 2.5);
-  room.columns = {reversed(rectangle(3, 3, 3.2, 6))};
-  const auto pairs = pairsOf(findWalls({{room}}));
-  ASSERT_EQ(pairs.size(), 1u);
-  EXPECT_NEAR(pairs[0].thickness, 0.2, 1e-12);
-  EXPECT_NEAR(pairs[0].stretch.length(), 3, 1e-12);
 }
 
 TEST(PlanWalls, StandAroundTheIslandsOfARoomButNotAroundItsColumns)

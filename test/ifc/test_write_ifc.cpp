@@ -37,14 +37,6 @@ twoRooms()
   return plan;
 }
 
-TEST(WriteIfc, AnEmptyPlanIsAnEmptyBuilding)
-{
-  const IfcModel model = writeIfc({});
-  EXPECT_EQ(model.spaces, 0u);
-  EXPECT_EQ(count(model.text, "=IFCBUILDING("), 1u);
-  EXPECT_TRUE(model.warnings.empty());
-}
-
 TEST(WriteIfc, TellsWhatIsInIt)
 {
   const IfcModel model = writeIfc(twoRooms());
@@ -129,19 +121,6 @@ TEST(WriteIfc, RoomsThatTouchAtADoorwayEndAtAVirtualElement)
   EXPECT_EQ(count(model.text, ",.VIRTUAL.,.INTERNAL."), 2u);
 }
 
-TEST(WriteIfc, GuidsAreOfTheBuildingsName)
-{
-  IfcSettings other;
-  other.name = "annexe";
-  const std::string a = writeIfc(twoRooms()).text;
-  EXPECT_EQ(a, writeIfc(twoRooms()).text);
-  const std::string b = writeIfc(twoRooms(), other).text;
-  const auto guid = [](const std::string& text) {
-    return text.substr(text.find("=IFCWALL('") + 10, 22);
-  };
-  EXPECT_NE(guid(a), guid(b));
-}
-
 TEST(WriteIfc, TheOriginIsAMapConversion)
 {
   EXPECT_EQ(count(writeIfc(twoRooms()).text, "IFCMAPCONVERSION"), 0u);
@@ -182,69 +161,6 @@ TEST(WriteIfc, ArcsAreAQuarterOfACircleAtMost)
   const std::string text = writeIfc({{roomOf(circle({0, 0}, 3), 2.5)}}).text;
   EXPECT_GT(count(text, "=IFCINDEXEDPOLYCURVE("), 0u);
   EXPECT_EQ(count(text, "IFCARCINDEX("), 4 * count(text, "=IFCINDEXEDPOLYCURVE("));
-}
-
-TEST(WriteIfc, AnArcThatRisesLessThanTheToleranceIsStraight)
-{
-  // A wall of 4 m, 0.4 and 1.6 mm deep.
-  for (const double radius : {5000.0, 1250.0}) {
-    PlanLoop loop = rectangle(0, 0, 4, 3);
-    loop.elements[0].centre = {2, std::sqrt(radius * radius - 4)};
-    loop.elements[0].radius = radius;
-    EXPECT_EQ(count(writeIfc({{roomOf(loop, 2.5)}}).text, "IFCARCINDEX") > 0,
-              radius < 2000)
-        << radius;
-  }
-}
-
-TEST(WriteIfc, ACurvedWallBesideTrianglesKeepsItsArcs)
-{
-  // A half circle bulges into a room whose ceiling slopes in a corner. The space is
-  // triangles, of which chords of the arc reach into the wall.
-  PlanRoom room = roomOf(
-      {{segment({0, 0}, {12, 0}), segment({12, 0}, {12, 8}), segment({12, 8}, {10, 8}),
-        arc({6, 8}, 4, 0, -180), segment({2, 8}, {0, 8}), segment({0, 8}, {0, 0})}},
-      2.5);
-  room.details = {detailOf(rectangle(6, 0, 12, 3), 0)};
-  room.details[0].slab = slabAt(1.5, 0.25, 0);
-  room.details[0].is_facet = true;
-  EXPECT_EQ(count(writeIfc({{room}}).text, "IFCARCINDEX"), 2u + 4u)
-      << "two of a slab, and two of each side of the wall";
-}
-
-TEST(WriteIfc, AWallIsAsThickAsWallsMayBe)
-{
-  const Floorplan plan{
-      {roomOf(rectangle(0, 0, 4, 3), 2.5), roomOf(rectangle(4.8, 0, 8, 3), 2.5, 2)}};
-  EXPECT_EQ(writeIfc(plan).paired_walls, 0u);
-  IfcSettings settings;
-  settings.max_wall = 0.9;
-  EXPECT_EQ(writeIfc(plan, settings).paired_walls, 1u);
-}
-
-TEST(WriteIfc, NichesThatTheSolidLeavesOutAreNotCut)
-{
-  PlanRoom room = roomOf(rectangle(0, 0, 4, 3), 2.5);
-  const auto openings = [&](double depth, const PlanSlab& top) {
-    PlanNiche niche;
-    niche.boundary = rectangle(1, 3, 3, 3 + depth);
-    niche.bottom = slabAt(1);
-    niche.top = top;
-    room.niches = {niche};
-    return writeIfc({{room}}).openings;
-  };
-  EXPECT_EQ(openings(0.15, slabAt(2)), 1u);
-  EXPECT_EQ(openings(0.15, slabAt(0.5, 0.3, 0)), 0u) << "its top crosses its bottom";
-  EXPECT_EQ(openings(0.0006, slabAt(2)), 0u);
-}
-
-TEST(WriteIfc, FacetsHaveNoArcs)
-{
-  const Floorplan plan{{roomOf(stadium(3, 1), 2.5)}};
-  EXPECT_GT(count(writeIfc(plan).text, "IFCARCINDEX"), 0u);
-  IfcSettings settings;
-  settings.arcs = IfcArcs::Facets;
-  EXPECT_EQ(count(writeIfc(plan, settings).text, "IFCARCINDEX"), 0u);
 }
 
 } // namespace

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -22,7 +21,7 @@ namespace {
 
 /** @brief Returns a label or room per vertex: that with the largest area around it, the
  * smallest of equals; 0 for a vertex without triangles.
- * @param values one per triangle: TriangleMesh::labels or rooms */
+ * @param values one per triangle: TriangleMesh::labels or rooms; or none */
 std::vector<std::uint32_t>
 vertexValues(const TriangleMesh& mesh, const std::vector<std::uint32_t>& values)
 {
@@ -32,8 +31,8 @@ vertexValues(const TriangleMesh& mesh, const std::vector<std::uint32_t>& values)
     double area;
   };
   std::vector<Share> shares;
-  shares.reserve(3 * mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  shares.reserve(3 * values.size());
+  for (std::size_t t = 0; t < values.size(); ++t)
     for (const std::uint32_t v : mesh.triangles[t])
       shares.push_back({v, values[t], mesh.scaledNormal(t).norm()});
   std::stable_sort(shares.begin(), shares.end(), [](const Share& a, const Share& b) {
@@ -41,139 +40,138 @@ vertexValues(const TriangleMesh& mesh, const std::vector<std::uint32_t>& values)
   });
   std::vector<std::uint32_t> result(mesh.vertices.size(), 0);
   std::vector<double> largest(mesh.vertices.size(), -1);
-  for (std::size_t i = 0; i < shares.size();) {
-    const Share& first = shares[i];
+  for (auto first = shares.begin(); first != shares.end();) {
+    const auto [vertex, value, unused] = *first;
     double area = 0;
-    for (; i < shares.size() && shares[i].vertex == first.vertex &&
-           shares[i].value == first.value;
-         ++i)
-      area += shares[i].area;
-    if (area > largest[first.vertex]) {
-      largest[first.vertex] = area;
-      result[first.vertex] = first.value;
+    for (; first != shares.end() && first->vertex == vertex && first->value == value;
+         ++first)
+      area += first->area;
+    if (area > largest[vertex]) {
+      largest[vertex] = area;
+      result[vertex] = value;
     }
   }
   return result;
 }
 
-} // namespace
-namespace {
-
-template <typename T>
-void
-appendBytes(std::string& bytes, T value)
-{
-  // The PLY header says little-endian, like all platforms of PCL.
-  char raw[sizeof(T)];
-  std::memcpy(raw, &value, sizeof(T));
-  bytes.append(raw, sizeof(T));
-}
-
-/** @brief Beyond this, floats are off by 0.015 mm or more, metres. */
-constexpr double farthest_float = 256;
-
-bool
-needsDoubles(const TriangleMesh& mesh)
-{
-  return std::any_of(mesh.vertices.begin(), mesh.vertices.end(), [](const auto& v) {
-    return v.cwiseAbs().maxCoeff() >= farthest_float;
-  });
-}
-
-constexpr const char* colour_properties =
-    "property uchar red\nproperty uchar green\nproperty uchar blue\n";
-
-void
-appendColour(std::string& bytes, std::uint32_t label)
-{
-  const LabelColour colour = colourOf(label);
-  for (const double channel : {colour.red, colour.green, colour.blue})
-    appendBytes(bytes, static_cast<std::uint8_t>(std::lround(255 * channel)));
-}
-
-std::string
-plyHeader(const TriangleMesh& mesh, const std::vector<std::string>& comments)
-{
-  std::ostringstream header;
-  header << "ply\nformat binary_little_endian 1.0\ncomment metres, z up\n";
-  for (const std::string& comment : comments)
-    header << "comment " << comment << '\n';
-  header << "element vertex " << mesh.vertices.size() << '\n';
-  for (const char* axis : {"x", "y", "z"})
-    header << "property " << (needsDoubles(mesh) ? "double " : "float ") << axis
-           << '\n';
-  if (!mesh.labels.empty())
-    header << colour_properties << "property uint label\n";
-  if (!mesh.rooms.empty())
-    header << "property uint room\n";
-  header << "element face " << mesh.triangles.size()
-         << "\nproperty list uchar int vertex_indices\n";
-  if (!mesh.labels.empty())
-    header << "property int label\n";
-  if (!mesh.rooms.empty())
-    header << "property int room\n";
-  if (!mesh.elements.empty())
-    header << "property int element\n";
-  if (!mesh.labels.empty())
-    header << colour_properties;
-  header << "end_header\n";
-  return header.str();
-}
-
-/** @brief Properties of a vertex besides its position: colour of its label, label,
- * room. */
-class VertexExtras {
+/** @brief The bytes of a PLY: little-endian, like all platforms of PCL. */
+class PlyContent {
 public:
-  explicit VertexExtras(const TriangleMesh& mesh)
+  PlyContent(const TriangleMesh& mesh, const std::vector<std::string>& comments)
+      : mesh_(mesh)
+      , needs_doubles_(std::any_of(
+            mesh.vertices.begin(),
+            mesh.vertices.end(),
+            [](const auto& v) { return v.cwiseAbs().maxCoeff() >= farthest_float; }))
+      , bytes_(header(comments))
   {
-    if (!mesh.labels.empty())
-      labels_ = vertexValues(mesh, mesh.labels);
-    if (!mesh.rooms.empty())
-      rooms_ = vertexValues(mesh, mesh.rooms);
+    bytes_.reserve(bytes_.size() + (needs_doubles_ ? 35 : 23) * mesh.vertices.size() +
+                   28 * mesh.triangles.size());
+    addVertices();
+    addFaces();
   }
 
-  void append(std::string& bytes, std::size_t v) const
-  {
-    if (!labels_.empty()) {
-      appendColour(bytes, labels_[v]);
-      appendBytes(bytes, labels_[v]);
-    }
-    if (!rooms_.empty())
-      appendBytes(bytes, rooms_[v]);
-  }
+  const std::string& bytes() const { return bytes_; }
 
 private:
-  std::vector<std::uint32_t> labels_;
-  std::vector<std::uint32_t> rooms_;
+  /** @brief Beyond this, floats are off by 0.015 mm or more, metres. */
+  static constexpr double farthest_float = 256;
+
+  std::string header(const std::vector<std::string>& comments) const
+  {
+    const char* const colour =
+        mesh_.labels.empty()
+            ? ""
+            : "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+    std::ostringstream text;
+    text << "ply\nformat binary_little_endian 1.0\ncomment metres, z up\n";
+    for (const std::string& comment : comments)
+      text << "comment " << comment << '\n';
+    text << "element vertex " << mesh_.vertices.size() << '\n';
+    for (const char* axis : {"x", "y", "z"})
+      text << "property " << (needs_doubles_ ? "double " : "float ") << axis << '\n';
+    text << colour << (mesh_.labels.empty() ? "" : "property uint label\n")
+         << (mesh_.rooms.empty() ? "" : "property uint room\n") << "element face "
+         << mesh_.triangles.size() << "\nproperty list uchar int vertex_indices\n"
+         << (mesh_.labels.empty() ? "" : "property int label\n")
+         << (mesh_.rooms.empty() ? "" : "property int room\n")
+         << (mesh_.elements.empty() ? "" : "property int element\n") << colour
+         << "end_header\n";
+    return text.str();
+  }
+
+  template <typename T>
+  void add(T value)
+  {
+    bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+
+  void addColour(std::uint32_t label)
+  {
+    const LabelColour colour = colourOf(label);
+    for (const double channel : {colour.red, colour.green, colour.blue})
+      add(static_cast<std::uint8_t>(std::lround(255 * channel)));
+  }
+
+  void addVertices()
+  {
+    const auto labels = vertexValues(mesh_, mesh_.labels);
+    const auto rooms = vertexValues(mesh_, mesh_.rooms);
+    for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
+      for (int k = 0; k < 3; ++k)
+        if (needs_doubles_)
+          add(mesh_.vertices[v][k]);
+        else
+          add(static_cast<float>(mesh_.vertices[v][k]));
+      if (!mesh_.labels.empty()) {
+        addColour(labels[v]);
+        add(labels[v]);
+      }
+      if (!mesh_.rooms.empty())
+        add(rooms[v]);
+    }
+  }
+
+  void addFaces()
+  {
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      add(std::uint8_t{3});
+      for (const auto v : mesh_.triangles[t])
+        add(v);
+      for (const auto* attribute : {&mesh_.labels, &mesh_.rooms, &mesh_.elements})
+        if (!attribute->empty())
+          add((*attribute)[t]);
+      if (!mesh_.labels.empty())
+        addColour(mesh_.labels[t]);
+    }
+  }
+
+  const TriangleMesh& mesh_;
+  bool needs_doubles_;
+  std::string bytes_;
 };
 
+/** @brief Reads a mesh from the content of a file.
+ * @return an empty string or an error message, to follow the file's name */
 std::string
-plyContent(const TriangleMesh& mesh, const std::vector<std::string>& comments)
+parse(const std::string& content, TriangleMesh& mesh)
 {
-  std::string content = plyHeader(mesh, comments);
-  const bool doubles = needsDoubles(mesh);
-  content.reserve(content.size() + (doubles ? 35 : 23) * mesh.vertices.size() +
-                  28 * mesh.triangles.size());
-  const VertexExtras extras(mesh);
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    for (int k = 0; k < 3; ++k)
-      if (doubles)
-        appendBytes(content, mesh.vertices[v][k]);
-      else
-        appendBytes(content, static_cast<float>(mesh.vertices[v][k]));
-    extras.append(content, v);
-  }
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    appendBytes(content, std::uint8_t(3));
-    for (const auto v : mesh.triangles[t])
-      appendBytes(content, static_cast<std::int32_t>(v));
-    for (const auto* attribute : {&mesh.labels, &mesh.rooms, &mesh.elements})
-      if (!attribute->empty())
-        appendBytes(content, static_cast<std::int32_t>((*attribute)[t]));
-    if (!mesh.labels.empty())
-      appendColour(content, static_cast<std::uint32_t>(mesh.labels[t]));
-  }
-  return content;
+  if (content.empty())
+    return "is empty";
+  std::string reason;
+  if (content.compare(0, 4, "ply\n") == 0 || content.compare(0, 4, "ply\r") == 0)
+    reason = parsePly(content, mesh);
+  else if (looksLikeObj(content))
+    reason = parseObj(content, mesh);
+  else
+    reason = "is neither a PLY nor an OBJ file";
+  if (!reason.empty())
+    return reason;
+  if (mesh.empty())
+    return "is no mesh: it holds " + std::to_string(mesh.vertices.size()) +
+           " vertices and no triangles";
+  reason = mesh.problem();
+  return reason.empty() ? reason : "is no mesh: " + reason;
 }
 
 } // namespace
@@ -190,23 +188,7 @@ loadMesh(const std::string& path, TriangleMesh& mesh)
     return path + " cannot be opened";
   const std::string content((std::istreambuf_iterator<char>(file)),
                             std::istreambuf_iterator<char>());
-  if (content.empty())
-    return path + " is empty";
-  std::string reason;
-  if (content.compare(0, 4, "ply\n") == 0 || content.compare(0, 4, "ply\r") == 0)
-    reason = parsePly(content, mesh);
-  else if (looksLikeObj(content))
-    reason = parseObj(content, mesh);
-  else
-    reason = "is neither a PLY nor an OBJ file";
-  if (reason.empty() && mesh.empty())
-    reason = "is no mesh: it holds " + std::to_string(mesh.vertices.size()) +
-             " vertices and no triangles";
-  if (reason.empty()) {
-    const std::string problem = mesh.problem();
-    if (!problem.empty())
-      reason = "is no mesh: " + problem;
-  }
+  const std::string reason = parse(content, mesh);
   if (reason.empty())
     return {};
   mesh = TriangleMesh();
@@ -222,26 +204,24 @@ savePly(const std::string& path,
   if (!problem.empty())
     return path + " is not written: " + problem;
   const std::string beside = path + ".part";
-  {
-    std::ofstream file(beside, std::ios::binary | std::ios::trunc);
-    if (!file)
-      return path + " cannot be written: its folder is missing or not writable";
-    const std::string content = plyContent(mesh, comments);
-    file.write(content.data(), static_cast<std::streamsize>(content.size()));
-    file.close();
-    if (!file) {
-      std::remove(beside.c_str());
-      return path + " cannot be written: the disk took only a part of its " +
-             std::to_string(content.size()) + " bytes";
-    }
-  }
+  std::ofstream file(beside, std::ios::binary | std::ios::trunc);
+  if (!file)
+    return path + " cannot be written: its folder is missing or not writable";
+  const PlyContent content(mesh, comments);
+  file.write(content.bytes().data(),
+             static_cast<std::streamsize>(content.bytes().size()));
+  file.close();
+  std::string reason;
   std::error_code error;
-  std::filesystem::rename(beside, path, error);
-  if (error) {
-    std::remove(beside.c_str());
-    return path + " cannot be written: " + error.message();
-  }
-  return {};
+  if (!file)
+    reason = "the disk took only a part of its " +
+             std::to_string(content.bytes().size()) + " bytes";
+  else if (std::filesystem::rename(beside, path, error); error)
+    reason = error.message();
+  if (reason.empty())
+    return {};
+  std::filesystem::remove(beside, error);
+  return path + " cannot be written: " + reason;
 }
 
 } // namespace pcl::sedr

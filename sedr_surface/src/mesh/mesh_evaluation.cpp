@@ -39,34 +39,25 @@ constexpr double min_intersection = 1e-5;
 
 } // namespace
 
-void
-MeshEvaluation::setInputMesh(const pcl::PolygonMesh::ConstPtr& mesh)
+MeshEvaluation::MeshInput::MeshInput(const pcl::PolygonMesh::ConstPtr& polygons)
 {
-  mesh_ = {mesh, nullptr};
+  if (!polygons)
+    return;
+  auto converted = std::make_shared<sedr::TriangleMesh>();
+  problem = sedr::fromPolygonMesh(*polygons, *converted);
+  mesh = converted;
 }
 
-void
-MeshEvaluation::setInputMesh(const std::shared_ptr<const sedr::TriangleMesh>& mesh)
-{
-  mesh_ = {nullptr, mesh};
-}
-
-void
-MeshEvaluation::setTruth(const pcl::PolygonMesh::ConstPtr& truth)
-{
-  truth_ = {truth, nullptr};
-}
-
-void
-MeshEvaluation::setTruth(const std::shared_ptr<const sedr::TriangleMesh>& truth)
-{
-  truth_ = {nullptr, truth};
-}
+MeshEvaluation::MeshInput::MeshInput(
+    const std::shared_ptr<const sedr::TriangleMesh>& triangles)
+    : mesh(triangles)
+    , problem(triangles ? triangles->problem() : std::string())
+{}
 
 bool
 MeshEvaluation::checkParameters()
 {
-  if (!mesh_.isSet())
+  if (!mesh_.mesh)
     return fail(class_name, "no mesh is set");
   if (!(sample_spacing_ > 0) || !std::isfinite(sample_spacing_))
     return fail(class_name, "the sample spacing must be above 0 m, it is " +
@@ -81,27 +72,16 @@ MeshEvaluation::checkParameters()
 }
 
 bool
-MeshEvaluation::prepare(const MeshInput& input,
-                        const char* what,
-                        std::shared_ptr<const sedr::TriangleMesh>& mesh)
+MeshEvaluation::checkMesh(const MeshInput& input, const char* what)
 {
-  std::string problem;
-  mesh = input.triangles;
-  if (input.polygons) {
-    auto converted = std::make_shared<sedr::TriangleMesh>();
-    problem = sedr::fromPolygonMesh(*input.polygons, *converted);
-    mesh = converted;
-  }
-  else
-    problem = mesh->problem();
-  if (problem.empty() && mesh->empty())
+  std::string problem = input.problem;
+  if (problem.empty() && input.mesh->empty())
     problem = "it has no triangles";
-  if (problem.empty() && !(mesh->area() > 0))
-    problem =
-        "its " + std::to_string(mesh->triangles.size()) + " triangles have no area";
-  if (!problem.empty())
-    return fail(class_name, std::string("the ") + what + " is no mesh: " + problem);
-  return true;
+  if (problem.empty() && !(input.mesh->area() > 0))
+    problem = "its " + std::to_string(input.mesh->triangles.size()) +
+              " triangles have no area";
+  return problem.empty() ||
+         fail(class_name, std::string("the ") + what + " is no mesh: " + problem);
 }
 
 bool
@@ -139,14 +119,14 @@ MeshEvaluation::compute(sedr::MeshEvaluationResult& result)
 {
   clearError();
   result = {};
-  std::shared_ptr<const sedr::TriangleMesh> mesh;
-  std::shared_ptr<const sedr::TriangleMesh> truth;
   std::vector<Eigen::Vector3d> points;
   std::size_t skipped = 0;
-  if (!checkParameters() || !prepare(mesh_, "model", mesh) ||
-      (truth_.isSet() && !prepare(truth_, "truth", truth)) ||
+  if (!checkParameters() || !checkMesh(mesh_, "model") ||
+      (truth_.mesh && !checkMesh(truth_, "truth")) ||
       (cloud_ && !selectPoints(points, skipped)))
     return false;
+  const auto& mesh = mesh_.mesh;
+  const auto& truth = truth_.mesh;
   result.mesh = sedr::measureMesh(*mesh);
   if (find_self_intersections_)
     result.mesh.self_intersections =

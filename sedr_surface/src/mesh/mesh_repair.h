@@ -17,8 +17,8 @@ std::size_t weldVertices(TriangleMesh& mesh);
  * that weld equal positions join no sheets.
  *
  * All positions are rounded to float. Of several vertices at one position the first
- * stays. Each other one moves 2 % towards the centre of its triangles, or farther, or
- * towards one of them if that position is taken. O(n log n).
+ * stays. Each other one moves 2 % towards the centre of its triangles, or farther if
+ * that position is taken. O(n log n).
  * @return the number of vertices moved */
 std::size_t partEqualPositions(TriangleMesh& mesh);
 

@@ -1,13 +1,87 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mesh_edges.h"
-
 #include "sedr_filters/src/grids/disjoint_sets.h"
 #include <pcl/sedr_surface/mesh_topology.h>
 
 #include <algorithm>
+#include <numeric>
+#include <tuple>
+#include <utility>
 
 namespace pcl::sedr {
 namespace {
+
+/** @brief One side of a triangle, indexed by its edge. */
+struct EdgeUse {
+  std::uint32_t low = 0;      ///< vertex of the edge with the lower index
+  std::uint32_t high = 0;     ///< the other one
+  std::uint32_t triangle = 0; ///< the triangle
+  std::uint8_t side = 0;      ///< from corner `side` to the next
+  bool forward = false;       ///< the triangle runs from low to high
+};
+
+/** @brief Returns the sides of all triangles, sorted by edge, then by triangle. Sides
+ * between a vertex and itself are omitted. O(n). */
+std::vector<EdgeUse>
+collectEdges(const std::vector<Triangle>& triangles)
+{
+  std::uint32_t vertices = 0;
+  for (const Triangle& triangle : triangles)
+    for (const auto v : triangle)
+      vertices = std::max(vertices, v + 1);
+  // Bucketed by the lower vertex, which has few edges.
+  std::vector<std::size_t> ends(vertices + std::size_t(1), 0);
+  const auto forEachSide = [&triangles](auto visit) {
+    for (std::uint32_t t = 0; t < triangles.size(); ++t)
+      for (std::uint8_t side = 0; side < 3; ++side) {
+        const std::uint32_t from = triangles[t][side];
+        const std::uint32_t to = triangles[t][(side + 1u) % 3u];
+        if (from != to)
+          visit(EdgeUse{std::min(from, to), std::max(from, to), t, side, from < to});
+      }
+  };
+  forEachSide([&ends](const EdgeUse& use) { ++ends[use.low + 1]; });
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<EdgeUse> uses(ends.back());
+  forEachSide([&](const EdgeUse& use) { uses[ends[use.low]++] = use; });
+  for (auto first = uses.begin(); first != uses.end();) {
+    const auto last = uses.begin() + static_cast<std::ptrdiff_t>(ends[first->low]);
+    std::sort(first, last, [](const EdgeUse& a, const EdgeUse& b) {
+      return std::tie(a.high, a.triangle, a.side) <
+             std::tie(b.high, b.triangle, b.side);
+    });
+    first = last;
+  }
+  return uses;
+}
+
+/** @brief Calls `visit(first, last)` with the range of uses of every edge, in order. */
+template <typename Visit>
+void
+forEachEdge(const std::vector<EdgeUse>& uses, Visit visit)
+{
+  for (auto first = uses.begin(); first != uses.end();) {
+    auto last = first + 1;
+    while (last != uses.end() && last->low == first->low && last->high == first->high)
+      ++last;
+    visit(first, last);
+    first = last;
+  }
+}
+
+/** @brief Returns the corner of `use.triangle` at the lower vertex of the edge: 3 *
+ * triangle + corner. */
+std::uint32_t
+lowCorner(const EdgeUse& use)
+{
+  return 3 * use.triangle + (use.forward ? use.side : (use.side + 1u) % 3u);
+}
+
+/** @brief As above, for the higher vertex. */
+std::uint32_t
+highCorner(const EdgeUse& use)
+{
+  return 3 * use.triangle + (use.forward ? (use.side + 1u) % 3u : use.side);
+}
 
 bool
 usesVertexTwice(const Triangle& t)
@@ -127,83 +201,6 @@ measureComponents(const TriangleMesh& mesh,
   });
 }
 
-/** @brief Computes the connectivity of a mesh or of a part of one. */
-MeshTopology
-topologyOf(const TriangleMesh& mesh)
-{
-  MeshTopology topology;
-  countVertices(mesh, topology);
-  countTriangles(mesh, topology);
-  const std::vector<EdgeUse> uses = collectEdges(mesh.triangles);
-  countEdges(uses, topology);
-  countFans(mesh, uses, topology);
-  measureComponents(mesh, uses, topology);
-  return topology;
-}
-
-/** @brief Triangles [first, last) with vertices [low, high] that no other part uses. */
-struct MeshPart {
-  std::size_t first;
-  std::size_t last;
-  std::uint32_t low;
-  std::uint32_t high;
-};
-
-/** @brief Returns the rooms of a mesh if they are contiguous, else all of it. Room by
- * room, connectivity takes much less memory. */
-std::vector<MeshPart>
-partsByRoom(const TriangleMesh& mesh)
-{
-  std::vector<MeshPart> runs;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto [low, high] =
-        std::minmax_element(mesh.triangles[t].begin(), mesh.triangles[t].end());
-    if (t == 0 || (!mesh.rooms.empty() && mesh.rooms[t] != mesh.rooms[t - 1]))
-      runs.push_back({t, t, *low, *high});
-    MeshPart& run = runs.back();
-    run = {run.first, t + 1, std::min(run.low, *low), std::max(run.high, *high)};
-  }
-  std::vector<MeshPart> parts;
-  for (const MeshPart& run : runs) {
-    parts.push_back(run);
-    while (parts.size() > 1 && parts.back().low <= parts[parts.size() - 2].high) {
-      MeshPart& before = parts[parts.size() - 2];
-      before = {before.first, run.last, std::min(before.low, parts.back().low),
-                std::max(before.high, parts.back().high)};
-      parts.pop_back();
-    }
-  }
-  return parts;
-}
-
-TriangleMesh
-copyOf(const TriangleMesh& mesh, const MeshPart& part)
-{
-  TriangleMesh copy;
-  copy.vertices.assign(mesh.vertices.begin() + part.low,
-                       mesh.vertices.begin() + part.high + 1);
-  for (std::size_t t = part.first; t < part.last; ++t) {
-    copy.triangles.push_back(mesh.triangles[t]);
-    for (auto& v : copy.triangles.back())
-      v -= part.low;
-  }
-  return copy;
-}
-
-void
-add(const MeshTopology& part, MeshTopology& sum)
-{
-  for (const auto count :
-       {&MeshTopology::vertices, &MeshTopology::edges, &MeshTopology::triangles,
-        &MeshTopology::degenerate_triangles, &MeshTopology::zero_area_triangles,
-        &MeshTopology::duplicate_triangles, &MeshTopology::boundary_edges,
-        &MeshTopology::non_manifold_edges, &MeshTopology::inconsistent_edges,
-        &MeshTopology::non_manifold_vertices})
-    sum.*count += part.*count;
-  sum.components.insert(sum.components.end(), part.components.begin(),
-                        part.components.end());
-}
-
 } // namespace
 
 std::string
@@ -232,13 +229,13 @@ MeshTopology::problem() const
 MeshTopology
 checkTopology(const TriangleMesh& mesh)
 {
-  const std::vector<MeshPart> parts = partsByRoom(mesh);
   MeshTopology topology;
-  if (parts.size() == 1)
-    topology = topologyOf(mesh);
-  else
-    for (const MeshPart& part : parts)
-      add(topologyOf(copyOf(mesh, part)), topology);
+  countVertices(mesh, topology);
+  countTriangles(mesh, topology);
+  const std::vector<EdgeUse> uses = collectEdges(mesh.triangles);
+  countEdges(uses, topology);
+  countFans(mesh, uses, topology);
+  measureComponents(mesh, uses, topology);
   topology.unused_vertices = mesh.vertices.size() - topology.vertices;
   topology.euler_characteristic = static_cast<std::int64_t>(topology.vertices) -
                                   static_cast<std::int64_t>(topology.edges) +

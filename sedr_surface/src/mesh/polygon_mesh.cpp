@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "sedr_filters/src/base/field_access.h"
 #include <pcl/PolygonMesh.h>
+#include <pcl/common/io.h>
+#include <pcl/conversions.h>
+#include <pcl/point_types.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
-
-#include <cstring>
 
 namespace pcl::sedr {
 namespace {
@@ -55,63 +57,31 @@ isEar(const std::vector<Eigen::Vector3d>& vertices,
   return true;
 }
 
-const pcl::PCLPointField*
-findField(const pcl::PCLPointCloud2& cloud, const char* name)
-{
-  for (const auto& field : cloud.fields)
-    if (field.name == name)
-      return &field;
-  return nullptr;
-}
-
-// Returns why the field cannot be read, or an empty string.
-std::string
-fieldProblem(const pcl::PCLPointCloud2& cloud, const char* name)
-{
-  const auto* field = findField(cloud, name);
-  if (field == nullptr)
-    return std::string("the cloud of the mesh has no field ") + name;
-  const bool is_float = field->datatype == pcl::PCLPointField::FLOAT32;
-  if (!is_float && field->datatype != pcl::PCLPointField::FLOAT64)
-    return std::string("the field ") + name +
-           " of the mesh is neither float nor double";
-  if (field->offset + (is_float ? 4u : 8u) > cloud.point_step)
-    return std::string("the field ") + name + " of the mesh lies outside its points";
-  return {};
-}
-
-double
-readField(const std::uint8_t* point, const pcl::PCLPointField& field)
-{
-  if (field.datatype == pcl::PCLPointField::FLOAT64) {
-    double value = 0;
-    std::memcpy(&value, point + field.offset, sizeof(value));
-    return value;
-  }
-  float value = 0;
-  std::memcpy(&value, point + field.offset, sizeof(value));
-  return value;
-}
-
+/** @brief Reads x, y and z of a cloud.
+ * @return why they cannot be read, or an empty string */
 std::string
 readVertices(const pcl::PCLPointCloud2& cloud, std::vector<Eigen::Vector3d>& vertices)
 {
-  const char* names[3] = {"x", "y", "z"};
-  const pcl::PCLPointField* fields[3] = {};
-  for (int i = 0; i < 3; ++i) {
-    const std::string reason = fieldProblem(cloud, names[i]);
-    if (!reason.empty())
-      return reason;
-    fields[i] = findField(cloud, names[i]);
-  }
   const std::size_t size = static_cast<std::size_t>(cloud.width) * cloud.height;
   if (cloud.data.size() < size * cloud.point_step)
     return "the cloud of the mesh says " + std::to_string(size) +
            " points, but holds " + std::to_string(cloud.data.size()) + " bytes";
   vertices.resize(size);
-  for (std::size_t i = 0; i < size; ++i)
-    for (int k = 0; k < 3; ++k)
-      vertices[i][k] = readField(cloud.data.data() + i * cloud.point_step, *fields[k]);
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const std::string name(1, "xyz"[k]);
+    const int index = pcl::getFieldIndex(cloud, name);
+    if (index < 0)
+      return "the cloud of the mesh has no field " + name;
+    const pcl::PCLPointField& field = cloud.fields[static_cast<std::size_t>(index)];
+    if (field.datatype != pcl::PCLPointField::FLOAT32 &&
+        field.datatype != pcl::PCLPointField::FLOAT64)
+      return "the field " + name + " of the mesh is neither float nor double";
+    if (field.offset + fieldSize(field.datatype) > cloud.point_step)
+      return "the field " + name + " of the mesh lies outside its points";
+    for (std::size_t i = 0; i < size; ++i)
+      vertices[i][k] =
+          readField(&cloud.data[i * cloud.point_step + field.offset], field.datatype);
+  }
   return {};
 }
 
@@ -174,26 +144,12 @@ fromPolygonMesh(const pcl::PolygonMesh& polygon_mesh, TriangleMesh& mesh)
 void
 toPolygonMesh(const TriangleMesh& mesh, pcl::PolygonMesh& polygon_mesh)
 {
-  pcl::PCLPointCloud2& cloud = polygon_mesh.cloud;
-  cloud.fields.resize(3);
-  const char* names[3] = {"x", "y", "z"};
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    cloud.fields[k].name = names[k];
-    cloud.fields[k].offset = k * 4;
-    cloud.fields[k].datatype = pcl::PCLPointField::FLOAT32;
-    cloud.fields[k].count = 1;
-  }
-  cloud.width = static_cast<std::uint32_t>(mesh.vertices.size());
-  cloud.height = 1;
-  cloud.point_step = 12;
-  cloud.row_step = cloud.point_step * cloud.width;
-  cloud.is_dense = true;
-  cloud.is_bigendian = false;
-  cloud.data.resize(mesh.vertices.size() * cloud.point_step);
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    const Eigen::Vector3f p = mesh.vertices[v].cast<float>();
-    std::memcpy(cloud.data.data() + v * cloud.point_step, p.data(), cloud.point_step);
-  }
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  cloud.reserve(mesh.vertices.size());
+  for (const Eigen::Vector3d& v : mesh.vertices)
+    cloud.emplace_back(static_cast<float>(v.x()), static_cast<float>(v.y()),
+                       static_cast<float>(v.z()));
+  pcl::toPCLPointCloud2(cloud, polygon_mesh.cloud);
   polygon_mesh.polygons.resize(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     polygon_mesh.polygons[t].vertices.assign(mesh.triangles[t].begin(),

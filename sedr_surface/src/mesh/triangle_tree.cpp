@@ -4,6 +4,7 @@
 #include "sedr_filters/src/base/parallel_for.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -16,8 +17,7 @@ namespace {
 constexpr std::size_t max_in_leaf = 6;
 constexpr std::size_t block = 4096; ///< triangles or boxes per block
 
-/** @brief Returns the squared distance of the origin from the segment between two
- * points. */
+/** @brief Returns the squared distance of the origin from a segment. */
 double
 squaredToSegment(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 {
@@ -47,79 +47,52 @@ squaredToTriangle(const Eigen::Vector3d& a,
 
 TriangleTree::TriangleTree(const TriangleMesh& mesh, unsigned threads)
     : mesh_(mesh)
-    , bounds_(mesh.bounds())
-    , origin_(bounds_.center())
+    , origin_(mesh.bounds().center())
     , order_(mesh.triangles.size())
 {
   while (order_.size() >> levels_ >= max_in_leaf)
     ++levels_;
   std::iota(order_.begin(), order_.end(), 0);
-  {
-    const std::vector<Centre> all = centres(threads);
-    for (unsigned level = 0; level < levels_; ++level)
-      parallelBlocks(std::size_t{1} << level, 1, threads,
-                     [&](std::size_t k, std::size_t) { split(level, k, all); });
-  }
+  std::vector<Eigen::Vector3f> centres(order_.size());
+  parallelFor(centres.size(), block, threads, [&](std::size_t t) {
+    const Eigen::Vector3d sum =
+        mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2);
+    centres[t] = (sum / 3 - origin_).cast<float>();
+  });
+  for (unsigned level = 0; level < levels_; ++level)
+    parallelFor(std::size_t{1} << level, 1, threads,
+                [&](std::size_t k) { split(level, k, centres); });
   const std::size_t leaves = std::size_t{1} << levels_;
   boxes_.resize(2 * leaves - 1);
   parallelFor(leaves, block, threads,
               [&](std::size_t k) { boxes_[leaves - 1 + k] = boxOfLeaf(k); });
-  for (std::size_t i = leaves - 1; i-- > 0;) {
-    const Box& a = boxes_[2 * i + 1];
-    const Box& b = boxes_[2 * i + 2];
-    boxes_[i] = {a.low.min(b.low), a.high.max(b.high)};
-  }
-}
-
-std::vector<TriangleTree::Centre>
-TriangleTree::centres(unsigned threads) const
-{
-  const double most = std::numeric_limits<std::uint16_t>::max();
-  const Eigen::Array3d scale = most / bounds_.sizes().array().max(1e-9);
-  std::vector<Centre> result(mesh_.triangles.size());
-  parallelFor(result.size(), block, threads, [&](std::size_t t) {
-    const Eigen::Array3d sum =
-        mesh_.corner(t, 0) + mesh_.corner(t, 1) + mesh_.corner(t, 2);
-    const Eigen::Array3d at =
-        ((sum / 3 - bounds_.min().array()) * scale).max(0.0).min(most);
-    for (int axis = 0; axis < 3; ++axis)
-      result[t][static_cast<std::size_t>(axis)] = static_cast<std::uint16_t>(at[axis]);
-  });
-  return result;
+  for (std::size_t i = leaves - 1; i-- > 0;)
+    boxes_[i] = boxes_[2 * i + 1].merged(boxes_[2 * i + 2]);
 }
 
 /** @brief Sorts the triangles of a box into two halves, across its longest side. */
 void
-TriangleTree::split(unsigned level, std::size_t k, const std::vector<Centre>& centres)
+TriangleTree::split(unsigned level,
+                    std::size_t k,
+                    const std::vector<Eigen::Vector3f>& centres)
 {
   const auto at = [&](std::size_t place) {
     return order_.begin() + static_cast<std::ptrdiff_t>(place);
   };
   const auto begin = at(first(level, k));
   const auto end = at(first(level, k + 1));
-  Centre low = centres[*begin];
-  Centre high = low;
+  Box box;
   for (auto t = begin; t != end; ++t)
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], centres[*t][axis]);
-      high[axis] = std::max(high[axis], centres[*t][axis]);
-    }
-  const Eigen::Vector3d sizes = bounds_.sizes();
-  std::size_t longest = 0;
-  double most = -1;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double size = (high[axis] - low[axis]) * sizes[static_cast<int>(axis)];
-    if (size <= most)
-      continue;
-    most = size;
-    longest = axis;
-  }
+    box.extend(centres[*t]);
+  Eigen::Index longest = 0;
+  box.sizes().maxCoeff(&longest);
   std::nth_element(begin, at(first(level + 1, 2 * k + 1)), end,
                    [&](std::uint32_t a, std::uint32_t b) {
                      return centres[a][longest] < centres[b][longest];
                    });
 }
 
+/** @brief Returns the box of a leaf's triangles, rounded outwards. */
 TriangleTree::Box
 TriangleTree::boxOfLeaf(std::size_t leaf) const
 {
@@ -127,11 +100,11 @@ TriangleTree::boxOfLeaf(std::size_t leaf) const
   for (std::size_t i = first(levels_, leaf); i < first(levels_, leaf + 1); ++i)
     for (int c = 0; c < 3; ++c)
       box.extend(mesh_.corner(order_[i], c) - origin_);
-  Box outer;
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  Box outer(box.min().cast<float>(), box.max().cast<float>());
   for (int axis = 0; axis < 3; ++axis) {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
-    outer.low[axis] = std::nextafter(static_cast<float>(box.min()[axis]), -infinity);
-    outer.high[axis] = std::nextafter(static_cast<float>(box.max()[axis]), infinity);
+    outer.min()[axis] = std::nextafter(outer.min()[axis], -infinity);
+    outer.max()[axis] = std::nextafter(outer.max()[axis], infinity);
   }
   return outer;
 }
@@ -143,13 +116,18 @@ TriangleTree::distance(const Eigen::Vector3d& point) const
     std::size_t box;
     double least; ///< minimum squared distance of its content
   };
+  const Eigen::Array3d p = point - origin_;
+  const auto stepTo = [&](std::size_t i) -> Step {
+    const Eigen::Array3d low = boxes_[i].min().cast<double>();
+    const Eigen::Array3d high = boxes_[i].max().cast<double>();
+    return {i, (low - p).max(p - high).max(0.0).square().sum()};
+  };
   constexpr std::size_t deepest = 64;
   std::array<Step, deepest> steps; // at most one more per level
-  const Eigen::Array3d p = point - origin_;
   const std::size_t first_leaf = (std::size_t{1} << levels_) - 1;
   double best = std::numeric_limits<double>::infinity();
   std::size_t count = 0;
-  steps[count++] = {0, boxes_[0].squaredDistance(p)};
+  steps[count++] = stepTo(0);
   while (count > 0) {
     const Step step = steps[--count];
     if (step.least >= best)
@@ -162,14 +140,13 @@ TriangleTree::distance(const Eigen::Vector3d& point) const
                                                 mesh_.corner(order_[i], 2) - point));
       continue;
     }
-    Step near{2 * step.box + 1, boxes_[2 * step.box + 1].squaredDistance(p)};
-    Step far{2 * step.box + 2, boxes_[2 * step.box + 2].squaredDistance(p)};
+    Step near = stepTo(2 * step.box + 1);
+    Step far = stepTo(2 * step.box + 2);
     if (far.least < near.least)
       std::swap(near, far);
-    if (far.least < best)
-      steps[count++] = far;
-    if (near.least < best)
-      steps[count++] = near;
+    for (const Step& next : {far, near})
+      if (next.least < best)
+        steps[count++] = next;
   }
   return std::sqrt(best);
 }

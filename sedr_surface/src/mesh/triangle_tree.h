@@ -5,7 +5,6 @@
 
 #include <Eigen/Geometry>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -18,11 +17,10 @@ double squaredToTriangle(const Eigen::Vector3d& a,
                          const Eigen::Vector3d& b,
                          const Eigen::Vector3d& c);
 
-/** @brief A balanced tree of boxes over the triangles of a mesh. Finds the nearest
- * triangle of a point in about O(log n).
+/** @brief A balanced tree of boxes over the triangles of a mesh: box i has the children
+ * 2 i + 1 and 2 i + 2, and all leaves are on one level.
  *
- * Construction is O(n log n); about 12 bytes per triangle, and 6 more during
- * construction. */
+ * Construction is O(n log n), a query about O(log n); some 12 bytes per triangle. */
 class TriangleTree {
 public:
   /** @param mesh must have triangles, and outlive this object
@@ -34,22 +32,7 @@ public:
   double distance(const Eigen::Vector3d& point) const;
 
 private:
-  /** @brief Relative to the tree's origin; rounded outwards. */
-  struct Box {
-    Eigen::Array3f low;
-    Eigen::Array3f high;
-
-    double squaredDistance(const Eigen::Array3d& p) const
-    {
-      return (low.cast<double>() - p)
-          .max(p - high.cast<double>())
-          .max(0.0)
-          .square()
-          .sum();
-    }
-  };
-
-  using Centre = std::array<std::uint16_t, 3>; ///< of a triangle, in the root box
+  using Box = Eigen::AlignedBox3f; ///< relative to the origin of the tree
 
   /** @brief Returns the first triangle of box `k` of a level, as a place in
    * `order_`. */
@@ -58,12 +41,11 @@ private:
     return order_.size() * k >> level;
   }
 
-  std::vector<Centre> centres(unsigned threads) const;
-  void split(unsigned level, std::size_t k, const std::vector<Centre>& centres);
+  void
+  split(unsigned level, std::size_t k, const std::vector<Eigen::Vector3f>& centres);
   Box boxOfLeaf(std::size_t leaf) const;
 
   const TriangleMesh& mesh_;
-  Eigen::AlignedBox3d bounds_;
   Eigen::Vector3d origin_;
   unsigned levels_ = 0;              ///< number of levels above the leaves
   std::vector<std::uint32_t> order_; ///< triangles, leaf by leaf

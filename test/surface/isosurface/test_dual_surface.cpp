@@ -64,34 +64,6 @@ isInside(const Eigen::Vector3d& p)
 
 } // namespace
 
-TEST(BandGrid, finds_its_blocks_and_their_neighbours_on_both_sides_of_zero)
-{
-  const BandGrid grid = cubeOfBlocks(3);
-  ASSERT_EQ(grid.size(), 27u);
-  for (std::size_t b = 0; b < grid.size(); ++b)
-    EXPECT_EQ(grid.find(grid.at(b)), b);
-  EXPECT_EQ(grid.find({2, 0, 0}), grid.size());
-  const std::size_t middle = grid.find({0, 0, 0});
-  EXPECT_EQ(grid.at(grid.neighbour(middle, -1, 1, 0)), (BandGrid::Block{-1, 1, 0}));
-  EXPECT_FALSE(grid.atRim(middle));
-  EXPECT_TRUE(grid.atRim(grid.find({1, 1, 1})));
-}
-
-TEST(BandGrid, a_halo_holds_the_nodes_around_a_block)
-{
-  const BandGrid grid = cubeOfBlocks(3);
-  const auto number = [](const Eigen::Vector3d& p) {
-    return static_cast<float>(p.x() + 40 * p.y() + 1600 * p.z());
-  };
-  const auto values = valuesOf(grid, number);
-  float halo[BandGrid::halo_nodes];
-  grid.gatherHalo(values, grid.find({0, 0, 0}), halo);
-  for (int z = -1; z <= 8; ++z)
-    for (int y = -1; y <= 8; ++y)
-      for (int x = -1; x <= 8; ++x)
-        ASSERT_EQ(halo[BandGrid::haloIndex(x, y, z)], number({x * 1., y * 1., z * 1.}));
-}
-
 TEST(DualSurface, a_ball_without_samples_is_where_its_values_say)
 {
   const BandGrid grid = cubeOfBlocks(3);
@@ -125,56 +97,4 @@ TEST(DualSurface, whatever_the_values_their_surface_is_closed_and_manifold)
     EXPECT_TRUE(checkTopology(mesh).isClosedManifold())
         << checkTopology(mesh).problem();
   }
-}
-
-TEST(DualSurface, well_composed_values_stay_as_they_are)
-{
-  const BandGrid grid = cubeOfBlocks(3);
-  auto values = valuesOf(grid, [](const Eigen::Vector3d& p) {
-    return static_cast<float>(6.1 - (p - Eigen::Vector3d(4, 4, 4)).norm());
-  });
-  const auto before = values;
-  EXPECT_EQ(makeWellComposed(grid, values, 1), 0u);
-  EXPECT_EQ(values, before);
-}
-
-TEST(SurfaceMending, a_fold_in_a_face_is_taken_out)
-{
-  // A box with its top at 6.5, with one vertex two cells away from its position.
-  const BandGrid grid = cubeOfBlocks(3);
-  const auto values = valuesOf(grid, [](const Eigen::Vector3d& p) {
-    const Eigen::Array3d off = (p - Eigen::Vector3d(3.5, 3.5, 3)).array().abs();
-    return static_cast<float>(off.maxCoeff() - 3.5);
-  });
-  TriangleMesh mesh;
-  std::vector<SurfaceVertex> vertices;
-  SortedSamples none;
-  none.starts.push_back(0);
-  extractDualSurface(grid, values, none, 2, 1, mesh, vertices);
-  ASSERT_TRUE(checkTopology(mesh).isClosedManifold()) << checkTopology(mesh).problem();
-  const double volume = mesh.signedVolume();
-  const auto onTop = [&mesh](std::uint32_t v) {
-    return std::abs(mesh.vertices[v].z() - 6.5) < 1e-6;
-  };
-  const auto folds = [&] {
-    std::size_t count = 0;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      const Triangle& triangle = mesh.triangles[t];
-      count += std::all_of(triangle.begin(), triangle.end(), onTop) &&
-               mesh.scaledNormal(t).z() <= 0;
-    }
-    return count;
-  };
-  ASSERT_EQ(folds(), 0u);
-  std::uint32_t middle = 0;
-  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v)
-    if (onTop(v) && (mesh.vertices[v] - Eigen::Vector3d(3.5, 3.5, 6.5)).norm() < 0.6)
-      middle = v;
-  ASSERT_TRUE(onTop(middle));
-  mesh.vertices[middle] += Eigen::Vector3d(1.8, 0.3, 0);
-  ASSERT_GT(folds(), 0u);
-  mendSurface(mesh, vertices, 0.02, 1.5);
-  EXPECT_EQ(folds(), 0u);
-  EXPECT_TRUE(checkTopology(mesh).isClosedManifold()) << checkTopology(mesh).problem();
-  EXPECT_NEAR(mesh.signedVolume(), volume, 0.01 * std::abs(volume));
 }

@@ -5,36 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <limits>
 #include <random>
 
 using namespace pcl::sedr;
 using namespace sedr_test;
-
-namespace {
-
-// After Ericson, Real-Time Collision Detection, by the regions of the triangle.
-double
-distanceToTriangle(const Eigen::Vector3d& p,
-                   const Eigen::Vector3d& a,
-                   const Eigen::Vector3d& b,
-                   const Eigen::Vector3d& c)
-{
-  const auto toSegment = [&p](const Eigen::Vector3d& s, const Eigen::Vector3d& e) {
-    const double length = (e - s).squaredNorm();
-    const double t = length > 0 ? std::clamp((p - s).dot(e - s) / length, 0., 1.) : 0.;
-    return (s + t * (e - s) - p).norm();
-  };
-  double distance = std::min({toSegment(a, b), toSegment(b, c), toSegment(c, a)});
-  const Eigen::Vector3d n = (b - a).cross(c - a);
-  if (n.norm() > 0 && n.dot((b - a).cross(p - a)) >= 0 &&
-      n.dot((c - b).cross(p - b)) >= 0 && n.dot((a - c).cross(p - c)) >= 0)
-    distance = std::min(distance, std::abs(n.normalized().dot(p - a)));
-  return distance;
-}
-
-} // namespace
 
 TEST(MeshDistance, is_exact_in_every_region_of_a_triangle)
 {
@@ -49,41 +23,6 @@ TEST(MeshDistance, is_exact_in_every_region_of_a_triangle)
   EXPECT_NEAR(distances[3], 5, 1e-12);
   EXPECT_NEAR(distances[4], std::sqrt(18), 1e-12);
   EXPECT_NEAR(distances[5], 0, 1e-12);
-}
-
-TEST(MeshDistance, agrees_with_every_triangle_tried_slivers_and_flat_ones_included)
-{
-  std::mt19937 random(5);
-  std::uniform_real_distribution<double> unit(0, 1);
-  const auto point = [&](double size) {
-    return Eigen::Vector3d(size *
-                           Eigen::Vector3d(unit(random), unit(random), unit(random)));
-  };
-  const Eigen::Vector3d far(3000, -2000, 100);
-  TriangleMesh mesh;
-  for (int i = 0; i < 400; ++i) {
-    const Eigen::Vector3d a = far + point(10);
-    const double size = i % 10 == 0 ? 8 : 0.3;
-    Eigen::Vector3d b = a + point(size);
-    const Eigen::Vector3d c = i % 7 == 0 ? Eigen::Vector3d((a + b) / 2 + point(1e-7))
-                                         : Eigen::Vector3d(a + point(size));
-    if (i % 31 == 0)
-      b = c;
-    const auto v = static_cast<std::uint32_t>(mesh.vertices.size());
-    mesh.vertices.insert(mesh.vertices.end(), {a, b, c});
-    mesh.triangles.push_back({v, v + 1, v + 2});
-  }
-  std::vector<Eigen::Vector3d> points;
-  for (int i = 0; i < 1000; ++i)
-    points.push_back(far + point(i % 5 == 0 ? 100 : 10));
-  const auto distances = MeshDistance(mesh).distances(points);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    double best = std::numeric_limits<double>::max();
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-      best = std::min(best, distanceToTriangle(points[i], mesh.corner(t, 0),
-                                               mesh.corner(t, 1), mesh.corner(t, 2)));
-    EXPECT_NEAR(distances[i], best, 1e-7) << i;
-  }
 }
 
 TEST(MeshDistance, of_a_square_of_many_triangles_is_that_of_the_square)

@@ -25,13 +25,6 @@ TEST(MeshTopology, cube_is_a_closed_manifold_of_genus_zero)
   EXPECT_TRUE(topology.components[0].closed);
 }
 
-TEST(MeshTopology, torus_has_euler_characteristic_zero)
-{
-  const MeshTopology topology = checkTopology(torus());
-  EXPECT_TRUE(topology.isClosedManifold());
-  EXPECT_EQ(topology.euler_characteristic, 0);
-}
-
 TEST(MeshTopology, open_box_has_the_boundary_of_its_missing_lid)
 {
   TriangleMesh mesh = unitCube();
@@ -74,17 +67,6 @@ TEST(MeshTopology, cubes_that_share_a_vertex_are_two_components_with_one_bad_ver
   EXPECT_EQ(topology.problem(), "1 non-manifold vertex");
 }
 
-TEST(MeshTopology, a_fin_on_an_edge_makes_it_non_manifold)
-{
-  TriangleMesh mesh = unitCube();
-  mesh.vertices.emplace_back(0.5, -1, -1);
-  mesh.triangles.push_back({0, 1, 8});
-  const MeshTopology topology = checkTopology(mesh);
-  EXPECT_EQ(topology.non_manifold_edges, 1u);
-  EXPECT_EQ(topology.boundary_edges, 2u);
-  EXPECT_FALSE(topology.isEdgeManifold());
-}
-
 TEST(MeshTopology, a_turned_triangle_makes_its_three_edges_inconsistent)
 {
   TriangleMesh mesh = unitCube();
@@ -123,49 +105,6 @@ TEST(MeshTopology, components_come_largest_first_with_their_own_volume)
   EXPECT_EQ(topology.euler_characteristic, 4);
 }
 
-TEST(MeshTopology, of_rooms_is_that_of_the_mesh_whether_or_not_they_share_vertices)
-{
-  // Two boxes and a torus in separate rooms; then the last triangle of the first room
-  // moves to the third.
-  TriangleMesh mesh = box({0, 0, 0}, {1, 1, 1});
-  mesh.append(box({2, 0, 0}, {5, 1, 1}));
-  mesh.append(torus());
-  mesh.vertices.emplace_back(9, 9, 9);
-  const std::size_t ring = mesh.triangles.size() - 24;
-  mesh.rooms.assign(12, 1);
-  mesh.rooms.insert(mesh.rooms.end(), 12, 2);
-  mesh.rooms.insert(mesh.rooms.end(), ring, 3);
-  for (const bool is_shared : {false, true}) {
-    if (is_shared)
-      std::swap(mesh.triangles[11], mesh.triangles.back());
-    TriangleMesh whole = mesh;
-    whole.rooms.clear();
-    const MeshTopology expected = checkTopology(whole);
-    const MeshTopology topology = checkTopology(mesh);
-    EXPECT_TRUE(topology.isClosedManifold());
-    EXPECT_EQ(topology.vertices, expected.vertices);
-    EXPECT_EQ(topology.unused_vertices, 1u);
-    EXPECT_EQ(topology.edges, expected.edges);
-    EXPECT_EQ(topology.triangles, expected.triangles);
-    EXPECT_EQ(topology.euler_characteristic, 4);
-    ASSERT_EQ(topology.components.size(), 3u);
-    for (std::size_t c = 0; c < 3; ++c) {
-      EXPECT_EQ(topology.components[c].area, expected.components[c].area);
-      EXPECT_EQ(topology.components[c].signed_volume,
-                expected.components[c].signed_volume);
-      EXPECT_TRUE(topology.components[c].closed);
-    }
-  }
-}
-
-TEST(MeshTopology, an_empty_mesh_is_not_closed)
-{
-  const MeshTopology topology = checkTopology({});
-  EXPECT_FALSE(topology.isClosed());
-  EXPECT_FALSE(topology.isClosedManifold());
-  EXPECT_EQ(topology.problem(), "no triangles");
-}
-
 TEST(TriangleMesh, volume_keeps_its_digits_far_from_the_origin)
 {
   const Eigen::Vector3d far(500000.1, 5000000.7, 100.3);
@@ -186,16 +125,4 @@ TEST(TriangleMesh, append_fills_missing_attributes_with_zero)
   EXPECT_EQ(mesh.labels[12], 3u);
   EXPECT_EQ(mesh.rooms[23], 2u);
   EXPECT_TRUE(checkTopology(mesh).isClosedManifold());
-}
-
-TEST(TriangleMesh, unused_vertices_go_and_the_shape_stays)
-{
-  TriangleMesh mesh = unitCube();
-  mesh.vertices.insert(mesh.vertices.begin(), Eigen::Vector3d(9, 9, 9));
-  for (auto& triangle : mesh.triangles)
-    for (auto& v : triangle)
-      ++v;
-  EXPECT_EQ(mesh.removeUnusedVertices(), 1u);
-  EXPECT_EQ(mesh.vertices.size(), 8u);
-  EXPECT_NEAR(mesh.signedVolume(), 1, 1e-12);
 }

@@ -25,27 +25,6 @@ TEST(PolygonMesh, there_and_back_keeps_vertices_and_triangles)
   EXPECT_NEAR(mesh.signedVolume(), torus().signedVolume(), 1e-4);
 }
 
-TEST(PolygonMesh, polygons_become_triangles_and_other_fields_are_skipped)
-{
-  pcl::PointCloud<pcl::PointXYZRGBNormal> cloud;
-  for (const auto& p :
-       {std::array<float, 2>{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}) {
-    pcl::PointXYZRGBNormal point;
-    point.x = p[0];
-    point.y = p[1];
-    point.z = 4;
-    cloud.push_back(point);
-  }
-  pcl::PolygonMesh polygons;
-  pcl::toPCLPointCloud2(cloud, polygons.cloud);
-  polygons.polygons.resize(1);
-  polygons.polygons[0].vertices = {0, 1, 2, 3, 4, 5};
-  TriangleMesh mesh;
-  ASSERT_EQ(fromPolygonMesh(polygons, mesh), "");
-  EXPECT_EQ(mesh.triangles.size(), 4u);
-  EXPECT_NEAR(mesh.area(), 3, 1e-12);
-}
-
 TEST(PolygonMesh, concave_polygons_are_cut_right_wherever_they_begin)
 {
   const std::vector<Eigen::Vector3d> vertices = {{0, 0, 1},

@@ -46,33 +46,6 @@ expectGood(const LatticeRoom& room,
 
 } // namespace
 
-TEST(LatticeRoom, truths_are_closed_and_of_the_volume_of_their_blocks)
-{
-  const std::pair<LatticeRoom, double> rooms[] = {{boxRoom(), 90},
-                                                  {lRoom(), 67.5},
-                                                  {soffitRoom(), 85},
-                                                  {columnRoom(), 90 - M_PI * 0.09 * 3}};
-  for (const auto& entry : rooms) {
-    const TriangleMesh truth = entry.first.truth();
-    EXPECT_TRUE(checkTopology(truth).isClosedManifold());
-    EXPECT_NEAR(truth.signedVolume(), -entry.second, 0.005);
-    const DistanceStatistics off =
-        summarizeDistances(MeshDistance(truth).distances([&] {
-          std::vector<Eigen::Vector3d> points;
-          for (const auto& p : entry.first.points(0.1))
-            points.push_back(p.position.cast<double>());
-          return points;
-        }()));
-    EXPECT_LT(off.max, 2e-4); // the facets of the column
-  }
-}
-
-TEST(RoomPoisson, the_spacing_of_a_grid_is_its_step)
-{
-  EXPECT_NEAR(measureSpacing(boxRoom().points(0.1)), 0.1, 0.01);
-  EXPECT_NEAR(measureSpacing(boxRoom().points(0.05)), 0.05, 0.005);
-}
-
 TEST(RoomPoisson, rooms_of_perfect_points_come_back)
 {
   const Case cases[] = {{"box", boxRoom().placed(17, {0.13, 0.27, 0.31}), 2},
@@ -169,43 +142,6 @@ TEST(RoomPoisson, a_room_without_a_floor_comes_with_a_warning)
   EXPECT_NE(report.warning.find("% of its surface is a guess"), std::string::npos);
 }
 
-TEST(RoomPoisson, two_dense_walls_do_not_make_the_cells_finer_than_the_rest_bears)
-{
-  std::vector<OrientedPoint> points;
-  for (const auto& p : boxRoom().points(0.05))
-    if (std::abs(p.normal.x()) > 0.5)
-      points.push_back(p);
-  const std::size_t dense = points.size();
-  for (const auto& p : boxRoom().points(0.125))
-    if (std::abs(p.normal.x()) < 0.5)
-      points.push_back(p);
-  EXPECT_GT(dense, points.size() / 2); // share of points, not of area
-  EXPECT_NEAR(measureSpacing(points), 0.125, 0.02);
-}
-
-TEST(RoomPoisson, crumbs_and_bubbles_are_dropped)
-{
-  const LatticeRoom room = LatticeRoom(6, 5, 5);
-  auto points = room.points(0.125);
-  // A ball of 0.5 m radius in the middle of the room with normals outwards: a separate
-  // closed shell.
-  for (int i = 0; i < 400; ++i) {
-    const double z = 1 - (2 * i + 1) / 400.;
-    const double turn = 2.399963229728653 * i; // the golden angle
-    const double r = std::sqrt(1 - z * z);
-    const Eigen::Vector3d n(r * std::cos(turn), r * std::sin(turn), z);
-    points.push_back(
-        {(Eigen::Vector3d(1.5, 1.25, 1.25) + 0.5 * n).cast<float>(), n.cast<float>()});
-  }
-  TriangleMesh mesh;
-  std::vector<std::uint32_t> nearest;
-  RoomPoissonReport report;
-  ASSERT_TRUE(reconstructRoom(points, {}, mesh, nearest, report));
-  EXPECT_TRUE(report.closed) << report.problem;
-  EXPECT_EQ(report.removed_components, 1u);
-  EXPECT_NEAR(report.volume, 3 * 2.5 * 2.5, 0.3);
-}
-
 TEST(RoomPoisson, of_two_rooms_that_are_apart_one_is_told_to_be_missing)
 {
   auto points = LatticeRoom(6, 5, 5).points(0.125);
@@ -223,16 +159,4 @@ TEST(RoomPoisson, of_two_rooms_that_are_apart_one_is_told_to_be_missing)
   ASSERT_TRUE(reconstructRoom(points, {}, mesh, nearest, report));
   EXPECT_NE(report.warning.find("2 surfaces"), std::string::npos) << report.warning;
   EXPECT_NE(report.warning.find("50 %"), std::string::npos) << report.warning;
-}
-
-TEST(RoomPoisson, all_points_in_one_place_are_refused)
-{
-  std::vector<OrientedPoint> points(200, {{1, 2, 3}, {0, 0, 1}});
-  TriangleMesh mesh;
-  std::vector<std::uint32_t> nearest;
-  RoomPoissonReport report;
-  EXPECT_FALSE(reconstructRoom(points, {}, mesh, nearest, report));
-  EXPECT_NE(report.problem.find("200 points extend over 0"), std::string::npos)
-      << report.problem;
-  EXPECT_TRUE(mesh.empty());
 }

@@ -80,60 +80,11 @@ TEST(ScreenedPoisson, a_sphere_comes_back_and_smaller_cells_are_more_exact)
   }
 }
 
-TEST(ScreenedPoisson, normals_to_the_inside_turn_the_surface_round)
-{
-  auto points = sphere({0, 0, 0}, 1, 0.08);
-  for (auto& p : points)
-    p.normal = -p.normal;
-  const auto mesh = solve(points, cellsOf(0.064, 0.08));
-  expectClosed(mesh, 1, 2);
-  EXPECT_NEAR(mesh.signedVolume(), -4 * M_PI / 3, 0.01);
-}
-
-TEST(ScreenedPoisson, edges_and_corners_of_rooms_stay_sharp)
-{
-  const std::pair<LatticeRoom, double> rooms[] = {
-      {boxRoom().placed(17, {0.13, 0.27, 0.31}), 90},
-      {lRoom().placed(0, {3, -2, 0}), 67.5},
-      {soffitRoom().placed(30, {0.1, 0, 0}), 85}};
-  for (const auto& room : rooms) {
-    const double spacing = 1. / 12;
-    const auto mesh =
-        solve(room.first.points(spacing), cellsOf(0.8 * spacing, spacing));
-    expectClosed(mesh, 1, 2);
-    EXPECT_NEAR(mesh.signedVolume(), -room.second, 0.001 * room.second);
-    const auto off = summarizeDistances(
-        MeshDistance(mesh).distances(sampleMesh(room.first.truth(), 0.05, 1).points));
-    EXPECT_LT(off.mean, 1e-4);
-    EXPECT_LT(off.max, 0.3 * spacing); // rounded edges would deviate by 0.7 spacings
-  }
-}
-
 TEST(ScreenedPoisson, a_torus_keeps_its_hole)
 {
   const auto mesh = solve(torus(1, 0.35, 0.05), cellsOf(0.04, 0.05));
   expectClosed(mesh, 1, 0);
   EXPECT_NEAR(mesh.signedVolume(), 2 * M_PI * M_PI * 0.35 * 0.35, 0.01);
-}
-
-TEST(ScreenedPoisson, a_slab_two_spacings_thick_has_two_sides)
-{
-  const auto mesh = solve(box({1, 1.2, 0.1}, 0.05), cellsOf(0.04, 0.05));
-  expectClosed(mesh, 1, 2);
-  EXPECT_NEAR(mesh.signedVolume(), 0.12, 0.002);
-}
-
-TEST(ScreenedPoisson, any_number_of_threads_gives_the_same_bytes)
-{
-  const auto points = soffitRoom().placed(30, {0.1, 0, 0}).points(1. / 12);
-  auto parameters = cellsOf(1. / 15, 1. / 12);
-  const auto once = solve(points, parameters);
-  for (const unsigned threads : {2u, 3u}) {
-    parameters.threads = threads;
-    const auto again = solve(points, parameters);
-    EXPECT_EQ(once.triangles, again.triangles);
-    EXPECT_EQ(once.vertices, again.vertices);
-  }
 }
 
 TEST(ScreenedPoisson, whatever_the_points_the_surface_is_closed_or_there_is_none)
@@ -173,43 +124,6 @@ TEST(ScreenedPoisson, a_gap_in_the_points_is_closed)
   EXPECT_NEAR(mesh.signedVolume(), 4 * M_PI / 3, 0.15);
 }
 
-TEST(ScreenedPoisson, points_in_a_plane_give_a_closed_surface_or_a_reason)
-{
-  std::vector<OrientedPoint> points;
-  for (int x = 0; x < 40; ++x)
-    for (int y = 0; y < 30; ++y)
-      points.push_back(
-          {{0.05f * static_cast<float>(x), 0.05f * static_cast<float>(y), 1},
-           {0, 0, 1}});
-  TriangleMesh mesh;
-  ScreenedPoissonReport report;
-  const std::string problem =
-      screenedPoisson(points, cellsOf(0.04, 0.05), mesh, report);
-  EXPECT_EQ(mesh.empty(), !problem.empty());
-  if (!mesh.empty()) {
-    EXPECT_TRUE(checkTopology(mesh).isClosedManifold())
-        << checkTopology(mesh).problem();
-  }
-}
-
-TEST(ScreenedPoisson, shapes_far_apart_are_both_made)
-{
-  auto points = sphere({0, 0, 0}, 0.5, 0.05);
-  const auto others = sphere({400, 30, -20}, 0.4, 0.05);
-  points.insert(points.end(), others.begin(), others.end());
-  expectClosed(solve(points, cellsOf(0.04, 0.05)), 2, 4);
-}
-
-TEST(ScreenedPoisson, a_point_given_twice_changes_next_to_nothing)
-{
-  auto points = sphere({0, 0, 0}, 1, 0.08);
-  const auto once = points;
-  points.insert(points.end(), once.begin(), once.begin() + 500);
-  const auto mesh = solve(points, cellsOf(0.064, 0.08));
-  expectClosed(mesh, 1, 2);
-  EXPECT_LT(worstRadius(mesh, {0, 0, 0}, 1), 0.002);
-}
-
 TEST(ScreenedPoisson, the_weight_of_the_points_may_be_nothing_or_a_lot)
 {
   for (const float weight : {0.f, 1000.f}) {
@@ -224,20 +138,6 @@ TEST(ScreenedPoisson, the_weight_of_the_points_may_be_nothing_or_a_lot)
   }
 }
 
-TEST(ScreenedPoisson, noise_is_averaged)
-{
-  std::mt19937 random(3);
-  std::normal_distribution<float> noise(0, 0.005f);
-  auto points = boxRoom().placed(17, {0.13, 0.27, 0.31}).points(1. / 12);
-  for (auto& p : points)
-    p.position += noise(random) * p.normal;
-  const auto mesh = solve(points, cellsOf(1. / 15, 1. / 12));
-  expectClosed(mesh, 1, 2);
-  const auto off = summarizeDistances(MeshDistance(mesh).distances(
-      sampleMesh(boxRoom().placed(17, {0.13, 0.27, 0.31}).truth(), 0.05, 1).points));
-  EXPECT_LT(off.mean, 0.004); // of the points: 0.4 cm
-}
-
 TEST(ScreenedPoisson, where_nodes_run_out_the_cells_become_larger)
 {
   auto parameters = cellsOf(0.02, 0.05);
@@ -248,20 +148,6 @@ TEST(ScreenedPoisson, where_nodes_run_out_the_cells_become_larger)
   EXPECT_GT(report.cell, 0.03);
   EXPECT_LT(report.nodes, 200000u);
   EXPECT_LT(worstRadius(mesh, {0, 0, 0}, 1), 0.02);
-}
-
-TEST(ScreenedPoisson, too_few_points_are_refused_and_those_in_one_place_do_no_harm)
-{
-  TriangleMesh mesh;
-  ScreenedPoissonReport report;
-  EXPECT_NE(screenedPoisson({}, {}, mesh, report), "");
-  EXPECT_TRUE(mesh.empty());
-  const std::vector<OrientedPoint> same(50, {{1, 2, 3}, {0, 0, 1}});
-  const std::string problem = screenedPoisson(same, {}, mesh, report);
-  EXPECT_EQ(mesh.empty(), !problem.empty());
-  if (!mesh.empty()) {
-    EXPECT_TRUE(checkTopology(mesh).isClosedManifold());
-  }
 }
 
 namespace {

@@ -149,26 +149,6 @@ TEST(StructuralPoisson,
   EXPECT_EQ(poisson.getReports()[0].topology.components.size(), 1u);
 }
 
-TEST(StructuralPoisson, indices_are_honoured)
-{
-  auto cloud = twoRooms();
-  auto indices = std::make_shared<pcl::Indices>();
-  for (pcl::index_t i = 0; i < static_cast<pcl::index_t>(cloud->size()); ++i) {
-    if ((*cloud)[i].room == 7)
-      indices->push_back(i);
-    (*cloud)[i].room = 0;
-  }
-  pcl::StructuralPoisson<pcl::PointStructure> poisson;
-  poisson.setInputCloud(cloud);
-  poisson.setIndices(indices);
-  pcl::PolygonMesh output;
-  poisson.reconstruct(output);
-  ASSERT_EQ(poisson.getReports().size(), 1u);
-  EXPECT_EQ(poisson.getReports()[0].points, indices->size());
-  for (const auto& v : poisson.getMesh().vertices)
-    EXPECT_LT(v.x(), 3.2);
-}
-
 TEST(StructuralPoisson, any_number_of_threads_and_any_run_give_the_same_bytes)
 {
   pcl::StructuralPoisson<pcl::PointNormal> poisson;
@@ -182,26 +162,6 @@ TEST(StructuralPoisson, any_number_of_threads_and_any_run_give_the_same_bytes)
     poisson.reconstruct(again);
     EXPECT_EQ(bytesOf(again), bytesOf(first)) << threads;
   }
-}
-
-TEST(StructuralPoisson, instances_in_several_threads_do_not_disturb_one_another)
-{
-  const auto cloud = cloudOf<pcl::PointNormal>(smallRoom().points(coarse));
-  std::string results[3];
-  std::vector<std::thread> threads;
-  for (auto& result : results)
-    threads.emplace_back([&cloud, &result] {
-      pcl::StructuralPoisson<pcl::PointNormal> poisson;
-      poisson.setInputCloud(cloud);
-      pcl::PolygonMesh mesh;
-      poisson.reconstruct(mesh);
-      result = bytesOf(mesh);
-    });
-  for (auto& thread : threads)
-    thread.join();
-  EXPECT_FALSE(results[0].empty());
-  EXPECT_EQ(results[0], results[1]);
-  EXPECT_EQ(results[0], results[2]);
 }
 
 TEST(StructuralPoisson, the_output_follows_the_side_of_the_normals)
@@ -317,37 +277,4 @@ TEST(StructuralPoisson, parameters_out_of_range_are_refused)
           [](Poisson& p) { p.setCellRatio(0.01); });
   refuses("support distance", [](Poisson& p) { p.setSupportDistance(0); });
   refuses("least number of points", [](Poisson& p) { p.setMinimumPoints(3); });
-}
-
-TEST(StructuralPoisson, getters_return_what_was_set_and_the_paper_s_depth_by_default)
-{
-  pcl::StructuralPoisson<pcl::PointNormal> poisson;
-  EXPECT_EQ(poisson.getDepth(), 9);
-  EXPECT_FLOAT_EQ(poisson.getPointWeight(), 10);
-  poisson.setDepth(7);
-  poisson.setPointWeight(2);
-  poisson.setCellRatio(1.5);
-  poisson.setMinimumPoints(50);
-  poisson.setNumberOfThreads(3);
-  poisson.setSupportDistance(0.5);
-  EXPECT_EQ(poisson.getDepth(), 7);
-  EXPECT_FLOAT_EQ(poisson.getPointWeight(), 2);
-  EXPECT_DOUBLE_EQ(poisson.getCellRatio(), 1.5);
-  EXPECT_EQ(poisson.getMinimumPoints(), 50u);
-  EXPECT_EQ(poisson.getNumberOfThreads(), 3u);
-  EXPECT_DOUBLE_EQ(poisson.getSupportDistance(), 0.5);
-}
-
-TEST(StructuralPoisson, the_depth_is_a_maximum)
-{
-  pcl::StructuralPoisson<pcl::PointNormal> poisson;
-  poisson.setInputCloud(cloudOf<pcl::PointNormal>(smallRoom().points(coarse)));
-  pcl::PolygonMesh output;
-  poisson.reconstruct(output);
-  EXPECT_LE(poisson.getReports()[0].depth, 6);
-  const std::size_t fine = output.polygons.size();
-  poisson.setDepth(4);
-  poisson.reconstruct(output);
-  EXPECT_EQ(poisson.getReports()[0].depth, 4);
-  EXPECT_LT(output.polygons.size(), fine / 2);
 }

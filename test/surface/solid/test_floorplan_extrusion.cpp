@@ -146,21 +146,4 @@ TEST(FloorplanExtrusion, RoomsThatRunIntoEachOtherAreTold)
   EXPECT_EQ(extrusion.getWarnings()[0], "rooms 3 and 8 run into each other");
 }
 
-TEST(FloorplanExtrusion, OnlyTheHeaderIsTakenOfACloud)
-{
-  Extrusion extrusion;
-  extrusion.setFloorplan(twoRooms());
-  auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
-  cloud->header.frame_id = "building";
-  extrusion.setInputCloud(cloud);
-  pcl::PolygonMesh output;
-  extrusion.reconstruct(output);
-  EXPECT_EQ(output.header.frame_id, "building");
-  EXPECT_EQ(extrusion.getErrorMessage(), "");
-  std::vector<pcl::Vertices> polygons;
-  extrusion.reconstruct(*cloud, polygons); // into its own input
-  EXPECT_EQ(cloud->size(), extrusion.getMesh().vertices.size());
-  EXPECT_EQ(cloud->header.frame_id, "building");
-}
-
 } // namespace

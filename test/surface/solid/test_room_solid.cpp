@@ -27,22 +27,6 @@ TEST(RoomSolid, ARectangleIsABoxOfTwelveTriangles)
   EXPECT_TRUE(solid.report.warnings.empty());
 }
 
-TEST(RoomSolid, NormalsPointOutOfTheRoom)
-{
-  const Solid solid(roomOf(rectangle(0, 0, 4, 3), 2.5));
-  const Eigen::Vector3d middle(2, 1.5, 1.25);
-  for (std::size_t t = 0; t < solid.mesh.triangles.size(); ++t)
-    EXPECT_GT(solid.mesh.scaledNormal(t).dot(solid.mesh.corner(t, 0) - middle), 0);
-}
-
-TEST(RoomSolid, AnLTurnedAndFarAway)
-{
-  const PlanLoop l = polygon({{0, 0}, {8, 0}, {8, 3}, {3, 3}, {3, 7}, {0, 7}});
-  const Solid solid(roomOf(placed(l, 23, {4000, -2500}), 3));
-  expectPiece(solid, (8 * 3 + 3 * 4) * 3);
-  EXPECT_EQ(solid.mesh.triangles.size(), 2u * 4 + 6 * 2);
-}
-
 TEST(RoomSolid, ARoundRoomKeepsTheChordTolerance)
 {
   const PlanLoop loop = circle({1, 2}, 3.5);
@@ -135,16 +119,6 @@ TEST(RoomSolid, DetailsThatMeetShareTheirEdge)
   EXPECT_NEAR(solid.areaOf("room_1_detail_2_edge_3"), 3 * 0.2, 1e-5);
 }
 
-TEST(RoomSolid, OfDetailsThatOverlapTheLaterIsThere)
-{
-  PlanRoom room = roomOf(rectangle(0, 0, 6, 5), 2.5);
-  room.details.push_back(detailOf(rectangle(1, 1, 4, 4), 2.2));
-  room.details.push_back(detailOf(rectangle(3, 2, 5, 3), 2.8));
-  expectPiece(Solid(room), 30 * 2.5 - (9 - 1) * 0.3 + 2 * 0.3);
-  std::swap(room.details[0], room.details[1]);
-  expectPiece(Solid(room), 30 * 2.5 - 9 * 0.3 + (2 - 1) * 0.3);
-}
-
 TEST(RoomSolid, ATiltedCeilingHasItsHeightAtTheCentroid)
 {
   PlanRoom room = roomOf(polygon({{0, 0}, {8, 0}, {8, 3}, {3, 3}, {3, 7}, {0, 7}}), 3);
@@ -183,17 +157,6 @@ TEST(RoomSolid, APlatformWithAStepBesideTheWall)
   EXPECT_NEAR(solid.report.riser_area, 5 * 0.4 + 4 * 0.3, 1e-5);
 }
 
-TEST(RoomSolid, APlatformBelowASoffit)
-{
-  PlanRoom room = roomOf(rectangle(0, 0, 6, 5), 2.5);
-  room.details.push_back(detailOf(rectangle(0, 3, 6, 5), 2.2));
-  room.floor_details.push_back(detailOf(rectangle(4, 0, 6, 5), 0.4));
-  const Solid solid(room);
-  expectPiece(solid, 30 * 2.5 - 12 * 0.3 - 10 * 0.4);
-  for (const auto& [x, z] : {std::pair{4., 0.4}, {4., 2.2}, {4., 0.}})
-    EXPECT_TRUE(solid.hasVertex(x, 5, z));
-}
-
 TEST(RoomSolid, ANicheInAWall)
 {
   PlanRoom room = roomOf(rectangle(0, 0, 6, 5), 2.5);
@@ -214,21 +177,6 @@ TEST(RoomSolid, ANicheInAWall)
   expectSound(in_round);
   const double beyond = 1 * 3.4 - 9 * std::asin(0.5 / 3) - 0.5 * std::sqrt(9 - 0.25);
   EXPECT_NEAR(in_round.report.volume, facetArea(round.boundary) * 2.5 + beyond, 1e-3);
-}
-
-TEST(RoomSolid, ALongCorridor)
-{
-  const Solid solid(roomOf(placed(rectangle(0, 0, 40, 1.8), 7, {3, 4}), 2.6));
-  expectPiece(solid, 40 * 1.8 * 2.6);
-  EXPECT_EQ(solid.mesh.triangles.size(), 12u);
-}
-
-TEST(RoomSolid, TwoFlatsMayStandOnOneAnother)
-{
-  PlanRoom room = roomOf(rectangle(0, 0, 6, 5), 0);
-  room.floor = slabAt(-3.1);
-  room.ceiling = slabAt(-0.6);
-  expectPiece(Solid(room), 30 * 2.5);
 }
 
 } // namespace

@@ -43,21 +43,6 @@ TEST(StoreysOfSolids, AreAClosedSolidARoomThatMeetNowhere)
   EXPECT_EQ(checkTopology(building.extrusion.getMesh()).components.size(), 4u);
 }
 
-TEST(StoreysOfSolids, OfTheRightHeightsLieOnThePointsOfEach)
-{
-  const Building building;
-  RoomPoints points(0.1);
-  for (const PlanRoom& room : building.plan.rooms)
-    points.room(room);
-  pcl::MeshEvaluation evaluation;
-  evaluation.setInputMesh(
-      std::make_shared<const TriangleMesh>(building.extrusion.getMesh()));
-  evaluation.setInputCloud(points.cloud());
-  MeshEvaluationResult result;
-  ASSERT_TRUE(evaluation.compute(result)) << evaluation.getErrorMessage();
-  EXPECT_LT(result.cloud_to_mesh->max, 1e-5);
-}
-
 TEST(StoreysOfSolids, OfPoissonAreOneClosedMeshARoomToo)
 {
   const Floorplan plan = twoStoreys(0.3);

@@ -23,20 +23,6 @@ TEST(TiltedWallSolid, OneIntoTheRoomTakesATriangleOfEverySection)
   EXPECT_NEAR(solid.areaOf("room_3_ceiling"), 4 * (6 - run * height), 1e-5);
 }
 
-TEST(TiltedWallSolid, MeetInCornersOfThreeSurfaces)
-{
-  // Tilted in and out, turned, far away; the sections are (6 - a z) (4 - b z).
-  const PlanLoop loop = placed(rectangle(0, 0, 6, 4), 23, {4000, -2500});
-  const double a = std::tan(20 * degree);
-  const double b = std::tan(-25 * degree);
-  const double h = height;
-  const Solid solid(roomOf(loop, height), {},
-                    {{1, 1, 20 * degree}, {1, 0, -25 * degree}});
-  expectSound(solid);
-  EXPECT_NEAR(solid.report.volume,
-              24 * h - (6 * b + 4 * a) * h * h / 2 + a * b * h * h * h / 3, 1e-4);
-}
-
 TEST(TiltedWallSolid, AtAnObliqueCornerStayInTheirPlanes)
 {
   // A triangle in plan: its sections are similar triangles.

@@ -59,17 +59,6 @@ TEST(ConstrainedTriangulation, AnLIsFilledToItsHull)
   EXPECT_EQ(areaOf(points, mesh), 2 * 30 - 4 * 3); // 6 x 5 minus the hull's cut corner
 }
 
-TEST(ConstrainedTriangulation, PointsOnOneLineGiveNothing)
-{
-  PlanTriangulation mesh;
-  EXPECT_TRUE(triangulateConstrained({{0, 0}, {1, 1}, {5, 5}}, {{0, 1}}, mesh));
-  EXPECT_TRUE(mesh.triangles.empty());
-  EXPECT_TRUE(triangulateConstrained({}, {}, mesh));
-  EXPECT_TRUE(triangulateConstrained({{4, 2}}, {}, mesh));
-  EXPECT_TRUE(triangulateConstrained({{4, 2}, {5, 3}}, {{0, 1}}, mesh));
-  EXPECT_TRUE(mesh.triangles.empty());
-}
-
 TEST(ConstrainedTriangulation, EdgesThatCrossAreRefused)
 {
   const std::vector<GridPoint> points{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
@@ -77,51 +66,6 @@ TEST(ConstrainedTriangulation, EdgesThatCrossAreRefused)
   EXPECT_FALSE(triangulateConstrained(points, {{0, 2}, {1, 3}}, mesh));
   EXPECT_FALSE(triangulateConstrained({{0, 0}, {2, 0}, {4, 0}, {2, 3}}, {{0, 2}}, mesh))
       << "through a point";
-}
-
-TEST(ConstrainedTriangulation, PointsOnCirclesAndLattices)
-{
-  // Four and more points on a circle: Delaunay's triangulation is not unique.
-  std::vector<GridPoint> points;
-  for (int x = 0; x <= 10; ++x)
-    for (int y = 0; y <= 10; ++y)
-      points.push_back({1000 * x, 1000 * y});
-  PlanTriangulation mesh;
-  ASSERT_TRUE(triangulateConstrained(points, {{0, 120}}, mesh) == false)
-      << "the diagonal passes through points";
-  ASSERT_TRUE(triangulateConstrained(points, {{0, 119}, {11, 118}}, mesh));
-  expectSound(points, {{0, 119}, {11, 118}}, mesh);
-  EXPECT_EQ(areaOf(points, mesh), 2 * 100000000LL);
-  EXPECT_EQ(mesh.triangles.size(), 200u);
-
-  std::vector<GridPoint> circle{{0, 0}};
-  for (int i = 0; i < 720; ++i)
-    circle.push_back(
-        {static_cast<std::int32_t>(std::lround(4e8 * std::cos(i * M_PI / 360))),
-         static_cast<std::int32_t>(std::lround(4e8 * std::sin(i * M_PI / 360)))});
-  ASSERT_TRUE(triangulateConstrained(circle, {{1, 361}}, mesh) == false); // the centre
-  ASSERT_TRUE(triangulateConstrained(circle, {{1, 362}, {181, 500}}, mesh) == false);
-  ASSERT_TRUE(triangulateConstrained(circle, {{1, 350}, {362, 700}}, mesh));
-  expectSound(circle, {{1, 350}, {362, 700}}, mesh);
-  EXPECT_EQ(mesh.triangles.size(), 720u);
-}
-
-TEST(ConstrainedTriangulation, NearlyStraightChains)
-{
-  // Arcs of large radius, at the limit of the grid: points almost collinear.
-  std::vector<GridPoint> points;
-  Edges edges;
-  for (int i = 0; i <= 2000; ++i) {
-    const double s = (i - 1000) / 1000.0;
-    points.push_back({static_cast<std::int32_t>(std::lround(5e8 * s)),
-                      static_cast<std::int32_t>(std::lround(2000 * s * s))});
-    if (i > 0)
-      edges.emplace_back(i - 1, i);
-  }
-  points.push_back({0, 500000000});
-  PlanTriangulation mesh;
-  ASSERT_TRUE(triangulateConstrained(points, edges, mesh));
-  expectSound(points, edges, mesh);
 }
 
 TEST(ConstrainedTriangulation, AnyArrangementCanBeTriangulated)
@@ -147,31 +91,6 @@ TEST(ConstrainedTriangulation, AnyArrangementCanBeTriangulated)
         << "trial " << trial;
     expectSound(plan.vertices, edges, mesh);
   }
-}
-
-TEST(ConstrainedTriangulation, WithoutEdgesItIsDelaunays)
-{
-  std::mt19937 random(4);
-  std::uniform_int_distribution<int> place(-1000, 1000);
-  std::set<GridPoint> set;
-  while (set.size() < 60)
-    set.insert({place(random), place(random)});
-  const std::vector<GridPoint> points(set.begin(), set.end());
-  PlanTriangulation mesh;
-  ASSERT_TRUE(triangulateConstrained(points, {}, mesh));
-  for (const auto& t : mesh.triangles)
-    for (const GridPoint& d : points) {
-      double m[3][3];
-      for (int i = 0; i < 3; ++i) {
-        m[i][0] = points[t[i]].x - d.x;
-        m[i][1] = points[t[i]].y - d.y;
-        m[i][2] = m[i][0] * m[i][0] + m[i][1] * m[i][1];
-      }
-      const double det = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-                         m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-                         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-      EXPECT_LE(det, 0) << "a point within the circle of a triangle";
-    }
 }
 
 } // namespace

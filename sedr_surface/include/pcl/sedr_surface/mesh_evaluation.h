@@ -46,10 +46,8 @@ struct MeshEvaluationResult {
 };
 
 /** @brief Writes the result as a JSON object: metres, square and cubic metres, shares
- * from 0 to 1.
- * @param indent spaces before every line but the first */
-void
-writeJson(std::ostream& stream, const MeshEvaluationResult& result, int indent = 0);
+ * from 0 to 1. */
+void writeJson(std::ostream& stream, const MeshEvaluationResult& result);
 
 /** @brief Computes the properties of a mesh. O(n log n). */
 MeshFigures measureMesh(const TriangleMesh& mesh);
@@ -82,14 +80,20 @@ public:
   using ConstPtr = std::shared_ptr<const MeshEvaluation>;
 
   /** @brief Sets the model, in metres; required. */
-  void setInputMesh(const pcl::PolygonMesh::ConstPtr& mesh);
+  void setInputMesh(const pcl::PolygonMesh::ConstPtr& mesh) { mesh_ = mesh; }
 
-  void setInputMesh(const std::shared_ptr<const sedr::TriangleMesh>& mesh);
+  void setInputMesh(const std::shared_ptr<const sedr::TriangleMesh>& mesh)
+  {
+    mesh_ = mesh;
+  }
 
   /** @brief Sets the true surface; null for none. */
-  void setTruth(const pcl::PolygonMesh::ConstPtr& truth);
+  void setTruth(const pcl::PolygonMesh::ConstPtr& truth) { truth_ = truth; }
 
-  void setTruth(const std::shared_ptr<const sedr::TriangleMesh>& truth);
+  void setTruth(const std::shared_ptr<const sedr::TriangleMesh>& truth)
+  {
+    truth_ = truth;
+  }
 
   /** @brief Sets a cloud to measure against the model, of any point type with x, y and
    * z; null for none. Shared, not copied. */
@@ -156,19 +160,19 @@ public:
   bool compute(sedr::MeshEvaluationResult& result);
 
 private:
-  /** @brief A mesh as it was given; compute() converts it. */
+  /** @brief A mesh, and why it is none. */
   struct MeshInput {
-    pcl::PolygonMesh::ConstPtr polygons;
-    std::shared_ptr<const sedr::TriangleMesh> triangles;
+    MeshInput() = default;
+    MeshInput(const pcl::PolygonMesh::ConstPtr& polygons);
+    MeshInput(const std::shared_ptr<const sedr::TriangleMesh>& triangles);
 
-    bool isSet() const { return polygons || triangles; }
+    std::shared_ptr<const sedr::TriangleMesh> mesh;
+    std::string problem;
   };
 
   bool checkParameters();
 
-  bool prepare(const MeshInput& input,
-               const char* what,
-               std::shared_ptr<const sedr::TriangleMesh>& mesh);
+  bool checkMesh(const MeshInput& input, const char* what);
 
   bool selectPoints(std::vector<Eigen::Vector3d>& points, std::size_t& skipped);
 
