@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dual_surface.h"
 
-#include "../solver/cell_corners.h"
 #include "dual_vertices.h"
 
 #include "sedr_filters/src/base/parallel.h"
@@ -22,53 +21,37 @@ struct CellVertices {
   std::vector<std::uint32_t> table; // per block with a vertex, for its 512 cells
   std::vector<std::size_t> row;     // of the table, per block
   std::vector<std::size_t> blocks;  // blocks with a vertex
-  std::vector<std::size_t> first;   // first vertex of each of those, and the end
+  std::uint32_t count = 0;          // of vertices
 };
 
 CellVertices
 numberCells(const BandGrid& grid, const std::vector<float>& values, unsigned threads)
 {
-  CellVertices cells;
-  std::vector<std::uint16_t> counts(grid.size(), 0);
-  const auto crossed = [](const float* lowest) {
-    int above = 0;
-    for (const auto c : corners)
-      above += lowest[c] > 0;
-    return above > 0 && above < 8;
-  };
-  const auto scan = [&](std::size_t b, auto visit) {
+  std::vector<std::vector<std::uint16_t>> crossed(grid.size());
+  parallelFor(grid.size(), BandGrid::blocks_at_once, threads, [&](std::size_t b) {
     float halo[BandGrid::halo_nodes];
     grid.gatherHalo(values, b, halo);
-    const auto range = std::minmax_element(halo, halo + BandGrid::halo_nodes);
-    if (*range.first > 0 || *range.second <= 0)
+    if (!isHaloCrossed(halo, 0))
       return;
     for (int i = 0; i < static_cast<int>(BandGrid::nodes); ++i) {
       const int n[3] = {i & 7, i >> 3 & 7, i >> 6};
       // Counting values around the band, cells at the rim have one sign.
-      if (crossed(halo + BandGrid::haloIndex(n[0], n[1], n[2])) &&
+      if (isCrossed(halo + BandGrid::haloIndex(n[0], n[1], n[2]), 0) &&
           grid.holdsCell(b, n[0], n[1], n[2]))
-        visit(static_cast<std::size_t>(i));
+        crossed[b].push_back(static_cast<std::uint16_t>(i));
     }
-  };
-  parallelFor(grid.size(), BandGrid::blocks_at_once, threads,
-              [&](std::size_t b) { scan(b, [&](std::size_t) { ++counts[b]; }); });
+  });
+  CellVertices cells;
   cells.row.assign(grid.size(), grid.size());
-  std::size_t vertices = 0;
-  for (std::size_t b = 0; b < grid.size(); ++b)
-    if (counts[b] > 0) {
-      cells.row[b] = cells.blocks.size();
-      cells.blocks.push_back(b);
-      cells.first.push_back(vertices);
-      vertices += counts[b];
-    }
-  cells.first.push_back(vertices);
-  cells.table.assign(cells.blocks.size() * BandGrid::nodes, none);
-  parallelFor(
-      cells.blocks.size(), BandGrid::blocks_at_once, threads, [&](std::size_t s) {
-        auto next = static_cast<std::uint32_t>(cells.first[s]);
-        scan(cells.blocks[s],
-             [&](std::size_t i) { cells.table[s * BandGrid::nodes + i] = next++; });
-      });
+  for (std::size_t b = 0; b < grid.size(); ++b) {
+    if (crossed[b].empty())
+      continue;
+    cells.row[b] = cells.blocks.size();
+    cells.blocks.push_back(b);
+    cells.table.resize(cells.blocks.size() * BandGrid::nodes, none);
+    for (const std::uint16_t i : crossed[b])
+      cells.table[cells.row[b] * BandGrid::nodes + i] = cells.count++;
+  }
   return cells;
 }
 
@@ -78,7 +61,7 @@ vertexOf(const BandGrid& grid,
          std::size_t b,
          const std::array<int, 3>& cell)
 {
-  const std::size_t block = grid.neighbour(b, cell[0] >> 3, cell[1] >> 3, cell[2] >> 3);
+  const std::size_t block = grid.blockAt(b, cell[0], cell[1], cell[2]);
   if (block == grid.size() || cells.row[block] == grid.size())
     return none;
   return cells.table[cells.row[block] * BandGrid::nodes +
@@ -139,8 +122,7 @@ addTriangles(const BandGrid& grid,
   constexpr int strides[3] = {1, 10, 100};
   float halo[BandGrid::halo_nodes];
   grid.gatherHalo(values, b, halo);
-  const auto range = std::minmax_element(halo, halo + BandGrid::halo_nodes);
-  if (*range.first > 0 || *range.second <= 0)
+  if (!isHaloCrossed(halo, 0))
     return;
   for (int i = 0; i < static_cast<int>(BandGrid::nodes); ++i) {
     const std::array<int, 3> n = {i & 7, i >> 3 & 7, i >> 6};
@@ -179,7 +161,7 @@ extractDualSurface(const BandGrid& grid,
 {
   mesh = TriangleMesh();
   const CellVertices cells = numberCells(grid, values, threads);
-  mesh.vertices.resize(cells.first.back());
+  mesh.vertices.resize(cells.count);
   vertices.assign(mesh.vertices.size(), {});
   parallelBlocks(cells.blocks.size(), BandGrid::blocks_at_once, threads,
                  [&](std::size_t begin, std::size_t end) {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface_mending.h"
 
-#include "edge_link.h"
-
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace pcl::sedr {
 namespace {
@@ -140,16 +139,30 @@ private:
     return cost(p, towards);
   }
 
+  // Returns the other vertices of the triangles at a vertex, increasing.
   std::vector<std::uint32_t> neighbours(std::uint32_t v)
   {
-    return neighboursOf(mesh_, v, around(v));
+    std::vector<std::uint32_t> found;
+    for (const auto t : around(v))
+      for (const auto other : mesh_.triangles[t])
+        if (other != v)
+          found.push_back(other);
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
   }
 
+  // Returns whether an edge may collapse: its ends have just two common neighbours,
+  // each with one neighbour to spare.
   bool keepsTopology(std::uint32_t a, std::uint32_t b)
   {
-    const EdgeLink link = linkOf(mesh_, a, around(a), b, around(b));
-    return link.common.size() == 2 && around(link.common[0]).size() > 3 &&
-           around(link.common[1]).size() > 3;
+    const auto of_a = neighbours(a);
+    const auto of_b = neighbours(b);
+    std::vector<std::uint32_t> common;
+    std::set_intersection(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
+                          std::back_inserter(common));
+    return common.size() == 2 && around(common[0]).size() > 3 &&
+           around(common[1]).size() > 3;
   }
 
   // Returns whether `v` stays on its face or edge when it moves to `other`.

@@ -43,11 +43,15 @@ private:
     float weight;
   };
 
-  Eigen::Vector3f normalOf(std::size_t i) const { return {nx_[i], ny_[i], nz_[i]}; }
+  Eigen::Map<const Eigen::Vector3f> normalOf(std::size_t i) const
+  {
+    return Eigen::Map<const Eigen::Vector3f>(around_[i].normal);
+  }
 
   float radius_;
-  std::vector<float> x_, y_, z_, nx_, ny_, nz_;
-  std::vector<float> distance2_;
+  std::vector<BlockSample> around_; ///< with unit normals
+  Eigen::ArrayX3f places_;          ///< of these samples, by axis
+  Eigen::ArrayXf distance2_;
   std::vector<Near> near_;
 };
 

@@ -19,12 +19,6 @@ constexpr float opposite =
     -0.9f;                       // cosine of the angle between the normals: 154 degrees
 constexpr float certain = 0.25f; // half-way between surface and far field
 
-// A sample seen from its neighbours, relative to the first node of a block.
-struct Sheet {
-  Eigen::Vector3f place;
-  Eigen::Vector3f normal;
-};
-
 // The sign that a sheet implies for a node.
 struct Vote {
   std::size_t node;
@@ -51,60 +45,37 @@ public:
   // Collects the votes of the samples of block `s` of the samples' grid.
   void collect(std::size_t s, std::vector<Vote>& votes)
   {
-    const std::size_t first = load(s);
+    around_.clear();
+    samples_.gather(samples_.grid.at(s), reach_, around_);
     const std::size_t b = grid_.find(samples_.grid.at(s));
-    for (std::size_t i = 0; i < first; ++i)
-      for (const Sheet& other : around_)
-        vote(around_[i], other, b, votes);
+    for (const BlockSample& sample : around_) {
+      const Eigen::Map<const Eigen::Array3f> place(sample.place);
+      if ((place >= 0).all() && (place < 8).all()) // in the block itself
+        for (const BlockSample& other : around_)
+          vote(sample, other, b, votes);
+    }
   }
 
 private:
-  // Loads the samples in and around a block, its own first; returns their number.
-  std::size_t load(std::size_t s)
-  {
-    around_.clear();
-    add(s, {0, 0, 0});
-    const std::size_t own = around_.size();
-    for (int i = 0; i < 27; ++i) {
-      const std::array<int, 3> step = {i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
-      const std::size_t next = samples_.grid.neighbour(s, step[0], step[1], step[2]);
-      if (next != s && next != samples_.grid.size())
-        add(next, step);
-    }
-    return own;
-  }
-
-  void add(std::size_t s, const std::array<int, 3>& step)
-  {
-    for (std::size_t i = samples_.starts[s]; i < samples_.starts[s + 1]; ++i) {
-      const BlockSample& sample = samples_.samples[i];
-      Sheet sheet;
-      for (int k = 0; k < 3; ++k) {
-        sheet.place[k] =
-            sample.place[k] + static_cast<float>(8 * step[static_cast<std::size_t>(k)]);
-        sheet.normal[k] = sample.normal[k] / sample.area;
-      }
-      if ((sheet.place.array() > -reach_).all() &&
-          (sheet.place.array() < 8 + reach_).all())
-        around_.push_back(sheet);
-    }
-  }
-
   // Adds votes for the nodes between two samples that face opposite ways.
-  void vote(const Sheet& one,
-            const Sheet& other,
+  void vote(const BlockSample& sample,
+            const BlockSample& opposed,
             std::size_t b,
             std::vector<Vote>& votes) const
   {
-    if (one.normal.dot(other.normal) > opposite)
+    using Vector = Eigen::Map<const Eigen::Vector3f>;
+    const Vector place(sample.place);
+    const Vector along(sample.normal);
+    const Vector back(opposed.normal);
+    if (along.dot(back) > opposite)
       return;
-    const Eigen::Vector3f normal = (one.normal - other.normal).normalized();
-    const Eigen::Vector3f way = other.place - one.place;
+    const Eigen::Vector3f normal = (along - back).normalized();
+    const Eigen::Vector3f way = Vector(opposed.place) - place;
     const float apart = way.dot(normal);
     if (std::abs(apart) >= thickest || std::abs(apart) < thinnest ||
         (way - apart * normal).norm() > spacing_)
       return;
-    const Eigen::Vector3f middle = one.place + way / 2;
+    const Eigen::Vector3f middle = place + way / 2;
     // Deep enough that no path leads between two such nodes.
     const float depth = normal.cwiseAbs().sum() / 2;
     const float radius = 0.75f * spacing_;
@@ -125,11 +96,8 @@ private:
           const float off = std::abs(from.dot(normal));
           if (off > depth || from.squaredNorm() - off * off > radius * radius)
             continue;
-          const std::size_t block = grid_.neighbour(b, x >> 3, y >> 3, z >> 3);
-          if (block < grid_.size())
-            votes.push_back(
-                {block * BandGrid::nodes + BandGrid::nodeIndex(x & 7, y & 7, z & 7),
-                 from.norm(), apart > 0});
+          if (grid_.blockAt(b, x, y, z) < grid_.size())
+            votes.push_back({grid_.valueAt(b, x, y, z), from.norm(), apart > 0});
         }
   }
 
@@ -137,7 +105,7 @@ private:
   const SortedSamples& samples_;
   float spacing_;
   float reach_;
-  std::vector<Sheet> around_;
+  std::vector<BlockSample> around_;
 };
 
 } // namespace

@@ -1,62 +1,63 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../mesh/mesh_repair.h"
-#include "../solver/point_spacing.h"
-#include "room_support.h"
-#include "screened_poisson.h"
-#include <pcl/sedr_surface/impl/room_samples.h>
-
 #include "room_poisson.h"
+
+#include "../mesh/mesh_repair.h"
+#include "../solver/surface_samples.h"
+#include "screened_poisson.h"
+
+#include "sedr_filters/src/base/parallel.h"
+#include <pcl/kdtree/kdtree_flann.h>
+#include <pcl/point_types.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 namespace pcl::sedr {
 namespace {
 
-// Returns the points near the origin, where floats have precision to spare.
-std::vector<OrientedPoint>
-centred(const std::vector<OrientedPoint>& points, const Eigen::Vector3d& centre)
+// Minimum share of area far from all points at which a surface is rejected, and at
+// which a warning is given.
+constexpr double max_unsupported = 0.5;
+constexpr double much_unsupported = 0.05;
+
+// Minimum share of triangles on other surfaces that causes a warning.
+constexpr double max_left_out = 1. / 3;
+
+std::string
+shortNumber(double value)
 {
-  std::vector<OrientedPoint> local = points;
-  for (OrientedPoint& p : local)
-    p.position = (p.position.cast<double>() - centre).cast<float>();
-  return local;
+  std::ostringstream text;
+  text << std::setprecision(3) << value;
+  return text.str();
 }
 
-double
-extentOf(const std::vector<OrientedPoint>& points)
+std::string
+percent(double share)
 {
-  Eigen::AlignedBox3f box;
+  return std::to_string(std::lround(100 * share)) + " %";
+}
+
+Eigen::Vector3d
+centroidOf(const std::vector<OrientedPoint>& points)
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const OrientedPoint& p : points)
-    box.extend(p.position);
-  return box.sizes().maxCoeff();
+    sum += p.position.cast<double>();
+  return sum / static_cast<double>(points.size());
 }
 
-// Rounds to float, so that what is checked is what is written.
+// Moves a mesh and rounds it to floats, so that what is checked is what is written.
 void
-roundToFloat(TriangleMesh& mesh)
+move(TriangleMesh& mesh, const Eigen::Vector3d& by)
 {
   for (Eigen::Vector3d& v : mesh.vertices)
     for (int k = 0; k < 3; ++k) {
       volatile float rounded =
-          static_cast<float>(v[k]); // volatile, or g++ 12 omits the rounding at -O2
+          static_cast<float>(v[k] + by[k]); // volatile, or g++ 12 omits the rounding
       v[k] = static_cast<double>(rounded);
     }
-}
-
-bool
-hasEqualPositions(const TriangleMesh& mesh)
-{
-  TriangleMesh copy = mesh;
-  return weldVertices(copy) > 0;
-}
-
-void
-move(TriangleMesh& mesh, const Eigen::Vector3d& centre)
-{
-  for (Eigen::Vector3d& v : mesh.vertices)
-    v += centre;
-  roundToFloat(mesh);
 }
 
 // Reports why the mesh is not one closed surface.
@@ -65,24 +66,34 @@ checkRoom(const TriangleMesh& mesh, RoomPoissonReport& report)
 {
   report.topology = checkTopology(mesh);
   report.problem = report.topology.problem();
+  TriangleMesh copy = mesh;
   if (report.topology.components.size() > 1)
     report.problem += (report.problem.empty() ? "" : ", ") +
                       std::to_string(report.topology.components.size()) + " components";
-  else if (report.problem.empty() && hasEqualPositions(mesh))
+  else if (report.problem.empty() && weldVertices(copy) > 0)
     report.problem = "vertices at equal positions";
   report.closed = report.problem.empty();
 }
 
 // Solves for the surface of points near the origin.
 bool
-solveOnBand(const std::vector<OrientedPoint>& local,
-            const Eigen::Vector3d& centre,
-            double extent,
-            const RoomPoissonParameters& parameters,
-            TriangleMesh& mesh,
-            RoomPoissonReport& report)
+solve(const std::vector<OrientedPoint>& local,
+      const Eigen::Vector3d& centre,
+      const RoomPoissonParameters& parameters,
+      TriangleMesh& mesh,
+      RoomPoissonReport& report)
 {
   constexpr double margin = 1.1; // of the octree's cube, to which the depth refers
+  Eigen::AlignedBox3f box;
+  for (const OrientedPoint& p : local)
+    box.extend(p.position);
+  const double extent = box.sizes().maxCoeff();
+  report.spacing = measureSpacing(local);
+  if (!(report.spacing > 0) || !(extent > 4 * report.spacing)) {
+    report.problem = "the " + std::to_string(local.size()) + " points extend over " +
+                     shortNumber(extent) + " m only";
+    return false;
+  }
   const double wanted = report.spacing * parameters.cell_ratio;
   const auto depth =
       static_cast<int>(std::ceil(std::log2(margin * extent / wanted) - 1e-9));
@@ -92,12 +103,10 @@ solveOnBand(const std::vector<OrientedPoint>& local,
   solver.spacing = report.spacing;
   solver.point_weight = parameters.point_weight;
   solver.threads = parameters.threads;
-  const std::string failure = screenedPoisson(local, solver, mesh, report.screened);
+  report.problem = screenedPoisson(local, solver, mesh, report.screened);
   report.cell = report.screened.cell;
-  if (!failure.empty()) {
-    report.problem = failure;
+  if (!report.problem.empty())
     return false;
-  }
   if (report.cell > 1.001 * solver.cell)
     report.warning = "its cells are " + shortNumber(report.cell) + " m instead of " +
                      shortNumber(solver.cell) + " m, for so large a surface";
@@ -114,22 +123,117 @@ solveOnBand(const std::vector<OrientedPoint>& local,
   return !mesh.empty();
 }
 
-bool
-solve(const std::vector<OrientedPoint>& points,
-      const RoomPoissonParameters& parameters,
-      TriangleMesh& mesh,
-      RoomPoissonReport& report)
-{
-  const Eigen::Vector3d centre = centroidOf(points);
-  const std::vector<OrientedPoint> local = centred(points, centre);
-  const double extent = extentOf(local);
-  report.spacing = measureSpacing(local);
-  if (!(report.spacing > 0) || !(extent > 4 * report.spacing)) {
-    report.problem = "the " + std::to_string(points.size()) + " points extend over " +
-                     shortNumber(extent) + " m only";
-    return false;
+// Finds points near triangles.
+class NearestPoints {
+public:
+  explicit NearestPoints(const std::vector<OrientedPoint>& points)
+      : points_(points)
+      , origin_(centroidOf(points))
+      , tree_(true)
+  {
+    auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+    for (const OrientedPoint& p : points)
+      cloud->push_back(near(p.position.cast<double>()));
+    tree_.setInputCloud(cloud);
   }
-  return solveOnBand(local, centre, extent, parameters, mesh, report);
+
+  // Returns the point nearest to the centre of a triangle that lies on its face, in
+  // either orientation: near an edge there are points of two faces. The nearest one if
+  // none of the candidates does.
+  std::uint32_t find(const TriangleMesh& mesh,
+                     std::size_t t,
+                     const Eigen::Vector3d& normal,
+                     float& distance) const
+  {
+    constexpr int candidates = 6;
+    constexpr double same = 0.7; // cosine of 45 degrees
+    const pcl::PointXYZ middle =
+        near((mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3);
+    const auto isOnFace = [&](pcl::index_t i) {
+      return std::abs(points_[static_cast<std::size_t>(i)].normal.cast<double>().dot(
+                 normal)) > same * normal.norm();
+    };
+    pcl::Indices indices(1);
+    std::vector<float> squared(1);
+    tree_.nearestKSearch(middle, 1, indices, squared);
+    distance = std::sqrt(squared[0]);
+    if (!isOnFace(indices[0]))
+      tree_.nearestKSearch(middle, candidates, indices, squared);
+    const auto found = std::find_if(indices.begin(), indices.end(), isOnFace);
+    return static_cast<std::uint32_t>(found == indices.end() ? indices[0] : *found);
+  }
+
+private:
+  pcl::PointXYZ near(const Eigen::Vector3d& place) const
+  {
+    const Eigen::Vector3f p = (place - origin_).cast<float>();
+    return {p.x(), p.y(), p.z()};
+  }
+
+  const std::vector<OrientedPoint>& points_;
+  Eigen::Vector3d origin_;
+  pcl::KdTreeFLANN<pcl::PointXYZ> tree_;
+};
+
+// Reports what of the surface is far from all points, and what was removed.
+void
+judge(double far_area, double support_distance, RoomPoissonReport& report)
+{
+  report.unsupported_share = report.area > 0 ? far_area / report.area : 0;
+  if (report.unsupported_share > max_unsupported) {
+    report.closed = false;
+    report.problem =
+        "the points enclose nothing: " + percent(report.unsupported_share) +
+        " of its surface lies further than " + shortNumber(support_distance) +
+        " m from all of them";
+  }
+  else if (report.unsupported_share > much_unsupported)
+    report.warning = percent(report.unsupported_share) +
+                     " of its surface is a guess, further than " +
+                     shortNumber(support_distance) + " m from all points";
+  const auto left_out = static_cast<double>(report.removed_triangles);
+  const double share =
+      left_out /
+      std::max(1., left_out + static_cast<double>(report.topology.triangles));
+  if (share >= max_left_out)
+    report.warning +=
+        (report.warning.empty() ? "its points have " : "; its points have ") +
+        std::to_string(report.removed_components + 1) +
+        " surfaces, of which only the largest is kept: " + percent(share) +
+        " of the triangles are left out";
+}
+
+// Orients the surface like the points' normals and measures its area, volume and
+// unsupported share.
+void
+compareWithPoints(const std::vector<OrientedPoint>& points,
+                  const RoomPoissonParameters& parameters,
+                  TriangleMesh& mesh,
+                  std::vector<std::uint32_t>& nearest,
+                  RoomPoissonReport& report)
+{
+  const NearestPoints tree(points);
+  nearest.resize(mesh.triangles.size());
+  std::vector<float> distance(mesh.triangles.size());
+  parallelBlocks(nearest.size(), 4096, parameters.threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t t = begin; t < end; ++t)
+                     nearest[t] = tree.find(mesh, t, mesh.scaledNormal(t), distance[t]);
+                 });
+  const double support = std::max(parameters.support_distance, 4 * report.spacing);
+  double agreement = 0;
+  double far_area = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Eigen::Vector3d normal = mesh.scaledNormal(t);
+    agreement += normal.dot(points[nearest[t]].normal.cast<double>());
+    if (distance[t] > support)
+      far_area += normal.norm() / 2;
+  }
+  if (agreement < 0)
+    mesh.flip();
+  report.area = mesh.area();
+  report.volume = std::abs(mesh.signedVolume());
+  judge(far_area, support, report);
 }
 
 } // namespace
@@ -150,7 +254,12 @@ reconstructRoom(const std::vector<OrientedPoint>& points,
                      std::to_string(points.size());
     return false;
   }
-  if (!solve(points, parameters, mesh, report))
+  // Solved near the origin, where floats have precision to spare.
+  const Eigen::Vector3d centre = centroidOf(points);
+  std::vector<OrientedPoint> local = points;
+  for (OrientedPoint& p : local)
+    p.position = (p.position.cast<double>() - centre).cast<float>();
+  if (!solve(local, centre, parameters, mesh, report))
     return false;
   compareWithPoints(points, parameters, mesh, nearest, report);
   return true;

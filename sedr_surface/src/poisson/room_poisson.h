@@ -11,8 +11,7 @@
 namespace pcl::sedr {
 
 /** @brief Reconstructs the surface of one room by screened Poisson. It is solved near
- * the origin, reduced to its largest component and repaired. If it is not closed, it is
- * solved again with slightly different parameters.
+ * the origin and reduced to its largest component.
  *
  * @param points finite, with unit normals into the room
  * @param parameters in range

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tilted_wall_solid.h"
 #include "solid_builder.h"
+#include "tilted_wall_solid.h"
 
 #include "sedr_filters/src/plan/level_planes.h"
 

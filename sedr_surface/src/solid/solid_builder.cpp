@@ -9,45 +9,6 @@
 
 namespace pcl::sedr {
 
-namespace {
-
-/** @brief Returns which triangles lie inside the area enclosed by edges. */
-std::vector<bool>
-insideOf(const PlanTriangulation& mesh,
-         const std::vector<std::pair<std::uint32_t, std::uint32_t>>& sorted_edges)
-{
-  const auto isEdge = [&](std::uint32_t t, std::size_t i) {
-    const auto& corners = mesh.triangles[t];
-    const std::pair<std::uint32_t, std::uint32_t> ends =
-        std::minmax(corners[i], corners[(i + 1) % 3]);
-    return std::binary_search(sorted_edges.begin(), sorted_edges.end(), ends);
-  };
-  std::vector<bool> is_inside(mesh.triangles.size(), false);
-  std::vector<bool> is_known(mesh.triangles.size(), false);
-  std::vector<std::uint32_t> waiting;
-  const auto reach = [&](std::uint32_t t, bool inside) {
-    if (is_known[t])
-      return;
-    is_known[t] = true;
-    is_inside[t] = inside;
-    waiting.push_back(t);
-  };
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i)
-      if (mesh.neighbours[t][i] == PlanTriangulation::none)
-        reach(t, isEdge(t, i));
-  while (!waiting.empty()) {
-    const std::uint32_t t = waiting.back();
-    waiting.pop_back();
-    for (std::size_t i = 0; i < 3; ++i)
-      if (mesh.neighbours[t][i] != PlanTriangulation::none)
-        reach(mesh.neighbours[t][i], is_inside[t] != isEdge(t, i));
-  }
-  return is_inside;
-}
-
-} // namespace
-
 SolidBuilder::SolidBuilder(const RoomLayers& layers, const PlanSubdivision& plan)
     : layers_(layers)
     , plan_(plan)

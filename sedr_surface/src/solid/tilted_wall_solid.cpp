@@ -180,16 +180,14 @@ private:
     PlanTriangulation faces;
     if (!triangulateConstrained(points, edges, faces))
       return false;
+    const std::vector<bool> is_inside = insideOf(faces, edges);
     std::vector<Triangle> inside;
-    for (const auto& corners : faces.triangles) {
-      Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-      for (const std::uint32_t c : corners)
-        middle += solid_.vertices[vertices[c]].head<2>() / 3;
-      if (!isWithin(rim, middle))
+    for (std::size_t f = 0; f < faces.triangles.size(); ++f) {
+      if (!is_inside[f])
         continue;
       Triangle triangle;
       for (std::size_t i = 0; i < 3; ++i)
-        triangle[i] = vertices[corners[faces_up ? i : 2 - i]];
+        triangle[i] = vertices[faces.triangles[f][faces_up ? i : 2 - i]];
       inside.push_back(triangle);
     }
     std::size_t next = 0;
@@ -200,19 +198,6 @@ private:
         solid_.triangles[t] = inside[next++];
       }
     return next == inside.size();
-  }
-
-  bool isWithin(const std::set<Edge>& rim, const Eigen::Vector2d& p) const
-  {
-    bool is_within = false;
-    for (const Edge& edge : rim) {
-      const Eigen::Vector3d& a = solid_.vertices[edge.first];
-      const Eigen::Vector3d& b = solid_.vertices[edge.second];
-      if ((a.y() > p.y()) != (b.y() > p.y()) &&
-          p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
-        is_within = !is_within;
-    }
-    return is_within;
   }
 
   const RoomLayers& layers_;

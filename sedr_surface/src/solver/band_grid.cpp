@@ -57,8 +57,7 @@ bool
 BandGrid::holdsCell(std::size_t b, int x, int y, int z) const
 {
   for (int c = 0; at_rim_[b] && c < 8; ++c)
-    if (neighbour(b, (x + (c & 1)) >> 3, (y + (c >> 1 & 1)) >> 3,
-                  (z + (c >> 2)) >> 3) == size())
+    if (blockAt(b, x + (c & 1), y + (c >> 1 & 1), z + (c >> 2)) == size())
       return false;
   return true;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -66,6 +67,20 @@ public:
                       [static_cast<std::size_t>((dz + 1) * 9 + (dy + 1) * 3 + dx + 1)];
   }
 
+  /** @brief Returns the block of a node relative to the first one of block `b`, each
+   * coordinate -8 to 15. */
+  std::size_t blockAt(std::size_t b, int x, int y, int z) const
+  {
+    return neighbour(b, x >> 3, y >> 3, z >> 3);
+  }
+
+  /** @brief Returns the place of such a node in an array of values; one of the zeros if
+   * its block does not exist. */
+  std::size_t valueAt(std::size_t b, int x, int y, int z) const
+  {
+    return blockAt(b, x, y, z) * nodes + nodeIndex(x & 7, y & 7, z & 7);
+  }
+
   /** @brief Returns true if all eight corners exist of the cell above node (x, y, z) of
    * block `b`, each 0 to 7. */
   bool holdsCell(std::size_t b, int x, int y, int z) const;
@@ -81,6 +96,38 @@ private:
   std::vector<std::array<std::uint32_t, 27>> neighbours_;
   std::vector<bool> at_rim_;
 };
+
+/** @brief Offsets in a halo from a cell's lowest corner to all eight. */
+constexpr std::array<std::uint32_t, 8> corners = {0, 1, 10, 11, 100, 101, 110, 111};
+
+/** @brief Computes the trilinear weights of the corners for a point within the cell.
+ * @param share position along each axis, 0 to 1 */
+inline void
+cornerShares(const float* share, float* shares)
+{
+  for (std::size_t c = 0; c < 8; ++c)
+    shares[c] = (c & 1 ? share[0] : 1 - share[0]) * (c & 2 ? share[1] : 1 - share[1]) *
+                (c & 4 ? share[2] : 1 - share[2]);
+}
+
+/** @brief Returns whether a surface passes through a cell.
+ * @param lowest the cell's lowest corner in a halo */
+inline bool
+isCrossed(const float* lowest, float iso)
+{
+  int above = 0;
+  for (const auto c : corners)
+    above += lowest[c] > iso;
+  return above > 0 && above < 8;
+}
+
+/** @brief Returns whether a surface passes through any cell of a halo. */
+inline bool
+isHaloCrossed(const float* halo, float iso)
+{
+  const auto range = std::minmax_element(halo, halo + BandGrid::halo_nodes);
+  return *range.first <= iso && *range.second > iso;
+}
 
 /** @brief Returns n / divisor, rounded down. */
 inline std::int64_t

@@ -113,12 +113,11 @@ PoissonHierarchy::gather(std::size_t level, std::size_t b, float* halo) const
   float inside[BandGrid::halo_nodes];
   grid.gatherHalo(levels_[level].values, b, inside);
   interpolate(level, grid.at(b), halo);
-  const auto side = [](int i) { return i < 0 ? -1 : i > 7 ? 1 : 0; };
   std::size_t i = 0;
   for (int z = -1; z <= 8; ++z)
     for (int y = -1; y <= 8; ++y)
       for (int x = -1; x <= 8; ++x, ++i)
-        if (grid.neighbour(b, side(x), side(y), side(z)) < grid.size())
+        if (grid.blockAt(b, x, y, z) < grid.size())
           halo[i] = inside[i];
 }
 

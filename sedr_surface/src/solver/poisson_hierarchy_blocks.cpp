@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cell_corners.h"
 #include "poisson_hierarchy.h"
 
 #include <Eigen/Geometry>
@@ -17,19 +16,13 @@ template <typename Visit>
 void
 forCrossedCells(const float* halo, float iso, int first, Visit visit)
 {
-  const auto range = std::minmax_element(halo, halo + BandGrid::halo_nodes);
-  if (*range.first > iso || *range.second <= iso)
+  if (!isHaloCrossed(halo, iso))
     return;
   for (int z = first; z < 8; ++z)
     for (int y = first; y < 8; ++y)
-      for (int x = first; x < 8; ++x) {
-        const float* h = halo + BandGrid::haloIndex(x, y, z);
-        int above = 0;
-        for (const auto c : corners)
-          above += h[c] > iso;
-        if (above > 0 && above < 8)
+      for (int x = first; x < 8; ++x)
+        if (isCrossed(halo + BandGrid::haloIndex(x, y, z), iso))
           visit(x, y, z);
-      }
 }
 
 void
@@ -106,7 +99,6 @@ PoissonHierarchy::blocksMissing(std::size_t level, float iso) const
   const BandGrid& grid = levels_[level].grid();
   std::vector<BandGrid::Key> keys;
   float halo[BandGrid::halo_nodes];
-  const auto side = [](int i) { return i < 0 ? -1 : i > 7 ? 1 : 0; };
   for (std::size_t b = 0; b < grid.size(); ++b) {
     if (!grid.atRim(b))
       continue;
@@ -114,11 +106,11 @@ PoissonHierarchy::blocksMissing(std::size_t level, float iso) const
     gather(level, b, halo);
     forCrossedCells(halo, iso, -1, [&](int x, int y, int z) {
       for (int c = 0; c < 8; ++c) {
-        const int step[3] = {side(x + (c & 1)), side(y + (c >> 1 & 1)),
-                             side(z + (c >> 2))};
-        if (grid.neighbour(b, step[0], step[1], step[2]) == grid.size())
-          keys.push_back(BandGrid::keyOf(
-              {block[0] + step[0], block[1] + step[1], block[2] + step[2]}));
+        const int n[3] = {x + (c & 1), y + (c >> 1 & 1), z + (c >> 2)};
+        if (grid.blockAt(b, n[0], n[1], n[2]) == grid.size())
+          keys.push_back(
+              BandGrid::keyOf({block[0] + (n[0] >> 3), block[1] + (n[1] >> 3),
+                               block[2] + (n[2] >> 3)}));
       }
     });
   }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "poisson_level.h"
-#include "cell_corners.h"
 
 #include "sedr_filters/src/base/parallel.h"
 
@@ -151,17 +150,11 @@ PoissonLevel::addNormals(unsigned threads)
             for (std::size_t p = sorted_.starts[s]; p < sorted_.starts[s + 1]; ++p)
               splatNormal(sorted_.samples[p], nodes12.data());
             const float* value = nodes12.data();
-            const auto side = [](int n) { return n < 0 ? -1 : n > 7 ? 1 : 0; };
             for (int z = -2; z < 10; ++z)
               for (int y = -2; y < 10; ++y)
-                for (int x = -2; x < 10; ++x, ++value) {
-                  if (*value == 0)
-                    continue;
-                  const std::size_t b = grid_.neighbour(own, side(x), side(y), side(z));
-                  if (b < grid_.size())
-                    right_[b * BandGrid::nodes +
-                           BandGrid::nodeIndex(x & 7, y & 7, z & 7)] += *value;
-                }
+                for (int x = -2; x < 10; ++x, ++value)
+                  if (*value != 0 && grid_.blockAt(own, x, y, z) < grid_.size())
+                    right_[grid_.valueAt(own, x, y, z)] += *value;
           }
         });
 }

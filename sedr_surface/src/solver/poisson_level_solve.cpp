@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cell_corners.h"
 #include "poisson_level.h"
 
 #include "sedr_filters/src/base/parallel.h"
@@ -7,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pcl::sedr {
 namespace {
@@ -21,10 +21,7 @@ sumInOrder(std::size_t n, std::size_t part, unsigned threads, Body body)
   parallelBlocks(n, part, threads, [&](std::size_t begin, std::size_t end) {
     sums[begin / part] = body(begin, end);
   });
-  double sum = 0;
-  for (const double s : sums)
-    sum += s;
-  return sum;
+  return std::accumulate(sums.begin(), sums.end(), 0.);
 }
 
 } // namespace
@@ -180,9 +177,7 @@ PoissonLevel::meanAtSamples(unsigned threads) const
         }
         return part;
       });
-  double area = 0;
-  for (const double a : areas)
-    area += a;
+  const double area = std::accumulate(areas.begin(), areas.end(), 0.);
   return area > 0 ? sum / area : 0;
 }
 

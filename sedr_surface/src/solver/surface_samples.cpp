@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface_samples.h"
 
+#include <pcl/kdtree/kdtree_flann.h>
+#include <pcl/point_types.h>
+
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 namespace pcl::sedr {
@@ -40,32 +44,28 @@ sortedKeys(const std::vector<SurfaceSample>& samples, double size)
 }
 
 // Computes the weights of the three nodes around `place`; returns the first node.
-std::int64_t
+int
 splineWeights(float place, float* weights)
 {
   const float nearest = std::floor(place + 0.5f);
   for (int i = 0; i < 3; ++i)
     weights[i] = quadraticSpline(nearest + static_cast<float>(i - 1) - place);
-  return static_cast<std::int64_t>(nearest) - 1;
+  return static_cast<int>(nearest) - 1;
 }
 
-// Calls visit(block, node, weight) for the 27 nodes influenced by a sample of block
-// `b`.
+// Calls visit(value, weight) for the places of the 27 values influenced by a sample of
+// block `b`.
 template <typename Visit>
 void
 forNodesAround(const BandGrid& grid, std::size_t b, const float* place, Visit visit)
 {
   float w[3][3];
-  std::int64_t first[3];
+  int first[3];
   for (int k = 0; k < 3; ++k)
     first[k] = splineWeights(place[k], w[k]);
-  const auto side = [](std::int64_t i) { return i < 0 ? -1 : i > 7 ? 1 : 0; };
   for (int i = 0; i < 27; ++i) {
     const int step[3] = {i % 3, i / 3 % 3, i / 9};
-    const std::int64_t n[3] = {first[0] + step[0], first[1] + step[1],
-                               first[2] + step[2]};
-    visit(grid.neighbour(b, side(n[0]), side(n[1]), side(n[2])),
-          BandGrid::nodeIndex(n[0] & 7, n[1] & 7, n[2] & 7),
+    visit(grid.valueAt(b, first[0] + step[0], first[1] + step[1], first[2] + step[2]),
           w[0][step[0]] * w[1][step[1]] * w[2][step[2]]);
   }
 }
@@ -84,7 +84,51 @@ widened(const BandGrid& grid)
   return BandGrid(std::move(keys));
 }
 
+// Returns the median spacing by area. Points twice as dense stand for a quarter of the
+// area each. The weight of isolated points is limited.
+double
+medianByArea(std::vector<double> spacings)
+{
+  std::sort(spacings.begin(), spacings.end());
+  const double cap = 2 * spacings[spacings.size() / 2];
+  const auto area = [cap](double spacing) {
+    return std::pow(std::min(spacing, cap), 2);
+  };
+  double total = 0;
+  for (const double spacing : spacings)
+    total += area(spacing);
+  double passed = 0;
+  for (const double spacing : spacings)
+    if ((passed += area(spacing)) >= total / 2)
+      return spacing;
+  return spacings.back();
+}
+
 } // namespace
+
+double
+measureSpacing(const std::vector<OrientedPoint>& points)
+{
+  constexpr int neighbours = 8;
+  if (points.size() < neighbours + 2)
+    return 0;
+  auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  cloud->reserve(points.size());
+  for (const OrientedPoint& p : points)
+    cloud->emplace_back(p.position.x(), p.position.y(), p.position.z());
+  pcl::KdTreeFLANN<pcl::PointXYZ> tree(false);
+  tree.setInputCloud(cloud);
+  const std::size_t step = std::max<std::size_t>(1, points.size() / 2000);
+  std::vector<double> spacings;
+  pcl::Indices indices;
+  std::vector<float> squared;
+  for (std::size_t i = 0; i < points.size(); i += step) {
+    tree.nearestKSearch((*cloud)[i], neighbours + 1, indices, squared);
+    // The disc to the eighth neighbour counts as seven points: its rim counts half.
+    spacings.push_back(std::sqrt(M_PI * squared.back() / (neighbours - 1)));
+  }
+  return medianByArea(spacings);
+}
 
 float
 quadraticSpline(float t)
@@ -93,6 +137,30 @@ quadraticSpline(float t)
   if (t < 0.5f)
     return 0.75f - t * t;
   return t < 1.5f ? 0.5f * (1.5f - t) * (1.5f - t) : 0.f;
+}
+
+void
+SortedSamples::gather(const BandGrid::Block& block,
+                      float reach,
+                      std::vector<BlockSample>& around) const
+{
+  for (int n = 0; n < 27; ++n) {
+    const int step[3] = {n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
+    const std::size_t s =
+        grid.find({block[0] + step[0], block[1] + step[1], block[2] + step[2]});
+    for (std::size_t i = s < grid.size() ? starts[s] : 0;
+         s < grid.size() && i < starts[s + 1]; ++i) {
+      BlockSample sample = samples[i];
+      bool is_near = true;
+      for (int k = 0; k < 3; ++k) {
+        sample.place[k] += static_cast<float>(8 * step[k]);
+        sample.normal[k] /= sample.area;
+        is_near = is_near && sample.place[k] > -reach && sample.place[k] < 8 + reach;
+      }
+      if (is_near)
+        around.push_back(sample);
+    }
+  }
 }
 
 SortedSamples
@@ -155,14 +223,12 @@ setAreas(std::vector<SurfaceSample>& samples, double spacing)
   const SortedSamples sorted = sortSamples(samples, scale);
   const BandGrid grid = widened(sorted.grid);
   std::vector<float> density(grid.valueCount(), 0.f);
-  std::vector<std::size_t> block_of(sorted.grid.size());
   for (std::size_t s = 0; s < sorted.grid.size(); ++s) {
-    block_of[s] = grid.find(sorted.grid.at(s));
+    const std::size_t own = grid.find(sorted.grid.at(s));
     for (std::size_t i = sorted.starts[s]; i < sorted.starts[s + 1]; ++i)
-      forNodesAround(grid, block_of[s], sorted.samples[i].place,
-                     [&](std::size_t block, std::size_t node, float weight) {
-                       density[block * BandGrid::nodes + node] += weight;
-                     });
+      forNodesAround(
+          grid, own, sorted.samples[i].place,
+          [&](std::size_t value, float weight) { density[value] += weight; });
   }
   for (SurfaceSample& sample : samples) {
     const BandGrid::Block block = BandGrid::blockOf(keyAt(sample.position, size));
@@ -172,10 +238,9 @@ setAreas(std::vector<SurfaceSample>& samples, double spacing)
           sample.position[k] / scale -
           static_cast<double>(BandGrid::edge * block[static_cast<std::size_t>(k)]));
     float sum = 0;
-    forNodesAround(grid, grid.find(block), place,
-                   [&](std::size_t other, std::size_t node, float weight) {
-                     sum += weight * density[other * BandGrid::nodes + node];
-                   });
+    forNodesAround(grid, grid.find(block), place, [&](std::size_t value, float weight) {
+      sum += weight * density[value];
+    });
     sample.area = plane / sum * static_cast<float>(scale * scale);
     sample.normal *= sample.area;
   }

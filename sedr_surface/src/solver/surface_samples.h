@@ -31,7 +31,18 @@ struct SortedSamples {
   BandGrid grid; ///< blocks with samples
   std::vector<BlockSample> samples;
   std::vector<std::size_t> starts; ///< first sample of each block, and the end
+
+  /** @brief Appends the samples within `reach` cells of a block, at most 8, with places
+   * relative to it and unit normals. */
+  void gather(const BandGrid::Block& block,
+              float reach,
+              std::vector<BlockSample>& around) const;
 };
+
+/** @brief Estimates the distance between neighbouring points of a surface, metres: the
+ * side of the square per point, median by area, from at most 4000 points. Zero for
+ * fewer than 10 points. O(n log n). */
+double measureSpacing(const std::vector<OrientedPoint>& points);
 
 /** @brief Sorts samples into the blocks of a grid with cells `scale` times as large.
  * O(n log n). */

@@ -38,4 +38,10 @@ bool triangulateConstrained(
     const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges,
     PlanTriangulation& triangulation);
 
+/** @brief Returns which triangles lie inside the area enclosed by edges: those that an
+ * odd number of them parts from the outside. O(n log n).
+ * @param edges sides of triangles, indices of two points each, all distinct */
+std::vector<bool> insideOf(const PlanTriangulation& triangulation,
+                           std::vector<std::pair<std::uint32_t, std::uint32_t>> edges);
+
 } // namespace pcl::sedr

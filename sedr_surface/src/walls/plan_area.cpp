@@ -58,21 +58,6 @@ setOf(const PlanArea& area, const PlanGrid& grid)
   return set;
 }
 
-/** @brief Returns whether a point is in an area: on the inner side of all its edges
- * that a ray meets. */
-bool
-isInside(const std::vector<GridSegment>& edges, const Eigen::Vector2d& p)
-{
-  bool is_inside = false;
-  for (const GridSegment& e : edges)
-    if ((e.from.y > p.y()) != (e.to.y > p.y()) &&
-        p.x() < e.from.x + (p.y() - e.from.y) *
-                               (static_cast<double>(e.to.x) - e.from.x) /
-                               (static_cast<double>(e.to.y) - e.from.y))
-      is_inside = !is_inside;
-  return is_inside;
-}
-
 /** @brief A loop of grid points without the corners that are on a line. */
 template <typename Points>
 PlanLoop
@@ -137,7 +122,7 @@ triangulated(const PlanArea& area,
   };
   addLoop(area.boundary);
   std::for_each(area.holes.begin(), area.holes.end(), addLoop);
-  const std::vector<GridSegment> outline = segments;
+  const std::size_t outline = segments.size();
   for (const auto& [from, to] : lines)
     segments.push_back({grid.toGrid(from), grid.toGrid(to)});
 
@@ -146,8 +131,15 @@ triangulated(const PlanArea& area,
   PlanTriangulation triangulation;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   arrangeSegments(segments, separation / grid.unit(), arrangement);
-  for (const Arrangement::Edge& edge : arrangement.edges)
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> rim;
+  for (const Arrangement::Edge& edge : arrangement.edges) {
     edges.emplace_back(edge.a, edge.b);
+    const auto uses =
+        std::count_if(edge.uses.begin(), edge.uses.end(),
+                      [&](const SegmentUse& use) { return use.segment < outline; });
+    if (uses % 2 == 1)
+      rim.emplace_back(edge.a, edge.b);
+  }
   TriangleMesh mesh;
   if (!triangulateConstrained(arrangement.vertices, edges, triangulation))
     return mesh;
@@ -155,14 +147,10 @@ triangulated(const PlanArea& area,
     const Eigen::Vector2d place = grid.toPlan(p);
     mesh.vertices.emplace_back(place.x(), place.y(), 0);
   }
-  for (const Triangle& t : triangulation.triangles) {
-    Eigen::Vector2d middle(0, 0);
-    for (const std::uint32_t v : t)
-      middle +=
-          Eigen::Vector2d(arrangement.vertices[v].x, arrangement.vertices[v].y) / 3;
-    if (isInside(outline, middle))
-      mesh.triangles.push_back(t);
-  }
+  const std::vector<bool> is_inside = insideOf(triangulation, rim);
+  for (std::size_t t = 0; t < is_inside.size(); ++t)
+    if (is_inside[t])
+      mesh.triangles.push_back(triangulation.triangles[t]);
   return mesh;
 }
 

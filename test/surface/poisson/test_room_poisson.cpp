@@ -3,7 +3,7 @@
 #include "surface/chain/lattice_room.h"
 
 #include "sedr_surface/src/poisson/room_poisson.h"
-#include "sedr_surface/src/solver/point_spacing.h"
+#include "sedr_surface/src/solver/surface_samples.h"
 #include <pcl/sedr_surface/mesh_distance.h>
 
 #include <gtest/gtest.h>
