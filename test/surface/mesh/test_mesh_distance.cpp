@@ -84,18 +84,6 @@ TEST(MeshSampling, every_part_gets_its_share_of_area_without_clumps)
     EXPECT_NEAR(count, 400, 20);
 }
 
-TEST(MeshSampling, the_seed_chooses_the_points_and_a_limit_widens_the_spacing)
-{
-  const TriangleMesh mesh = unitCube();
-  EXPECT_EQ(sampleMesh(mesh, 0.1, 1).points, sampleMesh(mesh, 0.1, 1).points);
-  EXPECT_NE(sampleMesh(mesh, 0.1, 1).points, sampleMesh(mesh, 0.1, 2).points);
-  const MeshSamples limited = sampleMesh(mesh, 1e-9, 1, 600);
-  EXPECT_EQ(limited.points.size(), 600u);
-  EXPECT_NEAR(limited.spacing, 0.1, 1e-12);
-  for (const auto& p : limited.points)
-    EXPECT_NEAR((p - Eigen::Vector3d(0.5, 0.5, 0.5)).cwiseAbs().maxCoeff(), 0.5, 1e-12);
-}
-
 TEST(DistanceStatistics, are_what_their_definitions_say)
 {
   std::vector<double> distances;

@@ -25,28 +25,6 @@ sphere(const Eigen::Vector3d& centre, double radius, double spacing)
   return points;
 }
 
-/** Points of a torus about the z axis, normals outwards. */
-inline std::vector<pcl::sedr::OrientedPoint>
-torus(double radius, double tube, double spacing)
-{
-  std::vector<pcl::sedr::OrientedPoint> points;
-  const auto across = static_cast<int>(2 * M_PI * tube / spacing);
-  for (int i = 0; i < across; ++i) {
-    const double a = 2 * M_PI * i / across;
-    const double ring = radius + tube * std::cos(a);
-    const auto along = static_cast<int>(2 * M_PI * ring / spacing);
-    for (int j = 0; j < along; ++j) {
-      const double b = 2 * M_PI * (j + 0.5 * (i % 2)) / along;
-      const Eigen::Vector3d normal(std::cos(a) * std::cos(b), std::cos(a) * std::sin(b),
-                                   std::sin(a));
-      const Eigen::Vector3d place(ring * std::cos(b), ring * std::sin(b),
-                                  tube * std::sin(a));
-      points.push_back({place.cast<float>(), normal.cast<float>()});
-    }
-  }
-  return points;
-}
-
 /** Points of a box with a corner at the origin, normals outwards. */
 inline std::vector<pcl::sedr::OrientedPoint>
 box(const Eigen::Vector3d& size, double spacing)

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "oriented_shapes.h"
-#include "surface/chain/lattice_room.h"
 #include <pcl/sedr_surface/structural_poisson.h>
 
 #include "sedr_surface/src/poisson/screened_poisson.h"
-#include <pcl/sedr_surface/mesh_distance.h>
 #include <pcl/sedr_surface/mesh_topology.h>
 
 #include <gtest/gtest.h>
@@ -80,13 +78,6 @@ TEST(ScreenedPoisson, a_sphere_comes_back_and_smaller_cells_are_more_exact)
   }
 }
 
-TEST(ScreenedPoisson, a_torus_keeps_its_hole)
-{
-  const auto mesh = solve(torus(1, 0.35, 0.05), cellsOf(0.04, 0.05));
-  expectClosed(mesh, 1, 0);
-  EXPECT_NEAR(mesh.signedVolume(), 2 * M_PI * M_PI * 0.35 * 0.35, 0.01);
-}
-
 TEST(ScreenedPoisson, whatever_the_points_the_surface_is_closed_or_there_is_none)
 {
   std::mt19937 random(7);
@@ -122,20 +113,6 @@ TEST(ScreenedPoisson, a_gap_in_the_points_is_closed)
   const auto mesh = solve(points, cellsOf(0.048, 0.06), &report);
   expectClosed(mesh, 1, 2);
   EXPECT_NEAR(mesh.signedVolume(), 4 * M_PI / 3, 0.15);
-}
-
-TEST(ScreenedPoisson, the_weight_of_the_points_may_be_nothing_or_a_lot)
-{
-  for (const float weight : {0.f, 1000.f}) {
-    auto parameters = cellsOf(0.064, 0.08);
-    parameters.point_weight = weight;
-    ScreenedPoissonReport report;
-    const auto mesh = solve(sphere({0, 0, 0}, 1, 0.08), parameters, &report);
-    expectClosed(mesh, 1, 2);
-    EXPECT_LT(worstRadius(mesh, {0, 0, 0}, 1), 0.005);
-    EXPECT_TRUE(report.converged);
-    EXPECT_LT(std::abs(report.iso_value), weight > 0 ? 0.002 : 0.1);
-  }
 }
 
 TEST(ScreenedPoisson, where_nodes_run_out_the_cells_become_larger)

@@ -164,18 +164,6 @@ TEST(StructuralPoisson, any_number_of_threads_and_any_run_give_the_same_bytes)
   }
 }
 
-TEST(StructuralPoisson, the_output_follows_the_side_of_the_normals)
-{
-  auto points = smallRoom().points(coarse);
-  for (auto& p : points)
-    p.normal = -p.normal;
-  pcl::StructuralPoisson<pcl::PointNormal> poisson;
-  poisson.setInputCloud(cloudOf<pcl::PointNormal>(points));
-  pcl::PolygonMesh output;
-  poisson.reconstruct(output);
-  EXPECT_NEAR(poisson.getMesh().signedVolume(), 3 * 2.5 * 2.5, 0.3);
-}
-
 TEST(StructuralPoisson, bad_points_are_skipped_and_counted_and_normals_scaled)
 {
   auto cloud = cloudOf<pcl::PointXYZRGBNormal>(smallRoom().points(coarse));
@@ -193,25 +181,6 @@ TEST(StructuralPoisson, bad_points_are_skipped_and_counted_and_normals_scaled)
   EXPECT_EQ(poisson.getReports()[0].skipped_points, 3u);
   EXPECT_EQ(poisson.getReports()[0].scaled_normals, 1u);
   EXPECT_TRUE(poisson.isClosed());
-}
-
-TEST(StructuralPoisson, points_and_polygons_are_the_same_surface_with_normals_and_rooms)
-{
-  pcl::StructuralPoisson<pcl::PointStructure> poisson;
-  auto cloud = twoRooms();
-  poisson.setInputCloud(cloud);
-  pcl::PolygonMesh mesh;
-  poisson.reconstruct(mesh);
-  std::vector<pcl::Vertices> polygons;
-  poisson.reconstruct(*cloud, polygons); // into its own input
-  ASSERT_EQ(polygons.size(), mesh.polygons.size());
-  EXPECT_EQ(polygons[17].vertices, mesh.polygons[17].vertices);
-  ASSERT_EQ(cloud->size(), static_cast<std::size_t>(mesh.cloud.width));
-  EXPECT_EQ(cloud->width, cloud->size());
-  for (const auto& p : *cloud) {
-    EXPECT_NEAR(p.getNormalVector3fMap().norm(), 1, 1e-3);
-    EXPECT_EQ(p.room, p.x > 3.05f ? 3u : 7u);
-  }
 }
 
 TEST(StructuralPoisson, a_room_that_fails_is_named_and_the_others_are_made)
