@@ -53,8 +53,7 @@ writeDetail(IfcDocument& document,
                                      : std::min(height, p.z() - thinnest);
                       }),
               ground);
-  const StepRef place = document.shapes.placement(
-      document.storeys[written.storey].placement, Eigen::Vector3d::Zero());
+  const StepRef place = document.placeIn(written.storey);
   const StepRef item = document.shapes.faceSet(body);
   const StepRef shape = document.shapeOf(item, "Tessellation", "detail");
   document.addElement(type, name, written.storey, place, shape,
@@ -76,8 +75,7 @@ writeColumn(IfcDocument& document, std::size_t r, std::size_t c)
   if (height <= 0)
     return;
   const std::string name = nameIn(room, "column_" + std::to_string(c + 1));
-  const StepRef place = document.shapes.placement(
-      document.storeys[written.storey].placement, Eigen::Vector3d::Zero());
+  const StepRef place = document.placeIn(written.storey);
   const StepRef item = document.shapes.extrusion(
       column.area() < 0 ? reversed(column) : column, {}, bottom - ground, height);
   const StepRef shape = document.shapeOf(item, "SweptSolid", "column");

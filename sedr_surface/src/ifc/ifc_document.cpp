@@ -1,12 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ifc_document.h"
 
-#include "ifc_guid.h"
+#include <boost/uuid/name_generator_sha1.hpp>
+#include <boost/uuid/string_generator.hpp>
+#include <boost/uuid/uuid.hpp>
 
 #include <algorithm>
 #include <map>
 
 namespace pcl::sedr::ifc {
+
+namespace {
+
+/** @brief Returns the GlobalId for a name: its UUID of version 5 (RFC 4122) in the 22
+ * letters of IFC, two for the first byte and four for every three further bytes. */
+std::string
+guidOf(const std::string& name)
+{
+  constexpr const char* letters =
+      "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_$";
+  // The name space is SEDR's own, a random UUID.
+  static const boost::uuids::uuid space =
+      boost::uuids::string_generator()("6f1c2a54-3f0b-4c8e-9d27-5b6f0e7a9c31");
+  const boost::uuids::uuid uuid = boost::uuids::name_generator_sha1(space)(name);
+  std::string text{letters[uuid.data[0] >> 6], letters[uuid.data[0] & 63]};
+  for (int i = 1; i < 16; i += 3) {
+    const int three = uuid.data[i] << 16 | uuid.data[i + 1] << 8 | uuid.data[i + 2];
+    for (int shift = 18; shift >= 0; shift -= 6)
+      text += letters[three >> shift & 63];
+  }
+  return text;
+}
+
+} // namespace
 
 IfcDocument::IfcDocument(const Floorplan& of_plan,
                          const IfcSettings& with_settings,
@@ -185,6 +211,12 @@ IfcDocument::addQuantities(StepRef object,
       step.add("IFCELEMENTQUANTITY", {guid(name), none, set, none, none, values});
   relate("IFCRELDEFINESBYPROPERTIES", name + " defined", std::vector<StepRef>{object},
          definition);
+}
+
+StepRef
+IfcDocument::placeIn(std::size_t storey)
+{
+  return shapes.placement(storeys[storey].placement, Eigen::Vector3d::Zero());
 }
 
 StepRef

@@ -89,6 +89,9 @@ public:
                  const StepValue& relating,
                  const StepValue& related);
 
+  /** @brief Adds a placement at the origin of a storey. */
+  StepRef placeIn(std::size_t storey);
+
   /** @brief Returns a body of swept solids or of a mesh as a shape. */
   StepRef shapeOf(StepRef item, const std::string& type, const std::string& colour);
 

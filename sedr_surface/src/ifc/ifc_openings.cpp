@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace pcl::sedr::ifc {
 namespace {
@@ -202,11 +201,8 @@ writePassage(IfcDocument& document, const PlanDoorway& doorway, const std::strin
     const std::size_t storey = document.rooms[r].storey;
     const double ground = document.storeys[storey].storey.floor;
     if (element.isNone())
-      element = document.addElement(
-          "IFCVIRTUALELEMENT", name, storey,
-          document.shapes.placement(document.storeys[storey].placement,
-                                    Eigen::Vector3d::Zero()),
-          {}, {});
+      element = document.addElement("IFCVIRTUALELEMENT", name, storey,
+                                    document.placeIn(storey), {}, {});
     constexpr double away = 0.3; // metres
     const Eigen::Vector2d way = (doorway.end - doorway.start).normalized();
     const bool is_left = room.contains((doorway.start + doorway.end) / 2 +
@@ -230,10 +226,8 @@ meshOf(const PlanNiche& niche, const PlanLoop& loop, const WallFrame& frame, dou
   };
   for (Eigen::Vector3d& p : foot.vertices)
     p.z() = heightAt(niche.bottom, p);
-  std::vector<std::size_t> all(foot.triangles.size());
-  std::iota(all.begin(), all.end(), 0);
   constexpr double min_height = 0.001;
-  return prismOn(foot, all, [&](const Eigen::Vector3d& p) {
+  return prismOn(foot, allTriangles(foot), [&](const Eigen::Vector3d& p) {
     return std::max(heightAt(niche.top, p), p.z() + min_height);
   });
 }

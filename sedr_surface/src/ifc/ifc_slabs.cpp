@@ -82,8 +82,7 @@ private:
               const PlanSlab& face)
   {
     const IfcRoom& room = document_.rooms[r];
-    const StepRef place = document_.shapes.placement(
-        document_.storeys[room.storey].placement, Eigen::Vector3d::Zero());
+    const StepRef place = document_.placeIn(room.storey);
     const StepRef shape = document_.shapeOf(item, type, colour);
     const StepRef slab = document_.addElement("IFCSLAB", name, room.storey, place,
                                               shape, {StepValue::enumerated(kind)});

@@ -168,8 +168,7 @@ writeSpaces(IfcDocument& document)
     else if (!written.solid.empty())
       shape = document.shapeOf(document.shapes.faceSet(lowered(written.solid, ground)),
                                "Tessellation", "space");
-    const StepRef place =
-        document.shapes.placement(storey.placement, Eigen::Vector3d::Zero());
+    const StepRef place = document.placeIn(written.storey);
     const std::string number = std::to_string(room.id);
     written.space = document.step.add(
         "IFCSPACE", {document.guid(name), none, number, none, none, place, shape,

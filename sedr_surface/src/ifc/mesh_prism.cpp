@@ -2,6 +2,7 @@
 #include "mesh_prism.h"
 
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -46,6 +47,14 @@ prismOn(const TriangleMesh& mesh,
   if (prism.signedVolume() < 0)
     prism.flip();
   return prism;
+}
+
+std::vector<std::size_t>
+allTriangles(const TriangleMesh& mesh)
+{
+  std::vector<std::size_t> all(mesh.triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
 }
 
 TriangleMesh

@@ -18,6 +18,9 @@ TriangleMesh prismOn(const TriangleMesh& mesh,
                      const std::vector<std::size_t>& triangles,
                      const std::function<double(const Eigen::Vector3d&)>& height_at);
 
+/** @brief Returns the indices of all triangles of a mesh. */
+std::vector<std::size_t> allTriangles(const TriangleMesh& mesh);
+
 /** @brief Returns a mesh with z relative to a height. */
 TriangleMesh lowered(TriangleMesh mesh, double height);
 

@@ -3,51 +3,25 @@
 
 #include "../formats/decimal_text.h"
 
+#include <boost/locale/encoding_utf.hpp>
+
+#include <cstdio>
+
 namespace pcl::sedr::ifc {
 namespace {
 
-constexpr std::uint32_t no_letter = 0xffffffff;
-
-/** @brief Returns the character at `at`, and moves `at` behind it. */
-std::uint32_t
-nextLetter(const std::string& utf8, std::size_t& at)
-{
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(utf8[i]); };
-  const unsigned char first = byte(at++);
-  if (first < 0x80)
-    return first;
-  const int more = first >= 0xf0 ? 3 : first >= 0xe0 ? 2 : first >= 0xc0 ? 1 : 0;
-  if (more == 0 || first >= 0xf8 || at + static_cast<std::size_t>(more) > utf8.size())
-    return no_letter;
-  std::uint32_t letter = first & (0x3fu >> more);
-  for (int k = 0; k < more; ++k) {
-    if ((byte(at) & 0xc0) != 0x80)
-      return no_letter;
-    letter = letter << 6 | (byte(at++) & 0x3fu);
-  }
-  return letter;
-}
-
 std::string
-hexadecimal(std::uint32_t value, int digits)
-{
-  std::string text;
-  for (int shift = 4 * (digits - 1); shift >= 0; shift -= 4)
-    text += "0123456789ABCDEF"[value >> shift & 15];
-  return text;
-}
-
-std::string
-stepLetter(std::uint32_t letter)
+stepLetter(char32_t letter)
 {
   if (letter == '\'' || letter == '\\')
     return std::string(2, static_cast<char>(letter));
   if (letter >= ' ' && letter <= '~')
     return std::string(1, static_cast<char>(letter));
-  if (letter == no_letter)
-    return "?";
-  return letter < 0x10000 ? "\\X2\\" + hexadecimal(letter, 4) + "\\X0\\"
-                          : "\\X4\\" + hexadecimal(letter, 8) + "\\X0\\";
+  char text[20];
+  std::snprintf(text, sizeof text,
+                letter < 0x10000 ? "\\X2\\%04X\\X0\\" : "\\X4\\%08X\\X0\\",
+                static_cast<unsigned>(letter));
+  return text;
 }
 
 template <typename Values, typename Write>
@@ -66,8 +40,8 @@ std::string
 stepText(const std::string& utf8)
 {
   std::string text = "'";
-  for (std::size_t at = 0; at < utf8.size();)
-    text += stepLetter(nextLetter(utf8, at));
+  for (const char32_t letter : boost::locale::conv::utf_to_utf<char32_t>(utf8))
+    text += stepLetter(letter);
   return text + "'";
 }
 

@@ -18,7 +18,7 @@ struct StepRef {
 
 /** @brief Returns a text as a STEP string (ISO 10303-21): in quotes, with quotes and
  * backslashes doubled and characters beyond ASCII as \\X2\\00FC\\X0\\.
- * @param utf8 bytes that are no valid UTF-8 become "?" */
+ * @param utf8 bytes that are no valid UTF-8 are left out */
 std::string stepText(const std::string& utf8);
 
 /** @brief Returns a number as in STEP, with a point and up to ten decimals: "1.",

@@ -11,7 +11,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -211,10 +210,8 @@ meshOf(const Floorplan& plan,
                        frame.toLocal(place - (2 * wall.thickness + beyond) * inward));
   }
   const TriangleMesh foot = triangulated(profile, bends);
-  std::vector<std::size_t> all(foot.triangles.size());
-  std::iota(all.begin(), all.end(), 0);
   constexpr double min_height = 0.001;
-  TriangleMesh mesh = prismOn(foot, all, [&](const Eigen::Vector3d& p) {
+  TriangleMesh mesh = prismOn(foot, allTriangles(foot), [&](const Eigen::Vector3d& p) {
     const double s =
         element.isArc() ? element.project(frame.toPlan(p.head<2>())) - wall.stretch.from
                         : p.x(); // stretches may go on beyond their element
