@@ -351,7 +351,7 @@ class ReportInABrowser(ReportCase):
         words = self.words(self.open(), "#check")
         self.assertIn("Room 1: its mesh is not closed: 2 edges are open.", words)
         self.assertIn("was not seen and is filled in: room 1 62 %.", words)
-        self.assertIn("--mesh-from-plan", words)
+        self.assertIn("Take the solid, solid.ply.", words)
         self.assertNotIn("room 2 4 %", words)
 
     def test_nothing_amiss_is_told_too(self):

@@ -79,7 +79,7 @@
   function* openModels() {
     for (const room of rooms)
       for (const [name, model, remedy] of [
-        ['mesh', room.mesh, 'Take the solid, solid.ply, or make the mesh of the plan by --mesh-from-plan.'],
+        ['mesh', room.mesh, 'Take the solid, solid.ply.'],
         ['solid', room.solid, 'Look at its walls in the plan: lines that cross or miss each other.']])
         if (model && model.closed_manifold === false)
           yield [`Room ${room.id}: its ${name} is not closed${model.problem ? ': ' + model.problem : ''}.`, remedy];
@@ -120,8 +120,7 @@
           : 'That is its noise, which the tolerances of this run take in; a scan in other units needs --unit.'];
     else if (distances.within_5cm < 0.85)
       yield [`${percent(1 - distances.within_5cm)} of the structure's points lie more than 5 cm off the model.`,
-        'Often that is furniture at the walls: see where it is in the picture of distances. If whole walls are red '
-        + 'there, a smaller --minimum-cells finds smaller details, and a smaller --grid-size finer ones.'];
+        'Often that is furniture at the walls: see where it is in the picture of distances.'];
   }
 
   function* warnings() {
@@ -129,7 +128,7 @@
     for (const warning of report.warnings || []) {
       if (typeof warning !== 'string' || (isTold && warning.includes('were filled in, not seen'))) continue;
       yield [warning, warning.includes('too sparse')
-        ? 'A denser scan, or scans from more places, would show more. --fixed-grid keeps the small cells.'
+        ? 'A denser scan, or scans from more places, would show more.'
         : /left out/.test(warning) && /ceiling/.test(warning) ? '--pictures shows what each stage decided, and why.' : ''];
     }
   }
