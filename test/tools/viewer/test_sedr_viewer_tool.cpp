@@ -4,7 +4,6 @@
 #include "tools/run_program.h"
 #include "tools/sample_files.h"
 #include "tools/sample_result.h"
-#include "tools/scans/e57_writer.h"
 #include "virtual_screen.h"
 
 #include <gtest/gtest.h>
@@ -154,41 +153,6 @@ TEST_F(ViewerTool, EveryLayerAndViewShowsSomething)
           shoot(in("model"), {"--layers", layer, "--view", view, "--no-legend"});
       EXPECT_LT(shareOf(image, colours::paper), 0.999) << layer;
     }
-}
-
-TEST_F(ViewerTool, AScanOfAnE57FileIsChosenByItsNumber)
-{
-  SKIP_WITHOUT_XVFB;
-  E57Writer writer;
-  for (const double x : {0.0, 20.0}) {
-    std::vector<double> places[3];
-    for (int i = 0; i < 900; ++i) {
-      places[0].push_back(x + 0.1 * (i % 30));
-      places[1].push_back(0.1 * (i / 30));
-      places[2].push_back(0);
-    }
-    writer.addScan("of two", {E57TestField::ofDoubles("cartesianX", places[0]),
-                              E57TestField::ofDoubles("cartesianY", places[1]),
-                              E57TestField::ofDoubles("cartesianZ", places[2])});
-  }
-  writeFile(in("two.e57"), writer.file());
-  const auto shareOfPoints = [&](std::vector<std::string> options) {
-    options.insert(options.end(), {"--no-legend", "--view", "top"});
-    const Image image = shoot(in("two.e57"), options);
-    const auto back = image.pixels.front();
-    std::size_t count = 0;
-    for (const auto pixel : image.pixels)
-      count += pixel.red != back.red || pixel.green != back.green ? 1 : 0;
-    return static_cast<double>(count) / static_cast<double>(image.pixels.size());
-  };
-  // The second scan alone is a square that fills the picture, both are far apart.
-  EXPECT_GT(shareOfPoints({"--scan", "2", "--point-size", "10"}),
-            2 * shareOfPoints({"--point-size", "10"}));
-  const ProgramRun refused =
-      run(SEDR_VIEWER, {in("two.e57"), "--scan", "3", "--screenshot", in("view.png")});
-  EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_TRUE(refused.failsInOneSentence()) << refused.err;
-  EXPECT_NE(refused.err.find("no scan 3"), std::string::npos) << refused.err;
 }
 
 TEST_F(ViewerTool, TwoViewsHaveScanAndModelWithOneCamera)

@@ -15,27 +15,23 @@ namespace pcl::sedr::tools {
 
 namespace {
 
-/** @brief Colours of elements by prefixes of their names: room_1_column_2 includes its
- * faces, room_1 the whole room. */
+/** @brief Colours of elements by their names or the beginnings of them: room_1_column_2
+ * includes its faces, room_1 the whole room. */
 using NamedColours = std::map<std::string, Colour>;
 
-const std::string step_name = "_floor_detail";
-
 Colour
-colourFor(const std::string& name, const NamedColours& colours, Colour otherwise)
+colourFor(const std::string& name, const NamedColours& colours)
 {
-  for (std::string part = name; !part.empty();) {
-    const auto found = colours.find(part);
-    if (found != colours.end())
-      return found->second;
-    // A step is part of its room, but not of the floor below it.
-    const std::size_t step = part.rfind(step_name);
-    const bool is_step =
-        step != std::string::npos && step + step_name.size() == part.size();
-    const std::size_t cut = is_step ? step : part.rfind('_');
-    part.erase(cut == std::string::npos ? 0 : cut);
+  Colour colour = change_colours::unchanged;
+  for (const auto& [part, own] : colours) { // in this order longer names come later
+    const bool begins = (name + "_").compare(0, part.size() + 1, part + "_") == 0;
+    // A step, "_floor_detail_1", is part of its room, but not of the floor around it.
+    const std::string step = part + "_detail";
+    const bool is_floor = part.size() > 6 && part.substr(part.size() - 6) == "_floor";
+    if (begins && !(is_floor && name.compare(0, step.size(), step) == 0))
+      colour = own;
   }
-  return otherwise;
+  return colour;
 }
 
 /** @brief Adds the faces of a plan's solids, each with corners of its own.
@@ -55,7 +51,7 @@ addFaces(const Floorplan& plan,
   const TriangleMesh& mesh = extrusion.getMesh();
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& element = extrusion.getElements()[mesh.elements[t] - 1];
-    const Colour colour = colourFor(element.name, colours, change_colours::unchanged);
+    const Colour colour = colourFor(element.name, colours);
     for (int k = 0; k < 3 && (keep_others || colour != change_colours::unchanged);
          ++k) {
       corners.emplace_back(colour.red, colour.green, colour.blue);

@@ -88,7 +88,7 @@ meshToGlb(TriangleMesh mesh, const Floorplan& plan)
 {
   std::vector<SolidElement> elements;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> number_of;
-  std::set<std::uint32_t> homeless;
+  std::set<std::uint32_t> rooms;
   mesh.labels.resize(mesh.triangles.size(), 0);
   mesh.rooms.resize(mesh.triangles.size(), 0);
   mesh.elements.clear();
@@ -99,7 +99,7 @@ meshToGlb(TriangleMesh mesh, const Floorplan& plan)
     mesh.elements.push_back(entry->second);
     if (!is_new)
       continue;
-    homeless.insert(mesh.rooms[t]);
+    rooms.insert(mesh.rooms[t]);
     const auto label = static_cast<StructureLabel>(mesh.labels[t]);
     elements.push_back(
         {mesh.rooms[t], label,
@@ -108,12 +108,11 @@ meshToGlb(TriangleMesh mesh, const Floorplan& plan)
   std::vector<PlanStorey> storeys = storeysOf(plan);
   for (const PlanStorey& storey : storeys)
     for (const std::uint32_t room : storey.rooms)
-      homeless.erase(room);
-  if (!homeless.empty()) {
-    PlanStorey none;
-    none.name = "no storey";
-    none.rooms.assign(homeless.begin(), homeless.end());
-    storeys.push_back(none);
+      rooms.erase(room);
+  if (!rooms.empty()) { // that the plan lacks
+    storeys.emplace_back();
+    storeys.back().name = "no storey";
+    storeys.back().rooms.assign(rooms.begin(), rooms.end());
   }
   return solidToGlb(mesh, elements, storeys);
 }

@@ -73,21 +73,14 @@ void
 Shapes::addRooms(const ViewState& state, std::vector<LegendLine>& lines) const
 {
   constexpr std::size_t max_rooms = 14; // with a line each
-  std::map<std::uint32_t, std::string> rooms;
-  const auto structure = result_.clouds.find("structure");
-  if (structure != result_.clouds.end())
-    for (const auto room : structure->second.rooms)
-      if (room != 0)
-        rooms[room] = "";
-  for (const auto& room : result_.plan.rooms)
-    rooms[room.id] = formatted("  %.1f m2", room.area());
   std::size_t told = 0;
-  for (const auto& [room, area] : rooms)
-    if (shows(StructureLabel::Wall, room, Eigen::Vector3d::Zero(), state) &&
+  for (const auto& room : result_.plan.rooms)
+    if (shows(StructureLabel::Wall, room.id, Eigen::Vector3d::Zero(), state) &&
         told++ < max_rooms) {
-      lines.push_back({"room " + std::to_string(room) + area});
+      lines.push_back(
+          {"room " + std::to_string(room.id) + formatted("  %.1f m2", room.area())});
       if (state.colour == "room")
-        lines.back().colour = roomColour(room);
+        lines.back().colour = roomColour(room.id);
     }
   if (told > max_rooms)
     lines.push_back({"and " + std::to_string(told - max_rooms) + " more"});
