@@ -14,7 +14,7 @@ using namespace pcl::sedr;
 using namespace sedr_test;
 
 bool
-holds(const std::string& text, const std::string& part)
+hasPart(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;
 }
@@ -39,14 +39,14 @@ TEST(Sheet, OfAnyFormatIsTheSameEveryTime)
   EXPECT_EQ(sheetPdf(card()), sheetPdf(card()));
   EXPECT_EQ(sheetPng(card()), sheetPng(card()));
   EXPECT_EQ(sheetPdf(card()).substr(0, 5), "%PDF-");
-  EXPECT_FALSE(holds(sheetPdf(card()), "CreationDate"));
+  EXPECT_FALSE(hasPart(sheetPdf(card()), "CreationDate"));
 }
 
 TEST(Sheet, IsToScale)
 {
-  EXPECT_TRUE(holds(sheetSvg(card()), "width=\"80mm\" height=\"50mm\" "
-                                      "viewBox=\"0 0 80 50\""));
-  EXPECT_TRUE(holds(sheetPdf(card()), "/MediaBox [ 0 0 226.771"));
+  EXPECT_TRUE(hasPart(sheetSvg(card()), "width=\"80mm\" height=\"50mm\" "
+                                        "viewBox=\"0 0 80 50\""));
+  EXPECT_TRUE(hasPart(sheetPdf(card()), "/MediaBox [ 0 0 226.771"));
   const std::string png = sheetPng(card(), 3);
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(png[k]); };
   EXPECT_EQ(byte(18) * 256 + byte(19), 240) << "pixels";
@@ -56,15 +56,15 @@ TEST(Sheet, IsToScale)
 TEST(Sheet, HasNamedGroupsAndTextsInSvg)
 {
   const std::string svg = sheetSvg(card());
-  EXPECT_TRUE(holds(svg, "<title>Card &amp; more</title>"));
+  EXPECT_TRUE(hasPart(svg, "<title>Card &amp; more</title>"));
   const std::size_t words = svg.find("<g id=\"words\">");
   EXPECT_LT(svg.find("<g id=\"disc\">"), svg.find("fill:rgb(100%,0%,0%)"));
   EXPECT_LT(svg.find("fill:rgb(100%,0%,0%)"), words);
-  EXPECT_TRUE(holds(svg.substr(words),
-                    "<text x=\"60\" y=\"40\" dy=\"0.35em\" font-size=\"5\" "
-                    "text-anchor=\"middle\" fill=\"#111111\" "
-                    "transform=\"rotate(-90 60 40)\">Ø &lt; 2</text>"));
-  EXPECT_FALSE(holds(svg, "surface")) << "numbers that count up";
+  EXPECT_TRUE(hasPart(svg.substr(words),
+                      "<text x=\"60\" y=\"40\" dy=\"0.35em\" font-size=\"5\" "
+                      "text-anchor=\"middle\" fill=\"#111111\" "
+                      "transform=\"rotate(-90 60 40)\">Ø &lt; 2</text>"));
+  EXPECT_FALSE(hasPart(svg, "surface")) << "numbers that count up";
 }
 
 TEST(TextPlaces, TheFirstFreeBoxIsTaken)
