@@ -48,8 +48,8 @@ public:
 
   bool isBad(std::uint32_t t) const { return alive_[t] && cost(t) > 0; }
 
-  // Improves the surroundings of triangle t by the best collapse, else the best shift,
-  // else an edge flip. Appends the triangles that changed.
+  // Improves the surroundings of triangle t by the best collapse, else by an edge flip.
+  // Appends the triangles that changed.
   bool mend(std::uint32_t t, double longest, std::vector<std::uint32_t>& changed)
   {
     Step best;
@@ -58,17 +58,10 @@ public:
       consider(triangle[i], triangle[(i + 1) % 3], longest, best);
       consider(triangle[(i + 1) % 3], triangle[i], longest, best);
     }
-    if (best.gain > 0) {
-      collapse(best.kept, best.gone);
-      ++collapsed_;
-    }
-    else {
-      for (const auto v : triangle)
-        considerShifts(v, best);
-      if (best.gain <= 0)
-        return turnEdge(t, changed);
-      mesh_.vertices[best.kept] = best.target;
-    }
+    if (best.gain <= 0)
+      return turnEdge(t, changed);
+    collapse(best.kept, best.gone);
+    ++collapsed_;
     const auto& ring = around(best.kept);
     changed.insert(changed.end(), ring.begin(), ring.end());
     return true;
@@ -84,7 +77,6 @@ private:
     double length = 0;
     std::uint32_t kept = 0;
     std::uint32_t gone = 0;
-    Eigen::Vector3d target = Eigen::Vector3d::Zero();
   };
 
   std::vector<std::uint32_t>& around(std::uint32_t v)
@@ -117,23 +109,17 @@ private:
            (normal.dot(towards) < fold * size * towards.norm() ? 2 : 0);
   }
 
-  int cost(std::uint32_t t) const { return cost(t, 0, 0, nullptr); }
+  int cost(std::uint32_t t) const { return cost(t, 0, 0); }
 
-  // As above, with vertex `from` replaced by `to` at another position.
-  int cost(std::uint32_t t,
-           std::uint32_t from,
-           std::uint32_t to,
-           const Eigen::Vector3d* place) const
+  // As above, with vertex `from` replaced by `to`.
+  int cost(std::uint32_t t, std::uint32_t from, std::uint32_t to) const
   {
     Eigen::Vector3d p[3];
     Eigen::Vector3d towards = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < 3; ++i) {
-      std::uint32_t v = mesh_.triangles[t][i];
+      const std::uint32_t corner = mesh_.triangles[t][i];
+      const std::uint32_t v = corner == from ? to : corner;
       p[i] = mesh_.vertices[v];
-      if (place && v == from) {
-        v = to;
-        p[i] = *place;
-      }
       towards += vertices_[v].normal.cast<double>();
     }
     return cost(p, towards);
@@ -185,44 +171,16 @@ private:
   {
     if (!mayGoTo(gone, kept))
       return;
-    const Eigen::Vector3d target = mesh_.vertices[kept];
-    const double length = (mesh_.vertices[gone] - target).norm();
+    const double length = (mesh_.vertices[gone] - mesh_.vertices[kept]).norm();
     if (length > longest)
       return;
     int gain = 0;
     for (const auto t : around(gone))
-      gain += cost(t) - (uses(t, kept) ? 0 : cost(t, gone, kept, &target));
+      gain += cost(t) - (uses(t, kept) ? 0 : cost(t, gone, kept));
     if (gain <= 0 || gain < best.gain || (gain == best.gain && length >= best.length) ||
         !keepsTopology(kept, gone))
       return;
-    best = {gain, length, kept, gone, target};
-  }
-
-  // Considers moving `v` to the mean of its neighbours or half-way to one of them;
-  // along an edge only, if it lies on one.
-  void considerShifts(std::uint32_t v, Step& best)
-  {
-    if (vertices_[v].sharpness > 1)
-      return;
-    std::vector<Eigen::Vector3d> places;
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const auto other : neighbours(v))
-      if (mayGoTo(v, other)) {
-        sum += mesh_.vertices[other];
-        places.push_back((mesh_.vertices[v] + mesh_.vertices[other]) / 2);
-      }
-    if (places.size() > 1)
-      places.push_back(sum / static_cast<double>(places.size()));
-    int now = 0;
-    for (const auto t : around(v))
-      now += cost(t);
-    for (auto place = places.rbegin(); place != places.rend(); ++place) {
-      int then = 0;
-      for (const auto t : around(v))
-        then += cost(t, v, v, &*place);
-      if (now - then > best.gain)
-        best = {now - then, 0, v, v, *place};
-    }
+    best = {gain, length, kept, gone};
   }
 
   // Flips an edge of the triangle.

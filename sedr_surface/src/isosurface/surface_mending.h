@@ -19,7 +19,7 @@ struct SurfaceVertex {
 };
 
 /** @brief Removes folds (triangles that face against the normals of their vertices) and
- * slivers from a closed manifold surface by edge collapses and vertex shifts. The
+ * slivers from a closed manifold surface by edge collapses and flips. The
  * surface stays closed and manifold. In a collapse, the sharper vertex stays in place.
  *
  * @param vertices properties of each vertex of the mesh

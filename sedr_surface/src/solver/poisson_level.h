@@ -75,6 +75,17 @@ private:
     float share[3];       ///< position towards the next node
     float weight;
     float area; ///< zero in blocks other than its own
+
+    /** @brief Returns the function at the sample. */
+    float valueIn(const float* halo) const
+    {
+      float shares[8];
+      cornerShares(share, shares);
+      float value = 0;
+      for (std::size_t c = 0; c < 8; ++c)
+        value += shares[c] * halo[corner + corners[c]];
+      return value;
+    }
   };
 
   void addBlocks(const std::vector<BandGrid::Key>& more);
@@ -82,10 +93,10 @@ private:
   void addNormals(unsigned threads);
   void setDiagonal(unsigned threads);
   void apply(const float* halo, std::size_t b, float* result) const;
-  void applyAll(const std::vector<float>& x,
-                std::vector<float>& result,
-                double& product,
-                unsigned threads) const;
+  /** @brief Applies the equations to x; returns the scalar product of both. */
+  double applyAll(const std::vector<float>& x,
+                  std::vector<float>& result,
+                  unsigned threads) const;
 
   BandGrid grid_;
   SortedSamples sorted_;
