@@ -185,7 +185,7 @@ def options_of():
 
 def runs_of(options):
     """All runs. Whatever the programs refuse is said before the first one: a RuntimeError, OSError or ValueError."""
-    for name in ("pcl_simulate_indoor_scan", "pcl_sedr", "pcl_mesh_evaluation", "pcl_label_evaluation"):
+    for name in ("pcl_simulate_indoor_scan", "pcl_sedr", "pcl_mesh_evaluation"):
         if not (options.bin / name).exists():
             raise ValueError(f"there is no program {options.bin / name}; build it, or see --bin")
     simulator = options.bin / "pcl_simulate_indoor_scan"

@@ -75,7 +75,7 @@ TEST(RealScanFigures, office_ceiling_floor_and_walls_are_found)
   const std::string model = (folder.path() / "model").string();
   const std::string scan = dataFile("office_labelled.pcd");
   ASSERT_EQ(run(SEDR, {scan, model, "--no-mesh"}).exit_code, 0);
-  const auto scored = run(LABEL_EVALUATION, {model + "/structure.pcd", scan, "--map",
+  const auto scored = run(PYTHON, {LABEL_GRADES, model + "/structure.pcd", scan, "--map",
                                              "0=1,1=2,2=3,3=3,4=3,5=3,6=0"});
   // True, predicted, recall, precision, precision of the structure's points, in %.
   for (const auto& [label, recall] :

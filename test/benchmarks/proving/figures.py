@@ -5,6 +5,7 @@ import json
 import numpy as np
 from scipy.spatial import cKDTree
 
+from label_grades import Grades
 from proving import meshes, plans
 from proving.programs import output_of
 
@@ -17,7 +18,7 @@ LABELS = ("ceiling", "floor", "wall", "detail")
 def evaluate(run, model, *options):
     """The figures of pcl_mesh_evaluation."""
     file = run.folder / "evaluation.json"
-    output_of([run.program("pcl_mesh_evaluation"), model, "--json", file, "--threads", run.threads, *options])
+    output_of([run.program("pcl_mesh_evaluation"), model, "--json", file, *options])
     return json.loads(file.read_text(encoding="utf-8"))
 
 
@@ -52,19 +53,12 @@ def of_structure(run, samples):
 
 
 def of_labels(run):
-    """Recall and precision of each label, from the table of pcl_label_evaluation; columns count as walls."""
-    text = output_of([run.program("pcl_label_evaluation"), run.out / "structure.pcd", run.folder / "scan.pcd",
-                      "--radius", VOXEL_DIAGONAL, "--threads", run.threads])
-    counts = np.zeros((5, 5))  # by true label and by prediction, first other
-    for line in text.split("of label", 1)[1].splitlines()[1:]:
-        label, *row = map(int, line.split())
-        counts[3 if label == 5 else label if label < 5 else 0] += row
+    """Recall and precision of each label; columns count as walls."""
+    grades = Grades(run.out / "structure.pcd", run.folder / "scan.pcd", VOXEL_DIAGONAL)
     row = {}
-    for k, name in enumerate(LABELS, 1):
-        if counts[k].sum():
-            row[f"{name}_recall"] = counts[k, k] / counts[k].sum()
-        if counts[:, k].sum():
-            row[f"{name}_precision"] = counts[k, k] / counts[:, k].sum()
+    for name in LABELS:
+        recall, precision = grades.recall_and_precision(name)
+        row.update({f"{name}_{kind}": value for kind, value in (("recall", recall), ("precision", precision)) if value is not None})
     return row
 
 
