@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../formats/labels.h"
 
-#include <pcl/sedr_surface/structure_chain.h>
+#include "chain_run.h"
 
 #include "sedr_filters/src/plan/room_lookup.h"
 #include "sedr_segmentation/src/sheets/sheet_fit.h"
@@ -40,50 +40,50 @@ distanceFromCeiling(const RoomLookup& room,
 } // namespace
 
 CellSet
-StructureChain::levelColumns(std::size_t region) const
+ChainRun::levelColumns(std::size_t region) const
 {
   std::vector<CellKey> keys;
-  for (const RoomColumn& column : getBuilding().rooms[region].columns)
+  for (const RoomColumn& column : chain_.getBuilding().rooms[region].columns)
     if (column.is_level)
       keys.push_back(keyOf(column.cell));
   return CellSet(std::move(keys));
 }
 
 std::size_t
-StructureChain::labelLowerCeilings(std::size_t region)
+ChainRun::labelLowerCeilings(std::size_t region)
 {
-  const PointView points(*cloud);
-  const CellGrid& columns = getBuilding().grid;
+  const PointView points(*chain_.cloud);
+  const CellGrid& columns = chain_.getBuilding().grid;
   const CellSet level = levelColumns(region);
   std::size_t found = 0;
   double lowest = std::numeric_limits<double>::infinity();
   for (const int i : regions_[region].ceiling) {
     const auto at = static_cast<std::size_t>(i);
-    if (labels[at] != 0)
+    if (chain_.labels[at] != 0)
       continue;
-    rooms[at] = static_cast<std::uint32_t>(region + 1);
+    chain_.rooms[at] = static_cast<std::uint32_t>(region + 1);
     if (!level.contains(columns.at(points[at].x(), points[at].y()))) {
-      labels[at] = valueOf(StructureLabel::Ceiling); // vault or roof
+      chain_.labels[at] = valueOf(StructureLabel::Ceiling); // vault or roof
       continue;
     }
-    labels[at] = valueOf(StructureLabel::Detail);
+    chain_.labels[at] = valueOf(StructureLabel::Detail);
     ++found;
     lowest = std::min<double>(lowest, points[at].z());
   }
   // Below a soffit, walls grow from the floor's boundary, as below any detail.
   double& slice = slice_height_[region];
   if (found > 0 && !(slice < lowest))
-    slice = lowest - plane_detection.getGridSize();
+    slice = lowest - chain_.plane_detection.getGridSize();
   return found;
 }
 
-StructureChain::PlaceOff
-StructureChain::ceilingOff(
+ChainRun::PlaceOff
+ChainRun::ceilingOff(
     std::size_t region,
     const std::function<double(const Eigen::Vector2d&, double)>& distance) const
 {
   constexpr double off = 0.1; // metres from the model
-  const Building& building = getBuilding();
+  const Building& building = chain_.getBuilding();
   const CellGrid& columns = building.grid;
   PlaceOff place;
   for (const RoomColumn& column : building.rooms[region].columns) {
@@ -98,34 +98,36 @@ StructureChain::ceilingOff(
 }
 
 bool
-StructureChain::hasSheet(std::size_t region) const
+ChainRun::hasSheet(std::size_t region) const
 {
   std::vector<Eigen::Vector3d> points;
   for (const int i : seenCeiling(region))
     points.push_back(
-        (*cloud)[static_cast<std::size_t>(i)].getVector3fMap().cast<double>());
+        (*chain_.cloud)[static_cast<std::size_t>(i)].getVector3fMap().cast<double>());
   return slopingArea(points) >= SheetParameters().min_area;
 }
 
 pcl::Indices
-StructureChain::seenCeiling(std::size_t region) const
+ChainRun::seenCeiling(std::size_t region) const
 {
   pcl::Indices seen;
   for (const int i : regions_[region].ceiling)
-    if (static_cast<std::size_t>(i) < scanned_points_) // others fill hidden ceilings
+    if (static_cast<std::size_t>(i) <
+        chain_.scanned_points_) // others fill hidden ceilings
       seen.push_back(i);
   return seen;
 }
 
 pcl::IndicesPtr
-StructureChain::sheetPoints() const
+ChainRun::sheetPoints() const
 {
   pcl::IndicesPtr sheets(new pcl::Indices);
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     if (!hasSheet(r))
       continue;
     for (const int i : seenCeiling(r))
-      if (rooms[static_cast<std::size_t>(i)] == r + 1) // else floor of the one above
+      if (chain_.rooms[static_cast<std::size_t>(i)] ==
+          r + 1) // else floor of the one above
         sheets->push_back(i);
   }
   std::sort(sheets->begin(), sheets->end());
@@ -133,16 +135,17 @@ StructureChain::sheetPoints() const
 }
 
 void
-StructureChain::warnOfCeilings()
+ChainRun::warnOfCeilings()
 {
-  for (const PlanRoom& room : plan->rooms) {
+  for (const PlanRoom& room : chain_.plan->rooms) {
     const std::size_t region = room.id - 1;
     const bool has_facets = room.hasFacets();
     const RoomLookup lookup(room);
     const PlanSlab& slab = regions_[region].ceiling_slab;
     const PlaceOff off = ceilingOff(region, [&](const Eigen::Vector2d& p, double z) {
-      return has_facets ? distanceFromCeiling(lookup, p, getBuilding().grid.size(), z)
-                        : std::abs(z - slab.heightAt(p));
+      return has_facets
+                 ? distanceFromCeiling(lookup, p, chain_.getBuilding().grid.size(), z)
+                 : std::abs(z - slab.heightAt(p));
     });
     if (off.area < worth_word)
       continue;

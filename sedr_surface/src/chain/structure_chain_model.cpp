@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_surface/room_jobs.h>
-#include <pcl/sedr_surface/structure_chain.h>
+#include "chain_run.h"
 
 #include <pcl/sedr_filters/impl/refinement.h>
 
@@ -20,15 +19,15 @@ planOf(const PlanRoom& room)
 } // namespace
 
 StructureChain::StructureCloud::Ptr
-StructureChain::labelledCloud(std::uint32_t room) const
+ChainRun::labelledCloud(std::uint32_t room) const
 {
   StructureCloud::Ptr points(new StructureCloud);
   points->reserve(shares_[room].size());
   for (const int i : shares_[room]) {
     const auto at = static_cast<std::size_t>(i);
     pcl::PointStructure p;
-    p.getVector3fMap() = (*cloud)[at].getVector3fMap();
-    p.label = labels[at];
+    p.getVector3fMap() = (*chain_.cloud)[at].getVector3fMap();
+    p.label = chain_.labels[at];
     p.room = room;
     if (p.label != 0)
       points->push_back(p);
@@ -37,62 +36,61 @@ StructureChain::labelledCloud(std::uint32_t room) const
 }
 
 bool
-StructureChain::refine(StageReport& report)
+ChainRun::refine(StageReport& report)
 {
-  if (room_workers)
-    return refineElsewhere(report);
   shareOut();
-  for (const PlanRoom& room : straight_plan_->rooms) {
+  for (const PlanRoom& room : chain_.straight_plan_->rooms) {
     refined_.emplace_back(new StructureCloud);
-    refinement.setInputCloud(labelledCloud(room.id));
-    refinement.setFloorplan(planOf(room));
-    refinement.filter(*refined_.back());
-    if (!refinement.getErrorMessage().empty())
-      return fail(refinement.getErrorMessage());
+    chain_.refinement.setInputCloud(labelledCloud(room.id));
+    chain_.refinement.setFloorplan(planOf(room));
+    chain_.refinement.filter(*refined_.back());
+    if (!chain_.refinement.getErrorMessage().empty())
+      return fail(chain_.refinement.getErrorMessage());
     tellResult("StructureRefinement", room.id);
     report.points_out += refined_.back()->size();
   }
-  refinement.setFloorplan(straight_plan_);
+  chain_.refinement.setFloorplan(chain_.straight_plan_);
   return report.points_out > 0 || fail("no labelled point lies on the floor plan");
 }
 
 bool
-StructureChain::repair(StageReport& report)
+ChainRun::repair(StageReport& report)
 {
-  const double size = hole_repair.getGridSize();
-  const std::string excess = size > 0 ? surfaceCellsProblem(*straight_plan_, size) : "";
+  const double size = chain_.hole_repair.getGridSize();
+  const std::string excess =
+      size > 0 ? surfaceCellsProblem(*chain_.straight_plan_, size) : "";
   if (!excess.empty())
     return fail(excess);
-  for (std::size_t r = 0; r < refined_.size(); ++r) { // empty if done elsewhere
-    const PlanRoom& room = straight_plan_->rooms[r];
+  for (std::size_t r = 0; r < refined_.size(); ++r) {
+    const PlanRoom& room = chain_.straight_plan_->rooms[r];
     StructureCloud whole;
-    hole_repair.setInputCloud(refined_[r]);
-    hole_repair.setFloorplan(planOf(room));
+    chain_.hole_repair.setInputCloud(refined_[r]);
+    chain_.hole_repair.setFloorplan(planOf(room));
     refined_[r].reset(); // points kept twice would be most of the memory
-    hole_repair.filter(whole);
-    if (!hole_repair.getErrorMessage().empty())
-      return fail(hole_repair.getErrorMessage());
+    chain_.hole_repair.filter(whole);
+    if (!chain_.hole_repair.getErrorMessage().empty())
+      return fail(chain_.hole_repair.getErrorMessage());
     tellResult("VerticalHoleRepair", room.id);
-    for (const auto& [id, shares] : hole_repair.getUnseenShares())
-      unseen_[id] = shares;
+    for (const auto& [id, shares] : chain_.hole_repair.getUnseenShares())
+      chain_.unseen_[id] = shares;
     if (!whole.empty())
-      repaired_shares_[room.id] =
-          static_cast<double>(hole_repair.getRepairedIndices().size()) /
+      chain_.repaired_shares_[room.id] =
+          static_cast<double>(chain_.hole_repair.getRepairedIndices().size()) /
           static_cast<double>(whole.size());
-    *structure += whole;
+    *chain_.structure += whole;
   }
-  hole_repair.setFloorplan(straight_plan_);
-  report.points_out = structure->size();
+  chain_.hole_repair.setFloorplan(chain_.straight_plan_);
+  report.points_out = chain_.structure->size();
   tiltStructure();
   warnOfGuesses();
   return true;
 }
 
 void
-StructureChain::warnOfGuesses()
+ChainRun::warnOfGuesses()
 {
   constexpr double most = 0.45;
-  for (const auto& [room, unseen] : unseen_) {
+  for (const auto& [room, unseen] : chain_.unseen_) {
     if (std::max(unseen.surface, unseen.walls) <= most)
       continue;
     const bool is_surface = unseen.surface > most;
@@ -107,20 +105,20 @@ StructureChain::warnOfGuesses()
 }
 
 bool
-StructureChain::extrude(StageReport& report)
+ChainRun::extrude(StageReport& report)
 {
-  extrusion.setFloorplan(plan);
-  extrusion.setTilts(tilts);
+  chain_.extrusion.setFloorplan(chain_.plan);
+  chain_.extrusion.setTilts(chain_.tilts);
   pcl::PolygonMesh unused;
-  extrusion.reconstruct(unused);
+  chain_.extrusion.reconstruct(unused);
   tellResult("FloorplanExtrusion");
-  report.points_out = extrusion.getMesh().vertices.size();
-  warnings.insert(warnings.end(), extrusion.getWarnings().begin(),
-                  extrusion.getWarnings().end());
+  report.points_out = chain_.extrusion.getMesh().vertices.size();
+  chain_.warnings.insert(chain_.warnings.end(), chain_.extrusion.getWarnings().begin(),
+                         chain_.extrusion.getWarnings().end());
   // The mesh does not need the solids: rooms without one are reported, the run
   // continues.
-  if (!extrusion.getErrorMessage().empty())
-    warnings.push_back(extrusion.getErrorMessage());
+  if (!chain_.extrusion.getErrorMessage().empty())
+    chain_.warnings.push_back(chain_.extrusion.getErrorMessage());
   return true;
 }
 

@@ -2,9 +2,8 @@
 #include "../formats/labels.h"
 #include "all_indices.h"
 #include "sedr_filters/src/plan/plan_surfaces.h"
-#include <pcl/sedr_surface/room_jobs.h>
 
-#include <pcl/sedr_surface/structure_chain.h>
+#include "chain_run.h"
 
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/plan/plan_evidence.h"
@@ -19,45 +18,45 @@
 namespace pcl::sedr {
 
 pcl::IndicesPtr
-StructureChain::labelled(StructureLabel label) const
+ChainRun::labelled(StructureLabel label) const
 {
   pcl::IndicesPtr indices(new pcl::Indices);
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    if (labels[i] == valueOf(label))
+  for (std::size_t i = 0; i < chain_.labels.size(); ++i)
+    if (chain_.labels[i] == valueOf(label))
       indices->push_back(static_cast<int>(i));
   return indices;
 }
 
 pcl::IndicesPtr
-StructureChain::labelled(StructureLabel label, std::uint32_t room) const
+ChainRun::labelled(StructureLabel label, std::uint32_t room) const
 {
   pcl::IndicesPtr indices(new pcl::Indices);
   for (const int i : shares_[room]) {
     const auto at = static_cast<std::size_t>(i);
-    if (labels[at] == valueOf(label) && rooms[at] == room)
+    if (chain_.labels[at] == valueOf(label) && chain_.rooms[at] == room)
       indices->push_back(i);
   }
   return indices;
 }
 
 void
-StructureChain::shareOut()
+ChainRun::shareOut()
 {
   shares_.assign(regions_.size() + 1, {});
-  for (std::size_t i = 0; i < rooms.size(); ++i)
-    if (rooms[i] < shares_.size())
-      shares_[rooms[i]].push_back(static_cast<int>(i));
+  for (std::size_t i = 0; i < chain_.rooms.size(); ++i)
+    if (chain_.rooms[i] < shares_.size())
+      shares_[chain_.rooms[i]].push_back(static_cast<int>(i));
 }
 
 bool
-StructureChain::findDetails(StageReport& report)
+ChainRun::findDetails(StageReport& report)
 {
-  using Detection = decltype(slice_detail);
-  slice_detail.setInputCloud(cloud);
+  using Detection = decltype(chain_.slice_detail);
+  chain_.slice_detail.setInputCloud(chain_.cloud);
   shareOut();
-  std::vector<Detection> detections(regions_.size(), slice_detail);
+  std::vector<Detection> detections(regions_.size(), chain_.slice_detail);
   std::vector<pcl::PointIndices> details(regions_.size());
-  const CellGrid grid(plane_detection.getGridSize());
+  const CellGrid grid(chain_.plane_detection.getGridSize());
   const auto detect = [&](std::size_t r, std::size_t) {
     const ChainRoom& region = regions_[r];
     if (region.scope.empty())
@@ -70,26 +69,27 @@ StructureChain::findDetails(StageReport& report)
     own.setFloorHeight(region.floor_slab.heightAt(middle));
     own.segment(details[r]);
   };
-  parallelBlocks(regions_.size(), 1, room_segmentation.getNumberOfThreads(), detect);
+  parallelBlocks(regions_.size(), 1, chain_.room_segmentation.getNumberOfThreads(),
+                 detect);
 
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     const auto room = static_cast<std::uint32_t>(r + 1);
     if (regions_[r].scope.empty())
       warn(room, "no point of its ceiling was found: it is left out");
-    slice_detail = std::move(detections[r]);
-    if (!slice_detail.getErrorMessage().empty())
-      warn(room, slice_detail.getErrorMessage());
+    chain_.slice_detail = std::move(detections[r]);
+    if (!chain_.slice_detail.getErrorMessage().empty())
+      warn(room, chain_.slice_detail.getErrorMessage());
     tellResult("GridSliceDetail", room);
-    slice_height_.push_back(slice_detail.getSliceHeight());
+    slice_height_.push_back(chain_.slice_detail.getSliceHeight());
     // Slices do not apply to vaults and roofs.
-    const CellGrid& columns = getBuilding().grid;
+    const CellGrid& columns = chain_.getBuilding().grid;
     const CellSet level = levelColumns(r);
     for (const int i : details[r].indices) {
-      const pcl::PointXYZ& p = (*cloud)[static_cast<std::size_t>(i)];
+      const pcl::PointXYZ& p = (*chain_.cloud)[static_cast<std::size_t>(i)];
       if (!anyAround(level, columns.at(p.x, p.y), 1, [](std::size_t) { return true; }))
         continue;
-      labels[static_cast<std::size_t>(i)] = valueOf(StructureLabel::Detail);
-      rooms[static_cast<std::size_t>(i)] = room;
+      chain_.labels[static_cast<std::size_t>(i)] = valueOf(StructureLabel::Detail);
+      chain_.rooms[static_cast<std::size_t>(i)] = room;
     }
     report.points_out += details[r].indices.size() + labelLowerCeilings(r);
   }
@@ -97,7 +97,7 @@ StructureChain::findDetails(StageReport& report)
 }
 
 bool
-StructureChain::recoverFloors(StageReport& report)
+ChainRun::recoverFloors(StageReport& report)
 {
   shareOut();
   for (std::size_t r = 0; r < regions_.size(); ++r) {
@@ -106,30 +106,31 @@ StructureChain::recoverFloors(StageReport& report)
     pcl::ModelCoefficients::Ptr plane(new pcl::ModelCoefficients);
     for (int k = 0; k < 4; ++k)
       plane->values.push_back(static_cast<float>(regions_[r].floor_slab.plane[k]));
-    floor_recovery.setInputCloud(cloud);
-    floor_recovery.setIndices(seen);
-    floor_recovery.setCeilingIndices(labelled(StructureLabel::Ceiling, room));
-    floor_recovery.setDetailIndices(labelled(StructureLabel::Detail, room));
-    floor_recovery.setFloorCoefficients(plane);
+    chain_.floor_recovery.setInputCloud(chain_.cloud);
+    chain_.floor_recovery.setIndices(seen);
+    chain_.floor_recovery.setCeilingIndices(labelled(StructureLabel::Ceiling, room));
+    chain_.floor_recovery.setDetailIndices(labelled(StructureLabel::Detail, room));
+    chain_.floor_recovery.setFloorCoefficients(plane);
     Cloud whole;
-    floor_recovery.filter(whole);
-    if (!floor_recovery.getErrorMessage().empty()) {
-      warn(room, floor_recovery.getErrorMessage());
+    chain_.floor_recovery.filter(whole);
+    if (!chain_.floor_recovery.getErrorMessage().empty()) {
+      warn(room, chain_.floor_recovery.getErrorMessage());
       continue;
     }
     tellResult("FloorProjectionRecovery", room);
-    const std::size_t kept = whole.size() - floor_recovery.getNumberOfProjected();
+    const std::size_t kept =
+        whole.size() - chain_.floor_recovery.getNumberOfProjected();
     for (std::size_t k = 0; k < whole.size(); ++k) {
-      std::size_t at = cloud->size();
+      std::size_t at = chain_.cloud->size();
       if (k < kept)
-        at = static_cast<std::size_t>(floor_recovery.getProjectedIndices()[k]);
+        at = static_cast<std::size_t>(chain_.floor_recovery.getProjectedIndices()[k]);
       else {
-        cloud->push_back(whole[k]);
-        labels.push_back(0);
-        rooms.push_back(0);
+        chain_.cloud->push_back(whole[k]);
+        chain_.labels.push_back(0);
+        chain_.rooms.push_back(0);
       }
-      labels[at] = valueOf(StructureLabel::Floor);
-      rooms[at] = room;
+      chain_.labels[at] = valueOf(StructureLabel::Floor);
+      chain_.rooms[at] = room;
     }
     report.points_out += whole.size();
   }
@@ -137,77 +138,78 @@ StructureChain::recoverFloors(StageReport& report)
 }
 
 bool
-StructureChain::growWalls(StageReport& report)
+ChainRun::growWalls(StageReport& report)
 {
-  wall_growing.setInputCloud(cloud);
+  chain_.wall_growing.setInputCloud(chain_.cloud);
   shareOut();
-  if (room_workers)
-    growWallsElsewhere(report);
-  for (std::size_t r = 0; r < regions_.size() && !room_workers; ++r) {
+  for (std::size_t r = 0; r < regions_.size(); ++r) {
     const auto room = static_cast<std::uint32_t>(r + 1);
-    wall_growing.setIndices(territory_[r]);
-    wall_growing.setCeilingIndices(labelled(StructureLabel::Ceiling, room));
-    wall_growing.setFloorIndices(labelled(StructureLabel::Floor, room));
-    wall_growing.setDetailIndices(labelled(StructureLabel::Detail, room));
-    wall_growing.setSliceHeight(slice_height_[r]);
+    chain_.wall_growing.setIndices(territory_[r]);
+    chain_.wall_growing.setCeilingIndices(labelled(StructureLabel::Ceiling, room));
+    chain_.wall_growing.setFloorIndices(labelled(StructureLabel::Floor, room));
+    chain_.wall_growing.setDetailIndices(labelled(StructureLabel::Detail, room));
+    chain_.wall_growing.setSliceHeight(slice_height_[r]);
     pcl::PointIndices walls;
-    if (!wall_growing.segment(walls)) {
-      warn(room, wall_growing.getErrorMessage());
+    if (!chain_.wall_growing.segment(walls)) {
+      warn(room, chain_.wall_growing.getErrorMessage());
       continue;
     }
     tellResult("CeilingBoundaryWallGrowing", room);
-    report.points_out += labelWalls(room, wall_growing.getWallIndices());
+    report.points_out += labelWalls(room, chain_.wall_growing.getWallIndices());
   }
   return report.points_out > 0 ||
          fail("no point lies within " +
-              std::to_string(wall_growing.getDistanceThreshold()) +
+              std::to_string(chain_.wall_growing.getDistanceThreshold()) +
               " m in plan of the boundary of the ceilings");
 }
 
 std::size_t
-StructureChain::labelWalls(std::uint32_t room, const pcl::Indices& walls)
+ChainRun::labelWalls(std::uint32_t room, const pcl::Indices& walls)
 {
   std::size_t labelled = 0;
   for (const int i : walls) {
     const auto at = static_cast<std::size_t>(i);
-    if (labels[at] != 0)
+    if (chain_.labels[at] != 0)
       continue;
-    labels[at] = valueOf(StructureLabel::Wall);
-    rooms[at] = room;
+    chain_.labels[at] = valueOf(StructureLabel::Wall);
+    chain_.rooms[at] = room;
     ++labelled;
   }
   return labelled;
 }
 
 bool
-StructureChain::fitPlan(StageReport& report)
+ChainRun::fitPlan(StageReport& report)
 {
-  floorplan_fitting.setInputCloud(cloud);
-  floorplan_fitting.setCeilingIndices(labelled(StructureLabel::Ceiling));
-  floorplan_fitting.setFloorIndices(labelled(StructureLabel::Floor));
-  floorplan_fitting.setDetailIndices(labelled(StructureLabel::Detail));
-  floorplan_fitting.setWallIndices(labelled(StructureLabel::Wall));
-  floorplan_fitting.setSheetIndices(sheetPoints());
-  floorplan_fitting.setRooms(rooms);
-  if (!floorplan_fitting.segment(*plan))
-    return fail(floorplan_fitting.getErrorMessage());
+  chain_.floorplan_fitting.setInputCloud(chain_.cloud);
+  chain_.floorplan_fitting.setCeilingIndices(labelled(StructureLabel::Ceiling));
+  chain_.floorplan_fitting.setFloorIndices(labelled(StructureLabel::Floor));
+  chain_.floorplan_fitting.setDetailIndices(labelled(StructureLabel::Detail));
+  chain_.floorplan_fitting.setWallIndices(labelled(StructureLabel::Wall));
+  chain_.floorplan_fitting.setSheetIndices(sheetPoints());
+  chain_.floorplan_fitting.setRooms(chain_.rooms);
+  if (!chain_.floorplan_fitting.segment(*chain_.plan))
+    return fail(chain_.floorplan_fitting.getErrorMessage());
   if (sight_) {                        // rays prove openings
     constexpr double tolerance = 0.05; // metres; points within lie on a wall
-    measureEvidence(*plan, PointView(*cloud), *allIndices(cloud->size()), tolerance,
-                    room_segmentation.getNumberOfThreads(), sight_.get());
+    measureEvidence(*chain_.plan, PointView(*chain_.cloud),
+                    *allIndices(chain_.cloud->size()), tolerance,
+                    chain_.room_segmentation.getNumberOfThreads(), sight_.get());
   }
   tellResult("FloorplanFitting");
-  warnings.insert(warnings.end(), floorplan_fitting.getWarnings().begin(),
-                  floorplan_fitting.getWarnings().end());
-  giveStoreys(getBuilding(), *plan);
-  closeReveals(*plan, priors_);
+  chain_.warnings.insert(chain_.warnings.end(),
+                         chain_.floorplan_fitting.getWarnings().begin(),
+                         chain_.floorplan_fitting.getWarnings().end());
+  giveStoreys(chain_.getBuilding(), *chain_.plan);
+  closeReveals(*chain_.plan, chain_.priors_);
   warnOfCeilings();
-  if (!unit_is_known)
-    unit_doubt = footProblem(
-        *plan, sight_ ? sight_->places() : std::vector<Eigen::Vector3f>(), priors_);
-  if (!unit_doubt.empty())
-    warnings.push_back(unit_doubt);
-  for (const auto& room : plan->rooms)
+  if (!chain_.unit_is_known)
+    chain_.unit_doubt = footProblem(
+        *chain_.plan, sight_ ? sight_->places() : std::vector<Eigen::Vector3f>(),
+        chain_.priors_);
+  if (!chain_.unit_doubt.empty())
+    chain_.warnings.push_back(chain_.unit_doubt);
+  for (const auto& room : chain_.plan->rooms)
     for (const auto& element : room.boundary.elements)
       report.points_out += element.inliers;
   giveUpRoomsWithoutPlan();
@@ -217,24 +219,28 @@ StructureChain::fitPlan(StageReport& report)
 }
 
 void
-StructureChain::giveUpRoomsWithoutPlan()
+ChainRun::giveUpRoomsWithoutPlan()
 {
   shareOut();
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     const auto id = static_cast<std::uint32_t>(r + 1);
-    if (std::none_of(plan->rooms.begin(), plan->rooms.end(),
+    if (std::none_of(chain_.plan->rooms.begin(), chain_.plan->rooms.end(),
                      [&](const PlanRoom& room) { return room.id == id; }))
-      giveUp(id);
+      for (const int i : shares_[id]) {
+        const auto at = static_cast<std::size_t>(i);
+        if (chain_.rooms[at] == id)
+          chain_.labels[at] = chain_.rooms[at] = 0;
+      }
   }
 }
 
 void
-StructureChain::labelNiches()
+ChainRun::labelNiches()
 {
-  const double reach = refinement.getMaximumDistance();
+  const double reach = chain_.refinement.getMaximumDistance();
   std::vector<const PlanRoom*> recessed(regions_.size(), nullptr);
   std::vector<std::optional<RoomSurfaces>> surfaces(regions_.size());
-  for (const PlanRoom& room : straight_plan_->rooms)
+  for (const PlanRoom& room : chain_.straight_plan_->rooms)
     if (!room.niches.empty()) {
       recessed[room.id - 1] = &room;
       surfaces[room.id - 1].emplace(room, reach);
@@ -242,9 +248,9 @@ StructureChain::labelNiches()
   if (std::count(recessed.begin(), recessed.end(), nullptr) ==
       static_cast<std::ptrdiff_t>(recessed.size()))
     return;
-  const RoomTerritory niches = territory(nicheReach({priors_}));
-  for (std::size_t at = 0; at < cloud->size(); ++at) {
-    const Eigen::Vector3f place = (*cloud)[at].getVector3fMap();
+  const RoomTerritory niches = territory(nicheReach({chain_.priors_}));
+  for (std::size_t at = 0; at < chain_.cloud->size(); ++at) {
+    const Eigen::Vector3f place = (*chain_.cloud)[at].getVector3fMap();
     const std::int32_t region = niches.roomAt(place);
     if (region < 0 || !recessed[static_cast<std::size_t>(region)])
       continue;
@@ -254,8 +260,8 @@ StructureChain::labelNiches()
     if (room.nicheAt(p.head<2>()) >= 0 && !room.boundary.contains(p.head<2>()) &&
         surfaces[static_cast<std::size_t>(region)]->snap(p, StructureLabel::Detail,
                                                          snapped)) {
-      labels[at] = valueOf(StructureLabel::Detail);
-      rooms[at] = room.id;
+      chain_.labels[at] = valueOf(StructureLabel::Detail);
+      chain_.rooms[at] = room.id;
     }
   }
 }

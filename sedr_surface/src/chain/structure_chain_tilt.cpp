@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "all_indices.h"
 
-#include <pcl/sedr_surface/structure_chain.h>
+#include "chain_run.h"
 
 #include "../mesh/mesh_repair.h"
 #include "sedr_filters/src/rays/sight_lines.h"
@@ -31,70 +31,75 @@ middleOf(const StructureChain::Cloud& cloud)
 } // namespace
 
 void
-StructureChain::levelScan()
+ChainRun::levelScan()
 {
-  if (trust_up)
+  if (chain_.trust_up)
     return;
-  const ScanTilt tilt = tiltOf(PointView(*cloud), *allIndices(cloud->size()),
-                               room_segmentation.getNumberOfThreads(), priors_);
+  const ScanTilt tilt =
+      tiltOf(PointView(*chain_.cloud), *allIndices(chain_.cloud->size()),
+             chain_.room_segmentation.getNumberOfThreads(), chain_.priors_);
   if (!(tilt.angle > 0))
     return;
-  levelling = Levelling::of(tilt.up, middleOf(*cloud));
-  for (auto& p : *cloud)
+  chain_.levelling = Levelling::of(tilt.up, middleOf(*chain_.cloud));
+  for (auto& p : *chain_.cloud)
     p.getVector3fMap() =
-        levelling->level(p.getVector3fMap().cast<double>()).cast<float>();
-  floorplan_fitting.moveRawPoints(
-      [&](const Eigen::Vector3d& p) { return levelling->level(p); });
+        chain_.levelling->level(p.getVector3fMap().cast<double>()).cast<float>();
+  chain_.floorplan_fitting.moveRawPoints(
+      [&](const Eigen::Vector3d& p) { return chain_.levelling->level(p); });
   if (sight_)
-    sight_ = std::make_shared<SightLines>(sight_->levelled(*levelling));
+    sight_ = std::make_shared<SightLines>(sight_->levelled(*chain_.levelling));
   char text[300];
   std::snprintf(
       text, sizeof text,
       "the scan is tilted by %.2f degrees, its up towards %.0f degrees from x: it was "
       "made level for the fit; %s, and the plan is of the level frame",
-      levelling->angle() * 180 / M_PI, levelling->direction() * 180 / M_PI,
-      keep_levelled ? "points, mesh and solid stay level"
-                    : "points, mesh and solid are turned back");
-  warnings.push_back(text);
+      chain_.levelling->angle() * 180 / M_PI,
+      chain_.levelling->direction() * 180 / M_PI,
+      chain_.keep_levelled ? "points, mesh and solid stay level"
+                           : "points, mesh and solid are turned back");
+  chain_.warnings.push_back(text);
 }
 
 void
-StructureChain::straightenScan()
+ChainRun::straightenScan()
 {
-  tilted_faces_ = tiltedFaces(PointView(*cloud), *allIndices(cloud->size()),
-                              room_segmentation.getNumberOfThreads());
-  straightening = Straightening(tilted_faces_);
-  if (straightening.isIdentity())
+  tilted_faces_ =
+      tiltedFaces(PointView(*chain_.cloud), *allIndices(chain_.cloud->size()),
+                  chain_.room_segmentation.getNumberOfThreads());
+  chain_.straightening = Straightening(tilted_faces_);
+  if (chain_.straightening.isIdentity())
     return;
-  for (auto& p : *cloud)
+  for (auto& p : *chain_.cloud)
     p.getVector3fMap() =
-        straightening.straighten(p.getVector3fMap().cast<double>()).cast<float>();
-  floorplan_fitting.moveRawPoints(
-      [&](const Eigen::Vector3d& p) { return straightening.straighten(p); });
+        chain_.straightening.straighten(p.getVector3fMap().cast<double>())
+            .cast<float>();
+  chain_.floorplan_fitting.moveRawPoints(
+      [&](const Eigen::Vector3d& p) { return chain_.straightening.straighten(p); });
   sight_ = nullptr; // rays are not straight there
 }
 
 void
-StructureChain::tiltPlan()
+ChainRun::tiltPlan()
 {
-  straight_plan_ = plan;
-  if (straightening.isIdentity())
+  chain_.straight_plan_ = chain_.plan;
+  if (chain_.straightening.isIdentity())
     return;
-  const pcl::IndicesConstPtr indices = floorplan_fitting.getRawIndices();
-  const PointView raw = floorplan_fitting.getRawPoints();
-  tilts =
-      fitTilts(straightening, tilted_faces_, raw.size() > 0 ? raw : PointView(*cloud),
-               indices ? *indices : pcl::Indices(), *plan);
-  straight_plan_ = std::make_shared<Floorplan>(straightened(*plan, tilts));
+  const pcl::IndicesConstPtr indices = chain_.floorplan_fitting.getRawIndices();
+  const PointView raw = chain_.floorplan_fitting.getRawPoints();
+  chain_.tilts = fitTilts(chain_.straightening, tilted_faces_,
+                          raw.size() > 0 ? raw : PointView(*chain_.cloud),
+                          indices ? *indices : pcl::Indices(), *chain_.plan);
+  chain_.straight_plan_ =
+      std::make_shared<Floorplan>(straightened(*chain_.plan, chain_.tilts));
   fitCeilingsAsScanned(raw, indices ? *indices : pcl::Indices());
-  const Straightening fitted(tiltedFaces(*plan, tilts));
-  for (auto& p : *cloud) {
+  const Straightening fitted(tiltedFaces(*chain_.plan, chain_.tilts));
+  for (auto& p : *chain_.cloud) {
     const Eigen::Vector3d scanned =
-        straightening.back(p.getVector3fMap().cast<double>());
+        chain_.straightening.back(p.getVector3fMap().cast<double>());
     p.getVector3fMap() = fitted.straighten(scanned).cast<float>();
   }
-  straightening = fitted;
-  for (const WallTilt& tilt : tilts) {
+  chain_.straightening = fitted;
+  for (const WallTilt& tilt : chain_.tilts) {
     char text[120];
     std::snprintf(text, sizeof text, "its wall %zu is tilted by %.2f degrees %s it",
                   tilt.wall + 1, std::abs(tilt.tilt) * 180 / M_PI,
@@ -104,42 +109,45 @@ StructureChain::tiltPlan()
 }
 
 void
-StructureChain::fitCeilingsAsScanned(const PointView& raw, const pcl::Indices& indices)
+ChainRun::fitCeilingsAsScanned(const PointView& raw, const pcl::Indices& indices)
 {
   const auto scanned = [this](const PointView& points, std::size_t i) {
-    return straightening.back(points[i].cast<double>());
+    return chain_.straightening.back(points[i].cast<double>());
   };
   std::vector<RoomSheet> sheets;
-  for (const PlanRoom& room : plan->rooms)
-    if (isTilted(room, tilts))
+  for (const PlanRoom& room : chain_.plan->rooms)
+    if (isTilted(room, chain_.tilts))
       sheets.push_back({room.id, {}});
   if (sheets.empty())
     return;
   const pcl::IndicesConstPtr ceilings = sheetPoints();
   for (const int i : *ceilings)
     for (RoomSheet& sheet : sheets)
-      if (sheet.room == rooms[static_cast<std::size_t>(i)])
-        sheet.points.push_back(scanned(PointView(*cloud), static_cast<std::size_t>(i)));
+      if (sheet.room == chain_.rooms[static_cast<std::size_t>(i)])
+        sheet.points.push_back(
+            scanned(PointView(*chain_.cloud), static_cast<std::size_t>(i)));
   std::vector<Eigen::Vector3f> all;
   for (std::size_t i = 0; i < raw.size(); ++i)
     all.push_back(scanned(raw, i).cast<float>());
   const PointView of_all(all.data(), sizeof(Eigen::Vector3f), all.size());
   giveCeilings(sheets, all.empty() ? nullptr : &of_all, indices,
-               room_segmentation.getNumberOfThreads(), *plan, tilts);
+               chain_.room_segmentation.getNumberOfThreads(), *chain_.plan,
+               chain_.tilts);
 }
 
 void
-StructureChain::tiltStructure()
+ChainRun::tiltStructure()
 {
-  straight_structure_ = structure;
-  if (straightening.isIdentity())
+  chain_.straight_structure_ = chain_.structure;
+  if (chain_.straightening.isIdentity())
     return;
-  structure.reset(new StructureCloud(*straight_structure_));
-  for (auto& p : *structure) {
+  chain_.structure.reset(new StructureCloud(*chain_.straight_structure_));
+  for (auto& p : *chain_.structure) {
     const Eigen::Vector3d at = p.getVector3fMap().cast<double>();
     const Eigen::Vector3d normal = p.getNormalVector3fMap().cast<double>();
-    p.getVector3fMap() = straightening.back(at).cast<float>();
-    p.getNormalVector3fMap() = straightening.normalBack(at, normal).cast<float>();
+    p.getVector3fMap() = chain_.straightening.back(at).cast<float>();
+    p.getNormalVector3fMap() =
+        chain_.straightening.normalBack(at, normal).cast<float>();
   }
 }
 

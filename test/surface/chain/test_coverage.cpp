@@ -53,15 +53,6 @@ TEST(Coverage, IsWholeWhereEveryRoomHasItsPlan)
   EXPECT_EQ(coverageWarning(coverage), "");
 }
 
-TEST(Coverage, ColumnsAreWhereTheirGridHasThem)
-{
-  Building building = buildingOfTwoRooms();
-  const auto plan = Floorplan{{planned(1, 0, 4), planned(2, 5, 7)}};
-  EXPECT_TRUE(coverageOf(building, plan).left_out.empty());
-  building.grid = CellGrid(0.1, {0, 2});
-  EXPECT_EQ(coverageOf(building, plan).left_out.size(), 2u);
-}
-
 TEST(Coverage, ARoomWithoutAPlanIsLeftOut)
 {
   const Coverage coverage = coverageOf(buildingOfTwoRooms(), {{planned(2, 5, 7)}});
@@ -119,26 +110,6 @@ TEST(Coverage, ARoomSeenInPartCounts)
   EXPECT_NEAR(coverage.share(), 18.0 / 24, 1e-9);
   ASSERT_NE(coverage.largest(), nullptr);
   EXPECT_NE(coverageWarning(coverage).find("seen in part"), std::string::npos);
-}
-
-TEST(Coverage, WhatNobodySawOfARoomIsNotMissing)
-{
-  Building building = buildingOfTwoRooms();
-  for (RoomColumn& column : building.rooms[0].columns)
-    if (CellGrid(0.1).centre(column.cell).x() > 2)
-      column.floor_seen = column.ceiling_seen = false;
-  const Coverage coverage =
-      coverageOf(building, {{planned(1, 0, 2), planned(2, 5, 7)}});
-  EXPECT_TRUE(coverage.left_out.empty());
-  EXPECT_EQ(coverage.share(), 1);
-}
-
-TEST(Coverage, OfNothingIsWhole)
-{
-  const Coverage coverage = coverageOf(Building(), Floorplan());
-  EXPECT_EQ(coverage.seen, 0);
-  EXPECT_EQ(coverage.share(), 1);
-  EXPECT_EQ(coverageWarning(coverage), "");
 }
 
 } // namespace

@@ -7,10 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <functional>
 #include <memory>
-#include <utility>
+#include <vector>
 
 namespace {
 
@@ -46,34 +45,6 @@ private:
   std::size_t piece_;
 };
 
-/** Passes the rows of another source to `beside` as they are read. */
-class RowsShown : public RowSource {
-public:
-  RowsShown(const RowSource& source, SeeRun beside)
-      : source_(source)
-      , beside_(std::move(beside))
-  {}
-
-  const std::vector<pcl::PCLPointField>& fields() const override
-  {
-    return source_.fields();
-  }
-  std::size_t rowSize() const override { return source_.rowSize(); }
-  std::size_t size() const override { return source_.size(); }
-
-  void forEachPiece(const std::function<bool(const Piece&)>& see) const override
-  {
-    source_.forEachPiece([&](Piece piece) {
-      piece.beside = beside_;
-      return see(piece);
-    });
-  }
-
-private:
-  const RowSource& source_;
-  SeeRun beside_;
-};
-
 TEST(InputSource, GivesWhatTheCloudGives)
 {
   RoomPoints points;
@@ -95,21 +66,6 @@ TEST(InputSource, GivesWhatTheCloudGives)
     ASSERT_EQ((*streamed.getStructure())[i].getVector3fMap(),
               structure[i].getVector3fMap());
   EXPECT_EQ(streamed.getStageReports().front().points_in, cloud->size());
-}
-
-TEST(InputSource, ShowsItsRowsWhileTheyAreThinned)
-{
-  RoomPoints points;
-  points.room(rectangle(0.01, 0.01, 4.01, 3.01), 0, 2.5);
-  const CloudInPieces cloud(*points.cloud(), 3000);
-  std::atomic<std::size_t> shown{0};
-  const RowsShown source(
-      cloud, [&](std::size_t begin, std::size_t end) { shown += end - begin; });
-  pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
-  pcl::PointCloud<pcl::PointXYZ> thinned;
-  grid.filter(source, thinned);
-  EXPECT_FALSE(thinned.empty());
-  EXPECT_EQ(shown, cloud.size());
 }
 
 TEST(Thinning, ElsewhereGivesWhatThisObjectGives)
@@ -145,6 +101,35 @@ TEST(Thinning, ElsewhereGivesWhatThisObjectGives)
   EXPECT_FALSE(other.findStructure());
   EXPECT_EQ(other.getFailedStage(), "input");
   EXPECT_NE(other.getErrorMessage().find(problem), std::string::npos);
+}
+
+TEST(RoomSharing, ProcessesThatMakeSomeOfTheRoomsGiveTheMeshOfOne)
+{
+  using Surfaces = std::vector<pcl::sedr::RoomSurface>;
+  const pcl::sedr::Floorplan plan{{roomOf(rectangle(0, 0, 3, 3), 2.5, 1),
+                                   roomOf(rectangle(4, 0, 6, 3), 2.5, 2),
+                                   roomOf(rectangle(7, 0, 9, 3), 2.5, 3)}};
+  pcl::StructuralPoisson<pcl::PointXYZ> alone;
+  alone.setFloorplan(plan);
+  alone.setCellRatio(4); // coarse, to save time
+  auto first = alone;
+  auto second = alone;
+  ASSERT_TRUE(alone.makeMesh());
+
+  Surfaces others;
+  second.setRoomSharing(
+      {[](std::size_t i) { return i == 1; }, [&](Surfaces& rooms) { others = rooms; }});
+  ASSERT_TRUE(second.makeMesh());
+  first.setRoomSharing({[](std::size_t i) { return i != 1; },
+                        [&](Surfaces& rooms) {
+                          EXPECT_TRUE(rooms[1].mesh.empty());
+                          rooms[1] = others[1];
+                        }});
+  ASSERT_TRUE(first.makeMesh());
+  EXPECT_EQ(first.getMesh().vertices, alone.getMesh().vertices);
+  EXPECT_EQ(first.getMesh().triangles, alone.getMesh().triangles);
+  ASSERT_EQ(first.getReports().size(), 3u);
+  EXPECT_EQ(first.getReports()[1].volume, alone.getReports()[1].volume);
 }
 
 TEST(InputSource, IsRefusedWithTheSentenceOfTheCloud)

@@ -90,25 +90,4 @@ tellsOfGuesses(const StructureChain& chain)
   return tells(chain, "filled in, not seen");
 }
 
-TEST(StructureChain, AScanThatCoversItsWallsSparselyButEvenlyIsNoGuess)
-{
-  const auto everywhere = [](const Eigen::Vector3d&) { return true; };
-  const auto ofTwoWalls = [](const Eigen::Vector3d& p) {
-    return p.x() > 0.02 && p.y() > 0.02;
-  };
-  for (const double spacing : {0.1, 0.13}) {
-    SCOPED_TRACE(spacing);
-    StructureChain chain;
-    ASSERT_TRUE(chain.findStructure(sparseRoom(spacing, everywhere))) << chain.problem;
-    EXPECT_GT(chain.repairedShares().at(1), 0.5) << "its cells are smaller";
-    EXPECT_FALSE(tellsOfGuesses(chain));
-    EXPECT_FALSE(tells(chain, "neither a wall nor an opening"));
-    EXPECT_LT(chain.unseenShares().at(1).walls, 0.05);
-    ASSERT_TRUE(chain.findStructure(sparseRoom(spacing, ofTwoWalls))) << chain.problem;
-    EXPECT_TRUE(tellsOfGuesses(chain));
-    EXPECT_TRUE(tells(chain, "neither a wall nor an opening"));
-    EXPECT_NEAR(chain.unseenShares().at(1).walls, 0.5, 0.05);
-  }
-}
-
 } // namespace

@@ -77,14 +77,6 @@ TEST(StructureChainTilt, WhatIsMadeOfItLiesOnTheScan)
   EXPECT_EQ(chain.structureInScanFrame(), chain.structure);
 }
 
-TEST(StructureChainTilt, WhatIsTrustedToBeLevelStays)
-{
-  StructureChain chain;
-  chain.trust_up = true;
-  ASSERT_TRUE(chain.findStructure(turnedFlat(1))) << chain.problem;
-  EXPECT_FALSE(chain.levelling);
-}
-
 /** A room of 5 m x 4 m below the lower of some planes. Its wall at y = 4 m tilts into
  * it, that at x = 0 out of it, each by `tilt`. */
 StructureChain::Cloud::Ptr
@@ -146,18 +138,6 @@ TEST(StructureChainTilt, ASlopingCeilingOverTiltedWallsIsOnePlane)
   const Eigen::Vector3d normal = truth.plane.head<3>().normalized();
   EXPECT_LT(std::acos(std::min(1.0, normal.dot(room.ceiling.plane.head<3>()))),
             0.1 * M_PI / 180);
-  EXPECT_LT(farthestFrom(chain.extrusion.getMesh(), *scan), 0.02);
-}
-
-TEST(StructureChainTilt, AGableEndsAtAWallThatTiltsOutOfTheRoom)
-{
-  const auto scan =
-      tiltedBelow({slabAt(2.4, 0, 0.3), slabAt(3.6, 0, -0.3)}, 15 * M_PI / 180);
-  StructureChain chain;
-  ASSERT_TRUE(chain.findStructure(scan)) << chain.problem;
-  ASSERT_EQ(chain.plan->rooms.size(), 1u);
-  EXPECT_EQ(chain.tilts.size(), 2u);
-  EXPECT_EQ(chain.plan->rooms[0].details.size(), 1u);
   EXPECT_LT(farthestFrom(chain.extrusion.getMesh(), *scan), 0.02);
 }
 

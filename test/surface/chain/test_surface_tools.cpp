@@ -85,7 +85,7 @@ TEST_F(SurfaceTools, a_room_becomes_a_closed_mesh_with_rooms_and_labels)
   EXPECT_EQ(mesh.labels.size(), mesh.triangles.size());
 
   const std::string first = bytesOf(in("mesh.ply"));
-  run(STRUCTURAL_POISSON, {in("room.pcd"), in("mesh.ply"), "--threads", "3"});
+  run(STRUCTURAL_POISSON, {in("room.pcd"), in("mesh.ply")});
   EXPECT_TRUE(bytesOf(in("mesh.ply")) == first)
       << "another number of threads, another file";
 }
@@ -107,18 +107,6 @@ TEST_F(SurfaceTools, poisson_refuses_what_it_cannot_use)
   expectFailure(run(STRUCTURAL_POISSON, {in("few.pcd"), in("mesh.ply")}), 2,
                 "there are 2");
   EXPECT_FALSE(exists("mesh.ply"));
-}
-
-TEST_F(SurfaceTools, help_tells_every_option_with_its_default)
-{
-  for (const char* tool : {STRUCTURAL_POISSON, MESH_EVALUATION}) {
-    const ProgramRun result = run(tool, {"--help"});
-    EXPECT_EQ(result.exit_code, 0);
-    EXPECT_NE(result.out.find("Usage: pcl_"), std::string::npos);
-    EXPECT_NE(result.out.find("default "), std::string::npos);
-    EXPECT_EQ(run(tool, {}).exit_code, 1);
-    EXPECT_EQ(run(tool, {"a", "b", "c"}).exit_code, 1);
-  }
 }
 
 TEST_F(SurfaceTools, evaluation_prints_and_writes_the_figures_that_its_inputs_allow)
@@ -144,24 +132,6 @@ TEST_F(SurfaceTools, evaluation_prints_and_writes_the_figures_that_its_inputs_al
   const std::string json = bytesOf(in("figures.json"));
   EXPECT_NE(json.find("\"closed_manifold\": true"), std::string::npos);
   EXPECT_NE(json.find("\"truth_to_mesh\""), std::string::npos);
-}
-
-TEST_F(SurfaceTools, evaluation_measures_points_near_a_mesh_only)
-{
-  ASSERT_EQ(savePly(in("cube.ply"), unitCube()), "");
-  writeCloud(); // 25 cm and 3 cm above the cube
-  const ProgramRun result =
-      run(MESH_EVALUATION, {in("cube.ply"), "--cloud", in("cloud.pcd"), "--near",
-                            in("cube.ply"), "--near-distance", "0.1"});
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_NE(result.out.find("cloud to model         1    3.000"), std::string::npos)
-      << result.out;
-  expectFailure(
-      run(MESH_EVALUATION, {in("cube.ply"), "--cloud", in("cloud.pcd"), "--near",
-                            in("cube.ply"), "--near-distance", "0.01"}),
-      2, "none of 2 points");
-  expectFailure(run(MESH_EVALUATION, {in("cube.ply"), "--near", in("cube.ply")}), 1,
-                "no --cloud");
 }
 
 TEST_F(SurfaceTools, evaluation_refuses_what_it_cannot_use)

@@ -1,216 +1,158 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "joint_thinning.h"
 
-#include "joint_step.h"
-#include "voxel_shares.h"
-
-#include <cstring>
-#include <numeric>
+#include "sedr_filters/src/voxels/voxel_sums.h"
+#include "sedr_segmentation/src/refit/plan_refit.h"
+#include "sedr_segmentation/src/scan/scan_excerpt.h"
 
 namespace pcl::sedr::tools {
 
 namespace {
 
-template <typename T>
-std::string
-bytesOf(const std::vector<T>& list)
-{
-  return {reinterpret_cast<const char*>(list.data()), list.size() * sizeof(T)};
-}
+using Excerpt = std::vector<Eigen::Vector3f>;
 
-template <typename T>
-std::vector<T>
-listOf(const std::string& bytes)
-{
-  std::vector<T> list(bytes.size() / sizeof(T));
-  std::memcpy(static_cast<void*>(list.data()), bytes.data(), list.size() * sizeof(T));
-  return list;
-}
-
-/** @brief Shares a number of every rank with all ranks. */
-std::vector<std::size_t>
-numbersOfAll(RankMail& mail, std::size_t mine)
-{
-  std::string all;
-  for (const std::string& one : mail.gather(bytesOf(std::vector<std::size_t>{mine})))
-    all += one;
-  return listOf<std::size_t>(mail.fromFirst(all));
-}
-
-/** @brief A run of thinTogether(). */
-class JointThinning {
+/** @brief The rows of one rank. */
+class PartOfScan {
 public:
-  JointThinning(RankMail& mail, const ThinOrder& order, unsigned threads)
-      : mail_(mail)
-      , order_(order)
+  PartOfScan(const Ranks& ranks, const JointScan& scan, unsigned threads)
+      : scan_(scan)
       , threads_(threads)
-      , part_(order, threads)
-      , held_(textOf(order.ranges))
+      , begin_(borderOf(ranks.rank(), ranks.size()))
+      , end_(borderOf(ranks.rank() + 1, ranks.size()))
   {}
 
-  ThinnedScan run()
+  /** @brief Adds its points to the sums, and collects every k-th of the scan.
+   * @param may_stop stop adding if the part seems so large that the unit cannot be the
+   * metre, when thinning would not reduce it
+   * @return whether all points were added */
+  bool read(bool may_stop, VoxelSums& sums, Excerpt& excerpt) const
   {
-    ThinnedScan scan;
-    scan.size = order_.rows;
-    together(mail_, held_, [this] { part_.thin(true); });
-    scan.problem = checkScan();
-    if (!scan.problem.empty())
-      return scan;
-    together(mail_, held_, [this] {
-      if (part_.hasStopped()) // a part of the scan may be large, but not the whole
-        part_.thin(false);
-      voxels_ = part_.takeVoxels();
+    excerpt.clear();
+    const std::size_t step = rawStep(scan_.size(), RefitParameters().max_points);
+    ScanSample sample(end_ - begin_);
+    RowCoordinates coordinates(scan_.fields(), scan_.rowSize());
+    bool adds = true;
+    std::size_t looked_at = 0;
+    scan_.forEachPiece(begin_, end_, [&](const RowSource::Piece& piece) {
+      const PointView points = coordinates.of(piece.rows, piece.size, threads_);
+      addToExcerpt(points, piece.first, step, sample, excerpt,
+                   [&](const RowSource::SeeRun& see_run) {
+                     if (adds)
+                       sums.add(points, threads_, see_run);
+                     else
+                       see_run(0, points.size());
+                   });
+      const std::size_t seen = piece.first + piece.size - begin_;
+      if (may_stop && adds && seen >= 2 * looked_at) { // which costs next to nothing
+        looked_at = seen;
+        adds = !sample.isTooLarge();
+      }
+      return true;
     });
-    addUpShare();
-    scan.stray_limit = order_.removes_strays ? strayLimit() : 0;
-    collect(meansOfShare(scan.stray_limit), *scan.points);
-    collect(coordinatesOf(part_.excerpt()), *scan.excerpt);
-    return scan;
+    return adds;
   }
 
 private:
-  /** @brief Returns the problem that ScanSample finds in the whole scan, on every
-   * rank. */
-  std::string checkScan()
+  std::size_t borderOf(int rank, int ranks) const
   {
-    const auto sum = [](const std::vector<std::size_t>& numbers, std::size_t n) {
-      return std::accumulate(numbers.begin(),
-                             numbers.begin() + static_cast<std::ptrdiff_t>(n),
-                             std::size_t{0});
-    };
-    const auto n = static_cast<std::size_t>(mail_.size());
-    const bool has_stopped =
-        sum(numbersOfAll(mail_, part_.hasStopped() ? 1 : 0), n) > 0;
-    if (has_stopped)
-      together(mail_, held_, [this] { part_.count(); });
-    const std::vector<std::size_t> finite = numbersOfAll(mail_, part_.finite());
-    std::vector<Eigen::Vector3f> sample = part_.sample();
-    if (has_stopped || sum(finite, n) < order_.rows)
-      together(mail_, held_, [&] {
-        const auto rank = static_cast<std::size_t>(mail_.rank());
-        sample = part_.sampleAfter(sum(finite, rank));
-      });
-    ScanSample whole(order_.rows);
-    const std::vector<std::string> samples = mail_.gather(bytesOf(sample));
-    for (std::size_t r = 0; r < samples.size(); ++r)
-      whole.join(listOf<Eigen::Vector3f>(samples[r]), finite[r]);
-    return mail_.fromFirst(mail_.isFirst() ? whole.problem() : std::string());
+    return scan_.size() * static_cast<std::size_t>(rank) /
+           static_cast<std::size_t>(ranks);
   }
 
-  std::vector<VoxelKey> borders()
-  {
-    std::vector<VoxelKey> keys;
-    for (const std::string& some : mail_.gather(bytesOf(keysOf(voxels_)))) {
-      const auto list = listOf<VoxelKey>(some);
-      keys.insert(keys.end(), list.begin(), list.end());
-    }
-    const auto ranks = static_cast<std::size_t>(mail_.size());
-    return listOf<VoxelKey>(mail_.fromFirst(bytesOf(bordersOf(keys, ranks))));
-  }
+  const JointScan& scan_;
+  unsigned threads_;
+  std::size_t begin_;
+  std::size_t end_;
+};
 
-  /** @brief Sums the voxels of this rank's share. */
-  void addUpShare()
-  {
-    std::vector<std::size_t> begins = sharesOf(voxels_, borders());
-    begins.resize(static_cast<std::size_t>(mail_.size()) + 1, voxels_.size());
-    std::vector<RankMail::Parcel> parcels;
-    for (std::size_t r = 0; r + 1 < begins.size(); ++r)
-      parcels.push_back(
-          {voxels_.data() + begins[r], (begins[r + 1] - begins[r]) * sizeof(VoxelSum)});
-    std::vector<std::string> received = mail_.exchange(parcels);
-    const auto rank = static_cast<std::size_t>(mail_.rank());
-    voxels_.resize(begins[rank + 1]);
-    voxels_.erase(voxels_.begin(),
-                  voxels_.begin() + static_cast<std::ptrdiff_t>(begins[rank]));
-    together(mail_, held_, [&] {
-      VoxelSums sums(order_.inverse_leaf.array());
-      sums.add(voxels_);
-      std::vector<VoxelSum>().swap(voxels_);
-      for (std::string& some : received) {
-        sums.add(listOf<VoxelSum>(some));
-        std::string().swap(some);
-      }
-      voxels_ = sums.take(threads_);
-    });
-  }
-
-  /** @brief Returns the stray limit of VoxelCensus over all ranks, on every rank. */
-  std::uint32_t strayLimit()
-  {
-    VoxelCensus mine;
-    for (const VoxelSum& voxel : voxels_)
-      mine.add(voxel.code, voxel.count);
-    const std::vector<std::string> cubes = mail_.gather(bytesOf(mine.cubes()));
-    const std::vector<std::string> points = mail_.gather(bytesOf(mine.pointsByCount()));
-    VoxelCensus all;
-    for (std::size_t r = 0; r < cubes.size(); ++r)
-      all.join({listOf<VoxelCensus::Cube>(cubes[r]), listOf<std::uint64_t>(points[r])});
-    const std::vector<std::uint32_t> least{all.minPoints()};
-    return listOf<std::uint32_t>(mail_.fromFirst(bytesOf(least))).front();
-  }
-
-  /** @brief Returns the means of this rank's voxels with at least that many points,
-   * three floats each. */
-  std::vector<float> meansOfShare(std::uint32_t min_points)
-  {
-    const VoxelFrame frame(order_.inverse_leaf.array());
-    std::vector<float> means;
-    means.reserve(3 * voxels_.size());
-    for (const VoxelSum& voxel : voxels_) {
-      if (voxel.count < min_points)
-        continue;
-      const Eigen::Vector3f mean = frame.mean(voxel);
-      means.insert(means.end(), mean.data(), mean.data() + 3);
-    }
-    std::vector<VoxelSum>().swap(voxels_);
-    return means;
-  }
-
-  static std::vector<float> coordinatesOf(const std::vector<Eigen::Vector3f>& points)
-  {
-    std::vector<float> coordinates;
-    coordinates.reserve(3 * points.size());
-    for (const auto& p : points)
-      coordinates.insert(coordinates.end(), p.data(), p.data() + 3);
-    return coordinates;
-  }
-
-  /** @brief Appends the points of all ranks, in order, on rank 0. Each rank sends only
-   * after the previous one is done. */
-  template <typename Points>
-  void collect(const std::vector<float>& mine, Points& points)
-  {
-    if (!mail_.isFirst()) {
-      mail_.send(0, Subject::Step, mine.data(), mine.size() * sizeof(float));
+/** @brief Adds up the sums of all ranks at rank 0, two and two. */
+void
+addUp(const Ranks& ranks, VoxelSums& sums, unsigned threads)
+{
+  for (int step = 1; step < ranks.size(); step *= 2) {
+    if (ranks.rank() % (2 * step) != 0) {
+      std::vector<VoxelSum> mine = sums.take(threads);
+      sendList(ranks, ranks.rank() - step, mine);
       return;
     }
-    append(mine, points);
-    for (int r = 1; r < mail_.size(); ++r)
-      append(listOf<float>(mail_.receive(r, Subject::Step)), points);
+    if (ranks.rank() + step < ranks.size())
+      sums.add(receiveList<std::vector<VoxelSum>>(ranks, ranks.rank() + step));
   }
+}
 
-  template <typename Points>
-  static void append(const std::vector<float>& coordinates, Points& points)
-  {
-    points.reserve(points.size() + coordinates.size() / 3);
-    for (std::size_t i = 0; i + 2 < coordinates.size(); i += 3)
-      points.emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
+/** @brief Gives every rank the parts of all ranks, one after the other. */
+void
+join(const Ranks& ranks, const Excerpt& mine, Excerpt& all)
+{
+  for (int rank = 0; rank < ranks.size(); ++rank) {
+    Excerpt part = rank == ranks.rank() ? mine : Excerpt();
+    shareList(ranks, part, rank);
+    all.insert(all.end(), part.begin(), part.end());
   }
+}
 
-  RankMail& mail_;
-  const ThinOrder& order_;
-  unsigned threads_;
-  PartOfScan part_;
-  std::string held_; ///< description for messages
-  std::vector<VoxelSum> voxels_;
-};
+std::string
+problemOf(const Excerpt& excerpt, unsigned threads)
+{
+  ScanSample sample(excerpt.size());
+  sample.add(PointView(excerpt.data(), sizeof(Eigen::Vector3f), excerpt.size()),
+             threads);
+  return sample.problem();
+}
+
+void
+writeMeans(VoxelSums& sums,
+           unsigned min_points,
+           unsigned threads,
+           StructureChain::Cloud& means)
+{
+  means.resize(sums.arrange(min_points, threads));
+  sums.forEach(
+      [&](const VoxelSum& voxel, std::size_t place) {
+        means[place].getVector3fMap() = sums.frame().mean(voxel);
+      },
+      threads);
+}
 
 } // namespace
 
 ThinnedScan
-thinTogether(RankMail& mail, const ThinOrder& order, unsigned threads)
+thinTogether(const Ranks& ranks,
+             const JointScan& scan,
+             const ParallelVoxelGrid<pcl::PointXYZ>& grid)
 {
-  return JointThinning(mail, order, threads).run();
+  const unsigned threads = grid.getNumberOfThreads();
+  const PartOfScan part(ranks, scan, threads);
+  const Eigen::Array3f inverse_leaf =
+      Eigen::Array3f::Ones() / grid.getLeafSize().array();
+  auto sums = std::make_unique<VoxelSums>(inverse_leaf);
+  bool is_whole = false;
+  Excerpt excerpt;
+  together(ranks, [&] { is_whole = part.read(true, *sums, excerpt); });
+  ThinnedScan thinned;
+  thinned.size = scan.size();
+  join(ranks, excerpt, *thinned.excerpt);
+  thinned.problem = problemOf(*thinned.excerpt, threads);
+  if (!thinned.problem.empty())
+    return thinned;
+  together(ranks, [&] {
+    if (is_whole)
+      return;
+    sums = std::make_unique<VoxelSums>(inverse_leaf); // the whole scan is not too large
+    part.read(false, *sums, excerpt);
+  });
+  addUp(ranks, *sums, threads);
+  if (ranks.rank() == 0) {
+    if (grid.getRemoveStrays())
+      thinned.stray_limit = sums->census().minPoints();
+    writeMeans(*sums, thinned.stray_limit, threads, *thinned.points);
+  }
+  sums.reset();
+  boost::mpi::broadcast(ranks, thinned.stray_limit, 0);
+  shareList(ranks, thinned.points->points, 0);
+  thinned.points->width = static_cast<std::uint32_t>(thinned.points->points.size());
+  thinned.points->height = 1;
+  return thinned;
 }
 
 } // namespace pcl::sedr::tools

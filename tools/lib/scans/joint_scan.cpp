@@ -125,18 +125,24 @@ JointScan::JointScan(const std::vector<std::string>& paths,
 }
 
 void
-JointScan::forEachPiece(const std::function<bool(const Piece&)>& see) const
+JointScan::forEachPiece(std::size_t begin,
+                        std::size_t end,
+                        const std::function<bool(const Piece&)>& see) const
 {
   if (files_.size() == 1)
-    return files_.front()->forEachPiece(see);
+    return files_.front()->forEachPiece(begin, end, see);
   std::vector<Eigen::Vector3f> points;
   std::size_t first = 0;
   bool goes_on = true;
   for (const auto& file : files_) {
-    if (!goes_on)
-      return;
+    const std::size_t last = first + file->size();
+    if (!goes_on || last <= begin || first >= end) {
+      first = last;
+      continue;
+    }
     RowCoordinates coordinates(file->fields(), file->rowSize());
-    file->forEachPiece([&](const Piece& piece) {
+    const std::size_t from = std::max(begin, first) - first;
+    file->forEachPiece(from, std::min(end, last) - first, [&](const Piece& piece) {
       const PointView rows = coordinates.of(piece.rows, piece.size);
       points.resize(piece.size);
       for (std::size_t i = 0; i < piece.size; ++i)
@@ -145,7 +151,7 @@ JointScan::forEachPiece(const std::function<bool(const Piece&)>& see) const
                      first + piece.first, piece.size});
       return goes_on;
     });
-    first += file->size();
+    first = last;
   }
 }
 

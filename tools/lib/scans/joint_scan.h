@@ -40,7 +40,15 @@ public:
   const std::vector<pcl::PCLPointField>& fields() const override { return fields_; }
   std::size_t rowSize() const override { return row_size_; }
   std::size_t size() const override { return size_; }
-  void forEachPiece(const std::function<bool(const Piece&)>& see) const override;
+  void forEachPiece(const std::function<bool(const Piece&)>& see) const override
+  {
+    forEachPiece(0, size_, see);
+  }
+
+  /** @brief As above for the rows from `begin` to `end`. */
+  void forEachPiece(std::size_t begin,
+                    std::size_t end,
+                    const std::function<bool(const Piece&)>& see) const;
 
   /** @brief Returns the origin of all coordinates. */
   const Origin& origin() const { return files_.front()->origin(); }

@@ -5,7 +5,9 @@
 #include <pcl/sedr_surface/mesh_reconstruction.h>
 #include <pcl/sedr_surface/mesh_topology.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -14,7 +16,6 @@
 namespace pcl {
 namespace sedr {
 
-class RoomWorkers;
 struct RoomSamples;
 
 /** @brief Statistics of solving the Poisson equation of a room. */
@@ -68,6 +69,17 @@ struct RoomPoissonReport {
 struct RoomSurface {
   TriangleMesh mesh; ///< empty without a surface
   RoomPoissonReport report;
+};
+
+/** @brief How processes that have the same input share the rooms of a
+ * StructuralPoisson. */
+struct RoomSharing {
+  /** @brief Returns whether this process makes the surface of the i-th room. */
+  std::function<bool(std::size_t i)> is_mine;
+
+  /** @brief Called once, with the surfaces of all rooms in order, those of the other
+   * processes empty; to fill in these. */
+  std::function<void(std::vector<RoomSurface>& rooms)> complete;
 };
 
 } // namespace sedr
@@ -188,15 +200,11 @@ public:
 
   unsigned getNumberOfThreads() const { return parameters_.threads; }
 
-  /** @brief Sets the workers that make the surfaces; null (default): this object,
-   * room by room. The result is the same. A lost room has no surface; its report
-   * says why. */
-  void setRoomWorkers(const std::shared_ptr<sedr::RoomWorkers>& workers)
-  {
-    workers_ = workers;
-  }
+  /** @brief Sets what other processes do; both functions or none (default): this
+   * object makes all rooms. */
+  void setRoomSharing(const sedr::RoomSharing& sharing) { sharing_ = sharing; }
 
-  std::shared_ptr<sedr::RoomWorkers> getRoomWorkers() const { return workers_; }
+  const sedr::RoomSharing& getRoomSharing() const { return sharing_; }
 
   /** @brief Returns the report of each room, ordered by room number. */
   const std::vector<sedr::RoomPoissonReport>& getReports() const { return reports_; }
@@ -236,7 +244,7 @@ private:
   std::vector<std::uint32_t> room_labels_;
   std::shared_ptr<const sedr::Floorplan> plan_;
   double plan_spacing_ = 0.05;
-  std::shared_ptr<sedr::RoomWorkers> workers_;
+  sedr::RoomSharing sharing_;
   std::vector<sedr::RoomPoissonReport> reports_;
   bool closed_ = false;
 };

@@ -21,11 +21,10 @@ struct RoomMeshes {
 /** @brief Returns which parameter is out of range, a sentence; empty if none is. */
 std::string problemOf(const RoomPoissonParameters& parameters);
 
-/** @brief Makes the surfaces of rooms; consumes their samples.
- * @param workers null: one room after the other, or on threads of this process */
+/** @brief Makes the surfaces of rooms; consumes their samples. */
 void makeSurfaces(std::map<std::uint32_t, RoomSamples>& rooms,
                   const RoomPoissonParameters& parameters,
-                  const std::shared_ptr<RoomWorkers>& workers,
+                  const RoomSharing& sharing,
                   RoomMeshes meshes);
 
 /** @brief As above, from samples of a plan `spacing` metres apart.
@@ -33,7 +32,7 @@ void makeSurfaces(std::map<std::uint32_t, RoomSamples>& rooms,
 std::string makeSurfaces(const Floorplan& plan,
                          double spacing,
                          const RoomPoissonParameters& parameters,
-                         const std::shared_ptr<RoomWorkers>& workers,
+                         const RoomSharing& sharing,
                          RoomMeshes meshes);
 
 /** @brief Returns a warning about points left out and rooms without a closed surface,
@@ -52,7 +51,7 @@ StructuralPoisson<PointNT>::run()
   closed_ = false;
   std::string problem = sedr::problemOf(parameters_);
   if (problem.empty())
-    problem = plan_ ? sedr::makeSurfaces(*plan_, plan_spacing_, parameters_, workers_,
+    problem = plan_ ? sedr::makeSurfaces(*plan_, plan_spacing_, parameters_, sharing_,
                                          {mesh_, reports_})
                     : runOnPoints();
   if (!problem.empty())
@@ -111,7 +110,7 @@ StructuralPoisson<PointNT>::runOnPoints()
     }
     if (rooms.size() > 1)
       rooms.erase(0); // points outside all rooms
-    sedr::makeSurfaces(rooms, parameters_, workers_, {mesh_, reports_});
+    sedr::makeSurfaces(rooms, parameters_, sharing_, {mesh_, reports_});
   }
   deinitCompute();
   return problem;

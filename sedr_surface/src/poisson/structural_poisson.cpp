@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../poisson/plan_samples.h"
-#include "../poisson/room_poisson.h"
-#include "room_threads.h"
+#include "plan_samples.h"
+#include "room_poisson.h"
 
 #include "sedr_filters/src/base/parallel.h"
 #include <pcl/impl/instantiate.hpp>
@@ -10,57 +9,81 @@
 
 #include <algorithm>
 #include <functional>
-#include <optional>
+#include <mutex>
+#include <numeric>
 
 namespace pcl::sedr {
 
 namespace {
 
-/** @brief Makes the surfaces of rooms. `samples(i)` is called once for each, `sizes`
- * give the work of each. */
+/** @brief Calls `work(i, threads)` for each room. Threads that share one room wait for
+ * each other at every step, so every thread has a room of its own; only rooms that
+ * exceed one thread's share of the work come first, on all threads. */
+void
+forEachRoom(const std::vector<std::size_t>& sizes,
+            unsigned threads,
+            const std::function<void(std::size_t, unsigned)>& work)
+{
+  std::vector<std::size_t> order(sizes.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
+  std::size_t left = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
+  std::size_t next = 0;
+  for (; next < order.size() && sizes[order[next]] * threads > left; ++next) {
+    work(order[next], threads);
+    left -= sizes[order[next]];
+  }
+  parallelBlocks(order.size() - next, 1, threads,
+                 [&](std::size_t k, std::size_t) { work(order[next + k], 1); });
+}
+
+/** @brief Makes the surfaces of rooms. `samples(i)` is called at most once for each,
+ * one at a time; `sizes` give the work of each. */
 void
 addRooms(const std::vector<std::size_t>& sizes,
          const std::function<RoomSamples(std::size_t)>& samples,
          const RoomPoissonParameters& parameters,
-         std::shared_ptr<RoomWorkers> workers,
+         const RoomSharing& sharing,
          RoomMeshes meshes)
 {
-  const auto add = [&](const RoomSurface& surface) {
-    meshes.mesh.append(surface.mesh);
-    meshes.reports.push_back(surface.report);
-  };
-  const bool go_side_by_side =
-      sizes.size() > 1 && resolveThreads(parameters.threads) > 1;
-  if (!workers && go_side_by_side)
-    workers = std::make_shared<RoomThreads>(parameters.threads);
-  if (!workers) {
-    for (std::size_t i = 0; i < sizes.size(); ++i)
-      add(surfaceOf(samples(i), parameters));
-    return;
-  }
-  std::vector<std::optional<RoomSurface>> surfaces(sizes.size());
-  std::vector<std::uint32_t> rooms(sizes.size());
+  std::vector<std::size_t> mine;
+  std::vector<std::size_t> sizes_of_mine;
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+    if (!sharing.is_mine || sharing.is_mine(i)) {
+      mine.push_back(i);
+      sizes_of_mine.push_back(sizes[i]);
+    }
+  std::vector<RoomSurface> surfaces(sizes.size());
+  std::vector<char> is_made(sizes.size(), 0);
   std::size_t next = 0;
-  workers->work(
-      sizes,
-      [&](std::size_t i) {
-        SurfaceJob job{samples(i), parameters};
-        rooms[i] = job.samples.room;
-        return job;
-      },
-      [&](std::size_t i, RoomResult result) {
-        surfaces[i].emplace();
-        if (auto* surface = std::get_if<RoomSurface>(&result))
-          *surfaces[i] = std::move(*surface);
-        else {
-          surfaces[i]->report.room = rooms[i];
-          surfaces[i]->report.problem = std::get<LostRoom>(result).reason;
-        }
-        for (; next < surfaces.size() && surfaces[next]; ++next) {
-          add(*surfaces[next]);
-          *surfaces[next] = {};
-        }
-      });
+  const auto addUpTo = [&](std::size_t end) { // frees each
+    for (; next < end && is_made[next] != 0; ++next) {
+      meshes.mesh.append(surfaces[next].mesh);
+      meshes.reports.push_back(surfaces[next].report);
+      surfaces[next] = {};
+    }
+  };
+  std::mutex one_at_a_time;
+  forEachRoom(sizes_of_mine, resolveThreads(parameters.threads),
+              [&](std::size_t k, unsigned threads) {
+                RoomPoissonParameters own = parameters;
+                own.threads = threads;
+                std::unique_lock<std::mutex> lock(one_at_a_time);
+                const RoomSamples room = samples(mine[k]);
+                lock.unlock();
+                RoomSurface surface = surfaceOf(room, own);
+                lock.lock();
+                surfaces[mine[k]] = std::move(surface);
+                is_made[mine[k]] = 1;
+                if (!sharing.complete)
+                  addUpTo(sizes.size());
+              });
+  if (!sharing.complete)
+    return;
+  sharing.complete(surfaces);
+  is_made.assign(sizes.size(), 1);
+  addUpTo(sizes.size());
 }
 
 } // namespace
@@ -94,7 +117,7 @@ problemOf(const RoomPoissonParameters& parameters)
 void
 makeSurfaces(std::map<std::uint32_t, RoomSamples>& rooms,
              const RoomPoissonParameters& parameters,
-             const std::shared_ptr<RoomWorkers>& workers,
+             const RoomSharing& sharing,
              RoomMeshes meshes)
 {
   std::vector<std::size_t> sizes;
@@ -104,7 +127,7 @@ makeSurfaces(std::map<std::uint32_t, RoomSamples>& rooms,
     samples.push_back(&room);
   }
   addRooms(
-      sizes, [&](std::size_t i) { return std::move(*samples[i]); }, parameters, workers,
+      sizes, [&](std::size_t i) { return std::move(*samples[i]); }, parameters, sharing,
       meshes);
 }
 
@@ -112,7 +135,7 @@ std::string
 makeSurfaces(const Floorplan& plan,
              double spacing,
              const RoomPoissonParameters& parameters,
-             const std::shared_ptr<RoomWorkers>& workers,
+             const RoomSharing& sharing,
              RoomMeshes meshes)
 {
   if (plan.rooms.empty())
@@ -134,7 +157,7 @@ makeSurfaces(const Floorplan& plan,
                            0,
                            std::move(samples.problem)};
       },
-      parameters, workers, meshes);
+      parameters, sharing, meshes);
   return {};
 }
 

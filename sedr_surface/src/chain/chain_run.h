@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_surface/structure_chain.h>
+
+#include "sedr_segmentation/src/plan/room_territory.h"
+
+#include <limits>
+
+namespace pcl::sedr {
+
+/** @brief A run of a StructureChain: what the stages leave each other beside the
+ * results that the chain keeps. */
+class ChainRun {
+public:
+  using Cloud = StructureChain::Cloud;
+  using StructureCloud = StructureChain::StructureCloud;
+
+  explicit ChainRun(StructureChain& chain)
+      : chain_(chain)
+      , sight_(chain.mirrored.lines)
+  {}
+
+  /** @brief Runs all stages but the mesh. */
+  bool findStructure();
+
+  /** @brief Makes the mesh of the structure that an earlier run has found. */
+  bool makeMesh();
+
+  bool fail(const std::string& reason);
+
+private:
+  /** @brief Runs one stage, `step(report)`, and stores its report. */
+  template <typename Step>
+  bool runStage(const std::string& name, std::size_t points_in, Step step);
+
+  void tellResult(const char* stage, std::uint32_t room = 0) const;
+
+  /** @brief Adds a warning that a stage failed for one room; the others continue. */
+  void warn(std::uint32_t room, const std::string& reason);
+
+  bool checkScan();
+
+  /** @brief Levels the cloud and the raw points of the fit if the scan is tilted. */
+  void levelScan();
+
+  /** @brief Makes tilted walls vertical. */
+  void straightenScan();
+
+  /** @brief Applies the tilts to the walls of the plan, and keeps the plan with
+   * vertical walls for the following stages. */
+  void tiltPlan();
+
+  /** @brief Fits the ceilings of rooms with tilted walls again, to points where they
+   * were scanned: with straightened walls a sloping plane is none. */
+  void fitCeilingsAsScanned(const PointView& raw, const pcl::Indices& indices);
+
+  /** @brief Moves the structure to the frame of the scan; the mesh is made in the other
+   * frame. */
+  void tiltStructure();
+  bool partRooms(StageReport& report);
+  bool findPlanes(StageReport& report);
+  double cellSizeThatFills() const;
+
+  /** @brief Adds the points of platforms and steps to the floors of their rooms. */
+  void findPlatforms();
+
+  /** @brief Collects the planes of all rooms in `planes`, for display. */
+  void listPlanes();
+
+  /** @brief Adds points where a room's ceiling is hidden, using the air below it.
+   * @return number of points */
+  std::size_t addHiddenCeiling(std::size_t room);
+
+  bool findDetails(StageReport& report);
+
+  /** @brief A part of a sloping ceiling that its model does not represent. */
+  struct PlaceOff {
+    double area = 0;                                      ///< square metres
+    double low = std::numeric_limits<double>::infinity(); ///< metres
+    double high = -std::numeric_limits<double>::infinity();
+  };
+
+  /** @brief Returns the part of a room's ceiling that is neither level nor near its
+   * model. `distance(place, height)` returns the distance of a height from the model,
+   * metres. */
+  PlaceOff ceilingOff(
+      std::size_t region,
+      const std::function<double(const Eigen::Vector2d&, double)>& distance) const;
+
+  /** @brief Returns whether a room's ceiling is more than level planes. */
+  bool hasSheet(std::size_t region) const;
+
+  /** @brief Returns the scanned points of a room's ceiling. */
+  pcl::Indices seenCeiling(std::size_t region) const;
+
+  /** @brief Returns the points of all ceilings that are not level, increasing. */
+  pcl::IndicesPtr sheetPoints() const;
+
+  /** @brief Warns of ceilings that are not level and that the plan does not
+   * represent. */
+  void warnOfCeilings();
+  bool recoverFloors(StageReport& report);
+  bool growWalls(StageReport& report);
+  bool fitPlan(StageReport& report);
+  bool refine(StageReport& report);
+  bool repair(StageReport& report);
+
+  /** @brief Returns the labelled points of a room, the input of refinement. */
+  StructureCloud::Ptr labelledCloud(std::uint32_t room) const;
+
+  /** @brief Labels the unlabelled points of a room's walls.
+   * @return number of points */
+  std::size_t labelWalls(std::uint32_t room, const pcl::Indices& walls);
+
+  /** @brief Removes the labels of every room that has no plan. */
+  void giveUpRoomsWithoutPlan();
+
+  void warnOfGuesses();
+  bool extrude(StageReport& report);
+
+  /** @brief Returns the points with a label. */
+  pcl::IndicesPtr labelled(StructureLabel label) const;
+
+  /** @brief Returns the points of one room with a label. Requires shareOut() after the
+   * last change of any other room's points. */
+  pcl::IndicesPtr labelled(StructureLabel label, std::uint32_t room) const;
+
+  /** @brief Updates the list of points of every room. */
+  void shareOut();
+
+  /** @brief Returns the cells of each room. */
+  std::vector<CellSet> scopes() const;
+
+  /** @brief Returns the territory of each room, up to `reach` metres from its
+   * ceiling. */
+  RoomTerritory territory(double reach) const;
+
+  /** @brief As above, up to the maximum distance of walls. */
+  RoomTerritory territory() const;
+
+  /** @brief Returns the points in each room's territory. */
+  std::vector<pcl::IndicesPtr> territories(const RoomTerritory& of_rooms) const;
+
+  /** @brief Returns the columns of a room below level parts of its ceiling, on the
+   * building's grid. */
+  CellSet levelColumns(std::size_t room) const;
+
+  /** @brief Labels the unlabelled points of a room's ceiling: soffits that the slices
+   * did not separate from window heads, and points outside all slabs.
+   * @return number of points */
+  std::size_t labelLowerCeilings(std::size_t room);
+
+  /** @brief Labels the points in niches, which no earlier stage considers. */
+  void labelNiches();
+
+  /** @brief Data of a room before its plan is fitted. */
+  struct ChainRoom {
+    pcl::Indices ceiling;  ///< ceiling points, whatever its shape
+    pcl::Indices floor;    ///< points of its floor and platforms
+    PlanSlab ceiling_slab; ///< largest slab of its ceiling
+    PlanSlab floor_slab;   ///< largest slab of its floor
+    CellSet scope;         ///< cells of its ceiling
+  };
+
+  StructureChain& chain_;
+  std::shared_ptr<const SightLines> sight_; ///< rays, in the frame of the cloud
+  std::vector<TiltedFace> tilted_faces_;
+  std::vector<ChainRoom> regions_;
+  std::vector<pcl::IndicesPtr> territory_; ///< of each room, indices of thinned points
+  std::vector<pcl::Indices> shares_; ///< points of each room, starting with room 0
+  std::vector<double> slice_height_; ///< of each room, NaN without details
+  std::vector<StructureCloud::Ptr>
+      refined_; ///< of each room of the plan, until repaired
+};
+
+} // namespace pcl::sedr
