@@ -79,7 +79,7 @@ def share_within(distances, metres):
 
 
 def shares_table(data):
-    limits = [0.001, 0.002, 0.005, 0.01, 0.02, 0.03, 0.05]
+    limits = [0.005, 0.01, 0.02, 0.03, 0.05]
     header("scene", "model", *(f"{100 * limit:g} cm" for limit in limits))
     for scene in [scene for scene in scenes_of(data) if scene in ("syn_flat", "synth1")]:
         for model in ("default", "paper_pcl"):

@@ -35,10 +35,10 @@ reconstruct() {
 }
 
 # Table 1 of the paper.
-common=(--voxel-size 0.05 --grid-size 0.05 --fixed-grid --minimum-cells 20 --tree-depth 9)
-bls=(--plane-tolerance 0.07 --boundary-angle 60 --boundary-neighbors 200 --boundary-tolerance 0.05)
-hls=(--plane-tolerance 0.1 --boundary-angle 60 --boundary-neighbors 200 --boundary-tolerance 0.05)
-syn=(--plane-tolerance 0.1 --boundary-angle 90 --boundary-neighbors 100 --boundary-tolerance 0.01)
+common=(--voxel-size 0.05)
+bls=(--plane-tolerance 0.07 --boundary-tolerance 0.05)
+hls=(--plane-tolerance 0.1 --boundary-tolerance 0.05)
+syn=(--plane-tolerance 0.1 --boundary-tolerance 0.01)
 
 # evaluate SCENE TRUTH POINTS... -- SETTINGS...: the scan with our defaults, with the paper's settings, and with
 # pcl::Poisson besides; POINTS are the options that tell the points of the structure from all others.
@@ -47,7 +47,7 @@ evaluate() {
   shift 2
   while [ "$1" != -- ]; do points+=("$1"); shift; done
   shift
-  points=(--cloud "$scene/scan.pcd" "${points[@]}" --bins 200 --range 0.1)
+  points=(--cloud "$scene/scan.pcd" "${points[@]}")
   reconstruct "$scene" default
   reconstruct "$scene" paper "$@" "${common[@]}"
   mkdir -p "$scene/paper_pcl"

@@ -3,7 +3,7 @@
 #include "labelled_points.h"
 #include "picture_file.h"
 #include "progress.h"
-#include "rooms/file_rooms.h"
+#include "rooms/labelled_rooms.h"
 #include "run_tool.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
@@ -14,12 +14,15 @@
 
 #include <algorithm>
 #include <map>
-#include <memory>
 
 using namespace pcl::sedr::tools;
+using pcl::sedr::CellGrid;
+using pcl::sedr::PointView;
 using pcl::sedr::StructureLabel;
 
 namespace {
+
+using Recovery = pcl::FloorProjectionRecovery<pcl::PointXYZ>;
 
 struct Settings : StageFiles {
   double grid = 0;
@@ -27,109 +30,102 @@ struct Settings : StageFiles {
   bool remove = false;
 };
 
-/** @brief The points of one room by label. */
-struct RoomPoints {
-  pcl::Indices floor;
-  pcl::Indices ceiling;
-  pcl::Indices detail;
-  pcl::sedr::PlanSlab plane; ///< of its floor, if the file assigns floors to rooms
-  bool has_plane = false;
-};
-
 /** @brief The recovered floors of all rooms. */
 struct Recovered {
-  std::vector<bool> removed; ///< per row of the input
-  pcl::Indices sources;      ///< rows that the new floor points copy
+  pcl::Indices removed; ///< rows of the input
+  pcl::Indices sources; ///< rows that the new floor points copy
   std::vector<Eigen::Vector3f> points;
   std::vector<std::uint32_t> rooms;
   std::vector<FloorCells> cells; ///< for the picture
 };
 
-/** @brief Splits the points by room; all get room 0 if no ceiling point has one. Floor
- * and detail points without a room get that of the ceiling above or beside them, also
- * in `cloud.room`. */
-std::map<std::uint32_t, RoomPoints>
-splitRooms(const Settings& settings, ToolCloud& cloud)
+/** @brief Returns the rooms by number; 0 are points below no ceiling, or a file without
+ * rooms. Floors and details without a room get that of the ceiling above or beside
+ * them, also in `cloud.room`. */
+std::map<std::uint32_t, LabelledRoom>
+splitRooms(const CellGrid& grid, ToolCloud& cloud)
 {
-  const pcl::Indices floor = cloud.withLabel(StructureLabel::Floor);
   const pcl::Indices ceiling = requireLabel(cloud, StructureLabel::Ceiling);
   const pcl::Indices detail = cloud.withLabel(StructureLabel::Detail);
-  const bool has_rooms =
-      std::any_of(ceiling.begin(), ceiling.end(), [&](pcl::index_t i) {
-        return cloud.room[static_cast<std::size_t>(i)] != 0;
-      });
-  const pcl::sedr::RoomMap map(pcl::sedr::CellGrid(settings.grid),
-                               pcl::sedr::PointView(*cloud.points), cloud.room, ceiling,
+  const bool has_rooms = *ceilingRooms(cloud).begin() != 0;
+  const pcl::sedr::RoomMap map(grid, PointView(*cloud.points), cloud.room, ceiling,
                                detail);
-  std::map<std::uint32_t, RoomPoints> rooms;
-  if (isByRooms(cloud))
-    for (const FileRoom& room : roomsOf(cloud))
-      if (!room.floor.empty()) {
-        rooms[room.id].plane = floorOf(room, cloud, pcl::sedr::RoomPlaneParameters());
-        rooms[room.id].has_plane = true;
-      }
-  const auto share = [&](const pcl::Indices& indices, pcl::Indices RoomPoints::*part) {
-    for (const auto i : indices) {
+  std::map<std::uint32_t, LabelledRoom> rooms;
+  const auto share = [&](const pcl::Indices& rows, pcl::Indices LabelledRoom::*part) {
+    for (const auto i : rows) {
       auto& room = cloud.room[static_cast<std::size_t>(i)];
       if (room == 0)
         room = map.roomOver(i);
       (rooms[has_rooms ? room : 0].*part).push_back(i);
     }
   };
-  share(ceiling, &RoomPoints::ceiling);
-  share(detail, &RoomPoints::detail);
-  share(floor, &RoomPoints::floor);
+  share(ceiling, &LabelledRoom::ceiling);
+  share(detail, &LabelledRoom::details);
+  share(cloud.withLabel(StructureLabel::Floor), &LabelledRoom::floor);
   return rooms;
+}
+
+/** @brief Returns the plane to project to; null: the mean of the room's own floor.
+ * @param own the plane of each room whose floor was seen
+ * @param common_height for rooms whose floor was hidden, metres */
+pcl::ModelCoefficients::Ptr
+planeOf(const Settings& settings,
+        const std::map<std::uint32_t, pcl::sedr::PlanSlab>& own,
+        const std::pair<const std::uint32_t, LabelledRoom>& room,
+        const ToolCloud& cloud,
+        double common_height)
+{
+  Eigen::Vector4d plane(0, 0, 1, -common_height);
+  const auto found = own.find(room.first);
+  if (found != own.end() && !settings.height)
+    plane = found->second.plane;
+  else if (!settings.height &&
+           !pcl::sedr::recoverFloor(CellGrid(settings.grid), PointView(*cloud.points),
+                                    room.second.floor, room.second.ceiling,
+                                    room.second.details)
+                .kept.empty())
+    return nullptr;
+  const auto coefficients = pcl::make_shared<pcl::ModelCoefficients>();
+  for (int k = 0; k < 4; ++k)
+    coefficients->values.push_back(static_cast<float>(plane[k]));
+  return coefficients;
 }
 
 void
 recoverRoom(const Settings& settings,
             const ToolCloud& cloud,
-            std::uint32_t room,
-            const RoomPoints& points,
-            double common_height,
+            std::uint32_t number,
+            const LabelledRoom& room,
+            const pcl::ModelCoefficients::ConstPtr& plane,
             Recovered& result)
 {
-  if (points.ceiling.empty()) { // no ceiling above: outside
-    for (const auto i : points.floor)
-      result.removed[static_cast<std::size_t>(i)] = true;
-    const pcl::sedr::CellSet outside(pcl::sedr::CellGrid(settings.grid),
-                                     pcl::sedr::PointView(*cloud.points), points.floor);
+  const PointView points(*cloud.points);
+  if (room.ceiling.empty()) { // outside
+    result.removed.insert(result.removed.end(), room.floor.begin(), room.floor.end());
+    const pcl::sedr::CellSet outside(CellGrid(settings.grid), points, room.floor);
     result.cells.push_back({settings.grid, {}, {}, outside});
     return;
   }
-  pcl::FloorProjectionRecovery<pcl::PointXYZ> recovery(true);
+  Recovery recovery(true);
   recovery.setInputCloud(cloud.points);
-  recovery.setIndices(pcl::make_shared<const pcl::Indices>(points.floor));
-  recovery.setCeilingIndices(points.ceiling);
-  recovery.setDetailIndices(points.detail);
+  recovery.setIndices(pcl::make_shared<const pcl::Indices>(room.floor));
+  recovery.setCeilingIndices(room.ceiling);
+  recovery.setDetailIndices(room.details);
   recovery.setGridSize(settings.grid);
-  const auto level = std::make_shared<pcl::ModelCoefficients>();
-  level->values = {0, 0, 1, -static_cast<float>(common_height)};
-  if (points.has_plane && !settings.height)
-    for (int k = 0; k < 4; ++k)
-      level->values[static_cast<std::size_t>(k)] =
-          static_cast<float>(points.plane.plane[k]);
-  const auto kept = pcl::sedr::recoverFloor(pcl::sedr::CellGrid(settings.grid),
-                                            pcl::sedr::PointView(*cloud.points),
-                                            points.floor, points.ceiling, points.detail)
-                        .kept;
-  if (settings.height || points.has_plane || kept.empty())
-    recovery.setFloorCoefficients(level);
+  if (plane)
+    recovery.setFloorCoefficients(plane);
   pcl::PointCloud<pcl::PointXYZ> floor;
   recovery.filter(floor);
   if (!recovery.getErrorMessage().empty())
     throw ToolError(recovery.getErrorMessage());
-
   result.cells.push_back(floorCellsOf(recovery));
-  for (const auto i : *recovery.getRemovedIndices())
-    result.removed[static_cast<std::size_t>(i)] = true;
-  const auto& sources = recovery.getProjectedIndices();
+  const pcl::Indices& removed = *recovery.getRemovedIndices();
+  result.removed.insert(result.removed.end(), removed.begin(), removed.end());
   for (std::size_t i = floor.size() - recovery.getNumberOfProjected(); i < floor.size();
        ++i) {
-    result.sources.push_back(sources[i]);
+    result.sources.push_back(recovery.getProjectedIndices()[i]);
     result.points.push_back(floor[i].getVector3fMap());
-    result.rooms.push_back(room);
+    result.rooms.push_back(number);
   }
 }
 
@@ -138,34 +134,31 @@ void
 apply(const Settings& settings, const Recovered& result, ToolCloud& cloud)
 {
   const std::size_t before = cloud.size();
-  pcl::Indices stay;
-  for (std::size_t i = 0; i < before; ++i) {
-    if (result.removed[i])
-      cloud.label[i] = cloud.room[i] = 0;
-    if (!result.removed[i] || !settings.remove)
-      stay.push_back(static_cast<pcl::index_t>(i));
+  std::vector<bool> stays(before + result.points.size(), true);
+  for (const int i : result.removed) {
+    setLabel({i}, StructureLabel::Other, 0, cloud);
+    stays[static_cast<std::size_t>(i)] = !settings.remove;
   }
-  cloud.label.resize(before + result.points.size(),
-                     static_cast<std::uint32_t>(StructureLabel::Floor));
+  cloud.label.resize(stays.size(), static_cast<std::uint32_t>(StructureLabel::Floor));
   cloud.room.insert(cloud.room.end(), result.rooms.begin(), result.rooms.end());
   appendRows(cloud.blob, pcl::PCLPointCloud2(cloud.blob), result.sources);
   setCoordinates(cloud.blob, before, result.points);
   setField(cloud.blob, "label", cloud.label);
   setField(cloud.blob, "room", cloud.room);
-  for (const auto& [name, up] : std::map<std::string, float>{{"normal_x", 0.f},
-                                                             {"normal_y", 0.f},
-                                                             {"normal_z", 1.f}}) {
+  for (const char* name : {"normal_x", "normal_y", "normal_z"}) {
     auto values = floatField(cloud.blob, name);
     if (values.empty())
       continue;
-    std::fill(values.begin() + static_cast<std::ptrdiff_t>(before), values.end(), up);
+    std::fill(values.begin() + static_cast<std::ptrdiff_t>(before), values.end(),
+              name[7] == 'z' ? 1.f : 0.f);
     setField(cloud.blob, name, values);
   }
-  if (!settings.remove)
-    return;
-  for (std::size_t i = before; i < cloud.label.size(); ++i)
-    stay.push_back(static_cast<pcl::index_t>(i));
-  cloud.blob = selectRows(cloud.blob, stay);
+  pcl::Indices stay;
+  for (std::size_t i = 0; i < stays.size(); ++i)
+    if (stays[i])
+      stay.push_back(static_cast<pcl::index_t>(i));
+  if (settings.remove)
+    cloud.blob = selectRows(cloud.blob, stay);
 }
 
 int
@@ -173,25 +166,28 @@ run(const Settings& settings)
 {
   settings.check();
   ToolCloud cloud = loadCloud(settings.input);
-  const auto rooms = splitRooms(settings, cloud);
-  // For rooms whose own floor is hidden.
-  const double height = settings.height
-                            ? *settings.height
-                            : meanFloorHeight(cloud, "--height would stand for them");
+  std::map<std::uint32_t, pcl::sedr::PlanSlab> planes;
+  if (isByRooms(cloud))
+    for (const LabelledRoom& room : labelledRooms(cloud, settings.grid))
+      if (!room.floor.empty())
+        planes[room.id] = floorOf(room, cloud, {});
+  const auto rooms = splitRooms(CellGrid(settings.grid), cloud);
+  const double height = // for rooms whose own floor is hidden
+      settings.height ? *settings.height
+                      : meanFloorHeight(cloud, "--height would stand for them");
   Recovered result;
-  result.removed.assign(cloud.size(), false);
   {
     const Progress progress("completing the floor");
     for (const auto& room : rooms)
-      recoverRoom(settings, cloud, room.first, room.second, height, result);
+      recoverRoom(settings, cloud, room.first, room.second,
+                  planeOf(settings, planes, room, cloud, height), result);
   }
   apply(settings, result, cloud);
   settings.save(cloud);
   if (!settings.picture.empty())
     savePicture(settings.picture, drawFloor(result.cells));
   say(std::to_string(result.points.size()) + " points projected, " +
-      std::to_string(std::count(result.removed.begin(), result.removed.end(), true)) +
-      " floor points removed");
+      std::to_string(result.removed.size()) + " floor points removed");
   return Done;
 }
 
@@ -201,8 +197,7 @@ int
 main(int argc, char** argv)
 {
   Settings settings;
-  settings.grid = pcl::FloorProjectionRecovery<pcl::PointXYZ>().getGridSize();
-
+  settings.grid = Recovery().getGridSize();
   Options options(
       "pcl_floor_projection_recovery",
       "Completes the floor (label 2) from the ceiling and its details (labels 1 and 4) "

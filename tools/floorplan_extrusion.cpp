@@ -86,10 +86,6 @@ main(int argc, char** argv)
   options.parameter("chord-tolerance", extrusion, &Extrusion::getChordTolerance,
                     &Extrusion::setChordTolerance, "m",
                     "farthest that facets are off their arc", Range::between(1e-6, 1));
-  options.parameter("snap-tolerance", extrusion, &Extrusion::getSnapTolerance,
-                    &Extrusion::setSnapTolerance, "m",
-                    "nearer edges and corners are one; 0: by the plan's residuals",
-                    Range::between(0, 0.5));
   addPictureOption(options, settings.picture);
   return runTool(options, argc, argv, [&] { return run(settings, extrusion); });
 }

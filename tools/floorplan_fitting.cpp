@@ -104,10 +104,8 @@ int
 main(int argc, char** argv)
 {
   Fitting fitting;
+  fitting.setNumberOfThreads(0);
   Settings settings;
-  double min_radius = fitting.getMinimumRadius();
-  double greatest_radius = fitting.getMaximumRadius();
-
   Options options(
       "pcl_floorplan_fitting",
       "Fits the floor plan: the walls of every room as a closed loop of segments and "
@@ -123,14 +121,6 @@ main(int argc, char** argv)
                     "farthest a point is from its line or circle", Range::above(0));
   options.parameter("grid", fitting, &Fitting::getGridSize, &Fitting::setGridSize, "m",
                     "edge of a cell of the outline", Range::between(0.01, 1));
-  options.parameter("min-length", fitting, &Fitting::getMinimumLength,
-                    &Fitting::setMinimumLength, "m",
-                    "shortest wall with a line or circle of its own", Range::above(0));
-  options.number("min-radius", min_radius, "m", "of an arc", Range::above(0));
-  options.number("max-radius", greatest_radius, "m",
-                 "of an arc; flatter walls are straight", Range::above(0));
-  options.seed(fitting);
-  options.threads(fitting);
   options.text("raw", settings.raw,
                "PCD or PLY file of the scan before thinning, to fit the plan to");
   options.text(
@@ -138,10 +128,5 @@ main(int argc, char** argv)
       "JSON file of pcl_room_segmentation: the plan gets its storeys, doorways "
       "and stairs");
   addPictureOption(options, settings.picture);
-  return runTool(options, argc, argv, [&] {
-    if (greatest_radius <= min_radius)
-      throw ToolError("--max-radius must be above --min-radius");
-    fitting.setRadiusLimits(min_radius, greatest_radius);
-    return run(settings, fitting);
-  });
+  return runTool(options, argc, argv, [&] { return run(settings, fitting); });
 }

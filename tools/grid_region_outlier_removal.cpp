@@ -21,12 +21,10 @@ struct Settings : StageFiles {
   unsigned int label = static_cast<unsigned int>(StructureLabel::Ceiling);
   unsigned int support_label = 0;
   bool remove = false;
-  std::string rooms = "auto";
 
   bool writesRooms() const
   {
-    const bool is_ceiling = label == static_cast<unsigned int>(StructureLabel::Ceiling);
-    return rooms == "yes" || (rooms == "auto" && is_ceiling);
+    return label == static_cast<unsigned int>(StructureLabel::Ceiling);
   }
 };
 
@@ -127,8 +125,9 @@ main(int argc, char** argv)
 
   Options options(
       "pcl_grid_region_outlier_removal",
-      "Removes points outside the large regions of a plan, and numbers the regions as "
-      "rooms.\nWorks on the points with one label; on all points of a file without "
+      "Removes points outside the large regions of a plan, and numbers the regions of "
+      "ceilings as rooms.\nWorks on the points with one label; on all points of a file "
+      "without "
       "labels.");
   options.file("INPUT", settings.input, "PCD or PLY file");
   options.file("OUTPUT", settings.output, "PCD or PLY file to write");
@@ -136,27 +135,11 @@ main(int argc, char** argv)
                  "label of the points to work on, 1 ceiling, 2 floor");
   options.parameter("grid", removal, &Removal::getGridSize, &Removal::setGridSize, "m",
                     "edge of a cell", Range::above(0));
-  options.parameter("opening", removal, &Removal::getOpeningRadius,
-                    &Removal::setOpeningRadius, "cells",
-                    "necks narrower than 2 n + 1 cells do not join regions, 0 = off",
-                    Range::between(0, 1000));
-  options.parameter("min-part", removal, &Removal::getMinimumPart,
-                    &Removal::setMinimumPart, "cells",
-                    "with --opening: smaller pieces are not parted from larger ones");
   options.number(
       "support", settings.support_label, "",
       "label of points, say 2 floor, that save a smaller region above them, 0 = none");
-  options.parameter(
-      "min-support", removal, &Removal::getMinimumSupport, &Removal::setMinimumSupport,
-      "", "share of such a region's cells with support", Range::between(0, 1));
-  options.parameter("min-supported-cells", removal, &Removal::getMinimumSupportedCells,
-                    &Removal::setMinimumSupportedCells, "cells",
-                    "size of such a region");
   options.flag("remove", settings.remove,
                "leave rejected points out, instead of label 0");
-  options.text("rooms", settings.rooms,
-               "write the regions' numbers into 'room'; auto: for ceilings",
-               {"auto", "yes", "no"});
   settings.addOptions(options);
   return runTool(options, argc, argv, [&] { return run(settings, removal); });
 }

@@ -2,7 +2,7 @@
 #include "labelled_points.h"
 #include "picture_file.h"
 #include "progress.h"
-#include "rooms/detail_rooms.h"
+#include "rooms/labelled_rooms.h"
 #include "run_tool.h"
 #include "slice_picture.h"
 #include "tool_cloud.h"
@@ -24,64 +24,77 @@ struct Settings : StageFiles {
   std::optional<double> floor_height;
 };
 
-/** @brief Finds the details of one room. */
-pcl::Indices
-analyse(Analysis& analysis,
+/** @brief The main ceiling and floor of a room, and its details. */
+struct FoundDetails {
+  pcl::Indices ceiling;
+  pcl::Indices floor;
+  pcl::Indices details;
+};
+
+/** @brief Finds the details of one room.
+ * @param common_height of the floor, where the room's own was not seen, metres */
+FoundDetails
+analyse(const Settings& settings,
         const ToolCloud& cloud,
-        const DetailRoom& room,
-        double floor_height)
+        const LabelledRoom& room,
+        double common_height,
+        Analysis& analysis)
 {
+  const pcl::sedr::PointView points(*cloud.points);
+  pcl::sedr::RoomPlaneParameters parameters;
+  parameters.tolerance = analysis.getDistanceThreshold();
+  FoundDetails found;
+  found.ceiling = pointsOn(points, room.ceiling, ceilingOf(room, cloud, parameters),
+                           parameters.tolerance);
+  double height = settings.floor_height.value_or(common_height);
+  if (!room.floor.empty()) {
+    const pcl::sedr::PlanSlab plane = floorOf(room, cloud, parameters);
+    found.floor = pointsOn(points, room.floor, plane, parameters.tolerance);
+    const pcl::sedr::CellGrid grid(analysis.getGridSize());
+    const pcl::sedr::CellSet scope(grid, points, room.ceiling);
+    if (!settings.floor_height)
+      height = plane.heightAt(grid.centre(scope[scope.size() / 2]));
+  }
   analysis.setInputCloud(cloud.points);
   analysis.setIndices(pcl::make_shared<const pcl::Indices>(room.around));
-  analysis.setCeilingIndices(room.ceiling);
-  analysis.setFloorIndices(room.floor);
-  analysis.setFloorHeight(floor_height);
+  analysis.setCeilingIndices(found.ceiling);
+  analysis.setFloorIndices(found.floor);
+  analysis.setFloorHeight(height);
   pcl::PointIndices details;
   if (!analysis.segment(details))
-    throw ToolError((room.id > 0 ? "room " + std::to_string(room.id) + ": " : "") +
+    throw ToolError("room " + std::to_string(room.id) + ": " +
                         analysis.getErrorMessage(),
                     NothingFound);
-  return details.indices;
+  found.details = details.indices;
+  return found;
 }
 
 void
-tell(const Analysis& analysis, const DetailRoom& room, const pcl::Indices& details)
+tell(const Analysis& analysis, const LabelledRoom& room, const FoundDetails& found)
 {
   char text[160];
   const std::size_t regions = analysis.getRegionSizes().size();
-  if (details.empty())
+  if (found.details.empty())
     std::snprintf(text, sizeof text, "room %u: no details", room.id);
   else
     std::snprintf(
         text, sizeof text, "room %u: %zu points of %zu %s, all above %.2f m; %s%d",
-        room.id, details.size(), regions, regions == 1 ? "detail" : "details",
+        room.id, found.details.size(), regions, regions == 1 ? "detail" : "details",
         analysis.getSliceHeight(),
         analysis.getTrial() > 0 ? "enclosed in trial " : "enclosed in no trial, ",
         analysis.getTrial());
   say(text);
 }
 
-/** @brief Labels the points of a room. Planes that are neither the main ceiling or
- * floor nor a detail become other. If the file comes from room segmentation, all other
- * ceilings of a room are details. */
+/** @brief Labels the points of a room: other ceilings are details, other floors 0. */
 void
-label(const DetailRoom& room, const pcl::Indices& details, ToolCloud& cloud)
+label(const LabelledRoom& room, const FoundDetails& found, ToolCloud& cloud)
 {
-  const auto set = [&](const pcl::Indices& indices, StructureLabel to,
-                       std::uint32_t id) {
-    for (const auto i : indices) {
-      cloud.label[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(to);
-      cloud.room[static_cast<std::size_t>(i)] = id;
-    }
-  };
-  if (room.is_parted)
-    set(room.ceilings, StructureLabel::Detail, room.id);
-  else
-    set(room.ceilings, StructureLabel::Other, 0);
-  set(room.floors, StructureLabel::Other, 0);
-  set(room.floor, StructureLabel::Floor, room.id);
-  set(room.ceiling, StructureLabel::Ceiling, room.id);
-  set(details, StructureLabel::Detail, room.id);
+  setLabel(room.ceiling, StructureLabel::Detail, room.id, cloud);
+  setLabel(room.floor, StructureLabel::Other, 0, cloud);
+  setLabel(found.floor, StructureLabel::Floor, room.id, cloud);
+  setLabel(found.ceiling, StructureLabel::Ceiling, room.id, cloud);
+  setLabel(found.details, StructureLabel::Detail, room.id, cloud);
 }
 
 int
@@ -92,27 +105,20 @@ run(const Settings& settings, Analysis& analysis)
   std::replace(cloud.label.begin(), cloud.label.end(),
                static_cast<std::uint32_t>(StructureLabel::Detail),
                static_cast<std::uint32_t>(StructureLabel::Other));
-  pcl::sedr::RoomPlaneParameters parameters;
-  parameters.tolerance = analysis.getDistanceThreshold();
-  parameters.seed = analysis.getSeed();
-  parameters.threads = analysis.getNumberOfThreads();
-  std::vector<DetailRoom> rooms;
-  // For rooms whose own floor is hidden.
+  const std::vector<LabelledRoom> rooms = labelledRooms(cloud, analysis.getGridSize());
   const double height =
       settings.floor_height
           ? *settings.floor_height
           : meanFloorHeight(cloud, "--floor-height would stand for them");
-  std::vector<pcl::Indices> found;
+  std::vector<FoundDetails> found;
   std::vector<RoomSlices> slices;
   {
     const Progress progress("looking at slices");
-    rooms = detailRooms(cloud, analysis.getGridSize(), parameters);
-    for (const DetailRoom& room : rooms) {
-      const bool is_known = !settings.floor_height && !room.floor.empty();
-      found.push_back(
-          analyse(analysis, cloud, room, is_known ? room.floor_height : height));
+    for (const LabelledRoom& room : rooms) {
+      found.push_back(analyse(settings, cloud, room, height, analysis));
       tell(analysis, room, found.back());
-      slices.push_back({room.id, analysis.getAnalysis(), room.around, room.ceiling});
+      slices.push_back(
+          {room.id, analysis.getAnalysis(), room.around, found.back().ceiling});
     }
   }
   for (std::size_t r = 0; r < rooms.size(); ++r)
@@ -134,20 +140,15 @@ int
 main(int argc, char** argv)
 {
   Analysis analysis;
+  analysis.setNumberOfThreads(0);
   Settings settings;
-
   Options options(
       "pcl_grid_slice_detail",
-      "Labels the details of every room's ceiling, soffits, beams and "
-      "recesses, label 4.\nUses "
-      "ceilings, label 1, and floors, label 2; details already labelled "
-      "are looked for anew.\n"
-      "Of several ceilings of a room the largest keeps label 1, the others "
-      "become details or 0; of\n"
-      "several floors the lowest below a tenth of the ceilings keeps label "
-      "2, the others become 0.\n"
-      "In a file that pcl_room_segmentation has parted into rooms all other "
-      "ceilings become details.");
+      "Labels the details of every room's ceiling, soffits, beams and recesses, label "
+      "4.\nUses ceilings, label 1, and floors, label 2; details already labelled are "
+      "looked for anew.\nOf several ceilings of a room the largest keeps label 1, the "
+      "others become details; of several\nfloors the lowest that a tenth of their "
+      "points have keeps label 2, the others become 0.");
   options.file("INPUT", settings.input,
                "PCD or PLY file with labels, and rooms if several");
   options.file("OUTPUT", settings.output, "PCD or PLY file to write");
@@ -159,21 +160,8 @@ main(int argc, char** argv)
                     Range::above(0));
   options.parameter("min-cells", analysis, &Analysis::getMinimumCells,
                     &Analysis::setMinimumCells, "cells", "smallest detail");
-  options.parameter(
-      "trials", analysis, &Analysis::getTrials, &Analysis::setTrials, "",
-      "slices at 1/4; then at 1/2; then at 1/8 and 3/8 of the height below the ceiling",
-      Range::between(1, 3));
-  options.parameter("thickness", analysis, &Analysis::getSliceThickness,
-                    &Analysis::setSliceThickness, "m", "of a slice", Range::above(0));
-  options.parameter(
-      "min-island", analysis, &Analysis::getMinimumIslandArea,
-      &Analysis::setMinimumIslandArea, "m2",
-      "what the ceiling encloses all around and is smaller is a lamp or a vent",
-      Range::atLeast(0));
   options.optionalNumber("floor-height", settings.floor_height, "m", "z of the floor",
                          "the mean of the room's floor points");
-  options.seed(analysis);
-  options.threads(analysis);
   settings.addOptions(options);
   return runTool(options, argc, argv, [&] { return run(settings, analysis); });
 }

@@ -5,26 +5,22 @@
 #include "plane_picture.h"
 #include "progress.h"
 #include "rooms/building_file.h"
-#include "rooms/file_rooms.h"
-#include "rooms/room_plane_rows.h"
+#include "rooms/planes_of_rooms.h"
+#include "rooms/scan_problem.h"
 #include "run_tool.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
 
 #include "sedr_segmentation/src/planes/plane_list.h"
-#include "sedr_segmentation/src/scan/scan_check.h"
-#include "sedr_segmentation/src/scan/scan_inclination.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numeric>
 
 using namespace pcl::sedr::tools;
 using pcl::sedr::LevelKind;
-using pcl::sedr::nameOf;
 using pcl::sedr::RoomsAlongZ;
 using pcl::sedr::StructureLabel;
 
@@ -41,88 +37,7 @@ struct Settings : StageFiles {
   std::string building;
   bool trust_up = false;
   bool whole = false;
-  bool keep_rooms = false;
 };
-
-double
-tiltOf(const pcl::HorizontalPlane& plane)
-{
-  return std::acos(std::min(1.0, plane.slab.plane[2]));
-}
-
-pcl::Indices
-allOf(const ToolCloud& cloud)
-{
-  pcl::Indices all(cloud.size());
-  std::iota(all.begin(), all.end(), 0);
-  return all;
-}
-
-/** @brief Returns a sentence if an axis other than z seems to be up, or the scan is
- * tilted; empty if not, or if z is trusted. */
-std::string
-turned(const Settings& settings, const ToolCloud& cloud, RoomsAlongZ rooms)
-{
-  if (settings.trust_up)
-    return "";
-  const pcl::sedr::PointView points(*cloud.points);
-  const pcl::Indices all = allOf(cloud);
-  std::string problem = pcl::sedr::upProblem(points, all, rooms);
-  if (problem.empty())
-    problem = pcl::sedr::inclinationProblem(points, all);
-  return problem.empty() ? "" : problem + ", or say --z-up if it is right as it is";
-}
-
-/** @brief Returns a sentence if another axis than z seems to be up although rooms were
- * found along z; empty if not. */
-std::string
-doubtOf(const Planes& planes, const ToolCloud& cloud)
-{
-  const std::string problem =
-      pcl::sedr::upProblem(pcl::sedr::PointView(*cloud.points), allOf(cloud),
-                           RoomsAlongZ::Found, pcl::sedr::areaOfRooms(planes));
-  return problem.empty() ? "" : problem + ", or say --z-up if it is right as it is";
-}
-
-/** @brief Throws unless the input is a scan of rooms in metres with z up. */
-void
-checkScan(const Settings& settings, const ToolCloud& cloud)
-{
-  std::string problem =
-      pcl::sedr::scanProblem(pcl::sedr::PointView(*cloud.points), allOf(cloud));
-  if (problem.empty())
-    problem = turned(settings, cloud, RoomsAlongZ::NotLookedFor);
-  if (!problem.empty())
-    throw ToolError("'" + cloud.path + "': " + problem, NothingFound);
-}
-
-/** @brief Makes planes other whose inliers cover less than the minimum area: the tops
- * of walls just below a ceiling look like a ceiling until walls are excluded. */
-void
-dropSmall(Planes& planes, double minimum_area)
-{
-  for (auto& plane : planes)
-    if (plane.area < minimum_area)
-      plane.kind = LevelKind::Other;
-}
-
-/** @brief Labels the inliers and clears the rooms, which refer to the old labels. */
-void
-apply(const Settings& settings, const Planes& planes, ToolCloud& cloud)
-{
-  std::fill(cloud.label.begin(), cloud.label.end(), 0);
-  for (const auto& plane : planes) {
-    if (plane.kind == LevelKind::Other)
-      continue;
-    const auto label = plane.kind == LevelKind::Ceiling ? StructureLabel::Ceiling
-                                                        : StructureLabel::Floor;
-    for (const auto i : plane.inliers.indices)
-      cloud.label[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(label);
-  }
-  setField(cloud.blob, "label", cloud.label);
-  if (cloud.has_room && !settings.keep_rooms)
-    setField(cloud.blob, "room", std::vector<std::uint32_t>(cloud.size(), 0));
-}
 
 /** @brief Labels ceilings and floors in a file with rooms; returns its planes. */
 Planes
@@ -131,7 +46,6 @@ planesByRoom(const Settings& settings, const Detection& detection, ToolCloud& cl
   pcl::sedr::RoomPlaneParameters parameters;
   parameters.tolerance = detection.getDistanceThreshold();
   parameters.maximum_tilt = detection.getMaximumTilt();
-  parameters.seed = detection.getSeed();
   parameters.threads = detection.getNumberOfThreads();
   pcl::sedr::Building building;
   if (!settings.building.empty())
@@ -143,22 +57,33 @@ planesByRoom(const Settings& settings, const Detection& detection, ToolCloud& cl
 Planes
 planesOfAll(const Settings& settings, Detection& detection, ToolCloud& cloud)
 {
+  if (!settings.building.empty())
+    throw ToolError("--building is of no use without rooms, '" + settings.input +
+                    "' is looked at as a whole");
+  checkScan(cloud);
+  checkUp(cloud, settings.trust_up);
   Planes planes;
-  checkScan(settings, cloud);
   detection.setInputCloud(cloud.points);
   if (!detection.segment(planes))
     throw ToolError(detection.getErrorMessage(), NothingFound);
-  dropSmall(planes, detection.getMinimumArea());
+  for (auto& plane : planes) // tops of walls just below a ceiling
+    if (plane.area < detection.getMinimumArea())
+      plane.kind = LevelKind::Other;
   const std::string missing =
       pcl::sedr::missingKind(planes, detection.getMinimumRoomHeight());
-  if (!missing.empty()) {
-    const std::string hint = turned(settings, cloud, RoomsAlongZ::None);
-    throw ToolError(missing + (hint.empty() ? "" : "; " + hint), NothingFound);
-  }
-  const std::string doubt = settings.trust_up ? "" : doubtOf(planes, cloud);
-  if (!doubt.empty())
-    throw ToolError("'" + cloud.path + "': " + doubt, NothingFound);
-  apply(settings, planes, cloud);
+  checkUp(cloud, settings.trust_up,
+          missing.empty() ? RoomsAlongZ::Found : RoomsAlongZ::None,
+          missing.empty() ? pcl::sedr::areaOfRooms(planes) : 0, missing);
+  std::fill(cloud.label.begin(), cloud.label.end(), 0);
+  for (const auto& plane : planes)
+    if (plane.kind != LevelKind::Other)
+      setLabel(plane.inliers.indices,
+               plane.kind == LevelKind::Ceiling ? StructureLabel::Ceiling
+                                                : StructureLabel::Floor,
+               0, cloud);
+  setField(cloud.blob, "label", cloud.label);
+  if (cloud.has_room)
+    setField(cloud.blob, "room", std::vector<std::uint32_t>(cloud.size(), 0));
   return planes;
 }
 
@@ -190,8 +115,8 @@ print(const Planes& planes)
   for (const auto& plane : planes)
     std::printf("%-7s %9.3f %9.2f %9.2f %12.2f %9zu\n", nameOf(plane.kind),
                 std::round(1000 * plane.height) / 1000 + 0.0, plane.area,
-                tiltOf(plane) / degree, 100 * plane.residual,
-                plane.inliers.indices.size());
+                std::acos(std::min(1.0, plane.slab.plane[2])) / degree,
+                100 * plane.residual, plane.inliers.indices.size());
 }
 
 int
@@ -201,15 +126,11 @@ run(const Settings& settings, Detection& detection)
   if (!settings.planes.empty())
     checkJsonOutput(settings.planes);
   ToolCloud cloud = loadCloud(settings.input);
-  const bool is_by_rooms = !settings.whole && isByRooms(cloud);
-  if (!settings.building.empty() && !is_by_rooms)
-    throw ToolError("--building is of no use without rooms, '" + settings.input +
-                    "' is looked at as a whole");
   Planes planes;
   {
     const Progress progress("finding planes");
-    planes = is_by_rooms ? planesByRoom(settings, detection, cloud)
-                         : planesOfAll(settings, detection, cloud);
+    planes = !settings.whole && isByRooms(cloud) ? planesByRoom(settings, detection, cloud)
+                              : planesOfAll(settings, detection, cloud);
   }
   settings.save(cloud);
   if (!settings.planes.empty())
@@ -228,15 +149,14 @@ int
 main(int argc, char** argv)
 {
   Detection detection;
+  detection.setNumberOfThreads(0);
   Settings settings;
-
   Options options(
       "pcl_horizontal_plane_detection",
       "Finds the horizontal planes of a thinned scan, lists them, and labels the "
-      "points of "
-      "ceilings 1,\nof floors 2, all others 0. A file that pcl_room_segmentation has "
-      "parted into rooms is looked\nat room by room; rooms of another file are set to "
-      "0.");
+      "points of ceilings 1,\nof floors 2, all others 0. A file that "
+      "pcl_room_segmentation has parted into rooms is looked\nat room by room; rooms "
+      "of another file are set to 0.");
   options.file("INPUT", settings.input, "PCD or PLY file, z up, metres");
   options.file("OUTPUT", settings.output, "PCD or PLY file to write");
   options.parameter("distance", detection, &Detection::getDistanceThreshold,
@@ -252,22 +172,16 @@ main(int argc, char** argv)
   options.parameter("min-area", detection, &Detection::getMinimumArea,
                     &Detection::setMinimumArea, "m2", "smallest plane",
                     Range::above(0));
-  options.parameter("min-height", detection, &Detection::getMinimumRoomHeight,
-                    &Detection::setMinimumRoomHeight, "m",
-                    "smallest height of a ceiling above its floor", Range::above(0));
-  options.seed(detection);
-  options.threads(detection);
   options.text(
       "building", settings.building,
-      "JSON file of pcl_room_segmentation: at which heights to look, and where "
-      "a ceiling was hidden, points are added");
+      "JSON file of pcl_room_segmentation: at which heights to look, and where a "
+      "ceiling was hidden, points are added");
   options.flag("whole", settings.whole,
                "look at the file as a whole even if it has rooms");
   options.text("planes", settings.planes, "JSON file for the list of planes");
   options.flag(
       "z-up", settings.trust_up,
       "take z as up even if another axis seems to be, or the scan is inclined");
-  options.flag("keep-rooms", settings.keep_rooms, "leave the field 'room' as it is");
   settings.addOptions(options);
   return runTool(options, argc, argv, [&] { return run(settings, detection); });
 }

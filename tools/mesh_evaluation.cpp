@@ -141,44 +141,25 @@ select(const Settings& settings, const ToolCloud& cloud)
   return indices;
 }
 
-const char*
-yesOrNo(bool value)
-{
-  return value ? "yes" : "no";
-}
-
 void
 print(const char* name, const MeshFigures& figures)
 {
+  const auto yes = [](bool value) { return value ? "yes" : "no"; };
   const auto& topology = figures.topology;
   std::printf("%s\n", name);
-  std::printf("  closed manifold     %s%s%s\n", yesOrNo(figures.closed),
+  std::printf("  closed manifold     %s%s%s\n", yes(figures.closed),
               figures.closed ? "" : ": ", topology.problem().c_str());
   if (figures.closed != figures.closed_when_welded)
     std::printf("  with equal vertices made one: %s\n",
-                yesOrNo(figures.closed_when_welded));
-  std::printf("  closed %s, edge-manifold %s, vertex-manifold %s, oriented %s\n",
-              yesOrNo(topology.isClosed()), yesOrNo(topology.isEdgeManifold()),
-              yesOrNo(topology.isVertexManifold()), yesOrNo(topology.isOriented()));
+                yes(figures.closed_when_welded));
   std::printf("  vertices, triangles %zu, %zu\n", topology.vertices,
               topology.triangles);
-  std::printf("  Euler characteristic %lld\n",
-              static_cast<long long>(topology.euler_characteristic));
+  std::printf("  components          %zu\n", topology.components.size());
   if (figures.self_intersections)
     std::printf("  self-intersections  %zu\n", *figures.self_intersections);
   std::printf("  area                %.3f m2\n", figures.area);
   std::printf("  volume              %.3f m3%s\n", figures.volume,
               figures.volume < 0 ? ", the faces look inwards" : "");
-  std::printf("  components          %zu\n", topology.components.size());
-  constexpr std::size_t most = 10; // lines
-  for (std::size_t i = 0; i < topology.components.size() && i < most; ++i) {
-    const auto& component = topology.components[i];
-    std::printf("    %-3zu %8zu triangles %10.3f m2 %10.3f m3 %s\n", i + 1,
-                component.triangles, component.area, component.signed_volume,
-                component.closed ? "closed" : "open");
-  }
-  if (topology.components.size() > most)
-    std::printf("    and %zu more\n", topology.components.size() - most);
 }
 
 void
@@ -247,9 +228,8 @@ int
 main(int argc, char** argv)
 {
   pcl::MeshEvaluation evaluation;
+  evaluation.setNumberOfThreads(0);
   Settings settings;
-  std::size_t bins = evaluation.getHistogramBins();
-  double range = evaluation.getHistogramRange();
   bool find_intersections = evaluation.getFindSelfIntersections();
   Options options(
       "pcl_mesh_evaluation",
@@ -267,16 +247,9 @@ main(int argc, char** argv)
   options.parameter("spacing", evaluation, &pcl::MeshEvaluation::getSampleSpacing,
                     &pcl::MeshEvaluation::setSampleSpacing, "m",
                     "between the samples of a mesh", Range::above(0));
-  options.parameter("seed", evaluation, &pcl::MeshEvaluation::getSeed,
-                    &pcl::MeshEvaluation::setSeed, "", "chooses the samples");
-  options.number("bins", bins, "", "of the histograms in the JSON",
-                 Range::between(0, 1e6));
-  options.number("range", range, "m", "where the histograms end", Range::above(0));
   options.flag("self-intersections", find_intersections,
                "look for triangles of the model that go through each other");
-  options.threads(evaluation);
   return runTool(options, argc, argv, [&] {
-    evaluation.setHistogram(bins, range);
     evaluation.setFindSelfIntersections(find_intersections);
     return run(settings, evaluation);
   });

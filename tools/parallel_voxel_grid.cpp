@@ -20,12 +20,6 @@ struct Settings : StageFiles {
   float leaf = 0;
   unsigned int minimum_points = 0;
   bool keep_strays = false;
-  unsigned int threads = 0;
-  std::string field;
-  double low = 0;
-  double high = 0;
-  bool outside = false;
-  bool only_xyz = false;
 };
 
 pcl::PCLPointCloud2
@@ -36,11 +30,6 @@ compute(const Settings& settings, const ScanFile& scan)
   grid.setLeafSize(settings.leaf, settings.leaf, settings.leaf);
   grid.setMinimumPointsNumberPerVoxel(settings.minimum_points);
   grid.setRemoveStrays(!settings.keep_strays);
-  grid.setNumberOfThreads(settings.threads);
-  grid.setFilterFieldName(settings.field);
-  grid.setFilterLimits(settings.low, settings.high);
-  grid.setFilterLimitsNegative(settings.outside);
-  grid.setDownsampleAllData(!settings.only_xyz);
   pcl::PCLPointCloud2 thinned;
   grid.filter(scan, thinned);
   if (!grid.getErrorMessage().empty())
@@ -76,7 +65,7 @@ run(const Settings& settings)
   if (rowsOf(cloud.blob) == 0)
     throw ToolError("no voxel of " + std::to_string(settings.leaf) + " m holds " +
                         std::to_string(settings.minimum_points) + " or more of the " +
-                        std::to_string(scan.size()) + " points within the limits",
+                        std::to_string(scan.size()) + " points",
                     NothingFound);
   warnOfPositions(scan);
   settings.save(cloud);
@@ -95,8 +84,6 @@ main(int argc, char** argv)
   Settings settings;
   settings.leaf = defaults.getLeafSize().x();
   settings.minimum_points = defaults.getMinimumPointsNumberPerVoxel();
-  settings.threads = defaults.getNumberOfThreads();
-  defaults.getFilterLimits(settings.low, settings.high);
 
   Options options(
       "pcl_parallel_voxel_grid",
@@ -109,15 +96,6 @@ main(int argc, char** argv)
                  "voxels with fewer points give none");
   options.flag("keep-strays", settings.keep_strays,
                "keep voxels that points scattered in the air explain");
-  options.number("threads", settings.threads, "", "threads to use, 0 = all processors");
-  options.text("field", settings.field,
-               "use only points whose field of this name is in limits");
-  options.number("low", settings.low, "", "lower limit of that field, included");
-  options.number("high", settings.high, "", "upper limit of that field, included");
-  options.flag("outside", settings.outside,
-               "use the points outside the limits instead");
-  options.flag("only-xyz", settings.only_xyz,
-               "average x, y and z alone, other fields become 0");
   addScanOptions(options, settings.reading);
   settings.addOptions(options);
   return runTool(options, argc, argv, [&] { return run(settings); });

@@ -5,24 +5,21 @@
 #include "progress.h"
 #include "room_picture.h"
 #include "rooms/building_file.h"
+#include "rooms/scan_problem.h"
 #include "run_tool.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
 
-#include "sedr_segmentation/src/scan/scan_check.h"
-#include "sedr_segmentation/src/scan/scan_inclination.h"
 #include <pcl/sedr_segmentation/room_segmentation.h>
 
 #include <cmath>
 #include <cstdio>
-#include <numeric>
 #include <vector>
 
 using namespace pcl::sedr::tools;
 using pcl::sedr::Building;
 using pcl::sedr::LeftOut;
 using pcl::sedr::LeftOutKind;
-using pcl::sedr::RoomsAlongZ;
 
 namespace {
 
@@ -33,30 +30,12 @@ struct Settings : StageFiles {
   bool trust_up = false;
 };
 
-/** @brief Throws unless the input is a scan of rooms in metres with z up. */
-void
-checkScan(const Settings& settings, const ToolCloud& cloud, unsigned threads)
-{
-  const pcl::sedr::PointView points(*cloud.points);
-  pcl::Indices all(cloud.size());
-  std::iota(all.begin(), all.end(), 0);
-  std::string problem = pcl::sedr::scanProblem(points, all);
-  if (problem.empty() && !settings.trust_up) {
-    problem = pcl::sedr::upProblem(points, all, RoomsAlongZ::NotLookedFor, 0, threads);
-    if (problem.empty())
-      problem = pcl::sedr::inclinationProblem(points, all, threads);
-    if (!problem.empty())
-      problem += ", or say --z-up if it is right as it is";
-  }
-  if (!problem.empty())
-    throw ToolError("'" + cloud.path + "': " + problem, NothingFound);
-}
-
 void
 segment(const Settings& settings, const ToolCloud& cloud, Segmentation& segmentation)
 {
   const Progress progress("parting rooms");
-  checkScan(settings, cloud, segmentation.getNumberOfThreads());
+  checkScan(cloud);
+  checkUp(cloud, settings.trust_up);
   segmentation.setInputCloud(cloud.points);
   std::vector<pcl::PointIndices> unused;
   if (!segmentation.segment(unused))
@@ -114,8 +93,8 @@ int
 main(int argc, char** argv)
 {
   Segmentation segmentation;
+  segmentation.setNumberOfThreads(0);
   Settings settings;
-
   Options options(
       "pcl_room_segmentation",
       "Parts a thinned scan into rooms and storeys by its air, lists them, and labels "
@@ -129,25 +108,10 @@ main(int argc, char** argv)
   options.parameter("min-area", segmentation, &Segmentation::getMinimumArea,
                     &Segmentation::setMinimumArea, "m2", "smallest room, with headroom",
                     Range::above(0));
-  options.parameter("headroom", segmentation, &Segmentation::getHeadroom,
-                    &Segmentation::setHeadroom, "m", "least height of a room",
-                    Range::above(0));
-  options.parameter("min-enclosure", segmentation, &Segmentation::getMinimumEnclosure,
-                    &Segmentation::setMinimumEnclosure, "",
-                    "share of a room's outline at which walls stand",
-                    Range::between(0, 1));
-  options.parameter("widest-door", segmentation, &Segmentation::getWidestDoor,
-                    &Segmentation::setWidestDoor, "m",
-                    "widest opening that jambs or a small lintel make a door",
-                    Range::above(0));
   options.parameter("widest-passage", segmentation, &Segmentation::getWidestPassage,
                     &Segmentation::setWidestPassage, "m",
                     "widest opening below a lintel that parts two rooms",
                     Range::above(0));
-  options.parameter("storey-step", segmentation, &Segmentation::getStoreyStep,
-                    &Segmentation::setStoreyStep, "m",
-                    "floors that differ by less are of one storey", Range::above(0));
-  options.threads(segmentation);
   options.text("building", settings.building,
                "JSON file for rooms, storeys, doorways, stairs and what was left out");
   options.flag(

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "joint_scan.h"
 #include "model/model_run.h"
-#include "prior_values.h"
 #include "run_tool.h"
 
 #include <boost/algorithm/string/join.hpp>
 
-#include <iostream>
 #include <memory>
 
 using namespace pcl::sedr::tools;
@@ -15,7 +13,7 @@ int
 main(int argc, char** argv)
 {
   Reconstruction chain;
-  ModelSettings settings(chain);
+  ModelSettings settings;
   Options options(
       "pcl_sedr",
       "Reconstructs ceiling, floor and walls of an indoor scan as one closed mesh a "
@@ -28,13 +26,11 @@ main(int argc, char** argv)
       "scan; - is the standard input");
   options.file("OUTPUT_DIR", settings.folder,
                "folder for the results, made if missing");
-  addModelOptions(options, settings);
+  addModelOptions(options, settings, chain);
   options.flag("pictures", settings.pictures,
                "write a picture of what each stage decided to OUTPUT_DIR/pictures");
   return runTool(options, argc, argv, [&] {
     apply(settings, chain);
-    if (settings.explain)
-      std::cout << explained(chain.getPriors()) << std::flush;
     settings.input = boost::join(settings.inputs, ", ");
     return makeModel(settings, chain, [&] {
       // Everything but the headers is read during thinning.

@@ -66,7 +66,6 @@ addOptions(Options& options, Settings& s)
                "raw scan of a folder, where it is not where report.json says; it is "
                "read as it was then");
   addScanOptions(options, s.file);
-  options.hint("scan", raw_hint);
   options.number("max-points", s.reading.max_points, "points",
                  "of a cloud that are shown, 0 for all", Range::atLeast(0));
   options.text("screenshot", s.screenshot, "PNG to write instead of opening a window");

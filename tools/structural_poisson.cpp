@@ -112,6 +112,7 @@ int
 main(int argc, char** argv)
 {
   Poisson poisson;
+  poisson.setNumberOfThreads(0);
   Settings settings;
   Options options(
       "pcl_structural_poisson",
@@ -128,19 +129,7 @@ main(int argc, char** argv)
   options.parameter(
       "cell-ratio", poisson, &Poisson::getCellRatio, &Poisson::setCellRatio, "",
       "finest octree cell / spacing of the points", Range::between(0.1, 10));
-  options.parameter("point-weight", poisson, &Poisson::getPointWeight,
-                    &Poisson::setPointWeight, "", "of the points against smoothness",
-                    Range::atLeast(0));
-  options.parameter("min-points", poisson, &Poisson::getMinimumPoints,
-                    &Poisson::setMinimumPoints, "", "rooms of fewer are left out",
-                    Range::atLeast(10));
-  options.parameter(
-      "support", poisson, &Poisson::getSupportDistance, &Poisson::setSupportDistance,
-      "m", "surface further from all points is told as a guess", Range::above(0));
   options.flag("one-room", settings.one_room, "take all points for one room");
-  options.parameter("threads", poisson, &Poisson::getNumberOfThreads,
-                    &Poisson::setNumberOfThreads, "",
-                    "0 = all processors; the result does not depend on it");
   addPictureOption(options, settings.picture);
   return runTool(options, argc, argv, [&] { return run(settings, poisson); });
 }

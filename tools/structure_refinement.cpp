@@ -65,8 +65,8 @@ int
 main(int argc, char** argv)
 {
   Refinement refinement;
+  refinement.setNumberOfThreads(0);
   Settings settings;
-
   Options options("pcl_structure_refinement",
                   "Moves labelled points onto the planes, lines and arcs of a floor "
                   "plan, and sets their "
@@ -81,7 +81,6 @@ main(int argc, char** argv)
                     &Refinement::setMaximumDistance, "m",
                     "the farthest a point may move; others are left out",
                     Range::above(0));
-  options.threads(refinement);
   settings.addOptions(options);
   return runTool(options, argc, argv, [&] { return run(settings, refinement); });
 }

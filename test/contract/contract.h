@@ -8,8 +8,10 @@
 
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <random>
 #include <string>
@@ -99,16 +101,16 @@ sampleRoom(unsigned seed = 1, double length = 4)
 inline Cloud::Ptr
 withHoles(const Cloud& cloud)
 {
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  const float inf = std::numeric_limits<float>::infinity();
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  const float far = std::numeric_limits<float>::infinity();
   auto result = std::make_shared<Cloud>();
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (i % 21 == 0)
-      result->emplace_back(nan, 0.f, 0.f);
+      result->emplace_back(none, 0.f, 0.f);
     else if (i % 21 == 7)
-      result->emplace_back(0.f, inf, 0.f);
+      result->emplace_back(0.f, far, 0.f);
     else if (i % 21 == 14)
-      result->emplace_back(0.f, 0.f, -inf);
+      result->emplace_back(0.f, 0.f, -far);
     result->push_back(cloud[i]);
   }
   result->is_dense = false;
@@ -121,60 +123,121 @@ isFinite(const pcl::PointXYZ& p)
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-/** Returns the points of `cloud` between two heights, which adaptors use as ceiling or
- * floor. */
+/** Returns those of the points whose height lies between two, which adaptors use as
+ * ceiling or floor; indices out of range are ignored. */
+inline pcl::IndicesPtr
+among(const Cloud& cloud, const pcl::Indices& indices, float low, float high)
+{
+  auto found = std::make_shared<pcl::Indices>();
+  for (const auto i : indices)
+    if (i >= 0 && static_cast<std::size_t>(i) < cloud.size() &&
+        cloud[static_cast<std::size_t>(i)].z >= low &&
+        cloud[static_cast<std::size_t>(i)].z <= high)
+      found->push_back(i);
+  return found;
+}
+
 inline pcl::IndicesPtr
 between(const Cloud& cloud, float low, float high)
 {
-  auto indices = std::make_shared<pcl::Indices>();
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    if (cloud[i].z >= low && cloud[i].z <= high)
-      indices->push_back(static_cast<pcl::index_t>(i));
-  return indices;
+  pcl::Indices all(cloud.size());
+  std::iota(all.begin(), all.end(), 0);
+  return among(cloud, all, low, high);
 }
 
-/** Sets the points at 2.5 m as ceiling and those at 0 m as floor of a stage, restricted
- * to the given indices. */
-template <typename Stage>
-void
-setSlabs(const pcl::Indices& indices, Stage& stage)
-{
-  const Cloud& cloud = *stage.getInputCloud();
-  const auto ceiling = std::make_shared<pcl::Indices>();
-  const auto floor = std::make_shared<pcl::Indices>();
-  for (const auto i : indices) {
-    if (i < 0 || static_cast<std::size_t>(i) >= cloud.size())
-      continue;
-    const float z = cloud[static_cast<std::size_t>(i)].z;
-    if (std::abs(z - 2.5f) < 0.01f)
-      ceiling->push_back(i);
-    else if (std::abs(z) < 0.01f)
-      floor->push_back(i);
-  }
-  stage.setCeilingIndices(ceiling);
-  stage.setFloorIndices(floor);
-}
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity();
 
-/** Defaults that adaptors inherit. An adaptor overrides them where necessary, and has
+/** What adaptors of a stage share. A derived class has
  *
- *     void setInput(const Cloud::ConstPtr&); // and other inputs made from it
- *     void setIndices(const pcl::IndicesPtr&);
- *     Outcome run();                         // into an output that is not empty
- *     void spoil(int which);                 // sets the bad parameter of this number
- *     void mend();                           // sets good parameters again
- *     static constexpr int spoils;           // number of bad parameters
- */
-struct AdaptorDefaults {
+ *     Outcome run();                 // into an output that is not empty
+ *     Outcome runInPlace(Cloud::Ptr) // if works_in_place
+ *     void setNegative(bool)         // if has_negative
+ *
+ * and declares the stage's parameters in its constructor. */
+template <typename StageT>
+class Adaptor {
+public:
   static constexpr bool uses_indices = true;       ///< respects setIndices()
-  static constexpr bool has_negative = false;      ///< has setNegative(bool)
-  static constexpr bool works_in_place = false;    ///< has runInPlace(Cloud::Ptr)
+  static constexpr bool has_negative = false;      ///< keeps what it else removes
+  static constexpr bool works_in_place = false;    ///< writes clouds
   static constexpr bool finds_in_one_point = true; ///< a single point gives a result
-  static constexpr bool far_rooms_add_up =
-      true; ///< two rooms 10 km apart double the result
-  static constexpr bool takes_one_room =
-      false; ///< works on one room; two are invalid input
+  static constexpr bool far_rooms_add_up = true;   ///< two rooms give twice as much
+  static constexpr bool takes_one_room = false;    ///< two rooms are invalid input
 
-  void setThreads(unsigned) {}
+  /** @param arguments of the stage's constructor */
+  template <typename... Arguments>
+  explicit Adaptor(Arguments... arguments)
+      : stage_(arguments...)
+  {}
+
+  Adaptor(const Adaptor&) = delete;
+
+  void setInput(const Cloud::ConstPtr& cloud) { stage_.setInputCloud(cloud); }
+  void setIndices(const pcl::IndicesPtr& indices) { stage_.setIndices(indices); }
+  void setThreads(unsigned threads) { setThreads(stage_, threads, 0); }
+
+  /** Returns the number of bad values of all parameters. */
+  int spoils() const { return static_cast<int>(bad_.size()); }
+
+  void spoil(int which) { bad_[static_cast<std::size_t>(which)](); }
+
+  void mend()
+  {
+    for (const auto& set : good_)
+      set();
+  }
+
+protected:
+  /** Declares a parameter, and sets its good value. */
+  void parameter(const std::function<void(double)>& set,
+                 double good,
+                 const std::vector<double>& bad)
+  {
+    good_.push_back([=] { set(good); });
+    for (const double value : bad)
+      bad_.push_back([=] { set(value); });
+    set(good);
+  }
+
+  StageT stage_;
+
+private:
+  template <typename T>
+  static auto setThreads(T& stage, unsigned threads, int)
+      -> decltype(stage.setNumberOfThreads(threads))
+  {
+    stage.setNumberOfThreads(threads);
+  }
+  template <typename T>
+  static void setThreads(T&, unsigned, long) // a stage without threads
+  {}
+
+  std::vector<std::function<void()>> good_;
+  std::vector<std::function<void()>> bad_;
+};
+
+/** An adaptor of a stage that writes clouds. */
+template <typename DerivedT, typename StageT>
+class FilterAdaptor : public Adaptor<StageT> {
+public:
+  static constexpr bool works_in_place = true;
+  using Adaptor<StageT>::Adaptor;
+
+  Outcome run()
+  {
+    Cloud output;
+    output.emplace_back(7.f, 7.f, 7.f);
+    this->stage_.filter(output);
+    return static_cast<DerivedT&>(*this).outcomeOf(output);
+  }
+
+  Outcome runInPlace(const Cloud::Ptr& cloud)
+  {
+    static_cast<DerivedT&>(*this).setInput(cloud);
+    this->stage_.filter(*cloud);
+    return static_cast<DerivedT&>(*this).outcomeOf(*cloud);
+  }
 };
 
 } // namespace contract

@@ -51,11 +51,6 @@ TYPED_TEST_P(Contract, WithoutInputItFailsWithAReason)
   EXPECT_EQ(outcome.size, 0u);
 }
 
-TYPED_TEST_P(Contract, AnEmptyCloudGivesNothing)
-{
-  EXPECT_EQ(this->runOn(std::make_shared<Cloud>()).size, 0u);
-}
-
 TYPED_TEST_P(Contract, OnePointDoesNoHarm)
 {
   auto cloud = std::make_shared<Cloud>();
@@ -65,12 +60,13 @@ TYPED_TEST_P(Contract, OnePointDoesNoHarm)
   EXPECT_EQ(outcome.size > 0, TypeParam::finds_in_one_point);
 }
 
-TYPED_TEST_P(Contract, NothingButNaNGivesNothing)
+TYPED_TEST_P(Contract, NoPointsOrNothingButNaNGiveNothing)
 {
+  EXPECT_EQ(this->runOn(std::make_shared<Cloud>()).size, 0u);
   auto cloud = std::make_shared<Cloud>();
-  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float none = std::numeric_limits<float>::quiet_NaN();
   for (int i = 0; i < 100; ++i)
-    cloud->emplace_back(nan, nan, nan);
+    cloud->emplace_back(none, none, none);
   cloud->is_dense = false;
   const Outcome outcome = this->runOn(cloud);
   EXPECT_EQ(outcome.size, 0u);
@@ -91,14 +87,8 @@ TYPED_TEST_P(Contract, PointsThatAreNotFiniteChangeNothing)
   for (const auto i : with.kept.value_or(pcl::Indices())) {
     EXPECT_TRUE(isFinite((*holed)[static_cast<std::size_t>(i)]));
   }
-}
-
-TYPED_TEST_P(Contract, ACloudThatCallsItselfDenseMayStillHoldNaN)
-{
-  const auto holed = withHoles(*sampleRoom());
-  const Outcome honest = this->runOn(holed);
-  holed->is_dense = true;
-  EXPECT_EQ(this->runOn(holed).all, honest.all);
+  holed->is_dense = true; // a cloud may call itself dense and still hold NaN
+  EXPECT_EQ(this->runOn(holed).all, with.all);
 }
 
 TYPED_TEST_P(Contract, SparseIndicesWorkAsACloudOfThosePoints)
@@ -143,7 +133,7 @@ TYPED_TEST_P(Contract, IndicesOutOfRangeAreRefused)
 TYPED_TEST_P(Contract, BadParametersAreRefusedWithTheirNumbers)
 {
   const auto room = sampleRoom();
-  for (int which = 0; which < TypeParam::spoils; ++which) {
+  for (int which = 0; which < TypeParam().spoils(); ++which) {
     TypeParam stage;
     stage.setInput(room);
     stage.spoil(which);
@@ -264,11 +254,9 @@ TYPED_TEST_P(Contract, AnyNumberOfThreadsGivesTheSameBytes)
 REGISTER_TYPED_TEST_SUITE_P(Contract,
                             ASampleRoomGivesAResult,
                             WithoutInputItFailsWithAReason,
-                            AnEmptyCloudGivesNothing,
                             OnePointDoesNoHarm,
-                            NothingButNaNGivesNothing,
+                            NoPointsOrNothingButNaNGiveNothing,
                             PointsThatAreNotFiniteChangeNothing,
-                            ACloudThatCallsItselfDenseMayStillHoldNaN,
                             SparseIndicesWorkAsACloudOfThosePoints,
                             IndicesOutOfRangeAreRefused,
                             BadParametersAreRefusedWithTheirNumbers,

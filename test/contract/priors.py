@@ -110,9 +110,9 @@ In C++:
 and `pcl::sedr::priorTable()` gives the table below. On the command line:
 
     pcl_sedr scan.pcd model --prior max_wall=0.9,min_headroom=2
-    pcl_sedr scan.pcd model --prior-file castle.txt --explain
+    pcl_sedr scan.pcd model --prior max_wall=0.9 --explain
 
-`--explain` prints the table with the values in use; `report.json` holds them as `priors`. A file has a line `name = value` for each.
+`--explain` prints the table with the values in use; `report.json` holds them as `priors`.
 A value out of its range, or a name that is none, ends the program with a sentence.
 
 *Where* names the folders of the sources, see [architecture](architecture.md). *Chosen on the proving ground* means that the

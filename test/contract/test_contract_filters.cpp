@@ -1,19 +1,273 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contract/adaptors/floor_projection_recovery.h"
-#include "contract/adaptors/grid_region_outlier_removal.h"
-#include "contract/adaptors/parallel_voxel_grid.h"
-#include "contract/adaptors/structure_refinement.h"
-#include "contract/adaptors/vertical_hole_repair.h"
+#include "contract/sample_structure.h"
 #include "contract_suite.h"
+
+#include <pcl/sedr_filters/floor_projection_recovery.h>
+#include <pcl/sedr_filters/grid_region_outlier_removal.h>
+#include <pcl/sedr_filters/parallel_voxel_grid.h>
+#include <pcl/sedr_filters/structure_refinement.h>
+#include <pcl/sedr_filters/vertical_hole_repair.h>
 
 namespace contract {
 
-using FilterAdaptors = ::testing::Types<ParallelVoxelGridAdaptor,
-                                        GridRegionOutlierRemovalAdaptor,
-                                        OpenedGridRegionOutlierRemovalAdaptor,
-                                        FloorProjectionRecoveryAdaptor,
-                                        StructureRefinementAdaptor,
-                                        VerticalHoleRepairAdaptor>;
+/** Voxels of 10 cm, some of which contain several points. */
+class VoxelGridAdaptor
+    : public FilterAdaptor<VoxelGridAdaptor, pcl::ParallelVoxelGrid<pcl::PointXYZ>> {
+public:
+  VoxelGridAdaptor()
+      : FilterAdaptor(true)
+  {
+    parameter(
+        [this](double size) {
+          stage_.setLeafSize(0.1f, static_cast<float>(size), 0.1f);
+        },
+        0.1, {0, -1, nan, inf, 1e-45});
+    stage_.setSaveLeafLayout(true);
+  }
+
+  Outcome outcomeOf(const Cloud& output) const
+  {
+    Outcome outcome;
+    outcome.size = output.size();
+    outcome.error = stage_.getErrorMessage();
+    outcome.removed = *stage_.getRemovedIndices();
+    append(outcome.geometry, output);
+    outcome.all = outcome.geometry;
+    append(outcome.all, *outcome.removed);
+    for (const auto& p : output)
+      append(outcome.all, stage_.getCentroidIndex(p));
+    return outcome;
+  }
+};
+
+class RegionRemovalAdaptor
+    : public Adaptor<pcl::GridRegionOutlierRemoval<pcl::PointXYZ>> {
+public:
+  static constexpr bool has_negative = true;
+  static constexpr bool works_in_place = true;
+
+  explicit RegionRemovalAdaptor(int opening = 0)
+      : Adaptor(true)
+  {
+    parameter([this](double v) { stage_.setGridSize(v); }, 0.05, {0, -0.05, inf});
+    parameter([this](double v) { stage_.setOpeningRadius(static_cast<int>(v)); },
+              opening, {-1});
+    parameter([this](double v) { stage_.setMinimumSupport(v); }, 0.5, {1.5});
+  }
+
+  void setNegative(bool negative) { stage_.setNegative(negative); }
+
+  Outcome run()
+  {
+    pcl::Indices kept{7, 7, 7};
+    stage_.filter(kept);
+    Outcome outcome = outcomeOf(kept.size());
+    outcome.kept = kept;
+    append(outcome.all, kept);
+    if (stage_.getInputCloud())
+      append(outcome.geometry, Cloud(*stage_.getInputCloud(), kept));
+    return outcome;
+  }
+
+  Outcome runInPlace(const Cloud::Ptr& cloud)
+  {
+    setInput(cloud);
+    stage_.filter(*cloud);
+    Outcome outcome = outcomeOf(cloud->size());
+    append(outcome.geometry, *cloud);
+    return outcome;
+  }
+
+private:
+  Outcome outcomeOf(std::size_t size) const
+  {
+    Outcome outcome;
+    outcome.size = size;
+    outcome.error = stage_.getErrorMessage();
+    outcome.removed = *stage_.getRemovedIndices();
+    append(outcome.geometry, stage_.getRegionSizes());
+    append(outcome.geometry, stage_.getThreshold());
+    append(outcome.geometry, stage_.getNumberOfRegions());
+    append(outcome.all, *outcome.removed);
+    append(outcome.all, stage_.getRegionLabels());
+    append(outcome.all, stage_.getRegionSizes());
+    return outcome;
+  }
+};
+
+/** The same with all extensions of the paper's method enabled. */
+class OpenedRegionRemovalAdaptor : public RegionRemovalAdaptor {
+public:
+  OpenedRegionRemovalAdaptor()
+      : RegionRemovalAdaptor(2)
+  {}
+
+  void setInput(const Cloud::ConstPtr& cloud)
+  {
+    RegionRemovalAdaptor::setInput(cloud);
+    stage_.setSupportIndices(between(*cloud, -0.1f, 0.1f));
+  }
+};
+
+/** Only low points among the indices are floor; the ceiling is that of the sample room.
+ */
+class FloorRecoveryAdaptor
+    : public FilterAdaptor<FloorRecoveryAdaptor,
+                           pcl::FloorProjectionRecovery<pcl::PointXYZ>> {
+public:
+  FloorRecoveryAdaptor()
+      : FilterAdaptor(true)
+  {
+    parameter([this](double v) { stage_.setGridSize(v); }, 0.05, {0, -1, nan, inf});
+    parameter(
+        [this](double v) {
+          auto plane = std::make_shared<pcl::ModelCoefficients>();
+          plane->values.assign(3, static_cast<float>(v)); // one is missing
+          stage_.setFloorCoefficients(v > 0 ? plane : nullptr);
+        },
+        0, {1});
+  }
+
+  void setInput(const Cloud::ConstPtr& cloud)
+  {
+    stage_.setInputCloud(cloud);
+    stage_.setCeilingIndices(between(*cloud, 2.4f, 2.6f));
+  }
+
+  void setIndices(const pcl::IndicesPtr& indices)
+  {
+    stage_.setIndices(indices);
+    stage_.setCeilingIndices(among(*stage_.getInputCloud(), *indices, 2.4f, 10.f));
+  }
+
+  Outcome outcomeOf(const Cloud& output) const
+  {
+    Outcome outcome;
+    outcome.size = output.size();
+    outcome.error = stage_.getErrorMessage();
+    outcome.removed = *stage_.getRemovedIndices();
+    append(outcome.geometry, output);
+    append(outcome.geometry, stage_.getNumberOfProjected());
+    outcome.all = outcome.geometry;
+    append(outcome.all, *outcome.removed);
+    append(outcome.all, stage_.getProjectedIndices());
+    outcome.kept = stage_.getProjectedIndices();
+    outcome.kept->resize(outcome.kept->size() - stage_.getNumberOfProjected());
+    return outcome;
+  }
+};
+
+/** A stage that takes the plan of the sample room, labels and rooms. */
+template <typename DerivedT, typename StageT>
+class StructureAdaptor : public FilterAdaptor<DerivedT, StageT> {
+public:
+  StructureAdaptor()
+      : FilterAdaptor<DerivedT, StageT>(true)
+  {
+    this->parameter(
+        [this](double v) {
+          stage_.setLabels(v > 0 ? std::vector<std::uint32_t>{1, 2, 3}
+                                 : structure_.labels);
+        },
+        0, {1});
+    this->parameter(
+        [this](double v) { // empty: the point type has none
+          stage_.setRooms(v > 1   ? std::vector<std::uint32_t>{1, 1}
+                          : v > 0 ? std::vector<std::uint32_t>{}
+                                  : structure_.rooms);
+        },
+        0, {1, 2});
+  }
+
+  void setInput(const Cloud::ConstPtr& cloud)
+  {
+    stage_.setInputCloud(cloud);
+    setStructure(*between(*cloud, -10.f, 10.f));
+  }
+
+  void setIndices(const pcl::IndicesPtr& indices)
+  {
+    stage_.setIndices(indices);
+    setStructure(*indices);
+  }
+
+protected:
+  using FilterAdaptor<DerivedT, StageT>::stage_;
+
+private:
+  void setStructure(const pcl::Indices& indices)
+  {
+    structure_ = SampleStructure(*stage_.getInputCloud(), indices);
+    stage_.setFloorplan(structure_.plan);
+    this->mend();
+  }
+
+  SampleStructure structure_;
+};
+
+class RefinementAdaptor
+    : public StructureAdaptor<RefinementAdaptor,
+                              pcl::StructureRefinement<pcl::PointXYZ>> {
+public:
+  RefinementAdaptor()
+  {
+    parameter([this](double v) { stage_.setMaximumDistance(v); }, 0.15,
+              {0, -0.15, nan, inf});
+  }
+
+  Outcome outcomeOf(const Cloud& output) const
+  {
+    Outcome outcome;
+    outcome.size = output.size();
+    outcome.error = stage_.getErrorMessage();
+    outcome.kept = stage_.getSourceIndices();
+    outcome.removed = *stage_.getRemovedIndices();
+    append(outcome.geometry, output);
+    append(outcome.geometry, stage_.getSurfacePoints());
+    outcome.all = outcome.geometry;
+    append(outcome.all, *outcome.kept);
+    append(outcome.all, *outcome.removed);
+    return outcome;
+  }
+};
+
+/** The size is the number of retained scan points. Points that fill holes depend only
+ * on the plan, and exist even without scan points. */
+class HoleRepairAdaptor
+    : public StructureAdaptor<HoleRepairAdaptor,
+                              pcl::VerticalHoleRepair<pcl::PointXYZ>> {
+public:
+  HoleRepairAdaptor()
+  {
+    parameter([this](double v) { stage_.setGridSize(v); }, 0.05, {0, -0.05, nan, inf});
+  }
+
+  Outcome outcomeOf(const Cloud& output) const
+  {
+    Outcome outcome;
+    outcome.error = stage_.getErrorMessage();
+    outcome.kept = pcl::Indices();
+    for (const auto i : stage_.getSourceIndices())
+      if (i >= 0)
+        outcome.kept->push_back(i);
+    outcome.size = outcome.error.empty() ? outcome.kept->size() : output.size();
+    outcome.removed = *stage_.getRemovedIndices();
+    append(outcome.geometry, output);
+    append(outcome.geometry, stage_.getSurfacePoints());
+    append(outcome.geometry, stage_.getRepairedIndices());
+    outcome.all = outcome.geometry;
+    append(outcome.all, stage_.getSourceIndices());
+    append(outcome.all, *outcome.removed);
+    return outcome;
+  }
+};
+
+using FilterAdaptors = ::testing::Types<VoxelGridAdaptor,
+                                        RegionRemovalAdaptor,
+                                        OpenedRegionRemovalAdaptor,
+                                        FloorRecoveryAdaptor,
+                                        RefinementAdaptor,
+                                        HoleRepairAdaptor>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Filters, Contract, FilterAdaptors);
 
 } // namespace contract

@@ -1,19 +1,290 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contract/adaptors/ceiling_boundary_wall_growing.h"
-#include "contract/adaptors/floorplan_fitting.h"
-#include "contract/adaptors/grid_slice_detail.h"
-#include "contract/adaptors/horizontal_plane_detection.h"
-#include "contract/adaptors/room_segmentation.h"
 #include "contract_suite.h"
+
+#include <pcl/sedr_segmentation/ceiling_boundary_wall_growing.h>
+#include <pcl/sedr_segmentation/floorplan_fitting.h>
+#include <pcl/sedr_segmentation/grid_slice_detail.h>
+#include <pcl/sedr_segmentation/horizontal_plane_detection.h>
+#include <pcl/sedr_segmentation/room_segmentation.h>
 
 namespace contract {
 
-using SegmentationAdaptors = ::testing::Types<CeilingBoundaryWallGrowingAdaptor,
-                                              SlicedCeilingBoundaryWallGrowingAdaptor,
-                                              HorizontalPlaneDetectionAdaptor,
+/** A stage that takes the ceiling and floor of the sample room, restricted to the
+ * indices if set. */
+template <typename StageT>
+class SlabAdaptor : public Adaptor<StageT> {
+public:
+  static constexpr bool finds_in_one_point = false;
+
+  void setInput(const Cloud::ConstPtr& cloud)
+  {
+    this->stage_.setInputCloud(cloud);
+    setSlabs(*between(*cloud, -10.f, 10.f));
+  }
+
+  void setIndices(const pcl::IndicesPtr& indices)
+  {
+    this->stage_.setIndices(indices);
+    setSlabs(*indices);
+  }
+
+private:
+  void setSlabs(const pcl::Indices& indices)
+  {
+    const Cloud& cloud = *this->stage_.getInputCloud();
+    this->stage_.setCeilingIndices(among(cloud, indices, 2.49f, 2.51f));
+    this->stage_.setFloorIndices(among(cloud, indices, -0.01f, 0.01f));
+  }
+};
+
+class WallGrowingAdaptor
+    : public SlabAdaptor<pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ>> {
+public:
+  explicit WallGrowingAdaptor(double support = 0)
+  {
+    parameter([this](double v) { stage_.setNumberOfNeighbors(static_cast<int>(v)); },
+              200, {2});
+    parameter([this](double v) { stage_.setAngleThreshold(static_cast<float>(v)); },
+              M_PI / 3, {0, -1, 7, nan});
+    parameter([this](double v) { stage_.setDistanceThreshold(v); }, 0.1, {0, -1, nan});
+    parameter([this](double v) { stage_.setMinimumSupport(v); }, support, {-0.1, 1.1});
+  }
+
+  Outcome run()
+  {
+    pcl::PointIndices walls;
+    walls.indices = {1, 2, 3};
+    stage_.segment(walls);
+    Outcome outcome;
+    outcome.size = walls.indices.size();
+    outcome.error = stage_.getErrorMessage();
+    outcome.kept = walls.indices;
+    for (const pcl::Indices* indices :
+         {&std::as_const(walls.indices), &stage_.getBoundaryIndices(),
+          &stage_.getScopeBoundaryIndices(), &stage_.getFloorBoundaryIndices()}) {
+      append(outcome.all, *indices);
+      if (stage_.getInputCloud())
+        append(outcome.geometry, Cloud(*stage_.getInputCloud(), *indices));
+    }
+    return outcome;
+  }
+};
+
+/** With slice height and minimum support. */
+class SlicedWallGrowingAdaptor : public WallGrowingAdaptor {
+public:
+  SlicedWallGrowingAdaptor()
+      : WallGrowingAdaptor(0.3)
+  {
+    stage_.setSliceHeight(1.25);
+  }
+};
+
+/** The size is the number of inliers of all planes. */
+class PlaneDetectionAdaptor
+    : public Adaptor<pcl::HorizontalPlaneDetection<pcl::PointXYZ>> {
+public:
+  static constexpr bool finds_in_one_point = false;
+
+  PlaneDetectionAdaptor()
+  {
+    parameter([this](double v) { stage_.setDistanceThreshold(v); }, 0.07, {0, nan});
+    parameter([this](double v) { stage_.setGridSize(v); }, 0.05, {-0.05, inf});
+    parameter([this](double v) { stage_.setMaximumTilt(v); }, 0.0524, {-0.1, 1.6});
+    parameter([this](double v) { stage_.setMinimumArea(v); }, 1, {0, inf});
+    parameter([this](double v) { stage_.setMinimumRoomHeight(v); }, 1.8, {0, nan});
+  }
+
+  Outcome run()
+  {
+    std::vector<pcl::HorizontalPlane> planes(3);
+    stage_.segment(planes);
+    Outcome outcome;
+    outcome.error = stage_.getErrorMessage();
+    for (const auto& plane : planes) {
+      outcome.size += plane.inliers.indices.size();
+      append(outcome.geometry, plane.coefficients.values);
+      append(outcome.geometry, static_cast<int>(plane.kind));
+      append(outcome.geometry, plane.cells);
+      append(outcome.geometry, plane.area);
+      append(outcome.geometry, plane.residual);
+      append(outcome.all, plane.inliers.indices);
+      if (stage_.getInputCloud())
+        append(outcome.geometry, Cloud(*stage_.getInputCloud(), plane.inliers.indices));
+    }
+    outcome.all += outcome.geometry;
+    return outcome;
+  }
+};
+
+/** The size is the number of points of all ceilings and floors. */
+class RoomSegmentationAdaptor : public Adaptor<pcl::RoomSegmentation<pcl::PointXYZ>> {
+public:
+  static constexpr bool finds_in_one_point = false;
+
+  RoomSegmentationAdaptor()
+  {
+    parameter([this](double v) { stage_.setGridSize(v); }, 0.05, {0, nan});
+    parameter([this](double v) { stage_.setMinimumArea(v); }, 1, {-1, inf});
+    parameter([this](double v) { stage_.setHeadroom(v); }, 1.8, {0, nan});
+    parameter([this](double v) { stage_.setMinimumEnclosure(v); }, 0.4, {-0.1, 1.01});
+    parameter([this](double v) { stage_.setWidestDoor(v); }, 1.6, {0, 5});
+    parameter([this](double v) { stage_.setWidestPassage(v); }, 4, {1.5, inf});
+    parameter([this](double v) { stage_.setStoreyStep(v); }, 1.6, {0, -1.6});
+  }
+
+  Outcome run()
+  {
+    std::vector<pcl::PointIndices> rooms(3);
+    stage_.segment(rooms);
+    const pcl::sedr::Building& building = stage_.getBuilding();
+    Outcome outcome;
+    outcome.error = stage_.getErrorMessage();
+    for (const auto& room : rooms) {
+      outcome.size += room.indices.size();
+      append(outcome.all, room.indices);
+      if (stage_.getInputCloud())
+        append(outcome.geometry, Cloud(*stage_.getInputCloud(), room.indices));
+    }
+    append(outcome.geometry, building.storeys.size());
+    for (const auto& room : building.rooms) {
+      for (const double value : {room.floor, room.ceiling, room.area, room.enclosure})
+        append(outcome.geometry, value);
+      append(outcome.geometry, room.id);
+      append(outcome.geometry, room.storey);
+      append(outcome.geometry, room.columns.size());
+    }
+    append(outcome.all, building.room_of);
+    append(outcome.all, building.label_of);
+    outcome.all += outcome.geometry;
+    return outcome;
+  }
+};
+
+/** Adds a soffit to the sample room point by point: the ceiling beyond y = 0.9 is
+ * lowered by 0.4 m, and the wall above it becomes the riser. */
+class SliceDetailAdaptor : public Adaptor<pcl::GridSliceDetail<pcl::PointXYZ>> {
+public:
+  static constexpr bool finds_in_one_point = false;
+  static constexpr bool takes_one_room = true;
+
+  SliceDetailAdaptor()
+  {
+    parameter([this](double v) { stage_.setGridSize(v); }, 0.05, {0, nan});
+    parameter([this](double v) { stage_.setDistanceThreshold(v); }, 0.07, {-1, inf});
+    parameter([this](double v) { stage_.setSliceThickness(v); }, 0.1, {0, -0.1});
+    parameter([this](double v) { stage_.setTrials(static_cast<int>(v)); }, 3, {0, 4});
+    parameter([this](double v) { stage_.setMinimumIslandArea(v); }, 0.5, {-1, nan});
+    stage_.setFloorHeight(0);
+  }
+
+  void setInput(const Cloud::ConstPtr& cloud)
+  {
+    const auto built = std::make_shared<Cloud>(*cloud);
+    for (auto& p : *built)
+      buildSoffit(p);
+    stage_.setInputCloud(built);
+    stage_.setCeilingIndices(between(*built, 2.45f, 2.55f));
+  }
+
+  void setIndices(const pcl::IndicesPtr& indices)
+  {
+    stage_.setIndices(indices);
+    stage_.setCeilingIndices(among(*stage_.getInputCloud(), *indices, 2.45f, 2.55f));
+  }
+
+  Outcome run()
+  {
+    pcl::PointIndices details;
+    details.indices = {1, 2, 3};
+    stage_.segment(details);
+    Outcome outcome;
+    outcome.size = details.indices.size();
+    outcome.error = stage_.getErrorMessage();
+    append(outcome.geometry, stage_.getRegionLabels());
+    append(outcome.geometry, stage_.getRegionSizes());
+    append(outcome.geometry, stage_.getTrial());
+    if (!details.indices.empty())
+      append(outcome.geometry, stage_.getSliceHeight());
+    if (stage_.getInputCloud())
+      append(outcome.geometry, Cloud(*stage_.getInputCloud(), details.indices));
+    outcome.all = outcome.geometry;
+    append(outcome.all, details.indices);
+    return outcome;
+  }
+
+private:
+  static void buildSoffit(pcl::PointXYZ& p)
+  {
+    if (!(p.y > 0.9f) || !(p.z > 2.1f))
+      return;
+    if (p.y > 1.45f && p.z < 2.45f)
+      p.y -= 0.6f;
+    else
+      p.z -= 0.4f;
+  }
+};
+
+/** A room far away is room 2. The size is the number of elements of all loops. */
+class FloorplanAdaptor : public SlabAdaptor<pcl::FloorplanFitting<pcl::PointXYZ>> {
+public:
+  FloorplanAdaptor()
+  {
+    parameter([this](double v) { stage_.setDistanceThreshold(v); }, 0.05, {0, nan});
+    parameter([this](double v) { stage_.setGridSize(v); }, 0.05, {-0.05, inf});
+    parameter([this](double v) { stage_.setMinimumLength(v); }, 0.2, {0, -1});
+    parameter([this](double v) { stage_.setRadiusLimits(v, 25); }, 0.15, {0, 26});
+    parameter(
+        [this](double v) {
+          stage_.setRooms(v > 0 ? std::vector<std::uint32_t>{1, 2, 3} : rooms_);
+        },
+        0, {1});
+  }
+
+  void setInput(const Cloud::ConstPtr& cloud)
+  {
+    SlabAdaptor::setInput(cloud);
+    rooms_.clear();
+    for (const auto& p : *cloud)
+      rooms_.push_back(p.x > 4096.f ? 2 : 1);
+    mend();
+  }
+
+  Outcome run()
+  {
+    pcl::sedr::Floorplan plan;
+    plan.rooms.resize(2);
+    stage_.segment(plan);
+    Outcome outcome;
+    outcome.error = stage_.getErrorMessage();
+    for (const auto& room : plan.rooms) {
+      append(outcome.geometry, room.id);
+      for (const auto* slab : {&room.floor, &room.ceiling}) {
+        for (int k = 0; k < 4; ++k)
+          append(outcome.geometry, slab->plane[k]);
+        append(outcome.geometry, slab->inliers);
+      }
+      for (const auto& e : room.boundary.elements) {
+        ++outcome.size;
+        for (const double value : {e.start.x(), e.start.y(), e.radius, e.residual})
+          append(outcome.geometry, value);
+        append(outcome.geometry, e.inliers);
+      }
+    }
+    outcome.all = outcome.geometry;
+    return outcome;
+  }
+
+private:
+  std::vector<std::uint32_t> rooms_;
+};
+
+using SegmentationAdaptors = ::testing::Types<WallGrowingAdaptor,
+                                              SlicedWallGrowingAdaptor,
+                                              PlaneDetectionAdaptor,
                                               RoomSegmentationAdaptor,
-                                              GridSliceDetailAdaptor,
-                                              FloorplanFittingAdaptor>;
+                                              SliceDetailAdaptor,
+                                              FloorplanAdaptor>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Segmentation, Contract, SegmentationAdaptors);
 
 } // namespace contract

@@ -148,16 +148,6 @@ TEST_F(RefinementTools, RefinementLeavesPointsOutThatAreTooFarFromTheirSurface)
   EXPECT_EQ(loadCloud(in("output.pcd")).size(), walls);
 }
 
-TEST_F(RefinementTools, PointsWithoutRoomsTakeThatOfThePlan)
-{
-  RoomScan scan = scanOf();
-  for (auto& p : scan.points)
-    p.room = 0;
-  EXPECT_EQ(runOn(STRUCTURE_REFINEMENT, scan.pcd(true)).exit_code, 0);
-  const ToolCloud cloud = loadCloud(in("output.pcd"));
-  expectOnSurfaces(cloud, normalsOf(cloud));
-}
-
 TEST_F(RefinementTools, RepairClosesTheDoorAndWhatTheCupboardHid)
 {
   ASSERT_EQ(
@@ -190,15 +180,6 @@ TEST_F(RefinementTools, RepairClosesTheDoorAndWhatTheCupboardHid)
   for (const auto& [x, y, z] : {std::array{2.5f, 0.f, 1.f}, std::array{2.f, 3.f, 1.f},
                                 std::array{2.f, 2.75f, 0.f}, std::array{1.f, 0.f, 1.f}})
     EXPECT_NEAR(static_cast<double>(countNear(x, y, z)), 50, 15) << x << ' ' << y;
-}
-
-TEST_F(RefinementTools, RepairTakesItsGrid)
-{
-  ASSERT_EQ(
-      runOn(STRUCTURE_REFINEMENT, scanOf().pcd(true), {}, "refined.pcd").exit_code, 0);
-  const std::string refined = bytesOf(in("refined.pcd"));
-  EXPECT_EQ(runOn(VERTICAL_HOLE_REPAIR, refined, {"--grid", "0.1"}).exit_code, 0);
-  EXPECT_NEAR(static_cast<double>(loadCloud(in("output.pcd")).size()), 100 * 59, 100);
 }
 
 TEST_F(RefinementTools, PlansThatAreNoneAreRefused)

@@ -22,7 +22,7 @@ using namespace programs;
 TEST_F(SedrTool, MakesAClosedModelOfARoom)
 {
   const RoomScan scan = scanOf();
-  const ProgramRun result = onFile(scan.pcd(false), {"--tree-depth", "7"});
+  const ProgramRun result = onFile(scan.pcd(false), {});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.out + result.err, "") << "quiet when piped";
 
@@ -40,7 +40,7 @@ TEST_F(SedrTool, MakesAClosedModelOfARoom)
 
   const auto report = nlohmann::json::parse(bytesOf(in("model/report.json")));
   EXPECT_EQ(report.at("input").at("points"), scan.points.size());
-  EXPECT_EQ(report.at("parameters").at("tree_depth"), 7);
+  EXPECT_EQ(report.at("parameters").at("tree_depth"), 9);
   ASSERT_EQ(report.at("rooms").size(), 1u);
   EXPECT_NEAR(report.at("rooms")[0].at("volume").get<double>(), 30, 0.2);
   EXPECT_NEAR(report.at("rooms")[0].at("perimeter").get<double>(), 14, 0.05);
@@ -59,12 +59,11 @@ TEST_F(SedrTool, MakesAClosedModelOfARoom)
   EXPECT_NEAR(std::abs(mesh.at("volume").get<double>()), 30, 0.4);
 }
 
-TEST_F(SedrTool, PriorsAreSetByNameOrFileExplainedAndReported)
+TEST_F(SedrTool, PriorsAreSetByNameExplainedAndReported)
 {
-  writeFile(in("castle.txt"), "# a castle\nmax_wall = 2\n\n min_headroom=2.1 # m\n");
   const ProgramRun result =
-      onFile(scanOf().pcd(false), {"--no-mesh", "--explain", "--prior-file",
-                                   in("castle.txt"), "--prior", "max_wall=1.5"});
+      onFile(scanOf().pcd(false),
+             {"--no-mesh", "--explain", "--prior", "max_wall=1.5, min_headroom=2.1"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   std::map<std::string, double> values;
   const auto report = nlohmann::json::parse(bytesOf(in("model/report.json")));
@@ -73,7 +72,7 @@ TEST_F(SedrTool, PriorsAreSetByNameOrFileExplainedAndReported)
     EXPECT_NE(result.out.find(prior.at("source").get<std::string>()),
               std::string::npos);
   }
-  EXPECT_EQ(values.at("max_wall"), 1.5) << "the command line overrides the file";
+  EXPECT_EQ(values.at("max_wall"), 1.5);
   EXPECT_EQ(pcl::sedr::tools::planMaxWall(in("model/floorplan.json")), 1.5)
       << "for drawing it again";
   EXPECT_EQ(values.at("min_headroom"), 2.1);
@@ -84,14 +83,14 @@ TEST_F(SedrTool, PriorsAreSetByNameOrFileExplainedAndReported)
 TEST_F(SedrTool, DrawsWhatEveryStageDecidedOnDemand)
 {
   const std::string scan = scanOf().pcd(false);
-  const ProgramRun plain = onFile(scan, {"--tree-depth", "6"});
+  const ProgramRun plain = onFile(scan);
   ASSERT_EQ(plain.exit_code, 0) << plain.err;
   EXPECT_FALSE(std::filesystem::exists(in("model/pictures")));
   const std::string mesh = bytesOf(in("model/mesh.ply"));
 
   std::map<std::string, std::string> first;
   for (int k = 0; k < 2; ++k) {
-    const ProgramRun result = onFile(scan, {"--tree-depth", "6", "--pictures"});
+    const ProgramRun result = onFile(scan, {"--pictures"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     EXPECT_TRUE(bytesOf(in("model/mesh.ply")) == mesh) << "drawing changes nothing";
     std::map<std::string, std::string> pictures;
@@ -112,8 +111,7 @@ TEST_F(SedrTool, DrawsWhatEveryStageDecidedOnDemand)
 
 TEST_F(SedrTool, WritesThePageOnDemandThatPclSedrReportWrites)
 {
-  const ProgramRun result =
-      onFile(scanOf().pcd(false), {"--tree-depth", "6", "-report"}); // PCL's one dash
+  const ProgramRun result = onFile(scanOf().pcd(false), {"-report"}); // PCL's one dash
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.out + result.err, "") << "quiet when piped";
   const std::string page = bytesOf(in("model/report.html"));
@@ -127,8 +125,7 @@ TEST_F(SedrTool, WritesThePageOnDemandThatPclSedrReportWrites)
 TEST_F(SedrTool, LeavesNothingOfAnEarlierRunBesideItsOwnFiles)
 {
   const std::string scan = scanOf().pcd(false);
-  const ProgramRun first =
-      onFile(scan, {"--tree-depth", "6", "--pictures", "--report"});
+  const ProgramRun first = onFile(scan, {"--pictures", "--report"});
   ASSERT_EQ(first.exit_code, 0) << first.err;
   for (const char* mine : {"model/notes.txt", "model/floorplan_old.svg"})
     writeFile(in(mine), "mine");
@@ -155,7 +152,7 @@ TEST_F(SedrTool, LeavesNothingOfAnEarlierRunBesideItsOwnFiles)
 
 TEST_F(SedrTool, WritesTheSolidAndTheDrawings)
 {
-  ASSERT_EQ(onFile(scanOf().pcd(false), {"--tree-depth", "6"}).exit_code, 0);
+  ASSERT_EQ(onFile(scanOf().pcd(false)).exit_code, 0);
   for (const char* name : {"solid.ply", "solid.obj"}) {
     pcl::sedr::TriangleMesh solid;
     ASSERT_EQ(pcl::sedr::loadMesh(in("model") + "/" + name, solid), "");
@@ -187,53 +184,10 @@ TEST_F(SedrTool, TakesAScanInMillimetresByItsUnit)
     p.z *= 1000;
   }
   expectFailure(onFile(scan.pcd(false)), 1, "--unit 0.001");
-  const ProgramRun result =
-      onFile(scan.pcd(false), {"--unit", "0.001", "--tree-depth", "6"});
+  const ProgramRun result = onFile(scan.pcd(false), {"--unit", "0.001"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const auto report = nlohmann::json::parse(bytesOf(in("model/report.json")));
   EXPECT_NEAR(report.at("rooms")[0].at("area").get<double>(), 12, 0.05);
-}
-
-TEST_F(SedrTool, DoubtsTheUnitOfHighRoomsUnlessItWasNamed)
-{
-  std::vector<std::vector<float>> points;
-  const auto add = [&](int x, int y, int z) {
-    points.push_back({0.1F * static_cast<float>(x), 0.1F * static_cast<float>(y),
-                      0.1F * static_cast<float>(z)});
-  };
-  for (int a = 0; a <= 120; ++a) {
-    for (int b = 0; b <= 100; ++b)
-      for (const int z : {0, 80})
-        add(a, b, z);
-    for (int z = 0; z <= 80; ++z)
-      for (const int side : {0, 1}) {
-        add(a, 100 * side, z);
-        if (a <= 100)
-          add(120 * side, a, z);
-      }
-  }
-  const std::string scan = programs::pcdBytes(points);
-  for (const bool is_named : {false, true}) {
-    std::vector<std::string> options{"--no-mesh"};
-    if (is_named)
-      options.insert(options.end(), {"--unit", "1"});
-    const ProgramRun result = onFile(scan, options);
-    ASSERT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_EQ(result.err.find("--unit 1 says that it is the metre") ==
-                  std::string::npos,
-              is_named)
-        << result.err;
-  }
-}
-
-TEST_F(SedrTool, ReportsAPathThatIsNoUtf8)
-{
-  const std::string path = in("scan\xff.pcd");
-  writeFile(path, scanOf().pcd(false));
-  const ProgramRun result = run(SEDR, {path, in("model"), "--tree-depth", "6"});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
-  const auto report = nlohmann::json::parse(bytesOf(in("model/report.json")));
-  EXPECT_EQ(report.at("input").at("path"), in("scan\xef\xbf\xbd.pcd"));
 }
 
 TEST_F(SedrTool, GivesTheSameBytesForAnyNumberOfThreads)
@@ -241,28 +195,12 @@ TEST_F(SedrTool, GivesTheSameBytesForAnyNumberOfThreads)
   const std::string bytes = scanOf().pcd(false);
   Strings results;
   for (const char* threads : {"1", "3"}) {
-    ASSERT_EQ(onFile(bytes, {"--tree-depth", "6", "--threads", threads}).exit_code, 0);
+    ASSERT_EQ(onFile(bytes, {"--threads", threads}).exit_code, 0);
     results.push_back(bytesOf(in("model/mesh.ply")) +
                       bytesOf(in("model/structure.pcd")) +
                       bytesOf(in("model/floorplan.json")));
   }
   EXPECT_EQ(results[0], results[1]);
-}
-
-TEST_F(SedrTool, HelpTellsEveryOptionOfTableOneWithItsDefault)
-{
-  const ProgramRun result = run(SEDR, {"-h"});
-  EXPECT_EQ(result.exit_code, 0);
-  EXPECT_EQ(result.err, "");
-  std::vector<std::string> names;
-  for (const auto& option : optionsIn(result.out)) {
-    names.push_back(option.name);
-    EXPECT_TRUE(option.tellsDefault()) << option.name;
-  }
-  for (const char* name :
-       {"voxel-size", "plane-tolerance", "grid-size", "boundary-angle",
-        "boundary-neighbors", "minimum-cells", "boundary-tolerance", "tree-depth"})
-    EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
 }
 
 TEST_F(SedrTool, ReportsHowMuchOfTheFloorWasModelled)

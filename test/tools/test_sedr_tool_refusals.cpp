@@ -17,18 +17,6 @@ TEST_F(SedrTool, RefusesPriorsThatAreNone)
   expectFailure(onFile(scan, {"--prior", "max_wal=1"}), 1, "there is no prior max_wal");
   expectFailure(onFile(scan, {"--prior", "max_wall"}), 1, "name=value");
   expectFailure(onFile(scan, {"--prior", "max_wall=20"}), 1, "from 0.1 to 3 m");
-  expectFailure(onFile(scan, {"--prior-file", in("none.txt")}), 1, "cannot read");
-}
-
-TEST_F(SedrTool, PicturesThatCannotBeWrittenAreRefusedBeforeTheWork)
-{
-  std::filesystem::create_directories(in("model"));
-  writeFile(in("model/pictures"), "a file");
-  const ProgramRun result = onFile(scanOf().pcd(false), {"--pictures"});
-  EXPECT_EQ(result.exit_code, 1);
-  EXPECT_TRUE(result.failsInOneSentence()) << result.err;
-  EXPECT_NE(result.err.find(in("model/pictures")), std::string::npos) << result.err;
-  EXPECT_FALSE(std::filesystem::exists(in("model/mesh.ply")));
 }
 
 TEST_F(SedrTool, BadCommandLinesAreRefused)

@@ -53,15 +53,6 @@ TEST_F(SegmentationTools, SliceDetailFindsTheSoffitOfEveryRoom)
     ASSERT_TRUE(cloud.label[i] != 4 || cloud.room[i] == scan.points[i].room);
 }
 
-TEST_F(SegmentationTools, SliceDetailFindsNoneUnderAPlainCeiling)
-{
-  const RoomScan scan = scanOf();
-  EXPECT_EQ(runOn(GRID_SLICE_DETAIL, scan.pcd(true), "output.pcd").exit_code, 0);
-  const ToolCloud cloud = loadCloud(in("output.pcd"));
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    ASSERT_EQ(cloud.label[i], static_cast<std::uint32_t>(scan.points[i].label));
-}
-
 TEST_F(SegmentationTools, SliceDetailSaysWhatIsMissing)
 {
   const auto analyse = [&](Label left_out, const Strings& options = {}) {
@@ -125,16 +116,6 @@ TEST_F(SegmentationTools, FloorplanFittingFollowsTheRawScan)
   EXPECT_NE(missing.err.find("none.pcd"), std::string::npos) << missing.err;
 }
 
-TEST_F(SegmentationTools, FloorplanFittingTakesAFileWithoutRoomsForOneRoom)
-{
-  RoomScan scan = scanOf();
-  for (auto& p : scan.points)
-    p.room = 0;
-  EXPECT_EQ(runOn(FLOORPLAN_FITTING, scan.pcd(true), "output.json").exit_code, 0);
-  ASSERT_EQ(plan().rooms.size(), 1u);
-  EXPECT_EQ(plan().rooms[0].id, 1u);
-}
-
 TEST_F(SegmentationTools, FloorplanFittingSaysWhatIsMissing)
 {
   for (const auto& [label, words] : {std::pair{Label::Ceiling, "label 1, ceiling"},
@@ -143,10 +124,6 @@ TEST_F(SegmentationTools, FloorplanFittingSaysWhatIsMissing)
     expectNothingFound(
         runOn(FLOORPLAN_FITTING, scanOf().withoutLabel(label).pcd(true), "output.json"),
         words);
-  EXPECT_EQ(runOn(FLOORPLAN_FITTING, scanOf().pcd(true), "output.json",
-                  {"--max-radius", "0.1"})
-                .exit_code,
-            1);
 }
 
 } // namespace

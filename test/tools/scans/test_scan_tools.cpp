@@ -78,7 +78,7 @@ TEST(ScanPrograms, DoublesKeepWhatFloatsRound)
     EXPECT_GT(worst(in(name)), 2e-5) << name;
     ASSERT_EQ(run(LAS_TO_PCD, {in("wide.las"), in(name), "--doubles"}).exit_code, 0);
     EXPECT_LT(worst(in(name)), 1e-8) << name;
-    ASSERT_EQ(run(LAS_TO_PCD, {in("wide.las"), in(name), "--doubles", "--no-shift"})
+    ASSERT_EQ(run(LAS_TO_PCD, {in("wide.las"), in(name), "--doubles", "--origin", "0,0,0"})
                   .exit_code,
               0);
     EXPECT_LT(worst(in(name)), 1e-8) << name;
@@ -94,13 +94,11 @@ TEST_F(ScanTools, BadOptionsAndScansThatStayTooLargeAreOneSentence)
 {
   writeFile(in("large.las"), las());
   for (const std::vector<std::string>& options :
-       {std::vector<std::string>{"--no-shift"},
-        {"--origin", "1,2"},
+       {std::vector<std::string>{"--origin", "1,2"},
         {"--origin", "0,0,0"},
-        {"--origin", "0,0,0", "--no-shift"},
-        {"--origin-of", in("nowhere")},
-        {"--origin-of", in("large.las")},
-        {"--origin-of", in("study/scan.pcd")},
+        {"--origin", in("nowhere")},
+        {"--origin", in("large.las")},
+        {"--origin", in("study/scan.pcd")},
         {"--scan", "2"},
         {"--skip-broken"},
         {"--columns", "x,y,z"}}) {

@@ -100,7 +100,7 @@ TEST_F(ScansAsTheyCome, TwoScansOfASiteAreComparedInOneFrame)
   ASSERT_EQ(model(in("site.las"), "one").exit_code, 0);
   ASSERT_EQ(model(in("site.las"), "two", {"--origin", "691590.5,5335990,0"}).exit_code,
             0);
-  ASSERT_EQ(model(in("site.las"), "three", {"--origin-of", in("two")}).exit_code, 0);
+  ASSERT_EQ(model(in("site.las"), "three", {"--origin", in("two")}).exit_code, 0);
   EXPECT_EQ(planOrigin(in("two/floorplan.json")), (Origin{{691590.5, 5335990, 0}}));
   EXPECT_EQ(planOrigin(in("three/floorplan.json")),
             planOrigin(in("two/floorplan.json")));

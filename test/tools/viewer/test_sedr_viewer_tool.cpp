@@ -120,7 +120,7 @@ TEST_F(ViewerTool, BadCommandLinesAreRefusedBeforeADisplayIsAskedFor)
   refuses("model", {"--screenshot", in("view.jpg")}, "png");
   refuses("model", {"--scan", "2"}, "is none; the raw scan of a folder is named by");
   refuses("stage.pcd", {"--raw", in("none.pcd")}, "--raw names the raw scan");
-  refuses("model/mesh.ply", {"--no-shift"}, "--no-shift tells how a scan is read");
+  refuses("model/mesh.ply", {"--unit", "2"}, "--unit tells how a scan is read");
 }
 
 TEST_F(ViewerTool, CeilingsAreHiddenAtFirst)

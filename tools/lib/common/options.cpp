@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <iomanip>
 #include <sstream>
 #include <utility>
 
@@ -19,47 +18,27 @@ namespace po = boost::program_options;
 
 namespace {
 
-constexpr std::size_t help_column = 26;
 constexpr double vast = 1e9; // larger limits are those of types and not printed
-
-std::string
-withUnit(const std::string& unit)
-{
-  return unit.empty() ? "" : " " + unit;
-}
 
 /** @brief Joins `left` and, from a fixed column on, `right`, broken into lines. */
 std::string
 helpLine(const std::string& left, const std::string& right)
 {
+  constexpr std::size_t indent = 26;
   constexpr std::size_t width = 90;
+  const std::string margin(indent, ' ');
   std::string text = "  " + left;
-  text += text.size() + 2 > help_column ? "\n" + std::string(help_column, ' ')
-                                        : std::string(help_column - text.size(), ' ');
+  text += text.size() + 2 > indent ? "\n" + margin : margin.substr(text.size());
   std::istringstream words(right);
-  std::size_t column = help_column;
+  std::size_t column = indent;
   for (std::string word; words >> word; column += word.size() + 1) {
     if (column + word.size() > width) {
-      text += "\n" + std::string(help_column, ' ');
-      column = help_column;
+      text += "\n" + margin;
+      column = indent;
     }
-    text += (column == help_column ? "" : " ") + word;
+    text += (column == indent ? "" : " ") + word;
   }
   return text + "\n";
-}
-
-/** @brief Returns Boost's error as a sentence. */
-std::string
-problemOf(const po::error& error)
-{
-  if (const auto* unknown = dynamic_cast<const po::unknown_option*>(&error))
-    return "there is no option '" + unknown->get_option_name() + "'";
-  if (const auto* twice = dynamic_cast<const po::multiple_occurrences*>(&error))
-    return "option '" + twice->get_option_name() + "' is given more than once";
-  if (const auto* syntax = dynamic_cast<const po::invalid_command_line_syntax*>(&error))
-    if (syntax->kind() == po::invalid_syntax::missing_parameter)
-      return "option '" + syntax->get_option_name() + "' needs a value";
-  return error.what();
 }
 
 } // namespace
@@ -69,14 +48,13 @@ Range::text(const std::string& unit) const
 {
   const auto number = [&](double value) {
     std::ostringstream text;
-    text << value << withUnit(unit);
+    text << value << (unit.empty() ? "" : " ") << unit;
     return text.str();
   };
   const bool has_low = low > -vast;
   const bool has_high = high < vast;
   if (has_low && has_high)
-    return open ? "above " + number(low) + " and at most " + number(high)
-                : "from " + number(low) + " to " + number(high);
+    return "from " + number(low) + " to " + number(high);
   if (has_low)
     return (open ? "above " : "at least ") + number(low);
   return has_high ? "at most " + number(high) : "";
@@ -86,28 +64,6 @@ Options::Options(std::string tool, std::string purpose)
     : tool_(std::move(tool))
     , purpose_(std::move(purpose))
 {}
-
-void
-Options::file(const std::string& name, std::string& value, const std::string& help)
-{
-  files_.push_back({name, help, &value, nullptr, true});
-}
-
-void
-Options::optionalFile(const std::string& name,
-                      std::string& value,
-                      const std::string& help)
-{
-  files_.push_back({name, help, &value, nullptr, false});
-}
-
-void
-Options::files(const std::string& name,
-               std::vector<std::string>& values,
-               const std::string& help)
-{
-  files_.push_back({name, help, nullptr, &values, true});
-}
 
 std::string
 Options::textOf(double value)
@@ -122,33 +78,30 @@ Options::addNumber(const std::string& name,
                    const std::string& unit,
                    const std::string& help,
                    const Range& range,
-                   bool whole,
+                   bool is_whole,
                    const std::string& default_text,
                    const std::function<void(double)>& store)
 {
   const std::string allowed = range.text();
-  std::string about = help + (unit.empty() ? "" : " [" + unit + "]") + " (";
-  about += allowed.empty() ? "" : allowed + "; ";
-  about += "default " + default_text + ")";
   const auto read = [=](const std::string& given) {
     char* end = nullptr;
     const double value = std::strtod(given.c_str(), &end);
     if (given.empty() || *end != '\0' || !std::isfinite(value) ||
-        (whole && value != std::floor(value)))
-      throw ToolError("--" + name + " takes a " + (whole ? "whole " : "") + "number" +
-                      (unit.empty() ? "" : " of " + unit) + ", not '" + given + "'");
-    if (value > range.high && range.high >= vast) {
-      std::ostringstream most;
-      most << std::setprecision(std::numeric_limits<double>::max_digits10) << range.high
-           << withUnit(unit);
-      throw ToolError("--" + name + " must be at most " + most.str() + ", not " +
-                      given);
-    }
+        (is_whole && value != std::floor(value)))
+      throw ToolError("--" + name + " takes a " + (is_whole ? "whole " : "") +
+                      "number" + (unit.empty() ? "" : " of " + unit) + ", not '" +
+                      given + "'");
     if (!range.holds(value))
-      throw ToolError("--" + name + " must be " + range.text(unit) + ", not " + given);
+      throw ToolError("--" + name + " must be " +
+                      (allowed.empty() ? "smaller" : range.text(unit)) + ", not " +
+                      given);
     store(value);
   };
-  options_.push_back({name, about, true, read});
+  options_.push_back({name,
+                      help + (unit.empty() ? "" : " [" + unit + "]") + " (" + allowed +
+                          (allowed.empty() ? "" : "; ") + "default " + default_text +
+                          ")",
+                      true, read});
 }
 
 void
@@ -157,17 +110,17 @@ Options::text(const std::string& name,
               const std::string& help,
               const std::vector<std::string>& choices)
 {
-  std::string about = help + " (";
-  about += choices.empty() ? "" : boost::join(choices, ", ") + "; ";
-  about += "default " + (value.empty() ? "none" : value) + ")";
-  const auto read = [name, &value, choices](const std::string& given) {
+  const std::string allowed = boost::join(choices, ", ");
+  const auto read = [name, allowed, &value, choices](const std::string& given) {
     if (!choices.empty() &&
         std::find(choices.begin(), choices.end(), given) == choices.end())
-      throw ToolError("--" + name + " is one of " + boost::join(choices, ", ") +
-                      ", not '" + given + "'");
+      throw ToolError("--" + name + " is one of " + allowed + ", not '" + given + "'");
     value = given;
   };
-  options_.push_back({name, about, true, read});
+  options_.push_back({name,
+                      help + " (" + allowed + (allowed.empty() ? "" : "; ") +
+                          "default " + (value.empty() ? "none" : value) + ")",
+                      true, read});
 }
 
 void
@@ -175,20 +128,6 @@ Options::flag(const std::string& name, bool& value, const std::string& help)
 {
   options_.push_back(
       {name, help, false, [&value](const std::string&) { value = true; }});
-}
-
-void
-Options::read(const Option& option, const std::string& given) const
-{
-  const auto hint = hints_.find(option.name);
-  try {
-    option.read(given);
-  }
-  catch (const ToolError& error) {
-    if (hint == hints_.end())
-      throw;
-    throw ToolError(error.what() + ("; " + hint->second), error.exitCode());
-  }
 }
 
 bool
@@ -203,7 +142,6 @@ Options::parse(int argc, const char* const* argv)
   description.add_options()("file", po::value<std::vector<std::string>>(), "");
   po::positional_options_description positions;
   positions.add("file", -1);
-
   po::variables_map given;
   try {
     // Accepts -leaf for --leaf, like PCL's own programs.
@@ -218,19 +156,16 @@ Options::parse(int argc, const char* const* argv)
               given);
   }
   catch (const po::error& error) {
-    throw ToolError(problemOf(error) + "; " + tool_ + " -h tells all");
+    throw ToolError(std::string(error.what()) + "; " + tool_ + " -h tells all");
   }
   wants_version_ = given.count("version") != 0;
   if (given.count("help") != 0 || wants_version_)
     return false;
-
-  const auto names = given.count("file") != 0
-                         ? given["file"].as<std::vector<std::string>>()
-                         : std::vector<std::string>();
-  readFiles(names);
+  readFiles(given.count("file") != 0 ? given["file"].as<std::vector<std::string>>()
+                                     : std::vector<std::string>());
   for (const auto& option : options_)
     if (given.count(option.name) != 0)
-      read(option, option.takes_value ? given[option.name].as<std::string>() : "");
+      option.read(option.takes_value ? given[option.name].as<std::string>() : "");
   return true;
 }
 
@@ -265,9 +200,9 @@ Options::usage() const
 }
 
 std::string
-Options::version() const
+Options::answer() const
 {
-  return tool_ + " (SEDR) " SEDR_VERSION "\n";
+  return wants_version_ ? tool_ + " (SEDR) " SEDR_VERSION "\n" : help();
 }
 
 std::string
@@ -282,9 +217,8 @@ Options::help() const
         helpLine("--" + option.name + (option.takes_value ? " arg" : ""), option.help);
   help += helpLine("-h, --help", "prints this");
   help += helpLine("--version", "prints the version");
-  help += "\nExit code: 0 done; 1 bad use or unreadable input; 2 read, but nothing "
-          "found.\n";
-  return help;
+  return help + "\nExit code: 0 done; 1 bad use or unreadable input; 2 read, but "
+                "nothing found.\n";
 }
 
 } // namespace pcl::sedr::tools

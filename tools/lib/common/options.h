@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <map>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -59,17 +58,26 @@ public:
 
   /** @brief Declares a required file or folder; the order of calls is that of the
    * arguments. */
-  void file(const std::string& name, std::string& value, const std::string& help);
+  void file(const std::string& name, std::string& value, const std::string& help)
+  {
+    files_.push_back({name, help, &value, nullptr, true});
+  }
 
   /** @brief Declares an optional last file; excludes files(). */
   void
-  optionalFile(const std::string& name, std::string& value, const std::string& help);
+  optionalFile(const std::string& name, std::string& value, const std::string& help)
+  {
+    files_.push_back({name, help, &value, nullptr, false});
+  }
 
   /** @brief Declares a list of one or more files or folders at this position among
    * those of file(). At most one list is allowed. */
   void files(const std::string& name,
              std::vector<std::string>& values,
-             const std::string& help);
+             const std::string& help)
+  {
+    files_.push_back({name, help, nullptr, &values, true});
+  }
 
   /** @brief Declares a number, `--name 0.05`, of the type of `value`; `unit` may be
    * empty. */
@@ -106,20 +114,6 @@ public:
                        });
   }
 
-  /** @brief Declares --threads and --seed of a stage. */
-  template <typename StageT>
-  void threads(StageT& stage)
-  {
-    parameter("threads", stage, &StageT::getNumberOfThreads,
-              &StageT::setNumberOfThreads, "", "threads to use, 0 = all processors");
-  }
-  template <typename StageT>
-  void seed(StageT& stage)
-  {
-    parameter("seed", stage, &StageT::getSeed, &StageT::setSeed, "",
-              "seed of the random samples", Range::atLeast(0));
-  }
-
   /** @brief Declares a number without a default; `otherwise` describes its absence in
    * the help. */
   template <typename NumberT>
@@ -143,9 +137,6 @@ public:
   /** @brief Declares a switch, `--name`, which sets `value`. */
   void flag(const std::string& name, bool& value, const std::string& help);
 
-  /** @brief Adds what every refusal of an option's value ends with. */
-  void hint(const std::string& name, const std::string& text) { hints_[name] = text; }
-
   /** @brief Reads the command line into the variables.
    * @return false if -h, --help or --version was given; answer() then returns the
    * text */
@@ -154,10 +145,8 @@ public:
   /** @brief Returns purpose, usage, files and options with units and defaults. */
   std::string help() const;
 
-  /** @brief Returns name and version, one line. */
-  std::string version() const;
-
-  std::string answer() const { return wants_version_ ? version() : help(); }
+  /** @brief Returns the help, or name and version. */
+  std::string answer() const;
 
   const std::string& tool() const { return tool_; }
 
@@ -186,15 +175,14 @@ private:
                  const std::string& default_text,
                  const std::function<void(NumberT)>& store)
   {
-    static_assert(std::is_arithmetic<NumberT>::value, "an option of numbers");
-    constexpr bool whole = std::is_integral<NumberT>::value;
-    range.low = std::max(range.low,
-                         static_cast<double>(std::numeric_limits<NumberT>::lowest()));
-    // Up to 2^53, doubles represent all integers.
-    range.high =
-        std::min({range.high, static_cast<double>(std::numeric_limits<NumberT>::max()),
-                  whole ? 9007199254740992.0 : range.high});
-    addNumber(name, unit, help, range, whole, default_text,
+    constexpr bool is_whole = std::is_integral<NumberT>::value;
+    if (is_whole) { // up to 2^53, doubles represent all integers
+      constexpr double most = 9007199254740992.0;
+      using Limits = std::numeric_limits<NumberT>;
+      range.low = std::max(range.low, std::max(-most, double(Limits::lowest())));
+      range.high = std::min(range.high, std::min(most, double(Limits::max())));
+    }
+    addNumber(name, unit, help, range, is_whole, default_text,
               [store](double v) { store(static_cast<NumberT>(v)); });
   }
 
@@ -202,11 +190,9 @@ private:
                  const std::string& unit,
                  const std::string& help,
                  const Range& range,
-                 bool whole,
+                 bool is_whole,
                  const std::string& default_text,
                  const std::function<void(double)>& store);
-
-  void read(const Option& option, const std::string& given) const;
 
   std::string usage() const;
 
@@ -217,7 +203,6 @@ private:
   std::string purpose_;
   std::vector<File> files_;
   std::vector<Option> options_;
-  std::map<std::string, std::string> hints_;
   bool wants_version_ = false;
 };
 

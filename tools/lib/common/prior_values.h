@@ -8,9 +8,8 @@
 namespace pcl::sedr::tools {
 
 /** @brief Returns the priors requested on a command line; throws ToolError if invalid.
- * @param list name=value, separated by commas; overrides the file
- * @param path file with one name = value per line, # begins a comment; may be empty */
-Priors priorsOf(const std::string& list, const std::string& path = {});
+ * @param list name=value, separated by commas */
+Priors priorsOf(const std::string& list);
 
 /** @brief Returns the priors in use as a text table: value, unit, range, source, place
  * of use. */

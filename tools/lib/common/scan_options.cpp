@@ -70,25 +70,17 @@ originOfModel(const std::string& path)
 ScanSettings
 ScanOptions::resolved() const
 {
-  if ((origin.empty() ? 0 : 1) + (origin_of.empty() ? 0 : 1) + (no_shift ? 1 : 0) > 1)
-    throw ToolError("--origin, --origin-of and --no-shift exclude one another");
   ScanSettings all = settings;
   all.unit = unit.value_or(all.unit);
-  all.shifts = !no_shift;
-  if (!origin_of.empty()) {
-    all.origin = statedOrigin(origin_of);
-    if (!all.origin)
-      throw ToolError("'" + origin_of +
-                      "' states no origin: --origin-of takes a folder that pcl_sedr "
-                      "wrote, its floorplan.json or report.json");
-  }
+  Origin given;
   if (origin.empty())
     return all;
-  Origin given;
-  if (!Origin::fromText(origin, given))
-    throw ToolError("--origin '" + origin +
-                    "' is not of the form x,y,z, three numbers");
-  all.origin = given;
+  all.origin = Origin::fromText(origin, given) ? std::make_optional(given)
+                                               : statedOrigin(origin);
+  if (!all.origin)
+    throw ToolError("'" + origin +
+                    "' states no origin: --origin takes x,y,z, or a "
+                    "folder that pcl_sedr wrote, its floorplan.json or report.json");
   return all;
 }
 
@@ -100,9 +92,7 @@ ScanOptions::given() const
       {"--skip-broken", settings.skip_broken},
       {"--columns", !settings.columns.empty()},
       {"--unit", unit.has_value()},
-      {"--origin", !origin.empty()},
-      {"--origin-of", !origin_of.empty()},
-      {"--no-shift", no_shift}};
+      {"--origin", !origin.empty()}};
   for (const auto& [name, is_given] : options)
     if (is_given)
       return name;
@@ -116,12 +106,9 @@ addScanOptions(Options& options, ScanOptions& scan)
                          "length of one unit of the scan: 0.001 for millimetres", "1",
                          Range::between(1e-6, 1e6));
   options.text("origin", scan.origin,
-               "x,y,z in m that coordinates are counted from; whole metres in the "
-               "middle of scans that lie more than 1 km from 0, else 0,0,0");
-  options.text("origin-of", scan.origin_of,
-               "count from the origin of this model, so that both have one frame");
-  options.flag("no-shift", scan.no_shift,
-               "take coordinates as they are, however large");
+               "x,y,z in m that coordinates are counted from, or a model whose origin "
+               "is taken; whole metres in the middle of scans that lie more than 1 km "
+               "from 0, else 0,0,0");
   options.number("scan", scan.settings.scan, "",
                  "number of the scan of an E57 file that is read, 0 = all",
                  Range::atLeast(0));

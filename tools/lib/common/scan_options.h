@@ -11,10 +11,8 @@ namespace pcl::sedr::tools {
 
 /** @brief Options for reading scans, as given on the command line. */
 struct ScanOptions {
-  ScanSettings settings; ///< settings that are independent of other files
-  std::string origin;    ///< "x,y,z"
-  std::string origin_of; ///< a model or cloud
-  bool no_shift = false;
+  ScanSettings settings;      ///< settings that are independent of other files
+  std::string origin;         ///< "x,y,z", or a model or cloud
   std::optional<double> unit; ///< metres per unit of the file, if given
 
   /** @brief Returns the complete settings; throws ToolError on invalid or contradictory
@@ -27,7 +25,7 @@ struct ScanOptions {
 };
 
 /** @brief Declares what every program that reads scans takes: --scan, --skip-broken,
- * --columns, --unit, --origin, --origin-of and --no-shift. */
+ * --columns, --unit and --origin. */
 void addScanOptions(Options& options, ScanOptions& scan);
 
 /** @brief Declares --positions, for programs that use where a point was scanned from.

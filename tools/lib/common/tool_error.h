@@ -9,9 +9,8 @@ namespace pcl::sedr::tools {
 /** @brief Meaning of a tool's exit code. */
 enum ExitCode {
   Done = 0,
-  BadUse = 1,       ///< bad options, unreadable input, output that cannot be written
-  NothingFound = 2, ///< the input was read, but lacks what the tool looks for
-  Incomplete = 3    ///< a part of the work was lost; the rest exists
+  BadUse = 1,      ///< bad options, unreadable input, output that cannot be written
+  NothingFound = 2 ///< the input was read, but lacks what the tool looks for
 };
 
 /** @brief Ends a tool with a sentence, printed by runTool(), and an exit code. */

@@ -164,26 +164,22 @@ writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_me
               *chain.getFloorplan(), c.origin);
 }
 
-/** @brief Returns drawing settings with the building's name, if any, as title. */
 DrawingSettings
-drawingSettings(Reconstruction& chain, const ModelSettings& settings)
+drawingSettings(const Reconstruction& chain)
 {
   DrawingSettings drawing;
   drawing.max_wall = chain.getPriors().max_wall;
   drawing.tilts = chain.getChain().tilts;
   drawing.origin = chain.getOrigin();
-  if (settings.ifc.settings.name != IfcSettings{}.name)
-    drawing.title = settings.ifc.settings.name;
   return drawing;
 }
 
 /** @brief Writes model.ifc; its warnings are added to the chain's. */
 void
 writeBuildingModel(const OutputFolder& folder,
-                   Reconstruction& chain,
-                   const ModelSettings& settings)
+                   Reconstruction& chain)
 {
-  IfcSettings ifc = settingsOf(settings.ifc);
+  IfcSettings ifc;
   ifc.max_wall = chain.getPriors().max_wall;
   ifc.tilts = chain.getChain().tilts;
   const IfcModel model =
@@ -282,10 +278,10 @@ makeModel(const ModelSettings& settings,
     record.stages.push_back(timed("writing", [&](StageReport& report) {
       const std::function<void()> files[] = {
           [&] { writeModel(folder, chain, !settings.no_mesh); },
-          [&] { writeBuildingModel(folder, chain, settings); },
+          [&] { writeBuildingModel(folder, chain); },
           [&] {
             writeDrawings(folder, *chain.getFloorplan(), settings.input,
-                          drawingSettings(chain, settings), settings.threads);
+                          drawingSettings(chain), settings.threads);
           }};
       parallelBlocks(std::size(files), 1, settings.threads,
                      [&](std::size_t k, std::size_t) { files[k](); });
@@ -303,6 +299,16 @@ makeModel(const ModelSettings& settings,
     warn(warning);
   say(summaryOf(record, chain));
   return Done;
+}
+
+void
+helpModel(const ModelSettings& settings,
+          Reconstruction& chain,
+          const std::function<std::size_t()>& open)
+{
+  open();
+  RunRecord record;
+  reconstruct(settings, chain, record);
 }
 
 } // namespace pcl::sedr::tools

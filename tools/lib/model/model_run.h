@@ -16,4 +16,10 @@ int makeModel(const ModelSettings& settings,
               Reconstruction& chain,
               const std::function<std::size_t()>& open);
 
+/** @brief Does the same without writing, for a process that shares the work of
+ * another. */
+void helpModel(const ModelSettings& settings,
+               Reconstruction& chain,
+               const std::function<std::size_t()>& open);
+
 } // namespace pcl::sedr::tools

@@ -13,6 +13,7 @@ namespace pcl::sedr::tools {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using RoomPair = std::array<std::uint32_t, 2>;
 
 constexpr const char* format_name = "sedr-building";
 constexpr int format_version = 1;
@@ -27,6 +28,12 @@ Eigen::Vector2d
 placeOf(const Json& json)
 {
   return {json.at(0).get<double>(), json.at(1).get<double>()};
+}
+
+double
+heightOf(const Json& json, const char* name)
+{
+  return json.at(name).get<double>();
 }
 
 Json
@@ -58,13 +65,8 @@ roomFrom(const Json& json, const CellGrid& grid)
 {
   BuildingRoom room;
   room.id = json.at("id").get<std::uint32_t>();
-  room.storey = json.at("storey").get<std::uint32_t>();
-  room.area = json.at("area").get<double>();
-  room.floor = json.at("floor").get<double>();
-  room.ceiling = json.at("ceiling").get<double>();
-  room.enclosure = json.at("enclosure").get<double>();
-  room.inferred = json.value("inferred", 0.0);
-  room.unseen_outline = json.value("unseen_outline", 0.0);
+  room.floor = heightOf(json, "floor");
+  room.ceiling = heightOf(json, "ceiling");
   for (const Json& place : json.at("hidden_ceiling")) {
     const Eigen::Vector2d at = placeOf(place);
     if (!grid.holds(at.x(), at.y()))
@@ -89,28 +91,12 @@ jsonOf(const PlanStorey& storey)
           {"rooms", storey.rooms}};
 }
 
-PlanStorey
-storeyFrom(const Json& json)
-{
-  return {json.at("number").get<std::uint32_t>(), json.at("name").get<std::string>(),
-          json.at("floor").get<double>(), json.at("ceiling").get<double>(),
-          json.at("rooms").get<std::vector<std::uint32_t>>()};
-}
-
 Json
 jsonOf(const PlanDoorway& door)
 {
   return {{"rooms", door.rooms},     {"start", pairOf(door.start)},
           {"end", pairOf(door.end)}, {"width", door.width()},
           {"bottom", door.bottom},   {"top", door.top}};
-}
-
-PlanDoorway
-doorwayFrom(const Json& json)
-{
-  return {json.at("rooms").get<std::array<std::uint32_t, 2>>(),
-          placeOf(json.at("start")), placeOf(json.at("end")),
-          json.at("bottom").get<double>(), json.at("top").get<double>()};
 }
 
 Json
@@ -120,13 +106,6 @@ jsonOf(const PlanStair& stair)
           {"at", pairOf(stair.at)},
           {"bottom", stair.bottom},
           {"top", stair.top}};
-}
-
-PlanStair
-stairFrom(const Json& json)
-{
-  return {json.at("rooms").get<std::array<std::uint32_t, 2>>(), placeOf(json.at("at")),
-          json.at("bottom").get<double>(), json.at("top").get<double>()};
 }
 
 Json
@@ -163,16 +142,22 @@ buildingFrom(const Json& json)
   building.grid = CellGrid(json.at("cell_size").get<double>());
   if (!(building.grid.size() > 0))
     throw ToolError("its cells have no size");
-  building.seen_area = json.at("seen_area").get<double>();
   const CellGrid& grid = building.grid;
   for (const Json& room : json.at("rooms"))
     building.rooms.push_back(roomFrom(room, grid));
   for (const Json& storey : json.at("storeys"))
-    building.storeys.push_back(storeyFrom(storey));
+    building.storeys.push_back({storey.at("number").get<std::uint32_t>(),
+                                storey.at("name").get<std::string>(),
+                                heightOf(storey, "floor"), heightOf(storey, "ceiling"),
+                                storey.at("rooms").get<std::vector<std::uint32_t>>()});
   for (const Json& door : json.at("doorways"))
-    building.doorways.push_back(doorwayFrom(door));
+    building.doorways.push_back({door.at("rooms").get<RoomPair>(),
+                                 placeOf(door.at("start")), placeOf(door.at("end")),
+                                 heightOf(door, "bottom"), heightOf(door, "top")});
   for (const Json& stair : json.at("stairs"))
-    building.stairs.push_back(stairFrom(stair));
+    building.stairs.push_back({stair.at("rooms").get<RoomPair>(),
+                               placeOf(stair.at("at")), heightOf(stair, "bottom"),
+                               heightOf(stair, "top")});
   return building;
 }
 

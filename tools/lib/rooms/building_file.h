@@ -16,7 +16,8 @@ const char* nameOf(LeftOutKind kind);
  * are omitted. */
 std::string buildingToJson(const Building& building);
 
-/** @brief Reads the output of buildingToJson(). Throws ToolError on failure. */
+/** @brief Reads of the output of buildingToJson() what stages use: storeys, doorways,
+ * stairs, and of rooms the heights and hidden ceilings. Throws ToolError on failure. */
 Building loadBuilding(const std::string& path);
 
 } // namespace pcl::sedr::tools

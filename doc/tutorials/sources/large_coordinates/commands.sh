@@ -7,7 +7,7 @@ pcl_sedr scan.las model
 # [model]
 grep -q '"origin"' model/report.json
 # [frame]
-pcl_sedr scan.las later --origin-of model
+pcl_sedr scan.las later --origin model
 pcl_structure_compare model later
 # [frame]
 # [back]

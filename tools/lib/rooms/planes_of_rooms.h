@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "tool_cloud.h"
-
-#include "sedr_segmentation/src/rooms/room_planes.h"
+#include "labelled_rooms.h"
 
 #include <vector>
 

@@ -1,25 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "room_plane_rows.h"
-
-#include "file_rooms.h"
+#include "planes_of_rooms.h"
 
 #include <algorithm>
 
 namespace pcl::sedr::tools {
 
 namespace {
-
-void
-label(StructureLabel label,
-      std::uint32_t room,
-      const pcl::Indices& rows,
-      ToolCloud& cloud)
-{
-  for (const int i : rows) {
-    cloud.label[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(label);
-    cloud.room[static_cast<std::size_t>(i)] = room;
-  }
-}
 
 /** @brief Returns a room of the building, null if it is unknown. */
 const BuildingRoom*
@@ -34,7 +20,7 @@ knownRoom(const Building& building, std::uint32_t id)
 void
 addHiddenCeiling(const BuildingRoom& known,
                  const CellGrid& columns,
-                 const FileRoom& room,
+                 const LabelledRoom& room,
                  const PlanSlab& plane,
                  const CellGrid& grid,
                  ToolCloud& cloud)
@@ -64,11 +50,11 @@ labelPlanesOfRooms(const RoomPlaneParameters& parameters,
                    ToolCloud& cloud)
 {
   const CellGrid grid(grid_size);
-  const std::vector<FileRoom> rooms = roomsOf(cloud);
+  const std::vector<LabelledRoom> rooms = labelledRooms(cloud, grid_size);
   std::fill(cloud.label.begin(), cloud.label.end(), 0);
   std::fill(cloud.room.begin(), cloud.room.end(), 0);
   std::vector<pcl::HorizontalPlane> planes;
-  for (const FileRoom& room : rooms) {
+  for (const LabelledRoom& room : rooms) {
     const BuildingRoom* const known = knownRoom(building, room.id);
     const auto add = [&](const pcl::Indices& sheet, LevelKind kind, double height) {
       const PointView points(*cloud.points);
@@ -82,11 +68,11 @@ labelPlanesOfRooms(const RoomPlaneParameters& parameters,
     const PlanSlab ceiling =
         add(room.ceiling, LevelKind::Ceiling,
             known ? known->ceiling : ceilingLevel(points, room.ceiling));
-    label(StructureLabel::Ceiling, room.id, room.ceiling, cloud);
+    setLabel(room.ceiling, StructureLabel::Ceiling, room.id, cloud);
     if (!room.floor.empty()) {
       add(room.floor, LevelKind::Floor,
           known ? known->floor : floorLevel(points, room.floor));
-      label(StructureLabel::Floor, room.id, planes.back().inliers.indices, cloud);
+      setLabel(planes.back().inliers.indices, StructureLabel::Floor, room.id, cloud);
     }
     if (known)
       addHiddenCeiling(*known, building.grid, room, ceiling, grid, cloud);
