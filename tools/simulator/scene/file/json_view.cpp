@@ -50,13 +50,6 @@ JsonView::items(std::size_t least) const
   return elements;
 }
 
-std::vector<JsonView>
-JsonView::itemsOf(const std::string& key) const
-{
-  const auto list = find(key);
-  return list ? list->items() : std::vector<JsonView>{};
-}
-
 std::pair<std::string, JsonView>
 JsonView::single() const
 {
@@ -91,25 +84,6 @@ JsonView::number(double low, double high) const
   return value;
 }
 
-double
-JsonView::numberOr(const std::string& key, double otherwise) const
-{
-  const auto value = find(key);
-  return value ? value->number() : otherwise;
-}
-
-double
-JsonView::angle(double low, double high) const
-{
-  return number(low, high) * pi / 180.0;
-}
-
-double
-JsonView::size() const
-{
-  return number(1e-4);
-}
-
 std::size_t
 JsonView::count(std::size_t least, std::size_t most) const
 {
@@ -118,14 +92,6 @@ JsonView::count(std::size_t least, std::size_t most) const
     failToBe("a whole number from " + std::to_string(least) + " to " +
              std::to_string(most));
   return value_.get<std::size_t>();
-}
-
-bool
-JsonView::boolean() const
-{
-  if (!value_.is_boolean())
-    failToBe("true or false");
-  return value_.get<bool>();
 }
 
 std::string
@@ -145,20 +111,6 @@ JsonView::numbers(std::size_t count) const
   for (const JsonView& element : items())
     values.push_back(element.number());
   return values;
-}
-
-Vec2
-JsonView::point2() const
-{
-  const auto values = numbers(2);
-  return {values[0], values[1]};
-}
-
-Vec3
-JsonView::point3() const
-{
-  const auto values = numbers(3);
-  return {values[0], values[1], values[2]};
 }
 
 Vec3

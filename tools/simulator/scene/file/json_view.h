@@ -40,7 +40,11 @@ public:
 
   /** @brief Returns the elements of the list @p key; none if the key is
    * missing. */
-  std::vector<JsonView> itemsOf(const std::string& key) const;
+  std::vector<JsonView> itemsOf(const std::string& key) const
+  {
+    const auto list = find(key);
+    return list ? list->items() : std::vector<JsonView>{};
+  }
 
   /** @brief Returns the only key of an object and its value. */
   std::pair<std::string, JsonView> single() const;
@@ -57,22 +61,35 @@ public:
 
   /** @brief Returns the number at @p key, or @p otherwise if the key is
    * missing. */
-  double numberOr(const std::string& key, double otherwise) const;
+  double numberOr(const std::string& key, double otherwise) const
+  {
+    const auto value = find(key);
+    return value ? value->number() : otherwise;
+  }
 
   /** @brief Returns an angle given in degrees, radians. */
-  double angle(double low = -kFarthest, double high = kFarthest) const;
+  double angle(double low = -kFarthest, double high = kFarthest) const
+  {
+    return number(low, high) * pi / 180.0;
+  }
 
   /** @brief Returns a length of at least 0.1 mm. */
-  double size() const;
+  double size() const { return number(1e-4); }
 
   /** @brief Returns a whole number from @p least to @p most. */
   std::size_t count(std::size_t least, std::size_t most) const;
 
-  bool boolean() const;
-  std::string text() const; ///< not empty
-  Vec2 point2() const;      ///< [x, y]
-  Vec3 point3() const;      ///< [x, y, z]
-  Vec3 size3() const;       ///< [x, y, z], each as size()
+  bool boolean() const
+  {
+    if (!value_.is_boolean())
+      failToBe("true or false");
+    return value_.get<bool>();
+  }
+
+  std::string text() const;                               ///< not empty
+  Vec2 point2() const { return Vec2(numbers(2).data()); } ///< [x, y]
+  Vec3 point3() const { return Vec3(numbers(3).data()); } ///< [x, y, z]
+  Vec3 size3() const;                                     ///< [x, y, z], each as size()
 
   /** @brief Returns the place, or "the scene" for the whole document. */
   std::string place() const { return place_.empty() ? "the scene" : place_; }

@@ -48,28 +48,12 @@ parseDocument(const std::string& text)
   }
 }
 
-void
-checkFormat(const JsonView& view)
+Scene
+readScene(const JsonView& view)
 {
   if (view.at("format").text() != kFormat)
     view.at("format").fail(std::string("must be \"") + kFormat + '"');
   view.at("version").count(kVersion, kVersion);
-}
-
-Placement
-readPlacement(const JsonView& view)
-{
-  Placement placement;
-  placement.yaw = view.numberOr("yaw", 0.0);
-  if (const auto shift = view.find("shift"))
-    placement.shift = shift->point3();
-  return placement;
-}
-
-Scene
-readScene(const JsonView& view)
-{
-  checkFormat(view);
   Scene scene;
   scene.name = view.at("name").text();
   scene.summary = view.at("summary").text();
@@ -78,8 +62,11 @@ readScene(const JsonView& view)
     scene.outside.push_back(std::move(object));
   for (const JsonView& scanner : view.at("scanners").items(1))
     scene.scanners.push_back(readScanner(scanner, scene));
-  if (const auto placement = view.find("placement"))
-    scene.placement = readPlacement(*placement);
+  if (const auto placement = view.find("placement")) {
+    scene.placement.yaw = placement->numberOr("yaw", 0.0);
+    if (const auto shift = placement->find("shift"))
+      scene.placement.shift = shift->point3();
+  }
   return scene;
 }
 
