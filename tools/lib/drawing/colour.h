@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/structure_label.h>
 
+#include <cstddef>
 #include <cstdint>
 
 namespace pcl::sedr::tools {
@@ -39,6 +40,24 @@ constexpr Colour removed{60, 60, 60};
 constexpr Colour recovered{231, 41, 138}; ///< added by a stage
 constexpr Colour arc{0, 150, 190};
 } // namespace colours
+
+/** @brief Returns one of twelve colours that are easily told apart. */
+constexpr Colour
+colourNumber(std::size_t number)
+{
+  constexpr Colour list[] = {{102, 166, 220}, {244, 178, 98},  {128, 196, 128},
+                             {222, 120, 118}, {178, 148, 210}, {176, 136, 122},
+                             {232, 160, 208}, {160, 160, 160}, {204, 204, 100},
+                             {96, 200, 210},  {70, 120, 170},  {180, 100, 40}};
+  return list[number % 12];
+}
+
+/** @brief Returns the colour of a room; grey for room 0, none. */
+constexpr Colour
+roomColour(std::uint32_t room)
+{
+  return room == 0 ? colours::other : colourNumber(room - 1);
+}
 
 /** @brief Returns `a` blended with `share` (0 to 1) of `b`. */
 constexpr Colour

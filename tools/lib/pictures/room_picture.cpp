@@ -32,9 +32,9 @@ roomsOf(const Building& building, const PlanStorey& storey)
     if (room.storey != storey.number)
       continue;
     const CellSet cells = cellsOf(room, false);
-    panel.addCells(cells, building.grid.size(), colourNumber(room.id));
+    panel.addCells(cells, building.grid.size(), roomColour(room.id));
     panel.addCells(cellsOf(room, true), building.grid.size(),
-                   darkened(colourNumber(room.id), 0.25));
+                   darkened(roomColour(room.id), 0.25));
     panel.addLabel(labelPlace(cells, building.grid.size()),
                    std::to_string(room.id) + ": " + fixedText(room.area, 1) + " m²");
   }

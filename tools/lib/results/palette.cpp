@@ -9,24 +9,6 @@
 namespace pcl::sedr::tools {
 
 Colour
-roomColour(std::uint32_t room)
-{
-  static constexpr std::array<Colour, 12> list{{{102, 166, 220},
-                                                {244, 178, 98},
-                                                {128, 196, 128},
-                                                {222, 120, 118},
-                                                {178, 148, 210},
-                                                {176, 136, 122},
-                                                {232, 160, 208},
-                                                {160, 160, 160},
-                                                {204, 204, 100},
-                                                {96, 200, 210},
-                                                {70, 120, 170},
-                                                {180, 100, 40}}};
-  return room == 0 ? colours::other : list[(room - 1) % list.size()];
-}
-
-Colour
 distanceColour(double distance, double range)
 {
   static constexpr std::array<Colour, 5> stops{

@@ -3,13 +3,9 @@
 
 #include "colour.h"
 
-#include <cstdint>
 #include <string>
 
 namespace pcl::sedr::tools {
-
-/** @brief Returns the colour of a room, one of twelve; grey for room 0, none. */
-Colour roomColour(std::uint32_t room);
 
 /** @brief Returns the colour of a distance from the model (paper, Figure 11): from blue
  * at 0 through green, yellow and orange to red at `range` metres and more; grey for

@@ -58,24 +58,6 @@ placesOf(const PointView& points, const pcl::Indices& indices)
 }
 
 Colour
-colourNumber(std::size_t number)
-{
-  static constexpr std::array<Colour, 12> list{{{102, 166, 220},
-                                                {244, 178, 98},
-                                                {128, 196, 128},
-                                                {222, 120, 118},
-                                                {178, 148, 210},
-                                                {176, 136, 122},
-                                                {232, 160, 208},
-                                                {160, 160, 160},
-                                                {204, 204, 100},
-                                                {96, 200, 210},
-                                                {70, 120, 170},
-                                                {180, 100, 40}}};
-  return list[number % list.size()];
-}
-
-Colour
 ceilingShade(std::size_t room)
 {
   static constexpr std::array<Colour, 4> shades{

@@ -23,9 +23,6 @@ void addTo(CellSet& cells, const CellSet& more);
 std::vector<Eigen::Vector2d> placesOf(const PointView& points,
                                       const pcl::Indices& indices);
 
-/** @brief Returns the colour for a number, from 0; colours repeat after twelve. */
-Colour colourNumber(std::size_t number);
-
 /** @brief Returns the ceiling shade for a room; neighbouring numbers differ. */
 Colour ceilingShade(std::size_t room);
 
