@@ -70,9 +70,8 @@ public:
       return;
     }
     const double depth = -(a + b + c).dot(viewer_.towards) / 3 - nearer;
-    triangles_.emplace(depth,
-                       SheetTriangle{colour.number(),
-                                     {viewer_.see(a), viewer_.see(b), viewer_.see(c)}});
+    triangles_.push_back(
+        {depth, {colour.number(), {viewer_.see(a), viewer_.see(b), viewer_.see(c)}}});
   }
 
   /** @brief Adds a line in space as a ribbon just in front of its surface. */
