@@ -129,8 +129,9 @@ run(const Settings& settings, Detection& detection)
   Planes planes;
   {
     const Progress progress("finding planes");
-    planes = !settings.whole && isByRooms(cloud) ? planesByRoom(settings, detection, cloud)
-                              : planesOfAll(settings, detection, cloud);
+    planes = !settings.whole && isByRooms(cloud)
+                 ? planesByRoom(settings, detection, cloud)
+                 : planesOfAll(settings, detection, cloud);
   }
   settings.save(cloud);
   if (!settings.planes.empty())

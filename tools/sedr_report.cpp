@@ -23,8 +23,6 @@ main(int argc, char** argv)
   options.text("three", settings.three, "folder of three.js, Debian's libjs-three");
   options.number("max-triangles", settings.max_triangles, "triangles",
                  "of the mesh that can be turned on the page", Range::atLeast(100));
-  options.number("range", settings.range, "m", "distance that has the last colour",
-                 Range::between(1e-4, 100));
   return runTool(options, argc, argv, [&] {
     const Progress progress("writing the page");
     writePage(folder, settings);

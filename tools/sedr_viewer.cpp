@@ -26,7 +26,6 @@ struct Settings {
   std::string screenshot;
   std::string size = "1200x800";
   std::string layers;
-  bool no_edges = false;
   bool no_legend = false;
   std::optional<double> clip; ///< metres
   ReadSettings reading;
@@ -56,12 +55,9 @@ addOptions(Options& options, Settings& s)
   options.number("room", s.state.room, "", "number of the only room shown; 0: all",
                  Range::between(0, 1e6));
   options.flag("two-views", s.state.two_views, "scan at the left, model at the right");
-  options.flag("no-edges", s.no_edges, "no edges on the solid");
   options.flag("no-legend", s.no_legend, "no legend");
   options.number("point-size", s.state.point_size, "pixels", "size of points",
                  Range::between(1, 20));
-  options.number("range", s.state.range, "m", "distance of the last colour",
-                 Range::between(1e-4, 100));
   options.text("raw", s.reading.scan,
                "raw scan of a folder, where it is not where report.json says; it is "
                "read as it was then");
@@ -141,7 +137,6 @@ run(const Settings& settings)
   const WindowSettings window_settings = windowSettings(settings);
   ViewState state = settings.state;
   state.layers = layersOf(settings.layers);
-  state.edges = !settings.no_edges;
   state.legend = !settings.no_legend;
   state.clip_height = settings.clip.value_or(state.clip_height);
   requireDisplay();

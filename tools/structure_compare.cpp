@@ -92,13 +92,15 @@ inFrameOf(const Origin& origin, const PlacedPlan& placed)
   return transformed(placed.plan, shift);
 }
 
+/** Metres, how rough the alignment of two plans may be before --align. */
+constexpr double reach = 0.5;
+
 /** @brief The options of the command line. */
 struct Settings {
   std::string before;
   std::string after;
   ScanOptions reading; ///< of scans
   bool align = false;
-  double reach = 0.5; ///< metres
   std::string mesh;
   std::string json;
   std::string picture;
@@ -116,16 +118,7 @@ addOptions(Options& options, Settings& s)
   addScanOptions(options, s.reading);
   options.number("tolerance", s.compare.tolerance, "m",
                  "what is less off its place has not moved", Range::between(0.001, 1));
-  options.number("minimum-length", s.compare.minimum_length, "m",
-                 "least piece of a wall that counts", Range::between(0.1, 100));
-  options.number("minimum-area", s.compare.minimum_area, "m2",
-                 "least part of a ceiling or floor that counts", Range::above(0));
-  options.number("farthest", s.compare.farthest, "m",
-                 "what is farther from where it was is another thing",
-                 Range::between(0.01, 100));
   options.flag("align", s.align, "refine a rough alignment of B first, by ICP");
-  options.number("reach", s.reach, "m", "how rough that alignment may be",
-                 Range::between(0.01, 5));
   options.text("mesh", s.mesh,
                "PLY to write, in colours: green appeared, red vanished, orange moved");
   options.text("json", s.json, "JSON to write");
@@ -152,12 +145,12 @@ run(const Settings& settings)
   reading.origin = origin; // one frame for both
   Floorplan after = inFrameOf(origin, planOf(settings.after, reading));
   if (settings.align) {
-    const auto transform = alignPlans(after, before, settings.reach);
+    const auto transform = alignPlans(after, before, reach);
     if (!transform)
       throw ToolError("'" + settings.after +
                           "' cannot be aligned: hardly a wall of it lies within " +
-                          fixedText(settings.reach, 2) + " m (--reach) of one of '" +
-                          settings.before + "' that faces the same way",
+                          fixedText(reach, 2) + " m of one of '" + settings.before +
+                          "' that faces the same way",
                       NothingFound);
     after = transformed(after, *transform);
     char text[120];

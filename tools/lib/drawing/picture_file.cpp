@@ -26,7 +26,6 @@ void
 StageFiles::addOptions(Options& options)
 {
   addPictureOption(options, picture);
-  options.flag("compress", compress, "write PCD as binary_compressed");
 }
 
 void
@@ -37,10 +36,9 @@ StageFiles::check() const
 }
 
 void
-StageFiles::save(const ToolCloud& cloud, const std::string& other) const
+StageFiles::save(const ToolCloud& cloud) const
 {
-  saveCloud(other.empty() ? output : other, cloud,
-            compress ? PcdData::Compressed : PcdData::Binary);
+  saveCloud(output, cloud);
 }
 
 void

@@ -21,17 +21,15 @@ struct StageFiles {
   std::string input;
   std::string output;
   std::string picture;
-  bool compress = false;
 
-  /** @brief Declares --picture and --compress. */
+  /** @brief Declares --picture. */
   void addOptions(Options& options);
 
   /** @brief Throws ToolError if an output cannot be written. To be called before the
    * work. */
   void check() const;
 
-  /** @brief Writes the cloud to `output`, or to another file. */
-  void save(const ToolCloud& cloud, const std::string& other = "") const;
+  void save(const ToolCloud& cloud) const;
 };
 
 /** @brief Writes a picture as PNG, completely or not at all. */
