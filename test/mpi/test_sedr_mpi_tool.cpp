@@ -274,7 +274,7 @@ TEST_F(SedrMpiTool, TakesStraysUnitAndGapsOfTheWholeScan)
   for (std::size_t i = 0; i < scan.points.size() / 8; ++i)
     scan.points[i].z = std::numeric_limits<float>::quiet_NaN();
   writeFile(in("scan.pcd"), scan.pcd(false));
-  Strings arguments{in("scan.pcd"), in("alone"), "--no-mesh"};
+  Strings arguments{in("scan.pcd"), in("alone"), "--no-mesh", "--threads", "1"};
   const int exit_code = run(SEDR, arguments).exit_code;
   arguments[1] = in("ranks");
   const ProgramRun result = mpirun(3, arguments);
