@@ -88,6 +88,14 @@ public:
   /** @brief Returns true if one of the 26 neighbours of block `b` does not exist. */
   bool atRim(std::size_t b) const { return at_rim_[b]; }
 
+  /** @brief Copies the nodes of the block within a halo. */
+  static void copyInner(const float* halo, float* values)
+  {
+    for (int z = 0; z < 8; ++z)
+      for (int y = 0; y < 8; ++y)
+        values = std::copy_n(halo + haloIndex(0, y, z), edge, values);
+  }
+
   /** @brief Copies a block and the layer of nodes around it. */
   void gatherHalo(const std::vector<float>& values, std::size_t b, float* halo) const;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "poisson_hierarchy.h"
 
-#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/parallel_for.h"
 
 #include <algorithm>
 #include <cmath>
@@ -126,23 +126,17 @@ PoissonHierarchy::start(std::size_t level, const PoissonLevel& before, unsigned 
 {
   PoissonLevel& current = levels_[level];
   const BandGrid& grid = current.grid();
-  parallelBlocks(
-      grid.size(), BandGrid::blocks_at_once, threads,
-      [&](std::size_t begin, std::size_t end) {
-        float halo[BandGrid::halo_nodes];
-        for (std::size_t b = begin; b < end; ++b) {
-          float* values = &current.values[b * BandGrid::nodes];
-          const std::size_t old = before.grid().find(grid.at(b));
-          if (old < before.grid().size()) {
-            std::copy_n(&before.values[old * BandGrid::nodes], BandGrid::nodes, values);
-            continue;
-          }
-          interpolate(level, grid.at(b), halo);
-          for (int z = 0; z < 8; ++z)
-            for (int y = 0; y < 8; ++y)
-              values = std::copy_n(halo + BandGrid::haloIndex(0, y, z), 8, values);
-        }
-      });
+  parallelFor(grid.size(), BandGrid::blocks_at_once, threads, [&](std::size_t b) {
+    float* values = &current.values[b * BandGrid::nodes];
+    const std::size_t old = before.grid().find(grid.at(b));
+    if (old < before.grid().size()) {
+      std::copy_n(&before.values[old * BandGrid::nodes], BandGrid::nodes, values);
+      return;
+    }
+    float halo[BandGrid::halo_nodes];
+    interpolate(level, grid.at(b), halo);
+    BandGrid::copyInner(halo, values);
+  });
 }
 
 void

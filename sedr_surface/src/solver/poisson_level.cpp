@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "poisson_level.h"
 
-#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/parallel_for.h"
 
 #include <algorithm>
 #include <array>
@@ -139,50 +139,37 @@ PoissonLevel::addNormals(unsigned threads)
     sets[(block[0] & 1) + 2 * (block[1] & 1) + 4 * (block[2] & 1)].push_back(s);
   }
   for (const auto& set : sets)
-    parallelBlocks(
-        set.size(), BandGrid::blocks_at_once, threads,
-        [&](std::size_t begin, std::size_t end) {
-          std::vector<float> nodes12(12 * 12 * 12);
-          for (std::size_t i = begin; i < end; ++i) {
-            const std::size_t s = set[i];
-            const std::size_t own = grid_.find(sorted_.grid.at(s));
-            std::fill(nodes12.begin(), nodes12.end(), 0.f);
-            for (std::size_t p = sorted_.starts[s]; p < sorted_.starts[s + 1]; ++p)
-              splatNormal(sorted_.samples[p], nodes12.data());
-            const float* value = nodes12.data();
-            for (int z = -2; z < 10; ++z)
-              for (int y = -2; y < 10; ++y)
-                for (int x = -2; x < 10; ++x, ++value)
-                  if (*value != 0 && grid_.blockAt(own, x, y, z) < grid_.size())
-                    right_[grid_.valueAt(own, x, y, z)] += *value;
-          }
-        });
+    parallelFor(set.size(), BandGrid::blocks_at_once, threads, [&](std::size_t i) {
+      const std::size_t s = set[i];
+      const std::size_t own = grid_.find(sorted_.grid.at(s));
+      float nodes12[12 * 12 * 12] = {};
+      for (std::size_t p = sorted_.starts[s]; p < sorted_.starts[s + 1]; ++p)
+        splatNormal(sorted_.samples[p], nodes12);
+      const float* value = nodes12;
+      for (int z = -2; z < 10; ++z)
+        for (int y = -2; y < 10; ++y)
+          for (int x = -2; x < 10; ++x, ++value)
+            if (*value != 0 && grid_.blockAt(own, x, y, z) < grid_.size())
+              right_[grid_.valueAt(own, x, y, z)] += *value;
+    });
 }
 
 void
 PoissonLevel::setDiagonal(unsigned threads)
 {
   diagonal_.assign(grid_.valueCount(), 1.f);
-  parallelBlocks(
-      grid_.size(), BandGrid::blocks_at_once, threads,
-      [&](std::size_t begin, std::size_t end) {
-        float sums[BandGrid::halo_nodes];
-        float shares[8];
-        for (std::size_t b = begin; b < end; ++b) {
-          std::fill(std::begin(sums), std::end(sums), 6.f);
-          for (std::size_t i = screen_starts_[b]; i < screen_starts_[b + 1]; ++i) {
-            cornerShares(screens_[i].share, shares);
-            for (std::size_t c = 0; c < 8; ++c)
-              sums[screens_[i].corner + corners[c]] +=
-                  screens_[i].weight * shares[c] * shares[c];
-          }
-          for (int z = 0; z < 8; ++z)
-            for (int y = 0; y < 8; ++y)
-              for (int x = 0; x < 8; ++x)
-                diagonal_[b * BandGrid::nodes + BandGrid::nodeIndex(x, y, z)] =
-                    sums[BandGrid::haloIndex(x, y, z)];
-        }
-      });
+  parallelFor(grid_.size(), BandGrid::blocks_at_once, threads, [&](std::size_t b) {
+    float sums[BandGrid::halo_nodes];
+    float shares[8];
+    std::fill(std::begin(sums), std::end(sums), 6.f);
+    for (std::size_t i = screen_starts_[b]; i < screen_starts_[b + 1]; ++i) {
+      cornerShares(screens_[i].share, shares);
+      for (std::size_t c = 0; c < 8; ++c)
+        sums[screens_[i].corner + corners[c]] +=
+            screens_[i].weight * shares[c] * shares[c];
+    }
+    BandGrid::copyInner(sums, &diagonal_[b * BandGrid::nodes]);
+  });
 }
 
 } // namespace pcl::sedr
