@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <string>
 
 namespace {
@@ -63,31 +62,6 @@ TEST(StructureChain, AHiddenCornerIsOfTheRoomAndAWarningTellsHowMuchNobodySaw)
   EXPECT_EQ(boundary.elements.size(), 4u);
   EXPECT_NEAR(boundary.area(), 96, 0.3);
   EXPECT_TRUE(tells(chain, "m2 were not seen"));
-}
-
-/** A room of 6 m x 4 m x 2.5 m with a random point in every square of `spacing`. */
-StructureChain::Cloud::Ptr
-sparseRoom(double spacing, const RoomPoints::InSpace& keep)
-{
-  RoomPoints even(spacing);
-  even.room(roomOf(rectangle(0.01, 0.01, 6.01, 4.01), 2.5), keep);
-  auto cloud = even.cloud();
-  std::mt19937 random(3);
-  std::uniform_real_distribution<float> off(-0.5F, 0.5F);
-  for (auto& p : *cloud)
-    for (const int axis : {0, 1, 2}) { // along the surface, not off it
-      const float low = axis == 2 ? 0.F : 0.01F;
-      const float high = axis == 0 ? 6.01F : axis == 1 ? 4.01F : 2.5F;
-      if (std::abs(p.data[axis] - low) > 0.01F && std::abs(p.data[axis] - high) > 0.01F)
-        p.data[axis] += off(random) * static_cast<float>(spacing);
-    }
-  return cloud;
-}
-
-bool
-tellsOfGuesses(const StructureChain& chain)
-{
-  return tells(chain, "filled in, not seen");
 }
 
 } // namespace
