@@ -52,7 +52,7 @@ Window::makeKeys()
   add("Down", "clip 10 cm lower", "--clip", [this] { moveClipping(-clip_step); });
   add("Up", "clip 10 cm higher", "--clip", [this] { moveClipping(clip_step); });
   add("0", "no clipping", "", [this] { state_.clip_height = no_clipping; });
-  add("e", "edges of the solid on and off", "--no-edges", flips(&ViewState::edges));
+  add("e", "edges of the solid on and off", "", flips(&ViewState::edges));
   add("v", "one view, or two: scan and model", "--two-views",
       flips(&ViewState::two_views));
   add("g", "legend on and off", "--no-legend", flips(&ViewState::legend));
