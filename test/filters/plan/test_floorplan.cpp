@@ -96,6 +96,24 @@ TEST(PlanLoop, ContainsWhatArcsBulgingOutEnclose)
   });
 }
 
+TEST(PlanLoop, ContainsPointsOnTheChordsOfItsArcs)
+{
+  PlanElement half;
+  half.start = {-2, 0};
+  half.end = {2, 0};
+  half.radius = 2;
+  PlanLoop halves{{half, half}};
+  std::swap(halves.elements[1].start, halves.elements[1].end);
+  for (const PlanLoop& loop : {halves, reversed(halves)}) {
+    EXPECT_TRUE(loop.contains({0, 0}));
+    EXPECT_FALSE(loop.contains({2.1, 0}));
+  }
+  for (const PlanLoop& loop : {stadium(5, 1.5), reversed(stadium(5, 1.5))}) {
+    EXPECT_TRUE(loop.contains({0, 0.3}));
+    EXPECT_TRUE(loop.contains({5, -0.2}));
+  }
+}
+
 TEST(PlanLoop, ContainsNothingOfWhatAnArcBulgingInTakesAway)
 {
   expectContains(bittenRectangle(6, 4, 1.5), [](double x, double y) {

@@ -181,8 +181,8 @@ buildDuct(const JsonView& view, Assembly& assembly)
 void
 buildDoorLeaf(const JsonView& view, Assembly& assembly)
 {
-  assembly.addBox({0.0, -0.02, 0.005},
-                  {view.at("width").size(), 0.02, view.at("height").size() - 0.005});
+  assembly.addBox({0.0, -0.02, 0.01},
+                  {view.at("width").size(), 0.02, view.at("height").size()});
 }
 
 } // namespace

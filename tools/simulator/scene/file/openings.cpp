@@ -35,7 +35,7 @@ makeLeaf(const Element& wall, const Opening& opening)
   const double yaw =
       at_start ? along + opening.leaf->angle : along + pi - opening.leaf->angle;
   Assembly leaf("door leaf", {pointBeside(wall, s, -kLeafStandOff), yaw, opening.sill});
-  leaf.addBox({0.0, -half, 0.005}, {width, half, height - 0.005});
+  leaf.addBox({0.0, -half, 0.01}, {width, half, height});
   return leaf.object;
 }
 
