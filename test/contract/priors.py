@@ -96,37 +96,26 @@ def page(root):
 <!-- Written by test/contract/priors.py --write; a test compares it with the sources. -->
 # Priors
 
-What is believed of buildings, furniture, scanners and samples before a scan is looked at stands in one structure,
-`pcl::sedr::Priors` (`<pcl/sedr_filters/priors.h>`). The stages from the planes of a scan to its plan read it; what depends on one
-of its numbers is written as a function of that number. `RoomSegmentation` takes headroom and the width of doors from it. How rooms
-are parted, sheets, walls of the IFC and rays have parameters of their own, of which `pcl_sedr` sets the thickness of walls from it.
+What is believed of buildings, furniture, scanners and samples before a scan is looked at: `pcl::sedr::Priors`
+(`<pcl/sedr_filters/priors.h>`), which the stages read. In C++ `reconstruction.setPriors(priors)` sets it. On the command line:
 
-In C++:
+```
+pcl_sedr scan.pcd model --prior max_wall=0.9,min_headroom=2
+pcl_sedr scan.pcd model --prior max_wall=0.9 --explain
+```
 
-    pcl::sedr::Priors priors;
-    priors.max_wall = 0.9;
-    reconstruction.setPriors(priors);
-
-and `pcl::sedr::priorTable()` gives the table below. On the command line:
-
-    pcl_sedr scan.pcd model --prior max_wall=0.9,min_headroom=2
-    pcl_sedr scan.pcd model --prior max_wall=0.9 --explain
-
-`--explain` prints the table with the values in use; `report.json` holds them as `priors`.
-A value out of its range, or a name that is none, ends the program with a sentence.
-
-*Where* names the folders of the sources, see [architecture](architecture.md). *Chosen on the proving ground* means that the
-value is the one with which most of [its scenes](proving_ground.md) came out right.
+`--explain` prints the values in use, their sources and the folders where they act; `report.json` holds them as `priors`. A value out
+of its range, or an unknown name, ends the program with a sentence.
 """
     group = None
     for name, value, meaning in members(root):
         line = known[name]
         if line[1] != group:
             group = line[1]
-            text += ("\n## " + TITLES[group] + "\n\n| name | value | unit | range | meaning | "
-                     "source | where |\n|---|---|---|---|---|---|---|\n")
-        text += "| `%s` | %g | %s | %g to %g | %s | %s | %s |\n" % (
-            name, value, line[2], line[3], line[4], meaning, line[5], line[6])
+            text += ("\n## " + TITLES[group] + "\n\n| name | value | range | meaning |\n"
+                     "|---|---|---|---|\n")
+        text += "| `%s` | %g %s | %g to %g | %s |\n" % (
+            name, value, line[2], line[3], line[4], meaning)
     return text
 
 

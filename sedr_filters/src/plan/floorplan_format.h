@@ -8,6 +8,31 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/** @brief Vectors are arrays of numbers. */
+template <int size>
+struct nlohmann::adl_serializer<Eigen::Matrix<double, size, 1>> {
+  using Vector = Eigen::Matrix<double, size, 1>;
+
+  static void to_json(nlohmann::ordered_json& json, const Vector& vector)
+  {
+    json = std::vector<double>(vector.data(), vector.data() + size);
+  }
+
+  static void from_json(const nlohmann::ordered_json& json, Vector& vector)
+  {
+    if (!json.is_array() || json.size() != std::size_t{size})
+      throw std::invalid_argument(std::to_string(size) + " numbers are needed, not " +
+                                  json.dump());
+    for (std::size_t k = 0; k < std::size_t{size}; ++k)
+      vector[static_cast<Eigen::Index>(k)] = json.at(k).get<double>();
+  }
+};
+
 namespace pcl::sedr {
 
 /** @brief Name and versions of the format of floorplan.json. */
@@ -15,42 +40,30 @@ constexpr const char* floorplan_format_name = "sedr-floorplan";
 constexpr int floorplan_format_version = 1;
 constexpr int floorplan_facets_version = 2; ///< of plans with ceiling facets
 
-/** @brief The maximum coordinate that is read, metres. No scanned room lies beyond it,
- * and double precision, grids and single precision files lose millimetres there. */
-constexpr double max_coordinate = 1e6;
-
-/** @brief Adds the curve and the inferred share of a slab to its JSON. */
-void addCurveToJson(const PlanSlab& slab, nlohmann::ordered_json& json);
-
-/** @brief Reads the output of addCurveToJson().
- * @throw std::exception with the reason if it is not valid */
-void readCurve(const nlohmann::ordered_json& json, PlanSlab& slab);
-
 /** @brief Reads the origin of a plan or a report.json; (0, 0, 0) if there is none.
  * @return false if there is an origin that is not three numbers */
 bool readOrigin(const nlohmann::ordered_json& json, Origin& origin);
 
-nlohmann::ordered_json pointToJson(const Eigen::Vector2d& p);
-
 /** @brief Writes how a scan was levelled; angles in degrees. */
 nlohmann::ordered_json levellingToJson(const Levelling& levelling);
 
-/** @brief Reads a place in plan; throws a std::exception with the reason on failure. */
-Eigen::Vector2d pointFromJson(const nlohmann::ordered_json& json);
+/** @brief Checks the values of a plan that was read, see floorplanFromJson().
+ * @throw std::invalid_argument with the reason if they are not valid */
+void checkPlan(const Floorplan& plan);
 
-/** @brief Writes the storeys of a plan, see storeysOf(). */
-nlohmann::ordered_json storeysToJson(const Floorplan& plan);
+// The parts of a plan; those that cannot be read throw a std::exception with the
+// reason.
+void to_json(nlohmann::ordered_json& json, const PlanElement& element);
+void to_json(nlohmann::ordered_json& json, const PlanLoop& loop);
+void to_json(nlohmann::ordered_json& json, const PlanSlab& slab);
+void to_json(nlohmann::ordered_json& json, const PlanNiche& niche);
+void from_json(const nlohmann::ordered_json& json, PlanElement& element);
+void from_json(const nlohmann::ordered_json& json, PlanLoop& loop);
+void from_json(const nlohmann::ordered_json& json, PlanSlab& slab);
+void from_json(const nlohmann::ordered_json& json, PlanDetail& detail);
+void from_json(const nlohmann::ordered_json& json, PlanNiche& niche);
 
-/** @brief Writes the doorways of a plan. Unknown rooms become 0, outside; doorways
- * without any room are left out. */
-nlohmann::ordered_json doorwaysToJson(const Floorplan& plan);
-
-/** @brief Writes the stairs of a plan by the same rules. */
-nlohmann::ordered_json stairsToJson(const Floorplan& plan);
-
-/** @brief Reads `storeys`, `doorways` and `stairs`, all optional, into a plan that
- * already has its rooms.
- * @throw std::exception with the reason if they are not valid */
-void readStoreys(const nlohmann::ordered_json& json, Floorplan& plan);
+/** @brief Writes a slab with the members that only facets have. */
+nlohmann::ordered_json facetToJson(const PlanSlab& slab);
 
 } // namespace pcl::sedr

@@ -4,14 +4,12 @@
 #include "plan_evidence.h"
 
 #include "../base/parallel.h"
-#include "../grids/cell_table.h"
 #include "plan_surfaces.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <map>
 
 namespace pcl::sedr {
@@ -30,19 +28,21 @@ constexpr double foot_from = 0.15; ///< start of the floor at the foot of a wall
 constexpr double foot_to = 0.55;
 constexpr double min_seen = 0.05; ///< share; with less, a wall was not in view
 
-/** @brief Returns the box of a room and its niches with a margin of 0.5 m. */
+/** @brief Returns the box of all rooms and niches with a margin of 0.5 m. */
 Eigen::AlignedBox3d
-boxOf(const PlanRoom& room)
+boxOf(const Floorplan& plan)
 {
   Eigen::AlignedBox3d box;
-  const auto extend = [&](const PlanLoop& loop) {
+  const auto extend = [&](const PlanRoom& room, const PlanLoop& loop) {
     for (const auto& p : loop.polygon(0.01))
       for (const PlanSlab* slab : {&room.floor, &room.ceiling})
         box.extend(Eigen::Vector3d(p.x(), p.y(), slab->heightAt(p)));
   };
-  extend(room.boundary);
-  for (const PlanNiche& niche : room.niches)
-    extend(niche.boundary);
+  for (const PlanRoom& room : plan.rooms) {
+    extend(room, room.boundary);
+    for (const PlanNiche& niche : room.niches)
+      extend(room, niche.boundary);
+  }
   if (box.isEmpty())
     return box;
   const Eigen::Vector3d margin = Eigen::Vector3d::Constant(0.5);
@@ -205,13 +205,11 @@ note(const Counts& counts, PlanLoop& loop)
 
 void
 measureRoom(PlanRoom& room,
-            const PointView& points,
-            const std::vector<int>& indices,
+            const PointCubes& cubes,
             double tolerance,
             unsigned threads,
             const SightLines* sight)
 {
-  const PointCubes cubes(points, indices, boxOf(room), cell_size, threads);
   const RoomEvidence evidence(room, cubes, tolerance, sight);
   const std::vector<VerticalSurface> surfaces = verticalSurfaces(room);
   std::vector<CellCount> count_of(surfaces.size());
@@ -236,63 +234,6 @@ measureRoom(PlanRoom& room,
     note(counts, niche.boundary);
 }
 
-/** @brief Adds entries where points may be evidence for vertical surfaces of a room. */
-void
-appendEntries(const PlanRoom& room,
-              std::uint32_t number,
-              double tolerance,
-              const CellTable& table,
-              std::vector<CellTable::Entry>& entries)
-{
-  constexpr double step = 0.5; // metres, along a vertical surface
-  const Eigen::Vector2d reach =
-      Eigen::Vector2d::Constant(reach_before + step / 2 + fill_reach + tolerance);
-  for (const VerticalSurface& surface : verticalSurfaces(room)) {
-    const double length = surface.element->length();
-    for (double s = 0; s < length + step; s += step) {
-      const Eigen::Vector2d p = surface.element->pointAt(std::min(s, length));
-      entries.push_back({table.boxAround(p - reach, p + reach), number});
-    }
-  }
-}
-
-/** @brief Returns the points that may be evidence for the vertical surfaces of each
- * room; all points if the rooms are too far apart for a table. */
-std::vector<std::vector<int>>
-pointsNearRooms(const Floorplan& plan,
-                const PointView& points,
-                const std::vector<int>& indices,
-                double tolerance,
-                unsigned threads)
-{
-  constexpr double cell = 0.25; // metres
-  CellTable rooms_near(cell);
-  std::vector<CellTable::Entry> entries;
-  for (std::size_t r = 0; r < plan.rooms.size(); ++r)
-    appendEntries(plan.rooms[r], static_cast<std::uint32_t>(r), tolerance, rooms_near,
-                  entries);
-  if (!rooms_near.fill(entries).empty())
-    return std::vector<std::vector<int>>(plan.rooms.size(), indices);
-  constexpr std::size_t points_a_block = std::size_t{1} << 15;
-  const std::size_t blocks = (indices.size() + points_a_block - 1) / points_a_block;
-  std::vector<std::vector<std::vector<int>>> parts(
-      blocks, std::vector<std::vector<int>>(plan.rooms.size()));
-  parallelBlocks(
-      indices.size(), points_a_block, threads, [&](std::size_t begin, std::size_t end) {
-        auto& part = parts[begin / points_a_block];
-        for (std::size_t k = begin; k < end; ++k) {
-          const Eigen::Vector3f p = points[static_cast<std::size_t>(indices[k])];
-          for (const auto r : rooms_near.at(p.head<2>().cast<double>()))
-            part[r].push_back(indices[k]);
-        }
-      });
-  std::vector<std::vector<int>> shares(plan.rooms.size());
-  for (const auto& part : parts)
-    for (std::size_t r = 0; r < shares.size(); ++r)
-      shares[r].insert(shares[r].end(), part[r].begin(), part[r].end());
-  return shares;
-}
-
 } // namespace
 
 void
@@ -303,10 +244,9 @@ measureEvidence(Floorplan& plan,
                 unsigned threads,
                 const SightLines* sight)
 {
-  const std::vector<std::vector<int>> shares =
-      pointsNearRooms(plan, points, indices, tolerance, threads);
+  const PointCubes cubes(points, indices, boxOf(plan), cell_size, threads);
   parallelBlocks(plan.rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {
-    measureRoom(plan.rooms[r], points, shares[r], tolerance, threads, sight);
+    measureRoom(plan.rooms[r], cubes, tolerance, threads, sight);
   });
 }
 

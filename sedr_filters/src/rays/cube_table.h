@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "../voxels/voxel_table.h"
+
 #include <Eigen/Core>
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace pcl::sedr {
 
@@ -21,15 +22,19 @@ public:
   /** @param size edge of a cube, metres */
   explicit CubeTable(double size)
       : inverse_(1 / size)
-      , slots_(std::size_t{1} << 12, none)
   {}
 
-  std::size_t size() const { return cubes_.size(); }
+  std::size_t size() const { return table_.size(); }
   double edge() const { return 1 / inverse_; }
-  const Cube& operator[](std::size_t k) const { return cubes_[k]; }
 
-  /** @brief The cube of a place; those farther than a million cubes from 0 along an
-   * axis are taken for one that is there. */
+  Cube operator[](std::size_t k) const
+  {
+    const VoxelCode& code = table_[k].code;
+    return {code[0], code[1], code[2]};
+  }
+
+  /** @brief Returns the cube of a place; those farther than a million cubes from 0
+   * along an axis are taken for one that is there. */
   Cube at(const Eigen::Vector3d& place) const
   {
     constexpr double limit = 1 << 20;
@@ -41,21 +46,20 @@ public:
         .cast<int>();
   }
 
-  std::uint32_t find(const Cube& cube) const { return slots_[slotOf(cube)]; }
+  std::uint32_t find(const Cube& cube) const
+  {
+    const VoxelCode code = codeOf(cube);
+    return static_cast<std::uint32_t>(table_.numberOf(code, hashOf(code)));
+  }
 
   std::uint32_t findAt(const Eigen::Vector3d& place) const { return find(at(place)); }
 
-  /** @brief Number of a cube, which is added if it is new. */
+  /** @brief Returns the number of a cube, which is added if it is new. */
   std::uint32_t add(const Cube& cube)
   {
-    if (2 * (cubes_.size() + 1) > slots_.size())
-      grow();
-    std::uint32_t& slot = slots_[slotOf(cube)];
-    if (slot == none) {
-      slot = static_cast<std::uint32_t>(cubes_.size());
-      cubes_.push_back(cube);
-    }
-    return slot;
+    const VoxelCode code = codeOf(cube);
+    table_.add({code, 1, {}}, hashOf(code));
+    return find(cube);
   }
 
   /** @brief Calls `see(number)` for the cubes of the set among the 27 around one,
@@ -73,36 +77,17 @@ public:
     return false;
   }
 
-  /** @brief Whether any of the 27 cubes around a place is in the set. */
+  /** @brief Checks whether any of the 27 cubes around a place is in the set. */
   bool isNear(const Eigen::Vector3d& place) const
   {
     return anyAround(at(place), [](std::uint32_t) { return true; });
   }
 
 private:
-  /** @brief The slot that holds a cube, or the empty one where it belongs. */
-  std::size_t slotOf(const Cube& cube) const
-  {
-    constexpr std::uint64_t spread = 0x9e3779b97f4a7c15u;
-    std::uint64_t key = 0;
-    for (int axis = 0; axis < 3; ++axis)
-      key = key << 21 | (static_cast<std::uint64_t>(cube[axis] + (1 << 20)) & 0x1fffff);
-    std::size_t slot = (key * spread) >> 20 & (slots_.size() - 1);
-    while (slots_[slot] != none && cubes_[slots_[slot]] != cube)
-      slot = (slot + 1) & (slots_.size() - 1);
-    return slot;
-  }
-
-  void grow()
-  {
-    slots_.assign(2 * slots_.size(), none);
-    for (std::size_t k = 0; k < cubes_.size(); ++k)
-      slots_[slotOf(cubes_[k])] = static_cast<std::uint32_t>(k);
-  }
+  static VoxelCode codeOf(const Cube& cube) { return {cube[0], cube[1], cube[2]}; }
 
   double inverse_;
-  std::vector<Cube> cubes_;
-  std::vector<std::uint32_t> slots_; ///< a power of two of them
+  VoxelTable table_; ///< of which only the numbers are used
 };
 
 } // namespace pcl::sedr

@@ -1,20 +1,167 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mirror_panes.h"
-
-#include "../base/parallel_for.h"
 #include "mirrored_points.h"
-#include "true_places.h"
+
+#include "../base/parallel.h"
+#include "../base/parallel_for.h"
+#include "mirror_likeness.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <tuple>
 
 namespace pcl::sedr {
 
 namespace {
 
-/** @brief Which rays meet reflections. */
+using Flags = std::vector<std::uint8_t>; ///< 1 for yes
+
+constexpr std::size_t items_a_block = 4096;
+
+/** @brief Returns some rays of a scan: of each cube that it fills, one from each of the
+ * first positions that saw it. O(n) for n points. */
+std::vector<ScanRay>
+raysOf(const PointView& points,
+       std::size_t step,
+       const ScanPositions& positions,
+       const CubeTable& cubes)
+{
+  constexpr unsigned max_a_cube = 4; // positions
+  constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
+  struct Seen {
+    std::size_t last = nowhere; ///< position
+    unsigned rays = 0;
+  };
+  std::vector<Seen> seen(cubes.size());
+  std::vector<ScanRay> rays;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::size_t position = positionOfRow(positions, i * step);
+    if (position == positions.size() || !positions[position].isKnown() ||
+        !points.isFinite(i))
+      continue;
+    const Eigen::Vector3f to = points[i];
+    const std::uint32_t cube = cubes.findAt(to.cast<double>());
+    if (cube == CubeTable::none || seen[cube].last == position ||
+        seen[cube].rays == max_a_cube)
+      continue;
+    seen[cube].last = position;
+    ++seen[cube].rays;
+    rays.push_back({positions[position].place, to, cube});
+  }
+  return rays;
+}
+
+std::vector<std::uint32_t>
+piercedBy(const std::vector<ScanRay>& rays,
+          const PiercedSurfaces& surfaces,
+          unsigned threads)
+{
+  std::vector<std::uint32_t> pierced(rays.size());
+  parallelFor(rays.size(), items_a_block / 4, threads,
+              [&](std::size_t r) { pierced[r] = surfaces.firstPierced(rays[r]); });
+  return pierced;
+}
+
+/** @brief Returns the places from which a good part of the rays goes through surfaces:
+ * no glass is that large, so the points were taken from elsewhere. */
+std::vector<Eigen::Vector3f>
+untruePlaces(const std::vector<ScanRay>& rays,
+             const std::vector<std::uint32_t>& pierced)
+{
+  constexpr double most = 0.5;       // of the rays
+  constexpr std::size_t fewest = 50; // rays that tell
+  struct Count {
+    std::size_t rays = 0;
+    std::size_t through = 0;
+  };
+  std::map<std::tuple<float, float, float>, Count> counts;
+  for (std::size_t r = 0; r < rays.size(); ++r) {
+    const Eigen::Vector3f& from = rays[r].from;
+    Count& count = counts[{from.x(), from.y(), from.z()}];
+    ++count.rays;
+    count.through += pierced[r] != CubeTable::none ? 1 : 0;
+  }
+  std::vector<Eigen::Vector3f> untrue;
+  for (const auto& [place, count] : counts)
+    if (count.rays >= fewest &&
+        static_cast<double>(count.through) > most * static_cast<double>(count.rays))
+      untrue.emplace_back(std::get<0>(place), std::get<1>(place), std::get<2>(place));
+  return untrue;
+}
+
+/** @brief Returns positions of which some places are not known. */
+ScanPositions
+without(const std::vector<Eigen::Vector3f>& places, ScanPositions positions)
+{
+  for (ScanPosition& position : positions)
+    if (std::find(places.begin(), places.end(), position.place) != places.end())
+      position.place.setConstant(std::numeric_limits<float>::quiet_NaN());
+  return positions;
+}
+
+/** @brief Returns the pane that each ray goes through first, panes.size() for none. */
+std::vector<std::size_t>
+panesBefore(const std::vector<Pane>& panes,
+            const std::vector<ScanRay>& rays,
+            const std::vector<std::uint32_t>& pierced,
+            std::size_t cubes)
+{
+  constexpr double depth = 0.2; // metres behind it
+  std::vector<std::size_t> pane_of(cubes, panes.size());
+  for (std::size_t k = 0; k < panes.size(); ++k)
+    for (const std::uint32_t cube : panes[k].cubes)
+      pane_of[cube] = k;
+  std::vector<std::size_t> before(rays.size(), panes.size());
+  for (std::size_t r = 0; r < rays.size(); ++r) {
+    const std::size_t k =
+        pierced[r] == CubeTable::none ? panes.size() : pane_of[pierced[r]];
+    if (k < panes.size() && panes[k].parts(rays[r], depth))
+      before[r] = k;
+  }
+  return before;
+}
+
+/** @brief Returns the panes that mirror, moved to where they do. */
+std::vector<Pane>
+mirrorsAmong(const std::vector<Pane>& panes,
+             const std::vector<ScanRay>& rays,
+             const std::vector<std::size_t>& before,
+             const CubeTable& filled,
+             unsigned threads)
+{
+  constexpr double min_depth = 0.6;    // metres: nearer to a pane all is like itself
+  constexpr std::size_t enough = 3000; // places behind a pane
+  std::vector<std::vector<const ScanRay*>> through(panes.size());
+  for (std::size_t r = 0; r < rays.size(); ++r)
+    if (before[r] < panes.size() && panes[before[r]].parts(rays[r], min_depth))
+      through[before[r]].push_back(&rays[r]);
+  std::vector<Pane> moved = panes;
+  Flags is_mirror(panes.size(), 0);
+  parallelBlocks(panes.size(), 1, threads, [&](std::size_t k, std::size_t) {
+    long away = 0; // rays along the normal less those against it
+    std::vector<Eigen::Vector3d> behind;
+    for (std::size_t i = 0; i < through[k].size(); ++i) {
+      const ScanRay& ray = *through[k][i];
+      away += panes[k].normal.dot((ray.to - ray.from).cast<double>()) > 0 ? 1 : -1;
+      if (i % (through[k].size() / enough + 1) == 0)
+        behind.push_back(ray.to.cast<double>());
+    }
+    if (away < 0) {
+      moved[k].normal = -moved[k].normal;
+      moved[k].offset = -moved[k].offset;
+    }
+    is_mirror[k] = moveToMirror(moved[k], behind, filled) ? 1 : 0;
+  });
+  std::vector<Pane> mirrors;
+  for (std::size_t k = 0; k < panes.size(); ++k)
+    if (is_mirror[k] != 0)
+      mirrors.push_back(std::move(moved[k]));
+  return mirrors;
+}
+
+/** @brief Tells which rays meet reflections. */
 class MirroredRays {
 public:
   MirroredRays(const std::vector<Pane>& mirrors,
@@ -24,8 +171,8 @@ public:
       , cubes_(cubes)
       , filled_(filled)
       , mirrors_at_(cubes.size())
+      , boxes_(mirrors.size())
   {
-    boxes_.resize(mirrors.size());
     for (std::uint32_t k = 0; k < mirrors.size(); ++k)
       for (const std::uint32_t cube : mirrors[k].cubes) {
         mirrors_at_[cube].push_back(k);
@@ -47,10 +194,9 @@ private:
   bool goesThrough(std::uint32_t k, const ScanRay& ray) const
   {
     constexpr double least = 0.2; // metres: nearer to a mirror all is like itself
-    const Pane& mirror = mirrors_[k];
-    if (!mirror.parts(ray, least))
+    if (!mirrors_[k].parts(ray, least))
       return false;
-    const Cube there = cubes_.at(mirror.placeOn(ray));
+    const Cube there = cubes_.at(mirrors_[k].placeOn(ray));
     return boxes_[k].contains(there) &&
            cubes_.anyAround(there, [&](std::uint32_t cube) {
              return std::find(mirrors_at_[cube].begin(), mirrors_at_[cube].end(), k) !=
@@ -65,41 +211,7 @@ private:
   std::vector<Eigen::AlignedBox3i> boxes_;             ///< of each mirror, and its rim
 };
 
-/** @brief Which rays are mirrored: 1. */
-std::vector<std::uint8_t>
-mirroredAmong(const std::vector<ScanRay>& rays,
-              const MirroredRays& mirrored,
-              unsigned threads)
-{
-  constexpr std::size_t rays_a_block = 4096;
-  std::vector<std::uint8_t> is_mirrored(rays.size(), 0);
-  parallelFor(rays.size(), rays_a_block, threads, [&](std::size_t r) {
-    is_mirrored[r] = mirrored.isMirrored(rays[r]) ? 1 : 0;
-  });
-  return is_mirrored;
-}
-
-/** @brief The panes that rays go through first, null for those that go through none. */
-std::vector<const Pane*>
-panesBefore(const std::vector<Pane>& panes,
-            const std::vector<ScanRay>& rays,
-            const std::vector<std::uint32_t>& pierced,
-            std::size_t cubes)
-{
-  constexpr double depth = 0.2; // metres behind it
-  std::vector<const Pane*> pane_of(cubes, nullptr);
-  for (const Pane& pane : panes)
-    for (const std::uint32_t cube : pane.cubes)
-      pane_of[cube] = &pane;
-  std::vector<const Pane*> before(rays.size(), nullptr);
-  for (std::size_t r = 0; r < rays.size(); ++r)
-    if (pierced[r] != CubeTable::none && pane_of[pierced[r]] &&
-        pane_of[pierced[r]]->parts(rays[r], depth))
-      before[r] = pane_of[pierced[r]];
-  return before;
-}
-
-/** @brief What is sure of a ray: behind a pane it may have been mirrored. */
+/** @brief Returns what is sure of a ray: behind a pane it may have been mirrored. */
 SightLine
 sureLine(const ScanRay& ray, const Pane* pane)
 {
@@ -111,23 +223,11 @@ sureLine(const ScanRay& ray, const Pane* pane)
   return {ray.from, at + std::min(behind, (ray.to - at).norm()) * direction};
 }
 
-/** @brief Positions of which some places are not known. */
-ScanPositions
-without(const std::vector<Eigen::Vector3f>& places, ScanPositions positions)
+/** @brief Returns the cubes that some rays end in, and all of these rays are chosen. */
+Flags
+cubesOfOnly(const Flags& chosen, const std::vector<ScanRay>& rays, std::size_t cubes)
 {
-  for (ScanPosition& position : positions)
-    if (std::find(places.begin(), places.end(), position.place) != places.end())
-      position.place.setConstant(std::numeric_limits<float>::quiet_NaN());
-  return positions;
-}
-
-/** @brief The cubes all of whose rays are among some: 1. */
-std::vector<std::uint8_t>
-cubesOfOnly(const std::vector<std::uint8_t>& chosen,
-            const std::vector<ScanRay>& rays,
-            std::size_t cubes)
-{
-  std::vector<std::uint8_t> only(cubes, 0);
+  Flags only(cubes, 0);
   for (const ScanRay& ray : rays)
     only[ray.cube] = 1;
   for (std::size_t r = 0; r < rays.size(); ++r)
@@ -136,16 +236,15 @@ cubesOfOnly(const std::vector<std::uint8_t>& chosen,
   return only;
 }
 
-/** @brief The points that are in one of the chosen cubes: 1. */
-std::vector<std::uint8_t>
+/** @brief Returns the points that are in one of the chosen cubes. */
+Flags
 pointsIn(const CubeTable& cubes,
-         const std::vector<std::uint8_t>& chosen,
+         const Flags& chosen,
          const PointView& points,
          unsigned threads)
 {
-  constexpr std::size_t points_a_block = 16384;
-  std::vector<std::uint8_t> is_in(points.size(), 0);
-  parallelFor(points.size(), points_a_block, threads, [&](std::size_t i) {
+  Flags is_in(points.size(), 0);
+  parallelFor(points.size(), items_a_block, threads, [&](std::size_t i) {
     if (!points.isFinite(i))
       return;
     const std::uint32_t cube = cubes.findAt(points[i].cast<double>());
@@ -163,40 +262,43 @@ findMirroredPoints(const PointView& thinned,
                    const ScanPositions& positions,
                    unsigned threads)
 {
-  constexpr double cube_size = 0.1;  // metres
-  constexpr unsigned max_a_cube = 4; // positions
+  constexpr double cube_size = 0.1; // metres
   CubeTable filled(cube_size);
   for (std::size_t i = 0; i < thinned.size(); ++i)
     if (thinned.isFinite(i))
       filled.add(filled.at(thinned[i].cast<double>()));
-  std::vector<ScanRay> rays = raysOf(rows, step, positions, filled, max_a_cube);
   const PiercedSurfaces surfaces(thinned);
+  std::vector<ScanRay> rays = raysOf(rows, step, positions, filled);
+  std::vector<std::uint32_t> pierced = piercedBy(rays, surfaces, threads);
   MirroredPoints found;
-  found.untrue = untruePlaces(surfaces, rays, rows, step, positions, threads);
-  // Again, as untrue positions must not count among those of a cube.
-  if (!found.untrue.empty())
-    rays = raysOf(rows, step, without(found.untrue, positions), filled, max_a_cube);
-  const std::vector<std::uint32_t> pierced = surfaces.firstPierced(rays, threads);
+  found.untrue = untruePlaces(rays, pierced);
+  if (!found.untrue.empty()) { // again: they must not count among those of a cube
+    rays = raysOf(rows, step, without(found.untrue, positions), filled);
+    pierced = piercedBy(rays, surfaces, threads);
+  }
   const std::vector<Pane> panes = panesOf(surfaces, pierced);
-  const std::vector<const Pane*> before =
+  const std::vector<std::size_t> before =
       panesBefore(panes, rays, pierced, surfaces.cubes().size());
-  std::vector<std::uint8_t> is_behind(rays.size(), 0);
-  for (std::size_t r = 0; r < rays.size(); ++r)
-    is_behind[r] = before[r] ? 1 : 0;
-  const std::vector<Pane> mirrors =
-      mirrorsAmong(panes, surfaces, rays, pierced, filled, threads);
-  const std::vector<std::uint8_t> is_mirrored =
-      mirroredAmong(rays, MirroredRays(mirrors, surfaces.cubes(), filled), threads);
+  const std::vector<Pane> mirrors = mirrorsAmong(panes, rays, before, filled, threads);
+  const MirroredRays mirrored(mirrors, surfaces.cubes(), filled);
+  Flags is_mirrored(rays.size(), 0);
+  parallelFor(rays.size(), items_a_block, threads, [&](std::size_t r) {
+    is_mirrored[r] = mirrored.isMirrored(rays[r]) ? 1 : 0;
+  });
+  Flags is_behind(rays.size(), 0);
+  for (std::size_t r = 0; r < rays.size(); ++r) {
+    const Pane* const pane = before[r] < panes.size() ? &panes[before[r]] : nullptr;
+    is_behind[r] = pane ? 1 : 0;
+    if (is_mirrored[r] == 0)
+      found.lines.push_back(sureLine(rays[r], pane));
+  }
   found.rays = rays.size();
   found.mirrors = mirrors.size();
-  const auto chosen = cubesOfOnly(is_mirrored, rays, filled.size());
-  found.of_thinned = pointsIn(filled, chosen, thinned, threads);
-  found.of_rows = pointsIn(filled, chosen, rows, threads);
+  const Flags reflections = cubesOfOnly(is_mirrored, rays, filled.size());
+  found.of_thinned = pointsIn(filled, reflections, thinned, threads);
+  found.of_rows = pointsIn(filled, reflections, rows, threads);
   found.behind =
       pointsIn(filled, cubesOfOnly(is_behind, rays, filled.size()), thinned, threads);
-  for (std::size_t r = 0; r < rays.size(); ++r)
-    if (is_mirrored[r] == 0)
-      found.lines.push_back(sureLine(rays[r], before[r]));
   return found;
 }
 

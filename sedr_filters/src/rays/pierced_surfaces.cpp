@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pierced_surfaces.h"
 
-#include "../base/parallel_for.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,7 +13,7 @@ constexpr double cube_size = 0.25; // metres
 constexpr float around = 0.3F;     // metres: how far from a ray its points may be
 constexpr float before_end = 0.4F; // metres of a ray in which it meets what it ends on
 
-/** @brief Which eighth of a turn a direction is in. */
+/** @brief Returns in which eighth of a turn a direction is. */
 unsigned
 eighthOf(float x, float y)
 {
@@ -25,7 +23,7 @@ eighthOf(float x, float y)
   return half + quarter + (is_second ? 1 : 0);
 }
 
-/** @brief Whether no three eighths side by side are empty: no half of a turn is. */
+/** @brief Checks that no three eighths side by side are empty: no half of a turn is. */
 bool
 surrounds(unsigned eighths)
 {
@@ -125,6 +123,8 @@ PiercedSurfaces::isSurrounded(const Eigen::Vector3f& from,
   });
 }
 
+/** @brief Returns how far from its start a ray enters the box of the points, metres; 0
+ * if it starts inside. Rays end inside. */
 float
 PiercedSurfaces::entryOf(const ScanRay& ray) const
 {
@@ -160,16 +160,6 @@ PiercedSurfaces::firstPierced(const ScanRay& ray) const
     walk.goOn();
   }
   return CubeTable::none;
-}
-
-std::vector<std::uint32_t>
-PiercedSurfaces::firstPierced(const std::vector<ScanRay>& rays, unsigned threads) const
-{
-  constexpr std::size_t rays_a_block = 1024;
-  std::vector<std::uint32_t> pierced(rays.size());
-  parallelFor(rays.size(), rays_a_block, threads,
-              [&](std::size_t r) { pierced[r] = firstPierced(rays[r]); });
-  return pierced;
 }
 
 } // namespace pcl::sedr

@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "scan_rays.h"
+#include "cube_table.h"
+#include <pcl/sedr_filters/point_view.h>
 
 #include <Eigen/Geometry>
 
 #include <vector>
 
 namespace pcl::sedr {
+
+/** @brief A ray of a scanner and what it ended on. */
+struct ScanRay {
+  Eigen::Vector3f from;   ///< the position
+  Eigen::Vector3f to;     ///< the point
+  std::uint32_t cube = 0; ///< that the point is in
+};
 
 /** @brief What rays of a scan go through: panes of glass, which return few points, and
  * whatever else has gaps. Points are kept by cubes of a quarter of a metre. */
@@ -26,20 +34,14 @@ public:
       see(places_[k]);
   }
 
-  /** @brief Returns how far from its start a ray enters the box of the points, metres;
-   * 0 if it starts inside. Rays end inside. */
-  float entryOf(const ScanRay& ray) const;
-
-  /** @brief The first cube in which a ray has points on all sides around it, at least
-   * 0.4 m before its end; CubeTable::none where it has none. */
+  /** @brief Returns the first cube in which a ray has points on all sides around it, at
+   * least 0.4 m before its end; CubeTable::none where it has none. O(length of the ray
+   * within the box of the points). */
   std::uint32_t firstPierced(const ScanRay& ray) const;
 
-  /** @brief firstPierced() of all rays. O(rays times their length within the
-   * box of the points). */
-  std::vector<std::uint32_t> firstPierced(const std::vector<ScanRay>& rays,
-                                          unsigned threads) const;
-
 private:
+  float entryOf(const ScanRay& ray) const;
+
   /** @brief Whether points stand on all sides around a ray near `along` metres from its
    * start. */
   bool isSurrounded(const Eigen::Vector3f& from,

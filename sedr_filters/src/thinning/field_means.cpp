@@ -2,8 +2,10 @@
 #include "field_means.h"
 
 #include "../base/field_access.h"
+#include <pcl/sedr_filters/point_view.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pcl::sedr {
 
@@ -29,6 +31,9 @@ isLabel(const pcl::PCLPointField& field)
 FieldMeans::FieldMeans(const std::vector<pcl::PCLPointField>& fields,
                        std::size_t voxels)
 {
+  for (const char* name : {"normal_x", "normal_y", "normal_z"})
+    if (const auto* field = findField(fields, name))
+      normal_.push_back(*field);
   for (const auto& field : fields)
     for (std::size_t k = 0; k < std::max<std::size_t>(field.count, 1); ++k) {
       const Kind kind = isColour(field)  ? Kind::Colour
@@ -82,6 +87,21 @@ FieldMeans::write(std::size_t voxel, std::size_t count, std::uint8_t* row) const
       writeField(where, value.datatype, most->first);
     }
   }
+  normalise(row);
+}
+
+/** @brief Normalises the normal, if there is one and it is not zero. */
+void
+FieldMeans::normalise(std::uint8_t* row) const
+{
+  double square = 0;
+  for (const auto& field : normal_)
+    square += std::pow(readField(row + field.offset, field.datatype), 2);
+  if (normal_.size() != 3 || !(square > 0))
+    return;
+  for (const auto& field : normal_)
+    writeField(row + field.offset, field.datatype,
+               readField(row + field.offset, field.datatype) / std::sqrt(square));
 }
 
 } // namespace pcl::sedr

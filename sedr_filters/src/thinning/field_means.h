@@ -11,7 +11,9 @@
 namespace pcl::sedr {
 
 /** @brief Averages fields of any type over the rows of each voxel: numbers in double,
- * `rgb` and `rgba` by channel, `label` and `room` by majority. */
+ * `rgb` and `rgba` by channel, `label` and `room` by majority; normals have unit
+ * length.
+ */
 class FieldMeans {
 public:
   /** @param fields the fields to average; the others of a row are not changed */
@@ -23,6 +25,8 @@ public:
   void write(std::size_t voxel, std::size_t count, std::uint8_t* row) const;
 
 private:
+  void normalise(std::uint8_t* row) const;
+
   enum class Kind { Number, Colour, Label };
 
   /** @brief One value of a row. */
@@ -34,6 +38,7 @@ private:
   };
 
   std::vector<Value> values_;
+  std::vector<pcl::PCLPointField> normal_;
   std::size_t sums_a_voxel_ = 0;
   std::size_t votes_a_voxel_ = 0;
   std::vector<double> sums_;

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../base/field_access.h"
 #include "../voxels/voxel_sums.h"
+#include "field_means.h"
 
-#include <pcl/console/print.h>
-#include <pcl/sedr_filters/impl/thinned_voxels.h>
+#include <pcl/sedr_filters/stage_error.h>
 #include <pcl/sedr_filters/voxel_grid_settings.h>
 
 #include <algorithm>
 #include <sstream>
 #include <tuple>
+#include <utility>
 
 namespace pcl::sedr {
 
 namespace {
 
-constexpr std::int64_t int_max = std::numeric_limits<int>::max();
-constexpr std::int64_t layout_limit = std::int64_t{1} << 27;
+constexpr std::array<const char*, 3> axes{"x", "y", "z"};
 
 /** @brief Compares voxels by z, then y, then x. */
 bool
@@ -24,31 +24,65 @@ precedes(const Eigen::Vector3i& a, const Eigen::Vector3i& b)
   return std::make_tuple(a.z(), a.y(), a.x()) < std::make_tuple(b.z(), b.y(), b.x());
 }
 
+bool
+isCoordinate(const pcl::PCLPointField& field)
+{
+  return field.name == "x" || field.name == "y" || field.name == "z";
+}
+
+/** @brief Checks whether the voxel sums contain the mean of a field. */
+bool
+isSummed(const pcl::PCLPointField& field)
+{
+  return isCoordinate(field) && field.datatype == pcl::PCLPointField::FLOAT32 &&
+         field.count <= 1;
+}
+
+/** @brief Returns what is wrong with the fields of the rows; empty if nothing is. */
+std::string
+fieldsProblem(const RowSource& source)
+{
+  for (const char* name : axes)
+    if (!findField(source.fields(), name))
+      return std::string("the cloud has no field '") + name + "'";
+  for (const auto& field : source.fields()) {
+    const std::size_t end = field.offset + fieldSize(field.datatype) *
+                                               std::max<std::size_t>(field.count, 1);
+    if (field.name != "_" && end > source.rowSize())
+      return "field '" + field.name + "' ends at byte " + std::to_string(end) +
+             " of points of " + std::to_string(source.rowSize()) + " bytes";
+  }
+  return {};
+}
+
+/** @brief Writes the means of those of x, y and z that are FLOAT32. */
+void
+writePlaces(const VoxelSums& sums,
+            const std::vector<pcl::PCLPointField>& fields,
+            std::size_t row_size,
+            std::uint8_t* rows,
+            unsigned threads)
+{
+  std::array<const pcl::PCLPointField*, 3> summed{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    summed[axis] = findField(fields, axes[axis]);
+  sums.forEach(
+      [&](const VoxelSum& voxel, std::size_t place) {
+        const Eigen::Vector3f mean = sums.frame().mean(voxel);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          if (isSummed(*summed[axis]))
+            std::memcpy(rows + place * row_size + summed[axis]->offset,
+                        &mean[static_cast<Eigen::Index>(axis)], sizeof(float));
+      },
+      threads);
+}
+
 } // namespace
-
-Eigen::Vector3i
-VoxelGridSettings::getNrDivisions() const
-{
-  Eigen::Vector3i divisions;
-  for (int axis = 0; axis < 3; ++axis)
-    divisions[axis] = static_cast<int>(
-        std::min(int_max, std::int64_t{max_box_[axis]} - min_box_[axis] + 1));
-  return divisions;
-}
-
-Eigen::Vector3i
-VoxelGridSettings::getDivisionMultiplier() const
-{
-  const Eigen::Vector3i divisions = getNrDivisions();
-  const std::int64_t slice = std::int64_t{divisions.x()} * divisions.y();
-  return {1, divisions.x(), static_cast<int>(std::min(int_max, slice))};
-}
 
 Eigen::Vector3i
 VoxelGridSettings::getGridCoordinates(float x, float y, float z) const
 {
-  const std::array<float, 3> point{x, y, z};
-  return voxelAt(VoxelFrame(inverseLeaf()).codes(point.data()));
+  return voxelAt(VoxelFrame(inverseLeaf()).codes({x, y, z}));
 }
 
 int
@@ -59,68 +93,87 @@ VoxelGridSettings::getCentroidIndexAt(const Eigen::Vector3i& ijk) const
                                            : -1;
 }
 
-std::vector<int>
-VoxelGridSettings::getLeafLayout() const
-{
-  if (layout_.empty())
-    return {};
-  const Eigen::Vector3i divisions = getNrDivisions();
-  const std::int64_t slice = std::int64_t{divisions.x()} * divisions.y();
-  if (slice > layout_limit || slice * divisions.z() > layout_limit) {
-    PCL_ERROR("[pcl::ParallelVoxelGrid] the leaf layout would hold %d x %d x %d "
-              "entries, more "
-              "than 2^27: use getCentroidIndexAt\n",
-              divisions.x(), divisions.y(), divisions.z());
-    return {};
-  }
-  std::vector<int> dense(static_cast<std::size_t>(slice * divisions.z()), -1);
-  for (std::size_t i = 0; i < layout_.size(); ++i) {
-    const Eigen::Vector3i from_min = layout_[i] - min_box_;
-    dense[static_cast<std::size_t>(from_min.x() + from_min.y() * divisions.x() +
-                                   from_min.z() * slice)] = static_cast<int>(i);
-  }
-  return dense;
-}
-
-std::string
-VoxelGridSettings::parameterProblem() const
-{
-  if ((leaf_size_.array() > 0).all() && leaf_size_.allFinite() &&
-      inverseLeaf().allFinite())
-    return {};
-  std::ostringstream problem;
-  problem << "the leaf must be above 0 m along x, y and z, it is " << leaf_size_.x()
-          << " x " << leaf_size_.y() << " x " << leaf_size_.z() << " m";
-  return problem.str();
-}
-
-bool
-VoxelGridSettings::passesLimits(const std::uint8_t* where, std::uint8_t datatype) const
-{
-  return passesLimits(readField(where, datatype));
-}
-
 void
 VoxelGridSettings::clearLayout()
 {
-  min_box_.setZero();
-  max_box_.setZero();
   stray_limit_ = 0;
   layout_.clear();
 }
 
+/** @brief Returns why the rows cannot be thinned, as a sentence; empty if they can. */
+std::string
+VoxelGridSettings::problemOf(const RowSource& source, const pcl::Indices* indices) const
+{
+  if (!((leaf_size_.array() > 0).all() && leaf_size_.allFinite() &&
+        inverseLeaf().allFinite())) {
+    std::ostringstream problem;
+    problem << "the leaf must be above 0 m along x, y and z, it is " << leaf_size_.x()
+            << " x " << leaf_size_.y() << " x " << leaf_size_.z() << " m";
+    return problem.str();
+  }
+  if (!source.problem().empty())
+    return source.problem();
+  if (source.size() >
+      static_cast<std::size_t>(std::numeric_limits<pcl::index_t>::max()))
+    return "the cloud has " + std::to_string(source.size()) +
+           " points, more than indices can count";
+  const std::string problem = fieldsProblem(source);
+  if (!problem.empty())
+    return problem;
+  if (!filter_field_name_.empty() && !findField(source.fields(), filter_field_name_))
+    return "the points have no field '" + filter_field_name_ + "' to filter by";
+  return indices ? indicesProblem(*indices, source.size()) : std::string();
+}
+
+bool
+VoxelGridSettings::passesLimits(double value) const
+{
+  if (filter_limit_negative_)
+    return value <= filter_limit_min_ || value >= filter_limit_max_;
+  return value >= filter_limit_min_ && value <= filter_limit_max_;
+}
+
+/** @brief Calls `see(piece, points, indices)` for every piece of a valid source: its
+ * coordinates, and the indices of the points to use, null for all. */
+void
+VoxelGridSettings::forEachPiece(
+    const RowSource& source,
+    const pcl::Indices* indices,
+    const std::function<
+        void(const RowSource::Piece&, const PointView&, const pcl::Indices*)>& see)
+    const
+{
+  RowCoordinates coordinates(source.fields(), source.rowSize());
+  const auto* limited = findField(source.fields(), filter_field_name_);
+  source.forEachPiece([&](const RowSource::Piece& piece) {
+    const PointView points = coordinates.of(piece.rows, piece.size, threads_);
+    if (!limited) {
+      see(piece, points, indices);
+      return true;
+    }
+    pcl::Indices passing;
+    const std::size_t n = indices ? indices->size() : piece.size;
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto i = indices ? (*indices)[k] : static_cast<pcl::index_t>(k);
+      const auto* row = piece.rows + static_cast<std::size_t>(i) * source.rowSize();
+      if (passesLimits(readField(row + limited->offset, limited->datatype)))
+        passing.push_back(i);
+    }
+    see(piece, points, &passing);
+    return true;
+  });
+}
+
+/** @brief Sorts the summed voxels, drops those with too few points, and saves the
+ * layout if requested.
+ * @return number of voxels kept */
 std::size_t
 VoxelGridSettings::finish(VoxelSums& sums)
 {
-  clearLayout();
   if (removes_strays_)
-    stray_limit_ = sums.census().minPoints();
+    stray_limit_ = sums.strayLimit();
   const std::size_t size =
       sums.arrange(std::max(min_points_per_voxel_, stray_limit_), threads_);
-  if (size == 0 && sums.size() == 0)
-    return 0;
-  min_box_ = voxelAt(sums.box().low);
-  max_box_ = voxelAt(sums.box().high);
   if (save_leaf_layout_) {
     layout_.resize(size);
     sums.forEach([&](const VoxelSum& voxel,
@@ -130,25 +183,62 @@ VoxelGridSettings::finish(VoxelSums& sums)
   return size;
 }
 
-ThinnedVoxels
-VoxelGridSettings::thin(const PointView& points, const pcl::Indices* indices)
+std::string
+VoxelGridSettings::thin(const RowSource& source,
+                        const pcl::Indices* indices,
+                        const ThinnedRows& output,
+                        pcl::Indices* removed)
 {
-  auto sums = std::make_unique<VoxelSums>(inverseLeaf());
-  if (indices)
-    sums->add(points, *indices, threads_);
-  else
-    sums->add(points, threads_);
-  const std::size_t size = finish(*sums);
-  return {std::move(sums), size, threads_};
-}
+  using Piece = RowSource::Piece;
+  clearLayout();
+  const std::string problem = problemOf(source, indices);
+  if (!problem.empty())
+    return problem;
+  VoxelSums sums(inverseLeaf());
+  forEachPiece(
+      source, indices,
+      [&](const Piece& piece, const PointView& points, const pcl::Indices* chosen) {
+        sums.add(points, threads_, chosen, chosen ? RowSource::SeeRun() : piece.beside);
+      });
+  const std::size_t size = finish(sums);
+  std::uint8_t* const rows = output.make(size);
+  writePlaces(sums, output.fields, output.row_size, rows, threads_);
 
-ThinnedVoxels
-VoxelGridSettings::thin(const RowSource& source)
-{
-  auto sums = std::make_unique<VoxelSums>(inverseLeaf());
-  addRows(source, nullptr, *sums);
-  const std::size_t size = finish(*sums);
-  return {std::move(sums), size, threads_};
+  std::vector<pcl::PCLPointField> others;
+  if (!output.only_places)
+    for (const auto& field : source.fields())
+      if (field.name != "_" && !isSummed(field) &&
+          (downsample_all_data_ || isCoordinate(field)))
+        others.push_back(field);
+  if (others.empty() && !removed)
+    return {};
+  sums.index();
+  FieldMeans means(others, size);
+  std::vector<bool> stays(removed ? source.size() : 0, false);
+  forEachPiece(
+      source, indices,
+      [&](const Piece& piece, const PointView& points, const pcl::Indices* chosen) {
+        if (!others.empty())
+          sums.visit(points, chosen, threads_, [&](std::size_t voxel, std::size_t i) {
+            means.add(voxel, piece.rows + i * source.rowSize());
+          });
+        const std::size_t n = chosen ? chosen->size() : piece.size;
+        for (std::size_t k = 0; removed && k < n; ++k) {
+          const auto i = chosen ? static_cast<std::size_t>((*chosen)[k]) : k;
+          stays[piece.first + i] = sums.find(points[i]) >= 0;
+        }
+      });
+  sums.forEach(
+      [&](const VoxelSum& voxel, std::size_t place) {
+        means.write(place, voxel.count, rows + place * output.row_size);
+      },
+      threads_);
+  for (std::size_t k = 0; removed && k < (indices ? indices->size() : stays.size());
+       ++k)
+    if (const auto i = indices ? (*indices)[k] : static_cast<pcl::index_t>(k);
+        !stays[static_cast<std::size_t>(i)])
+      removed->push_back(i);
+  return {};
 }
 
 } // namespace pcl::sedr

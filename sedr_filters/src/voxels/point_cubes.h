@@ -7,17 +7,18 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <numeric>
 #include <vector>
 
 namespace pcl::sedr {
 
-/** @brief The points within a box, sorted into cubes for spatial queries: by profile in
- * plan, then by height. O(n + profiles of the box). */
+/** @brief The points within a box, sorted into cubes for spatial queries: by column in
+ * plan, then by height. O(n log n). */
 class PointCubes {
 public:
-  /** @param size edge of a cube, metres; larger for large boxes
+  /** @param size edge of a cube, metres; larger for boxes of more than 2^24 columns
    * @param threads 0: all processors; the result does not depend on it */
   PointCubes(const PointView& points,
              const std::vector<int>& indices,
@@ -27,7 +28,7 @@ public:
       : origin_(box.min())
       , size_(size)
   {
-    constexpr double max_columns = 1 << 26;
+    constexpr double max_columns = 1 << 24;
     const Eigen::Vector3d extent = box.sizes();
     if (box.isEmpty() || !extent.allFinite())
       return;
@@ -36,8 +37,27 @@ public:
     const Cube far = cubeOf(box.max());
     width_ = far.x() + 1;
     height_ = far.y() + 1;
-    sortIntoColumns(points, indices, columnsOf(points, indices, box, threads));
-    sortColumns(threads);
+    ends_.assign(static_cast<std::size_t>(width_ * height_) + 1, 0);
+    std::vector<int> inside;
+    for (const int i : indices) {
+      const Eigen::Vector3d p = points[static_cast<std::size_t>(i)].cast<double>();
+      if (!p.allFinite() || !box.contains(p))
+        continue;
+      inside.push_back(i);
+      ++ends_[columnOf(p) + 1];
+    }
+    std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
+    sorted_.resize(inside.size());
+    std::vector<std::size_t> next = ends_;
+    for (const int i : inside) {
+      const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+      sorted_[next[columnOf(p.cast<double>())]++] = p;
+    }
+    constexpr std::size_t columns_a_block = 1024;
+    parallelFor(ends_.size() - 1, columns_a_block, threads, [&](std::size_t c) {
+      std::sort(sorted_.data() + ends_[c], sorted_.data() + ends_[c + 1],
+                [](const auto& a, const auto& b) { return a.z() < b.z(); });
+    });
   }
 
   /** @brief Checks whether `asked(point)` is true for any point within one cube size of
@@ -51,13 +71,12 @@ public:
       for (std::int64_t x = std::max<std::int64_t>(cube.x() - 1, 0);
            x <= std::min(cube.x() + 1, width_ - 1); ++x) {
         const auto column = static_cast<std::size_t>(y * width_ + x);
-        const Entry* const begin = entries_.get() + first_[column];
-        const Entry* const end = entries_.get() + first_[column + 1];
-        const Entry* at = std::lower_bound(
-            begin, end, cube.z() - 1,
-            [](const Entry& entry, std::int64_t level) { return entry.level < level; });
-        for (; at != end && at->level <= cube.z() + 1; ++at)
-          if (asked(Eigen::Vector3d(at->place.cast<double>())))
+        const Eigen::Vector3f* const end = sorted_.data() + ends_[column + 1];
+        const Eigen::Vector3f* p = std::lower_bound(
+            sorted_.data() + ends_[column], end, place.z() - size_,
+            [](const Eigen::Vector3f& point, double z) { return point.z() < z; });
+        for (; p != end && p->z() <= place.z() + size_; ++p)
+          if (asked(Eigen::Vector3d(p->cast<double>())))
             return true;
       }
     return false;
@@ -66,78 +85,23 @@ public:
 private:
   using Cube = Eigen::Matrix<std::int64_t, 3, 1>;
 
-  struct Entry {
-    Eigen::Vector3f place;
-    std::int32_t level; ///< level of its cube above the lowest
-  };
-
-  static constexpr std::uint32_t outside = static_cast<std::uint32_t>(-1);
-
   Cube cubeOf(const Eigen::Vector3d& p) const
   {
     return ((p - origin_) / size_).array().floor().cast<std::int64_t>();
   }
 
-  /** @brief Returns the profile of each point, `outside` for points outside the box. */
-  std::vector<std::uint32_t> columnsOf(const PointView& points,
-                                       const std::vector<int>& indices,
-                                       const Eigen::AlignedBox3d& box,
-                                       unsigned threads) const
+  std::size_t columnOf(const Eigen::Vector3d& p) const
   {
-    constexpr std::size_t points_a_block = 16384;
-    std::vector<std::uint32_t> columns(indices.size(), outside);
-    parallelFor(indices.size(), points_a_block, threads, [&](std::size_t k) {
-      const auto i = static_cast<std::size_t>(indices[k]);
-      const Eigen::Vector3d p = points[i].cast<double>();
-      if (!points.isFinite(i) || !box.contains(p))
-        return;
-      const Cube cube = cubeOf(p);
-      columns[k] = static_cast<std::uint32_t>(cube.y() * width_ + cube.x());
-    });
-    return columns;
-  }
-
-  void sortIntoColumns(const PointView& points,
-                       const std::vector<int>& indices,
-                       const std::vector<std::uint32_t>& columns)
-  {
-    first_.assign(static_cast<std::size_t>(width_ * height_) + 1, 0);
-    for (const std::uint32_t column : columns)
-      if (column != outside)
-        ++first_[column + 1];
-    for (std::size_t c = 1; c < first_.size(); ++c)
-      first_[c] += first_[c - 1];
-    entries_.reset(new Entry[first_.back()]); // not cleared: all are written
-    std::vector<std::size_t> next(first_.begin(), first_.end());
-    for (std::size_t k = 0; k < indices.size(); ++k) {
-      if (columns[k] == outside)
-        continue;
-      const Eigen::Vector3f p = points[static_cast<std::size_t>(indices[k])];
-      const auto level = static_cast<std::int32_t>(cubeOf(p.cast<double>()).z());
-      entries_[next[columns[k]]++] = {p, level};
-    }
-  }
-
-  void sortColumns(unsigned threads)
-  {
-    constexpr std::size_t columns_a_block = 1024;
-    const auto isLower = [](const Entry& a, const Entry& b) {
-      return a.level < b.level;
-    };
-    parallelFor(first_.size() - 1, columns_a_block, threads, [&](std::size_t c) {
-      Entry* const low = entries_.get() + first_[c];
-      Entry* const high = entries_.get() + first_[c + 1];
-      if (!std::is_sorted(low, high, isLower)) // usually the case
-        std::sort(low, high, isLower);
-    });
+    const Cube cube = cubeOf(p);
+    return static_cast<std::size_t>(cube.y() * width_ + cube.x());
   }
 
   Eigen::Vector3d origin_;
   double size_;
-  std::int64_t width_ = 0;         ///< profiles along x
-  std::int64_t height_ = 0;        ///< profiles along y
-  std::vector<std::size_t> first_; ///< first of each profile, row by row, then the end
-  std::unique_ptr<Entry[]> entries_;
+  std::int64_t width_ = 0;        ///< columns along x
+  std::int64_t height_ = 0;       ///< columns along y
+  std::vector<std::size_t> ends_; ///< 0, then the end of each column, row by row
+  std::vector<Eigen::Vector3f> sorted_;
 };
 
 } // namespace pcl::sedr

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxel_census.h"
-#include "../grids/digit_sort.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,53 +10,18 @@ namespace pcl::sedr {
 
 namespace {
 
-constexpr unsigned edge_bits = 2;
 constexpr double cube_volume = 64; // voxels
 constexpr std::size_t max_counted = 4096;
 
-/** @brief Larger gaps, in cubes (13 m at 5 cm), are not within a room. */
-constexpr double highest_room = 64;
-
-VoxelCode
-cubeOf(const VoxelCode& voxel)
-{
-  return {voxel[0] >> edge_bits, voxel[1] >> edge_bits, voxel[2] >> edge_bits};
-}
-
-std::uint32_t
-saturatedSum(std::uint32_t a, std::uint32_t b)
-{
-  constexpr std::uint32_t most = std::numeric_limits<std::uint32_t>::max();
-  return a > most - b ? most : a + b;
-}
-
-/** @brief Returns the cubes by profile, lowest first, and merges duplicates. */
-std::vector<VoxelCensus::Cube>
-joined(std::vector<VoxelCensus::Cube> cubes)
-{
-  constexpr std::uint32_t sign = 1u << 31; // negative numbers come first
-  for (const std::size_t axis : {2, 1, 0})
-    sortByDigits(cubes, [&](const VoxelCensus::Cube& cube) {
-      return static_cast<std::uint32_t>(cube.corner[axis]) ^ sign;
-    });
-  std::size_t kept = 0;
-  for (std::size_t i = 1; i < cubes.size(); ++i)
-    if (cubes[i].corner == cubes[kept].corner)
-      cubes[kept].points = saturatedSum(cubes[kept].points, cubes[i].points);
-    else
-      cubes[++kept] = cubes[i];
-  cubes.resize(std::min(cubes.size(), kept + 1));
-  return cubes;
-}
-
 /** @brief Returns the number of cubes from one up to the next in the same profile; 0 if
- * they are in two profiles or too far apart for a room. */
+ * they are in two profiles, or 64 cubes apart (13 m at 5 cm): that is no room. */
 double
-stepUp(const VoxelCensus::Cube& from, const VoxelCensus::Cube& to)
+stepUp(const VoxelSum& from, const VoxelSum& to)
 {
-  if (from.corner[0] != to.corner[0] || from.corner[1] != to.corner[1])
+  constexpr double highest_room = 64;
+  if (from.code[0] != to.code[0] || from.code[1] != to.code[1])
     return 0;
-  const double step = static_cast<double>(to.corner[2]) - from.corner[2];
+  const double step = static_cast<double>(to.code[2]) - from.code[2];
   return step > highest_room ? 0 : step;
 }
 
@@ -66,30 +30,30 @@ stepUp(const VoxelCensus::Cube& from, const VoxelCensus::Cube& to)
 void
 VoxelCensus::add(const VoxelCode& voxel, std::uint32_t points)
 {
-  const VoxelCode corner = cubeOf(voxel);
-  if (cubes_.empty() || cubes_.back().corner != corner)
-    cubes_.push_back({corner, 0});
-  cubes_.back().points = saturatedSum(cubes_.back().points, points);
+  constexpr unsigned edge_bits = 2;
+  // Saturated: the cubes of the air hold few points, the others do not matter.
+  constexpr std::uint32_t most = std::numeric_limits<std::uint32_t>::max() / 64;
+  if (points == 0)
+    return;
+  const VoxelCode cube{voxel[0] >> edge_bits, voxel[1] >> edge_bits,
+                       voxel[2] >> edge_bits};
+  cubes_.add({cube, std::min(points, most), {}}, hashOf(cube));
   points_by_count_.resize(max_counted + 1, 0);
   points_by_count_[std::min<std::size_t>(points, max_counted)] += points;
 }
 
-void
-VoxelCensus::join(const VoxelCensus& other)
-{
-  cubes_.insert(cubes_.end(), other.cubes_.begin(), other.cubes_.end());
-  points_by_count_.resize(
-      std::max(points_by_count_.size(), other.points_by_count_.size()), 0);
-  for (std::size_t c = 0; c < other.points_by_count_.size(); ++c)
-    points_by_count_[c] += other.points_by_count_[c];
-}
-
+/** @brief Returns the 20th percentile of the points of the cubes between the lowest and
+ * the highest of their profile, empty ones included; 0 if there are few. */
 double
 VoxelCensus::pointsInAir() const
 {
   constexpr double share = 0.2;
-  constexpr double few = 50; // cubes
-  const std::vector<Cube> cubes = joined(cubes_);
+  constexpr double few = 50;   // cubes
+  std::vector<VoxelSum> cubes; // by profile, from below
+  for (std::size_t c = 0; c < cubes_.size(); ++c)
+    cubes.push_back(cubes_[c]);
+  std::sort(cubes.begin(), cubes.end(),
+            [](const VoxelSum& a, const VoxelSum& b) { return a.code < b.code; });
   std::vector<std::uint32_t> occupied;
   double all = 0;
   double below = 0; // cubes from the previous one of the profile to this one
@@ -99,7 +63,7 @@ VoxelCensus::pointsInAir() const
       all += below - 1;
     if (below > 0 && above > 0) {
       ++all;
-      occupied.push_back(cubes[i].points);
+      occupied.push_back(cubes[i].count);
     }
     below = above;
   }
@@ -112,6 +76,7 @@ VoxelCensus::pointsInAir() const
   return *at;
 }
 
+/** @brief Returns the count that half of the points have in their voxel, or more. */
 std::size_t
 VoxelCensus::middleCount() const
 {

@@ -13,13 +13,30 @@
 
 namespace pcl::sedr {
 
-/** @brief A voxel along x, y and z, see codeOf(). */
+/** @brief A voxel along x, y and z: floor(coordinate / leaf), or beyond 2^30 leaves a
+ * number that increases with it (see codeOf()). */
 using VoxelCode = std::array<std::int32_t, 3>;
+
+/** @brief A box of voxels; both ends are inclusive. */
+struct VoxelBox {
+  static constexpr std::int32_t most = std::numeric_limits<std::int32_t>::max();
+
+  VoxelCode low{most, most, most};
+  VoxelCode high{-most, -most, -most};
+
+  void extend(const VoxelBox& other)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], other.low[axis]);
+      high[axis] = std::max(high[axis], other.high[axis]);
+    }
+  }
+};
 
 /** @brief A voxel and the sum of its points; trivially copyable, also to another
  * process. Its VoxelFrame interprets the numbers. */
 struct VoxelSum {
-  VoxelCode code;                   ///< voxel along x, y and z
+  VoxelCode code;
   std::uint32_t count;              ///< number of points
   std::array<std::uint64_t, 3> sum; ///< sums of steps along x, y and z, modulo 2^64
 
@@ -33,48 +50,53 @@ struct VoxelSum {
   }
 };
 
-inline std::uint32_t
-bitsOf(float value)
+/** @brief Checks whether voxel `a` comes before `b` in the output: by z, then y, then
+ * x. */
+inline bool
+isBefore(const VoxelSum& a, const VoxelSum& b)
 {
-  std::uint32_t bits = 0;
-  std::memcpy(&bits, &value, sizeof bits);
-  return bits;
+  if (a.code[2] != b.code[2])
+    return a.code[2] < b.code[2];
+  return a.code[1] != b.code[1] ? a.code[1] < b.code[1] : a.code[0] < b.code[0];
 }
 
+constexpr std::int32_t code_limit = 1 << 30;
+
+/** @brief Returns the number of floats between 0 and `value`, with its sign. */
+inline std::int32_t
+floatsTo(float value)
+{
+  const float size = std::abs(value);
+  std::int32_t bits = 0;
+  std::memcpy(&bits, &size, sizeof bits);
+  return std::signbit(value) ? -bits : bits;
+}
+
+/** @brief Returns the inverse of floatsTo(). */
 inline float
-floatOf(std::uint32_t bits)
+floatAt(std::int32_t number)
 {
-  float value = 0;
-  std::memcpy(&value, &bits, sizeof value);
-  return value;
+  const std::int32_t bits = std::abs(number);
+  float size = 0;
+  std::memcpy(&size, &bits, sizeof size);
+  return number < 0 ? -size : size;
 }
 
-constexpr float code_limit = 1073741824.f; // 2^30
+/** @brief Returns floor(scaled) of a number that an int can hold. */
+inline std::int32_t
+cellOf(float scaled)
+{
+  const auto cell = static_cast<std::int32_t>(scaled);
+  return cell - (scaled < static_cast<float>(cell) ? 1 : 0);
+}
 
-/** @brief Returns a code that increases with floor(scaled) for any magnitude: the
- * integer itself up to 2^30, beyond that the index of the float. */
+/** @brief Returns floor(scaled), or beyond 2^30 the floats to it: those count from
+ * above 2^30, because 2^30 itself is preceded by 1.3 x 2^30 floats. */
 inline std::int32_t
 codeOf(float scaled)
 {
-  if (std::abs(scaled) < code_limit) {
-    const auto cell = static_cast<std::int32_t>(scaled);
-    return cell - (scaled < static_cast<float>(cell) ? 1 : 0);
-  }
-  const auto beyond =
-      static_cast<std::int32_t>(bitsOf(std::abs(scaled)) - bitsOf(code_limit));
-  const auto code = static_cast<std::int32_t>(code_limit) + beyond;
-  return scaled < 0 ? -code : code;
-}
-
-/** @brief Returns the floor(scaled) of a code. */
-inline double
-cellOf(std::int32_t code)
-{
-  constexpr auto limit = static_cast<std::int32_t>(code_limit);
-  if (std::abs(code) < limit)
-    return code;
-  const auto beyond = static_cast<std::uint32_t>(std::abs(code) - limit);
-  return std::copysign(static_cast<double>(floatOf(bitsOf(code_limit) + beyond)), code);
+  return std::abs(scaled) < static_cast<float>(code_limit) ? cellOf(scaled)
+                                                           : floatsTo(scaled);
 }
 
 /** @brief Returns the voxel coordinates of codes, saturated to int. */
@@ -83,10 +105,11 @@ voxelAt(const VoxelCode& code)
 {
   constexpr double lowest = std::numeric_limits<int>::min();
   constexpr double highest = std::numeric_limits<int>::max();
-  Eigen::Vector3i voxel;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    voxel[static_cast<int>(axis)] =
-        static_cast<int>(std::clamp(cellOf(code[axis]), lowest, highest));
+  Eigen::Vector3i voxel(code[0], code[1], code[2]);
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(voxel[axis]) > code_limit)
+      voxel[axis] =
+          static_cast<int>(std::clamp<double>(floatAt(voxel[axis]), lowest, highest));
   return voxel;
 }
 
@@ -96,10 +119,9 @@ voxelAt(const VoxelCode& code)
  * A step is a power of two between 2^-31 and 2^-30 leaves. Coordinates farther from 0
  * than 2^-7 leaves are exact multiples of a step; nearer ones are rounded, to 0.05 nm
  * at a leaf of 5 cm. Sums are taken modulo 2^64, and means relative to the voxel's
- * corner. Points lie within 1.5 leaves of it, less than 1.5 x 2^31 steps, so 2^31
- * points add up to less than 2^63. Along an axis where the voxel is more than 2^19
- * leaves from 0 (26 km at 5 cm), the index of the float replaces the step. It is below
- * 2^31, too. */
+ * corner, so that 2^31 points of a voxel cannot overflow. Beyond 2^30 leaves from 0
+ * (53 000 km at 5 cm), where a voxel holds one float or two, floatsTo() replaces the
+ * step. */
 class VoxelFrame {
 public:
   /** @param inverse_leaf one over the edges of a voxel, per metre, finite and > 0 */
@@ -116,24 +138,31 @@ public:
   const Eigen::Array3f& inverseLeaf() const { return inverse_leaf_; }
 
   /** @brief Returns the codes of the voxel of a finite point. */
-  VoxelCode codes(const float* point) const
+  VoxelCode codes(const Eigen::Vector3f& point) const
   {
     return {codeOf(point[0] * inverse_leaf_[0]), codeOf(point[1] * inverse_leaf_[1]),
             codeOf(point[2] * inverse_leaf_[2])};
   }
 
-  /** @brief Converts a coordinate whose code along the axis is `code` to steps. */
-  std::uint64_t steps(float value, std::size_t axis, std::int32_t code) const
+  /** @brief Returns the sum of a single finite point. */
+  VoxelSum sumOf(const Eigen::Vector3f& point) const
   {
-    return isNear(code) ? nearSteps(value, axis) : floatsTo(value);
+    const Eigen::Array3f scaled = point.array() * inverse_leaf_;
+    VoxelSum sum{{}, 1, {}};
+    if ((scaled.abs() < near_limit).all()) // nearly always: without branches below
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<Eigen::Index>(axis);
+        sum.code[axis] = cellOf(scaled[i]);
+        sum.sum[axis] = nearSteps(static_cast<double>(point[i]) * steps_[axis]);
+      }
+    else
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<Eigen::Index>(axis);
+        sum.code[axis] = codeOf(scaled[i]);
+        sum.sum[axis] = farSteps(point[i], sum.code[axis], axis);
+      }
+    return sum;
   }
-
-  /** @brief Computes codes and steps of `n` finite coordinates along an axis. */
-  void find(std::size_t axis,
-            const float* values,
-            std::size_t n,
-            std::int32_t* codes,
-            std::uint64_t* steps) const;
 
   /** @brief Returns the mean of a voxel's points; its count must not be 0. */
   Eigen::Vector3f mean(const VoxelSum& voxel) const
@@ -142,53 +171,42 @@ public:
   }
 
 private:
-  static constexpr std::int32_t near_limit = 1 << 19;
+  static constexpr float near_limit = 1 << 19;
+  static constexpr double near_steps = 2251799813685248.; // 2^51
 
-  static bool isNear(std::int32_t code)
+  /** @brief Rounds a number below 2^51. */
+  static std::uint64_t nearSteps(double steps)
   {
-    return code >= -near_limit && code < near_limit;
-  }
-
-  /** @brief Rounds a coordinate to steps; the result must be below 2^51. */
-  std::uint64_t nearSteps(float value, std::size_t axis) const
-  {
-    // In a double of this size the last bit has the value 1.
-    constexpr double shift = 6755399441055744.; // 1.5 x 2^52
+    // In a double of the size of the shift the last bit has the value 1.
+    constexpr double shift = 3 * near_steps;
     constexpr std::uint64_t shift_bits = 0x4338000000000000u;
-    const double shifted = static_cast<double>(value) * steps_[axis] + shift;
+    const double shifted = steps + shift;
     std::uint64_t bits = 0;
     std::memcpy(&bits, &shifted, sizeof bits);
     return bits - shift_bits;
   }
 
-  /** @brief Returns the signed number of floats between 0 and `value`. */
-  static std::uint64_t floatsTo(float value)
+  std::uint64_t farSteps(float value, std::int32_t code, std::size_t axis) const
   {
-    const auto floats = static_cast<std::int64_t>(bitsOf(std::abs(value)));
-    return static_cast<std::uint64_t>(std::signbit(value) ? -floats : floats);
-  }
-
-  /** @brief Computes llround() of a number below 2^51, without a function call. */
-  static std::int64_t rounded(double value)
-  {
-    return static_cast<std::int64_t>(value + std::copysign(0.5, value));
+    if (std::abs(code) > code_limit)
+      return static_cast<std::uint64_t>(std::int64_t{floatsTo(value)});
+    const double steps = static_cast<double>(value) * steps_[axis];
+    return std::abs(steps) < near_steps // larger numbers have no fraction
+               ? nearSteps(steps)
+               : static_cast<std::uint64_t>(static_cast<std::int64_t>(steps));
   }
 
   float meanAlong(const VoxelSum& voxel, std::size_t axis) const
   {
-    const double count = voxel.count;
-    if (isNear(voxel.code[axis])) {
-      const std::int64_t corner = rounded(voxel.code[axis] * corner_steps_[axis]);
-      const std::uint64_t corners = voxel.count * static_cast<std::uint64_t>(corner);
-      const auto sum = static_cast<std::int64_t>(voxel.sum[axis] - corners);
-      return static_cast<float>(
-          (static_cast<double>(corner) + static_cast<double>(sum) / count) /
-          steps_[axis]);
-    }
-    const auto sum = static_cast<std::int64_t>(voxel.sum[axis]);
-    const std::int64_t bits = std::llround(static_cast<double>(sum) / count);
-    const float size = floatOf(static_cast<std::uint32_t>(std::abs(bits)));
-    return bits < 0 ? -size : size;
+    const std::int32_t code = voxel.code[axis];
+    const bool is_far = std::abs(code) > code_limit;
+    const auto corner = is_far ? 0 : std::llround(code * corner_steps_[axis]);
+    const auto sum = static_cast<std::int64_t>(
+        voxel.sum[axis] - voxel.count * static_cast<std::uint64_t>(corner));
+    const double beside = static_cast<double>(sum) / voxel.count;
+    if (is_far)
+      return floatAt(static_cast<std::int32_t>(std::llround(beside)));
+    return static_cast<float>((static_cast<double>(corner) + beside) / steps_[axis]);
   }
 
   Eigen::Array3f inverse_leaf_;

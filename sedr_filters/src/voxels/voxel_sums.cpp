@@ -2,228 +2,326 @@
 #include "voxel_sums.h"
 
 #include "../base/parallel.h"
+#include "../base/parallel_for.h"
 #include "../grids/digit_sort.h"
-#include "voxel_batch.h"
+#include "voxel_census.h"
+#include "voxel_table.h"
 
 #include <algorithm>
-#include <bitset>
+#include <array>
+#include <mutex>
 
 namespace pcl::sedr {
 
-namespace {
+/** @brief The voxels of some hashes, and a lock for threads that add to them. */
+struct alignas(64) VoxelSums::Shard {
+  static constexpr std::size_t most_at_once = 64;
 
-/** @brief Number of points that stay in the processor cache after the first read. */
-constexpr std::size_t points_at_once = std::size_t{1} << 14;
+  VoxelTable table;
+  std::vector<std::uint32_t> places; ///< of each voxel in the order plus one; 0: none
+  std::mutex mutex;
 
-/** @brief A block, and its voxels that are kept: a bit for each. */
-struct KeptBlock {
-  VoxelCode corner;
-  std::uint64_t kept;
-  const VoxelBlock* block;
-
-  const VoxelSum& sum(unsigned local) const
+  void add(const VoxelSum* sums, std::size_t n)
   {
-    return block->sums[block->places[local] - 1u];
+    const std::lock_guard<std::mutex> lock(mutex);
+    std::array<std::uint64_t, most_at_once> hashes; // NOLINT: filled below
+    for (std::size_t i = 0; i < n; ++i)
+      table.expectSlot(hashes[i] = hashOf(sums[i].code));
+    for (std::size_t i = 0; i < n; ++i)
+      table.expectSum(hashes[i]);
+    for (std::size_t i = 0; i < n; ++i)
+      table.add(sums[i], hashes[i]);
   }
 };
 
-bool
-isInside(const VoxelBox& box, const VoxelCode& block)
-{
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::int64_t low = std::int64_t{block[axis]} * VoxelBlock::edge;
-    if (low < box.low[axis] ||
-        low + VoxelBlock::edge > std::int64_t{box.high[axis]} + 1)
-      return false;
-  }
-  return true;
-}
+/** @brief The sums of a thread: a table with one slot for each hash, from which a voxel
+ * moves to the shards when another needs its slot. In the order of a scan nearly all
+ * points meet their voxel there. */
+class VoxelSums::NearSums {
+public:
+  explicit NearSums(Shard* shards)
+      : shards_(shards)
+      , slots_(slot_count)
+      , leaving_(shard_count * Shard::most_at_once)
+  {}
 
-void
-extend(VoxelBox& box, const VoxelCode& voxel)
-{
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    box.low[axis] = std::min(box.low[axis], voxel[axis]);
-    box.high[axis] = std::max(box.high[axis], voxel[axis]);
+  ~NearSums()
+  {
+    for (const VoxelSum& slot : slots_)
+      if (slot.count > 0)
+        leave(slot);
+    for (std::size_t shard = 0; shard < shard_count; ++shard)
+      flush(shard);
   }
-}
 
-/** @brief Lists the kept voxels of the blocks of one layer in z, which are by y, then
- * x. */
-void
-listLayer(const KeptBlock* begin, const KeptBlock* end, const VoxelSum** order)
-{
-  constexpr unsigned edge = VoxelBlock::edge;
-  constexpr std::ptrdiff_t ahead = 8;
-  for (unsigned z = 0; z < edge; ++z)
-    for (const KeptBlock *row = begin, *row_end = begin; row != end; row = row_end) {
-      row_end = std::find_if(row, end, [&](const KeptBlock& block) {
-        return block.corner[1] != row->corner[1];
-      });
-      for (unsigned y = 0; y < edge; ++y)
-        for (const KeptBlock* block = row; block != row_end; ++block) {
-          const unsigned line = edge * (y + edge * z);
-          if ((block->kept >> line) % (1u << edge) == 0)
-            continue;
-          prefetch(block[std::min(ahead, end - block - 1)].block);
-          for (unsigned local = line; local < line + edge; ++local)
-            if (block->kept >> local & 1)
-              *order++ = &block->sum(local);
-        }
+  void add(const VoxelSum& sum)
+  {
+    VoxelSum& slot = slots_[hashOf(sum.code) >> 40 & (slot_count - 1)];
+    if (slot.count > 0 && isSame(slot.code, sum.code)) {
+      slot += sum;
+      return;
     }
+    if (slot.count > 0)
+      leave(slot);
+    slot = sum;
+  }
+
+private:
+  static constexpr std::size_t slot_count = 4096; // 160 kB
+
+  void leave(const VoxelSum& sum)
+  {
+    const std::size_t shard = shardOf(sum.code);
+    leaving_[shard * Shard::most_at_once + counts_[shard]++] = sum;
+    if (counts_[shard] == Shard::most_at_once)
+      flush(shard);
+  }
+
+  void flush(std::size_t shard)
+  {
+    shards_[shard].add(&leaving_[shard * Shard::most_at_once], counts_[shard]);
+    counts_[shard] = 0;
+  }
+
+  Shard* shards_;
+  std::vector<VoxelSum> slots_;
+  std::vector<VoxelSum> leaving_; ///< for each shard
+  std::array<std::size_t, shard_count> counts_{};
+};
+
+namespace {
+
+/** @brief Returns the number of bits of the places from 0 to `last`. */
+unsigned
+bitsFor(std::uint64_t last)
+{
+  unsigned bits = 0;
+  while (bits < 32 && last >> bits != 0)
+    ++bits;
+  return bits;
 }
+
+/** @brief The keys of voxels, which increase by z, then y, then x. */
+class VoxelKeys {
+public:
+  explicit VoxelKeys(const VoxelBox& box)
+      : low_(box.low)
+      , x_bits_(bitsFor(along(box.high, 0)))
+      , xy_bits_(x_bits_ + bitsFor(along(box.high, 1)))
+      , fit_(xy_bits_ + bitsFor(along(box.high, 2)) <= 64)
+  {}
+
+  /** @brief Checks whether the keys are unique; to 100 km along all axes at 5 cm. */
+  bool fit() const { return fit_; }
+
+  std::uint64_t operator()(const VoxelCode& code) const
+  {
+    return fit_
+               ? along(code, 0) | along(code, 1) << x_bits_ | along(code, 2) << xy_bits_
+               : 0;
+  }
+
+private:
+  std::uint64_t along(const VoxelCode& code, std::size_t axis) const
+  {
+    return static_cast<std::uint32_t>(code[axis]) -
+           static_cast<std::uint32_t>(low_[axis]);
+  }
+
+  VoxelCode low_;
+  unsigned x_bits_;
+  unsigned xy_bits_;
+  bool fit_;
+};
 
 } // namespace
 
 VoxelSums::VoxelSums(const Eigen::Array3f& inverse_leaf)
     : frame_(inverse_leaf)
-    , blocks_(new VoxelBlocks)
+    , shards_(new Shard[shard_count])
 {}
 
 VoxelSums::~VoxelSums() = default;
 
-template <typename IndexOf>
-void
-VoxelSums::addRun(const PointView& points,
-                  std::size_t begin,
-                  std::size_t end,
-                  const IndexOf& index_of)
+std::size_t
+VoxelSums::shardOf(const VoxelCode& code)
 {
-  VoxelBatch batch;
-  for (std::size_t k = begin; k < end; k += VoxelBatch::most) {
-    batch.fill(points, k, std::min(k + VoxelBatch::most, end), index_of, frame_);
-    batch.addTo(*blocks_);
-  }
+  constexpr int bits = 3; // voxels near each other are then near in memory, too
+  return hashOf({code[0] >> bits, code[1] >> bits, code[2] >> bits}) >> 58;
 }
 
 void
 VoxelSums::add(const PointView& points,
                unsigned threads,
+               const pcl::Indices* indices,
                const RowSource::SeeRun& beside)
 {
-  is_arranged_ = false;
-  parallelBlocks(points.size(), points_at_once, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   if (beside)
-                     beside(begin, end);
-                   addRun(points, begin, end, [](std::size_t k) { return k; });
-                 });
-}
-
-void
-VoxelSums::add(const PointView& points, const pcl::Indices& indices, unsigned threads)
-{
-  is_arranged_ = false;
-  parallelBlocks(
-      indices.size(), points_at_once, threads, [&](std::size_t begin, std::size_t end) {
-        addRun(points, begin, end,
-               [&](std::size_t k) { return static_cast<std::size_t>(indices[k]); });
-      });
+  constexpr std::size_t points_a_block = std::size_t{1} << 18;
+  constexpr std::size_t points_a_run = std::size_t{1} << 14; // stay in the cache
+  const std::size_t n = indices ? indices->size() : points.size();
+  parallelBlocks(n, points_a_block, threads, [&](std::size_t begin, std::size_t end) {
+    NearSums sums(shards_.get());
+    for (; begin < end; begin += points_a_run) {
+      const std::size_t run_end = std::min(begin + points_a_run, end);
+      if (beside)
+        beside(begin, run_end);
+      for (std::size_t k = begin; k < run_end; ++k) {
+        const Eigen::Vector3f point =
+            points[indices ? static_cast<std::size_t>((*indices)[k]) : k];
+        if (point.allFinite())
+          sums.add(frame_.sumOf(point));
+      }
+    }
+  });
 }
 
 void
 VoxelSums::add(const std::vector<VoxelSum>& sums)
 {
-  is_arranged_ = false;
-  for (const VoxelSum& sum : sums) {
-    const VoxelCode corner = VoxelBlock::cornerOf(sum.code);
+  for (const VoxelSum& sum : sums)
     if (sum.count > 0)
-      blocks_->at(corner, hashOf(corner)).at(sum.code) += sum;
-  }
+      shards_[shardOf(sum.code)].table.add(sum, hashOf(sum.code));
 }
 
 std::size_t
 VoxelSums::size() const
 {
   std::size_t size = 0;
-  blocks_->forEach([&](const VoxelBlock& block) { size += block.sums.size(); });
+  for (std::size_t s = 0; s < shard_count; ++s)
+    size += shards_[s].table.size();
   return size;
 }
 
-VoxelCensus
-VoxelSums::census() const
+std::uint32_t
+VoxelSums::strayLimit() const
 {
-  VoxelCensus cubes;
-  blocks_->forEach([&](const VoxelBlock& block) {
-    cubes.addCube(block.corner, static_cast<std::uint32_t>(block.sums.size()));
-  });
   VoxelCensus census;
-  if (!cubes.hasStrays()) // usually the case: the sums need not be read
-    return census;
-  blocks_->forEach([&](const VoxelBlock& block) {
-    for (const VoxelSum& voxel : block.sums)
-      census.add(voxel.code, voxel.count);
-  });
-  return census;
+  for (std::size_t s = 0; s < shard_count; ++s)
+    for (std::size_t v = 0; v < shards_[s].table.size(); ++v)
+      census.add(shards_[s].table[v].code, shards_[s].table[v].count);
+  return census.minPoints();
 }
 
 std::size_t
 VoxelSums::arrange(std::uint32_t min_points, unsigned threads)
 {
-  std::vector<KeptBlock> blocks;
-  blocks_->forEach([&](const VoxelBlock& block) {
-    if (blocks.empty())
-      box_ = {block.sums[0].code, block.sums[0].code};
-    if (!isInside(box_, block.corner))
-      for (const VoxelSum& voxel : block.sums)
-        extend(box_, voxel.code);
-    blocks.push_back({block.corner, block.occupied, &block});
-    if (min_points > 1)
-      for (const VoxelSum& voxel : block.sums)
-        if (voxel.count < min_points)
-          blocks.back().kept &= ~(std::uint64_t{1} << VoxelBlock::localOf(voxel.code));
-  });
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    sortByDigits(blocks, [&](const KeptBlock& block) {
-      return static_cast<std::uint32_t>(block.corner[axis]) -
-             static_cast<std::uint32_t>(box_.low[axis] >> VoxelBlock::edge_bits);
-    });
-  std::vector<std::size_t> layers; // first block of each, then the end
-  std::vector<std::size_t> places; // of its first voxel
-  std::size_t size = 0;
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    if (b == 0 || blocks[b].corner[2] != blocks[b - 1].corner[2]) {
-      layers.push_back(b);
-      places.push_back(size);
-    }
-    size += std::bitset<VoxelBlock::volume>(blocks[b].kept).count();
+  struct Entry {
+    std::uint64_t key;
+    const VoxelSum* sum;
+  };
+  std::array<std::size_t, shard_count + 1> begins{};
+  box_ = VoxelBox();
+  for (std::size_t s = 0; s < shard_count; ++s) {
+    const VoxelTable& table = shards_[s].table;
+    box_.extend(table.box());
+    std::size_t kept = table.size();
+    for (std::size_t v = 0; min_points > 1 && v < table.size(); ++v)
+      kept -= table[v].count < min_points ? 1 : 0;
+    begins[s + 1] = begins[s] + kept;
   }
-  layers.push_back(blocks.size());
-  order_.resize(size);
-  parallelBlocks(places.size(), 1, threads, [&](std::size_t layer, std::size_t) {
-    listLayer(blocks.data() + layers[layer], blocks.data() + layers[layer + 1],
-              order_.data() + places[layer]);
+  const VoxelKeys keyOf(box_);
+  std::vector<Entry> entries(begins.back());
+  parallelFor(shard_count, 1, threads, [&](std::size_t s) {
+    Entry* next = entries.data() + begins[s];
+    for (std::size_t v = 0; v < shards_[s].table.size(); ++v)
+      if (const VoxelSum& sum = shards_[s].table[v]; sum.count >= min_points)
+        *next++ = {keyOf(sum.code), &sum};
   });
-  is_arranged_ = true;
+  if (keyOf.fit())
+    for (const unsigned shift : {0u, 32u})
+      sortByDigits(entries, [shift](const Entry& entry) {
+        return static_cast<std::uint32_t>(entry.key >> shift);
+      });
+  else
+    std::sort(entries.begin(), entries.end(),
+              [](const Entry& a, const Entry& b) { return isBefore(*a.sum, *b.sum); });
+  order_.resize(entries.size());
+  std::transform(entries.begin(), entries.end(), order_.begin(),
+                 [](const Entry& entry) { return entry.sum; });
   return order_.size();
-}
-
-void
-VoxelSums::forEach(const See& see, unsigned threads) const
-{
-  constexpr std::size_t places_at_once = 4096;
-  constexpr std::size_t ahead = 16;
-  parallelBlocks(order_.size(), places_at_once, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t i = begin; i < end; ++i) {
-                     prefetch(order_[std::min(i + ahead, end - 1)]);
-                     see(*order_[i], i);
-                   }
-                 });
 }
 
 std::vector<VoxelSum>
 VoxelSums::take(unsigned threads)
 {
-  if (!is_arranged_)
-    arrange(0, threads);
-  std::vector<VoxelSum> taken(order_.size());
-  forEach([&](const VoxelSum& voxel, std::size_t place) { taken[place] = voxel; },
-          threads);
-  std::vector<const VoxelSum*>().swap(order_);
-  blocks_.reset(new VoxelBlocks);
-  is_arranged_ = false;
+  arrange(0, threads);
+  std::vector<VoxelSum> taken;
+  taken.reserve(order_.size());
+  for (const VoxelSum* sum : order_)
+    taken.push_back(*sum);
+  order_.clear();
+  shards_.reset(new Shard[shard_count]);
   return taken;
+}
+
+void
+VoxelSums::forEach(const std::function<void(const VoxelSum&, std::size_t)>& see,
+                   unsigned threads) const
+{
+  constexpr std::size_t voxels_a_block = 4096;
+  constexpr std::size_t ahead = 16;
+  parallelBlocks(order_.size(), voxels_a_block, threads,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i) {
+                     VoxelTable::prefetch(order_[std::min(i + ahead, end - 1)]);
+                     see(*order_[i], i);
+                   }
+                 });
+}
+
+void
+VoxelSums::index()
+{
+  for (std::size_t s = 0; s < shard_count; ++s)
+    shards_[s].places.assign(shards_[s].table.size(), 0);
+  for (std::size_t place = 0; place < order_.size(); ++place) {
+    const VoxelCode& code = order_[place]->code;
+    Shard& shard = shards_[shardOf(code)];
+    const std::int64_t number = shard.table.numberOf(code, hashOf(code));
+    shard.places[static_cast<std::size_t>(number)] =
+        static_cast<std::uint32_t>(place + 1);
+  }
+}
+
+std::int64_t
+VoxelSums::find(const Eigen::Vector3f& point) const
+{
+  if (!point.allFinite())
+    return -1;
+  const VoxelCode code = frame_.codes(point);
+  const std::uint64_t hash = hashOf(code);
+  const Shard& shard = shards_[shardOf(code)];
+  const std::int64_t number = shard.table.numberOf(code, hash);
+  return number < 0 ? -1
+                    : std::int64_t{shard.places[static_cast<std::size_t>(number)]} - 1;
+}
+
+void
+VoxelSums::visit(const PointView& points,
+                 const pcl::Indices* indices,
+                 unsigned threads,
+                 const See& see) const
+{
+  constexpr std::size_t max_at_once = std::size_t{1} << 20;
+  constexpr std::size_t points_a_block = std::size_t{1} << 14;
+  const std::size_t n = indices ? indices->size() : points.size();
+  const auto at = [&](std::size_t k) {
+    return indices ? static_cast<std::size_t>((*indices)[k]) : k;
+  };
+  const std::size_t parts = resolveThreads(threads);
+  std::vector<std::int64_t> found(std::min(n, max_at_once));
+  for (std::size_t first = 0; first < n; first += max_at_once) {
+    const std::size_t size = std::min(max_at_once, n - first);
+    parallelFor(size, points_a_block, threads,
+                [&](std::size_t k) { found[k] = find(points[at(first + k)]); });
+    parallelBlocks(parts, 1, threads, [&](std::size_t part, std::size_t) {
+      const auto low = static_cast<std::int64_t>(part * order_.size() / parts);
+      const auto high = static_cast<std::int64_t>((part + 1) * order_.size() / parts);
+      for (std::size_t k = 0; k < size; ++k)
+        if (found[k] >= low && found[k] < high)
+          see(static_cast<std::size_t>(found[k]), at(first + k));
+    });
+  }
 }
 
 } // namespace pcl::sedr

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "voxel_census.h"
 #include "voxel_frame.h"
 #include <pcl/sedr_filters/point_view.h>
 #include <pcl/types.h>
@@ -14,24 +13,14 @@
 
 namespace pcl::sedr {
 
-class VoxelBlocks;
-
-/** @brief A box of voxels; both ends are inclusive. */
-struct VoxelBox {
-  VoxelCode low{};
-  VoxelCode high{};
-};
-
 /** @brief Sums the points of each voxel (paper, section 2.2), for a whole cloud or
  * piece by piece.
  *
- * Works at any extent: memory does not depend on the bounding box. The sums are
- * integers (see VoxelFrame), so the result is identical for any order of the points,
- * any pieces, and any number of threads or machines.
- *
- * Sums are stored in cubes of 4 x 4 x 4 voxels, hashed by their corner and shared by
- * all threads, so no voxel is stored twice. O(n) for n points; about 80 bytes a voxel
- * on a surface, up to 500 where each lies far from all others.
+ * The sums are integers (see VoxelFrame), so the result is identical for any order of
+ * the points, any pieces, and any number of threads or machines. They lie in hash
+ * tables, so memory depends on the number of voxels and not on their extent: O(n) for n
+ * points; 60 to 120 bytes a voxel. Each thread first sums up what comes in succession
+ * in a table of its own that fits in its cache.
  * @code
  * VoxelSums sums(Eigen::Array3f::Constant(20));
  * for (const PointView& piece : pieces)
@@ -51,15 +40,14 @@ public:
 
   /** @brief Adds points; non-finite ones are skipped. A voxel can hold at most 2^31
    * points.
+   * @param indices those to add, all valid; null: all
    * @param threads 0 = all processors
    * @param beside also called for runs of points, on their thread, before the addition
    */
   void add(const PointView& points,
            unsigned threads = 0,
+           const pcl::Indices* indices = nullptr,
            const RowSource::SeeRun& beside = {});
-
-  /** @brief Adds `points[indices]`; all indices must be valid. */
-  void add(const PointView& points, const pcl::Indices& indices, unsigned threads = 0);
 
   /** @brief Adds sums of another object of equal leaf, also from another machine. */
   void add(const std::vector<VoxelSum>& sums);
@@ -67,9 +55,8 @@ public:
   /** @brief Returns the number of voxels so far. */
   std::size_t size() const;
 
-  /** @brief Returns the census of all voxels so far, which separates strays from
-   * surfaces; empty if there are no strays. */
-  VoxelCensus census() const;
+  /** @brief Returns VoxelCensus::minPoints() of all voxels so far. */
+  std::uint32_t strayLimit() const;
 
   /** @brief Sorts the voxels by z, then y, then x, without a copy of them.
    * @param min_points minimum number of points of a voxel that is kept
@@ -80,38 +67,45 @@ public:
    * after the last point, and at least one voxel. */
   const VoxelBox& box() const { return box_; }
 
-  /** @brief Function of a voxel and its place in the order. */
-  using See = std::function<void(const VoxelSum& voxel, std::size_t place)>;
+  /** @brief Calls `see(voxel, place)` for all kept voxels and their places in the
+   * order, from several threads at once. Requires arrange() after the last point. */
+  void forEach(const std::function<void(const VoxelSum& voxel, std::size_t place)>& see,
+               unsigned threads = 0) const;
 
-  /** @brief Calls `see` for all kept voxels, each once, from several threads at once.
-   * Requires arrange() after the last point. */
-  void forEach(const See& see, unsigned threads = 0) const;
-
-  /** @brief Returns the kept voxels (all, if points were added after arrange()), sorted
-   * by z, then y, then x, and clears the object. */
+  /** @brief Returns all voxels, sorted by z, then y, then x, and clears the object. */
   std::vector<VoxelSum> take(unsigned threads = 0);
 
+  /** @brief Prepares find() and visit(), after arrange(). */
+  void index();
+
+  /** @brief Returns the place of a point's voxel in the order, -1 if it was not kept or
+   * the point is not finite. */
+  std::int64_t find(const Eigen::Vector3f& point) const;
+
+  /** @brief Function of the place of a voxel in the order and of a point in it. */
+  using See = std::function<void(std::size_t voxel, std::size_t point)>;
+
+  /** @brief Calls `see` for every point of a kept voxel. The points of a voxel come in
+   * order and from one thread, so results do not depend on the number of threads. O(n)
+   * for each thread, with 8 bytes for each of at most a million points.
+   * @param indices the points to use; null: all */
+  void visit(const PointView& points,
+             const pcl::Indices* indices,
+             unsigned threads,
+             const See& see) const;
+
 private:
-  template <typename IndexOf>
-  void addRun(const PointView& points,
-              std::size_t begin,
-              std::size_t end,
-              const IndexOf& index_of);
+  struct Shard;
+  static constexpr std::size_t shard_count = 64;
+
+  class NearSums;
+
+  static std::size_t shardOf(const VoxelCode& code);
 
   VoxelFrame frame_;
-  std::unique_ptr<VoxelBlocks> blocks_;
+  std::unique_ptr<Shard[]> shards_;
   std::vector<const VoxelSum*> order_; ///< the kept ones
-  bool is_arranged_ = false;           ///< no point was added since arrange()
   VoxelBox box_;
 };
-
-/** @brief Checks whether voxel `a` comes before `b` in the output. */
-inline bool
-isBefore(const VoxelSum& a, const VoxelSum& b)
-{
-  if (a.code[2] != b.code[2])
-    return a.code[2] < b.code[2];
-  return a.code[1] != b.code[1] ? a.code[1] < b.code[1] : a.code[0] < b.code[0];
-}
 
 } // namespace pcl::sedr

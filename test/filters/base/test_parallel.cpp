@@ -28,16 +28,6 @@ TEST(ParallelBlocks, VisitEveryNumberOnceInBlocksOfTheSizeAskedFor)
     }
 }
 
-TEST(ParallelFor, SeesEveryNumberOnce)
-{
-  for (const unsigned threads : {0u, 1u, 3u})
-    for (const std::size_t n : {0, 1, 10, 11}) {
-      std::vector<int> visits(n, 0);
-      pcl::sedr::parallelFor(n, 5, threads, [&](std::size_t i) { ++visits[i]; });
-      EXPECT_EQ(visits, std::vector<int>(n, 1));
-    }
-}
-
 TEST(ParallelBlocks, AnExceptionOfABodyReachesTheCaller)
 {
   const auto run = [] {
@@ -47,20 +37,6 @@ TEST(ParallelBlocks, AnExceptionOfABodyReachesTheCaller)
     });
   };
   EXPECT_THROW(run(), std::runtime_error);
-}
-
-TEST(ParallelBlocks, AllAreVisitedThoughSomeThrow)
-{
-  std::vector<int> visits(1000, 0);
-  const auto run = [&] {
-    pcl::sedr::parallelBlocks(visits.size(), 1, 3, [&](std::size_t k, std::size_t) {
-      ++visits[k];
-      if (k % 100 == 7)
-        throw std::runtime_error("7");
-    });
-  };
-  EXPECT_THROW(run(), std::runtime_error);
-  EXPECT_EQ(visits, std::vector<int>(1000, 1));
 }
 
 TEST(ParallelBlocks, WithinBlocksAreWorkedOnByNoMoreThreadsThanTheOutermostAskedFor)
@@ -115,19 +91,6 @@ TEST(ParallelBlocks, WithinTheLastBlockAreHelpedWithByThoseWhoHaveNoneLeft)
   EXPECT_TRUE(isHelpedWithin(false));
 }
 
-TEST(ParallelBlocks, AnExceptionOfAnInnerBodyReachesTheOutermostCaller)
-{
-  const auto run = [] {
-    pcl::sedr::parallelBlocks(4, 1, 2, [](std::size_t k, std::size_t) {
-      pcl::sedr::parallelBlocks(50, 1, 2, [&](std::size_t i, std::size_t) {
-        if (k == 3 && i == 42)
-          throw std::runtime_error("42");
-      });
-    });
-  };
-  EXPECT_THROW(run(), std::runtime_error);
-}
-
 TEST(ParallelBlocks, AreWorkedOnByAsManyThreadsAsAreAskedFor)
 {
   // Each waits for the others, so fewer threads would never end.
@@ -140,25 +103,6 @@ TEST(ParallelBlocks, AreWorkedOnByAsManyThreadsAsAreAskedFor)
     });
     EXPECT_EQ(here, threads);
   }
-}
-
-TEST(ParallelBlocks, OfSeveralCallersAreAllVisited)
-{
-  std::vector<std::vector<int>> visits(4, std::vector<int>(2000, 0));
-  std::vector<std::thread> callers;
-  for (auto& own : visits)
-    callers.emplace_back([&own] {
-      for (int round = 0; round < 20; ++round)
-        pcl::sedr::parallelBlocks(own.size(), 10, 3,
-                                  [&](std::size_t begin, std::size_t end) {
-                                    for (std::size_t i = begin; i < end; ++i)
-                                      ++own[i];
-                                  });
-    });
-  for (auto& caller : callers)
-    caller.join();
-  for (const auto& own : visits)
-    EXPECT_EQ(own, std::vector<int>(2000, 20));
 }
 
 } // namespace

@@ -49,14 +49,6 @@ TEST(CellKey, GivesTheCellBackEverywhere)
       EXPECT_TRUE(cellOf(keyOf({x, y})) == (Cell{x, y})) << x << ' ' << y;
 }
 
-TEST(CellKey, SortsRowByRow)
-{
-  EXPECT_LT(keyOf({5, -1}), keyOf({-5, 0}));
-  EXPECT_LT(keyOf({-5, 0}), keyOf({-4, 0}));
-  EXPECT_LT(keyOf({-1, 0}), keyOf({0, 0}));
-  EXPECT_LT(keyOf({highest, -1}), keyOf({lowest, 0}));
-}
-
 TEST(CellGrid, CellsReachFromTheirLowerEdgeToTheNext)
 {
   const CellGrid grid(0.25);
@@ -64,26 +56,6 @@ TEST(CellGrid, CellsReachFromTheirLowerEdgeToTheNext)
   EXPECT_TRUE(grid.at(0.2499, 0.25) == (Cell{0, 1}));
   EXPECT_TRUE(grid.at(-0.0001, -0.25) == (Cell{-1, -1}));
   EXPECT_TRUE(grid.at(-0.2501, 0) == (Cell{-2, 0}));
-}
-
-TEST(CellGrid, TheCentreOfACellLiesInIt)
-{
-  const CellGrid grid(0.05);
-  for (const Cell c : {Cell{0, 0}, Cell{-1, 7}, Cell{200000, -200000}}) {
-    const Eigen::Vector2d centre = grid.centre(c);
-    EXPECT_TRUE(grid.at(centre.x(), centre.y()) == c);
-  }
-  EXPECT_TRUE(grid.centre({-1, 0}).isApprox(Eigen::Vector2d(-0.025, 0.025)));
-}
-
-TEST(CellGrid, ItsCellsMeetAtTheCorner)
-{
-  const CellGrid grid(0.5, {0.125, -7.25});
-  EXPECT_TRUE(grid.at(0.125, -7.25) == (Cell{0, 0}));
-  EXPECT_TRUE(grid.at(0.1249, -6.75) == (Cell{-1, 1}));
-  EXPECT_EQ(grid.centre({-1, 1}), Eigen::Vector2d(-0.125, -6.5));
-  EXPECT_TRUE(CellGrid(1, {1e9, 0}).holds(1e9, 0));
-  EXPECT_FALSE(CellGrid(1, {1e10, 0}).holds(0, 0));
 }
 
 TEST(CellGrid, HoldsWhatA32BitCellCanName)
@@ -94,19 +66,6 @@ TEST(CellGrid, HoldsWhatA32BitCellCanName)
   EXPECT_FALSE(grid.holds(0, -1.1e8));
   EXPECT_FALSE(grid.holds(std::numeric_limits<double>::quiet_NaN(), 0));
   EXPECT_FALSE(grid.holds(0, std::numeric_limits<double>::infinity()));
-}
-
-TEST(CellSet, HoldsEveryCellOnce)
-{
-  const CellSet cells = setOf({{3, 1}, {-2, 1}, {3, 1}, {0, -4}, {-2, 1}});
-  ASSERT_EQ(cells.size(), 3u);
-  EXPECT_TRUE(cells[0] == (Cell{0, -4}));
-  EXPECT_TRUE(cells[1] == (Cell{-2, 1}));
-  EXPECT_TRUE(cells[2] == (Cell{3, 1}));
-  EXPECT_EQ(cells.find({3, 1}), 2u);
-  EXPECT_EQ(cells.find({2, 1}), CellSet::npos);
-  EXPECT_TRUE(cells.contains({0, -4}));
-  EXPECT_FALSE(CellSet().contains({0, 0}));
 }
 
 TEST(CellSet, FindsEachOfItsCellsAndNoOther)
@@ -137,36 +96,6 @@ TEST(CellSet, FindsEachOfItsCellsAndNoOther)
             ASSERT_EQ(set[found], near);
           }
         }
-  }
-}
-
-TEST(CellSet, SeesTheCellsAroundAnyPlaceRowByRow)
-{
-  std::mt19937 random(5);
-  // Close together, in rows with gaps, and far apart.
-  for (const int spread : {9, 40, 5000}) {
-    std::vector<Cell> cells;
-    for (int k = 0; k < 60; ++k)
-      cells.push_back({static_cast<int>(random() % spread) - spread / 2,
-                       static_cast<int>(random() % spread) - spread / 2});
-    const CellSet set = setOf(cells);
-    const Cell beyond{spread, spread};
-    EXPECT_EQ(set.firstFrom(beyond), set.size());
-    EXPECT_EQ(set.firstFrom({-spread, -spread}), 0u);
-    cells.push_back(beyond);
-    for (const Cell middle : cells)
-      for (const int reach : {0, 1, 4}) {
-        std::vector<std::size_t> near;
-        for (std::size_t i = 0; i < set.size(); ++i)
-          if (std::abs(set[i].x - middle.x) <= reach &&
-              std::abs(set[i].y - middle.y) <= reach)
-            near.push_back(i);
-        std::vector<std::size_t> seen;
-        forEachAround(set, middle, reach, [&](std::size_t i) { seen.push_back(i); });
-        ASSERT_EQ(seen, near);
-        ASSERT_EQ(anyAround(set, middle, reach, [](std::size_t) { return true; }),
-                  !near.empty());
-      }
   }
 }
 
@@ -207,48 +136,6 @@ TEST(CellSet, UnionIntersectionAndDifferenceAreThoseOfSets)
   EXPECT_EQ(unite(set_a, set_b).keys(), either);
   EXPECT_EQ(intersect(set_a, set_b).keys(), both);
   EXPECT_EQ(subtract(set_a, set_b).keys(), first);
-}
-
-TEST(CellRegions, AreLargestFirst)
-{
-  const CellSet cells =
-      setOf(joined(joined(block(0, 0, 2, 2), block(10, 0, 5, 5)), block(-9, 20, 3, 3)));
-  const CellRegions regions = labelRegions(cells);
-  EXPECT_EQ(regions.sizes, (std::vector<std::size_t>{25, 9, 4}));
-  EXPECT_EQ(regions.label[cells.find({12, 2})], 0u);
-  EXPECT_EQ(regions.label[cells.find({-9, 22})], 1u);
-  EXPECT_EQ(regions.label[cells.find({1, 1})], 2u);
-}
-
-TEST(ConnectedRegions, HoldTheCellsOfEachRegionLargestFirst)
-{
-  const std::vector<Cell> small = block(0, 0, 2, 2);
-  const std::vector<Cell> large = block(10, 0, 5, 5);
-  const std::vector<CellSet> regions = connectedRegions(setOf(joined(small, large)));
-  ASSERT_EQ(regions.size(), 2u);
-  EXPECT_EQ(regions[0].keys(), setOf(large).keys());
-  EXPECT_EQ(regions[1].keys(), setOf(small).keys());
-  EXPECT_TRUE(connectedRegions(CellSet()).empty());
-}
-
-TEST(CellRegions, OfOneSizeComeInTheOrderOfTheKeys)
-{
-  const CellSet cells =
-      setOf(joined(joined(block(0, 8, 2, 2), block(9, 0, 2, 2)), block(0, 0, 2, 2)));
-  const CellRegions regions = labelRegions(cells);
-  EXPECT_EQ(regions.label[cells.find({0, 0})], 0u);
-  EXPECT_EQ(regions.label[cells.find({9, 0})], 1u);
-  EXPECT_EQ(regions.label[cells.find({0, 8})], 2u);
-}
-
-TEST(CellRegions, AreEightConnected)
-{
-  for (const Cell d : {Cell{1, 0}, Cell{0, 1}, Cell{1, 1}, Cell{-1, 1}})
-    EXPECT_EQ(labelRegions(setOf({{0, 0}, d})).sizes, (std::vector<std::size_t>{2}))
-        << d.x << ' ' << d.y;
-  for (const Cell d : {Cell{2, 0}, Cell{0, 2}, Cell{2, 1}, Cell{-2, 1}, Cell{1, 2}})
-    EXPECT_EQ(labelRegions(setOf({{0, 0}, d})).sizes, (std::vector<std::size_t>{1, 1}))
-        << d.x << ' ' << d.y;
 }
 
 TEST(CellRegions, OfRandomCellsAreThoseOfAFlood)

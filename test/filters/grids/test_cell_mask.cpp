@@ -24,15 +24,6 @@ nearestSquared(const CellMask& mask, Cell cell, bool outside)
   return least;
 }
 
-TEST(CellBox, CountsItsCells)
-{
-  EXPECT_EQ(box.count(), 24u * 18u);
-  EXPECT_EQ((CellBox{{0, 0}, {-1, -1}}).count(), 0u);
-  EXPECT_EQ((CellBox{{0, 0}, {-1, 5}}).count(), 0u);
-  EXPECT_EQ((CellBox{{-2000000000, 0}, {2000000000, 999999999}}).count(),
-            4000000001u * std::uint64_t{1000000000});
-}
-
 TEST(CellBox, IsTheSmallestAroundASetAndGrowsOnAllSides)
 {
   EXPECT_EQ(boxOf(CellSet()).count(), 0u);
@@ -59,38 +50,6 @@ TEST(CellMask, TooManyCellsAreRefusedWithTheirNumber)
       << "the number of cells must not overflow";
 }
 
-TEST(CellMask, IsZeroOutsideOfItsBox)
-{
-  CellMask mask(box);
-  for (auto& value : mask.values())
-    value = 1;
-  EXPECT_EQ(mask.count(), box.count());
-  EXPECT_EQ(mask.at(box.low), 1);
-  EXPECT_EQ(mask.at(box.high), 1);
-  EXPECT_EQ(mask.at({box.low.x - 1, box.low.y}), 0);
-  EXPECT_EQ(mask.at({box.high.x, box.high.y + 1}), 0);
-  EXPECT_EQ(CellMask().at({0, 0}), 0);
-}
-
-TEST(CellMask, NumbersItsCellsRowByRow)
-{
-  const CellMask mask(box);
-  for (std::size_t i = 0; i < mask.values().size(); ++i)
-    ASSERT_EQ(mask.indexOf(mask.cellAt(i)), i);
-  EXPECT_EQ(mask.indexOf(box.low), 0u);
-  EXPECT_EQ(mask.indexOf({box.low.x + 1, box.low.y}), 1u);
-  EXPECT_EQ(mask.indexOf(box.high), box.count() - 1);
-}
-
-TEST(CellMask, TakesFromASetWhatLiesInTheBoxAndGivesItBack)
-{
-  const CellSet cells({keyOf({-7, 3}), keyOf({0, 10}), keyOf({17, 10}), keyOf({0, 2})});
-  const CellMask mask(cells, box);
-  EXPECT_EQ(mask.count(), 2u);
-  EXPECT_EQ(mask.toSet().keys(),
-            (std::vector<CellKey>{keyOf({-7, 3}), keyOf({0, 10})}));
-}
-
 TEST(SquaredDistances, AreThoseFoundByLookingAtAllCells)
 {
   unsigned seed = 0;
@@ -102,13 +61,6 @@ TEST(SquaredDistances, AreThoseFoundByLookingAtAllCells)
           << "chance " << chance << ", cell " << i;
     }
   }
-}
-
-TEST(SquaredDistances, AreInfiniteWhereNothingIsSet)
-{
-  for (const float d : squaredDistances(CellMask(box)))
-    EXPECT_EQ(d, std::numeric_limits<float>::infinity());
-  EXPECT_TRUE(squaredDistances(CellMask()).empty());
 }
 
 TEST(SquaredDistances, StayExactInAHallOfAFewHundredMetres)
@@ -161,23 +113,6 @@ TEST(Erosion, KeepsWhatIsFartherThanTheRadiusFromTheOutside)
   }
 }
 
-TEST(Erosion, CountsTheEdgeOfTheBoxAsTheOutside)
-{
-  const CellMask full = inverted(CellMask(box));
-  EXPECT_EQ(eroded(full, 1).count(), 22u * 16u);
-  EXPECT_EQ(eroded(full, 2).count(), 20u * 14u);
-}
-
-TEST(CellMask, ItsSetIsTheOneOfItsCellsInAnyOrder)
-{
-  const CellMask mask = randomMask(box, 0.4, 32);
-  std::vector<CellKey> keys;
-  for (std::size_t i = mask.values().size(); i-- > 0;)
-    if (mask.values()[i])
-      keys.push_back(keyOf(mask.cellAt(i)));
-  EXPECT_EQ(mask.toSet().keys(), CellSet(keys).keys());
-}
-
 TEST(MaskSets, KeepTheBoxOfTheFirst)
 {
   const CellMask a = randomMask(box, 0.5, 21);
@@ -193,15 +128,6 @@ TEST(MaskSets, KeepTheBoxOfTheFirst)
     ASSERT_EQ(both.values()[i], in_a && in_b ? 1 : 0);
     ASSERT_EQ(first.values()[i], in_a && !in_b ? 1 : 0);
   }
-}
-
-TEST(CellBox, OverlapAndSurroundingsAreThoseOfTheirCells)
-{
-  const CellBox other{{10, -4}, {30, 9}};
-  EXPECT_EQ(overlapOf(box, other).count(), 7u * 7u);
-  EXPECT_EQ(around(box, other).count(), 38u * 25u);
-  EXPECT_EQ(overlapOf(box, CellBox{{17, 3}, {20, 9}}).count(), 0u);
-  EXPECT_EQ(around(box, CellBox{{0, 0}, {-1, -1}}).count(), box.count());
 }
 
 TEST(CellMask, CroppedHasTheSameCellsInAnotherBox)

@@ -29,18 +29,6 @@ TEST(MaskRegions, FourConnectedOnesArePartedByACorner)
                                   keyOf({1, 3})}));
 }
 
-TEST(MaskRegions, SayWhichReachTheEdgeOfTheBox)
-{
-  const MaskRegions regions = labelRegions(drawn({"......", //
-                                                  ".##..#", //
-                                                  ".##...", //
-                                                  "....#.", //
-                                                  "......"}),
-                                           false);
-  EXPECT_EQ(regions.sizes, (std::vector<std::size_t>{1, 4, 1}));
-  EXPECT_EQ(regions.touches_border, (std::vector<std::uint8_t>{0, 0, 1}));
-}
-
 TEST(MarkedRegions, AreThoseOfWhichACellIsMarked)
 {
   const CellMask mask = drawn({"##...#", //
@@ -66,20 +54,6 @@ TEST(LargestRegion, IsFourConnectedAndTheFirstOfSeveralAsLarge)
             (std::vector<CellKey>{keyOf({2, 0}), keyOf({3, 0}), keyOf({4, 0}),
                                   keyOf({5, 0})}));
   EXPECT_EQ(largestRegion(CellMask(mask.box())).count(), 0u);
-}
-
-TEST(GrowLabels, GoesAroundWhatIsNotDomainAndStopsAfterTheSteps)
-{
-  const CellMask domain = drawn({"#####", //
-                                 "#.#.#", //
-                                 "#.###"});
-  std::vector<std::int32_t> label(15, -1);
-  label[domain.indexOf({0, 0})] = 7;
-  growLabels(domain, 4, label);
-  EXPECT_EQ(label[domain.indexOf({0, 2})], 7) << "two steps up";
-  EXPECT_EQ(label[domain.indexOf({2, 2})], 7) << "four steps";
-  EXPECT_EQ(label[domain.indexOf({2, 1})], -1) << "five steps";
-  EXPECT_EQ(label[domain.indexOf({1, 1})], -1) << "not domain";
 }
 
 TEST(GrowLabels, EachCellGoesToTheLabelThatIsNearestBySteps)

@@ -115,18 +115,6 @@ TEST(GridRegionOutlierRemoval, CountsCellsAndNotPoints)
   EXPECT_EQ(keptOf(removal), room);
 }
 
-TEST(GridRegionOutlierRemoval, CellsThatTouchAtACornerAreOneRegion)
-{
-  Scene scene;
-  scene.add(0, 10, 0, 10);
-  scene.add(10, 20, 10, 20);
-  scene.add(21, 22, 20, 21); // beside a corner, one cell off
-  Removal removal;
-  removal.setInputCloud(scene.cloud);
-  keptOf(removal);
-  EXPECT_EQ(removal.getRegionSizes(), (std::vector<std::size_t>{200, 1}));
-}
-
 TEST(GridRegionOutlierRemoval, OneRegionOrSeveralOfOneSizeAreKept)
 {
   Scene one;
@@ -227,31 +215,6 @@ TEST(GridRegionOutlierRemoval, AnOrganisedCloudKeepsItsShape)
   removal.filter(output);
   for (const auto& p : output)
     ASSERT_EQ(p.x, -1.f);
-}
-
-TEST(GridRegionOutlierRemoval, OutputIndicesMayBeTheInputIndices)
-{
-  Scene scene;
-  const auto room = scene.add(0, 10, 0, 10);
-  scene.add(30, 31, 0, 1);
-  auto indices = std::make_shared<pcl::Indices>(scene.cloud->size());
-  std::iota(indices->begin(), indices->end(), 0);
-  Removal removal;
-  removal.setInputCloud(scene.cloud);
-  removal.setIndices(indices);
-  removal.filter(*indices);
-  EXPECT_EQ(*indices, room);
-}
-
-TEST(GridRegionOutlierRemoval, IsCompiledForTheTypesPromised)
-{
-  auto cloud = std::make_shared<pcl::PointCloud<pcl::PointStructure>>();
-  cloud->resize(3);
-  pcl::GridRegionOutlierRemoval<pcl::PointStructure> removal;
-  removal.setInputCloud(cloud);
-  pcl::PointCloud<pcl::PointStructure> output;
-  removal.filter(output);
-  EXPECT_EQ(output.size(), 3u);
 }
 
 } // namespace

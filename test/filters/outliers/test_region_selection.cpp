@@ -22,37 +22,6 @@ addBlock(std::vector<pcl::sedr::CellKey>& keys, int x0, int x1, int y0, int y1)
       keys.push_back(pcl::sedr::keyOf({x, y}));
 }
 
-TEST(LargestGapThreshold, IsTheSmallerSideOfTheLargestDifference)
-{
-  using pcl::sedr::largestGapThreshold;
-  EXPECT_EQ(largestGapThreshold({1600, 900, 5, 3, 1}), 5u);
-  EXPECT_EQ(largestGapThreshold({1600, 500, 450, 3}), 500u);
-  EXPECT_EQ(largestGapThreshold({10, 4, 1}), 4u);
-  EXPECT_EQ(largestGapThreshold({30, 20, 10}), 10u) << "of equal differences the lower";
-}
-
-TEST(LargestGapThreshold, KeepsAllWhereThereIsNoDifference)
-{
-  using pcl::sedr::largestGapThreshold;
-  EXPECT_EQ(largestGapThreshold({}), 0u);
-  EXPECT_EQ(largestGapThreshold({7}), 0u);
-  EXPECT_EQ(largestGapThreshold({7, 7, 7}), 0u);
-}
-
-TEST(LabelOpenedRegions, RadiusZeroIsTheEightConnectedRegions)
-{
-  std::mt19937 random(1);
-  std::vector<pcl::sedr::CellKey> keys;
-  for (int i = 0; i < 3000; ++i)
-    keys.push_back(pcl::sedr::keyOf({static_cast<int>(random() % 100) - 50,
-                                     static_cast<int>(random() % 100) - 50}));
-  const CellSet cells(keys);
-  const auto plain = pcl::sedr::labelRegions(cells);
-  const auto opened = pcl::sedr::labelOpenedRegions(cells, 0, 1);
-  EXPECT_EQ(opened.label, plain.label);
-  EXPECT_EQ(opened.sizes, plain.sizes);
-}
-
 TEST(LabelOpenedRegions, NecksNarrowerThanTheOpeningDoNotJoin)
 {
   // Two squares of 20 x 20 cells, 4 cells apart, joined by a neck.
@@ -73,15 +42,6 @@ TEST(LabelOpenedRegions, NecksNarrowerThanTheOpeningDoNotJoin)
       EXPECT_GE(regions.sizes.back(), 400u) << "neither room loses cells to the other";
     }
   }
-}
-
-TEST(LabelOpenedRegions, WhatHasNoCoreStaysARegionOfItsOwn)
-{
-  std::vector<pcl::sedr::CellKey> keys;
-  addBlock(keys, 0, 10, 0, 10);
-  addBlock(keys, 20, 50, 5, 6); // a line, one cell wide
-  const auto regions = pcl::sedr::labelOpenedRegions(CellSet(keys), 1, 1);
-  EXPECT_EQ(regions.sizes, (Sizes{100, 30}));
 }
 
 TEST(LabelOpenedRegions, SmallPartsFallToTheLargeOneTheyTouch)
@@ -128,17 +88,6 @@ TEST(LabelOpenedRegions, HolesInThinDataPartNothingButAPartitionStillDoes)
                 regions.label[cells.find({115, 20})])
           << "radius " << radius << ", " << holes << " %";
     }
-}
-
-TEST(SupportedCells, CountsCellsOnOrBesideSupport)
-{
-  std::vector<pcl::sedr::CellKey> keys;
-  addBlock(keys, 0, 10, 0, 1);
-  addBlock(keys, 20, 23, 0, 1);
-  const CellSet cells(keys);
-  const auto regions = pcl::sedr::labelRegions(cells);
-  const CellSet support({pcl::sedr::keyOf({4, 1}), pcl::sedr::keyOf({30, 0})});
-  EXPECT_EQ(pcl::sedr::supportedCells(cells, regions, support), (Sizes{3, 0}));
 }
 
 TEST(RoomMap, CellsTakeTheRoomOfMostCeilingPointsAndDetailsThatOfTheCeilingBeside)

@@ -131,25 +131,10 @@ TEST_F(PlanEvidenceTest, ASideThatRaysGoThroughIsOpenAlthoughNothingOfItWasSeen)
   EXPECT_GT(wall(measured(&sight), 0).opening, 0.95);
 }
 
-TEST_F(PlanEvidenceTest, WhatIsOffTheWallDoesNotShowIt)
-{
-  addFace({0, 0, 0}, {4, 0, 0}, {0, 3, 0});
-  addFace({0, 0.1, 0}, {4, 0, 0}, {0, 0, 2.5});
-  EXPECT_EQ(wall(measured(), 0).seen, 0);
-}
-
 TEST_F(PlanEvidenceTest, WithoutPointsAllIsHidden)
 {
   cloud_.emplace_back(NAN, 0.0f, 0.0f);
   EXPECT_EQ(wall(measured(), 0).hidden, 1);
-}
-
-TEST_F(PlanEvidenceTest, WhatStandsAlmostAMetreBeforeAWallHidesIt)
-{
-  addFace({0, 0, 0}, {4, 0, 0}, {0, 0, 2.5},
-          [](const Place& p) { return p.x() > 1 && p.x() < 3; });
-  addFace({1, 0.93, 0}, {2, 0, 0}, {0, 0, 2.5});
-  EXPECT_NEAR(wall(measured(), 0).hidden, 0.5, 0.05);
 }
 
 TEST_F(PlanEvidenceTest, RoomsWallToWallAreEachAsAloneForAnyNumberOfThreads)

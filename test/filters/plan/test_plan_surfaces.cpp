@@ -102,26 +102,6 @@ TEST(VerticalSurfaces, AreWallsThenColumnsThenRisers)
     EXPECT_EQ(surfaces[i].label, i < 4 ? Wall : i < 5 ? Column : Detail);
 }
 
-TEST(VerticalSurfaces, ElementsOfNoLengthAreNone)
-{
-  PlanRoom room = box();
-  room.boundary.elements.insert(room.boundary.elements.begin() + 1,
-                                segment({4, 0}, {4, 0}));
-  EXPECT_EQ(verticalSurfaces(room).size(), 4u);
-}
-
-TEST(WallSpan, ReachesFromFloorToCeiling)
-{
-  PlanRoom room = box();
-  expectSpan(room, {2, 0}, Wall, 0, 2.5, {0, 1, 0});
-  expectSpan(room, {4, 1}, Wall, 0, 2.5, {-1, 0, 0});
-  expectSpan(room, {2, 3}, Wall, 0, 2.5, {0, -1, 0});
-  expectSpan(room, {0, 1}, Wall, 0, 2.5, {1, 0, 0});
-  room.floor = slabAt(-0.5, 0.1);
-  room.ceiling = slabAt(2.5, 0, 0.1);
-  expectSpan(room, {2, 0}, Wall, -0.3, 2.501, {0, 1, 0}); // seen 1 cm inside
-}
-
 TEST(WallSpan, EndsAtTheSoffitAboveAndReachesIntoARecess)
 {
   PlanRoom room = box();
@@ -133,50 +113,11 @@ TEST(WallSpan, EndsAtTheSoffitAboveAndReachesIntoARecess)
   expectSpan(room, {0.5, 0}, Wall, 0, 2.8, {0, 1, 0});
 }
 
-TEST(WallSpan, OfAColumnFacesAwayFromIt)
-{
-  PlanRoom room = box();
-  room.columns = {reversed(circle({2, 1.5}, 0.25)),
-                  reversed(rectangle(3, 1, 3.4, 1.4))};
-  room.details = {detailOf(rectangle(2.5, 0, 4, 3), 2.2)};
-  expectSpan(room, {2.25, 1.5}, Column, 0, 2.5, {1, 0, 0});
-  expectSpan(room, {2, 1.25}, Column, 0, 2.5, {0, -1, 0});
-  expectSpan(room, {3, 1.2}, Column, 0, 2.2, {-1, 0, 0});
-  expectSpan(room, {3.2, 1.4}, Column, 0, 2.2, {0, 1, 0});
-}
-
-TEST(WallSpan, OfACurvedWallFacesItsCentreWhereTheRoomIsThere)
-{
-  const PlanRoom stadium_room = roomOf(stadium(3, 1), 2.5);
-  expectSpan(stadium_room, {4, 0}, Wall, 0, 2.5, {-1, 0, 0});
-  const PlanRoom bitten = roomOf(bittenRectangle(4, 3, 1), 2.5);
-  expectSpan(bitten, {2, 1}, Wall, 0, 2.5, {0, 1, 0});
-}
-
 TEST(RiserSpan, OfASoffitFacesTheMainCeiling)
 {
   PlanRoom room = box();
   room.details = {detailOf(rectangle(3, 0, 4, 3), 2.1)};
   expectSpan(room, {3, 1.5}, Detail, 2.1, 2.5, {-1, 0, 0});
-}
-
-TEST(RiserSpan, OfARecessFacesIntoIt)
-{
-  PlanRoom room = box();
-  room.details = {detailOf(rectangle(1, 1, 3, 2), 2.8)};
-  expectSpan(room, {1, 1.5}, Detail, 2.5, 2.8, {1, 0, 0});
-  expectSpan(room, {3, 1.5}, Detail, 2.5, 2.8, {-1, 0, 0});
-  expectSpan(room, {2, 1}, Detail, 2.5, 2.8, {0, 1, 0});
-  expectSpan(room, {2, 2}, Detail, 2.5, 2.8, {0, -1, 0});
-}
-
-TEST(RiserSpan, OfAHoleFacesTheMainCeiling)
-{
-  PlanRoom room = box();
-  room.details = {detailOf(rectangle(0, 0, 4, 3), 2.2)};
-  room.details[0].holes = {reversed(rectangle(1, 1, 3, 2))};
-  expectSpan(room, {1, 1.5}, Detail, 2.2, 2.5, {1, 0, 0});
-  expectSpan(room, {2, 2}, Detail, 2.2, 2.5, {0, -1, 0});
 }
 
 TEST(RiserSpan, EdgesOnWallsAndColumnsAreNone)
@@ -202,17 +143,6 @@ TEST(RiserSpan, BetweenTwoDetailsThereIsOneAndItFacesTheHigher)
   }
 }
 
-TEST(RiserSpan, HiddenByALaterDetailIsNone)
-{
-  PlanRoom room = box();
-  room.details = {detailOf(rectangle(3, 0, 4, 3), 2.2),
-                  detailOf(rectangle(2, 0, 4, 1), 1.9)};
-  expectNoRiser(room, {3, 0.5});
-  expectSpan(room, {3, 2}, Detail, 2.2, 2.5, {-1, 0, 0});
-  expectSpan(room, {3.5, 1}, Detail, 1.9, 2.2, {0, 1, 0});
-  expectSpan(room, {2.5, 1}, Detail, 1.9, 2.5, {0, 1, 0});
-}
-
 TEST(SnapToRoom, WallPointsMoveInPlanOnlyAndKeepTheirHeight)
 {
   const PlanRoom room = box();
@@ -223,26 +153,6 @@ TEST(SnapToRoom, WallPointsMoveInPlanOnlyAndKeepTheirHeight)
   EXPECT_EQ(p.room, 7u);
   const SurfacePoint outside = snapped(room, {2, -0.08, 1}, Wall, 0.1);
   EXPECT_NEAR((outside.position - Vector3d(2, 0, 1)).norm(), 0, 1e-12);
-}
-
-TEST(SnapToRoom, PointsOfACurvedWallMoveAlongItsRadius)
-{
-  const PlanRoom room = roomOf(stadium(3, 1), 2.5);
-  const double angle = 0.3;
-  const Vector3d way(std::cos(angle), std::sin(angle), 0);
-  const SurfacePoint p = snapped(room, Vector3d(3, 0, 1.1) + 0.95 * way, Wall, 0.1);
-  EXPECT_NEAR((p.position - Vector3d(3, 0, 1.1) - way).norm(), 0, 1e-12);
-  EXPECT_NEAR((p.normal + way).norm(), 0, 1e-12);
-}
-
-TEST(SnapToRoom, PointsOfAColumnMoveToItsFaceNotToTheWall)
-{
-  PlanRoom room = box();
-  room.columns = {reversed(circle({2, 1.5}, 0.25))};
-  const SurfacePoint p = snapped(room, {2.3, 1.5, 1}, Column, 0.1);
-  EXPECT_NEAR((p.position - Vector3d(2.25, 1.5, 1)).norm(), 0, 1e-12);
-  EXPECT_NEAR((p.normal - Vector3d(1, 0, 0)).norm(), 0, 1e-12);
-  EXPECT_EQ(p.label, Column);
 }
 
 TEST(SnapToRoom, SlabPointsMoveToThePlaneAndKeepTheirPlace)
@@ -280,17 +190,6 @@ TEST(SnapToRoom, DetailPointsGoToTheUndersideOrTheRiserWhicheverIsNearer)
   EXPECT_EQ(snapped(room, {3.5, 1, 2.15}, Ceiling, 0.15).label, Detail);
 }
 
-TEST(SnapToRoom, RefusesWhatIsFartherThanAllowed)
-{
-  const PlanRoom room = box();
-  EXPECT_FALSE(isRefused(room, {3.91, 1, 1}, Wall, 0.1));
-  EXPECT_TRUE(isRefused(room, {3.89, 1, 1}, Wall, 0.1));
-  EXPECT_TRUE(isRefused(room, {4.11, 1, 1}, Wall, 0.1));
-  EXPECT_FALSE(isRefused(room, {2, 1, 2.41}, Ceiling, 0.1));
-  EXPECT_TRUE(isRefused(room, {2, 1, 2.39}, Ceiling, 0.1));
-  EXPECT_TRUE(isRefused(room, {2, 1, 0.11}, Floor, 0.1));
-}
-
 TEST(SnapToRoom, RefusesWallPointsAboveTheCeilingOrBelowTheFloor)
 {
   PlanRoom room = box();
@@ -299,16 +198,6 @@ TEST(SnapToRoom, RefusesWallPointsAboveTheCeilingOrBelowTheFloor)
   EXPECT_TRUE(isRefused(room, {0, 1, 2.7}, Wall, 0.1));
   EXPECT_TRUE(isRefused(room, {0, 1, -0.2}, Wall, 0.1));
   EXPECT_NEAR(snapped(room, {0, 1, 2.55}, Wall, 0.1).position.z(), 2.5, 1e-12);
-}
-
-TEST(SnapToRoom, RefusesSlabPointsBesideTheRoomAndOtherLabels)
-{
-  PlanRoom room = box();
-  room.columns = {reversed(circle({2, 1.5}, 0.25))};
-  EXPECT_TRUE(isRefused(room, {4.05, 1, 2.5}, Ceiling, 0.1));
-  EXPECT_TRUE(isRefused(room, {2, 1.5, 0}, Floor, 0.1)) << "in the column";
-  EXPECT_TRUE(isRefused(room, {4, 1, 1}, StructureLabel::Other, 0.1));
-  EXPECT_TRUE(isRefused(room, {4, 1, 1}, static_cast<StructureLabel>(99), 0.1));
 }
 
 } // namespace

@@ -93,26 +93,6 @@ TEST(RoomLookup, AnswersAsTheRoomDoes)
   EXPECT_GT(inside, 2000);
 }
 
-TEST(RoomLookup, OfAnEmptyRoomContainsNothing)
-{
-  const PlanRoom room;
-  const RoomLookup lookup(room);
-  EXPECT_FALSE(lookup.contains({0, 0}));
-  EXPECT_EQ(lookup.detailAt({0, 0}), -1);
-  EXPECT_EQ(lookup.nicheAt({0, 0}), -1);
-}
-
-TEST(RoomLookup, OfARoomTooLargeForATableAnswersAsTheRoomDoes)
-{
-  PlanRoom room = roomOf(rectangle(0, 0, 4e9, 4e9), 4, 1);
-  room.details.push_back(detailOf(rectangle(1, 1, 3e9, 3e9), 3));
-  const RoomLookup lookup(room);
-  EXPECT_TRUE(lookup.contains({1e9, 3.9e9}));
-  EXPECT_FALSE(lookup.contains({1e9, 4.1e9}));
-  EXPECT_EQ(lookup.detailAt({2e9, 2.9e9}), 0);
-  EXPECT_EQ(lookup.detailAt({2e9, 3.1e9}), -1);
-}
-
 TEST(RoomSurfaces, SnapAsAllSurfacesDo)
 {
   const PlanRoom room = hall();
@@ -140,25 +120,6 @@ TEST(RoomSurfaces, SnapAsAllSurfacesDo)
     }
   }
   EXPECT_GT(snapped, 500);
-}
-
-TEST(PlaceTable, FindsAnElementWithinReachAllAlong)
-{
-  PlanElement wall;
-  wall.start = {-3, 2};
-  wall.end = {9, 7};
-  PlaceTable table(0.5);
-  table.addAlong(wall, 0.3, 4);
-  table.finish();
-  for (double s = 0; s <= wall.length(); s += 0.07)
-    for (const double off : {-0.3, 0.3}) {
-      const Vector2d p = wall.pointAt(s) + off * wall.normalAt(s);
-      const CellTable::Numbers found = table.at(p);
-      ASSERT_EQ(found.end() - found.begin(), 1) << p.transpose();
-      EXPECT_EQ(*found.begin(), 4u);
-    }
-  const CellTable::Numbers none = table.at({9, 2});
-  EXPECT_EQ(none.begin(), none.end());
 }
 
 } // namespace

@@ -23,11 +23,6 @@ TEST(RoomMeasures, TheMeanHeightKnowsSoffitsAndSteps)
   EXPECT_NEAR(volumeOf(room, height), 12 * height + 0.6, 1e-9);
 }
 
-TEST(RoomMeasures, AHugeRoomIsSampledMoreCoarsely)
-{
-  EXPECT_NEAR(meanHeight(roomOf(rectangle(0, 0, 1e6, 1e6), 2.5)), 2.5, 1e-9);
-}
-
 TEST(RoomMeasures, APartitionIsAsThickAsItsFacesAreApart)
 {
   const Floorplan plan{

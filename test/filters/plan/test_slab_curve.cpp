@@ -166,32 +166,4 @@ TEST(SlabCurveJson, FacetsReadBackAsTheyWereWritten)
   EXPECT_EQ(floorplanToJson(read), text);
 }
 
-TEST(SlabCurveJson, PlansWithoutFacetsAreOfTheFirstVersion)
-{
-  Floorplan plan;
-  plan.rooms.push_back(roomOf(rectangle(0, 0, 4, 4), 2.5));
-  const std::string text = floorplanToJson(plan);
-  EXPECT_NE(text.find("\"version\": 1"), std::string::npos);
-  EXPECT_EQ(text.find("facets"), std::string::npos);
-}
-
-TEST(SlabCurveJson, WhatIsNoCurveIsRefused)
-{
-  const auto problemWith = [](const std::string& from, const std::string& to) {
-    std::string text = floorplanToJson(vaultedPlan());
-    const std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    text.replace(at, from.size(), to);
-    std::string problem;
-    EXPECT_TRUE(floorplanFromJson(text, problem).rooms.empty());
-    return problem;
-  };
-  EXPECT_NE(problemWith("\"cylinder\"", "\"cone\"").find("not a cone"),
-            std::string::npos);
-  EXPECT_NE(problemWith("\"across\": 2.0", "\"across\": 0.0").find("above 0 m"),
-            std::string::npos);
-  EXPECT_NE(problemWith("\"columns\": 3", "\"columns\": 4").find("relief"),
-            std::string::npos);
-}
-
 } // namespace

@@ -33,11 +33,6 @@ TEST(Storeys, RoomsAboveEachOtherAreOfSeveral)
   EXPECT_NEAR(storeys[1].ceiling, 5.3, 1e-9);
 }
 
-TEST(Storeys, NoRoomsAreNone)
-{
-  EXPECT_TRUE(storeysOf({}).empty());
-}
-
 TEST(Storeys, ThoseOfThePlanStandWhateverTheHeightsOfTheirRooms)
 {
   Floorplan plan = twoStoreys();
@@ -105,13 +100,6 @@ TEST(Storeys, AWallIsNotAsThickAsItIsFarFromOneAboveIt)
                         roomBetween(rectangle(4.1, 0, 8, 3), 2.8, 5.2, 3)}};
   EXPECT_NEAR(wallThickness(plan, 0, 1), 0.3, 1e-9);
   EXPECT_EQ(wallThickness(plan, 2, 3), 0);
-}
-
-TEST(Storeys, ARoundRoomIsInTheMiddleOfItsCircle)
-{
-  PlanRoom room = roomOf(circle({2, 1}, 1), 2.5);
-  room.ceiling = slabAt(2.5, 0.1); // 2.7 m above the middle
-  EXPECT_NEAR(heightsOf(room).high, 2.7, 1e-9);
 }
 
 TEST(Storeys, ARoomOverAPointIsThatOfTheNextCeilingAboveIt)

@@ -49,13 +49,6 @@ expectVertical(const WallTilts& tilts, double tolerance)
   }
 }
 
-TEST(Straightening, WithoutTiltedWallsNothingMoves)
-{
-  const Straightening map(tiltedFaces(obliquePlan(), {}));
-  EXPECT_TRUE(map.isIdentity());
-  EXPECT_EQ(map.straighten({1, 2, 3}), Eigen::Vector3d(1, 2, 3));
-}
-
 TEST(Straightening, BringsWallsToTheirHeadsAndBack)
 {
   expectVertical(two, 1e-9);

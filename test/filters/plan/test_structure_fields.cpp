@@ -75,16 +75,6 @@ TEST(StructureFields, WhatIsMissingIsToldWithItsNumbers)
             "the cloud has 3 points, but 1 labels and 3 rooms are known");
 }
 
-TEST(StageError, IndicesOutOfRangeAreNamedAndLeftOut)
-{
-  EXPECT_EQ(indicesProblem({0, 1, 1}, 2), "");
-  EXPECT_EQ(indicesProblem({}, 0), "");
-  EXPECT_EQ(indicesProblem({0, -1}, 2),
-            "index -1 is out of range, the cloud has 2 points");
-  EXPECT_EQ(indicesProblem({1}, 1), "index 1 is out of range, the cloud has 1 point");
-  EXPECT_EQ(indicesInRange({3, -1, 0, 2, 2}, 3), (pcl::Indices{0, 2, 2}));
-}
-
 /** Fails on every cloud. */
 class Failing : public StageFilter<pcl::PointXYZ> {
 public:
@@ -102,22 +92,5 @@ private:
     removeAll();
   }
 };
-
-TEST(StageFilter, ARunWithoutInputForgetsTheOneBefore)
-{
-  Failing filter;
-  pcl::PointCloud<pcl::PointXYZ> output(5, 1);
-  filter.setInputCloud(pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(3, 1));
-  filter.filter(output);
-  EXPECT_TRUE(output.empty());
-  EXPECT_EQ(filter.getErrorMessage(), "it always does");
-  EXPECT_EQ(*filter.getRemovedIndices(), (pcl::Indices{0, 1, 2}));
-  filter.setInputCloud(nullptr);
-  output.resize(4);
-  filter.filter(output);
-  EXPECT_TRUE(output.empty());
-  EXPECT_EQ(filter.getErrorMessage(), "no input cloud was set");
-  EXPECT_TRUE(filter.getRemovedIndices()->empty());
-}
 
 } // namespace

@@ -14,7 +14,6 @@ using Eigen::Vector3d;
 using pcl::sedr::findMirroredPoints;
 using pcl::sedr::MirroredPoints;
 using pcl::sedr::PointView;
-using pcl::sedr::positionOfRow;
 using pcl::sedr::ScanPositions;
 
 /** A room of 6 x 5 x 2.6 m with some boxes, seen from one position. The wall at x = 6
@@ -178,18 +177,6 @@ TEST(MirroredPoints, ARoomBehindGlassThatDoesNotMirrorStays)
   EXPECT_EQ(countOf(found.of_rows), 0u);
 }
 
-TEST(MirroredPoints, AWallOutsideAsFarAsOneInsideIsNoReflection)
-{
-  GlazedRoom room;
-  room.mirrored = 0;
-  room.addYard();
-  room.scanFrom({2.8, 2.4, 1.5}, 1);
-  const MirroredPoints found = room.found();
-  EXPECT_GT(found.rays, 1000u);
-  EXPECT_EQ(found.mirrors, 0u);
-  EXPECT_EQ(countOf(found.of_rows), 0u);
-}
-
 TEST(MirroredPoints, WhatIsSeenOnlyThroughGlassIsMarkedAndItsRaysAreKept)
 {
   GlazedRoom room;
@@ -256,13 +243,6 @@ TEST(MirroredPoints, WithoutKnownPositionsNothingIsLeftOut)
   }
 }
 
-TEST(MirroredPoints, TheNumberOfThreadsMakesNoDifference)
-{
-  GlazedRoom room;
-  room.scanFrom({2.8, 2.4, 1.5}, 1);
-  EXPECT_EQ(room.found(1).of_rows, room.found(3).of_rows);
-}
-
 TEST(MirroredPoints, NoPointsAndNaNAreNone)
 {
   EXPECT_TRUE(
@@ -272,17 +252,6 @@ TEST(MirroredPoints, NoPointsAndNaNAreNone)
                    Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
   room.positions = {{0, Eigen::Vector3f::Zero()}};
   EXPECT_EQ(countOf(room.found().of_rows), 0u);
-}
-
-TEST(ScanPositions, OfARowIsTheLastThatBeginsBeforeIt)
-{
-  const ScanPositions positions{{2, Eigen::Vector3f::Zero()},
-                                {5, Eigen::Vector3f::Ones()}};
-  EXPECT_EQ(positionOfRow(positions, 1), 2u);
-  EXPECT_EQ(positionOfRow(positions, 2), 0u);
-  EXPECT_EQ(positionOfRow(positions, 4), 0u);
-  EXPECT_EQ(positionOfRow(positions, 5), 1u);
-  EXPECT_EQ(positionOfRow(positions, 500), 1u);
 }
 
 } // namespace

@@ -102,21 +102,6 @@ TEST(FloorProjectionRecovery, FillsCellsWithoutFloorFromTheCeilingAndDropsTheOut
   }
 }
 
-TEST(FloorProjectionRecovery, HeightOfTheOutsideDoesNotCount)
-{
-  Scene scene;
-  for (const int i : scene.outside)
-    (*scene.cloud)[static_cast<std::size_t>(i)].z = -100;
-  Recovery recovery;
-  recovery.setInputCloud(scene.cloud);
-  recovery.setIndices(scene.floorAndOutside());
-  recovery.setCeilingIndices(shared(scene.ceiling));
-  Cloud output;
-  recovery.filter(output);
-  ASSERT_FALSE(output.empty());
-  EXPECT_NEAR(output.points.back().z, 0, 1e-8);
-}
-
 TEST(FloorProjectionRecovery, ProjectsStraightDownOntoAGivenPlane)
 {
   const Scene scene;

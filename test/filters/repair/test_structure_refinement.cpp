@@ -117,21 +117,6 @@ TEST(StructureRefinement, SetsPositionNormalLabelAndRoomAndKeepsTheOtherFields)
   }
 }
 
-TEST(StructureRefinement, RemovedPointsAreTheComplementTheTableAmongThem)
-{
-  const FurnishedRoom room;
-  pcl::StructureRefinement<pcl::PointStructure> refinement(true);
-  refinement.setInputCloud(room.cloud);
-  refinement.setFloorplan(room.plan);
-  Structure refined;
-  refinement.filter(refined);
-  EXPECT_EQ(allOf(refinement), room.points.all());
-  const auto removed = *refinement.getRemovedIndices();
-  EXPECT_TRUE(std::includes(removed.begin(), removed.end(), room.table.begin(),
-                            room.table.end()));
-  EXPECT_LT(removed.size(), room.table.size() + room.points.size() / 100);
-}
-
 TEST(StructureRefinement, TakesLabelsAndRoomsForAPointTypeWithoutThem)
 {
   const FurnishedRoom room;
@@ -164,34 +149,6 @@ TEST(StructureRefinement, TakesLabelsAndRoomsForAPointTypeWithoutThem)
   ASSERT_EQ(refined.size(), same.size());
   for (std::size_t i = 0; i < same.size(); ++i)
     ASSERT_EQ(refined[i].getVector3fMap(), same[i].getVector3fMap());
-}
-
-TEST(StructureRefinement, AShorterDistanceRemovesMore)
-{
-  const FurnishedRoom room(0.02);
-  pcl::StructureRefinement<pcl::PointStructure> refinement(true);
-  refinement.setInputCloud(room.cloud);
-  refinement.setFloorplan(room.plan);
-  refinement.setMaximumDistance(0.02); // one standard deviation
-  Structure refined;
-  refinement.filter(refined);
-  const double share = static_cast<double>(refined.size()) /
-                       static_cast<double>(room.points.size() - room.table.size());
-  EXPECT_NEAR(share, 0.683, 0.02);
-}
-
-TEST(StructureRefinement, WithoutAPlanItFailsWithAReason)
-{
-  const FurnishedRoom room;
-  pcl::StructureRefinement<pcl::PointStructure> refinement;
-  refinement.setInputCloud(room.cloud);
-  Structure refined(*room.cloud);
-  refinement.filter(refined);
-  EXPECT_NE(refinement.getErrorMessage(), "");
-  EXPECT_TRUE(refined.empty());
-  refinement.setFloorplan(std::make_shared<Floorplan>());
-  refinement.filter(refined);
-  EXPECT_NE(refinement.getErrorMessage(), "") << "no rooms";
 }
 
 /** The points of a furnished room, refined and then repaired. */
@@ -253,27 +210,6 @@ TEST(VerticalHoleRepair, CoversTheRoomOnceAndKeepsTheScannedPoints)
     }
 }
 
-TEST(VerticalHoleRepair, AnyNumberOfThreadsGivesTheSame)
-{
-  const FurnishedRoom room;
-  std::vector<Structure> wholes;
-  std::vector<UnseenShares> unseen;
-  for (const unsigned threads : {1u, 3u}) {
-    pcl::VerticalHoleRepair<pcl::PointStructure> repair;
-    repair.setInputCloud(room.cloud);
-    repair.setFloorplan(room.plan);
-    repair.setNumberOfThreads(threads);
-    wholes.emplace_back();
-    repair.filter(wholes.back());
-    unseen.push_back(repair.getUnseenShares().at(1));
-  }
-  ASSERT_EQ(wholes[0].size(), wholes[1].size());
-  for (std::size_t i = 0; i < wholes[0].size(); ++i)
-    EXPECT_EQ(wholes[0][i].getVector3fMap(), wholes[1][i].getVector3fMap());
-  EXPECT_EQ(unseen[0].surface, unseen[1].surface);
-  EXPECT_EQ(unseen[0].walls, unseen[1].walls);
-}
-
 TEST(VerticalHoleRepair, StripsTellWhichPartOfWhichWallWasSeen)
 {
   const FurnishedRoom room(0);
@@ -307,20 +243,6 @@ TEST(VerticalHoleRepair, StripsTellWhichPartOfWhichWallWasSeen)
   }
 }
 
-TEST(VerticalHoleRepair, RepairedIndicesAreThoseWithoutASource)
-{
-  const FurnishedRoom room(0.02);
-  const Repaired result(room);
-  pcl::Indices without;
-  const auto& sources = result.repair.getSourceIndices();
-  for (std::size_t k = 0; k < sources.size(); ++k)
-    if (sources[k] < 0)
-      without.push_back(static_cast<pcl::index_t>(k));
-  EXPECT_EQ(result.repair.getRepairedIndices(), without);
-  EXPECT_GE(without.size(), 20u * 40u) << "noise leaves some cells empty besides";
-  EXPECT_LT(without.size(), result.whole.size() / 4);
-}
-
 TEST(VerticalHoleRepair, RemovedPointsAreThoseThatStandForNoCell)
 {
   const FurnishedRoom room(0.02);
@@ -328,22 +250,6 @@ TEST(VerticalHoleRepair, RemovedPointsAreThoseThatStandForNoCell)
   EXPECT_EQ(allOf(result.repair).size(), result.refined->size());
   EXPECT_FALSE(result.repair.getRemovedIndices()->empty())
       << "some share a cell with a nearer one";
-}
-
-TEST(VerticalHoleRepair, PointsOffThePlanAreRemoved)
-{
-  const FurnishedRoom room(0);
-  auto cloud = std::make_shared<Structure>(*room.cloud);
-  const Eigen::Vector3f far(4.02f, 1.f, 1.f); // two centimetres behind a wall
-  (*cloud)[0].getVector3fMap() = far;
-  (*cloud)[0].label = 3;
-  pcl::VerticalHoleRepair<pcl::PointStructure> repair(true);
-  repair.setInputCloud(cloud);
-  repair.setFloorplan(room.plan);
-  Structure whole;
-  repair.filter(whole);
-  const auto removed = *repair.getRemovedIndices();
-  EXPECT_TRUE(std::binary_search(removed.begin(), removed.end(), 0));
 }
 
 TEST(VerticalHoleRepair, CellsOfTheSizeAskedForCoverTheRoom)

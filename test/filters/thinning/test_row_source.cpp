@@ -83,13 +83,4 @@ TEST(RowCoordinates, OfAnyOrderTypeAndGapAreCopied)
     }
 }
 
-TEST(RowCoordinates, FieldsAreFoundByTheirWholeName)
-{
-  const std::vector<Field> fields{field("xy", Field::FLOAT32, 0),
-                                  field("x", Field::FLOAT32, 4)};
-  EXPECT_EQ(findField(fields, "x"), &fields[1]);
-  EXPECT_EQ(findField(fields, "y"), nullptr);
-  EXPECT_EQ(findField({}, "x"), nullptr);
-}
-
 } // namespace

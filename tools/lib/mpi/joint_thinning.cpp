@@ -38,7 +38,7 @@ public:
       addToExcerpt(points, piece.first, step, sample, excerpt,
                    [&](const RowSource::SeeRun& see_run) {
                      if (adds)
-                       sums.add(points, threads_, see_run);
+                       sums.add(points, threads_, nullptr, see_run);
                      else
                        see_run(0, points.size());
                    });
@@ -144,7 +144,7 @@ thinTogether(const Ranks& ranks,
   addUp(ranks, *sums, threads);
   if (ranks.rank() == 0) {
     if (grid.getRemoveStrays())
-      thinned.stray_limit = sums->census().minPoints();
+      thinned.stray_limit = sums->strayLimit();
     writeMeans(*sums, thinned.stray_limit, threads, *thinned.points);
   }
   sums.reset();

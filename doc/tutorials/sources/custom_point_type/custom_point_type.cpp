@@ -28,9 +28,8 @@ thin(const Cloud::ConstPtr& scan)
   Cloud::Ptr thinned(new Cloud);
   grid.filter(*thinned);
 
-  // `label` is one of PCL's own fields: the majority of each voxel. `seconds` is not,
-  // and was left at its default: here it becomes the time at which the voxel was seen
-  // last.
+  // `label` became that of the majority of each voxel, `seconds` a mean. Here it becomes
+  // the time at which the voxel was seen last.
   for (const ScanPoint& point : *scan) {
     const int voxel = grid.getCentroidIndex(point);
     if (voxel >= 0)

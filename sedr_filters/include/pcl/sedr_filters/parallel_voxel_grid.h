@@ -20,7 +20,8 @@ namespace pcl {
  * points a voxel cannot overflow. The means are exact to the last digit of a float,
  * except for an error of 2^-30 leaves near 0. The other fields are averaged as
  * pcl::CentroidPoint does (colours by channel, normals made unit length, labels and
- * rooms by majority), or left at their defaults with setDownsampleAllData(false).
+ * rooms by majority; fields of own point types, too), or left at their defaults with
+ * setDownsampleAllData(false).
  *
  * An empty cloud, or one with only NaN points, gives an empty output. Non-finite points
  * are skipped. A run fails with a leaf that is not above 0, an unknown filter field or
@@ -29,9 +30,8 @@ namespace pcl {
  * indices are the points that are non-finite, outside the limits, or in a voxel with
  * too few points.
  *
- * Time O(n) for n points. Memory beside input and output: about 80 bytes a voxel, up to
- * 500 where each lies far from all others, and none a point. Averaging other fields
- * takes a second pass and one pcl::CentroidPoint a voxel.
+ * Time O(n) for n points. Memory beside input and output: about 70 bytes a voxel at any
+ * extent. Averaging other fields takes a second pass and 8 bytes a value and voxel.
  * @code
  * pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
  * grid.setInputCloud(scan);
@@ -53,8 +53,7 @@ public:
     filter_name_ = "ParallelVoxelGrid";
   }
 
-  /** @brief Writes one point a voxel to `output`, which may be the input. */
-  void filter(PointCloud& output);
+  using sedr::StageFilter<PointT>::filter;
 
   /** @brief Thins a cloud that is read in pieces and need not fit in memory. Gives only
    * x, y and z, byte for byte as with setDownsampleAllData(false). Ignores input cloud,
@@ -86,26 +85,10 @@ protected:
   void clearResults() override;
 
 private:
-  /** @brief Thins the points `indices` of the input, all of it if null.
-   * @return false after a failure */
-  bool thinCloud(const pcl::Indices* indices, PointCloud& output);
-
-  bool validate(const pcl::Indices* indices);
-
-  /** @brief Writes the means of x, y and z of the kept voxels. */
-  void writeMeans(const sedr::ThinnedVoxels& voxels, PointCloud& output) const;
-
-  /** @brief Checks a point against the limits of the filter field, if set. */
-  bool isWithinLimits(std::size_t i) const;
-
-  pcl::Indices indicesWithinLimits(const pcl::Indices* indices) const;
-
-  /** @brief Averages all fields of the points of each voxel. */
-  void averageFields(const sedr::ThinnedVoxels& voxels,
-                     const pcl::Indices* indices,
-                     PointCloud& output) const;
-
-  pcl::PCLPointField limited_field_; ///< the filter field, if one is set
+  bool thinInto(PointCloud& output,
+                const sedr::RowSource& source,
+                const pcl::Indices* indices,
+                bool only_places);
 };
 
 /** @brief ParallelVoxelGrid for clouds with any fields. Every field is averaged:
@@ -139,14 +122,9 @@ protected:
   void applyFilter(PCLPointCloud2& output) override;
 
 private:
-  /** @brief Thins the rows `indices` of the first piece, all pieces if null.
-   * @return false after a failure */
-  bool thin(const sedr::RowSource& source,
-            const pcl::Indices* indices,
-            PCLPointCloud2& output);
-
-  /** @brief Writes the means of x, y and z if they are FLOAT32. */
-  void writeMeans(const sedr::VoxelSums& sums, PCLPointCloud2& output) const;
+  bool thinInto(PCLPointCloud2& output,
+                const sedr::RowSource& source,
+                const pcl::Indices* indices);
 };
 
 } // namespace pcl

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/PCLPointField.h>
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/types.h>
 
 #include <Eigen/Core>
 
@@ -13,7 +15,6 @@
 
 namespace pcl::sedr {
 
-class ThinnedVoxels;
 class VoxelSums;
 
 /** @brief Common part of all ParallelVoxelGrid classes: the parameters of
@@ -99,18 +100,6 @@ public:
 
   unsigned int getNumberOfThreads() const { return threads_; }
 
-  /** @brief Returns the minimum voxel coordinates of the last run; saturated to int. */
-  Eigen::Vector3i getMinBoxCoordinates() const { return min_box_; }
-
-  /** @brief Returns the maximum voxel coordinates of the last run; saturated to int. */
-  Eigen::Vector3i getMaxBoxCoordinates() const { return max_box_; }
-
-  /** @brief Returns the number of voxels along x, y and z; saturated to int. */
-  Eigen::Vector3i getNrDivisions() const;
-
-  /** @brief Returns (1, nx, nx ny) for nx by ny by nz voxels; saturated to int. */
-  Eigen::Vector3i getDivisionMultiplier() const;
-
   /** @brief Returns the voxel of a finite position (metres); saturated to int. */
   Eigen::Vector3i getGridCoordinates(float x, float y, float z) const;
 
@@ -118,65 +107,48 @@ public:
    * empty or outside, or the layout was not saved. O(log n). */
   int getCentroidIndexAt(const Eigen::Vector3i& ijk) const;
 
-  /** @brief Returns the layout as pcl::VoxelGrid does. Entry (i - min_x) + (j - min_y)
-   * nx + (k - min_z) nx ny holds the output index of voxel (i, j, k), -1 if it is
-   * empty. Computed on each call; empty, with a PCL_ERROR, above 2^27 entries. */
-  std::vector<int> getLeafLayout() const;
-
 protected:
+  /** @brief Where thin() writes its points. */
+  struct ThinnedRows {
+    const std::vector<pcl::PCLPointField>& fields;
+    std::size_t row_size;
+    std::function<std::uint8_t*(std::size_t rows)> make; ///< returns so many rows
+    bool only_places = false; ///< the rows have other fields than those of the source
+  };
+
   VoxelGridSettings() = default;
   ~VoxelGridSettings() = default;
 
-  /** @brief Returns a sentence about invalid parameters; empty if there are none. */
-  std::string parameterProblem() const;
+  /** @brief Clears the results of the last run. */
+  void clearLayout();
 
+  /** @brief Thins the rows of a source.
+   * @param indices the rows to use, of a source of one piece; null: all
+   * @param[out] removed the rows used that lie in no voxel kept; may be null
+   * @return why they cannot be thinned, as a sentence; empty if they are */
+  std::string thin(const RowSource& source,
+                   const pcl::Indices* indices,
+                   const ThinnedRows& output,
+                   pcl::Indices* removed = nullptr);
+
+private:
   Eigen::Array3f inverseLeaf() const
   {
     return Eigen::Array3f::Ones() / leaf_size_.array();
   }
 
-  bool passesLimits(double value) const
-  {
-    if (filter_limit_negative_)
-      return value <= filter_limit_min_ || value >= filter_limit_max_;
-    return value >= filter_limit_min_ && value <= filter_limit_max_;
-  }
+  std::string problemOf(const RowSource& source, const pcl::Indices* indices) const;
 
-  /** @brief Checks the limits for the field at address `where`, a number of type
-   * `datatype` (PCLPointField). */
-  bool passesLimits(const std::uint8_t* where, std::uint8_t datatype) const;
+  bool passesLimits(double value) const;
 
-  /** @brief Clears the results of the last run. */
-  void clearLayout();
-
-  /** @brief Returns a sentence why the rows cannot be thinned, else empty. */
-  std::string rowsProblem(const RowSource& source) const;
-
-  /** @brief Calls `see(piece, points, indices)` for every piece of a valid source: its
-   * coordinates, and the indices of the points to use, null for all. `indices` selects
-   * among the rows of a single piece; null: all. */
   void forEachPiece(const RowSource& source,
                     const pcl::Indices* indices,
                     const std::function<void(const RowSource::Piece&,
                                              const PointView&,
                                              const pcl::Indices*)>& see) const;
 
-  /** @brief Adds the selected points to the sums. */
-  void
-  addRows(const RowSource& source, const pcl::Indices* indices, VoxelSums& sums) const;
-
-  /** @brief Thins `points[indices]` (null: all); stores box and requested layout. */
-  ThinnedVoxels thin(const PointView& points, const pcl::Indices* indices);
-
-  /** @brief Thins all rows of a valid source. */
-  ThinnedVoxels thin(const RowSource& source);
-
-  /** @brief Sorts the summed voxels and drops those with too few points; stores the
-   * box, and the layout if requested.
-   * @return number of voxels kept */
   std::size_t finish(VoxelSums& sums);
 
-private:
   Eigen::Vector3f leaf_size_ = Eigen::Vector3f::Constant(0.05f);
   bool downsample_all_data_ = true;
   bool save_leaf_layout_ = false;
@@ -189,8 +161,6 @@ private:
   bool filter_limit_negative_ = false;
 
   unsigned int stray_limit_ = 0;
-  Eigen::Vector3i min_box_ = Eigen::Vector3i::Zero();
-  Eigen::Vector3i max_box_ = Eigen::Vector3i::Zero();
   std::vector<Eigen::Vector3i> layout_; ///< voxel of each output point, in output order
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../base/field_access.h"
-#include "../base/parallel_for.h"
+#include "field_access.h"
+#include "parallel_for.h"
 #include <pcl/sedr_filters/point_view.h>
 
 #include <algorithm>

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../base/number_text.h"
+#include "floorplan_format.h"
+#include "level_planes.h"
+
+#include <cmath>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+namespace pcl::sedr {
+
+namespace {
+
+/** @brief The maximum coordinate, metres. No scanned room lies beyond it, and double
+ * precision, grids and single precision files lose millimetres there. */
+constexpr double max_coordinate = 1e6;
+constexpr double max_radius = 1e5;           // metres
+constexpr double max_gap_of_arc = 1e-3;      // of its ends from its circle, metres
+constexpr double max_gap_of_loop = 1e-6;     // metres
+constexpr std::size_t max_heights = 4000000; // of a relief
+
+/** @brief Throws a sentence unless `is_valid`. */
+void
+require(bool is_valid, const std::string& problem)
+{
+  if (!is_valid)
+    throw std::invalid_argument(problem);
+}
+
+void
+checkLength(double value, const std::string& what, double most = max_coordinate)
+{
+  require(std::abs(value) <= most, what + " must lie within " + numberText(most) +
+                                       " m, it is " + numberText(value));
+}
+
+void
+checkPlace(const Eigen::Vector2d& p)
+{
+  for (const double coordinate : p)
+    checkLength(coordinate, "a coordinate");
+}
+
+void
+checkElement(const PlanElement& e)
+{
+  checkPlace(e.start);
+  checkPlace(e.end);
+  for (const auto& [name, share] : {std::make_pair("seen", e.evidence.seen),
+                                    std::make_pair("hidden", e.evidence.hidden),
+                                    std::make_pair("opening", e.evidence.opening)})
+    require(share >= 0 && share <= 1, std::string("the share ") + name +
+                                          " of an element lies from 0 to 1, it is " +
+                                          numberText(share));
+  if (e.radius == 0)
+    return;
+  checkPlace(e.centre);
+  require(e.radius > 0 && e.radius <= max_radius,
+          "the radius of an arc must be above 0 m and at most " +
+              numberText(max_radius) + " m, it is " + numberText(e.radius));
+  for (const Eigen::Vector2d& end : {e.start, e.end}) {
+    const double gap = std::abs((end - e.centre).norm() - e.radius);
+    require(gap <= max_gap_of_arc, "an end of an arc must lie on its circle, it is " +
+                                       numberText(gap) + " m off");
+  }
+}
+
+void
+checkLoop(const PlanLoop& loop)
+{
+  require(!loop.elements.empty(), "a loop has no elements");
+  for (std::size_t i = 0; i < loop.elements.size(); ++i) {
+    checkElement(loop.elements[i]);
+    const auto& next = loop.elements[(i + 1) % loop.elements.size()];
+    const double gap = (loop.elements[i].end - next.start).norm();
+    require(gap < max_gap_of_loop, "a loop is open by " + numberText(gap) +
+                                       " m after element " + std::to_string(i));
+  }
+}
+
+void
+checkOuter(const PlanLoop& loop)
+{
+  checkLoop(loop);
+  require(loop.area() > 0, "a boundary must run counter-clockwise around an area above "
+                           "0 m2, it is " +
+                               numberText(loop.area()) + " m2");
+}
+
+void
+checkInner(const std::vector<PlanLoop>& loops)
+{
+  for (const PlanLoop& loop : loops) {
+    checkLoop(loop);
+    require(loop.area() < 0, "a column or hole must run clockwise around an area, it "
+                             "is " +
+                                 numberText(loop.area()) + " m2");
+  }
+}
+
+void
+checkSlab(const PlanSlab& slab)
+{
+  const double length = slab.plane.head<3>().norm();
+  require(std::abs(length - 1) <= 1e-3,
+          "the normal of a floor or ceiling must have length 1, it has " +
+              numberText(length));
+  require(slab.plane[2] >= min_upward,
+          "the plane of a floor or ceiling must face up, its c is " +
+              numberText(slab.plane[2]) + ", at least " + numberText(min_upward) +
+              " is needed");
+  // A place whose coordinates are within the limit is at most sqrt(3) times as far.
+  checkLength(slab.plane[3], "the d of a floor or ceiling", 2 * max_coordinate);
+  if (!slab.curve)
+    return;
+  checkPlace(slab.curve->centre);
+  require(slab.curve->heights.size() <= max_heights,
+          "a relief has at most " + std::to_string(max_heights) + " heights, not " +
+              std::to_string(slab.curve->heights.size()));
+  require(slab.curve->isFinite(),
+          "the extents of a curved facet must be above 0 m and its heights finite");
+}
+
+void
+checkRoom(const PlanRoom& room)
+{
+  checkSlab(room.floor);
+  checkSlab(room.ceiling);
+  checkOuter(room.boundary);
+  checkInner(room.columns);
+  for (const auto* details : {&room.details, &room.floor_details})
+    for (const PlanDetail& detail : *details) {
+      checkSlab(detail.slab);
+      checkOuter(detail.boundary);
+      checkInner(detail.holes);
+    }
+  for (const PlanNiche& niche : room.niches) {
+    checkOuter(niche.boundary);
+    checkSlab(niche.bottom);
+    checkSlab(niche.top);
+  }
+}
+
+using Ids = std::set<std::uint32_t>;
+
+void
+checkStoreys(const std::vector<PlanStorey>& storeys, const Ids& ids)
+{
+  Ids placed;
+  Ids numbers;
+  for (const PlanStorey& storey : storeys) {
+    checkLength(storey.floor, "the floor of a storey");
+    checkLength(storey.ceiling, "the ceiling of a storey");
+    require(numbers.insert(storey.number).second,
+            "two storeys have the number " + std::to_string(storey.number));
+    for (const std::uint32_t id : storey.rooms) {
+      require(ids.count(id) > 0, "a storey names room " + std::to_string(id) +
+                                     ", which the plan does not have");
+      require(placed.insert(id).second,
+              "room " + std::to_string(id) + " is listed twice in the storeys");
+    }
+  }
+}
+
+/** @param what name of the doorway or stairs with its article */
+template <typename Link>
+void
+checkLink(const Link& link, const std::string& what, const Ids& ids)
+{
+  for (const std::uint32_t id : link.rooms)
+    require(id == 0 || ids.count(id) > 0, what + " names room " + std::to_string(id) +
+                                              ", which the plan does not have");
+  require(link.rooms[0] != link.rooms[1],
+          what + " leads from room " + std::to_string(link.rooms[0]) + " to itself");
+  checkLength(link.bottom, what + "'s bottom");
+  checkLength(link.top, what + "'s top");
+  require(link.top >= link.bottom, what +
+                                       "'s top must not be below its bottom, it is "
+                                       "by " +
+                                       numberText(link.bottom - link.top) + " m");
+}
+
+} // namespace
+
+void
+checkPlan(const Floorplan& plan)
+{
+  Ids ids;
+  for (const PlanRoom& room : plan.rooms) {
+    require(ids.insert(room.id).second,
+            "two rooms have the id " + std::to_string(room.id));
+    checkRoom(room);
+  }
+  checkStoreys(plan.storeys, ids);
+  for (const PlanDoorway& doorway : plan.doorways) {
+    checkLink(doorway, "a doorway", ids);
+    checkPlace(doorway.start);
+    checkPlace(doorway.end);
+  }
+  for (const PlanStair& stair : plan.stairs) {
+    checkLink(stair, "stairs", ids);
+    checkPlace(stair.at);
+  }
+}
+
+} // namespace pcl::sedr

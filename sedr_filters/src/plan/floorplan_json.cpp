@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "floorplan_format.h"
+
+#include "../base/number_text.h"
+#include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_filters/straightening.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace pcl::sedr {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+template <typename T>
+void
+readIfThere(const Json& json, const char* name, T& value)
+{
+  if (json.contains(name))
+    value = json.at(name).get<T>();
+}
+
+/** @brief Reads an integer of at least `least` that fits 32 bits. */
+std::uint32_t
+wholeFrom(const Json& json, std::uint32_t least, const char* what)
+{
+  constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
+  if (!json.is_number_unsigned() || json.get<std::uint64_t>() < least ||
+      json.get<std::uint64_t>() > most)
+    throw std::invalid_argument(std::string(what) + " is a whole number from " +
+                                std::to_string(least) + " to " + std::to_string(most) +
+                                ", not " + json.dump());
+  return json.get<std::uint32_t>();
+}
+
+std::vector<std::uint32_t>
+roomsFrom(const Json& json, std::uint32_t least)
+{
+  std::vector<std::uint32_t> ids;
+  for (const Json& id : json)
+    ids.push_back(wholeFrom(id, least, "the id of a room"));
+  return ids;
+}
+
+} // namespace
+
+// Rooms, storeys, doorways and stairs.
+
+namespace {
+
+/** @brief Writes the facets of a ceiling, or else its details. */
+Json
+detailsToJson(const std::vector<PlanDetail>& details, bool facets = false)
+{
+  Json json = Json::array();
+  for (const auto& detail : details)
+    if (detail.is_facet == facets)
+      json.push_back({{"slab", facets ? facetToJson(detail.slab) : Json(detail.slab)},
+                      {"boundary", detail.boundary},
+                      {"holes", detail.holes}});
+  return json;
+}
+
+Json
+roomToJson(const Floorplan& plan, std::size_t number)
+{
+  const PlanRoom& room = plan.rooms[number];
+  const double height = meanHeight(room);
+  Json walls = room.boundary;
+  for (std::size_t i = 0; i < walls.size(); ++i)
+    if (const double thickness = wallThickness(plan, number, i); thickness > 0)
+      walls[i]["thickness"] = thickness;
+  Json json{
+      {"id", room.id},
+      {"area", room.area()},
+      {"perimeter", room.perimeter()},
+      {"height", height},
+      {"volume", volumeOf(room, height)},
+      {"floor", room.floor},
+      {"ceiling", room.hasFacets() ? facetToJson(room.ceiling) : Json(room.ceiling)},
+      {"boundary", walls},
+      {"columns", room.columns},
+      {"details", detailsToJson(room.details)},
+      {"floor_details", detailsToJson(room.floor_details)},
+      {"niches", room.niches}};
+  if (room.hasFacets())
+    json["facets"] = detailsToJson(room.details, true);
+  return json;
+}
+
+/** @brief Writes doorways or stairs. Unknown rooms become 0, outside; what leads from
+ * there to there is left out.
+ * @param toJson writes what else they have */
+template <typename Link, typename ToJson>
+Json
+linksToJson(const Floorplan& plan, const std::vector<Link>& links, const ToJson& toJson)
+{
+  Json json = Json::array();
+  for (Link link : links) {
+    for (std::uint32_t& id : link.rooms)
+      if (std::none_of(plan.rooms.begin(), plan.rooms.end(),
+                       [&](const PlanRoom& room) { return room.id == id; }))
+        id = 0;
+    if (link.rooms[0] == link.rooms[1])
+      continue;
+    Json entry{{"rooms", link.rooms}};
+    toJson(link, entry);
+    entry["bottom"] = link.bottom;
+    entry["top"] = link.top;
+    json.push_back(entry);
+  }
+  return json;
+}
+
+template <typename Link>
+void
+readLink(const Json& json, const std::string& what, Link& link)
+{
+  const Json& rooms = json.at("rooms");
+  if (!rooms.is_array() || rooms.size() != 2)
+    throw std::invalid_argument(what + " has 2 rooms, not " + rooms.dump());
+  const std::vector<std::uint32_t> ids = roomsFrom(rooms, 0);
+  std::copy(ids.begin(), ids.end(), link.rooms.begin());
+  json.at("bottom").get_to(link.bottom);
+  json.at("top").get_to(link.top);
+}
+
+} // namespace
+
+void
+from_json(const Json& json, PlanRoom& room)
+{
+  room.id = wholeFrom(json.at("id"), 1, "the id of a room");
+  json.at("floor").get_to(room.floor);
+  json.at("ceiling").get_to(room.ceiling);
+  json.at("boundary").get_to(room.boundary);
+  json.at("columns").get_to(room.columns);
+  readIfThere(json, "facets", room.details);
+  for (PlanDetail& facet : room.details)
+    facet.is_facet = true;
+  for (auto& detail : json.at("details").get<std::vector<PlanDetail>>())
+    room.details.push_back(std::move(detail));
+  readIfThere(json, "floor_details", room.floor_details); // older files do not have it
+  readIfThere(json, "niches", room.niches);
+}
+
+void
+to_json(Json& json, const PlanStorey& storey)
+{
+  json = {{"number", storey.number},
+          {"name", storey.name},
+          {"floor", storey.floor},
+          {"ceiling", storey.ceiling},
+          {"rooms", storey.rooms}};
+}
+
+void
+from_json(const Json& json, PlanStorey& storey)
+{
+  if (json.contains("number"))
+    storey.number = wholeFrom(json.at("number"), 1, "the number of a storey");
+  storey.name = storeyName(storey.number);
+  readIfThere(json, "name", storey.name);
+  readIfThere(json, "floor", storey.floor);
+  readIfThere(json, "ceiling", storey.ceiling);
+  storey.rooms = roomsFrom(json.at("rooms"), 1);
+  std::sort(storey.rooms.begin(), storey.rooms.end());
+}
+
+void
+from_json(const Json& json, PlanDoorway& doorway)
+{
+  readLink(json, "a doorway", doorway);
+  json.at("start").get_to(doorway.start);
+  json.at("end").get_to(doorway.end);
+}
+
+void
+from_json(const Json& json, PlanStair& stair)
+{
+  readLink(json, "stairs", stair);
+  json.at("at").get_to(stair.at);
+}
+
+void
+from_json(const Json& json, Floorplan& plan)
+{
+  if (json.at("format") != floorplan_format_name)
+    throw std::invalid_argument("it is not a floor plan");
+  if (json.at("version") != floorplan_format_version &&
+      json.at("version") != floorplan_facets_version)
+    throw std::invalid_argument(
+        "it has version " + json.at("version").dump() + ", versions " +
+        std::to_string(floorplan_format_version) + " and " +
+        std::to_string(floorplan_facets_version) + " can be read");
+  json.at("rooms").get_to(plan.rooms);
+  if (json.contains("storeys"))
+    for (const Json& entry : json.at("storeys")) {
+      plan.storeys.emplace_back();
+      plan.storeys.back().number = static_cast<std::uint32_t>(plan.storeys.size());
+      entry.get_to(plan.storeys.back());
+    }
+  readIfThere(json, "doorways", plan.doorways);
+  readIfThere(json, "stairs", plan.stairs);
+}
+
+// The file.
+
+nlohmann::ordered_json
+levellingToJson(const Levelling& levelling)
+{
+  constexpr double degrees = 180 / M_PI;
+  Json rows = Json::array();
+  for (int r = 0; r < 3; ++r)
+    rows.push_back(Eigen::Vector3d(levelling.rotation.row(r)));
+  return {{"angle", levelling.angle() * degrees},
+          {"direction", levelling.direction() * degrees},
+          {"rotation", rows},
+          {"about", Eigen::Vector3d(levelling.about)}};
+}
+
+std::string
+floorplanToJson(const Floorplan& plan,
+                const Levelling* levelling,
+                const Origin& origin,
+                double max_wall)
+{
+  Json rooms = Json::array();
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r)
+    rooms.push_back(roomToJson(plan, r));
+  const bool has_facets =
+      std::any_of(plan.rooms.begin(), plan.rooms.end(),
+                  [](const PlanRoom& room) { return room.hasFacets(); });
+  Json json{
+      {"format", floorplan_format_name},
+      {"version", has_facets ? floorplan_facets_version : floorplan_format_version},
+      {"unit", "m"},
+      {"origin", origin.place},
+      {"rooms", rooms},
+      {"storeys", storeysOf(plan)},
+      {"doorways", linksToJson(plan, plan.doorways,
+                               [](const PlanDoorway& doorway, Json& entry) {
+                                 entry["start"] = doorway.start;
+                                 entry["end"] = doorway.end;
+                               })},
+      {"stairs",
+       linksToJson(plan, plan.stairs, [](const PlanStair& stair, Json& entry) {
+         entry["at"] = stair.at;
+       })}};
+  if (levelling)
+    json["levelling"] = levellingToJson(*levelling);
+  if (max_wall != Priors().max_wall)
+    json["max_wall"] = max_wall;
+  return json.dump(1) + "\n";
+}
+
+Floorplan
+floorplanFromJson(const std::string& text, std::string& problem)
+{
+  problem.clear();
+  try {
+    auto plan = Json::parse(text).get<Floorplan>();
+    checkPlan(plan);
+    return plan;
+  }
+  catch (const std::exception& error) {
+    problem = std::string("the floor plan cannot be read: ") + error.what();
+    return {};
+  }
+}
+
+bool
+originFromJson(const std::string& text, Origin& origin)
+{
+  return readOrigin(Json::parse(text, nullptr, false), origin);
+}
+
+bool
+readOrigin(const Json& json, Origin& origin)
+{
+  origin = {};
+  if (!json.is_object() || !json.contains("origin"))
+    return true;
+  try {
+    origin.place = json["origin"].get<Eigen::Vector3d>();
+    return true;
+  }
+  catch (const std::exception&) {
+    return false;
+  }
+}
+
+double
+maxWallFromJson(const std::string& text, std::string& problem)
+{
+  problem.clear();
+  Priors priors;
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object() || !json.contains("max_wall"))
+    return priors.max_wall;
+  const Json& stated = json["max_wall"];
+  problem = stated.is_number()
+                ? setPrior("max_wall", stated.get<double>(), priors)
+                : "the max_wall must be a number, it is " + stated.dump();
+  return priors.max_wall;
+}
+
+std::string
+withTilts(const std::string& json,
+          const WallTilts& tilts,
+          const std::map<std::uint32_t, double>& volumes)
+{
+  constexpr double degrees = 180 / M_PI;
+  if (tilts.empty())
+    return json;
+  Json plan = Json::parse(json);
+  plan["version"] = floorplan_facets_version;
+  for (auto& room : plan["rooms"]) {
+    const auto volume = volumes.find(room["id"].get<std::uint32_t>());
+    if (volume != volumes.end())
+      room["volume"] = volume->second;
+    for (const WallTilt& tilt : tilts)
+      if (room["id"] == tilt.room && tilt.wall < room["boundary"].size())
+        room["boundary"][tilt.wall]["tilt"] = tilt.tilt * degrees;
+  }
+  return plan.dump(1) + "\n";
+}
+
+WallTilts
+tiltsFromJson(const std::string& json, std::string& problem)
+{
+  constexpr double degrees = 180 / M_PI;
+  constexpr double most = 45;
+  problem.clear();
+  WallTilts tilts;
+  try {
+    const Json plan = Json::parse(json);
+    for (const auto& room : plan.at("rooms"))
+      for (std::size_t wall = 0; wall < room.at("boundary").size(); ++wall) {
+        const double tilt = room.at("boundary").at(wall).value("tilt", 0.0);
+        if (!(std::abs(tilt) <= most))
+          throw std::invalid_argument("the tilt of a wall lies within " +
+                                      numberText(most) + " degrees, it is " +
+                                      numberText(tilt));
+        if (tilt != 0)
+          tilts.push_back({room.at("id").get<std::uint32_t>(), wall, tilt / degrees});
+      }
+  }
+  catch (const std::exception& error) {
+    problem = std::string("the tilts of walls cannot be read: ") + error.what();
+    return {};
+  }
+  return tilts;
+}
+
+} // namespace pcl::sedr

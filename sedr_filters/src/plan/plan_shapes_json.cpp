@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "floorplan_format.h"
+
+#include "../base/number_text.h"
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace pcl::sedr {
+
+using Json = nlohmann::ordered_json;
+
+// Elements and loops.
+
+void
+to_json(Json& json, const PlanElement& e)
+{
+  json = {{"type", e.isArc() ? "arc" : "segment"}, {"start", e.start}, {"end", e.end}};
+  if (e.isArc()) {
+    json["centre"] = e.centre;
+    json["radius"] = e.radius;
+    json["counter_clockwise"] = e.counter_clockwise;
+  }
+  json["inliers"] = e.inliers;
+  json["residual"] = e.residual;
+  if (e.evidence.isKnown())
+    json["evidence"] = {{"seen", e.evidence.seen},
+                        {"hidden", e.evidence.hidden},
+                        {"opening", e.evidence.opening}};
+}
+
+void
+from_json(const Json& json, PlanElement& e)
+{
+  json.at("start").get_to(e.start);
+  json.at("end").get_to(e.end);
+  const auto type = json.at("type").get<std::string>();
+  if (type != "segment" && type != "arc")
+    throw std::invalid_argument("an element is a segment or an arc, not a " + type);
+  if (type == "arc") {
+    json.at("centre").get_to(e.centre);
+    json.at("radius").get_to(e.radius);
+    json.at("counter_clockwise").get_to(e.counter_clockwise);
+    if (!(e.radius > 0))
+      throw std::invalid_argument("the radius of an arc must be above 0 m, it is " +
+                                  numberText(e.radius));
+  }
+  json.at("inliers").get_to(e.inliers);
+  json.at("residual").get_to(e.residual);
+  if (json.contains("evidence")) {
+    const Json& evidence = json.at("evidence");
+    evidence.at("seen").get_to(e.evidence.seen);
+    evidence.at("hidden").get_to(e.evidence.hidden);
+    evidence.at("opening").get_to(e.evidence.opening);
+  }
+}
+
+void
+to_json(Json& json, const PlanLoop& loop)
+{
+  json = loop.elements;
+}
+
+void
+from_json(const Json& json, PlanLoop& loop)
+{
+  json.get_to(loop.elements);
+}
+
+// Floors, ceilings and their parts.
+
+void
+to_json(Json& json, const PlanSlab& slab)
+{
+  json = {{"plane", slab.plane},
+          {"inliers", slab.inliers},
+          {"residual", slab.residual}};
+  if (slab.inferred > 0)
+    json["inferred"] = slab.inferred;
+}
+
+Json
+facetToJson(const PlanSlab& slab)
+{
+  constexpr std::array<const char*, 3> names{"cylinder", "ellipsoid", "relief"};
+  Json json = slab;
+  json["type"] =
+      slab.curve ? names.at(static_cast<std::size_t>(slab.curve->kind)) : "plane";
+  json["inferred"] = slab.inferred;
+  if (!slab.curve)
+    return json;
+  const SlabCurve& curve = *slab.curve;
+  json["centre"] = curve.centre;
+  if (curve.kind == CurveKind::Relief) {
+    json["spacing"] = curve.spacing;
+    json["columns"] = curve.columns;
+    json["heights"] = curve.heights;
+    return json;
+  }
+  json["base"] = curve.base;
+  json["axis"] = curve.axis;
+  if (curve.kind == CurveKind::Ellipsoid)
+    json["along"] = curve.along;
+  json["across"] = curve.across;
+  json["up"] = curve.up;
+  return json;
+}
+
+namespace {
+
+std::shared_ptr<const SlabCurve>
+curveFrom(const Json& json, const std::string& type)
+{
+  auto curve = std::make_shared<SlabCurve>();
+  json.at("centre").get_to(curve->centre);
+  if (type == "relief") {
+    curve->kind = CurveKind::Relief;
+    json.at("spacing").get_to(curve->spacing);
+    json.at("columns").get_to(curve->columns);
+    json.at("heights").get_to(curve->heights);
+    return curve;
+  }
+  if (type != "cylinder" && type != "ellipsoid")
+    throw std::invalid_argument(
+        "a facet is a plane, a cylinder, an ellipsoid or a relief, not a " + type);
+  curve->kind = type == "ellipsoid" ? CurveKind::Ellipsoid : CurveKind::Cylinder;
+  json.at("base").get_to(curve->base);
+  json.at("axis").get_to(curve->axis);
+  json.at("across").get_to(curve->across);
+  json.at("up").get_to(curve->up);
+  if (type == "ellipsoid")
+    json.at("along").get_to(curve->along);
+  return curve;
+}
+
+} // namespace
+
+void
+from_json(const Json& json, PlanSlab& slab)
+{
+  json.at("plane").get_to(slab.plane);
+  json.at("inliers").get_to(slab.inliers);
+  json.at("residual").get_to(slab.residual);
+  // A normal that was rounded; checkPlan() refuses one that is no unit vector.
+  const double error = std::abs(slab.plane.head<3>().norm() - 1);
+  if (error > 1e-9 && error <= 1e-3)
+    slab.plane /= slab.plane.head<3>().norm();
+  slab.inferred = json.value("inferred", 0.0);
+  const std::string type = json.value("type", "plane");
+  if (type != "plane")
+    slab.curve = curveFrom(json, type);
+}
+
+void
+from_json(const Json& json, PlanDetail& detail)
+{
+  json.at("slab").get_to(detail.slab);
+  json.at("boundary").get_to(detail.boundary);
+  json.at("holes").get_to(detail.holes);
+}
+
+void
+to_json(Json& json, const PlanNiche& niche)
+{
+  json = {{"bottom", niche.bottom}, {"top", niche.top}, {"boundary", niche.boundary}};
+}
+
+void
+from_json(const Json& json, PlanNiche& niche)
+{
+  json.at("boundary").get_to(niche.boundary);
+  json.at("bottom").get_to(niche.bottom);
+  json.at("top").get_to(niche.top);
+}
+
+} // namespace pcl::sedr

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "two_storeys.h"
+
+#include <pcl/sedr_filters/floorplan_io.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+/** Rooms on two storeys, the first with a round corner, a column, a soffit with a hole
+ * and a vault; a doorway and stairs. */
+Floorplan
+refusalPlan()
+{
+  Floorplan plan = twoStoreys();
+  PlanRoom& room = plan.rooms[0];
+  room = roomOf(roundedRectangle(6, 4, 1), 2.5, 1);
+  room.columns = {reversed(circle({3, 2}, 0.3))};
+  room.details = {detailOf(rectangle(1, 1, 2, 2), 2.2),
+                  detailOf(circle({4, 2}, 1), 2.5)};
+  room.details[0].holes = {reversed(rectangle(1.2, 1.2, 1.5, 1.5))};
+  room.details[1].is_facet = true;
+  room.details[1].slab.curve = std::make_shared<SlabCurve>();
+  plan.storeys = {{1, "ground", 0, 2.5, {1, 2}}, {3, "attic", 2.8, 5.2, {3, 4}}};
+  plan.doorways = {{{1, 2}, {4, 1}, {4, 2}, 0.01, 2.05}};
+  plan.stairs = {{{2, 4}, {1, 1.5}, 0, 2.8}};
+  return plan;
+}
+
+std::string
+refusalOf(const std::string& text)
+{
+  std::string problem = "none yet";
+  const Floorplan read = floorplanFromJson(text, problem);
+  EXPECT_EQ(read.rooms.empty(), !problem.empty()) << problem;
+  return problem;
+}
+
+TEST(FloorplanRefusals, ValuesAreRefusedWithThem)
+{
+  struct Case {
+    const char* words; ///< of the message; empty: it is read
+    std::function<void(Floorplan&)> spoil;
+  };
+  const auto boundary = [](Floorplan& plan) -> PlanLoop& {
+    return plan.rooms[0].boundary;
+  };
+  for (const Case& c : std::initializer_list<Case>{
+           {"", [](Floorplan&) {}},
+           {"", [](Floorplan& p) { p.rooms[1].ceiling = slabAt(2.5, 1.82); }},
+           {"face up", [](Floorplan& p) { p.rooms[1].ceiling = slabAt(2.5, 1.9); }},
+           {"face up",
+            [](Floorplan& p) { p.rooms[0].details[0].slab = slabAt(2, 0, -2); }},
+           {"c is -1,",
+            [](Floorplan& p) {
+              p.rooms[1].ceiling.plane = {0, 0, -1, 2};
+            }},
+           {"",
+            [](Floorplan& p) {
+              p.rooms[1].floor.plane = {0, 0, 1.0005, 0};
+            }},
+           {"1.002",
+            [](Floorplan& p) {
+              p.rooms[1].floor.plane = {0, 0, 1.002, 0};
+            }},
+           {"length 1",
+            [](Floorplan& p) {
+              p.rooms[1].floor.plane = {0, 0, 0, 0};
+            }},
+           {"-1e+07", [](Floorplan& p) { p.rooms[1].floor.plane[3] = -1e7; }},
+           {"1.5e+06",
+            [](Floorplan& p) { p.rooms[1].boundary = rectangle(0, 0, 1.5e6, 1); }},
+           {"", [&](Floorplan& p) { boundary(p).elements[1].radius += 0.0009; }},
+           {"0.0011", [&](Floorplan& p) { boundary(p).elements[1].radius += 0.0011; }},
+           {"110000",
+            [](Floorplan& p) {
+              p.rooms[0].columns = {reversed(circle({0, 0}, 1.1e5))};
+            }},
+           {"-24",
+            [&](Floorplan& p) { boundary(p) = reversed(rectangle(0, 0, 6, 4)); }},
+           {"it is 0 m2",
+            [&](Floorplan& p) {
+              boundary(p) = polygon({{0, 0}, {1, 0}});
+            }},
+           {"no elements", [&](Floorplan& p) { boundary(p).elements.clear(); }},
+           {"0.25 m after element 2",
+            [&](Floorplan& p) {
+              boundary(p) = rectangle(0, 0, 4, 2);
+              boundary(p).elements[2].end.x() = 0.25;
+            }},
+           {"open by 0.01",
+            [](Floorplan& p) {
+              p.rooms[0].details[0].holes[0].elements[0].end.x() += 0.01;
+            }},
+           {"clockwise",
+            [](Floorplan& p) {
+              p.rooms[0].columns[0] = circle({3, 2}, 0.3);
+            }},
+           {"clockwise",
+            [](Floorplan& p) {
+              p.rooms[0].details[0].holes[0] = rectangle(1.2, 1.2, 1.5, 1.5);
+            }},
+           {"seen", [&](Floorplan& p) { boundary(p).elements[0].evidence.seen = 1.5; }},
+           {"extents",
+            [](Floorplan& p) {
+              SlabCurve flat;
+              flat.up = 0;
+              p.rooms[0].details[1].slab.curve = std::make_shared<SlabCurve>(flat);
+            }},
+           {"two rooms have the id 2", [](Floorplan& p) { p.rooms[3].id = 2; }},
+           {"not 0", [](Floorplan& p) { p.rooms[3].id = 0; }},
+           {"two storeys have the number 3",
+            [](Floorplan& p) { p.storeys[0].number = 3; }},
+           {"a whole number from 1", [](Floorplan& p) { p.storeys[0].number = 0; }},
+           {"listed twice",
+            [](Floorplan& p) {
+              p.storeys[1].rooms = {1, 3, 4};
+            }},
+           {"a doorway's top must not be below its bottom",
+            [](Floorplan& p) { p.doorways[0].top = -1; }},
+           {"stairs's bottom must lie within",
+            [](Floorplan& p) { p.stairs[0].bottom = -1e7; }}}) {
+    Floorplan plan = refusalPlan();
+    c.spoil(plan);
+    const std::string problem = refusalOf(floorplanToJson(plan));
+    EXPECT_EQ(problem.empty(), *c.words == 0) << problem << " for " << c.words;
+    EXPECT_NE(problem.find(c.words), std::string::npos)
+        << problem << " for " << c.words;
+  }
+}
+
+TEST(FloorplanRefusals, TextsAreRefusedWithTheReason)
+{
+  struct Case {
+    const char* part;
+    const char* by;
+    const char* words;
+  };
+  for (const Case& c : {Case{"sedr-floorplan", "geojson", "not a floor plan"},
+                        Case{"\"version\": 2", "\"version\": 27", "27"},
+                        Case{"\"id\": 1", "\"id\": -1", "not -1"},
+                        Case{"\"id\": 1", "\"id\": 4294967296", "not 4294967296"},
+                        Case{"\"id\": 1", "\"id\": 7.5", "not 7.5"},
+                        Case{"\"arc\"", "\"spline\"", "not a spline"},
+                        Case{"\"cylinder\"", "\"cone\"", "not a cone"},
+                        Case{"\"radius\": 1.0", "\"radius\": -1.5", "-1.5"},
+                        Case{"\"radius\": 1.0", "\"radius\": 1e999", "radius"},
+                        Case{"\"radius\": 1.0", "\"radius\": \"1\"", "number"},
+                        Case{"    2,\n    4\n", "    4,\n    4\n", "to itself"},
+                        Case{"    2,\n    4\n", "    2,\n    9\n", "names room 9"},
+                        Case{"    2,\n    4\n", "    2\n", "has 2 rooms"},
+                        Case{"\"attic\"", "7", "cannot be read"}}) {
+    std::string text = floorplanToJson(refusalPlan());
+    const std::size_t at = text.find(c.part);
+    ASSERT_NE(at, std::string::npos) << c.part;
+    const std::string problem =
+        refusalOf(text.replace(at, std::string(c.part).size(), c.by));
+    EXPECT_NE(problem.find(c.words), std::string::npos) << problem << " for " << c.by;
+  }
+  for (const char* text : {"", "x", "[]", "{}", "null", "{\"format\": 3}"})
+    EXPECT_NE(refusalOf(text), "") << text;
+  for (const char* member :
+       {"\"id\"", "\"floor\"", "\"boundary\"", "\"columns\"", "\"details\"",
+        "\"start\"", "\"centre\"", "\"counter_clockwise\"", "\"plane\"", "\"holes\"",
+        "\"inliers\"", "\"residual\"", "\"rooms\"", "\"type\"", "\"at\""}) {
+    std::string text = floorplanToJson(refusalPlan());
+    text.replace(text.find(member), std::string(member).size(), "\"elsewhere\"");
+    EXPECT_NE(refusalOf(text), "") << member;
+  }
+}
+
+} // namespace
