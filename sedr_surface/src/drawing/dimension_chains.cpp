@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dimension_chains.h"
 
-#include <pcl/sedr_filters/priors.h>
+#include "plan_frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,116 +11,93 @@ namespace pcl::sedr {
 namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::infinity();
-constexpr std::size_t no_wall = std::numeric_limits<std::size_t>::max();
-constexpr std::size_t gap = no_wall - 1; ///< between two faces of a wall
 
-/** @brief Walls in the frame of a side: x along it, y into the plan. */
+/** @brief What is visible at a place along a side: a wall, null for none, and its depth
+ * there. */
+struct Sight {
+  const PlanElement* wall = nullptr;
+  double depth = nowhere;
+};
+
+/** @brief Walls turned so that the side is at the bottom: x to the right along it, y
+ * into the plan. */
 class SideView {
 public:
   SideView(const std::vector<PlanElement>& walls, DrawingSide side)
-      : along_(wayAlong(side))
-      , in_(-wayOff(side))
   {
+    const Eigen::Vector2d off = wayOff(side);
+    frame_.turn = -M_PI / 2 - std::atan2(off.y(), off.x());
     for (const PlanElement& wall : walls)
-      walls_.push_back({wall, toView(wall.start), toView(wall.end)});
+      walls_.push_back(frame_(wall));
   }
 
-  Eigen::Vector2d toPlan(const Eigen::Vector2d& p) const
-  {
-    return p.x() * along_ + p.y() * in_;
-  }
+  Eigen::Vector2d toPlan(const Eigen::Vector2d& p) const { return frame_.toPlan(p); }
 
   /** @brief Returns the ends of walls along the side, sorted. */
   std::vector<double> ends() const
   {
     std::vector<double> ends;
-    for (const Wall& wall : walls_) {
-      ends.push_back(wall.start.x());
-      ends.push_back(wall.end.x());
+    for (const PlanElement& e : walls_) {
+      ends.push_back(e.start.x());
+      ends.push_back(e.end.x());
       // The extremes of an arc are two points of its circle.
-      const PlanElement& e = wall.element;
       for (const double sign : {-1.0, 1.0}) {
-        const Eigen::Vector2d place = e.centre + sign * e.radius * along_;
+        const Eigen::Vector2d place = e.centre + Eigen::Vector2d(sign * e.radius, 0);
         if (e.isArc() && e.distance(place) < 1e-6 * e.radius)
-          ends.push_back(place.dot(along_));
+          ends.push_back(place.x());
       }
     }
     std::sort(ends.begin(), ends.end());
     return ends;
   }
 
-  /** @brief What is visible at a place along the side: a wall and its depth there. */
-  struct Sight {
-    std::size_t wall = no_wall;
-    double depth = nowhere;
-
-    bool isWall() const { return wall < gap; }
-  };
-
   Sight sightAt(double x) const
   {
     Sight nearest;
-    for (std::size_t w = 0; w < walls_.size(); ++w) {
-      const double depth = depthAt(walls_[w], x);
+    for (const PlanElement& wall : walls_) {
+      const double depth = depthAt(wall, x);
       if (depth < nearest.depth)
-        nearest = {w, depth};
+        nearest = {&wall, depth};
     }
     return nearest;
   }
 
-  /** @brief Returns whether two walls are collinear at a place. */
-  bool areInLine(std::size_t a, std::size_t b) const
-  {
-    constexpr double parallel = 0.01;
-    constexpr double off = 0.01;
-    const Wall& first = walls_[a];
-    const Wall& second = walls_[b];
-    if (first.element.isArc() || second.element.isArc())
-      return false;
-    const Eigen::Vector2d way = (first.end - first.start).normalized();
-    const Eigen::Vector2d other = (second.end - second.start).normalized();
-    const Eigen::Vector2d between = second.start - first.start;
-    return std::abs(way.x() * other.y() - way.y() * other.x()) < parallel &&
-           std::abs(way.x() * between.y() - way.y() * between.x()) <
-               off * (first.end - first.start).norm();
-  }
-
 private:
-  struct Wall {
-    PlanElement element;
-    Eigen::Vector2d start; ///< in the frame of the view
-    Eigen::Vector2d end;
-  };
-
-  Eigen::Vector2d toView(const Eigen::Vector2d& p) const
+  static double depthAt(const PlanElement& e, double x)
   {
-    return {p.dot(along_), p.dot(in_)};
-  }
-
-  double depthAt(const Wall& wall, double x) const
-  {
-    const PlanElement& e = wall.element;
     if (!e.isArc()) {
-      const double share = (x - wall.start.x()) / (wall.end.x() - wall.start.x());
-      return share >= 0 && share <= 1
-                 ? wall.start.y() + share * (wall.end.y() - wall.start.y())
-                 : nowhere;
+      const double share = (x - e.start.x()) / (e.end.x() - e.start.x());
+      return share >= 0 && share <= 1 ? e.start.y() + share * (e.end.y() - e.start.y())
+                                      : nowhere;
     }
-    const Eigen::Vector2d centre = toView(e.centre);
-    const double half = e.radius * e.radius - (x - centre.x()) * (x - centre.x());
-    double depth = nowhere;
+    const double half = e.radius * e.radius - (x - e.centre.x()) * (x - e.centre.x());
     for (const double sign : {-1.0, 1.0}) {
-      const double y = centre.y() + sign * std::sqrt(std::max(half, 0.0));
-      if (half > 0 && y < depth && e.distance(toPlan({x, y})) < 1e-6 * e.radius)
-        depth = y;
+      const double y = e.centre.y() + sign * std::sqrt(std::max(half, 0.0));
+      if (half > 0 && e.distance({x, y}) < 1e-6 * e.radius)
+        return y;
     }
-    return depth;
+    return nowhere;
   }
 
-  Eigen::Vector2d along_;
-  Eigen::Vector2d in_;
-  std::vector<Wall> walls_;
+  PlanFrame frame_;
+  std::vector<PlanElement> walls_;
 };
+
+/** @brief Returns whether one wall goes on as another, as a straight one in two parts.
+ */
+bool
+goesOn(const Sight& before, const Sight& after)
+{
+  constexpr double off = 0.01; // metres
+  if (before.wall == after.wall)
+    return true;
+  if (!before.wall || !after.wall || before.wall->isArc() || after.wall->isArc())
+    return false;
+  const auto line =
+      Eigen::Hyperplane<double, 2>::Through(before.wall->start, before.wall->end);
+  return line.absDistance(after.wall->start) < off &&
+         line.absDistance(after.wall->end) < off;
+}
 
 /** @brief Returns the ends with a minimum distance, including the first and last
  * one. */
@@ -136,26 +113,6 @@ placesOf(const std::vector<double>& ends, double least)
   return places;
 }
 
-/** @brief Marks as gap a place between two nearer walls that is no wider than a wall:
- * it lies between the faces of one wall. */
-void
-closeGaps(const std::vector<double>& places,
-          double thickest,
-          std::vector<SideView::Sight>& sights)
-{
-  for (std::size_t first = 1; first + 1 < sights.size(); ++first) {
-    std::size_t last = first; // sights[first] to sights[last - 1] are deeper
-    const double rim = sights[first - 1].depth + thickest;
-    while (last + 1 < sights.size() && sights[last].depth > rim)
-      ++last;
-    const bool is_gap = last > first && last + 1 < sights.size() &&
-                        sights[last].isWall() &&
-                        places[last - 1] - places[first - 1] <= thickest;
-    for (std::size_t k = first; is_gap && k < last; ++k)
-      sights[k] = {gap, sights[first - 1].depth};
-  }
-}
-
 /** @brief Returns whether two chains have the same dimensions. */
 bool
 areAlike(const DimensionChain& a, const DimensionChain& b, double least)
@@ -168,13 +125,78 @@ areAlike(const DimensionChain& a, const DimensionChain& b, double least)
   return true;
 }
 
+/** @brief Removes places until no two neighbouring dimensions are both shorter than
+ * `room`, as on ragged walls; the shortest pair first. A single short one, such as a
+ * wall thickness, stays. */
+void
+thinOut(DimensionChain& chain, double room)
+{
+  while (true) {
+    std::size_t shortest = 0;
+    double least = nowhere;
+    for (std::size_t k = 1; k + 1 < chain.places.size(); ++k) {
+      const double before = chain.along(k) - chain.along(k - 1);
+      const double after = chain.along(k + 1) - chain.along(k);
+      if (std::max(before, after) < room && before + after < least) {
+        least = before + after;
+        shortest = k;
+      }
+    }
+    if (shortest == 0)
+      return;
+    chain.places.erase(chain.places.begin() + static_cast<std::ptrdiff_t>(shortest));
+  }
+}
+
+/** @brief Returns the corners of walls that are visible from a side, in order. What
+ * lies behind a gap that is no wider than a wall does not count. */
+DimensionChain
+chainAlong(const std::vector<PlanElement>& walls,
+           DrawingSide side,
+           double max_wall,
+           double least)
+{
+  const SideView view(walls, side);
+  const std::vector<double> places = placesOf(view.ends(), least);
+  std::vector<Sight> sights{{}}; // before, between and after the places
+  for (std::size_t k = 0; k + 1 < places.size(); ++k)
+    sights.push_back(view.sightAt((places[k] + places[k + 1]) / 2));
+  sights.emplace_back();
+  for (std::size_t first = 1; first + 1 < sights.size(); ++first) {
+    const double rim = sights[first - 1].depth + max_wall;
+    std::size_t last = first; // sights[first] to sights[last - 1] are in a gap
+    while (last + 1 < sights.size() && sights[last].depth > rim)
+      ++last;
+    if (sights[last].wall && last > first &&
+        places[last - 1] - places[first - 1] <= max_wall)
+      std::fill(sights.begin() + static_cast<std::ptrdiff_t>(first),
+                sights.begin() + static_cast<std::ptrdiff_t>(last), Sight{});
+  }
+  DimensionChain chain{side, {}};
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (goesOn(sights[k], sights[k + 1]))
+      continue;
+    // Where walls meet, the nearer of their ends.
+    const double off = least / 4;
+    double depth = std::min(view.sightAt(places[k] - off).depth,
+                            view.sightAt(places[k] + off).depth);
+    if (depth == nowhere)
+      depth = std::min(sights[k].depth, sights[k + 1].depth);
+    chain.places.push_back(view.toPlan({places[k], depth}));
+  }
+  std::sort(chain.places.begin(), chain.places.end(),
+            [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+              return a.dot(wayAlong(side)) < b.dot(wayAlong(side));
+            });
+  return chain;
+}
+
 } // namespace
 
 Eigen::Vector2d
 wayAlong(DrawingSide side)
 {
-  const bool is_level = side == DrawingSide::Bottom || side == DrawingSide::Top;
-  return is_level ? Eigen::Vector2d::UnitX() : Eigen::Vector2d::UnitY();
+  return wayOff(side).cwiseAbs().reverse();
 }
 
 Eigen::Vector2d
@@ -192,59 +214,6 @@ wayOff(DrawingSide side)
   }
 }
 
-DimensionChain
-chainAlong(const std::vector<PlanElement>& walls,
-           DrawingSide side,
-           double max_wall,
-           double least)
-{
-  const SideView view(walls, side);
-  const std::vector<double> places = placesOf(view.ends(), least);
-  std::vector<SideView::Sight> sights{{}}; // before, between and after the places
-  for (std::size_t k = 0; k + 1 < places.size(); ++k)
-    sights.push_back(view.sightAt((places[k] + places[k + 1]) / 2));
-  sights.emplace_back();
-  closeGaps(places, max_wall, sights);
-  DimensionChain chain{side, {}};
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    const SideView::Sight& before = sights[k];
-    const SideView::Sight& after = sights[k + 1];
-    const bool goes_on =
-        before.wall == after.wall ||
-        (before.isWall() && after.isWall() && view.areInLine(before.wall, after.wall));
-    if (goes_on)
-      continue;
-    // Where walls meet, the nearer of their ends.
-    const double off = least / 4;
-    double depth = std::min(view.sightAt(places[k] - off).depth,
-                            view.sightAt(places[k] + off).depth);
-    if (depth == nowhere)
-      depth = std::min(before.depth, after.depth);
-    chain.places.push_back(view.toPlan({places[k], depth}));
-  }
-  return chain;
-}
-
-DimensionChain
-uncrowded(DimensionChain chain, double room)
-{
-  while (true) {
-    std::size_t shortest = 0;
-    double least = nowhere;
-    for (std::size_t k = 1; k + 1 < chain.places.size(); ++k) {
-      const double before = chain.along(k) - chain.along(k - 1);
-      const double after = chain.along(k + 1) - chain.along(k);
-      if (std::max(before, after) < room && before + after < least) {
-        least = before + after;
-        shortest = k;
-      }
-    }
-    if (shortest == 0)
-      return chain;
-    chain.places.erase(chain.places.begin() + static_cast<std::ptrdiff_t>(shortest));
-  }
-}
-
 std::vector<DimensionChain>
 wallChains(const std::vector<PlanElement>& walls,
            double max_wall,
@@ -255,10 +224,10 @@ wallChains(const std::vector<PlanElement>& walls,
   for (const auto& [side, opposite] :
        {std::make_pair(DrawingSide::Bottom, DrawingSide::Top),
         std::make_pair(DrawingSide::Left, DrawingSide::Right)}) {
-    const DimensionChain first =
-        uncrowded(chainAlong(walls, side, max_wall, least), room);
-    const DimensionChain second =
-        uncrowded(chainAlong(walls, opposite, max_wall, least), room);
+    DimensionChain first = chainAlong(walls, side, max_wall, least);
+    DimensionChain second = chainAlong(walls, opposite, max_wall, least);
+    thinOut(first, room);
+    thinOut(second, room);
     if (first.places.size() > 2)
       chains.push_back(first);
     if (second.places.size() > 2 && !areAlike(first, second, least))

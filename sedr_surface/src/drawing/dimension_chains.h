@@ -26,26 +26,14 @@ struct DimensionChain {
   double along(std::size_t place) const { return places[place].dot(wayAlong(side)); }
 };
 
-/** @brief Finds the corners of walls that are visible from a side.
- *
- * Corners nearer to each other along the side than `least` are merged. A gap as narrow
- * as a wall counts as a wall: what is visible through it is ignored. Cost: walls
+/** @brief Returns the chains that a drawing needs: bottom and left, and the opposite
+ * sides where they differ. Chains with only the overall dimension are omitted, and two
+ * neighbouring dimensions that are both too short for their texts are one. Cost: walls
  * squared.
  * @param walls of all rooms, including arcs, metres
- * @param max_wall maximum thickness of a wall, metres
- * @param least metres, e.g. 0.03 */
-DimensionChain chainAlong(const std::vector<PlanElement>& walls,
-                          DrawingSide side,
-                          double max_wall,
-                          double least);
-
-/** @brief Removes places until no two neighbouring dimensions are both shorter than
- * `room`, as on ragged walls; the shortest pair first. A single short one, such as a
- * wall thickness, stays. */
-DimensionChain uncrowded(DimensionChain chain, double room);
-
-/** @brief Returns the chains that a drawing needs: bottom and left, and the opposite
- * sides where they differ. Chains with only the overall dimension are omitted.
+ * @param max_wall maximum thickness of a wall, metres: what is visible through a gap as
+ * narrow is ignored
+ * @param least corners nearer to each other are merged; metres, e.g. 0.03
  * @param room space for the text of a length along its chain, metres */
 std::vector<DimensionChain> wallChains(const std::vector<PlanElement>& walls,
                                        double max_wall,

@@ -93,30 +93,61 @@ private:
   std::vector<PlanLine>& lines_;
 };
 
-/** @brief Returns the wall of a room nearest to a place, within 0.5 m, or null. */
+/** @brief Returns the face of a room nearest to a doorway, within 0.5 m and 30 degrees;
+ * null if there is none. */
 const PlanElement*
-faceNear(const Floorplan& plan, std::uint32_t room, const Eigen::Vector2d& place)
+faceOf(const Floorplan& plan, std::uint32_t room, const PlanDoorway& doorway)
 {
-  constexpr double farthest = 0.5;
+  constexpr double parallel = 0.5; // sine of 30 degrees
+  const Eigen::Vector2d middle = (doorway.start + doorway.end) / 2;
+  const Eigen::Vector2d way = (doorway.end - doorway.start).normalized();
+  double nearest = 0.5;
+  const PlanElement* face = nullptr;
   for (const PlanRoom& r : plan.rooms)
-    if (r.id == room && r.boundary.distance(place) <= farthest)
-      return &r.boundary.elements[r.boundary.nearest(place)];
-  return nullptr;
+    for (const PlanElement& e : r.boundary.elements)
+      if (r.id == room && e.distance(middle) <= nearest &&
+          std::abs(e.normalAt(e.project(middle)).dot(way)) < parallel) {
+        nearest = e.distance(middle);
+        face = &e;
+      }
+  return face;
 }
 
-/** @brief Returns a corner of a wall's outline if another wall that was seen meets it
- * there; else the end of its face, as what is beyond was not seen. */
 Eigen::Vector2d
-withinWalls(const Floorplan& plan,
-            const Eigen::Vector2d& corner,
-            const PlanElement& face)
+onto(const PlanElement& face, const Eigen::Vector2d& place)
 {
-  constexpr double same = 0.01; // metres
-  const bool is_at_room =
-      std::any_of(plan.rooms.begin(), plan.rooms.end(), [&](const PlanRoom& room) {
-        return room.boundary.distance(corner) < same;
-      });
-  return is_at_room ? corner : face.pointAt(face.project(corner));
+  return face.pointAt(face.project(place));
+}
+
+/** @brief Cuts a wall's outline off where its faces end, unless other walls that were
+ * seen meet it there: at the outside of a building the corner was not seen.
+ * @param near,far both corners at one end of the wall */
+void
+cutOff(const Floorplan& plan,
+       const PlanElement& face,
+       const PlanElement& other,
+       Eigen::Vector2d& near,
+       Eigen::Vector2d& far)
+{
+  constexpr double reach = 0.35; // metres along the wall and across it
+  const Eigen::Vector2d middle = (near + far) / 2;
+  const Eigen::Vector2d along = reach * (face.end - face.start).normalized();
+  const Eigen::Vector2d across(-along.y(), along.x());
+  int rooms = 0; // in four directions; at the outside they are two at most
+  for (const double a : {-1, 1})
+    for (const double b : {-1, 1})
+      rooms +=
+          std::any_of(plan.rooms.begin(), plan.rooms.end(),
+                      [&](const PlanRoom& room) {
+                        return room.boundary.contains(middle + a * along + b * across);
+                      })
+              ? 1
+              : 0;
+  if (rooms >= 3)
+    return;
+  far = onto(other, far);
+  near = onto(face, far);
+  far = onto(other, near);
 }
 
 } // namespace
@@ -166,16 +197,12 @@ doorwayGaps(const Floorplan& plan)
   for (const PlanDoorway& doorway : plan.doorways) {
     if (!(doorway.width() > 0))
       continue;
-    const Eigen::Vector2d middle = (doorway.start + doorway.end) / 2;
-    const PlanElement* near = faceNear(plan, doorway.rooms[0], middle);
-    const PlanElement* far = faceNear(plan, doorway.rooms[1], middle);
+    const PlanElement* near = faceOf(plan, doorway.rooms[0], doorway);
+    const PlanElement* far = faceOf(plan, doorway.rooms[1], doorway);
     if (!near)
       std::swap(near, far);
     Eigen::Vector2d a = doorway.start;
     Eigen::Vector2d b = doorway.end;
-    const auto onto = [](const PlanElement& face, const Eigen::Vector2d& p) {
-      return face.pointAt(face.project(p));
-    };
     DoorwayGap gap;
     // What a face does not have ends at its end, on both sides of the wall.
     for (int k = 0; k < 2 && near && far; ++k)
@@ -212,8 +239,9 @@ wallBodies(const Floorplan& plan, double max_wall)
       const WallFrame frame = frameOf(plan, wall);
       std::array<Eigen::Vector2d, 4> corners;
       for (std::size_t k = 0; k < 4; ++k)
-        corners[k] =
-            withinWalls(plan, frame.toPlan(wall.outline[k]), k < 2 ? face : other);
+        corners[k] = frame.toPlan(wall.outline[k]);
+      cutOff(plan, face, other, corners[0], corners[3]);
+      cutOff(plan, face, other, corners[1], corners[2]);
       for (std::size_t k = 0; k < 4; ++k)
         body.elements.push_back(segment(corners[k], corners[(k + 1) % 4]));
     }

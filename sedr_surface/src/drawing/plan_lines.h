@@ -42,8 +42,8 @@ struct DoorwayGap {
 };
 
 /** @brief Returns the doorways of a plan that have a width. A gap is what the nearest
- * wall faces of both rooms, within 0.5 m, have in common of it; outwards it is as deep
- * as towards the room. */
+ * wall faces of both rooms, within 0.5 m and 30 degrees, have in common of it; outwards
+ * it is as deep as towards the room. */
 std::vector<DoorwayGap> doorwayGaps(const Floorplan& plan);
 
 /** @brief Returns the bodies of walls with both faces seen: the outline of each, and
