@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "energy_fit.h"
 #include "../niches/ceiling_slits.h"
 #include "../niches/niche_panes.h"
 #include "../refit/plan_refit.h"
@@ -123,10 +124,6 @@ fitFloorplan(const PlanInput& input,
   evidence.finds_sheets = !input.sheets;
   evidence.room = input.rooms;
   std::vector<RoomSheet> sheets;
-  plan = fitPlan(input.points, evidence, parameters, problem, warnings, &boundaries,
-                 &sheets);
-  if (!problem.empty())
-    return problem;
   // Null indices mean all points of the raw cloud, an empty list means none.
   const bool has_raw =
       input.raw.size() > 0 && !(input.raw_indices && input.raw_indices->empty());
@@ -134,6 +131,14 @@ fitFloorplan(const PlanInput& input,
   const Priors& priors = parameters.loop.priors;
   const pcl::Indices& raw_indices =
       has_raw && input.raw_indices ? *input.raw_indices : all;
+  plan = parameters.by_energy
+             ? fitPlanByEnergy(input.points, evidence,
+                               has_raw ? input.raw : PointView(), raw_indices,
+                               parameters, problem, warnings, &boundaries, &sheets)
+             : fitPlan(input.points, evidence, parameters, problem, warnings,
+                       &boundaries, &sheets);
+  if (!problem.empty())
+    return problem;
   if (has_raw)
     fitToRaw(input.raw, raw_indices, parameters.threads, priors, plan, warnings);
   const std::vector<std::string> cuts =

@@ -1,88 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "frontier_points.h"
 #include "shared_faces.h"
 
 #include "plan_fit.h"
 
 #include "../borders/step_risers.h"
-#include "../niches/niche_fit.h"
 #include "../refit/plan_regularisation.h"
-#include "../rooms/room_planes.h"
 #include "../sheets/sheet_fit.h"
-#include "room_territory.h"
-#include "sedr_filters/src/base/exactness.h"
-#include "sedr_filters/src/base/parallel_for.h"
+#include "room_shares.h"
+#include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
-#include <map>
-#include <memory>
 #include <utility>
 
 namespace pcl::sedr {
 
 namespace {
-
-/** @brief Returns the room numbers, increasing, without 0. */
-std::vector<std::uint32_t>
-roomNumbers(const PlanEvidence& evidence)
-{
-  if (evidence.room.empty())
-    return {1};
-  std::vector<std::uint32_t> numbers;
-  for (const int i : evidence.ceiling)
-    if (evidence.room[static_cast<std::size_t>(i)] != 0)
-      numbers.push_back(evidence.room[static_cast<std::size_t>(i)]);
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-  return numbers;
-}
-
-/** @brief Returns `roomOf(index)` for each index, -1 for none, computed in parallel. */
-template <typename RoomOf>
-std::vector<std::int32_t>
-roomsOf(const std::vector<int>& indices, unsigned threads, RoomOf roomOf)
-{
-  std::vector<std::int32_t> rooms(indices.size());
-  parallelFor(indices.size(), points_a_block, threads,
-              [&](std::size_t k) { rooms[k] = roomOf(indices[k]); });
-  return rooms;
-}
-
-/** @brief Returns the indices of each room. */
-std::vector<std::vector<int>>
-sharesOf(const std::vector<int>& indices,
-         const std::vector<std::int32_t>& room_of,
-         std::size_t rooms)
-{
-  std::vector<std::vector<int>> shares(rooms);
-  for (std::size_t k = 0; k < indices.size(); ++k)
-    if (room_of[k] >= 0)
-      shares[static_cast<std::size_t>(room_of[k])].push_back(indices[k]);
-  return shares;
-}
-
-/** @brief Returns the height range of each room; empty if a room has no floor points.
- */
-std::vector<RoomHeights>
-heightsOfRooms(const PointView& points,
-               const std::vector<std::vector<int>>& floors,
-               const std::vector<std::vector<int>>& ceilings,
-               const std::vector<std::vector<int>>& details)
-{
-  std::vector<RoomHeights> heights;
-  for (std::size_t r = 0; r < floors.size(); ++r) {
-    if (floors[r].empty())
-      return {};
-    std::vector<float> above;
-    for (const auto* part : {&ceilings[r], &details[r]})
-      for (const int i : *part)
-        above.push_back(points[static_cast<std::size_t>(i)].z());
-    heights.push_back(heightsFrom(floorLevel(points, floors[r]), std::move(above)));
-  }
-  return heights;
-}
 
 /** @brief Input and record of a room's fit. */
 struct RoomWork {
@@ -150,75 +83,6 @@ leaveToOthers(const PointView& points,
   return std::count(has_changed.begin(), has_changed.end(), 1) > 0;
 }
 
-std::vector<Eigen::Vector3d>
-placesOf(const PointView& points, const std::vector<int>& indices)
-{
-  std::vector<Eigen::Vector3d> places;
-  places.reserve(indices.size());
-  for (const int i : indices)
-    if (points.isFinite(static_cast<std::size_t>(i)))
-      places.emplace_back(points[static_cast<std::size_t>(i)].cast<double>());
-  return places;
-}
-
-/** @brief Returns the points of a ceiling and its details that nothing of them hides
- * from below, without vertical faces, if much of them slopes; else none. */
-std::vector<int>
-slopingCeiling(const PointView& points,
-               const CellGrid& grid,
-               const std::vector<int>& ceiling,
-               const std::vector<int>& details)
-{
-  // Metres: more than the steepest slope rises in a cell.
-  const double step = 2 * grid.size();
-  std::map<CellKey, float> lowest;
-  std::vector<int> seen;
-  const auto forAll = [&](auto use) {
-    for (const auto* part : {&ceiling, &details})
-      for (const int i : *part)
-        if (const auto at = static_cast<std::size_t>(i); points.isFinite(at))
-          use(i, keyOf(grid.at(points[at].x(), points[at].y())), points[at].z());
-  };
-  forAll([&](int, CellKey cell, float z) {
-    const auto known = lowest.emplace(cell, z).first;
-    known->second = std::min(known->second, z);
-  });
-  forAll([&](int i, CellKey cell, float z) {
-    if (z < lowest[cell] + step)
-      seen.push_back(i);
-  });
-  if (slopingArea(placesOf(points, seen)) < SheetParameters().min_area)
-    seen.clear();
-  return seen;
-}
-
-/** @brief Returns the preliminary ceiling of a room, a relief of its facets; null if
- * there are none or they explain too little of it. */
-std::shared_ptr<const PlanSlab>
-seenSheet(const std::vector<Eigen::Vector3d>& points,
-          const Priors& priors,
-          unsigned threads)
-{
-  SheetParameters parameters; // coarse: used only for the tops of walls
-  parameters.cell_size = 0.15;
-  parameters.max_cells = 6000;
-  parameters.is_rough = true;
-  parameters.threads = threads;
-  Eigen::AlignedBox2d box;
-  for (const Eigen::Vector3d& p : points)
-    box.extend(p.head<2>());
-  if (box.isEmpty())
-    return nullptr;
-  const SheetGrid grid = sheetGrid(box, parameters);
-  std::vector<std::uint8_t> domain(grid.count(), 0);
-  for (const Eigen::Vector3d& p : points)
-    domain[grid.at(p.head<2>())] = 1;
-  const FacetSheet sheet = fitSheet(points, grid, domain, {}, parameters);
-  if (!hasSlope(sheet) || sheet.explained < priors.share_clear)
-    return nullptr;
-  return std::make_shared<const PlanSlab>(reliefOf(sheet, grid.size / 2));
-}
-
 /** @brief Returns the boundary of a room with walls that tilt out of it at their heads
  * and all others at their feet: no ceiling reaches farther. */
 PlanLoop
@@ -247,75 +111,18 @@ fitPlan(const PointView& points,
   const Priors& priors = parameters.loop.priors;
   problem.clear();
   warnings.clear();
-  const CellGrid grid(parameters.cell_size);
   const std::vector<std::uint32_t> numbers = roomNumbers(evidence);
-  const auto labelled = [&](int i) -> std::int32_t {
-    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
-    if (!points.isFinite(static_cast<std::size_t>(i)) || !grid.holds(p.x(), p.y()))
-      return -1;
-    if (evidence.room.empty())
-      return 0;
-    const auto number = evidence.room[static_cast<std::size_t>(i)];
-    const auto it = std::lower_bound(numbers.begin(), numbers.end(), number);
-    return it != numbers.end() && *it == number
-               ? static_cast<std::int32_t>(it - numbers.begin())
-               : -1;
-  };
-  const auto shareBy = [&](const std::vector<int>& indices, const auto& roomOf) {
-    return sharesOf(indices, roomsOf(indices, parameters.threads, roomOf),
-                    numbers.size());
-  };
-  auto ceilings = shareBy(evidence.ceiling, labelled);
-  auto details = shareBy(evidence.details, labelled);
-  auto of_sheets = shareBy(evidence.sheets, labelled);
-  for (std::size_t r = 0; r < numbers.size() && evidence.finds_sheets; ++r)
-    of_sheets[r] = slopingCeiling(points, grid, ceilings[r], details[r]);
-  std::vector<CellSet> scopes;
-  for (std::size_t r = 0; r < numbers.size(); ++r)
-    scopes.push_back(
-        unite(CellSet(grid, points, ceilings[r]), CellSet(grid, points, details[r])));
-  const std::vector<RoomHeights> heights =
-      heightsOfRooms(points, shareBy(evidence.floor, labelled), ceilings, details);
-  std::array<std::unique_ptr<const RoomTerritory>, 2> territories;
-  parallelBlocks(territories.size(), 1, parameters.threads,
-                 [&](std::size_t k, std::size_t) {
-                   territories[k] = std::make_unique<RoomTerritory>(
-                       grid, scopes, heights,
-                       k == 0 ? wallReach(priors) : nicheReach({priors}), priors);
-                 });
-  const RoomTerritory& territory = *territories[0];
-  const RoomTerritory& wide = *territories[1];
-  problem = territory.problem().empty() ? wide.problem() : territory.problem();
+  RoomShares shares = shareOut(points, evidence, numbers, parameters, problem);
   if (!problem.empty())
     return plan;
-  const std::vector<std::int32_t> room_of =
-      roomsOfPoints(points, territory, parameters.threads);
-  const auto nearest = [&](int i) { return room_of[static_cast<std::size_t>(i)]; };
-  auto floors = shareBy(evidence.floor, [&](int i) {
-    const std::int32_t room = labelled(i);
-    return room < 0 ? nearest(i) : room;
-  });
-  auto around = shareBy(evidence.all, nearest);
-  auto behind = shareBy(evidence.all, [&](int i) {
-    return nearest(i) < 0 ? wide.roomAt(points[static_cast<std::size_t>(i)]) : -1;
-  });
-  auto walls = evidence.walls.empty() ? around : shareBy(evidence.walls, nearest);
-
   std::vector<RoomWork> all_work;
-  for (std::size_t r = 0; r < numbers.size(); ++r)
-    all_work.push_back({{std::move(around[r]),
-                         std::move(ceilings[r]),
-                         std::move(details[r]),
-                         std::move(floors[r]),
-                         std::move(walls[r]),
-                         {},
-                         std::move(behind[r])},
-                        {}});
+  for (RoomEvidence& own : shares.rooms)
+    all_work.push_back({std::move(own), {}});
   if (sheets)
     parallelBlocks(
         numbers.size(), 1, parameters.threads, [&](std::size_t r, std::size_t) {
           all_work[r].evidence.sheet =
-              seenSheet(placesOf(points, of_sheets[r]), priors, parameters.threads);
+              seenSheet(placesOf(points, shares.sheets[r]), priors, parameters.threads);
         });
   std::vector<PlanRoom> rooms;
   const std::vector<std::string> problems =
@@ -329,7 +136,7 @@ fitPlan(const PointView& points,
     }
     plan.rooms.push_back(std::move(rooms[r]));
     if (all_work[r].evidence.sheet)
-      sheets->push_back({numbers[r], placesOf(points, of_sheets[r])});
+      sheets->push_back({numbers[r], placesOf(points, shares.sheets[r])});
     work.push_back(std::move(all_work[r]));
   }
   // A changed room may reveal another shared wall.

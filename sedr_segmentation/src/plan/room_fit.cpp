@@ -8,6 +8,7 @@
 #include "sedr_segmentation/src/plan/room_territory.h"
 
 #include "room_fit.h"
+#include "room_slabs.h"
 
 #include "../columns/column_fit.h"
 #include "../columns/tall_furniture.h"
@@ -52,18 +53,6 @@ loopOnCells(const RoomFitParameters& parameters)
   return loop;
 }
 
-/** @brief Fits the plane of a slab, with RANSAC at the small tolerance first, as the
- * detection's tolerance is wide. */
-PlanSlab
-slabOf(const PointView& points,
-       const std::vector<int>& indices,
-       const RoomFitParameters& parameters)
-{
-  return findLargerSlab(points, indices, parameters.slab_tolerance,
-                        radians(parameters.loop.priors.max_slab_tilt),
-                        parameters.loop.seed, parameters.threads);
-}
-
 /** @brief Returns the contour of the largest region. */
 Contour
 outerContour(const CellMask& mask, double cell_size)
@@ -95,39 +84,6 @@ boundaryOf(const Contour& contour,
        ++round)
     boundary = fitLoop(contour, inPlan(walls), {}, loop, samples);
   return boundary;
-}
-
-/** @brief Returns the ceiling's points and fits its main slab to all of its fields. */
-SlabEvidence
-ceilingEvidence(const PointView& points,
-                const RoomEvidence& evidence,
-                const RoomFitParameters& parameters,
-                PlanSlab& ceiling)
-{
-  ceiling = slabOf(points, evidence.ceiling, parameters);
-  if (evidence.details.empty())
-    return {evidence.ceiling, {}, false};
-  SlabEvidence slab = withFieldsOfMain(
-      points, {evidence.ceiling, evidence.details, false}, ceiling, parameters);
-  if (slab.main.size() > evidence.ceiling.size())
-    ceiling = slabOf(points, slab.main, parameters);
-  return slab;
-}
-
-/** @brief Returns the floor's points; those off the main plane are details. */
-SlabEvidence
-floorEvidence(const PointView& points,
-              const RoomEvidence& evidence,
-              const PlanSlab& floor,
-              const RoomFitParameters& parameters)
-{
-  SlabEvidence slab;
-  slab.is_floor = true;
-  for (const int i : evidence.floor) {
-    const double d = distanceAbove(floor, points[static_cast<std::size_t>(i)]);
-    (std::abs(d) <= parameters.slab_tolerance ? slab.main : slab.details).push_back(i);
-  }
-  return slab;
 }
 
 /** @brief Returns the main directions of a loop's straight walls. */
@@ -180,6 +136,47 @@ columnLoop(const CellMask& column,
 }
 
 } // namespace
+
+PlanSlab
+slabOf(const PointView& points,
+       const std::vector<int>& indices,
+       const RoomFitParameters& parameters)
+{
+  return findLargerSlab(points, indices, parameters.slab_tolerance,
+                        radians(parameters.loop.priors.max_slab_tilt),
+                        parameters.loop.seed, parameters.threads);
+}
+
+SlabEvidence
+ceilingEvidence(const PointView& points,
+                const RoomEvidence& evidence,
+                const RoomFitParameters& parameters,
+                PlanSlab& ceiling)
+{
+  ceiling = slabOf(points, evidence.ceiling, parameters);
+  if (evidence.details.empty())
+    return {evidence.ceiling, {}, false};
+  SlabEvidence slab = withFieldsOfMain(
+      points, {evidence.ceiling, evidence.details, false}, ceiling, parameters);
+  if (slab.main.size() > evidence.ceiling.size())
+    ceiling = slabOf(points, slab.main, parameters);
+  return slab;
+}
+
+SlabEvidence
+floorEvidence(const PointView& points,
+              const RoomEvidence& evidence,
+              const PlanSlab& floor,
+              const RoomFitParameters& parameters)
+{
+  SlabEvidence slab;
+  slab.is_floor = true;
+  for (const int i : evidence.floor) {
+    const double d = distanceAbove(floor, points[static_cast<std::size_t>(i)]);
+    (std::abs(d) <= parameters.slab_tolerance ? slab.main : slab.details).push_back(i);
+  }
+  return slab;
+}
 
 PlanRoom
 fitRoom(const PointView& points,

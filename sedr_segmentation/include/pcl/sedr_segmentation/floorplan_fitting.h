@@ -60,6 +60,7 @@ struct RoomFitParameters {
   double slab_tolerance = 0.05;      ///< of the planes of ceiling, floor and details
   double minimum_detail_area = 0.25; ///< square metres
   unsigned threads = 0;              ///< rooms fitted in parallel; 0: all processors
+  bool by_energy = false;            ///< see FloorplanFitting::setByEnergy()
 };
 
 /** @brief Boundary points to which a loop of a room was fitted (paper, Figure 7a). */
@@ -209,6 +210,13 @@ public:
   /** @brief Sets the priors about buildings, furniture and scanners. */
   void setPriors(const sedr::Priors& priors) { parameters_.loop.priors = priors; }
   const sedr::Priors& getPriors() const { return parameters_.loop.priors; }
+
+  /** @brief Sets whether walls are found by two energies: which cells are a room's by a
+   * minimum cut, which lines and arcs its walls are by the cheapest cycle of labels
+   * over the samples of its contour. Default false: by RANSAC and revisions of the
+   * loop. */
+  void setByEnergy(bool by_energy) { parameters_.by_energy = by_energy; }
+  bool isByEnergy() const { return parameters_.by_energy; }
 
   /** @brief Sets the seed of the random samples. Default 1. */
   void setSeed(std::uint64_t seed) { parameters_.loop.seed = seed; }

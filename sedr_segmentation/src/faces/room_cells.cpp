@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_cells.h"
+
+#include "sedr_filters/src/base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl::sedr {
+
+namespace {
+
+constexpr float no_height = -std::numeric_limits<float>::infinity();
+
+double
+medianHeight(const PointView& points, const std::vector<int>& indices, double otherwise)
+{
+  std::vector<float> z;
+  z.reserve(indices.size());
+  for (const int i : indices)
+    if (points.isFinite(static_cast<std::size_t>(i)))
+      z.push_back(points[static_cast<std::size_t>(i)].z());
+  if (z.empty())
+    return otherwise;
+  const auto middle = z.begin() + static_cast<std::ptrdiff_t>(z.size() / 2);
+  std::nth_element(z.begin(), middle, z.end());
+  return *middle;
+}
+
+/** @brief Replaces each value by the largest within `reach` cells along x, then y. */
+void
+spreadHighest(const CellMask& frame, int reach, std::vector<float>& values)
+{
+  const int width = frame.width();
+  const int height = frame.height();
+  const auto spread = [&](int lines, int length, std::size_t line, std::size_t step) {
+    std::vector<float> row(static_cast<std::size_t>(length));
+    for (int l = 0; l < lines; ++l) {
+      float* const first = values.data() + static_cast<std::size_t>(l) * line;
+      for (int k = 0; k < length; ++k) {
+        float most = no_height;
+        for (int j = std::max(0, k - reach); j <= std::min(length - 1, k + reach); ++j)
+          most = std::max(most, first[static_cast<std::size_t>(j) * step]);
+        row[static_cast<std::size_t>(k)] = most;
+      }
+      for (int k = 0; k < length; ++k)
+        first[static_cast<std::size_t>(k) * step] = row[static_cast<std::size_t>(k)];
+    }
+  };
+  spread(height, width, static_cast<std::size_t>(width), 1);
+  spread(width, height, 1, static_cast<std::size_t>(width));
+}
+
+/** @brief Calls `see(index of the cell, point)` for the points in the frame. */
+template <typename See>
+void
+forEachIn(const CellMask& frame,
+          const CellGrid& grid,
+          const PointView& points,
+          const std::vector<int>& indices,
+          See see)
+{
+  for (const int i : indices) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    if (!std::isfinite(p.z()) || !grid.holds(p.x(), p.y()))
+      continue;
+    const Cell cell = grid.at(p.x(), p.y());
+    if (frame.isInside(cell))
+      see(frame.indexOf(cell), p);
+  }
+}
+
+/** @brief Sets what is known of the ceiling. */
+void
+gatherCeiling(const PointView& points,
+              const RoomPoints& room,
+              const CellGrid& grid,
+              const RoomCellsParameters& p,
+              RoomCells& cells)
+{
+  constexpr double above_floor = 0.3; // metres: what is lower is no ceiling
+  constexpr double usual_height = 2.4;
+  cells.ceiling = medianHeight(points, room.ceiling, 0);
+  cells.floor = medianHeight(points, room.floor, cells.ceiling - usual_height);
+  std::vector<int> high;
+  for (const int i : room.ceiling)
+    if (points[static_cast<std::size_t>(i)].z() > cells.floor + above_floor)
+      high.push_back(i);
+  const CellSet seen(grid, points, high);
+  if (seen.empty())
+    return;
+  const CellBox box =
+      grown(boxOf(seen), static_cast<int>(std::lround(p.margin / grid.size())));
+  cells.seen = CellMask(seen, box);
+  cells.top.assign(cells.seen.values().size(), no_height);
+  forEachIn(cells.seen, grid, points, high,
+            [&](std::size_t at, const Eigen::Vector3f& q) {
+              cells.top[at] = std::max(cells.top[at], q.z());
+            });
+  spreadHighest(cells.seen, static_cast<int>(std::lround(p.local / grid.size())),
+                cells.top);
+  for (float& z : cells.top)
+    if (z == no_height)
+      z = static_cast<float>(cells.ceiling);
+}
+
+/** @brief Finds the surfaces that reach up to the ceiling. */
+void
+gatherWalls(const PointView& points,
+            const RoomPoints& room,
+            const CellGrid& grid,
+            const RoomCellsParameters& p,
+            RoomCells& cells)
+{
+  constexpr int filled = 5;         // of the bins, by any surface
+  constexpr int filled_of_wall = 3; // by one that wall growing has reached
+  const std::size_t count = cells.seen.values().size();
+  std::vector<std::uint8_t> bins(count, 0);
+  std::vector<std::uint8_t> is_wall(count, 0);
+  struct Place {
+    std::size_t cell;
+    Eigen::Vector2d at;
+    bool is_wall;
+  };
+  std::vector<Place> places;
+  const auto gather = [&](const std::vector<int>& indices, bool of_wall) {
+    forEachIn(cells.seen, grid, points, indices,
+              [&](std::size_t at, const Eigen::Vector3f& q) {
+                const double top = cells.top[at];
+                const double low =
+                    std::max(top - p.band, cells.floor + (top - cells.floor) / 2);
+                if (q.z() <= low || q.z() >= top - p.rim)
+                  return;
+                const int bin = std::min(7, static_cast<int>((top - q.z()) / p.bin));
+                bins[at] = static_cast<std::uint8_t>(bins[at] | 1u << bin);
+                is_wall[at] = is_wall[at] || of_wall;
+                places.push_back({at, q.head<2>().cast<double>(), of_wall});
+              });
+  };
+  gather(room.walls, true);
+  gather(room.others, false);
+  cells.solid = CellMask(cells.seen.box());
+  cells.glass = cells.solid;
+  for (std::size_t i = 0; i < count; ++i) {
+    const int n = __builtin_popcount(bins[i]);
+    cells.solid.values()[i] = n >= filled || (is_wall[i] && n >= filled_of_wall);
+  }
+  const CellMask near = dilated(cells.solid, 1);
+  std::vector<std::size_t> number(count, 0);
+  std::size_t solids = 0;
+  for (std::size_t i = 0; i < count; ++i)
+    if (cells.solid.values()[i])
+      number[i] = solids++;
+  cells.centres.assign(solids, Eigen::Vector2d::Zero());
+  std::vector<double> counts(solids, 0);
+  for (const Place& place : places) {
+    if (place.is_wall || near.values()[place.cell])
+      cells.wall_points.push_back(place.at);
+    if (cells.solid.values()[place.cell]) {
+      cells.centres[number[place.cell]] += place.at;
+      ++counts[number[place.cell]];
+    }
+  }
+  for (std::size_t k = 0; k < solids; ++k)
+    cells.centres[k] /= counts[k];
+}
+
+/** @brief Returns the sums of a raster over squares of 2 reach + 1 cells. */
+std::vector<float>
+boxSums(const CellMask& frame, int reach, const std::vector<float>& values)
+{
+  const auto width = static_cast<std::size_t>(frame.width());
+  const auto height = static_cast<std::size_t>(frame.height());
+  std::vector<double> table((width + 1) * (height + 1), 0);
+  for (std::size_t y = 0; y < height; ++y) {
+    double row = 0;
+    for (std::size_t x = 0; x < width; ++x) {
+      row += values[y * width + x];
+      table[(y + 1) * (width + 1) + x + 1] = table[y * (width + 1) + x + 1] + row;
+    }
+  }
+  std::vector<float> sums(values.size());
+  const auto r = static_cast<std::size_t>(reach);
+  for (std::size_t y = 0; y < height; ++y)
+    for (std::size_t x = 0; x < width; ++x) {
+      const std::size_t left = x < r ? 0 : x - r;
+      const std::size_t low = y < r ? 0 : y - r;
+      const std::size_t right = std::min(width, x + r + 1);
+      const std::size_t high = std::min(height, y + r + 1);
+      sums[y * width + x] = static_cast<float>(
+          table[high * (width + 1) + right] - table[low * (width + 1) + right] -
+          table[high * (width + 1) + left] + table[low * (width + 1) + left]);
+    }
+  return sums;
+}
+
+/** @brief Hits of the scan in the cells of a room. */
+struct CellHits {
+  std::vector<float> wall;    ///< in the band below the ceiling
+  std::vector<float> ceiling; ///< on the ceiling
+};
+
+/** @brief Marks the glass of a room from the hits in its cells. */
+void
+markGlass(const CellHits& hits,
+          const CellGrid& grid,
+          const RoomCellsParameters& p,
+          RoomCells& room)
+{
+  constexpr double usual = 0.8; // of the walls near: this quantile of their hits
+  constexpr double frame = 0.2; // metres below the ceiling: where a pane's frame ends
+  const double size = grid.size();
+  const std::vector<float> of_wall = boxSums(room.seen, 2, hits.wall);
+  std::vector<float> open(hits.ceiling.size());
+  std::vector<float> on_open(hits.ceiling.size());
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    open[i] = room.seen.values()[i] && !room.solid.values()[i] ? 1.0f : 0.0f;
+    on_open[i] = open[i] * hits.ceiling[i];
+  }
+  const std::vector<float> cells_before = boxSums(room.seen, 7, open);
+  const std::vector<float> hits_before = boxSums(room.seen, 7, on_open);
+  // A wall crosses a square of 5 cells in some 5 cells: hits a square metre of it.
+  const double wall_area = 5 * size * (p.band - frame);
+  std::vector<std::size_t> solids;
+  for (std::size_t i = 0; i < room.solid.values().size(); ++i)
+    if (room.solid.values()[i])
+      solids.push_back(i);
+  const int reach = static_cast<int>(std::lround(p.pane_neighbours / size));
+  std::vector<float> near;
+  for (const std::size_t i : solids) {
+    const Cell cell = room.solid.cellAt(i);
+    near.clear();
+    for (int dy = -reach; dy <= reach; ++dy)
+      for (int dx = -reach; dx <= reach; ++dx)
+        if (const Cell c{cell.x + dx, cell.y + dy};
+            dx * dx + dy * dy <= reach * reach && room.solid.at(c))
+          near.push_back(of_wall[room.solid.indexOf(c)]);
+    const auto rank = near.begin() + static_cast<std::ptrdiff_t>(
+                                         usual * static_cast<double>(near.size() - 1));
+    std::nth_element(near.begin(), rank, near.end());
+    const double density = of_wall[i] / wall_area;
+    const double before =
+        cells_before[i] > 0 ? hits_before[i] / (cells_before[i] * size * size) : 0;
+    room.glass.values()[i] =
+        density < p.few_hits * (*rank / wall_area) || density < p.few_hits * before;
+  }
+}
+
+} // namespace
+
+bool
+RoomCells::sharesHeights(const RoomCells& other) const
+{
+  constexpr double shared = 0.5; // metres
+  return std::min(ceiling, other.ceiling) - std::max(floor, other.floor) > shared;
+}
+
+std::vector<RoomCells>
+roomCells(const PointView& points,
+          const std::vector<RoomPoints>& rooms,
+          const CellGrid& grid,
+          const RoomCellsParameters& parameters,
+          unsigned threads)
+{
+  std::vector<RoomCells> cells(rooms.size());
+  parallelBlocks(rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {
+    gatherCeiling(points, rooms[r], grid, parameters, cells[r]);
+    if (cells[r].seen.count() > 0)
+      gatherWalls(points, rooms[r], grid, parameters, cells[r]);
+  });
+  return cells;
+}
+
+void
+findGlass(const PointView& scan,
+          const std::vector<int>& indices,
+          const CellGrid& grid,
+          const RoomCellsParameters& parameters,
+          unsigned threads,
+          std::vector<RoomCells>& rooms)
+{
+  constexpr double frame = 0.2;       // metres below the ceiling
+  constexpr double on_ceiling = 0.15; // metres
+  std::vector<CellHits> hits(rooms.size());
+  // Each room reads the scan; a coarse table tells which rooms a point may be in.
+  constexpr double coarse = 2; // metres
+  const CellGrid table(coarse);
+  std::vector<std::pair<CellKey, std::uint32_t>> entries;
+  for (std::size_t r = 0; r < rooms.size(); ++r) {
+    hits[r].wall.assign(rooms[r].seen.values().size(), 0);
+    hits[r].ceiling = hits[r].wall;
+    if (rooms[r].seen.count() == 0)
+      continue;
+    const Eigen::Vector2d low = grid.centre(rooms[r].seen.box().low);
+    const Eigen::Vector2d high = grid.centre(rooms[r].seen.box().high);
+    const Cell first = table.at(low.x(), low.y());
+    const Cell last = table.at(high.x(), high.y());
+    for (int y = first.y; y <= last.y; ++y)
+      for (int x = first.x; x <= last.x; ++x)
+        entries.push_back({keyOf({x, y}), static_cast<std::uint32_t>(r)});
+  }
+  std::sort(entries.begin(), entries.end());
+  std::vector<CellKey> keys;
+  for (const auto& entry : entries)
+    keys.push_back(entry.first);
+  const CellSet places(keys);
+  std::vector<std::size_t> first(places.size() + 1, 0);
+  for (const auto& entry : entries)
+    ++first[places.find(cellOf(entry.first)) + 1];
+  for (std::size_t k = 1; k < first.size(); ++k)
+    first[k] += first[k - 1];
+  std::vector<CellMask> near(rooms.size());
+  parallelBlocks(rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {
+    if (rooms[r].seen.count() > 0)
+      near[r] = dilated(rooms[r].solid, 8);
+  });
+  const std::size_t count = indices.empty() ? scan.size() : indices.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = indices.empty() ? k : static_cast<std::size_t>(indices[k]);
+    const Eigen::Vector3f q = scan[i];
+    if (!q.allFinite() || !grid.holds(q.x(), q.y()))
+      continue;
+    const std::size_t place = places.find(table.at(q.x(), q.y()));
+    if (place == CellSet::npos)
+      continue;
+    const Cell cell = grid.at(q.x(), q.y());
+    for (std::size_t e = first[place]; e < first[place + 1]; ++e) {
+      const std::size_t r = entries[e].second;
+      if (!near[r].at(cell))
+        continue;
+      const std::size_t at = near[r].indexOf(cell);
+      const double below = rooms[r].top[at] - q.z();
+      if (below > frame && below < parameters.band)
+        ++hits[r].wall[at];
+      else if (std::abs(below) < on_ceiling)
+        ++hits[r].ceiling[at];
+    }
+  }
+  parallelBlocks(rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {
+    if (rooms[r].seen.count() > 0)
+      markGlass(hits[r], grid, parameters, rooms[r]);
+  });
+}
+
+} // namespace pcl::sedr

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "sedr_filters/src/grids/cell_mask.h"
+#include <pcl/sedr_filters/point_view.h>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl::sedr {
+
+/** @brief The points of a room, as indices. */
+struct RoomPoints {
+  std::vector<int> ceiling; ///< of ceilings and what hangs from them, all heights
+  std::vector<int> floor;
+  std::vector<int> walls;  ///< labelled as wall
+  std::vector<int> others; ///< unlabelled, in and near the room
+};
+
+/** @brief What the cells of the plan tell of a room: where its ceiling was seen, and
+ * where a surface reaches up to it. Lengths in metres, z up. */
+struct RoomCells {
+  double floor = 0;       ///< median height of the floor
+  double ceiling = 0;     ///< median height of the ceiling
+  CellMask seen;          ///< cells with ceiling, in a box with a margin around them
+  std::vector<float> top; ///< height of the ceiling near each cell of the box
+  CellMask solid;         ///< cells in which a surface reaches up to the ceiling
+  CellMask glass;         ///< those of them that return few rays
+  std::vector<Eigen::Vector2d> wall_points; ///< just below the ceiling, on surfaces
+
+  /** @brief Mean place of the wall points of each solid cell, in the order of cells. */
+  std::vector<Eigen::Vector2d> centres;
+
+  /** @brief Returns whether two rooms share more than half a metre of height. */
+  bool sharesHeights(const RoomCells& other) const;
+};
+
+/** @brief Limits of the evidence of walls, metres. */
+struct RoomCellsParameters {
+  double margin = 1.5;    ///< of the box around the seen ceiling
+  double reach = 0.5;     ///< unlabelled points belong to a ceiling this near
+  double band = 0.5;      ///< below the ceiling: walls are looked for in this band
+  double rim = 0.06;      ///< nearest to the ceiling, where its noise is
+  double bin = 0.07;      ///< height of a bin of the band, above the voxel size
+  double local = 0.2;     ///< the ceiling of a cell is the highest within this reach
+  double few_hits = 0.35; ///< share of the usual hits below which a surface is glass
+  double pane_neighbours = 2; ///< reach in which the usual hits are counted
+};
+
+/** @brief Gathers the cells of every room. O(points + cells of the boxes). */
+std::vector<RoomCells> roomCells(const PointView& points,
+                                 const std::vector<RoomPoints>& rooms,
+                                 const CellGrid& grid,
+                                 const RoomCellsParameters& parameters,
+                                 unsigned threads);
+
+/** @brief Marks the solid cells with few hits of the scan as glass: fewer than a share
+ * of those of the walls near them, or of the ceiling before them. An opaque surface
+ * returns every ray, a pane one in ten. O(points of the scan).
+ * @param indices of the scan's points to use; empty: all */
+void findGlass(const PointView& scan,
+               const std::vector<int>& indices,
+               const CellGrid& grid,
+               const RoomCellsParameters& parameters,
+               unsigned threads,
+               std::vector<RoomCells>& rooms);
+
+} // namespace pcl::sedr

@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wall_lines.h"
+
+#include "../curves/plan_points.h"
+#include <pcl/sedr_filters/priors.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace pcl::sedr {
+
+namespace {
+
+/** @brief Sums of places, for their mean and the direction of least variance. */
+struct PlaceSums {
+  double n = 0;
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
+
+  void add(const Eigen::Vector2d& p)
+  {
+    ++n;
+    sum += p;
+    squares += p * p.transpose();
+  }
+
+  /** @brief Returns the normal of the line through the places. */
+  Eigen::Vector2d normal() const
+  {
+    const Eigen::Vector2d mean = sum / n;
+    const Eigen::Matrix2d c = squares / n - mean * mean.transpose();
+    const double turn = 0.5 * std::atan2(2 * c(0, 1), c(0, 0) - c(1, 1));
+    return {-std::sin(turn), std::cos(turn)};
+  }
+};
+
+struct Line {
+  Eigen::Vector2d normal = Eigen::Vector2d::UnitX();
+  double offset = 0;
+};
+
+/** @brief The places of surfaces with their normals, from which lines are taken. */
+class LineSearch {
+public:
+  LineSearch(std::vector<SurfacePlace> places, const WallLineParameters& p)
+      : p_(p)
+      , rooms_(roomsInOrder(places))
+      , places_(positions(places), index_cell)
+      , normals_(places.size(), Eigen::Vector2d::UnitX())
+      , is_left_(places.size(), 1)
+  {
+    // Relative to the first place: far from the origin, squares lose their digits.
+    for (std::size_t i = 0; i < size(); ++i) {
+      PlaceSums sums;
+      places_.forEachIndexWithin(at(i), p.neighbours,
+                                 [&](std::size_t k) { sums.add(at(k) - at(i)); });
+      if (sums.n > 2)
+        normals_[i] = sums.normal();
+    }
+  }
+
+  std::size_t size() const { return places_.size(); }
+  const Eigen::Vector2d& at(std::size_t i) const { return places_.all()[i]; }
+
+  bool isOn(const Line& line, std::size_t i, double tolerance) const
+  {
+    constexpr double aligned = 0.9; // cosine
+    return std::abs(line.normal.dot(at(i)) - line.offset) < tolerance &&
+           std::abs(line.normal.dot(normals_[i])) > aligned;
+  }
+
+  /** @brief Takes the lines with at least `least` places out, the straightest
+   * surroundings first. */
+  std::vector<Line> takeLines(std::size_t least)
+  {
+    constexpr double local = 0.5;
+    std::vector<std::size_t> support(size(), 0);
+    for (std::size_t i = 0; i < size(); ++i) {
+      const Line line{normals_[i], normals_[i].dot(at(i))};
+      places_.forEachIndexWithin(at(i), local, [&](std::size_t k) {
+        support[i] += isOn(line, k, p_.tolerance) ? 1 : 0;
+      });
+    }
+    std::vector<std::size_t> order(size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return support[a] > support[b];
+    });
+    std::vector<Line> lines;
+    for (const std::size_t seed : order) {
+      if (!is_left_[seed])
+        continue;
+      Line line{normals_[seed], normals_[seed].dot(at(seed))};
+      std::size_t on = 0;
+      for (const double reach : {0.5, 1.0, 2.0, 5.0, 1e9, 1e9})
+        on = fitNear(seed, reach, line);
+      if (on < least)
+        continue;
+      for (std::size_t k = 0; k < size(); ++k)
+        if (is_left_[k] && isOn(line, k, 1.5 * p_.tolerance))
+          is_left_[k] = 0;
+      lines.push_back(line);
+    }
+    return lines;
+  }
+
+  std::uint32_t room(std::size_t i) const { return rooms_[i]; }
+
+private:
+  static constexpr double index_cell = 0.5; // metres
+
+  /** @brief Sorts the places as the index does, and returns their rooms. */
+  static std::vector<std::uint32_t> roomsInOrder(std::vector<SurfacePlace>& places)
+  {
+    const CellGrid grid(index_cell);
+    std::stable_sort(places.begin(), places.end(),
+                     [&](const SurfacePlace& a, const SurfacePlace& b) {
+                       return keyOf(grid.at(a.at.x(), a.at.y())) <
+                              keyOf(grid.at(b.at.x(), b.at.y()));
+                     });
+    std::vector<std::uint32_t> rooms;
+    for (const SurfacePlace& place : places)
+      rooms.push_back(place.room);
+    return rooms;
+  }
+
+  static std::vector<Eigen::Vector2d> positions(const std::vector<SurfacePlace>& places)
+  {
+    std::vector<Eigen::Vector2d> all;
+    for (const SurfacePlace& place : places)
+      all.push_back(place.at);
+    return all;
+  }
+
+  /** @brief Fits a line to the places left on it within `reach` of a seed.
+   * @return their number */
+  std::size_t fitNear(std::size_t seed, double reach, Line& line) const
+  {
+    PlaceSums sums;
+    const auto add = [&](std::size_t k) {
+      if (is_left_[k] && isOn(line, k, p_.tolerance))
+        sums.add(at(k) - at(seed));
+    };
+    if (reach < 1e6)
+      places_.forEachIndexWithin(at(seed), reach, add);
+    else
+      for (std::size_t k = 0; k < size(); ++k)
+        add(k);
+    if (sums.n < 3)
+      return 0;
+    line.normal = sums.normal();
+    line.offset = line.normal.dot(sums.sum / sums.n + at(seed));
+    return static_cast<std::size_t>(sums.n);
+  }
+
+  const WallLineParameters& p_;
+  std::vector<std::uint32_t> rooms_; ///< of each place
+  PlanPoints places_;
+  std::vector<Eigen::Vector2d> normals_;
+  std::vector<std::uint8_t> is_left_;
+};
+
+/** @brief Turns a line into a main direction if most of its places agree, or if it is
+ * a degree off at least. */
+void
+snap(const LineSearch& search,
+     const std::vector<double>& axes,
+     const WallLineParameters& p,
+     Line& line)
+{
+  const double angle = std::atan2(line.normal.y(), line.normal.x());
+  const double turn = angleOff(angle, axes);
+  if (!(std::abs(turn) < radians(p.snap)))
+    return;
+  const Eigen::Vector2d v(std::cos(angle - turn), std::sin(angle - turn));
+  std::vector<double> offsets;
+  for (std::size_t i = 0; i < search.size(); ++i)
+    if (search.isOn(line, i, p.tolerance))
+      offsets.push_back(v.dot(search.at(i)));
+  if (offsets.empty())
+    return;
+  std::sort(offsets.begin(), offsets.end());
+  std::size_t best = 0; // the window of the most offsets
+  std::size_t first = 0;
+  std::size_t most = 0;
+  for (std::size_t k = 0; k < offsets.size(); ++k) {
+    while (offsets[k] - offsets[first] > 2 * p.tolerance)
+      ++first;
+    if (k - first + 1 > most) {
+      most = k - first + 1;
+      best = (k + first) / 2;
+    }
+  }
+  constexpr double most_agree = 0.7;
+  if (static_cast<double>(most) > most_agree * static_cast<double>(offsets.size()) ||
+      std::abs(turn) > radians(p.same_direction))
+    line = {v, offsets[best]};
+}
+
+/** @brief Returns the runs [first, last) of cells in which a surface was seen, without
+ * small holes and short parts. */
+std::vector<std::pair<std::size_t, std::size_t>>
+partsOf(const std::vector<std::uint8_t>& cells, const WallLineParameters& p)
+{
+  const auto hole = static_cast<std::size_t>(std::lround(p.max_hole / p.cell));
+  const auto shortest = static_cast<std::size_t>(std::lround(p.min_part / p.cell));
+  std::vector<std::pair<std::size_t, std::size_t>> parts;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (cells[i]) {
+      if (!parts.empty() && i - parts.back().second <= 2 * hole)
+        parts.back().second = i + 1;
+      else
+        parts.push_back({i, i + 1});
+    }
+  parts.erase(std::remove_if(parts.begin(), parts.end(),
+                             [&](const auto& part) {
+                               return part.second - part.first < shortest;
+                             }),
+              parts.end());
+  return parts;
+}
+
+} // namespace
+
+double
+angleOff(double angle, const std::vector<double>& axes)
+{
+  double least = M_PI / 2;
+  for (const double axis : axes) {
+    const double d = std::remainder(angle - axis, M_PI / 2);
+    if (std::abs(d) < std::abs(least))
+      least = d;
+  }
+  return least;
+}
+
+std::vector<double>
+mainAngles(const std::vector<double>& angles,
+           const std::vector<double>& weights,
+           std::size_t most,
+           double least)
+{
+  constexpr std::size_t steps = 360; // of a quarter turn
+  const double spread = radians(0.7);
+  const double near = radians(1.5);
+  const double apart = radians(5);
+  std::vector<double> axes;
+  std::vector<double> height(steps, 0);
+  const auto angleAt = [](std::size_t g) {
+    return static_cast<double>(g) * (M_PI / 2) / static_cast<double>(steps);
+  };
+  for (std::size_t g = 0; g < steps; ++g)
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      const double d = std::remainder(angles[i] - angleAt(g), M_PI / 2) / spread;
+      if (std::abs(d) < 5)
+        height[g] += weights[i] * std::exp(-0.5 * d * d);
+    }
+  double first = 0;
+  while (axes.size() < most) {
+    const auto top = std::max_element(height.begin(), height.end());
+    if (axes.empty())
+      first = *top;
+    if (!(*top > 0) || *top < least * first)
+      break;
+    const double angle = angleAt(static_cast<std::size_t>(top - height.begin()));
+    double sum = 0;
+    double weight = 0;
+    for (std::size_t i = 0; i < angles.size(); ++i)
+      if (const double d = std::remainder(angles[i] - angle, M_PI / 2);
+          std::abs(d) < near) {
+        sum += weights[i] * d;
+        weight += weights[i];
+      }
+    axes.push_back(angle + (weight > 0 ? sum / weight : 0));
+    for (std::size_t g = 0; g < steps; ++g)
+      if (std::abs(std::remainder(angleAt(g) - axes.back(), M_PI / 2)) <= apart)
+        height[g] = 0;
+  }
+  return axes;
+}
+
+std::vector<WallLine>
+wallLines(std::vector<SurfacePlace> places, const WallLineParameters& p)
+{
+  constexpr std::size_t least = 6; // places of a line: 0.3 m
+  std::vector<WallLine> result;
+  if (places.size() < least)
+    return result;
+  LineSearch search(std::move(places), p);
+  std::vector<Line> lines = search.takeLines(least);
+  std::vector<double> angles;
+  std::vector<double> weights;
+  for (const Line& line : lines) {
+    angles.push_back(std::atan2(line.normal.y(), line.normal.x()));
+    double on = 0;
+    for (std::size_t i = 0; i < search.size(); ++i)
+      on += search.isOn(line, i, p.tolerance) ? 1 : 0;
+    weights.push_back(on);
+  }
+  const std::vector<double> axes = mainAngles(angles, weights, 3, 0.2);
+  for (Line& line : lines) {
+    snap(search, axes, p, line);
+    const Eigen::Vector2d along(-line.normal.y(), line.normal.x());
+    std::vector<std::pair<double, std::uint32_t>> s; // along the line, room
+    for (std::size_t i = 0; i < search.size(); ++i)
+      if (search.isOn(line, i, 1.5 * p.tolerance))
+        s.push_back({along.dot(search.at(i)), search.room(i)});
+    if (s.empty())
+      continue;
+    std::sort(s.begin(), s.end());
+    const double low = s.front().first;
+    const double high = s.back().first;
+    const auto beyond = static_cast<std::size_t>(std::lround(p.beyond / p.cell));
+    WallLine wall;
+    wall.normal = line.normal;
+    wall.offset = line.offset;
+    wall.start = low - p.beyond;
+    std::vector<std::uint8_t> cells(
+        static_cast<std::size_t>((high - low) / p.cell) + 1 + 2 * beyond, 0);
+    wall.owner.assign(cells.size(), 0);
+    for (const auto& [at, room] : s) {
+      const auto cell = static_cast<std::size_t>((at - wall.start) / p.cell);
+      cells[cell] = 1;
+      wall.owner[cell] = room;
+    }
+    for (std::size_t i = 1; i < cells.size(); ++i) // small holes have the owner before
+      if (!cells[i])
+        wall.owner[i] = wall.owner[i - 1];
+    const auto parts = partsOf(cells, p);
+    std::size_t longest = 0;
+    for (const auto& [from, to] : parts)
+      longest = std::max(longest, to - from);
+    const bool is_oblique =
+        std::abs(angleOff(std::atan2(wall.normal.y(), wall.normal.x()), axes)) > 1e-6;
+    if (parts.empty() ||
+        (is_oblique && static_cast<double>(longest) * p.cell < p.min_oblique))
+      continue;
+    wall.places.assign(cells.size(), AlongLine::Nothing);
+    const auto fill = [&](std::size_t from, std::size_t to, AlongLine what) {
+      for (std::size_t i = from; i < std::min(to, wall.places.size()); ++i)
+        wall.places[i] = what;
+    };
+    const auto wide = static_cast<std::size_t>(std::lround(p.max_gap / p.cell));
+    fill(parts.front().first - std::min(beyond, parts.front().first),
+         parts.front().first, AlongLine::Ended);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const std::size_t end = parts[k].second;
+      fill(parts[k].first, end, AlongLine::Surface);
+      const bool is_last = k + 1 == parts.size();
+      const std::size_t next = is_last ? end + 2 * beyond : parts[k + 1].first;
+      if (!is_last && next - end < wide)
+        fill(end, next, AlongLine::Gap);
+      else {
+        fill(end, std::min(next, end + beyond), AlongLine::Ended);
+        if (!is_last)
+          fill(std::max(end, next - std::min(beyond, next)), next, AlongLine::Ended);
+      }
+    }
+    result.push_back(std::move(wall));
+  }
+  return result;
+}
+
+} // namespace pcl::sedr

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace pcl::sedr {
+
+/** @brief The energy of the loops of a storey, in nats (negative log-likelihoods).
+ *
+ *     E = sum over samples of the contours
+ *           explained share x min(1, obstacles + (d / 3 sigma)^2) x outlier
+ *             d: distance of the surface beside the sample from its curve
+ *         + unexplained share x what an unseen wall of that kind costs x outlier
+ *         + area between contour and curve: `cut` where air was seen, `add` where
+ * nobody saw, `other` within another room
+ *       + sum over changes of curve
+ *           corner ln(samples) + `bend` a metre of extension; two for a connecting
+ * piece
+ *       + sum over distinct curves
+ *           ln(reach / sigma) a parameter, + `rare_oblique`, `rare_arc`
+ *
+ * Samples lie a cell apart. Their deviations are correlated over a length that is
+ * measured (WallNoise), so a sample is spacing / correlation of an observation. */
+struct LoopEnergy {
+  double min_correlation = 0.1; ///< metres: neighbouring samples share points
+  double max_correlation = 0.4; ///< metres
+  double outlier = 4.5;         ///< nats of an observation beyond three sigma
+  double rare_arc = 7;          ///< nats: one wall in a thousand is curved
+  double rare_oblique = 3;      ///< nats: one in twenty is along no main direction
+  double unseen_oblique = 0.3;  ///< share of `outlier` of a wall that nobody saw
+  double cut = 400;             ///< nats a square metre of seen air that is cut off
+  double add = 20;              ///< nats a square metre that nobody saw
+  double other = 3600;          ///< nats a square metre of another room
+  double bend = 20;             ///< nats a metre of a connecting piece or an extension
+  double free_extension = 0.2;  ///< metres; shorter extensions are the corner's own
+  double reach = 1.5;       ///< metres: curves farther from the contour do not matter
+  double min_sigma = 0.007; ///< metres: walls are not known better here
+  double max_sigma = 0.02;  ///< metres
+  double min_radius = 0.15; ///< metres, of arcs
+  double max_radius = 25;   ///< metres
+};
+
+} // namespace pcl::sedr

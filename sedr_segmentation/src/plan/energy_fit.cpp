@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "energy_fit.h"
+
+#include "../details/detail_fit.h"
+#include "../details/height_map.h"
+#include "../faces/room_cells.h"
+#include "../loops/loop_assembly.h"
+#include "../niches/niche_fit.h"
+#include "../regions/storey_regions.h"
+#include "room_shares.h"
+#include "room_slabs.h"
+#include "sedr_filters/src/base/parallel.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+namespace pcl::sedr {
+
+namespace {
+
+/** @brief Returns the points of each room by what they are labelled as. */
+std::vector<RoomPoints>
+labelledPoints(const std::vector<RoomEvidence>& parts, std::size_t points)
+{
+  std::vector<std::uint8_t> is_labelled(points, 0);
+  std::vector<RoomPoints> rooms(parts.size());
+  for (std::size_t r = 0; r < parts.size(); ++r) {
+    rooms[r].ceiling = parts[r].ceiling;
+    rooms[r].ceiling.insert(rooms[r].ceiling.end(), parts[r].details.begin(),
+                            parts[r].details.end());
+    rooms[r].floor = parts[r].floor;
+    rooms[r].walls = parts[r].walls;
+    // Faces of beams and lintels are labelled as details.
+    const std::vector<int>* const lists[] = {&parts[r].ceiling, &parts[r].floor,
+                                             &parts[r].walls};
+    for (const auto* list : lists)
+      for (const int i : *list)
+        is_labelled[static_cast<std::size_t>(i)] = 1;
+  }
+  for (std::size_t r = 0; r < parts.size(); ++r)
+    for (const int i : parts[r].around)
+      if (!is_labelled[static_cast<std::size_t>(i)])
+        rooms[r].others.push_back(i);
+  return rooms;
+}
+
+/** @brief Adds the cells of a mask that lie in the box of another. */
+void
+addCells(const CellMask& mask, CellMask& sum)
+{
+  const CellBox shared = overlapOf(sum.box(), mask.box());
+  for (int y = shared.low.y; y <= shared.high.y; ++y)
+    for (int x = shared.low.x; x <= shared.high.x; ++x)
+      if (mask.at({x, y}))
+        sum.set({x, y}, 1);
+}
+
+/** @brief Fits the loops of the rooms of a storey. */
+void
+fitLoops(const Storey& storey,
+         const std::vector<RoomCells>& cells,
+         const std::vector<RoomRegion>& regions,
+         const CellGrid& grid,
+         std::vector<PlanRoom>& rooms,
+         std::vector<FittedBoundary>& boundaries)
+{
+  constexpr double near = 3; // cells: farther points are no evidence of the walls
+  const LoopEnergy energy;
+  std::vector<LoopContour> contours;
+  for (const std::size_t r : storey.rooms) {
+    const CellMask& region = regions[r].cells;
+    const CellMask rim = dilated(region, near);
+    std::vector<Eigen::Vector2d> places;
+    for (const Eigen::Vector2d& p : cells[r].wall_points)
+      if (rim.at(grid.at(p.x(), p.y())))
+        places.push_back(p);
+    const PlanPoints walls(std::move(places), 0.2);
+    CellMask others(region.box()); // their air, with a wall around it
+    CellMask unseen(region.box());
+    for (const std::size_t q : storey.rooms)
+      if (q != r && cells[q].sharesHeights(cells[r])) {
+        addCells(intersect(regions[q].cells, cells[q].seen), others);
+        addCells(regions[q].cells, unseen);
+      }
+    others = subtract(unite(dilated(others, 1), unseen), region);
+    for (LoopContour& contour : contoursOf(region, grid, r)) {
+      gatherBeside(walls, {&region, &cells[r].seen, &others}, grid, energy, contour);
+      contours.push_back(std::move(contour));
+    }
+  }
+  const WallNoise noise = findSurfaces(contours, energy, grid.size());
+  LoopSolver solver(contours, energy, grid.size(), noise);
+  solver.solve();
+  for (std::size_t c = 0; c < contours.size(); ++c) {
+    PlanLoop loop = assembleLoop(solver, c);
+    PlanRoom& room = rooms[contours[c].room];
+    if (loop.elements.empty())
+      continue;
+    if (contours[c].is_hole)
+      room.columns.push_back(std::move(loop));
+    else if (room.boundary.elements.empty())
+      room.boundary = std::move(loop);
+    else
+      continue;
+    FittedBoundary fitted;
+    fitted.room = static_cast<std::uint32_t>(contours[c].room);
+    fitted.label = contours[c].is_hole ? StructureLabel::Column : StructureLabel::Wall;
+    for (const LoopSample& sample : contours[c].samples) {
+      ContourSample place;
+      place.place = sample.place;
+      place.position = sample.isSeen() ? sample.anchor : sample.place;
+      place.tangent = {-sample.normal.y(), sample.normal.x()};
+      place.support = sample.seen;
+      place.points = sample.points;
+      fitted.samples.push_back(place);
+    }
+    boundaries.push_back(std::move(fitted));
+  }
+}
+
+/** @brief Fits the parts of ceiling and floor at heights of their own. */
+void
+fitSurfaces(const PointView& points,
+            const RoomEvidence& parts,
+            const SlabEvidence& of_ceiling,
+            const CellMask& region,
+            const RoomFitParameters& parameters,
+            PlanRoom& room)
+{
+  const CellGrid grid(parameters.cell_size);
+  const ColumnTable columns(grid, region.box(), points, parts.around);
+  if (!of_ceiling.details.empty())
+    room.details = fitDetails(points, of_ceiling, room, region, columns, parameters);
+  const SlabEvidence floor = floorEvidence(points, parts, room.floor, parameters);
+  if (!floor.details.empty())
+    room.floor_details = fitDetails(points, floor, room, region, columns, parameters);
+}
+
+} // namespace
+
+Floorplan
+fitPlanByEnergy(const PointView& points,
+                const PlanEvidence& evidence,
+                const PointView& scan,
+                const std::vector<int>& scan_indices,
+                const RoomFitParameters& parameters,
+                std::string& problem,
+                std::vector<std::string>& warnings,
+                std::vector<FittedBoundary>* boundaries,
+                std::vector<RoomSheet>* sheets)
+{
+  Floorplan plan;
+  const Priors& priors = parameters.loop.priors;
+  const unsigned threads = parameters.threads;
+  problem.clear();
+  warnings.clear();
+  const CellGrid grid(parameters.cell_size);
+  const std::vector<std::uint32_t> numbers = roomNumbers(evidence);
+  const RoomShares shares = shareOut(points, evidence, numbers, parameters, problem);
+  const std::vector<RoomEvidence>& parts = shares.rooms;
+  if (!problem.empty())
+    return plan;
+  const RoomCellsParameters of_cells;
+  std::vector<RoomCells> cells =
+      roomCells(points, labelledPoints(parts, points.size()), grid, of_cells, threads);
+  if (scan.size() > 0)
+    findGlass(scan, scan_indices, grid, of_cells, threads, cells);
+  const std::vector<Storey> storeys = storeysOf(cells, {}, threads);
+  const std::vector<RoomRegion> regions =
+      roomRegions(cells, storeys, grid, {}, threads);
+  std::vector<PlanRoom> rooms(numbers.size());
+  std::vector<std::vector<FittedBoundary>> fitted(storeys.size());
+  parallelBlocks(storeys.size(), 1, threads, [&](std::size_t s, std::size_t) {
+    fitLoops(storeys[s], cells, regions, grid, rooms, fitted[s]);
+  });
+  std::vector<std::uint8_t> is_sheet(numbers.size(), 0);
+  parallelBlocks(rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {
+    PlanRoom& room = rooms[r];
+    room.id = numbers[r];
+    if (room.boundary.elements.empty() || parts[r].ceiling.size() < 3 ||
+        parts[r].floor.size() < 3)
+      return;
+    SlabEvidence of_ceiling;
+    const std::shared_ptr<const PlanSlab> sheet =
+        sheets ? seenSheet(placesOf(points, shares.sheets[r]), priors, 1) : nullptr;
+    if (sheet) {
+      room.ceiling = *sheet;
+      is_sheet[r] = 1;
+    }
+    else
+      of_ceiling = ceilingEvidence(points, parts[r], parameters, room.ceiling);
+    room.floor = slabOf(points, parts[r].floor, parameters);
+    fitSurfaces(points, parts[r], of_ceiling, regions[r].cells, parameters, room);
+    std::vector<int> beside = parts[r].around;
+    beside.insert(beside.end(), parts[r].behind.begin(), parts[r].behind.end());
+    NicheParameters of_niches;
+    of_niches.threads = 1;
+    of_niches.priors = priors;
+    room.niches = fitNiches(points, beside, room, of_niches);
+  });
+  for (std::size_t r = 0; r < rooms.size(); ++r) {
+    const std::string name = "room " + std::to_string(numbers[r]) + ": ";
+    if (parts[r].ceiling.size() < 3 || parts[r].floor.size() < 3)
+      warnings.push_back(name + std::to_string(parts[r].ceiling.size()) +
+                         " ceiling points and " +
+                         std::to_string(parts[r].floor.size()) +
+                         " floor points are too few, 3 are needed of each");
+    else if (rooms[r].boundary.elements.empty())
+      warnings.push_back(name + "no closed outline could be fitted to " +
+                         std::to_string(cells[r].seen.count()) + " ceiling cells");
+    else {
+      if (regions[r].lost >= parameters.minimum_detail_area) {
+        char text[96];
+        std::snprintf(text, sizeof text,
+                      "%.2f m2 of its ceiling lie apart and are left out",
+                      regions[r].lost);
+        warnings.push_back(name + text);
+      }
+      if (is_sheet[r])
+        sheets->push_back({numbers[r], placesOf(points, shares.sheets[r])});
+      plan.rooms.push_back(std::move(rooms[r]));
+    }
+  }
+  for (auto& of_storey : fitted)
+    for (FittedBoundary& boundary : of_storey) {
+      boundary.room = numbers[boundary.room];
+      if (boundaries)
+        boundaries->push_back(std::move(boundary));
+    }
+  if (plan.rooms.empty())
+    problem =
+        warnings.empty() ? "no ceiling point belongs to a room" : warnings.front();
+  return plan;
+}
+
+} // namespace pcl::sedr

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "plan_fit.h"
+
+#include <string>
+#include <vector>
+
+namespace pcl::sedr {
+
+/** @brief Fits all rooms of a plan by two energies: RegionEnergy tells which cells are
+ * the room's, LoopEnergy which lines and arcs its walls are.
+ * @param scan the raw scan, may be empty; it tells glass from walls
+ * @param scan_indices the points of it to use; empty: all
+ * @see fitPlan() for the other parameters */
+Floorplan fitPlanByEnergy(const PointView& points,
+                          const PlanEvidence& evidence,
+                          const PointView& scan,
+                          const std::vector<int>& scan_indices,
+                          const RoomFitParameters& parameters,
+                          std::string& problem,
+                          std::vector<std::string>& warnings,
+                          std::vector<FittedBoundary>* boundaries,
+                          std::vector<RoomSheet>* sheets);
+
+} // namespace pcl::sedr

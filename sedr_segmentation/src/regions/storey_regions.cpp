@@ -1,0 +1,457 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "storey_regions.h"
+
+#include "../sheets/minimum_cut.h"
+#include "sedr_filters/src/base/parallel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+
+namespace pcl::sedr {
+
+namespace {
+
+/** @brief The neighbours of a cell that share a border with it, one of each pair. */
+constexpr std::array<Cell, 4> steps{{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
+
+constexpr int core_depth = 2; // cells: seen cells this far inside are fixed
+
+CellMask
+closed(const CellMask& mask, double radius)
+{
+  return eroded(dilated(mask, radius), radius);
+}
+
+/** @brief Adds the cells of a mask that lie in the box of another. */
+void
+addTo(CellMask& sum, const CellMask& mask)
+{
+  const CellBox shared = overlapOf(sum.box(), mask.box());
+  for (int y = shared.low.y; y <= shared.high.y; ++y)
+    for (int x = shared.low.x; x <= shared.high.x; ++x)
+      if (mask.at({x, y}))
+        sum.set({x, y}, 1);
+}
+
+/** @brief The surfaces around a room, its own and those of the rooms beside it, and how
+ * dear a border between two cells is. */
+struct Surroundings {
+  CellMask opaque;
+  CellMask air;    ///< seen by any room
+  CellMask others; ///< seen air of other rooms, fixed to them
+  std::array<std::vector<float>, 4> factor;
+};
+
+/** @brief Lowers the factors of borders on a line. A surface that the room itself sees
+ * is free; one that only others see is a line of a wall. */
+void
+markLine(const WallLine& line,
+         std::size_t room,
+         const CellGrid& grid,
+         double cost,
+         const CellMask& frame,
+         std::array<std::vector<float>, 4>& factor)
+{
+  const double size = grid.size();
+  for (std::size_t b = 0; b < 2 * line.places.size(); ++b) {
+    const AlongLine what = line.places[b / 2];
+    if (what == AlongLine::Nothing)
+      continue;
+    const bool is_own = what == AlongLine::Surface && line.owner[b / 2] == room;
+    const auto value = static_cast<float>(is_own ? 0 : cost);
+    const Eigen::Vector2d p =
+        line.at(line.start + (static_cast<double>(b) + 0.5) * size / 2);
+    const Cell middle = grid.at(p.x(), p.y());
+    if (!frame.isInside(middle))
+      continue;
+    for (int y = middle.y - 1; y <= middle.y + 1; ++y)
+      for (int x = middle.x - 1; x <= middle.x + 1; ++x) {
+        const Cell cell{x, y};
+        if (!frame.isInside(cell))
+          continue;
+        const double d = line.normal.dot(grid.centre(cell)) - line.offset;
+        for (std::size_t k = 0; k < steps.size(); ++k) {
+          const double e =
+              d + size * (line.normal.x() * steps[k].x + line.normal.y() * steps[k].y);
+          float& known = factor[k][frame.indexOf(cell)];
+          if ((d < 0) != (e < 0))
+            known = std::min(known, value);
+        }
+      }
+  }
+}
+
+/** @brief Lowers the factor of the borders of cells of a mask. */
+void
+markCells(const CellMask& mask, double cost, std::array<std::vector<float>, 4>& factor)
+{
+  const auto value = static_cast<float>(cost);
+  for (std::size_t i = 0; i < mask.values().size(); ++i) {
+    const Cell cell = mask.cellAt(i);
+    for (std::size_t k = 0; k < steps.size(); ++k)
+      if (mask.values()[i] || mask.at({cell.x + steps[k].x, cell.y + steps[k].y}))
+        factor[k][i] = std::min(factor[k][i], value);
+  }
+}
+
+/** @brief Cells behind the lines of walls. */
+struct BehindLines {
+  CellMask reveal; ///< seen, within a wall's thickness
+  CellMask back;   ///< around the backs of shallow niches
+  CellMask wall;   ///< within a wall
+};
+
+/** @brief Finds reveals, backs of niches and the inside of walls, by steps outwards
+ * from the lines of a room's walls. */
+class RevealSearch {
+public:
+  RevealSearch(const RoomCells& room,
+               const Surroundings& around,
+               const CellGrid& grid,
+               const RegionEnergy& energy)
+      : grid_(grid)
+      , energy_(energy)
+      , air_(around.air)
+      , seen_(closed(room.seen, 2))
+      , closed_(dilated(around.opaque, 2))
+      , next_(dilated(around.others, 2))
+      , found{CellMask(seen_.box()), CellMask(seen_.box()), CellMask(seen_.box())}
+  {}
+
+  void lookBehind(const WallLine& line)
+  {
+    const double size = grid_.size();
+    for (std::size_t b = 0; b < 2 * line.places.size(); ++b) {
+      const AlongLine what = line.places[b / 2];
+      if (what == AlongLine::Nothing)
+        continue;
+      const Eigen::Vector2d p =
+          line.at(line.start + (static_cast<double>(b) + 0.5) * size / 2);
+      if (!seen_.isInside(grid_.at(p.x(), p.y())))
+        continue;
+      lookBehind(p, line.normal, what);
+      lookBehind(p, -line.normal, what);
+    }
+  }
+
+private:
+  bool is(const CellMask& mask, const Eigen::Vector2d& p) const
+  {
+    return mask.at(grid_.at(p.x(), p.y())) != 0;
+  }
+
+  void mark(CellMask& mask, const Eigen::Vector2d& p)
+  {
+    const Cell cell = grid_.at(p.x(), p.y());
+    if (mask.isInside(cell))
+      mask.set(cell, 1);
+  }
+
+  void lookBehind(const Eigen::Vector2d& p, const Eigen::Vector2d& out, AlongLine what)
+  {
+    constexpr double before = 0.15; // metres: here air of the room was seen,
+    constexpr double inside = 0.4;  // and here
+    if (!is(seen_, p - before * out) || !is(seen_, p - inside * out))
+      return;
+    const double size = grid_.size();
+    const double step = size / 2;
+    const double farthest = energy_.max_wall + 3 * size;
+    double depth = 0; // of the seen air behind the line
+    while (depth < farthest && is(seen_, p + (depth + step) * out))
+      depth += step;
+    const bool in_gap = what != AlongLine::Ended;
+    const Eigen::Vector2d end = p + (depth + step) * out;
+    const bool is_reveal = depth > 0 && depth < energy_.max_wall && !is(closed_, end) &&
+                           (in_gap || !is(next_, end));
+    const bool is_shallow =
+        what == AlongLine::Gap && depth > 1.5 * size && depth < energy_.max_niche;
+    bool in_wall = in_gap;
+    for (double d = step; d < farthest; d += step) {
+      const Eigen::Vector2d q = p + d * out;
+      if ((is_reveal || is_shallow) && d <= depth)
+        mark(found.reveal, q);
+      in_wall = in_wall && d < energy_.max_wall && !is(air_, q);
+      if (in_wall)
+        mark(found.wall, q);
+    }
+    if (is_shallow)
+      for (double d = -size; d < 2.5 * size; d += step)
+        mark(found.back, p + (depth + d) * out);
+  }
+
+  const CellGrid& grid_;
+  const RegionEnergy& energy_;
+  const CellMask& air_;
+  CellMask seen_;
+  CellMask closed_;
+  CellMask next_;
+
+public:
+  BehindLines found;
+};
+
+/** @brief The cut of one room. */
+class RegionCut {
+public:
+  RegionCut(const RoomCells& room,
+            const Surroundings& around,
+            const BehindLines& behind,
+            const CellGrid& grid,
+            const RegionEnergy& energy)
+      : size_(grid.size())
+      , frame_(room.seen)
+      , seen_(subtract(room.seen, around.opaque))
+      , reveal_(intersect(behind.reveal, room.seen))
+      , wall_(subtract(behind.wall, around.air))
+      , energy_(energy)
+  {
+    const CellMask open =
+        subtract(subtract(closed(room.seen, 1.5), reveal_), around.opaque);
+    core_ = intersect(eroded(open, core_depth), room.seen);
+    core_ = largestRegion(core_);
+    number_.assign(frame_.values().size(), none);
+    for (std::size_t i = 0; i < number_.size(); ++i) {
+      const Cell cell = frame_.cellAt(i);
+      const bool is_rim = cell.x == frame_.box().low.x ||
+                          cell.x == frame_.box().high.x ||
+                          cell.y == frame_.box().low.y || cell.y == frame_.box().high.y;
+      if (core_.values()[i])
+        number_[i] = room_;
+      else if (!around.others.values()[i] && !is_rim)
+        number_[i] = free_++;
+    }
+    BinaryEnergy cut(static_cast<std::size_t>(free_));
+    for (std::size_t i = 0; i < number_.size(); ++i)
+      if (number_[i] >= 0)
+        addCell(i, cut);
+    for (std::size_t i = 0; i < number_.size(); ++i)
+      for (std::size_t k = 0; k < steps.size(); ++k)
+        addBorder(i, k, around, behind.back, cut);
+    answer_ = cut.minimise();
+  }
+
+  RoomRegion region() const
+  {
+    RoomRegion region;
+    region.cells = CellMask(frame_.box());
+    for (std::size_t i = 0; i < number_.size(); ++i)
+      region.cells.values()[i] =
+          number_[i] == room_ ||
+          (number_[i] >= 0 && answer_[static_cast<std::size_t>(number_[i])]);
+    region.cells = markedRegions(region.cells, core_, false);
+    for (std::size_t i = 0; i < number_.size(); ++i) {
+      if (seen_.values()[i] && !reveal_.values()[i] && !region.cells.values()[i])
+        region.lost += size_ * size_;
+      if (region.cells.values()[i] && !seen_.values()[i])
+        region.added += size_ * size_;
+    }
+    return region;
+  }
+
+private:
+  static constexpr std::int32_t none = -1;  ///< fixed: not of the room
+  static constexpr std::int32_t room_ = -2; ///< fixed: of the room
+
+  void addCell(std::size_t i, BinaryEnergy& cut) const
+  {
+    const double area = size_ * size_;
+    const bool is_air = seen_.values()[i] && !reveal_.values()[i];
+    const double without = is_air ? energy_.seen : 0;
+    const double with = is_air              ? 0
+                        : seen_.values()[i] ? energy_.reveal
+                        : wall_.values()[i] ? energy_.wall
+                                            : energy_.unseen;
+    cut.addTerm(static_cast<std::size_t>(number_[i]), area * without, area * with);
+  }
+
+  /** @brief Adds the border of a cell with a neighbour, its length by Crofton's formula
+   * for eight neighbours. */
+  void addBorder(std::size_t i,
+                 std::size_t k,
+                 const Surroundings& around,
+                 const CellMask& back,
+                 BinaryEnergy& cut) const
+  {
+    const Cell cell = frame_.cellAt(i);
+    const Cell next{cell.x + steps[k].x, cell.y + steps[k].y};
+    if (!frame_.isInside(next))
+      return;
+    const std::size_t j = frame_.indexOf(next);
+    const std::int32_t a = number_[i];
+    const std::int32_t b = number_[j];
+    if (a < 0 && b < 0)
+      return;
+    double factor = around.factor[k][i];
+    if (back.values()[i] || back.values()[j])
+      factor = std::max(factor, energy_.glass);
+    const double cost = factor * size_ * M_PI / 8 / std::hypot(steps[k].x, steps[k].y);
+    if (!(cost > 0))
+      return;
+    if (a >= 0 && b >= 0)
+      cut.addPair(static_cast<std::size_t>(a), static_cast<std::size_t>(b), 0, cost,
+                  cost, 0);
+    else {
+      const std::int32_t fixed = a >= 0 ? b : a;
+      const auto free = static_cast<std::size_t>(a >= 0 ? a : b);
+      cut.addTerm(free, fixed == room_ ? cost : 0, fixed == room_ ? 0 : cost);
+    }
+  }
+
+  double size_;
+  const CellMask& frame_;
+  CellMask seen_;
+  CellMask reveal_;
+  CellMask wall_;
+  CellMask core_;
+  const RegionEnergy& energy_;
+  std::vector<std::int32_t> number_; ///< of free cells, else fixed
+  std::int32_t free_ = 0;
+  std::vector<std::uint8_t> answer_;
+};
+
+/** @brief Returns the seen air of a room that hangs together. */
+CellMask
+coreOf(const RoomCells& room, const CellMask& opaque)
+{
+  const CellMask open = subtract(closed(room.seen, 1.5), opaque);
+  const CellMask core = largestRegion(eroded(open, core_depth));
+  CellMask near = core;
+  for (int k = 0; k < 2 * core_depth; ++k)
+    near = intersect(dilated(near, 1), open);
+  return intersect(near, room.seen);
+}
+
+} // namespace
+
+std::vector<Storey>
+storeysOf(const std::vector<RoomCells>& rooms,
+          const WallLineParameters& parameters,
+          unsigned threads)
+{
+  std::vector<std::size_t> order;
+  for (std::size_t r = 0; r < rooms.size(); ++r)
+    if (rooms[r].seen.count() > 0)
+      order.push_back(r);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return rooms[a].ceiling < rooms[b].ceiling;
+  });
+  std::vector<Storey> storeys;
+  std::vector<std::size_t> seeds;
+  std::vector<std::uint8_t> is_placed(rooms.size(), 0);
+  for (const std::size_t seed : order) {
+    if (is_placed[seed])
+      continue;
+    Storey storey;
+    for (const std::size_t r : order)
+      if (!is_placed[r] && (r == seed || rooms[r].sharesHeights(rooms[seed]))) {
+        storey.rooms.push_back(r);
+        is_placed[r] = 1;
+      }
+    std::sort(storey.rooms.begin(), storey.rooms.end());
+    storeys.push_back(std::move(storey));
+    seeds.push_back(seed);
+  }
+  parallelBlocks(storeys.size(), 1, threads, [&](std::size_t s, std::size_t) {
+    std::vector<SurfacePlace> places;
+    for (const std::size_t r : order) {
+      if (!rooms[r].sharesHeights(rooms[seeds[s]]) && r != seeds[s])
+        continue;
+      std::size_t k = 0;
+      for (std::size_t i = 0; i < rooms[r].solid.values().size(); ++i)
+        if (rooms[r].solid.values()[i]) {
+          if (!rooms[r].glass.values()[i])
+            places.push_back({rooms[r].centres[k], static_cast<std::uint32_t>(r)});
+          ++k;
+        }
+    }
+    storeys[s].lines = wallLines(std::move(places), parameters);
+  });
+  return storeys;
+}
+
+std::vector<RoomRegion>
+roomRegions(const std::vector<RoomCells>& rooms,
+            const std::vector<Storey>& storeys,
+            const CellGrid& grid,
+            const RegionEnergy& energy,
+            unsigned threads)
+{
+  const std::size_t n = rooms.size();
+  std::vector<std::size_t> storey_of(n, 0);
+  std::vector<std::uint8_t> is_used(n, 0);
+  for (std::size_t s = 0; s < storeys.size(); ++s)
+    for (const std::size_t r : storeys[s].rooms) {
+      storey_of[r] = s;
+      is_used[r] = 1;
+    }
+  std::vector<std::vector<std::size_t>> beside(n); // share heights and places
+  for (std::size_t a = 0; a < n; ++a)
+    for (std::size_t b = 0; b < n; ++b)
+      if (is_used[a] && is_used[b] &&
+          (a == b || (rooms[a].sharesHeights(rooms[b]) &&
+                      overlapOf(rooms[a].seen.box(), rooms[b].seen.box()).count() > 0)))
+        beside[a].push_back(b);
+  std::vector<Surroundings> around(n);
+  std::vector<CellMask> cores(n);
+  parallelBlocks(n, 1, threads, [&](std::size_t r, std::size_t) {
+    if (!is_used[r])
+      return;
+    around[r].opaque = CellMask(rooms[r].seen.box());
+    for (const std::size_t q : beside[r])
+      addTo(around[r].opaque, subtract(rooms[q].solid, rooms[q].glass));
+    cores[r] = coreOf(rooms[r], around[r].opaque);
+  });
+  std::vector<RoomRegion> regions(n);
+  const auto cut = [&](std::size_t r) {
+    Surroundings& own = around[r];
+    const CellBox& box = rooms[r].seen.box();
+    own.air = own.others = CellMask(box);
+    CellMask glassy(box);
+    for (const std::size_t q : beside[r]) {
+      addTo(own.air, rooms[q].seen);
+      addTo(glassy, rooms[q].glass);
+      if (q != r)
+        addTo(own.others, cores[q]);
+    }
+    own.others = subtract(own.others, rooms[r].seen);
+    for (auto& factor : own.factor)
+      factor.assign(own.opaque.values().size(), 1);
+    markCells(subtract(glassy, own.opaque), energy.glass, own.factor);
+    markCells(closed(own.opaque, 1.5), energy.line, own.factor);
+    markCells(closed(subtract(rooms[r].solid, rooms[r].glass), 1.5), 0, own.factor);
+    RevealSearch behind(rooms[r], own, grid, energy);
+    for (const WallLine& line : storeys[storey_of[r]].lines) {
+      markLine(line, r, grid, energy.line, own.opaque, own.factor);
+      behind.lookBehind(line);
+    }
+    for (const std::size_t q : beside[r]) // what other rooms have already
+      if (q < r && regions[q].cells.count() > 0)
+        addTo(own.others, regions[q].cells);
+    regions[r] = RegionCut(rooms[r], own, behind.found, grid, energy).region();
+    own = {};
+  };
+  // A room waits for those before it that lie beside it.
+  std::vector<std::size_t> turn(n, 0);
+  std::size_t turns = 0;
+  for (std::size_t r = 0; r < n; ++r) {
+    for (const std::size_t q : beside[r])
+      if (q < r)
+        turn[r] = std::max(turn[r], turn[q] + 1);
+    turns = std::max(turns, turn[r] + 1);
+  }
+  for (std::size_t t = 0; t < turns; ++t) {
+    std::vector<std::size_t> now;
+    for (std::size_t r = 0; r < n; ++r)
+      if (is_used[r] && turn[r] == t)
+        now.push_back(r);
+    parallelBlocks(now.size(), 1, threads,
+                   [&](std::size_t k, std::size_t) { cut(now[k]); });
+  }
+  return regions;
+}
+
+} // namespace pcl::sedr

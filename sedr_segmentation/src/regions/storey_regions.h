@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "../faces/room_cells.h"
+#include "../faces/wall_lines.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl::sedr {
+
+/** @brief Weights of the energy of a room's region, in units of a metre of border that
+ * nothing explains.
+ *
+ *     E(region) = sum over its border    length x (0 at a surface up to the ceiling
+ * that the room sees, `glass` at a pane, `line` at a surface that others see and on the
+ * line of a wall, else 1)
+ *               + sum over cells left out    `seen` a square metre of seen ceiling
+ *               + sum over cells taken in    `unseen` a square metre that nobody saw,
+ *                     `wall` within a wall, `reveal` in a reveal
+ *
+ * Fixed are seen cells two cells inside, of this room and of others. */
+struct RegionEnergy {
+  double line = 0.1;
+  double glass = 0.5;
+  double seen = 4;
+  double reveal = 0.3;
+  double unseen = 1;
+  double wall = 3;
+  double max_wall =
+      0.6; ///< metres; a recess behind a line that is no deeper is a reveal
+  double max_niche = 0.3; ///< metres; one no deeper is a reveal even with a closed back
+};
+
+/** @brief The region of a room in plan. */
+struct RoomRegion {
+  CellMask cells;
+  double lost = 0;  ///< seen ceiling left out, without reveals, square metres
+  double added = 0; ///< cells taken in that were not seen, square metres
+};
+
+/** @brief Rooms side by side. */
+struct Storey {
+  std::vector<std::size_t> rooms; ///< that belong to it
+  std::vector<WallLine> lines;    ///< of their walls, and of rooms beside them
+};
+
+/** @brief Groups rooms by the heights that they share, and finds the lines of each
+ * group's walls. */
+std::vector<Storey> storeysOf(const std::vector<RoomCells>& rooms,
+                              const WallLineParameters& parameters,
+                              unsigned threads);
+
+/** @brief Finds the region of every room by one minimum cut each. Regions do not
+ * overlap where rooms share heights. O(cells near walls, x log) a room. */
+std::vector<RoomRegion> roomRegions(const std::vector<RoomCells>& rooms,
+                                    const std::vector<Storey>& storeys,
+                                    const CellGrid& grid,
+                                    const RegionEnergy& energy,
+                                    unsigned threads);
+
+} // namespace pcl::sedr
