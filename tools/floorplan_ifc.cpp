@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bytes/whole_file.h"
-#include "model/ifc_file.h"
 #include "model/solid_files.h"
 #include "plan_file.h"
 #include "run_tool.h"
@@ -33,22 +32,35 @@ main(int argc, char** argv)
 {
   std::string plan;
   std::string output;
-  IfcOptions ifc;
+  std::string arcs = "exact";
+  pcl::sedr::IfcSettings settings;
   Options options("pcl_floorplan_ifc", "Writes a floor plan as IFC4.");
   options.file("PLAN.json", plan,
                "floor plan, as pcl_sedr and pcl_floorplan_fitting write it");
   options.file("OUTPUT.ifc", output, "building model to write");
-  addIfcOptions(options, ifc);
+  options.text("ifc-arcs", arcs,
+               "arcs of the IFC: exact, or faceted for programs that misread them",
+               {"exact", "faceted"});
+  options.text("ifc-name", settings.name,
+               "name of the building in the IFC; its GUIDs are made of it");
+  options.text("crs", settings.crs,
+               "name of the grid that the coordinates are in, for the IFC: EPSG:25832");
+  options.number("assumed-thickness", settings.assumed_thickness, "m",
+                 "of walls and slabs of the IFC of which one face was seen",
+                 Range::between(0.02, 2));
   return runTool(options, argc, argv, [&] {
     if (!hasExtension(output, ".ifc"))
       throw ToolError("a building model is written as IFC, '" + output +
                       "' does not end in .ifc");
     checkWritable(output);
     const auto rooms = loadFloorplan(plan);
-    pcl::sedr::IfcSettings settings = settingsOf(ifc);
+    settings.arcs =
+        arcs == "faceted" ? pcl::sedr::IfcArcs::Facets : pcl::sedr::IfcArcs::Exact;
     settings.tilts = planTilts(plan);
     settings.max_wall = planMaxWall(plan);
-    tell(saveIfc(output, *rooms, settings, planOrigin(plan)));
+    const auto model = writeIfc(*rooms, settings, planOrigin(plan));
+    writeWhole(output, [&](std::ostream& stream) { stream << model.text; });
+    tell(model);
     return Done;
   });
 }

@@ -5,7 +5,6 @@
 #include "chain_pictures.h"
 #include "drawing_files.h"
 #include "e57/e57_pages.h"
-#include "ifc_file.h"
 #include "joint_scan.h"
 #include "output_folder.h"
 #include "progress.h"
@@ -18,6 +17,7 @@
 
 #include "sedr_filters/src/base/parallel.h"
 #include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_surface/floorplan_ifc.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>
 #include <pcl/sedr_surface/mesh_io.h>
 
@@ -176,14 +176,14 @@ drawingSettings(const Reconstruction& chain)
 
 /** @brief Writes model.ifc; its warnings are added to the chain's. */
 void
-writeBuildingModel(const OutputFolder& folder,
-                   Reconstruction& chain)
+writeBuildingModel(const OutputFolder& folder, Reconstruction& chain)
 {
   IfcSettings ifc;
   ifc.max_wall = chain.getPriors().max_wall;
   ifc.tilts = chain.getChain().tilts;
-  const IfcModel model =
-      saveIfc(folder.file("model.ifc"), *chain.getFloorplan(), ifc, chain.getOrigin());
+  const IfcModel model = writeIfc(*chain.getFloorplan(), ifc, chain.getOrigin());
+  writeWhole(folder.file("model.ifc"),
+             [&](std::ostream& stream) { stream << model.text; });
   auto& warnings = chain.getChain().warnings;
   warnings.insert(warnings.end(), model.warnings.begin(), model.warnings.end());
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output_folder.h"
 
-#include "tool_error.h"
 #include "bytes/whole_file.h"
+#include "tool_error.h"
 
 #include <unistd.h>
 

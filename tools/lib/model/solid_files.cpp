@@ -7,6 +7,9 @@
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/mesh_io.h>
 
+#include <boost/algorithm/string/join.hpp>
+
+#include <algorithm>
 #include <filesystem>
 
 namespace pcl::sedr::tools {
@@ -17,6 +20,20 @@ std::filesystem::path
 materialsOf(const std::string& path)
 {
   return std::filesystem::path(path).replace_extension(".mtl");
+}
+
+/** @brief Throws ToolError if a file cannot be written, or its name ends in none of
+ * some extensions. */
+void
+checkExtension(const std::string& path,
+               const std::string& what,
+               const std::vector<std::string>& extensions)
+{
+  if (std::none_of(extensions.begin(), extensions.end(),
+                   [&](const std::string& known) { return hasExtension(path, known); }))
+    throw ToolError(what + " is written as " + boost::join(extensions, ", ") + ", '" +
+                    path + "' ends in none of them");
+  checkWritable(path);
 }
 
 } // namespace
@@ -31,11 +48,7 @@ hasExtension(const std::string& path, const std::string& extension)
 void
 checkSolidOutput(const std::string& path)
 {
-  if (!hasExtension(path, ".ply") && !hasExtension(path, ".obj") &&
-      !hasExtension(path, ".glb"))
-    throw ToolError("a solid is written as PLY, OBJ or GLB, '" + path +
-                    "' ends neither in .ply nor in .obj or .glb");
-  checkWritable(path);
+  checkExtension(path, "a solid", {".ply", ".obj", ".glb"});
   if (hasExtension(path, ".obj"))
     checkWritable(materialsOf(path).string());
 }
@@ -84,11 +97,7 @@ originComments(const Origin& origin)
 void
 checkDrawingOutput(const std::string& path)
 {
-  if (!hasExtension(path, ".svg") && !hasExtension(path, ".pdf") &&
-      !hasExtension(path, ".dxf"))
-    throw ToolError("a drawing is written as SVG, PDF or DXF, '" + path +
-                    "' ends in none of .svg, .pdf and .dxf");
-  checkWritable(path);
+  checkExtension(path, "a drawing", {".svg", ".pdf", ".dxf"});
 }
 
 std::vector<DrawingSheet>
