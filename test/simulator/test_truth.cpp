@@ -2,7 +2,7 @@
 // truth.json against closed forms.
 #include "sample_scenes.h"
 #include "simulator/mesh/scene_mesh.h"
-#include "simulator/truth/truth_json.h"
+#include "simulator/truth/truth.h"
 
 #include <gtest/gtest.h>
 

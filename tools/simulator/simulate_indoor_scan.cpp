@@ -2,7 +2,7 @@
 #include "run_tool.h"
 #include "simulator/scan/scan_files.h"
 #include "simulator/scene/scenes.h"
-#include "simulator/truth/truth_json.h"
+#include "simulator/truth/truth.h"
 #include "tool_error.h"
 
 #include <unistd.h>

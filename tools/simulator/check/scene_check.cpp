@@ -1,18 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene_check.h"
 
-#include "problems.h"
 #include "simulator/mesh/scene_mesh.h"
+#include "simulator/scene/queries.h"
 
 #include <algorithm>
-#include <exception>
 #include <optional>
+#include <sstream>
+#include <stdexcept>
 
 namespace pcl::sedr::sim {
 
 namespace {
 
-constexpr double kInside = 1e-3; ///< metres inside a loop, clear of its edge
+constexpr double kContact = 1e-6; ///< metres of overlap that count as contact
+constexpr double kInside = 1e-3;  ///< metres inside a loop, clear of its edge
+
+/** @brief Throws the sentence that the parts make up. */
+template <typename... Parts>
+[[noreturn]] void
+fail(const Parts&... parts)
+{
+  std::ostringstream text;
+  (text << ... << parts);
+  throw std::invalid_argument(text.str());
+}
+
+/** @brief Returns a point as " at (x, y)". */
+std::string
+at(const Vec2& point)
+{
+  std::ostringstream text;
+  text << " at (" << point.x() << ", " << point.y() << ")";
+  return text.str();
+}
 
 /** @brief Returns sample points along the outline and all details of a room. */
 std::vector<Vec2>
@@ -47,13 +68,21 @@ overlapOf(const Room& a, const Room& b)
   return std::nullopt;
 }
 
-/** @brief Reports a gap whose far side is in a room, unless it leads there. */
+void
+checkOverlaps(const std::vector<Room>& rooms)
+{
+  for (std::size_t i = 0; i < rooms.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (const auto point = overlapOf(rooms[i], rooms[k]))
+        fail(placeOf("rooms", i), " overlaps room '", rooms[k].name, "'", at(*point));
+}
+
+/** @brief Checks that the far side of a gap is in no room. */
 void
 checkGap(const Scene& scene,
          const Room& room,
          const WallGap& gap,
-         const std::string& place,
-         Problems& problems)
+         const std::string& place)
 {
   const Element far = offsetRight(faceOf(room, gap), gap.depth);
   for (const double s : stepsAlong(far)) {
@@ -61,97 +90,175 @@ checkGap(const Scene& scene,
     for (const Room& other : scene.rooms)
       if (other.outline.contains(point) &&
           floorBelow(other, point) < gap.head - kContact &&
-          ceilingAbove(other, point) > gap.sill + kContact) {
-        problems.report(place, " reaches into room '", other.name,
-                        "' but does not lead to it");
-        return;
-      }
+          ceilingAbove(other, point) > gap.sill + kContact)
+        fail(place, " reaches into room '", other.name, "' but does not lead to it");
   }
 }
 
 /** @brief Checks that a void is within one part of a room's floor or ceiling. */
-bool
-checkHole(const std::string& place,
-          const Loop& loop,
-          const Room& room,
-          Layer layer,
-          Problems& problems)
+void
+checkHole(const std::string& place, const Loop& loop, const Room& room, Layer layer)
 {
   const Region first = regionAt(room, pointInside(loop), layer);
   for (const Vec2& sample : samplesAlong(loop, loop.area() > 0.0 ? kInside : -kInside))
     if (first == kVoid || regionAt(room, sample, layer) != first)
-      return problems.report(place, " reaches out of room '", room.name,
-                             "' or over the edge of a detail", at(sample));
-  return true;
+      fail(place, " reaches out of room '", room.name, "' or over the edge of a detail",
+           at(sample));
 }
 
-bool
+void
 checkVoid(const Scene& scene,
           const Room& room,
           const CeilingVoid& hole,
-          const std::string& place,
-          Problems& problems)
+          const std::string& place)
 {
-  if (!checkHole(place, hole.loop, room, Layer::Ceiling, problems))
-    return false;
+  checkHole(place, hole.loop, room, Layer::Ceiling);
+  if (!hole.leads_to && !(room.plenum > 0.0))
+    fail(place, " leads to no room, and its room has no plenum");
   if (!hole.leads_to)
-    return room.plenum > 0.0 ||
-           problems.report(place, " leads to no room, and its room has no plenum");
+    return;
   const Room& above = scene.rooms[*hole.leads_to];
-  if (!checkHole(place, hole.loop, above, Layer::Floor, problems))
-    return false;
+  checkHole(place, hole.loop, above, Layer::Floor);
   const Vec2 inside = pointInside(hole.loop);
-  return floorBelow(above, inside) >= ceilingAbove(room, inside) + room.plenum ||
-         problems.report(place, " leads to room '", above.name,
-                         "', which is not above it", at(inside));
+  if (floorBelow(above, inside) < ceilingAbove(room, inside) + room.plenum)
+    fail(place, " leads to room '", above.name, "', which is not above it", at(inside));
 }
 
 void
-checkOverlaps(const Scene& scene, Problems& problems)
-{
-  const auto& rooms = scene.rooms;
-  for (std::size_t i = 0; i < rooms.size(); ++i)
-    for (std::size_t k = 0; k < i; ++k)
-      if (const auto point = overlapOf(rooms[i], rooms[k]))
-        problems.report(placeOf("rooms", i), " overlaps room '", rooms[k].name, "'",
-                        at(*point));
-}
-
-void
-checkGaps(const Scene& scene, Problems& problems)
+checkGaps(const Scene& scene)
 {
   for (std::size_t i = 0; i < scene.rooms.size(); ++i) {
     const Room& room = scene.rooms[i];
     const std::string place = placeOf("rooms", i);
     for (std::size_t k = 0; k < room.openings.size(); ++k)
       if (!room.openings[k].leads_to)
-        checkGap(scene, room, room.openings[k], placeOf(place + ".openings", k),
-                 problems);
+        checkGap(scene, room, room.openings[k], placeOf(place + ".openings", k));
     for (std::size_t k = 0; k < room.niches.size(); ++k)
-      checkGap(scene, room, room.niches[k], placeOf(place + ".niches", k), problems);
+      checkGap(scene, room, room.niches[k], placeOf(place + ".niches", k));
     for (std::size_t k = 0; k < room.voids.size(); ++k)
-      checkVoid(scene, room, room.voids[k], placeOf(place + ".voids", k), problems);
+      checkVoid(scene, room, room.voids[k], placeOf(place + ".voids", k));
   }
+}
+
+/** @brief A box or cylinder: an upright prism. */
+struct Prism {
+  Loop footprint;
+  double low = 0.0;
+  double high = 0.0;
+};
+
+/** @brief Returns the parts of an object. */
+std::vector<Prism>
+prismsOf(const Object& object)
+{
+  std::vector<Prism> prisms;
+  for (const Box& box : object.boxes) {
+    const double rise = 0.5 * box.size.z();
+    prisms.push_back(
+        {polygonLoop(cornersOf(box)), box.center.z() - rise, box.center.z() + rise});
+  }
+  for (const Cylinder& cylinder : object.cylinders)
+    prisms.push_back({circleLoop(plan(cylinder.base), cylinder.radius),
+                      cylinder.base.z(), cylinder.base.z() + cylinder.height});
+  return prisms;
+}
+
+/** @brief Checks that nothing obstructs an object at a point of a part's outline.
+ * @param size of the object in the plan; on a slope it touches at its middle */
+void
+checkSample(const std::string& name,
+            const Room& room,
+            const std::vector<Loop>& floor_voids,
+            const Vec2& sample,
+            const Prism& prism,
+            double size)
+{
+  if (!isInRoom(room, sample))
+    fail(name, " meets a wall or column", at(sample));
+  const auto over = [&](Layer layer) { // metres beyond the floor or ceiling
+    const Slab& slab = slabOf(room, regionAt(room, sample, layer), layer);
+    const double z = heightAt(slab, sample);
+    return (layer == Layer::Floor ? z - prism.low : prism.high - z) - kContact -
+           0.5 * size * slab.gradient.norm();
+  };
+  const auto holds = [&](const Loop& loop) { return loop.contains(sample); };
+  if (over(Layer::Floor) > 0.0 &&
+      std::none_of(floor_voids.begin(), floor_voids.end(), holds))
+    fail(name, " is below the floor", at(sample));
+  if (over(Layer::Ceiling) > 0.0 &&
+      std::none_of(room.voids.begin(), room.voids.end(),
+                   [&](const CeilingVoid& v) { return v.leads_to && holds(v.loop); }))
+    fail(name, " is above the ceiling", at(sample));
+}
+
+/** @param floor_voids of each room */
+void
+checkFurniture(const Scene& scene,
+               const Object& object,
+               const std::vector<std::vector<Loop>>& floor_voids)
+{
+  const std::vector<Prism> prisms = prismsOf(object);
+  Box2 whole;
+  for (const Prism& prism : prisms)
+    whole.extend(boundsOf(prism.footprint));
+  const std::string name =
+      object.place + (object.place.empty() ? "the " : ": the ") + object.name;
+  for (const Prism& prism : prisms) {
+    const Box2 bounds = boundsOf(prism.footprint);
+    const std::uint32_t number =
+        roomAt(scene, lifted(bounds.center(), 0.5 * (prism.low + prism.high)));
+    if (number == 0)
+      fail(name, at(bounds.center()), " is in no room");
+    const Room& room = scene.rooms[number - 1];
+    for (const Loop& column : room.columns)
+      if (prism.footprint.contains(column.elements.front().start))
+        fail(name, " stands around a column");
+    std::vector<Vec2> samples = samplesAlong(prism.footprint);
+    for (const Layer layer : {Layer::Floor, Layer::Ceiling})
+      for (const SlabDetail& detail : detailsOf(room, layer))
+        if (detail.bounds.intersects(bounds))
+          for (const Vec2& sample : samplesAlong(detail.loop, kContact))
+            if (prism.footprint.contains(sample))
+              samples.push_back(sample);
+    for (const Vec2& sample : samples)
+      checkSample(name, room, floor_voids[number - 1], sample, prism,
+                  whole.diagonal().norm());
+  }
+}
+
+void
+checkStation(const Scene& scene, const Vec3& station, const std::string& name)
+{
+  const Vec2 place = plan(station);
+  const std::uint32_t number = roomAt(scene, station);
+  if (number == 0 || !isInRoom(scene.rooms[number - 1], place))
+    fail(name, at(place), " is in no room");
+  const Room& room = scene.rooms[number - 1];
+  if (station.z() <= floorBelow(room, place) ||
+      station.z() >= ceilingAbove(room, place))
+    fail(name, at(place), " is not between floor and ceiling");
+  for (const Object& object : scene.furniture)
+    for (const Prism& prism : prismsOf(object))
+      if (station.z() >= prism.low && station.z() <= prism.high &&
+          prism.footprint.contains(place))
+        fail(name, at(place), " is in the ", object.name);
 }
 
 } // namespace
 
-std::vector<std::string>
-problemsOf(const Scene& scene)
+void
+checkScene(const Scene& scene)
 {
-  Problems problems;
-  try {
-    checkOverlaps(scene, problems);
-    if (problems.sentences.empty())
-      meshOf(scene);
-    for (const auto check : {checkGaps, checkObjects})
-      if (problems.sentences.empty())
-        check(scene, problems);
-  }
-  catch (const std::exception& error) {
-    problems.report(error.what());
-  }
-  return problems.sentences;
+  checkOverlaps(scene.rooms);
+  meshOf(scene);
+  checkGaps(scene);
+  const auto floor_voids = floorVoidsOf(scene);
+  for (const Object& object : scene.furniture)
+    checkFurniture(scene, object, floor_voids);
+  for (std::size_t i = 0; i < scene.scanners.size(); ++i)
+    for (std::size_t k = 0; k < scene.scanners[i].stations.size(); ++k)
+      checkStation(scene, scene.scanners[i].stations[k],
+                   placeOf("scanners", i) + ": station " + std::to_string(k));
 }
 
 } // namespace pcl::sedr::sim

@@ -17,38 +17,22 @@ constexpr double kGrazing = 1e-3;
 
 } // namespace
 
-struct RayCaster::Embree {
-  Embree()
-      : device(rtcNewDevice("threads=1")) // a tree that is the same in every run
-      , scene(device == nullptr ? nullptr : rtcNewScene(device))
-  {
-    if (scene == nullptr)
-      throw std::runtime_error("Embree cannot be started");
-    rtcSetSceneFlags(scene,
-                     RTC_SCENE_FLAG_ROBUST); // no ray passes between neighbours
-  }
-
-  ~Embree()
-  {
-    rtcReleaseScene(scene);
-    rtcReleaseDevice(device);
-  }
-
-  RTCDevice device;
-  RTCScene scene;
-};
-
 RayCaster::RayCaster(const SceneMesh& scene)
     : scene_(scene)
-    , embree_(std::make_unique<Embree>())
 {
+  // One thread builds a tree that is the same in every run; the scene keeps the device.
+  const std::shared_ptr<RTCDeviceTy> device(rtcNewDevice("threads=1"),
+                                            rtcReleaseDevice);
+  if (!device)
+    throw std::runtime_error("Embree cannot be started");
+  embree_.reset(rtcNewScene(device.get()), rtcReleaseScene);
+  rtcSetSceneFlags(embree_.get(), RTC_SCENE_FLAG_ROBUST); // no ray passes between faces
   const TriangleMesh& mesh = scene.mesh;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     if (scene.surfaces[t] != Surface::Gap)
       triangles_.push_back(t);
   origin_ = triangles_.empty() ? Vec3(Vec3::Zero()) : mesh.bounds().center();
-  const RTCGeometry geometry =
-      rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  const RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
   const auto buffer = [&](RTCBufferType type, RTCFormat format, std::size_t count) {
     return rtcSetNewGeometryBuffer(geometry, type, 0, format, 12, count);
   };
@@ -65,14 +49,12 @@ RayCaster::RayCaster(const SceneMesh& scene)
         *corner++ = vertex;
   }
   rtcCommitGeometry(geometry);
-  rtcAttachGeometry(embree_->scene, geometry);
+  rtcAttachGeometry(embree_.get(), geometry);
   rtcReleaseGeometry(geometry);
-  rtcCommitScene(embree_->scene);
-  if (rtcGetDeviceError(embree_->device) != RTC_ERROR_NONE)
+  rtcCommitScene(embree_.get());
+  if (rtcGetDeviceError(device.get()) != RTC_ERROR_NONE)
     throw std::runtime_error("Embree cannot hold the scene");
 }
-
-RayCaster::~RayCaster() = default;
 
 std::optional<Hit>
 RayCaster::nearest(const Ray& ray, double from, double to) const
@@ -91,7 +73,7 @@ RayCaster::nearest(const Ray& ray, double from, double to) const
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  rtcIntersect1(embree_->scene, &context, &query);
+  rtcIntersect1(embree_.get(), &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID)
     return std::nullopt;
   Hit hit{static_cast<double>(query.ray.tfar), triangles_[query.hit.primID]};

@@ -8,6 +8,8 @@
 #include <optional>
 #include <vector>
 
+struct RTCSceneTy; // of Embree
+
 namespace pcl::sedr::sim {
 
 /** @brief A half line; @p direction has unit length. */
@@ -35,7 +37,6 @@ public:
   /** @brief Keeps a reference to @p scene.
    * @throw std::runtime_error if Embree fails */
   explicit RayCaster(const SceneMesh& scene);
-  ~RayCaster();
 
   /** @brief Returns the first hit beyond @p from and at most @p to metres away.
    */
@@ -45,12 +46,10 @@ public:
   Vec3 normalOf(std::size_t triangle) const;
 
 private:
-  struct Embree;
-
   const SceneMesh& scene_;
   Vec3 origin_; ///< of Embree's coordinates, which have single precision
   std::vector<std::size_t> triangles_; ///< of the scene, as Embree numbers them
-  std::unique_ptr<Embree> embree_;
+  std::shared_ptr<RTCSceneTy> embree_;
 };
 
 } // namespace pcl::sedr::sim

@@ -23,7 +23,7 @@ struct BuiltInScene {
 /** @brief Returns the text of a scene file. */
 std::string readSceneText(const std::filesystem::path& path);
 
-/** @brief Parses a scene and checks it with problemsOf().
+/** @brief Parses a scene and checks it: see checkScene().
  * @param source the name of the text in messages
  */
 Scene parseScene(const std::string& text, const std::string& source);

@@ -4,7 +4,9 @@
 #include "json_view.h"
 #include "scene_parts.h"
 #include "simulator/check/scene_check.h"
+#include "simulator/scene/queries.h"
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -46,6 +48,94 @@ parseDocument(const std::string& text)
     throw std::invalid_argument(
         "no JSON: " + (start == std::string::npos ? reason : reason.substr(start + 2)));
   }
+}
+
+constexpr std::size_t kMostStations = 10'000;
+constexpr std::size_t kMostRays = 100'000'000;
+constexpr double kLowest = -1e5; ///< below every room
+
+/** @brief Returns the point @p s metres along a path, or its end if that is
+ * nearer. */
+Vec2
+alongPath(const std::vector<Vec2>& path, double s)
+{
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    const Vec2 step = path[i + 1] - path[i];
+    const double size = step.norm();
+    if (s <= size)
+      return path[i] + s / size * step;
+    s -= size;
+  }
+  return path.back();
+}
+
+/** @brief Returns stations at equal steps along a path, @p height above z = 0;
+ * they sway up and down. */
+std::vector<Vec3>
+walkAlong(const std::vector<Vec2>& path, std::size_t count, double height, double sway)
+{
+  double total = 0.0;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i)
+    total += (path[i + 1] - path[i]).norm();
+  const auto last = static_cast<double>(std::max<std::size_t>(count, 2) - 1);
+  std::vector<Vec3> stations;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto step = static_cast<double>(i);
+    const Vec2 position = alongPath(path, total * step / last);
+    stations.push_back(lifted(position, height + sway * std::sin(2.1 * step)));
+  }
+  return stations;
+}
+
+/** @brief Reads stations along a path, at a height above the floor below them.
+ */
+std::vector<Vec3>
+readWalk(const JsonView& view, const Scene& scene)
+{
+  std::vector<Vec2> path;
+  for (const JsonView& corner : view.at("path").items(2))
+    path.push_back(corner.point2());
+  const std::size_t count = view.at("count").count(1, kMostStations);
+  auto stations =
+      walkAlong(path, count, view.at("height").size(), view.numberOr("sway", 0.0));
+  const double floor = view.numberOr("floor", kLowest);
+  for (Vec3& station : stations)
+    if (const std::uint32_t room = roomAt(scene, lifted(plan(station), floor)))
+      station.z() += floorBelow(scene.rooms[room - 1], plan(station));
+  return stations;
+}
+
+std::vector<Vec3>
+readStations(const JsonView& view, const Scene& scene)
+{
+  const auto list = view.find("stations");
+  const auto walk = view.find("walk");
+  if (list.has_value() == walk.has_value())
+    view.fail("must have either \"stations\" or a \"walk\"");
+  if (walk)
+    return readWalk(*walk, scene);
+  std::vector<Vec3> stations;
+  for (const JsonView& station : list->items(1))
+    stations.push_back(station.point3());
+  if (stations.size() > kMostStations)
+    list->fail("has more than " + std::to_string(kMostStations) + " stations");
+  return stations;
+}
+
+Scanner
+readScanner(const JsonView& view, const Scene& scene)
+{
+  Scanner scanner;
+  scanner.stations = readStations(view, scene);
+  scanner.rays_per_station = view.at("rays").count(1, kMostRays);
+  if (const auto elevation = view.find("min_elevation"))
+    scanner.min_elevation = elevation->number(-90.0, 89.0);
+  if (const auto jitter = view.find("jitter"))
+    scanner.jitter = jitter->number(0.0, 1.0);
+  if (const auto range = view.find("max_range"))
+    scanner.max_range = range->size();
+  scanner.noise = view.at("noise").number(0.0, 1.0);
+  return scanner;
 }
 
 Scene
@@ -91,9 +181,7 @@ parseScene(const std::string& text, const std::string& source)
     const JsonView view(document, seen);
     const Scene scene = readScene(view);
     view.rejectUnknownKeys();
-    const auto problems = problemsOf(scene);
-    if (!problems.empty())
-      throw std::invalid_argument(problems.front());
+    checkScene(scene);
     return scene;
   }
   catch (const std::invalid_argument& error) {

@@ -50,9 +50,4 @@ void readOpening(const JsonView& view, std::size_t room, Scene& scene);
  */
 void readRooms(const JsonView& list, Scene& scene);
 
-/** @brief Reads a scanner; its stations are a list or a walk through the rooms.
- * @param scene with all its rooms, whose floors give the height of the walk
- */
-Scanner readScanner(const JsonView& view, const Scene& scene);
-
 } // namespace pcl::sedr::sim
