@@ -320,6 +320,7 @@ class ReportInABrowser(ReportCase):
         for low in sample_plan()["rooms"]:
             plan["rooms"].append({**low, "id": low["id"] + 2, "floor": slab(2.8), "ceiling": slab(5.3), "details": []})
         plan["storeys"] = [{"number": 1, "name": "ground floor", "rooms": [1, 2]}, {"number": 2, "name": "<attic>", "rooms": [3, 4]}]
+        plan["doorways"] = [{"rooms": [1, 2], "start": [4.1, 1], "end": [4.1, 1.9], "bottom": 0, "top": 2}]
         report["rooms"] += [{**room, "id": room["id"] + 2} for room in report["rooms"]]
         report["coverage"] = {"seen": 60.5, "modelled": 12.1, "share": 0.2, "left_out": [
             {"reason": "room 3: <no> plan", "area": 48.4, "floor": -0.5, "ceiling": 2.5, "at": [10, -2.25], "counts": True}]}
@@ -331,6 +332,8 @@ class ReportInABrowser(ReportCase):
         self.assertEqual(browser.run("document.querySelectorAll('.plans img').length"), 2)
         self.assertEqual(browser.run("[...document.querySelectorAll('#rooms h3')].map(h => h.textContent)"),
                          ["ground floor", "<attic>"])
+        door = self.row(browser, "openings", "room 1 and room 2")
+        self.assertEqual((door["width, m"], door["height, m"]), ("0.90", "2.00"))
         gap = self.row(browser, "coverage", "room 3: <no> plan")
         self.assertEqual((gap["area, m²"], gap["z, m"], gap["counts"]), ("48.4", "-0.5 to 2.5", "yes"))
         self.assertIn("12.1 m² of 60.5 m² of floor that was seen are in the plan, 20 %", self.words(browser, "#coverage"))

@@ -210,6 +210,14 @@
     return rooms.length > 0;
   }
 
+  function openings(section) {
+    const doorways = plan.doorways || [], name = room => room ? 'room ' + room : 'outside';
+    section.querySelector('.wide').append(table([['between', door => door.rooms.map(name).join(' and '), 'text'],
+      ['width, m', door => number(Math.hypot(door.end[0] - door.start[0], door.end[1] - door.start[1]), 2)],
+      ['height, m', door => number(door.top - door.bottom, 2)]], doorways));
+    return doorways.length > 0;
+  }
+
   const labelKey = Object.entries(data.colours.labels).filter(([label]) => label !== 'other')
     .map(([label, colour]) => [colour, label]);
 
@@ -354,7 +362,7 @@
   }
 
   head();
-  Object.entries({ check, coverage, storeys: storeyTable, plan: drawings, rooms: roomTables, model, pictures,
+  Object.entries({ check, coverage, storeys: storeyTable, plan: drawings, rooms: roomTables, openings, model, pictures,
     distances: distanceSection, files, stages, parameters }).forEach(([id, fill]) => {
     byId(id).hidden = false;
     try {
