@@ -69,7 +69,7 @@ public:
     for (std::size_t p = first; p < papers.size(); ++p)
       if (takePaper(papers[p]))
         return layout_;
-    layout_.paper = "";
+    findSpace();
     place(needed());
     return layout_;
   }

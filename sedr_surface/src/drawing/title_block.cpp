@@ -116,7 +116,7 @@ addTitleBlock(Sheet& sheet, const SheetLayout& layout, const TitleBlock& block)
   strip.addCell(0, 0.45, 0.75, "Storey", block.storey.empty() ? "all" : block.storey,
                 large_font);
   strip.addCell(0, 0.75, 1, "Scale",
-                "1:" + shortDecimalText(layout.scale, 2) + "  " + layout.paper,
+                "1:" + shortDecimalText(layout.scale, 2) + " " + layout.paper,
                 large_font);
   strip.addCell(1, 0, 0.3, "Rooms, floor area",
                 std::to_string(block.rooms) +

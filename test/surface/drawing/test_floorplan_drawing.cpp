@@ -75,7 +75,9 @@ TEST(FloorplanDrawing, AScaleThatIsAskedForHasThePaperItNeeds)
   EXPECT_TRUE(holds(floorplanToSvg(plan), "width=\"420mm\" height=\"297mm\""));
   EXPECT_TRUE(holds(floorplanToSvg(plan, scaled(100)), "width=\"420mm\""));
   EXPECT_TRUE(holds(floorplanToSvg(plan, scaled(20)), "width=\"1189mm\""));
-  EXPECT_EQ(PlanDrawing(plan, scaled(10), 0).layout.paper, "") << "larger than any";
+  const SheetLayout layout = PlanDrawing(plan, scaled(10), 0).layout;
+  EXPECT_EQ(layout.paper, "") << "larger than any";
+  EXPECT_NEAR(layout.size.x(), 1700 + 18 + 30, 1e-6) << "with dimensions and margins";
 }
 
 TEST(FloorplanDrawing, APlanThatStandsAslantIsTurnedUpright)
