@@ -105,7 +105,6 @@ LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
     if (readScanHead(file.path(), settings).rows > max_points)
       return 0;
     const ScanFile scan(file.path(), settings);
-    scan.stations();
     scan.positions();
     unsigned sum = 0;
     scan.forEachPiece([&](const pcl::sedr::RowSource::Piece& piece) {

@@ -40,37 +40,6 @@ TEST_F(ScansAsTheyCome, E57OfThreePosesInAGridGivesThePlanAndEveryOutputItsOrigi
   EXPECT_EQ(cloud.sensor_origin_.head<3>().cast<double>(), origin.place);
 }
 
-TEST_F(ScansAsTheyCome, SphericalE57GivesThePlan)
-{
-  writeFile(in("spherical.e57"), e57(true));
-  ASSERT_EQ(model(in("spherical.e57"), "of_spherical").exit_code, 0);
-  expectPlan("of_spherical");
-}
-
-/** Two rooms and the closet beside them, each scanned from its own station. */
-class RoomsAsTheyCome : public ScansAsTheyCome {
-protected:
-  static void SetUpTestSuite()
-  {
-    scanBuilding("closet",
-                 R"([{"stations": [[3, 2.4, 1.6], [6.9, 4.3, 1.5], [9.5, 2.6, 1.7]],
-                      "rays": 200000, "jitter": 1, "max_range": 40, "noise": 0.01}])");
-  }
-};
-
-TEST_F(RoomsAsTheyCome, E57OfEitherKindAndLasGiveThePlan)
-{
-  EXPECT_EQ(plan_.rooms.size(), 3u);
-  for (const bool is_spherical : {false, true}) {
-    writeFile(in("scan.e57"), e57(is_spherical));
-    ASSERT_EQ(model(in("scan.e57"), "of_e57").exit_code, 0);
-    expectPlan("of_e57");
-  }
-  writeFile(in("scan.las"), las());
-  ASSERT_EQ(model(in("scan.las"), "of_las").exit_code, 0);
-  expectPlan("of_las");
-}
-
 TEST_F(ScansAsTheyCome, PosesThatAreNotWhereTheScannerStoodDoNoHarm)
 {
   std::swap(stations_[0].place, stations_[2].place);

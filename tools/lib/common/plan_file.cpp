@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_file.h"
 
-#include "bytes/mapped_file.h"
+#include "bytes/input_file.h"
 #include "bytes/whole_file.h"
-#include "cloud_readers.h"
+#include "formats/scan_formats.h"
 #include "tool_error.h"
 
 #include "sedr_filters/src/plan/floorplan_format.h"
@@ -50,8 +50,10 @@ roomAt(const Floorplan& plan, const Eigen::Vector3d& p)
 std::string
 textOfFile(const std::string& path)
 {
-  const MappedFile file(path);
-  return {reinterpret_cast<const char*>(file.data()), file.size()};
+  const InputFile file(path);
+  std::string text(file.size(), '\0');
+  file.read(0, text.size(), text.data());
+  return text;
 }
 
 } // namespace
@@ -59,7 +61,7 @@ textOfFile(const std::string& path)
 std::shared_ptr<const Floorplan>
 loadFloorplan(const std::string& path)
 {
-  const MappedFile file(path);
+  const InputFile file(path);
   if (looksLikePcd(file) || looksLikePly(file))
     throw ToolError("'" + path +
                     "' is a cloud or mesh; a floor plan is asked for, the "

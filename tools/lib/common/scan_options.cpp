@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_options.h"
 
-#include "cloud_readers.h"
 #include "plan_file.h"
 #include "run_tool.h"
 #include "scan_file.h"
+#include "tool_cloud.h"
 #include "tool_error.h"
+
+#include "bytes/text_lines.h"
 
 #include <filesystem>
 #include <optional>
@@ -32,11 +34,11 @@ statedOrigin(const std::string& path)
   constexpr std::size_t max_bytes = 256;
   if (fs::path(path).extension() == ".json")
     return statedPlanOrigin(path);
-  const MappedFile file(path);
-  TextCursor cursor(file, 0);
+  const InputFile file(path);
+  LineReader lines(file);
   Origin origin;
   std::string_view line;
-  for (int k = 0; k < max_lines && cursor.nextLine(line); ++k)
+  for (int k = 0; k < max_lines && lines.next(line); ++k)
     if (Origin::fromComment(std::string(line.substr(0, max_bytes)), origin))
       return origin;
   if (!looksLikePcd(file))

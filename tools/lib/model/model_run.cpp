@@ -4,7 +4,7 @@
 #include "bytes/whole_file.h"
 #include "chain_pictures.h"
 #include "drawing_files.h"
-#include "e57/e57_pages.h"
+#include "formats/scan_formats.h"
 #include "joint_scan.h"
 #include "output_folder.h"
 #include "progress.h"
@@ -61,7 +61,7 @@ knowsUnit(const ModelSettings& settings)
   const std::vector<std::string> files = scanFilesOf(settings.inputs);
   return settings.scan.unit ||
          std::all_of(files.begin(), files.end(), [](const std::string& file) {
-           return looksLikeE57(MappedFile(file));
+           return looksLikeE57(InputFile(file));
          });
 }
 

@@ -19,51 +19,38 @@ setRows(pcl::PCLPointCloud2& blob, std::size_t rows)
   blob.row_step = blob.width * blob.point_step;
 }
 
-/** @brief Appends a single-value field to every row. */
+/** @brief Puts a field of a single value, 0, behind the others of every row, in place
+ * of one of that name. */
 void
-addField(pcl::PCLPointCloud2& blob, const std::string& name, std::uint8_t datatype)
+replaceField(pcl::PCLPointCloud2& blob, const std::string& name, std::uint8_t datatype)
 {
-  pcl::PCLPointField field;
-  field.name = name;
-  field.offset = blob.point_step;
-  field.datatype = datatype;
-  field.count = 1;
-  const std::size_t old_step = blob.point_step;
-  const std::size_t step = old_step + fieldSize(datatype);
-  std::vector<std::uint8_t> data(rowsOf(blob) * step, 0);
-  for (std::size_t i = 0; i < rowsOf(blob); ++i)
-    std::memcpy(data.data() + i * step, blob.data.data() + i * old_step, old_step);
-  blob.fields.push_back(field);
-  blob.point_step = static_cast<pcl::uindex_t>(step);
-  blob.data.swap(data);
-  setRows(blob, rowsOf(blob));
-}
-
-/** @brief Removes field `name` from every row. */
-void
-dropField(pcl::PCLPointCloud2& blob, const std::string& name)
-{
-  const auto it = std::find_if(blob.fields.begin(), blob.fields.end(),
-                               [&](const auto& f) { return f.name == name; });
-  if (it == blob.fields.end())
-    return;
-  const std::size_t size = fieldSize(it->datatype) * it->count;
-  const std::size_t offset = it->offset;
-  const std::size_t old_step = blob.point_step;
-  const std::size_t step = old_step - size;
-  for (std::size_t i = 0; i < rowsOf(blob); ++i) {
-    const auto* from = blob.data.data() + i * old_step;
-    auto* to = blob.data.data() + i * step;
-    std::memmove(to, from, offset);
-    std::memmove(to + offset, from + offset + size, step - offset);
-  }
-  blob.fields.erase(it);
-  for (auto& field : blob.fields)
-    if (field.offset > offset)
-      field.offset -= static_cast<pcl::uindex_t>(size);
-  blob.point_step = static_cast<pcl::uindex_t>(step);
-  blob.data.resize(rowsOf(blob) * step);
-  setRows(blob, rowsOf(blob));
+  const pcl::PCLPointCloud2 old = blob;
+  blob.fields.clear();
+  blob.point_step = 0;
+  std::vector<std::size_t> from;
+  const auto add = [&](pcl::PCLPointField field) {
+    field.offset = blob.point_step;
+    blob.point_step +=
+        static_cast<pcl::uindex_t>(fieldSize(field.datatype) * field.count);
+    blob.fields.push_back(field);
+  };
+  for (const auto& field : old.fields)
+    if (field.name != name) {
+      from.push_back(field.offset);
+      add(field);
+    }
+  pcl::PCLPointField added;
+  added.name = name;
+  added.datatype = datatype;
+  added.count = 1;
+  add(added);
+  blob.data.assign(rowsOf(old) * blob.point_step, 0);
+  for (std::size_t i = 0; i < rowsOf(old); ++i)
+    for (std::size_t f = 0; f < from.size(); ++f)
+      std::memcpy(&blob.data[i * blob.point_step + blob.fields[f].offset],
+                  &old.data[i * old.point_step + from[f]],
+                  fieldSize(blob.fields[f].datatype) * blob.fields[f].count);
+  setRows(blob, rowsOf(old));
 }
 
 template <typename ValueT>
@@ -77,10 +64,8 @@ setTypedField(pcl::PCLPointCloud2& blob,
     throw std::logic_error("setField: " + std::to_string(values.size()) +
                            " values for " + std::to_string(rowsOf(blob)) + " rows");
   const auto* field = findField(blob, name);
-  if (field && (field->datatype != datatype || field->count != 1))
-    dropField(blob, name);
-  if (!findField(blob, name))
-    addField(blob, name, datatype);
+  if (!field || field->datatype != datatype || field->count != 1)
+    replaceField(blob, name, datatype);
   const std::size_t offset = findField(blob, name)->offset;
   for (std::size_t i = 0; i < values.size(); ++i)
     std::memcpy(&blob.data[i * blob.point_step + offset], &values[i], sizeof(ValueT));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "bytes/text_lines.h"
 #include "bytes/whole_file.h"
 #include "scan_file.h"
 #include "tool_cloud.h"
@@ -8,9 +9,10 @@
 #include <pcl/conversions.h>
 #include <pcl/io/lzf.h>
 
-#include <algorithm>
+#include <boost/algorithm/string/predicate.hpp>
+
+#include <array>
 #include <cstring>
-#include <filesystem>
 #include <limits>
 #include <locale>
 #include <sstream>
@@ -19,39 +21,26 @@ namespace pcl::sedr::tools {
 
 namespace {
 
+using Fields = std::vector<pcl::PCLPointField>;
+
+/** @brief Names of a type in PLY and PCD, by the constants of PCLPointField. */
 struct TypeName {
   const char* ply; ///< null if PLY has no such type
   char pcd;
 };
 
-TypeName
-typeName(std::uint8_t datatype)
-{
-  switch (datatype) {
-  case pcl::PCLPointField::BOOL:
-    return {"uchar", 'U'};
-  case pcl::PCLPointField::INT8:
-    return {"char", 'I'};
-  case pcl::PCLPointField::UINT8:
-    return {"uchar", 'U'};
-  case pcl::PCLPointField::INT16:
-    return {"short", 'I'};
-  case pcl::PCLPointField::UINT16:
-    return {"ushort", 'U'};
-  case pcl::PCLPointField::INT32:
-    return {"int", 'I'};
-  case pcl::PCLPointField::UINT32:
-    return {"uint", 'U'};
-  case pcl::PCLPointField::INT64:
-    return {nullptr, 'I'};
-  case pcl::PCLPointField::UINT64:
-    return {nullptr, 'U'};
-  case pcl::PCLPointField::FLOAT64:
-    return {"double", 'F'};
-  default:
-    return {"float", 'F'};
-  }
-}
+constexpr std::array<TypeName, 12> type_names{{{"float", 'F'},
+                                               {"char", 'I'},
+                                               {"uchar", 'U'},
+                                               {"short", 'I'},
+                                               {"ushort", 'U'},
+                                               {"int", 'I'},
+                                               {"uint", 'U'},
+                                               {"float", 'F'},
+                                               {"double", 'F'},
+                                               {nullptr, 'I'},
+                                               {nullptr, 'U'},
+                                               {"uchar", 'U'}}};
 
 /** @brief Viewpoint of a cloud and origin of its coordinates. */
 struct Frame {
@@ -92,22 +81,15 @@ isKeptByPcl(const Origin& origin)
 
 /** @brief Returns the header of a PCD. Comments have origin and viewpoint of the scan.
  * VIEWPOINT is the viewpoint if there is no origin, and else the origin if PCL keeps
- * it.
- * @param rows number of rows in the file */
+ * it. */
 std::string
-pcdHeader(const std::vector<pcl::PCLPointField>& fields,
-          std::size_t rows,
-          const Frame& frame,
-          const char* data)
+pcdHeader(const Fields& fields, std::size_t rows, const Frame& frame, const char* data)
 {
-  std::ostringstream names;
-  std::ostringstream sizes;
-  std::ostringstream types;
-  std::ostringstream counts;
+  std::ostringstream names, sizes, types, counts;
   for (const auto& field : fields) {
     names << ' ' << field.name;
     sizes << ' ' << fieldSize(field.datatype);
-    types << ' ' << typeName(field.datatype).pcd;
+    types << ' ' << type_names.at(field.datatype).pcd;
     counts << ' ' << field.count;
   }
   std::ostringstream header;
@@ -115,16 +97,14 @@ pcdHeader(const std::vector<pcl::PCLPointField>& fields,
   const bool has_origin = !frame.origin.isZero();
   if (has_origin)
     header << "# " << frame.origin.comment() << '\n';
-  const bool is_kept = has_origin && isKeptByPcl(frame.origin);
-  const bool has_zero = !has_origin && frame.viewpoint.isZero(0);
-  if (frame.knows_viewpoint && (has_origin || has_zero))
+  if (frame.knows_viewpoint && (has_origin || frame.viewpoint.isZero(0)))
     header << "# sedr_viewpoint " << frame.viewpointText() << '\n';
   header << "VERSION 0.7\nFIELDS" << names.str() << "\nSIZE" << sizes.str() << "\nTYPE"
          << types.str() << "\nCOUNT" << counts.str() << "\nWIDTH " << rows
          << "\nHEIGHT 1\nVIEWPOINT "
-         << (is_kept      ? frame.origin.text() + " 1 0 0 0"
-             : has_origin ? "0 0 0 1 0 0 0"
-                          : frame.viewpointText())
+         << (!has_origin                 ? frame.viewpointText()
+             : isKeptByPcl(frame.origin) ? frame.origin.text() + " 1 0 0 0"
+                                         : "0 0 0 1 0 0 0")
          << "\nPOINTS " << rows << "\nDATA " << data << '\n';
   return header.str();
 }
@@ -142,20 +122,20 @@ std::vector<std::uint8_t>
 compressed(const pcl::PCLPointCloud2& blob)
 {
   constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
-  const std::size_t size = rowsOf(blob) * blob.point_step;
-  if (size == 0 || size > most)
+  if (blob.data.empty() || blob.data.size() > most)
     return {};
-  std::vector<std::uint8_t> by_field(size);
-  std::size_t to = 0;
-  for (const auto& field : blob.fields) {
-    const std::size_t bytes = fieldSize(field.datatype) * field.count;
-    for (std::size_t i = 0; i < rowsOf(blob); ++i, to += bytes)
-      std::memcpy(&by_field[to], &blob.data[i * blob.point_step + field.offset], bytes);
-  }
+  std::vector<std::uint8_t> by_field;
+  by_field.reserve(blob.data.size());
+  for (const auto& field : blob.fields)
+    for (std::size_t i = 0; i < rowsOf(blob); ++i) {
+      const auto* first = &blob.data[i * blob.point_step + field.offset];
+      by_field.insert(by_field.end(), first,
+                      first + fieldSize(field.datatype) * field.count);
+    }
   constexpr std::size_t sizes = 2 * sizeof(std::uint32_t);
-  const std::size_t room = size + size / 16 + 64;
+  const std::size_t room = by_field.size() + by_field.size() / 16 + 64;
   std::vector<std::uint8_t> packed(sizes + room);
-  const std::uint32_t whole = static_cast<std::uint32_t>(size);
+  const auto whole = static_cast<std::uint32_t>(by_field.size());
   const std::uint32_t length = pcl::lzfCompress(
       by_field.data(), whole, packed.data() + sizes, static_cast<unsigned>(room));
   std::memcpy(packed.data(), &length, sizeof length);
@@ -164,35 +144,31 @@ compressed(const pcl::PCLPointCloud2& blob)
   return packed;
 }
 
-bool
-isColour(const pcl::PCLPointField& field)
-{
-  return (field.name == "rgb" || field.name == "rgba") && field.count == 1 &&
-         fieldSize(field.datatype) == sizeof(std::uint32_t);
-}
-
-/** @brief A property of a PLY file and its bytes within a row. */
-struct Property {
-  std::string type;
+/** @brief Bytes of a row that are written. */
+struct Part {
+  std::string type; ///< in the header of a PLY
   std::string name;
-  std::size_t offset;
-  std::size_t size;
+  std::size_t offset = 0;
+  std::size_t size = 0;
 };
 
-std::vector<Property>
-plyProperties(const std::vector<pcl::PCLPointField>& fields)
+/** @brief Returns the properties of a PLY; a colour is one of bytes. */
+std::vector<Part>
+plyProperties(const Fields& fields)
 {
-  std::vector<Property> properties;
+  std::vector<Part> properties;
   for (const auto& field : fields) {
-    if (isColour(field)) {
-      properties.push_back({"uchar", "red", field.offset + 2, 1});
-      properties.push_back({"uchar", "green", field.offset + 1, 1});
-      properties.push_back({"uchar", "blue", field.offset, 1});
-      if (field.name == "rgba")
-        properties.push_back({"uchar", "alpha", field.offset + 3, 1});
+    const std::size_t size = fieldSize(field.datatype);
+    if ((field.name == "rgb" || field.name == "rgba") && field.count == 1 &&
+        size == sizeof(std::uint32_t)) {
+      for (const auto& [name, byte] :
+           {std::make_pair("red", 2), {"green", 1}, {"blue", 0}, {"alpha", 3}})
+        if (byte < 3 || field.name == "rgba")
+          properties.push_back(
+              {"uchar", name, field.offset + static_cast<std::size_t>(byte), 1});
       continue;
     }
-    const char* type = typeName(field.datatype).ply;
+    const char* type = type_names.at(field.datatype).ply;
     if (!type)
       throw ToolError("field '" + field.name +
                       "' has 64 bits, which PLY does not know: write "
@@ -200,7 +176,6 @@ plyProperties(const std::vector<pcl::PCLPointField>& fields)
     std::string name = field.name;
     if (name.size() == 8 && name.compare(0, 7, "normal_") == 0)
       name = std::string("n") + name.back();
-    const std::size_t size = fieldSize(field.datatype);
     for (std::size_t k = 0; k < field.count; ++k)
       properties.push_back({type,
                             field.count > 1 ? name + "_" + std::to_string(k) : name,
@@ -209,74 +184,66 @@ plyProperties(const std::vector<pcl::PCLPointField>& fields)
   return properties;
 }
 
-void
-writePlyHeader(std::ostream& stream,
-               const std::vector<Property>& properties,
-               std::size_t rows,
-               const Frame& frame)
-{
-  stream << "ply\nformat binary_little_endian 1.0\n";
-  if (!frame.origin.isZero())
-    stream << "comment " << frame.origin.comment() << '\n';
-  stream << "element vertex " << rows << '\n';
-  for (const auto& property : properties)
-    stream << "property " << property.type << ' ' << property.name << '\n';
-  stream << "end_header\n";
-}
-
-void
-writePlyRows(std::ostream& stream,
-             const std::vector<Property>& properties,
-             const std::uint8_t* rows,
-             std::size_t size,
-             std::size_t row_size)
-{
-  std::size_t step = 0;
-  for (const auto& property : properties)
-    step += property.size;
-  std::vector<std::uint8_t> bytes(size * step);
-  auto* to = bytes.data();
-  for (std::size_t i = 0; i < size; ++i)
-    for (const auto& property : properties) {
-      std::memcpy(to, rows + i * row_size + property.offset, property.size);
-      to += property.size;
-    }
-  writeBytes(stream, bytes);
-}
-
-void
-writePly(std::ostream& stream, const pcl::PCLPointCloud2& blob, const Frame& frame)
-{
-  const auto properties = plyProperties(blob.fields);
-  writePlyHeader(stream, properties, rowsOf(blob), frame);
-  writePlyRows(stream, properties, blob.data.data(), rowsOf(blob), blob.point_step);
-}
-
-void
-writePcd(std::ostream& stream,
-         const pcl::PCLPointCloud2& blob,
-         const Frame& frame,
-         PcdData data)
-{
-  if (data == PcdData::Compressed) {
-    const auto packed = compressed(blob);
-    if (!packed.empty()) {
-      stream << pcdHeader(blob.fields, rowsOf(blob), frame, "binary_compressed");
-      writeBytes(stream, packed);
+/** @brief Writes a cloud, header first, then rows: as PLY or binary PCD. Padding of
+ * PCL's point types is left out. */
+class CloudStream {
+public:
+  CloudStream(std::ostream& stream,
+              const Fields& fields,
+              std::size_t rows,
+              const Frame& frame,
+              bool is_ply)
+      : stream_(stream)
+  {
+    if (!is_ply) {
+      for (const auto& field : fields)
+        parts_.push_back(
+            {"", "", field.offset, fieldSize(field.datatype) * field.count});
+      stream << pcdHeader(fields, rows, frame, "binary");
       return;
     }
+    parts_ = plyProperties(fields);
+    stream << "ply\nformat binary_little_endian 1.0\n";
+    if (!frame.origin.isZero())
+      stream << "comment " << frame.origin.comment() << '\n';
+    stream << "element vertex " << rows << '\n';
+    for (const Part& part : parts_)
+      stream << "property " << part.type << ' ' << part.name << '\n';
+    stream << "end_header\n";
   }
-  stream << pcdHeader(blob.fields, rowsOf(blob), frame, "binary");
-  writeBytes(stream, blob.data);
-}
+
+  void write(const std::uint8_t* rows, std::size_t size, std::size_t row_size)
+  {
+    std::size_t step = 0;
+    bool is_plain = true;
+    for (const Part& part : parts_) {
+      is_plain = is_plain && part.offset == step;
+      step += part.size;
+    }
+    if (is_plain && step == row_size) {
+      stream_.write(reinterpret_cast<const char*>(rows),
+                    static_cast<std::streamsize>(size * row_size));
+      return;
+    }
+    std::vector<std::uint8_t> bytes(size * step);
+    auto* to = bytes.data();
+    for (std::size_t i = 0; i < size; ++i)
+      for (const Part& part : parts_) {
+        std::memcpy(to, rows + i * row_size + part.offset, part.size);
+        to += part.size;
+      }
+    writeBytes(stream_, bytes);
+  }
+
+private:
+  std::ostream& stream_;
+  std::vector<Part> parts_;
+};
 
 bool
-endsIn(const std::string& path, const std::string& extension)
+isPly(const std::string& path)
 {
-  std::string end = std::filesystem::path(path).extension().string();
-  std::transform(end.begin(), end.end(), end.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return end == extension;
+  return boost::iends_with(path, ".ply");
 }
 
 void
@@ -286,33 +253,18 @@ save(const std::string& path,
      PcdData data)
 {
   checkCloudOutput(path);
+  std::vector<std::uint8_t> packed;
+  if (data == PcdData::Compressed && !isPly(path))
+    packed = compressed(blob);
   writeWhole(path, [&](std::ostream& stream) {
-    endsIn(path, ".ply") ? writePly(stream, blob, frame)
-                         : writePcd(stream, blob, frame, data);
+    if (packed.empty()) {
+      CloudStream cloud(stream, blob.fields, rowsOf(blob), frame, isPly(path));
+      cloud.write(blob.data.data(), rowsOf(blob), blob.point_step);
+      return;
+    }
+    stream << pcdHeader(blob.fields, rowsOf(blob), frame, "binary_compressed");
+    writeBytes(stream, packed);
   });
-}
-
-/** @brief Returns rows without the padding of PCL's point types, which file headers
- * cannot describe. */
-pcl::PCLPointCloud2
-withoutPadding(const pcl::PCLPointCloud2& blob)
-{
-  pcl::PCLPointCloud2 packed = blob;
-  packed.point_step = 0;
-  for (auto& field : packed.fields) {
-    field.offset = packed.point_step;
-    packed.point_step +=
-        static_cast<std::uint32_t>(fieldSize(field.datatype) * field.count);
-  }
-  const std::size_t rows = std::size_t{blob.width} * blob.height;
-  packed.row_step = packed.point_step * packed.width;
-  packed.data.assign(rows * packed.point_step, 0);
-  for (std::size_t i = 0; i < rows; ++i)
-    for (std::size_t f = 0; f < packed.fields.size(); ++f)
-      std::memcpy(&packed.data[i * packed.point_step + packed.fields[f].offset],
-                  &blob.data[i * blob.point_step + blob.fields[f].offset],
-                  fieldSize(blob.fields[f].datatype) * blob.fields[f].count);
-  return packed;
 }
 
 } // namespace
@@ -320,7 +272,7 @@ withoutPadding(const pcl::PCLPointCloud2& blob)
 void
 checkCloudOutput(const std::string& path)
 {
-  if (!endsIn(path, ".pcd") && !endsIn(path, ".ply"))
+  if (!isPly(path) && !boost::iends_with(path, ".pcd"))
     throw ToolError("cannot write '" + path +
                     "': the name of a cloud ends in .pcd or .ply");
   checkWritable(path);
@@ -338,7 +290,7 @@ saveCloud(const std::string& path, const ToolCloud& cloud, PcdData data)
 void
 saveCloud(const std::string& path, const pcl::PCLPointCloud2& blob, PcdData data)
 {
-  save(path, withoutPadding(blob), Frame(), data);
+  save(path, blob, Frame(), data);
 }
 
 void
@@ -348,20 +300,10 @@ saveScan(const std::string& path, const ScanFile& scan)
   const Frame frame{scan.viewpoint(), scan.orientation(), scan.origin(),
                     scan.knowsViewpoint()};
   warnOfPositions(scan);
-  const bool is_ply = endsIn(path, ".ply");
-  const auto properties =
-      is_ply ? plyProperties(scan.fields()) : std::vector<Property>();
   writeWhole(path, [&](std::ostream& stream) {
-    if (is_ply)
-      writePlyHeader(stream, properties, scan.size(), frame);
-    else
-      stream << pcdHeader(scan.fields(), scan.size(), frame, "binary");
+    CloudStream cloud(stream, scan.fields(), scan.size(), frame, isPly(path));
     scan.forEachPiece([&](const RowSource::Piece& piece) {
-      if (is_ply)
-        writePlyRows(stream, properties, piece.rows, piece.size, scan.rowSize());
-      else
-        stream.write(reinterpret_cast<const char*>(piece.rows),
-                     static_cast<std::streamsize>(piece.size * scan.rowSize()));
+      cloud.write(piece.rows, piece.size, scan.rowSize());
       return stream.good(); // a full disk is reported when the file is closed
     });
   });
@@ -374,22 +316,15 @@ saveStructure(const std::string& path,
 {
   Frame frame;
   frame.origin = origin;
-  constexpr std::size_t piece = 1 << 16;
+  pcl::PCLPointCloud2 layout;
+  pcl::toPCLPointCloud2(pcl::PointCloud<pcl::PointStructure>(), layout);
   writeWhole(path, [&](std::ostream& stream) {
-    std::size_t done = 0;
-    do {
-      const std::size_t end = std::min(structure.size(), done + piece);
-      pcl::PointCloud<pcl::PointStructure> points;
-      points.insert(points.end(), structure.begin() + static_cast<std::ptrdiff_t>(done),
-                    structure.begin() + static_cast<std::ptrdiff_t>(end));
-      pcl::PCLPointCloud2 rows;
-      pcl::toPCLPointCloud2(points, rows);
-      rows = withoutPadding(rows);
-      if (done == 0)
-        stream << pcdHeader(rows.fields, structure.size(), frame, "binary");
-      writeBytes(stream, rows.data);
-      done = end;
-    } while (done < structure.size());
+    CloudStream cloud(stream, layout.fields, structure.size(), frame, false);
+    constexpr std::size_t piece = 1 << 16; // as a second copy is made of it
+    for (std::size_t done = 0; done < structure.size(); done += piece)
+      cloud.write(reinterpret_cast<const std::uint8_t*>(&structure[done]),
+                  std::min(piece, structure.size() - done),
+                  sizeof(pcl::PointStructure));
   });
 }
 

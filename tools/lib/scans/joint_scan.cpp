@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "joint_scan.h"
 
-#include "bytes/standard_input.h"
 #include "run_tool.h"
 #include "tool_error.h"
 
@@ -22,8 +21,8 @@ namespace {
 bool
 isScanName(const fs::path& path)
 {
-  constexpr std::array<const char*, 7> known{".pcd", ".ply", ".e57", ".las",
-                                             ".laz", ".xyz", ".pts"};
+  constexpr std::array<const char*, 6> known{".pcd", ".ply", ".e57",
+                                             ".las", ".xyz", ".pts"};
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return std::tolower(c); });
@@ -44,7 +43,7 @@ scansIn(const std::string& folder)
     throw ToolError("cannot read the folder '" + folder + "': " + error.message());
   if (paths.empty())
     throw ToolError("the folder '" + folder +
-                    "' has no .pcd, .ply, .e57, .las, .laz, .xyz or .pts file");
+                    "' has no .pcd, .ply, .e57, .las, .xyz or .pts file");
   std::sort(paths.begin(), paths.end());
   std::sort(others.begin(), others.end());
   if (!others.empty())

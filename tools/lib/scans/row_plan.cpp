@@ -1,19 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "row_plan.h"
 
-#include "cloud_readers.h"
-
-#include "sedr_filters/src/base/field_access.h"
-
+#include <array>
 #include <cstring>
 
 namespace pcl::sedr::tools {
 
 namespace {
 
-/** @brief Returns the axis of a coordinate field, -1 for others. */
+constexpr std::array<const char*, 4> colour_bytes{"blue", "green", "red", "alpha"};
+
+/** @brief Returns the bytes of a stored colour, low byte first: three, four with alpha;
+ * empty if colours are not joined. */
+std::vector<StoredField>
+colourOf(const StoredRow& stored)
+{
+  std::vector<StoredField> bytes;
+  for (std::size_t k = 0; k < colour_bytes.size() && stored.joins_colours; ++k) {
+    const StoredField* byte = stored.find(colour_bytes[k]);
+    if (byte && byte->datatype == pcl::PCLPointField::UINT8 && bytes.size() == k)
+      bytes.push_back(*byte);
+  }
+  if (bytes.size() < 3)
+    bytes.clear();
+  return bytes;
+}
+
+/** @brief Returns the axis of a coordinate, -1 for other fields. */
 int
-axisOf(const pcl::PCLPointField& field)
+axisOf(const StoredField& field)
 {
   const std::string axes = "xyz";
   const auto axis = field.name.size() == 1 ? axes.find(field.name[0]) : axes.npos;
@@ -34,83 +49,111 @@ copyField(const std::uint8_t* from,
 
 } // namespace
 
-RowPlan::RowPlan(const std::vector<pcl::PCLPointField>& raw,
-                 std::size_t raw_size,
+RowPlan::RowPlan(const StoredRow& stored,
                  double unit,
                  const Eigen::Vector3d& shift,
-                 std::uint8_t datatype,
-                 const std::string& path)
-    : raw_size_(raw_size)
-    , datatype_(datatype)
-    , unit_(unit)
+                 std::uint8_t datatype)
+    : stored_size_(stored.size)
 {
-  for (const auto& field : raw) {
-    if (field.name == "_") { // padding
-      is_plain_ = false;
+  using Field = pcl::PCLPointField;
+  const bool has_colour = !colourOf(stored).empty();
+  for (const StoredField& field : stored.fields) {
+    const bool is_joined =
+        has_colour && std::find(colour_bytes.begin(), colour_bytes.end(), field.name) !=
+                          colour_bytes.end();
+    if (field.name == "_" || is_joined) // the first is padding
       continue;
-    }
+    Move move{field, row_size_};
     const int axis = axisOf(field);
-    Move move;
-    move.from = field.offset;
-    move.datatype = field.datatype;
-    move.shift = axis < 0 ? 0 : shift[axis];
-    move.converts =
-        axis >= 0 && (unit != 1 || field.datatype != pcl::PCLPointField::FLOAT32 ||
-                      field.count != 1 || move.shift != 0);
-    fields_.push_back(field);
-    if (move.converts) {
-      fields_.back().datatype = datatype_;
-      fields_.back().count = 1;
+    if (axis >= 0 && (unit != 1 || shift[axis] != 0 || field.count != 1 ||
+                      field.datatype != Field::FLOAT32)) {
+      move.datatype = datatype;
+      move.unit = unit;
+      move.shift = shift[axis];
     }
-    move.size = fieldSize(field.datatype) * field.count;
+    else if (field.becomes_float)
+      move.datatype = Field::FLOAT32;
+    is_plain_ = is_plain_ && move.datatype == 0 && move.to == field.offset;
+    addField(field.name, move.datatype == 0 ? field.datatype : move.datatype,
+             move.datatype == 0 ? field.count : 1);
     moves_.push_back(move);
-    is_plain_ = is_plain_ && !move.converts;
   }
-  pcl::PCLPointCloud2 blob;
-  blob.fields = fields_;
-  layOut(blob, 1, path);
-  fields_ = blob.fields;
-  row_size_ = blob.point_step;
-  for (std::size_t f = 0; f < moves_.size(); ++f) {
-    moves_[f].to = fields_[f].offset;
-    is_plain_ = is_plain_ && moves_[f].to == moves_[f].from;
-  }
-  is_plain_ = is_plain_ && row_size_ == raw_size_;
+  if (has_colour)
+    addColour(stored);
+  is_plain_ = is_plain_ && row_size_ == stored_size_;
+}
+
+void
+RowPlan::addField(const std::string& name, std::uint8_t datatype, std::size_t count)
+{
+  pcl::PCLPointField field;
+  field.name = name;
+  field.offset = static_cast<pcl::uindex_t>(row_size_);
+  field.datatype = datatype;
+  field.count = static_cast<pcl::uindex_t>(count);
+  fields_.push_back(field);
+  row_size_ += fieldSize(datatype) * count;
+}
+
+void
+RowPlan::addColour(const StoredRow& stored)
+{
+  const std::vector<StoredField> bytes = colourOf(stored);
+  const bool has_alpha = bytes.size() == colour_bytes.size();
+  for (std::size_t k = 0; k < bytes.size(); ++k)
+    moves_.push_back({bytes[k], row_size_ + k});
+  if (!has_alpha)
+    opaque_ = static_cast<std::ptrdiff_t>(row_size_) + 3;
+  addField(has_alpha ? "rgba" : "rgb",
+           has_alpha ? pcl::PCLPointField::UINT32 : pcl::PCLPointField::FLOAT32);
+  is_plain_ = false;
 }
 
 template <typename OutT>
 void
 RowPlan::convert(const Move& move,
-                 const std::uint8_t* raw,
+                 const std::uint8_t* stored,
                  std::size_t rows,
                  std::uint8_t* to) const
 {
-  withFieldType(move.datatype, [&](auto typed) {
+  const StoredField& field = move.from;
+  withFieldType(field.datatype, [&](auto typed) {
     for (std::size_t i = 0; i < rows; ++i) {
-      std::memcpy(&typed, raw + move.from + i * raw_size_, sizeof typed);
-      const auto value =
-          static_cast<OutT>(unit_ * static_cast<double>(typed) - move.shift);
-      std::memcpy(to + move.to + i * row_size_, &value, sizeof value);
+      std::memcpy(&typed, stored + i * stored_size_ + field.offset, sizeof typed);
+      const double number = static_cast<double>(typed) * field.scale + field.shift;
+      const auto value = static_cast<OutT>(move.unit * number - move.shift);
+      std::memcpy(to + i * row_size_ + move.to, &value, sizeof value);
     }
   });
 }
 
 void
-RowPlan::bring(const std::uint8_t* raw, std::size_t rows, std::uint8_t* to) const
+RowPlan::convert(const std::uint8_t* stored, std::size_t rows, std::uint8_t* to) const
 {
+  constexpr std::size_t batch = 1024; // rows that fit into a fast cache
+  for (; rows > batch; rows -= batch) {
+    convert(stored, batch, to);
+    stored += batch * stored_size_;
+    to += batch * row_size_;
+  }
   for (const Move& move : moves_) {
-    const auto* from = raw + move.from;
+    const auto* from = stored + move.from.offset;
     auto* where = to + move.to;
-    if (move.converts && datatype_ == pcl::PCLPointField::FLOAT64)
-      convert<double>(move, raw, rows, to);
-    else if (move.converts)
-      convert<float>(move, raw, rows, to);
-    else if (move.size == 4)
-      copyField<4>(from, raw_size_, rows, where, row_size_);
+    const std::size_t size = fieldSize(move.from.datatype) * move.from.count;
+    if (move.datatype == pcl::PCLPointField::FLOAT64)
+      convert<double>(move, stored, rows, to);
+    else if (move.datatype == pcl::PCLPointField::FLOAT32)
+      convert<float>(move, stored, rows, to);
+    else if (size == 4)
+      copyField<4>(from, stored_size_, rows, where, row_size_);
+    else if (size == 1)
+      copyField<1>(from, stored_size_, rows, where, row_size_);
     else
       for (std::size_t i = 0; i < rows; ++i)
-        std::memcpy(where + i * row_size_, from + i * raw_size_, move.size);
+        std::memcpy(where + i * row_size_, from + i * stored_size_, size);
   }
+  for (std::size_t i = 0; opaque_ >= 0 && i < rows; ++i)
+    to[i * row_size_ + static_cast<std::size_t>(opaque_)] = 0xff;
 }
 
 } // namespace pcl::sedr::tools

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "cloud_readers.h"
-#include "row_plan.h"
+#include "scan_settings.h"
 
 #include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_filters/scan_frame.h>
@@ -13,6 +12,9 @@
 #include <vector>
 
 namespace pcl::sedr::tools {
+
+struct ScanContent;
+class RowPlan;
 
 /** @brief Header of a scan. */
 struct ScanHead {
@@ -27,15 +29,13 @@ ScanHead readScanHead(const std::string& path, const ScanSettings& settings = {}
 /** @brief x, y and z, metres, of some finite points of a scan. */
 using ScanPlaces = std::array<std::vector<double>, 3>;
 
-/** @brief A PCD, PLY, E57, LAS, LAZ or text file, detected by content, that is read on
+/** @brief A PCD, PLY, E57, LAS or text file, told by its content, that is read on
  * demand.
  *
  * Rows have every field of a PCD or PLY, and of other formats those that a stage uses.
  * x, y and z are FLOAT32 metres, without padding, FLOAT64 if the settings keep doubles.
- * Rows come piece by piece from the mapped file, without a copy if they are stored in
- * this form. The pages of a piece are released while the next one is read. Hence a scan
- * of any size takes the memory of two pieces, and one more if they are copied.
- * binary_compressed and ascii are unpacked into memory first.
+ * They are read piece by piece, so that a scan of any size takes the memory of two
+ * pieces; only a binary_compressed PCD is unpacked into memory.
  *
  * Coordinates stored as doubles or integers, more than 1 km from 0, are relative to an
  * origin: the centre of the points, per axis, rounded to what PCL's writers keep: 1 m,
@@ -44,8 +44,8 @@ using ScanPlaces = std::array<std::vector<double>, 3>;
  * Of a mesh, the vertices are the points; a warning is printed once per file when the
  * first of them is read.
  *
- * Throws ToolError if the file is missing, a folder, no scan, truncated, damaged,
- * without x, y or z, without points or without finite points. It also throws if most
+ * Throws ToolError if the file is missing, a folder, no scan, cut off, damaged, without
+ * x, y or z, without points or without finite points. It also throws if most
  * coordinates exceed 8388 m, where floats resolve no finer than 1 mm, and are floats
  * already or no origin may be subtracted. Up to 20,000 points are tested for this.
  * Files that shrink while they are read throw as well. */
@@ -57,19 +57,15 @@ public:
 
   const std::string& path() const { return path_; }
 
-  const std::vector<pcl::PCLPointField>& fields() const override
-  {
-    return plan_->fields();
-  }
-  std::size_t rowSize() const override { return plan_->rowSize(); }
-  std::size_t size() const override { return layout_.blob.width; }
+  const std::vector<pcl::PCLPointField>& fields() const override;
+  std::size_t rowSize() const override;
+  std::size_t size() const override;
   void forEachPiece(const std::function<bool(const Piece&)>& see) const override
   {
     forEachPiece(0, size(), see);
   }
 
-  /** @brief As above for the rows from `begin` to `end`; other rows of a binary file
-   * are not touched. */
+  /** @brief As above for the rows from `begin` to `end`. */
   void forEachPiece(std::size_t begin,
                     std::size_t end,
                     const std::function<bool(const Piece&)>& see) const;
@@ -79,12 +75,8 @@ public:
 
   /** @brief Returns the viewpoint of the scan, metres; 0, 0, 0 if it is unknown. */
   Eigen::Vector4f viewpoint() const;
-  bool knowsViewpoint() const { return layout_.viewpoint.has_value(); }
-  const Eigen::Quaternionf& orientation() const { return layout_.orientation; }
-
-  /** @brief Returns the viewpoints of its parts, metres, if the file gives all of
-   * them. */
-  std::vector<ScanStation> stations() const;
+  bool knowsViewpoint() const;
+  const Eigen::Quaternionf& orientation() const;
 
   /** @brief Returns the scanner position of each row, metres, in the rows' frame: from
    * the settings' file, else from the scan, possibly none. Throws ToolError if the file
@@ -96,17 +88,7 @@ public:
   ScanPositions positionsIn(const std::string& path, std::size_t rows) const;
 
 private:
-  class PageTurner;
-
-  /** @brief Returns rows as stored, but in native byte order. */
-  pcl::PCLPointCloud2 rawRows(std::size_t first, std::size_t size) const;
-
-  /** @brief Converts rows to the output form. */
-  void tidyRows(std::size_t first, std::size_t size, std::uint8_t* rows) const;
-
-  /** @brief Unpacks rows that cannot be used as mapped, chooses the origin and plans
-   * the output rows. */
-  void prepare(const ScanSettings& settings);
+  void checkCoordinates() const;
 
   /** @brief Chooses the origin, and throws ToolError if coordinates are too large even
    * so. */
@@ -126,21 +108,14 @@ private:
   ScanPlaces samplePlaces() const;
   void addPlaces(std::size_t first, std::size_t size, ScanPlaces& places) const;
 
-  /** @brief Returns the byte offset of a row in the file. */
-  std::size_t placeOf(std::size_t row) const;
-
   std::string path_;
   std::string positions_; ///< file of positions, may be empty
   double unit_;
   std::size_t piece_bytes_;
-  MappedFile file_;
-  FileLayout layout_;
-  std::vector<std::uint8_t> unpacked_; ///< rows of a file that cannot be used as mapped
-  const std::uint8_t* rows_ = nullptr;
+  std::shared_ptr<ScanContent> content_;
   Eigen::Vector3d shift_ = Eigen::Vector3d::Zero(); ///< subtracted at reading, metres
-  Origin origin_;                 ///< shift_ plus what was subtracted before
-  std::unique_ptr<RowPlan> plan_; ///< conversion to output rows
-  bool is_plain_ = false;         ///< whether stored rows are in the output form
+  Origin origin_;                       ///< shift_ plus what was subtracted before
+  std::shared_ptr<const RowPlan> plan_; ///< conversion to output rows
 };
 
 } // namespace pcl::sedr::tools

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cloud_rows.h"
+#include "formats/scan_formats.h"
 #include "run_tool.h"
 #include "scan_file.h"
 #include "tool_error.h"
 
-#include "sedr_filters/src/base/field_access.h"
 #include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/base/number_text.h"
 
@@ -117,25 +116,28 @@ refuseTooLarge(const std::string& path,
 void
 ScanFile::addPlaces(std::size_t first, std::size_t size, ScanPlaces& places) const
 {
-  const pcl::PCLPointCloud2 blob = rawRows(first, size);
-  const std::array<const pcl::PCLPointField*, 3> xyz{
-      findField(blob, "x"), findField(blob, "y"), findField(blob, "z")};
-  for (std::size_t i = 0; i < blob.width; ++i) {
-    std::array<double, 3> p{};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      p[axis] = unit_ * readField(&blob.data[i * blob.point_step + xyz[axis]->offset],
-                                  xyz[axis]->datatype);
-    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
-      continue;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      places[axis].push_back(p[axis]);
+  const StoredRow& row = content_->points->row();
+  const std::array<const StoredField*, 3> xyz{row.find("x"), row.find("y"),
+                                              row.find("z")};
+  Chunk chunk;
+  chunk.first = first;
+  for (std::size_t done = 0; done < size; done += chunk.size) {
+    content_->points->next(chunk, size - done);
+    for (std::size_t i = 0; i < chunk.size; ++i) {
+      Eigen::Vector3d p;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        p[static_cast<Eigen::Index>(axis)] =
+            unit_ * xyz[axis]->valueIn(&chunk.rows[i * row.size]);
+      for (std::size_t axis = 0; axis < 3 && p.allFinite(); ++axis)
+        places[axis].push_back(p[static_cast<Eigen::Index>(axis)]);
+    }
   }
 }
 
 ScanPlaces
 ScanFile::samplePlaces() const
 {
-  constexpr std::size_t run = 100; // adjacent rows share a page
+  constexpr std::size_t run = 100; // adjacent rows are read at once
   ScanPlaces places;
   const std::size_t step = std::max<std::size_t>(1, size() / (sample_size / run));
   if (size() > sample_size)
@@ -149,9 +151,6 @@ ScanFile::samplePlaces() const
        !is_enough && first < size() && places[0].size() < sample_size;
        first += sample_size)
     addPlaces(first, std::min(sample_size, size() - first), places);
-  if (unpacked_.empty())
-    file_.release(placeOf(0), placeOf(size()) - placeOf(0));
-  file_.checkWhole();
   if (places[0].empty())
     throw ToolError("'" + path_ + "' has no finite point among its " +
                     std::to_string(size()));
@@ -161,17 +160,17 @@ ScanFile::samplePlaces() const
 bool
 ScanFile::takeOriginFromViewpoint(const ScanPlaces& places)
 {
-  if (!layout_.has_floats || !layout_.viewpoint || !layout_.counted_from.isZero())
+  if (!content_->may_be_local || !content_->viewpoint)
     return false;
-  const Eigen::Vector3d place = *layout_.viewpoint;
+  const Eigen::Vector3d place = *content_->viewpoint;
   const double size = place.lpNorm<Eigen::Infinity>();
   const bool is_origin = size < farthest_grid &&
                          size * std::min(1.0, unit_) > far_away &&
                          place == place.unaryExpr(&inSixDigits) &&
                          farthestFrom(Eigen::Vector3d::Zero(), places) < far_away;
   if (is_origin) {
-    layout_.counted_from.place = place;
-    layout_.viewpoint.reset();
+    content_->counted_from.place = place;
+    content_->viewpoint.reset();
   }
   return is_origin;
 }
@@ -181,7 +180,7 @@ ScanFile::settleOrigin(const ScanSettings& settings)
 {
   const ScanPlaces places = samplePlaces();
   const auto isFloat = [&](const char* name) {
-    return findField(layout_.blob, name)->datatype == pcl::PCLPointField::FLOAT32;
+    return content_->points->row().find(name)->datatype == pcl::PCLPointField::FLOAT32;
   };
   const bool are_floats = isFloat("x") && isFloat("y") && isFloat("z");
   const bool takes_viewpoint = takeOriginFromViewpoint(places);
@@ -189,7 +188,7 @@ ScanFile::settleOrigin(const ScanSettings& settings)
   const bool finds_shift = settings.shifts && !settings.origin && !are_floats;
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
   if (settings.origin)
-    shift = settings.origin->place - layout_.counted_from.place;
+    shift = settings.origin->place - content_->counted_from.place;
   else if (finds_shift)
     shift = roundPlaceNear(places);
   // An origin cannot restore the precision that floats have lost.
@@ -206,7 +205,7 @@ ScanFile::settleOrigin(const ScanSettings& settings)
                    places);
   }
   shift_ = shift;
-  origin_ = {layout_.counted_from.place + shift};
+  origin_ = {content_->counted_from.place + shift};
   if ((finds_shift && !shift.isZero(0)) || (takes_viewpoint && !settings.origin))
     tellOrigin(path_, origin_);
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cloud_readers.h"
+#include "formats/scan_formats.h"
 #include "scan_file.h"
 #include "tool_error.h"
 
-#include <charconv>
+#include "bytes/text_lines.h"
+
 #include <optional>
 
 namespace pcl::sedr::tools {
@@ -22,16 +23,12 @@ positionIn(const std::vector<std::string_view>& words)
   PositionLine line;
   if (words.size() != 3 && words.size() != 4)
     return {};
-  const auto isWhole = [](std::string_view word, auto& value) {
-    const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
-    return result.ec == std::errc() && result.ptr == word.data() + word.size();
-  };
   for (std::size_t axis = 0; axis < 3; ++axis)
-    if (!isWhole(words[axis], line.place[static_cast<Eigen::Index>(axis)]))
+    if (!isNumber(words[axis], line.place[static_cast<Eigen::Index>(axis)]))
       return {};
   if (!line.place.cast<float>().allFinite())
     return {};
-  if (words.size() == 4 && !isWhole(words[3], line.points.emplace()))
+  if (words.size() == 4 && !isNumber(words[3], line.points.emplace()))
     return {};
   return line;
 }
@@ -41,11 +38,11 @@ positionIn(const std::vector<std::string_view>& words)
 std::vector<PositionLine>
 readPositionLines(const std::string& path)
 {
-  const MappedFile file(path);
-  TextCursor cursor(file, 0);
+  const InputFile file(path);
+  LineReader reader(file);
   std::vector<PositionLine> lines;
   std::string_view text;
-  for (std::size_t number = 1; cursor.nextLine(text); ++number) {
+  for (std::size_t number = 1; reader.next(text); ++number) {
     const std::vector<std::string_view> words = wordsOf(text);
     if (words.empty() || words.front().front() == '#')
       continue;
@@ -72,11 +69,10 @@ ScanFile::positions() const
   if (!positions_.empty())
     return positionsIn(positions_, size());
   ScanPositions positions;
-  if (layout_.reader)
-    for (const ScanStation& station : layout_.reader->stations())
-      positions.push_back({station.first_row, inMetres(station.position)});
-  else if (layout_.viewpoint)
-    positions.push_back({0, inMetres(*layout_.viewpoint)});
+  for (const ScanStation& station : content_->points->stations())
+    positions.push_back({station.first_row, inMetres(station.position)});
+  if (positions.empty() && content_->viewpoint)
+    positions.push_back({0, inMetres(*content_->viewpoint)});
   return positions;
 }
 

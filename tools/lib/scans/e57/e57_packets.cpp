@@ -33,97 +33,56 @@ text(std::uint64_t number)
   return std::to_string(number);
 }
 
+/** @brief Returns the number stored in `bits` bits from bit `at` on. */
+std::uint64_t
+bitsAt(const std::uint8_t* bytes, std::uint64_t at, unsigned bits)
+{
+  const auto* first = bytes + at / 8;
+  const auto skipped = static_cast<unsigned>(at % 8);
+  std::uint64_t word = valueAt<std::uint64_t>(first) >> skipped;
+  if (skipped + bits > 64) // the remainder is in a ninth byte
+    word |= std::uint64_t{first[8]} << (64 - skipped);
+  return bits < 64 ? word & ((std::uint64_t{1} << bits) - 1) : word;
+}
+
+double
+scaled(const E57Field& field, std::uint64_t stored)
+{
+  // Unsigned, as the sum may exceed a signed integer.
+  const auto raw =
+      static_cast<std::int64_t>(static_cast<std::uint64_t>(field.minimum) + stored);
+  return static_cast<double>(raw) * field.scale + field.offset;
+}
+
 } // namespace
 
-/** @brief A data packet with the position of each wanted stream's piece. */
-struct E57Packets::Packet {
-  std::uint64_t place = 0; ///< logical
-  std::size_t size = 0;    ///< bytes
-  std::vector<std::size_t> begins;
-  std::vector<std::size_t> sizes;
-};
-
-/** @brief Iterates over data packets. */
-class E57Packets::Walk {
-public:
-  Walk(const E57Packets& packets, std::uint64_t place)
-      : packets_(packets)
-      , place_(place)
-      , lengths_(2 * packets.scan_.fields.size())
-  {}
-
-  /** @brief Reads the header of the next data packet; false if there is none. */
-  bool next(Packet& packet)
-  {
-    for (; packets_.end_ - place_ >= packet_head; place_ += packet.size) {
-      std::uint8_t head[packet_head];
-      packets_.pages_.copy(place_, packet_head, head);
-      packet.place = place_;
-      packet.size = std::size_t{valueAt<std::uint16_t>(head + 2)} + 1;
-      if (head[0] > EmptyPacket)
-        refuse("is of the type " + text(head[0]) + ", which is unknown");
-      const std::size_t least = head[0] == DataPacket ? packet_head : min_packet;
-      if (packet.size < least || packet.size > packets_.end_ - place_)
-        refuse("is said to have " + text(packet.size) + " bytes, " +
-               text(packets_.end_ - place_) + " are left");
-      if (head[0] != DataPacket)
-        continue;
-      readPieces(valueAt<std::uint16_t>(head + 4), packet);
-      place_ += packet.size;
-      return true;
-    }
-    return false;
-  }
-
-private:
-  [[noreturn]] void refuse(const std::string& reason) const
-  {
-    throw ToolError("the packet at byte " + text(packets_.pages_.physical(place_)) +
-                    " " + reason);
-  }
-
-  void readPieces(std::size_t streams, Packet& packet)
-  {
-    const std::size_t fields = packets_.scan_.fields.size();
-    if (streams != fields)
-      refuse("has " + text(streams) + " streams for " + text(fields) + " fields");
-    if (packet.size < packet_head + lengths_.size())
-      refuse("of " + text(packet.size) + " bytes has no room for the lengths of its " +
-             text(fields) + " streams");
-    packets_.pages_.copy(place_ + packet_head, lengths_.size(), lengths_.data());
-    packet.begins.clear();
-    packet.sizes.clear();
-    std::size_t begin = packet_head + lengths_.size();
-    std::size_t wanted = 0;
-    for (std::size_t s = 0; s < fields; ++s) {
-      const std::size_t size = valueAt<std::uint16_t>(&lengths_[2 * s]);
-      if (wanted < packets_.wanted_.size() && packets_.wanted_[wanted] == s) {
-        packet.begins.push_back(begin);
-        packet.sizes.push_back(size);
-        ++wanted;
-      }
-      begin += size;
-    }
-    if (begin > packet.size)
-      refuse("of " + text(packet.size) + " bytes overruns, its streams take " +
-             text(begin));
-  }
-
-  const E57Packets& packets_;
-  std::uint64_t place_;
-  std::vector<std::uint8_t> lengths_;
-};
+void
+E57Values::read(std::size_t first, std::size_t size, double* values) const
+{
+  const E57Field& field = *field_;
+  const auto* const bytes = bytes_.data();
+  const std::uint64_t begin = first_bit_ + std::uint64_t{first} * field.bits;
+  if (field.bits == 0)
+    std::fill_n(values, size, scaled(field, 0));
+  else if (field.kind == E57Field::Kind::Float)
+    for (std::size_t i = 0; i < size; ++i)
+      values[i] = valueAt<float>(bytes + (first + i) * sizeof(float));
+  else if (field.kind == E57Field::Kind::Double)
+    std::memcpy(values, bytes + first * sizeof(double), size * sizeof(double));
+  else
+    for (std::size_t i = 0; i < size; ++i)
+      values[i] = scaled(field, bitsAt(bytes, begin + i * field.bits, field.bits));
+}
 
 E57Packets::E57Packets(const E57Pages& pages,
                        const E57Scan& scan,
-                       std::vector<std::size_t> wanted)
+                       const std::vector<std::size_t>& wanted)
     : pages_(pages)
     , scan_(scan)
-    , wanted_(std::move(wanted))
+    , wanted_(wanted)
 {
-  std::sort(wanted_.begin(), wanted_.end());
   std::uint8_t head[section_head];
-  pages.copy(scan.section, section_head, head);
+  pages.read(scan.section, section_head, head);
   const auto size = valueAt<std::uint64_t>(head + 8);
   if (head[0] != 1)
     throw ToolError("the list of its points begins with the number " + text(head[0]) +
@@ -139,42 +98,96 @@ E57Packets::E57Packets(const E57Pages& pages,
   index();
 }
 
+bool
+E57Packets::next(std::uint64_t& place, const Read& read, Packet& packet) const
+{
+  const auto refuse = [&](const std::string& reason) {
+    throw ToolError("the packet at byte " + text(pages_.physical(place)) + " " +
+                    reason);
+  };
+  for (; end_ - place >= packet_head; place += packet.size) {
+    std::uint8_t head[packet_head];
+    read(place, packet_head, head);
+    packet.place = place;
+    packet.size = std::size_t{valueAt<std::uint16_t>(head + 2)} + 1;
+    if (head[0] > EmptyPacket)
+      refuse("is of the type " + text(head[0]) + ", which is unknown");
+    const std::size_t least = head[0] == DataPacket ? packet_head : min_packet;
+    if (packet.size < least || packet.size > end_ - place)
+      refuse("is said to have " + text(packet.size) + " bytes, " + text(end_ - place) +
+             " are left");
+    if (head[0] != DataPacket)
+      continue;
+    readPieces(valueAt<std::uint16_t>(head + 4), read, packet);
+    place += packet.size;
+    return true;
+  }
+  return false;
+}
+
+void
+E57Packets::readPieces(std::size_t streams, const Read& read, Packet& packet) const
+{
+  const auto refuse = [&](const std::string& reason) {
+    throw ToolError("the packet at byte " + text(pages_.physical(packet.place)) +
+                    " of " + text(packet.size) + " bytes has " + text(streams) +
+                    " streams for " + text(scan_.fields.size()) + " fields" + reason);
+  };
+  std::size_t begin = packet_head + 2 * scan_.fields.size();
+  if (streams != scan_.fields.size() || packet.size < begin)
+    refuse("");
+  std::vector<std::uint16_t> lengths(streams);
+  read(packet.place + packet_head, 2 * streams, lengths.data());
+  packet.begins.assign(wanted_.size(), 0);
+  packet.sizes.assign(wanted_.size(), 0);
+  for (std::size_t s = 0; s < streams; ++s) {
+    for (std::size_t w = 0; w < wanted_.size(); ++w)
+      if (wanted_[w] == s) {
+        packet.begins[w] = begin;
+        packet.sizes[w] = lengths[s];
+      }
+    begin += lengths[s];
+  }
+  if (begin > packet.size)
+    refuse(", which take " + text(begin));
+}
+
 void
 E57Packets::index()
 {
-  constexpr std::uint64_t stride = std::uint64_t{1} << 18; // bytes
+  constexpr std::uint64_t stride = std::uint64_t{1} << 16; // bytes
   std::vector<std::uint64_t> seen(wanted_.size(), 0);
-  Walk walk(*this, begin_);
-  for (Packet packet; walk.next(packet);) {
-    if (mark_places_.empty() || packet.place - mark_places_.back() >= stride) {
-      if (!mark_places_.empty()) // else all of the file would stay in memory
-        pages_.release(mark_places_.back(), packet.place);
-      mark_places_.push_back(packet.place);
-      mark_bytes_.insert(mark_bytes_.end(), seen.begin(), seen.end());
-    }
+  const Read read = [&](std::uint64_t begin, std::size_t size, void* to) {
+    pages_.read(begin, size, to);
+  };
+  std::uint64_t place = begin_;
+  for (Packet packet; next(place, read, packet);) {
+    if (marks_.empty() || packet.place - marks_.back().place >= stride)
+      marks_.push_back({packet.place, seen});
     for (std::size_t w = 0; w < seen.size(); ++w)
       seen[w] += packet.sizes[w];
   }
+  marks_.push_back({end_, seen});
   checkCount(seen);
 }
 
 void
 E57Packets::checkCount(const std::vector<std::uint64_t>& seen) const
 {
-  const std::vector<Part> all = partsOf(0, scan_.points);
   bool has_bits = false;
   for (std::size_t w = 0; w < seen.size(); ++w) {
-    if (bitsOf(w) == 0)
+    const E57Field& own = field(w);
+    if (own.bits == 0)
       continue;
     has_bits = true;
-    const E57Field& field = scan_.fields[wanted_[w]];
     // Writers fill up the last integers to a machine word.
     const std::uint64_t padding =
-        field.kind == E57Field::Kind::Integer ? sizeof(std::uint64_t) : bitsOf(w) / 8;
-    if (seen[w] < all[w].end || seen[w] >= all[w].end + padding)
+        own.kind == E57Field::Kind::Integer ? sizeof(std::uint64_t) : own.bits / 8;
+    const std::uint64_t needed = (scan_.points * own.bits + 7) / 8;
+    if (seen[w] < needed || seen[w] >= needed + padding)
       throw ToolError("it is said to have " + text(scan_.points) +
-                      " points, its packets hold " + quotedWord(field.name) + " of " +
-                      text(8 * seen[w] / bitsOf(w)));
+                      " points, its packets hold " + quotedWord(own.name) + " of " +
+                      text(8 * seen[w] / own.bits));
   }
   // Constants take no bytes; points of nothing else are bounded by a bit each.
   const std::uint64_t most = 8 * pages_.size();
@@ -184,83 +197,78 @@ E57Packets::checkCount(const std::vector<std::uint64_t>& seen) const
                     " bits");
 }
 
-std::vector<E57Packets::Part>
-E57Packets::partsOf(std::uint64_t begin, std::uint64_t end) const
-{
-  std::vector<Part> parts;
-  for (std::size_t w = 0; w < wanted_.size(); ++w)
-    parts.push_back({begin * bitsOf(w) / 8, (end * bitsOf(w) + 7) / 8});
-  return parts;
-}
-
 std::size_t
-E57Packets::markBefore(const std::vector<Part>& parts) const
+E57Packets::markAt(std::uint64_t point, bool is_end) const
 {
-  const auto isBefore = [&](std::size_t mark) {
-    for (std::size_t w = 0; w < parts.size(); ++w)
-      if (bitsOf(w) > 0 && mark_bytes_[mark * parts.size() + w] > parts[w].begin)
-        return false;
-    return true;
+  const auto isBefore = [&](const Mark& mark, std::uint64_t at) {
+    bool are_all = true;
+    bool is_any = false;
+    for (std::size_t w = 0; w < wanted_.size(); ++w) {
+      const std::uint64_t bits = field(w).bits;
+      const std::uint64_t byte = is_end ? (at * bits + 7) / 8 : at * bits / 8;
+      are_all = are_all && (bits == 0 || mark.seen[w] <= byte);
+      is_any = is_any || (bits > 0 && mark.seen[w] < byte);
+    }
+    return is_end ? is_any : are_all;
   };
-  std::size_t low = 0; // precedes all parts
-  std::size_t high = mark_places_.size();
-  while (high - low > 1) {
-    const std::size_t middle = low + (high - low) / 2;
-    (isBefore(middle) ? low : high) = middle;
-  }
-  return low;
+  const auto mark = std::lower_bound(marks_.begin(), marks_.end() - 1, point, isBefore);
+  const auto number = static_cast<std::size_t>(mark - marks_.begin());
+  return is_end || number == 0 ? number : number - 1;
 }
 
-std::uint64_t
-E57Packets::placeOf(std::uint64_t point) const
-{
-  return mark_places_.empty() ? end_ : mark_places_[markBefore(partsOf(point, point))];
-}
-
-std::vector<E57Bytes>
+std::vector<E57Values>
 E57Packets::read(std::uint64_t begin, std::uint64_t end) const
 {
-  const std::vector<Part> parts = partsOf(begin, end);
-  std::vector<E57Bytes> lists(parts.size());
-  for (std::size_t w = 0; w < parts.size(); ++w) {
-    lists[w].first_bit = static_cast<unsigned>(begin * bitsOf(w) % 8);
-    lists[w].bytes.reserve(static_cast<std::size_t>(parts[w].end - parts[w].begin) +
-                           spare);
+  const std::size_t first = markAt(begin, false);
+  const std::uint64_t from = marks_[first].place;
+  const std::uint64_t to = marks_[markAt(end, true)].place;
+  // Kept, as the system would hand out new pages of memory for every chunk.
+  thread_local std::vector<std::uint8_t> bytes;
+  bytes.resize(static_cast<std::size_t>(std::max(from, to) - from));
+  pages_.read(from, bytes.size(), bytes.data());
+  pages_.expect(from + bytes.size(), bytes.size());
+  const Read copy = [&](std::uint64_t at, std::size_t size, void* where) {
+    if (size > bytes.size() || at - from > bytes.size() - size)
+      throw ToolError("it has changed while it was read");
+    std::memcpy(where, bytes.data() + (at - from), size);
+  };
+
+  const auto sizeOf = [&](std::size_t w) {
+    const std::uint64_t bits = field(w).bits;
+    return static_cast<std::size_t>((end * bits + 7) / 8 - begin * bits / 8);
+  };
+  std::vector<E57Values> values(wanted_.size());
+  std::vector<std::uint64_t> seen = marks_[first].seen;
+  for (std::size_t w = 0; w < values.size(); ++w) {
+    values[w].field_ = &field(w);
+    values[w].first_bit_ = static_cast<unsigned>(begin * field(w).bits % 8);
+    values[w].bytes_.reserve(sizeOf(w) + spare);
   }
-  if (!mark_places_.empty()) {
-    const std::size_t mark = markBefore(parts);
-    const auto* first = mark_bytes_.data() + mark * parts.size();
-    std::vector<std::uint64_t> seen(first, first + parts.size());
-    std::vector<std::uint8_t> whole;
-    Walk walk(*this, mark_places_[mark]);
-    const auto isFull = [&] {
-      for (std::size_t w = 0; w < parts.size(); ++w)
-        if (bitsOf(w) > 0 && seen[w] < parts[w].end)
-          return false;
-      return true;
-    };
-    for (Packet packet; !isFull() && walk.next(packet);) {
-      whole.clear();
-      for (std::size_t w = 0; w < parts.size(); ++w) {
-        const std::uint64_t from = std::max(seen[w], parts[w].begin);
-        const std::uint64_t to = std::min(seen[w] + packet.sizes[w], parts[w].end);
-        if (bitsOf(w) > 0 && from < to) {
-          if (whole.empty()) {
-            whole.resize(packet.size);
-            pages_.copy(packet.place, packet.size, whole.data());
-          }
-          const auto* piece = whole.data() + packet.begins[w];
-          lists[w].bytes.insert(lists[w].bytes.end(), piece + (from - seen[w]),
-                                piece + (to - seen[w]));
-        }
-        seen[w] += packet.sizes[w];
-      }
+  Packet packet;
+  for (std::uint64_t place = from; place < to && next(place, copy, packet);)
+    for (std::size_t w = 0; w < values.size(); ++w) {
+      const std::uint64_t bits = field(w).bits;
+      const std::uint64_t part = std::max(seen[w], begin * bits / 8);
+      const std::uint64_t part_end =
+          std::min(seen[w] + packet.sizes[w], (end * bits + 7) / 8);
+      const auto* const piece =
+          bytes.data() + (packet.place - from) + packet.begins[w] - seen[w];
+      if (bits > 0 && part < part_end)
+        values[w].bytes_.insert(values[w].bytes_.end(), piece + part, piece + part_end);
+      seen[w] += packet.sizes[w];
     }
-  }
-  for (std::size_t w = 0; w < parts.size(); ++w) // whole, even if the file has changed
-    lists[w].bytes.resize(
-        static_cast<std::size_t>(parts[w].end - parts[w].begin) + spare, 0);
-  return lists;
+  for (std::size_t w = 0; w < values.size(); ++w) // all, even if the file has changed
+    values[w].bytes_.resize(sizeOf(w) + spare, 0);
+  return values;
+}
+
+void
+E57Packets::check() const
+{
+  constexpr std::uint64_t step = std::uint64_t{1} << 23; // bytes
+  std::vector<std::uint8_t> bytes(step);
+  for (std::uint64_t at = begin_; at < end_; at += step)
+    pages_.read(at, static_cast<std::size_t>(std::min(step, end_ - at)), bytes.data());
 }
 
 } // namespace pcl::sedr::tools

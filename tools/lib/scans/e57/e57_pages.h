@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "bytes/mapped_file.h"
+#include "bytes/input_file.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 
 namespace pcl::sedr::tools {
@@ -15,7 +16,7 @@ namespace pcl::sedr::tools {
 class E57Pages {
 public:
   /** @brief Reads the header of 48 bytes. */
-  explicit E57Pages(const MappedFile& file);
+  explicit E57Pages(std::shared_ptr<const InputFile> file);
 
   /** @brief Returns the number of bytes without checksums. */
   std::uint64_t size() const { return pages_ * payload_; }
@@ -34,25 +35,24 @@ public:
   }
 
   /** @brief Copies bytes and verifies the checksums of their pages; thread-safe. */
-  void copy(std::uint64_t begin, std::size_t size, std::uint8_t* to) const;
+  void read(std::uint64_t begin, std::size_t size, void* to) const;
 
-  /** @brief Verifies the checksums of the pages of these bytes, and releases them. */
-  void check(std::uint64_t begin, std::uint64_t size) const;
-
-  /** @brief Releases the memory of bytes that are not needed now. */
-  void release(std::uint64_t begin, std::uint64_t end) const;
+  /** @brief Lets the system fetch bytes that will be read next. */
+  void expect(std::uint64_t begin, std::uint64_t size) const
+  {
+    file_->expect(physical(begin), physical(size));
+  }
 
 private:
-  void checkPage(std::uint64_t page) const;
+  /** @brief Verifies the checksums of `count` pages from `first` on. */
+  void check(std::uint64_t first, std::size_t count, const std::uint8_t* bytes) const;
 
-  const MappedFile& file_;
+  std::shared_ptr<const InputFile> file_;
   std::uint64_t page_size_ = 0;
   std::uint64_t payload_ = 0; ///< bytes per page without its checksum
   std::uint64_t pages_ = 0;
   std::uint64_t xml_begin_ = 0;
   std::uint64_t xml_size_ = 0;
 };
-
-bool looksLikeE57(const MappedFile& file);
 
 } // namespace pcl::sedr::tools

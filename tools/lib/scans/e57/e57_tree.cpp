@@ -12,6 +12,13 @@ namespace pcl::sedr::tools {
 
 namespace {
 
+/** @brief What is known of an XML text before it is parsed. */
+struct XmlShape {
+  std::size_t nesting = 0;        ///< depth of its elements
+  std::size_t parts = 0;          ///< number of its elements and attributes
+  bool has_document_type = false; ///< or another declaration outside of comments
+};
+
 /** @brief Returns one past the end of `text` from `position` on, or the end of the
  * XML. */
 std::size_t
@@ -45,8 +52,7 @@ pastOpeningTag(const std::string& xml, std::size_t position, std::size_t& attrib
   return std::min(position + 1, xml.size());
 }
 
-} // namespace
-
+/** @brief Scans an XML text until its nesting exceeds `limit`. */
 XmlShape
 shapeOf(const std::string& xml, std::size_t limit)
 {
@@ -82,6 +88,8 @@ shapeOf(const std::string& xml, std::size_t limit)
   return shape;
 }
 
+} // namespace
+
 boost::property_tree::ptree
 readE57Tree(const E57Pages& pages)
 {
@@ -92,7 +100,7 @@ readE57Tree(const E57Pages& pages)
                     " bytes, more than the " + std::to_string(largest) +
                     " that are taken for sane");
   std::string xml(static_cast<std::size_t>(pages.xmlSize()), '\0');
-  pages.copy(pages.xmlBegin(), xml.size(), reinterpret_cast<std::uint8_t*>(&xml[0]));
+  pages.read(pages.xmlBegin(), xml.size(), xml.data());
   // Some writers include the padding of the last page.
   xml.erase(xml.find_last_not_of(std::string("\0 \t\r\n", 5)) + 1);
   const XmlShape shape = shapeOf(xml, deepest);

@@ -4,6 +4,10 @@
 #include "plain_text.h"
 #include "tool_error.h"
 
+#include "bytes/text_lines.h"
+
+#include <boost/algorithm/string.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <map>
@@ -12,7 +16,7 @@ namespace pcl::sedr::tools {
 
 namespace {
 
-constexpr std::string_view blanks = " \t\r";
+const std::string name_blanks = " \t\r";
 
 /** @brief Replaces units in brackets, quotes and marks of comments by blanks. */
 std::string
@@ -34,20 +38,16 @@ withoutUnits(std::string_view line)
 /** @brief Splits a text at any of the separators; what is empty is left out, and blanks
  * within a name become underscores. */
 std::vector<std::string>
-split(std::string_view text, std::string_view separators)
+split(const std::string& text, const std::string& separators)
 {
   std::vector<std::string> names;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find_first_of(separators), text.size());
-    const std::string_view part = text.substr(0, end);
-    const std::size_t first = part.find_first_not_of(blanks);
-    if (first != part.npos)
-      names.emplace_back(part.substr(first, part.find_last_not_of(blanks) + 1 - first));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  for (std::string& name : names)
+  boost::split(names, text, boost::is_any_of(separators));
+  for (std::string& name : names) {
+    boost::trim(name);
     std::replace_if(
         name.begin(), name.end(), [](char c) { return c == ' ' || c == '\t'; }, '_');
+  }
+  names.erase(std::remove(names.begin(), names.end(), ""), names.end());
   return names;
 }
 
@@ -57,44 +57,28 @@ std::string
 fieldOf(const std::string& name)
 {
   static const std::map<std::string, std::string> known = [] {
-    std::map<std::string, std::string> all{{"r", "red"},
-                                           {"g", "green"},
-                                           {"b", "blue"},
-                                           {"i", "intensity"},
-                                           {"int", "intensity"},
-                                           {"reflectance", "intensity"},
-                                           {"nx", "normal_x"},
-                                           {"ny", "normal_y"},
-                                           {"nz", "normal_z"},
-                                           {"e", "x"},
-                                           {"east", "x"},
-                                           {"easting", "x"},
-                                           {"rechtswert", "x"},
-                                           {"n", "y"},
-                                           {"north", "y"},
-                                           {"northing", "y"},
-                                           {"hochwert", "y"},
-                                           {"h", "z"},
-                                           {"height", "z"},
-                                           {"elev", "z"},
-                                           {"elevation", "z"},
-                                           {"alt", "z"},
-                                           {"altitude", "z"},
-                                           {"h\xc3\xb6he", "z"},
-                                           {"hoehe", "z"},
-                                           {"points:0", "x"},
-                                           {"points:1", "y"},
-                                           {"points:2", "z"},
-                                           {"intensity", "intensity"}};
+    std::map<std::string, std::string> all;
+    const auto add = [&](const std::string& field, const std::string& names) {
+      for (const std::string_view name : wordsOf(names))
+        all[std::string(name)] = field;
+    };
+    add("x", "e east easting rechtswert points:0");
+    add("y", "n north northing hochwert points:1");
+    add("z", "h height elev elevation alt altitude h\xc3\xb6he hoehe points:2");
+    add("red", "r red");
+    add("green", "g green");
+    add("blue", "b blue");
+    add("intensity", "i int reflectance intensity");
+    add("normal_x", "nx");
+    add("normal_y", "ny");
+    add("normal_z", "nz");
+    // Angles are no coordinates in metres, but show that a line holds names.
+    for (const std::string_view angle : wordsOf("lat latitude lon long longitude"))
+      all[std::string(angle)] = angle;
     for (const char* axis : {"x", "y", "z"})
       for (const std::string form :
            {"", "_coord", "coord", "_coordinate", "-coordinate"})
         all[axis + form] = axis;
-    for (const char* colour : {"red", "green", "blue"})
-      all[colour] = colour;
-    // Angles are no coordinates in metres, but show that a line holds names.
-    for (const char* angle : {"lat", "latitude", "lon", "long", "longitude"})
-      all[angle] = angle;
     return all;
   }();
   const auto it = known.find(name);
@@ -104,7 +88,7 @@ fieldOf(const std::string& name)
 bool
 isComment(std::string_view line)
 {
-  const std::size_t first = line.find_first_not_of(blanks);
+  const std::size_t first = line.find_first_not_of(name_blanks);
   return first != line.npos && (line[first] == '#' || line[first] == '/');
 }
 
@@ -125,10 +109,11 @@ isLikeNames(std::string_view comment, std::size_t columns)
 std::vector<std::string>
 columnNames(std::string_view line)
 {
-  constexpr std::string_view separators = ",;\t";
+  const std::string separators = ",;\t";
   const std::string text = withoutUnits(line);
   const bool has_separators = text.find_first_of(separators) != text.npos;
-  std::vector<std::string> names = split(text, has_separators ? separators : blanks);
+  std::vector<std::string> names =
+      split(text, has_separators ? separators : name_blanks);
   for (std::string& name : names) {
     const std::string field = fieldOf(name);
     if (!field.empty() && std::find(names.begin(), names.end(), field) == names.end())
@@ -146,7 +131,7 @@ namesCoordinates(const std::vector<std::string>& names)
 }
 
 std::vector<std::string>
-namesBefore(const std::vector<std::string_view>& lines,
+namesBefore(const std::vector<std::string>& lines,
             std::size_t columns,
             const std::string& path)
 {
@@ -156,7 +141,7 @@ namesBefore(const std::vector<std::string_view>& lines,
     if (namesCoordinates(names))
       return names;
   }
-  for (const std::string_view line : lines)
+  for (const std::string& line : lines)
     if (!isComment(line) || isLikeNames(line, columns))
       throw ToolError("the line " + quotedWord(line) + " before the numbers of '" +
                       path + "' does not name x, y and z of its " +

@@ -19,7 +19,7 @@ bool namesCoordinates(const std::vector<std::string>& names);
 /** @brief Returns the names that the lines before the first numbers give to `columns`
  * columns; empty if they are only comments or numbers. Throws ToolError if a line can
  * only be names, but not of x, y and z. */
-std::vector<std::string> namesBefore(const std::vector<std::string_view>& lines,
+std::vector<std::string> namesBefore(const std::vector<std::string>& lines,
                                      std::size_t columns,
                                      const std::string& path);
 

@@ -1,39 +1,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "bytes/mapped_file.h"
+#include "bytes/input_file.h"
+#include "formats/point_reader.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace pcl::sedr::tools {
 
-/** @brief Layout of a text with columns of numbers. */
+/** @brief Layout of a text with a point a line. */
 struct TextColumns {
-  std::vector<std::string> names; ///< of the columns; "_" is skipped
-  std::size_t begin = 0;          ///< byte offset of the first line of numbers
+  std::string format = "columns of numbers"; ///< its name in messages
+  std::size_t begin = 0;                     ///< byte of the first line of numbers
+  StoredRow row;                             ///< x, y and z are doubles
+  std::vector<std::size_t> columns;          ///< of each value of the row
+  std::size_t numbers = 0;                   ///< that are read of a line
+  bool is_exact = false;                     ///< whether lines hold nothing else
   bool has_decimal_comma = false; ///< separators are then semicolons or blanks
-  std::size_t numbers = 0;        ///< in the first line, also those without a name
-  bool is_nothing_else = false;   ///< whether that line holds nothing but numbers
   bool has_counts = false; ///< whether lines with the number of points are before them
-  std::uint64_t promised = 0; ///< the first such number
+  std::uint64_t promised = 0;          ///< the first such number
+  std::optional<std::uint64_t> points; ///< number of points, if a header tells it
+  bool are_last = true;                ///< whether nothing follows these points
+
+  /** @brief Returns the layout of an ascii PCD or PLY, whose header is read. */
+  static TextColumns ofHeader(const std::string& format,
+                              const StoredRow& row,
+                              std::size_t begin,
+                              std::uint64_t points,
+                              bool are_last = true);
+
+  /** @brief Determines the layout of a text, see openText(). Throws ToolError if x, y
+   * or z is missing. */
+  static TextColumns find(const InputFile& file, const std::string& asked);
 };
-
-/** @brief Returns whether a file seems to be columns of numbers: no byte that text
- * cannot contain, and at least three numbers in one of the first lines. */
-bool looksLikeColumns(const MappedFile& file);
-
-/** @brief Determines the columns of a text.
- *
- * `asked`, names separated by blanks or commas, comes first. Else a line of names
- * before the numbers counts, such as "//X Y Z Intensity" or "x,y,z". The default, if
- * there are only comments before the numbers, is x y z, then intensity (4 columns), red
- * green blue (6 columns, if integers up to 255) or both (7 columns). Throws ToolError
- * without x, y or z. */
-TextColumns
-findColumns(const MappedFile& file, const std::string& path, const std::string& asked);
 
 /** @brief Reads up to `most` numbers of a line.
  * @param is_all gets whether the line holds nothing but these numbers, if given

@@ -1,165 +1,169 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "text_reader.h"
 
-#include "cloud_readers.h"
+#include "formats/scan_formats.h"
 #include "tool_error.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstring>
+#include "bytes/text_lines.h"
+#include "sedr_filters/src/base/parallel.h"
 
 namespace pcl::sedr::tools {
 
-TextReader::TextReader(const MappedFile& file,
-                       const std::string& path,
-                       const std::string& columns)
-    : file_(file)
-    , path_(path)
-    , columns_(findColumns(file, path, columns))
+TextReader::TextReader(std::shared_ptr<const InputFile> file,
+                       const TextColumns& columns)
+    : file_(std::move(file))
+    , columns_(columns)
 {
-  layFields();
-  countLines();
+  row_ = columns.row;
+  findBlocks();
+  size_ = blocks_.back().first;
+  checkPoints();
+  size_ = std::min<std::uint64_t>(size_, columns.points.value_or(size_));
 }
 
 void
-TextReader::layFields()
+TextReader::refuse(const std::string& reason) const
 {
-  const auto& names = columns_.names;
-  const auto columnOf = [&](const std::string& name) {
-    const auto it = std::find(names.begin(), names.end(), name);
-    return static_cast<std::size_t>(it - names.begin());
-  };
-  for (const char* axis : {"x", "y", "z"})
-    xyz_.push_back(columnOf(axis));
-  for (const char* name : {"blue", "green", "red"})
-    colour_.push_back(columnOf(name));
-  if (*std::max_element(colour_.begin(), colour_.end()) == names.size())
-    colour_.clear();
-  std::vector<std::string> more;
-  for (std::size_t c = 0; c < names.size(); ++c) {
-    const bool is_taken = std::count(xyz_.begin(), xyz_.end(), c) > 0 ||
-                          std::count(colour_.begin(), colour_.end(), c) > 0;
-    if (is_taken || names[c] == "_")
+  throw ToolError("cannot read '" + file_->path() + "' as " + columns_.format + ": " +
+                  reason);
+}
+
+void
+TextReader::findBlocks()
+{
+  constexpr std::size_t block_bytes = std::size_t{1} << 18;
+  const std::size_t bytes = file_->size() - columns_.begin;
+  const std::size_t count = (bytes + block_bytes - 1) / block_bytes;
+  blocks_.assign(count + 1, {file_->size(), 0});
+  for (std::size_t b = 0; b < count; ++b) {
+    blocks_[b].begin = columns_.begin + b * block_bytes;
+    if (b == 0)
       continue;
-    others_.push_back(c);
-    more.push_back(names[c]);
+    // Behind the line that the byte before belongs to.
+    LineReader lines(*file_, blocks_[b].begin - 1);
+    std::string_view line;
+    lines.next(line);
+    blocks_[b].begin = lines.position();
   }
-  if (!colour_.empty())
-    more.emplace_back("rgb");
-  fields_ = decodedFields(more);
+  std::vector<std::size_t> points(count, 0);
+  std::vector<std::vector<Promise>> promises(count);
+  parallelBlocks(count, 1, 0, [&](std::size_t b, std::size_t) {
+    const std::string text = textOf(b);
+    std::string_view rest = text;
+    std::uint64_t promised = 0;
+    for (std::string_view line; takeLine(rest, line);)
+      if (columns_.has_counts && readCount(line, promised))
+        promises[b].push_back({points[b], promised});
+      else
+        points[b] += mayHoldNumbers(line) ? 1 : 0;
+  });
+  std::vector<Promise> all{{0, columns_.promised}};
+  for (std::size_t b = 0; b < count; ++b) {
+    for (const Promise& promise : promises[b])
+      all.push_back({blocks_[b].first + promise.points, promise.count});
+    blocks_[b + 1].first = blocks_[b].first + points[b];
+  }
+  if (columns_.has_counts)
+    checkPromises(all);
+}
+
+std::string
+TextReader::textOf(std::size_t block) const
+{
+  const std::size_t begin = blocks_[block].begin;
+  std::string text(blocks_[block + 1].begin - begin, '\0');
+  file_->read(begin, text.size(), text.data());
+  return text;
 }
 
 void
-TextReader::countLines()
+TextReader::checkPromises(const std::vector<Promise>& promises) const
 {
-  constexpr std::size_t stride = std::size_t{1} << 16; // bytes
-  TextCursor cursor(file_, columns_.begin);
-  std::size_t place = columns_.begin;
-  std::uint64_t promised = columns_.promised;
-  std::size_t begin = 0; // first row of those that are promised
-  for (std::string_view line; cursor.nextLine(line); place = cursor.position()) {
-    std::uint64_t count = 0;
-    if (columns_.has_counts && readCount(line, count)) {
-      checkCount(promised, begin);
-      promised = count;
-      begin = size_;
-    }
-    if (!holdsPoint(line))
-      continue;
-    if (marks_.empty() || place - marks_.back().place >= stride)
-      marks_.push_back({place, size_});
-    ++size_;
+  for (std::size_t p = 0; p < promises.size(); ++p) {
+    const std::size_t begin = promises[p].points;
+    const std::size_t end =
+        p + 1 < promises.size() ? promises[p + 1].points : blocks_.back().first;
+    if (promises[p].count != end - begin)
+      refuse(std::to_string(promises[p].count) + " points are promised before point " +
+             std::to_string(begin + 1) + ", but " + std::to_string(end - begin) +
+             " follow");
   }
-  checkCount(promised, begin);
-}
-
-bool
-TextReader::holdsPoint(std::string_view line) const
-{
-  std::uint64_t count = 0;
-  return mayHoldNumbers(line) && !(columns_.has_counts && readCount(line, count));
 }
 
 void
-TextReader::checkCount(std::uint64_t promised, std::size_t begin) const
+TextReader::checkPoints() const
 {
-  if (columns_.has_counts && promised != size_ - begin)
-    throw ToolError("cannot read '" + path_ +
-                    "' as columns of numbers: " + std::to_string(promised) +
-                    " points are promised before point " + std::to_string(begin + 1) +
-                    ", but " + std::to_string(size_ - begin) + " follow");
-}
-
-const TextReader::Mark&
-TextReader::markBefore(std::size_t row) const
-{
-  const auto it =
-      std::upper_bound(marks_.begin(), marks_.end(), row,
-                       [](std::size_t r, const Mark& mark) { return r < mark.row; });
-  return *(it - 1);
-}
-
-std::size_t
-TextReader::placeOf(std::size_t row) const
-{
-  return row >= size_ ? file_.size() : markBefore(row).place;
-}
-
-void
-TextReader::read(std::size_t first, std::size_t size, std::uint8_t* rows) const
-{
-  const std::size_t columns = columns_.names.size();
-  const bool is_exact = columns_.is_nothing_else;
-  const std::size_t expected = is_exact ? columns_.numbers : columns;
-  std::vector<double> numbers(std::max(expected, columns));
-  const std::size_t row_size =
-      xyz_.size() * sizeof(double) + (fields_.size() - xyz_.size()) * sizeof(float);
-  const Mark& mark = markBefore(first);
-  TextCursor cursor(file_, mark.place);
-  std::size_t row = mark.row;
-  for (std::string_view line; row < first + size && cursor.nextLine(line);) {
-    if (!holdsPoint(line))
-      continue;
-    if (row++ < first)
-      continue;
-    bool is_all = false;
-    const std::size_t read = readColumns(line, columns_.has_decimal_comma, expected,
-                                         numbers.data(), &is_all);
-    if (read < expected || (is_exact && !is_all))
-      throw ToolError("cannot read '" + path_ + "' as columns of numbers: point " +
-                      std::to_string(row) + " has " +
-                      (read < expected ? std::to_string(read) + " of " : "more than ") +
-                      std::to_string(expected) + " numbers");
-    writeRow(numbers.data(), rows + (row - 1 - first) * row_size);
-  }
-  if (row < first + size)
-    throw ToolError("cannot read '" + path_ +
-                    "' as columns of numbers: it ends after " + std::to_string(row) +
-                    " of " + std::to_string(size_) + " points");
-}
-
-void
-TextReader::writeRow(const double* numbers, std::uint8_t* row) const
-{
-  for (const std::size_t column : xyz_) {
-    std::memcpy(row, &numbers[column], sizeof(double));
-    row += sizeof(double);
-  }
-  for (const std::size_t column : others_) {
-    const auto value = static_cast<float>(numbers[column]);
-    std::memcpy(row, &value, sizeof value);
-    row += sizeof value;
-  }
-  if (colour_.empty())
+  if (!columns_.points)
     return;
-  constexpr double most = 255;
-  for (std::size_t k = 0; k < colour_.size(); ++k) {
-    const double value = numbers[colour_[k]];
-    row[k] = static_cast<std::uint8_t>(value >= most ? most
-                                       : value > 0   ? std::round(value)
-                                                     : 0);
+  const std::string promise =
+      "its header promises " + std::to_string(*columns_.points) + " points, ";
+  if (size_ < *columns_.points)
+    refuse("the file is cut off, " + promise + "it holds " + std::to_string(size_));
+  if (size_ > *columns_.points && columns_.are_last)
+    refuse(promise + "but more lines follow");
+}
+
+void
+TextReader::read(Chunk& chunk) const
+{
+  const auto isBefore = [](std::size_t row, const Block& block) {
+    return row < block.first;
+  };
+  const auto begin =
+      std::upper_bound(blocks_.begin(), blocks_.end(), chunk.first, isBefore) - 1;
+  const auto end = std::upper_bound(begin, blocks_.end() - 1,
+                                    chunk.first + chunk.size - 1, isBefore);
+  const auto first = static_cast<std::size_t>(begin - blocks_.begin());
+  chunk.rows.resize(chunk.size * row_.size);
+  parallelBlocks(static_cast<std::size_t>(end - begin), 1, 0,
+                 [&](std::size_t b, std::size_t) { readBlock(first + b, chunk); });
+}
+
+void
+TextReader::readBlock(std::size_t block, Chunk& chunk) const
+{
+  const std::string text = textOf(block);
+  std::vector<double> numbers(columns_.numbers);
+  std::string_view rest = text;
+  const std::size_t end = std::min(chunk.first + chunk.size, blocks_[block + 1].first);
+  std::size_t point = blocks_[block].first;
+  std::uint64_t count = 0;
+  for (std::string_view line; point < end && takeLine(rest, line);) {
+    if (!mayHoldNumbers(line) || (columns_.has_counts && readCount(line, count)))
+      continue;
+    if (point++ < chunk.first)
+      continue;
+    readLine(line, point, numbers.data());
+    auto* const row = &chunk.rows[(point - 1 - chunk.first) * row_.size];
+    const std::size_t* column = columns_.columns.data();
+    for (const StoredField& field : row_.fields)
+      for (std::size_t k = 0; k < field.count; ++k)
+        writeField(row + field.offset + k * fieldSize(field.datatype), field.datatype,
+                   numbers[*column++]);
   }
-  row[3] = 0xff;
+  if (point < end)
+    refuse("it has changed while it was read");
+}
+
+void
+TextReader::readLine(std::string_view line, std::size_t point, double* numbers) const
+{
+  bool is_all = false;
+  const std::size_t read =
+      readColumns(line, columns_.has_decimal_comma, columns_.numbers, numbers, &is_all);
+  if (read < columns_.numbers || (columns_.is_exact && !is_all))
+    refuse("point " + std::to_string(point) + " has " +
+           (read < columns_.numbers ? std::to_string(read) + " of " : "more than ") +
+           std::to_string(columns_.numbers) + " numbers");
+}
+
+ScanContent
+openText(const std::shared_ptr<const InputFile>& file, const std::string& columns)
+{
+  ScanContent content;
+  content.points =
+      std::make_unique<TextReader>(file, TextColumns::find(*file, columns));
+  return content;
 }
 
 } // namespace pcl::sedr::tools

@@ -1,54 +1,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "point_reader.h"
+#include "formats/point_reader.h"
 #include "text_columns.h"
+
+#include <memory>
 
 namespace pcl::sedr::tools {
 
-/** @brief The points of a text, one per line: x, y, z, then `intensity`, `rgb` and
- * other columns as floats. Empty lines and comments (# and //) are skipped. All lines
- * are counted at first and one per 64 KiB is remembered, for random access. Throws
- * ToolError that names a line with too few numbers. */
+/** @brief The points of a text, one a line. Empty lines and comments (# and //) are
+ * skipped. All lines are counted at first; where every 256 KiB begin is remembered, so
+ * that these blocks can be read in any order and by several threads. */
 class TextReader : public PointReader {
 public:
-  TextReader(const MappedFile& file,
-             const std::string& path,
-             const std::string& columns);
+  TextReader(std::shared_ptr<const InputFile> file, const TextColumns& columns);
 
-  const std::vector<pcl::PCLPointField>& fields() const override { return fields_; }
-  std::size_t size() const override { return size_; }
-  void read(std::size_t first, std::size_t size, std::uint8_t* rows) const override;
-  std::size_t placeOf(std::size_t row) const override;
+protected:
+  void read(Chunk& chunk) const override;
 
 private:
-  /** @brief A remembered line. */
-  struct Mark {
-    std::size_t place = 0; ///< byte offset in the file
-    std::size_t row = 0;   ///< number of the first row from there on
+  /** @brief Lines that follow one another. */
+  struct Block {
+    std::size_t begin = 0; ///< byte in the file
+    std::size_t first = 0; ///< number of the first point
   };
 
-  void layFields();
-  void countLines();
+  /** @brief A line that promises the number of points behind it. */
+  struct Promise {
+    std::size_t points = 0; ///< before the line
+    std::uint64_t count = 0;
+  };
 
-  /** @brief Returns whether a line is a point, neither a comment nor a count. */
-  bool holdsPoint(std::string_view line) const;
+  void findBlocks();
+  std::string textOf(std::size_t block) const;
+  void checkPromises(const std::vector<Promise>& promises) const;
+  void checkPoints() const;
 
-  /** @brief Throws ToolError unless the points from `begin` on are as many as the line
-   * before them promises. */
-  void checkCount(std::uint64_t promised, std::size_t begin) const;
-  const Mark& markBefore(std::size_t row) const;
-  void writeRow(const double* numbers, std::uint8_t* row) const;
+  /** @brief Reads the points of a block that are in the chunk. */
+  void readBlock(std::size_t block, Chunk& chunk) const;
+  void readLine(std::string_view line, std::size_t point, double* numbers) const;
 
-  const MappedFile& file_;
-  std::string path_;
+  [[noreturn]] void refuse(const std::string& reason) const;
+
+  std::shared_ptr<const InputFile> file_;
   TextColumns columns_;
-  std::vector<pcl::PCLPointField> fields_;
-  std::vector<std::size_t> xyz_;    ///< columns
-  std::vector<std::size_t> colour_; ///< columns of blue, green, red; empty if missing
-  std::vector<std::size_t> others_; ///< of the fields after x, y and z, not rgb
-  std::vector<Mark> marks_;
-  std::size_t size_ = 0;
+  std::vector<Block> blocks_; ///< the last one is empty, at the end
 };
 
 } // namespace pcl::sedr::tools

@@ -19,24 +19,20 @@ struct Settings {
 };
 
 /** @brief Prints a line for each scan. */
-int
+void
 listScans(const std::string& path)
 {
   constexpr std::size_t longest_name = 100;
   const std::vector<E57Entry> entries = listE57Scans(path);
   std::printf("scan     points position, m                         name\n");
-  for (const E57Entry& entry : entries) {
-    const E57Scan& scan = entry.scan;
-    std::string position = "not told";
-    if (scan.has_pose)
-      position = pcl::sedr::Origin{scan.translation}.text(", ");
-    std::printf(
-        "%4zu %10llu %-35s %s%s%s\n", scan.number,
-        static_cast<unsigned long long>(scan.points), position.c_str(),
-        plainText(scan.name, longest_name).c_str(),
-        entry.problem.empty() ? "" : " broken: ", plainText(entry.problem).c_str());
+  for (const auto& [scan, problem] : entries) {
+    const std::string position =
+        scan.has_pose ? pcl::sedr::Origin{scan.translation}.text(", ") : "not told";
+    std::printf("%4zu %10llu %-35s %s%s%s\n", scan.number,
+                static_cast<unsigned long long>(scan.points), position.c_str(),
+                plainText(scan.name, longest_name).c_str(),
+                problem.empty() ? "" : " broken: ", plainText(problem).c_str());
   }
-  return Done;
 }
 
 int
@@ -47,11 +43,13 @@ run(const Settings& settings)
   if (settings.list && !(settings.output.empty() && given.empty()))
     throw ToolError("--list reads no points, it takes no " +
                     (given.empty() ? "OUTPUT" : given));
+  if (!settings.list && settings.output.empty())
+    throw ToolError("the name of the PCD to write is missing; --list names the scans "
+                    "of an E57 file");
   if (settings.list)
-    return listScans(settings.input);
-  if (settings.output.empty())
-    throw ToolError("the name of the PCD to write is missing; --list names the scans");
-  convertScan(settings.input, settings.output, settings.scan);
+    listScans(settings.input);
+  else
+    convertScan(settings.input, settings.output, settings.scan);
   return Done;
 }
 
@@ -61,14 +59,17 @@ int
 main(int argc, char** argv)
 {
   Settings settings;
-  Options options("pcl_e57_to_pcd",
-                  "Writes the scans of an E57 file, each in its place, as one PCD or "
-                  "PLY with x, y, z and, where they are there, intensity and rgb.");
-  options.file("INPUT.e57", settings.input, "file to read");
+  Options options("pcl_scan_to_pcd",
+                  "Writes a scan of any format as PCD or PLY with x, y, z and, where "
+                  "they are there, intensity and rgb; of an E57 file all scans, each in "
+                  "its place.");
+  options.file("INPUT", settings.input,
+               "PCD, PLY, E57, LAS or text to read; - is the standard input");
   options.optionalFile("OUTPUT", settings.output,
                        "PCD or PLY to write, not needed with --list");
   options.flag("list", settings.list,
-               "print number, points, position and name of every scan instead");
+               "print number, points, position and name of every scan of an E57 file "
+               "instead");
   addScanOptions(options, settings.scan);
   addDoublesOption(options, settings.scan);
   return runTool(options, argc, argv, [&] { return run(settings); });
