@@ -6,8 +6,7 @@
 namespace pcl::sedr {
 
 /** @brief Returns the median: the value at position n / 2 of n > 0 sorted values, the
- * upper one if n is even. NaN is not allowed. O(n); faster than std::nth_element() for
- * values spread over a range, such as distances. */
+ * upper one if n is even. NaN is not allowed. O(n). */
 double middleValue(std::vector<double> values);
 
 } // namespace pcl::sedr

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace pcl::sedr {
 
@@ -278,11 +277,10 @@ nearestInNiche(const RoomLookup& lookup,
 
 /** @brief Projects a point onto the structure; `near` lists the only vertical surfaces
  * that can be nearest. */
-template <typename Numbers>
 bool
 snapTo(const RoomLookup& room,
        const std::vector<VerticalSurface>& verticals,
-       const Numbers& near,
+       const CellTable::Numbers& near,
        const Eigen::Vector3d& position,
        StructureLabel label,
        double farthest,
@@ -326,19 +324,6 @@ snapTo(const RoomLookup& room,
 }
 
 } // namespace
-
-bool
-snapToRoom(const PlanRoom& room,
-           const std::vector<VerticalSurface>& verticals,
-           const Eigen::Vector3d& position,
-           StructureLabel label,
-           double farthest,
-           SurfacePoint& snapped)
-{
-  std::vector<std::uint32_t> all(verticals.size());
-  std::iota(all.begin(), all.end(), 0U);
-  return snapTo(RoomLookup(room), verticals, all, position, label, farthest, snapped);
-}
 
 RoomSurfaces::RoomSurfaces(const PlanRoom& room, double farthest)
     : lookup_(room)

@@ -50,28 +50,20 @@ SurfacePoint nichePointAt(const PlanRoom& room,
                           const Eigen::Vector2d& place,
                           bool is_bottom);
 
-/** @brief Projects a labelled point onto the structure of a room (paper, section 2.4).
- * Ceiling and floor points move to the plane. Wall and column points move to their line
- * or circle in x and y and keep z. Detail points move to the nearest underside, riser
- * or niche.
- * @return false if the point would move more than `farthest` metres or lies outside the
- * room: it is not part of this structure */
-bool snapToRoom(const PlanRoom& room,
-                const std::vector<VerticalSurface>& verticals,
-                const Eigen::Vector3d& position,
-                StructureLabel label,
-                double farthest,
-                SurfacePoint& snapped);
-
-/** @brief The structure of a room prepared for snapToRoom() of many points: a query
- * only looks at nearby surfaces. */
+/** @brief The structure of a room, onto which many points are projected: a query only
+ * looks at nearby surfaces. */
 class RoomSurfaces {
 public:
   /** @param room must not move or change while this object exists
    * @param farthest maximum distance of a point from its surface, metres */
   RoomSurfaces(const PlanRoom& room, double farthest);
 
-  /** @brief Projects a point as snapToRoom(). */
+  /** @brief Projects a labelled point onto the structure (paper, section 2.4). Ceiling
+   * and floor points move to the plane. Wall and column points move to their line or
+   * circle in x and y and keep z. Detail points move to the nearest underside, riser or
+   * niche.
+   * @return false if the point would move farther than allowed or lies outside the
+   * room: it is not part of this structure */
   bool snap(const Eigen::Vector3d& position,
             StructureLabel label,
             SurfacePoint& snapped) const;

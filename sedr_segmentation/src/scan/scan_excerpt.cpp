@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_excerpt.h"
 #include "../refit/plan_refit.h"
-#include "sedr_filters/src/base/large_memory.h"
 #include "sedr_filters/src/base/parallel.h"
 
 #include <atomic>
@@ -43,7 +42,7 @@ ScanExcerpt::forEachPiece(const std::function<bool(const Piece&)>& see) const
 {
   problem_.clear();
   points_->clear();
-  reserveLarge(*points_, scan_.size() / step_ + 1, threads_);
+  points_->reserve(scan_.size() / step_ + 1);
   ScanSample sample(scan_.size());
   RowCoordinates coordinates(scan_.fields(), scan_.rowSize());
   std::size_t looked_at = 0;

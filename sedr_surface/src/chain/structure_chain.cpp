@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "chain_run.h"
 
-#include "sedr_filters/src/base/large_memory.h"
-
 namespace pcl::sedr {
 
 StructureChain::StructureChain()
@@ -69,8 +67,7 @@ StructureChain::reset(const Cloud::ConstPtr& thinned)
   restoreCells();
   // Points are added where a ceiling is hidden: usually at most a thirtieth.
   cloud.reset(new Cloud);
-  reserveLarge(cloud->points, thinned->size() + thinned->size() / 30,
-               room_segmentation.getNumberOfThreads());
+  cloud->reserve(thinned->size() + thinned->size() / 30);
   *cloud = *thinned;
   scanned_points_ = cloud->size();
   labels.clear();

@@ -65,23 +65,6 @@ TEST(FitSlab, FindsAnExactPlane)
   }
 }
 
-TEST(FitSlab, PointsOnALineOrAWallGiveTheHorizontalPlaneThroughTheirMean)
-{
-  Points line;
-  for (int i = 0; i <= 10; ++i)
-    line.points.emplace_back(0.1f * static_cast<float>(i), 2.f,
-                             0.05f * static_cast<float>(i));
-  EXPECT_TRUE(fitSlab(line.view(), line.all())
-                  .plane.isApprox(Eigen::Vector4d(0, 0, 1, -0.25), 1e-6));
-  Points wall;
-  for (int i = 0; i <= 10; ++i)
-    for (int k = 0; k <= 10; ++k)
-      wall.points.emplace_back(0.1f * static_cast<float>(i), 2.f,
-                               0.1f * static_cast<float>(k));
-  EXPECT_TRUE(fitSlab(wall.view(), wall.all())
-                  .plane.isApprox(Eigen::Vector4d(0, 0, 1, -0.5), 1e-6));
-}
-
 TEST(FitSlabRobustly, IsNotPulledByWhatHangsBelow)
 {
   const PlanSlab truth = slabAt(2.4, 0.01, 0.005);
@@ -94,20 +77,6 @@ TEST(FitSlabRobustly, IsNotPulledByWhatHangsBelow)
   EXPECT_LT(degreesBetween(slab, truth), 1e-3);
   EXPECT_NEAR(slab.heightAt({2, 1}), truth.heightAt({2, 1}), 1e-5);
   EXPECT_EQ(slab.inliers, 80u * 60u);
-}
-
-TEST(FitParallel, KeepsTheDirectionAndFindsTheHeight)
-{
-  const PlanSlab direction = slabAt(5, 0.02, 0.01);
-  Points cloud;
-  cloud.add(slabAt(2.4, 0.02, 0.01), 0, 4);
-  cloud.add(slabAt(2.4, 0.02, 0.01), 0, 0.5, -0.045);
-  const PlanSlab slab =
-      fitParallel(cloud.view(), cloud.all(), direction, slabAt(2.43), 0.07);
-  EXPECT_EQ(slab.plane.head<3>(), direction.plane.head<3>());
-  EXPECT_NEAR(slab.heightAt({0, 0}), 2.4, 1e-5);
-  EXPECT_EQ(slab.inliers, 80u * 60u);
-  EXPECT_NEAR(slab.residual, 0, 1e-5);
 }
 
 TEST(FindSlab, FindsTheLargerOfTwoPlanesAmongClutter)
@@ -137,20 +106,6 @@ TEST(FindSlab, IsTiltedNoMoreThanAllowed)
     if (tilt < 3) {
       EXPECT_NEAR(found, tilt, 1e-3);
     }
-  }
-}
-
-TEST(FindLargerSlab, OfTwoFloorsAStepApartIsTheLargerNotOneAcrossBoth)
-{
-  for (const double step : {0.05, 0.08, 0.1}) {
-    Points cloud;
-    cloud.add(slabAt(0), 0, 4.5);
-    cloud.add(slabAt(step), 4.5, 3.5);
-    const PlanSlab across = findSlab(cloud.view(), cloud.all(), 0.07, 0.05, 1);
-    EXPECT_GT(across.residual, 0.01) << "there would be nothing to do";
-    const PlanSlab slab = findLargerSlab(cloud.view(), cloud.all(), 0.07, 0.05, 1);
-    EXPECT_NEAR(slab.heightAt({0, 0}), 0, 1e-4) << step;
-    EXPECT_NEAR(slab.heightAt({8, 3}), 0, 1e-4) << step;
   }
 }
 

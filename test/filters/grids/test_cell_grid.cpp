@@ -13,9 +13,6 @@ namespace {
 
 using namespace pcl::sedr;
 
-constexpr std::int32_t lowest = std::numeric_limits<std::int32_t>::min();
-constexpr std::int32_t highest = std::numeric_limits<std::int32_t>::max();
-
 CellSet
 setOf(const std::vector<Cell>& cells)
 {
@@ -42,22 +39,6 @@ joined(std::vector<Cell> a, const std::vector<Cell>& b)
   return a;
 }
 
-TEST(CellKey, GivesTheCellBackEverywhere)
-{
-  for (const std::int32_t x : {lowest, -1, 0, 1, highest})
-    for (const std::int32_t y : {lowest, -1, 0, 1, highest})
-      EXPECT_TRUE(cellOf(keyOf({x, y})) == (Cell{x, y})) << x << ' ' << y;
-}
-
-TEST(CellGrid, CellsReachFromTheirLowerEdgeToTheNext)
-{
-  const CellGrid grid(0.25);
-  EXPECT_TRUE(grid.at(0, 0) == (Cell{0, 0}));
-  EXPECT_TRUE(grid.at(0.2499, 0.25) == (Cell{0, 1}));
-  EXPECT_TRUE(grid.at(-0.0001, -0.25) == (Cell{-1, -1}));
-  EXPECT_TRUE(grid.at(-0.2501, 0) == (Cell{-2, 0}));
-}
-
 TEST(CellGrid, HoldsWhatA32BitCellCanName)
 {
   const CellGrid grid(0.05);
@@ -66,37 +47,6 @@ TEST(CellGrid, HoldsWhatA32BitCellCanName)
   EXPECT_FALSE(grid.holds(0, -1.1e8));
   EXPECT_FALSE(grid.holds(std::numeric_limits<double>::quiet_NaN(), 0));
   EXPECT_FALSE(grid.holds(0, std::numeric_limits<double>::infinity()));
-}
-
-TEST(CellSet, FindsEachOfItsCellsAndNoOther)
-{
-  std::mt19937 random(3);
-  // Close together, in rows with gaps, and far apart.
-  for (const int spread : {3, 40, 5000}) {
-    std::vector<Cell> cells;
-    std::set<CellKey> truth;
-    for (int k = 0; k < 400; ++k) {
-      const auto at = [&]() {
-        return static_cast<int>(random() % spread) - spread / 2;
-      };
-      const Cell cell{at(), at()};
-      cells.push_back(cell);
-      truth.insert(keyOf(cell));
-    }
-    const CellSet set = setOf(cells);
-    EXPECT_EQ(set.keys(), std::vector<CellKey>(truth.begin(), truth.end()));
-    EXPECT_EQ(CellSet::fromSorted(set.keys()).keys(), set.keys());
-    for (const Cell cell : cells)
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx) {
-          const Cell near{cell.x + dx, cell.y + dy};
-          const std::size_t found = set.find(near);
-          ASSERT_EQ(found != CellSet::npos, truth.count(keyOf(near)) == 1);
-          if (found != CellSet::npos) {
-            ASSERT_EQ(set[found], near);
-          }
-        }
-  }
 }
 
 TEST(CellSet, OfPointsLeavesOutWhatIsNotFiniteAndWhatIsNotIndexed)

@@ -29,33 +29,6 @@ TEST(MaskRegions, FourConnectedOnesArePartedByACorner)
                                   keyOf({1, 3})}));
 }
 
-TEST(MarkedRegions, AreThoseOfWhichACellIsMarked)
-{
-  const CellMask mask = drawn({"##...#", //
-                               "##...#", //
-                               "..##..", //
-                               "..##.."});
-  CellMask marks(mask.box());
-  marks.set({0, 3}, 1);
-  marks.set({4, 0}, 1); // of no region
-  EXPECT_EQ(markedRegions(mask, marks, false).toSet().keys(),
-            (std::vector<CellKey>{keyOf({0, 2}), keyOf({1, 2}), keyOf({0, 3}),
-                                  keyOf({1, 3})}));
-  EXPECT_EQ(markedRegions(mask, marks, true).count(), 8u) << "joined by a corner";
-  EXPECT_EQ(markedRegions(mask, CellMask(mask.box()), true).count(), 0u);
-}
-
-TEST(LargestRegion, IsFourConnectedAndTheFirstOfSeveralAsLarge)
-{
-  const CellMask mask = drawn({"##.###", //
-                               "##....", //
-                               "..####"});
-  EXPECT_EQ(largestRegion(mask).toSet().keys(),
-            (std::vector<CellKey>{keyOf({2, 0}), keyOf({3, 0}), keyOf({4, 0}),
-                                  keyOf({5, 0})}));
-  EXPECT_EQ(largestRegion(CellMask(mask.box())).count(), 0u);
-}
-
 TEST(GrowLabels, EachCellGoesToTheLabelThatIsNearestBySteps)
 {
   const CellMask domain = inverted(CellMask(box));

@@ -16,7 +16,6 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Removal = pcl::GridRegionOutlierRemoval<pcl::PointXYZ>;
 
 constexpr float cell = 0.05f;
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 /** Ceilings made of points in the middle of cells. */
 struct Scene {
@@ -115,23 +114,6 @@ TEST(GridRegionOutlierRemoval, CountsCellsAndNotPoints)
   EXPECT_EQ(keptOf(removal), room);
 }
 
-TEST(GridRegionOutlierRemoval, OneRegionOrSeveralOfOneSizeAreKept)
-{
-  Scene one;
-  const auto alone = one.add(0, 3, 0, 1);
-  Removal removal;
-  removal.setInputCloud(one.cloud);
-  EXPECT_EQ(keptOf(removal), alone);
-  Scene three;
-  three.add(0, 10, 0, 10);
-  three.add(20, 30, 0, 10);
-  three.add(40, 50, 0, 10);
-  removal.setInputCloud(three.cloud);
-  EXPECT_EQ(keptOf(removal).size(), 300u);
-  EXPECT_EQ(removal.getNumberOfRegions(), 3u);
-  EXPECT_EQ(removal.getThreshold(), 0u);
-}
-
 TEST(GridRegionOutlierRemoval, OpeningPartsRoomsThatNoiseJoins)
 {
   Scene scene;
@@ -174,22 +156,6 @@ TEST(GridRegionOutlierRemoval, SupportSavesSmallRoomsAndNothingElse)
   removal.filter(kept);
   EXPECT_TRUE(kept.empty());
   EXPECT_NE(removal.getErrorMessage().find("support index 100000"), std::string::npos);
-}
-
-TEST(GridRegionOutlierRemoval, PointsThatAreNotFiniteAreRemovedInEitherSense)
-{
-  Scene scene;
-  scene.add(0, 10, 0, 10);
-  const auto outlier = scene.add(30, 31, 0, 1);
-  scene.cloud->emplace_back(nan, 0.1f, 0.1f);
-  scene.cloud->emplace_back(0.1f, 0.1f, nan);
-  Removal removal(true);
-  removal.setInputCloud(scene.cloud);
-  keptOf(removal);
-  EXPECT_EQ(*removal.getRemovedIndices(), (pcl::Indices{100, 101, 102}));
-  removal.setNegative(true);
-  EXPECT_EQ(keptOf(removal), outlier);
-  EXPECT_EQ(removal.getRemovedIndices()->size(), 102u);
 }
 
 TEST(GridRegionOutlierRemoval, AnOrganisedCloudKeepsItsShape)

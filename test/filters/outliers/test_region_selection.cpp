@@ -22,40 +22,6 @@ addBlock(std::vector<pcl::sedr::CellKey>& keys, int x0, int x1, int y0, int y1)
       keys.push_back(pcl::sedr::keyOf({x, y}));
 }
 
-TEST(LabelOpenedRegions, NecksNarrowerThanTheOpeningDoNotJoin)
-{
-  // Two squares of 20 x 20 cells, 4 cells apart, joined by a neck.
-  for (int width = 1; width <= 7; ++width) {
-    std::vector<pcl::sedr::CellKey> keys;
-    addBlock(keys, 0, 20, 0, 20);
-    addBlock(keys, 24, 44, 0, 20);
-    addBlock(keys, 20, 24, 8, 8 + width);
-    const CellSet cells(keys);
-    EXPECT_EQ(pcl::sedr::labelRegions(cells).sizes.size(), 1u);
-    for (int radius = 1; radius <= 3; ++radius) {
-      const auto regions = pcl::sedr::labelOpenedRegions(cells, radius, 1);
-      const bool joined = width >= 2 * radius + 1;
-      ASSERT_EQ(regions.sizes.size(), joined ? 1u : 2u)
-          << "neck " << width << ", radius " << radius;
-      EXPECT_EQ(regions.label[cells.find({1, 1})] == regions.label[cells.find({42, 1})],
-                joined);
-      EXPECT_GE(regions.sizes.back(), 400u) << "neither room loses cells to the other";
-    }
-  }
-}
-
-TEST(LabelOpenedRegions, SmallPartsFallToTheLargeOneTheyTouch)
-{
-  std::vector<pcl::sedr::CellKey> keys;
-  addBlock(keys, 0, 20, 0, 20);
-  addBlock(keys, 20, 22, 9, 10); // a neck of one cell, split between both sides
-  addBlock(keys, 22, 27, 7, 12);
-  addBlock(keys, 40, 45, 0, 5); // isolated, of the same size
-  const CellSet cells(keys);
-  EXPECT_EQ(pcl::sedr::labelOpenedRegions(cells, 1, 26).sizes, (Sizes{401, 26, 25}));
-  EXPECT_EQ(pcl::sedr::labelOpenedRegions(cells, 1, 27).sizes, (Sizes{427, 25}));
-}
-
 TEST(LabelOpenedRegions, HolesInThinDataPartNothingButAPartitionStillDoes)
 {
   // Two rooms of 60 x 60 cells with random holes and a partition of two cells with

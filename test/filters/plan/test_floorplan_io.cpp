@@ -121,25 +121,6 @@ TEST(FloorplanJson, ReadsBackExactly)
   EXPECT_EQ(floorplanToJson(read), floorplanToJson(plan));
 }
 
-TEST(FloorplanJson, WithoutFloorDetailsAndNichesIsReadAsOneThatHasNone)
-{
-  const std::string text = R"({"format": "sedr-floorplan", "version": 1, "unit": "m",
-    "rooms": [{"id": 1,
-      "floor": {"plane": [0, 0, 1, 0], "inliers": 9, "residual": 0},
-      "ceiling": {"plane": [0, 0, 1, -2.5], "inliers": 9, "residual": 0},
-      "boundary": [
-        {"type": "segment", "start": [0, 0], "end": [4, 0], "inliers": 1, "residual": 0},
-        {"type": "segment", "start": [4, 0], "end": [4, 3], "inliers": 1, "residual": 0},
-        {"type": "segment", "start": [4, 3], "end": [0, 0], "inliers": 1, "residual": 0}],
-      "columns": [], "details": []}]})";
-  std::string problem;
-  const Floorplan plan = floorplanFromJson(text, problem);
-  EXPECT_EQ(problem, "");
-  ASSERT_EQ(plan.rooms.size(), 1u);
-  EXPECT_TRUE(plan.rooms[0].floor_details.empty());
-  EXPECT_TRUE(plan.rooms[0].niches.empty());
-}
-
 TEST(FloorplanJson, TheOriginReadsBackAndMayBeMissing)
 {
   const Origin origin{{691600.1, 5335900 + 1.0 / 3, -12}};
@@ -171,17 +152,6 @@ TEST(FloorplanJson, StatesTheMaximumThicknessOfAWall)
   EXPECT_EQ(read(R"({"max_wall": "wide"})"),
             "the max_wall must be a number, it is \"wide\"");
   EXPECT_EQ(read("{"), usual);
-}
-
-TEST(FloorplanJson, SaysHeightVolumeStoreysAndThickness)
-{
-  const Floorplan plan{
-      {roomOf(rectangle(0, 0, 4, 2), 2.5), roomOf(rectangle(4.125, 0, 6, 2), 2.5, 2)}};
-  const std::string text = floorplanToJson(plan);
-  EXPECT_NE(text.find("\"height\": 2.5"), std::string::npos) << text;
-  EXPECT_NE(text.find("\"volume\": 20.0"), std::string::npos) << text;
-  EXPECT_NE(text.find("\"storeys\": ["), std::string::npos) << text;
-  EXPECT_NE(text.find("\"thickness\": 0.125"), std::string::npos) << text;
 }
 
 TEST(FloorplanJson, TruncatedTextIsRefusedWhereverItEnds)

@@ -131,12 +131,6 @@ TEST_F(PlanEvidenceTest, ASideThatRaysGoThroughIsOpenAlthoughNothingOfItWasSeen)
   EXPECT_GT(wall(measured(&sight), 0).opening, 0.95);
 }
 
-TEST_F(PlanEvidenceTest, WithoutPointsAllIsHidden)
-{
-  cloud_.emplace_back(NAN, 0.0f, 0.0f);
-  EXPECT_EQ(wall(measured(), 0).hidden, 1);
-}
-
 TEST_F(PlanEvidenceTest, RoomsWallToWallAreEachAsAloneForAnyNumberOfThreads)
 {
   const std::vector<PlanRoom> rooms{roomOf(rectangle(0, 0, 4, 3), 2.5),

@@ -69,8 +69,7 @@ SurfacePoint
 snapped(const PlanRoom& room, const Vector3d& p, StructureLabel label, double farthest)
 {
   SurfacePoint point;
-  EXPECT_TRUE(snapToRoom(room, verticalSurfaces(room), p, label, farthest, point))
-      << p.transpose();
+  EXPECT_TRUE(RoomSurfaces(room, farthest).snap(p, label, point)) << p.transpose();
   return point;
 }
 
@@ -81,7 +80,7 @@ isRefused(const PlanRoom& room,
           double farthest)
 {
   SurfacePoint point;
-  return !snapToRoom(room, verticalSurfaces(room), p, label, farthest, point);
+  return !RoomSurfaces(room, farthest).snap(p, label, point);
 }
 
 constexpr auto Wall = StructureLabel::Wall;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
-#include "sedr_filters/src/grids/place_table.h"
-#include "sedr_filters/src/plan/plan_surfaces.h"
 #include "sedr_filters/src/plan/room_lookup.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +12,6 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 using Eigen::Vector2d;
-using Eigen::Vector3d;
 
 PlanElement
 arc(const Vector2d& start, const Vector2d& end, const Vector2d& centre)
@@ -91,35 +88,6 @@ TEST(RoomLookup, AnswersAsTheRoomDoes)
     inside += lookup.contains(p) ? 1 : 0;
   }
   EXPECT_GT(inside, 2000);
-}
-
-TEST(RoomSurfaces, SnapAsAllSurfacesDo)
-{
-  const PlanRoom room = hall();
-  constexpr double farthest = 0.2;
-  const std::vector<VerticalSurface> verticals = verticalSurfaces(room);
-  const RoomSurfaces surfaces(room, farthest);
-  std::mt19937 random(2);
-  std::uniform_real_distribution<double> height(-0.2, 4.2);
-  int snapped = 0;
-  for (const Vector2d& place : places()) {
-    const Vector3d p(place.x(), place.y(), height(random));
-    for (const StructureLabel label :
-         {StructureLabel::Wall, StructureLabel::Detail, StructureLabel::Column,
-          StructureLabel::Ceiling, StructureLabel::Floor}) {
-      SurfacePoint by_all;
-      SurfacePoint by_near;
-      const bool is_snapped = snapToRoom(room, verticals, p, label, farthest, by_all);
-      ASSERT_EQ(surfaces.snap(p, label, by_near), is_snapped) << p.transpose();
-      if (!is_snapped)
-        continue;
-      ++snapped;
-      EXPECT_EQ(by_near.position, by_all.position) << p.transpose();
-      EXPECT_EQ(by_near.normal, by_all.normal) << p.transpose();
-      EXPECT_EQ(by_near.label, by_all.label) << p.transpose();
-    }
-  }
-  EXPECT_GT(snapped, 500);
 }
 
 } // namespace

@@ -51,11 +51,4 @@ TEST(RoomMeasures, RoundAndInnerWallsHaveAThicknessToo)
   EXPECT_NEAR(wallThickness(tongue, 0, 5), 0.3, 1e-9);
 }
 
-TEST(RoomMeasures, AFaceThatIsNotParallelTellsNoThickness)
-{
-  const Floorplan plan{{roomOf(rectangle(0, 0, 4, 3), 2.5),
-                        roomOf(polygon({{4.1, 0}, {6, 0}, {6, 3}, {4.5, 3}}), 2.5, 2)}};
-  EXPECT_EQ(wallThickness(plan, 0, 1), 0);
-}
-
 } // namespace

@@ -54,23 +54,6 @@ TEST(StoreyJson, ReadsBackExactly)
   EXPECT_EQ(floorplanToJson(read), floorplanToJson(plan));
 }
 
-TEST(StoreyJson, AFileThatTellsNoneOrLessOfThemIsRead)
-{
-  std::string text = floorplanToJson(twoStoreys());
-  text = text.substr(0, text.find(",\n \"storeys\""));
-  std::string problem;
-  EXPECT_TRUE(readOf(text + "}", problem).storeys.empty());
-  EXPECT_EQ(problem, "");
-  const Floorplan plan = readOf(
-      text + R"(, "storeys": [{"floor": 0, "rooms": [1, 2]}, {"rooms": [4, 3]}]})",
-      problem);
-  EXPECT_EQ(problem, "");
-  ASSERT_EQ(plan.storeys.size(), 2u);
-  EXPECT_EQ(plan.storeys[1].number, 2u);
-  EXPECT_EQ(plan.storeys[1].name, "storey 2");
-  EXPECT_EQ(plan.storeys[1].rooms, (std::vector<std::uint32_t>{3, 4}));
-}
-
 TEST(StoreyJson, ARoomThatIsGoneIsOutside)
 {
   Floorplan plan = twoNamedStoreys();

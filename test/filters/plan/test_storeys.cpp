@@ -59,18 +59,6 @@ TEST(Storeys, RoomsThatAreGoneAreLeftOutAndNewOnesGoToTheNearest)
   EXPECT_EQ(storeys[1].rooms, (Ids{3, 4}));
 }
 
-TEST(Storeys, OnlyRoomsThatShareHeightsHaveToDoWithEachOther)
-{
-  const RoomHeights lower{0, 2.5};
-  EXPECT_FALSE(shareHeights(lower, {2.8, 5.3}));
-  EXPECT_FALSE(shareHeights(lower, {2.5, 5}));
-  EXPECT_FALSE(shareHeights({2.3, 5}, lower)); // a ceiling found too high
-  EXPECT_TRUE(shareHeights(lower, {0.4, 3}));
-  EXPECT_TRUE(shareHeights({0, 5.3}, lower)); // a hall
-  EXPECT_TRUE(shareHeights({0, 5.3}, {2.8, 5.3}));
-  EXPECT_TRUE(shareHeights(lower, {1.4, 3.9})); // split levels
-}
-
 TEST(Storeys, APartHasTheRoomsDoorwaysAndStairsOfItsStorey)
 {
   Floorplan plan = twoStoreys();
@@ -100,25 +88,6 @@ TEST(Storeys, AWallIsNotAsThickAsItIsFarFromOneAboveIt)
                         roomBetween(rectangle(4.1, 0, 8, 3), 2.8, 5.2, 3)}};
   EXPECT_NEAR(wallThickness(plan, 0, 1), 0.3, 1e-9);
   EXPECT_EQ(wallThickness(plan, 2, 3), 0);
-}
-
-TEST(Storeys, ARoomOverAPointIsThatOfTheNextCeilingAboveIt)
-{
-  RoomPoints points(0.1);
-  const auto floor = points.slab(rectangle(0, 0, 2, 2), 0);
-  const auto ceiling = points.slab(rectangle(0, 0, 2, 2), 2.5);
-  const auto upper_floor = points.slab(rectangle(0, 0, 2, 2), 2.8);
-  const auto upper = points.slab(rectangle(0, 0, 2, 2), 5.2);
-  std::vector<std::uint32_t> rooms(points.size(), 0);
-  for (const int i : ceiling)
-    rooms[static_cast<std::size_t>(i)] = 1;
-  for (const int i : upper)
-    rooms[static_cast<std::size_t>(i)] = 2;
-  const RoomMap map(CellGrid(0.2), points.view(), rooms, joined(ceiling, upper), {});
-  for (const int i : joined(floor, ceiling))
-    ASSERT_EQ(map.roomOver(i), 1u) << points[i].z();
-  for (const int i : joined(upper_floor, upper))
-    ASSERT_EQ(map.roomOver(i), 2u) << points[i].z();
 }
 
 } // namespace

@@ -22,7 +22,6 @@ obliquePlan()
 }
 
 const WallTilts two{{1, 1, 12 * degree}, {1, 4, 5 * degree}};
-const WallTilts meeting{{1, 1, -7 * degree}, {1, 2, 11 * degree}, {1, 3, -6 * degree}};
 
 /** How far walls come off their heads, at all heights, and how far from where they were
  * when they go back. */
@@ -52,11 +51,6 @@ expectVertical(const WallTilts& tilts, double tolerance)
 TEST(Straightening, BringsWallsToTheirHeadsAndBack)
 {
   expectVertical(two, 1e-9);
-}
-
-TEST(Straightening, WallsThatMeetObliquelyStayPlanes)
-{
-  expectVertical(meeting, 1e-9);
 }
 
 TEST(Straightening, TurnsNormalsWithTheWalls)

@@ -102,26 +102,6 @@ TEST(FloorProjectionRecovery, FillsCellsWithoutFloorFromTheCeilingAndDropsTheOut
   }
 }
 
-TEST(FloorProjectionRecovery, ProjectsStraightDownOntoAGivenPlane)
-{
-  const Scene scene;
-  Recovery recovery;
-  recovery.setInputCloud(scene.cloud);
-  recovery.setIndices(shared(scene.floor));
-  recovery.setCeilingIndices(shared(scene.ceiling));
-  auto plane = std::make_shared<pcl::ModelCoefficients>();
-  plane->values = {0.2f, -0.4f, -2.f, 1.f}; // z = 0.5 + 0.1 x - 0.2 y, its normal down
-  recovery.setFloorCoefficients(plane);
-  Cloud output;
-  recovery.filter(output);
-  ASSERT_EQ(recovery.getNumberOfProjected(), 48u);
-  const Eigen::Vector3f up = Eigen::Vector3f(-0.1f, 0.2f, 1.f).normalized();
-  for (std::size_t i = scene.floor.size(); i < output.size(); ++i) {
-    EXPECT_NEAR(output[i].z, 0.5f + 0.1f * output[i].x - 0.2f * output[i].y, 1e-6);
-    EXPECT_LT((output[i].getNormalVector3fMap() - up).norm(), 1e-6);
-  }
-}
-
 TEST(FloorProjectionRecovery, DetailsWidenTheScopeAndFillOnlyWhereThereIsNoCeiling)
 {
   Scene scene;
@@ -164,25 +144,6 @@ TEST(FloorProjectionRecovery, WithoutFloorItNeedsAPlane)
   EXPECT_EQ(recovery.getErrorMessage(), "");
   ASSERT_EQ(output.size(), scene.ceiling.size());
   EXPECT_EQ(output[0].z, -0.25f);
-}
-
-TEST(FloorProjectionRecovery, WithoutCeilingItSaysSo)
-{
-  const Scene scene;
-  Recovery recovery;
-  recovery.setInputCloud(scene.cloud);
-  recovery.setIndices(shared(scene.floor));
-  Cloud output;
-  recovery.filter(output);
-  EXPECT_TRUE(output.empty());
-  EXPECT_NE(recovery.getErrorMessage().find("ceiling has 0 points"), std::string::npos);
-  recovery.setCeilingIndices(shared({-4}));
-  recovery.filter(output);
-  EXPECT_NE(recovery.getErrorMessage().find("ceiling index -4"), std::string::npos);
-  recovery.setCeilingIndices(shared(scene.ceiling));
-  recovery.setDetailIndices(shared({99999}));
-  recovery.filter(output);
-  EXPECT_NE(recovery.getErrorMessage().find("detail index 99999"), std::string::npos);
 }
 
 } // namespace

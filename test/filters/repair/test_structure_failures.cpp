@@ -112,11 +112,4 @@ TEST(VerticalHoleRepair, TooManyCellsAreRefusedBeforeTheyAreMade)
   EXPECT_FALSE(whole.empty());
 }
 
-TEST(SurfaceCellsProblem, WallsThatAreNotNumbersAreRefused)
-{
-  auto plan = planOf(rectangle(0, 0, 12, 10));
-  plan->rooms[0].boundary.elements[1].end.x() = std::nan("");
-  EXPECT_NE(surfaceCellsProblem(*plan, 0.05), "");
-}
-
 } // namespace

@@ -63,18 +63,6 @@ struct FurnishedRoom {
   }
 };
 
-template <typename Filter>
-std::vector<int>
-allOf(const Filter& filter)
-{
-  std::vector<int> both = *filter.getRemovedIndices();
-  for (const int i : filter.getSourceIndices())
-    if (i >= 0)
-      both.push_back(i);
-  std::sort(both.begin(), both.end());
-  return both;
-}
-
 TEST(StructureRefinement, SetsPositionNormalLabelAndRoomAndKeepsTheOtherFields)
 {
   const FurnishedRoom room;
@@ -241,31 +229,6 @@ TEST(VerticalHoleRepair, StripsTellWhichPartOfWhichWallWasSeen)
       }
     }
   }
-}
-
-TEST(VerticalHoleRepair, RemovedPointsAreThoseThatStandForNoCell)
-{
-  const FurnishedRoom room(0.02);
-  const Repaired result(room);
-  EXPECT_EQ(allOf(result.repair).size(), result.refined->size());
-  EXPECT_FALSE(result.repair.getRemovedIndices()->empty())
-      << "some share a cell with a nearer one";
-}
-
-TEST(VerticalHoleRepair, CellsOfTheSizeAskedForCoverTheRoom)
-{
-  const FurnishedRoom room(0);
-  pcl::VerticalHoleRepair<pcl::PointStructure> repair;
-  repair.setInputCloud(room.cloud);
-  repair.setFloorplan(room.plan);
-  repair.setGridSize(0.25);
-  Structure whole;
-  repair.filter(whole);
-  std::size_t walls = 0;
-  for (const auto& p : whole)
-    walls += p.label == 3 ? 1 : 0;
-  EXPECT_EQ(walls, 14u * 4u * 10u);
-  EXPECT_EQ(repair.getRepairedIndices().size(), 4u * 8u) << "the door, in larger cells";
 }
 
 } // namespace

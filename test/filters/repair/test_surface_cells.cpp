@@ -87,21 +87,6 @@ TEST(SurfaceCells, LieOnTheStructureWithNormalsIntoTheRoom)
   }
 }
 
-TEST(SurfaceCells, ARiserOfLessThanACentimetreIsNone)
-{
-  PlanRoom room = roomOf(rectangle(0, 0, 4, 3), 2.5);
-  room.details = {detailOf(rectangle(2, 0, 4, 3), 2.492)};
-  const auto isRiser = [](const SurfaceCell& cell) {
-    return cell.centre.label == StructureLabel::Detail && cell.centre.normal.z() == 0;
-  };
-  const SurfaceCells flat(room, 0.05);
-  EXPECT_TRUE(std::none_of(flat.cells().begin(), flat.cells().end(), isRiser));
-  room.details[0].slab = slabAt(2.48);
-  const SurfaceCells stepped(room, 0.05);
-  EXPECT_EQ(std::count_if(stepped.cells().begin(), stepped.cells().end(), isRiser), 60)
-      << "one row along 3 m";
-}
-
 TEST(SurfaceCells, ThePointNearestToTheCentreStandsForItsCell)
 {
   const PlanRoom room = roomOf(rectangle(0, 0, 4, 3), 2.5);

@@ -191,23 +191,4 @@ TEST(ParallelVoxelGridBlob, BrokenBlobsAreRefused)
   EXPECT_NE(without.getErrorMessage(), "");
 }
 
-TEST(FieldAccess, WritesKeepWithinTheRangeOfWholeNumbers)
-{
-  using Field = pcl::PCLPointField;
-  const auto written = [](std::uint8_t datatype, double value) {
-    std::array<std::uint8_t, 8> bytes{};
-    pcl::sedr::writeField(bytes.data(), datatype, value);
-    return pcl::sedr::readField(bytes.data(), datatype);
-  };
-  EXPECT_EQ(written(Field::UINT8, 300), 255);
-  EXPECT_EQ(written(Field::UINT8, -3), 0);
-  EXPECT_EQ(written(Field::INT8, -300), -128);
-  EXPECT_EQ(written(Field::UINT32, 4294967295.0), 4294967295.0);
-  EXPECT_EQ(written(Field::INT64, 1e30), 9223372036854775807.0);
-  EXPECT_EQ(written(Field::INT64, -1e30), -9223372036854775808.0);
-  EXPECT_EQ(written(Field::UINT16, std::numeric_limits<double>::quiet_NaN()), 0);
-  EXPECT_EQ(written(Field::FLOAT64, 0.1), 0.1);
-  EXPECT_TRUE(std::isnan(pcl::sedr::readField(nullptr, 77)));
-}
-
 } // namespace

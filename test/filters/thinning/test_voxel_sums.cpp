@@ -195,18 +195,6 @@ TEST(VoxelSums, MeansAreExactToTheLastPlaceNearAndFar)
   }
 }
 
-TEST(VoxelSums, APointAloneInItsVoxelStaysAsItIs)
-{
-  for (const float x : {0.1f, -0.1f, 7.3f, -12345.678f, 5e5f, -5.5e6f, 1e9f, 3e38f})
-    for (const float leaf : {0.05f, 1.f, 0.003f}) {
-      const auto voxels = sumsOf({{x, x, -x}}, Eigen::Array3f::Constant(1 / leaf));
-      ASSERT_EQ(voxels.size(), 1u);
-      const Eigen::Vector3f mean =
-          VoxelFrame(Eigen::Array3f::Constant(1 / leaf)).mean(voxels[0]);
-      EXPECT_EQ(mean, Eigen::Vector3f(x, x, -x)) << x << " at " << leaf;
-    }
-}
-
 TEST(VoxelSums, TwoToTheThirtyFirstPointsInAVoxelDoNotOverflow)
 {
   // Leaves just above and below a power of two, at both ends of near and far voxels.

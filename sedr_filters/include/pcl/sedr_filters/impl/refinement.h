@@ -21,8 +21,8 @@ struct Refinement {
   std::vector<SurfacePoint> points; ///< where each point was moved
 };
 
-/** @brief Moves `points[indices]` onto the plan, see snapToRoom(). `labels` and `rooms`
- * are as long as the cloud. The result does not depend on `threads`; 0 for all
+/** @brief Moves `points[indices]` onto the plan, see RoomSurfaces::snap(). `labels` and
+ * `rooms` are as long as the cloud. The result does not depend on `threads`; 0 for all
  * processors.
  * @param farthest maximum distance that a point may move, metres */
 Refinement refineToPlan(const PointView& points,
