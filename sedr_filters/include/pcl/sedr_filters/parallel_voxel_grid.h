@@ -53,7 +53,8 @@ public:
     filter_name_ = "ParallelVoxelGrid";
   }
 
-  using sedr::StageFilter<PointT>::filter;
+  /** @brief Writes one point a voxel to `output`, which may be the input. */
+  void filter(PointCloud& output);
 
   /** @brief Thins a cloud that is read in pieces and need not fit in memory. Gives only
    * x, y and z, byte for byte as with setDownsampleAllData(false). Ignores input cloud,

@@ -6,6 +6,8 @@
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
 #include <pcl/sedr_filters/point_types.h>
 
+#include <utility>
+
 namespace pcl {
 namespace sedr {
 
@@ -59,6 +61,22 @@ ParallelVoxelGrid<PointT>::thinInto(PointCloud& output,
                  this->extract_removed_indices_ && !only_places ? removed_indices_.get()
                                                                 : nullptr);
   return problem.empty() || fail("ParallelVoxelGrid", problem);
+}
+
+template <typename PointT>
+void
+ParallelVoxelGrid<PointT>::filter(PointCloud& output)
+{
+  if (!input_ || this->use_indices_ || this->extract_removed_indices_) {
+    sedr::StageFilter<PointT>::filter(output);
+    return;
+  }
+  PointCloud thinned; // pcl::Filter would first list the indices of all points
+  thinInto(thinned, sedr::CloudRows<PointT>(*input_), nullptr, false);
+  thinned.header = input_->header;
+  thinned.sensor_origin_ = input_->sensor_origin_;
+  thinned.sensor_orientation_ = input_->sensor_orientation_;
+  output = std::move(thinned);
 }
 
 template <typename PointT>
