@@ -21,8 +21,8 @@ throwAt(const Vec2& point, const char* reason)
   throw std::invalid_argument(text.str());
 }
 
-/** @brief The heights at which a point of the plan has a vertex, ascending.
- * Heights that are equal up to rounding are one. */
+/** @brief The heights at which a point of the plan has a vertex, ascending. Heights
+ * that are equal up to rounding are one. */
 class VertexLevels {
 public:
   void insert(double z)
@@ -32,8 +32,7 @@ public:
       levels_.insert(next, z);
   }
 
-  /** @brief Returns the index of the level equal to @p z, which was inserted
-   * before. */
+  /** @brief Returns the index of the level equal to @p z, which was inserted before. */
   std::size_t indexOf(double z) const
   {
     const auto next = std::lower_bound(levels_.begin(), levels_.end(), z - kSameHeight);
@@ -96,8 +95,7 @@ private:
     std::vector<std::uint32_t> far;
   };
 
-  /** @brief A vertical face over a side of the plan, with the room to its left.
-   */
+  /** @brief A vertical face over a side of the plan, with the room to its left. */
   struct Strip {
     std::uint32_t a = 0;
     std::uint32_t b = 0;

@@ -11,9 +11,9 @@ namespace pcl::sedr::sim {
 
 /** @brief Adds the closed mesh of one room to the mesh of a scene.
  *
- * Floors and ceilings are the triangles of the plan, lifted to their slabs.
- * Walls, columns, risers and niches are strips over sides of the plan. A strip
- * has all vertices above its ends, so that faces fit their neighbours.
+ * Floors and ceilings are the triangles of the plan, lifted to their slabs. Walls,
+ * columns, risers and niches are strips over sides of the plan. A strip has all
+ * vertices above its ends, so that faces fit their neighbours.
  * @param number of the room, from 1
  * @param openings in its walls, also those given by other rooms
  * @param floor_voids holes in its floor

@@ -135,8 +135,8 @@ private:
     return std::minmax(corners[k], corners[(k + 1) % 3]);
   }
 
-  /** @brief Finds what is above and below the triangles; those that no outline
-   * parts have the same. */
+  /** @brief Finds what is above and below the triangles; those that no outline parts
+   * have the same. */
   void findRegions()
   {
     number_.assign(all_.triangles.size(), std::nullopt);
@@ -223,8 +223,7 @@ private:
     return left.floor != right.floor || left.ceiling != right.ceiling;
   }
 
-  /** @brief Finds the wall that a side of the room is a part of; none for
-   * columns. */
+  /** @brief Finds the wall that a side of the room is a part of; none for columns. */
   void findWall(PlanSide& side, const Ends& ends) const
   {
     const auto edge = edge_of_.find(ends);

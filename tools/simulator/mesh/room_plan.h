@@ -11,8 +11,8 @@
 
 namespace pcl::sedr::sim {
 
-/** @brief A triangle of a room's plan, counter-clockwise, below one part of its
- * ceiling and above one part of its floor. */
+/** @brief A triangle of a room's plan, counter-clockwise, below one part of its ceiling
+ * and above one part of its floor. */
 struct PlanTriangle {
   std::array<std::uint32_t, 3> corners{}; ///< points of the plan
   Region floor = kVoid;
@@ -21,8 +21,7 @@ struct PlanTriangle {
   std::optional<std::size_t> hole_above; ///< void of the room
 };
 
-/** @brief A side of a triangle where the room ends, or its floor or ceiling
- * changes. */
+/** @brief A side of a triangle where the room ends, or its floor or ceiling changes. */
 struct PlanSide {
   std::uint32_t a = 0; ///< point where it starts, with the triangle to its left
   std::uint32_t b = 0; ///< point where it ends
@@ -39,16 +38,16 @@ struct PlanSide {
   }
 };
 
-/** @brief A room's plan in triangles. Its sides include all outlines, in
- * chords, and end at the ends of all gaps in walls. */
+/** @brief A room's plan in triangles. Its sides include all outlines, in chords, and
+ * end at the ends of all gaps in walls. */
 struct RoomPlan {
   std::vector<Vec2> points;
   std::vector<PlanTriangle> triangles; ///< in the room only
   std::vector<PlanSide> sides;
 };
 
-/** @brief Returns the plan of a room, by the exact arrangement and the
- * constrained triangulation of sedr_surface. O(n log n) for n corners.
+/** @brief Returns the plan of a room, by the exact arrangement and the constrained
+ * triangulation of sedr_surface. O(n log n) for n corners.
  * @param openings in its walls, also those given by other rooms
  * @param floor_voids holes in its floor
  * @throw std::invalid_argument if outlines are degenerate */

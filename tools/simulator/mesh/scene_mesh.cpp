@@ -10,8 +10,8 @@ namespace pcl::sedr::sim {
 
 namespace {
 
-/** @brief Adds what is no structure of a room: reveals and panes of openings,
- * shafts and plenums between storeys, furniture, and the world outside. */
+/** @brief Adds what is no structure of a room: reveals and panes of openings, shafts
+ * and plenums between storeys, furniture, and the world outside. */
 class SurroundingsMesher {
 public:
   SurroundingsMesher(const Scene& scene, SceneMesh& result)

@@ -8,9 +8,8 @@
 #include <cstdint>
 #include <vector>
 
-/** @file A scene as one triangle mesh: what rays are cast at, and the truth.
- * Vertices are in the scene's own frame; curves are chords and facets within
- * kCurveTolerance. */
+/** @file A scene as one triangle mesh: what rays are cast at, and the truth. Vertices
+ * are in the scene's own frame; curves are chords and facets within kCurveTolerance. */
 
 namespace pcl::sedr::sim {
 
@@ -30,9 +29,9 @@ struct Pane {
 
 /** @brief The triangles of a scene, each with its label and room (0 none).
  *
- * Structure and gaps of a room are one closed, edge-manifold component with
- * normals out of the room: soffits, niches and columns included, doors and
- * windows closed flush with the room's face of the wall. */
+ * Structure and gaps of a room are one closed, edge-manifold component with normals out
+ * of the room: soffits, niches and columns included, doors and windows closed flush
+ * with the room's face of the wall. */
 struct SceneMesh {
   TriangleMesh mesh; ///< `elements`: number of the opening, of gaps and panes
   std::vector<Surface> surfaces; ///< of each triangle
@@ -47,9 +46,9 @@ struct SceneMesh {
 };
 
 /** @brief Returns everything in the scene that a ray can hit, and the gaps.
- * @throw std::invalid_argument if the scene cannot be built: openings that lie
- * on no wall, a ceiling below its floor, parts that cross in a line between
- * their edges or touch in a single point */
+ * @throw std::invalid_argument if the scene cannot be built: openings that lie on no
+ * wall, a ceiling below its floor, parts that cross in a line between their edges or
+ * touch in a single point */
 SceneMesh meshOf(const Scene& scene);
 
 /** @brief Returns structure and gaps of meshOf(): the truth. */

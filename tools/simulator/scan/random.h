@@ -17,11 +17,9 @@ scrambled(std::uint64_t x)
   return x ^ (x >> 31);
 }
 
-/** @brief Random numbers of one ray, a function of seed, station and ray number
- * only.
+/** @brief Random numbers of one ray, a function of seed, station and ray number only.
  *
- * A scan is therefore the same whichever thread casts a ray.
- */
+ * A scan is therefore the same whichever thread casts a ray. */
 class RayRandom {
 public:
   RayRandom(std::uint64_t seed, std::uint64_t station, std::uint64_t ray)

@@ -11,8 +11,8 @@ namespace pcl::sedr::sim {
 
 namespace {
 
-/** @brief Difference of both distances, metres, beyond which a ray grazes its
- * triangle so much that its plane says nothing. */
+/** @brief Difference of both distances, metres, beyond which a ray grazes its triangle
+ * so much that its plane says nothing. */
 constexpr double kGrazing = 1e-3;
 
 } // namespace

@@ -29,17 +29,16 @@ struct Hit {
 
 /** @brief Casts rays at a scene's mesh with Embree; gaps let them pass.
  *
- * Embree finds the triangle in single precision. The distance is computed in
- * double precision from the triangle's plane. Threads may share a caster; the
- * same ray gives the same hit in every run. */
+ * Embree finds the triangle in single precision. The distance is computed in double
+ * precision from the triangle's plane. Threads may share a caster; the same ray gives
+ * the same hit in every run. */
 class RayCaster {
 public:
   /** @brief Keeps a reference to @p scene.
    * @throw std::runtime_error if Embree fails */
   explicit RayCaster(const SceneMesh& scene);
 
-  /** @brief Returns the first hit beyond @p from and at most @p to metres away.
-   */
+  /** @brief Returns the first hit beyond @p from and at most @p to metres away. */
   std::optional<Hit> nearest(const Ray& ray, double from, double to) const;
 
   /** @brief Returns the unit normal of a triangle. */

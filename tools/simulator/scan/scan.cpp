@@ -89,9 +89,8 @@ private:
 constexpr std::size_t kBlockSteps = 16; ///< azimuth steps in a block of work
 constexpr std::uint64_t kTurn = ~0ULL;  ///< ray number of a station's rotation
 
-/** @brief A station with the angular raster of its scanner, about the requested
- * rays at equal steps in both angles, from the lowest elevation to the zenith.
- */
+/** @brief A station with the angular raster of its scanner, about the requested rays at
+ * equal steps in both angles, from the lowest elevation to the zenith. */
 struct Station {
   Station(const Scanner& of, const Vec3& at, std::size_t n)
       : scanner(of)

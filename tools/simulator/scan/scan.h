@@ -32,8 +32,7 @@ struct ScanOptions {
   std::function<void(double)> progress;
 };
 
-/** @brief A scanner position in the frame of the files and its number of
- * points. */
+/** @brief A scanner position in the frame of the files and its number of points. */
 struct ScanPosition {
   Vec3 place;
   std::size_t points = 0;
@@ -48,11 +47,10 @@ struct Scan {
 
 /** @brief Returns the nearest hit of every ray, in the frame of the files.
  *
- * A window pane returns some of the rays, mirrors some and transmits the
- * others. A mirrored ray is recorded along its original direction, as a real
- * scanner does. The same scene, seed and options give the same points in the
- * same order for any number of threads. Cost: rays times the logarithm of the
- * number of triangles.
+ * A window pane returns some of the rays, mirrors some and transmits the others. A
+ * mirrored ray is recorded along its original direction, as a real scanner does. The
+ * same scene, seed and options give the same points in the same order for any number of
+ * threads. Cost: rays times the logarithm of the number of triangles.
  * @throw std::invalid_argument if the scene cannot be built: see meshOf() */
 Scan scan(const Scene& scene, const ScanOptions& options = {});
 

@@ -43,8 +43,7 @@ struct ExactPoint {
   const ScanPoint* point = nullptr;
 };
 
-/** @brief Returns the points of a scan with the directions they were seen from.
- */
+/** @brief Returns the points of a scan with the directions they were seen from. */
 std::vector<ExactPoint>
 exactPointsOf(const Scene& scene, const Scan& scan, std::optional<double> noise)
 {

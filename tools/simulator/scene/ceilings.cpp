@@ -12,9 +12,8 @@ namespace {
 
 using Polygon = std::vector<Vec2>;
 
-/** @brief Returns the part of a convex polygon where p.dot(normal) is at most
- * @p limit.
- */
+/** @brief Returns the part of a convex polygon where p.dot(normal) is at most @p
+ * limit. */
 Polygon
 clipped(const Polygon& polygon, const Vec2& normal, double limit)
 {

@@ -23,15 +23,14 @@ using Box2 = Eigen::AlignedBox2d;
 
 constexpr double pi = M_PI;
 
-/** @brief Maximum distance between a curve and the chords or facets that stand
- * for it in the mesh of a scene, metres. */
+/** @brief Maximum distance between a curve and the chords or facets that stand for it
+ * in the mesh of a scene, metres. */
 constexpr double kCurveTolerance = 1e-4;
 
 /** @brief Points of the plan closer than this are the same, metres. */
 constexpr double kSamePoint = 1e-6;
 
-/** @brief Returns the z of the cross product: positive if @p b is left of @p a.
- */
+/** @brief Returns the z of the cross product: positive if @p b is left of @p a. */
 inline double
 cross(const Vec2& a, const Vec2& b)
 {
@@ -88,8 +87,8 @@ Loop circleLoop(const Vec2& centre, double radius);
 /** @brief Returns the bounds of the loop, within kCurveTolerance. */
 Box2 boundsOf(const Loop& loop);
 
-/** @brief Returns the point @p s along an element, @p distance to its right;
- * beyond its ends on the line or circle of the element. */
+/** @brief Returns the point @p s along an element, @p distance to its right; beyond its
+ * ends on the line or circle of the element. */
 Vec2 pointBeside(const Element& element, double s, double distance);
 
 /** @brief Returns the element moved by @p distance to its right. */
@@ -99,21 +98,17 @@ Element offsetRight(const Element& element, double distance);
 std::optional<double>
 locate(const Element& element, const Vec2& point, double tolerance = kSamePoint);
 
-/** @brief Returns where an element is cut into chords: increasing distances
- * along it.
+/** @brief Returns where an element is cut into chords: increasing distances along it.
  *
- * These are its ends, @p cuts, and on arcs places whose direction from the
- * centre is a multiple of a fixed step, so that two arcs of one circle are cut
- * at the same places.
- */
+ * These are its ends, @p cuts, and on arcs places whose direction from the centre is a
+ * multiple of a fixed step, so that two arcs of one circle are cut at the same
+ * places. */
 std::vector<double> chordEnds(const Element& element, std::vector<double> cuts = {});
 
-/** @brief Returns distances along an element every few centimetres, with both
- * ends. */
+/** @brief Returns distances along an element every few centimetres, with both ends. */
 std::vector<double> stepsAlong(const Element& element);
 
-/** @brief Returns points every few centimetres, @p inwards metres left of a
- * loop. */
+/** @brief Returns points every few centimetres, @p inwards metres left of a loop. */
 std::vector<Vec2> samplesAlong(const Loop& loop, double inwards = 0.0);
 
 /** @brief Returns a point just inside a loop that runs in either direction. */

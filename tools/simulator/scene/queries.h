@@ -3,13 +3,11 @@
 
 #include "scene.h"
 
-/** @file What is where in a scene: parts of floors and ceilings, rooms,
- * openings. */
+/** @file What is where in a scene: parts of floors and ceilings, rooms, openings. */
 
 namespace pcl::sedr::sim {
 
-/** @brief A part of a room's floor or ceiling: kVoid, kMain or detail number
- * - 1. */
+/** @brief A part of a room's floor or ceiling: kVoid, kMain or detail number - 1. */
 using Region = int;
 constexpr Region kVoid = -1; ///< outside of the room, or inside a column
 constexpr Region kMain = 0;  ///< the floor or ceiling without its details
@@ -29,20 +27,16 @@ const Slab& slabOf(const Room& room, Region region, Layer layer);
 /** @brief Returns the label of a region other than kVoid. */
 Label labelOf(const Room& room, Region region, Layer layer);
 
-/** @brief Returns true if @p point is in the room's plan and in none of its
- * columns. */
+/** @brief Returns true if @p point is in the room's plan and in none of its columns. */
 bool isInRoom(const Room& room, const Vec2& point);
 
-/** @brief Returns z of the floor below @p point; beyond the room, its main
- * plane. */
+/** @brief Returns z of the floor below @p point; beyond the room, its main plane. */
 double floorBelow(const Room& room, const Vec2& point);
 
-/** @brief Returns z of the ceiling above @p point; beyond the room, its main
- * plane. */
+/** @brief Returns z of the ceiling above @p point; beyond the room, its main plane. */
 double ceilingAbove(const Room& room, const Vec2& point);
 
-/** @brief Returns the number of the room around @p point in the plan, from 1;
- * 0: none.
+/** @brief Returns the number of the room around @p point in the plan, from 1; 0: none.
  *
  * If rooms lie above each other, the one nearest in height is returned. */
 std::uint32_t roomAt(const Scene& scene, const Vec3& point);
@@ -56,30 +50,27 @@ std::vector<Vec2> cornersOf(const Box& box);
 /** @brief Returns the part of a wall's face that a gap cuts. */
 Element faceOf(const Room& room, const WallGap& gap);
 
-/** @brief Returns opening @p index of room @p room as the room it leads to sees
- * it.
+/** @brief Returns opening @p index of room @p room as the room it leads to sees it.
  * @throw std::invalid_argument if the other room has no wall there */
 Opening otherSideOf(const Scene& scene, std::size_t room, std::size_t index);
 
 /** @brief Returns the openings in the walls of every room, seen from that room.
  *
- * An opening that leads to another room is listed for both, with the same
- * number; a room's own come first, in order.
- * @throw std::invalid_argument if an opening or niche does not lie within a
- * wall, or an opening leads to a room that has no wall at the other face. The
- * sentence begins with the opening's place, as in "rooms[2].openings[0]" */
+ * An opening that leads to another room is listed for both, with the same number; a
+ * room's own come first, in order.
+ * @throw std::invalid_argument if an opening or niche does not lie within a wall, or an
+ * opening leads to a room that has no wall at the other face. The sentence begins with
+ * the opening's place, as in "rooms[2].openings[0]" */
 std::vector<std::vector<Opening>> openingsByRoom(const Scene& scene);
 
-/** @brief Returns the holes in every room's floor: voids that lead to it from
- * below. */
+/** @brief Returns the holes in every room's floor: voids that lead to it from below. */
 std::vector<std::vector<Loop>> floorVoidsOf(const Scene& scene);
 
 /** @brief Returns the number of every room's storey; the lowest is 1.
  *
- * A number in the scene takes precedence. Other rooms go by their floors: a
- * storey ends where the next higher floor is 1.5 m or more above it. If the
- * scene numbers only some rooms, the others get the number of the room nearest
- * in height. */
+ * A number in the scene takes precedence. Other rooms go by their floors: a storey ends
+ * where the next higher floor is 1.5 m or more above it. If the scene numbers only some
+ * rooms, the others get the number of the room nearest in height. */
 std::vector<std::size_t> storeysOf(const Scene& scene);
 
 } // namespace pcl::sedr::sim

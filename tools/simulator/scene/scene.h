@@ -35,10 +35,9 @@ heightAt(const Slab& slab, const Vec2& point)
 
 /** @brief A part of a ceiling or floor with a plane of its own.
  *
- * Examples: soffit, recess, coffer, beam; step, platform, pit. Where details of
- * the same ceiling or floor overlap, the later one replaces the earlier.
- * Ceiling and floor are independent of each other. What reaches out of the room is cut
- * off. */
+ * Examples: soffit, recess, coffer, beam; step, platform, pit. Where details of the
+ * same ceiling or floor overlap, the later one replaces the earlier. Ceiling and floor
+ * are independent of each other. What reaches out of the room is cut off. */
 struct SlabDetail {
   SlabDetail(Loop outline, const Slab& plane)
       : loop(std::move(outline))
@@ -58,8 +57,7 @@ struct SlabDetail {
   bool is_wall = false;  ///< a tilted wall, as seen from above
 };
 
-/** @brief A rectangle on a wall, behind which there is a space of some depth.
- */
+/** @brief A rectangle on a wall, behind which there is a space of some depth. */
 struct WallGap {
   std::size_t wall = 0; ///< element of the room's outline
   double from = 0.0;    ///< start along the element
@@ -83,8 +81,8 @@ struct Leaf {
   double angle = 0.0;         ///< radians into the room; 0: shut
 };
 
-/** @brief A door, window or passage, with its reveal; the depth is the
- * thickness of the wall. */
+/** @brief A door, window or passage, with its reveal; the depth is the thickness of the
+ * wall. */
 struct Opening : WallGap {
   /// Room behind the wall, whose wall gets the same opening; empty: the
   /// outside.
@@ -137,8 +135,7 @@ struct Cylinder {
   double height = 0.0;
 };
 
-/** @brief An object that is no structure: furniture, a door leaf, a tree, a
- * facade. */
+/** @brief An object that is no structure: furniture, a door leaf, a tree, a facade. */
 struct Object {
   std::string name{};
   std::vector<Box> boxes{};
@@ -149,8 +146,8 @@ struct Object {
 /** @brief A scanner and its stations.
  *
  * Every station sends its rays at equal steps of azimuth and elevation, as a
- * terrestrial scanner does. A walk with a backpack is a scanner of many
- * stations with few rays each. */
+ * terrestrial scanner does. A walk with a backpack is a scanner of many stations with
+ * few rays each. */
 struct Scanner {
   std::vector<Vec3> stations;
   std::size_t rays_per_station = 0;

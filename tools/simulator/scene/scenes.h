@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-/** @file Scenes as JSON: see doc/pcl_simulate_indoor_scan.md. Invalid files
- * throw std::invalid_argument: unreadable, not JSON, unknown or missing keys,
- * wrong types, an impossible scene. The sentence names the file and the place
- * in it, as in "flat.json: rooms[2].openings[0].wall must be ...". */
+/** @file Scenes as JSON: see doc/pcl_simulate_indoor_scan.md. Invalid files throw
+ * std::invalid_argument: unreadable, not JSON, unknown or missing keys, wrong types, an
+ * impossible scene. The sentence names the file and the place in it, as in "flat.json:
+ * rooms[2].openings[0].wall must be ...". */
 
 namespace pcl::sedr::sim {
 
@@ -24,8 +24,7 @@ struct BuiltInScene {
 std::string readSceneText(const std::filesystem::path& path);
 
 /** @brief Parses a scene and checks it: see checkScene().
- * @param source the name of the text in messages
- */
+ * @param source the name of the text in messages */
 Scene parseScene(const std::string& text, const std::string& source);
 
 /** @brief Returns the files of tools/simulator/scenes. */
@@ -34,17 +33,12 @@ const std::vector<BuiltInScene>& builtInScenes();
 /** @brief Returns all built-in scenes. */
 std::vector<Scene> allScenes();
 
-/** @brief Returns the text of a built-in scene, or of a file if the name ends
- * in .json.
- * @throw std::invalid_argument naming the known scenes, or the file
- */
+/** @brief Returns the text of a built-in scene, or of a file if the name ends in .json.
+ * @throw std::invalid_argument naming the known scenes, or the file */
 std::string sceneText(const std::string& name_or_path);
 
-/** @brief Returns a built-in scene, or that of a file if the name ends in
- * .json.
- * @throw std::invalid_argument naming the known scenes, or the fault of the
- * file
- */
+/** @brief Returns a built-in scene, or that of a file if the name ends in .json.
+ * @throw std::invalid_argument naming the known scenes, or the fault of the file */
 Scene sceneNamed(const std::string& name_or_path);
 
 } // namespace pcl::sedr::sim

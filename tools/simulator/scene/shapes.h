@@ -7,10 +7,10 @@
 #include <optional>
 #include <vector>
 
-/** @file Ceilings and walls that are more than a plane. Curved ceilings are
- * flat facets, so narrow that they deviate from the curve by kCurveTolerance at
- * most, and on average not at all. In plan, a wall tilted into the room is a
- * steep part of the ceiling, and a wall tilted outwards one of the floor. */
+/** @file Ceilings and walls that are more than a plane. Curved ceilings are flat
+ * facets, so narrow that they deviate from the curve by kCurveTolerance at most, and on
+ * average not at all. In plan, a wall tilted into the room is a steep part of the
+ * ceiling, and a wall tilted outwards one of the floor. */
 
 namespace pcl::sedr::sim {
 
@@ -36,8 +36,7 @@ struct Dome {
   double direction = 0.0; ///< radians
 };
 
-/** @brief How a circle is cut into facets that deviate as much inwards as
- * outwards. */
+/** @brief How a circle is cut into facets that deviate as much inwards as outwards. */
 struct FacetSteps {
   double angle = 0.0;  ///< radians between two edges
   double radius = 0.0; ///< of the edges
@@ -46,9 +45,7 @@ struct FacetSteps {
 FacetSteps facetStepsOf(double radius);
 
 /** @brief Returns the facets of a vault over a convex loop with straight sides.
- * @throw std::invalid_argument if the loop extends beyond the cylinder or has
- * arcs
- */
+ * @throw std::invalid_argument if the loop extends beyond the cylinder or has arcs */
 std::vector<SlabDetail> facetsOf(const Vault& vault, const Loop& loop);
 
 /** @brief Returns the facets of a dome. */
@@ -67,21 +64,19 @@ struct RibFamily {
 
 /** @brief Returns the ribs of a family as details of a room's ceiling.
  *
- * They extend over the bounds of the room: walls cut them, and so do details
- * that come after them in the room's list, as beams cut joists. A rib that
- * would cross the wall beside it at either end of the room is left out. */
+ * They extend over the bounds of the room: walls cut them, and so do details that come
+ * after them in the room's list, as beams cut joists. A rib that would cross the wall
+ * beside it at either end of the room is left out. */
 std::vector<SlabDetail> ribsOf(const Room& room, const RibFamily& family);
 
-/** @brief Tilts walls of a room. The outline becomes that of the whole area in
- * plan, and `foot` the previous outline; the walls of openings and niches are
- * renumbered.
+/** @brief Tilts walls of a room. The outline becomes that of the whole area in plan,
+ * and `foot` the previous outline; the walls of openings and niches are renumbered.
  *
  * Arcs become cones, scanned as flat facets within kCurveTolerance.
  * @param tilts radians from the vertical of each wall, positive into the room
- * @throw std::invalid_argument if the floor at the wall is not level or the
- * ceiling above it has more than one plane. Likewise if the wall has an opening
- * or a niche, or does not meet the ceiling or a wall beside it
- */
+ * @throw std::invalid_argument if the floor at the wall is not level or the ceiling
+ * above it has more than one plane. Likewise if the wall has an opening or a niche, or
+ * does not meet the ceiling or a wall beside it */
 void tiltWalls(Room& room, const std::vector<double>& tilts);
 
 } // namespace pcl::sedr::sim

@@ -113,8 +113,7 @@ private:
     return foot + (heightAt(top, foot) - floor_) / climb * way;
   }
 
-  /** @brief Returns the ceiling inside of a tilted wall, near one end of its
-   * foot. */
+  /** @brief Returns the ceiling inside of a tilted wall, near one end of its foot. */
   const Slab& ceilingBeside(const Face& face, const Vec2& end) const
   {
     const double s =
@@ -123,9 +122,8 @@ private:
     return slabOf(room_, regionAt(room_, inside, Layer::Ceiling), Layer::Ceiling);
   }
 
-  /** @brief Makes the outline that of the whole area in plan; what lies between
-   * foot and head of a wall becomes a part of the ceiling or, tilted out, of
-   * the floor. */
+  /** @brief Makes the outline that of the whole area in plan; what lies between foot
+   * and head of a wall becomes a part of the ceiling or, tilted out, of the floor. */
   void replaceOutline()
   {
     Loop outline;

@@ -101,8 +101,7 @@ openingToJson(const Scene& scene, std::size_t room, std::size_t index)
   return json;
 }
 
-/** @brief Returns true if a flight ends in the void, just below its upper end.
- */
+/** @brief Returns true if a flight ends in the void, just below its upper end. */
 bool
 hasStairs(const Scene& scene, const Loop& loop, double top)
 {
@@ -159,8 +158,8 @@ linksToJson(const Scene& scene, const Json& openings)
   return list;
 }
 
-/** @brief Integrals over a room's faces. Normals point out of the room, so the
- * area in plan is positive above the room and negative below it. */
+/** @brief Integrals over a room's faces. Normals point out of the room, so the area in
+ * plan is positive above the room and negative below it. */
 struct Enclosed {
   double volume = 0.0;        ///< enclosed by all faces
   double in_plan = 0.0;       ///< volume within the outline only

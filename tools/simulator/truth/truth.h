@@ -9,11 +9,10 @@
 
 namespace pcl::sedr::sim {
 
-/** @brief Returns rooms, storeys, openings and links of a scene as JSON, in the
- * frame of the files, metres: see doc/pcl_simulate_indoor_scan.md.
+/** @brief Returns rooms, storeys, openings and links of a scene as JSON, in the frame
+ * of the files, metres: see doc/pcl_simulate_indoor_scan.md.
  *
- * Loops, areas and perimeters are exact. Height and volume are those of the
- * mesh.
+ * Loops, areas and perimeters are exact. Height and volume are those of the mesh.
  * @param truth truthMesh() of the scene
  * @throw std::invalid_argument as meshOf() */
 std::string truthToJson(const Scene& scene, const TriangleMesh& truth);

@@ -52,8 +52,7 @@ buildChair(const JsonView&, Assembly& assembly)
   assembly.addBox({-half, half - 0.04, 0.47}, {half, half, 0.92});
 }
 
-/** @brief Adds books of varying height on about two thirds of a board's width.
- */
+/** @brief Adds books of varying height on about two thirds of a board's width. */
 void
 addBooks(Assembly& assembly, const Vec3& shelf, double board, double room, int row)
 {
@@ -162,8 +161,7 @@ buildFixture(const JsonView& view, Assembly& assembly)
       assembly.addCylinder(lifted(corner, -drop), rod, drop);
 }
 
-/** @brief Builds a level round duct along x of boards within 3 % of the radius.
- */
+/** @brief Builds a level round duct along x of boards within 3 % of the radius. */
 void
 buildDuct(const JsonView& view, Assembly& assembly)
 {

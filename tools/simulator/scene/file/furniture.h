@@ -11,8 +11,8 @@
 
 namespace pcl::sedr::sim {
 
-/** @brief Position and direction of an object: the middle of its footprint. At
- * yaw 0 the width runs along x, the depth along y, and the front faces -y. */
+/** @brief Position and direction of an object: the middle of its footprint. At yaw 0
+ * the width runs along x, the depth along y, and the front faces -y. */
 struct Spot {
   Vec2 center = Vec2::Zero();
   double yaw = 0.0; ///< radians, counter-clockwise

@@ -16,9 +16,9 @@ namespace pcl::sedr::sim {
 
 /** @brief A value of a scene file with its place, as in "rooms[2].openings".
  *
- * Invalid values throw std::invalid_argument with a sentence that begins with
- * the place. The view refers to the document and to the set of the values that
- * were asked for, which must outlive it. */
+ * Invalid values throw std::invalid_argument with a sentence that begins with the
+ * place. The view refers to the document and to the set of the values that were asked
+ * for, which must outlive it. */
 class JsonView {
 public:
   using Seen = std::set<const nlohmann::json*>;
@@ -38,8 +38,7 @@ public:
   /** @brief Returns the elements of a list of at least @p least. */
   std::vector<JsonView> items(std::size_t least = 0) const;
 
-  /** @brief Returns the elements of the list @p key; none if the key is
-   * missing. */
+  /** @brief Returns the elements of the list @p key; none if the key is missing. */
   std::vector<JsonView> itemsOf(const std::string& key) const
   {
     const auto list = find(key);
@@ -55,12 +54,10 @@ public:
   bool isList() const { return value_.is_array(); }
   bool isObject() const { return value_.is_object(); }
 
-  /** @brief Returns a number from @p low to @p high; metres or degrees by
-   * default. */
+  /** @brief Returns a number from @p low to @p high; metres or degrees by default. */
   double number(double low = -kFarthest, double high = kFarthest) const;
 
-  /** @brief Returns the number at @p key, or @p otherwise if the key is
-   * missing. */
+  /** @brief Returns the number at @p key, or @p otherwise if the key is missing. */
   double numberOr(const std::string& key, double otherwise) const
   {
     const auto value = find(key);

@@ -36,8 +36,7 @@ readPosition(const JsonView& corner)
   return corner.isObject() ? corner.at("at").point2() : corner.point2();
 }
 
-/** @brief Reads the bulge of the element from @p corner over @p chord metres.
- */
+/** @brief Reads the bulge of the element from @p corner over @p chord metres. */
 double
 readBulge(const JsonView& corner, double chord)
 {

@@ -12,8 +12,8 @@ constexpr int kDeepestGroup = 4;
 constexpr double kGap = 0.02; ///< metres between furniture and the wall behind it
 constexpr std::size_t kLongestRow = 1000;
 
-/** @brief Reads a list of objects in a room, or outside; groups read their own
- * lists in their own frame. */
+/** @brief Reads a list of objects in a room, or outside; groups read their own lists in
+ * their own frame. */
 class ObjectReader {
 public:
   /** @param room null for the outside */
@@ -67,8 +67,7 @@ private:
     }
   }
 
-  /** @brief Returns where objects of a kind are: one place, or a row at a wall.
-   */
+  /** @brief Returns where objects of a kind are: one place, or a row at a wall. */
   std::vector<Spot> spotsOf(const Kind& kind, const JsonView& view) const
   {
     if (kind.standing == Standing::OnFloor && room_ && !is_group_ && view.find("wall"))
@@ -165,8 +164,7 @@ private:
     add(view, std::move(object));
   }
 
-  /** @brief Reads objects repeated at several places, each [x, y] or [x, y,
-   * yaw]. */
+  /** @brief Reads objects repeated at several places, each [x, y] or [x, y, yaw]. */
   void readGroup(const JsonView& view)
   {
     if (depth_ == kDeepestGroup)

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kLeafStandOff = 0.03; ///< metres from an open leaf's axis to the wall
 
-/** @brief Makes the leaf of a door: shut in the middle of the reveal, otherwise
- * beside the opening, turned into the room about its hinge. */
+/** @brief Makes the leaf of a door: shut in the middle of the reveal, otherwise beside
+ * the opening, turned into the room about its hinge. */
 Object
 makeLeaf(const Element& wall, const Opening& opening)
 {
@@ -39,8 +39,7 @@ makeLeaf(const Element& wall, const Opening& opening)
   return leaf.object;
 }
 
-/** @brief Returns how far the wall's outer face recedes at the ends of the
- * opening. */
+/** @brief Returns how far the wall's outer face recedes at the ends of the opening. */
 double
 recessOf(const Element& wall, const Opening& opening)
 {

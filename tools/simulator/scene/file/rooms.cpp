@@ -18,8 +18,7 @@ constexpr std::size_t kMostRibs = 5000; ///< of a family
 constexpr double kNarrowest = 0.01;     ///< spacing of ribs, metres
 
 /** @brief Reads a plane: its height, or its height, slope and direction.
- * @param origin default of the point that has that height
- */
+ * @param origin default of the point that has that height */
 Slab
 readSlab(const JsonView& view, Vec2 origin)
 {
@@ -32,11 +31,9 @@ readSlab(const JsonView& view, Vec2 origin)
           at ? at->point2() : origin};
 }
 
-/** @brief Reads a part of the floor or ceiling: its own plane, or parallel to
- * @p whole.
+/** @brief Reads a part of the floor or ceiling: its own plane, or parallel to @p whole.
  * @param offset key of the distance from @p whole
- * @param upwards direction of that distance: 1 or -1
- */
+ * @param upwards direction of that distance: 1 or -1 */
 SlabDetail
 readSlabDetail(const JsonView& view, const Slab& whole, const char* offset, int upwards)
 {
@@ -96,8 +93,7 @@ readScale(const JsonView& view, Dome& dome)
   }
 }
 
-/** @brief Adds a part of a ceiling that is not level: a slope, a vault or a
- * dome. */
+/** @brief Adds a part of a ceiling that is not level: a slope, a vault or a dome. */
 void
 readFacet(const JsonView& view, Room& room)
 {

@@ -22,8 +22,7 @@ using nlohmann::json;
 constexpr const char* kFormat = "sedr-scene";
 constexpr std::size_t kVersion = 1;
 
-/** @brief Parses the document; rejects repeated keys, which would hide a value.
- */
+/** @brief Parses the document; rejects repeated keys, which would hide a value. */
 json
 parseDocument(const std::string& text)
 {
@@ -54,8 +53,7 @@ constexpr std::size_t kMostStations = 10'000;
 constexpr std::size_t kMostRays = 100'000'000;
 constexpr double kLowest = -1e5; ///< below every room
 
-/** @brief Returns the point @p s metres along a path, or its end if that is
- * nearer. */
+/** @brief Returns the point @p s metres along a path, or its end if that is nearer. */
 Vec2
 alongPath(const std::vector<Vec2>& path, double s)
 {
@@ -69,8 +67,8 @@ alongPath(const std::vector<Vec2>& path, double s)
   return path.back();
 }
 
-/** @brief Returns stations at equal steps along a path, @p height above z = 0;
- * they sway up and down. */
+/** @brief Returns stations at equal steps along a path, @p height above z = 0; they
+ * sway up and down. */
 std::vector<Vec3>
 walkAlong(const std::vector<Vec2>& path, std::size_t count, double height, double sway)
 {
@@ -87,8 +85,7 @@ walkAlong(const std::vector<Vec2>& path, std::size_t count, double height, doubl
   return stations;
 }
 
-/** @brief Reads stations along a path, at a height above the floor below them.
- */
+/** @brief Reads stations along a path, at a height above the floor below them. */
 std::vector<Vec3>
 readWalk(const JsonView& view, const Scene& scene)
 {
