@@ -39,34 +39,42 @@ public:
         tangents_.insert(std::minmax(tie.a, tie.b));
   }
 
-  /** @brief Rebuilds a loop; returns false if it would break. */
-  bool build(const UnknownLoop& loop, PlanLoop& result) const
+  /** @brief Rebuilds a loop; returns the indices of the elements at which it would
+   * break. */
+  std::vector<std::size_t> build(const UnknownLoop& loop, PlanLoop& result) const
   {
     result = *loop.loop;
     auto& elements = result.elements;
     const std::size_t n = elements.size();
+    std::vector<std::size_t> broken;
     for (std::size_t i = 0; i < n; ++i) {
       Eigen::Vector2d corner;
-      if (!cornerOf(loop, i, corner))
-        return false;
-      elements[i].start = corner;
-      elements[(i + n - 1) % n].end = corner;
+      if (cornerOf(loop, i, corner)) {
+        elements[i].start = corner;
+        elements[(i + n - 1) % n].end = corner;
+      }
+      else
+        broken.insert(broken.end(), {i, (i + n - 1) % n});
     }
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < n && broken.empty(); ++i) {
       PlanElement& e = elements[i];
       const PlanElement& old = loop.loop->elements[i];
       const Unknown& u = plan_.all[loop.of_element[i]];
       if (e.isArc()) {
         e.centre = u.point;
         e.radius = u.radius;
-        if (std::abs(e.sweep() - old.sweep()) > 0.5)
-          return false;
       }
-      else if ((e.end - e.start).dot(old.end - old.start) <= 0)
-        return false;
+      const bool is_turned = e.isArc()
+                                 ? std::abs(e.sweep() - old.sweep()) > 0.5
+                                 : (e.end - e.start).dot(old.end - old.start) <= 0;
+      if (is_turned)
+        broken = {(i + n - 1) % n, i, (i + 1) % n};
     }
-    return !crossesItself(result.polygon(chord)) ||
-           crossesItself(loop.loop->polygon(chord));
+    if (broken.empty() && crossesItself(result.polygon(chord)) &&
+        !crossesItself(loop.loop->polygon(chord)))
+      for (std::size_t i = 0; i < n; ++i)
+        broken.push_back(i);
+    return broken;
   }
 
 private:
@@ -93,7 +101,7 @@ private:
     }
     const double sine =
         std::abs(before.tangentAt(old).dot(leftOf(after.tangentAt(old))));
-    double nearest = farthest_ / std::max(sine, 0.1);
+    double nearest = farthest_ / std::max(sine, 0.3);
     bool is_found = false;
     for (const Eigen::Vector2d& p : intersections(before, after)) {
       if ((p - old).norm() > nearest)
@@ -127,10 +135,17 @@ rebuildLoops(const PlanUnknowns& plan,
   std::vector<PlanLoop> results(plan.loops.size());
   for (std::size_t l = 0; l < results.size(); ++l) {
     const std::vector<std::size_t>& of = plan.loops[l].of_element;
-    if (std::all_of(of.begin(), of.end(), [&](std::size_t u) { return are_kept[u]; }))
+    const auto isKept = [&](std::size_t u) { return are_kept[u]; };
+    if (std::all_of(of.begin(), of.end(), isKept)) {
       results[l] = *plan.loops[l].loop;
-    else if (!builder.build(plan.loops[l], results[l]))
-      broken.push_back(l);
+      continue;
+    }
+    std::vector<std::size_t> at;
+    for (const std::size_t i : builder.build(plan.loops[l], results[l]))
+      at.push_back(of[i]);
+    if (std::all_of(at.begin(), at.end(), isKept) && !at.empty())
+      at = of;
+    broken.insert(broken.end(), at.begin(), at.end());
   }
   if (broken.empty())
     for (std::size_t l = 0; l < results.size(); ++l)

@@ -13,8 +13,8 @@ namespace pcl::sedr {
  * neighbouring curves, or the points where tied curves touch.
  * @param are_kept unknowns that were not moved; loops of these alone do not change
  * @param farthest maximum move of a corner between square walls, metres
- * @return the indices of the loops that would break, i.e. cross themselves, reverse an
- * element or lose a corner. The plan is changed only if there are none. */
+ * @return the unknowns at whose elements loops would break, i.e. cross themselves,
+ * reverse an element or lose a corner. The plan is changed only if there are none. */
 std::vector<std::size_t> rebuildLoops(const PlanUnknowns& plan,
                                       const std::vector<PlanTie>& ties,
                                       const std::vector<bool>& are_kept,

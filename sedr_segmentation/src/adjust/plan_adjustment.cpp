@@ -72,7 +72,7 @@ overstrained(const std::vector<PlanTie>& ties, const std::vector<double>& costs)
 void
 tie(std::vector<PlanTie>& ties, std::vector<Unknown>& unknowns)
 {
-  constexpr int max_tries = 20;
+  constexpr int max_tries = 30;
   for (int tries = 0; tries < max_tries && !ties.empty(); ++tries) {
     std::vector<Unknown> moved = unknowns;
     const std::vector<double> costs = solveTies(ties, moved);
@@ -102,7 +102,7 @@ adjustPlan(Floorplan& plan,
            const AdjustmentParameters& parameters,
            WallTilts* tilts)
 {
-  constexpr int max_tries = 10;
+  constexpr int max_tries = 12;
   AdjustmentReport report;
   PlanUnknowns unknowns(plan, tilts, parameters);
   report.problem = emptyLoop(unknowns, plan);
@@ -121,25 +121,30 @@ adjustPlan(Floorplan& plan,
   }
   for (Unknown& u : unknowns.all)
     limitInformation(parameters, u);
-  std::vector<PlanTie> ties = chooseTies(unknowns, parameters);
+  std::vector<PlanTie> ties;
   const std::vector<Unknown> fitted = unknowns.all;
   std::vector<bool> are_kept(fitted.size(), false);
   for (int tries = 0; tries < max_tries; ++tries) {
     unknowns.all = fitted;
     for (std::size_t u = 0; u < given.size(); ++u)
-      if (are_kept[u])
+      if (are_kept[u]) {
         unknowns.all[u] = given[u];
-    removeTies(are_kept, ties);
+        unknowns.all[u].is_kept = true;
+      }
+    ties = chooseTies(unknowns, parameters);
     tie(ties, unknowns.all);
     const std::vector<std::size_t> broken =
         rebuildLoops(unknowns, ties, are_kept, 2 * parameters.reach);
     if (broken.empty())
       break;
-    for (const std::size_t l : broken)
-      for (const std::size_t u : unknowns.loops[l].of_element)
-        are_kept[u] = true;
-    if (tries + 1 == max_tries)
-      unknowns.all = given;
+    for (const std::size_t u : broken)
+      are_kept[u] = true;
+    if (tries + 1 < max_tries)
+      continue;
+    ties.clear(); // slabs may move though walls do not
+    for (std::size_t u = 0; u < given.size(); ++u)
+      if (given[u].kind != UnknownKind::Plane)
+        unknowns.all[u] = given[u];
   }
   unknowns.write();
   if (tilts)

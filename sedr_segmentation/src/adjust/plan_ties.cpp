@@ -109,14 +109,8 @@ equationsOf(const PlanTie& tie, const std::vector<Unknown>& unknowns)
   case PlanTieKind::EqualSlope:
     return {{a.slope.x() - b.slope.x(), {{3 * tie.a + 1, 1}, {3 * tie.b + 1, -1}}},
             {a.slope.y() - b.slope.y(), {{3 * tie.a + 2, 1}, {3 * tie.b + 2, -1}}}};
-  case PlanTieKind::EqualHeight: {
-    const Eigen::Vector2d way = b.point - a.point;
-    return {{a.height + a.slope.dot(way) - b.height,
-             {{3 * tie.a, 1},
-              {3 * tie.a + 1, way.x()},
-              {3 * tie.a + 2, way.y()},
-              {3 * tie.b, -1}}}};
-  }
+  case PlanTieKind::EqualHeight:
+    return {{a.height - b.height, {{3 * tie.a, 1}, {3 * tie.b, -1}}}};
   }
   return {};
 }
@@ -142,59 +136,64 @@ sharpnessOf(const PlanTie& tie, const std::vector<Unknown>& unknowns)
 std::vector<double>
 solveTies(const std::vector<PlanTie>& ties, std::vector<Unknown>& unknowns)
 {
+  using Sparse = Eigen::SparseMatrix<double>;
   constexpr int max_rounds = 20;
-  constexpr double stiffness = 1e4; // of an equation, relative to its own information
+  constexpr int turns = 8;
+  constexpr double stiffness = 1e6; // of an equation, relative to its own information
   constexpr double exact = 1e-12;
   constexpr double good = 1e-9;
   const auto size = static_cast<Eigen::Index>(3 * unknowns.size());
   const std::vector<Unknown> start = unknowns;
   std::vector<Unknown> moved = unknowns;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t u = 0; u < start.size(); ++u)
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k)
+        entries.emplace_back(static_cast<int>(3 * u) + i, static_cast<int>(3 * u) + k,
+                             start[u].information(i, k));
+  Sparse information(size, size);
+  information.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::VectorXd precision = information.diagonal();
   Eigen::VectorXd step = Eigen::VectorXd::Zero(size);
-  std::vector<double> forces;
+  Eigen::VectorXd forces; // that hold the equations
   double worst = 0;
   for (int round = 0; round < max_rounds; ++round) {
     std::vector<PlanTieEquation> equations;
     for (const PlanTie& tie : ties)
       for (PlanTieEquation& equation : equationsOf(tie, moved))
         equations.push_back(std::move(equation));
-    forces.resize(equations.size(), 0);
-    std::vector<Eigen::Triplet<double>> entries;
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(size);
-    for (std::size_t u = 0; u < start.size(); ++u) {
-      const auto at = static_cast<Eigen::Index>(3 * u);
-      right.segment<3>(at) -= start[u].information * step.segment<3>(at);
-      for (Eigen::Index i = 0; i < 3; ++i)
-        for (Eigen::Index k = 0; k <= i; ++k)
-          entries.emplace_back(at + i, at + k, start[u].information(i, k));
-    }
+    const auto count = static_cast<Eigen::Index>(equations.size());
+    // An equation, in its standard deviations over the root of the stiffness.
+    Eigen::VectorXd value(count);
+    entries.clear();
     worst = 0;
-    for (std::size_t e = 0; e < equations.size(); ++e) {
-      const PlanTieEquation& equation = equations[e];
-      worst = std::max(worst, std::abs(equation.value));
+    for (Eigen::Index e = 0; e < count; ++e) {
+      const PlanTieEquation& equation = equations[static_cast<std::size_t>(e)];
       double variance = 0;
       for (const auto& [i, slope] : equation.slopes)
-        variance += slope * slope /
-                    start[i / 3].information(static_cast<Eigen::Index>(i % 3),
-                                             static_cast<Eigen::Index>(i % 3));
-      const double weight = stiffness / variance;
-      forces[e] += round > 0 ? weight * equation.value : 0;
-      const double force = forces[e] + weight * equation.value;
-      for (const auto& [i, slope] : equation.slopes) {
-        right[static_cast<Eigen::Index>(i)] -= slope * force;
-        for (const auto& [k, other] : equation.slopes)
-          if (k <= i)
-            entries.emplace_back(static_cast<Eigen::Index>(i),
-                                 static_cast<Eigen::Index>(k), weight * slope * other);
-      }
+        variance += slope * slope / precision[static_cast<Eigen::Index>(i)];
+      const double scale = std::sqrt(stiffness / variance);
+      value[e] = scale * equation.value;
+      for (const auto& [i, slope] : equation.slopes)
+        entries.emplace_back(static_cast<int>(e), static_cast<int>(i), scale * slope);
+      worst = std::max(worst, std::abs(equation.value));
     }
     if (round > 0 && worst < exact)
       break;
-    Eigen::SparseMatrix<double> matrix(size, size);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+    Sparse slopes(count, size);
+    slopes.setFromTriplets(entries.begin(), entries.end());
+    const Sparse turned = slopes.transpose();
+    const Eigen::SimplicialLDLT<Sparse> solver(information + Sparse(turned * slopes));
     if (solver.info() != Eigen::Success)
       return {};
-    step += solver.solve(right);
+    // Minimises step' information step where value + slopes (step - before) = 0.
+    const Eigen::VectorXd wanted = slopes * step - value;
+    if (round == 0)
+      forces = Eigen::VectorXd::Zero(count);
+    for (int turn = 0; turn < turns; ++turn) {
+      step = solver.solve(turned * (wanted - forces));
+      forces += slopes * step - wanted;
+    }
     if (!step.allFinite())
       return {};
     moved = start;

@@ -17,7 +17,7 @@ enum class PlanTieKind {
   Vertical,    ///< a line's wall
   Level,       ///< a plane
   EqualSlope,  ///< of two planes
-  EqualHeight  ///< plane b's point is on plane a
+  EqualHeight  ///< of two level planes
 };
 
 /** @brief A relation of two unknowns, or of one (a = b). */
@@ -49,8 +49,8 @@ double contradictionOf(const PlanTie& tie, const std::vector<Unknown>& unknowns)
 double sharpnessOf(const PlanTie& tie, const std::vector<Unknown>& unknowns);
 
 /** @brief Moves the unknowns by the least amount, weighted by their information, that
- * fulfils all ties: Newton's method on the augmented Lagrangian, with one sparse
- * Cholesky factorisation a round. Ties may be redundant.
+ * fulfils all ties: Gauss-Newton with one sparse Cholesky factorisation a round, of the
+ * augmented Lagrangian. Ties may be redundant.
  * @return the cost of each unknown's move, nats; empty, with unchanged unknowns, if the
  * ties cannot be fulfilled */
 std::vector<double> solveTies(const std::vector<PlanTie>& ties,

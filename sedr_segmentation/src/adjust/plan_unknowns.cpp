@@ -52,7 +52,7 @@ Unknown::move(const Eigen::Vector3d& step)
   else {
     const Eigen::Vector2d left = leftOf(direction);
     point += step[0] * left;
-    direction = (direction + step[1] * left).normalized();
+    direction = std::cos(step[1]) * direction + std::sin(step[1]) * left;
     run += step[2];
   }
 }

@@ -30,6 +30,7 @@ struct Unknown {
   Eigen::Vector2d slope = Eigen::Vector2d::Zero(); ///< of a plane
   double half = 0;       ///< half extent of the part in use, metres
   bool may_tilt = false; ///< of a line
+  bool is_kept = false;  ///< where it was given, without ties
   bool is_wall = false;  ///< a room's face: the room is to the left of the line
   std::size_t room = 0;  ///< index in the plan
 

@@ -43,7 +43,8 @@ private:
   bool accept(PlanTie tie, double interval)
   {
     tie.cost = interval + sharpnessOf(tie, plan_.all);
-    if (!(contradictionOf(tie, plan_.all) < tie.cost))
+    if (plan_.all[tie.a].is_kept || plan_.all[tie.b].is_kept ||
+        !(contradictionOf(tie, plan_.all) < tie.cost))
       return false;
     ties_.push_back(tie);
     return true;
@@ -55,7 +56,7 @@ private:
   {
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t u = 0; u < plan_.all.size(); ++u)
-      if (plan_.all[u].kind == kind)
+      if (plan_.all[u].kind == kind && !plan_.all[u].is_kept)
         order.emplace_back(plan_.all[u].information.inverse()(parameter, parameter), u);
     std::sort(order.begin(), order.end());
     std::vector<std::size_t> numbers;
@@ -223,7 +224,7 @@ private:
         const Unknown& b = plan_.all[tie.b];
         const Eigen::Vector2d before = elements[i].normalAt(elements[i].length());
         const Eigen::Vector2d after = elements[j].normalAt(0);
-        if (tie.a == tie.b || b.kind == UnknownKind::Line ||
+        if (tie.a == tie.b || b.kind == UnknownKind::Line || a.is_kept || b.is_kept ||
             !(before.dot(after) > std::cos(parameters_.smooth_joint)))
           continue;
         tie.side = tangentSide(a, b);
