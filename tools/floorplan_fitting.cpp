@@ -29,6 +29,7 @@ struct Settings {
   std::string raw;
   std::string building;
   std::string picture;
+  std::string plan = "rules";
 };
 
 /** @brief Passes the points by label to the fitting, and the rooms if the file has any.
@@ -71,6 +72,7 @@ run(const Settings& settings, Fitting& fitting)
   if (!settings.building.empty())
     building = loadBuilding(settings.building);
   setEvidence(cloud, fitting);
+  fitting.setByEnergy(settings.plan == "energy");
   if (!settings.raw.empty()) {
     ScanSettings in_same_frame;
     in_same_frame.origin = cloud.origin;
@@ -127,6 +129,9 @@ main(int argc, char** argv)
       "building", settings.building,
       "JSON file of pcl_room_segmentation: the plan gets its storeys, doorways "
       "and stairs");
+  options.text("plan", settings.plan,
+               "how walls are fitted: by lines and rules, or by one energy",
+               {"rules", "energy"});
   addPictureOption(options, settings.picture);
   return runTool(options, argc, argv, [&] { return run(settings, fitting); });
 }

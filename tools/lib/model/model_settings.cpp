@@ -38,6 +38,9 @@ addModelOptions(Options& options, ModelSettings& s, Reconstruction& chain)
   options.text("prior", s.priors,
                "what is believed before the scan is looked at, name=value, with commas "
                "between them; see doc/priors.md");
+  options.text("plan", s.plan,
+               "how walls are fitted: by lines and rules, or by one energy",
+               {"rules", "energy"});
   options.flag("explain", s.explain,
                "print all priors: value, unit, range, source and where they act");
   options.flag("report", s.report,
@@ -49,6 +52,7 @@ apply(const ModelSettings& s, Reconstruction& chain)
 {
   chain.setPriors(priorsOf(s.priors));
   chain.setNumberOfThreads(s.threads);
+  chain.getChain().floorplan_fitting.setByEnergy(s.plan == "energy");
   if (s.explain)
     std::cout << explained(chain.getPriors()) << std::flush;
 }

@@ -24,8 +24,9 @@ struct ModelSettings {
   bool partial = false; ///< accept a model of a small part
   bool pictures = false;
   bool report = false;
-  bool explain = false; ///< print the priors
-  std::string priors;   ///< name=value, separated by commas
+  bool explain = false;       ///< print the priors
+  std::string priors;         ///< name=value, separated by commas
+  std::string plan = "rules"; ///< or "energy": FloorplanFitting::setByEnergy()
 };
 
 /** @brief Declares the options for making a model; those of stages are set in the
