@@ -74,28 +74,6 @@ scanFilesOf(const std::vector<std::string>& paths)
   return files;
 }
 
-void
-JointPositions::add(const ScanFile& scan)
-{
-  ScanPositions own = scan.positions();
-  if (own.empty())
-    own.push_back({0, Eigen::Vector3f::Constant(NAN)});
-  for (ScanPosition& position : own) {
-    position.first_row += rows_;
-    positions_.push_back(position);
-  }
-  rows_ += scan.size();
-}
-
-ScanPositions
-JointPositions::get() const
-{
-  const bool is_any_known =
-      std::any_of(positions_.begin(), positions_.end(),
-                  [](const ScanPosition& position) { return position.isKnown(); });
-  return is_any_known ? positions_ : ScanPositions();
-}
-
 JointScan::JointScan(const std::vector<std::string>& paths,
                      const ScanSettings& settings)
     : positions_(settings.positions)
@@ -159,10 +137,21 @@ JointScan::positions() const
 {
   if (!positions_.empty())
     return files_.front()->positionsIn(positions_, size_);
-  JointPositions joint;
-  for (const auto& file : files_)
-    joint.add(*file);
-  return joint.get();
+  ScanPositions joint;
+  std::size_t first = 0;
+  bool is_any_known = false;
+  for (const auto& file : files_) {
+    ScanPositions own = file->positions();
+    is_any_known = is_any_known || !own.empty();
+    if (own.empty())
+      own.push_back({0, Eigen::Vector3f::Constant(NAN)});
+    for (ScanPosition& position : own) {
+      position.first_row += first;
+      joint.push_back(position);
+    }
+    first += file->size();
+  }
+  return is_any_known ? joint : ScanPositions();
 }
 
 } // namespace pcl::sedr::tools

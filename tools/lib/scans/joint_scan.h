@@ -14,21 +14,6 @@ namespace pcl::sedr::tools {
  * without any. */
 std::vector<std::string> scanFilesOf(const std::vector<std::string>& paths);
 
-/** @brief Collects the scanner positions of rows of several files; NaN for files that
- * do not know theirs. */
-class JointPositions {
-public:
-  /** @brief Appends the rows of a file. */
-  void add(const ScanFile& scan);
-
-  /** @brief Returns the positions of all added rows; empty if none is known. */
-  ScanPositions get() const;
-
-private:
-  ScanPositions positions_;
-  std::size_t rows_ = 0;
-};
-
 /** @brief Several files as one scan: their rows in sequence, with all fields of a
  * single file, else x, y and z. All coordinates use the origin of the first file unless
  * the settings give one. */

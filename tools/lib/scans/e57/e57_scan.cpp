@@ -5,7 +5,6 @@
 #include "plain_text.h"
 #include "tool_error.h"
 
-#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -15,33 +14,21 @@ namespace {
 
 using Tree = boost::property_tree::ptree;
 
-constexpr auto lowest_integer = std::numeric_limits<std::int64_t>::min();
-constexpr auto highest_integer = std::numeric_limits<std::int64_t>::max();
-
-/** @brief Converts a whole text without surrounding blanks to a number; empty means 0,
- * which E57 omits. */
+/** @brief Returns the number at a path below `node`; what E57 omits is `otherwise`.
+ * Throws boost::property_tree::ptree_bad_data for anything but a number. */
 template <typename T>
 T
-numberOf(const std::string& text, const std::string& what)
+numberAt(const Tree& node, const std::string& path, T otherwise)
 {
-  const std::size_t begin = text.find_first_not_of(" \t\r\n+");
-  if (begin == std::string::npos)
-    return T{0};
-  const std::size_t end = text.find_last_not_of(" \t\r\n") + 1;
-  T value{};
-  const auto result = std::from_chars(text.data() + begin, text.data() + end, value);
-  if (result.ec != std::errc() || result.ptr != text.data() + end)
-    throw ToolError(what + " is " + quotedWord(text) + ", which is no number");
-  return value;
+  const auto child = node.get_child_optional(path);
+  return child && !child->data().empty() ? child->get_value<T>() : otherwise;
 }
 
 template <typename T>
 T
-attribute(const Tree& node, const char* name, T otherwise, const std::string& what)
+attribute(const Tree& node, const std::string& name, T otherwise)
 {
-  const auto text = node.get_optional<std::string>(std::string("<xmlattr>.") + name);
-  return text ? numberOf<T>(*text, "the " + std::string(name) + " of " + what)
-              : otherwise;
+  return numberAt(node, "<xmlattr>." + name, otherwise);
 }
 
 std::string
@@ -50,56 +37,43 @@ typeOf(const Tree& node)
   return node.get<std::string>("<xmlattr>.type", "");
 }
 
-/** @brief Returns the number of an element: Float, Integer or ScaledInteger. */
+/** @brief Returns the number below `node`, a Float, Integer or ScaledInteger; 0 if
+ * there is none. */
 double
-realOf(const Tree& node, const std::string& what)
+realAt(const Tree& node, const std::string& path)
 {
-  const auto value = numberOf<double>(node.data(), what);
-  if (typeOf(node) != "ScaledInteger")
+  const auto child = node.get_child_optional(path);
+  const double value = numberAt(node, path, 0.0);
+  if (!child || typeOf(*child) != "ScaledInteger")
     return value;
-  return value * attribute<double>(node, "scale", 1, what) +
-         attribute<double>(node, "offset", 0, what);
-}
-
-/** @brief Returns the number of `node`'s child called `name`, 0 if there is none. */
-double
-realAt(const Tree& node, const std::string& name, const std::string& of)
-{
-  const auto child = node.get_child_optional(name);
-  return child ? realOf(*child, name + " of " + of) : 0;
-}
-
-unsigned
-bitsFor(std::uint64_t range)
-{
-  unsigned bits = 0;
-  for (; range > 0; range >>= 1)
-    ++bits;
-  return bits;
+  return value * attribute(*child, "scale", 1.0) + attribute(*child, "offset", 0.0);
 }
 
 void
 readInteger(const Tree& node, bool is_scaled, E57Field& field)
 {
-  const std::string what = quotedWord(field.name);
+  constexpr auto lowest = std::numeric_limits<std::int64_t>::min();
+  constexpr auto highest = std::numeric_limits<std::int64_t>::max();
   field.kind = E57Field::Kind::Integer;
-  field.minimum = attribute(node, "minimum", lowest_integer, what);
-  const auto maximum = attribute(node, "maximum", highest_integer, what);
+  field.minimum = attribute(node, "minimum", lowest);
+  const auto maximum = attribute(node, "maximum", highest);
   if (field.minimum > maximum)
-    throw ToolError("the least value of " + what + " is " +
+    throw ToolError("the least value of " + quotedWord(field.name) + " is " +
                     std::to_string(field.minimum) + ", above the greatest, " +
                     std::to_string(maximum));
-  field.bits = bitsFor(static_cast<std::uint64_t>(maximum) -
-                       static_cast<std::uint64_t>(field.minimum));
+  for (std::uint64_t range = static_cast<std::uint64_t>(maximum) -
+                             static_cast<std::uint64_t>(field.minimum);
+       range > 0; range >>= 1)
+    ++field.bits;
   if (is_scaled) {
-    field.scale = attribute<double>(node, "scale", 1, what);
-    field.offset = attribute<double>(node, "offset", 0, what);
-    if (!(field.scale > 0) || !std::isfinite(field.scale) ||
-        !std::isfinite(field.offset))
-      throw ToolError("the scale of " + what + " is " + std::to_string(field.scale) +
-                      " and its offset " + std::to_string(field.offset) +
-                      ", a scale above 0 and a finite offset are needed");
+    field.scale = attribute(node, "scale", 1.0);
+    field.offset = attribute(node, "offset", 0.0);
   }
+  if (!(field.scale > 0) || !std::isfinite(field.scale) || !std::isfinite(field.offset))
+    throw ToolError("the scale of " + quotedWord(field.name) + " is " +
+                    std::to_string(field.scale) + " and its offset " +
+                    std::to_string(field.offset) +
+                    ", a scale above 0 and a finite offset are needed");
   if (node.get_child_optional("<xmlattr>.minimum") &&
       node.get_child_optional("<xmlattr>.maximum")) {
     field.low = static_cast<double>(field.minimum) * field.scale + field.offset;
@@ -110,39 +84,37 @@ readInteger(const Tree& node, bool is_scaled, E57Field& field)
 void
 readFloat(const Tree& node, E57Field& field)
 {
-  const std::string what = quotedWord(field.name);
   const auto precision = node.get<std::string>("<xmlattr>.precision", "double");
   if (precision != "single" && precision != "double")
-    throw ToolError("the precision of " + what + " is " + quotedWord(precision) +
-                    ", neither single nor double");
+    throw ToolError("the precision of " + quotedWord(field.name) + " is " +
+                    quotedWord(precision) + ", neither single nor double");
   const bool is_single = precision == "single";
   field.kind = is_single ? E57Field::Kind::Float : E57Field::Kind::Double;
   field.bits = is_single ? 32 : 64;
-  constexpr const char* colour = "color"; // no other range is needed
-  if (field.name.rfind(colour, 0) != 0)
+  if (field.name.rfind("color", 0) != 0) // no other range is needed
     return;
-  field.low = attribute<double>(node, "minimum", 0, what);
-  field.high = attribute<double>(node, "maximum", 0, what);
+  field.low = attribute(node, "minimum", 0.0);
+  field.high = attribute(node, "maximum", 0.0);
 }
 
 /** @brief Appends the fields below a node of the prototype, which may be nested. */
 void
 addFields(const Tree& node, std::vector<E57Field>& fields)
 {
-  for (const auto& child : node) {
-    if (child.first == "<xmlattr>" || child.first == "<xmltext>")
+  for (const auto& [name, child] : node) {
+    if (name == "<xmlattr>" || name == "<xmltext>")
       continue;
-    const std::string type = typeOf(child.second);
+    const std::string type = typeOf(child);
     if (type == "Structure" || type == "Vector") {
-      addFields(child.second, fields);
+      addFields(child, fields);
       continue;
     }
     E57Field field;
-    field.name = child.first;
+    field.name = name;
     if (type == "Float")
-      readFloat(child.second, field);
+      readFloat(child, field);
     else if (type == "Integer" || type == "ScaledInteger")
-      readInteger(child.second, type == "ScaledInteger", field);
+      readInteger(child, type == "ScaledInteger", field);
     else if (type != "String")
       throw ToolError("field " + quotedWord(field.name) + " is of the type " +
                       quotedWord(type) + ", which is unknown");
@@ -153,13 +125,10 @@ addFields(const Tree& node, std::vector<E57Field>& fields)
 void
 readPose(const Tree& node, E57Scan& scan)
 {
-  const auto pose = node.get_child_optional("pose");
-  if (!pose)
-    return;
-  scan.has_pose = true;
-  if (const auto turn = pose->get_child_optional("rotation")) {
-    const auto part = [&](const char* name) { return realAt(*turn, name, "its pose"); };
-    scan.rotation = {part("w"), part("x"), part("y"), part("z")};
+  scan.has_pose = node.get_child_optional("pose").has_value();
+  if (node.get_child_optional("pose.rotation")) {
+    scan.rotation = {realAt(node, "pose.rotation.w"), realAt(node, "pose.rotation.x"),
+                     realAt(node, "pose.rotation.y"), realAt(node, "pose.rotation.z")};
     constexpr double worst = 0.01; // deviation from length 1
     const double length = scan.rotation.norm();
     if (!(std::abs(length - 1) <= worst))
@@ -167,10 +136,9 @@ readPose(const Tree& node, E57Scan& scan)
                       std::to_string(length) + ", not 1");
     scan.rotation.normalize();
   }
-  if (const auto shift = pose->get_child_optional("translation"))
-    scan.translation = {realAt(*shift, "x", "its pose"),
-                        realAt(*shift, "y", "its pose"),
-                        realAt(*shift, "z", "its pose")};
+  scan.translation = {realAt(node, "pose.translation.x"),
+                      realAt(node, "pose.translation.y"),
+                      realAt(node, "pose.translation.z")};
   if (!scan.translation.allFinite())
     throw ToolError("the translation of its pose is not finite");
 }
@@ -178,12 +146,9 @@ readPose(const Tree& node, E57Scan& scan)
 void
 readColourLimits(const Tree& node, E57Scan& scan)
 {
-  const auto limits = node.get_child_optional("colorLimits");
   for (const std::string name : {"colorRed", "colorGreen", "colorBlue"}) {
-    std::pair<double, double> range{0, 0};
-    if (limits)
-      range = {realAt(*limits, name + "Minimum", "its colours"),
-               realAt(*limits, name + "Maximum", "its colours")};
+    std::pair<double, double> range{realAt(node, "colorLimits." + name + "Minimum"),
+                                    realAt(node, "colorLimits." + name + "Maximum")};
     const int field = scan.find(name);
     if (field >= 0 && !(range.second > range.first)) {
       constexpr double deepest = 65535; // wider ranges are those of the type
@@ -205,14 +170,13 @@ readScan(const Tree& node, const E57Pages& pages, E57Scan& scan)
   const auto prototype = points->get_child_optional("prototype");
   if (!prototype)
     throw ToolError("it does not tell the fields of its points");
-  scan.points = attribute<std::uint64_t>(*points, "recordCount", 0, "its points");
+  scan.points = attribute<std::uint64_t>(*points, "recordCount", 0);
   addFields(*prototype, scan.fields);
   readPose(node, scan);
   readColourLimits(node, scan);
   if (scan.points > 0)
-    scan.section =
-        pages.logical(attribute<std::uint64_t>(*points, "fileOffset", 0, "its points"),
-                      "the list of its points");
+    scan.section = pages.logical(attribute<std::uint64_t>(*points, "fileOffset", 0),
+                                 "the list of its points");
 }
 
 } // namespace
@@ -241,19 +205,21 @@ readE57Scans(const E57Pages& pages)
   if (!root)
     throw ToolError("its XML has no element 'e57Root'");
   std::vector<E57Entry> entries;
-  const auto data = root->get_child_optional("data3D");
-  if (!data)
-    return entries;
-  for (const auto& child : *data) {
-    if (child.first != "vectorChild")
+  static const Tree no_scans;
+  for (const auto& [name, node] : root->get_child("data3D", no_scans)) {
+    if (name != "vectorChild")
       continue;
     E57Entry entry;
     entry.scan.number = entries.size() + 1;
     try {
-      readScan(child.second, pages, entry.scan);
+      readScan(node, pages, entry.scan);
     }
     catch (const ToolError& error) {
       entry.problem = error.what();
+    }
+    catch (const boost::property_tree::ptree_bad_data& error) {
+      entry.problem = "its XML has " + quotedWord(error.data<std::string>()) +
+                      " in the place of a number";
     }
     entries.push_back(std::move(entry));
   }
