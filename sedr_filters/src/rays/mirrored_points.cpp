@@ -4,13 +4,12 @@
 #include "../base/parallel.h"
 #include "../base/parallel_for.h"
 #include "mirror_likeness.h"
+#include "true_places.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <limits>
-#include <map>
-#include <tuple>
 
 namespace pcl::sedr {
 
@@ -62,33 +61,6 @@ piercedBy(const std::vector<ScanRay>& rays,
   parallelFor(rays.size(), items_a_block / 4, threads,
               [&](std::size_t r) { pierced[r] = surfaces.firstPierced(rays[r]); });
   return pierced;
-}
-
-/** @brief Returns the places from which a good part of the rays goes through surfaces:
- * no glass is that large, so the points were taken from elsewhere. */
-std::vector<Eigen::Vector3f>
-untruePlaces(const std::vector<ScanRay>& rays,
-             const std::vector<std::uint32_t>& pierced)
-{
-  constexpr double most = 0.5;       // of the rays
-  constexpr std::size_t fewest = 50; // rays that tell
-  struct Count {
-    std::size_t rays = 0;
-    std::size_t through = 0;
-  };
-  std::map<std::tuple<float, float, float>, Count> counts;
-  for (std::size_t r = 0; r < rays.size(); ++r) {
-    const Eigen::Vector3f& from = rays[r].from;
-    Count& count = counts[{from.x(), from.y(), from.z()}];
-    ++count.rays;
-    count.through += pierced[r] != CubeTable::none ? 1 : 0;
-  }
-  std::vector<Eigen::Vector3f> untrue;
-  for (const auto& [place, count] : counts)
-    if (count.rays >= fewest &&
-        static_cast<double>(count.through) > most * static_cast<double>(count.rays))
-      untrue.emplace_back(std::get<0>(place), std::get<1>(place), std::get<2>(place));
-  return untrue;
 }
 
 /** @brief Returns positions of which some places are not known. */
@@ -269,13 +241,11 @@ findMirroredPoints(const PointView& thinned,
       filled.add(filled.at(thinned[i].cast<double>()));
   const PiercedSurfaces surfaces(thinned);
   std::vector<ScanRay> rays = raysOf(rows, step, positions, filled);
-  std::vector<std::uint32_t> pierced = piercedBy(rays, surfaces, threads);
   MirroredPoints found;
-  found.untrue = untruePlaces(rays, pierced);
-  if (!found.untrue.empty()) { // again: they must not count among those of a cube
+  found.untrue = untruePlaces(surfaces, rays, rows, step, positions, threads);
+  if (!found.untrue.empty()) // again: they must not count among those of a cube
     rays = raysOf(rows, step, without(found.untrue, positions), filled);
-    pierced = piercedBy(rays, surfaces, threads);
-  }
+  const std::vector<std::uint32_t> pierced = piercedBy(rays, surfaces, threads);
   const std::vector<Pane> panes = panesOf(surfaces, pierced);
   const std::vector<std::size_t> before =
       panesBefore(panes, rays, pierced, surfaces.cubes().size());

@@ -24,9 +24,8 @@ struct MirroredPoints {
   std::vector<SightLine> lines; ///< the rays that met no reflection; those through a
                                 ///< pane end 0.3 m behind it
   std::vector<Eigen::Vector3f>
-      untrue; ///< places that no points were taken from, as the scan
-              ///< shows: more than half of their rays go through surfaces; none of these
-              ///< rays count
+      untrue;              ///< places that no points were taken from, as the scan
+                           ///< shows, see untruePlaces(); none of their rays count
   std::size_t rays = 0;    ///< that were followed
   std::size_t mirrors = 0; ///< how many surfaces mirror
 };

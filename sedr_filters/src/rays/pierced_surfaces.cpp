@@ -123,8 +123,6 @@ PiercedSurfaces::isSurrounded(const Eigen::Vector3f& from,
   });
 }
 
-/** @brief Returns how far from its start a ray enters the box of the points, metres; 0
- * if it starts inside. Rays end inside. */
 float
 PiercedSurfaces::entryOf(const ScanRay& ray) const
 {

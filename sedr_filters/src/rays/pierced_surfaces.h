@@ -34,14 +34,16 @@ public:
       see(places_[k]);
   }
 
+  /** @brief Returns how far from its start a ray enters the box of the points, metres;
+   * 0 if it starts inside. Rays end inside. */
+  float entryOf(const ScanRay& ray) const;
+
   /** @brief Returns the first cube in which a ray has points on all sides around it, at
    * least 0.4 m before its end; CubeTable::none where it has none. O(length of the ray
    * within the box of the points). */
   std::uint32_t firstPierced(const ScanRay& ray) const;
 
 private:
-  float entryOf(const ScanRay& ray) const;
-
   /** @brief Whether points stand on all sides around a ray near `along` metres from its
    * start. */
   bool isSurrounded(const Eigen::Vector3f& from,

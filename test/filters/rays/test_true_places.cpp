@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Positions of a scanner that the scan contradicts.
 #include "sedr_filters/src/rays/mirrored_points.h"
+#include "sedr_filters/src/rays/pierced_surfaces.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -19,6 +20,7 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 using pcl::sedr::findMirroredPoints;
 using pcl::sedr::MirroredPoints;
+using pcl::sedr::PiercedSurfaces;
 using pcl::sedr::PointView;
 using pcl::sedr::ScanPositions;
 
@@ -143,6 +145,17 @@ TEST(TruePlaces, OnePlaceForTheScansOfTwoIsUntrueAndItsRaysTellNothing)
   EXPECT_TRUE(found.lines.empty());
 }
 
+TEST(TruePlaces, AreToldFromOthersInVoxelsOfOneDecimetreToo)
+{
+  constexpr double voxel = 0.1;
+  for (const double returned : {0.05, 0.2, 1.})
+    EXPECT_TRUE(
+        TwoRooms(returned).found(TwoRooms(returned).positions, voxel).untrue.empty())
+        << returned;
+  const TwoRooms rooms(1);
+  EXPECT_EQ(rooms.found({rooms.positions[0]}, voxel).untrue.size(), 1u);
+}
+
 TEST(TruePlaces, UntrueOnesDoNotTakeTheRaysOfTrueOnesThatFollow)
 {
   // As many as count in a cube of 10 cm.
@@ -166,6 +179,30 @@ TEST(TruePlaces, ThoseOfOtherScansAndThoseOutsideAreUntrueOneByOne)
   ASSERT_EQ(found.untrue.size(), 1u);
   EXPECT_EQ(found.untrue[0], outside[1].place);
   EXPECT_GT(found.rays, 1000u); // those of the other
+}
+
+TEST(TruePlaces, RaysFromFarAwayAreFollowedFromTheBoxOfThePointsOn)
+{
+  std::vector<Vector3f> points;
+  for (int i = 0; i < 50; ++i)
+    points.emplace_back(0.1F * static_cast<float>(i), 3, 1);
+  const PiercedSurfaces surfaces({points.data(), sizeof(Vector3f), points.size()});
+  const Vector3f far(1e5F, 1e5F, 1.6F);
+  const float entry = surfaces.entryOf({far, points[0]});
+  EXPECT_NEAR(entry, (far - points[0]).norm(), 1);
+  EXPECT_EQ(surfaces.entryOf({points[40], points[0]}), 0) << "inside";
+  EXPECT_EQ(surfaces.firstPierced({far, points[0]}), pcl::sedr::CubeTable::none);
+}
+
+TEST(TruePlaces, OnesFarAwayAreUntrue)
+{
+  const TwoRooms rooms(1);
+  for (const Vector3f& place :
+       {Vector3f(1e5F, 1e5F, 1.6F), Vector3f(691600, 5336000, 500)}) {
+    const MirroredPoints found = rooms.found({{0, place}}, 0.05);
+    EXPECT_EQ(found.untrue.size(), 1u) << place.transpose();
+    EXPECT_TRUE(found.lines.empty());
+  }
 }
 
 } // namespace
