@@ -169,7 +169,8 @@ run(const Settings& settings)
   std::map<std::uint32_t, pcl::sedr::PlanSlab> planes;
   if (isByRooms(cloud))
     for (const LabelledRoom& room : labelledRooms(cloud, settings.grid))
-      if (!room.floor.empty())
+      if (!room.floor.empty() &&
+          cloud.room[static_cast<std::size_t>(room.floor.front())] == room.id)
         planes[room.id] = floorOf(room, cloud, {});
   const auto rooms = splitRooms(CellGrid(settings.grid), cloud);
   const double height = // for rooms whose own floor is hidden
