@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "energy_fit.h"
+#include "../adjust/plan_adjustment.h"
 #include "../niches/ceiling_slits.h"
 #include "../niches/niche_panes.h"
 #include "../refit/plan_refit.h"
 #include "../refit/plan_regularisation.h"
+#include "energy_fit.h"
 #include "plan_fit.h"
 #include "room_separation.h"
 #include "rooms_above.h"
@@ -78,26 +79,30 @@ orNone(const pcl::IndicesConstPtr& indices)
   return indices ? *indices : pcl::Indices();
 }
 
-/** @brief Fits the plan to the raw scan. */
-void
+/** @brief Moves the plan to the points of the raw scan.
+ * @return why it was not moved, a sentence; else empty */
+std::string
 fitToRaw(const PointView& raw,
          const pcl::Indices& indices,
-         unsigned threads,
-         const Priors& priors,
-         Floorplan& plan,
-         std::vector<std::string>& warnings)
+         const RoomFitParameters& parameters,
+         Floorplan& plan)
 {
-  RefitParameters parameters;
-  parameters.priors = priors;
-  parameters.threads = threads;
-  leaveOutBelowSlits(plan, raw, indices, threads, priors);
-  leaveOutPanes(plan, raw, indices, threads, priors);
-  const RefitReport report = refitToRaw(plan, raw, indices, parameters);
-  if (!report.problem.empty())
-    warnings.push_back("the plan is not fitted to the raw cloud: " + report.problem);
+  const Priors& priors = parameters.loop.priors;
+  leaveOutBelowSlits(plan, raw, indices, parameters.threads, priors);
+  leaveOutPanes(plan, raw, indices, parameters.threads, priors);
+  if (parameters.by_energy) {
+    AdjustmentParameters adjustment;
+    adjustment.threads = parameters.threads;
+    return adjustPlan(plan, raw, indices, adjustment).problem;
+  }
+  RefitParameters refit;
+  refit.priors = priors;
+  refit.threads = parameters.threads;
+  const RefitReport report = refitToRaw(plan, raw, indices, refit);
   RegularisationParameters regular;
   regular.priors = priors;
   regularisePlan(plan, regular);
+  return report.problem;
 }
 
 } // namespace
@@ -140,7 +145,9 @@ fitFloorplan(const PlanInput& input,
   if (!problem.empty())
     return problem;
   if (has_raw)
-    fitToRaw(input.raw, raw_indices, parameters.threads, priors, plan, warnings);
+    problem = fitToRaw(input.raw, raw_indices, parameters, plan);
+  if (!problem.empty())
+    warnings.push_back("the plan is not fitted to the raw cloud: " + problem);
   const std::vector<std::string> cuts =
       separateRooms(plan, input.points, input.indices, priors);
   removeShortElements(plan, priors);

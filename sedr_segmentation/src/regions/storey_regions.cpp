@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "storey_regions.h"
 
+#include "reveal_search.h"
+
 #include "../sheets/minimum_cut.h"
 #include "sedr_filters/src/base/parallel.h"
 
@@ -20,12 +22,6 @@ constexpr std::array<Cell, 4> steps{{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
 
 constexpr int core_depth = 2; // cells: seen cells this far inside are fixed
 
-CellMask
-closed(const CellMask& mask, double radius)
-{
-  return eroded(dilated(mask, radius), radius);
-}
-
 /** @brief Adds the cells of a mask that lie in the box of another. */
 void
 addTo(CellMask& sum, const CellMask& mask)
@@ -36,15 +32,6 @@ addTo(CellMask& sum, const CellMask& mask)
       if (mask.at({x, y}))
         sum.set({x, y}, 1);
 }
-
-/** @brief The surfaces around a room, its own and those of the rooms beside it, and how
- * dear a border between two cells is. */
-struct Surroundings {
-  CellMask opaque;
-  CellMask air;    ///< seen by any room
-  CellMask others; ///< seen air of other rooms, fixed to them
-  std::array<std::vector<float>, 4> factor;
-};
 
 /** @brief Lowers the factors of borders on a line. A surface that the room itself sees
  * is free; one that only others see is a line of a wall. */
@@ -97,102 +84,6 @@ markCells(const CellMask& mask, double cost, std::array<std::vector<float>, 4>& 
         factor[k][i] = std::min(factor[k][i], value);
   }
 }
-
-/** @brief Cells behind the lines of walls. */
-struct BehindLines {
-  CellMask reveal; ///< seen, within a wall's thickness
-  CellMask back;   ///< around the backs of shallow niches
-  CellMask wall;   ///< within a wall
-};
-
-/** @brief Finds reveals, backs of niches and the inside of walls, by steps outwards
- * from the lines of a room's walls. */
-class RevealSearch {
-public:
-  RevealSearch(const RoomCells& room,
-               const Surroundings& around,
-               const CellGrid& grid,
-               const RegionEnergy& energy)
-      : grid_(grid)
-      , energy_(energy)
-      , air_(around.air)
-      , seen_(closed(room.seen, 2))
-      , closed_(dilated(around.opaque, 2))
-      , next_(dilated(around.others, 2))
-      , found{CellMask(seen_.box()), CellMask(seen_.box()), CellMask(seen_.box())}
-  {}
-
-  void lookBehind(const WallLine& line)
-  {
-    const double size = grid_.size();
-    for (std::size_t b = 0; b < 2 * line.places.size(); ++b) {
-      const AlongLine what = line.places[b / 2];
-      if (what == AlongLine::Nothing)
-        continue;
-      const Eigen::Vector2d p =
-          line.at(line.start + (static_cast<double>(b) + 0.5) * size / 2);
-      if (!seen_.isInside(grid_.at(p.x(), p.y())))
-        continue;
-      lookBehind(p, line.normal, what);
-      lookBehind(p, -line.normal, what);
-    }
-  }
-
-private:
-  bool is(const CellMask& mask, const Eigen::Vector2d& p) const
-  {
-    return mask.at(grid_.at(p.x(), p.y())) != 0;
-  }
-
-  void mark(CellMask& mask, const Eigen::Vector2d& p)
-  {
-    const Cell cell = grid_.at(p.x(), p.y());
-    if (mask.isInside(cell))
-      mask.set(cell, 1);
-  }
-
-  void lookBehind(const Eigen::Vector2d& p, const Eigen::Vector2d& out, AlongLine what)
-  {
-    constexpr double before = 0.15; // metres: here air of the room was seen,
-    constexpr double inside = 0.4;  // and here
-    if (!is(seen_, p - before * out) || !is(seen_, p - inside * out))
-      return;
-    const double size = grid_.size();
-    const double step = size / 2;
-    const double farthest = energy_.max_wall + 3 * size;
-    double depth = 0; // of the seen air behind the line
-    while (depth < farthest && is(seen_, p + (depth + step) * out))
-      depth += step;
-    const bool in_gap = what != AlongLine::Ended;
-    const Eigen::Vector2d end = p + (depth + step) * out;
-    const bool is_reveal = depth > 0 && depth < energy_.max_wall && !is(closed_, end) &&
-                           (in_gap || !is(next_, end));
-    const bool is_shallow =
-        what == AlongLine::Gap && depth > 1.5 * size && depth < energy_.max_niche;
-    bool in_wall = in_gap;
-    for (double d = step; d < farthest; d += step) {
-      const Eigen::Vector2d q = p + d * out;
-      if ((is_reveal || is_shallow) && d <= depth)
-        mark(found.reveal, q);
-      in_wall = in_wall && d < energy_.max_wall && !is(air_, q);
-      if (in_wall)
-        mark(found.wall, q);
-    }
-    if (is_shallow)
-      for (double d = -size; d < 2.5 * size; d += step)
-        mark(found.back, p + (depth + d) * out);
-  }
-
-  const CellGrid& grid_;
-  const RegionEnergy& energy_;
-  const CellMask& air_;
-  CellMask seen_;
-  CellMask closed_;
-  CellMask next_;
-
-public:
-  BehindLines found;
-};
 
 /** @brief The cut of one room. */
 class RegionCut {
@@ -431,7 +322,7 @@ roomRegions(const std::vector<RoomCells>& rooms,
     for (const std::size_t q : beside[r]) // what other rooms have already
       if (q < r && regions[q].cells.count() > 0)
         addTo(own.others, regions[q].cells);
-    regions[r] = RegionCut(rooms[r], own, behind.found, grid, energy).region();
+    regions[r] = RegionCut(rooms[r], own, behind.found(), grid, energy).region();
     own = {};
   };
   // A room waits for those before it that lie beside it.

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reveal_search.h"
+
+namespace pcl::sedr {
+
+CellMask
+closed(const CellMask& mask, double radius)
+{
+  return eroded(dilated(mask, radius), radius);
+}
+
+RevealSearch::RevealSearch(const RoomCells& room,
+                           const Surroundings& around,
+                           const CellGrid& grid,
+                           const RegionEnergy& energy)
+    : grid_(grid)
+    , energy_(energy)
+    , air_(around.air)
+    , seen_(closed(room.seen, 2))
+    , closed_(dilated(around.opaque, 2))
+    , next_(dilated(around.others, 2))
+    , found_{CellMask(seen_.box()), CellMask(seen_.box()), CellMask(seen_.box())}
+{}
+
+void
+RevealSearch::lookBehind(const WallLine& line)
+{
+  const double size = grid_.size();
+  for (std::size_t b = 0; b < 2 * line.places.size(); ++b) {
+    const AlongLine what = line.places[b / 2];
+    if (what == AlongLine::Nothing)
+      continue;
+    const Eigen::Vector2d p =
+        line.at(line.start + (static_cast<double>(b) + 0.5) * size / 2);
+    if (!seen_.isInside(grid_.at(p.x(), p.y())))
+      continue;
+    lookBehind(p, line.normal, what);
+    lookBehind(p, -line.normal, what);
+  }
+}
+
+bool
+RevealSearch::is(const CellMask& mask, const Eigen::Vector2d& p) const
+{
+  return mask.at(grid_.at(p.x(), p.y())) != 0;
+}
+
+void
+RevealSearch::mark(CellMask& mask, const Eigen::Vector2d& p)
+{
+  const Cell cell = grid_.at(p.x(), p.y());
+  if (mask.isInside(cell))
+    mask.set(cell, 1);
+}
+
+void
+RevealSearch::lookBehind(const Eigen::Vector2d& p,
+                         const Eigen::Vector2d& out,
+                         AlongLine what)
+{
+  constexpr double before = 0.15; // metres: here air of the room was seen,
+  constexpr double inside = 0.4;  // and here
+  if (!is(seen_, p - before * out) || !is(seen_, p - inside * out))
+    return;
+  const double size = grid_.size();
+  const double step = size / 2;
+  const double farthest = energy_.max_wall + 3 * size;
+  double depth = 0; // of the seen air behind the line
+  while (depth < farthest && is(seen_, p + (depth + step) * out))
+    depth += step;
+  const bool in_gap = what != AlongLine::Ended;
+  const Eigen::Vector2d end = p + (depth + step) * out;
+  const bool is_reveal = depth > 0 && depth < energy_.max_wall && !is(closed_, end) &&
+                         (in_gap || !is(next_, end));
+  const bool is_shallow =
+      what == AlongLine::Gap && depth > 1.5 * size && depth < energy_.max_niche;
+  bool in_wall = in_gap;
+  for (double d = step; d < farthest; d += step) {
+    const Eigen::Vector2d q = p + d * out;
+    if ((is_reveal || is_shallow) && d <= depth)
+      mark(found_.reveal, q);
+    in_wall = in_wall && d < energy_.max_wall && !is(air_, q);
+    if (in_wall)
+      mark(found_.wall, q);
+  }
+  if (is_shallow)
+    for (double d = -size; d < 2.5 * size; d += step)
+      mark(found_.back, p + (depth + d) * out);
+}
+
+} // namespace pcl::sedr
