@@ -68,7 +68,9 @@ main(int argc, char** argv)
   options.file("OUTPUT_DIR", settings.folder,
                "folder for the results, made if missing");
   addModelOptions(options, settings, chain);
+  bool has_begun = false;
   const int exit_code = runTool(options, argc, argv, [&] {
+    has_begun = true;
     try {
       return makeModelTogether(ranks, settings, chain);
     }
@@ -82,7 +84,9 @@ main(int argc, char** argv)
       return static_cast<int>(BadUse);
     }
   });
-  if (ranks.rank() == 0 && exit_code != Done)
+  if (ranks.rank() > 0)
+    return Done;
+  if (has_begun && exit_code != Done)
     boost::mpi::environment::abort(exit_code); // others may be waiting
-  return Done;
+  return exit_code;
 }

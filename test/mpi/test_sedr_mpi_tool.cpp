@@ -41,7 +41,14 @@ protected:
   {
     Strings all{"-n", std::to_string(ranks), SEDR_MPI};
     all.insert(all.end(), arguments.begin(), arguments.end());
-    return run(MPIEXEC, all);
+    // After ranks ended with an error, Open MPI's mpiexec may wait for ever.
+    constexpr int no_answer[] = {124, 137}; // of timeout
+    ProgramRun result = run(MPIEXEC, all);
+    for (int again = 0; again < 2 && (result.exit_code == no_answer[0] ||
+                                      result.exit_code == no_answer[1]);
+         ++again)
+      result = run(MPIEXEC, all);
+    return result;
   }
 
   /** Expects the same files in two folders, except for the times in the report. */

@@ -45,7 +45,7 @@ run(const std::string& program, const std::vector<std::string>& arguments)
   const TemporaryFolder folder;
   const std::string out = (folder.path() / "out").string();
   const std::string err = (folder.path() / "err").string();
-  std::string command = "timeout 60 " + quoted(program);
+  std::string command = "timeout -k 5 60 " + quoted(program);
   for (const auto& argument : arguments)
     command += " " + quoted(argument);
   command += " >" + quoted(out) + " 2>" + quoted(err) + " </dev/null";
