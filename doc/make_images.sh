@@ -28,10 +28,8 @@ shown="
 parallel_voxel_grid           bls_room parallel_voxel_grid
 room_segmentation             syn_flat room_segmentation
 grid_slice_detail             bls_room grid_slice_detail
-grid_slice_detail             syn_flat grid_slice_detail_flat
 floor_projection_recovery     syn_flat floor_projection_recovery
 ceiling_boundary_wall_growing bls_room ceiling_boundary_wall_growing
-ceiling_boundary_wall_growing hls_hall ceiling_boundary_wall_growing_hall
 floorplan_fitting             hls_hall floorplan_fitting
 floorplan_fitting             syn_flat floorplan_fitting_flat
 structure_refinement          hls_hall structure_refinement
