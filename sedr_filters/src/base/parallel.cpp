@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel.h"
-
-#include <boost/asio/post.hpp>
-#include <boost/asio/thread_pool.hpp>
+#include "refused_threads.h"
 
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
+#include <deque>
 #include <exception>
 #include <memory>
 #include <mutex>
 #include <new>
-#include <system_error>
+#include <string>
 #include <thread>
+#include <utility>
 
 namespace pcl::sedr {
 
@@ -20,33 +20,12 @@ namespace {
 
 using Body = std::function<void(std::size_t, std::size_t)>;
 
-/** @brief The threads that work on a call and on the calls nested in it; together no
- * more than the outermost call requested. */
-class Crew {
-public:
-  explicit Crew(std::size_t others)
-      : idle_(others)
-  {}
-
-  /** @brief Engages up to `count` idle threads.
-   * @return number of threads engaged */
-  std::size_t engage(std::size_t count)
-  {
-    std::size_t idle = idle_;
-    std::size_t engaged = std::min(idle, count);
-    while (!idle_.compare_exchange_weak(idle, idle - engaged))
-      engaged = std::min(idle, count);
-    return engaged;
-  }
-
-  void release() { ++idle_; }
-
-private:
-  std::atomic<std::size_t> idle_;
-};
+/** @brief The number of threads that may still join a call and the calls nested in it;
+ * together they are no more than the outermost call requested. */
+using Crew = std::shared_ptr<std::atomic<int>>;
 
 /** @brief The crew of this thread, null outside of all calls. */
-thread_local std::shared_ptr<Crew> own_crew;
+thread_local Crew own_crew;
 
 /** @brief The blocks of a call, taken by threads one after another. */
 class Blocks {
@@ -102,7 +81,8 @@ private:
 };
 
 /** @brief Worker threads that sleep until there is work. Active waiting, as in OpenMP,
- * takes time from working threads when other programs run. */
+ * takes time from working threads when other programs run. Where the system allows
+ * fewer threads, these do the work; TBB would end the process. */
 class Helpers {
 public:
   /** @brief Returns the instance, which is never destroyed: a process may end while the
@@ -114,48 +94,70 @@ public:
   }
 
   /** @brief Starts threads up to `count`, or as many as the system allows. */
-  void attach(std::size_t count)
+  void attach(unsigned count)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     try {
-      for (; threads_ < count; ++threads_)
-        std::thread([this] { pool_.attach(); }).detach();
+      for (; threads_ < count && refusal_.empty(); ++threads_)
+        std::thread([this] { work(); }).detach();
     }
-    catch (const std::system_error&) { // the existing threads do the work
+    catch (const std::exception& error) {
+      refusal_ = std::to_string(threads_ + 1) + " of " + std::to_string(count) +
+                 " threads could be started";
     }
   }
 
-  /** @brief Lets `count` threads of a crew help with blocks; fewer if memory is short,
-   * because the caller can work alone. */
-  void help(const std::shared_ptr<Blocks>& blocks,
-            const std::shared_ptr<Crew>& crew,
-            std::size_t count)
+  /** @brief Lets up to `count` threads of a crew help with blocks; fewer if memory is
+   * short, because the caller can work alone. */
+  void help(const std::shared_ptr<Blocks>& blocks, const Crew& crew, std::size_t count)
   {
+    const std::lock_guard<std::mutex> lock(mutex_);
     try {
-      for (std::size_t k = 0; k < count; ++k)
-        boost::asio::post(pool_, [blocks, crew] {
-          own_crew = crew;
-          blocks->work();
-          own_crew.reset();
-          crew->release();
-        });
+      for (; threads_ > 0 && count > 0; --count) {
+        if (--*crew < 0) {
+          ++*crew;
+          return;
+        }
+        jobs_.push_back({blocks, crew});
+        has_job_.notify_one();
+      }
     }
     catch (const std::bad_alloc&) {
     }
   }
 
+  std::string refusal()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return refusal_;
+  }
+
 private:
-  /** @brief At least two: in a pool of one thread, work posted by that thread waits
-   * until its current work is done. */
-  static constexpr std::size_t first_threads = 2;
+  struct Job {
+    std::shared_ptr<Blocks> blocks;
+    Crew crew;
+  };
 
-  Helpers()
-      : pool_(first_threads)
-  {}
+  [[noreturn]] void work()
+  {
+    for (;;) {
+      std::unique_lock<std::mutex> lock(mutex_);
+      has_job_.wait(lock, [this] { return !jobs_.empty(); });
+      const Job job = std::move(jobs_.front());
+      jobs_.pop_front();
+      lock.unlock();
+      own_crew = job.crew;
+      job.blocks->work();
+      own_crew.reset();
+      ++*job.crew;
+    }
+  }
 
-  boost::asio::thread_pool pool_;
   std::mutex mutex_;
-  std::size_t threads_ = first_threads;
+  std::condition_variable has_job_;
+  std::deque<Job> jobs_;
+  unsigned threads_ = 0;
+  std::string refusal_;
 };
 
 } // namespace
@@ -164,6 +166,12 @@ unsigned
 resolveThreads(unsigned requested)
 {
   return requested > 0 ? requested : std::max(1u, std::thread::hardware_concurrency());
+}
+
+std::string
+refusedThreads()
+{
+  return Helpers::shared().refusal();
 }
 
 void
@@ -180,15 +188,15 @@ parallelBlocks(std::size_t n, std::size_t block, unsigned threads, const Body& b
   }
   const bool is_outermost = !own_crew;
   if (is_outermost) {
-    own_crew = std::make_shared<Crew>(resolveThreads(threads) - 1);
+    own_crew = std::make_shared<Crew::element_type>(
+        static_cast<int>(resolveThreads(threads)) - 1);
     // One thread replaces the caller, which sleeps when no block is left.
     Helpers::shared().attach(resolveThreads(threads));
   }
-  if (const std::size_t others = own_crew->engage(team - 1))
-    Helpers::shared().help(blocks, own_crew, others);
+  Helpers::shared().help(blocks, own_crew, team - 1);
   blocks->work();
   if (is_outermost) {
-    own_crew->release();
+    ++*own_crew;
     own_crew.reset();
   }
   blocks->finish();

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sedr_filters/src/base/parallel_for.h"
+#include "sedr_filters/src/base/refused_threads.h"
 
 #include <gtest/gtest.h>
+
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <fstream>
+#include <iostream>
 #include <stdexcept>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -104,5 +111,41 @@ TEST(ParallelBlocks, AreWorkedOnByAsManyThreadsAsAreAskedFor)
     EXPECT_EQ(here, threads);
   }
 }
+
+/** Works on blocks with `threads` threads where memory suffices for the stacks of about
+ * `fits` more of them. Ends the process, 0 if all blocks were done and the refusal was
+ * told. */
+[[noreturn]] void
+workWithFewThreads(unsigned threads, unsigned fits)
+{
+  constexpr rlim_t stack = 8 << 20;
+  alarm(60); // instead of waiting for ever
+  rlimit limit{stack, stack};
+  setrlimit(RLIMIT_STACK, &limit);
+  std::ifstream statm("/proc/self/statm");
+  rlim_t pages = 0;
+  statm >> pages;
+  limit.rlim_max = limit.rlim_cur =
+      pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + fits * stack + stack / 2;
+  setrlimit(RLIMIT_AS, &limit);
+  std::atomic<std::size_t> done{0};
+  for (int round = 0; round < 3; ++round)
+    pcl::sedr::parallelBlocks(100, 1, threads, [&](std::size_t, std::size_t) {
+      std::this_thread::sleep_for(std::chrono::microseconds(100));
+      ++done;
+    });
+  const std::string refusal = pcl::sedr::refusedThreads();
+  std::cerr << refusal << std::endl;
+  _exit(done == 300 && refusal.find(" of 8 threads") != std::string::npos ? 0 : 1);
+}
+
+#ifndef __SANITIZE_ADDRESS__ // it takes terabytes of addresses
+TEST(ParallelBlocks, AreWorkedOnByTheThreadsThatCanStart)
+{
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+  for (const unsigned fits : {0u, 1u, 2u})
+    EXPECT_EXIT(workWithFewThreads(8, fits), testing::ExitedWithCode(0), "of 8");
+}
+#endif
 
 } // namespace
