@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxel_columns.h"
 
-#include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/voxels/voxel_table.h"
 
 #include <algorithm>
 #include <map>
-#include <string>
 
 namespace pcl::sedr {
 
@@ -34,49 +33,36 @@ struct PlacedPoint {
   bool is_valid = false;
 };
 
-/** @brief Where points are placed. */
-struct Frame {
-  CellGrid grid;
-  double voxel_height;
-  double middle; ///< height of the scan, metres
-};
-
 PlacedPoint
-placeOf(const Eigen::Vector3f& p, const Frame& frame)
+placeOf(const Eigen::Vector3f& p, const CellGrid& grid, double voxel_height)
 {
-  constexpr double reach = 500; // metres above and below: a stray's column costs memory
-  if (!(std::abs(p.z() - frame.middle) < reach) || !std::isfinite(p.x()) ||
-      !std::isfinite(p.y()) || !frame.grid.holds(p.x(), p.y()))
+  const double height = p.z() / voxel_height;
+  if (!(std::abs(height) < 1 << 30) || !grid.holds(p.x(), p.y()))
     return {};
-  return {frame.grid.at(p.x(), p.y()),
-          static_cast<std::int32_t>(std::floor(p.z() / frame.voxel_height)), true};
+  return {grid.at(p.x(), p.y()), static_cast<std::int32_t>(std::floor(height)), true};
 }
 
-/** @brief The median height of some thousands of points; 0 where none is finite. */
-double
-middleHeight(const PointView& points, const std::vector<int>& indices)
+/** @brief Returns how many points lie in each cube and in the 26 around it. */
+std::vector<std::size_t>
+pointsAround(const VoxelTable& cubes)
 {
-  constexpr std::size_t most = 4096;
-  constexpr float highest = 1e6f; // metres
-  const std::size_t n = indices.empty() ? points.size() : indices.size();
-  std::vector<float> heights;
-  for (std::size_t k = 0; k < n; k += n / most + 1) {
-    const float z =
-        points[indices.empty() ? k : static_cast<std::size_t>(indices[k])].z();
-    if (std::abs(z) < highest)
-      heights.push_back(z);
-  }
-  if (heights.empty())
-    return 0;
-  const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
-  std::nth_element(heights.begin(), middle, heights.end());
-  return *middle;
+  std::vector<std::size_t> around(cubes.size(), 0);
+  for (std::size_t c = 0; c < cubes.size(); ++c)
+    for (int k = 0; k < 27; ++k) {
+      VoxelCode code = cubes[c].code;
+      code[0] += k % 3 - 1;
+      code[1] += k / 3 % 3 - 1;
+      code[2] += k / 9 - 1;
+      const std::int64_t found = cubes.numberOf(code, hashOf(code));
+      around[c] += found < 0 ? 0 : cubes[static_cast<std::size_t>(found)].count;
+    }
+  return around;
 }
 
 constexpr std::size_t points_a_block = std::size_t{1} << 16;
 
-constexpr std::size_t bytes_a_point = 2048;
-constexpr std::size_t bytes_of_any_scan = std::size_t{1} << 30;
+constexpr std::size_t bytes_a_point = 128;
+constexpr std::size_t bytes_of_any_scan = std::size_t{1} << 23;
 
 } // namespace
 
@@ -89,56 +75,48 @@ VoxelColumns::VoxelColumns(const PointView& points,
     , voxel_height_(voxel_height)
 {
   const std::size_t n = indices.empty() ? points.size() : indices.size();
-  const Frame frame{grid_, voxel_height_, middleHeight(points, indices)};
   const auto pointAt = [&](std::size_t k) {
     return placeOf(points[indices.empty() ? k : static_cast<std::size_t>(indices[k])],
-                   frame);
+                   grid_, voxel_height_);
   };
-  using Heights = std::unordered_map<CellKey, TileHeights>;
-  std::vector<Heights> met((n + points_a_block - 1) / points_a_block);
+  std::vector<VoxelTable> met((n + points_a_block - 1) / points_a_block);
   parallelBlocks(n, points_a_block, threads, [&](std::size_t begin, std::size_t end) {
-    Heights& own = met[begin / points_a_block];
-    CellKey last = 0;
-    TileHeights* range = nullptr;
+    VoxelSum run{}; // points of the same cube, one after another
+    const auto endRun = [&] {
+      if (run.count > 0)
+        met[begin / points_a_block].add(run, hashOf(run.code));
+      run.count = 0;
+    };
     for (std::size_t k = begin; k < end; ++k) {
       const PlacedPoint p = pointAt(k);
       if (!p.is_valid)
         continue;
-      const CellKey key = keyOf({tileOf(p.cell.x), tileOf(p.cell.y)});
-      if (!range || key != last)
-        range = &own[last = key];
-      range->add({p.voxel, p.voxel});
+      const VoxelCode cube{tileOf(p.cell.x), tileOf(p.cell.y), tileOf(p.voxel)};
+      if (!isSame(cube, run.code))
+        endRun();
+      run.code = cube;
+      ++run.count;
     }
+    endRun();
   });
-  std::map<CellKey, TileHeights> all;
-  for (const Heights& block : met)
-    for (const auto& [key, range] : block)
-      all[key].add(range);
-  std::size_t bytes = 0;
-  for (const auto& entry : all)
-    bytes += tile_columns * sizeof(std::uint64_t) *
-             static_cast<std::size_t>(wordsBetween(entry.second));
-  if (bytes > std::max(bytes_of_any_scan, n * bytes_a_point)) {
-    problem_ = "the points are too far apart for rooms: columns of " +
-               numberText(cell) + " m between " + std::to_string(n) +
-               " points would take " + std::to_string(bytes >> 20) + " MB";
-    return;
-  }
-  makeTiles({all.begin(), all.end()});
+  VoxelTable cubes;
+  for (const VoxelTable& block : met)
+    for (std::size_t c = 0; c < block.size(); ++c)
+      cubes.add(block[c], hashOf(block[c].code));
+  makeTiles(heightsOf(cubes, std::max(bytes_of_any_scan, n * bytes_a_point)));
 
   // The points of each tile, so that each is filled by one thread.
   std::vector<std::size_t> counts(met.size() * tiles_.size() + 1, 0);
   const auto forEachPlaced = [&](std::size_t begin, std::size_t end, auto visit) {
-    CellKey last = 0;
-    std::uint32_t tile = none;
     for (std::size_t k = begin; k < end; ++k) {
       const PlacedPoint p = pointAt(k);
-      if (!p.is_valid)
+      const std::uint32_t column = p.is_valid ? columnAt(p.cell) : none;
+      if (column == none)
         continue;
-      const CellKey key = keyOf({tileOf(p.cell.x), tileOf(p.cell.y)});
-      if (tile == none || key != last)
-        tile = tile_at_.at(last = key);
-      visit(tile, p);
+      const auto tile = static_cast<std::uint32_t>(column / tile_columns);
+      const std::int32_t height = p.voxel - tiles_[tile].low;
+      if (height >= 0 && height < 64 * tiles_[tile].words)
+        visit(tile, p);
     }
   };
   parallelBlocks(n, points_a_block, threads, [&](std::size_t begin, std::size_t end) {
@@ -177,6 +155,24 @@ std::int32_t
 VoxelColumns::wordsBetween(const TileHeights& range)
 {
   return tileOf(range.high) - tileOf(range.low) + 1;
+}
+
+std::vector<std::pair<CellKey, VoxelColumns::TileHeights>>
+VoxelColumns::heightsOf(const VoxelTable& cubes, std::size_t max_bytes)
+{
+  const std::vector<std::size_t> around = pointsAround(cubes);
+  for (std::size_t least = 1;; least *= 2) {
+    std::map<CellKey, TileHeights> heights;
+    for (std::size_t c = 0; c < cubes.size(); ++c)
+      if (const auto& [x, y, z] = cubes[c].code; around[c] >= least)
+        heights[keyOf({x, y})].add({edge * z, edge * z + edge - 1});
+    std::size_t bytes = 0;
+    for (const auto& entry : heights)
+      bytes += tile_columns * sizeof(std::uint64_t) *
+               static_cast<std::size_t>(wordsBetween(entry.second));
+    if (bytes <= max_bytes)
+      return {heights.begin(), heights.end()};
+  }
 }
 
 void

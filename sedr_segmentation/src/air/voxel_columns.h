@@ -9,12 +9,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace pcl::sedr {
+
+class VoxelTable;
 
 /** @brief The four neighbours of a plan cell: +x, +y, -x, -y. That of direction d seen
  * from the other side is (d + 2) % 4. */
@@ -33,9 +34,10 @@ public:
   static constexpr std::size_t tile_columns = std::size_t{64} * 64;
   static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
 
-  /** @brief Fills the voxels that hold at least one finite point of
-   * `points[indices]`; those half a kilometre above or below the scan's middle are
-   * strays and left out. Without any column if problem() tells one. O(n).
+  /** @brief Fills the voxels that hold at least one finite point of `points[indices]`.
+   * Cubes of 64 x 64 x 64 voxels with the fewest points in and around them are left out
+   * where all columns would take more than 128 bytes a point (and 8 MB): points seen
+   * through windows, and strays. O(n).
    * @param cell edge of a column, metres
    * @param voxel_height metres
    * @param indices empty: all points
@@ -45,10 +47,6 @@ public:
                double cell,
                double voxel_height,
                unsigned threads);
-
-  /** @brief Why there are no columns: the points lie so far apart that the columns
-   * between them would take more than 2 KB a point (and 1 GB); empty if there are. */
-  const std::string& problem() const { return problem_; }
 
   /** @brief The same with columns of two by two of these: a voxel is occupied where
    * one of its four is. O(columns).
@@ -188,6 +186,11 @@ private:
   /** @brief Words of a column of a tile. */
   static std::int32_t wordsBetween(const TileHeights& range);
 
+  /** @brief Returns the heights of the tiles that take at most `max_bytes`: of all
+   * cubes with as many points in and around them as it takes. */
+  static std::vector<std::pair<CellKey, TileHeights>> heightsOf(const VoxelTable& cubes,
+                                                                std::size_t max_bytes);
+
   /** @brief Makes the tiles of some heights, which are sorted by their keys. */
   void makeTiles(const std::vector<std::pair<CellKey, TileHeights>>& heights);
   void connectTiles();
@@ -208,7 +211,6 @@ private:
   std::vector<Tile> tiles_; ///< row by row
   std::unordered_map<CellKey, std::uint32_t> tile_at_;
   std::vector<std::uint64_t> bits_;
-  std::string problem_;
 };
 
 } // namespace pcl::sedr

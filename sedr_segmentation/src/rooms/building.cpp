@@ -364,11 +364,9 @@ findBuilding(const PointView& points,
              std::string& problem,
              const std::vector<std::uint8_t>& behind)
 {
+  problem.clear();
   const VoxelColumns fine(points, indices, parameters.cell_size, voxel_height,
                           parameters.threads);
-  problem = fine.problem();
-  if (!problem.empty())
-    return {};
   const VoxelColumns half = halfOfThoseFilled(fine, parameters.threads);
   const bool is_dense = half.cellSize() == fine.cellSize();
   PartingParameters of_parting;

@@ -19,7 +19,7 @@ inchProblem(const PointView& points, std::size_t storeys)
       heights.push_back(points[i].z());
   if (heights.empty())
     return {};
-  const auto cut = static_cast<std::ptrdiff_t>(heights.size() / 100);
+  const auto cut = static_cast<std::ptrdiff_t>(heights.size() / 10);
   std::nth_element(heights.begin(), heights.begin() + cut, heights.end());
   const float low = heights[static_cast<std::size_t>(cut)];
   std::nth_element(heights.begin(), heights.end() - 1 - cut, heights.end());
