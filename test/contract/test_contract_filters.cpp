@@ -46,12 +46,10 @@ public:
   static constexpr bool has_negative = true;
   static constexpr bool works_in_place = true;
 
-  explicit RegionRemovalAdaptor(int opening = 0)
+  RegionRemovalAdaptor()
       : Adaptor(true)
   {
     parameter([this](double v) { stage_.setGridSize(v); }, 0.05, {0, -0.05, inf});
-    parameter([this](double v) { stage_.setOpeningRadius(static_cast<int>(v)); },
-              opening, {-1});
     parameter([this](double v) { stage_.setMinimumSupport(v); }, 0.5, {1.5});
   }
 
@@ -95,13 +93,9 @@ private:
   }
 };
 
-/** The same with all extensions of the paper's method enabled. */
-class OpenedRegionRemovalAdaptor : public RegionRemovalAdaptor {
+/** The same with support, which the paper has not. */
+class SupportedRegionRemovalAdaptor : public RegionRemovalAdaptor {
 public:
-  OpenedRegionRemovalAdaptor()
-      : RegionRemovalAdaptor(2)
-  {}
-
   void setInput(const Cloud::ConstPtr& cloud)
   {
     RegionRemovalAdaptor::setInput(cloud);
@@ -264,7 +258,7 @@ public:
 
 using FilterAdaptors = ::testing::Types<VoxelGridAdaptor,
                                         RegionRemovalAdaptor,
-                                        OpenedRegionRemovalAdaptor,
+                                        SupportedRegionRemovalAdaptor,
                                         FloorRecoveryAdaptor,
                                         RefinementAdaptor,
                                         HoleRepairAdaptor>;

@@ -86,4 +86,25 @@ squaredDistances(const CellMask& mask)
   return distances;
 }
 
+CellMask
+dilated(const CellMask& mask, double radius)
+{
+  const std::vector<float> distances = squaredDistances(mask);
+  CellMask result(mask.box());
+  for (std::size_t i = 0; i < distances.size(); ++i)
+    result.values()[i] = distances[i] <= radius * radius ? 1 : 0;
+  return result;
+}
+
+CellMask
+eroded(const CellMask& mask, double radius)
+{
+  if (mask.values().empty())
+    return mask;
+  // The cells around the box count as not set.
+  const CellMask outside =
+      dilated(inverted(cropped(mask, grown(mask.box(), 1))), radius);
+  return inverted(cropped(outside, mask.box()));
+}
+
 } // namespace pcl::sedr

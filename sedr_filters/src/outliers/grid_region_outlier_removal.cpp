@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "region_selection.h"
-
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/sedr_filters/impl/grid_region_outlier_removal.hpp>
 #include <pcl/sedr_filters/point_types.h>
@@ -21,30 +19,38 @@ RegionMap::regionCells() const
   return sets;
 }
 
-CellSet
-RegionMap::keptCells() const
-{
-  std::vector<CellKey> kept;
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    if (number[regions.label[i]] > 0)
-      kept.push_back(cells.keys()[i]);
-  return CellSet::fromSorted(std::move(kept));
-}
-
 std::string
 problemOf(const RegionParameters& parameters)
 {
   if (!(parameters.cell_size > 0) || !std::isfinite(parameters.cell_size))
     return "the grid size must be above 0 m, it is " +
            std::to_string(parameters.cell_size);
-  if (parameters.opening_radius < 0)
-    return "the opening radius must be at least 0 cells, it is " +
-           std::to_string(parameters.opening_radius);
   if (!(parameters.minimum_support >= 0 && parameters.minimum_support <= 1))
     return "the minimum support must lie between 0 and 1, it is " +
            std::to_string(parameters.minimum_support);
   return {};
 }
+
+namespace {
+
+/** @brief Returns the adaptive threshold of the paper (section 2.3.1): the smaller size
+ * at the largest difference between consecutive sizes, which decrease. It is 0 for
+ * fewer than two regions and for regions of one size; among equal differences the one
+ * between the smaller regions counts. */
+std::size_t
+largestGapThreshold(const std::vector<std::size_t>& sizes)
+{
+  std::size_t threshold = 0;
+  std::size_t largest = 1;
+  for (std::size_t i = 1; i < sizes.size(); ++i)
+    if (const std::size_t difference = sizes[i - 1] - sizes[i]; difference >= largest) {
+      largest = difference;
+      threshold = sizes[i];
+    }
+  return threshold;
+}
+
+} // namespace
 
 RegionMap
 selectRegions(const PointView& points,
@@ -56,13 +62,14 @@ selectRegions(const PointView& points,
   RegionMap map;
   map.cell_size = parameters.cell_size;
   map.cells = CellSet(grid, points, indices);
-  map.regions =
-      labelOpenedRegions(map.cells, parameters.opening_radius, parameters.minimum_part);
+  map.regions = labelRegions(map.cells);
   const std::vector<std::size_t>& sizes = map.regions.sizes;
   map.threshold = largestGapThreshold(sizes);
-  std::vector<std::size_t> supported(sizes.size(), 0);
-  if (support)
-    supported = supportedCells(map.cells, map.regions, CellSet(grid, points, *support));
+  std::vector<std::size_t> supported(sizes.size(), 0); // cells on or beside support
+  const CellSet below = support ? CellSet(grid, points, *support) : CellSet();
+  for (std::size_t i = 0; i < map.cells.size(); ++i)
+    if (anyAround(below, map.cells[i], 1, [](std::size_t) { return true; }))
+      ++supported[map.regions.label[i]];
   map.number.assign(sizes.size(), 0);
   int kept = 0;
   for (std::size_t r = 0; r < sizes.size(); ++r) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_map.h"
-#include "../outliers/region_selection.h"
 
 #include <algorithm>
 #include <limits>
@@ -11,6 +10,23 @@ namespace pcl::sedr {
 namespace {
 
 using Votes = std::map<std::uint32_t, std::size_t>;
+
+/** @brief Gives cells without a room (0) that of a neighbour, the lowest of several,
+ * step by step. */
+void
+growRooms(const CellSet& cells, std::vector<std::uint32_t>& rooms)
+{
+  std::vector<std::uint32_t> before;
+  while (before != rooms) {
+    before = rooms;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (before[i] == 0)
+        forEachAround(cells, cells[i], 1, [&](std::size_t j) {
+          if (before[j] != 0 && (rooms[i] == 0 || before[j] < rooms[i]))
+            rooms[i] = before[j];
+        });
+  }
+}
 
 /** @brief Counts the points of each room in each cell, without those of no room. */
 std::vector<Votes>
@@ -54,15 +70,13 @@ RoomMap::RoomMap(const CellGrid& grid,
   // others take the cell's room.
   const auto by_ceiling = countRooms(grid, points, room, ceiling, cells_);
   const auto by_detail = countRooms(grid, points, room, detail, cells_);
-  std::vector<std::size_t> label(cells_.size(), CellSet::npos);
+  room_of_cell_.assign(cells_.size(), 0);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     const Votes& votes = by_ceiling[i].empty() ? by_detail[i] : by_ceiling[i];
     if (!votes.empty())
-      label[i] = mostFrequent(votes);
+      room_of_cell_[i] = mostFrequent(votes);
   }
-  growLabels(cells_, label);
-  for (const std::size_t l : label)
-    room_of_cell_.push_back(l == CellSet::npos ? 0 : static_cast<std::uint32_t>(l));
+  growRooms(cells_, room_of_cell_);
   noteCeilings(room, ceiling);
 }
 

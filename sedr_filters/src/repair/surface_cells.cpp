@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl::sedr {
 
@@ -46,68 +47,47 @@ boxOf(const PlanLoop& loop, double tolerance)
   return box;
 }
 
-/** @brief Returns an upper bound of the height difference between any two slabs of a
- * room within its box. Planes are linear, so the corners decide. */
-double
-greatestHeight(const PlanRoom& room, const Eigen::AlignedBox2d& box)
-{
-  double greatest = 0;
-  for (const double x : {box.min().x(), box.max().x()})
-    for (const double y : {box.min().y(), box.max().y()}) {
-      const Eigen::Vector2d corner(x, y);
-      double low = room.floor.heightAt(corner);
-      double high = low;
-      const auto widen = [&](double height) {
-        low = std::min(low, height);
-        high = std::max(high, height);
-      };
-      for (int d = -1; d < static_cast<int>(room.details.size()); ++d) {
-        const PlanSlab& slab = room.ceilingSlab(d);
-        widen(slab.heightAt(corner));
-        if (slab.curve)
-          widen(slab.curve->highest());
-      }
-      for (const auto& detail : room.floor_details)
-        widen(detail.slab.heightAt(corner));
-      for (const auto& niche : room.niches) {
-        widen(niche.bottom.heightAt(corner));
-        widen(niche.top.heightAt(corner));
-      }
-      greatest = std::max(greatest, high - low);
-    }
-  return greatest;
-}
-
-/** @brief Estimates the number of cells of a room, including empty ones of its box in
- * plan, which also take memory. */
+/** @brief Estimates the number of cells of a room: those of all edges, as high as the
+ * room, and those of its box in plan, empty ones included. */
 double
 estimatedCells(const PlanRoom& room, double size)
 {
   if (room.boundary.elements.empty())
     return 0;
   const Eigen::AlignedBox2d box = boxOf(room.boundary, size / 10);
-  const Eigen::Vector2d extent = box.sizes();
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  const auto addSlab = [&](const PlanSlab& slab) {
+    for (const auto corner :
+         {Eigen::AlignedBox2d::BottomLeft, Eigen::AlignedBox2d::BottomRight,
+          Eigen::AlignedBox2d::TopLeft, Eigen::AlignedBox2d::TopRight}) {
+      const double height = slab.heightAt(box.corner(corner));
+      low = std::min(low, height);
+      high = std::max({high, height, slab.curve ? slab.curve->highest() : height});
+    }
+  };
   double columns = 0;
-  const auto add = [&](const PlanLoop& loop) {
+  const auto addLoop = [&](const PlanLoop& loop) {
     columns += loop.length() / size + static_cast<double>(loop.elements.size());
   };
-  add(room.boundary);
-  for (const auto& column : room.columns)
-    add(column);
+  addSlab(room.floor);
+  addSlab(room.ceiling);
+  addLoop(room.boundary);
+  std::for_each(room.columns.begin(), room.columns.end(), addLoop);
   for (const auto* details : {&room.details, &room.floor_details})
-    for (const auto& detail : *details) {
-      add(detail.boundary);
-      for (const auto& hole : detail.holes)
-        add(hole);
+    for (const PlanDetail& detail : *details) {
+      addSlab(detail.slab);
+      addLoop(detail.boundary);
+      std::for_each(detail.holes.begin(), detail.holes.end(), addLoop);
     }
-  double niches = 0;
-  for (const auto& niche : room.niches) {
-    add(niche.boundary);
-    const Eigen::Vector2d sides = boxOf(niche.boundary, size / 10).sizes();
-    niches += 2 * (sides.x() / size + 1) * (sides.y() / size + 1);
+  double sheets = box.sizes().prod();
+  for (const PlanNiche& niche : room.niches) {
+    addSlab(niche.bottom);
+    addSlab(niche.top);
+    addLoop(niche.boundary);
+    sheets += boxOf(niche.boundary, size / 10).sizes().prod();
   }
-  return columns * (greatestHeight(room, box) / size + 1) +
-         2 * (extent.x() / size + 1) * (extent.y() / size + 1) + niches;
+  return columns * ((high - low) / size + 1) + 2 * sheets / (size * size);
 }
 
 } // namespace

@@ -22,16 +22,11 @@ struct RegionMap {
 
   /** @brief Returns the cells of every region. O(cells). */
   std::vector<CellSet> regionCells() const;
-
-  /** @brief Returns the cells of all regions that are kept. O(cells). */
-  CellSet keptCells() const;
 };
 
 /** @brief Parameters of GridRegionOutlierRemoval, explained at its setters. */
 struct RegionParameters {
   double cell_size = 0.05;                   ///< metres
-  int opening_radius = 0;                    ///< cells
-  std::size_t minimum_part = 400;            ///< cells
   double minimum_support = 0.5;              ///< share of the cells of a region
   std::size_t minimum_supported_cells = 400; ///< cells of a region kept by its support
 };
@@ -95,20 +90,6 @@ public:
   void setGridSize(double size) { parameters_.cell_size = size; }
 
   double getGridSize() const { return parameters_.cell_size; }
-
-  /** @brief Sets the radius of the opening, in cells (default 0: off). Necks narrower
-   * than 2 radius + 1 cells do not join regions: the cells are eroded by the radius,
-   * labelled and grown back. Not in the paper. */
-  void setOpeningRadius(int cells) { parameters_.opening_radius = cells; }
-
-  int getOpeningRadius() const { return parameters_.opening_radius; }
-
-  /** @brief Sets the minimum size of a part, in cells (default 400, one square metre).
-   * Smaller parts that the opening cut off rejoin a larger one that they touch. No
-   * effect without an opening. */
-  void setMinimumPart(std::size_t cells) { parameters_.minimum_part = cells; }
-
-  std::size_t getMinimumPart() const { return parameters_.minimum_part; }
 
   /** @brief Sets the points of the input cloud, such as the floor, that support a
    * region. A region below the threshold is also kept if enough of its cells have such
