@@ -82,7 +82,7 @@ writePlaces(const VoxelSums& sums,
 Eigen::Vector3i
 VoxelGridSettings::getGridCoordinates(float x, float y, float z) const
 {
-  return voxelAt(VoxelFrame(inverseLeaf()).codes({x, y, z}));
+  return Eigen::Vector3i(VoxelFrame(inverseLeaf()).codes({x, y, z}).data());
 }
 
 int
@@ -176,9 +176,11 @@ VoxelGridSettings::finish(VoxelSums& sums)
       sums.arrange(std::max(min_points_per_voxel_, stray_limit_), threads_);
   if (save_leaf_layout_) {
     layout_.resize(size);
-    sums.forEach([&](const VoxelSum& voxel,
-                     std::size_t place) { layout_[place] = voxelAt(voxel.code); },
-                 threads_);
+    sums.forEach(
+        [&](const VoxelSum& voxel, std::size_t place) {
+          layout_[place] = Eigen::Vector3i(voxel.code.data());
+        },
+        threads_);
   }
   return size;
 }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <mutex>
 
 namespace pcl::sedr {
@@ -89,53 +90,6 @@ private:
   std::array<std::size_t, shard_count> counts_{};
 };
 
-namespace {
-
-/** @brief Returns the number of bits of the places from 0 to `last`. */
-unsigned
-bitsFor(std::uint64_t last)
-{
-  unsigned bits = 0;
-  while (bits < 32 && last >> bits != 0)
-    ++bits;
-  return bits;
-}
-
-/** @brief The keys of voxels, which increase by z, then y, then x. */
-class VoxelKeys {
-public:
-  explicit VoxelKeys(const VoxelBox& box)
-      : low_(box.low)
-      , x_bits_(bitsFor(along(box.high, 0)))
-      , xy_bits_(x_bits_ + bitsFor(along(box.high, 1)))
-      , fit_(xy_bits_ + bitsFor(along(box.high, 2)) <= 64)
-  {}
-
-  /** @brief Checks whether the keys are unique; to 100 km along all axes at 5 cm. */
-  bool fit() const { return fit_; }
-
-  std::uint64_t operator()(const VoxelCode& code) const
-  {
-    return fit_
-               ? along(code, 0) | along(code, 1) << x_bits_ | along(code, 2) << xy_bits_
-               : 0;
-  }
-
-private:
-  std::uint64_t along(const VoxelCode& code, std::size_t axis) const
-  {
-    return static_cast<std::uint32_t>(code[axis]) -
-           static_cast<std::uint32_t>(low_[axis]);
-  }
-
-  VoxelCode low_;
-  unsigned x_bits_;
-  unsigned xy_bits_;
-  bool fit_;
-};
-
-} // namespace
-
 VoxelSums::VoxelSums(const Eigen::Array3f& inverse_leaf)
     : frame_(inverse_leaf)
     , shards_(new Shard[shard_count])
@@ -168,7 +122,7 @@ VoxelSums::add(const PointView& points,
       for (std::size_t k = begin; k < run_end; ++k) {
         const Eigen::Vector3f point =
             points[indices ? static_cast<std::size_t>((*indices)[k]) : k];
-        if (point.allFinite())
+        if (frame_.holds(point))
           sums.add(frame_.sumOf(point));
       }
     }
@@ -206,35 +160,32 @@ std::size_t
 VoxelSums::arrange(std::uint32_t min_points, unsigned threads)
 {
   struct Entry {
-    std::uint64_t key;
+    VoxelCode code;
     const VoxelSum* sum;
   };
   std::array<std::size_t, shard_count + 1> begins{};
-  box_ = VoxelBox();
   for (std::size_t s = 0; s < shard_count; ++s) {
     const VoxelTable& table = shards_[s].table;
-    box_.extend(table.box());
     std::size_t kept = table.size();
     for (std::size_t v = 0; min_points > 1 && v < table.size(); ++v)
       kept -= table[v].count < min_points ? 1 : 0;
     begins[s + 1] = begins[s] + kept;
   }
-  const VoxelKeys keyOf(box_);
   std::vector<Entry> entries(begins.back());
   parallelFor(shard_count, 1, threads, [&](std::size_t s) {
     Entry* next = entries.data() + begins[s];
     for (std::size_t v = 0; v < shards_[s].table.size(); ++v)
       if (const VoxelSum& sum = shards_[s].table[v]; sum.count >= min_points)
-        *next++ = {keyOf(sum.code), &sum};
+        *next++ = {sum.code, &sum};
   });
-  if (keyOf.fit())
-    for (const unsigned shift : {0u, 32u})
-      sortByDigits(entries, [shift](const Entry& entry) {
-        return static_cast<std::uint32_t>(entry.key >> shift);
-      });
-  else
-    std::sort(entries.begin(), entries.end(),
-              [](const Entry& a, const Entry& b) { return isBefore(*a.sum, *b.sum); });
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::int32_t low = std::numeric_limits<std::int32_t>::max();
+    for (const Entry& entry : entries)
+      low = std::min(low, entry.code[axis]);
+    sortByDigits(entries, [axis, low](const Entry& entry) {
+      return static_cast<std::uint32_t>(entry.code[axis] - low);
+    });
+  }
   order_.resize(entries.size());
   std::transform(entries.begin(), entries.end(), order_.begin(),
                  [](const Entry& entry) { return entry.sum; });
@@ -286,7 +237,7 @@ VoxelSums::index()
 std::int64_t
 VoxelSums::find(const Eigen::Vector3f& point) const
 {
-  if (!point.allFinite())
+  if (!frame_.holds(point))
     return -1;
   const VoxelCode code = frame_.codes(point);
   const std::uint64_t hash = hashOf(code);

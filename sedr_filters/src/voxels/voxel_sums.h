@@ -38,8 +38,8 @@ public:
 
   const VoxelFrame& frame() const { return frame_; }
 
-  /** @brief Adds points; non-finite ones are skipped. A voxel can hold at most 2^31
-   * points.
+  /** @brief Adds points; those that the frame does not hold are skipped. A voxel can
+   * hold at most 2^31 points.
    * @param indices those to add, all valid; null: all
    * @param threads 0 = all processors
    * @param beside also called for runs of points, on their thread, before the addition
@@ -63,10 +63,6 @@ public:
    * @return number of voxels kept */
   std::size_t arrange(std::uint32_t min_points = 0, unsigned threads = 0);
 
-  /** @brief Returns the box of all voxels, also of those not kept. Requires arrange()
-   * after the last point, and at least one voxel. */
-  const VoxelBox& box() const { return box_; }
-
   /** @brief Calls `see(voxel, place)` for all kept voxels and their places in the
    * order, from several threads at once. Requires arrange() after the last point. */
   void forEach(const std::function<void(const VoxelSum& voxel, std::size_t place)>& see,
@@ -79,7 +75,7 @@ public:
   void index();
 
   /** @brief Returns the place of a point's voxel in the order, -1 if it was not kept or
-   * the point is not finite. */
+   * the frame does not hold the point. */
   std::int64_t find(const Eigen::Vector3f& point) const;
 
   /** @brief Function of the place of a voxel in the order and of a point in it. */
@@ -105,7 +101,6 @@ private:
   VoxelFrame frame_;
   std::unique_ptr<Shard[]> shards_;
   std::vector<const VoxelSum*> order_; ///< the kept ones
-  VoxelBox box_;
 };
 
 } // namespace pcl::sedr

@@ -60,7 +60,6 @@ public:
       pages_.emplace_back(new VoxelSum[sums_a_page]); // not cleared
     slot = {static_cast<std::uint32_t>(hash), static_cast<std::uint32_t>(++size_)};
     at(size_ - 1) = sum;
-    box_.extend({sum.code, sum.code});
   }
 
   /** @brief Prefetches the slot where add() will look. */
@@ -86,12 +85,6 @@ public:
   std::size_t size() const
   {
     return size_;
-  }
-
-  /** @brief Returns the box of all voxels. */
-  const VoxelBox& box() const
-  {
-    return box_;
   }
 
   /** @brief Returns a sum by its number in the order of creation. */
@@ -156,7 +149,6 @@ private:
   std::vector<Slot> slots_; ///< at most half full, as many as a power of two
   std::vector<std::unique_ptr<VoxelSum[]>> pages_;
   std::size_t size_ = 0;
-  VoxelBox box_;
 };
 
 } // namespace pcl::sedr

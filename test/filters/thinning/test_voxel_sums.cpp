@@ -35,7 +35,8 @@ sumsOf(const std::vector<Eigen::Vector3f>& points,
   return sums.take(threads);
 }
 
-/** Points of a room about `middle`, some of them far away, some not finite. */
+/** Points of a room about `middle`, some of them far away, one too far, some not
+ * finite. */
 std::vector<Eigen::Vector3f>
 roomWithStrays(std::size_t n, const Eigen::Vector3f& middle)
 {
@@ -125,15 +126,11 @@ TEST(VoxelSums, SumsOfPartsReduceToThoseOfAll)
 
 TEST(VoxelSums, VoxelsComeByZThenYThenXEachOnceAtAnyExtent)
 {
-  auto points = roomWithStrays(300000, {0, 0, 0});
-  for (const bool has_far_ones : {true, false}) { // keys of more than 64 bits, or less
-    const auto voxels = sumsOf(points);
-    for (std::size_t v = 1; v < voxels.size(); ++v) {
-      const auto& a = voxels[v - 1].code;
-      const auto& b = voxels[v].code;
-      ASSERT_LT(std::tie(a[2], a[1], a[0]), std::tie(b[2], b[1], b[0])) << has_far_ones;
-    }
-    points.resize(300000);
+  const auto voxels = sumsOf(roomWithStrays(300000, {0, 0, 0}));
+  for (std::size_t v = 1; v < voxels.size(); ++v) {
+    const auto& a = voxels[v - 1].code;
+    const auto& b = voxels[v].code;
+    ASSERT_LT(std::tie(a[2], a[1], a[0]), std::tie(b[2], b[1], b[0]));
   }
 }
 
@@ -201,7 +198,7 @@ TEST(VoxelSums, TwoToTheThirtyFirstPointsInAVoxelDoNotOverflow)
   for (const float leaf : {0.05f, 0.0624f, 0.0625f, 0.0626f, 1.f, 1.99f}) {
     const Eigen::Array3f inverse = Eigen::Array3f::Constant(1 / leaf);
     const VoxelFrame frame(inverse);
-    for (const float cell : {0.f, 1.f, 5.f, 524287.f, 524288.f, 4194303.f, 3e9f})
+    for (const float cell : {0.f, 1.f, 5.f, 524287.f, 524288.f, 4194303.f, 1e9f})
       for (const float part : {0.f, 0.999f})
         for (const float sign : {-1.f, 1.f}) {
           const float x = sign * (cell + part) * leaf;
