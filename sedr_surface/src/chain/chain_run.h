@@ -6,8 +6,18 @@
 #include "sedr_segmentation/src/plan/room_territory.h"
 
 #include <limits>
+#include <numeric>
 
 namespace pcl::sedr {
+
+/** @brief Returns 0, 1, ..., n - 1. */
+inline pcl::IndicesPtr
+allIndices(std::size_t n)
+{
+  pcl::IndicesPtr indices(new pcl::Indices(n));
+  std::iota(indices->begin(), indices->end(), 0);
+  return indices;
+}
 
 /** @brief A run of a StructureChain: what the stages leave each other beside the
  * results that the chain keeps. */

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../formats/labels.h"
-#include "all_indices.h"
 #include "sedr_segmentation/src/plan/room_territory.h"
 #include "sedr_segmentation/src/walls/wall_growing.h"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../formats/labels.h"
-#include "all_indices.h"
 #include "sedr_filters/src/plan/plan_surfaces.h"
 
 #include "chain_run.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "all_indices.h"
 
 #include "chain_run.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mesh_parsers.h"
+#include "ply_reader.h"
 
 #include "sedr_filters/src/base/field_access.h"
 

@@ -66,4 +66,86 @@ summarizeDistances(std::vector<double> distances, std::size_t bins, double range
   return statistics;
 }
 
+namespace {
+
+// The splitmix64 generator: a well-mixed number for every count.
+std::uint64_t
+mix(std::uint64_t x)
+{
+  x += 0x9e3779b97f4a7c15ull;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
+  return x ^ (x >> 31);
+}
+
+// Maps to [0, 1).
+double
+unit(std::uint64_t x)
+{
+  return static_cast<double>(mix(x) >> 11) * 0x1p-53;
+}
+
+double
+fraction(double x)
+{
+  return x - std::floor(x);
+}
+
+// Returns the j-th point of a low-discrepancy sequence in the triangle (Roberts' R2,
+// folded), which starts at a position chosen by the seed.
+Eigen::Vector3d
+pointInTriangle(const TriangleMesh& mesh,
+                std::size_t t,
+                std::uint64_t j,
+                std::uint64_t seed)
+{
+  const std::uint64_t key = mix(seed ^ mix(t));
+  const auto step = static_cast<double>(j);
+  double u = fraction(unit(key) + 0.7548776662466927 * step);
+  double v = fraction(unit(key + 1) + 0.5698402909980532 * step);
+  if (u + v > 1) {
+    u = 1 - u;
+    v = 1 - v;
+  }
+  const Eigen::Vector3d& a = mesh.corner(t, 0);
+  return a + u * (mesh.corner(t, 1) - a) + v * (mesh.corner(t, 2) - a);
+}
+
+} // namespace
+
+MeshSamples
+sampleMesh(const TriangleMesh& mesh,
+           double spacing,
+           std::uint64_t seed,
+           std::size_t max_samples)
+{
+  MeshSamples samples;
+  std::vector<double> summed_area;
+  summed_area.reserve(mesh.triangles.size());
+  double area = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    summed_area.push_back(area += mesh.scaledNormal(t).norm() / 2);
+  if (area <= 0)
+    return samples;
+  // Slightly less, so that rounding does not add a sample.
+  const double wanted = std::ceil(area / (spacing * spacing) * (1 - 1e-12));
+  const std::size_t count = wanted < static_cast<double>(max_samples)
+                                ? static_cast<std::size_t>(wanted)
+                                : max_samples;
+  samples.spacing = std::sqrt(area / static_cast<double>(count));
+  samples.points.reserve(count);
+  samples.triangles.reserve(count);
+  std::size_t t = 0;
+  std::uint64_t in_triangle = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double at = area * (static_cast<double>(i) + unit(mix(seed) + i)) /
+                      static_cast<double>(count);
+    for (; t + 1 < summed_area.size() && summed_area[t] <= at; ++t)
+      in_triangle = 0;
+    samples.points.push_back(pointInTriangle(mesh, t, in_triangle++, seed));
+    samples.triangles.push_back(static_cast<std::uint32_t>(t));
+  }
+  return samples;
+}
+
 } // namespace pcl::sedr

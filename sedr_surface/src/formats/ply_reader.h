@@ -11,11 +11,4 @@ namespace pcl::sedr {
  * @return an empty string or an error message, to follow the file's name */
 std::string parsePly(const std::string& content, TriangleMesh& mesh);
 
-/** @brief Returns true if a vertex line of OBJ occurs before any byte that text cannot
- * contain. */
-bool looksLikeObj(const std::string& content);
-
-/** @brief As parsePly(), for an OBJ file. */
-std::string parseObj(const std::string& content, TriangleMesh& mesh);
-
 } // namespace pcl::sedr
