@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "model/drawing_files.h"
 #include "option_help.h"
 #include "plan_file.h"
 #include "run_program.h"
@@ -215,42 +214,6 @@ filesOf(const std::string& folder)
     names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
   return names;
-}
-
-TEST_F(StoreyDrawings, OfAnEarlierRunMakeWay)
-{
-  using pcl::sedr::tools::drawing_names;
-  using pcl::sedr::tools::OutputFolder;
-  const Strings of_two{"floorplan_1.dxf", "floorplan_1.pdf", "floorplan_1.svg",
-                       "floorplan_2.dxf", "floorplan_2.pdf", "floorplan_2.svg"};
-  const Strings of_one{"floorplan.dxf", "floorplan.pdf", "floorplan.svg"};
-  pcl::sedr::Floorplan three = twoStoreys();
-  three.rooms.push_back(roomBetween(rectangle(0, 0, 4, 3), 6, 8.5, 5));
-  const pcl::sedr::Floorplan one{storeyBetween(0, 2.5, 1)};
-  OutputFolder folder(in("model"), drawing_names);
-  const auto write = [&](const pcl::sedr::Floorplan& plan) {
-    folder.fill(
-        [&] { pcl::sedr::tools::writeDrawings(folder, plan, in("plan.json")); });
-    return filesOf(in("model"));
-  };
-  EXPECT_EQ(write(one), of_one);
-  EXPECT_EQ(write(three).size(), 9u);
-  EXPECT_EQ(write(twoStoreys()), of_two);
-  EXPECT_EQ(write(one), of_one);
-  writeFile(in("model/floorplan_7.svg"), "a scan"); // no drawing, despite its name
-  pcl::sedr::tools::writeDrawings(folder, one, in("model/floorplan_7.svg"));
-  EXPECT_EQ(filesOf(in("model")).size(), 4u) << "what was read stays";
-}
-
-TEST_F(StoreyDrawings, OfARunThatFailsGoWithTheFolderThatItMade)
-{
-  pcl::sedr::tools::OutputFolder folder(in("new"), pcl::sedr::tools::drawing_names);
-  EXPECT_THROW(folder.fill([&] {
-    pcl::sedr::tools::writeDrawings(folder, twoStoreys(), in("plan.json"));
-    throw pcl::sedr::tools::ToolError("the disk is full");
-  }),
-               pcl::sedr::tools::ToolError);
-  EXPECT_FALSE(has("new"));
 }
 
 TEST_F(StoreyDrawings, PointsAreOfTheRoomAtTheirHeight)

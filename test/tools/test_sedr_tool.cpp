@@ -129,8 +129,6 @@ TEST_F(SedrTool, LeavesNothingOfAnEarlierRunBesideItsOwnFiles)
   ASSERT_EQ(first.exit_code, 0) << first.err;
   for (const char* mine : {"model/notes.txt", "model/floorplan_old.svg"})
     writeFile(in(mine), "mine");
-  for (const char* drawing : {"model/floorplan_1.svg", "model/floorplan_12.dxf"})
-    writeFile(in(drawing), "of a storey that is no longer there");
   const Strings old{"model/mesh.ply", "model/report.html", "model/pictures"};
   const ProgramRun failed = run(SEDR, {in("nothing.pcd"), in("model"), "--no-mesh"});
   EXPECT_EQ(failed.exit_code, 1);
@@ -140,14 +138,44 @@ TEST_F(SedrTool, LeavesNothingOfAnEarlierRunBesideItsOwnFiles)
   ASSERT_EQ(second.exit_code, 0) << second.err;
   for (const auto& name : old)
     EXPECT_FALSE(std::filesystem::exists(in(name))) << name << " is of another model";
-  for (const char* drawing : {"model/floorplan_1.svg", "model/floorplan_12.dxf"})
-    EXPECT_FALSE(std::filesystem::exists(in(drawing))) << drawing;
   for (const char* mine : {"model/notes.txt", "model/floorplan_old.svg"})
     EXPECT_TRUE(std::filesystem::exists(in(mine))) << mine;
   writeFile(in("model/mesh.ply"), scan); // the type of a scan follows from its content
   const ProgramRun third = run(SEDR, {in("model/mesh.ply"), in("model"), "--no-mesh"});
   ASSERT_EQ(third.exit_code, 0) << third.err;
   EXPECT_TRUE(bytesOf(in("model/mesh.ply")) == scan) << "what was read stays";
+}
+
+TEST_F(SedrTool, APoseInACornerOfTheRoomChangesNothing)
+{
+  writeFile(in("pose.txt"), "0.37 -1.21 0\n");
+  const ProgramRun result =
+      onFile(scanOf().pcd(false), {"--no-mesh", "--positions", in("pose.txt")});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.err.find("they lie on a surface"), std::string::npos) << result.err;
+  const auto report = nlohmann::json::parse(bytesOf(in("model/report.json")));
+  EXPECT_NEAR(report.at("rooms")[0].at("area").get<double>(), 12, 0.05);
+}
+
+TEST_F(SedrTool, KeepsTheOldModelWhereTheNewOneDoesNotFit)
+{
+  const std::string scan = scanOf().pcd(false);
+  ASSERT_EQ(onFile(scan).exit_code, 0);
+  const auto modelBytes = [&] {
+    std::string all;
+    for (const auto& entry : std::filesystem::directory_iterator(in("model")))
+      all += bytesOf(entry.path());
+    return all;
+  };
+  const std::string before = modelBytes();
+  for (const char* size : {"1000", "20000", "200000"}) {
+    const ProgramRun result =
+        run("prlimit", {"--fsize=" + std::string(size), SEDR, in("input.pcd"),
+                        in("model"), "--voxel-size", "0.04"});
+    EXPECT_EQ(result.exit_code, 1) << result.err;
+    EXPECT_TRUE(result.failsInOneSentence()) << result.err;
+    EXPECT_TRUE(modelBytes() == before) << size;
+  }
 }
 
 TEST_F(SedrTool, WritesTheSolidAndTheDrawings)

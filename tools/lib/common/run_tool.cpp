@@ -4,11 +4,17 @@
 #include "plain_text.h"
 #include "tool_error.h"
 
+#include "sedr_filters/src/base/refused_threads.h"
+
 #include <pcl/console/print.h>
 
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
+#include <cstring>
 #include <exception>
 #include <iostream>
 #include <mutex>
@@ -27,6 +33,27 @@ runningTool()
   return name;
 }
 
+/** @brief Throws ToolError if what was printed did not arrive, as on a full disk. */
+void
+checkPrinted()
+{
+  errno = 0;
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || std::cout.bad())
+    throw ToolError(std::string("cannot write to the standard output: ") +
+                    (errno != 0 ? std::strerror(errno) : "the disk may be full"));
+}
+
+std::string
+memoryProblem()
+{
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  return "the memory does not suffice: this run has taken " +
+         std::to_string(used.ru_maxrss / 1024) +
+         " MB; allow it more (ulimit -v), or thin the points first "
+         "(pcl_parallel_voxel_grid)";
+}
+
 } // namespace
 
 int
@@ -35,6 +62,8 @@ runTool(Options& options, int argc, char** argv, const std::function<int()>& bod
   runningTool() = options.tool();
   const auto complain = [&](const std::string& sentence, int exit_code) {
     std::cerr << options.tool() << ": " << plainText(sentence) << std::endl;
+    if (exit_code == Done)
+      checkPrinted();
     return exit_code;
   };
   std::signal(SIGXFSZ, SIG_IGN); // a file too large is an error of its writer
@@ -42,15 +71,22 @@ runTool(Options& options, int argc, char** argv, const std::function<int()>& bod
     pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
     if (!options.parse(argc, argv)) {
       std::cout << options.answer() << std::flush;
+      checkPrinted();
       return Done;
     }
-    return body();
+    const int exit_code = body();
+    if (const std::string few = refusedThreads(); !few.empty())
+      warn(few + ", so this took longer; the limits are ulimit -u for their number and "
+                 "ulimit -v for their memory, 8 MB each");
+    if (exit_code == Done)
+      checkPrinted();
+    return exit_code;
   }
   catch (const ToolError& error) {
     return complain(error.what(), error.exitCode());
   }
   catch (const std::bad_alloc&) {
-    return complain("the memory does not suffice for this input", BadUse);
+    return complain(memoryProblem(), BadUse);
   }
   catch (const std::exception& error) {
     return complain(std::string("failed: ") + error.what(), BadUse);

@@ -3,7 +3,6 @@
 
 #include "bytes/whole_file.h"
 #include "chain_pictures.h"
-#include "drawing_files.h"
 #include "formats/scan_formats.h"
 #include "joint_scan.h"
 #include "output_folder.h"
@@ -35,9 +34,20 @@ namespace pcl::sedr::tools {
 
 namespace {
 
-const std::vector<std::string> output_names{
-    "structure.pcd",  "mesh.ply",  "solid.ply", "solid.obj",  "solid.mtl",
-    "floorplan.json", "model.ifc", "model.glb", "report.json"};
+/** @brief Returns the names of all files that a run may write, without those of several
+ * storeys. */
+std::vector<std::string>
+outputNames()
+{
+  std::vector<std::string> names{"structure.pcd",  "mesh.ply",      "solid.ply",
+                                 "solid.obj",      "solid.mtl",     "model.ifc",
+                                 "floorplan.json", "floorplan.svg", "floorplan.pdf",
+                                 "floorplan.dxf",  "model.glb",     "report.json",
+                                 "report.html"};
+  for (const auto& name : ChainPictures::names())
+    names.push_back("pictures/" + name);
+  return names;
+}
 
 /** @brief Runs a step that is not a stage of the chain, with progress. The step fills
  * in the points of its report. */
@@ -188,44 +198,41 @@ writeBuildingModel(const OutputFolder& folder, Reconstruction& chain)
   warnings.insert(warnings.end(), model.warnings.begin(), model.warnings.end());
 }
 
+/** @brief Writes the drawings as SVG, PDF and DXF; with several storeys one each. */
 void
-writePictures(const OutputFolder& folder, const std::vector<PictureFile>& pictures)
+writeDrawings(const OutputFolder& folder, const Reconstruction& chain, unsigned threads)
 {
-  folder.fill([&] {
-    for (const auto& picture : pictures)
-      writeWhole(folder.file(picture.name),
-                 [&](std::ostream& stream) { stream << picture.bytes; });
+  const Floorplan& plan = *chain.getFloorplan();
+  std::vector<DrawingSheet> sheets;
+  for (const char* name : {"floorplan.svg", "floorplan.pdf", "floorplan.dxf"})
+    for (const DrawingSheet& sheet : drawingSheets(name, plan))
+      sheets.push_back({folder.file(sheet.path), sheet.storey});
+  parallelBlocks(sheets.size(), 1, threads, [&](std::size_t k, std::size_t) {
+    saveDrawing(sheets[k], plan, drawingSettings(chain));
   });
 }
 
-/** @brief Returns files of an earlier run that this one does not write, and which could
- * be mistaken for its results. */
-std::vector<std::string>
-leftOver(const ModelSettings& settings)
-{
-  std::vector<std::string> names;
-  if (settings.no_mesh)
-    names.emplace_back("mesh.ply");
-  if (!settings.report)
-    names.emplace_back("report.html");
-  if (settings.pictures)
-    return names;
-  for (const auto& name : ChainPictures::names())
-    names.push_back("pictures/" + name);
-  names.emplace_back("pictures");
-  return names;
-}
-
-/** @brief Writes report.html from the model's files, which must exist. */
-void
-writeReportPage(const ModelSettings& settings)
+/** @brief Writes report.html from the model's files, which must exist.
+ * @return why it could not, or an empty text: the model is good without it */
+std::string
+writeReportPage(const ModelSettings& settings, const OutputFolder& folder)
 {
   const Progress progress("writing the page");
   PageSettings page;
+  page.name = (std::filesystem::absolute(settings.folder) / "")
+                  .lexically_normal()
+                  .parent_path()
+                  .filename();
   std::error_code error; // the page cannot show a scan of several files
   if (std::filesystem::is_regular_file(settings.input, error))
     page.scan = settings.input;
-  writePage(settings.folder, page);
+  try {
+    writePage(std::filesystem::path(folder.file("")).string(), page);
+  }
+  catch (const ToolError& problem) {
+    return std::string("the model is complete, but not its page: ") + problem.what();
+  }
+  return {};
 }
 
 } // namespace
@@ -238,21 +245,11 @@ makeModel(const ModelSettings& settings,
   if (settings.no_mesh && (settings.pictures || settings.report))
     throw ToolError(
         "--pictures and --report show the mesh, which --no-mesh leaves out");
-  std::vector<std::string> names = output_names;
-  if (settings.no_mesh)
-    names.erase(std::find(names.begin(), names.end(), "mesh.ply"));
-  if (settings.report)
-    names.emplace_back("report.html");
-  names.insert(names.end(), drawing_names.begin(), drawing_names.end());
-  OutputFolder folder(settings.folder, names);
-  for (const auto& input : settings.inputs)
-    folder.spare(input);
-  std::optional<OutputFolder> picture_folder;
+  OutputFolder folder(settings.folder, settings.inputs);
+  folder.check(outputNames());
   std::optional<ChainPictures> pictures;
-  if (settings.pictures) {
-    picture_folder.emplace(folder.file("pictures"), ChainPictures::names());
+  if (settings.pictures)
     pictures.emplace(chain);
-  }
   RunRecord record;
   record.path = settings.input;
   record.reading = settings.scan.settings;
@@ -274,30 +271,33 @@ makeModel(const ModelSettings& settings,
   if (pictures)
     record.stages.push_back(
         timed("drawing", [&](StageReport&) { drawn = pictures->draw(); }));
-  folder.fill([&] {
-    record.stages.push_back(timed("writing", [&](StageReport& report) {
-      const std::function<void()> files[] = {
-          [&] { writeModel(folder, chain, !settings.no_mesh); },
-          [&] { writeBuildingModel(folder, chain); },
-          [&] {
-            writeDrawings(folder, *chain.getFloorplan(), settings.input,
-                          drawingSettings(chain), settings.threads);
-          }};
-      parallelBlocks(std::size(files), 1, settings.threads,
-                     [&](std::size_t k, std::size_t) { files[k](); });
-      report.points_in = report.points_out = chain.getStructure()->size();
-    }));
-    writeWhole(folder.file("report.json"),
-               [&](std::ostream& stream) { stream << makeReport(record, chain); });
-    folder.remove(leftOver(settings), settings.input);
-    if (picture_folder)
-      writePictures(*picture_folder, drawn);
-    if (settings.report)
-      writeReportPage(settings);
-  });
+  for (const auto& picture : drawn)
+    writeWhole(folder.file("pictures/" + picture.name),
+               [&](std::ostream& stream) { stream << picture.bytes; });
+  record.stages.push_back(timed("writing", [&](StageReport& report) {
+    const std::function<void()> files[] = {
+        [&] { writeModel(folder, chain, !settings.no_mesh); },
+        [&] { writeBuildingModel(folder, chain); },
+        [&] { writeDrawings(folder, chain, settings.threads); }};
+    parallelBlocks(std::size(files), 1, settings.threads,
+                   [&](std::size_t k, std::size_t) { files[k](); });
+    report.points_in = report.points_out = chain.getStructure()->size();
+  }));
+  record.files = folder.written();
+  record.files.emplace_back("report.json");
+  if (settings.report)
+    record.files.emplace_back("report.html");
+  writeWhole(folder.file("report.json"),
+             [&](std::ostream& stream) { stream << makeReport(record, chain); });
+  std::string problem;
+  if (settings.report)
+    problem = writeReportPage(settings, folder);
+  folder.exchange();
   for (const auto& warning : chain.getChain().warnings)
     warn(warning);
   say(summaryOf(record, chain));
+  if (!problem.empty())
+    throw ToolError(problem);
   return Done;
 }
 

@@ -1,47 +1,57 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <sys/types.h>
+
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
 namespace pcl::sedr::tools {
 
-/** @brief A result folder. It is checked before the work, created when there is
- * something to write, and removed again if it was created here and writing fails.
- * Throws ToolError if it cannot be written. */
+/** @brief A result folder whose files are exchanged as a set: they are written into a
+ * hidden folder within it and moved at the end. A second process moves them and cleans
+ * up, so the folder has the old set or the new one and nothing else even if this
+ * process is killed. Only one run at a time; a second one is refused. Throws ToolError
+ * if the folder cannot be written. */
 class OutputFolder {
 public:
-  /** @param path may be missing, including parent folders
-   * @param names of the files that will be written */
-  OutputFolder(const std::string& path, std::vector<std::string> names);
+  /** @param path may be missing, including parent folders; removed again if nothing is
+   * put into it
+   * @param inputs files that stay as they are */
+  OutputFolder(const std::string& path, std::vector<std::string> inputs);
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
 
-  /** @brief Throws ToolError if a file to be written is the input. */
-  void spare(const std::string& input) const;
+  /** @brief Throws ToolError if a file with one of these names cannot be replaced: it
+   * is an input, or a folder. To be called before the work. */
+  void check(const std::vector<std::string>& names) const;
 
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
+  /** @brief Returns where to write a file; its name may contain a folder. */
+  std::string file(const std::string& name) const;
 
-  /** @brief Adds names of files that will be written. */
-  void add(const std::vector<std::string>& names);
+  /** @brief Returns the sorted names of the files written and not yet moved. */
+  std::vector<std::string> written() const;
 
-  /** @brief Returns the sorted names of files that match a regular expression
-   * completely; none if there is no folder. */
-  std::vector<std::string> filesLike(const std::string& expression) const;
-
-  /** @brief Creates the folder and calls `write`, which fills it. */
-  void fill(const std::function<void()>& write) const;
-
-  /** @brief Removes files of an earlier run, except `input`, and folders that become
-   * empty. */
-  void remove(const std::vector<std::string>& names, const std::string& input) const;
+  /** @brief Moves all files into the folder, and removes those of an earlier run, which
+   * its report.json lists, except inputs. */
+  void exchange();
 
 private:
-  [[noreturn]] void refuse(const std::string& reason) const;
+  void lock();
+  void watch();
+  void clean() const;
+  bool isInput(const std::filesystem::path& file) const;
+  std::vector<std::string> namesInReport() const;
 
   std::filesystem::path path_;
-  std::vector<std::string> names_;
-  std::vector<std::filesystem::path> missing_; ///< folders to create, innermost first
+  std::filesystem::path part_; ///< the hidden folder
+  std::vector<std::string> inputs_;
+  std::vector<std::filesystem::path> missing_; ///< folders created, innermost first
+  int lock_ = -1;
+  int alive_ = -1; ///< a pipe that is closed when this process ends
+  pid_t watcher_ = -1;
 };
 
 } // namespace pcl::sedr::tools

@@ -261,6 +261,7 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
   const std::optional<Levelling>& levelling = chain.getChain().levelling;
   Json json{{"format", format_name},
             {"version", format_version},
+            {"files", run.files},
             {"input", inputOf(run)},
             {"parameters", parametersOf(run, chain)},
             {"priors", priorsOf(chain)},

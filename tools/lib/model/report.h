@@ -18,7 +18,8 @@ namespace pcl::sedr::tools {
 struct RunRecord {
   std::string path;
   std::size_t points = 0;
-  ScanSettings reading; ///< of the scan
+  ScanSettings reading;           ///< of the scan
+  std::vector<std::string> files; ///< that the run wrote, names in the folder
   Coverage coverage;
   std::vector<StageReport> stages; ///< reading, the chain, MeshEvaluation, writing
   std::optional<MeshEvaluationResult> figures; ///< empty without a mesh

@@ -118,7 +118,8 @@ pageData(const std::string& path, const PageSettings& settings)
 {
   const ResultFolder folder(path);
   const fs::path full = fs::absolute(path).lexically_normal();
-  Json json{{"name", (full.has_filename() ? full : full.parent_path()).filename()},
+  const fs::path name = full.has_filename() ? full : full.parent_path();
+  Json json{{"name", settings.name.empty() ? name.filename().string() : settings.name},
             {"report", folder.report()},
             {"plan", nullptr},
             {"drawings", Json::array()},
@@ -151,6 +152,24 @@ pageData(const std::string& path, const PageSettings& settings)
   return json;
 }
 
+/** @brief Adds the page to the files in report.json, which the next run exchanges. */
+void
+enlist(const std::string& path)
+{
+  const ResultFolder folder(path);
+  Json report = folder.report();
+  Json& files = report["files"];
+  if (!files.is_array())
+    files = Json::array(); // of an earlier version
+  if (!folder.has("report.json") ||
+      std::find(files.begin(), files.end(), "report.html") != files.end())
+    return;
+  files.push_back("report.html");
+  writeWhole(folder.file("report.json"), [&](std::ostream& stream) {
+    stream << report.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
+  });
+}
+
 } // namespace
 
 std::string
@@ -180,6 +199,7 @@ writePage(const std::string& path, const PageSettings& settings)
 {
   const std::string page = (fs::path(path) / "report.html").string();
   checkWritable(page);
+  enlist(path);
   const std::string html = makePage(path, settings);
   writeWhole(page, [&](std::ostream& stream) { stream << html; });
   return page;

@@ -8,6 +8,7 @@ namespace pcl::sedr::tools {
 
 /** @brief Settings of a page. */
 struct PageSettings {
+  std::string name; ///< of the model; empty: that of the folder
   std::string scan; ///< raw scan; empty: from report.json
   std::string three = "/usr/share/javascript/three"; ///< folder of three.js
   std::size_t max_triangles = 150000;                ///< of the interactive mesh

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "model/output_folder.h"
+#include "run_program.h"
+#include "sample_files.h"
+#include "tool_error.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <sys/types.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace programs;
+using pcl::sedr::tools::OutputFolder;
+using pcl::sedr::tools::ToolError;
+using Strings = std::vector<std::string>;
+
+class ResultSet : public ::testing::Test {
+protected:
+  std::string in(const std::string& name) const
+  {
+    return (folder_.path() / name).string();
+  }
+
+  /** Writes set number k: ten files with that number in them, and one named by it. */
+  void write(int k, const Strings& inputs = {}) const
+  {
+    OutputFolder folder(in("model"), inputs);
+    for (int file = 0; file < 10; ++file)
+      writeFile(folder.file("file" + std::to_string(file)), std::to_string(k));
+    writeFile(folder.file("pictures/of_" + std::to_string(k)), std::to_string(k));
+    nlohmann::json report{{"format", "sedr-report"}, {"files", folder.written()}};
+    report["files"].push_back("report.json");
+    writeFile(folder.file("report.json"), report.dump());
+    folder.exchange();
+  }
+
+  /** Returns the files of the folder, hidden ones too. */
+  std::set<std::string> files() const
+  {
+    std::set<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(in("model")))
+      names.insert(entry.path().lexically_relative(in("model")));
+    return names;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(ResultSet, ReplacesTheOneOfAnEarlierRunAndNothingElse)
+{
+  write(1);
+  for (const char* mine : {"model/report.html", "model/floorplan_1.svg", "outside"})
+    writeFile(in(mine), "mine");
+  write(2);
+  EXPECT_EQ(files().count("pictures/of_1"), 0u);
+  EXPECT_EQ(files().count("pictures/of_2"), 1u);
+  EXPECT_EQ(bytesOf(in("model/file7")), "2");
+  writeFile(in("model/report.json"), R"({"format": "sedr-report", "files":
+      ["file3", "../outside", 7, "", ")" +
+                                         in("outside") + R"(", "floorplan_1.svg"]})");
+  OutputFolder(in("model"), {in("model/file3")}).exchange();
+  EXPECT_EQ(bytesOf(in("model/file3")), "2") << "an input";
+  EXPECT_EQ(bytesOf(in("outside")), "mine");
+  EXPECT_EQ(bytesOf(in("model/report.html")), "mine");
+  EXPECT_FALSE(fs::exists(in("model/floorplan_1.svg"))) << "listed as written";
+}
+
+TEST_F(ResultSet, IsTheOldOneOrTheNewOneWheneverTheRunIsKilled)
+{
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  write(0);
+  const auto whole = Clock::now() - start;
+  writeFile(in("model/mine"), "mine");
+  std::set<int> met{0};
+  for (int k = 1; k <= 100; ++k) {
+    const pid_t runner = fork();
+    if (runner == 0) {
+      write(k);
+      _exit(0);
+    }
+    std::this_thread::sleep_for(whole * k / 80);
+    kill(runner, k % 2 == 0 ? SIGKILL : SIGTERM);
+    waitpid(runner, nullptr, 0);
+    for (int wait = 0; fs::exists(in("model/.pcl_sedr.part")) && wait < 10000; ++wait)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    const std::string number = bytesOf(in("model/file0"));
+    for (int file = 1; file < 10; ++file)
+      ASSERT_EQ(bytesOf(in("model/file" + std::to_string(file))), number) << k;
+    ASSERT_EQ(files().size(), 14u) << "ten files, report, picture in a folder, mine";
+    ASSERT_EQ(files().count("pictures/of_" + number), 1u);
+    met.insert(std::stoi(number));
+  }
+  EXPECT_GT(met.size(), 5u) << "some runs were done before they were killed";
+  EXPECT_LT(met.size(), 96u) << "others were not";
+}
+
+TEST_F(ResultSet, IsWrittenByOneRunAtATime)
+{
+  {
+    const OutputFolder first(in("a/b"), {});
+    try {
+      const OutputFolder second(in("a/b"), {});
+      ADD_FAILURE() << "two at once";
+    }
+    catch (const ToolError& error) {
+      EXPECT_NE(std::string(error.what()).find("another run"), std::string::npos);
+    }
+    EXPECT_TRUE(fs::exists(first.file("x/y").substr(0, in("a/b").size())));
+  }
+  EXPECT_FALSE(fs::exists(in("a"))) << "nothing was written";
+  fs::create_directories(in("a/b/.pcl_sedr.part/x")); // of a run that was killed
+  OutputFolder(in("a/b"), {}).exchange();
+  EXPECT_FALSE(fs::exists(in("a/b/.pcl_sedr.part")));
+}
+
+} // namespace
