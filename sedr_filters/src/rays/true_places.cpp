@@ -57,6 +57,20 @@ public:
     return false;
   }
 
+  /** @brief Whether a place is on a surface, as the corner of a room that is taken for
+   * the origin. A scanner stands free, and gets no points from itself. */
+  bool isOnSurface(const Eigen::Vector3f& place) const
+  {
+    constexpr float nearest = 0.12F; // metres
+    constexpr float around = 0.25F;  // metres: returns of no range are no surface
+    std::size_t near = 0;
+    std::size_t beyond = 0;
+    forEachNear(place, around, [&](const Eigen::Vector3f& p) {
+      ++((p - place).norm() < nearest ? near : beyond);
+    });
+    return near >= 3 && beyond >= 8;
+  }
+
 private:
   static constexpr float clear = 0.4F; ///< metres before and behind a patch
 
@@ -264,6 +278,8 @@ isTrue(const Taken& taken, const PatchSearch& patches, const PointView& rows)
   constexpr std::size_t fewest = 5;       // wrong rays: fewer may be strays
   constexpr float shortest = 1.2F;        // metres, of a ray that tells something
   constexpr double least_of_pane = 0.005; // share of the rays that any pane returns
+  if (patches.isOnSurface(taken.from))
+    return false;
   const RangeImage image(taken.from, rows, taken.rows);
   std::size_t looked_at = 0;
   std::size_t too_full = 0;

@@ -75,8 +75,8 @@ ChainRun::findStructure()
         std::to_string(chain_.mirrored.untrue) + " of " +
         std::to_string(chain_.mirrored.positions) +
         " positions of the scanner are not where the points were taken "
-        "from: rays from there go through walls that were seen; what "
-        "they would tell was left out");
+        "from: they lie on a surface, or rays from there go through walls that were "
+        "seen; what they would tell was left out");
   if (chain_.mirrored.points > 0)
     chain_.warnings.push_back(
         std::to_string(chain_.mirrored.mirrors) +

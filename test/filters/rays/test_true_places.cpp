@@ -145,6 +145,19 @@ TEST(TruePlaces, OnePlaceForTheScansOfTwoIsUntrueAndItsRaysTellNothing)
   EXPECT_TRUE(found.lines.empty());
 }
 
+TEST(TruePlaces, TheCornerOfARoomIsNone)
+{
+  constexpr double voxel = 0.05;
+  const TwoRooms rooms(1);
+  for (const Vector3f& corner : {Vector3f(0, 0, 0), Vector3f(0.04F, 0.05F, 0)}) {
+    ScanPositions positions = rooms.positions;
+    positions[0].place = corner;
+    const MirroredPoints found = rooms.found(positions, voxel);
+    ASSERT_EQ(found.untrue.size(), 1u);
+    EXPECT_EQ(found.untrue[0], corner);
+  }
+}
+
 TEST(TruePlaces, AreToldFromOthersInVoxelsOfOneDecimetreToo)
 {
   constexpr double voxel = 0.1;
