@@ -1,55 +1,57 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_cells.h"
 
+#include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace pcl::sedr {
 
 namespace {
 
-constexpr float no_height = -std::numeric_limits<float>::infinity();
+constexpr float no_height = std::numeric_limits<float>::infinity();
 
 double
 medianHeight(const PointView& points, const std::vector<int>& indices, double otherwise)
 {
-  std::vector<float> z;
+  std::vector<double> z;
   z.reserve(indices.size());
   for (const int i : indices)
     if (points.isFinite(static_cast<std::size_t>(i)))
-      z.push_back(points[static_cast<std::size_t>(i)].z());
-  if (z.empty())
-    return otherwise;
-  const auto middle = z.begin() + static_cast<std::ptrdiff_t>(z.size() / 2);
-  std::nth_element(z.begin(), middle, z.end());
-  return *middle;
+      z.push_back(static_cast<double>(points[static_cast<std::size_t>(i)].z()));
+  return z.empty() ? otherwise : middleValue(std::move(z));
 }
 
-/** @brief Replaces each value by the largest within `reach` cells along x, then y. */
+/** @brief Replaces each value by the first in an order of all within `reach` cells
+ * along x, then y. */
+template <typename Before>
 void
-spreadHighest(const CellMask& frame, int reach, std::vector<float>& values)
+spread(const CellMask& frame, int reach, Before before, std::vector<float>& values)
 {
   const int width = frame.width();
   const int height = frame.height();
-  const auto spread = [&](int lines, int length, std::size_t line, std::size_t step) {
+  const auto along = [&](int lines, int length, std::size_t line, std::size_t step) {
     std::vector<float> row(static_cast<std::size_t>(length));
     for (int l = 0; l < lines; ++l) {
       float* const first = values.data() + static_cast<std::size_t>(l) * line;
       for (int k = 0; k < length; ++k) {
-        float most = no_height;
+        float best = first[static_cast<std::size_t>(k) * step];
         for (int j = std::max(0, k - reach); j <= std::min(length - 1, k + reach); ++j)
-          most = std::max(most, first[static_cast<std::size_t>(j) * step]);
-        row[static_cast<std::size_t>(k)] = most;
+          if (const float z = first[static_cast<std::size_t>(j) * step];
+              before(z, best))
+            best = z;
+        row[static_cast<std::size_t>(k)] = best;
       }
       for (int k = 0; k < length; ++k)
         first[static_cast<std::size_t>(k) * step] = row[static_cast<std::size_t>(k)];
     }
   };
-  spread(height, width, static_cast<std::size_t>(width), 1);
-  spread(width, height, 1, static_cast<std::size_t>(width));
+  along(height, width, static_cast<std::size_t>(width), 1);
+  along(width, height, 1, static_cast<std::size_t>(width));
 }
 
 /** @brief Calls `see(index of the cell, point)` for the points in the frame. */
@@ -93,16 +95,19 @@ gatherCeiling(const PointView& points,
   const CellBox box =
       grown(boxOf(seen), static_cast<int>(std::lround(p.margin / grid.size())));
   cells.seen = CellMask(seen, box);
-  cells.top.assign(cells.seen.values().size(), no_height);
+  cells.top.assign(cells.seen.values().size(), -no_height);
+  cells.low.assign(cells.seen.values().size(), no_height);
   forEachIn(cells.seen, grid, points, high,
             [&](std::size_t at, const Eigen::Vector3f& q) {
               cells.top[at] = std::max(cells.top[at], q.z());
+              cells.low[at] = std::min(cells.low[at], q.z());
             });
-  spreadHighest(cells.seen, static_cast<int>(std::lround(p.local / grid.size())),
-                cells.top);
-  for (float& z : cells.top)
-    if (z == no_height)
-      z = static_cast<float>(cells.ceiling);
+  const int reach = static_cast<int>(std::lround(p.local / grid.size()));
+  spread(cells.seen, reach, std::greater<>(), cells.top);
+  spread(cells.seen, reach, std::less<>(), cells.low);
+  for (std::size_t i = 0; i < cells.top.size(); ++i)
+    if (cells.low[i] == no_height)
+      cells.top[i] = cells.low[i] = static_cast<float>(cells.ceiling);
 }
 
 /** @brief Finds the surfaces that reach up to the ceiling. */
@@ -115,38 +120,58 @@ gatherWalls(const PointView& points,
 {
   constexpr int filled = 5;         // of the bins, by any surface
   constexpr int filled_of_wall = 3; // by one that wall growing has reached
+  constexpr int filled_of_low = 2;  // below a lower ceiling beside it
   const std::size_t count = cells.seen.values().size();
+  const auto lowest = [&](float ceiling) {
+    return std::max(ceiling - p.band, cells.floor + (ceiling - cells.floor) / 2);
+  };
+  const auto binBelow = [&](float ceiling, float z) {
+    return 1u << std::min(7, static_cast<int>((ceiling - z) / p.bin));
+  };
   std::vector<std::uint8_t> bins(count, 0);
+  std::vector<std::uint8_t> bins_of_low(count, 0);
   std::vector<std::uint8_t> is_wall(count, 0);
   struct Place {
     std::size_t cell;
     Eigen::Vector2d at;
     bool is_wall;
+    bool is_top; ///< below the highest ceiling beside it
   };
   std::vector<Place> places;
   const auto gather = [&](const std::vector<int>& indices, bool of_wall) {
-    forEachIn(cells.seen, grid, points, indices,
-              [&](std::size_t at, const Eigen::Vector3f& q) {
-                const double top = cells.top[at];
-                const double low =
-                    std::max(top - p.band, cells.floor + (top - cells.floor) / 2);
-                if (q.z() <= low || q.z() >= top - p.rim)
-                  return;
-                const int bin = std::min(7, static_cast<int>((top - q.z()) / p.bin));
-                bins[at] = static_cast<std::uint8_t>(bins[at] | 1u << bin);
-                is_wall[at] = is_wall[at] || of_wall;
-                places.push_back({at, q.head<2>().cast<double>(), of_wall});
-              });
+    forEachIn(
+        cells.seen, grid, points, indices,
+        [&](std::size_t at, const Eigen::Vector3f& q) {
+          const auto isBelow = [&](float ceiling) {
+            return q.z() > lowest(ceiling) && q.z() < ceiling - p.rim;
+          };
+          const bool is_below_low = isBelow(cells.low[at]);
+          const bool is_below_top = isBelow(cells.top[at]);
+          if (is_below_low)
+            bins_of_low[at] |= binBelow(cells.low[at], q.z());
+          if (is_below_top)
+            bins[at] |= binBelow(cells.top[at], q.z());
+          if (!is_below_low && !is_below_top)
+            return;
+          is_wall[at] = is_wall[at] || of_wall;
+          places.push_back({at, q.head<2>().cast<double>(), of_wall, is_below_top});
+        });
   };
   gather(room.walls, true);
   gather(room.others, false);
   cells.solid = CellMask(cells.seen.box());
-  cells.glass = cells.solid;
+  cells.glass = cells.riser = cells.pillar = cells.solid;
   for (std::size_t i = 0; i < count; ++i) {
-    const int n = __builtin_popcount(bins[i]);
-    cells.solid.values()[i] = n >= filled || (is_wall[i] && n >= filled_of_wall);
+    const int needed = is_wall[i] ? filled_of_wall : filled;
+    const int below_top = __builtin_popcount(bins[i]);
+    const int below_low = __builtin_popcount(bins_of_low[i]);
+    const bool goes_on = below_low >= filled_of_low;
+    cells.solid.values()[i] = below_top >= needed && goes_on;
+    cells.riser.values()[i] = below_top >= needed && !goes_on;
+    cells.pillar.values()[i] = below_top < needed && below_low >= needed;
   }
   const CellMask near = dilated(cells.solid, 1);
+  const CellMask near_pillar = dilated(cells.pillar, 1);
   std::vector<std::size_t> number(count, 0);
   std::size_t solids = 0;
   for (std::size_t i = 0; i < count; ++i)
@@ -155,9 +180,10 @@ gatherWalls(const PointView& points,
   cells.centres.assign(solids, Eigen::Vector2d::Zero());
   std::vector<double> counts(solids, 0);
   for (const Place& place : places) {
-    if (place.is_wall || near.values()[place.cell])
+    if (place.is_top ? place.is_wall || near.values()[place.cell]
+                     : near_pillar.values()[place.cell] != 0)
       cells.wall_points.push_back(place.at);
-    if (cells.solid.values()[place.cell]) {
+    if (place.is_top && cells.solid.values()[place.cell]) {
       cells.centres[number[place.cell]] += place.at;
       ++counts[number[place.cell]];
     }

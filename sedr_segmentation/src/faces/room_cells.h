@@ -25,9 +25,12 @@ struct RoomCells {
   double floor = 0;       ///< median height of the floor
   double ceiling = 0;     ///< median height of the ceiling
   CellMask seen;          ///< cells with ceiling, in a box with a margin around them
-  std::vector<float> top; ///< height of the ceiling near each cell of the box
+  std::vector<float> top; ///< of the highest ceiling near each cell of the box
+  std::vector<float> low; ///< of the lowest ceiling near it
   CellMask solid;         ///< cells in which a surface reaches up to the ceiling
   CellMask glass;         ///< those of them that return few rays
+  CellMask riser;         ///< cells of a surface between two ceilings, with air below
+  CellMask pillar; ///< cells of one that ends at a lower ceiling beside a higher one
   std::vector<Eigen::Vector2d> wall_points; ///< just below the ceiling, on surfaces
 
   /** @brief Mean place of the wall points of each solid cell, in the order of cells. */

@@ -9,73 +9,85 @@ namespace pcl::sedr {
 
 namespace {
 
-/** @brief The cheapest way around a cycle from one place back to it. */
+constexpr double never = std::numeric_limits<double>::infinity();
+constexpr auto any = std::numeric_limits<std::size_t>::max();
+
+/** @brief The cheapest way along a cycle from one place to another. */
 class CycleWalk {
 public:
-  CycleWalk(const CycleCosts& costs, std::size_t start)
+  CycleWalk(const CycleCosts& costs, std::size_t start, std::size_t steps)
       : costs_(costs)
       , start_(start)
-      , from_(costs.own.size())
-      , sum_(costs.labels)
-      , next_(costs.labels)
-  {}
-
-  /** @brief Walks from one candidate of the place, or from any.
-   * @param[out] labels of the walk
-   * @return its cost; the place itself counts once
-   * @param[out] is_closed whether it ends with the candidate it began with */
-  double
-  walk(std::size_t first, bool any, std::vector<std::size_t>& labels, bool& is_closed)
+      , steps_(steps)
+      , from_(1, 0)
   {
-    const std::size_t n = costs_.places();
-    const std::size_t k = costs_.labels;
-    const double* const start_own = costs_.own.data() + start_ * k;
+    for (std::size_t q = 1; q <= steps; ++q)
+      from_.push_back(from_.back() + costs.candidates(placeAt(q)));
+    back_.resize(from_.back());
+  }
+
+  /** @brief Walks from a candidate of the first place to one of the last, or from and
+   * to any. What the last place itself costs is left out.
+   * @param[out] labels of the places from the first on, before the last
+   * @return the candidate of the last place */
+  std::size_t
+  walk(std::size_t first, std::size_t last, std::vector<std::size_t>& labels)
+  {
+    const std::size_t k = costs_.candidates(start_);
+    std::vector<double> sum(k, never);
     for (std::size_t a = 0; a < k; ++a)
-      sum_[a] = any || a == first ? start_own[a] : never;
-    for (std::size_t q = 1; q <= n; ++q) {
-      const std::size_t i = (start_ + q - 1) % n;
-      const std::size_t j = (i + 1) % n;
-      const double* const change = costs_.change.data() + i * k * k;
-      const double* const own = costs_.own.data() + j * k;
-      const double* const entry = costs_.entry.data() + j * k;
-      std::fill(next_.begin(), next_.end(), never);
-      for (std::size_t a = 0; a < k; ++a) {
-        if (sum_[a] == never)
-          continue;
-        for (std::size_t b = 0; b < k; ++b) {
-          const double step = change[a * k + b];
-          const double cost = sum_[a] + step + (step > 0 ? entry[b] : 0);
-          if (cost < next_[b]) {
-            next_[b] = cost;
-            from_[(q - 1) * k + b] = static_cast<std::uint8_t>(a);
-          }
-        }
-      }
-      for (std::size_t b = 0; q < n && b < k; ++b)
-        next_[b] += own[b];
-      sum_.swap(next_);
+      if (first == any || a == first)
+        sum[a] = costs_.own[costs_.first[start_] + a];
+    std::vector<double> next;
+    for (std::size_t q = 1; q <= steps_; ++q) {
+      step(q, sum, next);
+      sum.swap(next);
     }
-    const std::size_t last =
-        any ? static_cast<std::size_t>(std::min_element(sum_.begin(), sum_.end()) -
-                                       sum_.begin())
-            : first;
+    if (last == any)
+      last = static_cast<std::size_t>(std::min_element(sum.begin(), sum.end()) -
+                                      sum.begin());
     std::size_t b = last;
-    for (std::size_t q = n; q > 0; --q) {
-      b = from_[(q - 1) * k + b];
-      labels[(start_ + q - 1) % n] = b;
+    for (std::size_t q = steps_; q > 0; --q) {
+      b = back_[from_[q - 1] + b];
+      labels[placeAt(q - 1)] = b;
     }
-    is_closed = b == last;
-    return sum_[last];
+    return last;
   }
 
 private:
-  static constexpr double never = std::numeric_limits<double>::infinity();
+  std::size_t placeAt(std::size_t q) const { return (start_ + q) % costs_.places(); }
+
+  /** @brief Makes the q-th step. */
+  void step(std::size_t q, const std::vector<double>& sum, std::vector<double>& next)
+  {
+    const std::size_t i = placeAt(q - 1);
+    const std::size_t j = placeAt(q);
+    const std::size_t k = costs_.candidates(j);
+    const float* const change = costs_.change.data() + costs_.pairs[i];
+    const double* const entry = costs_.entry.data() + costs_.first[j];
+    std::uint8_t* const back = back_.data() + from_[q - 1];
+    next.assign(k, never);
+    for (std::size_t a = 0; a < sum.size(); ++a) {
+      if (sum[a] == never)
+        continue;
+      for (std::size_t b = 0; b < k; ++b) {
+        const double change_cost = static_cast<double>(change[a * k + b]);
+        const double cost = sum[a] + change_cost + (change_cost > 0 ? entry[b] : 0);
+        if (cost < next[b]) {
+          next[b] = cost;
+          back[b] = static_cast<std::uint8_t>(a);
+        }
+      }
+    }
+    for (std::size_t b = 0; q < steps_ && b < k; ++b)
+      next[b] += costs_.own[costs_.first[j] + b];
+  }
 
   const CycleCosts& costs_;
   std::size_t start_;
-  std::vector<std::uint8_t> from_;
-  std::vector<double> sum_;
-  std::vector<double> next_;
+  std::size_t steps_;
+  std::vector<std::size_t> from_; ///< first of each step in `back_`
+  std::vector<std::uint8_t> back_;
 };
 
 } // namespace
@@ -87,14 +99,22 @@ cheapestCycle(const CycleCosts& costs)
   std::vector<std::size_t> labels(n, 0);
   if (n == 0)
     return labels;
-  bool is_closed = false;
-  CycleWalk(costs, 0).walk(0, true, labels, is_closed);
-  if (is_closed)
+  if (CycleWalk(costs, 0, n).walk(any, any, labels) == labels[0])
     return labels;
   const std::size_t middle = n / 2;
-  const std::size_t first = labels[middle];
-  CycleWalk(costs, middle).walk(first, false, labels, is_closed);
+  const std::size_t label = labels[middle];
+  CycleWalk(costs, middle, n).walk(label, label, labels);
   return labels;
+}
+
+void
+cheapestWay(const CycleCosts& costs,
+            std::size_t from,
+            std::size_t steps,
+            std::vector<std::size_t>& labels)
+{
+  const std::size_t to = (from + steps) % costs.places();
+  CycleWalk(costs, from, steps).walk(labels[from], labels[to], labels);
 }
 
 } // namespace pcl::sedr

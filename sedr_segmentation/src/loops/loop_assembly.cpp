@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loop_assembly.h"
 
+#include "loop_curve.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -38,11 +40,13 @@ runsOf(const LoopSolver& solver, std::size_t c)
     const Eigen::Vector2d near = (contour.samples[(next.first + n - 1) % n].place +
                                   contour.samples[next.first].place) /
                                  2;
-    const LoopJoint joint = solver.joint(run.label, next.label, near);
+    const LoopJoint joint = solver.joint(c, solver.candidate(run.label),
+                                         solver.candidate(next.label), near);
     const bool is_piece = joint.kind == LoopJoint::Kind::Piece;
-    run.end = is_piece ? solver.candidate(run.label).curve.project(near) : joint.place;
+    run.end =
+        is_piece ? solver.candidate(run.label).curve().project(near) : joint.place;
     next.start =
-        is_piece ? solver.candidate(next.label).curve.project(near) : joint.place;
+        is_piece ? solver.candidate(next.label).curve().project(near) : joint.place;
   }
   return runs;
 }
@@ -75,10 +79,10 @@ elementOf(const LoopContour& contour, const Run& run, const LoopCandidate& candi
   const std::size_t n = contour.samples.size();
   for (std::size_t k = 0; k < run.length; ++k)
     e.inliers += contour.samples[(run.first + k) % n].points;
-  if (candidate.curve.isCircle()) {
-    e.centre = candidate.curve.point;
-    e.radius = candidate.curve.radius;
-    e.counter_clockwise = isCounterClockwise(contour, run, candidate.curve);
+  if (candidate.curve().isCircle()) {
+    e.centre = candidate.curve().point;
+    e.radius = candidate.curve().radius;
+    e.counter_clockwise = isCounterClockwise(contour, run, candidate.curve());
   }
   return e;
 }
@@ -236,11 +240,14 @@ assembleLoop(LoopSolver& solver, std::size_t c)
     return {};
   const double spacing =
       (contour.samples[1 % n].place - contour.samples[0].place).norm();
+  const double length = spacing * static_cast<double>(n);
   for (int attempt = 0; attempt < max_tries; ++attempt) {
     const std::vector<Run> runs = runsOf(solver, c);
     if (runs.empty()) {
-      const PlanCurve& curve = solver.candidate(solver.labels(c).front()).curve;
-      return curve.isCircle() ? circleLoop(contour, curve) : PlanLoop();
+      const PlanCurve& curve = solver.candidate(solver.labels(c).front()).curve();
+      const bool is_around =
+          curve.isCircle() && std::abs(2 * M_PI * curve.radius - length) < length / 2;
+      return is_around ? circleLoop(contour, curve) : PlanLoop();
     }
     PlanLoop loop;
     std::vector<std::size_t> run_of; // of each element

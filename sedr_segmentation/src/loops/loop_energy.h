@@ -34,6 +34,7 @@ struct LoopEnergy {
   double reach = 1.5;       ///< metres: curves farther from the contour do not matter
   double min_sigma = 0.007; ///< metres: walls are not known better here
   double max_sigma = 0.02;  ///< metres
+  double max_spread = 0.03; ///< metres, of a wall of some metres
   double min_radius = 0.15; ///< metres, of arcs
   double max_radius = 25;   ///< metres
 };

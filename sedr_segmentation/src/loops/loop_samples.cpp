@@ -2,7 +2,7 @@
 #include "loop_samples.h"
 
 #include "../curves/contour.h"
-#include "loop_curve.h"
+#include "sedr_filters/src/base/middle_value.h"
 
 #include <algorithm>
 #include <cmath>
@@ -158,13 +158,9 @@ most(const LoopSample& sample)
 }
 
 double
-median(std::vector<double> values, double otherwise)
+medianOr(double otherwise, std::vector<double> values)
 {
-  if (values.empty())
-    return otherwise;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return values.empty() ? otherwise : middleValue(std::move(values));
 }
 
 /** @brief Sets the share of each surface that does not count: what stands before it,
@@ -201,74 +197,6 @@ setAnchor(const float* areas, double outlier, LoopSample& sample)
       sample.anchor = sample.place + sample.offset[q] * sample.normal;
     }
   }
-}
-
-/** @brief Returns the deviations of anchors from the straight stretches on which they
- * lie, stretch by stretch; stretches that are not straight are left out. */
-std::vector<std::vector<double>>
-stretchDeviations(const std::vector<LoopContour>& contours,
-                  std::size_t length,
-                  double straight)
-{
-  constexpr double clearly_seen = 0.5;
-  std::vector<std::vector<double>> all;
-  for (const LoopContour& contour : contours)
-    for (std::size_t s = 0; s + length < contour.samples.size(); s += length / 2) {
-      std::vector<Eigen::Vector2d> anchors;
-      for (std::size_t k = s; k < s + length; ++k)
-        if (contour.samples[k].seen > clearly_seen)
-          anchors.push_back(contour.samples[k].anchor);
-      if (anchors.size() < length)
-        continue;
-      const PlanCurve line = fitCurve(false, anchors, straight / 4);
-      std::vector<double> off;
-      for (const Eigen::Vector2d& p : anchors)
-        off.push_back(line.signedDistance(p));
-      const auto isFar = [&](double d) { return std::abs(d) > straight; };
-      if (std::none_of(off.begin(), off.end(), isFar))
-        all.push_back(std::move(off));
-    }
-  return all;
-}
-
-/** @brief Measures the noise of the walls along straight stretches of 1.2 m: the
- * scatter about their lines, and how far deviations from them are correlated (their
- * autocorrelation, summed). */
-WallNoise
-noiseOf(const std::vector<LoopContour>& contours,
-        const LoopEnergy& energy,
-        double spacing)
-{
-  constexpr std::size_t stretch_length = 24; // samples
-  constexpr double straight = 0.05;          // metres: what is farther off is no noise
-  constexpr std::size_t enough = 4;          // stretches
-  WallNoise noise;
-  const auto stretches = stretchDeviations(contours, stretch_length, straight);
-  if (stretches.size() < enough)
-    return noise;
-  std::vector<double> off;
-  for (const auto& stretch : stretches)
-    for (const double d : stretch)
-      off.push_back(std::abs(d));
-  // The quartile of a normal distribution is 1.15 sigma.
-  const auto rank = off.begin() + static_cast<std::ptrdiff_t>(off.size() * 3 / 4);
-  std::nth_element(off.begin(), rank, off.end());
-  noise.sigma = std::clamp(*rank / 1.15, energy.min_sigma, energy.max_sigma);
-  std::array<double, stretch_length / 2> sums{};
-  for (const auto& stretch : stretches)
-    for (std::size_t lag = 0; lag < sums.size(); ++lag)
-      for (std::size_t k = 0; k + lag < stretch.size(); ++k)
-        sums[lag] +=
-            stretch[k] * stretch[k + lag] / static_cast<double>(stretch.size() - lag);
-  if (sums[0] > 0) {
-    double correlated = 1;
-    for (std::size_t lag = 1; lag < sums.size() && sums[lag] > 0; ++lag)
-      correlated += 2 * sums[lag] / sums[0];
-    noise.correlation = spacing * correlated;
-  }
-  noise.correlation =
-      std::clamp(noise.correlation, energy.min_correlation, energy.max_correlation);
-  return noise;
 }
 
 } // namespace
@@ -315,14 +243,14 @@ gatherBeside(const PlanPoints& walls,
   }
 }
 
-WallNoise
+void
 findSurfaces(std::vector<LoopContour>& contours,
              const LoopEnergy& energy,
              double spacing)
 {
   constexpr double min_width = 0.01;
   constexpr double max_width = 0.02;
-  const double outlier = energy.outlier * spacing / WallNoise().correlation;
+  const double outlier = energy.outlier * spacing / energy.max_correlation * 2;
   const AreaTable table;
   double width = min_width;
   for (int round = 0; round < 3; ++round) {
@@ -344,7 +272,7 @@ findSurfaces(std::vector<LoopContour>& contours,
             scatter.push_back(d);
         }
       }
-    width = std::clamp(1.4826 * median(std::move(scatter), min_width), min_width,
+    width = std::clamp(1.4826 * medianOr(min_width, std::move(scatter)), min_width,
                        max_width);
   }
   std::vector<double> counts;
@@ -352,7 +280,7 @@ findSurfaces(std::vector<LoopContour>& contours,
     for (const LoopSample& sample : contour.samples)
       if (most(sample) > 0)
         counts.push_back(most(sample));
-  const double usual = median(std::move(counts), 1);
+  const double usual = medianOr(1, std::move(counts));
   for (LoopContour& contour : contours)
     for (std::size_t i = 0; i < contour.samples.size(); ++i) {
       LoopSample& sample = contour.samples[i];
@@ -364,7 +292,6 @@ findSurfaces(std::vector<LoopContour>& contours,
         setAnchor(contour.area.data() + i * static_cast<std::size_t>(table.columns()),
                   outlier, sample);
     }
-  return noiseOf(contours, energy, spacing);
 }
 
 } // namespace pcl::sedr

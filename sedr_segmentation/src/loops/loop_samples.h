@@ -75,16 +75,9 @@ void gatherBeside(const PlanPoints& walls,
                   const LoopEnergy& energy,
                   LoopContour& contour);
 
-/** @brief Noise of the places of walls, measured along straight stretches; metres. */
-struct WallNoise {
-  double sigma = 0.01;      ///< standard deviation of a place
-  double correlation = 0.2; ///< so long a piece of wall is one independent observation
-};
-
-/** @brief Finds the surfaces beside all samples.
- * @return how far their places scatter, and over what length together */
-WallNoise findSurfaces(std::vector<LoopContour>& contours,
-                       const LoopEnergy& energy,
-                       double spacing);
+/** @brief Finds the surfaces beside all samples. */
+void findSurfaces(std::vector<LoopContour>& contours,
+                  const LoopEnergy& energy,
+                  double spacing);
 
 } // namespace pcl::sedr

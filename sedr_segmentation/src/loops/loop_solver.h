@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "../faces/wall_lines.h"
 #include "cycle_labels.h"
-#include "loop_curve.h"
-#include "loop_samples.h"
+#include "loop_candidates.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -12,16 +12,6 @@
 #include <vector>
 
 namespace pcl::sedr {
-
-/** @brief A curve that the loops of a storey may follow. */
-struct LoopCandidate {
-  PlanCurve curve;
-  double cost = 0;       ///< nats, once for all loops that follow it
-  bool is_known = false; ///< given, not fitted: it costs nothing and stays as it is
-  double unseen = 0;     ///< share of an outlier that it costs where nobody saw a wall
-  double from = -1e9;    ///< of a line: where along it evidence is near,
-  double to = 1e9;       ///< metres along its direction from its point
-};
 
 /** @brief How a loop goes over from one curve to the next. */
 struct LoopJoint {
@@ -34,94 +24,92 @@ struct LoopJoint {
 /** @brief The curves of the loops of a storey by one energy (LoopEnergy): curves are
  * proposed from the samples, each loop's labels are the cheapest cycle, curves are
  * fitted to their samples again and replaced by others, as long as the energy falls
- * (PEARL: Isack and Boykov 2012). */
+ * (PEARL: Isack and Boykov 2012). O(samples x candidates of each squared). The result
+ * is the same for any number of threads. */
 class LoopSolver {
 public:
   /** @param contours with their surfaces, see findSurfaces(); must outlive this
-   * @param noise of the walls, see findSurfaces()
-   * @param known curves that exist already and cost nothing */
-  LoopSolver(std::vector<LoopContour>& contours,
+   * @param lines of the storey's walls, the first proposals
+   * @param noise of the walls, see wallNoise() */
+  LoopSolver(const std::vector<LoopContour>& contours,
+             const std::vector<WallLine>& lines,
              const LoopEnergy& energy,
              double spacing,
              const WallNoise& noise,
-             std::vector<PlanCurve> known = {});
+             unsigned threads);
 
   /** @brief Minimises the energy, at most `rounds` times. */
   void solve(int rounds = 8);
 
   /** @brief Forbids a curve at samples of a contour, and solves it again. */
   void block(std::size_t contour,
-             const std::vector<std::pair<std::size_t, std::size_t>>&);
+             const std::vector<std::pair<std::size_t, std::size_t>>& places);
 
   const LoopContour& contour(std::size_t c) const { return contours_[c]; }
-  std::size_t contours() const { return contours_.size(); }
 
   /** @brief Returns the curve of each sample of a contour, as an index. */
   const std::vector<std::size_t>& labels(std::size_t c) const { return labels_[c]; }
 
   const LoopCandidate& candidate(std::size_t i) const { return pool_[i]; }
 
-  LoopJoint joint(std::size_t a, std::size_t b, const Eigen::Vector2d& near) const;
-
-  double sigma() const { return sigma_; }
-
-  /** @brief Returns the main directions of the walls, radians modulo a quarter turn. */
-  const std::vector<double>& directions() const { return directions_; }
+  /** @brief Returns the cheapest way from one curve to another near the contour. */
+  LoopJoint joint(std::size_t contour,
+                  const LoopCandidate& from,
+                  const LoopCandidate& to,
+                  const Eigen::Vector2d& near) const;
 
 private:
+  static constexpr double impossible = 1e9; ///< nats
+
   /** @brief The candidates of a contour's samples and their costs. */
   struct Table {
-    std::vector<std::size_t> near; ///< indices in the pool
-    std::vector<float> cost;       ///< of each of them at each sample
-    std::vector<std::size_t> list; ///< the cheapest at each sample: indices in the pool
-    CycleCosts cycle;              ///< of these
+    std::vector<std::size_t> list;   ///< candidates of each sample: indices in the pool
+    std::vector<double> cost;        ///< of these
+    CycleCosts cycle;                ///< of these, as far as they are allowed
+    std::vector<std::size_t> places; ///< in `list`, of the labels
+    double corner = 0;               ///< nats of a change
   };
 
-  using Labels = std::vector<std::vector<std::size_t>>;
-
-  LoopCandidate candidateOf(const PlanCurve& curve) const;
-  double angleFromMain(const PlanCurve& curve) const;
-  std::vector<PlanCurve> snapped(const PlanCurve& curve) const;
-  void setExtent(LoopCandidate& candidate) const;
-
-  std::vector<PlanCurve> proposals(const LoopContour& contour) const;
-  std::vector<PlanCurve> unseenProposals(const LoopContour& contour) const;
-  std::vector<PlanCurve> distinct(std::vector<PlanCurve> curves,
-                                  double tolerance) const;
-  void findDirections(const std::vector<PlanCurve>& curves);
+  /** @brief A run of samples around a contour. */
+  struct Span {
+    std::size_t first = 0;
+    std::size_t length = 0;
+  };
 
   double
-  sampleCost(const LoopContour& contour, std::size_t i, std::size_t candidate) const;
-  double costAt(std::size_t c, std::size_t i, std::size_t candidate) const;
-  void prepare(const Labels* now);
-  void prepareContour(std::size_t c, const std::vector<std::size_t>* now);
-  std::vector<std::size_t> cheapest(std::size_t c);
-  double leastIncrease(std::size_t candidate) const;
-  double costOf(std::size_t c, const std::vector<std::size_t>& labels) const;
+  jointCost(std::size_t c, std::size_t from, std::size_t to, std::size_t i) const;
+  void prepare();
+  void prepareContour(std::size_t c,
+                      const std::vector<std::vector<std::pair<std::size_t, float>>>&);
+  void allow(std::size_t c);
+  void setEntries(std::size_t c, std::size_t i);
+  void use(std::size_t label, int count);
+  void useLabels(std::size_t c, int count);
+  double costOf(std::size_t c, const Span& span) const;
   double total() const;
-  void assign(std::size_t c, std::vector<std::size_t> labels);
-  void assignAll(const Labels& labels);
+  void readLabels(std::size_t c, const Span& span);
+  void setPlaces(std::size_t c);
   void descend();
-  double prune();
-  Labels improve();
-  std::vector<std::size_t> seenSamples(std::size_t c,
-                                       const std::vector<std::size_t>& run) const;
+  void solveSpan(std::size_t c, const Span& span);
+  void setAllowed(std::size_t c, const Span& span, std::size_t label, bool is);
+  bool tryWithout(std::size_t label);
+  void prune();
+  std::vector<Span> spansOf(std::size_t c, std::size_t label) const;
+  double leastIncrease(std::size_t label) const;
+  std::vector<LoopCandidate> improvements() const;
+  bool pays(std::size_t c, const Span& span, const LoopCandidate& instead) const;
+  void renew(std::vector<LoopCandidate> more);
 
-  std::vector<LoopContour>& contours_;
-  LoopEnergy energy_;
-  double outlier_; ///< nats of a sample
-  double sigma_;
-  double parameter_; ///< nats of a parameter of a curve
-  double corner_;    ///< nats of a change
-  std::vector<double> directions_;
-  std::vector<PlanCurve> known_;
+  const std::vector<LoopContour>& contours_;
+  const std::vector<WallLine>& lines_;
+  StoreySamples samples_;
+  CandidateMaker maker_;
+  unsigned threads_;
   std::vector<LoopCandidate> pool_;
   std::vector<Table> tables_;
-  Labels labels_;
-  std::vector<double> costs_;    ///< of each contour's labels
-  std::vector<std::size_t> use_; ///< contours that use each candidate
+  std::vector<std::vector<std::size_t>> labels_;
+  std::vector<std::size_t> use_; ///< samples that use each candidate
   double models_ = 0;            ///< cost of the candidates that are used
-  std::vector<std::uint8_t> is_banned_;
   std::vector<std::set<std::pair<std::size_t, std::size_t>>> blocked_;
 };
 

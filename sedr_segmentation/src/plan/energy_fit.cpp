@@ -45,23 +45,13 @@ labelledPoints(const std::vector<RoomEvidence>& parts, std::size_t points)
   return rooms;
 }
 
-/** @brief Adds the cells of a mask that lie in the box of another. */
-void
-addCells(const CellMask& mask, CellMask& sum)
-{
-  const CellBox shared = overlapOf(sum.box(), mask.box());
-  for (int y = shared.low.y; y <= shared.high.y; ++y)
-    for (int x = shared.low.x; x <= shared.high.x; ++x)
-      if (mask.at({x, y}))
-        sum.set({x, y}, 1);
-}
-
 /** @brief Fits the loops of the rooms of a storey. */
 void
 fitLoops(const Storey& storey,
          const std::vector<RoomCells>& cells,
          const std::vector<RoomRegion>& regions,
          const CellGrid& grid,
+         unsigned threads,
          std::vector<PlanRoom>& rooms,
          std::vector<FittedBoundary>& boundaries)
 {
@@ -89,8 +79,9 @@ fitLoops(const Storey& storey,
       contours.push_back(std::move(contour));
     }
   }
-  const WallNoise noise = findSurfaces(contours, energy, grid.size());
-  LoopSolver solver(contours, energy, grid.size(), noise);
+  findSurfaces(contours, energy, grid.size());
+  LoopSolver solver(contours, storey.lines, energy, grid.size(),
+                    wallNoise(contours, energy, grid.size()), threads);
   solver.solve();
   for (std::size_t c = 0; c < contours.size(); ++c) {
     PlanLoop loop = assembleLoop(solver, c);
@@ -172,7 +163,7 @@ fitPlanByEnergy(const PointView& points,
   std::vector<PlanRoom> rooms(numbers.size());
   std::vector<std::vector<FittedBoundary>> fitted(storeys.size());
   parallelBlocks(storeys.size(), 1, threads, [&](std::size_t s, std::size_t) {
-    fitLoops(storeys[s], cells, regions, grid, rooms, fitted[s]);
+    fitLoops(storeys[s], cells, regions, grid, threads, rooms, fitted[s]);
   });
   std::vector<std::uint8_t> is_sheet(numbers.size(), 0);
   parallelBlocks(rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {

@@ -88,13 +88,14 @@ fitToRaw(const PointView& raw,
          Floorplan& plan)
 {
   const Priors& priors = parameters.loop.priors;
-  leaveOutBelowSlits(plan, raw, indices, parameters.threads, priors);
-  leaveOutPanes(plan, raw, indices, parameters.threads, priors);
   if (parameters.by_energy) {
+    leaveOutPanes(plan, raw, indices, parameters.threads, priors);
     AdjustmentParameters adjustment;
     adjustment.threads = parameters.threads;
     return adjustPlan(plan, raw, indices, adjustment).problem;
   }
+  leaveOutBelowSlits(plan, raw, indices, parameters.threads, priors);
+  leaveOutPanes(plan, raw, indices, parameters.threads, priors);
   RefitParameters refit;
   refit.priors = priors;
   refit.threads = parameters.threads;

@@ -53,6 +53,7 @@ private:
   CellMask seen_;
   CellMask closed_; ///< near opaque surfaces
   CellMask next_;   ///< near the air of other rooms
+  CellMask riser_;  ///< near lintels
   BehindLines found_;
 };
 

@@ -22,17 +22,6 @@ constexpr std::array<Cell, 4> steps{{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
 
 constexpr int core_depth = 2; // cells: seen cells this far inside are fixed
 
-/** @brief Adds the cells of a mask that lie in the box of another. */
-void
-addTo(CellMask& sum, const CellMask& mask)
-{
-  const CellBox shared = overlapOf(sum.box(), mask.box());
-  for (int y = shared.low.y; y <= shared.high.y; ++y)
-    for (int x = shared.low.x; x <= shared.high.x; ++x)
-      if (mask.at({x, y}))
-        sum.set({x, y}, 1);
-}
-
 /** @brief Lowers the factors of borders on a line. A surface that the room itself sees
  * is free; one that only others see is a line of a wall. */
 void
@@ -134,12 +123,9 @@ public:
           number_[i] == room_ ||
           (number_[i] >= 0 && answer_[static_cast<std::size_t>(number_[i])]);
     region.cells = markedRegions(region.cells, core_, false);
-    for (std::size_t i = 0; i < number_.size(); ++i) {
+    for (std::size_t i = 0; i < number_.size(); ++i)
       if (seen_.values()[i] && !reveal_.values()[i] && !region.cells.values()[i])
         region.lost += size_ * size_;
-      if (region.cells.values()[i] && !seen_.values()[i])
-        region.added += size_ * size_;
-    }
     return region;
   }
 
@@ -218,6 +204,16 @@ coreOf(const RoomCells& room, const CellMask& opaque)
 
 } // namespace
 
+void
+addCells(const CellMask& mask, CellMask& sum)
+{
+  const CellBox shared = overlapOf(sum.box(), mask.box());
+  for (int y = shared.low.y; y <= shared.high.y; ++y)
+    for (int x = shared.low.x; x <= shared.high.x; ++x)
+      if (mask.at({x, y}))
+        sum.set({x, y}, 1);
+}
+
 std::vector<Storey>
 storeysOf(const std::vector<RoomCells>& rooms,
           const WallLineParameters& parameters,
@@ -293,7 +289,7 @@ roomRegions(const std::vector<RoomCells>& rooms,
       return;
     around[r].opaque = CellMask(rooms[r].seen.box());
     for (const std::size_t q : beside[r])
-      addTo(around[r].opaque, subtract(rooms[q].solid, rooms[q].glass));
+      addCells(subtract(rooms[q].solid, rooms[q].glass), around[r].opaque);
     cores[r] = coreOf(rooms[r], around[r].opaque);
   });
   std::vector<RoomRegion> regions(n);
@@ -303,10 +299,10 @@ roomRegions(const std::vector<RoomCells>& rooms,
     own.air = own.others = CellMask(box);
     CellMask glassy(box);
     for (const std::size_t q : beside[r]) {
-      addTo(own.air, rooms[q].seen);
-      addTo(glassy, rooms[q].glass);
+      addCells(rooms[q].seen, own.air);
+      addCells(rooms[q].glass, glassy);
       if (q != r)
-        addTo(own.others, cores[q]);
+        addCells(cores[q], own.others);
     }
     own.others = subtract(own.others, rooms[r].seen);
     for (auto& factor : own.factor)
@@ -319,9 +315,14 @@ roomRegions(const std::vector<RoomCells>& rooms,
       markLine(line, r, grid, energy.line, own.opaque, own.factor);
       behind.lookBehind(line);
     }
+    // A surface up to a lower ceiling is a column, or a leaf behind a line.
+    const CellMask columns = subtract(
+        rooms[r].pillar, dilated(unite(behind.found().reveal, behind.found().wall), 2));
+    own.opaque = unite(own.opaque, columns);
+    markCells(closed(columns, 1.5), 0, own.factor);
     for (const std::size_t q : beside[r]) // what other rooms have already
       if (q < r && regions[q].cells.count() > 0)
-        addTo(own.others, regions[q].cells);
+        addCells(regions[q].cells, own.others);
     regions[r] = RegionCut(rooms[r], own, behind.found(), grid, energy).region();
     own = {};
   };

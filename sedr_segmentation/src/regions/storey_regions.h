@@ -29,15 +29,18 @@ struct RegionEnergy {
   double wall = 3;
   double max_wall =
       0.6; ///< metres; a recess behind a line that is no deeper is a reveal
-  double max_niche = 0.3; ///< metres; one no deeper is a reveal even with a closed back
+  double max_niche = 0.3; ///< metres; one no deeper is a reveal even with a closed
+                          ///< back, as is any below a lintel
 };
 
 /** @brief The region of a room in plan. */
 struct RoomRegion {
   CellMask cells;
-  double lost = 0;  ///< seen ceiling left out, without reveals, square metres
-  double added = 0; ///< cells taken in that were not seen, square metres
+  double lost = 0; ///< seen ceiling left out, without reveals, square metres
 };
+
+/** @brief Adds the cells of a mask that lie in the box of another. */
+void addCells(const CellMask& mask, CellMask& sum);
 
 /** @brief Rooms side by side. */
 struct Storey {

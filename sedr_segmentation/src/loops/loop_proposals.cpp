@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "loop_proposals.h"
+
+#include "loop_curve.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::sedr {
+
+namespace {
+
+/** @brief The seen anchors and the unseen places of consecutive samples. */
+struct Window {
+  std::vector<std::size_t> samples; ///< numbers of the seen ones
+  std::vector<Eigen::Vector2d> seen;
+  std::vector<Eigen::Vector2d> unseen;
+};
+
+/** @brief Takes proposals as long as they explain what none before them does. */
+class ProposalSearch {
+public:
+  ProposalSearch(const std::vector<LoopContour>& contours, CandidateMaker& maker)
+      : contours_(contours)
+      , maker_(maker)
+      , samples_(maker.samples())
+  {}
+
+  std::vector<LoopCandidate> find(const std::vector<WallLine>& lines)
+  {
+    startAgain();
+    for (const WallLine& line : lines)
+      takeParts(line);
+    takeWindows(false);
+    maker_.setDirections(directions());
+    startAgain();
+    takeWindows(true);
+    const std::size_t seen = curves_.size();
+    for (std::size_t c = 0; c < contours_.size(); ++c)
+      addUnseen(c);
+    for (std::size_t k = 0; k < seen; ++k)
+      for (const SeededCurve& turned : maker_.snapped(curves_[k]))
+        curves_.push_back(turned);
+    std::vector<LoopCandidate> candidates;
+    for (const SeededCurve& curve : curves_)
+      candidates.push_back(maker_.candidate(curve));
+    return candidates;
+  }
+
+private:
+  /** @brief Forgets what is explained: circles do not compete with lines. */
+  void startAgain()
+  {
+    left_.resize(samples_.size());
+    for (std::size_t i = 0; i < left_.size(); ++i)
+      left_[i] = maker_.outlier() * samples_[i].seen;
+  }
+
+  /** @brief Takes a curve if what it explains beyond those before is worth `least`. */
+  void take(const SeededCurve& path, double least)
+  {
+    constexpr double beyond = 6; // metres
+    const LoopCandidate candidate = maker_.priced(path);
+    std::vector<std::pair<std::uint32_t, double>> costs;
+    double gain = 0;
+    for (const auto& [i, s] : maker_.support(path, beyond)) {
+      const double cost = maker_.costOf(i, candidate);
+      gain += std::max(0.0, left_[i] - cost);
+      costs.push_back({i, cost});
+    }
+    if (gain < least)
+      return;
+    for (const auto& [i, cost] : costs)
+      left_[i] = std::min(left_[i], cost);
+    curves_.push_back(path);
+  }
+
+  /** @brief Takes the parts of a wall's line on which a surface was seen. */
+  void takeParts(const WallLine& line)
+  {
+    constexpr double cell = 0.05; // metres, of the places along lines
+    PlanCurve curve;
+    curve.direction = leftOf(line.normal);
+    const auto is = [&](std::size_t i, AlongLine what) {
+      return i < line.places.size() && line.places[i] == what;
+    };
+    for (std::size_t i = 0; i < line.places.size(); ++i)
+      if (is(i, AlongLine::Surface) && !(i > 0 && is(i - 1, AlongLine::Surface))) {
+        std::size_t end = i;
+        while (is(end, AlongLine::Surface))
+          ++end;
+        curve.point = line.at(line.start + cell * static_cast<double>(i + end) / 2);
+        take({curve, curve.point}, maker_.parameter());
+      }
+  }
+
+  Window windowAt(std::size_t c, std::size_t from, std::size_t length) const
+  {
+    Window window;
+    const std::size_t n = contours_[c].samples.size();
+    for (std::size_t k = 0; k < std::min(length, n); ++k) {
+      const std::size_t i = samples_.firstOf(c) + (from + k) % n;
+      if (samples_[i].isSeen()) {
+        window.samples.push_back(i);
+        window.seen.push_back(samples_[i].anchor);
+      }
+      else
+        window.unseen.push_back(samples_[i].place);
+    }
+    return window;
+  }
+
+  /** @brief Takes lines or circles through windows of samples, the longest first. */
+  void takeWindows(bool is_circle)
+  {
+    constexpr double mostly = 0.6; // of a window's samples were seen
+    for (const std::size_t length : {48, 24, 12, 6})
+      for (std::size_t c = 0; c < contours_.size(); ++c) {
+        if (is_circle && length < 12 && !contours_[c].is_hole)
+          continue;
+        const std::size_t n = contours_[c].samples.size();
+        for (std::size_t s = 0; s < n; s += std::max<std::size_t>(2, length / 4)) {
+          const Window window = windowAt(c, s, length);
+          if (static_cast<double>(window.seen.size()) >=
+                  mostly * static_cast<double>(std::min(length, n)) &&
+              window.seen.size() > 3 && isLeft(window))
+            takeThrough(window.seen, is_circle);
+        }
+      }
+    if (!is_circle)
+      return;
+    for (std::size_t c = 0; c < contours_.size(); ++c)
+      if (contours_[c].is_hole) {
+        const Window whole = windowAt(c, 0, contours_[c].samples.size());
+        if (whole.seen.size() > 6)
+          takeThrough(whole.seen, true);
+      }
+  }
+
+  /** @brief Returns whether enough of a window is not explained yet. */
+  bool isLeft(const Window& window) const
+  {
+    double left = 0;
+    for (const std::size_t i : window.samples)
+      left += left_[i];
+    return left > maker_.parameter();
+  }
+
+  void takeThrough(const std::vector<Eigen::Vector2d>& places, bool is_circle)
+  {
+    SeededCurve path;
+    path.seed = places[places.size() / 2];
+    path.curve = fitCurve(is_circle, places, maker_.sigma());
+    if (is_circle && (!maker_.isPossible(path.curve) || isStraight(places)))
+      return;
+    path = maker_.grown(path);
+    if (maker_.isPossible(path.curve))
+      take(path, is_circle ? 3 * maker_.parameter() : maker_.parameter());
+  }
+
+  bool isStraight(const std::vector<Eigen::Vector2d>& places) const
+  {
+    const PlanCurve line = fitCurve(false, places, maker_.sigma());
+    double low = 0;
+    double high = 0;
+    for (const Eigen::Vector2d& p : places) {
+      low = std::min(low, line.signedDistance(p));
+      high = std::max(high, line.signedDistance(p));
+    }
+    return high - low <= 3 * maker_.sigma();
+  }
+
+  /** @brief Returns the main directions of the lines taken, by the squares of what
+   * supports them. */
+  std::vector<double> directions() const
+  {
+    constexpr double beyond = 6; // metres
+    std::vector<double> angles;
+    std::vector<double> weights;
+    for (const SeededCurve& path : curves_) {
+      const auto on = static_cast<double>(maker_.support(path, beyond).size());
+      angles.push_back(std::atan2(path.curve.direction.y(), path.curve.direction.x()));
+      weights.push_back(on * on);
+    }
+    return mainAngles(angles, weights, 4, 0.15);
+  }
+
+  /** @brief Adds lines through the unseen stretches of a contour. */
+  void addUnseen(std::size_t c)
+  {
+    const std::size_t n = contours_[c].samples.size();
+    std::vector<std::size_t> seen(n);
+    for (std::size_t i = 0; i < n; ++i)
+      seen[i] = contours_[c].samples[i].isSeen() ? 1 : 0;
+    for (const auto& [first, length] : labelRuns(seen))
+      if (!seen[first]) {
+        addAligned(c, first, length);
+        addThrough(c, first, length);
+      }
+  }
+
+  /** @brief Adds lines in the main directions through an unseen stretch: through its
+   * middle, and where it reaches farthest. */
+  void addAligned(std::size_t c, std::size_t first, std::size_t length)
+  {
+    const std::vector<LoopSample>& samples = contours_[c].samples;
+    const std::size_t n = samples.size();
+    Eigen::Vector2d out = Eigen::Vector2d::Zero();
+    for (std::size_t k = 0; k < length; ++k)
+      out += samples[(first + k) % n].normal;
+    for (const double axis : maker_.directions())
+      for (const double turn : {axis, axis + M_PI / 2}) {
+        Eigen::Vector2d v(std::cos(turn), std::sin(turn));
+        if (std::abs(v.dot(out)) <= 0.5 * out.norm())
+          continue;
+        if (v.dot(out) < 0)
+          v = -v;
+        std::vector<double> offsets;
+        for (std::size_t k = 0; k < length; ++k)
+          offsets.push_back(v.dot(samples[(first + k) % n].place));
+        std::sort(offsets.begin(), offsets.end());
+        const Eigen::Vector2d middle = samples[(first + length / 2) % n].place;
+        for (const double quantile : {0.5, 0.9}) {
+          PlanCurve line;
+          line.direction = {v.y(), -v.x()};
+          const double offset = offsets[static_cast<std::size_t>(
+              quantile * static_cast<double>(offsets.size() - 1))];
+          line.point = middle + (offset - v.dot(middle)) * v;
+          addDistinct({line, middle});
+        }
+      }
+  }
+
+  /** @brief Adds lines through windows of an unseen stretch. */
+  void addThrough(std::size_t c, std::size_t first, std::size_t length)
+  {
+    for (const std::size_t window : {24, 12, 6})
+      for (std::size_t k = 0; k + window <= length; k += window / 2) {
+        const Window places = windowAt(c, first + k, window);
+        const PlanCurve line =
+            fitCurve(false, places.unseen, maker_.energy().reach / 60);
+        addDistinct({line, places.unseen[window / 2]});
+      }
+  }
+
+  /** @brief Adds an unseen line unless one like it was added next to it. */
+  void addDistinct(const SeededCurve& path)
+  {
+    constexpr double span = 0.6;     // metres: lines are compared over
+    constexpr double same = 0.025;   // metres
+    constexpr std::size_t near = 24; // proposals: those of one stretch
+    for (std::size_t k = curves_.size() - std::min(curves_.size(), near);
+         k < curves_.size(); ++k) {
+      const PlanCurve& other = curves_[k].curve;
+      if (!other.isCircle() && (curves_[k].seed - path.seed).norm() < span &&
+          other.distance(path.at(-span)) < same && other.distance(path.at(span)) < same)
+        return;
+    }
+    curves_.push_back(path);
+  }
+
+  const std::vector<LoopContour>& contours_;
+  CandidateMaker& maker_;
+  const StoreySamples& samples_;
+  std::vector<double> left_; ///< nats of each sample that nothing explains yet
+  std::vector<SeededCurve> curves_;
+};
+
+} // namespace
+
+std::vector<std::pair<std::size_t, std::size_t>>
+labelRuns(const std::vector<std::size_t>& labels)
+{
+  const std::size_t n = labels.size();
+  std::vector<std::size_t> starts;
+  for (std::size_t i = 0; i < n; ++i)
+    if (labels[i] != labels[(i + n - 1) % n])
+      starts.push_back(i);
+  std::vector<std::pair<std::size_t, std::size_t>> runs;
+  for (std::size_t k = 0; k < starts.size(); ++k)
+    runs.push_back(
+        {starts[k], (starts[(k + 1) % starts.size()] + n - starts[k] - 1) % n + 1});
+  if (runs.empty())
+    runs.push_back({0, n});
+  return runs;
+}
+
+std::vector<LoopCandidate>
+proposedCurves(const std::vector<LoopContour>& contours,
+               const std::vector<WallLine>& lines,
+               CandidateMaker& maker)
+{
+  return ProposalSearch(contours, maker).find(lines);
+}
+
+} // namespace pcl::sedr
