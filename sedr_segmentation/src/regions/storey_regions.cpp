@@ -316,8 +316,8 @@ roomRegions(const std::vector<RoomCells>& rooms,
       behind.lookBehind(line);
     }
     // A surface up to a lower ceiling is a column, or a leaf behind a line.
-    const CellMask columns = subtract(
-        rooms[r].pillar, dilated(unite(behind.found().reveal, behind.found().wall), 2));
+    const CellMask columns =
+        subtract(rooms[r].pillar, dilated(behind.found().reveal, 2));
     own.opaque = unite(own.opaque, columns);
     markCells(closed(columns, 1.5), 0, own.factor);
     for (const std::size_t q : beside[r]) // what other rooms have already
