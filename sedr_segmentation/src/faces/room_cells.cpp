@@ -120,7 +120,6 @@ gatherWalls(const PointView& points,
 {
   constexpr int filled = 5;         // of the bins, by any surface
   constexpr int filled_of_wall = 3; // by one that wall growing has reached
-  constexpr int filled_of_low = 2;  // below a lower ceiling beside it
   const std::size_t count = cells.seen.values().size();
   const auto lowest = [&](float ceiling) {
     return std::max(ceiling - p.band, cells.floor + (ceiling - cells.floor) / 2);
@@ -165,7 +164,7 @@ gatherWalls(const PointView& points,
     const int needed = is_wall[i] ? filled_of_wall : filled;
     const int below_top = __builtin_popcount(bins[i]);
     const int below_low = __builtin_popcount(bins_of_low[i]);
-    const bool goes_on = below_low >= filled_of_low;
+    const bool goes_on = below_low > 1; // one may be a stray
     cells.solid.values()[i] = below_top >= needed && goes_on;
     cells.riser.values()[i] = below_top >= needed && !goes_on;
     cells.pillar.values()[i] = below_top < needed && below_low >= needed;

@@ -12,11 +12,30 @@ namespace pcl::sedr {
 
 namespace {
 
-constexpr double aligned = 1e-6;     // radians
-constexpr double beyond = 6;         // metres: walls go on in line
-constexpr double most_turned = 0.07; // radians: 4 degrees
+constexpr double aligned = 1e-6; // radians
+
+bool
+areAlike(const LoopCandidate& a, const LoopCandidate& b, double same)
+{
+  constexpr double span = 1; // metres: curves are compared over
+  if (a.curve().isCircle() != b.curve().isCircle() || a.cost != b.cost ||
+      (a.path.seed - b.path.seed).norm() > span)
+    return false;
+  const auto isNear = [&](double s) { return a.curve().distance(b.path.at(s)) < same; };
+  return isNear(-span) && isNear(0) && isNear(span);
+}
 
 } // namespace
+
+void
+DistinctCandidates::add(const LoopCandidate& candidate)
+{
+  constexpr std::size_t last = 24; // those of one stretch
+  for (std::size_t k = all_.size() - std::min(all_.size(), last); k < all_.size(); ++k)
+    if (areAlike(all_[k], candidate, same_))
+      return;
+  all_.push_back(candidate);
+}
 
 CandidateMaker::CandidateMaker(const StoreySamples& samples,
                                const LoopEnergy& energy,
@@ -85,18 +104,19 @@ CandidateMaker::candidate(const SeededCurve& path) const
   LoopCandidate candidate = priced(path);
   double low = 0; // where surfaces are
   double high = 0;
-  samples_.anchors().follow(path, 2 * noise_.sigma, beyond,
+  samples_.anchors().follow(path, 2 * noise_.sigma, search_.beyond,
                             [&](std::uint32_t, double s) {
                               low = std::min(low, s);
                               high = std::max(high, s);
                               return true;
                             });
   std::vector<std::pair<std::uint32_t, float>> near;
-  samples_.places().follow(path, energy_.reach, beyond, [&](std::uint32_t i, double s) {
-    if (s > low - beyond && s < high + beyond)
-      near.push_back({i, static_cast<float>(costOf(i, candidate))});
-    return s >= low && s <= high;
-  });
+  samples_.places().follow(
+      path, energy_.reach, search_.beyond, [&](std::uint32_t i, double s) {
+        if (s > low - search_.beyond && s < high + search_.beyond)
+          near.push_back({i, static_cast<float>(costOf(i, candidate))});
+        return s >= low && s <= high;
+      });
   std::sort(near.begin(), near.end());
   for (const auto& [i, cost] : near) {
     candidate.samples.push_back(i);
@@ -126,7 +146,7 @@ CandidateMaker::support(const SeededCurve& path, double gap) const
 SeededCurve
 CandidateMaker::grown(SeededCurve path) const
 {
-  for (const double gap : {0.5, 2.0, beyond, beyond}) {
+  for (const double gap : {0.5, 2.0, search_.beyond, search_.beyond}) {
     std::vector<Eigen::Vector2d> places;
     for (const auto& [i, s] : support(path, gap))
       places.push_back(samples_[i].anchor);
@@ -142,13 +162,13 @@ CandidateMaker::snapped(const SeededCurve& path) const
 {
   const PlanCurve& curve = path.curve;
   const double off = curve.isCircle() ? 1 : angleFromMain(curve);
-  if (std::abs(off) < aligned || std::abs(off) > most_turned)
+  if (std::abs(off) < aligned || std::abs(off) > search_.max_turn)
     return {};
   SeededCurve turned = path;
   const double angle = std::atan2(curve.direction.y(), curve.direction.x()) - off;
   turned.curve.direction = {std::cos(angle), std::sin(angle)};
   std::vector<double> offsets;
-  for (const auto& [i, s] : support(path, beyond))
+  for (const auto& [i, s] : support(path, search_.beyond))
     offsets.push_back(turned.curve.signedDistance(samples_[i].anchor));
   if (offsets.size() < 2)
     return {};

@@ -22,6 +22,23 @@ struct LoopCandidate {
   const PlanCurve& curve() const { return path.curve; }
 };
 
+/** @brief Candidates without those like one added shortly before. */
+class DistinctCandidates {
+public:
+  /** @param same metres: curves this near to each other are alike */
+  explicit DistinctCandidates(double same)
+      : same_(same)
+  {}
+
+  void add(const LoopCandidate& candidate);
+
+  const std::vector<LoopCandidate>& all() const { return all_; }
+
+private:
+  double same_;
+  std::vector<LoopCandidate> all_;
+};
+
 /** @brief Makes candidates of curves, and tells what they cost (LoopEnergy). */
 class CandidateMaker {
 public:
@@ -33,6 +50,7 @@ public:
 
   const StoreySamples& samples() const { return samples_; }
   const LoopEnergy& energy() const { return energy_; }
+  const LoopSearch& search() const { return search_; }
   double sigma() const { return noise_.sigma; }
 
   /** @brief Returns the nats of a parameter of a curve. */
@@ -79,6 +97,7 @@ private:
 
   const StoreySamples& samples_;
   LoopEnergy energy_;
+  LoopSearch search_;
   WallNoise noise_;
   double outlier_;
   double parameter_;

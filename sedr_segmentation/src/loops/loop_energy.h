@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+
 namespace pcl::sedr {
 
 /** @brief The energy of the loops of a storey, in nats (negative log-likelihoods).
@@ -37,6 +39,18 @@ struct LoopEnergy {
   double max_spread = 0.03; ///< metres, of a wall of some metres
   double min_radius = 0.15; ///< metres, of arcs
   double max_radius = 25;   ///< metres
+};
+
+/** @brief Limits of the search for the least energy. They decide how long it takes, and
+ * what it may miss. */
+struct LoopSearch {
+  double beyond = 6;           ///< metres: a wall goes on in line beyond its surface
+  double max_extension = 3;    ///< metres, of two curves to their corner
+  double max_turn = 0.07;      ///< radians: lines are turned so far into a direction
+  double min_seen = 0.6;       ///< share of the samples through which a curve is laid
+  double least_fall = 0.5;     ///< nats: of a round, or it was the last
+  std::size_t candidates = 12; ///< of a sample
+  std::size_t neighbours = 40; ///< samples solved again on each side of a change
 };
 
 } // namespace pcl::sedr

@@ -9,51 +9,10 @@
 
 namespace pcl::sedr {
 
-namespace {
-
-/** @brief Proposals, without those like one of the last. */
-class Proposals {
-public:
-  explicit Proposals(double same)
-      : same_(same)
-  {}
-
-  void add(const LoopCandidate& candidate)
-  {
-    constexpr std::size_t last = 16;
-    for (std::size_t k = all_.size() - std::min(all_.size(), last); k < all_.size();
-         ++k)
-      if (isLike(all_[k], candidate))
-        return;
-    all_.push_back(candidate);
-  }
-
-  const std::vector<LoopCandidate>& all() const { return all_; }
-
-private:
-  bool isLike(const LoopCandidate& a, const LoopCandidate& b) const
-  {
-    constexpr double span = 1; // metres: curves are compared over
-    if (a.curve().isCircle() != b.curve().isCircle() || a.cost != b.cost ||
-        (a.path.seed - b.path.seed).norm() > 2 * span)
-      return false;
-    for (const double s : {-span, 0.0, span})
-      if (a.curve().distance(b.path.at(s)) > same_)
-        return false;
-    return true;
-  }
-
-  double same_;
-  std::vector<LoopCandidate> all_;
-};
-
-} // namespace
-
 /** @brief Returns whether one curve along a span costs less than the present ones. */
 bool
 LoopSolver::pays(std::size_t c, const Span& span, const LoopCandidate& instead) const
 {
-  constexpr double least = 0.1; // nats
   const std::size_t n = labels_[c].size();
   const auto at = [&](std::size_t k) { return (span.first + k) % n; };
   double saved = costOf(c, span) - instead.cost;
@@ -84,7 +43,7 @@ LoopSolver::pays(std::size_t c, const Span& span, const LoopCandidate& instead) 
                    (samples[last].place + samples[after].place) / 2)
                  .cost;
   }
-  return saved > least;
+  return saved > maker_.search().least_fall;
 }
 
 /** @brief Returns curves that lower the energy where they replace others: the used ones
@@ -92,11 +51,9 @@ LoopSolver::pays(std::size_t c, const Span& span, const LoopCandidate& instead) 
 std::vector<LoopCandidate>
 LoopSolver::improvements() const
 {
-  constexpr std::size_t fewest_samples = 3;
-  constexpr std::size_t fewest_points = 6;
-  constexpr double similar = 0.25; // sigma
+  constexpr std::size_t fewest = 3; // samples, or places of a fit
   const double sigma = maker_.sigma();
-  Proposals proposals(similar * sigma);
+  DistinctCandidates proposals(sigma / 4);
   for (std::size_t c = 0; c < labels_.size(); ++c) {
     if (labels_[c].empty())
       continue;
@@ -123,7 +80,7 @@ LoopSolver::improvements() const
               if (present.distance(contours_[c].points[q]) < 4 * sigma)
                 places.push_back(contours_[c].points[q]);
         }
-        if (seen < fewest_samples || places.size() < fewest_points)
+        if (seen < fewest || places.size() < fewest)
           continue;
         SeededCurve path;
         path.seed = samples[(span.first + span.length / 2) % n].place;
@@ -139,7 +96,7 @@ LoopSolver::improvements() const
               proposals.add(candidate);
         };
         propose(fitCurve(false, places, sigma));
-        if (seen > 2 * fewest_samples)
+        if (seen > 2 * fewest)
           propose(fitCurve(true, places, sigma));
         if (together == 1 && !present.isCircle()) { // the direction kept
           std::vector<double> offsets;

@@ -24,6 +24,7 @@ public:
       : contours_(contours)
       , maker_(maker)
       , samples_(maker.samples())
+      , unseen_(maker.energy().reach / 60)
   {}
 
   std::vector<LoopCandidate> find(const std::vector<WallLine>& lines)
@@ -35,15 +36,17 @@ public:
     maker_.setDirections(directions());
     startAgain();
     takeWindows(true);
-    const std::size_t seen = curves_.size();
     for (std::size_t c = 0; c < contours_.size(); ++c)
       addUnseen(c);
+    const std::size_t seen = curves_.size();
     for (std::size_t k = 0; k < seen; ++k)
       for (const SeededCurve& turned : maker_.snapped(curves_[k]))
         curves_.push_back(turned);
     std::vector<LoopCandidate> candidates;
     for (const SeededCurve& curve : curves_)
       candidates.push_back(maker_.candidate(curve));
+    for (const LoopCandidate& line : unseen_.all())
+      candidates.push_back(maker_.candidate(line.path));
     return candidates;
   }
 
@@ -59,11 +62,10 @@ private:
   /** @brief Takes a curve if what it explains beyond those before is worth `least`. */
   void take(const SeededCurve& path, double least)
   {
-    constexpr double beyond = 6; // metres
     const LoopCandidate candidate = maker_.priced(path);
     std::vector<std::pair<std::uint32_t, double>> costs;
     double gain = 0;
-    for (const auto& [i, s] : maker_.support(path, beyond)) {
+    for (const auto& [i, s] : maker_.support(path, maker_.search().beyond)) {
       const double cost = maker_.costOf(i, candidate);
       gain += std::max(0.0, left_[i] - cost);
       costs.push_back({i, cost});
@@ -78,7 +80,7 @@ private:
   /** @brief Takes the parts of a wall's line on which a surface was seen. */
   void takeParts(const WallLine& line)
   {
-    constexpr double cell = 0.05; // metres, of the places along lines
+    const double cell = WallLineParameters().cell;
     PlanCurve curve;
     curve.direction = leftOf(line.normal);
     const auto is = [&](std::size_t i, AlongLine what) {
@@ -113,7 +115,6 @@ private:
   /** @brief Takes lines or circles through windows of samples, the longest first. */
   void takeWindows(bool is_circle)
   {
-    constexpr double mostly = 0.6; // of a window's samples were seen
     for (const std::size_t length : {48, 24, 12, 6})
       for (std::size_t c = 0; c < contours_.size(); ++c) {
         if (is_circle && length < 12 && !contours_[c].is_hole)
@@ -122,7 +123,7 @@ private:
         for (std::size_t s = 0; s < n; s += std::max<std::size_t>(2, length / 4)) {
           const Window window = windowAt(c, s, length);
           if (static_cast<double>(window.seen.size()) >=
-                  mostly * static_cast<double>(std::min(length, n)) &&
+                  maker_.search().min_seen * static_cast<double>(std::min(length, n)) &&
               window.seen.size() > 3 && isLeft(window))
             takeThrough(window.seen, is_circle);
         }
@@ -174,11 +175,11 @@ private:
    * supports them. */
   std::vector<double> directions() const
   {
-    constexpr double beyond = 6; // metres
     std::vector<double> angles;
     std::vector<double> weights;
     for (const SeededCurve& path : curves_) {
-      const auto on = static_cast<double>(maker_.support(path, beyond).size());
+      const auto on =
+          static_cast<double>(maker_.support(path, maker_.search().beyond).size());
       angles.push_back(std::atan2(path.curve.direction.y(), path.curve.direction.x()));
       weights.push_back(on * on);
     }
@@ -226,7 +227,7 @@ private:
           const double offset = offsets[static_cast<std::size_t>(
               quantile * static_cast<double>(offsets.size() - 1))];
           line.point = middle + (offset - v.dot(middle)) * v;
-          addDistinct({line, middle});
+          unseen_.add(maker_.priced({line, middle}));
         }
       }
   }
@@ -239,24 +240,8 @@ private:
         const Window places = windowAt(c, first + k, window);
         const PlanCurve line =
             fitCurve(false, places.unseen, maker_.energy().reach / 60);
-        addDistinct({line, places.unseen[window / 2]});
+        unseen_.add(maker_.priced({line, places.unseen[window / 2]}));
       }
-  }
-
-  /** @brief Adds an unseen line unless one like it was added next to it. */
-  void addDistinct(const SeededCurve& path)
-  {
-    constexpr double span = 0.6;     // metres: lines are compared over
-    constexpr double same = 0.025;   // metres
-    constexpr std::size_t near = 24; // proposals: those of one stretch
-    for (std::size_t k = curves_.size() - std::min(curves_.size(), near);
-         k < curves_.size(); ++k) {
-      const PlanCurve& other = curves_[k].curve;
-      if (!other.isCircle() && (curves_[k].seed - path.seed).norm() < span &&
-          other.distance(path.at(-span)) < same && other.distance(path.at(span)) < same)
-        return;
-    }
-    curves_.push_back(path);
   }
 
   const std::vector<LoopContour>& contours_;
@@ -264,6 +249,7 @@ private:
   const StoreySamples& samples_;
   std::vector<double> left_; ///< nats of each sample that nothing explains yet
   std::vector<SeededCurve> curves_;
+  DistinctCandidates unseen_; ///< lines where nothing was seen
 };
 
 } // namespace

@@ -10,7 +10,7 @@ namespace pcl::sedr {
 std::vector<LoopSolver::Span>
 LoopSolver::spansOf(std::size_t c, std::size_t label) const
 {
-  constexpr std::size_t window = 40; // samples to each side
+  const std::size_t window = maker_.search().neighbours;
   const std::size_t n = labels_[c].size();
   std::vector<Span> spans;
   for (std::size_t i = 0; i < n; ++i) {

@@ -10,12 +10,6 @@
 
 namespace pcl::sedr {
 
-namespace {
-
-constexpr double longest_extension = 3; // metres
-
-} // namespace
-
 LoopSolver::LoopSolver(const std::vector<LoopContour>& contours,
                        const std::vector<WallLine>& lines,
                        const LoopEnergy& energy,
@@ -31,10 +25,8 @@ LoopSolver::LoopSolver(const std::vector<LoopContour>& contours,
     , labels_(contours.size())
     , blocked_(contours.size())
 {
-  constexpr double fewest = 20; // samples
   for (std::size_t c = 0; c < contours.size(); ++c)
-    tables_[c].corner =
-        std::log(std::max(fewest, static_cast<double>(contours[c].samples.size())));
+    tables_[c].corner = std::log(static_cast<double>(contours[c].samples.size()));
 }
 
 LoopJoint
@@ -58,7 +50,7 @@ LoopSolver::joint(std::size_t contour,
     const double length = (place - end).norm() + (place - start).norm();
     const double cost =
         corner + energy.bend / 2 * std::max(0.0, length - energy.free_extension);
-    if (length < longest_extension && cost < best.cost)
+    if (length < maker_.search().max_extension && cost < best.cost)
       best = {LoopJoint::Kind::Corner, cost, place};
   }
   if ((first.isCircle() || second.isCircle()) && gap < 2 * sigma) {
@@ -211,7 +203,6 @@ LoopSolver::renew(std::vector<LoopCandidate> more)
 void
 LoopSolver::solve(int rounds)
 {
-  constexpr double least_fall = 0.5; // nats
   renew(proposedCurves(contours_, lines_, maker_));
   descend(); // each loop by itself,
   descend(); // then with the curves of all
@@ -225,7 +216,7 @@ LoopSolver::solve(int rounds)
     descend();
     prune();
     const double less = total();
-    if (less > energy - least_fall)
+    if (less > energy - maker_.search().least_fall)
       break;
     energy = less;
   }

@@ -6,12 +6,6 @@
 
 namespace pcl::sedr {
 
-namespace {
-
-constexpr std::size_t max_labels = 12; // candidates of a sample
-
-} // namespace
-
 /** @brief Gives each sample of a contour its candidates: its label, and the cheapest
  * around it.
  * @param near candidates of each sample and what they cost */
@@ -48,7 +42,7 @@ LoopSolver::prepareContour(
         rank = -1;
       order.push_back({rank, k});
     }
-    const std::size_t kept = std::min(max_labels, order.size());
+    const std::size_t kept = std::min(maker_.search().candidates, order.size());
     std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(kept),
                       order.end());
     for (std::size_t q = 0; q < kept; ++q) {

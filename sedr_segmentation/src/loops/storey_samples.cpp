@@ -7,13 +7,11 @@ namespace pcl::sedr {
 
 namespace {
 
-constexpr double index_cell = 0.5; // metres
-
 /** @brief Returns the numbers of places in the order of PlanPoints. */
 std::vector<std::uint32_t>
 inOrder(const std::vector<Eigen::Vector2d>& places)
 {
-  const CellGrid grid(index_cell);
+  const CellGrid grid(NumberedPlaces::step);
   std::vector<std::uint32_t> numbers(places.size());
   std::iota(numbers.begin(), numbers.end(), std::uint32_t{0});
   std::stable_sort(numbers.begin(), numbers.end(),
@@ -39,7 +37,7 @@ placesOf(const std::vector<LoopContour>& contours, PlaceOf placeOf)
 } // namespace
 
 NumberedPlaces::NumberedPlaces(const std::vector<Eigen::Vector2d>& places)
-    : points_(places, index_cell)
+    : points_(places, step)
     , numbers_(inOrder(places))
 {}
 

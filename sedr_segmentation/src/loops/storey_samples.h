@@ -53,6 +53,8 @@ private:
 /** @brief Numbered places in plan, found along curves. */
 class NumberedPlaces {
 public:
+  static constexpr double step = 0.5; ///< metres: curves are followed in steps
+
   /** @brief Numbers the places as they are given. */
   explicit NumberedPlaces(const std::vector<Eigen::Vector2d>& places);
 
@@ -81,8 +83,6 @@ public:
   }
 
 private:
-  static constexpr double step = 0.5; ///< metres
-
   PlanPoints points_;
   std::vector<std::uint32_t> numbers_; ///< of the points
 };
