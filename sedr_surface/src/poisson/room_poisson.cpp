@@ -84,6 +84,8 @@ solve(const std::vector<OrientedPoint>& local,
       RoomPoissonReport& report)
 {
   constexpr double margin = 1.1; // of the octree's cube, to which the depth refers
+  constexpr int max_depth = 14;  // as problemOf() allows
+  constexpr double coarse = 8;   // times the cells that the points deserve
   Eigen::AlignedBox3f box;
   for (const OrientedPoint& p : local)
     box.extend(p.position);
@@ -97,6 +99,13 @@ solve(const std::vector<OrientedPoint>& local,
   const double wanted = report.spacing * parameters.cell_ratio;
   const auto depth =
       static_cast<int>(std::ceil(std::log2(margin * extent / wanted) - 1e-9));
+  if (depth > max_depth) {
+    report.problem = "its points are " + shortNumber(report.spacing) +
+                     " m apart, but extend over " + shortNumber(extent) +
+                     " m: remove those that are far from the others "
+                     "(pcl_grid_region_outlier_removal)";
+    return false;
+  }
   report.depth = std::clamp(depth, 3, parameters.depth);
   ScreenedPoissonParameters solver;
   solver.cell = std::max(wanted, margin * extent / std::ldexp(1., report.depth));
@@ -107,9 +116,10 @@ solve(const std::vector<OrientedPoint>& local,
   report.cell = report.screened.cell;
   if (!report.problem.empty())
     return false;
-  if (report.cell > 1.001 * solver.cell)
+  if (report.cell > 1.001 * solver.cell || report.cell > coarse * wanted)
     report.warning = "its cells are " + shortNumber(report.cell) + " m instead of " +
-                     shortNumber(solver.cell) + " m, for so large a surface";
+                     shortNumber(wanted) + " m, for it extends over " +
+                     shortNumber(extent) + " m";
   move(mesh, centre);
   const RemovedComponents removed = keepLargestComponent(mesh);
   report.removed_components = removed.components;

@@ -204,6 +204,13 @@ TEST(StructuralPoisson, a_room_that_fails_is_named_and_the_others_are_made)
 
 TEST(StructuralPoisson, bad_input_leaves_nothing_but_a_reason)
 {
+  for (const float far : {1e4f, 1e6f}) {
+    const auto with_stray = cloudOf<pcl::PointNormal>(smallRoom().points(coarse));
+    with_stray->back().x = far;
+    pcl::StructuralPoisson<pcl::PointNormal> of_stray;
+    of_stray.setInputCloud(with_stray);
+    expectReason(of_stray, "remove those that are far from the others");
+  }
   pcl::StructuralPoisson<pcl::PointNormal> poisson;
   expectReason(poisson, "no input cloud is set");
   poisson.setInputCloud(std::make_shared<pcl::PointCloud<pcl::PointNormal>>());
