@@ -157,6 +157,21 @@ TEST_F(SedrTool, APoseInACornerOfTheRoomChangesNothing)
   EXPECT_NEAR(report.at("rooms")[0].at("area").get<double>(), 12, 0.05);
 }
 
+TEST_F(SedrTool, TellsThatHalfOfThePointsAreNotFinite)
+{
+  RoomScan scan = scanOf();
+  const std::size_t n = scan.points.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    RoomPoint lost = scan.points[i];
+    lost.y = std::nanf("");
+    scan.points.push_back(lost);
+  }
+  const ProgramRun result = onFile(scan.pcd(false), {"--no-mesh"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.err.find("50 % of the points are not finite"), std::string::npos)
+      << result.err;
+}
+
 TEST_F(SedrTool, KeepsTheOldModelWhereTheNewOneDoesNotFit)
 {
   const std::string scan = scanOf().pcd(false);

@@ -63,9 +63,23 @@ ChainRun::warn(std::uint32_t room, const std::string& reason)
   chain_.warnings.push_back("room " + std::to_string(room) + ": " + reason);
 }
 
+/** @brief Warns if half of the scanned points and more are not finite. */
+void
+ChainRun::warnOfLostPoints()
+{
+  const PointView raw = chain_.floorplan_fitting.getRawPoints();
+  std::size_t lost = 0;
+  for (std::size_t i = 0; i < raw.size(); ++i)
+    lost += raw.isFinite(i) ? 0 : 1;
+  if (lost > 0 && 2 * lost >= raw.size())
+    chain_.warnings.push_back(std::to_string(100 * lost / raw.size()) +
+                              " % of the points are not finite: they were left out");
+}
+
 bool
 ChainRun::findStructure()
 {
+  warnOfLostPoints();
   if (chain_.stray_limit > 0)
     chain_.warnings.push_back(
         "points are scattered all over the air of the scan: voxels of fewer than " +

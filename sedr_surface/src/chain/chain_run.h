@@ -49,6 +49,7 @@ private:
   /** @brief Adds a warning that a stage failed for one room; the others continue. */
   void warn(std::uint32_t room, const std::string& reason);
 
+  void warnOfLostPoints();
   bool checkScan();
 
   /** @brief Levels the cloud and the raw points of the fit if the scan is tilted. */
