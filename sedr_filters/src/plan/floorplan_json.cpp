@@ -260,6 +260,20 @@ floorplanToJson(const Floorplan& plan,
   return json.dump(1) + "\n";
 }
 
+namespace {
+
+/** @brief Returns the reason of an exception for readers: without the name and number
+ * that begin those of nlohmann, "[json.exception.type_error.302] ". */
+std::string
+reasonOf(const std::exception& error)
+{
+  const std::string reason = error.what();
+  return reason.rfind("[json.exception", 0) == 0 ? reason.substr(reason.find("] ") + 2)
+                                                 : reason;
+}
+
+} // namespace
+
 Floorplan
 floorplanFromJson(const std::string& text, std::string& problem)
 {
@@ -270,7 +284,7 @@ floorplanFromJson(const std::string& text, std::string& problem)
     return plan;
   }
   catch (const std::exception& error) {
-    problem = std::string("the floor plan cannot be read: ") + error.what();
+    problem = std::string("the floor plan cannot be read: ") + reasonOf(error);
     return {};
   }
 }
@@ -353,7 +367,7 @@ tiltsFromJson(const std::string& json, std::string& problem)
       }
   }
   catch (const std::exception& error) {
-    problem = std::string("the tilts of walls cannot be read: ") + error.what();
+    problem = std::string("the tilts of walls cannot be read: ") + reasonOf(error);
     return {};
   }
   return tilts;

@@ -40,6 +40,7 @@ refusalOf(const std::string& text)
   std::string problem = "none yet";
   const Floorplan read = floorplanFromJson(text, problem);
   EXPECT_EQ(read.rooms.empty(), !problem.empty()) << problem;
+  EXPECT_EQ(problem.find("[json.exception"), std::string::npos) << problem;
   return problem;
 }
 

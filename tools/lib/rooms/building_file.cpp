@@ -213,7 +213,10 @@ loadBuilding(const std::string& path)
     return buildingFrom(Json::parse(stream));
   }
   catch (const std::exception& error) {
-    throw ToolError("'" + path + "' is no building: " + error.what());
+    const std::string reason = error.what();
+    const std::size_t name = reason.find("] "); // of an exception of nlohmann
+    throw ToolError("'" + path + "' is no building: " +
+                    reason.substr(name == std::string::npos ? 0 : name + 2));
   }
 }
 

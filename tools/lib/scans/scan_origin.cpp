@@ -104,7 +104,11 @@ refuseTooLarge(const std::string& path,
            << wholeMetres(std::floor(farthest)) << " m "
            << (shift.isZero(0) ? "" : "from the origin ")
            << "a float resolves no finer than " << farthest * float_step * 1000
-           << " mm; subtract an origin first, say (";
+           << " mm; ";
+  if (farthest > farthest_grid)
+    throw ToolError(sentence.str() + "no building has such ones in metres: the file "
+                                     "is broken, or its unit is another (--unit)");
+  sentence << "subtract an origin first, say (";
   for (std::size_t axis = 0; axis < 3; ++axis)
     sentence << (axis > 0 ? ", " : "")
              << wholeMetres(std::round(middleValue(places[axis]) / 1000) * 1000);
