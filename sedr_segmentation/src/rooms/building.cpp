@@ -349,6 +349,13 @@ describe(const AirGaps& air,
         100 * parameters.minimum_enclosure,
         indices.empty() ? points.size() : indices.size());
     problem = text;
+    if (!building.left_out.empty()) {
+      const LeftOut& most = building.left_out.front();
+      std::snprintf(text, sizeof text,
+                    "; the largest part, %.2f m2 without its rim: %s", most.area,
+                    most.reason.c_str());
+      problem += text;
+    }
     return building;
   }
   labelSheets(points, indices, fine, columns, parameters.threads, building);

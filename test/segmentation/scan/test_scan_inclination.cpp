@@ -119,6 +119,15 @@ TEST(ScanInclination, TiltedWallsBecauseAnotherAxisIsUpAreToldFromFloors)
     }
 }
 
+TEST(ScanInclination, AWavyGroundHasNone)
+{
+  RoomPoints ground;
+  for (double x = 0; x < 20; x += 0.05)
+    for (double y = 0; y < 20; y += 0.05)
+      ground.point(x, y, 1.5 * std::sin(0.7 * x) * std::cos(0.5 * y));
+  EXPECT_EQ(inclinationProblem(ground.view(), ground.all()), "");
+}
+
 TEST(ScanInclination, AboutAnAxisOfCoordinatesIsStillATilt)
 {
   for (const Eigen::Vector2d& size :
