@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "slab_agreement.h"
-
 #include "plane_fit.h"
 
 #include "middle_value.h"
+#include "parallel_for.h"
+#include <pcl/sedr_filters/cell_grid.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -102,6 +103,19 @@ densestLevel(const Positions& points, double tolerance)
     }
   }
   return horizontalSlab(heights.empty() ? 0 : heights[(best_first + best_last) / 2]);
+}
+
+/** @brief Returns how well points agree with a slab: each scores 1 on it, falling to 0
+ * at the tolerance, so that a thin layer wins over a thick one. */
+double
+agreement(const Positions& points, const PlanSlab& slab, double tolerance)
+{
+  double sum = 0;
+  for (const auto& p : points) {
+    const double d = distanceAbove(slab, p) / tolerance;
+    sum += std::max(1 - d * d, 0.0);
+  }
+  return sum;
 }
 
 /** @brief Returns the least-squares slab, without its residual. */
@@ -233,7 +247,7 @@ findSlab(const Positions& points,
   const auto draw = [&]() {
     return Eigen::Vector3d(points[random() % points.size()].cast<double>());
   };
-  std::vector<PlanSlab> slabs;
+  std::vector<PlanSlab> slabs{level};
   for (int trial = 0; trial < trials && points.size() >= 3; ++trial) {
     PlanSlab slab;
     const Eigen::Vector3d a = draw();
@@ -241,8 +255,13 @@ findSlab(const Positions& points,
     if (planeThrough(a, b, draw(), minimum_cosine, slab))
       slabs.push_back(slab);
   }
-  const PlanSlab best = mostAgreed(slabs, level, scored, tolerance, threads);
-  const PlanSlab refined = fitSlabRobustly(points, best, tolerance);
+  std::vector<double> scores(slabs.size());
+  parallelFor(slabs.size(), 24, threads, [&](std::size_t k) {
+    scores[k] = agreement(scored, slabs[k], tolerance);
+  });
+  const auto best = std::max_element(scores.begin(), scores.end()) - scores.begin();
+  const PlanSlab refined =
+      fitSlabRobustly(points, slabs[static_cast<std::size_t>(best)], tolerance);
   return refined.plane[2] >= minimum_cosine
              ? refined
              : fitParallel(points, level, level, tolerance);
@@ -256,6 +275,80 @@ fitParallel(const PointView& points,
             double band)
 {
   return fitParallel(positionsOf(points, indices), direction, start, band);
+}
+
+namespace {
+
+/** @brief Returns the points inside a band around a slab, or those outside. */
+Positions
+inBand(const Positions& points, const PlanSlab& slab, double band, bool is_inside)
+{
+  Positions chosen;
+  for (const auto& p : points)
+    if ((std::abs(distanceAbove(slab, p)) <= band) == is_inside)
+      chosen.push_back(p);
+  return chosen;
+}
+
+/** @brief Returns the 10 cm cells in plan that hold points. */
+CellSet
+placesOf(const Positions& points)
+{
+  const CellGrid grid(0.1);
+  std::vector<CellKey> keys;
+  for (const auto& p : points)
+    if (grid.holds(p.x(), p.y()))
+      keys.push_back(keyOf(grid.at(p.x(), p.y())));
+  return CellSet(std::move(keys));
+}
+
+/** @brief Checks that the second points share few places with the first. Noise of one
+ * surface would lie above and below the same places. */
+bool
+areSideBySide(const Positions& first, const Positions& second)
+{
+  const CellSet places = placesOf(second);
+  return 5 * intersect(placesOf(first), places).size() <= places.size();
+}
+
+} // namespace
+
+PlanSlab
+findLargerSlab(const Positions& points,
+               double tolerance,
+               double maximum_tilt,
+               std::uint64_t seed,
+               unsigned threads)
+{
+  constexpr double min_spread = 0.15;  // residual across a step / tolerance
+  constexpr double min_contrast = 2.5; // this residual / that of one surface
+  constexpr double max_turned = 0.01;  // radians, between the two surfaces
+  const PlanSlab wide = findSlab(points, tolerance, maximum_tilt, seed, threads);
+  if (wide.residual < min_spread * tolerance)
+    return wide;
+  const double thickness = tolerance / 3;
+  const auto findThin = [&](const Positions& among) {
+    // A tilted plane would come near both surfaces within half of the thickness.
+    const PlanSlab found = findSlab(among, thickness / 2, maximum_tilt, seed, threads);
+    const PlanSlab refined = fitSlabRobustly(among, found, thickness);
+    return refined.plane[2] >= std::cos(maximum_tilt) ? refined : found;
+  };
+  const auto isThin = [&](const PlanSlab& slab) {
+    return min_contrast * slab.residual <= wide.residual;
+  };
+  const PlanSlab larger = findThin(points);
+  const Positions rest = inBand(points, larger, thickness, false);
+  if (!isThin(larger) || rest.size() < 3)
+    return wide;
+  const PlanSlab smaller = findThin(rest);
+  const bool are_parallel =
+      larger.plane.head<3>().cross(smaller.plane.head<3>()).norm() <= max_turned;
+  const bool are_all = 10 * (larger.inliers + smaller.inliers) >= 9 * wide.inliers;
+  return isThin(smaller) && are_parallel && are_all &&
+                 areSideBySide(inBand(points, larger, thickness, true),
+                               inBand(rest, smaller, thickness, true))
+             ? larger
+             : wide;
 }
 
 } // namespace pcl::sedr
