@@ -76,8 +76,9 @@ rm "$output/horizontal_plane_detection_flat.png"
 echo "== comparison"
 for state in before after; do
   "$bin/pcl_simulate_indoor_scan" "$root/doc/scenes/office_$state.json" "$data/office_$state"
+  "$bin/pcl_sedr" "$data/office_$state/scan.pcd" "$data/office_$state/model"
 done
-"$bin/pcl_structure_compare" "$data"/office_{before,after}/scan.pcd --picture "$output/structure_compare.png"
+"$bin/pcl_structure_compare" "$data"/office_{before,after}/model --picture "$output/structure_compare.png"
 
 echo "== models"
 "$bin/pcl_simulate_indoor_scan" cluttered_room "$data/cluttered_room"
@@ -88,17 +89,15 @@ cp "$data/syn_flat/model/floorplan.svg" "$output/floorplan_drawing.svg"
 
 # look NAME SCENE/INPUT OPTIONS...: what the viewer shows, for its page.
 look() {
-  xvfb-run -a "$bin/pcl_sedr_viewer" "$data/$2" --size "${size-640x440}" --screenshot "$output/sedr_viewer_$1.png" "${@:3}"
+  xvfb-run -a "$bin/pcl_sedr_viewer" "$data/$2" --size 640x440 --screenshot "$output/sedr_viewer_$1.png" "${@:3}"
 }
 
 if command -v xvfb-run >/dev/null && [ -x "$bin/pcl_sedr_viewer" ]; then
   echo "== the viewer"
-  look label     bls_room/model --layers structure --point-size 3
+  look label     bls_room/model --layers structure
   look distance  bls_room/model --layers scan --colour distance
   look solid     syn_flat/model --layers solid --colour room
-  look inside    hls_hall/model --layers solid --view inside --ceilings
-  size=960x400 look two_views syn_flat/model --layers mesh --two-views
-  look stage     hls_hall/walls.pcd --colour label --point-size 3
+  look stage     hls_hall/walls.pcd --colour label
 else
   echo "The viewer's pictures stay as they are: they need the Debian packages xvfb and xauth."
 fi

@@ -3,9 +3,8 @@
 #include "progress.h"
 #include "rooms/labelled_rooms.h"
 #include "run_tool.h"
-#include "tool_cloud.h"
+#include "stage_pictures.h"
 #include "tool_error.h"
-#include "wall_picture.h"
 
 #include <pcl/sedr_segmentation/ceiling_boundary_wall_growing.h>
 
@@ -19,27 +18,18 @@ namespace {
 
 using Growing = pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ>;
 
-constexpr double territory_cell = 0.05; // metres
-
-/** @brief Returns the height of the lowest detail; NaN without details. */
-double
-sliceHeight(const ToolCloud& cloud, const LabelledRoom& room)
-{
-  double lowest = std::numeric_limits<double>::quiet_NaN();
-  for (const auto i : room.details)
-    lowest = std::fmin(lowest, (*cloud.points)[static_cast<std::size_t>(i)].z);
-  return lowest;
-}
-
 RoomWalls
 growIn(const ToolCloud& cloud, const LabelledRoom& room, Growing& growing)
 {
+  double lowest = std::numeric_limits<double>::quiet_NaN(); // of the details
+  for (const auto i : room.details)
+    lowest = std::fmin(lowest, (*cloud.points)[static_cast<std::size_t>(i)].z);
   growing.setInputCloud(cloud.points);
   growing.setIndices(pcl::make_shared<const pcl::Indices>(room.around));
   growing.setCeilingIndices(room.ceiling);
   growing.setFloorIndices(room.floor);
   growing.setDetailIndices(room.details);
-  growing.setSliceHeight(sliceHeight(cloud, room));
+  growing.setSliceHeight(lowest);
   pcl::PointIndices walls_and_details;
   if (!growing.segment(walls_and_details))
     throw ToolError("room " + std::to_string(room.id) + ": " +
@@ -48,30 +38,10 @@ growIn(const ToolCloud& cloud, const LabelledRoom& room, Growing& growing)
   return roomWallsOf(growing, room.id);
 }
 
-/** @brief Labels the points of the walls that have no other label.
- * @return number of wall points */
-std::size_t
-labelWalls(const std::vector<RoomWalls>& rooms, ToolCloud& cloud)
-{
-  std::size_t walls = 0;
-  for (const auto& found : rooms)
-    for (const auto i : found.walls) {
-      const auto at = static_cast<std::size_t>(i);
-      if (cloud.label[at] != 0)
-        continue;
-      cloud.label[at] = static_cast<std::uint32_t>(StructureLabel::Wall);
-      cloud.room[at] = found.room > 0 ? found.room : cloud.room[at];
-      ++walls;
-    }
-  setField(cloud.blob, "label", cloud.label);
-  if (cloud.has_room)
-    setField(cloud.blob, "room", cloud.room);
-  return walls;
-}
-
 int
 run(const StageFiles& files, Growing& growing)
 {
+  constexpr double territory_cell = 0.05; // metres
   files.check();
   ToolCloud cloud = loadCloud(files.input);
   std::replace(cloud.label.begin(), cloud.label.end(),
@@ -83,15 +53,25 @@ run(const StageFiles& files, Growing& growing)
     for (const LabelledRoom& room : labelledRooms(cloud, territory_cell))
       rooms.push_back(growIn(cloud, room, growing));
   }
-  const std::size_t walls = labelWalls(rooms, cloud);
+  std::size_t walls = 0;
+  for (const auto& found : rooms)
+    for (const auto i : found.walls) {
+      const auto at = static_cast<std::size_t>(i);
+      if (cloud.label[at] != 0)
+        continue;
+      setLabel({i}, StructureLabel::Wall, found.room > 0 ? found.room : cloud.room[at],
+               cloud);
+      ++walls;
+    }
   if (walls == 0)
     throw ToolError("no point of '" + cloud.path + "' is within " +
                         std::to_string(growing.getDistanceThreshold()) +
                         " m of the boundary of the ceiling in plan",
                     NothingFound);
+  storeLabels(cloud);
   files.save(cloud);
-  if (!files.picture.empty())
-    savePicture(files.picture, drawWalls(rooms, pcl::sedr::PointView(*cloud.points)));
+  files.picture.write(
+      [&] { return drawWalls(rooms, pcl::sedr::PointView(*cloud.points)); });
   say(std::to_string(walls) + " of " + std::to_string(cloud.size()) +
       " points are walls, of " + std::to_string(rooms.size()) +
       (rooms.size() == 1 ? " room" : " rooms"));
@@ -111,9 +91,7 @@ main(int argc, char** argv)
       "Labels the walls of every room, label 3: points below the boundary of its "
       "ceiling, label 1.\nUses the floor, label 2, and details, label 4, where the "
       "file has them; walls already labelled are looked for anew.");
-  options.file("INPUT", files.input,
-               "PCD or PLY file with labels, and rooms if several");
-  options.file("OUTPUT", files.output, "PCD or PLY file to write");
+  files.declare(options, " with labels, and rooms if several");
   options.parameter("distance", growing, &Growing::getDistanceThreshold,
                     &Growing::setDistanceThreshold, "m",
                     "farthest a wall point is from the boundary in plan",
@@ -122,10 +100,5 @@ main(int argc, char** argv)
                     &Growing::setAngleThreshold, "degrees",
                     "widest gap between directions to the neighbors of an inner point",
                     Range::between(1, 359), M_PI / 180);
-  options.parameter("neighbors", growing, &Growing::getNumberOfNeighbors,
-                    &Growing::setNumberOfNeighbors, "",
-                    "neighbors looked at; fewer find the rims of smaller columns",
-                    Range::atLeast(3));
-  files.addOptions(options);
   return runTool(options, argc, argv, [&] { return run(files, growing); });
 }

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "floor_picture.h"
-#include "labelled_points.h"
 #include "picture_file.h"
 #include "progress.h"
 #include "rooms/labelled_rooms.h"
 #include "run_tool.h"
-#include "tool_cloud.h"
+#include "stage_pictures.h"
 #include "tool_error.h"
 
 #include "sedr_filters/src/plan/room_map.h"
 #include <pcl/sedr_filters/floor_projection_recovery.h>
-#include <pcl/sedr_filters/impl/floor_recovery.h>
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 using namespace pcl::sedr::tools;
 using pcl::sedr::CellGrid;
@@ -25,8 +23,7 @@ namespace {
 using Recovery = pcl::FloorProjectionRecovery<pcl::PointXYZ>;
 
 struct Settings : StageFiles {
-  double grid = 0;
-  std::optional<double> height;
+  double grid = Recovery().getGridSize();
   bool remove = false;
 };
 
@@ -47,7 +44,7 @@ splitRooms(const CellGrid& grid, ToolCloud& cloud)
 {
   const pcl::Indices ceiling = requireLabel(cloud, StructureLabel::Ceiling);
   const pcl::Indices detail = cloud.withLabel(StructureLabel::Detail);
-  const bool has_rooms = *ceilingRooms(cloud).begin() != 0;
+  const bool has_rooms = hasRooms(cloud);
   const pcl::sedr::RoomMap map(grid, PointView(*cloud.points), cloud.room, ceiling,
                                detail);
   std::map<std::uint32_t, LabelledRoom> rooms;
@@ -65,38 +62,14 @@ splitRooms(const CellGrid& grid, ToolCloud& cloud)
   return rooms;
 }
 
-/** @brief Returns the plane to project to; null: the mean of the room's own floor.
- * @param own the plane of each room whose floor was seen
- * @param common_height for rooms whose floor was hidden, metres */
-pcl::ModelCoefficients::Ptr
-planeOf(const Settings& settings,
-        const std::map<std::uint32_t, pcl::sedr::PlanSlab>& own,
-        const std::pair<const std::uint32_t, LabelledRoom>& room,
-        const ToolCloud& cloud,
-        double common_height)
-{
-  Eigen::Vector4d plane(0, 0, 1, -common_height);
-  const auto found = own.find(room.first);
-  if (found != own.end() && !settings.height)
-    plane = found->second.plane;
-  else if (!settings.height &&
-           !pcl::sedr::recoverFloor(CellGrid(settings.grid), PointView(*cloud.points),
-                                    room.second.floor, room.second.ceiling,
-                                    room.second.details)
-                .kept.empty())
-    return nullptr;
-  const auto coefficients = pcl::make_shared<pcl::ModelCoefficients>();
-  for (int k = 0; k < 4; ++k)
-    coefficients->values.push_back(static_cast<float>(plane[k]));
-  return coefficients;
-}
-
+/** @brief Projects to the plane of the room's own floor; without one, to the mean of
+ * its floor, or of all floors where its own was hidden. */
 void
 recoverRoom(const Settings& settings,
             const ToolCloud& cloud,
             std::uint32_t number,
             const LabelledRoom& room,
-            const pcl::ModelCoefficients::ConstPtr& plane,
+            const std::optional<pcl::sedr::PlanSlab>& own,
             Recovered& result)
 {
   const PointView points(*cloud.points);
@@ -112,12 +85,21 @@ recoverRoom(const Settings& settings,
   recovery.setCeilingIndices(room.ceiling);
   recovery.setDetailIndices(room.details);
   recovery.setGridSize(settings.grid);
-  if (plane)
-    recovery.setFloorCoefficients(plane);
+  const auto projectTo = [&](const Eigen::Vector4d& plane) {
+    const auto coefficients = pcl::make_shared<pcl::ModelCoefficients>();
+    for (int k = 0; k < 4; ++k)
+      coefficients->values.push_back(static_cast<float>(plane[k]));
+    recovery.setFloorCoefficients(coefficients);
+  };
+  if (own)
+    projectTo(own->plane);
   pcl::PointCloud<pcl::PointXYZ> floor;
   recovery.filter(floor);
-  if (!recovery.getErrorMessage().empty())
-    throw ToolError(recovery.getErrorMessage());
+  if (!recovery.getErrorMessage().empty() && !own) {
+    projectTo({0, 0, 1, -meanFloorHeight(cloud)});
+    recovery.filter(floor);
+  }
+  throwProblem(recovery.getErrorMessage());
   result.cells.push_back(floorCellsOf(recovery));
   const pcl::Indices& removed = *recovery.getRemovedIndices();
   result.removed.insert(result.removed.end(), removed.begin(), removed.end());
@@ -166,27 +148,26 @@ run(const Settings& settings)
 {
   settings.check();
   ToolCloud cloud = loadCloud(settings.input);
+  requireLabel(cloud, StructureLabel::Floor);
   std::map<std::uint32_t, pcl::sedr::PlanSlab> planes;
-  if (isByRooms(cloud))
+  if (hasRooms(cloud) && hasRooms(cloud, StructureLabel::Floor))
     for (const LabelledRoom& room : labelledRooms(cloud, settings.grid))
       if (!room.floor.empty() &&
           cloud.room[static_cast<std::size_t>(room.floor.front())] == room.id)
         planes[room.id] = floorOf(room, cloud, {});
   const auto rooms = splitRooms(CellGrid(settings.grid), cloud);
-  const double height = // for rooms whose own floor is hidden
-      settings.height ? *settings.height
-                      : meanFloorHeight(cloud, "--height would stand for them");
   Recovered result;
   {
     const Progress progress("completing the floor");
-    for (const auto& room : rooms)
-      recoverRoom(settings, cloud, room.first, room.second,
-                  planeOf(settings, planes, room, cloud, height), result);
+    for (const auto& [number, room] : rooms)
+      recoverRoom(settings, cloud, number, room,
+                  planes.count(number) > 0 ? std::make_optional(planes.at(number))
+                                           : std::nullopt,
+                  result);
   }
   apply(settings, result, cloud);
   settings.save(cloud);
-  if (!settings.picture.empty())
-    savePicture(settings.picture, drawFloor(result.cells));
+  settings.picture.write([&] { return drawFloor(result.cells); });
   say(std::to_string(result.points.size()) + " points projected, " +
       std::to_string(result.removed.size()) + " floor points removed");
   return Done;
@@ -198,18 +179,12 @@ int
 main(int argc, char** argv)
 {
   Settings settings;
-  settings.grid = Recovery().getGridSize();
   Options options(
       "pcl_floor_projection_recovery",
       "Completes the floor (label 2) from the ceiling and its details (labels 1 and 4) "
       "room by\nroom, and takes floor points outside the rooms for other (label 0).");
-  options.file("INPUT", settings.input,
-               "PCD or PLY file with field 'label', perhaps 'room'");
-  options.file("OUTPUT", settings.output, "PCD or PLY file to write");
+  settings.declare(options, " with field 'label', perhaps 'room'");
   options.number("grid", settings.grid, "m", "edge of a cell", Range::above(0));
-  options.optionalNumber("height", settings.height, "m", "z of the projected points",
-                         "the mean of the room's floor points");
   options.flag("remove", settings.remove, "leave floor points outside the rooms out");
-  settings.addOptions(options);
   return runTool(options, argc, argv, [&] { return run(settings); });
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mesh_picture.h"
 #include "model/solid_files.h"
 #include "picture_file.h"
 #include "plan_file.h"
 #include "run_tool.h"
+#include "stage_pictures.h"
 #include "tool_error.h"
 
 #include <pcl/sedr_surface/floorplan_extrusion.h>
@@ -20,16 +20,8 @@ using Extrusion = pcl::FloorplanExtrusion<pcl::PointXYZ>;
 struct Settings {
   std::string plan;
   std::string output;
-  std::string picture;
+  PictureFile picture;
 };
-
-/** @brief Draws a solid, whose triangles face outwards. */
-void
-saveSolidPicture(const std::string& path, pcl::sedr::TriangleMesh solid)
-{
-  solid.flip();
-  savePicture(path, drawMesh(solid));
-}
 
 void
 tell(const pcl::sedr::RoomSolidReport& report)
@@ -46,7 +38,7 @@ int
 run(const Settings& settings, Extrusion& extrusion)
 {
   checkSolidOutput(settings.output);
-  checkPictureOutput(settings.picture);
+  settings.picture.check();
   extrusion.setFloorplan(loadFloorplan(settings.plan));
   extrusion.setTilts(planTilts(settings.plan));
   pcl::PolygonMesh unused;
@@ -57,8 +49,11 @@ run(const Settings& settings, Extrusion& extrusion)
     throw ToolError(extrusion.getErrorMessage(), NothingFound);
   saveSolid(settings.output, extrusion.getMesh(), extrusion.getElements(),
             *extrusion.getFloorplan(), planOrigin(settings.plan));
-  if (!settings.picture.empty())
-    saveSolidPicture(settings.picture, extrusion.getMesh());
+  settings.picture.write([&] {
+    pcl::sedr::TriangleMesh solid = extrusion.getMesh();
+    solid.flip(); // its triangles face outwards
+    return drawMesh(solid);
+  });
   for (const auto& warning : extrusion.getWarnings())
     warn(warning);
   if (!extrusion.getErrorMessage().empty())
@@ -86,6 +81,6 @@ main(int argc, char** argv)
   options.parameter("chord-tolerance", extrusion, &Extrusion::getChordTolerance,
                     &Extrusion::setChordTolerance, "m",
                     "farthest that facets are off their arc", Range::between(1e-6, 1));
-  addPictureOption(options, settings.picture);
+  settings.picture.declare(options);
   return runTool(options, argc, argv, [&] { return run(settings, extrusion); });
 }

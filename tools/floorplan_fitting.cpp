@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bytes/whole_file.h"
-#include "labelled_points.h"
 #include "picture_file.h"
 #include "plan_file.h"
-#include "plan_picture.h"
 #include "progress.h"
 #include "rooms/building_file.h"
+#include "rooms/labelled_rooms.h"
 #include "run_tool.h"
 #include "sedr_segmentation/src/plan/doorway_reveals.h"
-#include "tool_cloud.h"
+#include "stage_pictures.h"
 #include "tool_error.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
@@ -28,7 +27,7 @@ struct Settings {
   std::string output;
   std::string raw;
   std::string building;
-  std::string picture;
+  PictureFile picture;
   std::string plan = "rules";
 };
 
@@ -42,7 +41,7 @@ setEvidence(const ToolCloud& cloud, Fitting& fitting)
   fitting.setFloorIndices(requireLabel(cloud, StructureLabel::Floor));
   fitting.setDetailIndices(cloud.withLabel(StructureLabel::Detail));
   fitting.setWallIndices(requireLabel(cloud, StructureLabel::Wall));
-  if (ceilingRooms(cloud) != std::set<std::uint32_t>{0})
+  if (hasRooms(cloud))
     fitting.setRooms(cloud.room);
 }
 
@@ -65,8 +64,8 @@ tell(const pcl::sedr::PlanRoom& room)
 int
 run(const Settings& settings, Fitting& fitting)
 {
-  checkJsonOutput(settings.output);
-  checkPictureOutput(settings.picture);
+  checkOutput(settings.output, "a floor plan", {".json"});
+  settings.picture.check();
   const ToolCloud cloud = loadCloud(settings.input);
   pcl::sedr::Building building;
   if (!settings.building.empty())
@@ -91,8 +90,7 @@ run(const Settings& settings, Fitting& fitting)
   writeWhole(settings.output, [&](std::ostream& stream) {
     stream << pcl::sedr::floorplanToJson(plan, nullptr, cloud.origin);
   });
-  if (!settings.picture.empty())
-    savePicture(settings.picture, drawPlan(plan, fitting.getBoundaries()));
+  settings.picture.write([&] { return drawPlan(plan, fitting.getBoundaries()); });
   for (const auto& warning : fitting.getWarnings())
     warn(warning);
   for (const auto& room : plan.rooms)
@@ -132,6 +130,6 @@ main(int argc, char** argv)
   options.text("plan", settings.plan,
                "how walls are fitted: by lines and rules, or by one energy",
                {"rules", "energy"});
-  addPictureOption(options, settings.picture);
+  settings.picture.declare(options);
   return runTool(options, argc, argv, [&] { return run(settings, fitting); });
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bytes/whole_file.h"
-#include "model/solid_files.h"
 #include "plan_file.h"
 #include "run_tool.h"
 #include "tool_error.h"
@@ -49,10 +48,7 @@ main(int argc, char** argv)
                  "of walls and slabs of the IFC of which one face was seen",
                  Range::between(0.02, 2));
   return runTool(options, argc, argv, [&] {
-    if (!hasExtension(output, ".ifc"))
-      throw ToolError("a building model is written as IFC, '" + output +
-                      "' does not end in .ifc");
-    checkWritable(output);
+    checkOutput(output, "a building model", {".ifc"});
     const auto rooms = loadFloorplan(plan);
     settings.arcs =
         arcs == "faceted" ? pcl::sedr::IfcArcs::Facets : pcl::sedr::IfcArcs::Exact;

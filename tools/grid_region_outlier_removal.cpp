@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "picture_file.h"
 #include "progress.h"
-#include "region_picture.h"
+#include "rooms/labelled_rooms.h"
 #include "run_tool.h"
-#include "tool_cloud.h"
+#include "stage_pictures.h"
 #include "tool_error.h"
 
 #include <pcl/sedr_filters/grid_region_outlier_removal.h>
@@ -21,49 +21,7 @@ struct Settings : StageFiles {
   unsigned int label = static_cast<unsigned int>(StructureLabel::Ceiling);
   unsigned int support_label = 0;
   bool remove = false;
-
-  bool writesRooms() const
-  {
-    return label == static_cast<unsigned int>(StructureLabel::Ceiling);
-  }
 };
-
-/** @brief Returns the points with the label, or all points of a file without labels. */
-pcl::Indices
-selectPoints(const Settings& settings, const ToolCloud& cloud)
-{
-  pcl::Indices selected;
-  if (cloud.has_label)
-    selected = cloud.withLabel(static_cast<StructureLabel>(settings.label));
-  else {
-    selected.resize(cloud.size());
-    std::iota(selected.begin(), selected.end(), 0);
-  }
-  if (selected.empty())
-    throw ToolError("none of the " + std::to_string(cloud.size()) + " points of '" +
-                        cloud.path + "' has label " + std::to_string(settings.label),
-                    NothingFound);
-  return selected;
-}
-
-pcl::Indices
-compute(const Settings& settings,
-        const ToolCloud& cloud,
-        const pcl::Indices& selected,
-        Removal& removal)
-{
-  const Progress progress("labelling regions");
-  removal.setInputCloud(cloud.points);
-  removal.setIndices(pcl::IndicesConstPtr(new pcl::Indices(selected)));
-  if (settings.support_label > 0)
-    removal.setSupportIndices(
-        cloud.withLabel(static_cast<StructureLabel>(settings.support_label)));
-  pcl::Indices kept;
-  removal.filter(kept);
-  if (!removal.getErrorMessage().empty())
-    throw ToolError(removal.getErrorMessage());
-  return kept;
-}
 
 /** @brief Writes the result to the fields of the cloud. */
 void
@@ -72,25 +30,25 @@ apply(const Settings& settings,
       const Removal& removal,
       ToolCloud& cloud)
 {
+  const bool numbers_rooms =
+      settings.label == static_cast<unsigned int>(StructureLabel::Ceiling);
   const auto& regions = removal.getRegionLabels();
   std::vector<bool> rejected(cloud.size(), false);
   for (const auto index : selected) {
     const auto i = static_cast<std::size_t>(index);
     rejected[i] = regions[i] == 0;
     cloud.label[i] = rejected[i] ? 0 : settings.label;
-    if (settings.writesRooms())
+    if (numbers_rooms)
       cloud.room[i] = static_cast<std::uint32_t>(regions[i]);
   }
-  setField(cloud.blob, "label", cloud.label);
-  if (settings.writesRooms() || cloud.has_room)
-    setField(cloud.blob, "room", cloud.room);
-  if (!settings.remove)
-    return;
+  cloud.has_room = cloud.has_room || numbers_rooms;
+  storeLabels(cloud);
   pcl::Indices stay;
   for (std::size_t i = 0; i < cloud.size(); ++i)
     if (!rejected[i])
       stay.push_back(static_cast<pcl::index_t>(i));
-  cloud.blob = selectRows(cloud.blob, stay);
+  if (settings.remove)
+    cloud.blob = selectRows(cloud.blob, stay);
 }
 
 int
@@ -98,16 +56,28 @@ run(const Settings& settings, Removal& removal)
 {
   settings.check();
   ToolCloud cloud = loadCloud(settings.input);
-  const pcl::Indices selected = selectPoints(settings, cloud);
-  const pcl::Indices kept = compute(settings, cloud, selected, removal);
+  pcl::Indices selected(cloud.size());
+  std::iota(selected.begin(), selected.end(), 0);
+  if (cloud.has_label)
+    selected = requireLabel(cloud, static_cast<StructureLabel>(settings.label));
+  pcl::Indices kept;
+  {
+    const Progress progress("labelling regions");
+    removal.setInputCloud(cloud.points);
+    removal.setIndices(pcl::make_shared<const pcl::Indices>(selected));
+    if (settings.support_label > 0)
+      removal.setSupportIndices(
+          cloud.withLabel(static_cast<StructureLabel>(settings.support_label)));
+    removal.filter(kept);
+  }
+  throwProblem(removal.getErrorMessage());
   if (kept.empty())
     throw ToolError("none of the " + std::to_string(selected.size()) +
                         " points is finite, there is no region",
                     NothingFound);
   apply(settings, selected, removal, cloud);
   settings.save(cloud);
-  if (!settings.picture.empty())
-    savePicture(settings.picture, drawRegions({removal.getRegionMap()}));
+  settings.picture.write([&] { return drawRegions(removal.getRegionMap()); });
   say(std::to_string(kept.size()) + " of " + std::to_string(selected.size()) +
       " points in " + std::to_string(removal.getNumberOfRegions()) + " of " +
       std::to_string(removal.getRegionSizes().size()) + " regions, threshold " +
@@ -122,15 +92,12 @@ main(int argc, char** argv)
 {
   Removal removal(true);
   Settings settings;
-
   Options options(
       "pcl_grid_region_outlier_removal",
       "Removes points outside the large regions of a plan, and numbers the regions of "
       "ceilings as rooms.\nWorks on the points with one label; on all points of a file "
-      "without "
-      "labels.");
-  options.file("INPUT", settings.input, "PCD or PLY file");
-  options.file("OUTPUT", settings.output, "PCD or PLY file to write");
+      "without labels.");
+  settings.declare(options, "");
   options.number("label", settings.label, "",
                  "label of the points to work on, 1 ceiling, 2 floor");
   options.parameter("grid", removal, &Removal::getGridSize, &Removal::setGridSize, "m",
@@ -140,6 +107,5 @@ main(int argc, char** argv)
       "label of points, say 2 floor, that save a smaller region above them, 0 = none");
   options.flag("remove", settings.remove,
                "leave rejected points out, instead of label 0");
-  settings.addOptions(options);
   return runTool(options, argc, argv, [&] { return run(settings, removal); });
 }

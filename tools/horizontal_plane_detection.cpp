@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bytes/whole_file.h"
 #include "picture_file.h"
-#include "plan_file.h"
-#include "plane_picture.h"
 #include "progress.h"
 #include "rooms/building_file.h"
-#include "rooms/planes_of_rooms.h"
-#include "rooms/scan_problem.h"
+#include "rooms/labelled_rooms.h"
 #include "run_tool.h"
-#include "tool_cloud.h"
+#include "stage_pictures.h"
 #include "tool_error.h"
 
 #include "sedr_segmentation/src/planes/plane_list.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +15,7 @@
 
 using namespace pcl::sedr::tools;
 using pcl::sedr::LevelKind;
+using pcl::sedr::PointView;
 using pcl::sedr::RoomsAlongZ;
 using pcl::sedr::StructureLabel;
 
@@ -33,13 +28,38 @@ using Planes = std::vector<pcl::HorizontalPlane>;
 constexpr double degree = M_PI / 180;
 
 struct Settings : StageFiles {
-  std::string planes;
   std::string building;
   bool trust_up = false;
   bool whole = false;
 };
 
-/** @brief Labels ceilings and floors in a file with rooms; returns its planes. */
+/** @brief Adds the ceiling that the building says was hidden: copies of a row of the
+ * room's ceiling with a new position. */
+void
+addHiddenCeiling(const pcl::sedr::Building& building,
+                 const pcl::sedr::BuildingRoom& known,
+                 const LabelledRoom& room,
+                 const pcl::sedr::PlanSlab& plane,
+                 const pcl::sedr::CellGrid& grid,
+                 ToolCloud& cloud)
+{
+  const pcl::sedr::CellSet seen(grid, PointView(*cloud.points), room.ceiling);
+  std::vector<Eigen::Vector3f> places;
+  for (const auto& hidden :
+       hiddenCeiling(known.columns, building.grid, grid, seen, plane))
+    places.push_back(hidden.at);
+  const std::size_t before = cloud.size();
+  appendRows(cloud.blob, cloud.blob, pcl::Indices(places.size(), room.ceiling.front()));
+  setCoordinates(cloud.blob, before, places);
+  for (const auto& place : places)
+    cloud.points->push_back({place.x(), place.y(), place.z()});
+  cloud.label.resize(cloud.points->size(),
+                     static_cast<std::uint32_t>(StructureLabel::Ceiling));
+  cloud.room.resize(cloud.points->size(), room.id);
+}
+
+/** @brief Labels ceilings and floors in a file with rooms, as the chain does; returns
+ * its planes. Ceiling points keep their label, floor points on the plane as well. */
 Planes
 planesByRoom(const Settings& settings, const Detection& detection, ToolCloud& cloud)
 {
@@ -47,10 +67,39 @@ planesByRoom(const Settings& settings, const Detection& detection, ToolCloud& cl
   parameters.tolerance = detection.getDistanceThreshold();
   parameters.maximum_tilt = detection.getMaximumTilt();
   parameters.threads = detection.getNumberOfThreads();
+  const pcl::sedr::CellGrid grid(detection.getGridSize());
   pcl::sedr::Building building;
   if (!settings.building.empty())
     building = loadBuilding(settings.building);
-  return labelPlanesOfRooms(parameters, detection.getGridSize(), building, cloud);
+  const std::vector<LabelledRoom> rooms = labelledRooms(cloud, grid.size());
+  std::fill(cloud.label.begin(), cloud.label.end(), 0);
+  std::fill(cloud.room.begin(), cloud.room.end(), 0);
+  Planes planes;
+  for (const LabelledRoom& room : rooms) {
+    const auto known = std::find_if(building.rooms.begin(), building.rooms.end(),
+                                    [&](const auto& r) { return r.id == room.id; });
+    const bool is_known = known != building.rooms.end();
+    const PointView points(*cloud.points);
+    const auto add = [&](const pcl::Indices& sheet, LevelKind kind, double height) {
+      const pcl::sedr::PlanSlab plane = mainPlane(points, sheet, height, parameters);
+      planes.push_back(listedPlane(kind, plane,
+                                   pointsOn(points, sheet, plane, parameters.tolerance),
+                                   points, grid));
+      return plane;
+    };
+    const auto ceiling =
+        add(room.ceiling, LevelKind::Ceiling,
+            is_known ? known->ceiling : ceilingLevel(points, room.ceiling));
+    setLabel(room.ceiling, StructureLabel::Ceiling, room.id, cloud);
+    if (!room.floor.empty()) {
+      add(room.floor, LevelKind::Floor,
+          is_known ? known->floor : floorLevel(points, room.floor));
+      setLabel(planes.back().inliers.indices, StructureLabel::Floor, room.id, cloud);
+    }
+    if (is_known)
+      addHiddenCeiling(building, *known, room, ceiling, grid, cloud);
+  }
+  return planes;
 }
 
 /** @brief Labels ceilings and floors in a file without rooms; returns its planes. */
@@ -60,8 +109,7 @@ planesOfAll(const Settings& settings, Detection& detection, ToolCloud& cloud)
   if (!settings.building.empty())
     throw ToolError("--building is of no use without rooms, '" + settings.input +
                     "' is looked at as a whole");
-  checkScan(cloud);
-  checkUp(cloud, settings.trust_up);
+  checkScan(cloud, settings.trust_up);
   Planes planes;
   detection.setInputCloud(cloud.points);
   if (!detection.segment(planes))
@@ -71,41 +119,18 @@ planesOfAll(const Settings& settings, Detection& detection, ToolCloud& cloud)
       plane.kind = LevelKind::Other;
   const std::string missing =
       pcl::sedr::missingKind(planes, detection.getMinimumRoomHeight());
-  checkUp(cloud, settings.trust_up,
-          missing.empty() ? RoomsAlongZ::Found : RoomsAlongZ::None,
-          missing.empty() ? pcl::sedr::areaOfRooms(planes) : 0, missing);
+  checkScan(cloud, settings.trust_up,
+            missing.empty() ? RoomsAlongZ::Found : RoomsAlongZ::None,
+            missing.empty() ? pcl::sedr::areaOfRooms(planes) : 0, missing);
   std::fill(cloud.label.begin(), cloud.label.end(), 0);
+  std::fill(cloud.room.begin(), cloud.room.end(), 0);
   for (const auto& plane : planes)
     if (plane.kind != LevelKind::Other)
       setLabel(plane.inliers.indices,
                plane.kind == LevelKind::Ceiling ? StructureLabel::Ceiling
                                                 : StructureLabel::Floor,
                0, cloud);
-  setField(cloud.blob, "label", cloud.label);
-  if (cloud.has_room)
-    setField(cloud.blob, "room", std::vector<std::uint32_t>(cloud.size(), 0));
   return planes;
-}
-
-void
-savePlanes(const std::string& path, const Planes& planes)
-{
-  using Json = nlohmann::ordered_json;
-  Json list = Json::array();
-  for (const auto& plane : planes) {
-    const Eigen::Vector4d& p = plane.slab.plane;
-    list.push_back({{"kind", nameOf(plane.kind)},
-                    {"coefficients", {p[0], p[1], p[2], p[3]}},
-                    {"height", plane.height},
-                    {"area", plane.area},
-                    {"residual", plane.residual},
-                    {"inliers", plane.inliers.indices.size()}});
-  }
-  const Json json{{"format", "sedr-planes"},
-                  {"version", 1},
-                  {"unit", "m"},
-                  {"planes", list}};
-  writeWhole(path, [&](std::ostream& stream) { stream << json.dump(1) << '\n'; });
 }
 
 void
@@ -123,23 +148,20 @@ int
 run(const Settings& settings, Detection& detection)
 {
   settings.check();
-  if (!settings.planes.empty())
-    checkJsonOutput(settings.planes);
   ToolCloud cloud = loadCloud(settings.input);
   Planes planes;
   {
     const Progress progress("finding planes");
-    planes = !settings.whole && isByRooms(cloud)
-                 ? planesByRoom(settings, detection, cloud)
-                 : planesOfAll(settings, detection, cloud);
+    planes =
+        !settings.whole && hasRooms(cloud) && hasRooms(cloud, StructureLabel::Floor)
+            ? planesByRoom(settings, detection, cloud)
+            : planesOfAll(settings, detection, cloud);
   }
+  storeLabels(cloud);
   settings.save(cloud);
-  if (!settings.planes.empty())
-    savePlanes(settings.planes, planes);
-  if (!settings.picture.empty())
-    savePicture(settings.picture, drawPlanes(planes, detection.getHeightHistogram(),
-                                             pcl::sedr::PointView(*cloud.points),
-                                             detection.getGridSize()));
+  settings.picture.write([&] {
+    return drawPlanes(planes, PointView(*cloud.points), detection.getGridSize());
+  });
   print(planes);
   return Done;
 }
@@ -158,8 +180,7 @@ main(int argc, char** argv)
       "points of ceilings 1,\nof floors 2, all others 0. A file that "
       "pcl_room_segmentation has parted into rooms is looked\nat room by room; rooms "
       "of another file are set to 0.");
-  options.file("INPUT", settings.input, "PCD or PLY file, z up, metres");
-  options.file("OUTPUT", settings.output, "PCD or PLY file to write");
+  settings.declare(options, ", z up, metres");
   options.parameter("distance", detection, &Detection::getDistanceThreshold,
                     &Detection::setDistanceThreshold, "m",
                     "farthest a point is from its plane", Range::above(0));
@@ -179,10 +200,8 @@ main(int argc, char** argv)
       "ceiling was hidden, points are added");
   options.flag("whole", settings.whole,
                "look at the file as a whole even if it has rooms");
-  options.text("planes", settings.planes, "JSON file for the list of planes");
   options.flag(
       "z-up", settings.trust_up,
       "take z as up even if another axis seems to be, or the scan is inclined");
-  settings.addOptions(options);
   return runTool(options, argc, argv, [&] { return run(settings, detection); });
 }

@@ -4,7 +4,7 @@
 #include "run_tool.h"
 #include "scan_file.h"
 #include "scan_options.h"
-#include "thinning_picture.h"
+#include "stage_pictures.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
 
@@ -32,21 +32,8 @@ compute(const Settings& settings, const ScanFile& scan)
   grid.setRemoveStrays(!settings.keep_strays);
   pcl::PCLPointCloud2 thinned;
   grid.filter(scan, thinned);
-  if (!grid.getErrorMessage().empty())
-    throw ToolError(grid.getErrorMessage());
+  throwProblem(grid.getErrorMessage());
   return thinned;
-}
-
-void
-savePicture(const Settings& settings,
-            const ScanFile& scan,
-            const pcl::PCLPointCloud2& blob)
-{
-  pcl::PointCloud<pcl::PointXYZ> thinned;
-  pcl::fromPCLPointCloud2(blob, thinned);
-  pcl::sedr::tools::savePicture(
-      settings.picture,
-      drawThinning(scan, pcl::sedr::PointView(thinned), settings.leaf));
 }
 
 int
@@ -69,8 +56,11 @@ run(const Settings& settings)
                     NothingFound);
   warnOfPositions(scan);
   settings.save(cloud);
-  if (!settings.picture.empty())
-    savePicture(settings, scan, cloud.blob);
+  settings.picture.write([&] {
+    pcl::PointCloud<pcl::PointXYZ> thinned;
+    pcl::fromPCLPointCloud2(cloud.blob, thinned);
+    return drawThinning(scan, pcl::sedr::PointView(thinned), settings.leaf);
+  });
   say(std::to_string(scan.size()) + " points -> " + std::to_string(rowsOf(cloud.blob)));
   return Done;
 }
@@ -91,12 +81,12 @@ main(int argc, char** argv)
   options.file("INPUT", settings.input,
                "PCD, PLY, E57, LAS or text to thin; - is the standard input");
   options.file("OUTPUT", settings.output, "PCD or PLY file to write");
+  settings.picture.declare(options);
   options.number("leaf", settings.leaf, "m", "edge of a voxel", Range::above(0));
   options.number("min-points", settings.minimum_points, "",
                  "voxels with fewer points give none");
   options.flag("keep-strays", settings.keep_strays,
                "keep voxels that points scattered in the air explain");
   addScanOptions(options, settings.reading);
-  settings.addOptions(options);
   return runTool(options, argc, argv, [&] { return run(settings); });
 }

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bytes/whole_file.h"
 #include "picture_file.h"
-#include "plan_file.h"
 #include "progress.h"
-#include "room_picture.h"
 #include "rooms/building_file.h"
-#include "rooms/scan_problem.h"
+#include "rooms/labelled_rooms.h"
 #include "run_tool.h"
-#include "tool_cloud.h"
+#include "stage_pictures.h"
 #include "tool_error.h"
 
 #include <pcl/sedr_segmentation/room_segmentation.h>
@@ -34,8 +32,7 @@ void
 segment(const Settings& settings, const ToolCloud& cloud, Segmentation& segmentation)
 {
   const Progress progress("parting rooms");
-  checkScan(cloud);
-  checkUp(cloud, settings.trust_up);
+  checkScan(cloud, settings.trust_up);
   segmentation.setInputCloud(cloud.points);
   std::vector<pcl::PointIndices> unused;
   if (!segmentation.segment(unused))
@@ -71,7 +68,7 @@ run(const Settings& settings, Segmentation& segmentation)
 {
   settings.check();
   if (!settings.building.empty())
-    checkJsonOutput(settings.building);
+    checkOutput(settings.building, "a building", {".json"});
   ToolCloud cloud = loadCloud(settings.input);
   segment(settings, cloud, segmentation);
   const Building& building = segmentation.getBuilding();
@@ -81,8 +78,7 @@ run(const Settings& settings, Segmentation& segmentation)
   if (!settings.building.empty())
     writeWhole(settings.building,
                [&](std::ostream& stream) { stream << buildingToJson(building); });
-  if (!settings.picture.empty())
-    savePicture(settings.picture, drawRooms(building));
+  settings.picture.write([&] { return drawRooms(building); });
   print(building);
   return Done;
 }
@@ -100,8 +96,7 @@ main(int argc, char** argv)
       "Parts a thinned scan into rooms and storeys by its air, lists them, and labels "
       "the points of\nceilings 1, of floors 2, all others 0, each with the number of "
       "its room.");
-  options.file("INPUT", settings.input, "PCD or PLY file, thinned, z up, metres");
-  options.file("OUTPUT", settings.output, "PCD or PLY file to write");
+  settings.declare(options, ", thinned, z up, metres");
   options.parameter(
       "grid", segmentation, &Segmentation::getGridSize, &Segmentation::setGridSize, "m",
       "edge of a cell; air is looked for in larger ones", Range::between(0.01, 1));
@@ -117,6 +112,5 @@ main(int argc, char** argv)
   options.flag(
       "z-up", settings.trust_up,
       "take z as up even if another axis seems to be, or the scan is inclined");
-  settings.addOptions(options);
   return runTool(options, argc, argv, [&] { return run(settings, segmentation); });
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bytes/whole_file.h"
-#include "mesh_picture.h"
 #include "model/solid_files.h"
 #include "picture_file.h"
 #include "plan_file.h"
 #include "progress.h"
 #include "run_tool.h"
 #include "scan_options.h"
+#include "stage_pictures.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
 
@@ -24,9 +24,8 @@ namespace {
 struct Settings {
   std::string input;
   std::string output;
-  std::string picture;
+  PictureFile picture;
   std::string plan;
-  bool one_room = false;
 };
 
 using Poisson = pcl::StructuralPoisson<pcl::PointStructure>;
@@ -52,7 +51,7 @@ load(const Settings& settings)
     for (int k = 0; k < 3; ++k)
       point.normal[k] = normals[k][i];
     point.label = cloud.label[i];
-    point.room = settings.one_room ? 0 : cloud.room[i];
+    point.room = cloud.room[i];
   }
   return points;
 }
@@ -75,12 +74,8 @@ tell(const RoomPoissonReport& report)
 int
 run(const Settings& settings, Poisson& poisson)
 {
-  if (settings.output.size() < 4 ||
-      settings.output.compare(settings.output.size() - 4, 4, ".ply") != 0)
-    throw ToolError("the mesh is written as PLY, '" + settings.output +
-                    "' does not end in .ply");
-  checkWritable(settings.output);
-  checkPictureOutput(settings.picture);
+  checkOutput(settings.output, "a mesh", {".ply"});
+  settings.picture.check();
   if (!settings.plan.empty())
     poisson.setFloorplan(loadFloorplan(settings.plan));
   else
@@ -95,12 +90,9 @@ run(const Settings& settings, Poisson& poisson)
   if (poisson.getMesh().empty())
     throw ToolError(poisson.getErrorMessage(), NothingFound);
   const std::string source = settings.plan.empty() ? settings.input : settings.plan;
-  const std::string problem = pcl::sedr::savePly(settings.output, poisson.getMesh(),
-                                                 originComments(originOfModel(source)));
-  if (!problem.empty())
-    throw ToolError(problem);
-  if (!settings.picture.empty())
-    savePicture(settings.picture, drawMesh(poisson.getMesh()));
+  throwProblem(pcl::sedr::savePly(settings.output, poisson.getMesh(),
+                                  originComments(originOfModel(source))));
+  settings.picture.write([&] { return drawMesh(poisson.getMesh()); });
   if (!poisson.getErrorMessage().empty())
     std::cerr << "pcl_structural_poisson: " << poisson.getErrorMessage() << std::endl;
   return Done;
@@ -126,10 +118,6 @@ main(int argc, char** argv)
                "floor plan, as JSON, to take the samples from instead of INPUT");
   options.parameter("depth", poisson, &Poisson::getDepth, &Poisson::setDepth, "",
                     "largest depth of the octree", Range::between(3, 14));
-  options.parameter(
-      "cell-ratio", poisson, &Poisson::getCellRatio, &Poisson::setCellRatio, "",
-      "finest octree cell / spacing of the points", Range::between(0.1, 10));
-  options.flag("one-room", settings.one_room, "take all points for one room");
-  addPictureOption(options, settings.picture);
+  settings.picture.declare(options);
   return runTool(options, argc, argv, [&] { return run(settings, poisson); });
 }

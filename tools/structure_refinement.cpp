@@ -2,9 +2,8 @@
 #include "picture_file.h"
 #include "plan_file.h"
 #include "progress.h"
-#include "refinement_picture.h"
 #include "run_tool.h"
-#include "tool_cloud.h"
+#include "stage_pictures.h"
 #include "tool_error.h"
 
 #include <pcl/sedr_filters/structure_refinement.h>
@@ -36,8 +35,7 @@ run(const Settings& settings, Refinement& refinement)
     refinement.setLabels(cloud.label);
     refinement.setRooms(cloud.room);
     refinement.filter(refined);
-    if (!refinement.getErrorMessage().empty())
-      throw ToolError(refinement.getErrorMessage());
+    throwProblem(refinement.getErrorMessage());
   }
   const auto labelled =
       cloud.size() -
@@ -51,9 +49,11 @@ run(const Settings& settings, Refinement& refinement)
   cloud.blob = selectRows(cloud.blob, refinement.getSourceIndices());
   setSurfacePoints(cloud.blob, refinement.getSurfacePoints());
   settings.save(cloud);
-  if (!settings.picture.empty())
-    savePicture(settings.picture,
-                drawRefinement(refinedWallsOf(refinement, cloud.label), *plan));
+  settings.picture.write([&] {
+    RefinedWalls walls;
+    addRefinedWalls(refinement, cloud.label, walls);
+    return drawRefinement(walls, *plan);
+  });
   say(std::to_string(refined.size()) + " of " + std::to_string(labelled) +
       " labelled points are on the plan's surfaces");
   return Done;
@@ -72,15 +72,11 @@ main(int argc, char** argv)
                   "plan, and sets their "
                   "normals\ninto the room, labels and rooms. Points that belong to no "
                   "surface are left out.");
-  options.file("INPUT", settings.input,
-               "PCD or PLY file with labels, and rooms if the plan has several");
-  options.file("PLAN.json", settings.plan,
-               "floor plan, as pcl_floorplan_fitting writes it");
-  options.file("OUTPUT", settings.output, "PCD or PLY file to write");
+  settings.declare(options, " with labels, and rooms if the plan has several",
+                   &settings.plan);
   options.parameter("max-distance", refinement, &Refinement::getMaximumDistance,
                     &Refinement::setMaximumDistance, "m",
                     "the farthest a point may move; others are left out",
                     Range::above(0));
-  settings.addOptions(options);
   return runTool(options, argc, argv, [&] { return run(settings, refinement); });
 }

@@ -2,9 +2,8 @@
 #include "picture_file.h"
 #include "plan_file.h"
 #include "progress.h"
-#include "repair_picture.h"
 #include "run_tool.h"
-#include "tool_cloud.h"
+#include "stage_pictures.h"
 #include "tool_error.h"
 
 #include <pcl/sedr_filters/vertical_hole_repair.h>
@@ -57,8 +56,7 @@ run(const Settings& settings, Repair& repair)
     repair.setRooms(cloud.room);
     pcl::PointCloud<pcl::PointXYZ> whole;
     repair.filter(whole);
-    if (!repair.getErrorMessage().empty())
-      throw ToolError(repair.getErrorMessage());
+    throwProblem(repair.getErrorMessage());
   }
   if (repair.getSourceIndices().size() == repair.getRepairedIndices().size())
     throw ToolError("none of the " + std::to_string(cloud.size()) + " points of '" +
@@ -67,8 +65,11 @@ run(const Settings& settings, Repair& repair)
                     NothingFound);
   const std::size_t filled = apply(repair, cloud);
   settings.save(cloud);
-  if (!settings.picture.empty())
-    savePicture(settings.picture, drawRepair(repairedSurfacesOf(repair), *plan));
+  settings.picture.write([&] {
+    RepairedSurfaces surfaces;
+    addRepairedSurfaces(repair, surfaces);
+    return drawRepair(surfaces, *plan);
+  });
   say(std::to_string(rowsOf(cloud.blob)) + " points, " + std::to_string(filled) +
       " of them fill holes");
   return Done;
@@ -87,12 +88,8 @@ main(int argc, char** argv)
                   "every surface of the "
                   "plan,\nthe scanned one nearest to its middle or a new one there, at "
                   "the end of the file.");
-  options.file("INPUT", settings.input,
-               "PCD or PLY file, as pcl_structure_refinement writes it");
-  options.file("PLAN.json", settings.plan, "the floor plan it was refined to");
-  options.file("OUTPUT", settings.output, "PCD or PLY file to write");
+  settings.declare(options, ", as pcl_structure_refinement writes it", &settings.plan);
   options.parameter("grid", repair, &Repair::getGridSize, &Repair::setGridSize, "m",
                     "edge of a cell", Range::between(0.01, 1));
-  settings.addOptions(options);
   return runTool(options, argc, argv, [&] { return run(settings, repair); });
 }

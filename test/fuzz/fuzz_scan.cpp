@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // libFuzzer's entry point for one scan reader, FUZZED_FORMAT: any bytes must be read or
 // rejected with a ToolError.
+#include "formats/scan_formats.h"
 #include "scan_file.h"
 #include "tool_error.h"
 #include "tools/scans/e57_writer.h"
@@ -102,7 +103,7 @@ LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
     settings.unit = size % 5 == 1 ? 0.001 : 1;
     if (is_text && size % 3 == 1)
       settings.columns = "z,_,x,y";
-    if (readScanHead(file.path(), settings).rows > max_points)
+    if (openScan(file.path(), settings).points->size() > max_points)
       return 0;
     const ScanFile scan(file.path(), settings);
     scan.positions();

@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <pcl/io/pcd_io.h>
+
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -193,9 +195,9 @@ TEST_F(SedrMpiTool, TakesAFolderAsOneScan)
   fs::create_directory(in("scans"));
   writeFile(in("scans/1.pcd"), part(0, third).pcd(true));
   writeFile(in("packed.pcd"), part(third, 2 * third).pcd(false));
-  pcl::sedr::tools::saveCloud(in("scans/2.pcd"),
-                              pcl::sedr::tools::loadCloud(in("packed.pcd")),
-                              pcl::sedr::tools::PcdData::Compressed);
+  ASSERT_EQ(pcl::PCDWriter().writeBinaryCompressed(
+                in("scans/2.pcd"), pcl::sedr::tools::loadCloud(in("packed.pcd")).blob),
+            0);
   writeFile(in("scans/3.pcd"), part(2 * third, scan.points.size()).pcd(false));
   writeFile(in("scan.pcd"), scan.pcd(false));
   const Strings options{"--no-mesh", "--threads", "1"};

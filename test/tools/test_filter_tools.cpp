@@ -148,11 +148,10 @@ TEST_F(FilterTools, FloorRecoveryFillsEveryRoomAtItsOwnHeight)
   EXPECT_EQ((*cloud.points)[11].x, 11.5f);
 }
 
-TEST_F(FilterTools, FloorRecoveryRemovesRowsAndTakesAHeight)
+TEST_F(FilterTools, FloorRecoveryRemovesRowsAndTakesTheHeightOfOtherFloors)
 {
-  const std::vector<std::string> points{"0.5 0.5 2.5 1 0 1", "30.5 0.5 0 2 0 2"};
-  EXPECT_EQ(onPoints(FLOOR_PROJECTION_RECOVERY, points,
-                     {"--grid", "1", "--remove", "--height", "-0.5"})
+  const std::vector<std::string> points{"0.5 0.5 2.5 1 0 1", "30.5 0.5 -0.5 2 0 2"};
+  EXPECT_EQ(onPoints(FLOOR_PROJECTION_RECOVERY, points, {"--grid", "1", "--remove"})
                 .exit_code,
             0);
   const ToolCloud cloud = output();

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "labelling_tools.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <utility>
 
@@ -37,28 +35,11 @@ TEST_F(HorizontalPlaneDetectionTool, LabelsCeilingAndFloorAndKeepsAllFields)
 
 TEST_F(HorizontalPlaneDetectionTool, ListsThePlanes)
 {
-  const ProgramRun result = runOn(HORIZONTAL_PLANE_DETECTION, scanOf().pcd(false),
-                                  "output.pcd", {"--planes", in("planes.json")});
-  const auto json = nlohmann::json::parse(bytesOf(in("planes.json")));
-  EXPECT_EQ(json.at("format"), "sedr-planes");
-  std::size_t ceilings = 0;
-  for (const auto& plane : json.at("planes")) {
-    if (plane.at("kind") != "ceiling")
-      continue;
-    ++ceilings;
-    EXPECT_NEAR(plane.at("height").get<double>(), 2.5, 0.002);
-    EXPECT_NEAR(plane.at("coefficients").at(3).get<double>(), -2.5, 0.002);
-    EXPECT_NEAR(plane.at("area").get<double>(), 12, 1);
-    EXPECT_LT(plane.at("residual").get<double>(), 0.002);
-    EXPECT_GT(plane.at("inliers").get<std::size_t>(), 4000u);
-  }
-  EXPECT_EQ(ceilings, 1u);
-  EXPECT_EQ(
-      static_cast<std::size_t>(std::count(result.out.begin(), result.out.end(), '\n')),
-      json.at("planes").size() + 1)
-      << "a heading and a line a plane:\n"
-      << result.out;
+  const ProgramRun result =
+      runOn(HORIZONTAL_PLANE_DETECTION, scanOf().pcd(false), "output.pcd");
+  EXPECT_EQ(result.out.rfind("kind ", 0), 0u) << "a heading:\n" << result.out;
   EXPECT_NE(result.out.find("ceiling     2.500"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("floor       0.000"), std::string::npos) << result.out;
 }
 
 TEST_F(HorizontalPlaneDetectionTool, ForgetsRoomsOfAFileThatIsLookedAtAsAWhole)

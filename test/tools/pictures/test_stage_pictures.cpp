@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "floor_picture.h"
 #include "pictures.h"
-#include "plane_picture.h"
-#include "region_picture.h"
-#include "room_picture.h"
-#include "slice_picture.h"
-#include "thinning_picture.h"
-#include "wall_picture.h"
+#include "plan_loops.h"
+#include "stage_pictures.h"
+
+#include <pcl/sedr_filters/impl/refinement.h>
 
 #include <gtest/gtest.h>
-
-#include <limits>
-#include <numeric>
 
 namespace {
 
@@ -50,7 +44,7 @@ TEST(RegionPicture, ShowsTheBinaryMapTheRegionsAndWhatIsKept)
   map.regions = labelRegions(map.cells);
   map.number = {1, 0};
   map.threshold = 25;
-  const Picture picture = drawRegions({map});
+  const Picture picture = drawRegions(map);
   const Vector2d kept = at(3, 25);
   const Vector2d removed = at(50, 4);
   EXPECT_EQ(colourAt(picture, 0, kept), colours::other);
@@ -60,36 +54,53 @@ TEST(RegionPicture, ShowsTheBinaryMapTheRegionsAndWhatIsKept)
   EXPECT_EQ(colourAt(picture, 2, removed), colours::removed);
   for (std::size_t panel = 0; panel < 3; ++panel)
     EXPECT_EQ(colourAt(picture, panel, at(45, 20)), colours::paper);
-  EXPECT_GT(drawRegions({}).draw().size.x(), 0) << "of nothing too";
+  EXPECT_GT(drawRegions(RegionMap()).draw().size.x(), 0) << "of nothing too";
 }
 
-TEST(PlanePicture, ShowsPlanesByKindAndTheHistogramInTheirColours)
+TEST(PlanePicture, ShowsPlanesByKind)
 {
   Cloud cloud;
   std::vector<pcl::HorizontalPlane> planes(3);
-  const double heights[] = {0, 0.8, 2.5};
   const CellSet cells[] = {block(0, 39, 0, 29), block(10, 19, 10, 19),
                            block(0, 39, 0, 29)};
   const LevelKind kinds[] = {LevelKind::Floor, LevelKind::Other, LevelKind::Ceiling};
-  HeightHistogram histogram{0.05, {}};
   for (std::size_t k = 0; k < 3; ++k) {
-    planes[k].inliers.indices =
-        addPoints(cloud, cells[k], static_cast<float>(heights[k]));
+    planes[k].inliers.indices = addPoints(cloud, cells[k], static_cast<float>(k));
     planes[k].kind = kinds[k];
-    planes[k].height = heights[k];
     planes[k].area = static_cast<double>(cells[k].size()) * cell * cell;
-    histogram.bins.push_back({heights[k] - 0.025, cells[k].size()});
   }
-  const Picture picture = drawPlanes(planes, histogram, PointView(cloud), cell);
-  EXPECT_TRUE(panelOf(picture, 0).isChart());
-  EXPECT_EQ(colourAt(picture, 0, {20, 0}), colours::floor);
-  EXPECT_EQ(colourAt(picture, 0, {20, 0.8}), colours::other);
-  EXPECT_EQ(colourAt(picture, 0, {20, 2.5}), colours::ceiling);
-  EXPECT_EQ(colourAt(picture, 0, {20, 1.6}), colours::paper);
-  EXPECT_EQ(colourAt(picture, 1, at(2, 2)), colours::ceiling);
-  EXPECT_EQ(colourAt(picture, 2, at(2, 2)), colours::floor);
-  EXPECT_EQ(colourAt(picture, 2, at(11, 18)), colours::other);
+  const Picture picture = drawPlanes(planes, PointView(cloud), cell);
+  EXPECT_EQ(colourAt(picture, 0, at(2, 2)), colours::ceiling);
+  EXPECT_EQ(colourAt(picture, 1, at(2, 2)), colours::floor);
+  EXPECT_EQ(colourAt(picture, 1, at(11, 18)), colours::other);
 }
+
+/** A cloud as a source of rows. */
+class CloudRows : public RowSource {
+public:
+  explicit CloudRows(const Cloud& cloud)
+      : cloud_(cloud)
+  {
+    for (const char* name : {"x", "y", "z"}) {
+      fields_.emplace_back();
+      fields_.back().name = name;
+      fields_.back().offset = static_cast<pcl::uindex_t>(4 * (fields_.size() - 1));
+      fields_.back().datatype = pcl::PCLPointField::FLOAT32;
+      fields_.back().count = 1;
+    }
+  }
+  const std::vector<pcl::PCLPointField>& fields() const override { return fields_; }
+  std::size_t rowSize() const override { return sizeof(pcl::PointXYZ); }
+  std::size_t size() const override { return cloud_.size(); }
+  void forEachPiece(const std::function<bool(const Piece&)>& see) const override
+  {
+    see({reinterpret_cast<const std::uint8_t*>(cloud_.data()), 0, cloud_.size()});
+  }
+
+private:
+  const Cloud& cloud_;
+  std::vector<pcl::PCLPointField> fields_;
+};
 
 TEST(ThinningPicture, ShadesTellHowManyPointsLieInACell)
 {
@@ -99,7 +110,7 @@ TEST(ThinningPicture, ShadesTellHowManyPointsLieInACell)
   addPoints(scan, block(10, 19, 0, 19), 0);
   Cloud thinned;
   addPoints(thinned, block(0, 19, 0, 19), 0);
-  const Picture picture = drawThinning(PointView(scan), PointView(thinned), cell);
+  const Picture picture = drawThinning(CloudRows(scan), PointView(thinned), cell);
   const Colour one = colourAt(picture, 1, at(5, 5));
   EXPECT_NE(one, colours::paper);
   EXPECT_EQ(colourAt(picture, 1, at(15, 5)), one);
@@ -127,31 +138,16 @@ oneTrial()
   return analysis;
 }
 
-TEST(SlicePicture, ShowsEveryTrialTheDetailsAndTheHeightsOfTheSlices)
+TEST(SlicePicture, ShowsEveryTrialAndTheDetails)
 {
-  Cloud cloud;
-  RoomSlices room{1, oneTrial(), {}, {}};
-  room.ceiling = addPoints(cloud, room.analysis.ceiling, 2.5f);
-  room.analysis.indices = addPoints(cloud, room.analysis.cells, 2.2f);
-  addPoints(cloud, block(0, 39, 0, 29), 0);
-  room.points.resize(cloud.size());
-  std::iota(room.points.begin(), room.points.end(), 0);
-  const Picture picture = drawSlices({room}, PointView(cloud), cell);
-  const Colour ceiling = colourAt(picture, 0, at(30, 27));
-  EXPECT_EQ(ceiling, lightened(colours::ceiling, 0.35));
+  const Picture picture = drawSlices({oneTrial()}, cell);
+  EXPECT_EQ(colourAt(picture, 0, at(30, 27)), lightened(colours::ceiling, 0.35));
   EXPECT_EQ(colourAt(picture, 0, at(-2, 20)), colours::wall) << "the slice";
   EXPECT_EQ(colourAt(picture, 0, at(1, 2)), colours::detail);
   EXPECT_EQ(colourAt(picture, 0, at(2, 27)), colours::removed);
   EXPECT_EQ(colourAt(picture, 0, at(1, 28)), colours::paper);
   EXPECT_EQ(colourAt(picture, 1, at(1, 28)), colours::detail);
   EXPECT_EQ(colourAt(picture, 1, at(43, 7)), colours::removed);
-  // The section along x shows the slice at 1.9 m, and above it detail and ceiling.
-  EXPECT_TRUE(panelOf(picture, 2).isChart());
-  EXPECT_EQ(colourAt(picture, 2, {1.1, 1.9}), colours::wall);
-  EXPECT_EQ(colourAt(picture, 2, at(3, 0) + Vector2d(0, 2.2 - 0.025)), colours::detail);
-  EXPECT_EQ(colourAt(picture, 2, at(30, 0) + Vector2d(0, 2.5 - 0.025)),
-            colours::ceiling);
-  EXPECT_EQ(colourAt(picture, 2, at(30, 0) + Vector2d(0, -0.025)), colours::other);
 }
 
 TEST(SlicePicture, RoomsThatNeededNoSecondTrialAreFaintInIt)
@@ -161,9 +157,7 @@ TEST(SlicePicture, RoomsThatNeededNoSecondTrialAreFaintInIt)
   other.trials.resize(2);
   for (int t = 0; t < 2; ++t)
     other.trials[static_cast<std::size_t>(t)].number = t + 1;
-  const Cloud cloud;
-  const Picture picture =
-      drawSlices({{1, oneTrial(), {}, {}}, {2, other, {}, {}}}, PointView(cloud), cell);
+  const Picture picture = drawSlices({oneTrial(), other}, cell);
   EXPECT_EQ(colourAt(picture, 1, at(30, 20)), colours::faint);
   EXPECT_EQ(colourAt(picture, 1, at(70, 20)), lightened(colours::ceiling, 0.35));
 }
@@ -193,39 +187,24 @@ TEST(FloorPicture, ShowsWhatARecoveryHasKeptFilledAndRemoved)
   EXPECT_EQ(colourAt(picture, 1, at(50, 5)), colours::paper);
 }
 
-TEST(WallPicture, PartsSeedsAndWallsAtTheSliceHeight)
+TEST(WallPicture, ShowsSeedsAndWhatTheyBecame)
 {
   Cloud cloud;
+  for (int k = 0; k < 6; ++k)
+    cloud.emplace_back(static_cast<float>(k), 0.f, 1.f);
   RoomWalls room;
-  room.slice_height = 2;
-  room.walls = {0, 1};
-  cloud.emplace_back(0.f, 0.f, 2.3f);
-  cloud.emplace_back(1.f, 0.f, 1.f);
-  room.above = {2};
-  cloud.emplace_back(2.f, 0.f, 2.5f);
-  room.below = {3};
-  cloud.emplace_back(3.f, 0.f, 0.f);
-  room.details = {4};
-  cloud.emplace_back(4.f, 0.f, 2.2f);
-  room.boundary = {2, 3, 5, 6};
-  cloud.emplace_back(5.f, 0.f, 2.5f); // of rims without support
-  cloud.emplace_back(-1.f, 0.f, 2.5f);
+  room.boundary = {0, 1, 5};
+  room.seeds = {0, 5};
+  room.walls = {2};
+  room.details = {3};
+  room.candidates = {2, 3, 4};
   const Picture picture = drawWalls({room}, PointView(cloud));
-  for (const std::size_t panel : {0u, 1u}) {
-    const bool is_below = panel == 1;
-    EXPECT_EQ(colourAt(picture, panel, {0, 0}) == colours::wall, !is_below);
-    EXPECT_EQ(colourAt(picture, panel, {1, 0}) == colours::wall, is_below);
-    EXPECT_EQ(colourAt(picture, 2, {static_cast<double>(panel), 0}), colours::wall);
-  }
-  EXPECT_EQ(colourAt(picture, 0, {2, 0}), colours::ceiling);
-  EXPECT_EQ(colourAt(picture, 0, {5, 0}), colours::removed);
-  EXPECT_EQ(colourAt(picture, 0, {3, 0}), colours::paper);
-  EXPECT_EQ(colourAt(picture, 1, {3, 0}), colours::floor);
-  EXPECT_EQ(colourAt(picture, 1, {2, 0}), colours::paper);
-  EXPECT_EQ(colourAt(picture, 2, {4, 0}), colours::detail);
-  room.slice_height = std::numeric_limits<double>::quiet_NaN();
-  const Picture whole = drawWalls({room}, PointView(cloud));
-  EXPECT_EQ(panelOf(whole, 1).title, "all walls: 2 points") << "nothing is below";
+  EXPECT_EQ(colourAt(picture, 0, {0, 0}), colours::ceiling);
+  EXPECT_EQ(colourAt(picture, 0, {1, 0}), colours::removed) << "no seed";
+  EXPECT_EQ(colourAt(picture, 0, {2, 0}), colours::paper);
+  EXPECT_EQ(colourAt(picture, 1, {2, 0}), colours::wall);
+  EXPECT_EQ(colourAt(picture, 1, {3, 0}), colours::detail);
+  EXPECT_EQ(colourAt(picture, 1, {4, 0}), colours::faint);
 }
 
 /** Adds profiles of a room with air from the floor to `ceiling`. */
@@ -266,6 +245,85 @@ TEST(RoomPicture, ShowsRoomsByStoreyWhatWasHiddenOfThemAndTheirHeights)
   EXPECT_NE(colourAt(picture, 2, at(30, 2)), colours::paper) << "of the upper storey";
   EXPECT_LT(colourAt(picture, 1, at(2, 2)).green, colourAt(picture, 1, at(40, 2)).green)
       << "the lower ceiling is darker";
+}
+
+/** 4 m x 3 m x 2.5 m. */
+PlanRoom
+boxRoom()
+{
+  PlanRoom room;
+  room.id = 1;
+  room.boundary = sedr_test::rectangle(0, 0, 4, 3);
+  room.ceiling.plane[3] = -2.5;
+  return room;
+}
+
+TEST(PlanPicture, TellsBoundaryPointsOnAWallFromOthers)
+{
+  FittedBoundary boundary;
+  for (const double support : {1.0, 0.0})
+    boundary.samples.push_back(
+        {Vector2d(1 + support, 1), Vector2d(1 + support, 1), Vector2d(1, 0), support});
+  const Picture picture = drawPlan({{boxRoom()}}, {boundary});
+  EXPECT_EQ(colourAt(picture, 0, {2, 1}), colours::wall);
+  EXPECT_EQ(colourAt(picture, 0, {1, 1}), colours::recovered);
+  EXPECT_EQ(colourAt(picture, 1, {2, 0}), colours::ink) << "a segment";
+  EXPECT_EQ(colourAt(picture, 1, {3, 1}), colours::paper);
+}
+
+TEST(RefinementPicture, ShowsPointsWhereTheyWereAndWhereTheyWent)
+{
+  RefinedWalls walls;
+  walls.moved = {{{1, 0.1}, {1, 0}, StructureLabel::Wall},
+                 {{2, 0.6}, {2, 0.5}, StructureLabel::Column}};
+  walls.removed = {{3, 0.3}};
+  const Picture picture = drawRefinement(walls, {{boxRoom()}});
+  EXPECT_EQ(colourAt(picture, 0, {1, 0.1}), colours::wall);
+  EXPECT_EQ(colourAt(picture, 0, {3, 0.3}), colours::removed);
+  EXPECT_EQ(colourAt(picture, 1, {1, 0.1}), colours::paper);
+  EXPECT_EQ(colourAt(picture, 1, {1, 0}), colours::wall);
+  EXPECT_EQ(colourAt(picture, 1, {2, 0.5}), colours::column);
+  EXPECT_EQ(colourAt(picture, 1, {3, 0.3}), colours::paper);
+}
+
+TEST(RepairPicture, ShowsHowMuchOfEachStretchOfAWallWasFilled)
+{
+  // Points on all surfaces except a door in the wall at y = 0, from x = 1 to 2.
+  const Floorplan plan{{boxRoom()}};
+  std::vector<SurfacePoint> seen;
+  for (const auto& whole : repairHoles({}, plan, 0.05)) {
+    const Eigen::Vector3d& p = whole.point.position;
+    if (p.y() != 0 || p.x() < 1 || p.x() > 2 || p.z() > 2)
+      seen.push_back(whole.point);
+  }
+  RepairedSurfaces surfaces;
+  for (const auto& point : repairHoles(seen, plan, 0.05, &surfaces.strips))
+    surfaces.is_seen.push_back(point.source >= 0);
+  const Picture picture = drawRepair(surfaces, plan);
+  EXPECT_EQ(colourAt(picture, 0, {3, 0}), colours::wall) << "the plan";
+  EXPECT_EQ(colourAt(picture, 0, {1.5, 0}),
+            mixed(colours::wall, colours::recovered, 0.8));
+}
+
+TEST(MeshPicture, ShowsTheSidesThatFaceTheViewer)
+{
+  // An upward floor and a downward ceiling.
+  TriangleMesh mesh;
+  for (const double z : {0.0, 2.5})
+    for (const auto& p :
+         {Vector2d(0, 0), Vector2d(4, 0), Vector2d(4, 4), Vector2d(0, 4)})
+      mesh.vertices.emplace_back(p.x(), p.y(), z);
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 6, 5}, {4, 7, 6}};
+  const auto floor = static_cast<std::uint32_t>(StructureLabel::Floor);
+  const auto ceiling = static_cast<std::uint32_t>(StructureLabel::Ceiling);
+  mesh.labels = {floor, floor, ceiling, ceiling};
+  const Picture picture = drawMesh(mesh);
+  for (std::size_t panel = 0; panel < 2; ++panel) {
+    const Box view = panelOf(picture, panel).view();
+    const Colour middle = colourAt(picture, panel, view.center());
+    EXPECT_EQ(middle.blue > middle.red, panel == 0)
+        << "the floor is seen from above, the ceiling from below";
+  }
 }
 
 } // namespace

@@ -8,6 +8,8 @@
 #include "tools/run_program.h"
 #include "tools/sample_files.h"
 
+#include <pcl/io/pcd_io.h>
+
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -16,6 +18,13 @@
 #include <vector>
 
 namespace programs {
+
+/** Writes a binary_compressed PCD. */
+inline void
+saveCompressed(const std::string& path, const pcl::PCLPointCloud2& blob)
+{
+  ASSERT_EQ(pcl::PCDWriter().writeBinaryCompressed(path, blob), 0);
+}
 
 /** A folder for scans that a test writes and reads. */
 class ScanFolder : public ::testing::Test {

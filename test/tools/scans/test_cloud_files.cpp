@@ -19,7 +19,7 @@ TEST_F(CloudFiles, EveryFieldSurvives)
   const std::uint32_t colour = 0xff102030U;
   std::memcpy(&blob.data[findField(blob, "rgb")->offset], &colour, sizeof colour);
   saveCloud(in("a.pcd"), blob);
-  saveCloud(in("b.pcd"), blob, PcdData::Compressed);
+  saveCompressed(in("b.pcd"), blob);
   saveCloud(in("c.PLY"), blob);
   EXPECT_NE(bytesOf(in("b.pcd")).find("DATA binary_compressed"), std::string::npos);
   for (const char* name : {"a.pcd", "b.pcd", "c.PLY"}) {

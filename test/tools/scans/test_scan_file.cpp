@@ -69,7 +69,7 @@ protected:
     setCoordinates(blob, 0, places);
     saveCloud(in("scan.pcd"), blob);
     saveCloud(in("scan.ply"), blob);
-    saveCloud(in("packed.pcd"), blob, PcdData::Compressed);
+    saveCompressed(in("packed.pcd"), blob);
     E57Writer e57;
     e57.packet_bytes = 40000;
     e57.is_uneven = true;
@@ -93,8 +93,7 @@ TEST_F(ScanFiles, PiecesAndSingleRowsAreThoseOfTheWhole)
     const ToolCloud whole = loadCloud(path);
     const std::size_t size = whole.size();
     ASSERT_GE(size, n) << path;
-    EXPECT_EQ(readScanHead(path).rows, size);
-    EXPECT_EQ(readScanHead(path).is_in_pieces, path != in("packed.pcd"));
+    EXPECT_EQ(ScanFile(path).size(), size);
     for (const std::size_t piece_bytes : {std::size_t{99991}, std::size_t{1} << 26}) {
       const ScanFile scan(path, inPieces(piece_bytes));
       for (const auto& [from, to] : {std::make_pair(std::size_t{0}, size),
@@ -122,7 +121,7 @@ TEST_F(ScanFiles, PiecesAndSingleRowsAreThoseOfTheWhole)
     ASSERT_FLOAT_EQ((*text.points)[i].x, (*las.points)[i].x) << i;
     ASSERT_FLOAT_EQ((*ascii.points)[i].z, (*las.points)[i].z) << i;
   }
-  EXPECT_THROW(readScanHead(in("missing.pcd")), ToolError);
+  EXPECT_THROW(ScanFile(in("missing.pcd")), ToolError);
 }
 
 TEST_F(ScanFiles, ThinningInPiecesIsThinningOfTheWhole)

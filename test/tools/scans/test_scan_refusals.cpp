@@ -235,31 +235,23 @@ TEST_F(ScanRefusals, OfXmlThatWouldGrowOrGoTooDeep)
 TEST_F(ScanRefusals, OfText)
 {
   const std::string points = "1 2 3 0.5\n4 5 6 0.5\n";
-  std::string late;
-  for (int k = 0; k < 150; ++k)
-    late += "1;2;3\n";
   expectRefusals(
       {{"hello", "neither PCD nor PLY, E57, LAS or columns of numbers"},
        {std::string("1 2 3\0\n", 7), "neither"},
-       {"\"1,5\",\"2,5\",\"3,5\"\n", "neither"}, // decimal and dividing commas
-       {"\"691,600.5\",\"5,336,000.2\",\"3.1\"\n", ""},
-       {"\"1\"2 3 4\n", "neither"},
+       {"\"1.5\",\"2.5\",\"3.5\"\n", "neither"}, // in quotes
        {"1 2 3\n4 5\n", "point 2 has 2 of 3 numbers"},
        {"1 2 3 4\n1 2 3\n", "point 2 has 3 of 4"},
        {"1,2,3,4,5\n1,,3,4,5\n", "point 2 has 1 of 5"},
        {"1\t2\t3\t4\n1\t\t3\t4\n", "point 2 has 1 of 4"},
        {"1,2,3,a\n1,,3,a\n", "point 2 has 1 of 3"},
-       {late + "1,5;2;3\n", "point 151 has more than 3"},
-       {"3\n" + points, "3 points are promised before point 1, but 2 follow"},
-       {"1\n" + points, "1 points are promised before point 1, but 2 follow"},
-       {"2\n" + points + "2\n7 8 9 0.5\n", "before point 3, but 1 follow"},
+       {"1;2;3\n1,5;2;3\n", "point 2 has more than 3"},
        {"-2\n" + points, "'-2'"},
        {"2\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n5 6 7 1\n" +
             points,
-        "is PTX"},
+        "point 5 has more than 3"},
        {"a,b,c\n1,2,3\n", "--columns"},
        {"Lat Lon Alt\n1 2 3\n", "--columns"},
-       {"//Lat Lon H\n1 2 3\n", "--columns"},
+       {"//Lat,Lon,H\n1,2,3\n", "--columns"},
        {"id x y z\n1 2 3\n", "--columns"},
        {"# east;middle;up\n1;2;3\n", "--columns"},
        {std::string(9999, 'a') + "\n1 2 3\n", ""}});
@@ -304,7 +296,7 @@ TEST_F(ScanRefusals, ChangedBytesAreReadOrRefused)
   las.format = 7;
   las.record = 36;
   las.colour_offset = 30;
-  saveCloud(in("packed.pcd"), manyFields(), PcdData::Compressed);
+  saveCompressed(in("packed.pcd"), manyFields());
   saveCloud(in("cloud.ply"), manyFields());
   std::mt19937 random(5);
   for (const std::string& good :

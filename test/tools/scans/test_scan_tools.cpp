@@ -21,10 +21,7 @@ class ScanTools : public ScannedBuilding {};
 
 TEST(ScanPrograms, AllTakeTheSameReadingOptions)
 {
-  for (const char* program : {SEDR, PARALLEL_VOXEL_GRID, STRUCTURE_COMPARE, SCAN_TO_PCD,
-#ifdef SEDR_VIEWER
-                              SEDR_VIEWER,
-#endif
+  for (const char* program : {SEDR, PARALLEL_VOXEL_GRID, SCAN_TO_PCD,
 #ifdef SEDR_MPI
                               SEDR_MPI
 #endif

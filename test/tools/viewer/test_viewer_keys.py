@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Looks at the viewer as a person does: presses keys and clicks in its window, in an X server of its own.
+"""Looks at the viewer as a person does: presses keys in its window, in an X server of its own.
 
     test_viewer_keys.py pcl_sedr_viewer
 
@@ -46,13 +46,6 @@ class Hands:
         self._turn(key, 0)
         self.x.XFlush(self.display)
 
-    def shift_click(self):
-        self._turn("Shift_L", 1)
-        self.test.XTestFakeButtonEvent(self.display, 1, 1, ctypes.c_ulong(0))
-        self.test.XTestFakeButtonEvent(self.display, 1, 0, ctypes.c_ulong(0))
-        self._turn("Shift_L", 0)
-        self.x.XFlush(self.display)
-
 
 def write_cloud(path):
     """A floor of 2 by 2 m and a ceiling over it, both of room 7."""
@@ -83,7 +76,7 @@ def main(viewer):
     os.chdir(folder)
     write_cloud("stage.pcd")
     with open("out", "w") as out:
-        process = subprocess.Popen([viewer, "stage.pcd", "--size", "600x400", "--view", "top", "--point-size", "8"],
+        process = subprocess.Popen([viewer, "stage.pcd", "--size", "600x400", "--view", "top"],
                                    stdout=out, stderr=subprocess.STDOUT)
     said = lambda: open("out").read()
     hands = Hands()
@@ -108,8 +101,6 @@ def main(viewer):
     first = picture()
     hands.press("c")
     until("c shows another picture", lambda: picture() != first)
-    hands.shift_click()
-    until("a click tells what the point is", lambda: "ceiling, room 7" in said())
     os.remove("sedr_view.png")
     os.mkdir("sedr_view.png")
     hands.press("j")
@@ -119,7 +110,7 @@ def main(viewer):
     shutil.rmtree(folder)
     if process.returncode != 0:
         sys.exit(f"FAILED: q ends the program with {process.returncode}")
-    print("keys, click and quit work")
+    print("keys and quit work")
 
 
 @contextlib.contextmanager

@@ -114,16 +114,6 @@ planMaxWall(const std::string& path)
 }
 
 void
-checkJsonOutput(const std::string& path)
-{
-  constexpr const char* extension = ".json";
-  if (path.size() < 5 || path.compare(path.size() - 5, 5, extension) != 0)
-    throw ToolError("cannot write '" + path +
-                    "': the name of a JSON file ends in .json");
-  checkWritable(path);
-}
-
-void
 giveRooms(const Floorplan& plan, ToolCloud& cloud)
 {
   for (std::size_t i = 0; i < cloud.size(); ++i)

@@ -33,10 +33,6 @@ WallTilts planTilts(const std::string& path);
  * the default. Throws ToolError if it is invalid. */
 double planMaxWall(const std::string& path);
 
-/** @brief Throws ToolError if `path` cannot be written or does not end in .json, which
- * protects scans. To be called before the work. */
-void checkJsonOutput(const std::string& path);
-
 /** @brief Assigns rooms to points of a file that has none: the plan's room that
  * contains the point, or else the nearest. Does nothing if any labelled point has a
  * room. */

@@ -54,6 +54,13 @@ memoryProblem()
          "(pcl_parallel_voxel_grid)";
 }
 
+void
+tell(const std::string& sentence)
+{
+  const std::string& tool = runningTool();
+  std::cerr << tool + (tool.empty() ? "" : ": ") + plainText(sentence) << std::endl;
+}
+
 } // namespace
 
 int
@@ -105,18 +112,17 @@ warn(const std::string& sentence)
 void
 warnOnce(const std::string& sentence)
 {
+  tellOnce("warning: " + sentence);
+}
+
+void
+tellOnce(const std::string& sentence)
+{
   static std::mutex mutex;
   static std::set<std::string> told;
   const std::lock_guard<std::mutex> lock(mutex);
   if (told.insert(sentence).second)
-    warn(sentence);
-}
-
-void
-tell(const std::string& sentence)
-{
-  const std::string& tool = runningTool();
-  std::cerr << tool + (tool.empty() ? "" : ": ") + plainText(sentence) << std::endl;
+    tell(sentence);
 }
 
 void

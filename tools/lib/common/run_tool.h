@@ -20,8 +20,9 @@ void warn(const std::string& sentence);
 /** @brief As above, but only once per process for each sentence. */
 void warnOnce(const std::string& sentence);
 
-/** @brief Prints an important message on stderr, after the name of the program. */
-void tell(const std::string& sentence);
+/** @brief Prints an important message on stderr, after the name of the program; once
+ * per process. */
+void tellOnce(const std::string& sentence);
 
 /** @brief Prints a line on stderr if that is a terminal. */
 void say(const std::string& line);

@@ -27,4 +27,12 @@ private:
   ExitCode exit_code_;
 };
 
+/** @brief Throws ToolError unless `problem` is empty. */
+inline void
+throwProblem(const std::string& problem, ExitCode exit_code = BadUse)
+{
+  if (!problem.empty())
+    throw ToolError(problem, exit_code);
+}
+
 } // namespace pcl::sedr::tools

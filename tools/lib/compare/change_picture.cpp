@@ -1,52 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "change_picture.h"
 
-#include "change_mesh.h"
-
 #include <map>
 
 namespace pcl::sedr::tools {
 
 namespace {
 
-constexpr double chord = 0.005; // metres, between an arc and its chords
-
-using Path = std::vector<Eigen::Vector2d>;
-
-Path
-closedPath(const PlanLoop& loop)
+/** @brief Returns the loops of a plan's elements by the names used in changes. */
+std::map<std::string, PlanLoop>
+loopsOf(const Floorplan& plan)
 {
-  Path path = loop.polygon(chord);
-  if (!path.empty())
-    path.push_back(path.front());
-  return path;
-}
-
-/** @brief Returns the paths of a plan's elements by the names used in changes. */
-std::map<std::string, Path>
-pathsOf(const Floorplan& plan)
-{
-  std::map<std::string, Path> paths;
+  std::map<std::string, PlanLoop> loops;
   for (const auto& room : plan.rooms) {
     const std::string name = "room_" + std::to_string(room.id);
+    const auto add = [&](const char* kind, std::size_t k, const PlanLoop& loop) {
+      loops[name + kind + std::to_string(k + 1)] = loop;
+    };
     for (const auto& whole : {"", "_ceiling", "_floor"})
-      paths[name + whole] = closedPath(room.boundary);
-    for (std::size_t k = 0; k < room.boundary.elements.size(); ++k) {
-      const PlanElement& wall = room.boundary.elements[k];
-      Path path = PlanLoop{{wall}}.polygon(chord);
-      path.push_back(wall.end);
-      paths[name + "_wall_" + std::to_string(k + 1)] = path;
-    }
+      loops[name + whole] = room.boundary;
+    for (std::size_t k = 0; k < room.boundary.elements.size(); ++k)
+      add("_wall_", k, {{room.boundary.elements[k]}});
     for (std::size_t k = 0; k < room.columns.size(); ++k)
-      paths[name + "_column_" + std::to_string(k + 1)] = closedPath(room.columns[k]);
+      add("_column_", k, room.columns[k]);
     for (std::size_t k = 0; k < room.details.size(); ++k)
-      paths[name + "_detail_" + std::to_string(k + 1)] =
-          closedPath(room.details[k].boundary);
+      add("_detail_", k, room.details[k].boundary);
     for (std::size_t k = 0; k < room.floor_details.size(); ++k)
-      paths[name + "_floor_detail_" + std::to_string(k + 1)] =
-          closedPath(room.floor_details[k].boundary);
+      add("_floor_detail_", k, room.floor_details[k].boundary);
   }
-  return paths;
+  return loops;
 }
 
 void
@@ -62,32 +44,25 @@ addOutlines(const Floorplan& plan, Colour colour, double pixels, Panel& panel)
   }
 }
 
-Eigen::Vector2d
-middleOf(const Path& path)
-{
-  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  for (const auto& p : path)
-    sum += p;
-  return sum / static_cast<double>(path.size());
-}
-
 /** @brief Adds elements in a colour, with the change's name at the last one. */
 void
 addElements(const std::vector<std::string>& names,
-            const std::map<std::string, Path>& paths,
+            const std::map<std::string, PlanLoop>& loops,
             Colour colour,
             const std::string& label,
             Panel& panel)
 {
-  constexpr double pixels = 3.5;
   const Eigen::Vector2d above(0, 0.35); // metres, from the named element
   for (const auto& name : names) {
-    const auto found = paths.find(name);
-    if (found == paths.end() || found->second.empty())
+    const auto found = loops.find(name);
+    if (found == loops.end() || found->second.elements.empty())
       continue;
-    panel.addPath(found->second, colour, pixels);
+    panel.addLoop(found->second, colour, colour, 3.5);
+    Eigen::AlignedBox2d box;
+    for (const PlanElement& element : found->second.elements)
+      box.extend(element.start).extend(element.end);
     if (&name == &names.back())
-      panel.addLabel(middleOf(found->second) + above, label);
+      panel.addLabel(box.center() + above, label);
   }
 }
 
@@ -101,8 +76,8 @@ drawChanges(const Floorplan& before,
   Panel panel("plan, the first one faint");
   addOutlines(before, colours::faint, 1.5, panel);
   addOutlines(after, colours::ink, 1.5, panel);
-  const auto first = pathsOf(before);
-  const auto second = pathsOf(after);
+  const auto first = loopsOf(before);
+  const auto second = loopsOf(after);
   std::map<ChangeKind, std::size_t> counts;
   for (const auto& change : changes) {
     ++counts[change.kind];

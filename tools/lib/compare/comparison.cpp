@@ -2,7 +2,8 @@
 #include "comparison.h"
 
 #include "element_changes.h"
-#include "scale.h"
+
+#include "sedr_surface/src/formats/decimal_text.h"
 
 #include <boost/algorithm/string/join.hpp>
 #include <nlohmann/json.hpp>
@@ -19,7 +20,7 @@ using Json = nlohmann::ordered_json;
 std::string
 signedText(double metres)
 {
-  const std::string text = fixedText(metres, 2);
+  const std::string text = decimalText(metres, 2);
   return text[0] == '-' ? text : "+" + text;
 }
 
@@ -32,7 +33,8 @@ shiftText(const Eigen::Vector3d& shift)
     if (std::abs(shift[k]) >= nothing)
       parts += std::string(parts.empty() ? "" : ", ") + "xyz"[k] + " " +
                signedText(shift[k]);
-  return fixedText(shift.norm(), 2) + " m" + (parts.empty() ? "" : " (" + parts + ")");
+  return decimalText(shift.norm(), 2) + " m" +
+         (parts.empty() ? "" : " (" + parts + ")");
 }
 
 /** @brief Rounds to millimetres. */
@@ -67,13 +69,45 @@ comparePlans(const Floorplan& before,
   return changes;
 }
 
+Floorplan
+shifted(Floorplan plan, const Eigen::Vector3d& shift)
+{
+  if (shift.isZero(0))
+    return plan;
+  const auto moveSlab = [&](PlanSlab& slab) {
+    slab.plane[3] -= slab.plane.head<3>().dot(shift);
+    if (slab.curve)
+      slab.curve = std::make_shared<const SlabCurve>(moved(*slab.curve, 0, shift));
+  };
+  const auto moveLoop = [&](PlanLoop& loop) {
+    for (auto& element : loop.elements)
+      for (auto* place : {&element.start, &element.end, &element.centre})
+        *place += shift.head<2>();
+  };
+  for (auto& room : plan.rooms) {
+    moveLoop(room.boundary);
+    moveSlab(room.floor);
+    moveSlab(room.ceiling);
+    for (auto& column : room.columns)
+      moveLoop(column);
+    for (auto* details : {&room.details, &room.floor_details})
+      for (auto& detail : *details) {
+        moveLoop(detail.boundary);
+        moveSlab(detail.slab);
+        for (auto& hole : detail.holes)
+          moveLoop(hole);
+      }
+  }
+  return plan;
+}
+
 std::string
 describe(const Change& change)
 {
   std::string text = std::string(toString(change.kind)) + " " + change.what;
   if (change.kind == ChangeKind::Moved)
     text += " by " + shiftText(change.shift);
-  text += ", " + fixedText(change.size, change.is_length ? 1 : 2) +
+  text += ", " + decimalText(change.size, change.is_length ? 1 : 2) +
           (change.is_length ? " m" : " m2") + ": ";
   text += boost::join(change.before, ", ");
   if (!change.before.empty() && !change.after.empty())

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "chain_pictures.h"
 
-#include "mesh_picture.h"
-#include "plan_picture.h"
-#include "plane_picture.h"
-#include "room_picture.h"
-#include "thinning_picture.h"
-
 #include <pcl/sedr_filters/impl/structure_fields.hpp>
 
 namespace pcl::sedr::tools {
@@ -43,18 +37,16 @@ ChainPictures::note(const std::string& stage, std::uint32_t room)
 {
   const StructureChain& chain = chain_.getChain();
   if (stage == "GridSliceDetail")
-    slices_.push_back({room, chain.slice_detail.getAnalysis(),
-                       *chain_.getChain().slice_detail.getIndices(),
-                       *chain.slice_detail.getCeilingIndices()});
+    slices_.push_back(chain.slice_detail.getAnalysis());
   else if (stage == "FloorProjectionRecovery")
     floors_.push_back(floorCellsOf(chain.floor_recovery));
   else if (stage == "CeilingBoundaryWallGrowing")
     walls_.push_back(roomWallsOf(chain.wall_growing, room));
   else if (stage == "StructureRefinement")
-    refined_ +=
-        refinedWallsOf(chain.refinement, labelsOf(*chain.refinement.getInputCloud()));
+    addRefinedWalls(chain.refinement, labelsOf(*chain.refinement.getInputCloud()),
+                    refined_);
   else if (stage == "VerticalHoleRepair")
-    repaired_ += repairedSurfacesOf(chain.hole_repair);
+    addRepairedSurfaces(chain.hole_repair, repaired_);
 }
 
 std::vector<std::string>
@@ -67,7 +59,7 @@ ChainPictures::names()
           "09_vertical_hole_repair.png",       "10_structural_poisson.png"};
 }
 
-std::vector<PictureFile>
+std::vector<std::string>
 ChainPictures::draw() const
 {
   const StructureChain& chain = chain_.getChain();
@@ -76,18 +68,17 @@ ChainPictures::draw() const
       drawThinning(*chain_.getInputSource(), thinnedPoints(chain_),
                    chain_.getVoxelSize()),
       drawRooms(chain.getBuilding()),
-      drawPlanes(chain.planes, chain.plane_detection.getHeightHistogram(), points,
-                 chain_.getGridSize()),
-      drawSlices(slices_, points, chain_.getGridSize()),
+      drawPlanes(chain.planes, points, chain_.getGridSize()),
+      drawSlices(slices_, chain_.getGridSize()),
       drawFloor(floors_),
       drawWalls(walls_, points),
       drawPlan(*chain.plan, chain.floorplan_fitting.getBoundaries()),
       drawRefinement(refined_, *chain.plan),
       drawRepair(repaired_, *chain.plan),
       drawMesh(chain.poisson.getMesh())};
-  std::vector<PictureFile> files;
-  for (std::size_t i = 0; i < pictures.size(); ++i)
-    files.push_back({names()[i], pictures[i].png()});
+  std::vector<std::string> files;
+  for (const Picture& picture : pictures)
+    files.push_back(picture.png());
   return files;
 }
 

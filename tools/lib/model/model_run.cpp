@@ -267,13 +267,13 @@ makeModel(const ModelSettings& settings,
     record.stages.push_back(timed("MeshEvaluation", [&](StageReport& report) {
       record.figures = evaluate(chain, settings.threads, report);
     }));
-  std::vector<PictureFile> drawn;
+  std::vector<std::string> drawn;
   if (pictures)
     record.stages.push_back(
         timed("drawing", [&](StageReport&) { drawn = pictures->draw(); }));
-  for (const auto& picture : drawn)
-    writeWhole(folder.file("pictures/" + picture.name),
-               [&](std::ostream& stream) { stream << picture.bytes; });
+  for (std::size_t i = 0; i < drawn.size(); ++i)
+    writeWhole(folder.file("pictures/" + ChainPictures::names()[i]),
+               [&](std::ostream& stream) { stream << drawn[i]; });
   record.stages.push_back(timed("writing", [&](StageReport& report) {
     const std::function<void()> files[] = {
         [&] { writeModel(folder, chain, !settings.no_mesh); },

@@ -7,9 +7,6 @@
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/mesh_io.h>
 
-#include <boost/algorithm/string/join.hpp>
-
-#include <algorithm>
 #include <filesystem>
 
 namespace pcl::sedr::tools {
@@ -22,33 +19,12 @@ materialsOf(const std::string& path)
   return std::filesystem::path(path).replace_extension(".mtl");
 }
 
-/** @brief Throws ToolError if a file cannot be written, or its name ends in none of
- * some extensions. */
-void
-checkExtension(const std::string& path,
-               const std::string& what,
-               const std::vector<std::string>& extensions)
-{
-  if (std::none_of(extensions.begin(), extensions.end(),
-                   [&](const std::string& known) { return hasExtension(path, known); }))
-    throw ToolError(what + " is written as " + boost::join(extensions, ", ") + ", '" +
-                    path + "' ends in none of them");
-  checkWritable(path);
-}
-
 } // namespace
-
-bool
-hasExtension(const std::string& path, const std::string& extension)
-{
-  return path.size() > extension.size() &&
-         path.compare(path.size() - extension.size(), extension.size(), extension) == 0;
-}
 
 void
 checkSolidOutput(const std::string& path)
 {
-  checkExtension(path, "a solid", {".ply", ".obj", ".glb"});
+  checkOutput(path, "a solid", {".ply", ".obj", ".glb"});
   if (hasExtension(path, ".obj"))
     checkWritable(materialsOf(path).string());
 }
@@ -64,9 +40,7 @@ saveSolid(const std::string& path,
   if (hasExtension(path, ".ply")) {
     std::vector<std::string> comments = elementComments(mesh, elements);
     comments.insert(comments.begin(), of_origin.begin(), of_origin.end());
-    const std::string problem = savePly(path, mesh, comments);
-    if (!problem.empty())
-      throw ToolError(problem);
+    throwProblem(savePly(path, mesh, comments));
     return;
   }
   if (hasExtension(path, ".glb")) {
@@ -97,7 +71,7 @@ originComments(const Origin& origin)
 void
 checkDrawingOutput(const std::string& path)
 {
-  checkExtension(path, "a drawing", {".svg", ".pdf", ".dxf"});
+  checkOutput(path, "a drawing", {".svg", ".pdf", ".dxf"});
 }
 
 std::vector<DrawingSheet>

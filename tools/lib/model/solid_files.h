@@ -13,9 +13,6 @@
 
 namespace pcl::sedr::tools {
 
-/** @brief Returns whether a file's name ends in `extension`, such as ".ply". */
-bool hasExtension(const std::string& path, const std::string& extension);
-
 /** @brief Throws ToolError if the file name of a solid does not end in .ply, .obj or
  * .glb, or if it or the materials of an OBJ cannot be written. To be called before the
  * work. */

@@ -4,40 +4,17 @@
 #include "tool_error.h"
 
 #include "sedr_segmentation/src/plan/room_territory.h"
+#include "sedr_segmentation/src/scan/scan_inclination.h"
+#include <pcl/sedr_filters/impl/floor_recovery.h>
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace pcl::sedr::tools {
 
 namespace {
-
-/** @brief Returns the list of a room that holds rows with a label; null if none does.
- */
-pcl::Indices*
-listOf(StructureLabel label, LabelledRoom& room)
-{
-  switch (label) {
-  case StructureLabel::Ceiling:
-    return &room.ceiling;
-  case StructureLabel::Floor:
-    return &room.floor;
-  case StructureLabel::Detail:
-    return &room.details;
-  default:
-    return nullptr;
-  }
-}
-
-bool
-hasNumbers(const ToolCloud& cloud, StructureLabel label)
-{
-  const pcl::Indices rows = cloud.withLabel(label);
-  return std::any_of(rows.begin(), rows.end(), [&](int i) {
-    return cloud.room[static_cast<std::size_t>(i)] != 0;
-  });
-}
 
 /** @brief Returns the height range of a room. */
 RoomHeights
@@ -59,8 +36,7 @@ std::vector<std::int32_t>
 territoriesOf(const std::vector<LabelledRoom>& rooms,
               const PointView& points,
               bool lie_in_storeys,
-              const CellGrid& grid,
-              unsigned threads)
+              const CellGrid& grid)
 {
   std::vector<CellSet> scopes;
   std::vector<RoomHeights> heights;
@@ -72,33 +48,86 @@ territoriesOf(const std::vector<LabelledRoom>& rooms,
       heights.push_back(heightsOf(room, points));
   }
   const RoomTerritory territory(grid, scopes, heights);
-  if (!territory.problem().empty())
-    throw ToolError(territory.problem());
-  return territory.roomsAt(points, threads);
+  throwProblem(territory.problem());
+  return territory.roomsAt(points, 0);
 }
 
 } // namespace
 
-bool
-isByRooms(const ToolCloud& cloud)
+pcl::Indices
+requireLabel(const ToolCloud& cloud, StructureLabel label)
 {
-  return hasNumbers(cloud, StructureLabel::Ceiling) &&
-         hasNumbers(cloud, StructureLabel::Floor);
+  pcl::Indices found = cloud.withLabel(label);
+  if (found.empty())
+    throw ToolError("none of the " + std::to_string(cloud.size()) + " points of '" +
+                        cloud.path + "' has label " +
+                        std::to_string(static_cast<std::uint32_t>(label)) + ", " +
+                        pcl::sedr::toString(label),
+                    NothingFound);
+  return found;
+}
+
+double
+meanFloorHeight(const ToolCloud& cloud)
+{
+  const PointView points(*cloud.points);
+  pcl::Indices finite;
+  for (const auto i : requireLabel(cloud, StructureLabel::Floor))
+    if (points.isFinite(static_cast<std::size_t>(i)))
+      finite.push_back(i);
+  if (finite.empty())
+    throw ToolError("none of the points of '" + cloud.path +
+                        "' with label 2, floor, is finite",
+                    NothingFound);
+  return meanHeight(points, finite);
+}
+
+bool
+hasRooms(const ToolCloud& cloud, StructureLabel label)
+{
+  const pcl::Indices rows = cloud.withLabel(label);
+  return std::any_of(rows.begin(), rows.end(), [&](int i) {
+    return cloud.room[static_cast<std::size_t>(i)] != 0;
+  });
+}
+
+void
+setLabel(const pcl::Indices& rows,
+         StructureLabel label,
+         std::uint32_t room,
+         ToolCloud& cloud)
+{
+  for (const int i : rows) {
+    cloud.label[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(label);
+    cloud.room[static_cast<std::size_t>(i)] = room;
+  }
+}
+
+void
+storeLabels(ToolCloud& cloud)
+{
+  setField(cloud.blob, "label", cloud.label);
+  if (cloud.has_room)
+    setField(cloud.blob, "room", cloud.room);
 }
 
 std::vector<LabelledRoom>
-labelledRooms(const ToolCloud& cloud, double grid_size, unsigned threads)
+labelledRooms(const ToolCloud& cloud, double grid_size)
 {
   const PointView points(*cloud.points);
-  const bool has_rooms = hasNumbers(cloud, StructureLabel::Ceiling);
+  const bool has_rooms = hasRooms(cloud);
   std::map<std::uint32_t, LabelledRoom> by_number;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if ((has_rooms && cloud.room[i] == 0) || !points.isFinite(i))
       continue;
     LabelledRoom& room = by_number[has_rooms ? cloud.room[i] : 0];
     room.id = has_rooms ? cloud.room[i] : 0;
-    if (auto* const list = listOf(static_cast<StructureLabel>(cloud.label[i]), room))
-      list->push_back(static_cast<int>(i));
+    const auto label = static_cast<StructureLabel>(cloud.label[i]);
+    for (const auto& [own, rows] : {std::pair(StructureLabel::Ceiling, &room.ceiling),
+                                    std::pair(StructureLabel::Floor, &room.floor),
+                                    std::pair(StructureLabel::Detail, &room.details)})
+      if (label == own)
+        rows->push_back(static_cast<int>(i));
   }
   std::vector<LabelledRoom> rooms;
   for (auto& entry : by_number)
@@ -109,7 +138,8 @@ labelledRooms(const ToolCloud& cloud, double grid_size, unsigned threads)
                         cloud.path + "' has label 1, ceiling, and is finite",
                     NothingFound);
   const auto at =
-      territoriesOf(rooms, points, isByRooms(cloud), CellGrid(grid_size), threads);
+      territoriesOf(rooms, points, has_rooms && hasRooms(cloud, StructureLabel::Floor),
+                    CellGrid(grid_size));
   for (std::size_t i = 0; i < at.size(); ++i) {
     if (at[i] < 0)
       continue;
@@ -142,15 +172,29 @@ floorOf(const LabelledRoom& room,
 }
 
 void
-setLabel(const pcl::Indices& rows,
-         StructureLabel label,
-         std::uint32_t room,
-         ToolCloud& cloud)
+checkScan(const ToolCloud& cloud,
+          bool trust_up,
+          RoomsAlongZ rooms,
+          double found_area,
+          const std::string& missing)
 {
-  for (const int i : rows) {
-    cloud.label[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(label);
-    cloud.room[static_cast<std::size_t>(i)] = room;
+  const PointView points(*cloud.points);
+  pcl::Indices all(cloud.size());
+  std::iota(all.begin(), all.end(), 0);
+  std::string doubt;
+  if (rooms == RoomsAlongZ::NotLookedFor)
+    doubt = scanProblem(points, all);
+  if (doubt.empty() && !trust_up) {
+    doubt = upProblem(points, all, rooms, found_area, 0);
+    if (doubt.empty() && rooms != RoomsAlongZ::Found)
+      doubt = inclinationProblem(points, all, 0);
+    if (!doubt.empty())
+      doubt += ", or say --z-up if it is right as it is";
   }
+  if (!missing.empty())
+    throw ToolError(missing + (doubt.empty() ? "" : "; " + doubt), NothingFound);
+  if (!doubt.empty())
+    throw ToolError("'" + cloud.path + "': " + doubt, NothingFound);
 }
 
 } // namespace pcl::sedr::tools

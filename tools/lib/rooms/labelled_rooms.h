@@ -4,11 +4,32 @@
 #include "tool_cloud.h"
 
 #include "sedr_segmentation/src/rooms/room_planes.h"
+#include "sedr_segmentation/src/scan/scan_check.h"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace pcl::sedr::tools {
+
+/** @brief Returns the rows with a label. Throws ToolError if there are none. */
+pcl::Indices requireLabel(const ToolCloud& cloud, StructureLabel label);
+
+/** @brief Returns the mean height of all floor points, label 2, for rooms whose floor
+ * was not seen. Throws ToolError if none is finite. */
+double meanFloorHeight(const ToolCloud& cloud);
+
+/** @brief Returns whether rows with a label have room numbers. */
+bool hasRooms(const ToolCloud& cloud, StructureLabel label = StructureLabel::Ceiling);
+
+/** @brief Gives rows a label and a room. */
+void setLabel(const pcl::Indices& rows,
+              StructureLabel label,
+              std::uint32_t room,
+              ToolCloud& cloud);
+
+/** @brief Writes label and, if the cloud has it, room to the fields of the cloud. */
+void storeLabels(ToolCloud& cloud);
 
 /** @brief The rows of a room in a labelled file, without those that are not finite. */
 struct LabelledRoom {
@@ -19,16 +40,11 @@ struct LabelledRoom {
   pcl::Indices around;  ///< rows of any label in the room and at its walls
 };
 
-/** @brief Returns whether room segmentation or a later stage wrote this file: ceilings
- * and floors have room numbers. */
-bool isByRooms(const ToolCloud& cloud);
-
 /** @brief Returns the rooms that have a ceiling, by number; a file without numbers is
  * one room. Other rows belong to the room in which, or next to which, they lie. Throws
  * ToolError without a finite point of a ceiling.
  * @param grid_size edge of the cells of the plan, metres */
-std::vector<LabelledRoom>
-labelledRooms(const ToolCloud& cloud, double grid_size, unsigned threads = 0);
+std::vector<LabelledRoom> labelledRooms(const ToolCloud& cloud, double grid_size);
 
 /** @brief Fits the main plane of a room's ceiling, or of its floor, which must have
  * points. */
@@ -39,10 +55,14 @@ PlanSlab floorOf(const LabelledRoom& room,
                  const ToolCloud& cloud,
                  const RoomPlaneParameters& parameters);
 
-/** @brief Gives rows a label and a room. */
-void setLabel(const pcl::Indices& rows,
-              StructureLabel label,
-              std::uint32_t room,
-              ToolCloud& cloud);
+/** @brief Throws ToolError unless the file is a scan of rooms in metres. If z is not
+ * trusted, throws as well if another axis seems to be up, or the scan is inclined.
+ * @param missing why no rooms were found along z; thrown in any case if not empty
+ * @param found_area of the rooms found along z, square metres */
+void checkScan(const ToolCloud& cloud,
+               bool trust_up,
+               RoomsAlongZ rooms = RoomsAlongZ::NotLookedFor,
+               double found_area = 0,
+               const std::string& missing = {});
 
 } // namespace pcl::sedr::tools

@@ -7,9 +7,6 @@
 
 #include "sedr_filters/src/base/field_access.h"
 #include <pcl/conversions.h>
-#include <pcl/io/lzf.h>
-
-#include <boost/algorithm/string/predicate.hpp>
 
 #include <array>
 #include <cstring>
@@ -83,7 +80,7 @@ isKeptByPcl(const Origin& origin)
  * VIEWPOINT is the viewpoint if there is no origin, and else the origin if PCL keeps
  * it. */
 std::string
-pcdHeader(const Fields& fields, std::size_t rows, const Frame& frame, const char* data)
+pcdHeader(const Fields& fields, std::size_t rows, const Frame& frame)
 {
   std::ostringstream names, sizes, types, counts;
   for (const auto& field : fields) {
@@ -105,43 +102,8 @@ pcdHeader(const Fields& fields, std::size_t rows, const Frame& frame, const char
          << (!has_origin                 ? frame.viewpointText()
              : isKeptByPcl(frame.origin) ? frame.origin.text() + " 1 0 0 0"
                                          : "0 0 0 1 0 0 0")
-         << "\nPOINTS " << rows << "\nDATA " << data << '\n';
+         << "\nPOINTS " << rows << "\nDATA binary\n";
   return header.str();
-}
-
-void
-writeBytes(std::ostream& stream, const std::vector<std::uint8_t>& bytes)
-{
-  stream.write(reinterpret_cast<const char*>(bytes.data()),
-               static_cast<std::streamsize>(bytes.size()));
-}
-
-/** @brief Returns the compressed data of a PCD, field by field; empty if it cannot be
- * compressed. */
-std::vector<std::uint8_t>
-compressed(const pcl::PCLPointCloud2& blob)
-{
-  constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
-  if (blob.data.empty() || blob.data.size() > most)
-    return {};
-  std::vector<std::uint8_t> by_field;
-  by_field.reserve(blob.data.size());
-  for (const auto& field : blob.fields)
-    for (std::size_t i = 0; i < rowsOf(blob); ++i) {
-      const auto* first = &blob.data[i * blob.point_step + field.offset];
-      by_field.insert(by_field.end(), first,
-                      first + fieldSize(field.datatype) * field.count);
-    }
-  constexpr std::size_t sizes = 2 * sizeof(std::uint32_t);
-  const std::size_t room = by_field.size() + by_field.size() / 16 + 64;
-  std::vector<std::uint8_t> packed(sizes + room);
-  const auto whole = static_cast<std::uint32_t>(by_field.size());
-  const std::uint32_t length = pcl::lzfCompress(
-      by_field.data(), whole, packed.data() + sizes, static_cast<unsigned>(room));
-  std::memcpy(packed.data(), &length, sizeof length);
-  std::memcpy(packed.data() + sizeof length, &whole, sizeof whole);
-  packed.resize(length > 0 ? sizes + length : 0);
-  return packed;
 }
 
 /** @brief Bytes of a row that are written. */
@@ -199,7 +161,7 @@ public:
       for (const auto& field : fields)
         parts_.push_back(
             {"", "", field.offset, fieldSize(field.datatype) * field.count});
-      stream << pcdHeader(fields, rows, frame, "binary");
+      stream << pcdHeader(fields, rows, frame);
       return;
     }
     parts_ = plyProperties(fields);
@@ -232,7 +194,8 @@ public:
         std::memcpy(to, rows + i * row_size + part.offset, part.size);
         to += part.size;
       }
-    writeBytes(stream_, bytes);
+    stream_.write(reinterpret_cast<const char*>(bytes.data()),
+                  static_cast<std::streamsize>(bytes.size()));
   }
 
 private:
@@ -243,28 +206,7 @@ private:
 bool
 isPly(const std::string& path)
 {
-  return boost::iends_with(path, ".ply");
-}
-
-void
-save(const std::string& path,
-     const pcl::PCLPointCloud2& blob,
-     const Frame& frame,
-     PcdData data)
-{
-  checkCloudOutput(path);
-  std::vector<std::uint8_t> packed;
-  if (data == PcdData::Compressed && !isPly(path))
-    packed = compressed(blob);
-  writeWhole(path, [&](std::ostream& stream) {
-    if (packed.empty()) {
-      CloudStream cloud(stream, blob.fields, rowsOf(blob), frame, isPly(path));
-      cloud.write(blob.data.data(), rowsOf(blob), blob.point_step);
-      return;
-    }
-    stream << pcdHeader(blob.fields, rowsOf(blob), frame, "binary_compressed");
-    writeBytes(stream, packed);
-  });
+  return hasExtension(path, ".ply");
 }
 
 } // namespace
@@ -272,25 +214,30 @@ save(const std::string& path,
 void
 checkCloudOutput(const std::string& path)
 {
-  if (!isPly(path) && !boost::iends_with(path, ".pcd"))
-    throw ToolError("cannot write '" + path +
-                    "': the name of a cloud ends in .pcd or .ply");
-  checkWritable(path);
+  checkOutput(path, "a cloud", {".pcd", ".ply"});
 }
 
 void
-saveCloud(const std::string& path, const ToolCloud& cloud, PcdData data)
+saveCloud(const std::string& path, const ToolCloud& cloud)
 {
-  save(path, cloud.blob,
-       {cloud.points->sensor_origin_, cloud.points->sensor_orientation_, cloud.origin,
-        cloud.knows_viewpoint},
-       data);
+  checkCloudOutput(path);
+  const pcl::PCLPointCloud2& blob = cloud.blob;
+  Frame frame;
+  if (cloud.points)
+    frame = {cloud.points->sensor_origin_, cloud.points->sensor_orientation_,
+             cloud.origin, cloud.knows_viewpoint};
+  writeWhole(path, [&](std::ostream& stream) {
+    CloudStream rows(stream, blob.fields, rowsOf(blob), frame, isPly(path));
+    rows.write(blob.data.data(), rowsOf(blob), blob.point_step);
+  });
 }
 
 void
-saveCloud(const std::string& path, const pcl::PCLPointCloud2& blob, PcdData data)
+saveCloud(const std::string& path, const pcl::PCLPointCloud2& blob)
 {
-  save(path, blob, Frame(), data);
+  ToolCloud cloud;
+  cloud.blob = blob;
+  saveCloud(path, cloud);
 }
 
 void

@@ -29,11 +29,10 @@ warnOfMesh(const std::string& path, const ScanContent& content)
 
 } // namespace
 
-ScanHead
-readScanHead(const std::string& path, const ScanSettings& settings)
+bool
+isMesh(const std::string& path)
 {
-  const ScanContent content = openScan(path, settings);
-  return {content.points->size(), content.is_in_pieces, content.faces > 0};
+  return openScan(path, {}).faces > 0;
 }
 
 ScanFile::ScanFile(const std::string& path, const ScanSettings& settings)

@@ -16,15 +16,9 @@ namespace pcl::sedr::tools {
 struct ScanContent;
 class RowPlan;
 
-/** @brief Header of a scan. */
-struct ScanHead {
-  std::size_t rows = 0;
-  bool is_in_pieces = false; ///< whether rows can be read separately
-  bool is_mesh = false;      ///< whether the rows are vertices of faces
-};
-
-/** @brief Reads only the header of a file. Throws ToolError on failure. */
-ScanHead readScanHead(const std::string& path, const ScanSettings& settings = {});
+/** @brief Returns whether the points of a file are vertices of faces. Throws ToolError
+ * if it is no scan. */
+bool isMesh(const std::string& path);
 
 /** @brief x, y and z, metres, of some finite points of a scan. */
 using ScanPlaces = std::array<std::vector<double>, 3>;

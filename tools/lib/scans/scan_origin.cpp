@@ -9,8 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
-#include <set>
 #include <sstream>
 
 namespace pcl::sedr::tools {
@@ -75,12 +73,8 @@ roundPlaceNear(const ScanPlaces& places)
 void
 tellOrigin(const std::string& path, const Origin& origin)
 {
-  static std::mutex mutex;
-  static std::set<std::string> told;
-  const std::lock_guard<std::mutex> lock(mutex);
-  if (told.insert(path + origin.text()).second)
-    tell("'" + path + "' lies far from 0: its coordinates are counted from (" +
-         origin.text(", ") + ") m, which every result tells as its origin");
+  tellOnce("'" + path + "' lies far from 0: its coordinates are counted from (" +
+           origin.text(", ") + ") m, which every result tells as its origin");
 }
 
 /** @brief Returns a length in whole metres; one that has no such digits as 1e+300. */

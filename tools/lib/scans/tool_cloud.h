@@ -34,8 +34,6 @@ struct ToolCloud {
 /** @brief Reads a whole scan by ScanFile; throws ToolError on failure. */
 ToolCloud loadCloud(const std::string& path, const ScanSettings& settings = {});
 
-enum class PcdData { Binary, Compressed };
-
 /** @brief Throws ToolError if `path` cannot be written, see checkWritable(), or does
  * not end in .pcd or .ply. To be called before the work. */
 void checkCloudOutput(const std::string& path);
@@ -43,14 +41,10 @@ void checkCloudOutput(const std::string& path);
 /** @brief Writes `cloud.blob` completely or not at all: PCD, or binary PLY if `path`
  * ends in .ply. `label` and `room` of the ToolCloud are ignored: see setField(). Throws
  * ToolError on failure. */
-void saveCloud(const std::string& path,
-               const ToolCloud& cloud,
-               PcdData data = PcdData::Binary);
+void saveCloud(const std::string& path, const ToolCloud& cloud);
 
 /** @brief As above for a blob alone, with the viewpoint at the origin. */
-void saveCloud(const std::string& path,
-               const pcl::PCLPointCloud2& blob,
-               PcdData data = PcdData::Binary);
+void saveCloud(const std::string& path, const pcl::PCLPointCloud2& blob);
 
 /** @brief Writes a structure as a binary PCD, completely or not at all, piece by piece
  * to avoid a second copy. Throws ToolError on failure. */

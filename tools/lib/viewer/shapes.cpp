@@ -2,6 +2,8 @@
 #include "shapes.h"
 
 #include "progress.h"
+
+#include "sedr_surface/src/formats/decimal_text.h"
 #include <pcl/sedr_surface/mesh_distance.h>
 
 #include <vtkCellArray.h>
@@ -12,6 +14,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pcl::sedr::tools {
 
@@ -248,6 +251,60 @@ Shapes::distances(const std::string& layer) const
   for (std::size_t k = 0; k < near.size(); ++k)
     distances[near[k]] = measured[k];
   return distances;
+}
+
+void
+Shapes::addDistances(const ViewState& state, std::vector<LegendLine>& lines) const
+{
+  if (result_.mesh("mesh").empty()) {
+    lines.push_back({"no distances: there is no mesh.ply"});
+    return;
+  }
+  lines.push_back({"distance from the mesh"});
+  constexpr int steps = 5;
+  for (int k = 0; k <= steps; ++k) {
+    const double distance = state.range * k / steps;
+    lines.push_back({distanceText(distance) + (k == steps ? " or more" : ""),
+                     distanceColour(distance, state.range)});
+  }
+  for (const auto& [layer, cloud] : result_.clouds)
+    if (state.layers.count(layer) > 0) {
+      const DistanceStatistics figures = summarizeDistances(distances(layer));
+      lines.push_back({layer + ": half within " + distanceText(figures.median) +
+                       ", 95 % within " + distanceText(figures.p95)});
+    }
+}
+
+std::vector<LegendLine>
+Shapes::legend(const ViewState& state) const
+{
+  constexpr std::size_t max_rooms = 14; // with a line each
+  std::vector<LegendLine> lines;
+  for (const std::string& layer : state.layers)
+    lines.push_back({layer + (result_.has(layer) ? "" : ": not there")});
+  if (state.colour == "distance")
+    addDistances(state, lines);
+  for (std::uint32_t k = 0; k < 6 && state.colour == "label"; ++k)
+    lines.push_back({toString(static_cast<StructureLabel>(k)),
+                     colourOf(static_cast<StructureLabel>(k))});
+  std::size_t told = 0;
+  for (const auto& room : result_.plan.rooms)
+    if (shows(StructureLabel::Wall, room.id, Eigen::Vector3d::Zero(), state) &&
+        told++ < max_rooms) {
+      lines.push_back({"room " + std::to_string(room.id) + "  " +
+                       decimalText(room.area(), 1) + " m2"});
+      if (state.colour == "room")
+        lines.back().colour = roomColour(room.id);
+    }
+  if (told > max_rooms)
+    lines.push_back({"and " + std::to_string(told - max_rooms) + " more"});
+  if (state.storey != 0)
+    lines.push_back({"storey " + std::to_string(state.storey) + " alone"});
+  if (!state.ceilings)
+    lines.push_back({"without ceilings"});
+  if (std::isfinite(state.clip_height))
+    lines.push_back({"cut at " + decimalText(state.clip_height, 2) + " m"});
+  return lines;
 }
 
 } // namespace pcl::sedr::tools

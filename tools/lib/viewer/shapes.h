@@ -21,13 +21,10 @@ namespace pcl::sedr::tools {
 struct ViewState {
   std::set<std::string> layers;
   std::string colour = "label"; ///< or "room", "distance" from the mesh, "height"
-  std::string view = "iso";     ///< or "top", "inside"
+  std::string view = "iso";     ///< or "top"
   bool ceilings = false;
   double clip_height = std::numeric_limits<double>::infinity(); ///< metres
-  bool edges = true;                                            ///< of the solid
   bool legend = true;
-  bool two_views = false;   ///< scan on the left, model on the right
-  double point_size = 2;    ///< pixels
   std::uint32_t storey = 0; ///< number of the only visible storey; 0: all
   std::uint32_t room = 0;   ///< number of the only visible room; 0: all
   double range = 0.05;      ///< distance of the last colour, metres
@@ -56,8 +53,8 @@ public:
    * degrees, and the borders of what is shown. */
   vtkSmartPointer<vtkPolyData> solidEdges(const ViewState& state) const;
 
-  /** @brief Returns what is shown, counts, and the meanings of colours, rooms with
-   * their areas, from top to bottom. */
+  /** @brief Returns the layers, the meanings of colours, and rooms with their areas,
+   * from top to bottom. */
   std::vector<LegendLine> legend(const ViewState& state) const;
 
 private:
@@ -71,8 +68,6 @@ private:
    * more than a metre outside its box, from the box. Empty without a mesh. */
   const std::vector<double>& distances(const std::string& layer) const;
 
-  void addLabels(std::vector<LegendLine>& lines) const;
-  void addRooms(const ViewState& state, std::vector<LegendLine>& lines) const;
   void addDistances(const ViewState& state, std::vector<LegendLine>& lines) const;
 
   const ViewedResult& result_;

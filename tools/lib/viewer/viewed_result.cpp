@@ -3,19 +3,13 @@
 
 #include "plan_file.h"
 #include "progress.h"
-#include "results/palette.h"
 #include "results/result_folder.h"
 #include "scan_file.h"
+#include "tool_error.h"
 
-#include "sedr_surface/src/mesh/triangle_tree.h"
 #include <pcl/sedr_surface/mesh_io.h>
 
-#include <cmath>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <limits>
-#include <sstream>
 
 namespace pcl::sedr::tools {
 
@@ -24,26 +18,6 @@ const std::vector<std::string> layer_names{"scan", "structure", "mesh", "solid",
 
 namespace {
 
-/** @brief Returns the names of a solid's elements, "room_1_wall_3", by their numbers,
- * from the comments of elementComments() in the header of a PLY file. */
-std::map<std::uint32_t, std::string>
-solidNames(const std::string& path)
-{
-  std::map<std::uint32_t, std::string> names;
-  std::ifstream file(path, std::ios::binary);
-  for (std::string line; std::getline(file, line) && line != "end_header";) {
-    std::istringstream words(line);
-    std::string comment;
-    std::string element;
-    std::string name;
-    std::uint32_t number = 0;
-    if (words >> comment >> element >> number >> name && comment == "comment" &&
-        element == "element")
-      names[number] = name;
-  }
-  return names;
-}
-
 void
 readFile(const std::string& path, const ReadSettings& settings, ViewedResult& result)
 {
@@ -51,18 +25,13 @@ readFile(const std::string& path, const ReadSettings& settings, ViewedResult& re
     result.plan = *loadFloorplan(path);
     return;
   }
-  if (readScanHead(path, settings.file).is_mesh) {
+  if (isMesh(path)) {
     TriangleMesh mesh;
-    const std::string problem = loadMesh(path, mesh);
-    if (problem.empty()) {
-      result.solid_names = solidNames(path);
-      result.meshes[result.solid_names.empty() ? "mesh" : "solid"] = mesh;
-      return;
-    }
-    result.notes.push_back(problem + ": its vertices are shown");
+    throwProblem(loadMesh(path, mesh));
+    result.meshes[mesh.elements.empty() ? "mesh" : "solid"] = mesh;
+    return;
   }
-  const DisplayCloud cloud =
-      displayCloudOf(ScanFile(path, settings.file), settings.max_points);
+  const DisplayCloud cloud = displayCloudOf(ScanFile(path), settings.max_points);
   const bool is_structure = !cloud.labels.empty() || !cloud.rooms.empty();
   result.clouds[is_structure ? "structure" : "scan"] = cloud;
 }
@@ -79,7 +48,6 @@ readFolder(const std::string& path, const ReadSettings& settings, ViewedResult& 
   for (const char* name : {"mesh", "solid"})
     if (folder.has(name + std::string(".ply")))
       result.meshes[name] = folder.mesh(name + std::string(".ply"));
-  result.solid_names = solidNames(folder.file("solid.ply"));
   const std::string scan = settings.scan.empty() ? folder.scanPath() : settings.scan;
   if (scan.empty()) {
     result.notes.emplace_back("the scan itself is not there: name it by --raw");
@@ -89,44 +57,6 @@ readFolder(const std::string& path, const ReadSettings& settings, ViewedResult& 
       displayCloudOf(ScanFile(scan, folder.scanSettings()), settings.max_points);
   cloud.labels.clear(); // have an unknown meaning in a raw scan
   cloud.rooms.clear();
-}
-
-/** @brief Returns the index of the nearest of some things, and its distance. */
-template <typename DistanceOf>
-std::pair<std::size_t, double>
-nearest(std::size_t count, DistanceOf distance_of)
-{
-  constexpr double same = 1e-6; // metres
-  std::pair<std::size_t, double> best{0, std::numeric_limits<double>::infinity()};
-  for (std::size_t i = 0; i < count; ++i) {
-    const double distance = distance_of(i);
-    if (distance < best.second - same)
-      best = {i, distance};
-  }
-  return best;
-}
-
-std::pair<std::size_t, double>
-nearestTriangle(const TriangleMesh& mesh, const Eigen::Vector3d& p)
-{
-  return nearest(mesh.triangles.size(), [&](std::size_t t) {
-    return std::sqrt(squaredToTriangle(mesh.corner(t, 0) - p, mesh.corner(t, 1) - p,
-                                       mesh.corner(t, 2) - p));
-  });
-}
-
-/** @brief Describes label and room; empty if unknown. */
-std::string
-kindOf(const std::vector<std::uint32_t>& labels,
-       const std::vector<std::uint32_t>& rooms,
-       std::size_t i)
-{
-  std::string kind;
-  if (!labels.empty())
-    kind = toString(static_cast<StructureLabel>(labels[i]));
-  if (!rooms.empty() && rooms[i] != 0)
-    kind += (kind.empty() ? "room " : ", room ") + std::to_string(rooms[i]);
-  return kind;
 }
 
 } // namespace
@@ -165,37 +95,6 @@ ViewedResult::bounds() const
         box.extend(cloud.points[i].cast<double>());
     }
   return box.isEmpty() ? all : box;
-}
-
-std::string
-ViewedResult::describe(const Eigen::Vector3d& place) const
-{
-  constexpr double beside = 0.5; // metres; parts farther away are ignored
-  const auto structure = clouds.find("structure");
-  const auto [triangle, distance] = nearestTriangle(mesh("mesh"), place);
-  const auto [face, from_solid] = nearestTriangle(mesh("solid"), place);
-  std::string kind;
-  if (structure != clouds.end()) {
-    const DisplayCloud& cloud = structure->second;
-    const auto [point, from_point] = nearest(cloud.size(), [&](std::size_t i) {
-      return (cloud.points[i].cast<double>() - place).norm();
-    });
-    if (from_point < beside)
-      kind = kindOf(cloud.labels, cloud.rooms, point);
-  }
-  if (kind.empty() && distance < beside)
-    kind = kindOf(mesh("mesh").labels, mesh("mesh").rooms, triangle);
-  char text[120];
-  std::snprintf(text, sizeof text, "x %.3f  y %.3f  z %.3f m: ", place.x(), place.y(),
-                place.z());
-  std::string answer = text + (kind.empty() ? "nothing known" : kind);
-  if (from_solid < beside && !mesh("solid").elements.empty()) {
-    const auto known = solid_names.find(mesh("solid").elements[face]);
-    answer += known == solid_names.end() ? "" : ", " + known->second;
-  }
-  if (!mesh("mesh").empty())
-    answer += ", " + distanceText(distance) + " from the mesh";
-  return answer;
 }
 
 ViewedResult

@@ -3,7 +3,6 @@
 
 #include "results/display_cloud.h"
 #include "results/plan_rules.h"
-#include "scan_settings.h"
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
@@ -21,12 +20,11 @@ extern const std::vector<std::string> layer_names;
 
 /** @brief A result to display. Parts that are missing are absent from the maps. */
 struct ViewedResult {
-  std::string name;                                 ///< of the folder or file
-  std::map<std::string, DisplayCloud> clouds;       ///< layers "scan" and "structure"
-  std::map<std::string, TriangleMesh> meshes;       ///< layers "mesh" and "solid"
-  Floorplan plan;                                   ///< layer "plan"
-  PlanRules rules;                                  ///< of the plan
-  std::map<std::uint32_t, std::string> solid_names; ///< by TriangleMesh::elements
+  std::string name;                           ///< of the folder or file
+  std::map<std::string, DisplayCloud> clouds; ///< layers "scan" and "structure"
+  std::map<std::string, TriangleMesh> meshes; ///< layers "mesh" and "solid"
+  Floorplan plan;                             ///< layer "plan"
+  PlanRules rules;                            ///< of the plan
   std::vector<std::string> notes; ///< missing parts and reasons, a sentence each
 
   /** @brief Returns whether a layer has something to show. */
@@ -38,24 +36,18 @@ struct ViewedResult {
   /** @brief Returns the box around the model or, without a model, around the clouds;
    * metres. */
   Eigen::AlignedBox3d bounds() const;
-
-  /** @brief Describes a place in a line: coordinates, label and room of the nearest
-   * structure point (or face, without points), element of the solid, distance from the
-   * mesh. */
-  std::string describe(const Eigen::Vector3d& place) const;
 };
 
 /** @brief Settings for reading a result. */
 struct ReadSettings {
   std::string scan;                 ///< raw scan; empty: from report.json
-  ScanSettings file;                ///< how a scan that is given itself is read
   std::size_t max_points = 1000000; ///< maximum to show per cloud; 0: all
 };
 
-/** @brief Reads a result folder of pcl_sedr, or one file: a floor plan, a mesh, a solid
- * with its element names, or a cloud. A cloud with labels or rooms, as from a stage, is
- * structure; others are scans. Throws ToolError if the main file cannot be read;
- * missing parts become notes. */
+/** @brief Reads a result folder of pcl_sedr, or one file: a floor plan, a mesh, a
+ * solid, or a cloud. A cloud with labels or rooms, as from a stage, is structure;
+ * others are scans. Throws ToolError if the main file cannot be read; missing parts
+ * become notes. */
 ViewedResult readResult(const std::string& path, const ReadSettings& settings);
 
 } // namespace pcl::sedr::tools

@@ -15,26 +15,29 @@
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
-#include <vtkRendererCollection.h>
+#include <vtkRenderer.h>
 #include <vtkTextProperty.h>
 #include <vtkWindowToImageFilter.h>
-#include <vtkWorldPointPicker.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <iostream>
+#include <limits>
 
 namespace pcl::sedr::tools {
 
 namespace {
 
+constexpr double no_clipping = std::numeric_limits<double>::infinity();
+
 /** @brief The mouse actions of PCL's visualizer with our own keys, which are passed on
- * by symbol, and clicks with shift. */
+ * by symbol. */
 class KeyStyle : public pcl::visualization::PCLVisualizerInteractorStyle {
 public:
   static KeyStyle* New();
 
   std::function<void(const std::string&)> on_key;
-  std::function<void(int, int)> on_pick;
 
 protected:
   void OnKeyDown() override
@@ -42,15 +45,6 @@ protected:
     const char* symbol = Interactor->GetKeySym();
     if (symbol && on_key)
       on_key(symbol);
-  }
-
-  void OnLeftButtonDown() override
-  {
-    const int* place = Interactor->GetEventPosition();
-    if (Interactor->GetShiftKey() && on_pick)
-      on_pick(place[0], place[1]);
-    else
-      PCLVisualizerInteractorStyle::OnLeftButtonDown();
   }
 
   void OnKeyUp() override {}
@@ -80,14 +74,13 @@ edgesOf(vtkPolyData* lines)
 {
   auto actor = actorOf(lines);
   actor->GetProperty()->SetColor(0.13, 0.13, 0.13);
-  actor->PickableOff();
   actor->GetMapper()->SetResolveCoincidentTopologyToPolygonOffset();
   actor->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(0, -8);
   return actor;
 }
 
-/** @brief Applies clipping, sizes and visible sides to an actor. A closed surface shows
- * both sides, an opened one those that face the room. */
+/** @brief Applies clipping and visible sides to an actor. A closed surface shows both
+ * sides, an opened one those that face the room. */
 void
 adjust(vtkActor& actor, const std::string& layer, const ViewState& state)
 {
@@ -100,7 +93,7 @@ adjust(vtkActor& actor, const std::string& layer, const ViewState& state)
     actor.GetMapper()->AddClippingPlane(plane);
   }
   auto* property = actor.GetProperty();
-  property->SetPointSize(static_cast<float>(state.point_size));
+  property->SetPointSize(3);
   property->SetLineWidth(layer == "plan" ? 3.0F : 1.5F);
   const bool is_open = !state.ceilings || is_clipped;
   property->SetBackfaceCulling(is_open && layer == "mesh"); // faces into the room
@@ -108,16 +101,18 @@ adjust(vtkActor& actor, const std::string& layer, const ViewState& state)
 }
 
 vtkSmartPointer<vtkTextActor>
-textAt(int x, int y, const std::string& text)
+textAt(int x, int y, const std::string& text, Colour colour, bool is_patch)
 {
+  const double rgb[3] = {colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0};
   auto actor = vtkSmartPointer<vtkTextActor>::New();
   actor->SetInput(text.c_str());
   actor->SetDisplayPosition(x, y);
   auto* property = actor->GetTextProperty();
   property->SetFontSize(14);
-  property->SetColor(0.13, 0.13, 0.13);
-  property->SetBackgroundColor(1, 1, 1);
-  property->SetBackgroundOpacity(0.6);
+  property->SetColor(rgb[0], rgb[1], rgb[2]);
+  property->SetBackgroundColor(is_patch ? rgb[0] : 1, is_patch ? rgb[1] : 1,
+                               is_patch ? rgb[2] : 1);
+  property->SetBackgroundOpacity(is_patch ? 1 : 0.6);
   return actor;
 }
 
@@ -125,73 +120,156 @@ textAt(int x, int y, const std::string& text)
 
 Window::Window(const ViewedResult& result,
                const ViewState& state,
-               const WindowSettings& settings)
+               int width,
+               int height,
+               bool is_visible)
     : result_(result)
     , shapes_(result)
     , state_(state)
+    , view_(vtkSmartPointer<vtkRenderer>::New())
     , keys_(makeKeys())
 {
   const auto style = vtkSmartPointer<KeyStyle>::New();
   style->on_key = [this](const std::string& key) { onKey(key); };
-  style->on_pick = [this](int x, int y) { onPick(x, y); };
   const auto window = vtkSmartPointer<vtkRenderWindow>::New();
   window->SetMultiSamples(8);
-  window->SetOffScreenRendering(settings.is_visible ? 0 : 1);
-  right_ = vtkSmartPointer<vtkRenderer>::New();
+  window->SetOffScreenRendering(is_visible ? 0 : 1);
   int argc = 0;
   char** argv = nullptr;
   visualizer_ = std::make_unique<pcl::visualization::PCLVisualizer>(
-      argc, argv, right_, window, "pcl_sedr_viewer: " + result.name, style,
-      settings.is_visible);
+      argc, argv, view_, window, "pcl_sedr_viewer: " + result.name, style, is_visible);
   visualizer_->setShowFPS(false);
-  visualizer_->setSize(settings.width, settings.height);
-  int view = 0;
-  visualizer_->createViewPort(0, 0, 0.5, 1, view); // shares the first view's camera
-  left_ = vtkRenderer::SafeDownCast(window->GetRenderers()->GetItemAsObject(view));
+  visualizer_->setSize(width, height);
   visualizer_->setBackgroundColor(1, 1, 1);
   update();
   moveCamera();
 }
 
-void
-Window::update()
+std::vector<Window::Key>
+Window::makeKeys()
 {
-  right_->SetViewport(state_.two_views ? 0.5 : 0, 0, 1, 1);
-  left_->SetViewport(0, 0, state_.two_views ? 0.5 : 0.001, 1);
-  left_->SetDraw(state_.two_views);
-  for (const auto& layer : layer_names) {
-    const bool is_left = state_.two_views && layer == "scan";
-    showLayer(layer, true, is_left);
-    showLayer(layer, false, state_.layers.count(layer) > 0 && !is_left);
+  constexpr double clip_step = 0.1; // metres
+  std::vector<Key> keys;
+  for (std::size_t k = 0; k < layer_names.size(); ++k)
+    keys.push_back(
+        {std::to_string(k + 1), "layer: " + layer_names[k] + " on and off", [this, k] {
+           if (state_.layers.erase(layer_names[k]) == 0)
+             state_.layers.insert(layer_names[k]);
+         }});
+  for (const auto& [symbol, name] :
+       {std::pair("l", "label"), std::pair("o", "room"), std::pair("d", "distance"),
+        std::pair("n", "height")})
+    keys.push_back({symbol, std::string("colours by ") + name,
+                    [this, name = name] { state_.colour = name; }});
+  keys.push_back(
+      {"c", "ceilings on and off", [this] { state_.ceilings = !state_.ceilings; }});
+  keys.push_back({"r", "next room alone; all after the last", [this] { nextRoom(); }});
+  for (std::uint32_t number = 1; number <= 9; ++number)
+    keys.push_back({"F" + std::to_string(number),
+                    number == 1 ? "to F9: storey 1 to 9 alone, or all again" : "",
+                    [this, number] {
+                      if (result_.rules.find(number))
+                        state_.storey = state_.storey == number ? 0 : number;
+                    }});
+  keys.push_back({"Down", "clip 10 cm lower", [this] { moveClipping(-clip_step); }});
+  keys.push_back({"Up", "clip 10 cm higher", [this] { moveClipping(clip_step); }});
+  keys.push_back({"0", "no clipping", [this] { state_.clip_height = no_clipping; }});
+  keys.push_back(
+      {"g", "legend on and off", [this] { state_.legend = !state_.legend; }});
+  for (const auto& [symbol, name] : {std::pair("t", "top"), std::pair("i", "iso")})
+    keys.push_back({symbol, std::string("view: ") + name, [this, name = name] {
+                      state_.view = name;
+                      moveCamera();
+                    }});
+  keys.push_back({"j", "write sedr_view.png", [this] {
+                    try {
+                      saveScreenshot("sedr_view.png");
+                      std::cout << "written: sedr_view.png" << std::endl;
+                    }
+                    catch (const ToolError& error) { // keeps the window open
+                      std::cerr << error.what() << std::endl;
+                    }
+                  }});
+  keys.push_back(
+      {"h", "print these keys", [this] { std::cout << help() << std::flush; }});
+  keys.push_back({"q", "quit", [this] { wants_to_quit_ = true; }});
+  return keys;
+}
+
+std::string
+Window::help() const
+{
+  std::string text = "Keys:\n";
+  for (const Key& key : keys_) {
+    char line[120];
+    std::snprintf(line, sizeof line, "  %-6s%s\n", key.symbol.c_str(),
+                  key.does.c_str());
+    text += key.does.empty() ? "" : line;
   }
-  updateLegend();
-  resetDepth();
+  return text + "Mouse: left turns, middle shifts, right and wheel come nearer.\n";
 }
 
 void
-Window::showLayer(const std::string& layer, bool is_left, bool is_shown)
+Window::onKey(const std::string& symbol)
 {
-  vtkRenderer* view = is_left ? left_ : right_;
-  LayerActors& shown = layers_[{layer, is_left}];
-  std::string key;
-  if (is_shown && result_.has(layer))
-    key = state_.colour + (state_.ceilings ? " with " : " without ") +
-          std::to_string(state_.storey) + " " + std::to_string(state_.room);
-  if (shown.made_for != key) {
+  const auto key = std::find_if(keys_.begin(), keys_.end(), [&](const Key& known) {
+    return known.symbol == symbol;
+  });
+  if (key == keys_.end())
+    return;
+  key->press();
+  update();
+  visualizer_->getRenderWindow()->Render();
+}
+
+void
+Window::moveClipping(double by)
+{
+  const Eigen::AlignedBox3d box = result_.bounds();
+  if (box.isEmpty() || (!std::isfinite(state_.clip_height) && by > 0))
+    return;
+  const double height =
+      std::isfinite(state_.clip_height) ? state_.clip_height + by : box.max().z();
+  constexpr double least = 0.01; // metres above the bottom, to leave something visible
+  state_.clip_height =
+      height > box.max().z() ? no_clipping : std::max(height, box.min().z() + least);
+}
+
+void
+Window::nextRoom()
+{
+  std::uint32_t next = 0;
+  for (const PlanRoom& room : result_.plan.rooms)
+    if (room.id > state_.room && (next == 0 || room.id < next))
+      next = room.id;
+  state_.room = next;
+}
+
+void
+Window::update()
+{
+  for (const auto& layer : layer_names) {
+    LayerActors& shown = layers_[layer];
+    std::string key;
+    if (state_.layers.count(layer) > 0 && result_.has(layer))
+      key = state_.colour + (state_.ceilings ? " with " : " without ") +
+            std::to_string(state_.storey) + " " + std::to_string(state_.room);
+    if (shown.made_for != key) {
+      for (const auto& actor : shown.actors)
+        view_->RemoveActor(actor);
+      shown = {key, {}};
+      if (!key.empty())
+        shown.actors.push_back(actorOf(shapes_.of(layer, state_)));
+      if (!key.empty() && layer == "solid")
+        shown.actors.push_back(edgesOf(shapes_.solidEdges(state_)));
+      for (const auto& actor : shown.actors)
+        view_->AddActor(actor);
+    }
     for (const auto& actor : shown.actors)
-      view->RemoveActor(actor);
-    shown = {key, {}};
-    if (!key.empty())
-      shown.actors.push_back(actorOf(shapes_.of(layer, state_)));
-    if (!key.empty() && layer == "solid")
-      shown.actors.push_back(edgesOf(shapes_.solidEdges(state_)));
-    for (const auto& actor : shown.actors)
-      view->AddActor(actor);
+      adjust(*actor, layer, state_);
   }
-  for (const auto& actor : shown.actors)
-    adjust(*actor, layer, state_);
-  if (shown.actors.size() > 1)
-    shown.actors.back()->SetVisibility(state_.edges);
+  updateLegend();
+  view_->ResetCameraClippingRange();
 }
 
 void
@@ -201,55 +279,24 @@ Window::updateLegend()
   constexpr int margin = 10;
   constexpr int sample_width = 18;
   for (const auto& actor : legend_)
-    right_->RemoveActor2D(actor);
+    view_->RemoveActor2D(actor);
   legend_.clear();
   if (!state_.legend)
     return;
   int y = visualizer_->getRenderWindow()->GetSize()[1] - margin;
   for (const LegendLine& line : shapes_.legend(state_)) {
     y -= line_height;
-    if (line.colour) {
-      legend_.push_back(textAt(margin, y, "M")); // a patch: the letter is its colour
-      const double rgb[3] = {line.colour->red / 255.0, line.colour->green / 255.0,
-                             line.colour->blue / 255.0};
-      auto* property = legend_.back()->GetTextProperty();
-      property->SetColor(rgb[0], rgb[1], rgb[2]);
-      property->SetBackgroundColor(rgb[0], rgb[1], rgb[2]);
-      property->SetBackgroundOpacity(1);
-    }
-    legend_.push_back(textAt(margin + (line.colour ? sample_width : 0), y, line.text));
+    if (line.colour) // a patch: the letter is its colour
+      legend_.push_back(textAt(margin, y, "M", *line.colour, true));
+    legend_.push_back(textAt(margin + (line.colour ? sample_width : 0), y, line.text,
+                             colours::ink, false));
   }
   for (const auto& actor : legend_)
-    right_->AddActor2D(actor);
+    view_->AddActor2D(actor);
 }
 
 void
 Window::moveCamera()
-{
-  vtkCamera* camera = right_->GetActiveCamera();
-  if (state_.view == "inside" && !result_.plan.rooms.empty())
-    goInside(*camera);
-  else
-    goAround(*camera);
-  resetDepth();
-}
-
-void
-Window::resetDepth()
-{
-  double all[6];
-  double left[6];
-  right_->ComputeVisiblePropBounds(all);
-  if (state_.two_views && result_.has("scan")) { // they share the camera
-    left_->ComputeVisiblePropBounds(left);
-    for (int k = 0; k < 6; ++k)
-      all[k] = k % 2 == 0 ? std::min(all[k], left[k]) : std::max(all[k], left[k]);
-  }
-  right_->ResetCameraClippingRange(all);
-}
-
-void
-Window::goAround(vtkCamera& camera) const
 {
   constexpr double view_angle = 30; // degrees
   constexpr double margin = 1.08;
@@ -261,7 +308,6 @@ Window::goAround(vtkCamera& camera) const
   const Eigen::Vector3d right = up.cross(towards).normalized();
   const Eigen::Vector3d above = towards.cross(right);
   const int* size = visualizer_->getRenderWindow()->GetSize();
-  const double aspect = size[0] / (state_.two_views ? 2.0 : 1.0) / size[1];
   const double slope = std::tan(view_angle * M_PI / 360) / margin;
   Eigen::AlignedBox3d box = result_.bounds();
   if (box.isEmpty())
@@ -270,70 +316,18 @@ Window::goAround(vtkCamera& camera) const
   for (int k = 0; k < 8; ++k) {
     const Eigen::Vector3d corner =
         box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(k)) - box.center();
-    const double needed = std::max(std::abs(corner.dot(above)) / slope,
-                                   std::abs(corner.dot(right)) / (slope * aspect));
+    const double needed =
+        std::max(std::abs(corner.dot(above)) / slope,
+                 std::abs(corner.dot(right)) * size[1] / (slope * size[0]));
     distance = std::max(distance, needed + corner.dot(towards));
   }
   const Eigen::Vector3d eye = box.center() + distance * towards;
-  camera.SetPosition(eye.data());
-  camera.SetFocalPoint(box.center().eval().data());
-  camera.SetViewUp(up.data());
-  camera.SetViewAngle(view_angle);
-}
-
-void
-Window::goInside(vtkCamera& camera) const
-{
-  constexpr double eye_height = 1.6; // metres
-  const PlanRoom* largest = nullptr;
-  for (const PlanRoom& room : result_.plan.rooms)
-    if (result_.rules.isInStorey(state_.storey, room.id, 0) &&
-        (state_.room == 0 || state_.room == room.id) &&
-        (!largest || room.area() > largest->area()))
-      largest = &room;
-  if (!largest)
-    return;
-  // From beside a corner, within the room, to the corner that is farthest from it.
-  const auto corners = largest->boundary.polygon(0.05);
-  const Eigen::Vector3d middle = result_.rules.boxOf(largest->id).center();
-  Eigen::Vector2d eye = middle.head<2>();
-  Eigen::Vector2d aim = eye;
-  double farthest = -1;
-  for (const auto& corner : corners) {
-    const Eigen::Vector2d inner = corner + 0.2 * (middle.head<2>() - corner);
-    for (const auto& other : corners)
-      if (largest->contains(inner) && (other - inner).norm() > farthest) {
-        farthest = (other - inner).norm();
-        eye = inner;
-        aim = other;
-      }
-  }
-  const double floor = largest->floorAt(eye);
-  const double z =
-      floor + std::min(eye_height, 0.6 * (largest->ceilingAt(eye) - floor));
-  camera.SetPosition(eye.x(), eye.y(), z);
-  camera.SetFocalPoint(aim.x(), aim.y(), z - 0.05 * farthest);
-  camera.SetViewUp(0, 0, 1);
-  camera.SetViewAngle(65);
-}
-
-void
-Window::onPick(int x, int y)
-{
-  vtkRenderer* view = left_->GetDraw() && left_->IsInViewport(x, y) ? left_ : right_;
-  if (view->GetZ(x, y) >= 1) // nothing is there
-    return;
-  vtkNew<vtkWorldPointPicker> picker; // what is seen, points and faces alike
-  picker->Pick(x, y, 0, view);
-  const std::string answer =
-      result_.describe(Eigen::Vector3d::Map(picker->GetPickPosition()));
-  std::cout << answer << std::endl;
-  constexpr const char* id = "picked";
-  constexpr int corner = 10; // pixels
-  constexpr int size = 14;
-  if (!visualizer_->updateText(answer, corner, corner, size, 0.13, 0.13, 0.13, id))
-    visualizer_->addText(answer, corner, corner, size, 0.13, 0.13, 0.13, id);
-  visualizer_->getRenderWindow()->Render();
+  vtkCamera* camera = view_->GetActiveCamera();
+  camera->SetPosition(eye.data());
+  camera->SetFocalPoint(box.center().eval().data());
+  camera->SetViewUp(up.data());
+  camera->SetViewAngle(view_angle);
+  view_->ResetCameraClippingRange();
 }
 
 void

@@ -3,9 +3,12 @@
 
 #include "tool_error.h"
 
-#include <fcntl.h>
+#include <boost/algorithm/string/join.hpp>
+#include <boost/algorithm/string/predicate.hpp>
+
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -51,6 +54,23 @@ checkWritable(const std::string& path)
     refuse(path, "that is no ordinary file");
   if (access(folder.c_str(), W_OK) != 0)
     refuse(path, "the folder is not writable: " + std::string(std::strerror(errno)));
+}
+
+bool
+hasExtension(const std::string& path, const std::string& extension)
+{
+  return path.size() > extension.size() && boost::iends_with(path, extension);
+}
+
+void
+checkOutput(const std::string& path,
+            const std::string& what,
+            const std::vector<std::string>& extensions)
+{
+  if (std::none_of(extensions.begin(), extensions.end(),
+                   [&](const std::string& one) { return hasExtension(path, one); }))
+    refuse(path, "the name of " + what + " ends in " + boost::join(extensions, " or "));
+  checkWritable(path);
 }
 
 void

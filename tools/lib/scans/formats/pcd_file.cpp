@@ -284,7 +284,6 @@ openPcd(const InputFilePtr& file)
     content.points = std::make_unique<RecordReader>(file, begin, points, row);
   }
   else if (data == "binary_compressed") {
-    content.is_in_pieces = false;
     content.points = std::make_unique<RecordReader>(
         std::make_shared<InputFile>(file->path(),
                                     unpackedPcd(*file, begin, points, row)),

@@ -16,7 +16,6 @@ namespace pcl::sedr::tools {
 struct ScanContent {
   std::unique_ptr<const PointReader> points;
   std::uint64_t faces = 0;   ///< of a mesh, including strips of triangles
-  bool is_in_pieces = true;  ///< whether points can be had without those before them
   bool may_be_local = false; ///< whether VIEWPOINT of a PCD of floats may be the origin
   std::optional<Eigen::Vector3d> viewpoint; ///< in the unit of the file, if known
   Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();

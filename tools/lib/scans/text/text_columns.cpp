@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "text_columns.h"
 
-#include "column_names.h"
 #include "plain_text.h"
 #include "tool_error.h"
 
 #include "bytes/text_lines.h"
 #include "formats/scan_formats.h"
 
+#include <boost/algorithm/string.hpp>
+
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 namespace pcl::sedr::tools {
@@ -20,6 +22,7 @@ namespace {
 constexpr std::size_t max_columns = 64;
 constexpr std::size_t max_lines_before = 20; // that are neither empty nor comments
 using Numbers = std::array<double, max_columns>;
+using Names = std::vector<std::string>;
 
 bool
 isBlank(char c)
@@ -30,110 +33,75 @@ isBlank(char c)
 /** @brief Moves behind what separates two columns: blanks with one comma or semicolon
  * at most, or one tab. Empty cells are missing numbers. */
 bool
-passesSeparator(const char*& c, const char* end, bool has_decimal_comma)
+passesSeparator(const char*& c, const char* end)
 {
   int marks = 0;
   int tabs = 0;
   const char* const begin = c;
-  for (; c != end; ++c)
-    if (*c == ';' || (*c == ',' && !has_decimal_comma))
-      ++marks;
-    else if (isBlank(*c))
-      tabs += *c == '\t' ? 1 : 0;
-    else
-      break;
+  for (; c != end && (isBlank(*c) || *c == ';' || *c == ','); ++c)
+    isBlank(*c) ? tabs += *c == '\t' ? 1 : 0 : ++marks;
   return c != begin && c != end && (marks == 1 || (marks == 0 && tabs <= 1));
 }
 
-/** @brief Reads a cell, which may be in quotes, and moves behind it if it is a number.
- * @return whether it is a number as a whole */
+/** @brief Reads a cell, and moves behind it if it is a number. */
 bool
-readCell(const char*& c, const char* end, bool has_decimal_comma, double& number)
+readCell(const char*& c, const char* end, double& number)
 {
-  const bool is_quoted = c != end && *c == '"';
-  const char* const begin = is_quoted ? c + 1 : c;
-  const char* const cell_end = std::find_if(begin, end, [&](char sign) {
-    return is_quoted
-               ? sign == '"'
-               : isBlank(sign) || sign == ';' || (sign == ',' && !has_decimal_comma);
-  });
-  if (is_quoted && cell_end == end)
+  const char* const begin = c != end && *c == '+' ? c + 1 : c;
+  const auto result = readNumber(begin, end, number);
+  const bool is_end = result.ptr == end || isBlank(*result.ptr) || *result.ptr == ',' ||
+                      *result.ptr == ';';
+  if (result.ec != std::errc() || !is_end)
     return false;
-  std::string_view text(begin, static_cast<std::size_t>(cell_end - begin));
-  if (!text.empty() && text.front() == '+')
-    text.remove_prefix(1);
-  std::string with_point;
-  if (has_decimal_comma) {
-    with_point = text;
-    std::replace(with_point.begin(), with_point.end(), ',', '.');
-    text = with_point;
-  }
-  const auto result = readNumber(text.data(), text.data() + text.size(), number);
-  if (result.ec != std::errc() || result.ptr != text.data() + text.size())
-    return false;
-  c = cell_end + (is_quoted ? 1 : 0);
+  c = result.ptr;
   return true;
 }
 
-/** @brief Returns whether a word is a number such as 12,5. */
-bool
-isCommaNumber(std::string_view word)
+/** @brief Returns the names of columns in a line such as "//X [m],Y [m],Z [m],R,G,B",
+ * or an option's value: in lower case, without units, quotes and marks of comments, and
+ * those that other programs use as PCL's fields, such as easting as x. */
+Names
+columnNames(std::string_view line)
 {
-  const std::size_t comma = word.find(',');
-  const auto isDigit = [&](std::size_t at) {
-    return std::isdigit(static_cast<unsigned char>(word[at])) != 0;
-  };
-  return comma != word.npos && comma > 0 && comma + 1 < word.size() &&
-         isDigit(comma - 1) && isDigit(comma + 1) &&
-         word.find_first_of(",.", comma + 1) == word.npos;
+  static const std::map<std::string, std::string> known{
+      {"e", "x"},         {"east", "x"},      {"easting", "x"},
+      {"n", "y"},         {"north", "y"},     {"northing", "y"},
+      {"h", "z"},         {"height", "z"},    {"elev", "z"},
+      {"elevation", "z"}, {"r", "red"},       {"g", "green"},
+      {"b", "blue"},      {"i", "intensity"}, {"reflectance", "intensity"},
+      {"nx", "normal_x"}, {"ny", "normal_y"}, {"nz", "normal_z"}};
+  std::string text;
+  int depth = 0;
+  for (const char c : line) {
+    depth += c == '[' || c == '(' ? 1 : 0;
+    const bool is_left_out = depth > 0 || c == '"' || c == '\'' || c == '#' || c == '/';
+    text += is_left_out
+                ? ' '
+                : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    depth -= (c == ']' || c == ')') && depth > 0 ? 1 : 0;
+  }
+  const bool has_marks = text.find_first_of(",;\t") != text.npos;
+  Names names;
+  boost::split(names, text, boost::is_any_of(has_marks ? ",;\t" : " \t\r"));
+  for (std::string& name : names) {
+    boost::trim(name);
+    boost::replace_all(name, " ", "_");
+  }
+  names.erase(std::remove(names.begin(), names.end(), ""), names.end());
+  for (std::string& name : names)
+    if (const auto field = known.find(name);
+        field != known.end() &&
+        std::find(names.begin(), names.end(), field->second) == names.end())
+      name = field->second;
+  return names;
 }
 
-/** @brief Returns whether a line uses decimal commas: its columns are separated by
- * semicolons, or by blanks with commas inside of the first three words only, or the
- * first number in quotes has one. A line of whole numbers has none. */
+/** @brief Returns whether each of x, y and z is there once. */
 bool
-hasDecimalComma(std::string_view line)
+namesCoordinates(const Names& names)
 {
-  const std::size_t quote = line.find('"');
-  if (quote != line.npos &&
-      isCommaNumber(line.substr(quote + 1, line.find('"', quote + 1) - quote - 1)))
-    return true;
-  if (line.find(';') != line.npos)
-    return line.find(',') != line.npos;
-  std::vector<std::string_view> words = wordsOf(line);
-  if (words.size() < 3)
-    return false;
-  words.resize(3);
-  return std::any_of(words.begin(), words.end(), isCommaNumber) &&
-         std::all_of(words.begin(), words.end(), [](std::string_view word) {
-           return word.find(',') == word.npos || isCommaNumber(word);
-         });
-}
-
-bool
-linesHaveDecimalComma(const InputFile& file, std::size_t begin)
-{
-  constexpr int looked_at = 100;
-  LineReader lines(file, begin);
-  std::string_view line;
-  for (int k = 0; k < looked_at && lines.next(line); ++k)
-    if (mayHoldNumbers(line) && hasDecimalComma(line))
-      return true;
-  return false;
-}
-
-/** @brief Returns whether a text is PTX: columns and rows, scanner position and axes,
- * pose matrix, then the points. Further scans follow in the same form. */
-bool
-isPtx(const InputFile& file)
-{
-  constexpr std::array<std::size_t, 10> head{1, 1, 3, 3, 3, 3, 4, 4, 4, 4};
-  LineReader lines(file);
-  std::string_view line;
-  Numbers numbers{};
-  return std::all_of(head.begin(), head.end(), [&](std::size_t expected) {
-    return lines.next(line) &&
-           readColumns(line, false, max_columns, numbers.data()) == expected;
+  return std::all_of(std::begin("xyz"), std::end("xyz") - 1, [&](char axis) {
+    return std::count(names.begin(), names.end(), std::string(1, axis)) == 1;
   });
 }
 
@@ -141,7 +109,7 @@ isPtx(const InputFile& file)
 struct FirstLine {
   std::size_t begin = 0; ///< bytes
   std::string text;
-  std::vector<std::string> before; ///< the last lines before, but empty ones
+  Names before; ///< the last lines before that are neither empty nor a count
 };
 
 std::optional<FirstLine>
@@ -159,12 +127,12 @@ findFirstLine(const InputFile& file)
       return std::nullopt;
     if (mayHoldNumbers(line)) {
       ++others;
-      if (readColumns(line, hasDecimalComma(line), max_columns, numbers.data()) >= 3) {
+      if (readColumns(line, max_columns, numbers.data()) >= 3) {
         first.text = line;
         return first;
       }
     }
-    if (wordsOf(line).empty())
+    if (wordsOf(line).empty() || isCount(line))
       continue;
     if (first.before.size() == max_lines_before)
       first.before.erase(first.before.begin());
@@ -173,77 +141,73 @@ findFirstLine(const InputFile& file)
   return std::nullopt;
 }
 
-std::vector<std::string>
-usualNames(const Numbers& numbers, std::size_t n)
+/** @brief Returns the names that the lines before the numbers give to `columns`
+ * columns; else x, y, z and what stands in so many columns usually. Throws ToolError if
+ * a line can only be names, but not of x, y and z. */
+Names
+namesOf(const FirstLine& first,
+        const Numbers& numbers,
+        std::size_t columns,
+        const std::string& path)
 {
+  for (auto line = first.before.rbegin(); line != first.before.rend(); ++line) {
+    Names names = columnNames(*line);
+    const bool are_all = names.size() == columns;
+    names.resize(std::min(names.size(), columns));
+    if (namesCoordinates(names))
+      return names;
+    const bool is_comment = !mayHoldNumbers(*line);
+    if (!is_comment || (are_all && line->find_first_of(",;\t") != line->npos))
+      throw ToolError("the line " + quotedWord(*line) + " before the numbers of '" +
+                      path + "' does not name x, y and z of its " +
+                      std::to_string(columns) +
+                      " columns: --columns names them, such as --columns x,y,z");
+  }
   constexpr std::size_t with_intensity = 4, with_colour = 6, with_both = 7;
-  std::vector<std::string> names{"x", "y", "z"};
-  if (n == with_intensity || n == with_both)
+  Names names{"x", "y", "z"};
+  if (columns == with_intensity || columns == with_both)
     names.emplace_back("intensity");
   const auto isByte = [](double v) { return v >= 0 && v <= 255 && v == std::floor(v); };
-  if ((n == with_colour || n == with_both) &&
-      std::all_of(numbers.begin() + n - 3, numbers.begin() + n, isByte))
+  if ((columns == with_colour || columns == with_both) &&
+      std::all_of(numbers.begin() + columns - 3, numbers.begin() + columns, isByte))
     names.insert(names.end(), {"red", "green", "blue"});
   return names;
 }
 
-/** @brief Takes the number of points, if a line before them is one, as in PTS. */
-void
-takeCount(std::vector<std::string>& before, TextColumns& columns)
-{
-  const auto line =
-      std::find_if(before.rbegin(), before.rend(), [&](const std::string& text) {
-        return readCount(text, columns.promised);
-      });
-  if (line == before.rend())
-    return;
-  columns.has_counts = true;
-  before.erase(std::next(line).base());
-}
-
 /** @brief Lays the row of these columns: x, y, z, then the others, at last colours. */
 void
-layRow(const std::vector<std::string>& names, TextColumns& columns)
+layRow(const Names& names, TextColumns& columns)
 {
-  const auto add = [&](const std::string& name, std::uint8_t type, std::size_t column) {
-    columns.row.add(name, type);
-    columns.columns.push_back(column);
-  };
   const auto columnOf = [&](const char* name) {
     return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) -
                                     names.begin());
   };
+  const std::array<const char*, 3> colours{"red", "green", "blue"};
+  columns.row.joins_colours =
+      std::all_of(colours.begin(), colours.end(),
+                  [&](const char* name) { return columnOf(name) < names.size(); });
   std::vector<std::size_t> taken;
-  for (const char* axis : {"x", "y", "z"}) {
-    taken.push_back(columnOf(axis));
-    add(axis, pcl::PCLPointField::FLOAT64, taken.back());
+  const auto take = [&](const std::array<const char*, 3>& three, std::uint8_t type) {
+    for (const char* name : three) {
+      columns.row.add(name, type);
+      columns.columns.push_back(columnOf(name));
+    }
+  };
+  take({"x", "y", "z"}, pcl::PCLPointField::FLOAT64);
+  for (std::size_t c = 0; c < names.size(); ++c) {
+    const bool is_colour =
+        std::find(colours.begin(), colours.end(), names[c]) != colours.end();
+    if (names[c] == "_" || names[c] == "x" || names[c] == "y" || names[c] == "z" ||
+        (is_colour && columns.row.joins_colours))
+      continue;
+    columns.row.add(names[c], pcl::PCLPointField::FLOAT32);
+    columns.columns.push_back(c);
   }
-  std::vector<std::size_t> colour;
-  for (const char* name : {"red", "green", "blue"})
-    if (columnOf(name) < names.size())
-      colour.push_back(columnOf(name));
-  columns.row.joins_colours = colour.size() == 3;
   if (columns.row.joins_colours)
-    taken.insert(taken.end(), colour.begin(), colour.end());
-  for (std::size_t c = 0; c < names.size(); ++c)
-    if (names[c] != "_" && std::find(taken.begin(), taken.end(), c) == taken.end())
-      add(names[c], pcl::PCLPointField::FLOAT32, c);
-  for (std::size_t k = 0; columns.row.joins_colours && k < colour.size(); ++k)
-    add(names[colour[k]], pcl::PCLPointField::UINT8, colour[k]);
+    take(colours, pcl::PCLPointField::UINT8);
 }
 
 } // namespace
-
-bool
-readCount(std::string_view line, std::uint64_t& count)
-{
-  const auto words = wordsOf(line);
-  std::uint64_t number = 0;
-  if (words.size() != 1 || !isNumber(words.front(), number))
-    return false;
-  count = number;
-  return true;
-}
 
 bool
 mayHoldNumbers(std::string_view line)
@@ -252,20 +216,23 @@ mayHoldNumbers(std::string_view line)
   return first != line.npos && line[first] != '#' && line[first] != '/';
 }
 
+bool
+isCount(std::string_view line)
+{
+  const std::size_t digits = line.find_first_not_of(" \t\r0123456789");
+  return digits == line.npos && wordsOf(line).size() == 1;
+}
+
 std::size_t
-readColumns(std::string_view line,
-            bool has_decimal_comma,
-            std::size_t most,
-            double* numbers,
-            bool* is_all)
+readColumns(std::string_view line, std::size_t most, double* numbers, bool* is_all)
 {
   const char* c = line.data();
   const char* const end = c + line.size();
   c = std::find_if_not(c, end, isBlank);
   std::size_t read = 0;
-  while (read < most && readCell(c, end, has_decimal_comma, numbers[read])) {
+  while (read < most && readCell(c, end, numbers[read])) {
     ++read;
-    if (!passesSeparator(c, end, has_decimal_comma))
+    if (!passesSeparator(c, end))
       break;
   }
   if (is_all)
@@ -311,23 +278,14 @@ TextColumns::ofHeader(const std::string& format,
 TextColumns
 TextColumns::find(const InputFile& file, const std::string& asked)
 {
-  if (isPtx(file))
-    throw ToolError("'" + file.path() +
-                    "' is PTX, whose points are not in one frame, and which is not "
-                    "read here: export E57, which keeps the positions of the scanner "
-                    "too");
-  FirstLine first = findFirstLine(file).value_or(FirstLine());
+  const FirstLine first = findFirstLine(file).value_or(FirstLine());
   TextColumns columns;
   columns.begin = first.begin;
-  columns.has_decimal_comma = linesHaveDecimalComma(file, first.begin);
   Numbers numbers{};
-  const std::size_t n = readColumns(first.text, columns.has_decimal_comma, max_columns,
-                                    numbers.data(), &columns.is_exact);
-  takeCount(first.before, columns);
-  std::vector<std::string> names =
-      asked.empty() ? namesBefore(first.before, n, file.path()) : columnNames(asked);
-  if (names.empty())
-    names = usualNames(numbers, n);
+  const std::size_t n =
+      readColumns(first.text, max_columns, numbers.data(), &columns.is_exact);
+  const Names names =
+      asked.empty() ? namesOf(first, numbers, n, file.path()) : columnNames(asked);
   if (!namesCoordinates(names))
     throw ToolError("the columns " + quotedWord(asked) +
                     " do not hold each of x, y and z once");

@@ -20,11 +20,8 @@ struct TextColumns {
   std::vector<std::size_t> columns;          ///< of each value of the row
   std::size_t numbers = 0;                   ///< that are read of a line
   bool is_exact = false;                     ///< whether lines hold nothing else
-  bool has_decimal_comma = false; ///< separators are then semicolons or blanks
-  bool has_counts = false; ///< whether lines with the number of points are before them
-  std::uint64_t promised = 0;          ///< the first such number
-  std::optional<std::uint64_t> points; ///< number of points, if a header tells it
-  bool are_last = true;                ///< whether nothing follows these points
+  std::optional<std::uint64_t> points;       ///< number of points, if a header tells it
+  bool are_last = true;                      ///< whether nothing follows these points
 
   /** @brief Returns the layout of an ascii PCD or PLY, whose header is read. */
   static TextColumns ofHeader(const std::string& format,
@@ -42,17 +39,16 @@ struct TextColumns {
  * @param is_all gets whether the line holds nothing but these numbers, if given
  * @return how many there are before the end of the line, an empty cell or a word */
 std::size_t readColumns(std::string_view line,
-                        bool has_decimal_comma,
                         std::size_t most,
                         double* numbers,
                         bool* is_all = nullptr);
 
-/** @brief Reads a line with nothing but the number of points that follow.
- * @return whether it is one; else `count` is not changed */
-bool readCount(std::string_view line, std::uint64_t& count);
-
 /** @brief Returns whether a line may hold numbers: it is neither empty nor a
  * comment. */
 bool mayHoldNumbers(std::string_view line);
+
+/** @brief Returns whether a line is a whole number alone, as the count of points before
+ * those of a PTS file. */
+bool isCount(std::string_view line);
 
 } // namespace pcl::sedr::tools

@@ -46,25 +46,20 @@ TextReader::findBlocks()
     blocks_[b].begin = lines.position();
   }
   std::vector<std::size_t> points(count, 0);
-  std::vector<std::vector<Promise>> promises(count);
   parallelBlocks(count, 1, 0, [&](std::size_t b, std::size_t) {
     const std::string text = textOf(b);
     std::string_view rest = text;
-    std::uint64_t promised = 0;
     for (std::string_view line; takeLine(rest, line);)
-      if (columns_.has_counts && readCount(line, promised))
-        promises[b].push_back({points[b], promised});
-      else
-        points[b] += mayHoldNumbers(line) ? 1 : 0;
+      points[b] += holdsPoint(line) ? 1 : 0;
   });
-  std::vector<Promise> all{{0, columns_.promised}};
-  for (std::size_t b = 0; b < count; ++b) {
-    for (const Promise& promise : promises[b])
-      all.push_back({blocks_[b].first + promise.points, promise.count});
+  for (std::size_t b = 0; b < count; ++b)
     blocks_[b + 1].first = blocks_[b].first + points[b];
-  }
-  if (columns_.has_counts)
-    checkPromises(all);
+}
+
+bool
+TextReader::holdsPoint(std::string_view line) const
+{
+  return mayHoldNumbers(line) && (columns_.points || !isCount(line));
 }
 
 std::string
@@ -74,20 +69,6 @@ TextReader::textOf(std::size_t block) const
   std::string text(blocks_[block + 1].begin - begin, '\0');
   file_->read(begin, text.size(), text.data());
   return text;
-}
-
-void
-TextReader::checkPromises(const std::vector<Promise>& promises) const
-{
-  for (std::size_t p = 0; p < promises.size(); ++p) {
-    const std::size_t begin = promises[p].points;
-    const std::size_t end =
-        p + 1 < promises.size() ? promises[p + 1].points : blocks_.back().first;
-    if (promises[p].count != end - begin)
-      refuse(std::to_string(promises[p].count) + " points are promised before point " +
-             std::to_string(begin + 1) + ", but " + std::to_string(end - begin) +
-             " follow");
-  }
 }
 
 void
@@ -127,11 +108,8 @@ TextReader::readBlock(std::size_t block, Chunk& chunk) const
   std::string_view rest = text;
   const std::size_t end = std::min(chunk.first + chunk.size, blocks_[block + 1].first);
   std::size_t point = blocks_[block].first;
-  std::uint64_t count = 0;
   for (std::string_view line; point < end && takeLine(rest, line);) {
-    if (!mayHoldNumbers(line) || (columns_.has_counts && readCount(line, count)))
-      continue;
-    if (point++ < chunk.first)
+    if (!holdsPoint(line) || point++ < chunk.first)
       continue;
     readLine(line, point, numbers.data());
     auto* const row = &chunk.rows[(point - 1 - chunk.first) * row_.size];
@@ -149,8 +127,7 @@ void
 TextReader::readLine(std::string_view line, std::size_t point, double* numbers) const
 {
   bool is_all = false;
-  const std::size_t read =
-      readColumns(line, columns_.has_decimal_comma, columns_.numbers, numbers, &is_all);
+  const std::size_t read = readColumns(line, columns_.numbers, numbers, &is_all);
   if (read < columns_.numbers || (columns_.is_exact && !is_all))
     refuse("point " + std::to_string(point) + " has " +
            (read < columns_.numbers ? std::to_string(read) + " of " : "more than ") +

@@ -8,9 +8,10 @@
 
 namespace pcl::sedr::tools {
 
-/** @brief The points of a text, one a line. Empty lines and comments (# and //) are
- * skipped. All lines are counted at first; where every 256 KiB begin is remembered, so
- * that these blocks can be read in any order and by several threads. */
+/** @brief The points of a text, one a line. Empty lines, comments (# and //) and
+ * counts of points are skipped. All lines are counted at first; where every 256 KiB
+ * begin is remembered, so that these blocks can be read in any order and by several
+ * threads. */
 class TextReader : public PointReader {
 public:
   TextReader(std::shared_ptr<const InputFile> file, const TextColumns& columns);
@@ -25,15 +26,9 @@ private:
     std::size_t first = 0; ///< number of the first point
   };
 
-  /** @brief A line that promises the number of points behind it. */
-  struct Promise {
-    std::size_t points = 0; ///< before the line
-    std::uint64_t count = 0;
-  };
-
   void findBlocks();
   std::string textOf(std::size_t block) const;
-  void checkPromises(const std::vector<Promise>& promises) const;
+  bool holdsPoint(std::string_view line) const;
   void checkPoints() const;
 
   /** @brief Reads the points of a block that are in the chunk. */

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pictures.h"
-#include "scale.h"
 
 #include <gtest/gtest.h>
 
@@ -64,7 +63,7 @@ TEST(Panel, ViewsEveryShapeWithAMargin)
   EXPECT_TRUE((panel.view().sizes().array() > 0).all()) << "of nothing too";
   panel.addPoints({Vector2d(-3, 5)}, red);
   EXPECT_TRUE((panel.view().sizes().array() > 0).all()) << "of one point too";
-  panel.addPath({Vector2d(4, 1), Vector2d(2, 2)}, red);
+  panel.addPath({Vector2d(4, 1), Vector2d(2, 2)}, red, 1.5);
   EXPECT_TRUE(panel.view().contains(Box(Vector2d(-3.01, 0.99), Vector2d(4.01, 5.01))));
   EXPECT_LT(panel.view().sizes().x(), 8);
 }
@@ -76,22 +75,10 @@ TEST(ViewOf, StrayCellsFarAwayDoNotMakeTheRestSmall)
   EXPECT_TRUE(alone.contains(Box(Vector2d(0, 0), Vector2d(5, 4))));
   EXPECT_LT(alone.sizes().x(), 5.5);
   const Box with_stray = viewOf(unite(room, block(12000, 12000, 3, 3)), 0.05);
-  EXPECT_NEAR(with_stray.sizes().x(), alone.sizes().x(), 0.2);
-  const auto with_piece = unite(room, block(120, 129, 0, 9));
-  EXPECT_GE(viewOf(with_piece, 0.05).max().x(), 6.5) << "what is not far away stays";
-  EXPECT_LT(viewOf(with_piece, 0.05, 200).max().x(), 6) << "but is no large piece";
+  EXPECT_NEAR(with_stray.sizes().x(), alone.sizes().x(), 0.3);
+  EXPECT_GE(viewOf(unite(room, block(120, 129, 0, 9)), 0.05).max().x(), 6.5)
+      << "what is not far away stays";
   EXPECT_TRUE(viewOf({}, 0.05).isEmpty());
-}
-
-TEST(Scale, LengthsAreRound)
-{
-  EXPECT_NEAR(roundStep(7.3), 5, 1e-12);
-  EXPECT_NEAR(roundStep(0.0019), 0.001, 1e-15);
-  EXPECT_EQ(lengthText(5), "5 m");
-  EXPECT_EQ(lengthText(0.2), "20 cm");
-  EXPECT_EQ(lengthText(0.002), "2 mm");
-  EXPECT_EQ(fixedText(-0.0001, 2), "0.00");
-  EXPECT_EQ(digitsOf(0.05), 2);
 }
 
 TEST(Picture, IsTheSameEveryTimeAndShowsItsPanels)
@@ -99,12 +86,11 @@ TEST(Picture, IsTheSameEveryTimeAndShowsItsPanels)
   Panel map("map");
   map.addCells(block(0, 39, 0, 29), 0.05, colours::ceiling);
   map.addLabel({1, 0.7}, "1");
-  Panel chart("chart");
-  chart.setAxis("x, m");
-  chart.addBoxes({Box(Vector2d(0, 0), Vector2d(2, 3))}, colours::floor);
+  Panel other("other");
+  other.addBoxes({Box(Vector2d(0, 0), Vector2d(2, 3))}, colours::floor);
   Picture picture("A picture");
   picture.addMaps({map, map, map});
-  picture.addRow({chart, map});
+  picture.addMaps({other, map});
   picture.addLegend("ceiling", colours::ceiling);
   picture.addNote("a note");
   EXPECT_EQ(picture.png(), picture.png());
@@ -113,7 +99,7 @@ TEST(Picture, IsTheSameEveryTimeAndShowsItsPanels)
   const auto countOf = [&](Colour colour) {
     return std::count(image.pixels.begin(), image.pixels.end(), colour);
   };
-  // Four maps and the legend use the ceiling's colour; only the chart uses the floor's.
+  // Four maps and the legend use the ceiling's colour; only one map uses the floor's.
   EXPECT_GT(countOf(colours::ceiling), 4 * 100 * 100);
   EXPECT_GT(countOf(colours::floor), 50 * 50);
 }

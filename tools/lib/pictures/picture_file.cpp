@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "picture_file.h"
+
+#include "bytes/whole_file.h"
+
+namespace pcl::sedr::tools {
+
+void
+PictureFile::check() const
+{
+  if (!path.empty())
+    checkOutput(path, "a picture", {".png"});
+}
+
+void
+PictureFile::save(const Picture& picture) const
+{
+  const std::string bytes = picture.png();
+  writeWhole(path, [&](std::ostream& stream) { stream << bytes; });
+}
+
+void
+StageFiles::declare(Options& options, const std::string& help, std::string* plan)
+{
+  options.file("INPUT", input, "PCD or PLY file" + help);
+  if (plan)
+    options.file("PLAN.json", *plan,
+                 "floor plan, as pcl_floorplan_fitting and pcl_sedr write it");
+  options.file("OUTPUT", output, "PCD or PLY file to write");
+  picture.declare(options);
+}
+
+void
+StageFiles::check() const
+{
+  checkCloudOutput(output);
+  picture.check();
+}
+
+} // namespace pcl::sedr::tools
