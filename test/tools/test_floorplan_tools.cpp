@@ -205,17 +205,6 @@ TEST_F(StoreyDrawings, OfOneThatIsNotThereAreRefused)
   EXPECT_FALSE(has("out.svg"));
 }
 
-/** Returns the sorted names of the files of a folder. */
-Strings
-filesOf(const std::string& folder)
-{
-  Strings names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
-    names.push_back(entry.path().filename().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 TEST_F(StoreyDrawings, PointsAreOfTheRoomAtTheirHeight)
 {
   const std::vector<std::vector<float>> points{
