@@ -2,7 +2,6 @@
 #include "bytes/whole_file.h"
 #include "model/solid_files.h"
 #include "picture_file.h"
-#include "plan_file.h"
 #include "progress.h"
 #include "run_tool.h"
 #include "scan_options.h"
@@ -25,7 +24,6 @@ struct Settings {
   std::string input;
   std::string output;
   PictureFile picture;
-  std::string plan;
 };
 
 using Poisson = pcl::StructuralPoisson<pcl::PointStructure>;
@@ -76,10 +74,7 @@ run(const Settings& settings, Poisson& poisson)
 {
   checkOutput(settings.output, "a mesh", {".ply"});
   settings.picture.check();
-  if (!settings.plan.empty())
-    poisson.setFloorplan(loadFloorplan(settings.plan));
-  else
-    poisson.setInputCloud(load(settings));
+  poisson.setInputCloud(load(settings));
   pcl::PolygonMesh mesh;
   {
     const Progress progress("solving");
@@ -89,9 +84,8 @@ run(const Settings& settings, Poisson& poisson)
     tell(report);
   if (poisson.getMesh().empty())
     throw ToolError(poisson.getErrorMessage(), NothingFound);
-  const std::string source = settings.plan.empty() ? settings.input : settings.plan;
   throwProblem(pcl::sedr::savePly(settings.output, poisson.getMesh(),
-                                  originComments(originOfModel(source))));
+                                  originComments(originOfModel(settings.input))));
   settings.picture.write([&] { return drawMesh(poisson.getMesh()); });
   if (!poisson.getErrorMessage().empty())
     std::cerr << "pcl_structural_poisson: " << poisson.getErrorMessage() << std::endl;
@@ -114,8 +108,6 @@ main(int argc, char** argv)
                "room and label are used if there");
   options.file("OUTPUT.ply", settings.output,
                "mesh to write, faces with room and label");
-  options.text("plan", settings.plan,
-               "floor plan, as JSON, to take the samples from instead of INPUT");
   options.parameter("depth", poisson, &Poisson::getDepth, &Poisson::setDepth, "",
                     "largest depth of the octree", Range::between(3, 14));
   settings.picture.declare(options);

@@ -120,48 +120,7 @@ VoxelGridSettings::problemOf(const RowSource& source, const pcl::Indices* indice
   const std::string problem = fieldsProblem(source);
   if (!problem.empty())
     return problem;
-  if (!filter_field_name_.empty() && !findField(source.fields(), filter_field_name_))
-    return "the points have no field '" + filter_field_name_ + "' to filter by";
   return indices ? indicesProblem(*indices, source.size()) : std::string();
-}
-
-bool
-VoxelGridSettings::passesLimits(double value) const
-{
-  if (filter_limit_negative_)
-    return value <= filter_limit_min_ || value >= filter_limit_max_;
-  return value >= filter_limit_min_ && value <= filter_limit_max_;
-}
-
-/** @brief Calls `see(piece, points, indices)` for every piece of a valid source: its
- * coordinates, and the indices of the points to use, null for all. */
-void
-VoxelGridSettings::forEachPiece(
-    const RowSource& source,
-    const pcl::Indices* indices,
-    const std::function<
-        void(const RowSource::Piece&, const PointView&, const pcl::Indices*)>& see)
-    const
-{
-  RowCoordinates coordinates(source.fields(), source.rowSize());
-  const auto* limited = findField(source.fields(), filter_field_name_);
-  source.forEachPiece([&](const RowSource::Piece& piece) {
-    const PointView points = coordinates.of(piece.rows, piece.size, threads_);
-    if (!limited) {
-      see(piece, points, indices);
-      return true;
-    }
-    pcl::Indices passing;
-    const std::size_t n = indices ? indices->size() : piece.size;
-    for (std::size_t k = 0; k < n; ++k) {
-      const auto i = indices ? (*indices)[k] : static_cast<pcl::index_t>(k);
-      const auto* row = piece.rows + static_cast<std::size_t>(i) * source.rowSize();
-      if (passesLimits(readField(row + limited->offset, limited->datatype)))
-        passing.push_back(i);
-    }
-    see(piece, points, &passing);
-    return true;
-  });
 }
 
 /** @brief Sorts the summed voxels, drops those with too few points, and saves the
@@ -197,11 +156,12 @@ VoxelGridSettings::thin(const RowSource& source,
   if (!problem.empty())
     return problem;
   VoxelSums sums(inverseLeaf());
-  forEachPiece(
-      source, indices,
-      [&](const Piece& piece, const PointView& points, const pcl::Indices* chosen) {
-        sums.add(points, threads_, chosen, chosen ? RowSource::SeeRun() : piece.beside);
-      });
+  RowCoordinates coordinates(source.fields(), source.rowSize());
+  source.forEachPiece([&](const Piece& piece) {
+    sums.add(coordinates.of(piece.rows, piece.size, threads_), threads_, indices,
+             indices ? RowSource::SeeRun() : piece.beside);
+    return true;
+  });
   const std::size_t size = finish(sums);
   std::uint8_t* const rows = output.make(size);
   writePlaces(sums, output.fields, output.row_size, rows, threads_);
@@ -217,19 +177,16 @@ VoxelGridSettings::thin(const RowSource& source,
   sums.index();
   FieldMeans means(others, size);
   std::vector<bool> stays(removed ? source.size() : 0, false);
-  forEachPiece(
-      source, indices,
-      [&](const Piece& piece, const PointView& points, const pcl::Indices* chosen) {
-        if (!others.empty())
-          sums.visit(points, chosen, threads_, [&](std::size_t voxel, std::size_t i) {
-            means.add(voxel, piece.rows + i * source.rowSize());
-          });
-        const std::size_t n = chosen ? chosen->size() : piece.size;
-        for (std::size_t k = 0; removed && k < n; ++k) {
-          const auto i = chosen ? static_cast<std::size_t>((*chosen)[k]) : k;
-          stays[piece.first + i] = sums.find(points[i]) >= 0;
-        }
+  source.forEachPiece([&](const Piece& piece) {
+    const PointView points = coordinates.of(piece.rows, piece.size, threads_);
+    if (!others.empty())
+      sums.visit(points, indices, threads_, [&](std::size_t voxel, std::size_t i) {
+        means.add(voxel, piece.rows + i * source.rowSize());
       });
+    for (std::size_t i = 0; removed && i < piece.size; ++i)
+      stays[piece.first + i] = sums.find(points[i]) >= 0;
+    return true;
+  });
   sums.forEach(
       [&](const VoxelSum& voxel, std::size_t place) {
         means.write(place, voxel.count, rows + place * output.row_size);

@@ -140,8 +140,6 @@ ChainRun::makeMesh()
   return runStage("StructuralPoisson", chain_.structure->size(),
                   [&](StageReport& report) {
                     chain_.poisson.setInputCloud(chain_.straight_structure_);
-                    chain_.poisson.setFloorplan(
-                        chain_.mesh_from_plan ? chain_.straight_plan_ : nullptr);
                     const bool is_made = chain_.poisson.makeMesh();
                     giveFreedMemoryBack();
                     report.points_out = chain_.poisson.getMesh().vertices.size();

@@ -62,12 +62,6 @@ MeshEvaluation::checkParameters()
   if (!(sample_spacing_ > 0) || !std::isfinite(sample_spacing_))
     return fail(class_name, "the sample spacing must be above 0 m, it is " +
                                 sedr::numberText(sample_spacing_) + " m");
-  if (!(histogram_range_ > 0) || !std::isfinite(histogram_range_))
-    return fail(class_name, "the histogram must end above 0 m, it ends at " +
-                                sedr::numberText(histogram_range_) + " m");
-  if (histogram_bins_ > 1'000'000)
-    return fail(class_name, "the histogram takes at most 1000000 bins, " +
-                                std::to_string(histogram_bins_) + " are set");
   return true;
 }
 
@@ -106,14 +100,6 @@ MeshEvaluation::selectPoints(std::vector<Eigen::Vector3d>& points, std::size_t& 
   return true;
 }
 
-sedr::DistanceStatistics
-MeshEvaluation::measure(const std::vector<Eigen::Vector3d>& points,
-                        const sedr::MeshDistance& mesh) const
-{
-  return sedr::summarizeDistances(mesh.distances(points, threads_), histogram_bins_,
-                                  histogram_range_);
-}
-
 bool
 MeshEvaluation::compute(sedr::MeshEvaluationResult& result)
 {
@@ -134,6 +120,9 @@ MeshEvaluation::compute(sedr::MeshEvaluationResult& result)
   result.skipped_points = skipped;
   if (!truth && !cloud_)
     return true;
+  const auto measure = [&](const auto& places, const sedr::MeshDistance& from) {
+    return sedr::summarizeDistances(from.distances(places, threads_));
+  };
   const sedr::MeshDistance to_mesh(*mesh, threads_);
   if (cloud_)
     result.cloud_to_mesh = measure(points, to_mesh);

@@ -293,8 +293,6 @@ surfaceOf(const RoomSamples& samples, const RoomPoissonParameters& parameters)
   }
   else
     mesh = TriangleMesh();
-  if (!samples.problem.empty())
-    report.problem = samples.problem;
   return surface;
 }
 

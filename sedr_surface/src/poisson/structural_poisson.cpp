@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plan_samples.h"
 #include "room_poisson.h"
 
 #include "sedr_filters/src/base/parallel.h"
@@ -38,54 +37,6 @@ forEachRoom(const std::vector<std::size_t>& sizes,
                  [&](std::size_t k, std::size_t) { work(order[next + k], 1); });
 }
 
-/** @brief Makes the surfaces of rooms. `samples(i)` is called at most once for each,
- * one at a time; `sizes` give the work of each. */
-void
-addRooms(const std::vector<std::size_t>& sizes,
-         const std::function<RoomSamples(std::size_t)>& samples,
-         const RoomPoissonParameters& parameters,
-         const RoomSharing& sharing,
-         RoomMeshes meshes)
-{
-  std::vector<std::size_t> mine;
-  std::vector<std::size_t> sizes_of_mine;
-  for (std::size_t i = 0; i < sizes.size(); ++i)
-    if (!sharing.is_mine || sharing.is_mine(i)) {
-      mine.push_back(i);
-      sizes_of_mine.push_back(sizes[i]);
-    }
-  std::vector<RoomSurface> surfaces(sizes.size());
-  std::vector<char> is_made(sizes.size(), 0);
-  std::size_t next = 0;
-  const auto addUpTo = [&](std::size_t end) { // frees each
-    for (; next < end && is_made[next] != 0; ++next) {
-      meshes.mesh.append(surfaces[next].mesh);
-      meshes.reports.push_back(surfaces[next].report);
-      surfaces[next] = {};
-    }
-  };
-  std::mutex one_at_a_time;
-  forEachRoom(sizes_of_mine, resolveThreads(parameters.threads),
-              [&](std::size_t k, unsigned threads) {
-                RoomPoissonParameters own = parameters;
-                own.threads = threads;
-                std::unique_lock<std::mutex> lock(one_at_a_time);
-                const RoomSamples room = samples(mine[k]);
-                lock.unlock();
-                RoomSurface surface = surfaceOf(room, own);
-                lock.lock();
-                surfaces[mine[k]] = std::move(surface);
-                is_made[mine[k]] = 1;
-                if (!sharing.complete)
-                  addUpTo(sizes.size());
-              });
-  if (!sharing.complete)
-    return;
-  sharing.complete(surfaces);
-  is_made.assign(sizes.size(), 1);
-  addUpTo(sizes.size());
-}
-
 } // namespace
 
 std::string
@@ -120,45 +71,44 @@ makeSurfaces(std::map<std::uint32_t, RoomSamples>& rooms,
              const RoomSharing& sharing,
              RoomMeshes meshes)
 {
+  std::vector<RoomSamples*> all;
+  std::vector<std::size_t> mine;
   std::vector<std::size_t> sizes;
-  std::vector<RoomSamples*> samples;
   for (auto& [number, room] : rooms) {
-    sizes.push_back(room.points.size());
-    samples.push_back(&room);
+    if (!sharing.is_mine || sharing.is_mine(all.size())) {
+      mine.push_back(all.size());
+      sizes.push_back(room.points.size());
+    }
+    all.push_back(&room);
   }
-  addRooms(
-      sizes, [&](std::size_t i) { return std::move(*samples[i]); }, parameters, sharing,
-      meshes);
-}
-
-std::string
-makeSurfaces(const Floorplan& plan,
-             double spacing,
-             const RoomPoissonParameters& parameters,
-             const RoomSharing& sharing,
-             RoomMeshes meshes)
-{
-  if (plan.rooms.empty())
-    return "the floor plan has no rooms";
-  if (!(spacing > 0))
-    return "the spacing of a plan's samples must be above 0 m, it is " +
-           std::to_string(spacing);
-  std::vector<std::size_t> sizes;
-  for (const PlanRoom& room : plan.rooms)
-    sizes.push_back(static_cast<std::size_t>(room.area()));
-  addRooms(
-      sizes,
-      [&](std::size_t i) {
-        PlanSamples samples = samplePlan(plan.rooms[i], spacing);
-        return RoomSamples{plan.rooms[i].id,
-                           std::move(samples.points),
-                           std::move(samples.labels),
-                           0,
-                           0,
-                           std::move(samples.problem)};
-      },
-      parameters, sharing, meshes);
-  return {};
+  std::vector<RoomSurface> surfaces(all.size());
+  std::vector<char> is_made(all.size(), 0);
+  std::size_t next = 0;
+  const auto addMade = [&] { // frees each
+    for (; next < all.size() && is_made[next] != 0; ++next) {
+      meshes.mesh.append(surfaces[next].mesh);
+      meshes.reports.push_back(surfaces[next].report);
+      surfaces[next] = {};
+    }
+  };
+  std::mutex one_at_a_time;
+  forEachRoom(sizes, resolveThreads(parameters.threads),
+              [&](std::size_t k, unsigned threads) {
+                RoomPoissonParameters own = parameters;
+                own.threads = threads;
+                const RoomSamples room = std::move(*all[mine[k]]);
+                RoomSurface surface = surfaceOf(room, own);
+                const std::lock_guard<std::mutex> lock(one_at_a_time);
+                surfaces[mine[k]] = std::move(surface);
+                is_made[mine[k]] = 1;
+                if (!sharing.complete)
+                  addMade();
+              });
+  if (!sharing.complete)
+    return;
+  sharing.complete(surfaces);
+  is_made.assign(all.size(), 1);
+  addMade();
 }
 
 std::string

@@ -4,6 +4,8 @@
 #include <pcl/conversions.h>
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
+#include <pcl/sedr_surface/mesh_distance.h>
+#include <pcl/sedr_surface/room_solid.h>
 
 #include <gtest/gtest.h>
 
@@ -109,8 +111,23 @@ TEST(RoomSharing, ProcessesThatMakeSomeOfTheRoomsGiveTheMeshOfOne)
   const pcl::sedr::Floorplan plan{{roomOf(rectangle(0, 0, 3, 3), 2.5, 1),
                                    roomOf(rectangle(4, 0, 6, 3), 2.5, 2),
                                    roomOf(rectangle(7, 0, 9, 3), 2.5, 3)}};
-  pcl::StructuralPoisson<pcl::PointXYZ> alone;
-  alone.setFloorplan(plan);
+  const auto points = std::make_shared<pcl::PointCloud<pcl::PointStructure>>();
+  for (const auto& room : plan.rooms) {
+    pcl::sedr::TriangleMesh solid;
+    std::vector<pcl::sedr::SolidElement> elements;
+    pcl::sedr::extrudeRoom(room, {}, solid, elements);
+    const auto samples = pcl::sedr::sampleMesh(solid, 0.05, 1);
+    for (std::size_t i = 0; i < samples.points.size(); ++i) {
+      pcl::PointStructure p;
+      p.getVector3fMap() = samples.points[i].cast<float>();
+      p.getNormalVector3fMap() =
+          -solid.scaledNormal(samples.triangles[i]).normalized().cast<float>();
+      p.room = room.id;
+      points->push_back(p);
+    }
+  }
+  pcl::StructuralPoisson<pcl::PointStructure> alone;
+  alone.setInputCloud(points);
   alone.setCellRatio(4); // coarse, to save time
   auto first = alone;
   auto second = alone;

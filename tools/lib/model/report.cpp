@@ -97,7 +97,6 @@ parametersOf(const RunRecord& run, const Reconstruction& chain)
           {"repair_grid_size", c.hole_repair.getGridSize()},
           {"chord_tolerance", c.extrusion.getChordTolerance()},
           {"snap_tolerance", c.extrusion.getSnapTolerance()},
-          {"mesh_from_plan", c.mesh_from_plan},
           {"tree_depth", chain.getTreeDepth()},
           {"cell_ratio", c.poisson.getCellRatio()},
           {"point_weight", c.poisson.getPointWeight()},

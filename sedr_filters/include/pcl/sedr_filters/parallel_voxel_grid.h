@@ -23,12 +23,12 @@ namespace pcl {
  * rooms by majority; fields of own point types, too), or left at their defaults with
  * setDownsampleAllData(false).
  *
- * An empty cloud, or one with only NaN points, gives an empty output. Non-finite points
- * are skipped. A run fails with a leaf that is not above 0, an unknown filter field or
- * an index beyond the cloud. Then PCL_ERROR is printed, the output is empty, all
- * indices are removed, and getErrorMessage() gives the reason. Otherwise the removed
- * indices are the points that are non-finite, outside the limits, or in a voxel with
- * too few points.
+ * An empty cloud, or one with only NaN points, gives an empty output. Points that are
+ * not finite, or 2^30 leaves from 0 and farther (53,000 km at 5 cm), are skipped. A run
+ * fails with a leaf that is not above 0 or an index beyond the cloud. Then PCL_ERROR is
+ * printed, the output is empty, all indices are removed, and getErrorMessage() gives
+ * the reason. Otherwise the removed indices are the points that are non-finite or in a
+ * voxel with too few points.
  *
  * Time O(n) for n points. Memory beside input and output: about 70 bytes a voxel at any
  * extent. Averaging other fields takes a second pass and 8 bytes a value and voxel.

@@ -9,7 +9,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -64,36 +63,6 @@ public:
 
   bool getSaveLeafLayout() const { return save_leaf_layout_; }
 
-  /** @brief Restricts the input to points whose field `field_name` lies within the
-   * limits; empty: no restriction. */
-  void setFilterFieldName(const std::string& field_name)
-  {
-    filter_field_name_ = field_name;
-  }
-
-  const std::string& getFilterFieldName() const { return filter_field_name_; }
-
-  /** @brief Sets the limits, both inclusive; NaN lies neither inside nor outside. */
-  void setFilterLimits(double limit_min, double limit_max)
-  {
-    filter_limit_min_ = limit_min;
-    filter_limit_max_ = limit_max;
-  }
-
-  void getFilterLimits(double& limit_min, double& limit_max) const
-  {
-    limit_min = filter_limit_min_;
-    limit_max = filter_limit_max_;
-  }
-
-  /** @brief Sets whether the points outside the limits are used (default false). */
-  void setFilterLimitsNegative(bool limit_negative)
-  {
-    filter_limit_negative_ = limit_negative;
-  }
-
-  bool getFilterLimitsNegative() const { return filter_limit_negative_; }
-
   /** @brief Sets the number of threads, 0 for all processors (default). The result is
    * identical byte for byte. */
   void setNumberOfThreads(unsigned int threads) { threads_ = threads; }
@@ -139,14 +108,6 @@ private:
 
   std::string problemOf(const RowSource& source, const pcl::Indices* indices) const;
 
-  bool passesLimits(double value) const;
-
-  void forEachPiece(const RowSource& source,
-                    const pcl::Indices* indices,
-                    const std::function<void(const RowSource::Piece&,
-                                             const PointView&,
-                                             const pcl::Indices*)>& see) const;
-
   std::size_t finish(VoxelSums& sums);
 
   Eigen::Vector3f leaf_size_ = Eigen::Vector3f::Constant(0.05f);
@@ -155,10 +116,6 @@ private:
   unsigned int min_points_per_voxel_ = 0;
   bool removes_strays_ = false;
   unsigned int threads_ = 0;
-  std::string filter_field_name_;
-  double filter_limit_min_ = std::numeric_limits<float>::lowest();
-  double filter_limit_max_ = std::numeric_limits<float>::max();
-  bool filter_limit_negative_ = false;
 
   unsigned int stray_limit_ = 0;
   std::vector<Eigen::Vector3i> layout_; ///< voxel of each output point, in output order

@@ -32,15 +32,6 @@ namespace pcl {
  *
  * The same plan gives the same output, byte for byte. A flat takes milliseconds.
  *
- * @code
- * pcl::FloorplanExtrusion<pcl::PointXYZ> extrusion;
- * extrusion.setFloorplan(plan);
- * pcl::PolygonMesh mesh;
- * extrusion.reconstruct(mesh);
- * if (!extrusion.isClosed())
- *   std::cerr << extrusion.getErrorMessage() << '\n';
- * @endcode
- *
  * A missing plan, a plan without rooms or a tolerance out of range give an empty mesh
  * and a reason. A room that cannot be built is left out and named by getErrorMessage();
  * the others are built. */
@@ -61,25 +52,21 @@ public:
   {
     plan_ = std::make_shared<const sedr::Floorplan>(std::move(plan));
   }
-
   std::shared_ptr<const sedr::Floorplan> getFloorplan() const { return plan_; }
 
   /** @brief Sets the tilts of the plan's walls; none by default. */
   void setTilts(const sedr::WallTilts& tilts) { tilts_ = tilts; }
-
   const sedr::WallTilts& getTilts() const { return tilts_; }
 
   /** @brief Sets the maximum distance of facets from their arc, metres, 1e-6 to 1.
    * Default 0.0005, which is 0.3 mm on average for a round wall. */
   void setChordTolerance(double tolerance) { parameters_.chord_tolerance = tolerance; }
-
   double getChordTolerance() const { return parameters_.chord_tolerance; }
 
   /** @brief Sets the distance within which edges and corners of different loops are
    * merged, metres, 0 to 0.5. Default 0: twice the residual of the elements, 2 mm to 5
    * cm. */
   void setSnapTolerance(double tolerance) { parameters_.snap_tolerance = tolerance; }
-
   double getSnapTolerance() const { return parameters_.snap_tolerance; }
 
   /** @brief Returns the elements that triangles belong to, room by room in the plan's

@@ -43,13 +43,7 @@ struct ThinnedScan {
  *
  * After reconstruct() the mesh has one closed component per room. Labelled points, the
  * floor plan and the reports of the stages have getters. If a stage finds nothing, the
- * mesh is empty and getErrorMessage() names the stage and what it looked for.
- * @code
- * pcl::IndoorStructureReconstruction<pcl::PointXYZ> sedr;
- * sedr.setInputCloud(scan);
- * pcl::PolygonMesh mesh;
- * sedr.reconstruct(mesh);
- * @endcode */
+ * mesh is empty and getErrorMessage() names the stage and what it looked for. */
 template <typename PointT>
 class IndoorStructureReconstruction : public SurfaceReconstruction<PointT>,
                                       public sedr::StageError {
@@ -145,7 +139,6 @@ public:
 
   /** @brief Sets the maximum tree depth of the Poisson reconstruction. Default 9. */
   void setTreeDepth(int depth) { chain_.poisson.setDepth(depth); }
-
   int getTreeDepth() const { return chain_.poisson.getDepth(); }
 
   /** @brief Sets the threads of all stages; 0 (default): all processors. The result
@@ -189,7 +182,6 @@ public:
   {
     return chain_.structure;
   }
-
   std::shared_ptr<const sedr::Floorplan> getFloorplan() const { return chain_.plan; }
 
   /** @brief Returns the reports of all stages, in order. */

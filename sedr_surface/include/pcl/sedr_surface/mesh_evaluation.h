@@ -61,16 +61,6 @@ MeshFigures measureMesh(const TriangleMesh& mesh);
  * are measured at evenly spread samples, so that shares of samples are shares of area.
  * The same input gives the same result for any number of threads.
  *
- * @code
- * pcl::MeshEvaluation evaluation;
- * evaluation.setInputMesh(mesh);
- * evaluation.setTruth(truth);
- * evaluation.setInputCloud(scan);
- * pcl::sedr::MeshEvaluationResult result;
- * if (!evaluation.compute(result))
- *   std::cerr << evaluation.getErrorMessage() << '\n';
- * @endcode
- *
  * compute() returns false for an empty or malformed mesh, truth or cloud, for indices
  * or parameters out of range; getErrorMessage() says why. Non-finite points are skipped
  * and counted. O((s + p) log t) for s samples, p points and t triangles. */
@@ -124,35 +114,19 @@ public:
    * (default 0.02). Beyond 20 million samples it grows; the result holds the value
    * used. */
   void setSampleSpacing(double spacing) { sample_spacing_ = spacing; }
-
   double getSampleSpacing() const { return sample_spacing_; }
 
   /** @brief Sets whether to search for triangles of the model that intersect by more
    * than 0.01 mm (default false: it takes seconds for large meshes). */
   void setFindSelfIntersections(bool find) { find_self_intersections_ = find; }
-
   bool getFindSelfIntersections() const { return find_self_intersections_; }
 
   /** @brief Sets the seed of the samples (default 1). */
   void setSeed(std::uint64_t seed) { seed_ = seed; }
-
   std::uint64_t getSeed() const { return seed_; }
-
-  /** @brief Sets the number of bins of the histograms (default 20; 0: none) and their
-   * upper end, metres, above zero (default 0.1). */
-  void setHistogram(std::size_t bins, double range)
-  {
-    histogram_bins_ = bins;
-    histogram_range_ = range;
-  }
-
-  std::size_t getHistogramBins() const { return histogram_bins_; }
-
-  double getHistogramRange() const { return histogram_range_; }
 
   /** @brief Sets the number of threads (default 0: all processors). */
   void setNumberOfThreads(unsigned threads) { threads_ = threads; }
-
   unsigned getNumberOfThreads() const { return threads_; }
 
   /** @brief Computes every result that the inputs allow.
@@ -176,9 +150,6 @@ private:
 
   bool selectPoints(std::vector<Eigen::Vector3d>& points, std::size_t& skipped);
 
-  sedr::DistanceStatistics measure(const std::vector<Eigen::Vector3d>& points,
-                                   const sedr::MeshDistance& mesh) const;
-
   MeshInput mesh_;
   MeshInput truth_;
   std::shared_ptr<const void> cloud_;
@@ -187,8 +158,6 @@ private:
   double sample_spacing_ = 0.02;
   bool find_self_intersections_ = false;
   std::uint64_t seed_ = 1;
-  std::size_t histogram_bins_ = 20;
-  double histogram_range_ = 0.1;
   unsigned threads_ = 0;
 };
 

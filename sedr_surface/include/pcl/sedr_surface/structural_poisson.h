@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_surface/mesh_reconstruction.h>
 #include <pcl/sedr_surface/mesh_topology.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -108,15 +105,6 @@ struct RoomSharing {
  *
  * The same input gives the same output, byte for byte, for any setNumberOfThreads().
  *
- * @code
- * pcl::StructuralPoisson<pcl::PointStructure> poisson;
- * poisson.setInputCloud(refined);
- * pcl::PolygonMesh mesh;
- * poisson.reconstruct(mesh);
- * if (!poisson.getErrorMessage().empty())
- *   std::cerr << poisson.getErrorMessage() << '\n';
- * @endcode
- *
  * A null or empty cloud, indices out of range, too few points, missing normals or a
  * parameter out of range give an empty mesh and a reason. Points that are not finite or
  * have no normal are skipped and counted; normals of other lengths are rescaled. About
@@ -136,74 +124,44 @@ public:
   /** @brief Sets the room of every input point; empty (default): the points' own field
    * `room`. */
   void setRoomLabels(const std::vector<std::uint32_t>& rooms) { room_labels_ = rooms; }
-
   const std::vector<std::uint32_t>& getRoomLabels() const { return room_labels_; }
-
-  /** @brief Sets a plan to sample instead of a cloud, which is then not needed. Samples
-   * are even on every room's solid and denser along edges and corners, which keeps
-   * these sharper. Null (default): the points of the cloud. */
-  void setFloorplan(const std::shared_ptr<const sedr::Floorplan>& plan)
-  {
-    plan_ = plan;
-  }
-
-  /** @brief As above; the plan is moved or copied. */
-  void setFloorplan(sedr::Floorplan plan)
-  {
-    plan_ = std::make_shared<const sedr::Floorplan>(std::move(plan));
-  }
-
-  std::shared_ptr<const sedr::Floorplan> getFloorplan() const { return plan_; }
-
-  /** @brief Sets the distance of samples of a plan away from its edges, metres, above 0
-   * (default 0.05). */
-  void setPlanSpacing(double spacing) { plan_spacing_ = spacing; }
-
-  double getPlanSpacing() const { return plan_spacing_; }
 
   /** @brief Sets the maximum depth, 3 to 14 (default 9, as in the paper). The finest
    * cells are at least 1.1 times the room's extent / 2^depth. Sparse points lead to a
    * smaller depth; rooms too large for the maximum get coarser cells. */
   void setDepth(int depth) { parameters_.depth = depth; }
-
   int getDepth() const { return parameters_.depth; }
 
   /** @brief Sets the weight of the points against the smoothness of the surface, alpha
    * of equation 4, 0 or more (default 10; pcl::Poisson has 4). Exact points allow more
    * weight, which keeps edges sharper. */
   void setPointWeight(float point_weight) { parameters_.point_weight = point_weight; }
-
   float getPointWeight() const { return parameters_.point_weight; }
 
   /** @brief Sets the ratio of the finest cell to the points' spacing, 0.1 to 10
    * (default 0.8). Smaller values give smaller details, more triangles and longer
    * runs. */
   void setCellRatio(double cell_ratio) { parameters_.cell_ratio = cell_ratio; }
-
   double getCellRatio() const { return parameters_.cell_ratio; }
 
   /** @brief Sets the minimum number of points of a room, at least 10 (default 100).
    * Rooms with fewer are skipped. */
   void setMinimumPoints(std::size_t min_points) { parameters_.min_points = min_points; }
-
   std::size_t getMinimumPoints() const { return parameters_.min_points; }
 
   /** @brief Sets the distance from all points beyond which surface is inferred, metres
    * above 0 (default 0.3), at least four times the points' spacing. See
    * RoomPoissonReport::unsupported_share. */
   void setSupportDistance(double distance) { parameters_.support_distance = distance; }
-
   double getSupportDistance() const { return parameters_.support_distance; }
 
   /** @brief Sets the number of threads (default 1; 0: all processors). */
   void setNumberOfThreads(unsigned threads) { parameters_.threads = threads; }
-
   unsigned getNumberOfThreads() const { return parameters_.threads; }
 
   /** @brief Sets what other processes do; both functions or none (default): this
    * object makes all rooms. */
   void setRoomSharing(const sedr::RoomSharing& sharing) { sharing_ = sharing; }
-
   const sedr::RoomSharing& getRoomSharing() const { return sharing_; }
 
   /** @brief Returns the report of each room, ordered by room number. */
@@ -236,14 +194,10 @@ protected:
                              std::vector<pcl::Vertices>& polygons) override;
 
 private:
-  /** @brief Collects the samples of all rooms from the points.
-   * @return why there is no surface, a sentence; empty otherwise */
-  std::string runOnPoints();
+  std::string makeSurfaces();
 
   sedr::RoomPoissonParameters parameters_;
   std::vector<std::uint32_t> room_labels_;
-  std::shared_ptr<const sedr::Floorplan> plan_;
-  double plan_spacing_ = 0.05;
   sedr::RoomSharing sharing_;
   std::vector<sedr::RoomPoissonReport> reports_;
   bool closed_ = false;

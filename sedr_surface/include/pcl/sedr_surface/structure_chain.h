@@ -99,10 +99,6 @@ public:
                         Cloud& thinned,
                         std::vector<Eigen::Vector3f>& rows);
 
-  /** @brief Whether the mesh is made from samples of the plan instead of the repaired
-   * points, which keeps its edges sharper. */
-  bool mesh_from_plan = false;
-
   /** @brief Whether a scan whose z axis seems not to be up, or which is tilted, is used
    * unchanged. */
   bool trust_up = false;

@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace pcl::sedr {
@@ -23,7 +22,6 @@ struct RoomSamples {
   std::vector<std::uint32_t> labels; ///< of each point, or empty
   std::size_t skipped = 0; ///< points left out: not finite, or without a normal
   std::size_t scaled = 0;  ///< normals rescaled to unit length
-  std::string problem;     ///< why the samples are invalid, or empty
 };
 
 } // namespace pcl::sedr

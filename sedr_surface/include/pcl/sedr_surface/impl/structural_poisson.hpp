@@ -27,14 +27,6 @@ void makeSurfaces(std::map<std::uint32_t, RoomSamples>& rooms,
                   const RoomSharing& sharing,
                   RoomMeshes meshes);
 
-/** @brief As above, from samples of a plan `spacing` metres apart.
- * @return why there is no surface, a sentence; empty otherwise */
-std::string makeSurfaces(const Floorplan& plan,
-                         double spacing,
-                         const RoomPoissonParameters& parameters,
-                         const RoomSharing& sharing,
-                         RoomMeshes meshes);
-
 /** @brief Returns a warning about points left out and rooms without a closed surface,
  * with reasons; empty if all are closed. */
 std::string summaryOf(const std::vector<RoomPoissonReport>& reports);
@@ -51,9 +43,7 @@ StructuralPoisson<PointNT>::run()
   closed_ = false;
   std::string problem = sedr::problemOf(parameters_);
   if (problem.empty())
-    problem = plan_ ? sedr::makeSurfaces(*plan_, plan_spacing_, parameters_, sharing_,
-                                         {mesh_, reports_})
-                    : runOnPoints();
+    problem = makeSurfaces();
   if (!problem.empty())
     return fail("StructuralPoisson", problem);
   problem = sedr::summaryOf(reports_);
@@ -65,9 +55,11 @@ StructuralPoisson<PointNT>::run()
   return !mesh_.empty();
 }
 
+/** @brief Makes the surfaces of the points' rooms.
+ * @return why there is none, a sentence; empty otherwise */
 template <typename PointNT>
 std::string
-StructuralPoisson<PointNT>::runOnPoints()
+StructuralPoisson<PointNT>::makeSurfaces()
 {
   if (!input_)
     return "no input cloud is set";
