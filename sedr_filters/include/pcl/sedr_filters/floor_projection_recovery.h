@@ -26,14 +26,7 @@ namespace pcl {
  * without a ceiling, with a grid size that is not above 0 or with an index beyond the
  * cloud. It also fails with neither a plane nor a floor point in the scope. Then
  * PCL_ERROR is printed, the output is empty, all indices are removed, and
- * getErrorMessage() gives the reason. O(n log n).
- * @code
- * pcl::FloorProjectionRecovery<pcl::PointXYZ> recovery;
- * recovery.setInputCloud(scan);
- * recovery.setIndices(floor);
- * recovery.setCeilingIndices(ceiling);
- * recovery.filter(*whole_floor);
- * @endcode */
+ * getErrorMessage() gives the reason. O(n log n). */
 template <typename PointT>
 class FloorProjectionRecovery : public sedr::StageFilter<PointT> {
 public:
@@ -53,17 +46,14 @@ public:
   {
     ceiling_ = ceiling.get();
   }
-
   IndicesConstPtr getCeilingIndices() const { return ceiling_; }
 
   /** @brief Sets the details, as indices into the input cloud; null: none (default). */
   void setDetailIndices(const sedr::StageIndices& detail) { detail_ = detail.get(); }
-
   IndicesConstPtr getDetailIndices() const { return detail_; }
 
   /** @brief Sets the edge of a cell, metres, > 0 (default 0.05). */
   void setGridSize(double size) { grid_size_ = size; }
-
   double getGridSize() const { return grid_size_; }
 
   /** @brief Sets the floor plane to project onto, a x + b y + c z + d = 0. Null
@@ -72,7 +62,6 @@ public:
   {
     plane_ = plane;
   }
-
   ModelCoefficients::ConstPtr getFloorCoefficients() const { return plane_; }
 
   /** @brief Returns the input index of each output point of the last run: first the

@@ -62,15 +62,7 @@ labelPoints(const RegionMap& map, const PointView& points, const pcl::Indices& i
  * the removed indices. An empty cloud gives an empty output. After invalid input, such
  * as a grid size that is not above 0 or an index beyond the cloud, PCL_ERROR is
  * printed, nothing is kept, and getErrorMessage() gives the reason. O(n log n) in time,
- * O(n) in memory at any extent. Single-threaded and deterministic.
- * @code
- * pcl::GridRegionOutlierRemoval<pcl::PointXYZ> removal;
- * removal.setInputCloud(scan);
- * removal.setIndices(ceiling);
- * pcl::Indices kept;
- * removal.filter(kept);
- * const std::size_t rooms = removal.getNumberOfRegions();
- * @endcode */
+ * O(n) in memory at any extent. Single-threaded and deterministic. */
 template <typename PointT>
 class GridRegionOutlierRemoval : public FilterIndices<PointT>, public sedr::StageError {
 public:
@@ -88,7 +80,6 @@ public:
   /** @brief Sets the edge of a cell, metres, > 0 (default 0.05), at least the leaf
    * size. */
   void setGridSize(double size) { parameters_.cell_size = size; }
-
   double getGridSize() const { return parameters_.cell_size; }
 
   /** @brief Sets the points of the input cloud, such as the floor, that support a
@@ -98,12 +89,10 @@ public:
   {
     support_ = support.get();
   }
-
   IndicesConstPtr getSupportIndices() const { return support_; }
 
   /** @brief Sets the share of cells that must be supported, 0 to 1 (default 0.5). */
   void setMinimumSupport(double share) { parameters_.minimum_support = share; }
-
   double getMinimumSupport() const { return parameters_.minimum_support; }
 
   /** @brief Sets the minimum size of a region kept by its support, in cells (default
@@ -112,7 +101,6 @@ public:
   {
     parameters_.minimum_supported_cells = cells;
   }
-
   std::size_t getMinimumSupportedCells() const
   {
     return parameters_.minimum_supported_cells;

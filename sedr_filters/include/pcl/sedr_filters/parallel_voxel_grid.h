@@ -31,13 +31,7 @@ namespace pcl {
  * voxel with too few points.
  *
  * Time O(n) for n points. Memory beside input and output: about 70 bytes a voxel at any
- * extent. Averaging other fields takes a second pass and 8 bytes a value and voxel.
- * @code
- * pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
- * grid.setInputCloud(scan);
- * grid.setLeafSize(0.05f, 0.05f, 0.05f);
- * grid.filter(*thinned);
- * @endcode */
+ * extent. Averaging other fields takes a second pass and 8 bytes a value and voxel. */
 template <typename PointT>
 class ParallelVoxelGrid : public sedr::StageFilter<PointT>,
                           public sedr::VoxelGridSettings {

@@ -22,13 +22,7 @@ namespace pcl {
  * A run fails without input or plan, with a distance not above 0, an index beyond the
  * cloud, or labels or rooms that differ in number from the points. Then PCL_ERROR is
  * printed, the output is empty, all indices are removed, and getErrorMessage() gives
- * the reason.
- * @code
- * pcl::StructureRefinement<pcl::PointStructure> refinement;
- * refinement.setInputCloud(labelled);
- * refinement.setFloorplan(plan);
- * refinement.filter(*refined);
- * @endcode */
+ * the reason. */
 template <typename PointT>
 class StructureRefinement : public sedr::PlanFilter<PointT> {
 public:

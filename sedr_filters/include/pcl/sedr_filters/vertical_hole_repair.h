@@ -54,13 +54,7 @@ struct UnseenShares {
  * A run fails without input or plan, with an index beyond the cloud, or if labels or
  * rooms differ in number from the points. It also fails if the grid size is not above 0
  * or would give more than 200 million cells. Then PCL_ERROR is printed, the output is
- * empty, all indices are removed, and getErrorMessage() gives the reason.
- * @code
- * pcl::VerticalHoleRepair<pcl::PointStructure> repair;
- * repair.setInputCloud(refined);
- * repair.setFloorplan(plan);
- * repair.filter(*whole);
- * @endcode */
+ * empty, all indices are removed, and getErrorMessage() gives the reason. */
 template <typename PointT>
 class VerticalHoleRepair : public sedr::PlanFilter<PointT> {
 public:

@@ -28,12 +28,10 @@ public:
 
   /** @brief Sets the edges of a voxel along x, y and z, metres (default 0.05 each). */
   void setLeafSize(float lx, float ly, float lz) { leaf_size_ = {lx, ly, lz}; }
-
   Eigen::Vector3f getLeafSize() const { return leaf_size_; }
 
   /** @brief Sets whether all fields are averaged (default), or only x, y and z. */
   void setDownsampleAllData(bool downsample) { downsample_all_data_ = downsample; }
-
   bool getDownsampleAllData() const { return downsample_all_data_; }
 
   /** @brief Sets the minimum number of points of an output voxel (default 0). */
@@ -41,14 +39,12 @@ public:
   {
     min_points_per_voxel_ = min_points_per_voxel;
   }
-
   unsigned int getMinimumPointsNumberPerVoxel() const { return min_points_per_voxel_; }
 
   /** @brief Sets whether voxels explained by points scattered in the air are dropped
    * (default false). This needs a dense scan, see doc/parallel_voxel_grid.md; in a
    * sparser scan all voxels are kept. */
   void setRemoveStrays(bool remove_strays) { removes_strays_ = remove_strays; }
-
   bool getRemoveStrays() const { return removes_strays_; }
 
   /** @brief Returns the point count below which voxels were dropped as strays; 0: none.
@@ -60,13 +56,11 @@ public:
   {
     save_leaf_layout_ = save_leaf_layout;
   }
-
   bool getSaveLeafLayout() const { return save_leaf_layout_; }
 
   /** @brief Sets the number of threads, 0 for all processors (default). The result is
    * identical byte for byte. */
   void setNumberOfThreads(unsigned int threads) { threads_ = threads; }
-
   unsigned int getNumberOfThreads() const { return threads_; }
 
   /** @brief Returns the voxel of a finite position (metres); saturated to int. */
