@@ -3,6 +3,7 @@
 #include "floorplan_format.h"
 #include "level_planes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <stdexcept>
@@ -181,6 +182,41 @@ checkLink(const Link& link, const std::string& what, const Ids& ids)
                                        numberText(link.bottom - link.top) + " m");
 }
 
+void
+checkOpening(const PlanOpening& opening, const Floorplan& plan, const Ids& ids)
+{
+  for (const std::uint32_t id : {opening.rooms[0], opening.rooms[1], opening.swing})
+    require(id == 0 || ids.count(id) > 0, "an opening names room " +
+                                              std::to_string(id) +
+                                              ", which the plan does not have");
+  require(opening.walls.size() <= 2, "an opening is in at most 2 walls, not " +
+                                         std::to_string(opening.walls.size()));
+  for (const OpeningWall& wall : opening.walls)
+    require(std::any_of(plan.rooms.begin(), plan.rooms.end(),
+                        [&](const PlanRoom& room) {
+                          return room.id == wall.room &&
+                                 wall.element < room.boundary.elements.size();
+                        }),
+            "an opening names wall " + std::to_string(wall.element) + " of room " +
+                std::to_string(wall.room) + ", which the plan does not have");
+  checkPlace(opening.start);
+  checkPlace(opening.end);
+  checkLength(opening.bottom, "an opening's bottom");
+  checkLength(opening.top, "an opening's top");
+  require(opening.width() > 0, "an opening has a width above 0 m");
+  require(opening.height() > 0, "an opening's top must be above its bottom, it is " +
+                                    numberText(opening.height()) + " m above");
+  require(opening.rise >= 0 && opening.rise <= opening.height(),
+          "the rise of an opening's head lies from 0 m to its height, it is " +
+              numberText(opening.rise));
+  require(opening.depth >= 0 && opening.residual >= 0,
+          "depth and residual of an opening must not be below 0 m, they are " +
+              numberText(opening.depth) + " and " + numberText(opening.residual));
+  require(opening.confidence >= 0 && opening.confidence <= 1,
+          "the confidence of an opening lies from 0 to 1, it is " +
+              numberText(opening.confidence));
+}
+
 } // namespace
 
 void
@@ -202,6 +238,8 @@ checkPlan(const Floorplan& plan)
     checkLink(stair, "stairs", ids);
     checkPlace(stair.at);
   }
+  for (const PlanOpening& opening : plan.openings)
+    checkOpening(opening, plan, ids);
 }
 
 } // namespace pcl::sedr

@@ -57,11 +57,13 @@ void to_json(nlohmann::ordered_json& json, const PlanElement& element);
 void to_json(nlohmann::ordered_json& json, const PlanLoop& loop);
 void to_json(nlohmann::ordered_json& json, const PlanSlab& slab);
 void to_json(nlohmann::ordered_json& json, const PlanNiche& niche);
+void to_json(nlohmann::ordered_json& json, const PlanOpening& opening);
 void from_json(const nlohmann::ordered_json& json, PlanElement& element);
 void from_json(const nlohmann::ordered_json& json, PlanLoop& loop);
 void from_json(const nlohmann::ordered_json& json, PlanSlab& slab);
 void from_json(const nlohmann::ordered_json& json, PlanDetail& detail);
 void from_json(const nlohmann::ordered_json& json, PlanNiche& niche);
+void from_json(const nlohmann::ordered_json& json, PlanOpening& opening);
 
 /** @brief Writes a slab with the members that only facets have. */
 nlohmann::ordered_json facetToJson(const PlanSlab& slab);

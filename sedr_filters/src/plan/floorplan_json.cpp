@@ -208,6 +208,7 @@ from_json(const Json& json, Floorplan& plan)
     }
   readIfThere(json, "doorways", plan.doorways);
   readIfThere(json, "stairs", plan.stairs);
+  readIfThere(json, "openings", plan.openings);
 }
 
 // The file.
@@ -253,6 +254,8 @@ floorplanToJson(const Floorplan& plan,
        linksToJson(plan, plan.stairs, [](const PlanStair& stair, Json& entry) {
          entry["at"] = stair.at;
        })}};
+  if (!plan.openings.empty())
+    json["openings"] = plan.openings;
   if (levelling)
     json["levelling"] = levellingToJson(*levelling);
   if (max_wall != Priors().max_wall)

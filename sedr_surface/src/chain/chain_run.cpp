@@ -112,6 +112,8 @@ ChainRun::findStructure()
                   [&](auto& r) { return growWalls(r); }) &&
          runStage("FloorplanFitting", chain_.cloud->size(),
                   [&](auto& r) { return fitPlan(r); }) &&
+         runStage("OpeningDetection", chain_.cloud->size(),
+                  [&](auto& r) { return findOpenings(r); }) &&
          runStage("StructureRefinement", chain_.cloud->size(),
                   [&](auto& r) { return refine(r); }) &&
          runStage("VerticalHoleRepair", chain_.reports.back().points_out,

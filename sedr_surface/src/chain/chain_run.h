@@ -114,6 +114,7 @@ private:
   bool recoverFloors(StageReport& report);
   bool growWalls(StageReport& report);
   bool fitPlan(StageReport& report);
+  bool findOpenings(StageReport& report);
   bool refine(StageReport& report);
   bool repair(StageReport& report);
 

@@ -31,6 +31,7 @@ StructureChain::setPriors(const Priors& priors)
   plane_detection.setPriors(priors);
   slice_detail.setPriors(priors);
   floorplan_fitting.setPriors(priors);
+  opening_detection.setPriors(priors);
 }
 
 void

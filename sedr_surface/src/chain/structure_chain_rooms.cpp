@@ -217,6 +217,23 @@ ChainRun::fitPlan(StageReport& report)
   return true;
 }
 
+bool
+ChainRun::findOpenings(StageReport& report)
+{
+  const PointView raw = chain_.floorplan_fitting.getRawPoints();
+  const bool has_raw = raw.size() > 0;
+  const PointView points = has_raw ? raw : PointView(*chain_.cloud);
+  report.points_in = points.size();
+  if (!chain_.opening_detection.segment(
+          points, has_raw ? chain_.floorplan_fitting.getRawIndices() : nullptr,
+          *chain_.straight_plan_))
+    return fail(chain_.opening_detection.getErrorMessage());
+  chain_.plan->openings = chain_.straight_plan_->openings;
+  tellResult("OpeningDetection");
+  report.points_out = chain_.plan->openings.size();
+  return true;
+}
+
 void
 ChainRun::giveUpRoomsWithoutPlan()
 {

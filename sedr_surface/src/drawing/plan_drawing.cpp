@@ -48,6 +48,14 @@ public:
     sheet_.addLine(gap, {c[2], c[3]});
     sheet_.addLine(looks::jamb, {c[0], c[3]});
     sheet_.addLine(looks::jamb, {c[1], c[2]});
+    if (doorway.kind == OpeningKind::Window) { // both faces go on below it
+      sheet_.addLine(looks::thin, {c[0], c[1]});
+      sheet_.addLine(looks::thin, {c[2], c[3]});
+    }
+    for (const PlanElement& line : glassOf(doorway))
+      sheet_.addLine(looks::thin, {frame_(line.start), frame_(line.end)});
+    for (const PlanElement& line : doorway.leaf)
+      sheet_.add(SheetPath{looks::thin, {{{frame_(line)}}}});
   }
 
   void addArea(const SheetLook& look, const std::vector<PlanLoop>& loops)

@@ -14,6 +14,7 @@ enum class PlanLayer {
   Column,
   Niche,
   Door,
+  Window,
   Ceiling,  ///< edges of details, steps of a ceiling that is not level
   Ridge,    ///< ridges, hips and valleys
   Headroom, ///< where a ceiling that is not level is 1.5 or 2.3 m above the floor
@@ -47,11 +48,12 @@ inline const SheetLook cell{no_colour, ink, 0.18};
 } // namespace looks
 
 /** In the order of PlanLayer. */
-inline const std::array<LayerStyle, 12> layer_styles{
+inline const std::array<LayerStyle, 13> layer_styles{
     {{"A-WALL", 7, false, {no_colour, ink, 0.5}, ink},
      {"A-COLS", 1, false, {0x7d7d7d, ink, 0.35}, 0x444444},
      {"A-WALL-NICH", 6, false, {looks::room_colour, 0x333333, 0.3}, ink},
      {"A-DOOR", 4, false, {looks::room_colour, no_colour, 0}, 0x444444},
+     {"A-GLAZ", 4, false, {looks::room_colour, no_colour, 0}, 0x444444},
      {"A-CLNG", 5, true, {no_colour, looks::blue, 0.2, {1.8, 0.9}}, looks::blue},
      {"A-CLNG-RIDG",
       5,

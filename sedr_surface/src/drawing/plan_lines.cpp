@@ -8,6 +8,8 @@
 
 #include "sedr_segmentation/src/curves/plan_segment.h"
 
+#include <pcl/sedr_filters/plan_measures.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -190,38 +192,104 @@ planLines(const Floorplan& plan,
   return all;
 }
 
+namespace {
+
+/** @brief Returns the gap of a doorway; without a width if it has none. */
+DoorwayGap
+gapOf(const Floorplan& plan, const PlanDoorway& doorway)
+{
+  DoorwayGap gap;
+  if (!(doorway.width() > 0))
+    return gap;
+  const PlanElement* near = faceOf(plan, doorway.rooms[0], doorway);
+  const PlanElement* far = faceOf(plan, doorway.rooms[1], doorway);
+  if (!near)
+    std::swap(near, far);
+  Eigen::Vector2d a = doorway.start;
+  Eigen::Vector2d b = doorway.end;
+  // What a face does not have ends at its end, on both sides of the wall.
+  for (int k = 0; k < 2 && near && far; ++k)
+    for (Eigen::Vector2d* p : {&a, &b})
+      *p = onto(k == 0 ? *far : *near, *p);
+  if (near && !far) {
+    const Eigen::Vector2d from = onto(*near, a);
+    const Eigen::Vector2d to = onto(*near, b);
+    gap.corners = {from, to, 2 * b - to, 2 * a - from};
+  }
+  else if (near)
+    gap.corners = {a, b, onto(*far, b), onto(*far, a)};
+  else
+    gap.corners = {a, b, b, a};
+  gap.width = (gap.corners[1] - gap.corners[0]).norm();
+  gap.height = doorway.top - doorway.bottom;
+  return gap;
+}
+
+/** @brief Returns the gap of an opening, as deep as its reveals. */
+DoorwayGap
+gapOf(const Floorplan& plan, const PlanOpening& opening)
+{
+  const Eigen::Vector2d way = (opening.end - opening.start) / opening.width();
+  const Eigen::Vector2d left(-way.y(), way.x());
+  const Eigen::Vector2d half = opening.depth / 2 * left;
+  DoorwayGap gap;
+  gap.corners = {opening.start + half, opening.end + half, opening.end - half,
+                 opening.start - half};
+  gap.width = opening.width();
+  gap.height = opening.height();
+  gap.kind = opening.kind;
+  for (const PlanRoom& room : plan.rooms)
+    if (room.id == opening.rooms[0])
+      gap.sill = opening.bottom - room.floorAt((gap.corners[0] + gap.corners[1]) / 2 +
+                                               0.05 * left);
+  if (opening.kind != OpeningKind::Door || opening.hinge == OpeningHinge::Unknown ||
+      opening.swing == 0)
+    return gap;
+  const bool is_at_start = opening.hinge == OpeningHinge::Start;
+  const bool is_left = opening.swing == opening.rooms[0];
+  const Eigen::Vector2d into = is_left ? left : Eigen::Vector2d(-left);
+  const Eigen::Vector2d hinge =
+      (is_at_start ? opening.start : opening.end) + opening.depth / 2 * into;
+  const Eigen::Vector2d shut =
+      (is_at_start ? opening.end : opening.start) + opening.depth / 2 * into;
+  PlanElement leaf;
+  leaf.start = hinge;
+  leaf.end = hinge + gap.width * into;
+  PlanElement swing;
+  swing.start = leaf.end;
+  swing.end = shut;
+  swing.centre = hinge;
+  swing.radius = gap.width;
+  swing.counter_clockwise = is_at_start != is_left;
+  gap.leaf = {leaf, swing};
+  return gap;
+}
+
+} // namespace
+
+std::vector<PlanElement>
+glassOf(const DoorwayGap& gap)
+{
+  std::vector<PlanElement> lines;
+  if (gap.kind == OpeningKind::Window)
+    for (const double share : {0.4, 0.6}) {
+      PlanElement line;
+      line.start = gap.corners[0] + share * (gap.corners[3] - gap.corners[0]);
+      line.end = gap.corners[1] + share * (gap.corners[2] - gap.corners[1]);
+      lines.push_back(line);
+    }
+  return lines;
+}
+
 std::vector<DoorwayGap>
 doorwayGaps(const Floorplan& plan)
 {
   std::vector<DoorwayGap> gaps;
-  for (const PlanDoorway& doorway : plan.doorways) {
-    if (!(doorway.width() > 0))
-      continue;
-    const PlanElement* near = faceOf(plan, doorway.rooms[0], doorway);
-    const PlanElement* far = faceOf(plan, doorway.rooms[1], doorway);
-    if (!near)
-      std::swap(near, far);
-    Eigen::Vector2d a = doorway.start;
-    Eigen::Vector2d b = doorway.end;
-    DoorwayGap gap;
-    // What a face does not have ends at its end, on both sides of the wall.
-    for (int k = 0; k < 2 && near && far; ++k)
-      for (Eigen::Vector2d* p : {&a, &b})
-        *p = onto(k == 0 ? *far : *near, *p);
-    if (near && !far) {
-      const Eigen::Vector2d from = onto(*near, a);
-      const Eigen::Vector2d to = onto(*near, b);
-      gap.corners = {from, to, 2 * b - to, 2 * a - from};
-    }
-    else if (near)
-      gap.corners = {a, b, onto(*far, b), onto(*far, a)};
-    else
-      gap.corners = {a, b, b, a};
-    gap.width = (gap.corners[1] - gap.corners[0]).norm();
-    gap.height = doorway.top - doorway.bottom;
-    if (gap.width > 0)
+  for (const PlanOpening& opening : plan.openings)
+    gaps.push_back(gapOf(plan, opening));
+  for (const PlanDoorway& doorway : otherDoorways(plan))
+    if (const DoorwayGap gap = gapOf(plan, doorway); gap.width > 0)
       gaps.push_back(gap);
-  }
   return gaps;
 }
 

@@ -33,15 +33,30 @@ std::vector<PlanLine> planLines(const Floorplan& plan,
                                 const std::vector<CeilingLines>& ceilings,
                                 const WallTilts& tilts = {});
 
-/** @brief A doorway for drawing: a gap through its wall, from face to face. */
+/** @brief A doorway or opening for drawing: a gap through its wall, from face to face.
+ */
 struct DoorwayGap {
   std::array<Eigen::Vector2d, 4>
       corners;       ///< around the gap: along a face, back; metres
   double width = 0;  ///< metres
   double height = 0; ///< metres
+  double sill = 0;   ///< of a window above the floor, metres
+  OpeningKind kind = OpeningKind::Unknown; ///< of a doorway: unknown
+  std::vector<PlanElement> leaf{};         ///< of a door: its leaf and its swing
 };
 
-/** @brief Returns the doorways of a plan that have a width. A gap is what the nearest
+/** @brief Returns the layer of a gap. */
+inline PlanLayer
+layerOf(const DoorwayGap& gap)
+{
+  return gap.kind == OpeningKind::Window ? PlanLayer::Window : PlanLayer::Door;
+}
+
+/** @brief Returns the lines of glass along a window, metres; none for other gaps. */
+std::vector<PlanElement> glassOf(const DoorwayGap& gap);
+
+/** @brief Returns the openings of a plan, and the doorways that are none of them and
+ * have a width. A gap is what the nearest
  * wall faces of both rooms, within 0.5 m and 30 degrees, have in common of it; outwards
  * it is as deep as towards the room. */
 std::vector<DoorwayGap> doorwayGaps(const Floorplan& plan);

@@ -223,7 +223,10 @@ public:
   void writeDoorway(const DoorwayGap& doorway)
   {
     const std::string text =
-        decimalText(doorway.width, 2) + " x " + decimalText(doorway.height, 2);
+        decimalText(doorway.width, 2) + " x " + decimalText(doorway.height, 2) +
+        (doorway.kind == OpeningKind::Window
+             ? " sill " + decimalText(doorway.sill, 2)
+             : "");
     const Eigen::Vector2d half = detail_font * halfSizeOf({text});
     std::vector<TextBox> boxes;
     for (const std::size_t k : {2U, 0U}) {

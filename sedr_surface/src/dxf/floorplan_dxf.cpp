@@ -48,10 +48,15 @@ public:
       addElement(styleOf(line.layer).dxf_name, line.element);
     for (const PlanRoom& room : drawing.plan.rooms)
       addOutline(room.boundary);
-    for (const DoorwayGap& doorway : drawing.doorways)
+    for (const DoorwayGap& doorway : drawing.doorways) {
+      const char* layer = styleOf(layerOf(doorway)).dxf_name;
       for (std::size_t k = 0; k < 4; ++k)
-        entities_.line(styleOf(PlanLayer::Door).dxf_name, doorway.corners[k],
-                       doorway.corners[(k + 1) % 4]);
+        entities_.line(layer, doorway.corners[k], doorway.corners[(k + 1) % 4]);
+      for (const PlanElement& line : glassOf(doorway))
+        addElement(layer, line);
+      for (const PlanElement& line : doorway.leaf)
+        addElement(layer, line);
+    }
     for (const PlanText& text : drawing.texts.texts)
       entities_.label(styleOf(text.layer).dxf_name, frame_.toPlan(text.text.place),
                       heightOf(text.text.font), asciiOf(text.text.text),

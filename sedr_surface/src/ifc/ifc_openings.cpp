@@ -140,16 +140,23 @@ loopAround(const Eigen::AlignedBox2d& box)
                  {box.min().x(), box.max().y()}});
 }
 
+/** @brief A gap in a wall that was written. */
+struct WrittenGap {
+  const WrittenWall* wall = nullptr;
+  StepRef opening;
+  OpeningBox box;
+};
+
 /** @brief Adds a doorway to the walls that it passes through.
- * @return the number of walls */
-std::size_t
+ * @return the gap in each */
+std::vector<WrittenGap>
 writeDoorway(IfcDocument& document,
              const std::vector<WrittenWall>& walls,
              const PlanDoorway& doorway,
-             std::string name)
+             const std::string& name)
 {
   constexpr double far = 0.5; // half of a wall thicker than those of two faces
-  std::size_t count = 0;
+  std::vector<WrittenGap> gaps;
   for (const double reach : {beside, far}) {
     for (const WrittenWall& wall : walls) {
       OpeningBox box;
@@ -157,7 +164,8 @@ writeDoorway(IfcDocument& document,
           !boxIn(document.plan, wall, doorway, reach, box) ||
           commonArea(wall.profile, {loopAround(box.plan)}) <= no_area)
         continue;
-      const std::string part = count == 0 ? "" : "_part_" + std::to_string(count + 1);
+      const std::string part =
+          gaps.empty() ? "" : "_part_" + std::to_string(gaps.size() + 1);
       const StepRef body = document.shapes.extrusion(
           loopAround(box.plan), {}, box.bottom, box.top - box.bottom, wall.runs.near);
       const StepRef opening =
@@ -166,12 +174,74 @@ writeDoorway(IfcDocument& document,
                              {{"LENGTH", "Width", doorway.width()},
                               {"LENGTH", "Height", doorway.top - doorway.bottom},
                               {"LENGTH", "Depth", wall.wall.thickness}});
-      ++count;
+      gaps.push_back({&wall, opening, box});
     }
-    if (count > 0)
+    if (!gaps.empty())
       break;
   }
-  return count;
+  return gaps;
+}
+
+/** @brief Returns how a door opens, seen from the room that it swings into: IFC tells
+ * the side of its hinges from there. */
+const char*
+operationOf(const PlanOpening& door)
+{
+  if (door.hinge == OpeningHinge::Unknown || door.swing == 0)
+    return "NOTDEFINED";
+  const bool is_left = door.swing == door.rooms[0]; // the start is on its left
+  return (door.hinge == OpeningHinge::Start) == is_left ? "SINGLE_SWING_RIGHT"
+                                                        : "SINGLE_SWING_LEFT";
+}
+
+/** @brief Fills the gap of a door or window in the middle of its wall. */
+void
+writeFilling(IfcDocument& document,
+             const PlanOpening& opening,
+             const WrittenGap& gap,
+             const std::string& name)
+{
+  constexpr double thickness = 0.05;
+  const bool is_door = opening.kind == OpeningKind::Door;
+  if (!is_door && opening.kind != OpeningKind::Window)
+    return;
+  const WrittenWall& wall = *gap.wall;
+  OpeningBox box = gap.box;
+  const double middle = box.plan.center().y();
+  box.plan.min().y() = middle - thickness / 2;
+  box.plan.max().y() = middle + thickness / 2;
+  const StepRef body = document.shapes.extrusion(
+      loopAround(box.plan), {}, box.bottom, box.top - box.bottom, wall.runs.near);
+  const StepRef frame = document.shapes.axes(Eigen::Vector3d::Zero());
+  const StepRef place =
+      document.step.add("IFCLOCALPLACEMENT", {wall.placement, frame});
+  const StepRef filling = document.addElement(
+      is_door ? "IFCDOOR" : "IFCWINDOW", name, wall.storey, place,
+      document.shapeOf(body, "SweptSolid", "opening"),
+      {box.top - box.bottom, opening.width(),
+       StepValue::enumerated(is_door ? "DOOR" : "WINDOW"),
+       StepValue::enumerated(is_door ? operationOf(opening) : "NOTDEFINED"),
+       StepValue::none()});
+  document.relate("IFCRELFILLSELEMENT", name + " in its opening", gap.opening,
+                  filling);
+}
+
+PlanDoorway
+doorwayOf(const PlanOpening& opening)
+{
+  return {opening.rooms, opening.start, opening.end, opening.bottom, opening.top};
+}
+
+/** @brief Returns all gaps of walls: openings, then other doorways. */
+std::vector<PlanDoorway>
+gapsOf(const Floorplan& plan)
+{
+  std::vector<PlanDoorway> gaps;
+  for (const PlanOpening& opening : plan.openings)
+    gaps.push_back(doorwayOf(opening));
+  const std::vector<PlanDoorway> others = otherDoorways(plan);
+  gaps.insert(gaps.end(), others.begin(), others.end());
+  return gaps;
 }
 
 /** @brief Returns whether the doorway is at the boundary of both of its rooms. */
@@ -281,22 +351,36 @@ isWhollyOpen(const Floorplan& plan, const WrittenWall& wall)
   if (profile.elements.empty() || std::abs(profile.area()) < no_area)
     return true;
   const Eigen::AlignedBox2d plan_box = boundsOf(profile);
-  return std::any_of(
-      plan.doorways.begin(), plan.doorways.end(), [&](const PlanDoorway& doorway) {
-        OpeningBox box;
-        return isBetween(plan, wall.wall, doorway) &&
-               boxIn(plan, wall, doorway, beside, box) && box.plan.contains(plan_box) &&
-               box.bottom <= 0 && box.top >= wall.top - wall.bottom - min_wall_height;
-      });
+  const std::vector<PlanDoorway> gaps = gapsOf(plan);
+  return std::any_of(gaps.begin(), gaps.end(), [&](const PlanDoorway& doorway) {
+    OpeningBox box;
+    return isBetween(plan, wall.wall, doorway) &&
+           boxIn(plan, wall, doorway, beside, box) && box.plan.contains(plan_box) &&
+           box.bottom <= 0 && box.top >= wall.top - wall.bottom - min_wall_height;
+  });
 }
 
 void
 writeOpenings(IfcDocument& document, const std::vector<WrittenWall>& walls)
 {
-  for (std::size_t d = 0; d < document.plan.doorways.size(); ++d) {
-    const PlanDoorway& doorway = document.plan.doorways[d];
+  const Floorplan& plan = document.plan;
+  for (std::size_t k = 0; k < plan.openings.size(); ++k) {
+    const PlanOpening& opening = plan.openings[k];
+    const std::string number = std::to_string(k + 1);
+    const std::vector<WrittenGap> gaps =
+        writeDoorway(document, walls, doorwayOf(opening), "opening_" + number);
+    if (gaps.empty())
+      document.model.warnings.push_back("opening_" + number +
+                                        " is in no wall of the IFC");
+    else
+      writeFilling(document, opening, gaps.front(),
+                   nameOf(opening.kind) + ("_" + number));
+  }
+  const std::vector<PlanDoorway> doorways = otherDoorways(plan);
+  for (std::size_t d = 0; d < doorways.size(); ++d) {
+    const PlanDoorway& doorway = doorways[d];
     const std::string name = "doorway_" + std::to_string(d + 1);
-    if (writeDoorway(document, walls, doorway, name) > 0)
+    if (!writeDoorway(document, walls, doorway, name).empty())
       continue;
     if (joinsRooms(document.plan, doorway))
       writePassage(document, doorway, name);

@@ -213,6 +213,22 @@ storeysOf(const Reconstruction& chain)
   return storeys;
 }
 
+/** @brief Returns the sizes of doors, windows and passages. */
+Json
+openingsOf(const Floorplan& plan)
+{
+  Json openings = Json::array();
+  for (const PlanOpening& opening : plan.openings)
+    openings.push_back({{"kind", nameOf(opening.kind)},
+                        {"rooms", opening.rooms},
+                        {"width", opening.width()},
+                        {"height", opening.height()},
+                        {"bottom", opening.bottom},
+                        {"confidence", opening.confidence},
+                        {"residual", opening.residual}});
+  return openings;
+}
+
 Json
 coverageOf(const Coverage& coverage)
 {
@@ -270,6 +286,7 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"levelling", levelling ? levellingToJson(*levelling) : Json()},
             {"positions", positionsOf(chain.getChain().mirrored)},
             {"rooms", roomsOf(chain)},
+            {"openings", openingsOf(*chain.getFloorplan())},
             {"coverage", coverageOf(run.coverage)},
             {"evaluation", evaluation},
             {"warnings", chain.getChain().warnings}};

@@ -185,7 +185,9 @@
       }));
     }
     if ((plan.doorways || []).length)
-      section.querySelector('.doors').textContent = 'Gaps: doorways that were found; windows are closed.';
+      section.querySelector('.doors').textContent = (plan.openings || []).length
+        ? 'Gaps: doors and passages, a swing where the leaf was seen; double lines: windows.'
+        : 'Gaps: doorways that were found; windows are closed.';
     return data.drawings.length > 0;
   }
 
@@ -211,11 +213,18 @@
   }
 
   function openings(section) {
-    const doorways = plan.doorways || [], name = room => room ? 'room ' + room : 'outside';
-    section.querySelector('.wide').append(table([['between', door => door.rooms.map(name).join(' and '), 'text'],
-      ['width, m', door => number(Math.hypot(door.end[0] - door.start[0], door.end[1] - door.start[1]), 2)],
-      ['height, m', door => number(door.top - door.bottom, 2)]], doorways));
-    return doorways.length > 0;
+    const found = plan.openings || [], doorways = plan.doorways || [], name = room => room ? 'room ' + room : 'outside';
+    const length = door => Math.hypot(door.end[0] - door.start[0], door.end[1] - door.start[1]);
+    const size = [['width, m', door => number(length(door), 2)], ['height, m', door => number(door.top - door.bottom, 2)]];
+    const between = ['between', door => door.rooms.map(name).join(' and '), 'text'];
+    if (found.length)
+      section.querySelector('.wide').append(table([['kind', door => door.kind, 'text'], between, ...size,
+        ['bottom at z, m', door => number(door.bottom, 2)], ['depth, m', door => number(door.depth, 2)],
+        ['hinge', door => door.hinge, 'text'], ['state', door => door.state, 'text'],
+        ['confidence', door => percent(door.confidence)], ['edges, cm', door => number(100 * door.residual, 1)]], found));
+    else
+      section.querySelector('.wide').append(table([between, ...size], doorways));
+    return found.length + doorways.length > 0;
   }
 
   const labelKey = Object.entries(data.colours.labels).filter(([label]) => label !== 'other')

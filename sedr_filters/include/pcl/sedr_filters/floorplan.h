@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/plan_opening.h>
 #include <pcl/sedr_filters/structure_label.h>
 
 #include <Eigen/Core>
@@ -303,6 +304,7 @@ struct Floorplan {
   std::vector<PlanStorey> storeys{};   ///< from the lowest up; empty: see storeysOf()
   std::vector<PlanDoorway> doorways{}; ///< those that were found
   std::vector<PlanStair> stairs{};     ///< those that were found
+  std::vector<PlanOpening> openings{}; ///< see OpeningDetection
 };
 
 } // namespace pcl::sedr

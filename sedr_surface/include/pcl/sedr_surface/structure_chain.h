@@ -12,6 +12,7 @@
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
 #include <pcl/sedr_segmentation/grid_slice_detail.h>
 #include <pcl/sedr_segmentation/horizontal_plane_detection.h>
+#include <pcl/sedr_segmentation/opening_detection.h>
 #include <pcl/sedr_segmentation/room_segmentation.h>
 #include <pcl/sedr_surface/floorplan_extrusion.h>
 #include <pcl/sedr_surface/structural_poisson.h>
@@ -66,6 +67,7 @@ public:
       true}; ///< reports what it removes
   pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ> wall_growing;
   pcl::FloorplanFitting<pcl::PointXYZ> floorplan_fitting;
+  pcl::OpeningDetection<pcl::PointXYZ> opening_detection;
   pcl::StructureRefinement<pcl::PointStructure> refinement;
   pcl::VerticalHoleRepair<pcl::PointStructure> hole_repair;
   pcl::FloorplanExtrusion<pcl::PointXYZ> extrusion;

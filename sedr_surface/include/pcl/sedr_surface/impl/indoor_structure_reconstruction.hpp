@@ -92,6 +92,7 @@ IndoorStructureReconstruction<PointT>::setNumberOfThreads(unsigned threads)
   chain_.slice_detail.setNumberOfThreads(threads);
   chain_.wall_growing.setNumberOfThreads(threads);
   chain_.floorplan_fitting.setNumberOfThreads(threads);
+  chain_.opening_detection.setNumberOfThreads(threads);
   chain_.refinement.setNumberOfThreads(threads);
   chain_.hole_repair.setNumberOfThreads(threads);
   chain_.poisson.setNumberOfThreads(threads);

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace pcl::sedr {
+
+/** @brief What an opening is. */
+enum class OpeningKind { Unknown, Door, Window, Passage };
+
+/** @brief The end of an opening at which its leaf hangs. */
+enum class OpeningHinge { Unknown, Start, End };
+
+/** @brief Whether a leaf, sash or blind shuts an opening. */
+enum class OpeningState { Unknown, Closed, Ajar, Open };
+
+/** @brief A wall that an opening is in: an element of a room's boundary. */
+struct OpeningWall {
+  std::uint32_t room = 0; ///< PlanRoom::id
+  std::size_t element = 0;
+};
+
+/** @brief A door, window or passage through a wall; metres. */
+struct PlanOpening {
+  OpeningKind kind = OpeningKind::Unknown;
+  /** Ids of the rooms on its two sides: first the one to the left of the direction from
+   * start to end; 0 outside, or a side that is not in the plan. */
+  std::array<std::uint32_t, 2> rooms{};
+  std::vector<OpeningWall> walls;                  ///< one or two
+  Eigen::Vector2d start = Eigen::Vector2d::Zero(); ///< in the middle of the wall
+  Eigen::Vector2d end = Eigen::Vector2d::Zero();   ///< in the middle of the wall
+  double bottom = 0;
+  double top = 0;   ///< of an arched head: its highest point
+  double rise = 0;  ///< of an arched head; 0: it is flat
+  double depth = 0; ///< of the reveals: the thickness of the wall
+  OpeningHinge hinge = OpeningHinge::Unknown;
+  std::uint32_t swing = 0; ///< id of the room that the leaf opens into; 0: not known
+  OpeningState state = OpeningState::Unknown;
+  double confidence = 0; ///< probability of `kind`, or of the likeliest if unknown
+  double residual = 0; ///< standard deviation of its edges
+
+  double width() const { return (end - start).norm(); }
+  double height() const { return top - bottom; }
+};
+
+/** @brief Returns the name of a kind in files: "door". */
+const char* nameOf(OpeningKind kind);
+
+} // namespace pcl::sedr

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_segmentation/opening_detection.h>
+
+#include <pcl/impl/pcl_base.hpp>
+
+#include <string>
+
+namespace pcl {
+namespace sedr {
+
+/** @brief Runs OpeningDetection on the coordinates of a cloud.
+ * @return the reason for a failure, a sentence; empty on success */
+std::string findOpenings(const PointView& points,
+                         const IndicesConstPtr& indices,
+                         const Priors& priors,
+                         unsigned threads,
+                         Floorplan& plan,
+                         std::shared_ptr<const OpeningSearch>& search);
+
+} // namespace sedr
+
+template <typename PointT>
+bool
+OpeningDetection<PointT>::segment(sedr::Floorplan& plan)
+{
+  plan.openings.clear();
+  search_.reset();
+  this->clearError();
+  if (!this->initCompute())
+    return fail("OpeningDetection", "no input cloud was set");
+  const std::string problem = sedr::findOpenings(sedr::PointView(*input_), indices_,
+                                                 priors_, threads_, plan, search_);
+  this->deinitCompute();
+  return problem.empty() || fail("OpeningDetection", problem);
+}
+
+template <typename PointT>
+bool
+OpeningDetection<PointT>::segment(const sedr::PointView& points,
+                                  const IndicesConstPtr& indices,
+                                  sedr::Floorplan& plan)
+{
+  plan.openings.clear();
+  search_.reset();
+  this->clearError();
+  const std::string problem =
+      sedr::findOpenings(points, indices, priors_, threads_, plan, search_);
+  return problem.empty() || fail("OpeningDetection", problem);
+}
+
+} // namespace pcl
+
+#define PCL_INSTANTIATE_OpeningDetection(T)                                            \
+  template class PCL_EXPORTS pcl::OpeningDetection<T>;

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "opening_kind.h"
+#include "opening_search.h"
+
+#include <pcl/impl/instantiate.hpp>
+#include <pcl/sedr_filters/point_types.h>
+#include <pcl/sedr_segmentation/impl/opening_detection.hpp>
+
+namespace pcl::sedr {
+
+std::string
+findOpenings(const PointView& points,
+             const IndicesConstPtr& indices,
+             const Priors& priors,
+             unsigned threads,
+             Floorplan& plan,
+             std::shared_ptr<const OpeningSearch>& search)
+{
+  std::string problem = problemOf(priors);
+  if (problem.empty())
+    problem = indicesProblem("the", indices, points.size());
+  if (problem.empty() && plan.rooms.empty())
+    problem = "the floor plan has no rooms";
+  if (!problem.empty())
+    return problem;
+  OpeningParameters parameters;
+  parameters.sizes.max_depth = priors.max_wall;
+  parameters.sizes.before = priors.max_furniture_depth;
+  parameters.threads = threads;
+  auto found =
+      std::make_shared<OpeningSearch>(plan, points, indices.get(), parameters);
+  nameOpenings(plan, *found, parameters);
+  for (const FoundOpening& opening : found->found)
+    plan.openings.push_back(opening.opening);
+  search = std::move(found);
+  return {};
+}
+
+} // namespace pcl::sedr
+
+PCL_INSTANTIATE(OpeningDetection, SEDR_POINT_TYPES)

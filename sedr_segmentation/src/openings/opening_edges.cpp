@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "opening_edges.h"
+
+#include "sedr_filters/src/base/middle_value.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace pcl::sedr {
+namespace {
+
+/** @brief An edge of a rectangle, seen from its inside: positions grow outwards. */
+struct EdgeFrame {
+  double sign;     ///< 1: positions grow with the coordinate
+  bool is_upright; ///< a jamb: its position is along the wall
+  double position; ///< expected, of the outward coordinate
+  double low;      ///< extent of the edge, of the other coordinate
+  double high;
+
+  double outward(const SidePoint& p) const
+  {
+    return sign * (is_upright ? p.along : p.height);
+  }
+  double across(const SidePoint& p) const { return is_upright ? p.height : p.along; }
+};
+
+struct EdgeFit {
+  double position;
+  double residual;
+};
+
+/** @brief Fits the plane of a reveal: the outermost peak of the points that lie just
+ * behind the face, spread over the length of the edge. */
+std::optional<EdgeFit>
+revealOf(const WallMap& map, const EdgeFrame& edge, const OpeningSizes& sizes)
+{
+  constexpr double bin = 0.01;
+  constexpr double strip = 0.15;        // of the reveal, before frames
+  constexpr double min_share = 0.35;    // of the edge's length that shows it
+  constexpr double stretch = 0.05;
+  const double inset = std::min(0.05, (edge.high - edge.low) / 4);
+  const double low = edge.low + inset;
+  const double high = edge.high - inset;
+  const auto bins = static_cast<std::size_t>(2 * sizes.edge_reach / bin) + 1;
+  const auto parts = static_cast<std::size_t>((high - low) / stretch) + 1;
+  std::vector<std::vector<bool>> shown(bins, std::vector<bool>(parts));
+  const auto offsetOf = [&](const SidePoint& p) {
+    return edge.outward(p) - (edge.position - sizes.edge_reach);
+  };
+  const auto isReveal = [&](const SidePoint& p) {
+    const double at = offsetOf(p);
+    return p.offset < -map.tolerance() && p.offset > -map.tolerance() - strip &&
+           p.offset > -map.depth() + map.tolerance() && at >= 0 &&
+           at < 2 * sizes.edge_reach && edge.across(p) >= low && edge.across(p) < high;
+  };
+  for (const SidePoint& p : map.points())
+    if (isReveal(p))
+      shown[static_cast<std::size_t>(offsetOf(p) / bin)]
+           [static_cast<std::size_t>((edge.across(p) - low) / stretch)] = true;
+  // Noise spreads a plane over bins; windows of a few bins hold it.
+  const auto reach = static_cast<std::size_t>(
+      std::ceil(std::max(0.5 * map.tolerance(), bin) / bin));
+  const auto shareAround = [&](std::size_t b) {
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < parts; ++k)
+      for (std::size_t o = b - std::min(b, reach); o <= std::min(b + reach, bins - 1);
+           ++o)
+        if (shown[o][k]) {
+          ++count;
+          break;
+        }
+    return static_cast<double>(count) / static_cast<double>(parts);
+  };
+  for (std::size_t b = bins; b-- > 0;) {
+    if (shareAround(b) < min_share)
+      continue;
+    while (b > 0 && shareAround(b - 1) > shareAround(b))
+      --b; // to the peak
+    const double centre =
+        edge.position - sizes.edge_reach + bin * (static_cast<double>(b) + 0.5);
+    const double half = bin * (static_cast<double>(reach) + 1);
+    std::vector<double> at;
+    for (const SidePoint& p : map.points())
+      if (isReveal(p) && std::abs(edge.outward(p) - centre) < half)
+        at.push_back(edge.outward(p));
+    if (at.size() < 5)
+      return std::nullopt;
+    const double middle = middleValue(at);
+    for (double& a : at)
+      a = std::abs(a - middle);
+    const auto n = static_cast<double>(at.size());
+    return EdgeFit{middle, 1.48 * middleValue(std::move(at)) / std::sqrt(n) + 0.001};
+  }
+  return std::nullopt;
+}
+
+/** @brief Fits the rim of the face: the median over stretches of where its points begin
+ * outside of the opening. */
+std::optional<EdgeFit>
+rimOf(const WallMap& map, const EdgeFrame& edge, const OpeningSizes& sizes)
+{
+  const double stretch = std::max(map.cell(), 0.05);
+  const auto parts = static_cast<std::size_t>((edge.high - edge.low) / stretch) + 1;
+  const double nothing = 1e9;
+  std::vector<double> first(parts, nothing);
+  std::vector<std::size_t> count(parts);
+  for (const SidePoint& p : map.points()) {
+    const double out = edge.outward(p) - edge.position;
+    const double k = (edge.across(p) - edge.low) / stretch;
+    if (std::abs(p.offset) > map.tolerance() || std::abs(out) > sizes.edge_reach ||
+        k < 0 || k >= static_cast<double>(parts))
+      continue;
+    const auto part = static_cast<std::size_t>(k);
+    first[part] = std::min(first[part], out);
+    ++count[part];
+  }
+  std::vector<double> rims;
+  double spacing = 0;
+  for (std::size_t k = 0; k < parts; ++k)
+    if (count[k] > 2) {
+      rims.push_back(first[k]);
+      spacing += (sizes.edge_reach - first[k]) / static_cast<double>(count[k]);
+    }
+  if (rims.size() < std::max<std::size_t>(3, parts / 4))
+    return std::nullopt;
+  spacing /= static_cast<double>(rims.size()); // along the line of a stretch
+  const double middle = middleValue(rims);
+  for (double& r : rims)
+    r = std::abs(r - middle);
+  const auto n = static_cast<double>(rims.size());
+  return EdgeFit{edge.position + middle - std::min(spacing, 0.02),
+                 1.48 * middleValue(std::move(rims)) / std::sqrt(n) + 0.002};
+}
+
+} // namespace
+
+WallRectangle
+fittedEdges(const WallMap& map, const WallRectangle& cells, const OpeningSizes& sizes)
+{
+  WallRectangle fit = cells;
+  double squares = 0;
+  const auto move = [&](double& value, double sign, bool is_upright, double low,
+                        double high) {
+    const EdgeFrame edge{sign, is_upright, sign * value, low, high};
+    std::optional<EdgeFit> found = revealOf(map, edge, sizes);
+    if (!found)
+      found = rimOf(map, edge, sizes);
+    if (found)
+      value = sign * found->position;
+    const double unfitted = map.cell() / 2;
+    const double residual = found ? found->residual : unfitted;
+    squares += residual * residual;
+  };
+  move(fit.from, -1, true, cells.bottom, cells.top);
+  move(fit.to, 1, true, cells.bottom, cells.top);
+  move(fit.bottom, -1, false, cells.from, cells.to);
+  move(fit.top, 1, false, cells.from, cells.to);
+  fit.residual = std::sqrt(squares / 4);
+  if (fit.to - fit.from < sizes.min_width / 2 ||
+      fit.top - fit.bottom < sizes.min_height / 2)
+    return cells;
+  return fit;
+}
+
+} // namespace pcl::sedr

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "opening_weights.h"
+#include "wall_map.h"
+
+namespace pcl::sedr {
+
+/** @brief A rectangle on a map, metres. */
+struct WallRectangle {
+  double from = 0; ///< along the side
+  double to = 0;
+  double bottom = 0;
+  double top = 0;
+  double residual = 0; ///< standard deviation of its edges
+};
+
+/** @brief Returns the rectangle with edges moved to the planes of the reveals, else to
+ * the rim of the face's points.
+ * @param cells extent of the rectangle found on the map */
+WallRectangle fittedEdges(const WallMap& map,
+                          const WallRectangle& cells,
+                          const OpeningSizes& sizes);
+
+} // namespace pcl::sedr

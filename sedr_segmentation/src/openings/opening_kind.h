@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "opening_search.h"
+
+namespace pcl::sedr {
+
+/** @brief Names the kind of each opening by log-odds of what was measured of it. Below
+ * a probability of one half it is unknown. */
+void nameOpenings(const Floorplan& plan,
+                  OpeningSearch& search,
+                  const OpeningParameters& parameters);
+
+} // namespace pcl::sedr

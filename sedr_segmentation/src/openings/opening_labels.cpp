@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "opening_labels.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace pcl::sedr {
+namespace {
+
+constexpr double never = -std::numeric_limits<double>::infinity();
+
+/** @brief Sums over the first rows of each column: rows + 1 values a column. */
+std::vector<double>
+rowSums(const std::vector<double>& values, std::size_t columns, std::size_t rows)
+{
+  std::vector<double> sums(columns * (rows + 1));
+  for (std::size_t c = 0; c < columns; ++c)
+    for (std::size_t r = 0; r < rows; ++r)
+      sums[c * (rows + 1) + r + 1] = sums[c * (rows + 1) + r] + values[c * rows + r];
+  return sums;
+}
+
+/** @brief A pair of rows, and the best opening between them that is not closed yet. */
+struct Band {
+  std::size_t first_row;
+  std::size_t last_row;
+  double prior;
+  double gain = never; ///< of all up to here, with this opening
+  std::size_t start = 0;
+};
+
+/** @brief What is best up to a column where wall stands. */
+struct Closed {
+  double gain = 0;
+  std::size_t start = 0; ///< of the opening that ends here
+  std::size_t band = static_cast<std::size_t>(-1); ///< of it; -1: the wall goes on
+};
+
+} // namespace
+
+std::vector<CellRectangle>
+bestRectangles(const CellGains& g)
+{
+  const std::size_t n = g.rows + 1;
+  const auto inside = rowSums(g.inside, g.columns, g.rows);
+  const auto left = rowSums(g.left, g.columns + 1, g.rows);
+  const auto right = rowSums(g.right, g.columns + 1, g.rows);
+  const auto over = [n](const std::vector<double>& sums, std::size_t column,
+                        const Band& band) {
+    return sums[column * n + band.last_row] - sums[column * n + band.first_row];
+  };
+  std::vector<Band> bands;
+  for (std::size_t a = 0; a < g.rows; ++a)
+    for (std::size_t b = a + g.min_rows; b <= g.rows; ++b)
+      if (const double prior = g.prior(a, b); prior > never)
+        bands.push_back({a, b, prior});
+  std::vector<Closed> closed(g.columns + 1);
+  for (std::size_t c = 0; c <= g.columns; ++c) {
+    if (c > 0)
+      closed[c].gain = closed[c - 1].gain;
+    for (std::size_t k = 0; k < bands.size(); ++k) {
+      Band& band = bands[k];
+      if (band.gain > never && c - band.start >= g.min_columns &&
+          c - band.start <= g.max_columns) {
+        const double gain = band.gain + over(right, c, band);
+        if (gain > closed[c].gain)
+          closed[c] = {gain, band.start, k};
+      }
+    }
+    if (c == g.columns)
+      break;
+    for (Band& band : bands) {
+      const double begun = closed[c].gain + band.prior + over(left, c, band);
+      if (begun > band.gain) {
+        band.gain = begun;
+        band.start = c;
+      }
+      band.gain += over(inside, c, band) + g.lower[c * n + band.first_row] +
+                   g.upper[c * n + band.last_row];
+    }
+  }
+  std::vector<CellRectangle> best;
+  for (std::size_t c = g.columns; c > 0;) {
+    if (closed[c].gain == closed[c - 1].gain ||
+        closed[c].band == static_cast<std::size_t>(-1)) {
+      --c;
+      continue;
+    }
+    const Band& band = bands[closed[c].band];
+    const std::size_t start = closed[c].start;
+    best.push_back({start, c, band.first_row, band.last_row,
+                    closed[c].gain - closed[start].gain});
+    c = start;
+  }
+  std::reverse(best.begin(), best.end());
+  return best;
+}
+
+} // namespace pcl::sedr

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace pcl::sedr {
+
+/** @brief A rectangle of cells: columns and rows from the first to before the last. */
+struct CellRectangle {
+  std::size_t first_column = 0;
+  std::size_t last_column = 0;
+  std::size_t first_row = 0;
+  std::size_t last_row = 0;
+  double gain = 0; ///< nats by which it is likelier than wall
+};
+
+/** @brief Gains of labelling cells and their borders, in nats, and limits. */
+struct CellGains {
+  std::size_t columns = 0;
+  std::size_t rows = 0;
+  std::vector<double> inside; ///< of a cell, column by column
+  /** Of the border before a column beside a cell, as first or as last edge; columns + 1
+   * of them. */
+  std::vector<double> left;
+  std::vector<double> right;
+  /** Of the border below a cell, as lower or upper edge; rows + 1 a column. */
+  std::vector<double> lower;
+  std::vector<double> upper;
+  std::size_t min_columns = 1;
+  std::size_t max_columns = 1;
+  std::size_t min_rows = 1;
+  /** @brief Gain of an opening between two rows, before its evidence. */
+  std::function<double(std::size_t, std::size_t)> prior;
+};
+
+/** @brief Returns the rectangles that do not share columns and gain most together, from
+ * left to right: exact, by dynamic programming along the columns over all pairs of rows
+ * (widths are checked for the best start of each pair only). O(columns rows^2). */
+std::vector<CellRectangle> bestRectangles(const CellGains& gains);
+
+} // namespace pcl::sedr

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "wall_sides.h"
+
+#include <pcl/sedr_filters/point_view.h>
+
+#include <pcl/types.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl::sedr {
+
+/** @brief What a scan shows of a cell of a wall's side. */
+enum class WallCell : std::uint8_t {
+  Beyond, ///< above the ceiling or below the floor
+  Seen,   ///< points on the face
+  Within, ///< points behind the face, not as deep as the wall
+  Hidden, ///< points before the face only
+  Empty   ///< no points
+};
+
+/** @brief A point beside a wall, in metres. */
+struct SidePoint {
+  float along;
+  float height; ///< z
+  float offset; ///< before the face, below 0 behind it
+};
+
+/** @brief What a scan shows of a side of a wall, in cells of arc length and height. */
+class WallMap {
+public:
+  /** @brief Sorts points into cells whose size follows from their spacing.
+   * @param points before and behind the side; those that it keeps are near the face
+   * @param depth maximum thickness of the wall */
+  WallMap(const PlanRoom& room,
+          const WallSide& side,
+          std::vector<SidePoint> points,
+          double depth,
+          const OpeningSizes& sizes);
+
+  double cell() const { return cell_; }
+  std::size_t columns() const { return columns_; }
+  std::size_t rows() const { return rows_; }
+  /** @brief Returns z of the lower edge of a row; the floor is in the middle of the
+   * first one. */
+  double heightOf(std::size_t row) const
+  {
+    return base_ + cell_ * static_cast<double>(row);
+  }
+  WallCell at(std::size_t column, std::size_t row) const
+  {
+    return cells_[column * rows_ + row];
+  }
+  /** @brief Returns the state at a place; Beyond if it is not on the map. */
+  WallCell at(double along, double height) const;
+
+  /** @brief Returns the height of the cells of a column that were seen, metres. */
+  double seenHeight(double along) const;
+
+  /** @brief Returns how far points of the face are off it, three standard deviations.
+   */
+  double tolerance() const { return tolerance_; }
+  /** @brief Returns the thickness of the wall: that given, or less if there are points
+   * of a face behind cells that were seen. */
+  double depth() const { return depth_; }
+  /** @brief Returns the points on the face and behind it. */
+  const std::vector<SidePoint>& points() const { return points_; }
+
+private:
+  void centreFace();
+  void chooseCell();
+  void findDepth();
+  void findExtent(const PlanRoom& room, const WallSide& side);
+  void count();
+  std::size_t indexOf(const SidePoint& p) const;
+
+  double length_;
+  double base_ = 0;
+  double top_ = 0;
+  double cell_ = 0.05;
+  std::size_t columns_ = 0;
+  std::size_t rows_ = 0;
+  double tolerance_ = 0.02;
+  double depth_;
+  std::vector<SidePoint> points_;
+  std::vector<double> floors_;   ///< of each column
+  std::vector<double> ceilings_; ///< of each column
+  std::vector<WallCell> cells_;
+};
+
+/** @brief Returns how far before a side its face lies, metres: where points below the
+ * ceiling cover more of its length than on its line. A plan may be drawn to the panes
+ * of a wall. */
+double faceOffset(const WallSide& side,
+                  const std::vector<SidePoint>& points,
+                  const OpeningSizes& sizes);
+
+/** @brief Returns the points of a scan beside each side: up to `before` metres before
+ * and `max_depth` behind it, between floor and ceiling.
+ * @param indices of the points to use; null: all */
+std::vector<std::vector<SidePoint>> pointsBeside(const std::vector<WallSide>& sides,
+                                                 const PointView& points,
+                                                 const pcl::Indices* indices,
+                                                 const OpeningSizes& sizes,
+                                                 unsigned threads);
+
+} // namespace pcl::sedr

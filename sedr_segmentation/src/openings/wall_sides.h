@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "opening_weights.h"
+
+#include <pcl/sedr_filters/floorplan.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl::sedr {
+
+/** @brief One side of a wall, as one room has it: walls of the room that lie in a line,
+ * and the gaps between them, such as bays that are drawn to their panes. */
+struct WallSide {
+  std::size_t room = 0;               ///< index into Floorplan::rooms
+  PlanElement line;                   ///< the room is to its left
+  std::vector<std::size_t> elements{}; ///< of the room's boundary, on the line
+  double floor = 0;                   ///< minimum along it, metres
+  double ceiling = 0;                 ///< maximum along it, metres
+
+  /** @brief Returns the distance of a place before (above 0) or behind the side. */
+  double offset(const Eigen::Vector2d& p) const;
+};
+
+/** @brief Returns the sides of all walls of a plan. O(elements squared) of a room. */
+std::vector<WallSide> wallSides(const Floorplan& plan, const OpeningSizes& sizes);
+
+/** @brief What a side behind another one is. */
+enum class BehindKind {
+  Opposite, ///< it faces away: the other face of the wall
+  Own       ///< it belongs to the same room and faces the same way: a bay or niche
+};
+
+/** @brief Returns the nearest side of a kind behind a place of a side, at most
+ * `max_depth` metres away.
+ * @return its index, or the number of sides if there is none */
+std::size_t sideBehind(const std::vector<WallSide>& sides,
+                       const WallSide& side,
+                       double along,
+                       BehindKind kind,
+                       double max_depth);
+
+} // namespace pcl::sedr

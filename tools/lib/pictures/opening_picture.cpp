@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "opening_picture.h"
+
+#include "map_cells.h"
+
+#include <algorithm>
+#include <array>
+
+namespace pcl::sedr::tools {
+namespace {
+
+/** In the order of WallCell. */
+constexpr std::array<std::pair<const char*, Colour>, 5> states{
+    {{"no room", colours::paper},
+     {"seen on the wall", colours::other},
+     {"within the wall", colours::detail},
+     {"hidden", lightened(colours::floor, 0.5)},
+     {"nothing", Colour{250, 226, 140}}}};
+
+/** @brief Adds the cells of a map, runs of equal ones as a box. */
+void
+addMap(const WallMap& map, Panel& panel)
+{
+  std::array<std::vector<Box>, states.size()> boxes;
+  for (std::size_t c = 0; c < map.columns(); ++c)
+    for (std::size_t r = 0; r < map.rows();) {
+      const WallCell cell = map.at(c, r);
+      const std::size_t first = r;
+      while (r < map.rows() && map.at(c, r) == cell)
+        ++r;
+      const double x = map.cell() * static_cast<double>(c);
+      boxes[static_cast<std::size_t>(cell)].emplace_back(
+          Eigen::Vector2d(x, map.heightOf(first)),
+          Eigen::Vector2d(x + map.cell(), map.heightOf(r)));
+    }
+  for (std::size_t k = 1; k < states.size(); ++k)
+    panel.addBoxes(std::move(boxes[k]), states[k].second);
+}
+
+} // namespace
+
+Picture
+drawOpenings(const Floorplan& plan, const OpeningSearch& search)
+{
+  constexpr std::size_t max_rows = 12;
+  constexpr std::size_t in_row = 3;
+  std::vector<std::size_t> sides;
+  for (const FoundOpening& found : search.found)
+    sides.push_back(found.side);
+  std::sort(sides.begin(), sides.end());
+  sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
+  std::stable_sort(sides.begin(), sides.end(), [&](std::size_t a, std::size_t b) {
+    return search.sides[a].line.length() > search.sides[b].line.length();
+  });
+  Picture picture(counted(search.found.size(), "opening"));
+  std::vector<Panel> row;
+  const std::size_t shown = std::min(sides.size(), max_rows * in_row);
+  for (std::size_t k = 0; k < shown; ++k) {
+    const std::size_t side = sides[k];
+    Panel panel("a wall of room " +
+                std::to_string(plan.rooms[search.sides[side].room].id));
+    addMap(search.maps[side], panel);
+    for (const FoundOpening& found : search.found)
+      if (const WallRectangle& at = found.rectangle; found.side == side) {
+        panel.addPath({{at.from, at.bottom},
+                       {at.to, at.bottom},
+                       {at.to, at.top},
+                       {at.from, at.top},
+                       {at.from, at.bottom}},
+                      colours::ink);
+        panel.addLabel({(at.from + at.to) / 2, (at.bottom + at.top) / 2},
+                       nameOf(found.opening.kind));
+      }
+    row.push_back(std::move(panel));
+    if (row.size() == in_row || k + 1 == shown)
+      picture.addRow(std::exchange(row, {}));
+  }
+  for (std::size_t k = 1; k < states.size(); ++k)
+    picture.addLegend(states[k].first, states[k].second);
+  if (shown < sides.size())
+    picture.addNote(counted(sides.size() - shown, "shorter wall") +
+                    " with openings not shown");
+  return picture;
+}
+
+} // namespace pcl::sedr::tools

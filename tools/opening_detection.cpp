@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bytes/whole_file.h"
+#include "opening_picture.h"
+#include "picture_file.h"
+#include "plan_file.h"
+#include "progress.h"
+#include "run_tool.h"
+#include "tool_cloud.h"
+#include "tool_error.h"
+
+#include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_segmentation/opening_detection.h>
+
+#include <cstdio>
+
+using namespace pcl::sedr::tools;
+
+namespace {
+
+using Detection = pcl::OpeningDetection<pcl::PointXYZ>;
+
+struct Settings {
+  std::string scan;
+  std::string plan;
+  std::string output;
+  std::string picture;
+};
+
+int
+run(const Settings& settings, Detection& detection)
+{
+  checkJsonOutput(settings.output);
+  checkPictureOutput(settings.picture);
+  pcl::sedr::Floorplan plan = *loadFloorplan(settings.plan);
+  ScanSettings in_same_frame;
+  in_same_frame.origin = planOrigin(settings.plan);
+  detection.setInputCloud(loadCloud(settings.scan, in_same_frame).points);
+  pcl::sedr::Priors priors;
+  priors.max_wall = planMaxWall(settings.plan);
+  detection.setPriors(priors);
+  {
+    const Progress progress("finding openings");
+    if (!detection.segment(plan))
+      throw ToolError(detection.getErrorMessage(), NothingFound);
+  }
+  writeWhole(settings.output, [&](std::ostream& stream) {
+    stream << pcl::sedr::floorplanToJson(plan, nullptr, *in_same_frame.origin,
+                                         priors.max_wall);
+  });
+  if (!settings.picture.empty())
+    savePicture(settings.picture, drawOpenings(plan, *detection.getSearch()));
+  for (const pcl::sedr::PlanOpening& opening : plan.openings) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "%s between rooms %u and %u: %.2f x %.2f m, from z %.2f m",
+                  nameOf(opening.kind), opening.rooms[0], opening.rooms[1],
+                  opening.width(), opening.height(), opening.bottom);
+    say(text);
+  }
+  return Done;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  Detection detection;
+  Settings settings;
+  Options options("pcl_opening_detection",
+                  "Finds the doors, windows and passages of a floor plan in its scan, "
+                  "and writes the\nplan with them.");
+  options.file("SCAN", settings.scan, "scan before thinning, in the plan's frame");
+  options.file("PLAN.json", settings.plan,
+               "floor plan, as pcl_floorplan_fitting writes it");
+  options.file("OUTPUT.json", settings.output, "floor plan to write");
+  addPictureOption(options, settings.picture);
+  return runTool(options, argc, argv, [&] { return run(settings, detection); });
+}
