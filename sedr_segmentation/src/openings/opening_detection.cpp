@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "opening_kind.h"
+#include "opening_leaf.h"
 #include "opening_search.h"
 
 #include <pcl/impl/instantiate.hpp>
@@ -27,9 +28,9 @@ findOpenings(const PointView& points,
   parameters.sizes.max_depth = priors.max_wall;
   parameters.sizes.before = priors.max_furniture_depth;
   parameters.threads = threads;
-  auto found =
-      std::make_shared<OpeningSearch>(plan, points, indices.get(), parameters);
+  auto found = std::make_shared<OpeningSearch>(plan, points, indices.get(), parameters);
   nameOpenings(plan, *found, parameters);
+  findLeaves(plan, *found, parameters);
   for (const FoundOpening& opening : found->found)
     plan.openings.push_back(opening.opening);
   search = std::move(found);

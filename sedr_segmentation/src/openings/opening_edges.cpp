@@ -35,32 +35,33 @@ struct EdgeFit {
 std::optional<EdgeFit>
 revealOf(const WallMap& map, const EdgeFrame& edge, const OpeningSizes& sizes)
 {
-  constexpr double bin = 0.01;
-  constexpr double strip = 0.15;        // of the reveal, before frames
-  constexpr double min_share = 0.35;    // of the edge's length that shows it
-  constexpr double stretch = 0.05;
   const double inset = std::min(0.05, (edge.high - edge.low) / 4);
   const double low = edge.low + inset;
   const double high = edge.high - inset;
-  const auto bins = static_cast<std::size_t>(2 * sizes.edge_reach / bin) + 1;
-  const auto parts = static_cast<std::size_t>((high - low) / stretch) + 1;
+  const auto bins =
+      static_cast<std::size_t>(2 * sizes.edge_reach / opening_numbers.edge_bin) + 1;
+  const auto parts =
+      static_cast<std::size_t>((high - low) / opening_numbers.edge_stretch) + 1;
   std::vector<std::vector<bool>> shown(bins, std::vector<bool>(parts));
   const auto offsetOf = [&](const SidePoint& p) {
     return edge.outward(p) - (edge.position - sizes.edge_reach);
   };
   const auto isReveal = [&](const SidePoint& p) {
     const double at = offsetOf(p);
-    return p.offset < -map.tolerance() && p.offset > -map.tolerance() - strip &&
+    return p.offset < -map.tolerance() &&
+           p.offset > -map.tolerance() - opening_numbers.reveal_strip &&
            p.offset > -map.depth() + map.tolerance() && at >= 0 &&
            at < 2 * sizes.edge_reach && edge.across(p) >= low && edge.across(p) < high;
   };
   for (const SidePoint& p : map.points())
     if (isReveal(p))
-      shown[static_cast<std::size_t>(offsetOf(p) / bin)]
-           [static_cast<std::size_t>((edge.across(p) - low) / stretch)] = true;
+      shown[static_cast<std::size_t>(offsetOf(p) / opening_numbers.edge_bin)]
+           [static_cast<std::size_t>((edge.across(p) - low) /
+                                     opening_numbers.edge_stretch)] = true;
   // Noise spreads a plane over bins; windows of a few bins hold it.
   const auto reach = static_cast<std::size_t>(
-      std::ceil(std::max(0.5 * map.tolerance(), bin) / bin));
+      std::ceil(std::max(0.5 * map.tolerance(), opening_numbers.edge_bin) /
+                opening_numbers.edge_bin));
   const auto shareAround = [&](std::size_t b) {
     std::size_t count = 0;
     for (std::size_t k = 0; k < parts; ++k)
@@ -73,13 +74,13 @@ revealOf(const WallMap& map, const EdgeFrame& edge, const OpeningSizes& sizes)
     return static_cast<double>(count) / static_cast<double>(parts);
   };
   for (std::size_t b = bins; b-- > 0;) {
-    if (shareAround(b) < min_share)
+    if (shareAround(b) < opening_numbers.min_reveal)
       continue;
     while (b > 0 && shareAround(b - 1) > shareAround(b))
       --b; // to the peak
-    const double centre =
-        edge.position - sizes.edge_reach + bin * (static_cast<double>(b) + 0.5);
-    const double half = bin * (static_cast<double>(reach) + 1);
+    const double centre = edge.position - sizes.edge_reach +
+                          opening_numbers.edge_bin * (static_cast<double>(b) + 0.5);
+    const double half = opening_numbers.edge_bin * (static_cast<double>(reach) + 1);
     std::vector<double> at;
     for (const SidePoint& p : map.points())
       if (isReveal(p) && std::abs(edge.outward(p) - centre) < half)

@@ -18,8 +18,7 @@ struct WallRectangle {
 /** @brief Returns the rectangle with edges moved to the planes of the reveals, else to
  * the rim of the face's points.
  * @param cells extent of the rectangle found on the map */
-WallRectangle fittedEdges(const WallMap& map,
-                          const WallRectangle& cells,
-                          const OpeningSizes& sizes);
+WallRectangle
+fittedEdges(const WallMap& map, const WallRectangle& cells, const OpeningSizes& sizes);
 
 } // namespace pcl::sedr

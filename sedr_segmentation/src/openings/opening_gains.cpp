@@ -43,20 +43,18 @@ public:
           cell.here = map.at(c, r);
         cell.is_known = behind[c].map != nullptr;
         if (cell.is_known)
-          cell.behind =
-              behind[c].map->at(behind[c].along, map.heightOf(r) + cell_ / 2);
+          cell.behind = behind[c].map->at(behind[c].along, map.heightOf(r) + cell_ / 2);
       }
   }
 
   double inside(std::size_t i) const
   {
-    constexpr double outside = -1e6;
     const BothSides& cell = cells_[i];
     const bool a = cell.here == WallCell::Seen;
     const bool b = cell.is_known && cell.behind == WallCell::Seen;
     double gain = 0; // a square metre
     if (cell.here == WallCell::Beyond)
-      gain = outside;
+      gain = opening_numbers.beyond;
     else if (a && (b || !cell.is_known))
       gain = weights_.seen;
     else if (a || b) {
@@ -68,7 +66,7 @@ public:
     else if (cell.isWithin())
       gain = weights_.within;
     else if (cell.here == WallCell::Empty)
-      gain = !cell.is_known                    ? weights_.empty_outside
+      gain = !cell.is_known                   ? weights_.empty_outside
              : cell.behind == WallCell::Empty ? 2 * weights_.empty
                                               : weights_.empty;
     else if (cell.is_known && cell.behind == WallCell::Empty)
@@ -119,9 +117,9 @@ public:
         const BothSides& above = r < rows_ ? cells_[c * rows_ + r] : corner;
         const bool on_floor = below.here == WallCell::Beyond;
         gains.lower[c * n + r] = on_floor ? 0 : edge(below, above);
-        gains.upper[c * n + r] =
-            above.here == WallCell::Beyond ? weights_.no_edge * cell_
-                                           : edge(above, below);
+        gains.upper[c * n + r] = above.here == WallCell::Beyond
+                                     ? weights_.no_edge * cell_
+                                     : edge(above, below);
       }
   }
 

@@ -15,9 +15,9 @@ struct KindWeights {
 };
 
 const KindWeights kind_weights{
-    // one raised sill room narrow wide tall filled
-    {{-1.5, 4.0, 3.0, -2.0, 2, 1, 1, 0.5}},
-    {{-2.0, -3.0, -2.0, 1.0, 8, 3, 4, -2.0}}};
+    // one raised sill room narrow wide tall low_lintel thin filled
+    {{-4.0, 5.3, 6.0, -5.3, -1.8, 4.2, -1.4, 1.4, 1.1, 0.5}},
+    {{-1.8, 3.1, -1.1, -1.8, 15.6, 4.3, -0.3, 5.9, 3.6, -1.7}}};
 
 double
 product(const OpeningFeatures& a, const OpeningFeatures& b)
@@ -37,8 +37,9 @@ featuresOf(const Floorplan& plan,
   const WallMap& map = search.maps[found.side];
   const PlanOpening& o = found.opening;
   const WallRectangle& at = found.rectangle;
-  constexpr double usual_width = 0.8; ///< of the narrowest usual door, metres
-  constexpr double usual_head = 2.25; ///< of the highest usual door
+  const PlanRoom& room = plan.rooms[search.sides[found.side].room];
+  const double ceiling = room.ceilingAt(search.sides[found.side].line.pointAt(
+      (found.rectangle.from + found.rectangle.to) / 2));
   const double floor = highestFloor(plan, o);
   const double sill = o.bottom - floor;
   const double head = o.top - floor;
@@ -49,14 +50,18 @@ featuresOf(const Floorplan& plan,
       ++all;
       filled += map.at(x, z) == WallCell::Within ? 1 : 0;
     }
-  return {1,
-          sill > sizes.on_floor ? 1.0 : 0.0,
-          std::clamp(sill, 0.0, 1.2),
-          o.rooms[1] != 0 ? 1.0 : 0.0,
-          std::clamp(usual_width - o.width(), 0.0, 0.5),
-          std::clamp(o.width() - usual_width, 0.0, 1.5),
-          std::clamp(head - usual_head, 0.0, 0.5),
-          all > 0 ? static_cast<double>(filled) / static_cast<double>(all) : 0.0};
+  return {
+      1,
+      sill > sizes.on_floor ? 1.0 : 0.0,
+      std::clamp(sill, 0.0, 1.2),
+      o.rooms[1] != 0 ? 1.0 : 0.0,
+      std::clamp(opening_numbers.narrow_door - o.width(), 0.0, 0.5),
+      std::clamp(o.width() - opening_numbers.narrow_door, 0.0, 1.5),
+      std::clamp(head - opening_numbers.high_door, 0.0, 0.5),
+      std::clamp(opening_numbers.usual_lintel - (ceiling - o.top), 0.0,
+                 opening_numbers.usual_lintel),
+      std::clamp(opening_numbers.usual_wall - o.depth, 0.0, opening_numbers.usual_wall),
+      all > 0 ? static_cast<double>(filled) / static_cast<double>(all) : 0.0};
 }
 
 } // namespace
@@ -66,18 +71,17 @@ nameOpenings(const Floorplan& plan,
              OpeningSearch& search,
              const OpeningParameters& parameters)
 {
-  constexpr double certain = 0.5;
   for (FoundOpening& found : search.found) {
     found.features = featuresOf(plan, search, found, parameters.sizes);
     const double window = std::exp(product(kind_weights.window, found.features));
     const double passage = std::exp(product(kind_weights.passage, found.features));
-    const std::pair<double, OpeningKind> likeliest =
-        std::max({std::pair(1.0, OpeningKind::Door),
-                  std::pair(window, OpeningKind::Window),
-                  std::pair(passage, OpeningKind::Passage)});
+    const std::pair<double, OpeningKind> likeliest = std::max(
+        {std::pair(1.0, OpeningKind::Door), std::pair(window, OpeningKind::Window),
+         std::pair(passage, OpeningKind::Passage)});
     found.opening.confidence = likeliest.first / (1 + window + passage);
-    found.opening.kind = found.opening.confidence < certain ? OpeningKind::Unknown
-                                                            : likeliest.second;
+    found.opening.kind = found.opening.confidence < opening_numbers.min_confidence
+                             ? OpeningKind::Unknown
+                             : likeliest.second;
   }
 }
 

@@ -32,7 +32,7 @@ struct Band {
 /** @brief What is best up to a column where wall stands. */
 struct Closed {
   double gain = 0;
-  std::size_t start = 0; ///< of the opening that ends here
+  std::size_t start = 0;                           ///< of the opening that ends here
   std::size_t band = static_cast<std::size_t>(-1); ///< of it; -1: the wall goes on
 };
 
@@ -88,8 +88,8 @@ bestRectangles(const CellGains& g)
     }
     const Band& band = bands[closed[c].band];
     const std::size_t start = closed[c].start;
-    best.push_back({start, c, band.first_row, band.last_row,
-                    closed[c].gain - closed[start].gain});
+    best.push_back(
+        {start, c, band.first_row, band.last_row, closed[c].gain - closed[start].gain});
     c = start;
   }
   std::reverse(best.begin(), best.end());

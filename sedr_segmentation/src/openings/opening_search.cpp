@@ -23,17 +23,20 @@ public:
       : sides_(sides)
       , side_(sides[side])
   {
-    const auto n = static_cast<std::size_t>(side_.line.length() / step) + 1;
+    const auto n =
+        static_cast<std::size_t>(side_.line.length() / opening_numbers.back_step) + 1;
     for (std::size_t k = 0; k < n; ++k)
-      behind_.push_back(sideBehind(sides, side_,
-                                   std::min(step * (static_cast<double>(k) + 0.5),
-                                            side_.line.length()),
-                                   kind, max_depth));
+      behind_.push_back(sideBehind(
+          sides, side_,
+          std::min(opening_numbers.back_step * (static_cast<double>(k) + 0.5),
+                   side_.line.length()),
+          kind, max_depth));
   }
 
   std::size_t at(double along) const
   {
-    const auto k = static_cast<std::size_t>(std::max(along, 0.0) / step);
+    const auto k =
+        static_cast<std::size_t>(std::max(along, 0.0) / opening_numbers.back_step);
     return behind_[std::min(k, behind_.size() - 1)];
   }
 
@@ -44,14 +47,13 @@ public:
     for (std::size_t k = 0; k < behind_.size(); ++k)
       if (behind_[k] < sides_.size())
         least = std::min(least,
-                         -sides_[behind_[k]].offset(side_.line.pointAt(
-                             std::min(step * (static_cast<double>(k) + 0.5),
-                                      side_.line.length()))));
+                         -sides_[behind_[k]].offset(side_.line.pointAt(std::min(
+                             opening_numbers.back_step * (static_cast<double>(k) + 0.5),
+                             side_.line.length()))));
     return least;
   }
 
 private:
-  static constexpr double step = 0.05; ///< metres
   const std::vector<WallSide>& sides_;
   const WallSide& side_;
   std::vector<std::size_t> behind_;
@@ -64,8 +66,7 @@ moveSide(double off, WallSide& side, std::vector<SidePoint>& points)
   PlanElement& line = side.line;
   const double length = line.length();
   if (line.isArc()) {
-    const double radius =
-        line.radius + (line.counter_clockwise ? -off : off);
+    const double radius = line.radius + (line.counter_clockwise ? -off : off);
     if (radius <= 0)
       return;
     for (Eigen::Vector2d* end : {&line.start, &line.end})
@@ -89,21 +90,20 @@ moveSide(double off, WallSide& side, std::vector<SidePoint>& points)
 bool
 areSame(const PlanOpening& a, const PlanOpening& b)
 {
-  constexpr double max_sine = 0.26; // 15 degrees
-  constexpr double beside = 0.6;    // metres across the wall
-  constexpr double share = 0.3;     // of the smaller
   const Eigen::Vector2d way = (a.end - a.start).normalized();
   const Eigen::Vector2d left(-way.y(), way.x());
-  if (std::abs(left.dot((b.end - b.start).normalized())) > max_sine ||
-      std::abs(left.dot((b.start + b.end - a.start - a.end) / 2)) > beside)
+  if (std::abs(left.dot((b.end - b.start).normalized())) >
+          opening_numbers.same_direction ||
+      std::abs(left.dot((b.start + b.end - a.start - a.end) / 2)) >
+          opening_numbers.same_wall)
     return false;
   const double s0 = way.dot(b.start - a.start);
   const double s1 = way.dot(b.end - a.start);
   const double along =
       std::min(a.width(), std::max(s0, s1)) - std::max(0.0, std::min(s0, s1));
   const double up = std::min(a.top, b.top) - std::max(a.bottom, b.bottom);
-  return along > share * std::min(a.width(), b.width()) &&
-         up > share * std::min(a.height(), b.height());
+  return along > opening_numbers.same_share * std::min(a.width(), b.width()) &&
+         up > opening_numbers.same_share * std::min(a.height(), b.height());
 }
 
 /** @brief Returns the id of the room at a place behind a wall; 0: none. */
@@ -111,8 +111,8 @@ std::uint32_t
 roomBehind(const Floorplan& plan, const PlanOpening& opening, double depth)
 {
   const Eigen::Vector2d way = (opening.end - opening.start).normalized();
-  const Eigen::Vector2d place = (opening.start + opening.end) / 2 +
-                                depth * Eigen::Vector2d(way.y(), -way.x());
+  const Eigen::Vector2d place =
+      (opening.start + opening.end) / 2 + depth * Eigen::Vector2d(way.y(), -way.x());
   const double height = (opening.bottom + opening.top) / 2;
   for (const PlanRoom& room : plan.rooms)
     if (room.contains(place) && room.floorAt(place) < height &&
@@ -139,16 +139,15 @@ isOpenBelow(const WallMap& map, const WallRectangle& at)
 double
 highestFloor(const Floorplan& plan, const PlanOpening& opening)
 {
-  constexpr double before = 0.05;
   const Eigen::Vector2d way = (opening.end - opening.start).normalized();
   const Eigen::Vector2d left(-way.y(), way.x());
   double floor = -std::numeric_limits<double>::infinity();
   for (const PlanRoom& room : plan.rooms)
     for (const int k : {0, 1})
       if (room.id == opening.rooms[static_cast<std::size_t>(k)]) {
-        const double at =
-            room.floorAt((opening.start + opening.end) / 2 +
-                         (k == 0 ? 1 : -1) * (opening.depth / 2 + before) * left);
+        const double at = room.floorAt(
+            (opening.start + opening.end) / 2 +
+            (k == 0 ? 1 : -1) * (opening.depth / 2 + opening_numbers.inside) * left);
         if (at < (opening.bottom + opening.top) / 2) // not of a storey above
           floor = std::max(floor, at);
       }
@@ -190,11 +189,11 @@ OpeningSearch::OpeningSearch(const Floorplan& plan,
         behind[c] = {&maps[b], sides[b].line.project(side.line.pointAt(s))};
       const std::size_t bay = bays[k].at(s);
       is_wall[c] = bay == sides.size() || map.seenHeight(s) > sizes.on_floor ||
-                   maps[bay].seenHeight(sides[bay].line.project(
-                       side.line.pointAt(s))) < sizes.min_height;
+                   maps[bay].seenHeight(sides[bay].line.project(side.line.pointAt(s))) <
+                       sizes.min_height;
     }
-    for (const CellRectangle& cells :
-         bestRectangles(openingGains(map, behind, is_wall, parameters.weights, sizes))) {
+    for (const CellRectangle& cells : bestRectangles(
+             openingGains(map, behind, is_wall, parameters.weights, sizes))) {
       FoundOpening candidate;
       candidate.side = k;
       candidate.gain = cells.gain;
@@ -202,11 +201,11 @@ OpeningSearch::OpeningSearch(const Floorplan& plan,
       const auto along = [&](std::size_t c) {
         return std::min(map.cell() * static_cast<double>(c), length);
       };
-      candidate.rectangle = fittedEdges(
-          map,
-          {along(cells.first_column), along(cells.last_column),
-           map.heightOf(cells.first_row), map.heightOf(cells.last_row)},
-          sizes);
+      candidate.rectangle =
+          fittedEdges(map,
+                      {along(cells.first_column), along(cells.last_column),
+                       map.heightOf(cells.first_row), map.heightOf(cells.last_row)},
+                      sizes);
       on_side[k].push_back(candidate);
     }
   });
@@ -234,18 +233,17 @@ OpeningSearch::OpeningSearch(const Floorplan& plan,
       o.rooms[1] = is_paired ? plan.rooms[sides[candidate.behind].room].id
                              : roomBehind(plan, o, o.depth / 2 + 0.3);
       const double floor = highestFloor(plan, o);
-      const double step =
-          std::max(sizes.on_floor, 1.2 * maps[k].cell()); // rows hold the floor's points
+      const double step = std::max(
+          sizes.on_floor, 1.2 * maps[k].cell()); // rows hold the floor's points
       if (at.bottom - floor < step && isOpenBelow(maps[k], at))
         o.bottom = floor;
       o.residual = at.residual;
     }
   for (auto& list : on_side)
     found.insert(found.end(), list.begin(), list.end());
-  std::stable_sort(found.begin(), found.end(),
-                   [](const FoundOpening& a, const FoundOpening& b) {
-                     return a.gain > b.gain;
-                   });
+  std::stable_sort(
+      found.begin(), found.end(),
+      [](const FoundOpening& a, const FoundOpening& b) { return a.gain > b.gain; });
   std::vector<FoundOpening> kept;
   for (const FoundOpening& candidate : found)
     if (std::none_of(kept.begin(), kept.end(), [&](const FoundOpening& other) {

@@ -7,6 +7,7 @@
 #include "wall_sides.h"
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/priors.h>
 
 #include <array>
 #include <vector>
@@ -21,9 +22,10 @@ struct OpeningParameters {
 };
 
 /** @brief What tells the kind of an opening: 1; 1 if it has a sill; height of the sill,
- * metres; 1 if a room is behind it; how much narrower, wider and higher it is than usual
- * doors; share of its area that shows something within the wall. */
-using OpeningFeatures = std::array<double, 8>;
+ * metres; 1 if a room is behind it; how much narrower, wider and higher it is than
+ * usual doors; how much lower than usual its lintel and how much thinner its wall is;
+ * share of its area that shows something within the wall. */
+using OpeningFeatures = std::array<double, 10>;
 
 /** @brief An opening on the map of a side. */
 struct FoundOpening {
@@ -48,7 +50,8 @@ struct OpeningSearch {
                 const OpeningParameters& parameters);
 };
 
-/** @brief Returns the height of the floor before or behind an opening, the higher one. */
+/** @brief Returns the height of the floor before or behind an opening, the higher one.
+ */
 double highestFloor(const Floorplan& plan, const PlanOpening& opening);
 
 } // namespace pcl::sedr

@@ -3,12 +3,12 @@
 
 namespace pcl::sedr {
 
-/** @brief Log-likelihood ratios of "opening" over "wall" and costs of openings, in nats.
- * Neighbouring cells of a wall share their cause, so evidence counts by area and
+/** @brief Log-likelihood ratios of "opening" over "wall" and costs of openings, in
+ * nats. Neighbouring cells of a wall share their cause, so evidence counts by area and
  * length, not by cells or points. */
 struct OpeningWeights {
   // A square metre of a map.
-  double seen = -150; ///< the face was seen: only a wrong line or a flush leaf
+  double seen = -150;     ///< the face was seen: only a wrong line or a flush leaf
   double half_seen = -15; ///< one face was seen where nothing shows the other: a leaf
                           ///< flush with it, or furniture before the other
   double within = 120;    ///< points between the two faces: no wall is there
@@ -16,12 +16,12 @@ struct OpeningWeights {
                      ///< look so, and a tenth of a wall, in patches of 0.1 m2
   double empty_outside = 8; ///< likewise of a face without another behind it
   // A metre of an edge.
-  double reveal = 12;    ///< from a seen face to points within the wall
-  double rim = 5;        ///< from a seen face to nothing
+  double reveal = 12;      ///< from a seen face to points within the wall
+  double rim = 5;          ///< from a seen face to nothing
   double unseen_edge = -4; ///< hidden, or nothing on both sides
   double no_edge = -10;    ///< the same on both sides, as inside of an opening
   // An opening.
-  double opening = -12; ///< four edges and their observations, by BIC
+  double opening = -12;  ///< four edges and their observations, by BIC
   double no_head = -25;  ///< it reaches the ceiling: a bay, or no wall at all
   double low_head = -15; ///< it stands on the floor, and nobody could walk through
 };
@@ -29,17 +29,69 @@ struct OpeningWeights {
 /** @brief Sizes of openings and of what is beside them, metres. */
 struct OpeningSizes {
   double min_width = 0.35;
-  double max_width = 8;     ///< of a glazed front
-  double min_height = 0.3;  ///< of a cellar window
-  double min_head = 1.75;   ///< height of a door
-  double max_gap = 4;       ///< between walls in a line: a bay, drawn to its pane
-  double same_line = 0.05;  ///< deviation of walls in a line
-  double min_side = 0.4;    ///< length of a wall
-  double max_depth = 0.6;   ///< of a wall: Priors::max_wall
-  double shallow = 0.3;     ///< of a wall without a known face behind it
-  double before = 0.9;      ///< depth of what hides it: Priors::max_furniture_depth
-  double on_floor = 0.06;   ///< maximum height of a threshold
-  double edge_reach = 0.12; ///< distance of the true edge from that of the cells
+  double max_width = 8;        ///< of a glazed front
+  double min_height = 0.3;     ///< of a cellar window
+  double min_head = 1.75;      ///< height of a door
+  double max_gap = 4;          ///< between walls in a line: a bay, drawn to its pane
+  double same_line = 0.05;     ///< deviation of walls in a line
+  double min_side = 0.4;       ///< length of a wall
+  double max_depth = 0.6;      ///< of a wall: Priors::max_wall
+  double shallow = 0.3;        ///< of a wall without a known face behind it
+  double before = 0.9;         ///< depth of what hides it: Priors::max_furniture_depth
+  double on_floor = 0.06;      ///< maximum height of a threshold
+  double edge_reach = 0.12;    ///< distance of the true edge from that of the cells
+  double leaf_reach = 1.4;     ///< of points before a side that may show a leaf
+  double leaf_margin = 0.15;   ///< at the edges of a leaf, where other things are
+  double leaf_band = 0.06;     ///< distance of a leaf's points from its middle
+  double max_leaf = 1.4;       ///< width of a single leaf
+  double min_leaf_share = 0.5; ///< of a leaf that shows
+  double max_ajar = 1.05;      ///< angle of a leaf that stands ajar, radians
 };
+
+/** @brief Numbers of the maps of walls, of fits and of comparisons. */
+struct OpeningNumbers {
+  double edge_bin = 0.01;      ///< of positions of an edge, metres
+  double reveal_strip = 0.15;  ///< of a reveal behind the face, before frames, metres
+  double min_reveal = 0.35;    ///< share of the length of an edge that shows its reveal
+  double edge_stretch = 0.05;  ///< of an edge that is looked at together, metres
+  double beyond = -1e6;        ///< nats a square metre where no wall is
+  double narrow_door = 0.8;    ///< narrowest usual door, metres
+  double high_door = 2.25;     ///< highest usual door, metres
+  double usual_lintel = 0.3;   ///< of a usual door below the ceiling, metres
+  double usual_wall = 0.1;     ///< thickness of a wall with a usual door, metres
+  double min_confidence = 0.5; ///< of a kind that is told
+  double leaf_cell = 0.1;      ///< of a leaf, metres
+  double back_step =
+      0.05; ///< between places where the side behind is looked up, metres
+  double same_direction = 0.26; ///< sine between two sides of one opening: 15 degrees
+  double same_wall = 0.6;  ///< across a wall between both sides of an opening, metres
+  double same_share = 0.3; ///< of the smaller of two that are one opening
+  double inside = 0.05; ///< of a room beside its wall, where heights are read, metres
+  double noise_band = 0.06;    ///< of the points that show the noise, metres
+  double min_tolerance = 0.02; ///< of points of a face, metres
+  double slab_band = 0.04;     ///< of points of floor and ceiling, metres
+  double on_face = 0.05;       ///< of boards and casings on a wall, metres
+  double min_points = 50;      ///< that show the noise of a face
+  double cell_points = 3;      ///< in the middle one of the cells that were seen
+  double depth_bin = 0.01;     ///< of depths behind a face, metres
+  double back_share =
+      0.1; ///< of the cells that were seen with points of another face behind
+  double min_depth = 0.05; ///< of the thinnest wall, metres
+  double seen_share =
+      0.25; ///< of the points of cells around it in one that was seen; glass has less
+  double least_share = 0.15;  ///< likewise of the points in a middle cell of the wall
+  double around = 0.5;        ///< reach of those cells, metres
+  double face_bin = 0.02;     ///< of distances of a face before its line, metres
+  double face_stretch = 0.1;  ///< along a side, metres
+  double below_ceiling = 0.5; ///< where walls are seen and no furniture is, metres
+  double line_share = 0.25;   ///< of the length of a line that is no face
+  double face_share = 0.6;    ///< of the length of a face
+  double grid_cell = 0.5;     ///< of the grid of sides, metres
+  double height_step = 0.25;  ///< between places where heights are read, metres
+  double min_island = 4;      ///< around a loop that walls surround, metres
+  double min_cosine = 0.97;   ///< between sides of one wall: 14 degrees
+};
+
+inline const OpeningNumbers opening_numbers;
 
 } // namespace pcl::sedr

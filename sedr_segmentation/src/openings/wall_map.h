@@ -65,7 +65,7 @@ public:
   /** @brief Returns the thickness of the wall: that given, or less if there are points
    * of a face behind cells that were seen. */
   double depth() const { return depth_; }
-  /** @brief Returns the points on the face and behind it. */
+  /** @brief Returns the points before the face, on it and within the wall. */
   const std::vector<SidePoint>& points() const { return points_; }
 
 private:
@@ -84,6 +84,7 @@ private:
   std::size_t rows_ = 0;
   double tolerance_ = 0.02;
   double depth_;
+  double before_;
   std::vector<SidePoint> points_;
   std::vector<double> floors_;   ///< of each column
   std::vector<double> ceilings_; ///< of each column

@@ -18,8 +18,6 @@ WallSide::offset(const Eigen::Vector2d& p) const
 
 namespace {
 
-constexpr double sample = 0.25; ///< between places where heights are read, metres
-
 /** @brief Whether a segment lies on the line of another and runs the same way. */
 bool
 isInLine(const PlanElement& line, const PlanElement& e, double tolerance)
@@ -33,15 +31,15 @@ isInLine(const PlanElement& line, const PlanElement& e, double tolerance)
 void
 addHeights(const PlanRoom& room, WallSide& side)
 {
-  constexpr double inside = 0.05;
   side.floor = std::numeric_limits<double>::infinity();
   side.ceiling = -side.floor;
-  const auto steps = static_cast<std::size_t>(side.line.length() / sample) + 2;
+  const auto steps =
+      static_cast<std::size_t>(side.line.length() / opening_numbers.height_step) + 2;
   for (std::size_t k = 0; k <= steps; ++k) {
     const double s =
         side.line.length() * static_cast<double>(k) / static_cast<double>(steps);
     const Eigen::Vector2d p =
-        side.line.pointAt(s) + inside * side.line.normalAt(s);
+        side.line.pointAt(s) + opening_numbers.inside * side.line.normalAt(s);
     side.floor = std::min(side.floor, room.floorAt(p));
     side.ceiling = std::max(side.ceiling, room.ceilingAt(p));
   }
@@ -131,14 +129,13 @@ addLoop(std::size_t room,
 std::vector<WallSide>
 wallSides(const Floorplan& plan, const OpeningSizes& sizes)
 {
-  constexpr double min_island = 4; // around a loop that walls surround
   std::vector<WallSide> sides;
   for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
     const PlanRoom& room = plan.rooms[r];
     const std::size_t first = sides.size();
     addLoop(r, room.boundary, true, sizes, sides);
     for (const PlanLoop& column : room.columns)
-      if (column.length() > min_island)
+      if (column.length() > opening_numbers.min_island)
         addLoop(r, column, false, sizes, sides);
     for (std::size_t k = first; k < sides.size(); ++k)
       addHeights(room, sides[k]);
@@ -153,7 +150,6 @@ sideBehind(const std::vector<WallSide>& sides,
            BehindKind kind,
            double max_depth)
 {
-  constexpr double min_cosine = 0.97; // 14 degrees
   const bool is_opposite = kind == BehindKind::Opposite;
   const Eigen::Vector2d place = side.line.pointAt(along);
   const Eigen::Vector2d normal = side.line.normalAt(along);
@@ -166,10 +162,9 @@ sideBehind(const std::vector<WallSide>& sides,
       continue;
     // The place is behind an opposite side, and before one of its own room.
     const double behind = is_opposite ? -other.offset(place) : other.offset(place);
-    const double cosine =
-        other.line.normalAt(other.line.project(place)).dot(normal);
+    const double cosine = other.line.normalAt(other.line.project(place)).dot(normal);
     if (behind <= 0.01 || behind >= nearest ||
-        (is_opposite ? -cosine : cosine) < min_cosine ||
+        (is_opposite ? -cosine : cosine) < opening_numbers.min_cosine ||
         (!is_opposite && other.room != side.room))
       continue;
     nearest = behind;

@@ -13,11 +13,11 @@ namespace pcl::sedr {
 /** @brief One side of a wall, as one room has it: walls of the room that lie in a line,
  * and the gaps between them, such as bays that are drawn to their panes. */
 struct WallSide {
-  std::size_t room = 0;               ///< index into Floorplan::rooms
-  PlanElement line;                   ///< the room is to its left
+  std::size_t room = 0;                ///< index into Floorplan::rooms
+  PlanElement line;                    ///< the room is to its left
   std::vector<std::size_t> elements{}; ///< of the room's boundary, on the line
-  double floor = 0;                   ///< minimum along it, metres
-  double ceiling = 0;                 ///< maximum along it, metres
+  double floor = 0;                    ///< minimum along it, metres
+  double ceiling = 0;                  ///< maximum along it, metres
 
   /** @brief Returns the distance of a place before (above 0) or behind the side. */
   double offset(const Eigen::Vector2d& p) const;
