@@ -44,8 +44,10 @@ run(const Settings& settings, Detection& detection)
       throw ToolError(detection.getErrorMessage(), NothingFound);
   }
   writeWhole(settings.output, [&](std::ostream& stream) {
-    stream << pcl::sedr::floorplanToJson(plan, nullptr, *in_same_frame.origin,
-                                         priors.max_wall);
+    stream << pcl::sedr::withTilts(pcl::sedr::floorplanToJson(plan, nullptr,
+                                                              *in_same_frame.origin,
+                                                              priors.max_wall),
+                                   planTilts(settings.plan), {});
   });
   if (!settings.picture.empty())
     savePicture(settings.picture, drawOpenings(plan, *detection.getSearch()));

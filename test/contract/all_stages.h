@@ -13,6 +13,7 @@
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
 #include <pcl/sedr_segmentation/grid_slice_detail.h>
 #include <pcl/sedr_segmentation/horizontal_plane_detection.h>
+#include <pcl/sedr_segmentation/opening_detection.h>
 #include <pcl/sedr_segmentation/room_segmentation.h>
 #include <pcl/sedr_surface/floorplan_extrusion.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
@@ -133,6 +134,10 @@ runAllStages()
   if (plan.rooms.size() != 1)
     return figures;
   figures.area = plan.rooms[0].area();
+
+  pcl::OpeningDetection<PointT> openings;
+  openings.setInputCloud(scan);
+  EXPECT_TRUE(openings.segment(plan)) << openings.getErrorMessage();
 
   pcl::StructureRefinement<PointT> refinement;
   const auto refined = std::make_shared<pcl::PointCloud<PointT>>();

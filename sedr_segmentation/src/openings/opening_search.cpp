@@ -121,6 +121,24 @@ roomBehind(const Floorplan& plan, const PlanOpening& opening, double depth)
   return 0;
 }
 
+/** @brief Adds the wall of a side that is nearest to a place; none of an island. */
+void
+addWall(const Floorplan& plan,
+        const WallSide& side,
+        const Eigen::Vector2d& place,
+        PlanOpening& opening)
+{
+  const PlanRoom& room = plan.rooms[side.room];
+  const auto distance = [&](std::size_t e) {
+    return room.boundary.elements[e].distance(place);
+  };
+  const auto nearest = std::min_element(
+      side.elements.begin(), side.elements.end(),
+      [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
+  if (nearest != side.elements.end())
+    opening.walls.push_back({room.id, *nearest});
+}
+
 /** @brief Whether no face was seen below most of a rectangle. */
 bool
 isOpenBelow(const WallMap& map, const WallRectangle& at)
@@ -219,6 +237,9 @@ OpeningSearch::OpeningSearch(const Floorplan& plan,
       const bool is_paired = candidate.behind < sides.size();
       PlanOpening& o = candidate.opening;
       const Eigen::Vector2d place = side.line.pointAt(middle);
+      addWall(plan, side, place, o);
+      if (is_paired)
+        addWall(plan, sides[candidate.behind], place, o);
       o.depth = is_paired ? -sides[candidate.behind].offset(place) : maps[k].depth();
       const auto onMiddleLine = [&](double s) {
         s = std::clamp(s, 0.0, side.line.length());

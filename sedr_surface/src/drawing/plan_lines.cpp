@@ -240,8 +240,8 @@ gapOf(const Floorplan& plan, const PlanOpening& opening)
   gap.kind = opening.kind;
   for (const PlanRoom& room : plan.rooms)
     if (room.id == opening.rooms[0])
-      gap.sill = opening.bottom - room.floorAt((gap.corners[0] + gap.corners[1]) / 2 +
-                                               0.05 * left);
+      gap.sill = opening.bottom -
+                 room.floorAt((gap.corners[0] + gap.corners[1]) / 2 + 0.05 * left);
   if (opening.kind != OpeningKind::Door || opening.hinge == OpeningHinge::Unknown ||
       opening.swing == 0)
     return gap;

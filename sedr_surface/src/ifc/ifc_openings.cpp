@@ -210,11 +210,10 @@ writeFilling(IfcDocument& document,
   const double middle = box.plan.center().y();
   box.plan.min().y() = middle - thickness / 2;
   box.plan.max().y() = middle + thickness / 2;
-  const StepRef body = document.shapes.extrusion(
-      loopAround(box.plan), {}, box.bottom, box.top - box.bottom, wall.runs.near);
+  const StepRef body = document.shapes.extrusion(loopAround(box.plan), {}, box.bottom,
+                                                 box.top - box.bottom, wall.runs.near);
   const StepRef frame = document.shapes.axes(Eigen::Vector3d::Zero());
-  const StepRef place =
-      document.step.add("IFCLOCALPLACEMENT", {wall.placement, frame});
+  const StepRef place = document.step.add("IFCLOCALPLACEMENT", {wall.placement, frame});
   const StepRef filling = document.addElement(
       is_door ? "IFCDOOR" : "IFCWINDOW", name, wall.storey, place,
       document.shapeOf(body, "SweptSolid", "opening"),
@@ -222,8 +221,7 @@ writeFilling(IfcDocument& document,
        StepValue::enumerated(is_door ? "DOOR" : "WINDOW"),
        StepValue::enumerated(is_door ? operationOf(opening) : "NOTDEFINED"),
        StepValue::none()});
-  document.relate("IFCRELFILLSELEMENT", name + " in its opening", gap.opening,
-                  filling);
+  document.relate("IFCRELFILLSELEMENT", name + " in its opening", gap.opening, filling);
 }
 
 PlanDoorway

@@ -54,6 +54,7 @@ TEST(StructureChain, TellsEveryResultWhileItsStageStillKnowsIt)
       {"CeilingBoundaryWallGrowing", 1},
       {"CeilingBoundaryWallGrowing", 2},
       {"FloorplanFitting", 0},
+      {"OpeningDetection", 0},
       {"StructureRefinement", 1},
       {"StructureRefinement", 2},
       {"VerticalHoleRepair", 1},

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace pcl::sedr {
+
+/** A rectangle in a wall, by its place along it and its heights. */
+struct Cut {
+  double from;
+  double to;
+  double bottom;
+  double top;
+
+  bool contains(double s, double z) const
+  {
+    return s > from && s < to && z > bottom && z < top;
+  }
+};
+
+/** Two rooms of 5 m x 4 m, 2.5 m high, beside each other in y, with a wall of 12 cm
+ * between them: faces at y = 4 and y = 4.12. Points lie on a grid of 1.5 cm with noise
+ * along the normals of their surfaces. */
+class TwoRooms {
+public:
+  static constexpr double face = 4;
+  static constexpr double back = 4.12;
+
+  explicit TwoRooms(double noise)
+      : noise_(0, noise)
+  {
+    plan.rooms = {room(1, 0, face), room(2, back, 8.12)};
+  }
+
+  /** Scans the wall between the rooms with holes in both faces, and their reveals. */
+  void scanMiddleWall(const std::vector<Cut>& cuts, const std::vector<Cut>& hidden = {})
+  {
+    for (const double y : {face, back})
+      sheet(0, 5, 0, 2.5, [&](double s, double z, double off) {
+        bool is_seen = true;
+        for (const Cut& cut : cuts)
+          is_seen = is_seen && !cut.contains(s, z);
+        for (const Cut& cut : hidden)
+          is_seen = is_seen && !(y == face && cut.contains(s, z));
+        if (is_seen)
+          add(s, y + off, z);
+      });
+    for (const Cut& cut : cuts)
+      reveals(cut, face, back);
+  }
+
+  /** Scans the outer wall of the first room, at y = 0, with holes and their reveals. */
+  void scanOuterWall(const std::vector<Cut>& cuts)
+  {
+    sheet(0, 5, 0, 2.5, [&](double s, double z, double off) {
+      for (const Cut& cut : cuts)
+        if (cut.contains(s, z))
+          return;
+      add(s, off, z);
+    });
+    for (const Cut& cut : cuts)
+      reveals(cut, -0.2, 0);
+  }
+
+  /** Scans a sheet parallel to the walls, one in `every` of its points. */
+  void scanSheet(const Cut& at, double y, int every = 1)
+  {
+    int count = 0;
+    sheet(at.from, at.to, at.bottom, at.top, [&](double s, double z, double off) {
+      if (++count % every == 0)
+        add(s, y + off, z);
+    });
+  }
+
+  /** Scans the leaf of a door, hinged at x, y and turned by an angle from x. */
+  void scanLeaf(double x, double y, double degrees, double width, double height)
+  {
+    const double a = degrees * M_PI / 180;
+    sheet(0, width, 0.01, height, [&](double s, double z, double off) {
+      add(x + s * std::cos(a) - off * std::sin(a),
+          y + s * std::sin(a) + off * std::cos(a), z);
+    });
+  }
+
+  Floorplan plan;
+  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud{new pcl::PointCloud<pcl::PointXYZ>};
+
+private:
+  static PlanRoom room(std::uint32_t id, double y0, double y1)
+  {
+    PlanRoom room;
+    room.id = id;
+    const std::vector<Eigen::Vector2d> corners{{0, y0}, {5, y0}, {5, y1}, {0, y1}};
+    for (std::size_t k = 0; k < 4; ++k) {
+      PlanElement e;
+      e.start = corners[k];
+      e.end = corners[(k + 1) % 4];
+      room.boundary.elements.push_back(e);
+    }
+    room.ceiling.plane = Eigen::Vector4d(0, 0, 1, -2.5);
+    return room;
+  }
+
+  template <typename See>
+  void sheet(double s0, double s1, double z0, double z1, const See& see)
+  {
+    constexpr double step = 0.015;
+    for (double s = s0 + step / 2; s < s1; s += step)
+      for (double z = z0 + step / 2; z < z1; z += step)
+        see(s, z, noise_(random_));
+  }
+
+  void reveals(const Cut& cut, double y0, double y1)
+  {
+    sheet(y0, y1, cut.bottom, cut.top, [&](double y, double z, double off) {
+      add(cut.from + off, y, z);
+      add(cut.to + off, y, z);
+    });
+    sheet(cut.from, cut.to, y0, y1, [&](double s, double y, double off) {
+      add(s, y, cut.top + off);
+      add(s, y, cut.bottom + off);
+    });
+  }
+
+  void add(double x, double y, double z)
+  {
+    cloud->push_back(pcl::PointXYZ(static_cast<float>(x), static_cast<float>(y),
+                                   static_cast<float>(z)));
+  }
+
+  std::mt19937 random_{1};
+  std::normal_distribution<double> noise_;
+};
+
+} // namespace pcl::sedr

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "opening_scenes.h"
+
+#include <pcl/sedr_segmentation/opening_detection.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace pcl::sedr {
+namespace {
+
+const Cut door{1.5, 2.4, 0, 2.05};
+const Cut window{1, 2.5, 0.9, 2.1};
+
+std::vector<PlanOpening>
+openingsOf(const TwoRooms& scene)
+{
+  pcl::OpeningDetection<pcl::PointXYZ> detection;
+  detection.setInputCloud(scene.cloud);
+  Floorplan plan = scene.plan;
+  EXPECT_TRUE(detection.segment(plan)) << detection.getErrorMessage();
+  return plan.openings;
+}
+
+void
+expectEdges(const PlanOpening& found, const Cut& cut, double y, double tolerance)
+{
+  EXPECT_NEAR(std::min(found.start.x(), found.end.x()), cut.from, tolerance);
+  EXPECT_NEAR(std::max(found.start.x(), found.end.x()), cut.to, tolerance);
+  EXPECT_NEAR(found.bottom, cut.bottom, tolerance);
+  EXPECT_NEAR(found.top, cut.top, tolerance);
+  EXPECT_NEAR(found.start.y(), y, 0.01);
+  EXPECT_NEAR(found.end.y(), y, 0.01);
+}
+
+class OpeningsInNoise : public ::testing::TestWithParam<double> {};
+
+INSTANTIATE_TEST_SUITE_P(Metres,
+                         OpeningsInNoise,
+                         ::testing::Values(0.001, 0.005, 0.01, 0.02));
+
+TEST_P(OpeningsInNoise, NothingIsFoundInBareWalls)
+{
+  TwoRooms scene(GetParam());
+  scene.scanMiddleWall({});
+  scene.scanOuterWall({});
+  EXPECT_TRUE(openingsOf(scene).empty());
+}
+
+TEST_P(OpeningsInNoise, DoorBetweenTwoRoomsIsFoundOnce)
+{
+  TwoRooms scene(GetParam());
+  scene.scanMiddleWall({door});
+  const auto found = openingsOf(scene);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, OpeningKind::Door);
+  EXPECT_GT(found[0].confidence, 0.5);
+  EXPECT_EQ(std::max(found[0].rooms[0], found[0].rooms[1]), 2u);
+  EXPECT_EQ(std::min(found[0].rooms[0], found[0].rooms[1]), 1u);
+  EXPECT_EQ(found[0].walls.size(), 2u);
+  EXPECT_NEAR(found[0].depth, 0.12, 0.005);
+  EXPECT_EQ(found[0].hinge, OpeningHinge::Unknown);
+  expectEdges(found[0], door, 4.06, 0.01);
+  // The first room is to the left of the direction.
+  const bool is_first = found[0].rooms[0] == 1;
+  EXPECT_EQ(found[0].end.x() < found[0].start.x(), is_first);
+}
+
+TEST_P(OpeningsInNoise, WindowToTheOutside)
+{
+  TwoRooms scene(GetParam());
+  scene.scanOuterWall({window});
+  scene.scanSheet(window, -0.1, 30); // glass returns few points
+  const auto found = openingsOf(scene);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, OpeningKind::Window);
+  EXPECT_EQ(found[0].rooms[1], 0u);
+  EXPECT_NEAR(std::min(found[0].start.x(), found[0].end.x()), window.from, 0.01);
+  EXPECT_NEAR(std::max(found[0].start.x(), found[0].end.x()), window.to, 0.01);
+  EXPECT_NEAR(found[0].bottom, window.bottom, 0.01);
+  EXPECT_NEAR(found[0].top, window.top, 0.01);
+}
+
+TEST(OpeningDetection, WindowWithItsBlindDown)
+{
+  TwoRooms scene(0.005);
+  scene.scanOuterWall({window});
+  scene.scanSheet(window, -0.12);
+  const auto found = openingsOf(scene);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, OpeningKind::Window);
+}
+
+TEST(OpeningDetection, ClosedDoor)
+{
+  TwoRooms scene(0.003);
+  scene.scanMiddleWall({door});
+  scene.scanSheet(door, 4.05);
+  const auto found = openingsOf(scene);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, OpeningKind::Door);
+  EXPECT_EQ(found[0].state, OpeningState::Closed);
+}
+
+TEST(OpeningDetection, WidePassage)
+{
+  TwoRooms scene(0.005);
+  const Cut passage{1, 3.4, 0, 2.2};
+  scene.scanMiddleWall({passage});
+  const auto found = openingsOf(scene);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, OpeningKind::Passage);
+  expectEdges(found[0], passage, 4.06, 0.01);
+}
+
+TEST(OpeningDetection, OpenLeafTellsHingeAndSwing)
+{
+  for (const bool is_at_from : {true, false})
+    for (const double degrees : {50.0, 85.0}) {
+      TwoRooms scene(0.003);
+      scene.scanMiddleWall({door});
+      // It opens into the first room, towards smaller y.
+      if (is_at_from)
+        scene.scanLeaf(door.from, TwoRooms::face, -degrees, 0.88, 2);
+      else
+        scene.scanLeaf(door.to, TwoRooms::face, 180 + degrees, 0.88, 2);
+      const auto found = openingsOf(scene);
+      ASSERT_EQ(found.size(), 1u);
+      EXPECT_EQ(found[0].swing, 1u) << degrees;
+      const Eigen::Vector2d hinge =
+          found[0].hinge == OpeningHinge::Start ? found[0].start : found[0].end;
+      EXPECT_NE(found[0].hinge, OpeningHinge::Unknown);
+      EXPECT_NEAR(hinge.x(), is_at_from ? door.from : door.to, 0.02) << degrees;
+      EXPECT_EQ(found[0].state, degrees > 60 ? OpeningState::Open : OpeningState::Ajar);
+    }
+}
+
+TEST(OpeningDetection, ShadowOfAWardrobeIsNoOpening)
+{
+  TwoRooms scene(0.005);
+  const Cut wardrobe{1, 2.2, 0, 2};
+  scene.scanMiddleWall({}, {wardrobe});
+  scene.scanSheet(wardrobe, 3.4);
+  scene.scanOuterWall({});
+  EXPECT_TRUE(openingsOf(scene).empty());
+}
+
+TEST(OpeningDetection, SeveralInOneWall)
+{
+  TwoRooms scene(0.005);
+  scene.scanOuterWall({{0.5, 1.3, 0.9, 2.1}, {1.7, 2.5, 0.9, 2.1}, {3.2, 4.1, 0, 2.1}});
+  EXPECT_EQ(openingsOf(scene).size(), 3u);
+}
+
+TEST(OpeningDetection, WindowInACurvedWall)
+{
+  constexpr double radius = 3;
+  constexpr double step = 0.015;
+  const Cut cut{4, 5.2, 0.9, 2.1};
+  Floorplan plan;
+  plan.rooms.emplace_back();
+  PlanRoom& room = plan.rooms[0];
+  room.id = 1;
+  PlanElement circle;
+  circle.start = circle.end = Eigen::Vector2d(radius, 0);
+  circle.radius = radius;
+  room.boundary.elements = {circle};
+  room.ceiling.plane = Eigen::Vector4d(0, 0, 1, -2.5);
+  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
+  const auto add = [&](double s, double behind, double z) {
+    const double r = radius + behind;
+    cloud->push_back(pcl::PointXYZ(static_cast<float>(r * std::cos(s / radius)),
+                                   static_cast<float>(r * std::sin(s / radius)),
+                                   static_cast<float>(z)));
+  };
+  for (double s = 0; s < 2 * M_PI * radius; s += step)
+    for (double z = step; z < 2.5; z += step)
+      if (!cut.contains(s, z))
+        add(s, 0, z);
+  for (double behind = 0; behind < 0.2; behind += step) {
+    for (double z = cut.bottom; z < cut.top; z += step)
+      for (const double s : {cut.from, cut.to})
+        add(s, behind, z);
+    for (double s = cut.from; s < cut.to; s += step)
+      for (const double z : {cut.bottom, cut.top})
+        add(s, behind, z);
+  }
+  pcl::OpeningDetection<pcl::PointXYZ> detection;
+  detection.setInputCloud(cloud);
+  ASSERT_TRUE(detection.segment(plan));
+  ASSERT_EQ(plan.openings.size(), 1u);
+  const PlanOpening& found = plan.openings[0];
+  EXPECT_EQ(found.kind, OpeningKind::Window);
+  EXPECT_NEAR(radius * std::atan2(found.start.y(), found.start.x()), cut.from, 0.02);
+  EXPECT_NEAR(found.bottom, cut.bottom, 0.01);
+  EXPECT_NEAR(found.top, cut.top, 0.01);
+}
+
+TEST(OpeningDetection, SameForAnyNumberOfThreads)
+{
+  TwoRooms scene(0.01);
+  scene.scanMiddleWall({door});
+  scene.scanOuterWall({window});
+  pcl::OpeningDetection<pcl::PointXYZ> detection;
+  detection.setInputCloud(scene.cloud);
+  Floorplan one = scene.plan;
+  Floorplan many = scene.plan;
+  detection.setNumberOfThreads(1);
+  ASSERT_TRUE(detection.segment(one));
+  detection.setNumberOfThreads(4);
+  ASSERT_TRUE(detection.segment(many));
+  ASSERT_EQ(one.openings.size(), many.openings.size());
+  for (std::size_t k = 0; k < one.openings.size(); ++k) {
+    EXPECT_EQ(one.openings[k].start, many.openings[k].start);
+    EXPECT_EQ(one.openings[k].top, many.openings[k].top);
+  }
+}
+
+TEST(OpeningDetection, BadInputIsASentence)
+{
+  pcl::OpeningDetection<pcl::PointXYZ> detection;
+  Floorplan plan;
+  EXPECT_FALSE(detection.segment(plan));
+  EXPECT_EQ(detection.getErrorMessage(), "no input cloud was set");
+  TwoRooms scene(0.01);
+  scene.scanMiddleWall({});
+  detection.setInputCloud(scene.cloud);
+  EXPECT_FALSE(detection.segment(plan));
+  EXPECT_EQ(detection.getErrorMessage(), "the floor plan has no rooms");
+}
+
+TEST(OpeningDetection, PointsThatAreNotFiniteAreLeftOut)
+{
+  TwoRooms scene(0.005);
+  scene.scanMiddleWall({door});
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  scene.cloud->insert(scene.cloud->begin(), 100, pcl::PointXYZ(nan, 1, 1));
+  EXPECT_EQ(openingsOf(scene).size(), 1u);
+}
+
+} // namespace
+} // namespace pcl::sedr
