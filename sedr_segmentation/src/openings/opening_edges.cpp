@@ -78,16 +78,19 @@ revealOf(const WallMap& map, const EdgeFrame& edge, const OpeningSizes& sizes)
       continue;
     while (b > 0 && shareAround(b - 1) > shareAround(b))
       --b; // to the peak
-    const double centre = edge.position - sizes.edge_reach +
-                          opening_numbers.edge_bin * (static_cast<double>(b) + 0.5);
+    double middle = edge.position - sizes.edge_reach +
+                    opening_numbers.edge_bin * (static_cast<double>(b) + 0.5);
     const double half = opening_numbers.edge_bin * (static_cast<double>(reach) + 1);
     std::vector<double> at;
-    for (const SidePoint& p : map.points())
-      if (isReveal(p) && std::abs(edge.outward(p) - centre) < half)
-        at.push_back(edge.outward(p));
-    if (at.size() < 5)
-      return std::nullopt;
-    const double middle = middleValue(at);
+    for (int round = 0; round < 4; ++round) { // from the rim of the peak to its middle
+      at.clear();
+      for (const SidePoint& p : map.points())
+        if (isReveal(p) && std::abs(edge.outward(p) - middle) < half)
+          at.push_back(edge.outward(p));
+      if (at.size() < 5)
+        return std::nullopt;
+      middle = middleValue(at);
+    }
     for (double& a : at)
       a = std::abs(a - middle);
     const auto n = static_cast<double>(at.size());
@@ -109,8 +112,9 @@ rimOf(const WallMap& map, const EdgeFrame& edge, const OpeningSizes& sizes)
   for (const SidePoint& p : map.points()) {
     const double out = edge.outward(p) - edge.position;
     const double k = (edge.across(p) - edge.low) / stretch;
-    if (std::abs(p.offset) > map.tolerance() || std::abs(out) > sizes.edge_reach ||
-        k < 0 || k >= static_cast<double>(parts))
+    // The half of the noise that reveals do not reach.
+    if (p.offset < 0 || p.offset > map.tolerance() ||
+        std::abs(out) > sizes.edge_reach || k < 0 || k >= static_cast<double>(parts))
       continue;
     const auto part = static_cast<std::size_t>(k);
     first[part] = std::min(first[part], out);

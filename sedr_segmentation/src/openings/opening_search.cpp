@@ -152,6 +152,172 @@ isOpenBelow(const WallMap& map, const WallRectangle& at)
   return 2 * seen < all;
 }
 
+/** @brief Finds the openings of all sides and keeps each once. */
+class OpeningFinder {
+public:
+  OpeningFinder(const Floorplan& plan,
+                const OpeningParameters& parameters,
+                OpeningSearch& search)
+      : plan_(plan)
+      , parameters_(parameters)
+      , sizes_(parameters.sizes)
+      , search_(search)
+  {}
+
+  void makeMaps(const PointView& points, const pcl::Indices* indices)
+  {
+    std::vector<WallSide>& sides = search_.sides;
+    auto beside = pointsBeside(sides, points, indices, sizes_);
+    for (std::size_t k = 0; k < sides.size(); ++k)
+      if (const double off = faceOffset(sides[k], beside[k], sizes_); off > 0)
+        moveSide(off, sides[k], beside[k]);
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      backs_.emplace_back(sides, k, BehindKind::Opposite, sizes_.max_depth);
+      bays_.emplace_back(sides, k, BehindKind::Own, sizes_.max_depth);
+      search_.maps.emplace_back(plan_.rooms[sides[k].room], sides[k],
+                                std::move(beside[k]),
+                                std::min(backs_[k].nearest(), sizes_.shallow), sizes_);
+    }
+  }
+
+  void find()
+  {
+    std::vector<std::vector<FoundOpening>> on_side(search_.sides.size());
+    parallelFor(on_side.size(), 1, parameters_.threads,
+                [&](std::size_t k) { on_side[k] = openingsOn(k); });
+    std::vector<FoundOpening> all;
+    for (auto& list : on_side)
+      all.insert(all.end(), list.begin(), list.end());
+    std::stable_sort(
+        all.begin(), all.end(),
+        [](const FoundOpening& a, const FoundOpening& b) { return a.gain > b.gain; });
+    for (const FoundOpening& candidate : all)
+      if (std::none_of(search_.found.begin(), search_.found.end(),
+                       [&](const FoundOpening& other) {
+                         return areSame(other.opening, candidate.opening);
+                       }))
+        search_.found.push_back(candidate);
+  }
+
+private:
+  std::vector<FoundOpening> openingsOn(std::size_t side) const
+  {
+    const WallMap& map = search_.maps[side];
+    const double length = search_.sides[side].line.length();
+    const auto along = [&](std::size_t c) {
+      return std::min(map.cell() * static_cast<double>(c), length);
+    };
+    std::vector<FoundOpening> found;
+    for (const CellRectangle& cells : bestRectangles(gainsOn(side))) {
+      const WallRectangle rectangle{along(cells.first_column), along(cells.last_column),
+                                    map.heightOf(cells.first_row),
+                                    map.heightOf(cells.last_row)};
+      FoundOpening candidate;
+      candidate.side = side;
+      candidate.behind = backs_[side].at((rectangle.from + rectangle.to) / 2);
+      candidate.gain = cells.gain;
+      if (seenAround(candidate, rectangle) < sizes_.min_around)
+        continue;
+      candidate.rectangle = fittedEdges(map, rectangle, sizes_);
+      describe(candidate);
+      found.push_back(candidate);
+    }
+    return found;
+  }
+
+  CellGains gainsOn(std::size_t k) const
+  {
+    const std::vector<WallSide>& sides = search_.sides;
+    const WallMap& map = search_.maps[k];
+    std::vector<MapBehind> behind(map.columns());
+    std::vector<bool> is_wall(map.columns(), true);
+    for (std::size_t c = 0; c < map.columns(); ++c) {
+      const double s = map.cell() * (static_cast<double>(c) + 0.5);
+      const Eigen::Vector2d place = sides[k].line.pointAt(s);
+      if (const std::size_t b = backs_[k].at(s); b < sides.size())
+        behind[c] = {&search_.maps[b], sides[b].line.project(place)};
+      if (const std::size_t bay = bays_[k].at(s); bay < sides.size())
+        is_wall[c] = map.seenHeight(s) > sizes_.on_floor ||
+                     search_.maps[bay].seenHeight(sides[bay].line.project(place)) <
+                         sizes_.min_height;
+    }
+    return openingGains(map, behind, is_wall, parameters_.weights, sizes_);
+  }
+
+  /** @brief Returns the share of jambs and head beside which a face was seen, on either
+   * side of the wall: an opening is a hole in a wall. */
+  double seenAround(const FoundOpening& candidate, const WallRectangle& at) const
+  {
+    const WallSide& side = search_.sides[candidate.side];
+    const WallMap& map = search_.maps[candidate.side];
+    const double step = map.cell();
+    std::size_t seen = 0;
+    std::size_t all = 0;
+    const auto look = [&](double along, double height) {
+      ++all;
+      bool is_seen = map.at(along, height) == WallCell::Seen;
+      if (candidate.behind < search_.sides.size()) {
+        const PlanElement& line = search_.sides[candidate.behind].line;
+        is_seen |=
+            search_.maps[candidate.behind].at(line.project(side.line.pointAt(along)),
+                                              height) == WallCell::Seen;
+      }
+      seen += is_seen ? 1 : 0;
+    };
+    for (double z = at.bottom + step / 2; z < at.top; z += step) {
+      look(at.from - sizes_.beside, z);
+      look(at.to + sizes_.beside, z);
+    }
+    for (double s = at.from + step / 2; s < at.to; s += step)
+      look(s, at.top + sizes_.beside);
+    return all > 0 ? static_cast<double>(seen) / static_cast<double>(all) : 0;
+  }
+
+  /** @brief Sets places and rooms of an opening from its rectangle. */
+  void describe(FoundOpening& candidate) const
+  {
+    const WallSide& side = search_.sides[candidate.side];
+    const WallMap& map = search_.maps[candidate.side];
+    const PlanRoom& room = plan_.rooms[side.room];
+    const WallRectangle& at = candidate.rectangle;
+    const bool is_paired = candidate.behind < search_.sides.size();
+    const Eigen::Vector2d place = side.line.pointAt((at.from + at.to) / 2);
+    PlanOpening& o = candidate.opening;
+    addWall(plan_, side, place, o);
+    o.depth = map.depth();
+    if (is_paired) {
+      const WallSide& other = search_.sides[candidate.behind];
+      addWall(plan_, other, place, o);
+      o.depth = -other.offset(place);
+    }
+    const auto onMiddleLine = [&](double s) {
+      s = std::clamp(s, 0.0, side.line.length());
+      return Eigen::Vector2d(side.line.pointAt(s) -
+                             o.depth / 2 * side.line.normalAt(s));
+    };
+    o.start = onMiddleLine(at.from);
+    o.end = onMiddleLine(at.to);
+    o.bottom = at.bottom;
+    o.top = at.top;
+    o.residual = at.residual;
+    o.rooms[0] = room.id;
+    o.rooms[1] = is_paired ? plan_.rooms[search_.sides[candidate.behind].room].id
+                           : roomBehind(plan_, o, o.depth / 2 + 0.3);
+    const double floor = highestFloor(plan_, o);
+    const double step =
+        std::max(sizes_.on_floor, 1.2 * map.cell()); // rows hold the floor's points
+    if (at.bottom - floor < step && isOpenBelow(map, at))
+      o.bottom = floor;
+  }
+
+  const Floorplan& plan_;
+  const OpeningParameters& parameters_;
+  const OpeningSizes& sizes_;
+  OpeningSearch& search_;
+  std::vector<Backs> backs_;
+  std::vector<Backs> bays_;
+};
+
 } // namespace
 
 double
@@ -178,100 +344,9 @@ OpeningSearch::OpeningSearch(const Floorplan& plan,
                              const OpeningParameters& parameters)
     : sides(wallSides(plan, parameters.sizes))
 {
-  const OpeningSizes& sizes = parameters.sizes;
-  auto beside = pointsBeside(sides, points, indices, sizes, parameters.threads);
-  for (std::size_t k = 0; k < sides.size(); ++k)
-    if (const double off = faceOffset(sides[k], beside[k], sizes); off > 0)
-      moveSide(off, sides[k], beside[k]);
-  std::vector<Backs> backs;
-  std::vector<Backs> bays;
-  backs.reserve(sides.size());
-  bays.reserve(sides.size());
-  for (std::size_t k = 0; k < sides.size(); ++k) {
-    backs.emplace_back(sides, k, BehindKind::Opposite, sizes.max_depth);
-    bays.emplace_back(sides, k, BehindKind::Own, sizes.max_depth);
-    const double thickness = backs.back().nearest();
-    maps.emplace_back(plan.rooms[sides[k].room], sides[k], std::move(beside[k]),
-                      std::min(thickness, sizes.shallow), sizes);
-  }
-  std::vector<std::vector<FoundOpening>> on_side(sides.size());
-  parallelFor(sides.size(), 1, parameters.threads, [&](std::size_t k) {
-    const WallMap& map = maps[k];
-    const WallSide& side = sides[k];
-    std::vector<MapBehind> behind(map.columns());
-    std::vector<bool> is_wall(map.columns(), true);
-    for (std::size_t c = 0; c < map.columns(); ++c) {
-      const double s = map.cell() * (static_cast<double>(c) + 0.5);
-      const std::size_t b = backs[k].at(s);
-      if (b < sides.size())
-        behind[c] = {&maps[b], sides[b].line.project(side.line.pointAt(s))};
-      const std::size_t bay = bays[k].at(s);
-      is_wall[c] = bay == sides.size() || map.seenHeight(s) > sizes.on_floor ||
-                   maps[bay].seenHeight(sides[bay].line.project(side.line.pointAt(s))) <
-                       sizes.min_height;
-    }
-    for (const CellRectangle& cells : bestRectangles(
-             openingGains(map, behind, is_wall, parameters.weights, sizes))) {
-      FoundOpening candidate;
-      candidate.side = k;
-      candidate.gain = cells.gain;
-      const double length = side.line.length();
-      const auto along = [&](std::size_t c) {
-        return std::min(map.cell() * static_cast<double>(c), length);
-      };
-      candidate.rectangle =
-          fittedEdges(map,
-                      {along(cells.first_column), along(cells.last_column),
-                       map.heightOf(cells.first_row), map.heightOf(cells.last_row)},
-                      sizes);
-      on_side[k].push_back(candidate);
-    }
-  });
-  for (std::size_t k = 0; k < sides.size(); ++k)
-    for (FoundOpening& candidate : on_side[k]) {
-      const WallSide& side = sides[k];
-      const PlanRoom& room = plan.rooms[side.room];
-      WallRectangle& at = candidate.rectangle;
-      const double middle = (at.from + at.to) / 2;
-      candidate.behind = backs[k].at(middle);
-      const bool is_paired = candidate.behind < sides.size();
-      PlanOpening& o = candidate.opening;
-      const Eigen::Vector2d place = side.line.pointAt(middle);
-      addWall(plan, side, place, o);
-      if (is_paired)
-        addWall(plan, sides[candidate.behind], place, o);
-      o.depth = is_paired ? -sides[candidate.behind].offset(place) : maps[k].depth();
-      const auto onMiddleLine = [&](double s) {
-        s = std::clamp(s, 0.0, side.line.length());
-        return Eigen::Vector2d(side.line.pointAt(s) -
-                               o.depth / 2 * side.line.normalAt(s));
-      };
-      o.start = onMiddleLine(at.from);
-      o.end = onMiddleLine(at.to);
-      o.bottom = at.bottom;
-      o.top = at.top;
-      o.rooms[0] = room.id;
-      o.rooms[1] = is_paired ? plan.rooms[sides[candidate.behind].room].id
-                             : roomBehind(plan, o, o.depth / 2 + 0.3);
-      const double floor = highestFloor(plan, o);
-      const double step = std::max(
-          sizes.on_floor, 1.2 * maps[k].cell()); // rows hold the floor's points
-      if (at.bottom - floor < step && isOpenBelow(maps[k], at))
-        o.bottom = floor;
-      o.residual = at.residual;
-    }
-  for (auto& list : on_side)
-    found.insert(found.end(), list.begin(), list.end());
-  std::stable_sort(
-      found.begin(), found.end(),
-      [](const FoundOpening& a, const FoundOpening& b) { return a.gain > b.gain; });
-  std::vector<FoundOpening> kept;
-  for (const FoundOpening& candidate : found)
-    if (std::none_of(kept.begin(), kept.end(), [&](const FoundOpening& other) {
-          return areSame(other.opening, candidate.opening);
-        }))
-      kept.push_back(candidate);
-  found = std::move(kept);
+  OpeningFinder finder(plan, parameters, *this);
+  finder.makeMaps(points, indices);
+  finder.find();
 }
 
 } // namespace pcl::sedr

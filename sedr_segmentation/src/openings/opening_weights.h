@@ -39,6 +39,8 @@ struct OpeningSizes {
   double shallow = 0.3;        ///< of a wall without a known face behind it
   double before = 0.9;         ///< depth of what hides it: Priors::max_furniture_depth
   double on_floor = 0.06;      ///< maximum height of a threshold
+  double min_around = 0.3;     ///< share of jambs and head with a wall beside them
+  double beside = 0.1;         ///< distance from them, beyond the points of a corner
   double edge_reach = 0.12;    ///< distance of the true edge from that of the cells
   double leaf_reach = 1.4;     ///< of points before a side that may show a leaf
   double leaf_margin = 0.15;   ///< at the edges of a leaf, where other things are

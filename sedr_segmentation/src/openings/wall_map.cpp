@@ -342,8 +342,7 @@ std::vector<std::vector<SidePoint>>
 pointsBeside(const std::vector<WallSide>& sides,
              const PointView& points,
              const pcl::Indices* indices,
-             const OpeningSizes& sizes,
-             unsigned)
+             const OpeningSizes& sizes)
 {
   std::vector<std::vector<SidePoint>> beside(sides.size());
   const SideGrid grid(sides, std::max(sizes.leaf_reach, sizes.max_depth));

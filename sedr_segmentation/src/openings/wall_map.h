@@ -104,7 +104,6 @@ double faceOffset(const WallSide& side,
 std::vector<std::vector<SidePoint>> pointsBeside(const std::vector<WallSide>& sides,
                                                  const PointView& points,
                                                  const pcl::Indices* indices,
-                                                 const OpeningSizes& sizes,
-                                                 unsigned threads);
+                                                 const OpeningSizes& sizes);
 
 } // namespace pcl::sedr
