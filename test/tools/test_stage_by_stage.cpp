@@ -128,6 +128,8 @@ TEST_F(StageByStage, TwoRoomsBecomeTwoClosedMeshes)
 
   const pcl::sedr::Floorplan plan = this->plan("floorplan.json");
   ASSERT_EQ(plan.rooms.size(), 2u);
+  stage(OPENING_DETECTION, {"scan.pcd", "floorplan.json", "openings.json"});
+  EXPECT_EQ(this->plan("openings.json").rooms.size(), 2u);
   EXPECT_NEAR(plan.rooms[0].area(), 12, 0.05);
   ASSERT_EQ(plan.rooms[0].details.size(), 1u);
   EXPECT_NEAR(plan.rooms[0].details[0].boundary.area(), 0.6 * 3, 0.05);
@@ -163,6 +165,7 @@ TEST_F(StageByStage, ThePageOfEveryStageNamesAllOptionsOfItsTool)
       {FLOOR_PROJECTION_RECOVERY, "floor_projection_recovery"},
       {CEILING_BOUNDARY_WALL_GROWING, "ceiling_boundary_wall_growing"},
       {FLOORPLAN_FITTING, "floorplan_fitting"},
+      {OPENING_DETECTION, "opening_detection"},
       {STRUCTURE_REFINEMENT, "structure_refinement"},
       {VERTICAL_HOLE_REPAIR, "vertical_hole_repair"},
       {FLOORPLAN_EXTRUSION, "floorplan_extrusion"},
