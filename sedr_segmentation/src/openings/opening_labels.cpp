@@ -7,7 +7,7 @@
 namespace pcl::sedr {
 namespace {
 
-constexpr double never = -std::numeric_limits<double>::infinity();
+const double never = -std::numeric_limits<double>::infinity();
 
 /** @brief Sums over the first rows of each column: rows + 1 values a column. */
 std::vector<double>

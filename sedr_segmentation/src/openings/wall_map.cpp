@@ -11,7 +11,7 @@ namespace pcl::sedr {
 
 namespace {
 
-constexpr std::size_t none = static_cast<std::size_t>(-1);
+const std::size_t none = static_cast<std::size_t>(-1);
 
 /** @brief Sums over rectangles of cells. */
 class SumTable {
