@@ -52,6 +52,8 @@ struct OpeningSizes {
 
 /** @brief Numbers of the maps of walls, of fits and of comparisons. */
 struct OpeningNumbers {
+  double max_rows = 160;       ///< of a map: cells of halls are larger
+  double max_columns = 2000;   ///< of a map
   double edge_bin = 0.01;      ///< of positions of an edge, metres
   double reveal_strip = 0.15;  ///< of a reveal behind the face, before frames, metres
   double min_reveal = 0.35;    ///< share of the length of an edge that shows its reveal

@@ -142,10 +142,13 @@ WallMap::centreFace()
 void
 WallMap::chooseCell()
 {
+  const double height = top_ - base_;
+  const double finest = std::max(height / opening_numbers.max_rows,
+                                 length_ / opening_numbers.max_columns);
   for (const double size : {0.025, 0.05, 0.1}) {
-    cell_ = size;
+    cell_ = std::max(size, finest);
     columns_ = static_cast<std::size_t>(std::ceil(length_ / cell_));
-    rows_ = static_cast<std::size_t>(std::max(1.0, std::ceil((top_ - base_) / cell_)));
+    rows_ = static_cast<std::size_t>(std::max(1.0, std::ceil(height / cell_)));
     std::vector<std::uint32_t> counts(columns_ * rows_);
     for (const SidePoint& p : points_)
       if (const std::size_t i = indexOf(p);
