@@ -23,14 +23,14 @@ struct Settings {
   std::string scan;
   std::string plan;
   std::string output;
-  std::string picture;
+  PictureFile picture;
 };
 
 int
 run(const Settings& settings, Detection& detection)
 {
-  checkJsonOutput(settings.output);
-  checkPictureOutput(settings.picture);
+  checkOutput(settings.output, "a floor plan", {".json"});
+  settings.picture.check();
   pcl::sedr::Floorplan plan = *loadFloorplan(settings.plan);
   ScanSettings in_same_frame;
   in_same_frame.origin = planOrigin(settings.plan);
@@ -49,8 +49,7 @@ run(const Settings& settings, Detection& detection)
                                                               priors.max_wall),
                                    planTilts(settings.plan), {});
   });
-  if (!settings.picture.empty())
-    savePicture(settings.picture, drawOpenings(plan, *detection.getSearch()));
+  settings.picture.write([&] { return drawOpenings(plan, *detection.getSearch()); });
   for (const pcl::sedr::PlanOpening& opening : plan.openings) {
     char text[160];
     std::snprintf(text, sizeof text,
@@ -76,6 +75,6 @@ main(int argc, char** argv)
   options.file("PLAN.json", settings.plan,
                "floor plan, as pcl_floorplan_fitting writes it");
   options.file("OUTPUT.json", settings.output, "floor plan to write");
-  addPictureOption(options, settings.picture);
+  settings.picture.declare(options);
   return runTool(options, argc, argv, [&] { return run(settings, detection); });
 }

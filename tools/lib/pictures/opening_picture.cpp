@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "opening_picture.h"
 
-#include "map_cells.h"
+#include "counted.h"
 
 #include <algorithm>
 #include <array>
@@ -42,8 +42,7 @@ addMap(const WallMap& map, Panel& panel)
 Picture
 drawOpenings(const Floorplan& plan, const OpeningSearch& search)
 {
-  constexpr std::size_t max_rows = 12;
-  constexpr std::size_t in_row = 3;
+  constexpr std::size_t max_maps = 24;
   std::vector<std::size_t> sides;
   for (const FoundOpening& found : search.found)
     sides.push_back(found.side);
@@ -53,8 +52,8 @@ drawOpenings(const Floorplan& plan, const OpeningSearch& search)
     return search.sides[a].line.length() > search.sides[b].line.length();
   });
   Picture picture(counted(search.found.size(), "opening"));
-  std::vector<Panel> row;
-  const std::size_t shown = std::min(sides.size(), max_rows * in_row);
+  std::vector<Panel> maps;
+  const std::size_t shown = std::min(sides.size(), max_maps);
   for (std::size_t k = 0; k < shown; ++k) {
     const std::size_t side = sides[k];
     Panel panel("a wall of room " +
@@ -67,14 +66,13 @@ drawOpenings(const Floorplan& plan, const OpeningSearch& search)
                        {at.to, at.top},
                        {at.from, at.top},
                        {at.from, at.bottom}},
-                      colours::ink);
+                      colours::ink, 1.5);
         panel.addLabel({(at.from + at.to) / 2, (at.bottom + at.top) / 2},
                        nameOf(found.opening.kind));
       }
-    row.push_back(std::move(panel));
-    if (row.size() == in_row || k + 1 == shown)
-      picture.addRow(std::exchange(row, {}));
+    maps.push_back(std::move(panel));
   }
+  picture.addMaps(std::move(maps));
   for (std::size_t k = 1; k < states.size(); ++k)
     picture.addLegend(states[k].first, states[k].second);
   if (shown < sides.size())
