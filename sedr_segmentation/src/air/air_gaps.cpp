@@ -5,6 +5,7 @@
 #include "low_air.h"
 #include "slab_faces.h"
 #include "slab_holes.h"
+#include "veils.h"
 
 #include "sedr_filters/src/base/parallel.h"
 
@@ -28,11 +29,17 @@ overlapOf(const AirGap& a, const AirGap& b)
 
 AirGaps::AirGaps(const VoxelColumns& columns,
                  const VoxelColumns& seen,
-                 const AirParameters& parameters)
+                 const AirParameters& parameters,
+                 const VoxelColumns* fine)
     : columns_(columns)
     , parameters_(parameters)
 {
   findGaps();
+  if (fine != nullptr) {
+    std::vector<AirGap> gaps = withoutVeils(*this, *fine);
+    gaps_.clear();
+    sortGaps(std::move(gaps));
+  }
   followCeilings(seen);
   closeSlabs();
   sortGaps(enclosedHolesOf(*this));

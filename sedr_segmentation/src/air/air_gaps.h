@@ -50,10 +50,12 @@ public:
   /** @brief Finds the gaps of all columns, fills holes, links, and keeps what is air.
    * O(columns + gaps). The same for any number of threads.
    * @param seen the same columns before holes were closed: ceilings that go on in them,
-   * into the wedge between a slope and a wall, end the air there */
+   * into the wedge between a slope and a wall, end the air there
+   * @param fine those half as wide, see withoutVeils(); none: there are no veils */
   AirGaps(const VoxelColumns& columns,
           const VoxelColumns& seen,
-          const AirParameters& parameters);
+          const AirParameters& parameters,
+          const VoxelColumns* fine = nullptr);
 
   /** @brief The same where no holes were closed. */
   AirGaps(const VoxelColumns& columns, const AirParameters& parameters)

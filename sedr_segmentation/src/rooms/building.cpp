@@ -277,12 +277,13 @@ tellOpenings(const std::vector<RoomOpening>& openings,
 
 /** @brief The air of a scan in one grid, and the rooms that it is parted into. */
 struct AirInGrid {
-  AirInGrid(const VoxelColumns& seen,
+  AirInGrid(const VoxelColumns& fine,
+            const VoxelColumns& seen,
             bool is_dense,
             const BuildingParameters& parameters,
             const PartingParameters& of_parting)
       : columns(withHolesClosed(seen, is_dense, parameters.threads))
-      , air(columns, seen, airParameters(parameters))
+      , air(columns, seen, airParameters(parameters), &fine)
       , room(roomsIn(air, of_parting))
   {}
 
@@ -387,7 +388,8 @@ findBuilding(const PointView& points,
                    [&](std::size_t g, std::size_t) { body(g); });
   };
   forEachGrid([&](std::size_t g) {
-    grids[g].emplace(withoutStrays(half.halved(parameters.threads, grid_corners[g]),
+    grids[g].emplace(half,
+                     withoutStrays(half.halved(parameters.threads, grid_corners[g]),
                                    parameters.threads),
                      is_dense, parameters, of_parting);
   });

@@ -2,7 +2,7 @@
 """Puts a building together: storeys of rooms, what joins them, what hangs and stands in them, and the scan."""
 import random
 
-from . import ceilings, furnish, geometry as g, shapes, stairs, walls
+from . import ceilings, fitments, furnish, geometry as g, shapes, stairs, walls
 from .kinds import HIDDEN, KINDS, PLANS
 from .model import Building, Room
 
@@ -154,6 +154,8 @@ def fill(rng, building, style, thickness):
         y = (min(b[1] for b in box) + max(b[3] for b in box)) / 2
         building.outside.append({"block": {"name": "facade", "at": [round(x, 2), round(y, 2)], "floor": -1,
                                            "size": [1.0, round(rng.uniform(15, 40), 1), round(rng.uniform(5, 12), 1)]}})
+    if style.is_fitted:
+        fitments.fit_out(rng, building)
     for room in building.rooms:
         furnish.furnish(rng, room)
 

@@ -17,6 +17,7 @@ class Kind:
         self.passages = more.get("passages", 0.1)     # share of doors that are wide passages
         self.full_doors = more.get("full_doors", 0.1)  # share of storeys with doors up to the ceiling
         self.attic = more.get("attic", 0.0)           # share of buildings with sloped ceilings on top
+        self.is_fitted = more.get("is_fitted", False)  # cubicles, leaves and cupboards in corridors
         self.vaults = more.get("vaults", 0.0)         # share of rectangular rooms below a barrel vault
         self.is_for_all_seeds = more.get("is_for_all_seeds", True)  # else only when asked for: seeds keep their building
 
@@ -28,12 +29,13 @@ KINDS = {
     "openplan": Kind((1, 1, 2), (2.8, 3.8), (0.3, 0.4), suspended=0.3, ribs=0.7, glass=0.5),
     "school": Kind((1, 2, 2), (3.0, 3.8), (0.25, 0.4), suspended=0.3, ribs=0.4, glass=0.3, passages=0.3),
     "hall": Kind((1, 2), (2.5, 3.0), (0.25, 0.4), ribs=0.8, glass=0.2, passages=0.3),
+    "fitted": Kind((1, 1, 2), (2.4, 3.0), (0.25, 0.4), suspended=0.3, glass=0.4, full_doors=0.15, is_fitted=True, is_for_all_seeds=False),
     "cellar": Kind((1,), (2.9, 4.0), (0.4, 0.6), soffits=0.0, glass=0.0, passages=0.1, full_doors=0.0, vaults=0.9, is_for_all_seeds=False),
 }
 
 PARTITIONS = {"flat": (0.08, 0.1, 0.12, 0.15, 0.24), "house": (0.1, 0.12, 0.15, 0.2, 0.3),
               "office": (0.08, 0.1, 0.12, 0.15), "openplan": (0.1, 0.12, 0.2, 0.25),
-              "school": (0.12, 0.2, 0.25, 0.3), "hall": (0.15, 0.2, 0.3, 0.4),
+              "school": (0.12, 0.2, 0.25, 0.3), "hall": (0.15, 0.2, 0.3, 0.4), "fitted": (0.08, 0.1, 0.12, 0.15),
               "cellar": (0.5, 0.6, 0.7, 0.75)}
 
 
@@ -103,6 +105,11 @@ def office(rng, storeys, flight):
                 spaces.append(Space("corridor", *corridor.rects, *bay.rects))
         plans.append(spaces)
     return plans, lines
+
+
+def fitted(rng, storeys, flight):
+    """An office or an open plan that is furnished as one in use."""
+    return (office if rng.random() < 0.6 else openplan)(rng, storeys, flight)
 
 
 def openplan(rng, storeys, flight):
@@ -187,4 +194,4 @@ def cellar(rng, _storeys, _flight):
 
 
 PLANS = {"flat": flat, "house": house, "office": office, "openplan": openplan, "school": school, "hall": hall,
-         "cellar": cellar}
+         "cellar": cellar, "fitted": fitted}
