@@ -34,6 +34,9 @@ struct AirParameters {
                               ///< above itself
   double largest_hole = 1.5;  ///< square metres, of a slab; a larger one is a void
   double min_air = 0.1;       ///< of the rim of low gaps that are air: tall ones
+  double veil = 0.6;  ///< of the points of a surface: a layer before it that has fewer
+                      ///< is none, see withoutVeils()
+  int veil_reach = 2; ///< columns around one, where points are counted for that
   unsigned threads = 0;
 };
 

@@ -2,21 +2,20 @@
 #include "veils.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 
 namespace pcl::sedr {
 
 namespace {
 
-constexpr int reach = 2;            // columns around a place that tell of it
-constexpr std::int32_t surface = 2; // voxels: as thick as the points of a surface
-constexpr double densest = 0.6;     // of a veil, over the surface behind it
-
 class Veils {
 public:
   Veils(const AirGaps& air, const VoxelColumns& fine)
       : air_(air)
       , fine_(fine)
+      , surface_(air.voxels(air.parameters().same_surface) / 2)
+      , reach_(2 * air.parameters().veil_reach)
   {}
 
   /** @brief Whether what is between two gaps of a column is a veil. */
@@ -27,7 +26,7 @@ public:
         isThin(below.column, below.high, above.low, above.high))
       return true;
     return below.high - below.low < tall &&
-           isThin(below.column, below.high, above.low, below.low - surface);
+           isThin(below.column, below.high, above.low, below.low - surface_);
   }
 
 private:
@@ -39,8 +38,8 @@ private:
               std::int32_t behind) const
   {
     const int needed = countAround(column, behind);
-    for (std::int32_t at = low; at < std::max(high - surface, low) + 1; ++at)
-      if (countAround(column, at) >= densest * needed)
+    for (std::int32_t at = low; at < std::max(high - surface_, low) + 1; ++at)
+      if (countAround(column, at) >= air_.parameters().veil * needed)
         return false;
     return true;
   }
@@ -53,10 +52,10 @@ private:
     const Cell corner = fine_.grid().at(middle.x() + fine_.cellSize() / 2,
                                         middle.y() + fine_.cellSize() / 2);
     int count = 0;
-    for (int x = -2 * reach - 1; x <= 2 * reach; ++x)
-      for (int y = -2 * reach - 1; y <= 2 * reach; ++y) {
+    for (int x = -reach_ - 1; x <= reach_; ++x)
+      for (int y = -reach_ - 1; y <= reach_; ++y) {
         const std::uint32_t c = fine_.columnAt({corner.x + x, corner.y + y});
-        if (c != VoxelColumns::none && fine_.countBetween(c, at, at + surface) > 0)
+        if (c != VoxelColumns::none && fine_.countBetween(c, at, at + surface_) > 0)
           ++count;
       }
     return count;
@@ -64,6 +63,8 @@ private:
 
   const AirGaps& air_;
   const VoxelColumns& fine_;
+  std::int32_t surface_; ///< voxels: as thick as the points of a surface
+  int reach_;            ///< fine columns
 };
 
 } // namespace
