@@ -205,6 +205,32 @@ TEST_F(StoreyDrawings, OfOneThatIsNotThereAreRefused)
   EXPECT_FALSE(has("out.svg"));
 }
 
+TEST_F(StoreyDrawings, OfThousandsOfRoomsAreMade)
+{
+  pcl::sedr::Floorplan plan;
+  for (std::uint32_t k = 0; k < 3000; ++k) {
+    const double x = 4.1 * (k % 60);
+    const double y = 3.1 * (k / 60);
+    plan.rooms.push_back(roomOf(rectangle(x, y, x + 4, y + 3), 2.5, k + 1));
+  }
+  writeFile(in("plan.json"), pcl::sedr::floorplanToJson(plan));
+  EXPECT_EQ(draw({}).exit_code, 0) << "within a minute";
+  EXPECT_NE(bytesOf(in("out.svg")).find("Room 3000"), std::string::npos);
+}
+
+TEST_F(StoreyDrawings, OfARoomThatCrossesItselfAreDoubted)
+{
+  EXPECT_EQ(draw({}).err, "");
+  pcl::sedr::Floorplan plan;
+  plan.rooms = {roomOf(rectangle(0, 0, 5, 4), 2.5, 7)};
+  std::vector<pcl::sedr::PlanElement>& walls = plan.rooms[0].boundary.elements;
+  walls[0].end = walls[1].start = {1, 4.5}; // across the opposite wall
+  writeFile(in("plan.json"), pcl::sedr::floorplanToJson(plan));
+  const ProgramRun result = draw({});
+  EXPECT_NE(result.err.find("the outline of room 7 crosses itself"), std::string::npos)
+      << result.err;
+}
+
 TEST_F(StoreyDrawings, PointsAreOfTheRoomAtTheirHeight)
 {
   const std::vector<std::vector<float>> points{

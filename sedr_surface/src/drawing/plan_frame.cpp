@@ -23,26 +23,31 @@ mainDirection(const Floorplan& plan)
 {
   constexpr double along = 3 * M_PI / 180;
   constexpr double min_turn = 0.5 * M_PI / 180;
-  std::vector<PlanElement> walls;
+  constexpr std::size_t most_tried = 400; // walls: more have no other direction
+  struct Wall {
+    double angle;
+    double length;
+  };
+  std::vector<Wall> walls;
   double whole = 0;
   for (const PlanRoom& room : plan.rooms)
     for (const PlanElement& e : room.boundary.elements) {
       whole += e.length();
       if (!e.isArc())
-        walls.push_back(e);
+        walls.push_back({quarterAngle(e), e.length()});
     }
   double best = 0;
   double best_length = 0;
-  for (const PlanElement& candidate : walls) {
-    const double angle = quarterAngle(candidate);
+  for (std::size_t k = 0; k < walls.size(); k += walls.size() / most_tried + 1) {
+    const double angle = walls[k].angle;
     double length = 0;
     double turn = 0;
-    for (const PlanElement& e : walls) {
-      const double off = std::remainder(quarterAngle(e) - angle, M_PI / 2);
+    for (const Wall& wall : walls) {
+      const double off = std::remainder(wall.angle - angle, M_PI / 2);
       if (std::abs(off) > along)
         continue;
-      length += e.length();
-      turn += off * e.length();
+      length += wall.length;
+      turn += off * wall.length;
     }
     if (length <= best_length * (1 + 1e-9))
       continue;

@@ -7,6 +7,9 @@
 #include <cmath>
 
 namespace pcl::sedr {
+
+namespace index = boost::geometry::index;
+
 namespace {
 
 Eigen::Vector2d
@@ -28,16 +31,6 @@ isParted(const TextBox& a, const TextBox& b)
   };
   return std::abs(between.dot(way)) >= a.half_size.x() + reach(way) ||
          std::abs(between.dot(left(way))) >= a.half_size.y() + reach(left(way));
-}
-
-using Lines = std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>;
-
-bool
-meetsAny(const TextBox& box, const Lines& lines)
-{
-  return std::any_of(lines.begin(), lines.end(), [&](const auto& line) {
-    return box.meets(line.first, line.second);
-  });
 }
 
 } // namespace
@@ -101,21 +94,49 @@ readableAngle(const Eigen::Vector2d& way)
   return degrees;
 }
 
+TextPlaces::Bounds
+TextPlaces::boundsOf(const TextBox& box)
+{
+  const Eigen::Vector2d way = box.way().cwiseAbs();
+  const Eigen::Vector2d reach(box.half_size.dot(way),
+                              box.half_size.dot(Eigen::Vector2d(way.y(), way.x())));
+  const Eigen::Vector2d low = box.middle - reach;
+  const Eigen::Vector2d high = box.middle + reach;
+  return {{low.x(), low.y()}, {high.x(), high.y()}};
+}
+
 void
-TextPlaces::addChords(const PlanElement& line, Lines& lines)
+TextPlaces::add(const Line& line, Tree<Line>& lines)
+{
+  const Eigen::Vector2d low = line.first.cwiseMin(line.second);
+  const Eigen::Vector2d high = line.first.cwiseMax(line.second);
+  lines.insert({{{low.x(), low.y()}, {high.x(), high.y()}}, line});
+}
+
+void
+TextPlaces::addChords(const PlanElement& line, Tree<Line>& lines)
 {
   constexpr double chord = 0.2; // millimetres between an arc and its chords
   std::vector<Eigen::Vector2d> corners = PlanLoop{{line}}.polygon(chord);
   corners.push_back(line.end);
   for (std::size_t k = 0; k + 1 < corners.size(); ++k)
-    lines.emplace_back(corners[k], corners[k + 1]);
+    add({corners[k], corners[k + 1]}, lines);
+}
+
+bool
+TextPlaces::meetsAny(const TextBox& box, const Tree<Line>& lines)
+{
+  return std::any_of(lines.qbegin(index::intersects(boundsOf(box))), lines.qend(),
+                     [&](const auto& entry) {
+                       return box.meets(entry.second.first, entry.second.second);
+                     });
 }
 
 bool
 TextPlaces::isFree(const TextBox& box) const
 {
-  return std::none_of(taken_.begin(), taken_.end(),
-                      [&](const TextBox& other) { return box.meets(other); }) &&
+  return std::none_of(taken_.qbegin(index::intersects(boundsOf(box))), taken_.qend(),
+                      [&](const auto& other) { return box.meets(other.second); }) &&
          !meetsAny(box, lines_);
 }
 
@@ -134,7 +155,7 @@ TextPlaces::takeFirst(const std::vector<TextBox>& boxes)
   }
   if (!best)
     return std::nullopt;
-  taken_.push_back(*best);
+  taken_.insert({boundsOf(*best), *best});
   return *best;
 }
 

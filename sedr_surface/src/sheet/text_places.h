@@ -5,6 +5,11 @@
 
 #include <Eigen/Core>
 
+#define BOOST_ALLOW_DEPRECATED_HEADERS // Boost.Geometry includes one
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
+
 #include <optional>
 #include <string>
 #include <utility>
@@ -40,7 +45,7 @@ public:
   void keepOff(const PlanElement& line) { addChords(line, lines_); }
   void keepOff(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
   {
-    lines_.emplace_back(from, to);
+    add({from, to}, lines_);
   }
 
   /** @brief Adds a line that texts cross only where there is no other place. */
@@ -51,14 +56,23 @@ public:
   std::optional<TextBox> takeFirst(const std::vector<TextBox>& boxes);
 
 private:
-  using Lines = std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>;
+  using Corner =
+      boost::geometry::model::point<double, 2, boost::geometry::cs::cartesian>;
+  using Bounds = boost::geometry::model::box<Corner>;
+  template <typename ShapeT>
+  using Tree = boost::geometry::index::rtree<std::pair<Bounds, ShapeT>,
+                                             boost::geometry::index::quadratic<16>>;
+  using Line = std::pair<Eigen::Vector2d, Eigen::Vector2d>;
 
-  static void addChords(const PlanElement& line, Lines& lines);
+  static Bounds boundsOf(const TextBox& box);
+  static void add(const Line& line, Tree<Line>& lines);
+  static void addChords(const PlanElement& line, Tree<Line>& lines);
+  static bool meetsAny(const TextBox& box, const Tree<Line>& lines);
   bool isFree(const TextBox& box) const;
 
-  std::vector<TextBox> taken_;
-  Lines lines_;
-  Lines avoided_;
+  Tree<TextBox> taken_;
+  Tree<Line> lines_;
+  Tree<Line> avoided_;
 };
 
 } // namespace pcl::sedr

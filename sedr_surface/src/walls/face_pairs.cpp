@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "face_pairs.h"
 
+#include "sedr_filters/src/plan/plan_bounds.h"
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
@@ -96,12 +97,18 @@ FacePairs::FacePairs(const Floorplan& plan, const WallParameters& parameters)
     , parameters_(parameters)
 {
   const std::vector<WallFace> faces = wallFaces(plan);
+  const double reach =
+      std::max(parameters.max_thickness, parameters.max_depth_of_doorway);
+  std::vector<Eigen::AlignedBox2d> boxes;
+  for (const PlanRoom& room : plan.rooms)
+    boxes.push_back(boundsOf(room.boundary));
   for (const WallFace& face : faces)
     free_[face] = {{0, elementOf(plan, face).length()}};
   for (auto face = faces.begin(); face != faces.end(); ++face)
     for (auto other = face + 1; other != faces.end(); ++other)
       if (face->room == other->room ||
-          shareHeights(plan.rooms[face->room], plan.rooms[other->room]))
+          (boxes[face->room].exteriorDistance(boxes[other->room]) <= reach &&
+           shareHeights(plan.rooms[face->room], plan.rooms[other->room])))
         consider(*face, *other);
   pairNearestFirst();
 }

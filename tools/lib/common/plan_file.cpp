@@ -4,11 +4,16 @@
 #include "bytes/input_file.h"
 #include "bytes/whole_file.h"
 #include "formats/scan_formats.h"
+#include "run_tool.h"
 #include "tool_error.h"
 
 #include "sedr_filters/src/plan/floorplan_format.h"
 #include <pcl/sedr_filters/floorplan_io.h>
 
+#define BOOST_ALLOW_DEPRECATED_HEADERS // Boost.Geometry includes one
+#include <boost/geometry/algorithms/is_valid.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/ring.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -56,6 +61,23 @@ textOfFile(const std::string& path)
   return text;
 }
 
+/** @brief Warns of rooms whose outline crosses itself: parts of them are lost. */
+void
+warnOfCrossings(const Floorplan& plan)
+{
+  namespace bg = boost::geometry;
+  constexpr double chord = 0.01; // metres
+  for (const PlanRoom& room : plan.rooms) {
+    bg::model::ring<bg::model::d2::point_xy<double>, false, false> outline;
+    for (const Eigen::Vector2d& corner : room.boundary.polygon(chord))
+      outline.emplace_back(corner.x(), corner.y());
+    bg::validity_failure_type failure = bg::no_failure;
+    if (!bg::is_valid(outline, failure) && failure == bg::failure_self_intersections)
+      warn("the outline of room " + std::to_string(room.id) +
+           " crosses itself: its area and what is made of it are wrong");
+  }
+}
+
 } // namespace
 
 std::shared_ptr<const Floorplan>
@@ -72,6 +94,7 @@ loadFloorplan(const std::string& path)
     throw ToolError("'" + path + "': " + problem);
   if (plan->rooms.empty())
     throw ToolError("the floor plan '" + path + "' has no rooms", NothingFound);
+  warnOfCrossings(*plan);
   return plan;
 }
 
