@@ -13,10 +13,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <thread>
 #include <utility>
 
 namespace pcl::sedr::tools {
@@ -64,50 +66,61 @@ OutputFolder::OutputFolder(const std::string& path, std::vector<std::string> inp
        !fs::exists(fs::symlink_status(folder, error)) && folder != folder.root_path();
        folder = folder.parent_path())
     missing_.push_back(folder);
-  fs::create_directories(path_, error);
-  if (error)
-    refuse(path_, error.message());
-  lock();
-  for (const auto& entry : fs::directory_iterator(part_)) // of a run that was killed
-    fs::remove_all(entry, error);
   watch();
+  try {
+    fs::create_directories(path_, error);
+    if (error)
+      refuse(path_, error.message());
+    lock();
+    for (const auto& entry : fs::directory_iterator(part_)) // of a run that was killed
+      fs::remove_all(entry, error);
+  }
+  catch (...) {
+    end();
+    throw;
+  }
 }
 
 OutputFolder::~OutputFolder()
 {
+  end();
+}
+
+void
+OutputFolder::end() const
+{
+  close(lock_);
   close(alive_);
   if (watcher_ < 0 || waitpid(watcher_, nullptr, 0) < 0)
     clean();
-  close(lock_);
 }
 
 /** @brief Creates the hidden folder and locks it. */
 void
 OutputFolder::lock()
 {
-  const auto give_up = [this](const std::string& reason) {
-    std::error_code error;
-    for (const auto& folder : missing_)
-      fs::remove(folder, error); // only if it is empty
-    refuse(path_, reason);
-  };
-  for (;;) {
+  for (int tries = 0;;) { // one that was killed may still be cleaned up after
     if (mkdir(part_.c_str(), S_IRWXU | S_IRWXG | S_IRWXO) != 0 && errno != EEXIST)
-      give_up(std::strerror(errno));
+      refuse(path_, std::strerror(errno));
     lock_ = open(part_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW);
     if (lock_ < 0 && errno == ENOENT)
       continue; // the run that has just ended removed it
     if (lock_ < 0)
-      give_up(std::strerror(errno));
-    if (flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-      give_up("another run is writing into it; wait for its end, or choose another "
-              "output folder");
+      refuse(path_, std::strerror(errno));
+    if (flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      close(std::exchange(lock_, -1));
+      if (++tries == 10)
+        refuse(path_, "another run is writing into it; wait for its end, or choose "
+                      "another output folder");
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      continue;
+    }
     struct stat locked {};
     struct stat found {};
     fstat(lock_, &locked);
     if (stat(part_.c_str(), &found) == 0 && found.st_ino == locked.st_ino)
       return;
-    close(lock_);
+    close(std::exchange(lock_, -1));
   }
 }
 
@@ -134,11 +147,21 @@ OutputFolder::watch()
   _exit(0);
 }
 
+/** @brief Removes the hidden folder, unless it is that of another run, and the folders
+ * that are still empty. */
 void
 OutputFolder::clean() const
 {
   std::error_code error;
-  fs::remove_all(part_, error);
+  const int part = open(part_.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW);
+  int tries = part >= 0 ? 20 : 0; // a process that ends keeps its lock for a moment
+  while (tries > 0 && flock(part, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    --tries;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  if (tries > 0)
+    fs::remove_all(part_, error);
+  close(part);
   for (const auto& folder : missing_)
     fs::remove(folder, error); // only if it is empty
 }

@@ -41,6 +41,7 @@ public:
 private:
   void lock();
   void watch();
+  void end() const;
   void clean() const;
   bool isInput(const std::filesystem::path& file) const;
   std::vector<std::string> namesInReport() const;
