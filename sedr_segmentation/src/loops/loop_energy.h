@@ -11,8 +11,8 @@ namespace pcl::sedr {
  *           explained share x min(1, obstacles + (d / 3 sigma)^2) x outlier
  *             d: distance of the surface beside the sample from its curve
  *         + unexplained share x what an unseen wall of that kind costs x outlier
- *         + area between contour and curve: `cut` where air was seen, `add` where
- * nobody saw, `other` within another room
+ *         + area between contour and curve: `cut` where seen air is cut off, `other`
+ * within another room, else `add`
  *       + sum over changes of curve
  *           corner ln(samples) + `bend` a metre of extension; two for a connecting
  * piece
@@ -29,7 +29,7 @@ struct LoopEnergy {
   double rare_oblique = 3;      ///< nats: one in twenty is along no main direction
   double unseen_oblique = 0.3;  ///< share of `outlier` of a wall that nobody saw
   double cut = 400;             ///< nats a square metre of seen air that is cut off
-  double add = 20;              ///< nats a square metre that nobody saw
+  double add = 20;              ///< nats a square metre that is taken in
   double other = 3600;          ///< nats a square metre of another room
   double bend = 20;             ///< nats a metre of a connecting piece or an extension
   double free_extension = 0.2;  ///< metres; shorter extensions are the corner's own
@@ -49,6 +49,7 @@ struct LoopSearch {
   double max_turn = 0.07;      ///< radians: lines are turned so far into a direction
   double min_seen = 0.6;       ///< share of the samples through which a curve is laid
   double least_fall = 0.5;     ///< nats: of a round, or it was the last
+  double least_gain = 0.1;     ///< nats: of a proposal where it replaces others
   std::size_t candidates = 12; ///< of a sample
   std::size_t neighbours = 40; ///< samples solved again on each side of a change
 };

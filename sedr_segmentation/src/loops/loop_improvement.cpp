@@ -43,7 +43,7 @@ LoopSolver::pays(std::size_t c, const Span& span, const LoopCandidate& instead) 
                    (samples[last].place + samples[after].place) / 2)
                  .cost;
   }
-  return saved > maker_.search().least_fall;
+  return saved > maker_.search().least_gain;
 }
 
 /** @brief Returns curves that lower the energy where they replace others: the used ones

@@ -109,9 +109,7 @@ fillAreas(const LoopSample& sample,
     const double t = (k - 0.5) * table.step;
     const Eigen::Vector2d p = sample.place + t * sample.normal;
     if (t > size / 2 && !is(cells.region, p))
-      sum += strip * (is(cells.others, p) ? energy.other
-                      : is(cells.seen, p) ? energy.cut
-                                          : energy.add);
+      sum += strip * (is(cells.others, p) ? energy.other : energy.add);
     row[table.half + k] = static_cast<float>(sum);
   }
 }

@@ -10,7 +10,7 @@ namespace pcl::sedr {
 /** @brief Noise of the places of walls, measured along straight stretches; metres. */
 struct WallNoise {
   double sigma = 0.01;      ///< standard deviation of a place from a metre of its wall
-  double correlation = 0.2; ///< so long a piece of wall is one independent observation
+  double correlation = 0.1; ///< so long a piece of wall is one independent observation
   double spread = 0.01; ///< standard deviation of such an observation from metres of
                         ///< its wall, which waves: at least sigma
 };
