@@ -118,8 +118,6 @@ gatherWalls(const PointView& points,
             const RoomCellsParameters& p,
             RoomCells& cells)
 {
-  constexpr int filled = 5;         // of the bins, by any surface
-  constexpr int filled_of_wall = 3; // by one that wall growing has reached
   const std::size_t count = cells.seen.values().size();
   const auto lowest = [&](float ceiling) {
     return std::max(ceiling - p.band, cells.floor + (ceiling - cells.floor) / 2);
@@ -161,7 +159,7 @@ gatherWalls(const PointView& points,
   cells.solid = CellMask(cells.seen.box());
   cells.glass = cells.riser = cells.pillar = cells.solid;
   for (std::size_t i = 0; i < count; ++i) {
-    const int needed = is_wall[i] ? filled_of_wall : filled;
+    const int needed = is_wall[i] ? p.filled_of_wall : p.filled;
     const int below_top = __builtin_popcount(bins[i]);
     const int below_low = __builtin_popcount(bins_of_low[i]);
     const bool goes_on = below_low > 1; // one may be a stray

@@ -47,6 +47,8 @@ struct RoomCellsParameters {
   double band = 0.5;      ///< below the ceiling: walls are looked for in this band
   double rim = 0.06;      ///< nearest to the ceiling, where its noise is
   double bin = 0.07;      ///< height of a bin of the band, above the voxel size
+  int filled = 5;         ///< bins of a surface that reaches up to the ceiling,
+  int filled_of_wall = 3; ///< of one that wall growing has reached
   double local = 0.2;     ///< the ceiling of a cell is the highest within this reach
   double few_hits = 0.35; ///< share of the usual hits below which a surface is glass
   double pane_neighbours = 2; ///< reach in which the usual hits are counted
