@@ -14,8 +14,8 @@ namespace pcl::sedr {
  *         + area between contour and curve: `cut` where seen air is cut off, `other`
  * within another room, else `add`
  *       + sum over changes of curve
- *           corner ln(samples) + `bend` a metre of extension; two for a connecting
- * piece
+ *           corner ln(`wall` / spacing) + `bend` a metre of extension; two for a
+ * connecting piece
  *       + sum over distinct curves
  *           ln(reach / sigma) a parameter, + `rare_oblique`, `rare_arc`
  *
@@ -31,6 +31,7 @@ struct LoopEnergy {
   double cut = 400;             ///< nats a square metre of seen air that is cut off
   double add = 20;              ///< nats a square metre that is taken in
   double other = 3600;          ///< nats a square metre of another room
+  double wall = 3;              ///< metres: walls are so long between corners
   double bend = 20;             ///< nats a metre of a connecting piece or an extension
   double free_extension = 0.2;  ///< metres; shorter extensions are the corner's own
   double reach = 1.5;       ///< metres: curves farther from the contour do not matter

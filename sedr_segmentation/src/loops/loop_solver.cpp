@@ -21,13 +21,11 @@ LoopSolver::LoopSolver(const std::vector<LoopContour>& contours,
     , samples_(contours)
     , maker_(samples_, energy, spacing, noise)
     , threads_(threads)
+    , corner_(std::log(energy.wall / spacing))
     , tables_(contours.size())
     , labels_(contours.size())
     , blocked_(contours.size())
-{
-  for (std::size_t c = 0; c < contours.size(); ++c)
-    tables_[c].corner = std::log(static_cast<double>(contours[c].samples.size()));
-}
+{}
 
 LoopJoint
 LoopSolver::joint(std::size_t contour,
@@ -36,7 +34,7 @@ LoopSolver::joint(std::size_t contour,
                   const Eigen::Vector2d& near) const
 {
   const LoopEnergy& energy = maker_.energy();
-  const double corner = tables_[contour].corner;
+  const double corner = corner_;
   const double sigma = maker_.sigma();
   const PlanCurve& first = from.curve();
   const PlanCurve& second = to.curve();

@@ -67,7 +67,6 @@ private:
     std::vector<double> cost;        ///< of these
     CycleCosts cycle;                ///< of these, as far as they are allowed
     std::vector<std::size_t> places; ///< in `list`, of the labels
-    double corner = 0;               ///< nats of a change
   };
 
   /** @brief A run of samples around a contour. */
@@ -105,6 +104,7 @@ private:
   StoreySamples samples_;
   CandidateMaker maker_;
   unsigned threads_;
+  double corner_; ///< nats of a change
   std::vector<LoopCandidate> pool_;
   std::vector<Table> tables_;
   std::vector<std::vector<std::size_t>> labels_;
