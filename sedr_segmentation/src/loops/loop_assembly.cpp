@@ -40,8 +40,8 @@ runsOf(const LoopSolver& solver, std::size_t c)
     const Eigen::Vector2d near = (contour.samples[(next.first + n - 1) % n].place +
                                   contour.samples[next.first].place) /
                                  2;
-    const LoopJoint joint = solver.joint(c, solver.candidate(run.label),
-                                         solver.candidate(next.label), near);
+    const LoopJoint joint =
+        solver.joint(solver.candidate(run.label), solver.candidate(next.label), near);
     const bool is_piece = joint.kind == LoopJoint::Kind::Piece;
     run.end =
         is_piece ? solver.candidate(run.label).curve().project(near) : joint.place;

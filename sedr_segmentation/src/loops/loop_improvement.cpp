@@ -36,10 +36,10 @@ LoopSolver::pays(std::size_t c, const Span& span, const LoopCandidate& instead) 
     const std::size_t last = at(span.length - 1);
     const std::size_t before = (first + n - 1) % n;
     const std::size_t after = (last + 1) % n;
-    saved -= joint(c, pool_[labels_[c][before]], instead,
+    saved -= joint(pool_[labels_[c][before]], instead,
                    (samples[before].place + samples[first].place) / 2)
                  .cost;
-    saved -= joint(c, instead, pool_[labels_[c][after]],
+    saved -= joint(instead, pool_[labels_[c][after]],
                    (samples[last].place + samples[after].place) / 2)
                  .cost;
   }

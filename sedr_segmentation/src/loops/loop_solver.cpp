@@ -28,8 +28,7 @@ LoopSolver::LoopSolver(const std::vector<LoopContour>& contours,
 {}
 
 LoopJoint
-LoopSolver::joint(std::size_t contour,
-                  const LoopCandidate& from,
+LoopSolver::joint(const LoopCandidate& from,
                   const LoopCandidate& to,
                   const Eigen::Vector2d& near) const
 {
@@ -72,7 +71,7 @@ LoopSolver::jointCost(std::size_t c,
   const auto& samples = contours_[c].samples;
   const Eigen::Vector2d near =
       (samples[i].place + samples[(i + 1) % samples.size()].place) / 2;
-  return joint(c, pool_[from], pool_[to], near).cost;
+  return joint(pool_[from], pool_[to], near).cost;
 }
 
 void

@@ -53,8 +53,7 @@ public:
   const LoopCandidate& candidate(std::size_t i) const { return pool_[i]; }
 
   /** @brief Returns the cheapest way from one curve to another near the contour. */
-  LoopJoint joint(std::size_t contour,
-                  const LoopCandidate& from,
+  LoopJoint joint(const LoopCandidate& from,
                   const LoopCandidate& to,
                   const Eigen::Vector2d& near) const;
 
