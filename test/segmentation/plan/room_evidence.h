@@ -3,7 +3,8 @@
 
 #include "room_points.h"
 
-#include "sedr_segmentation/src/plan/room_fit.h"
+#include <pcl/point_types.h>
+#include <pcl/sedr_segmentation/floorplan_fitting.h>
 
 #include <gtest/gtest.h>
 
@@ -13,9 +14,20 @@ namespace sedr_test {
 
 using namespace pcl::sedr;
 
+/** The points of rooms as the stages before the fit label them: indices, and the room
+ * of each point unless all is one. */
+struct PlanEvidence {
+  std::vector<int> all;
+  std::vector<int> ceiling;
+  std::vector<int> details;
+  std::vector<int> floor;
+  std::vector<int> walls; ///< empty: all
+  std::vector<std::uint32_t> room;
+};
+
 /** Returns a room's points as the previous stages label them: points in a cell with a
  * wall are not ceiling. */
-inline RoomEvidence
+inline PlanEvidence
 evidenceOf(const RoomPoints& points, const RoomParts& parts)
 {
   const CellGrid grid(0.05);
@@ -27,8 +39,8 @@ evidenceOf(const RoomPoints& points, const RoomParts& parts)
         kept.push_back(i);
     return kept;
   };
-  RoomEvidence evidence;
-  evidence.around = points.all();
+  PlanEvidence evidence;
+  evidence.all = points.all();
   evidence.ceiling = besideWalls(parts.ceiling);
   evidence.details = parts.details;
   evidence.floor = parts.floor;
@@ -36,13 +48,46 @@ evidenceOf(const RoomPoints& points, const RoomParts& parts)
   return evidence;
 }
 
+using Fitting = pcl::FloorplanFitting<pcl::PointXYZ>;
+
+/** Gives a fit its input. */
+inline void
+setEvidence(const RoomPoints& points, const PlanEvidence& evidence, Fitting& fitting)
+{
+  fitting.setInputCloud(points.cloud());
+  fitting.setIndices(shared(evidence.all));
+  fitting.setCeilingIndices(shared(evidence.ceiling));
+  fitting.setDetailIndices(shared(evidence.details));
+  fitting.setFloorIndices(shared(evidence.floor));
+  if (!evidence.walls.empty())
+    fitting.setWallIndices(shared(evidence.walls));
+  fitting.setRooms(evidence.room);
+}
+
+/** Returns the plan of points, which must have one; empty otherwise. */
+inline Floorplan
+planOf(const RoomPoints& points, const PlanEvidence& evidence)
+{
+  Fitting fitting;
+  setEvidence(points, evidence, fitting);
+  Floorplan plan;
+  EXPECT_TRUE(fitting.segment(plan)) << fitting.getErrorMessage();
+  return plan;
+}
+
+/** Returns the only room of points; an empty one if there is another number. */
+inline PlanRoom
+fitted(const RoomPoints& points, const PlanEvidence& evidence)
+{
+  const Floorplan plan = planOf(points, evidence);
+  EXPECT_EQ(plan.rooms.size(), 1u);
+  return plan.rooms.size() == 1 ? plan.rooms[0] : PlanRoom();
+}
+
 inline PlanRoom
 fitted(const RoomPoints& points, const RoomParts& parts)
 {
-  std::string problem = "none yet";
-  const PlanRoom room = fitRoom(points.view(), evidenceOf(points, parts), {}, problem);
-  EXPECT_EQ(problem, "");
-  return room;
+  return fitted(points, evidenceOf(points, parts));
 }
 
 /** Returns the maximum distance from an end in `truth` to the nearest in `loop`. */

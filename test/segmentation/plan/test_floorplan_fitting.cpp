@@ -2,15 +2,12 @@
 #include "two_rooms.h"
 
 #include <pcl/sedr_filters/point_types.h>
-#include <pcl/sedr_segmentation/floorplan_fitting.h>
 
 namespace {
 
 using namespace pcl::sedr;
 using namespace sedr_test;
 using Eigen::Vector2d;
-
-using Fitting = pcl::FloorplanFitting<pcl::PointXYZ>;
 
 TEST(FloorplanFitting, FitsTheRoomsThatAreSetOrOneForAll)
 {
@@ -116,7 +113,7 @@ TEST(FloorplanFitting, TellsTheBoundaryPointsOfWallsAndColumns)
   truth.columns = {reversed(circle({2, 2}, 0.3))};
   RoomPoints points;
   const RoomParts parts = points.room(truth);
-  const RoomEvidence evidence = evidenceOf(points, parts);
+  const PlanEvidence evidence = evidenceOf(points, parts);
   Fitting fitting;
   fitting.setInputCloud(points.cloud());
   fitting.setCeilingIndices(shared(evidence.ceiling));

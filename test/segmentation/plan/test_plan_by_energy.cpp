@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "two_rooms.h"
 
-#include <pcl/sedr_filters/point_types.h>
-#include <pcl/sedr_segmentation/floorplan_fitting.h>
-
 namespace {
 
 using namespace pcl::sedr;
@@ -14,13 +11,9 @@ using Eigen::Vector2d;
 Floorplan
 energyPlan(const RoomPoints& points, const PlanEvidence& evidence)
 {
-  pcl::FloorplanFitting<pcl::PointXYZ> fitting;
+  Fitting fitting;
   fitting.setByEnergy(true);
-  fitting.setInputCloud(points.cloud());
-  fitting.setCeilingIndices(shared(evidence.ceiling));
-  fitting.setFloorIndices(shared(evidence.floor));
-  fitting.setWallIndices(shared(evidence.walls));
-  fitting.setRooms(evidence.room);
+  setEvidence(points, evidence, fitting);
   Floorplan plan;
   EXPECT_TRUE(fitting.segment(plan)) << fitting.getErrorMessage();
   return plan;
@@ -30,12 +23,8 @@ Floorplan
 energyPlan(const PlanRoom& truth, double noise)
 {
   RoomPoints points(0.04, noise);
-  const RoomEvidence own = evidenceOf(points, points.room(truth));
-  PlanEvidence evidence;
-  evidence.ceiling = own.ceiling;
-  evidence.floor = own.floor;
-  evidence.walls = own.walls;
-  return energyPlan(points, evidence);
+  const RoomParts parts = points.room(truth);
+  return energyPlan(points, evidenceOf(points, parts));
 }
 
 TEST(PlanByEnergy, EachRoomEndsAtItsOwnFaceOfThePartition)
@@ -87,7 +76,7 @@ TEST(PlanByEnergy, AWallHiddenAlongAMetreGoesOnInItsLine)
   for (std::size_t i = 0; i < cloud->size(); ++i)
     if (isHidden(static_cast<int>(i)) && (*cloud)[i].z > 0.1F && (*cloud)[i].z < 2.4F)
       (*cloud)[i].x = gone;
-  pcl::FloorplanFitting<pcl::PointXYZ> fitting;
+  Fitting fitting;
   fitting.setByEnergy(true);
   fitting.setInputCloud(cloud);
   fitting.setCeilingIndices(shared(scene.evidence.ceiling));

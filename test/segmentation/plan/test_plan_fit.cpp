@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "two_rooms.h"
 
-#include "sedr_segmentation/src/plan/plan_fit.h"
 #include <pcl/sedr_filters/floorplan_io.h>
 
 namespace {
@@ -9,20 +8,33 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
+/** Returns the plan of points and the warnings. */
+Floorplan
+fitPlan(const RoomPoints& points,
+        const PlanEvidence& evidence,
+        std::vector<std::string>* warnings)
+{
+  Fitting fitting;
+  setEvidence(points, evidence, fitting);
+  Floorplan plan;
+  EXPECT_TRUE(fitting.segment(plan)) << fitting.getErrorMessage();
+  *warnings = fitting.getWarnings();
+  return plan;
+}
+
 TEST(FitPlan, SeesTheBacksOfDeepNiches)
 {
   PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.6);
   room.niches = {{rectangle(5.01, 1, 5.91, 2.5), slabAt(0.5), slabAt(2)}};
   RoomPoints points(0.04, 0.002);
-  const RoomEvidence own = evidenceOf(points, points.room(room));
+  const PlanEvidence own = evidenceOf(points, points.room(room));
   PlanEvidence evidence;
   evidence.all = points.all();
   evidence.ceiling = own.ceiling;
   evidence.floor = own.floor;
   evidence.walls = own.walls;
-  std::string problem;
   std::vector<std::string> warnings;
-  const Floorplan plan = fitPlan(points.view(), evidence, {}, problem, warnings);
+  const Floorplan plan = fitPlan(points, evidence, &warnings);
   ASSERT_EQ(plan.rooms.size(), 1u);
   ASSERT_EQ(plan.rooms[0].niches.size(), 1u);
   EXPECT_LT(cornerError(plan.rooms[0].niches[0].boundary, room.niches[0].boundary),
@@ -39,11 +51,8 @@ TEST(FitPlan, FitsEachRoomToItsOwnFaceOfThePartition)
   for (const bool walls_known : {true, false}) {
     if (!walls_known)
       scene.evidence.walls.clear();
-    std::string problem;
     std::vector<std::string> warnings;
-    const Floorplan plan =
-        fitPlan(scene.points.view(), scene.evidence, {}, problem, warnings);
-    EXPECT_EQ(problem, "");
+    const Floorplan plan = fitPlan(scene.points, scene.evidence, &warnings);
     EXPECT_TRUE(warnings.empty());
     ASSERT_EQ(plan.rooms.size(), 2u);
     EXPECT_EQ(plan.rooms[0].id, 3u) << "by increasing number";
@@ -75,9 +84,8 @@ TEST(FitPlan, ARoomKeepsItsFloorThoughSomeOfItsCeilingIsThatOfTheStoreyAbove)
       ++moved;
     }
   ASSERT_EQ(moved, 100);
-  std::string problem;
   std::vector<std::string> warnings;
-  const Floorplan plan = fitPlan(points.view(), evidence, {}, problem, warnings);
+  const Floorplan plan = fitPlan(points, evidence, &warnings);
   ASSERT_EQ(plan.rooms.size(), 2u);
   EXPECT_NEAR(plan.rooms[0].floor.heightAt({2, 1}), 0, 0.002);
   EXPECT_NEAR(plan.rooms[0].ceiling.heightAt({2, 1}), 2.5, 0.002);
@@ -100,10 +108,8 @@ TEST(FitPlan, AWallSeenFromNextDoorIsNoNiche)
     scene.evidence.room.push_back(7);
   }
   scene.evidence.all = scene.points.all();
-  std::string problem;
   std::vector<std::string> warnings;
-  const Floorplan plan =
-      fitPlan(scene.points.view(), scene.evidence, {}, problem, warnings);
+  const Floorplan plan = fitPlan(scene.points, scene.evidence, &warnings);
   ASSERT_EQ(plan.rooms.size(), 2u);
   EXPECT_EQ(plan.rooms[1].boundary.elements.size(), 4u);
   EXPECT_LT(cornerError(plan.rooms[1].boundary, scene.left), 0.003);
@@ -117,11 +123,8 @@ TEST(FitPlan, ARoomThatCannotBeFittedIsAWarningWhileOthersCan)
   floor.erase(std::remove_if(floor.begin(), floor.end(),
                              [&](int i) { return scene.points[i].x() > 4; }),
               floor.end());
-  std::string problem;
   std::vector<std::string> warnings;
-  const Floorplan plan =
-      fitPlan(scene.points.view(), scene.evidence, {}, problem, warnings);
-  EXPECT_EQ(problem, "");
+  const Floorplan plan = fitPlan(scene.points, scene.evidence, &warnings);
   ASSERT_EQ(plan.rooms.size(), 1u);
   EXPECT_EQ(plan.rooms[0].id, 7u);
   ASSERT_EQ(warnings.size(), 1u);
@@ -132,30 +135,26 @@ TEST(FitPlan, ARoomThatCannotBeFittedIsAWarningWhileOthersCan)
 TEST(FitPlan, WithoutAnyRoomThereIsAProblem)
 {
   TwoRooms scene;
-  scene.evidence.floor.clear();
-  std::string problem;
-  std::vector<std::string> warnings;
-  EXPECT_TRUE(fitPlan(scene.points.view(), scene.evidence, {}, problem, warnings)
-                  .rooms.empty());
-  EXPECT_NE(problem, "");
   std::fill(scene.evidence.room.begin(), scene.evidence.room.end(), 0u);
-  EXPECT_TRUE(fitPlan(scene.points.view(), scene.evidence, {}, problem, warnings)
-                  .rooms.empty());
-  EXPECT_NE(problem, "");
+  Fitting fitting;
+  setEvidence(scene.points, scene.evidence, fitting);
+  Floorplan plan;
+  EXPECT_FALSE(fitting.segment(plan));
+  EXPECT_TRUE(plan.rooms.empty());
+  EXPECT_NE(fitting.getErrorMessage(), "");
 }
 
 TEST(FitPlan, WithoutNumbersAllIsOneRoom)
 {
   const PlanLoop truth = rectangle(0.01, 0.01, 4.01, 3.01);
   RoomPoints points;
-  const RoomEvidence own = evidenceOf(points, points.room(truth, 0, 2.5));
+  const PlanEvidence own = evidenceOf(points, points.room(truth, 0, 2.5));
   PlanEvidence evidence;
   evidence.all = points.all();
   evidence.ceiling = own.ceiling;
   evidence.floor = own.floor;
-  std::string problem;
   std::vector<std::string> warnings;
-  const Floorplan plan = fitPlan(points.view(), evidence, {}, problem, warnings);
+  const Floorplan plan = fitPlan(points, evidence, &warnings);
   ASSERT_EQ(plan.rooms.size(), 1u);
   EXPECT_EQ(plan.rooms[0].id, 1u);
   EXPECT_LT(cornerError(plan.rooms[0].boundary, truth), 0.003);
@@ -164,10 +163,11 @@ TEST(FitPlan, WithoutNumbersAllIsOneRoom)
 TEST(FitPlan, TellsWhatEachRoomWasFittedTo)
 {
   const TwoRooms scene;
-  std::string problem;
-  std::vector<std::string> warnings;
-  std::vector<FittedBoundary> boundaries;
-  fitPlan(scene.points.view(), scene.evidence, {}, problem, warnings, &boundaries);
+  Fitting fitting;
+  setEvidence(scene.points, scene.evidence, fitting);
+  Floorplan plan;
+  ASSERT_TRUE(fitting.segment(plan));
+  const std::vector<FittedBoundary>& boundaries = fitting.getBoundaries();
   ASSERT_EQ(boundaries.size(), 2u);
   EXPECT_EQ(boundaries[0].room, 3u);
   EXPECT_EQ(boundaries[1].room, 7u);
@@ -183,10 +183,8 @@ TEST(FitPlan, APartOfACeilingFarFromTheRestIsToldAndLeftOut)
     scene.evidence.room.push_back(3);
   }
   scene.evidence.all = scene.points.all();
-  std::string problem;
   std::vector<std::string> warnings;
-  const Floorplan plan =
-      fitPlan(scene.points.view(), scene.evidence, {}, problem, warnings);
+  const Floorplan plan = fitPlan(scene.points, scene.evidence, &warnings);
   ASSERT_EQ(plan.rooms.size(), 2u);
   EXPECT_LT(cornerError(plan.rooms[0].boundary, scene.right), 0.003);
   ASSERT_EQ(warnings.size(), 1u);
@@ -199,14 +197,14 @@ TEST(FitPlan, APartOfACeilingFarFromTheRestIsToldAndLeftOut)
 TEST(FitPlan, IsTheSameForAnyNumberOfThreads)
 {
   const TwoRooms scene;
-  RoomFitParameters parameters;
   std::vector<std::string> plans;
   for (const unsigned threads : {1u, 3u}) {
-    parameters.threads = threads;
-    std::string problem;
-    std::vector<std::string> warnings;
-    plans.push_back(floorplanToJson(
-        fitPlan(scene.points.view(), scene.evidence, parameters, problem, warnings)));
+    Fitting fitting;
+    setEvidence(scene.points, scene.evidence, fitting);
+    fitting.setNumberOfThreads(threads);
+    Floorplan plan;
+    EXPECT_TRUE(fitting.segment(plan));
+    plans.push_back(floorplanToJson(plan));
   }
   EXPECT_EQ(plans[0], plans[1]);
 }

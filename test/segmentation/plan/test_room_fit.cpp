@@ -258,15 +258,14 @@ fittedWithout(const RoomPoints& points,
               const RoomParts& parts,
               const RoomPoints::InSpace& isHidden)
 {
-  RoomEvidence evidence = evidenceOf(points, parts);
-  for (auto* indices : {&evidence.around, &evidence.ceiling, &evidence.details,
+  PlanEvidence evidence = evidenceOf(points, parts);
+  for (auto* indices : {&evidence.all, &evidence.ceiling, &evidence.details,
                         &evidence.floor, &evidence.walls})
     indices->erase(
         std::remove_if(indices->begin(), indices->end(),
                        [&](int i) { return isHidden(points[i].cast<double>()); }),
         indices->end());
-  std::string problem;
-  return fitRoom(points.view(), evidence, {}, problem);
+  return fitted(points, evidence);
 }
 
 /** 6 m x 4 m, with a beam of 0.4 m across. */

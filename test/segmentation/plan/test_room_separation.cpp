@@ -233,28 +233,6 @@ TEST(SeparateRooms, RoomsThatAreApartOrOneAboveTheOtherStay)
   EXPECT_NEAR(plan.rooms[2].boundary.area(), 5, 1e-12);
 }
 
-TEST(SeparateRooms, ASlitIsCutOffFromTheRoomAndItsSoffit)
-{
-  const auto withSlit = [](double left) {
-    PlanLoop loop;
-    loop.elements = {segment({left, 0}, {4, 0}),    segment({4, 0}, {4, 1}),
-                     segment({4, 1}, {5, 1}),       segment({5, 1}, {5, 1.03}),
-                     segment({5, 1.03}, {4, 1.03}), segment({4, 1.03}, {4, 3}),
-                     segment({4, 3}, {left, 3}),    segment({left, 3}, {left, 0})};
-    return loop;
-  };
-  Floorplan plan;
-  plan.rooms = {roomAt(1, withSlit(0))};
-  PlanDetail soffit;
-  soffit.boundary = withSlit(3);
-  soffit.slab = slabAt(2.2);
-  plan.rooms[0].details = plan.rooms[0].floor_details = {soffit};
-  EXPECT_TRUE(separate(plan, RoomPoints()).empty());
-  EXPECT_NEAR(plan.rooms[0].boundary.area(), 12, 1e-9);
-  EXPECT_NEAR(plan.rooms[0].details[0].boundary.area(), 3, 1e-9);
-  EXPECT_NEAR(plan.rooms[0].floor_details[0].boundary.area(), 3, 1e-9);
-}
-
 TEST(SeparateRooms, DetailsEndAtTheWallsOfTheirRoom)
 {
   // An L whose soffit passes through the wall at its inner corner.

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sedr_segmentation/src/plan/shared_faces.h"
-
 #include "room_points.h"
 #include "two_storeys.h"
 
 #include "sedr_filters/src/plan/plan_evidence.h"
 #include "sedr_segmentation/src/plan/room_separation.h"
 #include "sedr_segmentation/src/plan/rooms_above.h"
-#include "sedr_segmentation/src/refit/plan_refit.h"
-#include "sedr_segmentation/src/refit/plan_regularisation.h"
 #include <pcl/sedr_filters/floorplan_io.h>
 
 #include <gtest/gtest.h>
@@ -85,53 +81,6 @@ TEST(RoomsAboveRooms, KeepTheirNiches)
   const RoomPoints nothing;
   separateRooms(plan, nothing.view(), {});
   EXPECT_EQ(plan.rooms[0].niches.size(), 1u);
-}
-
-TEST(RoomsAboveRooms, HaveNoFacesOfEachOther)
-{
-  // The short wall of the lower room is on the other side of a long one of the upper.
-  Floorplan plan;
-  plan.rooms = {
-      roomBetween(rectangle(0, 1, 4, 2), 0, 2.5, 1),
-      roomBetween(rectangle(4.01, 0, 8, 3), 2.8, 5.3, 2),
-  };
-  EXPECT_TRUE(facesOfOthers(plan, 0).empty());
-  plan.rooms[1] = roomBetween(rectangle(4.01, 0, 8, 3), 0, 2.5, 2);
-  EXPECT_FALSE(facesOfOthers(plan, 0).empty());
-}
-
-TEST(RoomsAboveRooms, AreFittedToTheirOwnPoints)
-{
-  // Walls 3 cm apart: those of one storey are within reach of the other's.
-  const Floorplan truth = twoStoreys(0.03);
-  Floorplan plan = truth;
-  for (PlanRoom& room : plan.rooms) {
-    for (PlanElement& e : room.boundary.elements) {
-      e.inliers = 100;
-      e.residual = 0.01;
-    }
-    room.ceiling.plane[3] += 0.004;
-  }
-  const RoomPoints points = scanOf(truth);
-  const RefitReport report = refitToRaw(plan, points.view(), points.all());
-  EXPECT_EQ(report.problem, "");
-  EXPECT_LT(farthestCorner(plan, truth), 1e-4);
-  for (std::size_t r = 0; r < 4; ++r)
-    EXPECT_NEAR(plan.rooms[r].ceiling.heightAt({1, 1}),
-                truth.rooms[r].ceiling.heightAt({1, 1}), 1e-4);
-}
-
-TEST(RoomsAboveRooms, WallsThatNearlyLieAboveEachOtherAreNotMadeTo)
-{
-  Floorplan plan = twoStoreys(0.004);
-  for (PlanRoom& room : plan.rooms)
-    for (PlanElement& e : room.boundary.elements) {
-      e.inliers = 20;
-      e.residual = 0.02;
-    }
-  const Floorplan before = plan;
-  regularisePlan(plan);
-  EXPECT_LT(farthestCorner(plan, before), 1e-9);
 }
 
 TEST(RoomsAboveRooms, TakeNothingFromEachOther)

@@ -3,8 +3,6 @@
 
 #include "room_evidence.h"
 
-#include "sedr_segmentation/src/plan/plan_fit.h"
-
 #include <cstdint>
 
 namespace sedr_test {
@@ -28,7 +26,7 @@ private:
   {
     const RoomParts parts = points.room(loop, 0, height);
     evidence.room.resize(points.size(), number);
-    const RoomEvidence own = evidenceOf(points, parts);
+    const PlanEvidence own = evidenceOf(points, parts);
     evidence.ceiling = joined(evidence.ceiling, own.ceiling);
     evidence.floor = joined(evidence.floor, own.floor);
     evidence.walls = joined(evidence.walls, own.walls);

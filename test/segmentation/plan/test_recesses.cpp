@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Recesses in walls: parts of the plan, niches, or openings.
+#include "room_evidence.h"
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+/** A room of 5 m x 4 m with a recess 2 m wide in the wall y = 4, up to the ceiling. */
+PlanLoop
+withRecess(double depth)
+{
+  return polygon({{0, 0},
+                  {5, 0},
+                  {5, 4},
+                  {3.5, 4},
+                  {3.5, 4 + depth},
+                  {1.5, 4 + depth},
+                  {1.5, 4},
+                  {0, 4}});
+}
+
+/** Fits the room with a recess. Above `sill` everything was scanned, below it the wall
+ * in front of the recess, and of the back the points where `isSeen` is true. An
+ * optional soffit of 0.6 m continues into the recess. */
+PlanRoom
+fittedAbove(double sill,
+            double depth,
+            const RoomPoints::OnWall& isSeen,
+            bool has_soffit = false)
+{
+  RoomPoints points(0.05, 0.003);
+  const PlanLoop loop = withRecess(depth);
+  const PlanLoop soffit = rectangle(1, 3.4, 4, 4 + depth);
+  RoomParts parts;
+  if (has_soffit) {
+    parts.details = points.slab(soffit, 2.3, [&](double x, double y) {
+      return loop.contains({x, y});
+    });
+    for (const std::size_t side : {0, 1, 3})
+      parts.details =
+          joined(parts.details,
+                 points.wall(soffit.elements[side], 2.3, 2.6, [&](double s, double) {
+                   return loop.contains(soffit.elements[side].pointAt(s));
+                 }));
+  }
+  parts.floor = points.slab(rectangle(0, 0, 5, sill > 0 ? 4 : 4 + depth), 0,
+                            [&](double x, double y) {
+                              return loop.contains({x, y});
+                            });
+  parts.ceiling = points.slab(loop, 2.6, [&](double x, double y) {
+    return !has_soffit || !soffit.contains({x, y});
+  });
+  for (std::size_t i = 0; i < loop.elements.size(); ++i) {
+    const bool is_of_recess = i >= 3 && i <= 5;
+    const double low = is_of_recess ? sill : 0;
+    parts.walls =
+        joined(parts.walls, i == 4 ? points.wall(loop.elements[i], low, 2.6, isSeen)
+                                   : points.wall(loop.elements[i], low, 2.6));
+  }
+  if (sill > 0)
+    parts.walls =
+        joined(parts.walls, points.wall(segment({3.5, 4}, {1.5, 4}), 0, sill));
+  return fitted(points, parts);
+}
+
+const RoomPoints::OnWall all_of_it = [](double, double) { return true; };
+const RoomPoints::OnWall nothing = [](double, double) { return false; };
+
+TEST(Recesses, AboveASillAreNoPartOfThePlan)
+{
+  for (const double sill : {0.45, 0.9}) {
+    const PlanRoom room = fittedAbove(sill, 0.25, all_of_it);
+    EXPECT_EQ(room.boundary.elements.size(), 4u) << sill;
+    EXPECT_LT(cornerError(room.boundary, rectangle(0, 0, 5, 4)), 0.01) << sill;
+    ASSERT_EQ(room.niches.size(), 1u) << "its back was seen";
+    EXPECT_NEAR(room.niches[0].bottom.heightAt({2.5, 4}), sill, 0.01);
+    EXPECT_NEAR(room.niches[0].top.heightAt({2.5, 4}), 2.6, 0.01);
+  }
+}
+
+TEST(Recesses, AnAlcoveAboveALowWallIsANicheThoughAWindowIsInItsBack)
+{
+  const RoomPoints::OnWall besideWindow = [](double s, double z) {
+    return s < 0.5 || s > 1.5 || z < 1.1 || z > 2.4;
+  };
+  for (const double sill : {0.45, 0.9}) {
+    const PlanRoom room = fittedAbove(sill, 0.25, besideWindow);
+    EXPECT_LT(cornerError(room.boundary, rectangle(0, 0, 5, 4)), 0.01) << sill;
+    ASSERT_EQ(room.niches.size(), 1u) << sill;
+    EXPECT_LT(cornerError(room.niches[0].boundary, rectangle(1.5, 4, 3.5, 4.25)), 0.02);
+    EXPECT_NEAR(room.niches[0].bottom.heightAt({2.5, 4}), sill, 0.03);
+    EXPECT_NEAR(room.niches[0].top.heightAt({2.5, 4}), 2.6, 0.01);
+  }
+}
+
+TEST(Recesses, AWindowOfWhichTheFrameIsSeenIsNone)
+{
+  const PlanRoom room = fittedAbove(0.45, 0.25, [](double s, double z) {
+    return s < 0.1 || s > 1.9 || std::abs(s - 1) < 0.05 || z < 0.55 || z > 2.5;
+  });
+  EXPECT_EQ(room.boundary.elements.size(), 4u);
+  EXPECT_TRUE(room.niches.empty());
+}
+
+TEST(Recesses, ASoffitThatGoesOnIntoThemEndsAtTheWall)
+{
+  for (const double depth : {0.25, 0.5}) {
+    const PlanRoom room = fittedAbove(0.9, depth, all_of_it, true);
+    EXPECT_LT(cornerError(room.boundary, rectangle(0, 0, 5, 4)), 0.01) << depth;
+    ASSERT_EQ(room.details.size(), 1u) << depth;
+    EXPECT_NEAR(room.details[0].boundary.area(), 3 * 0.6, 0.05) << depth;
+    EXPECT_LT(cornerError(room.details[0].boundary, rectangle(1, 3.4, 4, 4)), 0.03)
+        << depth;
+  }
+}
+
+TEST(Recesses, NorAreThoseThatOneSeesThrough)
+{
+  const PlanRoom room = fittedAbove(0, 0.35, nothing);
+  EXPECT_EQ(room.boundary.elements.size(), 4u);
+  EXPECT_TRUE(room.niches.empty());
+}
+
+TEST(Recesses, FromFloorToCeilingTheyArePartsOfIt)
+{
+  for (const double depth : {0.25, 0.5}) {
+    const PlanRoom room = fittedAbove(0, depth, all_of_it);
+    EXPECT_EQ(room.boundary.elements.size(), 8u) << depth;
+    EXPECT_LT(cornerError(room.boundary, withRecess(depth)), 0.01) << depth;
+  }
+}
+
+} // namespace

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Plans of rooms of many shapes, from their points.
+#include "room_evidence.h"
+
+#include <cmath>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+using Eigen::Vector2d;
+
+std::size_t
+arcsOf(const PlanLoop& loop)
+{
+  return static_cast<std::size_t>(std::count_if(
+      loop.elements.begin(), loop.elements.end(), [](auto& e) { return e.isArc(); }));
+}
+
+/** Returns the room that is fitted to the points of a loop. */
+PlanRoom
+roomFrom(const PlanRoom& truth, double noise)
+{
+  RoomPoints points(0.05, noise);
+  const RoomParts parts = points.room(truth);
+  return fitted(points, parts);
+}
+
+/** Expects as many segments and arcs as in the truth, its corners and its outline. */
+void
+expectShape(const PlanLoop& truth, double noise, double tolerance)
+{
+  const PlanLoop loop = roomFrom(roomOf(truth, 2.5), noise).boundary;
+  EXPECT_EQ(loop.elements.size(), truth.elements.size());
+  EXPECT_EQ(arcsOf(loop), arcsOf(truth));
+  EXPECT_LT(cornerError(loop, truth), tolerance);
+  EXPECT_LT(outlineError(loop, truth), tolerance);
+}
+
+TEST(WallShapes, CornersAtAnyAngleInTheGrid)
+{
+  const PlanLoop shape = polygon({{0, 0}, {5, 0}, {5, 2}, {2, 2}, {2, 4}, {0, 4}});
+  for (const double degrees : {0, 3, 17, 30, 45, 62, 88})
+    for (const double noise : {0.0, 0.02}) {
+      SCOPED_TRACE(testing::Message() << degrees << " noise " << noise);
+      expectShape(placed(shape, degrees, {1.013, -7.021}), noise, 0.003 + noise / 2);
+    }
+}
+
+TEST(WallShapes, ARoundRoomIsOneCircle)
+{
+  for (const double radius : {0.8, 2.0}) {
+    const PlanLoop loop =
+        roomFrom(roomOf(circle({3.02, 1.01}, radius), 2.5), 0.01).boundary;
+    ASSERT_EQ(loop.elements.size(), 1u) << radius;
+    EXPECT_TRUE(loop.elements[0].isArc());
+    EXPECT_NEAR((loop.elements[0].centre - Vector2d(3.02, 1.01)).norm(), 0, 0.003);
+    EXPECT_NEAR(loop.elements[0].radius, radius, 0.003);
+  }
+}
+
+TEST(WallShapes, CurvedWallsThatMeetOthersAtAnAngle)
+{
+  const double half = std::asin(3.0 / 5) * 180 / M_PI;
+  const PlanLoop bulging{{segment({-3, 0}, {3, 0}), segment({3, 0}, {3, 4}),
+                          arc({0, 0}, 5, 90 - half, 90 + half),
+                          segment({-3, 4}, {-3, 0})}};
+  for (const double degrees : {0.0, 20.0, 45.0}) {
+    SCOPED_TRACE(degrees);
+    expectShape(placed(bulging, degrees, {0.01, 0.02}), 0.005, 0.015);
+    expectShape(placed(bittenRectangle(6, 4, 1.2), degrees, {0.01, 0.02}), 0.005, 0.01);
+  }
+}
+
+TEST(WallShapes, ArcsTangentToWallsAreOneArcEach)
+{
+  for (const auto& shape : {stadium(4, 1.5), roundedRectangle(6, 4, 1)})
+    for (const double degrees : {0.0, 33.0}) {
+      SCOPED_TRACE(testing::Message() << shape.elements.size() << " at " << degrees);
+      const PlanLoop truth = placed(shape, degrees, {0.017, 0.023});
+      const PlanLoop loop = roomFrom(roomOf(truth, 2.5), 0.003).boundary;
+      EXPECT_EQ(loop.elements.size(), truth.elements.size());
+      EXPECT_EQ(arcsOf(loop), arcsOf(truth));
+      EXPECT_LT(outlineError(loop, truth), 0.006);
+      for (const auto& e : loop.elements)
+        if (e.isArc()) {
+          EXPECT_NEAR(e.radius, shape.elements[1].radius, 0.03);
+        }
+    }
+}
+
+TEST(WallShapes, AnSCurveIsTwoArcs)
+{
+  // The right wall of a room continues over two arcs of 2 m into another line, each
+  // tangent to the next.
+  const double a = 50 * M_PI / 180;
+  const Vector2d middle(2 - 2 * std::cos(a), 2 * std::sin(a));
+  const double x = 2 * middle.x();
+  const double y = 2 * middle.y();
+  const PlanLoop truth{{segment({-3, -1.5}, {0, -1.5}), segment({0, -1.5}, {0, 0}),
+                        arc({2, 0}, 2, 180, 130), arc({x - 2, y}, 2, -50, 0),
+                        segment({x, y}, {x, y + 1.2}),
+                        segment({x, y + 1.2}, {-3, y + 1.2}),
+                        segment({-3, y + 1.2}, {-3, -1.5})}};
+  for (const double noise : {0.001, 0.01}) {
+    SCOPED_TRACE(noise);
+    const PlanLoop loop = roomFrom(roomOf(truth, 2.5), noise).boundary;
+    EXPECT_EQ(loop.elements.size(), 7u);
+    EXPECT_EQ(arcsOf(loop), 2u);
+    EXPECT_LT(outlineError(loop, truth), 0.005 + noise / 2);
+  }
+}
+
+TEST(WallShapes, AWallThatTurnsOverAShortArcIsNotCutIntoStraightPieces)
+{
+  for (const double radius : {1.1, 1.5})
+    for (const double turn : {45.0, 60.0}) {
+      SCOPED_TRACE(testing::Message() << radius << " m over " << turn);
+      const double a = turn * M_PI / 180;
+      const Vector2d centre(3, radius);
+      const Vector2d end = centre + radius * Vector2d(std::sin(a), -std::cos(a));
+      const Vector2d far = end + 2 * Vector2d(std::cos(a), std::sin(a));
+      const PlanLoop truth =
+          placed({{segment({0, 0}, {3, 0}), arc(centre, radius, -90, turn - 90),
+                   segment(end, far), segment(far, {far.x(), 5}),
+                   segment({far.x(), 5}, {0, 5}), segment({0, 5}, {0, 0})}},
+                 33, {0.017, 0.023});
+      const PlanLoop loop = roomFrom(roomOf(truth, 2.5), 0.002).boundary;
+      EXPECT_EQ(loop.elements.size(), truth.elements.size());
+      EXPECT_EQ(arcsOf(loop), 1u);
+      EXPECT_LT(outlineError(loop, truth), 0.006);
+    }
+}
+
+TEST(WallShapes, ChamfersAndFlatAnglesStayStraight)
+{
+  for (const double noise : {0.002, 0.015}) {
+    SCOPED_TRACE(noise);
+    for (const double cut : {0.5, 0.9})
+      expectShape(
+          placed(polygon({{cut, 0}, {5 - cut, 0}, {5, cut}, {5, 4}, {0, 4}, {0, cut}}),
+                 17, {0.02, 0.01}),
+          noise, 0.004 + noise);
+    // The upper wall is bent by six degrees.
+    const PlanLoop bent = polygon({{0, 0}, {6, 0}, {6, 3}, {3, 3.315}, {0, 3}});
+    const PlanLoop loop = roomFrom(roomOf(bent, 2.5), noise).boundary;
+    EXPECT_EQ(loop.elements.size(), 5u);
+    EXPECT_LT(outlineError(loop, bent), 0.005 + noise / 2);
+    const PlanLoop straight = placed(rectangle(0, 0, 12, 3), 7, {0, 0});
+    EXPECT_EQ(roomFrom(roomOf(straight, 2.5), noise).boundary.elements.size(), 4u);
+  }
+}
+
+TEST(WallShapes, PilastersAndNichesHaveRightAngles)
+{
+  const PlanLoop in_wall = polygon({{0, 0},
+                                    {1, 0},
+                                    {1, 0.15},
+                                    {1.4, 0.15},
+                                    {1.4, 0},
+                                    {2.5, 0},
+                                    {2.5, -0.2},
+                                    {2.9, -0.2},
+                                    {2.9, 0},
+                                    {5, 0},
+                                    {5, 3},
+                                    {0, 3}});
+  const PlanLoop flat =
+      polygon({{0, 0}, {2, 0}, {2, 0.1}, {2.5, 0.1}, {2.5, 0}, {5, 0}, {5, 3}, {0, 3}});
+  const PlanLoop in_corner =
+      polygon({{0, 0}, {4, 0}, {4, 3}, {0.2, 3}, {0.2, 2.85}, {0, 2.85}});
+  for (const double degrees : {0.0, 25.0})
+    for (const double noise : {0.003, 0.01}) {
+      SCOPED_TRACE(testing::Message() << degrees << " noise " << noise);
+      for (const PlanLoop& shape : {in_wall, flat, in_corner})
+        expectShape(placed(shape, degrees, {0.02, 0.013}), noise, 0.005 + noise);
+    }
+}
+
+TEST(WallShapes, PartitionsHaveTwoFacesAndAnEnd)
+{
+  for (const double thickness : {0.1, 0.12}) {
+    SCOPED_TRACE(thickness);
+    const double x = 2.5 + thickness;
+    expectShape(polygon({{0.01, 0.01},
+                         {5.01, 0.01},
+                         {5.01, 4.01},
+                         {x, 4.01},
+                         {x, 1.51},
+                         {2.5, 1.51},
+                         {2.5, 4.01},
+                         {0.01, 4.01}}),
+                0.005, 0.012);
+  }
+}
+
+TEST(WallShapes, ColumnsAreSquareOrRound)
+{
+  for (const double degrees : {0.0, 30.0}) {
+    SCOPED_TRACE(degrees);
+    PlanRoom truth = roomOf(rectangle(0.01, 0.01, 7.01, 5.01), 2.5);
+    truth.columns = {
+        reversed(circle({1.5, 1.5}, 0.2)), reversed(circle({3.3, 2.2}, 0.4)),
+        reversed(placed(rectangle(-0.2, -0.2, 0.2, 0.2), degrees, {5, 1.3})),
+        reversed(placed(rectangle(-0.3, -0.15, 0.3, 0.15), degrees, {5.2, 3.6}))};
+    const PlanRoom room = roomFrom(truth, 0.003);
+    ASSERT_EQ(room.columns.size(), 4u);
+    for (const PlanLoop& expected : truth.columns) {
+      const PlanLoop* nearest = nullptr;
+      for (const PlanLoop& column : room.columns)
+        if (!nearest ||
+            outlineError(column, expected) < outlineError(*nearest, expected))
+          nearest = &column;
+      EXPECT_EQ(nearest->elements.size(), expected.elements.size());
+      EXPECT_EQ(arcsOf(*nearest), arcsOf(expected));
+      EXPECT_LT(outlineError(*nearest, expected), 0.01);
+      EXPECT_LT(nearest->area(), 0);
+    }
+  }
+}
+
+TEST(WallShapes, AColumnBeforeAWallIsOne)
+{
+  for (const double gap : {0.3, 0.6}) {
+    SCOPED_TRACE(gap);
+    PlanRoom truth = roomOf(rectangle(0.01, 0.01, 6.01, 4.01), 2.5);
+    truth.columns = {reversed(circle({3, 0.01 + gap + 0.15}, 0.15))};
+    const PlanRoom room = roomFrom(truth, 0.003);
+    EXPECT_EQ(room.boundary.elements.size(), 4u);
+    ASSERT_EQ(room.columns.size(), 1u);
+    EXPECT_LT(outlineError(room.columns[0], truth.columns[0]), 0.01);
+  }
+}
+
+} // namespace
