@@ -34,18 +34,22 @@ namespace pcl::sedr::tools {
 
 namespace {
 
-/** @brief Returns the names of all files that a run may write, without those of several
+/** @brief Returns the names of the files that a run writes, without those of several
  * storeys. */
 std::vector<std::string>
-outputNames()
+outputNames(const ModelSettings& settings)
 {
-  std::vector<std::string> names{"structure.pcd",  "mesh.ply",      "solid.ply",
-                                 "solid.obj",      "solid.mtl",     "model.ifc",
-                                 "floorplan.json", "floorplan.svg", "floorplan.pdf",
-                                 "floorplan.dxf",  "model.glb",     "report.json",
-                                 "report.html"};
-  for (const auto& name : ChainPictures::names())
-    names.push_back("pictures/" + name);
+  std::vector<std::string> names{"structure.pcd", "solid.ply",     "solid.obj",
+                                 "solid.mtl",     "model.ifc",     "floorplan.json",
+                                 "floorplan.svg", "floorplan.pdf", "floorplan.dxf",
+                                 "model.glb",     "report.json"};
+  if (!settings.no_mesh)
+    names.push_back("mesh.ply");
+  if (settings.report)
+    names.push_back("report.html");
+  if (settings.pictures)
+    for (const auto& name : ChainPictures::names())
+      names.push_back("pictures/" + name);
   return names;
 }
 
@@ -246,7 +250,7 @@ makeModel(const ModelSettings& settings,
     throw ToolError(
         "--pictures and --report show the mesh, which --no-mesh leaves out");
   OutputFolder folder(settings.folder, settings.inputs);
-  folder.check(outputNames());
+  folder.check(outputNames(settings));
   std::optional<ChainPictures> pictures;
   if (settings.pictures)
     pictures.emplace(chain);
