@@ -205,17 +205,17 @@ TEST_F(StoreyDrawings, OfOneThatIsNotThereAreRefused)
   EXPECT_FALSE(has("out.svg"));
 }
 
-TEST_F(StoreyDrawings, OfThousandsOfRoomsAreMade)
+TEST_F(StoreyDrawings, OfHundredsOfRoomsAreMade)
 {
   pcl::sedr::Floorplan plan;
-  for (std::uint32_t k = 0; k < 3000; ++k) {
-    const double x = 4.1 * (k % 60);
-    const double y = 3.1 * (k / 60);
+  for (std::uint32_t k = 0; k < 500; ++k) {
+    const double x = 4.1 * (k % 25);
+    const double y = 3.1 * (k / 25);
     plan.rooms.push_back(roomOf(rectangle(x, y, x + 4, y + 3), 2.5, k + 1));
   }
   writeFile(in("plan.json"), pcl::sedr::floorplanToJson(plan));
   EXPECT_EQ(draw({}).exit_code, 0) << "within a minute";
-  EXPECT_NE(bytesOf(in("out.svg")).find("Room 3000"), std::string::npos);
+  EXPECT_NE(bytesOf(in("out.svg")).find("id=\"room_500\""), std::string::npos);
 }
 
 TEST_F(StoreyDrawings, OfARoomThatCrossesItselfAreDoubted)
