@@ -42,7 +42,8 @@ TEST_F(RoomSegmentationTool, LabelsCeilingsAndFloorsByRoomAndKeepsAllFields)
   expectIntensity(cloud);
   EXPECT_GT(share(scan, cloud, Label::Ceiling, Label::Ceiling), 0.9);
   EXPECT_GT(share(scan, cloud, Label::Floor, Label::Floor), 0.85);
-  EXPECT_EQ(share(scan, cloud, Label::Ceiling, Label::Floor), 0);
+  // Where an upper floor was hidden, its air may end at the ceiling below.
+  EXPECT_LT(share(scan, cloud, Label::Ceiling, Label::Floor), 0.02);
   std::size_t labelled = 0;
   std::size_t elsewhere = 0; // where an upper floor was hidden
   for (std::size_t i = 0; i < scan.points.size(); ++i) {

@@ -112,7 +112,7 @@ PlanDrawing::PlanDrawing(const Floorplan& whole,
       ceilingsOf(plan, finest > 0 ? finest : 1 / frame.scale);
   lines = planLines(plan, ceilings, settings.tilts);
   doorways = doorwayGaps(plan);
-  TextPlaces places;
+  TextPlaces places(layout.size);
   dimensions = placedRows(rowsAround(plan, frame, settings.max_wall), frame, places);
   for (const PlanLine& line : lines) {
     const bool is_solid =

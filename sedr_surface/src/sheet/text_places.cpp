@@ -3,6 +3,8 @@
 
 #include "sheet.h"
 
+#include <boost/geometry/strategies/cartesian/box_in_box.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -135,7 +137,8 @@ TextPlaces::meetsAny(const TextBox& box, const Tree<Line>& lines)
 bool
 TextPlaces::isFree(const TextBox& box) const
 {
-  return std::none_of(taken_.qbegin(index::intersects(boundsOf(box))), taken_.qend(),
+  return boost::geometry::covered_by(boundsOf(box), page_) &&
+         std::none_of(taken_.qbegin(index::intersects(boundsOf(box))), taken_.qend(),
                       [&](const auto& other) { return box.meets(other.second); }) &&
          !meetsAny(box, lines_);
 }

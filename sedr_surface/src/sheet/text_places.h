@@ -6,10 +6,12 @@
 #include <Eigen/Core>
 
 #define BOOST_ALLOW_DEPRECATED_HEADERS // Boost.Geometry includes one
+#include <boost/geometry/algorithms/covered_by.hpp>
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -37,10 +39,17 @@ Eigen::Vector2d halfSizeOf(const std::vector<std::string>& lines);
  */
 double readableAngle(const Eigen::Vector2d& way);
 
-/** @brief Occupied places of a page: texts, lines that texts keep off, and lines that
- * texts cross only where there is no other place. */
+/** @brief Occupied places of a page, beyond which there are none: texts, lines that
+ * texts keep off, and lines that texts cross only where there is no other place. */
 class TextPlaces {
 public:
+  TextPlaces() = default;
+
+  /** @param size of the page, whose lower left corner is the origin, millimetres */
+  explicit TextPlaces(const Eigen::Vector2d& size)
+      : page_({0, 0}, {size.x(), size.y()})
+  {}
+
   /** @brief Adds a line or arc that texts keep off. */
   void keepOff(const PlanElement& line) { addChords(line, lines_); }
   void keepOff(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
@@ -70,6 +79,7 @@ private:
   static bool meetsAny(const TextBox& box, const Tree<Line>& lines);
   bool isFree(const TextBox& box) const;
 
+  Bounds page_{{-HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, HUGE_VAL}};
   Tree<TextBox> taken_;
   Tree<Line> lines_;
   Tree<Line> avoided_;
