@@ -362,17 +362,25 @@ void
 writeOpenings(IfcDocument& document, const std::vector<WrittenWall>& walls)
 {
   const Floorplan& plan = document.plan;
+  std::vector<std::string> outside; // numbers of openings in no wall
   for (std::size_t k = 0; k < plan.openings.size(); ++k) {
     const PlanOpening& opening = plan.openings[k];
     const std::string number = std::to_string(k + 1);
     const std::vector<WrittenGap> gaps =
         writeDoorway(document, walls, doorwayOf(opening), "opening_" + number);
     if (gaps.empty())
-      document.model.warnings.push_back("opening_" + number +
-                                        " is in no wall of the IFC");
+      outside.push_back(number);
     else
       writeFilling(document, opening, gaps.front(),
                    nameOf(opening.kind) + ("_" + number));
+  }
+  if (!outside.empty()) {
+    std::string numbers;
+    for (const std::string& number : outside)
+      numbers += (numbers.empty() ? "" : ", ") + number;
+    document.model.warnings.push_back(
+        std::to_string(outside.size()) + " of " + std::to_string(plan.openings.size()) +
+        " openings are in no wall of the IFC: " + numbers);
   }
   const std::vector<PlanDoorway> doorways = otherDoorways(plan);
   for (std::size_t d = 0; d < doorways.size(); ++d) {
