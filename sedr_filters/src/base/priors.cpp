@@ -155,7 +155,7 @@ const std::vector<Prior> table = {
     {"share_unseen", &Priors::share_unseen, "shares", "", 0, 0.3,
      "chosen on the proving ground", "curves, links, loop, plan, scan"},
     {"share_few", &Priors::share_few, "shares", "", 0.02, 0.5,
-     "chosen on the proving ground", "loop, plan, scan"},
+     "chosen on the proving ground", "loop, plan"},
     {"share_little", &Priors::share_little, "shares", "", 0.05, 0.5,
      "chosen on the proving ground", "links, niches"},
     {"share_some", &Priors::share_some, "shares", "", 0.05, 0.9,

@@ -85,6 +85,7 @@ inclinationOf(const PointView& points,
   const double patch_size = priors.patch;
   constexpr double times_more_level = 3;
   constexpr double times_more_vertical = 2;
+  constexpr double least_level = 0.1; // of all patches: less is no floor of a room
   const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   std::vector<Eigen::Vector3d> normals;
@@ -103,7 +104,7 @@ inclinationOf(const PointView& points,
   const double level = countAlong(z, normals, priors);
   const Eigen::Vector3d was_z = turn * z;
   if (level * patch_size * patch_size < 4 * priors.min_slab_area ||
-      level < priors.share_few * static_cast<double>(normals.size()) ||
+      level < least_level * static_cast<double>(normals.size()) ||
       level < times_more_level * countAlong(was_z, normals, priors) ||
       countSquareTo(z, was_z, normals, priors) <
           times_more_vertical * countSquareTo(was_z, z, normals, priors))
