@@ -8,9 +8,6 @@ pcl_sedr noisy/scan.pcd noisy/model --report
 # [second]
 pcl_sedr noisy/scan.pcd noisy/better --report --plane-tolerance 0.1
 # [second]
-# [third]
-pcl_sedr noisy/scan.pcd noisy/too_far --report --plane-tolerance 0.4
-# [third]
-for model in model better too_far; do
+for model in model better; do
   python3 "${SOURCES:-doc/tutorials/sources}/reading_the_report/rooms.py" noisy/$model
 done
