@@ -52,17 +52,6 @@ raysOf(const PointView& points,
   return rays;
 }
 
-std::vector<std::uint32_t>
-piercedBy(const std::vector<ScanRay>& rays,
-          const PiercedSurfaces& surfaces,
-          unsigned threads)
-{
-  std::vector<std::uint32_t> pierced(rays.size());
-  parallelFor(rays.size(), items_a_block / 4, threads,
-              [&](std::size_t r) { pierced[r] = surfaces.firstPierced(rays[r]); });
-  return pierced;
-}
-
 /** @brief Returns positions of which some places are not known. */
 ScanPositions
 without(const std::vector<Eigen::Vector3f>& places, ScanPositions positions)
@@ -73,36 +62,39 @@ without(const std::vector<Eigen::Vector3f>& places, ScanPositions positions)
   return positions;
 }
 
-/** @brief Returns the pane that each ray goes through first, panes.size() for none. */
-std::vector<std::size_t>
-panesBefore(const std::vector<Pane>& panes,
-            const std::vector<ScanRay>& rays,
-            const std::vector<std::uint32_t>& pierced,
-            std::size_t cubes)
+/** @brief Finds the panes that rays go through, and the first one of each ray. */
+PaneRays
+throughPanes(std::vector<ScanRay> rays,
+             const PiercedSurfaces& surfaces,
+             unsigned threads)
 {
-  constexpr double depth = 0.2; // metres behind it
-  std::vector<std::size_t> pane_of(cubes, panes.size());
+  constexpr double depth = 0.2; // metres behind a pane
+  std::vector<std::uint32_t> pierced(rays.size());
+  parallelFor(rays.size(), items_a_block / 4, threads,
+              [&](std::size_t r) { pierced[r] = surfaces.firstPierced(rays[r]); });
+  PaneRays through{std::move(rays), panesOf(surfaces, pierced), {}};
+  const std::vector<Pane>& panes = through.panes;
+  std::vector<std::size_t> pane_of(surfaces.cubes().size(), panes.size());
   for (std::size_t k = 0; k < panes.size(); ++k)
     for (const std::uint32_t cube : panes[k].cubes)
       pane_of[cube] = k;
-  std::vector<std::size_t> before(rays.size(), panes.size());
-  for (std::size_t r = 0; r < rays.size(); ++r) {
+  through.before.assign(pierced.size(), panes.size());
+  for (std::size_t r = 0; r < pierced.size(); ++r) {
     const std::size_t k =
         pierced[r] == CubeTable::none ? panes.size() : pane_of[pierced[r]];
-    if (k < panes.size() && panes[k].parts(rays[r], depth))
-      before[r] = k;
+    if (k < panes.size() && panes[k].parts(through.rays[r], depth))
+      through.before[r] = k;
   }
-  return before;
+  return through;
 }
 
 /** @brief Returns the panes that mirror, moved to where they do. */
 std::vector<Pane>
-mirrorsAmong(const std::vector<Pane>& panes,
-             const std::vector<ScanRay>& rays,
-             const std::vector<std::size_t>& before,
-             const CubeTable& filled,
-             unsigned threads)
+mirrorsAmong(const PaneRays& all, const CubeTable& filled, unsigned threads)
 {
+  const std::vector<ScanRay>& rays = all.rays;
+  const std::vector<Pane>& panes = all.panes;
+  const std::vector<std::size_t>& before = all.before;
   constexpr double min_depth = 0.6;    // metres: nearer to a pane all is like itself
   constexpr std::size_t enough = 3000; // places behind a pane
   std::vector<std::vector<const ScanRay*>> through(panes.size());
@@ -240,16 +232,17 @@ findMirroredPoints(const PointView& thinned,
     if (thinned.isFinite(i))
       filled.add(filled.at(thinned[i].cast<double>()));
   const PiercedSurfaces surfaces(thinned);
-  std::vector<ScanRay> rays = raysOf(rows, step, positions, filled);
   MirroredPoints found;
-  found.untrue = untruePlaces(surfaces, rays, rows, step, positions, threads);
+  PaneRays through =
+      throughPanes(raysOf(rows, step, positions, filled), surfaces, threads);
+  found.untrue = untruePlaces(surfaces, through, rows, step, positions, threads);
   if (!found.untrue.empty()) // again: they must not count among those of a cube
-    rays = raysOf(rows, step, without(found.untrue, positions), filled);
-  const std::vector<std::uint32_t> pierced = piercedBy(rays, surfaces, threads);
-  const std::vector<Pane> panes = panesOf(surfaces, pierced);
-  const std::vector<std::size_t> before =
-      panesBefore(panes, rays, pierced, surfaces.cubes().size());
-  const std::vector<Pane> mirrors = mirrorsAmong(panes, rays, before, filled, threads);
+    through = throughPanes(raysOf(rows, step, without(found.untrue, positions), filled),
+                           surfaces, threads);
+  const auto& rays = through.rays;
+  const auto& panes = through.panes;
+  const auto& before = through.before;
+  const std::vector<Pane> mirrors = mirrorsAmong(through, filled, threads);
   const MirroredRays mirrored(mirrors, surfaces.cubes(), filled);
   Flags is_mirrored(rays.size(), 0);
   parallelFor(rays.size(), items_a_block, threads, [&](std::size_t r) {

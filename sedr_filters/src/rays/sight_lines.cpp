@@ -95,11 +95,13 @@ SightLines::across(const Eigen::Vector3d& place,
       for (std::uint32_t k = station.first[cell]; k < station.first[cell + 1]; ++k) {
         const Eigen::Vector3d way = lines_[k].to.cast<double>() - from;
         const double end = start + way.dot(normal);
-        if (std::abs(end) <= clear || (start > 0) != (start > end))
-          continue; // ends at the surface, or leads away from it
+        if ((start > 0) != (start > end))
+          continue; // leads away from it
         const double share = start / (start - end);
         if ((share * way - whole).squaredNorm() <= radius * radius)
-          ++(share < 1 ? crossings.through : crossings.before);
+          ++(std::abs(end) <= clear ? crossings.on
+             : share < 1            ? crossings.through
+                                    : crossings.before);
       }
     };
     if (std::abs(start) > clear)

@@ -39,13 +39,14 @@ public:
 
   /** @brief Numbers of rays that pass through a place or end before it. */
   struct Crossings {
+    std::size_t on = 0;      ///< rays that end within 15 cm of the surface
     std::size_t through = 0; ///< rays that continue behind the place
     std::size_t before = 0;  ///< rays that end before the place
   };
 
   /** @brief Counts the rays that cross a surface, or would if they were extended,
-   * within `radius` metres of a place. Rays that begin or end within 15 cm of the
-   * surface are not counted. O(rays of about that direction) for each position.
+   * within `radius` metres of a place. Rays that begin within 15 cm of the surface are
+   * not counted. O(rays of about that direction) for each position.
    * @param normal unit normal of the surface */
   Crossings across(const Eigen::Vector3d& place,
                    const Eigen::Vector3d& normal,
