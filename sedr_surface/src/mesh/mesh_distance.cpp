@@ -1,16 +1,104 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "triangle_tree.h"
-
 #include "sedr_filters/src/base/parallel_for.h"
 #include <pcl/sedr_surface/mesh_distance.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include <unsupported/Eigen/BVH>
 
 namespace pcl::sedr {
 
-MeshDistance::MeshDistance(const TriangleMesh& mesh, unsigned threads)
-    : tree_(std::make_unique<TriangleTree>(mesh, threads))
+namespace {
+
+/** @brief Returns the squared distance of the origin from a segment. */
+double
+squaredToSegment(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  const Eigen::Vector3d way = b - a;
+  const double length = way.squaredNorm();
+  const double t = length > 0 ? std::clamp(-a.dot(way) / length, 0.0, 1.0) : 0.0;
+  return (a + t * way).squaredNorm();
+}
+
+/** @brief Likewise from a triangle, which may be degenerate. */
+double
+squaredToTriangle(const Eigen::Vector3d& a,
+                  const Eigen::Vector3d& b,
+                  const Eigen::Vector3d& c)
+{
+  const Eigen::Vector3d normal = (b - a).cross(c - a);
+  const double length = normal.squaredNorm();
+  if (length > 0 && normal.dot(a.cross(b)) >= 0 && normal.dot(b.cross(c)) >= 0 &&
+      normal.dot(c.cross(a)) >= 0) {
+    const double height = normal.dot(a);
+    return height * height / length;
+  }
+  return std::min(
+      {squaredToSegment(a, b), squaredToSegment(b, c), squaredToSegment(c, a)});
+}
+
+} // namespace
+
+/** @brief A tree of boxes over the triangles of a mesh. */
+class TriangleTree {
+public:
+  explicit TriangleTree(const TriangleMesh& mesh)
+      : mesh_(mesh)
+  {
+    std::vector<std::uint32_t> triangles(mesh.triangles.size());
+    std::iota(triangles.begin(), triangles.end(), 0);
+    std::vector<Eigen::AlignedBox3d> boxes(triangles.size());
+    for (std::size_t t = 0; t < boxes.size(); ++t)
+      for (int c = 0; c < 3; ++c)
+        boxes[t].extend(mesh.corner(t, c));
+    tree_.init(triangles.begin(), triangles.end(), boxes.begin(), boxes.end());
+  }
+
+  double distance(const Eigen::Vector3d& point) const
+  {
+    struct Step {
+      int box;
+      double least; ///< minimum squared distance of its content
+    };
+    constexpr std::size_t deepest = 64;
+    std::array<Step, deepest> steps; // at most one more per level
+    std::size_t count = 0;
+    steps[count++] = {tree_.getRootIndex(), 0};
+    double best = std::numeric_limits<double>::infinity();
+    while (count > 0) {
+      const Step step = steps[--count];
+      if (step.least >= best)
+        continue;
+      Tree::VolumeIterator box = nullptr, last_box = nullptr;
+      Tree::ObjectIterator t = nullptr, last_t = nullptr;
+      tree_.getChildren(step.box, box, last_box, t, last_t);
+      for (; t != last_t; ++t)
+        best = std::min(best, squaredToTriangle(mesh_.corner(*t, 0) - point,
+                                                mesh_.corner(*t, 1) - point,
+                                                mesh_.corner(*t, 2) - point));
+      const std::size_t first = count;
+      for (; box != last_box; ++box)
+        steps[count++] = {*box, tree_.getVolume(*box).squaredExteriorDistance(point)};
+      if (count - first == 2 && steps[first].least < steps[first + 1].least)
+        std::swap(steps[first], steps[first + 1]); // the nearer one first
+    }
+    return std::sqrt(best);
+  }
+
+private:
+  using Tree = Eigen::KdBVH<double, 3, std::uint32_t>;
+
+  const TriangleMesh& mesh_;
+  Tree tree_;
+};
+
+MeshDistance::MeshDistance(const TriangleMesh& mesh)
+    : tree_(std::make_unique<TriangleTree>(mesh))
 {}
 
 MeshDistance::~MeshDistance() = default;

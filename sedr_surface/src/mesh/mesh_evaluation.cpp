@@ -123,7 +123,7 @@ MeshEvaluation::compute(sedr::MeshEvaluationResult& result)
   const auto measure = [&](const auto& places, const sedr::MeshDistance& from) {
     return sedr::summarizeDistances(from.distances(places, threads_));
   };
-  const sedr::MeshDistance to_mesh(*mesh, threads_);
+  const sedr::MeshDistance to_mesh(*mesh);
   if (cloud_)
     result.cloud_to_mesh = measure(points, to_mesh);
   if (!truth)
@@ -131,7 +131,7 @@ MeshEvaluation::compute(sedr::MeshEvaluationResult& result)
   const auto of_mesh = sedr::sampleMesh(*mesh, sample_spacing_, seed_);
   const auto of_truth = sedr::sampleMesh(*truth, sample_spacing_, seed_);
   result.truth = sedr::measureMesh(*truth);
-  result.mesh_to_truth = measure(of_mesh.points, sedr::MeshDistance(*truth, threads_));
+  result.mesh_to_truth = measure(of_mesh.points, sedr::MeshDistance(*truth));
   result.truth_to_mesh = measure(of_truth.points, to_mesh);
   result.sample_spacing = std::max(of_mesh.spacing, of_truth.spacing);
   return true;

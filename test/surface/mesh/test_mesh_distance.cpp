@@ -43,13 +43,13 @@ TEST(MeshDistance, of_a_square_of_many_triangles_is_that_of_the_square)
   std::vector<Eigen::Vector3d> points;
   for (int i = 0; i < 5000; ++i)
     points.emplace_back(place(random), place(random), place(random) / 10);
-  const auto distances = MeshDistance(mesh, 1).distances(points);
+  const auto distances = MeshDistance(mesh).distances(points, 1);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector3d nearest =
         points[i].cwiseMax(0.).cwiseMin(Eigen::Vector3d(6, 6, 0));
     EXPECT_NEAR(distances[i], (points[i] - nearest).norm(), 1e-12) << i;
   }
-  EXPECT_EQ(MeshDistance(mesh, 2).distances(points, 2), distances);
+  EXPECT_EQ(MeshDistance(mesh).distances(points, 2), distances);
 }
 
 TEST(MeshSampling, every_part_gets_its_share_of_area_without_clumps)

@@ -17,12 +17,11 @@ class TriangleTree;
 /** @brief Exact distances from points to a mesh, by a tree of boxes.
  *
  * The mesh must be valid (TriangleMesh::problem() empty), have triangles and outlive
- * this object. Construction is O(n log n), a query about O(log n); 12 bytes per
+ * this object. Construction is O(n log n), a query about O(log n); 60 bytes per
  * triangle. Any number of threads may query. */
 class MeshDistance {
 public:
-  /** @param threads for building; 0: all processors */
-  explicit MeshDistance(const TriangleMesh& mesh, unsigned threads = 0);
+  explicit MeshDistance(const TriangleMesh& mesh);
   ~MeshDistance();
   MeshDistance(const MeshDistance&) = delete;
   MeshDistance& operator=(const MeshDistance&) = delete;
