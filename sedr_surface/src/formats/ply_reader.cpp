@@ -2,99 +2,27 @@
 #include "ply_reader.h"
 
 #include "sedr_filters/src/base/field_access.h"
+#include "sedr_filters/src/base/ply_header.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cstring>
-#include <sstream>
-#include <utility>
 
 namespace pcl::sedr {
 namespace {
 
-/** @brief A number, or a list of numbers, in every row of an element; types are
- * constants of PCLPointField. */
-struct PlyProperty {
-  std::string name;
-  std::uint8_t type = 0;
-  std::uint8_t count_type = 0; ///< type of a list's length; 0: not a list
-};
-
-/** @brief A table of the file: vertices, faces, ... */
-struct PlyElement {
-  std::string name;
-  std::size_t count = 0;
-  std::vector<PlyProperty> properties;
-
-  /** @brief Returns the column of a number or a list; -1 if there is none. */
-  int column(std::initializer_list<const char*> names, bool is_list) const
-  {
-    for (std::size_t p = 0; p < properties.size(); ++p)
-      for (const char* name : names)
-        if (properties[p].name == name && (properties[p].count_type != 0) == is_list)
-          return static_cast<int>(p);
-    return -1;
-  }
-};
-
-struct PlyHeader {
-  std::string encoding;
-  std::vector<PlyElement> elements;
-};
-
-/** @brief Returns the type with a name in PLY; 0 if there is none. */
-std::uint8_t
-typeOf(const std::string& name)
+/** @brief Returns the column of a number or a list; -1 if there is none. */
+int
+columnOf(const PlyElement& element,
+         std::initializer_list<const char*> names,
+         bool is_list = false)
 {
-  using Field = pcl::PCLPointField;
-  static const std::pair<const char*, std::uint8_t> types[] = {
-      {"char", Field::INT8},      {"int8", Field::INT8},
-      {"uchar", Field::UINT8},    {"uint8", Field::UINT8},
-      {"short", Field::INT16},    {"int16", Field::INT16},
-      {"ushort", Field::UINT16},  {"uint16", Field::UINT16},
-      {"int", Field::INT32},      {"int32", Field::INT32},
-      {"uint", Field::UINT32},    {"uint32", Field::UINT32},
-      {"float", Field::FLOAT32},  {"float32", Field::FLOAT32},
-      {"double", Field::FLOAT64}, {"float64", Field::FLOAT64}};
-  for (const auto& [known, type] : types)
-    if (name == known)
-      return type;
-  return 0;
-}
-
-/** @brief Reads a line of a header.
- * @return false if the line is malformed */
-bool
-readHeaderLine(const std::string& line, PlyHeader& header)
-{
-  std::istringstream words(line);
-  std::string keyword;
-  words >> keyword;
-  if (keyword == "format")
-    return !!(words >> header.encoding);
-  if (keyword == "element") {
-    PlyElement element;
-    if (!(words >> element.name >> element.count))
-      return false;
-    header.elements.push_back(element);
-  }
-  else if (keyword == "property") {
-    std::string type;
-    PlyProperty property;
-    words >> type;
-    if (type == "list") {
-      words >> type;
-      property.count_type = typeOf(type);
-      if (property.count_type == 0)
-        return false;
-      words >> type;
-    }
-    property.type = typeOf(type);
-    if (!(words >> property.name) || property.type == 0 || header.elements.empty())
-      return false;
-    header.elements.back().properties.push_back(property);
-  }
-  return true;
+  for (std::size_t p = 0; p < element.properties.size(); ++p)
+    for (const char* name : names)
+      if (element.properties[p].name == name &&
+          (element.properties[p].count_type != 0) == is_list)
+        return static_cast<int>(p);
+  return -1;
 }
 
 /** @brief Reads a header and moves `at` behind it.
@@ -102,18 +30,15 @@ readHeaderLine(const std::string& line, PlyHeader& header)
 std::string
 readHeader(const std::string& content, PlyHeader& header, std::size_t& at)
 {
+  at = content.find('\n') + 1; // behind "ply"
   for (std::size_t end; (end = content.find('\n', at)) != std::string::npos;) {
-    std::string line = content.substr(at, end - at);
-    line.erase(line.find_last_not_of(" \r") + 1);
+    const std::string reason =
+        header.take(std::string_view(content).substr(at, end - at));
     at = end + 1;
-    if (!readHeaderLine(line, header))
-      return "has a PLY header with the bad line '" + line + "'";
-    if (line != "end_header")
-      continue;
-    for (const char* known : {"ascii", "binary_little_endian", "binary_big_endian"})
-      if (header.encoding == known)
-        return {};
-    return "has the unknown PLY format '" + header.encoding + "'";
+    if (!reason.empty())
+      return "is no PLY that can be read: " + reason;
+    if (header.is_complete)
+      return {};
   }
   return "is truncated: its PLY header does not end";
 }
@@ -139,7 +64,7 @@ public:
     row.scalars.resize(element.properties.size());
     row.lists.resize(element.properties.size());
     for (std::size_t p = 0; p < element.properties.size(); ++p) {
-      const auto& [name, type, count_type] = element.properties[p];
+      const auto& [unused, type, count_type] = element.properties[p];
       double& scalar = row.scalars[p];
       if (!readValue(count_type != 0 ? count_type : type, scalar))
         return false;
@@ -204,8 +129,8 @@ forEachRow(RowReader& reader, const PlyElement& element, SeeT see)
 std::string
 readVertices(RowReader& reader, const PlyElement& element, TriangleMesh& mesh)
 {
-  const int columns[3] = {element.column({"x"}, false), element.column({"y"}, false),
-                          element.column({"z"}, false)};
+  const int columns[3] = {columnOf(element, {"x"}), columnOf(element, {"y"}),
+                          columnOf(element, {"z"})};
   if (*std::min_element(columns, columns + 3) < 0)
     return "has vertices without x, y and z";
   return forEachRow(reader, element, [&](const Row& row, std::size_t) {
@@ -219,11 +144,10 @@ readVertices(RowReader& reader, const PlyElement& element, TriangleMesh& mesh)
 std::string
 readFaces(RowReader& reader, const PlyElement& element, TriangleMesh& mesh)
 {
-  const int corners = element.column({"vertex_indices", "vertex_index"}, true);
+  const int corners = columnOf(element, {"vertex_indices", "vertex_index"}, true);
   // In the order of TriangleMesh::attributes().
-  const int columns[] = {element.column({"label"}, false),
-                         element.column({"room"}, false),
-                         element.column({"element"}, false)};
+  const int columns[] = {columnOf(element, {"label"}), columnOf(element, {"room"}),
+                         columnOf(element, {"element"})};
   if (corners < 0)
     return "has faces without a list of vertex indices";
   std::vector<std::uint32_t> polygon;
@@ -258,7 +182,7 @@ parsePly(const std::string& content, TriangleMesh& mesh)
   PlyHeader header;
   std::size_t at = 0;
   std::string reason = readHeader(content, header, at);
-  RowReader reader(content, at, header.encoding);
+  RowReader reader(content, at, header.format);
   for (const PlyElement& element : header.elements) {
     if (!reason.empty())
       break;

@@ -163,10 +163,10 @@ TEST_F(MeshIo, bad_files_are_told_apart)
   expectFailure(loadMesh(write("h.ply", "ply\nformat ascii 1.0\n"), mesh),
                 "header does not end", mesh);
   expectFailure(loadMesh(write("f.ply", "ply\nformat utf8 1.0\nend_header\n"), mesh),
-                "unknown PLY format 'utf8'", mesh);
+                "its format is 'utf8'", mesh);
   expectFailure(
       loadMesh(write("b.ply", "ply\nformat ascii 1.0\nelement vertex\n"), mesh),
-      "bad line 'element vertex'", mesh);
+      "'' is no number of elements", mesh);
   expectFailure(loadMesh(write("p.obj", "v 1 2 3\n"), mesh),
                 "1 vertices and no triangles", mesh);
   expectFailure(loadMesh(write("r.obj", "v 1 2 3\nv 2 2 3\nv 1 3 3\nf 1 2 4\n"), mesh),
