@@ -6,11 +6,9 @@
 #include "stage_pictures.h"
 #include "tool_error.h"
 
-#include "sedr_filters/src/plan/room_map.h"
 #include <pcl/sedr_filters/floor_projection_recovery.h>
 
 #include <algorithm>
-#include <map>
 #include <optional>
 
 using namespace pcl::sedr::tools;
@@ -36,49 +34,15 @@ struct Recovered {
   std::vector<FloorCells> cells; ///< for the picture
 };
 
-/** @brief Returns the rooms by number; 0 are points below no ceiling, or a file without
- * rooms. Floors and details without a room get that of the ceiling above or beside
- * them, also in `cloud.room`. */
-std::map<std::uint32_t, LabelledRoom>
-splitRooms(const CellGrid& grid, ToolCloud& cloud)
-{
-  const pcl::Indices ceiling = requireLabel(cloud, StructureLabel::Ceiling);
-  const pcl::Indices detail = cloud.withLabel(StructureLabel::Detail);
-  const bool has_rooms = hasRooms(cloud);
-  const pcl::sedr::RoomMap map(grid, PointView(*cloud.points), cloud.room, ceiling,
-                               detail);
-  std::map<std::uint32_t, LabelledRoom> rooms;
-  const auto share = [&](const pcl::Indices& rows, pcl::Indices LabelledRoom::*part) {
-    for (const auto i : rows) {
-      auto& room = cloud.room[static_cast<std::size_t>(i)];
-      if (room == 0)
-        room = map.roomOver(i);
-      (rooms[has_rooms ? room : 0].*part).push_back(i);
-    }
-  };
-  share(ceiling, &LabelledRoom::ceiling);
-  share(detail, &LabelledRoom::details);
-  share(cloud.withLabel(StructureLabel::Floor), &LabelledRoom::floor);
-  return rooms;
-}
-
 /** @brief Projects to the plane of the room's own floor; without one, to the mean of
  * its floor, or of all floors where its own was hidden. */
 void
 recoverRoom(const Settings& settings,
             const ToolCloud& cloud,
-            std::uint32_t number,
             const LabelledRoom& room,
             const std::optional<pcl::sedr::PlanSlab>& own,
             Recovered& result)
 {
-  const PointView points(*cloud.points);
-  if (room.ceiling.empty()) { // outside
-    result.removed.insert(result.removed.end(), room.floor.begin(), room.floor.end());
-    const pcl::sedr::CellSet outside(CellGrid(settings.grid), points, room.floor);
-    result.cells.push_back({settings.grid, {}, {}, outside});
-    return;
-  }
   Recovery recovery(true);
   recovery.setInputCloud(cloud.points);
   recovery.setIndices(pcl::make_shared<const pcl::Indices>(room.floor));
@@ -107,7 +71,7 @@ recoverRoom(const Settings& settings,
        ++i) {
     result.sources.push_back(recovery.getProjectedIndices()[i]);
     result.points.push_back(floor[i].getVector3fMap());
-    result.rooms.push_back(number);
+    result.rooms.push_back(room.id);
   }
 }
 
@@ -148,22 +112,34 @@ run(const Settings& settings)
 {
   settings.check();
   ToolCloud cloud = loadCloud(settings.input);
-  requireLabel(cloud, StructureLabel::Floor);
-  std::map<std::uint32_t, pcl::sedr::PlanSlab> planes;
-  if (hasRooms(cloud) && hasRooms(cloud, StructureLabel::Floor))
-    for (const LabelledRoom& room : labelledRooms(cloud, settings.grid))
-      if (!room.floor.empty() &&
-          cloud.room[static_cast<std::size_t>(room.floor.front())] == room.id)
-        planes[room.id] = floorOf(room, cloud, {});
-  const auto rooms = splitRooms(CellGrid(settings.grid), cloud);
+  pcl::Indices outside = requireLabel(cloud, StructureLabel::Floor);
+  const bool is_numbered = hasRooms(cloud) && hasRooms(cloud, StructureLabel::Floor);
   Recovered result;
   {
     const Progress progress("completing the floor");
-    for (const auto& [number, room] : rooms)
-      recoverRoom(settings, cloud, number, room,
-                  planes.count(number) > 0 ? std::make_optional(planes.at(number))
-                                           : std::nullopt,
-                  result);
+    std::vector<bool> is_inside(cloud.size(), false);
+    for (const LabelledRoom& room : labelledRooms(cloud, settings.grid)) {
+      std::optional<pcl::sedr::PlanSlab> own;
+      if (is_numbered && !room.floor.empty() &&
+          cloud.room[static_cast<std::size_t>(room.floor.front())] == room.id)
+        own = floorOf(room, cloud, {});
+      recoverRoom(settings, cloud, room, own, result);
+      for (const auto* part : {&room.floor, &room.details})
+        for (const int i : *part) {
+          is_inside[static_cast<std::size_t>(i)] = true;
+          cloud.room[static_cast<std::size_t>(i)] = room.id;
+        }
+    }
+    const auto end = std::remove_if(outside.begin(), outside.end(), [&](int i) {
+      return is_inside[static_cast<std::size_t>(i)];
+    });
+    outside.erase(end, outside.end());
+    result.removed.insert(result.removed.end(), outside.begin(), outside.end());
+    result.cells.push_back({settings.grid,
+                            {},
+                            {},
+                            pcl::sedr::CellSet(CellGrid(settings.grid),
+                                               PointView(*cloud.points), outside)});
   }
   apply(settings, result, cloud);
   settings.save(cloud);

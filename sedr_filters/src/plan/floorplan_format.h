@@ -58,12 +58,18 @@ void to_json(nlohmann::ordered_json& json, const PlanLoop& loop);
 void to_json(nlohmann::ordered_json& json, const PlanSlab& slab);
 void to_json(nlohmann::ordered_json& json, const PlanNiche& niche);
 void to_json(nlohmann::ordered_json& json, const PlanOpening& opening);
+void to_json(nlohmann::ordered_json& json, const PlanStorey& storey);
+void to_json(nlohmann::ordered_json& json, const PlanDoorway& doorway);
+void to_json(nlohmann::ordered_json& json, const PlanStair& stair);
 void from_json(const nlohmann::ordered_json& json, PlanElement& element);
 void from_json(const nlohmann::ordered_json& json, PlanLoop& loop);
 void from_json(const nlohmann::ordered_json& json, PlanSlab& slab);
 void from_json(const nlohmann::ordered_json& json, PlanDetail& detail);
 void from_json(const nlohmann::ordered_json& json, PlanNiche& niche);
 void from_json(const nlohmann::ordered_json& json, PlanOpening& opening);
+void from_json(const nlohmann::ordered_json& json, PlanStorey& storey);
+void from_json(const nlohmann::ordered_json& json, PlanDoorway& doorway);
+void from_json(const nlohmann::ordered_json& json, PlanStair& stair);
 
 /** @brief Writes a slab with the members that only facets have. */
 nlohmann::ordered_json facetToJson(const PlanSlab& slab);

@@ -95,11 +95,10 @@ roomToJson(const Floorplan& plan, std::size_t number)
 }
 
 /** @brief Writes doorways or stairs. Unknown rooms become 0, outside; what leads from
- * there to there is left out.
- * @param toJson writes what else they have */
-template <typename Link, typename ToJson>
+ * there to there is left out. */
+template <typename Link>
 Json
-linksToJson(const Floorplan& plan, const std::vector<Link>& links, const ToJson& toJson)
+linksToJson(const Floorplan& plan, const std::vector<Link>& links)
 {
   Json json = Json::array();
   for (Link link : links) {
@@ -107,13 +106,8 @@ linksToJson(const Floorplan& plan, const std::vector<Link>& links, const ToJson&
       if (std::none_of(plan.rooms.begin(), plan.rooms.end(),
                        [&](const PlanRoom& room) { return room.id == id; }))
         id = 0;
-    if (link.rooms[0] == link.rooms[1])
-      continue;
-    Json entry{{"rooms", link.rooms}};
-    toJson(link, entry);
-    entry["bottom"] = link.bottom;
-    entry["top"] = link.top;
-    json.push_back(entry);
+    if (link.rooms[0] != link.rooms[1])
+      json.push_back(link);
   }
   return json;
 }
@@ -171,6 +165,25 @@ from_json(const Json& json, PlanStorey& storey)
   readIfThere(json, "ceiling", storey.ceiling);
   storey.rooms = roomsFrom(json.at("rooms"), 1);
   std::sort(storey.rooms.begin(), storey.rooms.end());
+}
+
+void
+to_json(Json& json, const PlanDoorway& doorway)
+{
+  json = {{"rooms", doorway.rooms},
+          {"start", doorway.start},
+          {"end", doorway.end},
+          {"bottom", doorway.bottom},
+          {"top", doorway.top}};
+}
+
+void
+to_json(Json& json, const PlanStair& stair)
+{
+  json = {{"rooms", stair.rooms},
+          {"at", stair.at},
+          {"bottom", stair.bottom},
+          {"top", stair.top}};
 }
 
 void
@@ -245,15 +258,8 @@ floorplanToJson(const Floorplan& plan,
       {"origin", origin.place},
       {"rooms", rooms},
       {"storeys", storeysOf(plan)},
-      {"doorways", linksToJson(plan, plan.doorways,
-                               [](const PlanDoorway& doorway, Json& entry) {
-                                 entry["start"] = doorway.start;
-                                 entry["end"] = doorway.end;
-                               })},
-      {"stairs",
-       linksToJson(plan, plan.stairs, [](const PlanStair& stair, Json& entry) {
-         entry["at"] = stair.at;
-       })}};
+      {"doorways", linksToJson(plan, plan.doorways)},
+      {"stairs", linksToJson(plan, plan.stairs)}};
   if (!plan.openings.empty())
     json["openings"] = plan.openings;
   if (levelling)

@@ -2,7 +2,6 @@
 #include "room_points.h"
 #include "two_storeys.h"
 
-#include "sedr_filters/src/plan/room_map.h"
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <gtest/gtest.h>

@@ -3,9 +3,8 @@
 
 #include "tool_error.h"
 
-#include <nlohmann/json.hpp>
+#include "sedr_filters/src/plan/floorplan_format.h"
 
-#include <array>
 #include <fstream>
 
 namespace pcl::sedr::tools {
@@ -13,28 +12,9 @@ namespace pcl::sedr::tools {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using RoomPair = std::array<std::uint32_t, 2>;
 
 constexpr const char* format_name = "sedr-building";
 constexpr int format_version = 1;
-
-Json
-pairOf(const Eigen::Vector2d& p)
-{
-  return {p.x(), p.y()};
-}
-
-Eigen::Vector2d
-placeOf(const Json& json)
-{
-  return {json.at(0).get<double>(), json.at(1).get<double>()};
-}
-
-double
-heightOf(const Json& json, const char* name)
-{
-  return json.at(name).get<double>();
-}
 
 Json
 jsonOf(const BuildingRoom& room, const CellGrid& grid)
@@ -64,48 +44,21 @@ BuildingRoom
 roomFrom(const Json& json, const CellGrid& grid)
 {
   BuildingRoom room;
-  room.id = json.at("id").get<std::uint32_t>();
-  room.floor = heightOf(json, "floor");
-  room.ceiling = heightOf(json, "ceiling");
+  json.at("id").get_to(room.id);
+  json.at("floor").get_to(room.floor);
+  json.at("ceiling").get_to(room.ceiling);
   for (const Json& place : json.at("hidden_ceiling")) {
-    const Eigen::Vector2d at = placeOf(place);
+    const auto at = place.get<Eigen::Vector3d>();
     if (!grid.holds(at.x(), at.y()))
       throw ToolError("a place of a hidden ceiling lies too far out");
     RoomColumn column;
     column.cell = grid.at(at.x(), at.y());
     column.floor = static_cast<float>(room.floor);
-    column.ceiling = place.at(2).get<float>();
+    column.ceiling = static_cast<float>(at.z());
     column.ceiling_seen = false;
     room.columns.push_back(column);
   }
   return room;
-}
-
-Json
-jsonOf(const PlanStorey& storey)
-{
-  return {{"number", storey.number},
-          {"name", storey.name},
-          {"floor", storey.floor},
-          {"ceiling", storey.ceiling},
-          {"rooms", storey.rooms}};
-}
-
-Json
-jsonOf(const PlanDoorway& door)
-{
-  return {{"rooms", door.rooms},     {"start", pairOf(door.start)},
-          {"end", pairOf(door.end)}, {"width", door.width()},
-          {"bottom", door.bottom},   {"top", door.top}};
-}
-
-Json
-jsonOf(const PlanStair& stair)
-{
-  return {{"rooms", stair.rooms},
-          {"at", pairOf(stair.at)},
-          {"bottom", stair.bottom},
-          {"top", stair.top}};
 }
 
 Json
@@ -118,18 +71,8 @@ jsonOf(const LeftOut& thing)
     return json; // all rooms together, without a position
   json["floor"] = thing.floor;
   json["ceiling"] = thing.ceiling;
-  json["at"] = pairOf(thing.at);
+  json["at"] = thing.at;
   return json;
-}
-
-template <typename Thing>
-Json
-listOf(const std::vector<Thing>& things)
-{
-  Json list = Json::array();
-  for (const Thing& thing : things)
-    list.push_back(jsonOf(thing));
-  return list;
 }
 
 Building
@@ -142,22 +85,11 @@ buildingFrom(const Json& json)
   building.grid = CellGrid(json.at("cell_size").get<double>());
   if (!(building.grid.size() > 0))
     throw ToolError("its cells have no size");
-  const CellGrid& grid = building.grid;
   for (const Json& room : json.at("rooms"))
-    building.rooms.push_back(roomFrom(room, grid));
-  for (const Json& storey : json.at("storeys"))
-    building.storeys.push_back({storey.at("number").get<std::uint32_t>(),
-                                storey.at("name").get<std::string>(),
-                                heightOf(storey, "floor"), heightOf(storey, "ceiling"),
-                                storey.at("rooms").get<std::vector<std::uint32_t>>()});
-  for (const Json& door : json.at("doorways"))
-    building.doorways.push_back({door.at("rooms").get<RoomPair>(),
-                                 placeOf(door.at("start")), placeOf(door.at("end")),
-                                 heightOf(door, "bottom"), heightOf(door, "top")});
-  for (const Json& stair : json.at("stairs"))
-    building.stairs.push_back({stair.at("rooms").get<RoomPair>(),
-                               placeOf(stair.at("at")), heightOf(stair, "bottom"),
-                               heightOf(stair, "top")});
+    building.rooms.push_back(roomFrom(room, building.grid));
+  json.at("storeys").get_to(building.storeys);
+  json.at("doorways").get_to(building.doorways);
+  json.at("stairs").get_to(building.stairs);
   return building;
 }
 
@@ -186,20 +118,22 @@ nameOf(LeftOutKind kind)
 std::string
 buildingToJson(const Building& building)
 {
-  const CellGrid& grid = building.grid;
   Json rooms = Json::array();
   for (const BuildingRoom& room : building.rooms)
-    rooms.push_back(jsonOf(room, grid));
+    rooms.push_back(jsonOf(room, building.grid));
+  Json left_out = Json::array();
+  for (const LeftOut& thing : building.left_out)
+    left_out.push_back(jsonOf(thing));
   const Json json{{"format", format_name},
                   {"version", format_version},
                   {"unit", "m"},
-                  {"cell_size", grid.size()},
+                  {"cell_size", building.grid.size()},
                   {"seen_area", building.seen_area},
                   {"rooms", rooms},
-                  {"storeys", listOf(building.storeys)},
-                  {"doorways", listOf(building.doorways)},
-                  {"stairs", listOf(building.stairs)},
-                  {"left_out", listOf(building.left_out)}};
+                  {"storeys", building.storeys},
+                  {"doorways", building.doorways},
+                  {"stairs", building.stairs},
+                  {"left_out", left_out}};
   return json.dump(1) + "\n";
 }
 

@@ -111,6 +111,41 @@ storeLabels(ToolCloud& cloud)
     setField(cloud.blob, "room", cloud.room);
 }
 
+namespace {
+
+/** @brief Gives floors without a room to the room with the lowest ceiling above. */
+void
+shareFloors(const ToolCloud& cloud,
+            const CellGrid& grid,
+            std::vector<LabelledRoom>& rooms)
+{
+  constexpr double noise = 0.15; // metres
+  const PointView points(*cloud.points);
+  std::vector<CellSet> scopes;
+  std::vector<double> ceilings;
+  for (const LabelledRoom& room : rooms) {
+    scopes.push_back(unite(CellSet(grid, points, room.ceiling),
+                           CellSet(grid, points, room.details)));
+    ceilings.push_back(ceilingLevel(points, room.ceiling));
+  }
+  for (const int i : cloud.withLabel(StructureLabel::Floor)) {
+    const auto at = static_cast<std::size_t>(i);
+    const Eigen::Vector3f p = points[at];
+    if (cloud.room[at] != 0 || !points.isFinite(at) || !grid.holds(p.x(), p.y()))
+      continue;
+    std::size_t lowest = rooms.size();
+    for (std::size_t r = 0; r < rooms.size(); ++r)
+      if (ceilings[r] >= p.z() - noise &&
+          scopes[r].find(grid.at(p.x(), p.y())) != CellSet::npos &&
+          (lowest == rooms.size() || ceilings[r] < ceilings[lowest]))
+        lowest = r;
+    if (lowest < rooms.size())
+      rooms[lowest].floor.push_back(i);
+  }
+}
+
+} // namespace
+
 std::vector<LabelledRoom>
 labelledRooms(const ToolCloud& cloud, double grid_size)
 {
@@ -146,9 +181,11 @@ labelledRooms(const ToolCloud& cloud, double grid_size)
     LabelledRoom& room = rooms[static_cast<std::size_t>(at[i])];
     room.around.push_back(static_cast<int>(i));
     if (has_rooms && cloud.room[i] == 0 &&
-        cloud.label[i] == static_cast<std::uint32_t>(StructureLabel::Floor))
-      room.floor.push_back(static_cast<int>(i));
+        cloud.label[i] == static_cast<std::uint32_t>(StructureLabel::Detail))
+      room.details.push_back(static_cast<int>(i));
   }
+  if (has_rooms)
+    shareFloors(cloud, CellGrid(grid_size), rooms);
   return rooms;
 }
 
