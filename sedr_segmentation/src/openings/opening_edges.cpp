@@ -157,10 +157,14 @@ fittedEdges(const WallMap& map, const WallRectangle& cells, const OpeningSizes& 
     const double residual = found ? found->residual : unfitted;
     squares += residual * residual;
   };
-  move(fit.from, -1, true, cells.bottom, cells.top);
-  move(fit.to, 1, true, cells.bottom, cells.top);
+  const double head = cells.top - cells.rise;
+  move(fit.from, -1, true, cells.bottom, head);
+  move(fit.to, 1, true, cells.bottom, head);
   move(fit.bottom, -1, false, cells.from, cells.to);
-  move(fit.top, 1, false, cells.from, cells.to);
+  if (cells.rise == 0)
+    move(fit.top, 1, false, cells.from, cells.to);
+  else
+    squares += map.cell() * map.cell() / 4;
   fit.residual = std::sqrt(squares / 4);
   if (fit.to - fit.from < sizes.min_width / 2 ||
       fit.top - fit.bottom < sizes.min_height / 2)

@@ -2,6 +2,7 @@
 #include "opening_labels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace pcl::sedr {
@@ -93,6 +94,43 @@ bestRectangles(const CellGains& g)
     c = start;
   }
   std::reverse(best.begin(), best.end());
+  return best;
+}
+
+CellArch
+bestArch(const CellGains& g, const CellRectangle& at, double cost)
+{
+  const std::size_t n = g.rows + 1;
+  const auto inside = rowSums(g.inside, g.columns, g.rows);
+  const auto left = rowSums(g.left, g.columns + 1, g.rows);
+  const auto right = rowSums(g.right, g.columns + 1, g.rows);
+  const double half = static_cast<double>(at.last_column - at.first_column) / 2;
+  // What the head gains, and the jambs below it.
+  const auto gainOf = [&](double top, double rise) {
+    double gain = 0;
+    for (std::size_t c = at.first_column; c < at.last_column; ++c) {
+      const double x = (static_cast<double>(c - at.first_column) + 0.5) / half - 1;
+      const auto row = static_cast<std::size_t>(
+          std::round(top - rise * (1 - std::sqrt(std::max(0.0, 1 - x * x)))));
+      gain += inside[c * n + row] - inside[c * n + at.first_row] + g.upper[c * n + row];
+    }
+    const auto spring = static_cast<std::size_t>(std::round(top - rise));
+    return gain + left[at.first_column * n + spring] +
+           right[at.last_column * n + spring];
+  };
+  CellArch best;
+  const auto flat = static_cast<double>(at.last_row);
+  double most = gainOf(flat, 0) + cost;
+  const double highest = std::min(flat + half, static_cast<double>(g.rows));
+  for (double top = flat - 1; top <= highest; top += 0.5)
+    for (double rise = 2; rise <= half; rise += 0.5) {
+      if (top - rise < static_cast<double>(at.first_row + g.min_rows))
+        break;
+      if (const double gain = gainOf(top, rise); gain > most) {
+        most = gain;
+        best = {top, rise};
+      }
+    }
   return best;
 }
 

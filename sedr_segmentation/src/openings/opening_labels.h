@@ -35,6 +35,17 @@ struct CellGains {
   std::function<double(std::size_t, std::size_t)> prior;
 };
 
+/** @brief A rectangle with an arched head; heights in rows. */
+struct CellArch {
+  double top = 0;  ///< of the highest point, which may lie above the rectangle
+  double rise = 0; ///< 0: no arch gains more than the rectangle
+};
+
+/** @brief Returns the arch, a half of an ellipse, that gains most in place of a
+ * rectangle's head.
+ * @param cost of the arch, nats */
+CellArch bestArch(const CellGains& gains, const CellRectangle& rectangle, double cost);
+
 /** @brief Returns the rectangles that do not share columns and gain most together, from
  * left to right: exact, by dynamic programming along the columns over all pairs of rows
  * (widths are checked for the best start of each pair only). O(columns rows^2). */

@@ -208,10 +208,16 @@ private:
       return std::min(map.cell() * static_cast<double>(c), length);
     };
     std::vector<FoundOpening> found;
-    for (const CellRectangle& cells : bestRectangles(gainsOn(side))) {
-      const WallRectangle rectangle{along(cells.first_column), along(cells.last_column),
-                                    map.heightOf(cells.first_row),
-                                    map.heightOf(cells.last_row)};
+    const CellGains gains = gainsOn(side);
+    for (const CellRectangle& cells : bestRectangles(gains)) {
+      WallRectangle rectangle{along(cells.first_column), along(cells.last_column),
+                              map.heightOf(cells.first_row),
+                              map.heightOf(cells.last_row)};
+      if (const CellArch arch = bestArch(gains, cells, parameters_.weights.arch);
+          arch.rise > 0) {
+        rectangle.top = map.heightOf(0) + map.cell() * arch.top;
+        rectangle.rise = map.cell() * arch.rise;
+      }
       FoundOpening candidate;
       candidate.side = side;
       candidate.behind = backs_[side].at((rectangle.from + rectangle.to) / 2);
@@ -299,6 +305,7 @@ private:
     o.end = onMiddleLine(at.to);
     o.bottom = at.bottom;
     o.top = at.top;
+    o.rise = at.rise;
     o.residual = at.residual;
     o.rooms[0] = room.id;
     o.rooms[1] = is_paired ? plan_.rooms[search_.sides[candidate.behind].room].id

@@ -23,6 +23,8 @@ struct OpeningWeights {
   // An opening.
   double opening = -12;  ///< four edges and their observations, by BIC
   double no_head = -25;  ///< it reaches the ceiling: a bay, or no wall at all
+  double arch = 8;       ///< cost of an arched head: top and rise, by BIC, and that
+                         ///< most heads are flat
   double low_head = -15; ///< it stands on the floor, and nobody could walk through
 };
 

@@ -6,22 +6,31 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
 
 namespace pcl::sedr {
 
-/** A rectangle in a wall, by its place along it and its heights. */
+/** A rectangle in a wall, by its place along it and its heights; its head may be half
+ * an ellipse. */
 struct Cut {
   double from;
   double to;
   double bottom;
   double top;
+  double rise = 0;
+
+  double headAt(double s) const
+  {
+    const double x = (2 * s - from - to) / (to - from);
+    return top - rise * (1 - std::sqrt(std::max(0.0, 1 - x * x)));
+  }
 
   bool contains(double s, double z) const
   {
-    return s > from && s < to && z > bottom && z < top;
+    return s > from && s < to && z > bottom && z < headAt(s);
   }
 };
 
@@ -119,12 +128,12 @@ private:
 
   void reveals(const Cut& cut, double y0, double y1)
   {
-    sheet(y0, y1, cut.bottom, cut.top, [&](double y, double z, double off) {
+    sheet(y0, y1, cut.bottom, cut.top - cut.rise, [&](double y, double z, double off) {
       add(cut.from + off, y, z);
       add(cut.to + off, y, z);
     });
     sheet(cut.from, cut.to, y0, y1, [&](double s, double y, double off) {
-      add(s, y, cut.top + off);
+      add(s, y, cut.headAt(s) + off);
       add(s, y, cut.bottom + off);
     });
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace pcl::sedr::tools {
 namespace {
@@ -61,12 +62,15 @@ drawOpenings(const Floorplan& plan, const OpeningSearch& search)
     addMap(search.maps[side], panel);
     for (const FoundOpening& found : search.found)
       if (const WallRectangle& at = found.rectangle; found.side == side) {
-        panel.addPath({{at.from, at.bottom},
-                       {at.to, at.bottom},
-                       {at.to, at.top},
-                       {at.from, at.top},
-                       {at.from, at.bottom}},
-                      colours::ink, 1.5);
+        constexpr int chords = 12; // of an arched head
+        std::vector<Eigen::Vector2d> outline{{at.from, at.bottom}, {at.to, at.bottom}};
+        for (int k = 0; k <= chords; ++k) {
+          const double x = 1 - 2.0 * k / chords;
+          outline.emplace_back((at.from + at.to + x * (at.to - at.from)) / 2,
+                               at.top - at.rise * (1 - std::sqrt(1 - x * x)));
+        }
+        outline.push_back(outline.front());
+        panel.addPath(outline, colours::ink, 1.5);
         panel.addLabel({(at.from + at.to) / 2, (at.bottom + at.top) / 2},
                        nameOf(found.opening.kind));
       }
