@@ -16,6 +16,7 @@ using Repair = pcl::VerticalHoleRepair<pcl::PointXYZ>;
 
 struct Settings : StageFiles {
   std::string plan;
+  bool keep_openings = false;
 };
 
 /** @brief Replaces the cloud by the repaired one: the retained rows, then those that
@@ -45,6 +46,8 @@ int
 run(const Settings& settings, Repair& repair)
 {
   settings.check();
+  if (settings.keep_openings && !settings.picture.path.empty())
+    throw ToolError("--picture shows all cells of the walls: not with --keep-openings");
   const auto plan = loadFloorplan(settings.plan);
   ToolCloud cloud = loadCloud(settings.input);
   giveRooms(*plan, cloud);
@@ -52,6 +55,7 @@ run(const Settings& settings, Repair& repair)
     const Progress progress("filling holes");
     repair.setInputCloud(cloud.points);
     repair.setFloorplan(plan);
+    repair.setKeepOpenings(settings.keep_openings);
     repair.setLabels(cloud.label);
     repair.setRooms(cloud.room);
     pcl::PointCloud<pcl::PointXYZ> whole;
@@ -91,5 +95,7 @@ main(int argc, char** argv)
   settings.declare(options, ", as pcl_structure_refinement writes it", &settings.plan);
   options.parameter("grid", repair, &Repair::getGridSize, &Repair::setGridSize, "m",
                     "edge of a cell", Range::between(0.01, 1));
+  options.flag("keep-openings", settings.keep_openings,
+               "fill no holes where the plan has doors, windows and passages");
   return runTool(options, argc, argv, [&] { return run(settings, repair); });
 }

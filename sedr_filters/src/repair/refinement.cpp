@@ -7,6 +7,8 @@
 #include <pcl/sedr_filters/impl/refinement.h>
 #include <pcl/sedr_filters/vertical_hole_repair.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace pcl::sedr {
@@ -65,6 +67,23 @@ refineToPlan(const PointView& points,
       result.points.push_back(snapped[k]);
     }
   return result;
+}
+
+bool
+isInOpening(const Floorplan& plan, const Eigen::Vector3d& place)
+{
+  constexpr double beside = 0.1; // the bulge of a curved wall, metres
+  return std::any_of(
+      plan.openings.begin(), plan.openings.end(), [&](const PlanOpening& o) {
+        const double half = o.width() / 2;
+        const Eigen::Vector2d way = (o.end - o.start) / (2 * half);
+        const Eigen::Vector2d off = place.head<2>() - (o.start + o.end) / 2;
+        const double along = off.dot(way) / half; // -1 to 1
+        if (!(std::abs(along) < 1) || place.z() <= o.bottom ||
+            std::abs(way.x() * off.y() - way.y() * off.x()) > o.depth / 2 + beside)
+          return false;
+        return place.z() < o.top - o.rise * (1 - std::sqrt(1 - along * along));
+      });
 }
 
 std::vector<RepairedPoint>

@@ -145,8 +145,9 @@ struct Repaired {
   Structure whole;
   pcl::VerticalHoleRepair<pcl::PointStructure> repair{true};
 
-  explicit Repaired(const FurnishedRoom& room)
+  explicit Repaired(const FurnishedRoom& room, bool keep_openings = false)
   {
+    repair.setKeepOpenings(keep_openings);
     pcl::StructureRefinement<pcl::PointStructure> refinement;
     refinement.setInputCloud(room.cloud);
     refinement.setFloorplan(room.plan);
@@ -173,6 +174,25 @@ TEST(VerticalHoleRepair, FillsADoorExactlyWhereItIs)
     EXPECT_EQ(p.getNormalVector3fMap(), Eigen::Vector3f(0, 1, 0));
     EXPECT_EQ(p.curvature, 0.f) << "fields that nobody measured are zero";
   }
+}
+
+TEST(VerticalHoleRepair, KeepsTheOpeningsOfThePlanIfAsked)
+{
+  FurnishedRoom room(0);
+  PlanOpening door; // the lower half of the hole
+  door.start = {1, -0.1};
+  door.end = {2, -0.1};
+  door.top = 1;
+  door.depth = 0.2;
+  auto plan = std::make_shared<Floorplan>(*room.plan);
+  plan->openings = {door};
+  room.plan = plan;
+  EXPECT_EQ(Repaired(room).repair.getRepairedIndices().size(), 20u * 40u);
+  const Repaired result(room, true);
+  EXPECT_EQ(result.repair.getRepairedIndices().size(), 20u * 20u);
+  for (const auto k : result.repair.getRepairedIndices())
+    EXPECT_GT(result.whole[static_cast<std::size_t>(k)].z, 1);
+  EXPECT_EQ(result.whole.size() + 20u * 20u, Repaired(room).whole.size());
 }
 
 TEST(VerticalHoleRepair, CoversTheRoomOnceAndKeepsTheScannedPoints)

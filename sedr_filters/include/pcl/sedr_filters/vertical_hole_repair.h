@@ -74,6 +74,11 @@ public:
   void setGridSize(double size) { grid_size_ = size; }
   double getGridSize() const { return grid_size_; }
 
+  /** @brief Sets whether the openings of the plan stay open: their empty cells are not
+   * filled. Default false, as in the paper. There are no strips then. */
+  void setKeepOpenings(bool keep) { keep_openings_ = keep; }
+  bool getKeepOpenings() const { return keep_openings_; }
+
   /** @brief Returns the output indices of the points that fill holes, increasing. */
   const Indices& getRepairedIndices() const { return repaired_; }
 
@@ -106,6 +111,7 @@ private:
   bool validate(std::vector<std::uint32_t>& labels, std::vector<std::uint32_t>& rooms);
 
   double grid_size_ = 0.05;
+  bool keep_openings_ = false;
   Indices repaired_;
   std::vector<sedr::RepairedStrip> strips_;
   std::map<std::uint32_t, sedr::UnseenShares> unseen_;

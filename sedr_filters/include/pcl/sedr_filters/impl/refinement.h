@@ -33,6 +33,10 @@ Refinement refineToPlan(const PointView& points,
                         double farthest,
                         unsigned threads);
 
+/** @brief Checks whether a place is in an opening, or on its plane in a face of the
+ * wall. O(openings). */
+bool isInOpening(const Floorplan& plan, const Eigen::Vector3d& place);
+
 /** @brief A point of a room after hole repair. */
 struct RepairedPoint {
   SurfacePoint point;

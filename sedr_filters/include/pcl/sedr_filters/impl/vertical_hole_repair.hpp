@@ -56,6 +56,8 @@ VerticalHoleRepair<PointT>::applyFilter(PointCloud& output)
   for (const auto& repaired : sedr::repairHoles(refined.points, *plan_, grid_size_,
                                                 &strips_, &unseen_, threads_)) {
     const bool is_new = repaired.source < 0;
+    if (is_new && keep_openings_ && sedr::isInOpening(*plan_, repaired.point.position))
+      continue;
     PointT p{};
     if (is_new)
       repaired_.push_back(static_cast<index_t>(output.size()));
@@ -69,6 +71,8 @@ VerticalHoleRepair<PointT>::applyFilter(PointCloud& output)
     surface_points_.push_back(repaired.point);
     output.push_back(p);
   }
+  if (keep_openings_)
+    strips_.clear(); // their cells are not all in the output
   this->removeAllBut(refined.sources, [&](std::size_t k) { return is_used[k]; });
 }
 
