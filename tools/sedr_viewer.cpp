@@ -37,8 +37,8 @@ addOptions(Options& options, Settings& s)
                "stage leaves it, or raw, as PCD, PLY, E57, LAS or text; or one of its "
                "meshes or plans");
   options.text("layers", s.layers,
-               "what is shown, of scan, structure, mesh, solid, plan: one or more, "
-               "with commas between; none given: mesh, or the next best");
+               "what is shown, of scan, structure, mesh, solid, plan, openings: one or "
+               "more, with commas between; none given: mesh, or the next best");
   options.text("colour", s.state.colour, "what colours mean",
                {"label", "room", "distance", "height"});
   options.text("view", s.state.view, "where the camera stands", {"top", "iso"});

@@ -132,4 +132,41 @@ TEST(StoreysCompare, ARoomIsNotReplacedByOneThatLiesAboveIt)
   EXPECT_EQ(told(twoStoreys(), upper), Lines{"vanished room, 22.50 m2: room_3"});
 }
 
+PlanOpening
+doorAt(double y)
+{
+  PlanOpening door;
+  door.kind = OpeningKind::Door;
+  door.rooms = {1, 2};
+  door.start = {5.05, y};
+  door.end = {5.05, y + 0.9};
+  door.top = 2;
+  door.depth = 0.1;
+  return door;
+}
+
+TEST(StructureCompare, ADoorThatIsBrickedUpAndOneThatIsCut)
+{
+  Floorplan before = twoRooms();
+  before.openings = {doorAt(0.5), doorAt(3)};
+  Floorplan after = twoRooms();
+  after.openings = {doorAt(1.8), doorAt(3.1)};
+  EXPECT_EQ(told(before, after), (Lines{"bricked up door, 1.80 m2: opening_1",
+                                        "cut door, 1.80 m2: opening_1"}));
+  EXPECT_EQ(told(shifted(before, {7, 8, 9}), shifted(before, {7, 8, 9})), Lines{});
+}
+
+TEST(StructureCompare, OpeningsOfWallsThatAreGoneOrThatNobodyLookedForAreNoChanges)
+{
+  Floorplan before = twoRooms();
+  before.openings = {doorAt(0.5), doorAt(3)};
+  EXPECT_EQ(told(before, twoRooms()), Lines{}) << "nobody looked for openings";
+  Floorplan one{{boxRoomOf(1, 0, 0, 9, 4.5)}};
+  one.openings = {doorAt(3)};
+  one.openings[0].start.x() = one.openings[0].end.x() = 9;
+  EXPECT_EQ(told(before, one),
+            (Lines{"vanished partition, 4.5 m: room_1_wall_2, room_2_wall_4",
+                   "cut door, 1.80 m2: opening_1"}));
+}
+
 } // namespace

@@ -187,4 +187,33 @@ TEST(PlanRules, OfTwoStoreysTellWhichAPlaceBelongsTo)
       << "a step";
 }
 
+TEST_F(ViewedSample, ShowsOpeningsByKindAndTheFootOfALeaf)
+{
+  EXPECT_FALSE(result_.has("openings"));
+  PlanOpening door;
+  door.kind = OpeningKind::Door;
+  door.rooms = {1, 2};
+  door.start = {1, 2};
+  door.end = {1, 3};
+  door.top = 2;
+  result_.plan.openings = {door};
+  EXPECT_TRUE(result_.has("openings"));
+  const Shapes shapes(result_);
+  ViewState state;
+  state.layers = {"openings"};
+  auto shape = shapes.of("openings", state);
+  EXPECT_EQ(coloursIn(shape), std::set<std::string>{hexCode(colours::detail)});
+  EXPECT_DOUBLE_EQ(highest(shape), 2);
+  EXPECT_DOUBLE_EQ(shape->GetBounds()[0], shape->GetBounds()[1]) << "in its wall";
+  result_.plan.openings[0].hinge = OpeningHinge::Start;
+  result_.plan.openings[0].swing = 2; // to the right of the direction
+  EXPECT_DOUBLE_EQ(shapes.of("openings", state)->GetBounds()[1], 2);
+  const auto legend = shapes.legend(state);
+  EXPECT_TRUE(std::any_of(legend.begin(), legend.end(), [](const LegendLine& line) {
+    return line.text == "door: 1";
+  }));
+  state.room = 7;
+  EXPECT_EQ(shapes.of("openings", state)->GetNumberOfPoints(), 0);
+}
+
 } // namespace

@@ -17,7 +17,7 @@ const char* toString(ChangeKind kind);
 /** @brief A difference between two plans. */
 struct Change {
   ChangeKind kind = ChangeKind::Moved;
-  std::string what;                ///< "partition", "wall", "column", "soffit", "room"
+  std::string what; ///< "partition", "wall", "column", "soffit", "room", "door"
   std::vector<std::string> before; ///< elements of the first plan, named as in a solid
   std::vector<std::string> after;  ///< elements of the second plan
   double size = 0;        ///< length of walls (m), area of all else (square metres)
@@ -27,6 +27,10 @@ struct Change {
   /** @brief Returns the elements of the plan that has them: the first one, unless they
    * appeared. */
   std::vector<std::string>& names()
+  {
+    return kind == ChangeKind::Appeared ? after : before;
+  }
+  const std::vector<std::string>& names() const
   {
     return kind == ChangeKind::Appeared ? after : before;
   }

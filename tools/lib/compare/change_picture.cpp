@@ -28,6 +28,12 @@ loopsOf(const Floorplan& plan)
     for (std::size_t k = 0; k < room.floor_details.size(); ++k)
       add("_floor_detail_", k, room.floor_details[k].boundary);
   }
+  for (std::size_t k = 0; k < plan.openings.size(); ++k) {
+    PlanElement line;
+    line.start = plan.openings[k].start;
+    line.end = plan.openings[k].end;
+    loops["opening_" + std::to_string(k + 1)] = {{line}};
+  }
   return loops;
 }
 

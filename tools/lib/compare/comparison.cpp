@@ -66,6 +66,7 @@ comparePlans(const Floorplan& before,
   add(wallChanges(before, after, settings, rooms));
   add(columnChanges(before, after, settings));
   add(slabChanges(before, after, settings));
+  add(openingChanges(before, after, settings));
   return changes;
 }
 
@@ -86,6 +87,11 @@ shifted(Floorplan plan, const Eigen::Vector3d& shift)
   };
   for (auto& room : plan.rooms) {
     moveLoop(room.boundary);
+    for (auto& niche : room.niches) {
+      moveLoop(niche.boundary);
+      moveSlab(niche.bottom);
+      moveSlab(niche.top);
+    }
     moveSlab(room.floor);
     moveSlab(room.ceiling);
     for (auto& column : room.columns)
@@ -98,13 +104,23 @@ shifted(Floorplan plan, const Eigen::Vector3d& shift)
           moveLoop(hole);
       }
   }
+  for (auto& opening : plan.openings) {
+    opening.start += shift.head<2>();
+    opening.end += shift.head<2>();
+    opening.bottom += shift.z();
+    opening.top += shift.z();
+  }
   return plan;
 }
 
 std::string
 describe(const Change& change)
 {
-  std::string text = std::string(toString(change.kind)) + " " + change.what;
+  const bool is_opening = change.names().front().rfind("opening_", 0) == 0;
+  std::string text = std::string(!is_opening ? toString(change.kind)
+                                 : change.kind == ChangeKind::Appeared ? "cut"
+                                                                       : "bricked up") +
+                     " " + change.what;
   if (change.kind == ChangeKind::Moved)
     text += " by " + shiftText(change.shift);
   text += ", " + decimalText(change.size, change.is_length ? 1 : 2) +

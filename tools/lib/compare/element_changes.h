@@ -42,6 +42,13 @@ std::vector<Change> slabChanges(const Floorplan& before,
                                 const Floorplan& after,
                                 const CompareSettings& settings);
 
+/** @brief Finds doors, windows and passages that appeared or vanished in walls that
+ * both plans have. What shares a part of a wall with another one is unchanged. Nothing
+ * if one of the plans has no openings at all: nobody looked for them. */
+std::vector<Change> openingChanges(const Floorplan& before,
+                                   const Floorplan& after,
+                                   const CompareSettings& settings);
+
 /** @brief Pairs the things of two lists, the nearest ones first, and removes them from
  * their lists.
  * @param distance of a thing of each list; infinite if they cannot be the same

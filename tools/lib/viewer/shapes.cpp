@@ -137,6 +137,45 @@ addRoom(const PlanRoom& room, bool with_ceilings, ColouredShape& lines)
       add(soffit.boundary, soffit.slab, room.ceiling, detail, detail);
 }
 
+Colour
+colourOf(OpeningKind kind)
+{
+  return kind == OpeningKind::Door      ? colours::detail
+         : kind == OpeningKind::Window  ? colours::arc
+         : kind == OpeningKind::Passage ? colours::column
+                                        : colours::other;
+}
+
+/** @brief Adds the outline of an opening in the middle of its wall, and the foot of its
+ * leaf, turned out of the wall by a right angle. */
+void
+addOpening(const PlanOpening& opening, ColouredShape& lines)
+{
+  const Colour colour = colourOf(opening.kind);
+  constexpr int chords = 12; // of an arched head
+  std::vector<Eigen::Vector3d> corners;
+  const auto add = [&](double share, double z) {
+    const Eigen::Vector2d p = opening.start + share * (opening.end - opening.start);
+    corners.emplace_back(p.x(), p.y(), z);
+  };
+  add(0, opening.bottom);
+  for (int k = 0; k <= chords; ++k) {
+    const double along = 2.0 * k / chords - 1;
+    add(static_cast<double>(k) / chords,
+        opening.top - opening.rise * (1 - std::sqrt(1 - along * along)));
+  }
+  add(1, opening.bottom);
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    lines.addLine(corners[k], corners[(k + 1) % corners.size()], colour);
+  if (opening.hinge == OpeningHinge::Unknown || opening.swing == 0)
+    return;
+  const Eigen::Vector2d way = opening.end - opening.start;
+  const double side = opening.swing == opening.rooms[0] ? 1 : -1;
+  const Eigen::Vector3d hinge =
+      opening.hinge == OpeningHinge::Start ? corners.front() : corners.back();
+  lines.addLine(hinge, hinge + side * Eigen::Vector3d(-way.y(), way.x(), 0), colour);
+}
+
 } // namespace
 
 Shapes::Shapes(const ViewedResult& result)
@@ -184,6 +223,16 @@ Shapes::of(const std::string& layer, const ViewState& state) const
     for (const auto& room : result_.plan.rooms)
       if (shows(StructureLabel::Wall, room.id, Eigen::Vector3d::Zero(), state))
         addRoom(room, state.ceilings, shape);
+    return shape.data(2);
+  }
+  if (layer == "openings") {
+    for (const auto& opening : result_.plan.openings)
+      for (const std::uint32_t room : opening.rooms)
+        if (room != 0 &&
+            shows(StructureLabel::Wall, room, Eigen::Vector3d::Zero(), state)) {
+          addOpening(opening, shape);
+          break;
+        }
     return shape.data(2);
   }
   const TriangleMesh& mesh = result_.mesh(layer);
@@ -287,6 +336,15 @@ Shapes::legend(const ViewState& state) const
   for (std::uint32_t k = 0; k < 6 && state.colour == "label"; ++k)
     lines.push_back({toString(static_cast<StructureLabel>(k)),
                      colourOf(static_cast<StructureLabel>(k))});
+  if (state.layers.count("openings") > 0)
+    for (const OpeningKind kind : {OpeningKind::Door, OpeningKind::Window,
+                                   OpeningKind::Passage, OpeningKind::Unknown})
+      if (const auto n = std::count_if(
+              result_.plan.openings.begin(), result_.plan.openings.end(),
+              [kind](const PlanOpening& opening) { return opening.kind == kind; });
+          n > 0)
+        lines.push_back(
+            {std::string(nameOf(kind)) + ": " + std::to_string(n), colourOf(kind)});
   std::size_t told = 0;
   for (const auto& room : result_.plan.rooms)
     if (shows(StructureLabel::Wall, room.id, Eigen::Vector3d::Zero(), state) &&

@@ -45,7 +45,8 @@ public:
 
   /** @brief Returns a layer as vertices, triangles or lines with colours as point
    * scalars: without ceilings, other storeys and other rooms unless the state shows
-   * them. The plan has its elements at floor and ceiling, and lines at corners. */
+   * them. The plan has its elements at floor and ceiling, and lines at corners;
+   * openings are outlines with the feet of their leaves. */
   vtkSmartPointer<vtkPolyData> of(const std::string& layer,
                                   const ViewState& state) const;
 

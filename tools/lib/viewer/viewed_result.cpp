@@ -13,8 +13,8 @@
 
 namespace pcl::sedr::tools {
 
-const std::vector<std::string> layer_names{"scan", "structure", "mesh", "solid",
-                                           "plan"};
+const std::vector<std::string> layer_names{"scan",  "structure", "mesh",
+                                           "solid", "plan",      "openings"};
 
 namespace {
 
@@ -64,8 +64,9 @@ readFolder(const std::string& path, const ReadSettings& settings, ViewedResult& 
 bool
 ViewedResult::has(const std::string& layer) const
 {
-  return layer == "plan" ? !plan.rooms.empty()
-                         : clouds.count(layer) + meshes.count(layer) > 0;
+  return layer == "plan"       ? !plan.rooms.empty()
+         : layer == "openings" ? !plan.openings.empty()
+                               : clouds.count(layer) + meshes.count(layer) > 0;
 }
 
 const TriangleMesh&

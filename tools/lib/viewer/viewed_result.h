@@ -15,7 +15,7 @@
 namespace pcl::sedr::tools {
 
 /** @brief Parts of a result that can be shown, in the order of their keys: scan,
- * structure, mesh, solid, plan. */
+ * structure, mesh, solid, plan, openings. */
 extern const std::vector<std::string> layer_names;
 
 /** @brief A result to display. Parts that are missing are absent from the maps. */
@@ -23,7 +23,7 @@ struct ViewedResult {
   std::string name;                           ///< of the folder or file
   std::map<std::string, DisplayCloud> clouds; ///< layers "scan" and "structure"
   std::map<std::string, TriangleMesh> meshes; ///< layers "mesh" and "solid"
-  Floorplan plan;                             ///< layer "plan"
+  Floorplan plan;                             ///< layers "plan" and "openings"
   PlanRules rules;                            ///< of the plan
   std::vector<std::string> notes; ///< missing parts and reasons, a sentence each
 

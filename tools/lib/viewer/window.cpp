@@ -94,7 +94,7 @@ adjust(vtkActor& actor, const std::string& layer, const ViewState& state)
   }
   auto* property = actor.GetProperty();
   property->SetPointSize(3);
-  property->SetLineWidth(layer == "plan" ? 3.0F : 1.5F);
+  property->SetLineWidth(layer == "plan" || layer == "openings" ? 3.0F : 1.5F);
   const bool is_open = !state.ceilings || is_clipped;
   property->SetBackfaceCulling(is_open && layer == "mesh"); // faces into the room
   property->SetFrontfaceCulling(is_open && layer == "solid");
