@@ -315,6 +315,21 @@ class ReportInABrowser(ReportCase):
         self.assertEqual((gap["area, m²"], gap["z, m"], gap["counts"]), ("48.4", "-0.5 to 2.5", "yes"))
         self.assertIn("12.1 m² of 60.5 m² of floor that was seen are in the plan, 20 %", self.words(browser, "#coverage"))
 
+    def test_walls_show_what_was_seen_of_them(self):
+        wall = {"room": 1, "walls": [2, 3], "length": 4, "base": 0, "cell": 1, "columns": 4, "rows": 2, "cells": "4s2h1e1w",
+                "openings": [{"kind": "door", "from": 2, "to": 3, "bottom": 0, "top": 1}]}
+        self.write("report.json", {**sample_report(), "walls": [wall]})
+        self.make()
+        browser = self.open()
+        self.assertIn("room 1: 1 wall, 1 opening", self.words(browser, "#walls"))
+        browser.run("new Promise(done => { const box = document.querySelector('#walls details');"
+                    " box.addEventListener('toggle', () => setTimeout(done, 0)); box.open = true; })")
+        self.assertIn("wall 2, 3: 4.0 m, door", self.words(browser, "#walls"))
+        # Pixels of cells from the top left: three a cell.
+        pixel = "[...document.querySelector('#walls canvas').getContext('2d').getImageData({}, {}, 1, 1).data]"
+        self.assertEqual(browser.run(pixel.format(1, 1)), [155, 155, 155, 255], "seen")
+        self.assertEqual(browser.run(pixel.format(1, 4)), [150, 184, 225, 255], "hidden")
+
     def test_a_malformed_section_leaves_the_others(self):
         self.write("report.json", {**sample_report(), "coverage": 7})
         self.make()

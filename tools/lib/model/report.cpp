@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report.h"
+#include "wall_maps.h"
 
 #include "sedr_filters/src/plan/floorplan_format.h"
 
@@ -230,6 +231,13 @@ openingsOf(const Floorplan& plan)
 }
 
 Json
+wallMapsOf(const Reconstruction& chain)
+{
+  const auto search = chain.getChain().opening_detection.getSearch();
+  return search ? wallMaps(*chain.getFloorplan(), *search) : Json::array();
+}
+
+Json
 coverageOf(const Coverage& coverage)
 {
   Json left_out = Json::array();
@@ -287,6 +295,7 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"positions", positionsOf(chain.getChain().mirrored)},
             {"rooms", roomsOf(chain)},
             {"openings", openingsOf(*chain.getFloorplan())},
+            {"walls", wallMapsOf(chain)},
             {"coverage", coverageOf(run.coverage)},
             {"evaluation", evaluation},
             {"warnings", chain.getChain().warnings}};

@@ -227,6 +227,40 @@
     return found.length + doorways.length > 0;
   }
 
+  // What the scan shows of each wall, a picture a wall, below the name of its room.
+  function walls(section) {
+    const states = { s: ['#9b9b9b', 'seen'], w: ['#d8302c', 'within the wall'], h: ['#96b8e1', 'hidden'], e: ['#fae28c', 'nothing'] };
+    const maps = report.walls || [], place = section.querySelector('.walls'), scale = 3, metre = 30;
+    const counted = (count, word) => `${count} ${word}${count === 1 ? '' : 's'}`;
+    const drawn = map => {
+      const canvas = make('canvas', { width: scale * map.columns, height: scale * map.rows,
+        style: `width:${Math.round(metre * map.columns * map.cell)}px` });
+      const pen = canvas.getContext('2d');
+      let at = 0;
+      for (const [, length, state] of map.cells.matchAll(/(\d+)(\w)/g))
+        for (let k = 0; k < +length; ++k, ++at) {
+          if (!states[state]) continue;
+          pen.fillStyle = states[state][0];
+          pen.fillRect(scale * (at % map.columns), scale * Math.floor(at / map.columns), scale, scale);
+        }
+      const x = along => scale * along / map.cell, y = z => scale * (map.rows - (z - map.base) / map.cell);
+      pen.lineWidth = 2;
+      for (const opening of map.openings)
+        pen.strokeRect(x(opening.from), y(opening.top), x(opening.to) - x(opening.from), y(opening.bottom) - y(opening.top));
+      const kinds = map.openings.map(opening => ', ' + opening.kind).join('');
+      return make('figure', {}, canvas, make('figcaption', {},
+        `wall ${map.walls.join(', ')}: ${number(map.length, 1)} m${kinds}`));
+    };
+    for (const room of [...new Set(maps.map(map => map.room))]) {
+      const own = maps.filter(map => map.room === room), count = sum(own, map => map.openings.length);
+      const box = make('details', {}, make('summary', {}, `room ${room}: ${counted(own.length, 'wall')}, ${counted(count, 'opening')}`));
+      box.addEventListener('toggle', () => box.children.length > 1 || box.append(...own.map(drawn)), { once: true });
+      place.append(box);
+    }
+    fillKey(section.querySelector('.key'), Object.values(states));
+    return maps.length > 0;
+  }
+
   const labelKey = Object.entries(data.colours.labels).filter(([label]) => label !== 'other')
     .map(([label, colour]) => [colour, label]);
 
@@ -371,7 +405,7 @@
   }
 
   head();
-  Object.entries({ check, coverage, storeys: storeyTable, plan: drawings, rooms: roomTables, openings, model, pictures,
+  Object.entries({ check, coverage, storeys: storeyTable, plan: drawings, rooms: roomTables, openings, walls, model, pictures,
     distances: distanceSection, files, stages, parameters }).forEach(([id, fill]) => {
     byId(id).hidden = false;
     try {

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+
+#include <nlohmann/json.hpp>
+
+namespace pcl::sedr {
+
+struct OpeningSearch;
+
+namespace tools {
+
+/** @brief Returns what a scan shows of each wall, for report.json: `room`, `walls` (of
+ * its boundary, from 1), `length`, `base` (z of the
+ * lowest cells), `cell` (metres), `columns`, `rows`, `cells`
+ * and the `openings` on it. The cells run row by row from the top, each run of equal
+ * ones as its number and a letter: s seen, w within the wall, h hidden, e nothing, n no
+ * room. Cells of all walls together are at most half a million, coarser for more. */
+nlohmann::ordered_json wallMaps(const Floorplan& plan, const OpeningSearch& search);
+
+} // namespace tools
+} // namespace pcl::sedr
