@@ -20,6 +20,7 @@ using Extrusion = pcl::FloorplanExtrusion<pcl::PointXYZ>;
 struct Settings {
   std::string plan;
   std::string output;
+  std::string openings = "closed";
   PictureFile picture;
 };
 
@@ -41,6 +42,7 @@ run(const Settings& settings, Extrusion& extrusion)
   settings.picture.check();
   extrusion.setFloorplan(loadFloorplan(settings.plan));
   extrusion.setTilts(planTilts(settings.plan));
+  extrusion.setCutOpenings(settings.openings == "cut");
   pcl::PolygonMesh unused;
   extrusion.reconstruct(unused);
   for (const auto& report : extrusion.getReports())
@@ -81,6 +83,9 @@ main(int argc, char** argv)
   options.parameter("chord-tolerance", extrusion, &Extrusion::getChordTolerance,
                     &Extrusion::setChordTolerance, "m",
                     "farthest that facets are off their arc", Range::between(1e-6, 1));
+  options.text("openings", settings.openings,
+               "doors and windows in the solid: closed, or cut with their reveals",
+               {"closed", "cut"});
   settings.picture.declare(options);
   return runTool(options, argc, argv, [&] { return run(settings, extrusion); });
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../mesh/mesh_intersection.h"
+#include "opening_reveals.h"
 
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_surface/impl/floorplan_extrusion.hpp>
 
+#include <optional>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -55,7 +57,10 @@ extrudePlan(const Floorplan* plan,
     problem = toleranceProblem(parameters.snap_tolerance, 0, 0.5, "snap");
   if (!problem.empty())
     return problem;
-  for (const PlanRoom& room : plan->rooms) {
+  std::optional<RevealedPlan> cut;
+  if (parameters.cut_openings)
+    cut.emplace(*plan, tilts);
+  for (const PlanRoom& room : cut ? cut->rooms : plan->rooms) {
     TriangleMesh solid;
     const RoomSolidReport report =
         extrudeRoom(room, parameters, solid, solids.elements, tilts);
@@ -66,6 +71,14 @@ extrudePlan(const Floorplan* plan,
     for (const std::string& warning : report.warnings)
       solids.warnings.push_back(name + warning);
     solids.reports.push_back(report);
+  }
+  if (cut) {
+    for (SolidElement& element : solids.elements)
+      element.name = cut->named(element.name);
+    for (std::string& warning : solids.warnings)
+      warning = cut->named(warning);
+    joinReveals(*cut, plan->openings.size(), solids.elements, solids.mesh,
+                solids.warnings);
   }
   warnOfCrossings(solids.mesh, solids.warnings);
   return problem;

@@ -68,7 +68,9 @@ PlanCells::isOpen(const Part& part) const
   for (const std::uint32_t t : part.triangles)
     for (std::size_t i = 0; i < 3; ++i) {
       const PlanRegion other = across(t, i);
-      if (!other.isRoom() || layers_.isNiche(other))
+      // An earlier niche is open itself, or is left out before the next round.
+      if (!other.isRoom() ||
+          (layers_.isNiche(other) && other.floor >= part.region.floor))
         continue;
       const auto overlapAt = [&](std::uint32_t v) {
         return std::min(heightOf(part.region.ceiling, v), heightOf(other.ceiling, v)) -

@@ -105,10 +105,10 @@ RoomLayers::Part::contains(const std::vector<int>& winding) const
 PlanRegion
 RoomLayers::regionOf(const std::vector<int>& winding) const
 {
+  bool is_outside = winding[0] == 0;
   for (std::size_t l = 0; l < loops.size(); ++l)
-    if (loops[l].role == LoopRole::ColumnFace && winding[l] != 0)
-      return {};
-  if (winding[0] == 0) {
+    is_outside |= loops[l].role == LoopRole::ColumnFace && winding[l] != 0;
+  if (is_outside) {
     const auto niche = std::find_if(niches_.begin(), niches_.end(),
                                     [&](const Part& n) { return n.contains(winding); });
     return niche == niches_.end() ? PlanRegion() : niche->region;

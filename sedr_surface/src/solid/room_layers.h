@@ -59,8 +59,8 @@ struct RoomLayers {
   explicit RoomLayers(const PlanRoom& room);
 
   /** @brief Returns the region at a place, given the winding number of each loop.
-   * Columns are cut out of everything. Of overlapping details of the ceiling, or of the
-   * floor, the last counts; of niches, outside the boundary, the first. */
+   * Columns are cut out of the room. Of overlapping details of the ceiling, or of the
+   * floor, the last counts; of niches, outside the room, the first. */
   PlanRegion regionOf(const std::vector<int>& winding) const;
 
   bool isNiche(const PlanRegion& region) const

@@ -41,6 +41,9 @@ addModelOptions(Options& options, ModelSettings& s, Reconstruction& chain)
   options.text("plan", s.plan,
                "how walls are fitted: by lines and rules, or by one energy",
                {"rules", "energy"});
+  options.text("openings", s.openings,
+               "doors and windows in the solid: closed, or cut with their reveals",
+               {"closed", "cut"});
   options.flag("explain", s.explain,
                "print all priors: value, unit, range, source and where they act");
   options.flag("report", s.report,
@@ -53,6 +56,7 @@ apply(const ModelSettings& s, Reconstruction& chain)
   chain.setPriors(priorsOf(s.priors));
   chain.setNumberOfThreads(s.threads);
   chain.getChain().floorplan_fitting.setByEnergy(s.plan == "energy");
+  chain.getChain().extrusion.setCutOpenings(s.openings == "cut");
   if (s.explain)
     std::cout << explained(chain.getPriors()) << std::flush;
 }

@@ -24,9 +24,10 @@ struct ModelSettings {
   bool partial = false; ///< accept a model of a small part
   bool pictures = false;
   bool report = false;
-  bool explain = false;       ///< print the priors
-  std::string priors;         ///< name=value, separated by commas
-  std::string plan = "rules"; ///< or "energy": FloorplanFitting::setByEnergy()
+  bool explain = false;            ///< print the priors
+  std::string priors;              ///< name=value, separated by commas
+  std::string plan = "rules";      ///< or "energy": FloorplanFitting::setByEnergy()
+  std::string openings = "closed"; ///< or "cut": FloorplanExtrusion::setCutOpenings()
 };
 
 /** @brief Declares the options for making a model; those of stages are set in the

@@ -69,6 +69,16 @@ public:
   void setSnapTolerance(double tolerance) { parameters_.snap_tolerance = tolerance; }
   double getSnapTolerance() const { return parameters_.snap_tolerance; }
 
+  /** @brief Sets whether the plan's openings are cut through the walls, with reveals.
+   * Default false: walls are closed, as in the paper. A door then joins the solids of
+   * two rooms to one closed manifold; an opening to the outside ends at the outer face
+   * of its wall. Rooms' reports are those of their solids before that, each with its
+   * part of the reveals, whose elements are named room_1_opening_3_side_2 by the number
+   * of the opening in the plan. Openings that cannot be cut stay closed, with a
+   * warning: in tilted walls, and where the plan has no wall beside them. */
+  void setCutOpenings(bool cut) { parameters_.cut_openings = cut; }
+  bool getCutOpenings() const { return parameters_.cut_openings; }
+
   /** @brief Returns the elements that triangles belong to, room by room in the plan's
    * order. */
   const std::vector<sedr::SolidElement>& getElements() const { return elements_; }

@@ -17,6 +17,7 @@ namespace pcl::sedr {
 struct SolidParameters {
   double chord_tolerance = 0.0005; ///< distance of facets from their arc, metres
   double snap_tolerance = 0;       ///< metres; 0: from residuals, see snapTolerance()
+  bool cut_openings = false;       ///< of a plan: see FloorplanExtrusion
 };
 
 /** @brief Result of extruding a room. */

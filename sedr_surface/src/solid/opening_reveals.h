@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/straightening.h>
+#include <pcl/sedr_surface/triangle_mesh.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace pcl::sedr {
+
+/** @brief The part of an opening's reveals that belongs to the solid of a room: one of
+ * its niches. */
+struct OpeningReveal {
+  std::size_t opening = 0; ///< index of Floorplan::openings
+  std::size_t room = 0;    ///< index of Floorplan::rooms
+  std::size_t niche = 0;   ///< index of PlanRoom::niches
+  bool is_joined = false;  ///< it ends in the middle of the wall, where another begins
+};
+
+/** @brief The rooms of a plan with a niche for each opening beside them, after their
+ * own. An opening between two rooms is a niche of either, and both end at the same face
+ * in the middle of the wall. Others end at the outer face. */
+struct RevealedPlan {
+  std::vector<PlanRoom> rooms;
+  std::vector<OpeningReveal> reveals; ///< by opening
+
+  /** @brief Openings in tilted walls, and those beside which no wall of their rooms is,
+   * stay closed. */
+  RevealedPlan(const Floorplan& plan, const WallTilts& tilts);
+
+  /** @brief Returns a text with the names of the niches of openings replaced:
+   * room_1_niche_2_side_1 becomes room_1_opening_5_side_1. */
+  std::string named(std::string text) const;
+};
+
+/** @brief Removes the faces at which the two reveals of an opening end, and joins their
+ * rims, so that a door joins the solids of two rooms. Does nothing if that would not
+ * leave a closed manifold.
+ * @param elements with names from RevealedPlan::named()
+ * @param[in,out] solids of all rooms
+ * @param[in,out] warnings a sentence on the openings that stay closed */
+void joinReveals(const RevealedPlan& plan,
+                 std::size_t openings,
+                 const std::vector<SolidElement>& elements,
+                 TriangleMesh& solids,
+                 std::vector<std::string>& warnings);
+
+} // namespace pcl::sedr

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "opening_reveals.h"
+
+#include <pcl/sedr_surface/mesh_topology.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+
+namespace pcl::sedr {
+
+namespace {
+
+using Edge = std::pair<std::uint32_t, std::uint32_t>; ///< directed
+
+/** @brief The face at which a reveal ends in the middle of its wall. */
+struct Cap {
+  std::vector<std::size_t> triangles;
+  std::set<Edge> rim;
+  std::set<std::uint32_t> corners;
+};
+
+/** @brief Joins pairs of caps of a mesh. */
+class Joints {
+public:
+  explicit Joints(TriangleMesh& mesh)
+      : mesh_(mesh)
+      , joined_(mesh.vertices.size())
+      , is_kept_(mesh.triangles.size(), true)
+  {
+    std::iota(joined_.begin(), joined_.end(), 0u);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      Cap& cap = caps_[mesh.elements[t]];
+      cap.triangles.push_back(t);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Edge edge(mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]);
+        cap.corners.insert(edge.first);
+        if (cap.rim.erase({edge.second, edge.first}) == 0)
+          cap.rim.insert(edge);
+      }
+    }
+  }
+
+  bool has(std::uint32_t element) const { return caps_.count(element) > 0; }
+
+  /** @brief Joins two caps if they have the same rim. */
+  bool join(std::uint32_t element, std::uint32_t other)
+  {
+    if (!has(element) || !has(other))
+      return false;
+    const Cap& a = caps_[element];
+    const Cap& b = caps_[other];
+    std::map<std::uint32_t, std::uint32_t> mate; // of b's corners
+    std::set<std::uint32_t> taken;
+    for (const std::uint32_t v : b.corners) {
+      const std::uint32_t nearest = *std::min_element(
+          a.corners.begin(), a.corners.end(), [&](std::uint32_t p, std::uint32_t q) {
+            return distance(p, v) < distance(q, v);
+          });
+      if (distance(nearest, v) > near || !taken.insert(nearest).second)
+        return false;
+      mate[v] = nearest;
+    }
+    if (a.rim.size() != b.rim.size() ||
+        std::any_of(b.rim.begin(), b.rim.end(), [&](const Edge& edge) {
+          return a.rim.count({mate[edge.second], mate[edge.first]}) == 0;
+        }))
+      return false;
+    for (const auto& [from, to] : mate)
+      joined_[find(from)] = find(to);
+    for (const Cap* cap : {&a, &b})
+      for (const std::size_t t : cap->triangles)
+        is_kept_[t] = false;
+    return true;
+  }
+
+  void apply()
+  {
+    for (Triangle& triangle : mesh_.triangles)
+      for (std::uint32_t& v : triangle)
+        v = find(v);
+    mesh_.keepTriangles(is_kept_);
+    mesh_.removeUnusedVertices();
+  }
+
+private:
+  static constexpr double near = 0.005; ///< of two corners that are one, metres
+
+  double distance(std::uint32_t a, std::uint32_t b) const
+  {
+    return (mesh_.vertices[a] - mesh_.vertices[b]).norm();
+  }
+
+  std::uint32_t find(std::uint32_t v) const
+  {
+    while (joined_[v] != v)
+      v = joined_[v];
+    return v;
+  }
+
+  TriangleMesh& mesh_;
+  std::map<std::uint32_t, Cap> caps_; ///< faces by element
+  std::vector<std::uint32_t> joined_; ///< vertex that each has become
+  std::vector<bool> is_kept_;         ///< triangles
+};
+
+} // namespace
+
+void
+joinReveals(const RevealedPlan& plan,
+            std::size_t openings,
+            const std::vector<SolidElement>& elements,
+            TriangleMesh& solids,
+            std::vector<std::string>& warnings)
+{
+  std::map<std::string, std::uint32_t> number;
+  for (std::size_t e = 0; e < elements.size(); ++e)
+    number[elements[e].name] = static_cast<std::uint32_t>(e + 1);
+  TriangleMesh joined = solids;
+  Joints joints(joined);
+  std::vector<bool> is_cut(openings, false);
+  const auto faceOf = [&](const OpeningReveal& reveal, const char* face) {
+    return number[plan.named("room_" + std::to_string(plan.rooms[reveal.room].id) +
+                             "_niche_" + std::to_string(reveal.niche + 1) + face)];
+  };
+  std::map<std::size_t, OpeningReveal> first; // of two that are joined
+  for (const OpeningReveal& reveal : plan.reveals) {
+    const std::uint32_t cap = faceOf(reveal, "_side_1");
+    const auto [known, is_new] = first.emplace(reveal.opening, reveal);
+    if (!reveal.is_joined)
+      is_cut[reveal.opening] = joints.has(cap);
+    else if (!is_new && known->second.room == reveal.room) // no face between them
+      is_cut[reveal.opening] = joints.has(faceOf(reveal, "_bottom"));
+    else if (!is_new)
+      is_cut[reveal.opening] = joints.join(faceOf(known->second, "_side_1"), cap);
+  }
+  joints.apply();
+  if (!solids.empty() && checkTopology(joined).isClosedManifold())
+    solids = std::move(joined);
+  else
+    for (const OpeningReveal& reveal : plan.reveals)
+      is_cut[reveal.opening] = is_cut[reveal.opening] && !reveal.is_joined;
+  std::string closed;
+  for (std::size_t k = 0; k < openings; ++k)
+    if (!is_cut[k])
+      closed += (closed.empty() ? "" : ", ") + std::to_string(k + 1);
+  if (!closed.empty())
+    warnings.push_back(std::to_string(std::count(is_cut.begin(), is_cut.end(), false)) +
+                       " of " + std::to_string(openings) +
+                       " openings stay closed in the solid: " + closed);
+}
+
+} // namespace pcl::sedr
