@@ -18,18 +18,42 @@ public:
       , reach_(2 * air.parameters().veil_reach)
   {}
 
-  /** @brief Whether what is between two gaps of a column is a veil. */
-  bool isVeil(const AirGap& below, const AirGap& above) const
+  /** @brief Whether what is between a gap and that below it may be a veil. */
+  bool isVeil(std::size_t g) const
   {
-    const std::int32_t tall = air_.voxels(air_.parameters().headroom);
-    if (above.high - above.low < tall &&
+    if (!isOneColumn(g, g - 1))
+      return false;
+    const AirGap& below = air_[g - 1];
+    const AirGap& above = air_[g];
+    if (isLow(g) && !isInSlab(g, g - 1, g + 1) &&
         isThin(below.column, below.high, above.low, above.high))
       return true;
-    return below.high - below.low < tall &&
+    return isLow(g - 1) && !isInSlab(g - 1, g, g - 2) &&
            isThin(below.column, below.high, above.low, below.low - surface_);
   }
 
 private:
+  bool isOneColumn(std::size_t g, std::size_t other) const
+  {
+    return other < air_.size() && air_[g].column == air_[other].column;
+  }
+
+  bool isLow(std::size_t g) const
+  {
+    return air_[g].high - air_[g].low < air_.voxels(air_.parameters().headroom);
+  }
+
+  /** @brief Whether a low gap lies between the faces of a slab: there is the air of a
+   * storey beyond the layer to test, and beyond a thin one on its other side. */
+  bool isInSlab(std::size_t g, std::size_t tested, std::size_t other) const
+  {
+    if (!isOneColumn(g, other) || isLow(tested) || isLow(other))
+      return false;
+    const std::int32_t layer =
+        other > g ? air_[other].low - air_[g].high : air_[g].low - air_[other].high;
+    return layer < air_.voxels(air_.parameters().thinnest_slab);
+  }
+
   /** @brief Whether a layer has fewer points than the surface that begins at a height.
    */
   bool isThin(std::uint32_t column,
@@ -67,16 +91,80 @@ private:
   int reach_;            ///< fine columns
 };
 
+/** @brief Which gaps are one with the gap below them. */
+class JoinedGaps {
+public:
+  JoinedGaps(const AirGaps& air, const VoxelColumns& fine)
+      : air_(air)
+      , thin_(air.size(), 0)
+      , joined_(air.size(), 0)
+  {
+    const Veils veils(air, fine);
+    for (std::size_t g = 1; g < air.size(); ++g)
+      thin_[g] = veils.isVeil(g);
+  }
+
+  /** @brief Joins gaps from the rim of each veil, where there is air beside it. */
+  std::vector<char> find()
+  {
+    std::vector<std::size_t> front;
+    for (std::size_t g = 0; g < air_.size(); ++g)
+      join(g, front);
+    while (!front.empty()) {
+      const std::uint32_t column = air_[front.back()].column;
+      front.pop_back();
+      for (int d = 0; d < 4; ++d) {
+        const std::uint32_t beside = air_.columns().neighbour(column, d);
+        if (beside != VoxelColumns::none)
+          for (std::size_t g = air_.first(beside); g < air_.first(beside + 1); ++g)
+            join(g, front);
+      }
+    }
+    return joined_;
+  }
+
+private:
+  void join(std::size_t g, std::vector<std::size_t>& front)
+  {
+    if (!thin_[g] || joined_[g] ||
+        !isAirBeside(air_[g].column, air_[g - 1].high, air_[g].low))
+      return;
+    joined_[g] = 1;
+    front.push_back(g);
+  }
+
+  /** @brief Whether a column beside one is air over a range of heights. */
+  bool isAirBeside(std::uint32_t column, std::int32_t low, std::int32_t high) const
+  {
+    for (int d = 0; d < 4; ++d) {
+      const std::uint32_t beside = air_.columns().neighbour(column, d);
+      if (beside == VoxelColumns::none)
+        continue;
+      std::int32_t from = 0;
+      for (std::size_t g = air_.first(beside); g < air_.first(beside + 1); ++g) {
+        if (!joined_[g])
+          from = air_[g].low;
+        if (from <= low && air_[g].high >= high)
+          return true;
+      }
+    }
+    return false;
+  }
+
+  const AirGaps& air_;
+  std::vector<char> thin_; ///< what is between a gap and that below has few points
+  std::vector<char> joined_;
+};
+
 } // namespace
 
 std::vector<AirGap>
 withoutVeils(const AirGaps& air, const VoxelColumns& fine)
 {
-  const Veils veils(air, fine);
+  const std::vector<char> joined = JoinedGaps(air, fine).find();
   std::vector<AirGap> gaps;
   for (std::size_t g = 0; g < air.size(); ++g)
-    if (!gaps.empty() && gaps.back().column == air[g].column &&
-        veils.isVeil(gaps.back(), air[g]))
+    if (joined[g])
       gaps.back().high = air[g].high;
     else
       gaps.push_back(air[g]);

@@ -10,17 +10,23 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** A room of 4 m x 3 m, 2.5 m high, and in its middle points at 2 m: in every `step`th
- * row and column of those that a surface would have. */
+/** Adds points in every `step`th row and column of those that a surface would have. */
+void
+addLayer(AirScene& scene, const PlanLoop& loop, double height, int step)
+{
+  scene.points.slab(loop, height, [&](double x, double y) {
+    return std::lround(x / 0.05 - 0.5) % step == 0 &&
+           std::lround(y / 0.05 - 0.5) % step == 0;
+  });
+}
+
+/** A room of 4 m x 3 m, 2.5 m high, and in its middle points at 2 m. */
 AirScene
 roomWithLayer(int step)
 {
   AirScene scene;
   scene.room(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
-  scene.points.slab(scene.loop(1.05, 1.05, 2.05, 2.05), 2.01, [&](double x, double y) {
-    return std::lround(x / 0.05 - 0.5) % step == 0 &&
-           std::lround(y / 0.05 - 0.5) % step == 0;
-  });
+  addLayer(scene, scene.loop(1.05, 1.05, 2.05, 2.05), 2.01, step);
   return scene;
 }
 
@@ -48,6 +54,15 @@ TEST(Veils, AreNoSurfacesAsDenseAsTheCeilingAboveThem)
   const AirScene scene = roomWithLayer(1);
   EXPECT_NEAR(heightAt(scene, 1.5, 1.5, true), 1.95, 1e-9);
   EXPECT_NEAR(heightAt(scene, 3, 2.5, true), 2.45, 1e-9);
+}
+
+TEST(Veils, AreNoHeadsOfOpeningsInThickWalls)
+{
+  AirScene scene;
+  scene.room(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
+  scene.sides(1.05, 1.05, 1.55, 2.05, 2.01, 2.51);
+  addLayer(scene, scene.loop(1.05, 1.05, 1.55, 2.05), 2.01, 2);
+  EXPECT_NEAR(heightAt(scene, 1.3, 1.5, true), 1.95, 1e-9);
 }
 
 } // namespace
