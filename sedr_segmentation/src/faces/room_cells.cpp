@@ -127,6 +127,8 @@ gatherWalls(const PointView& points,
   };
   std::vector<std::uint8_t> bins(count, 0);
   std::vector<std::uint8_t> bins_of_low(count, 0);
+  std::vector<std::uint8_t> bins_of_base(count, 0);
+  std::vector<float> highest(count, -no_height);
   std::vector<std::uint8_t> is_wall(count, 0);
   struct Place {
     std::size_t cell;
@@ -142,6 +144,10 @@ gatherWalls(const PointView& points,
           const auto isBelow = [&](float ceiling) {
             return q.z() > lowest(ceiling) && q.z() < ceiling - p.rim;
           };
+          if (q.z() < cells.top[at] + p.rim)
+            highest[at] = std::max(highest[at], q.z());
+          if (const double above = q.z() - cells.floor; above > p.rim && above < p.sill)
+            bins_of_base[at] |= 1u << static_cast<int>(above / p.bin);
           const bool is_below_low = isBelow(cells.low[at]);
           const bool is_below_top = isBelow(cells.top[at]);
           if (is_below_low)
@@ -157,15 +163,22 @@ gatherWalls(const PointView& points,
   gather(room.walls, true);
   gather(room.others, false);
   cells.solid = CellMask(cells.seen.box());
-  cells.glass = cells.riser = cells.pillar = cells.solid;
+  cells.glass = cells.riser = cells.pillar = cells.base = cells.solid;
+  spread(cells.seen, 1, std::greater<>(), highest);
+  const CellMask below_ceiling = eroded(dilated(cells.seen, 1), 3);
+  const auto endsBelow = [&](std::size_t i) {
+    return below_ceiling.values()[i] && highest[i] < cells.low[i] - p.below;
+  };
   for (std::size_t i = 0; i < count; ++i) {
     const int needed = is_wall[i] ? p.filled_of_wall : p.filled;
     const int below_top = __builtin_popcount(bins[i]);
     const int below_low = __builtin_popcount(bins_of_low[i]);
     const bool goes_on = below_low > 1; // one may be a stray
-    cells.solid.values()[i] = below_top >= needed && goes_on;
+    cells.solid.values()[i] = below_top >= needed && goes_on && !endsBelow(i);
     cells.riser.values()[i] = below_top >= needed && !goes_on;
-    cells.pillar.values()[i] = below_top < needed && below_low >= needed;
+    cells.pillar.values()[i] =
+        below_top < needed && below_low >= needed && !endsBelow(i);
+    cells.base.values()[i] = __builtin_popcount(bins_of_base[i]) >= p.filled_of_wall;
   }
   const CellMask near = dilated(cells.solid, 1);
   const CellMask near_pillar = dilated(cells.pillar, 1);
@@ -177,6 +190,8 @@ gatherWalls(const PointView& points,
   cells.centres.assign(solids, Eigen::Vector2d::Zero());
   std::vector<double> counts(solids, 0);
   for (const Place& place : places) {
+    if (endsBelow(place.cell))
+      continue;
     if (place.is_top ? place.is_wall || near.values()[place.cell]
                      : near_pillar.values()[place.cell] != 0)
       cells.wall_points.push_back(place.at);

@@ -266,15 +266,19 @@ mainAngles(const std::vector<double>& angles,
     if (!(*top > 0) || *top < least * first)
       break;
     const double angle = angleAt(static_cast<std::size_t>(top - height.begin()));
-    double sum = 0;
-    double weight = 0;
+    std::vector<std::pair<double, double>> turns; // from the angle, weight
+    double left = 0; // half of the weight: a median, since some lines lean
     for (std::size_t i = 0; i < angles.size(); ++i)
       if (const double d = std::remainder(angles[i] - angle, M_PI / 2);
           std::abs(d) < near) {
-        sum += weights[i] * d;
-        weight += weights[i];
+        turns.push_back({d, weights[i]});
+        left += weights[i] / 2;
       }
-    axes.push_back(angle + (weight > 0 ? sum / weight : 0));
+    std::sort(turns.begin(), turns.end());
+    std::size_t middle = 0;
+    while (middle + 1 < turns.size() && (left -= turns[middle].second) > 0)
+      ++middle;
+    axes.push_back(angle + (turns.empty() ? 0 : turns[middle].first));
     for (std::size_t g = 0; g < steps; ++g)
       if (std::abs(std::remainder(angleAt(g) - axes.back(), M_PI / 2)) <= apart)
         height[g] = 0;

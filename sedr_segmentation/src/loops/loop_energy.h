@@ -14,26 +14,26 @@ namespace pcl::sedr {
  *         + area between contour and curve: `cut` where seen air is cut off, `other`
  * within another room, else `add`
  *       + sum over changes of curve
- *           corner ln(`wall` / spacing) + `bend` a metre of extension; two for a
- * connecting piece
+ *           corner ln(`wall` / spacing) + `bend` a metre of extension; two and a
+ * parameter for a connecting piece, which is a line that nothing shows
  *       + sum over distinct curves
  *           ln(reach / sigma) a parameter, + `rare_oblique`, `rare_arc`
  *
  * Samples lie a cell apart. Their deviations are correlated over a length that is
  * measured (WallNoise), so a sample is spacing / correlation of an observation. */
 struct LoopEnergy {
-  double min_correlation = 0.1; ///< metres: neighbouring samples share points
-  double max_correlation = 0.4; ///< metres
-  double outlier = 4.5;         ///< nats of an observation beyond three sigma
-  double rare_arc = 7;          ///< nats: one wall in a thousand is curved
-  double rare_oblique = 3;      ///< nats: one in twenty is along no main direction
-  double unseen_oblique = 0.3;  ///< share of `outlier` of a wall that nobody saw
-  double cut = 400;             ///< nats a square metre of seen air that is cut off
-  double add = 20;              ///< nats a square metre that is taken in
-  double other = 3600;          ///< nats a square metre of another room
-  double wall = 3;              ///< metres: walls are so long between corners
-  double bend = 20;             ///< nats a metre of a connecting piece or an extension
-  double free_extension = 0.2;  ///< metres; shorter extensions are the corner's own
+  double min_correlation = 0.05; ///< metres: of neighbouring samples
+  double max_correlation = 0.2;  ///< metres
+  double outlier = 4.5;          ///< nats of an observation beyond three sigma
+  double rare_arc = 7;           ///< nats: one wall in a thousand is curved
+  double rare_oblique = 3;       ///< nats: one in twenty is along no main direction
+  double unseen_oblique = 0.3;   ///< share of `outlier` of a wall that nobody saw
+  double cut = 400;              ///< nats a square metre of seen air that is cut off
+  double add = 20;               ///< nats a square metre that is taken in
+  double other = 3600;           ///< nats a square metre of another room
+  double wall = 3;               ///< metres: walls are so long between corners
+  double bend = 20;              ///< nats a metre of a connecting piece or an extension
+  double free_extension = 0.2;   ///< metres; shorter extensions are the corner's own
   double reach = 1.5;       ///< metres: curves farther from the contour do not matter
   double min_sigma = 0.007; ///< metres: walls are not known better here
   double max_sigma = 0.02;  ///< metres

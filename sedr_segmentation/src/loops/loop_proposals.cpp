@@ -24,6 +24,7 @@ public:
       : contours_(contours)
       , maker_(maker)
       , samples_(maker.samples())
+      , faces_(maker.sigma() / 2)
       , unseen_(maker.energy().reach / 60)
   {}
 
@@ -34,6 +35,8 @@ public:
       takeParts(line);
     takeWindows(false);
     maker_.setDirections(directions());
+    for (std::size_t c = 0; c < contours_.size(); ++c)
+      addFaces(c);
     startAgain();
     takeWindows(true);
     for (std::size_t c = 0; c < contours_.size(); ++c)
@@ -45,8 +48,9 @@ public:
     std::vector<LoopCandidate> candidates;
     for (const SeededCurve& curve : curves_)
       candidates.push_back(maker_.candidate(curve));
-    for (const LoopCandidate& line : unseen_.all())
-      candidates.push_back(maker_.candidate(line.path));
+    for (const DistinctCandidates* lines : {&faces_, &unseen_})
+      for (const LoopCandidate& line : lines->all())
+        candidates.push_back(maker_.candidate(line.path));
     return candidates;
   }
 
@@ -186,6 +190,60 @@ private:
     return mainAngles(angles, weights, 4, 0.15);
   }
 
+  /** @brief Adds lines in the main directions through points that no curve explains:
+   * faces of pilasters and steps, which are shorter than any window. */
+  void addFaces(std::size_t c)
+  {
+    constexpr std::size_t window = 8; // samples
+    constexpr std::size_t fewest = 4; // points
+    const LoopContour& contour = contours_[c];
+    const std::size_t n = contour.samples.size();
+    for (std::size_t s = 0; s < n; s += window / 2) {
+      std::vector<Eigen::Vector2d> left;
+      for (std::size_t k = 0; k < window; ++k) {
+        const std::size_t i = (s + k) % n;
+        if (left_[samples_.firstOf(c) + i] > maker_.outlier() / 2)
+          left.insert(left.end(),
+                      contour.points.begin() +
+                          static_cast<std::ptrdiff_t>(contour.first[i]),
+                      contour.points.begin() +
+                          static_cast<std::ptrdiff_t>(contour.first[i + 1]));
+      }
+      for (const double axis : maker_.directions())
+        for (const double turn : {axis, axis + M_PI / 2})
+          addFace(left, {std::cos(turn), std::sin(turn)}, fewest);
+    }
+  }
+
+  /** @brief Adds the line square to `v` with the most of some points, a third of them
+   * at least. */
+  void addFace(const std::vector<Eigen::Vector2d>& points,
+               const Eigen::Vector2d& v,
+               std::size_t fewest)
+  {
+    std::vector<std::pair<double, std::size_t>> offsets;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      offsets.push_back({v.dot(points[i]), i});
+    std::sort(offsets.begin(), offsets.end());
+    std::size_t first = 0;
+    std::size_t best = 0;
+    std::size_t most = 0;
+    for (std::size_t k = 0; k < offsets.size(); ++k) {
+      while (offsets[k].first - offsets[first].first > 3 * maker_.sigma())
+        ++first;
+      if (k + 1 - first > most) {
+        most = k + 1 - first;
+        best = (first + k) / 2;
+      }
+    }
+    if (most < std::max(fewest, points.size() / 3))
+      return;
+    PlanCurve line;
+    line.direction = leftOf(v);
+    line.point = points[offsets[best].second];
+    faces_.add(maker_.priced({line, line.point}));
+  }
+
   /** @brief Adds lines through the unseen stretches of a contour. */
   void addUnseen(std::size_t c)
   {
@@ -249,6 +307,7 @@ private:
   const StoreySamples& samples_;
   std::vector<double> left_; ///< nats of each sample that nothing explains yet
   std::vector<SeededCurve> curves_;
+  DistinctCandidates faces_;  ///< lines through what nothing else explains
   DistinctCandidates unseen_; ///< lines where nothing was seen
 };
 

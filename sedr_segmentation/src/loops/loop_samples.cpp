@@ -223,7 +223,7 @@ gatherBeside(const PlanPoints& walls,
              LoopContour& contour)
 {
   const AreaTable table;
-  const double half = grid.size();
+  const double half = grid.size() / 2;
   contour.first.assign(1, 0);
   contour.area.resize(contour.samples.size() *
                       static_cast<std::size_t>(table.columns()));

@@ -41,7 +41,7 @@ LoopSolver::joint(const LoopCandidate& from,
   const Eigen::Vector2d start = second.project(near);
   const double gap = (end - start).norm();
   LoopJoint best;
-  best.cost = 2 * corner + energy.bend * gap;
+  best.cost = 2 * corner + maker_.parameter() + energy.bend * gap;
   Eigen::Vector2d place;
   if (meet(first, second, near, place)) {
     const double length = (place - end).norm() + (place - start).norm();

@@ -76,22 +76,21 @@ wallNoise(const std::vector<LoopContour>& contours,
       return noise;
     std::vector<double> off;
     std::vector<double> sums;
-    double variance = 0;
-    double sum = 0;
+    std::vector<double> lengths;                                  // of correlation
+    const double least = energy.min_sigma * energy.min_sigma / 4; // not correlated
     for (const auto& stretch : stretches) {
       for (const double d : stretch)
         off.push_back(std::abs(d));
       const auto [of_place, of_wave] = variances(stretch);
-      variance += of_place;
-      sum += of_wave;
       sums.push_back(of_wave);
+      lengths.push_back(spacing * (of_wave + least) / (of_place + least));
     }
     if (length == shortest) {
       // The quartile of a normal distribution is 1.15 sigma.
       const auto rank = off.begin() + static_cast<std::ptrdiff_t>(off.size() * 3 / 4);
       std::nth_element(off.begin(), rank, off.end());
       noise.sigma = std::clamp(*rank / 1.15, energy.min_sigma, energy.max_sigma);
-      noise.correlation = std::clamp(variance > 0 ? spacing * sum / variance : 0.0,
+      noise.correlation = std::clamp(middleValue(std::move(lengths)),
                                      energy.min_correlation, energy.max_correlation);
       noise.spread = noise.sigma;
     }

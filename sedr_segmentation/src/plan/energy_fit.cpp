@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "energy_fit.h"
 
+#include "../adjust/plan_adjustment.h"
 #include "../details/detail_fit.h"
 #include "../details/height_map.h"
 #include "../faces/room_cells.h"
@@ -51,12 +52,14 @@ fitLoops(const Storey& storey,
          const std::vector<RoomCells>& cells,
          const std::vector<RoomRegion>& regions,
          const CellGrid& grid,
-         unsigned threads,
+         const RoomFitParameters& parameters,
          std::vector<PlanRoom>& rooms,
          std::vector<FittedBoundary>& boundaries)
 {
   constexpr double near = 3; // cells: farther points are no evidence of the walls
-  const LoopEnergy energy;
+  LoopEnergy energy;
+  energy.min_radius = parameters.loop.minimum_radius;
+  energy.max_radius = parameters.loop.maximum_radius;
   std::vector<LoopContour> contours;
   for (const std::size_t r : storey.rooms) {
     const CellMask& region = regions[r].cells;
@@ -81,7 +84,7 @@ fitLoops(const Storey& storey,
   }
   findSurfaces(contours, energy, grid.size());
   LoopSolver solver(contours, storey.lines, energy, grid.size(),
-                    wallNoise(contours, energy, grid.size()), threads);
+                    wallNoise(contours, energy, grid.size()), parameters.threads);
   solver.solve();
   for (std::size_t c = 0; c < contours.size(); ++c) {
     PlanLoop loop = assembleLoop(solver, c);
@@ -97,12 +100,16 @@ fitLoops(const Storey& storey,
     FittedBoundary fitted;
     fitted.room = static_cast<std::uint32_t>(contours[c].room);
     fitted.label = contours[c].is_hole ? StructureLabel::Column : StructureLabel::Wall;
-    for (const LoopSample& sample : contours[c].samples) {
+    const double near_wall = 3 * energy.max_sigma;
+    for (std::size_t i = 0; i < contours[c].samples.size(); ++i) {
+      const LoopSample& sample = contours[c].samples[i];
+      const PlanCurve& wall = solver.candidate(solver.labels(c)[i]).curve();
+      const bool is_on = sample.isSeen() && wall.distance(sample.anchor) < near_wall;
       ContourSample place;
       place.place = sample.place;
-      place.position = sample.isSeen() ? sample.anchor : sample.place;
+      place.position = is_on ? wall.project(sample.anchor) : sample.place;
       place.tangent = {-sample.normal.y(), sample.normal.x()};
-      place.support = sample.seen;
+      place.support = is_on ? sample.seen : 0;
       place.points = sample.points;
       fitted.samples.push_back(place);
     }
@@ -163,7 +170,7 @@ fitPlanByEnergy(const PointView& points,
   std::vector<PlanRoom> rooms(numbers.size());
   std::vector<std::vector<FittedBoundary>> fitted(storeys.size());
   parallelBlocks(storeys.size(), 1, threads, [&](std::size_t s, std::size_t) {
-    fitLoops(storeys[s], cells, regions, grid, threads, rooms, fitted[s]);
+    fitLoops(storeys[s], cells, regions, grid, parameters, rooms, fitted[s]);
   });
   std::vector<std::uint8_t> is_sheet(numbers.size(), 0);
   parallelBlocks(rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {
@@ -219,6 +226,11 @@ fitPlanByEnergy(const PointView& points,
       if (boundaries)
         boundaries->push_back(std::move(boundary));
     }
+  if (scan.size() == 0) {
+    AdjustmentParameters adjustment;
+    adjustment.threads = threads;
+    adjustPlan(plan, points, evidence.all, adjustment);
+  }
   if (plan.rooms.empty())
     problem =
         warnings.empty() ? "no ceiling point belongs to a room" : warnings.front();

@@ -19,7 +19,7 @@ RevealSearch::RevealSearch(const RoomCells& room,
     , seen_(closed(room.seen, 2))
     , closed_(dilated(around.opaque, 2))
     , next_(dilated(around.others, 2))
-    , riser_(dilated(room.riser, 1))
+    , goes_on_(dilated(unite(room.riser, room.base), 1))
     , found_{CellMask(seen_.box()), CellMask(seen_.box()), CellMask(seen_.box())}
 {}
 
@@ -73,9 +73,8 @@ RevealSearch::lookBehind(const Eigen::Vector2d& p,
   const Eigen::Vector2d end = p + (depth + step) * out;
   const bool is_reveal = depth > 0 && depth < energy_.max_wall && !is(closed_, end) &&
                          (in_gap || !is(next_, end));
-  const bool is_shallow =
-      what == AlongLine::Gap && depth > 1.5 * size &&
-      depth < (is(riser_, p) ? energy_.max_wall : energy_.max_niche);
+  const bool is_shallow = what == AlongLine::Gap && depth > 1.5 * size &&
+                          depth < energy_.max_wall && is(goes_on_, p);
   bool in_wall = in_gap;
   for (double d = step; d < farthest; d += step) {
     const Eigen::Vector2d q = p + d * out;

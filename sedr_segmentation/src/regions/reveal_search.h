@@ -51,9 +51,9 @@ private:
   const RegionEnergy& energy_;
   const CellMask& air_;
   CellMask seen_;
-  CellMask closed_; ///< near opaque surfaces
-  CellMask next_;   ///< near the air of other rooms
-  CellMask riser_;  ///< near lintels
+  CellMask closed_;  ///< near opaque surfaces
+  CellMask next_;    ///< near the air of other rooms
+  CellMask goes_on_; ///< near walls that go on above or below an opening
   BehindLines found_;
 };
 

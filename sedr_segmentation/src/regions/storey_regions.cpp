@@ -123,6 +123,7 @@ public:
           number_[i] == room_ ||
           (number_[i] >= 0 && answer_[static_cast<std::size_t>(number_[i])]);
     region.cells = markedRegions(region.cells, core_, false);
+    fillSeenHoles(region.cells);
     for (std::size_t i = 0; i < number_.size(); ++i)
       if (seen_.values()[i] && !reveal_.values()[i] && !region.cells.values()[i])
         region.lost += size_ * size_;
@@ -132,6 +133,23 @@ public:
 private:
   static constexpr std::int32_t none = -1;  ///< fixed: not of the room
   static constexpr std::int32_t room_ = -2; ///< fixed: of the room
+
+  /** @brief Fills the holes in most of which the ceiling was seen: what stands below it
+   * is no column. */
+  void fillSeenHoles(CellMask& cells) const
+  {
+    const MaskRegions holes = labelRegions(enclosedCells(cells), false);
+    std::vector<std::size_t> seen(holes.sizes.size(), 0);
+    const auto holeOf = [&](std::size_t i) {
+      return static_cast<std::size_t>(holes.label[i]);
+    };
+    for (std::size_t i = 0; i < holes.label.size(); ++i)
+      if (holes.label[i] >= 0 && frame_.values()[i])
+        ++seen[holeOf(i)];
+    for (std::size_t i = 0; i < holes.label.size(); ++i)
+      if (holes.label[i] >= 0 && 2 * seen[holeOf(i)] > holes.sizes[holeOf(i)])
+        cells.values()[i] = 1;
+  }
 
   void addCell(std::size_t i, BinaryEnergy& cut) const
   {

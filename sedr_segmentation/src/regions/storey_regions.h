@@ -27,10 +27,9 @@ struct RegionEnergy {
   double reveal = 0.3;
   double unseen = 1;
   double wall = 3;
-  double max_wall =
-      0.6; ///< metres; a recess behind a line that is no deeper is a reveal
-  double max_niche = 0.3; ///< metres; one no deeper is a reveal even with a closed
-                          ///< back, as is any below a lintel
+  double max_wall = 0.6; ///< metres; a recess behind a line that is no deeper is a
+                         ///< reveal: one with an open back, or one above or below
+                         ///< which the wall goes on
 };
 
 /** @brief The region of a room in plan. */
