@@ -89,7 +89,8 @@ public:
   bool isPossible(const PlanCurve& curve) const
   {
     return !curve.isCircle() ||
-           (curve.radius > energy_.min_radius && curve.radius < energy_.max_radius);
+           (curve.radius > energy_.min_radius - noise_.sigma &&
+            curve.radius < energy_.max_radius);
   }
 
 private:

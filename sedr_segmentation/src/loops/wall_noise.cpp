@@ -76,22 +76,24 @@ wallNoise(const std::vector<LoopContour>& contours,
       return noise;
     std::vector<double> off;
     std::vector<double> sums;
-    std::vector<double> lengths;                                  // of correlation
+    double variance = 0;
+    double sum = 0;
     const double least = energy.min_sigma * energy.min_sigma / 4; // not correlated
     for (const auto& stretch : stretches) {
       for (const double d : stretch)
         off.push_back(std::abs(d));
       const auto [of_place, of_wave] = variances(stretch);
       sums.push_back(of_wave);
-      lengths.push_back(spacing * (of_wave + least) / (of_place + least));
+      variance += of_place + least;
+      sum += of_wave + least;
     }
     if (length == shortest) {
       // The quartile of a normal distribution is 1.15 sigma.
       const auto rank = off.begin() + static_cast<std::ptrdiff_t>(off.size() * 3 / 4);
       std::nth_element(off.begin(), rank, off.end());
       noise.sigma = std::clamp(*rank / 1.15, energy.min_sigma, energy.max_sigma);
-      noise.correlation = std::clamp(middleValue(std::move(lengths)),
-                                     energy.min_correlation, energy.max_correlation);
+      noise.correlation = std::clamp(spacing * sum / variance, energy.min_correlation,
+                                     energy.max_correlation);
       noise.spread = noise.sigma;
     }
     else
