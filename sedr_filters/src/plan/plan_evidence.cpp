@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../voxels/point_cubes.h"
+#include "../rays/cube_points.h"
 
 #include "plan_evidence.h"
 
@@ -28,27 +28,6 @@ constexpr double foot_from = 0.15; ///< start of the floor at the foot of a wall
 constexpr double foot_to = 0.55;
 constexpr double min_seen = 0.05; ///< share; with less, a wall was not in view
 
-/** @brief Returns the box of all rooms and niches with a margin of 0.5 m. */
-Eigen::AlignedBox3d
-boxOf(const Floorplan& plan)
-{
-  Eigen::AlignedBox3d box;
-  const auto extend = [&](const PlanRoom& room, const PlanLoop& loop) {
-    for (const auto& p : loop.polygon(0.01))
-      for (const PlanSlab* slab : {&room.floor, &room.ceiling})
-        box.extend(Eigen::Vector3d(p.x(), p.y(), slab->heightAt(p)));
-  };
-  for (const PlanRoom& room : plan.rooms) {
-    extend(room, room.boundary);
-    for (const PlanNiche& niche : room.niches)
-      extend(room, niche.boundary);
-  }
-  if (box.isEmpty())
-    return box;
-  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(0.5);
-  return {box.min() - margin, box.max() + margin};
-}
-
 /** @brief Numbers of seen, hidden, open and proved open cells of a surface. */
 struct CellCount : ElementEvidence {
   double proved = 0;
@@ -65,7 +44,7 @@ struct Cell {
 class RoomEvidence {
 public:
   RoomEvidence(const PlanRoom& room,
-               const PointCubes& points,
+               const CubePoints& points,
                double tolerance,
                const SightLines* sight)
       : room_(room)
@@ -164,7 +143,7 @@ private:
   }
 
   RoomLookup room_;
-  const PointCubes& points_;
+  const CubePoints& points_;
   double tolerance_;
   const SightLines* sight_; ///< may be null
 };
@@ -205,7 +184,7 @@ note(const Counts& counts, PlanLoop& loop)
 
 void
 measureRoom(PlanRoom& room,
-            const PointCubes& cubes,
+            const CubePoints& cubes,
             double tolerance,
             unsigned threads,
             const SightLines* sight)
@@ -244,7 +223,7 @@ measureEvidence(Floorplan& plan,
                 unsigned threads,
                 const SightLines* sight)
 {
-  const PointCubes cubes(points, indices, boxOf(plan), cell_size, threads);
+  const CubePoints cubes(points, cell_size, &indices);
   parallelBlocks(plan.rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {
     measureRoom(plan.rooms[r], cubes, tolerance, threads, sight);
   });

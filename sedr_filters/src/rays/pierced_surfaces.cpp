@@ -74,29 +74,15 @@ private:
 } // namespace
 
 PiercedSurfaces::PiercedSurfaces(const PointView& points)
-    : cubes_(cube_size)
+    : points_(points, cube_size)
 {
-  std::vector<std::uint32_t> cube_of(points.size(), CubeTable::none);
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (points.isFinite(i)) {
-      cube_of[i] = cubes_.add(cubes_.at(points[i].cast<double>()));
+    if (points.isFinite(i))
       box_.extend(points[i]);
-    }
   if (!box_.isEmpty()) {
     const Eigen::Vector3f rim = Eigen::Vector3f::Constant(cube_size);
     box_ = Eigen::AlignedBox3f(box_.min() - rim, box_.max() + rim);
   }
-  first_.assign(cubes_.size() + 1, 0);
-  for (const std::uint32_t cube : cube_of)
-    if (cube != CubeTable::none)
-      ++first_[cube + 1];
-  for (std::size_t k = 1; k < first_.size(); ++k)
-    first_[k] += first_[k - 1];
-  places_.resize(first_.back());
-  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (cube_of[i] != CubeTable::none)
-      places_[next[cube_of[i]]++] = points[i];
 }
 
 bool
@@ -109,16 +95,15 @@ PiercedSurfaces::isSurrounded(const Eigen::Vector3f& from,
   const Eigen::Vector3f u = direction.unitOrthogonal();
   const Eigen::Vector3f v = direction.cross(u);
   unsigned eighths = 0;
-  return cubes_.anyAround(cube, [&](std::uint32_t near_cube) {
-    for (std::uint32_t k = first_[near_cube]; k < first_[near_cube + 1]; ++k) {
-      const Eigen::Vector3f to = places_[k] - from;
-      if (std::abs(to.dot(direction) - along) > depth)
-        continue;
+  return cubes().anyAround(cube, [&](std::uint32_t near_cube) {
+    forEachPoint(near_cube, [&](const Eigen::Vector3f& p) {
+      const Eigen::Vector3f to = p - from;
       const float x = to.dot(u);
       const float y = to.dot(v);
-      if (x * x + y * y < around * around)
+      if (std::abs(to.dot(direction) - along) <= depth &&
+          x * x + y * y < around * around)
         eighths |= 1U << eighthOf(x, y);
-    }
+    });
     return surrounds(eighths);
   });
 }
@@ -146,11 +131,11 @@ PiercedSurfaces::firstPierced(const ScanRay& ray) const
   const Eigen::Vector3f direction = whole.normalized();
   const float entry = entryOf(ray);
   const Eigen::Vector3f start = ray.from + entry * direction;
-  CubeWalk walk(cubes_, start.cast<double>(), direction.cast<double>());
+  CubeWalk walk(cubes(), start.cast<double>(), direction.cast<double>());
   float begin = entry;
   while (begin < length) {
     const auto end = entry + static_cast<float>(walk.end());
-    const std::uint32_t cube = cubes_.find(walk.cube());
+    const std::uint32_t cube = cubes().find(walk.cube());
     if (cube != CubeTable::none && end > before_end &&
         isSurrounded(ray.from, direction, (begin + end) / 2, walk.cube()))
       return cube;

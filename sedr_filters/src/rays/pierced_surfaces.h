@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "cube_table.h"
+#include "cube_points.h"
 #include <pcl/sedr_filters/point_view.h>
 
 #include <Eigen/Geometry>
@@ -24,14 +24,13 @@ public:
   /** @param points of the scan, thinned */
   explicit PiercedSurfaces(const PointView& points);
 
-  const CubeTable& cubes() const { return cubes_; }
+  const CubeTable& cubes() const { return points_.cubes(); }
 
   /** @brief Calls `see(place)` for the points of a cube. */
   template <typename See>
   void forEachPoint(std::uint32_t cube, See see) const
   {
-    for (std::uint32_t k = first_[cube]; k < first_[cube + 1]; ++k)
-      see(places_[k]);
+    points_.forEachPoint(cube, see);
   }
 
   /** @brief Returns how far from its start a ray enters the box of the points, metres;
@@ -51,10 +50,8 @@ private:
                     float along,
                     const Cube& cube) const;
 
-  CubeTable cubes_;
-  Eigen::AlignedBox3f box_;             ///< of the points, and a cube around it
-  std::vector<std::uint32_t> first_;    ///< point of each cube, and the end
-  std::vector<Eigen::Vector3f> places_; ///< of points, cube by cube
+  CubePoints points_;
+  Eigen::AlignedBox3f box_; ///< of the points, and a cube around it
 };
 
 } // namespace pcl::sedr
