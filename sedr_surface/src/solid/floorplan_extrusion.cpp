@@ -6,6 +6,7 @@
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_surface/impl/floorplan_extrusion.hpp>
 
+#include <algorithm>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -75,10 +76,13 @@ extrudePlan(const Floorplan* plan,
   if (cut) {
     for (SolidElement& element : solids.elements)
       element.name = cut->named(element.name);
-    for (std::string& warning : solids.warnings)
-      warning = cut->named(warning);
-    joinReveals(*cut, plan->openings.size(), solids.elements, solids.mesh,
-                solids.warnings);
+    // One sentence tells of the openings.
+    solids.warnings.erase(std::remove_if(solids.warnings.begin(), solids.warnings.end(),
+                                         [&](const std::string& warning) {
+                                           return cut->named(warning) != warning;
+                                         }),
+                          solids.warnings.end());
+    joinReveals(*cut, solids.elements, solids.mesh, solids.warnings);
   }
   warnOfCrossings(solids.mesh, solids.warnings);
   return problem;

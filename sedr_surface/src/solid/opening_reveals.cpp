@@ -229,6 +229,7 @@ roomsBeside(const Floorplan& plan, const PlanOpening& opening)
 
 RevealedPlan::RevealedPlan(const Floorplan& plan, const WallTilts& tilts)
     : rooms(plan.rooms)
+    , is_open(plan.openings.size(), false)
 {
   for (std::size_t k = 0; k < plan.openings.size(); ++k) {
     const PlanOpening& opening = plan.openings[k];
@@ -250,7 +251,10 @@ RevealedPlan::RevealedPlan(const Floorplan& plan, const WallTilts& tilts)
       const OpeningFrame frame(plan, opening, side.is_left);
       const double far = is_joined ? (side.is_left ? middle : -middle)
                                    : outerEnd(plan, room, frame, opening.depth);
-      if (side.nearest - far < min_depth)
+      // The plan may be drawn to the pane, or have a niche as deep as the wall.
+      is_open[k] = !is_joined && (side.nearest - far < min_depth ||
+                                  room.nicheAt(frame.at(0.5, far + step)) >= 0);
+      if (is_open[k] || side.nearest - far < min_depth)
         continue;
       reveals.push_back({k, side.room, rooms[side.room].niches.size(), is_joined});
       rooms[side.room].niches.push_back(

@@ -26,6 +26,7 @@ struct OpeningReveal {
 struct RevealedPlan {
   std::vector<PlanRoom> rooms;
   std::vector<OpeningReveal> reveals; ///< by opening
+  std::vector<bool> is_open; ///< openings that the room or a niche of the plan takes up
 
   /** @brief Openings in tilted walls, and those beside which no wall of their rooms is,
    * stay closed. */
@@ -43,7 +44,6 @@ struct RevealedPlan {
  * @param[in,out] solids of all rooms
  * @param[in,out] warnings a sentence on the openings that stay closed */
 void joinReveals(const RevealedPlan& plan,
-                 std::size_t openings,
                  const std::vector<SolidElement>& elements,
                  TriangleMesh& solids,
                  std::vector<std::string>& warnings);

@@ -110,7 +110,6 @@ private:
 
 void
 joinReveals(const RevealedPlan& plan,
-            std::size_t openings,
             const std::vector<SolidElement>& elements,
             TriangleMesh& solids,
             std::vector<std::string>& warnings)
@@ -120,7 +119,8 @@ joinReveals(const RevealedPlan& plan,
     number[elements[e].name] = static_cast<std::uint32_t>(e + 1);
   TriangleMesh joined = solids;
   Joints joints(joined);
-  std::vector<bool> is_cut(openings, false);
+  const std::size_t openings = plan.is_open.size();
+  std::vector<bool> is_cut = plan.is_open;
   const auto faceOf = [&](const OpeningReveal& reveal, const char* face) {
     return number[plan.named("room_" + std::to_string(plan.rooms[reveal.room].id) +
                              "_niche_" + std::to_string(reveal.niche + 1) + face)];

@@ -205,7 +205,7 @@ TEST(CutOpenings, FollowCurvedWalls)
 TEST(CutOpenings, StayClosedWithoutAWallOrInATiltedOne)
 {
   Floorplan plan = wallOfTwoRooms();
-  plan.openings = {openingAt({1, 0}, {1, 2}, {2, 2}, 0, 2, 0.2), door(1, 2)};
+  plan.openings = {openingAt({1, 0}, {1, 10}, {2, 10}, 0, 2, 0.2), door(1, 2)};
   CutSolid cut(plan);
   cut.expectSound(1, "1 of 2 openings stay closed in the solid: 1");
   plan.openings[1].walls = {{1, 2}, {2, 0}};
@@ -216,6 +216,17 @@ TEST(CutOpenings, StayClosedWithoutAWallOrInATiltedOne)
   EXPECT_EQ(cut.extrusion.getWarnings().back(),
             "2 of 2 openings stay closed in the solid: 1, 2");
   EXPECT_TRUE(checkTopology(cut.extrusion.getMesh()).isClosedManifold());
+}
+
+TEST(CutOpenings, NeedNothingWhereThePlanWasDrawnToThePane)
+{
+  Floorplan plan = wallOfTwoRooms();
+  plan.openings = {openingAt({1, 0}, {2, 0.1}, {4, 0.1}, 0.9, 2.2, 0.2)};
+  plan.rooms[1].niches = {{rectangle(1, 8.2, 2, 8.4), slabAt(1), slabAt(2)}};
+  plan.openings.push_back(openingAt({2, 0}, {2, 8.3}, {1, 8.3}, 1, 2, 0.2));
+  const CutSolid cut(plan);
+  cut.expectSound(2);
+  EXPECT_NEAR(cut.volume(), 100 + 0.2, 1e-5);
 }
 
 TEST(CutOpenings, LeaveAClosedManifoldWhateverTheyAre)
