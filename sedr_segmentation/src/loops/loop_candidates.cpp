@@ -104,24 +104,16 @@ CandidateMaker::candidate(const SeededCurve& path) const
   LoopCandidate candidate = priced(path);
   double low = 0; // where surfaces are
   double high = 0;
-  double side = 0; // of the curve on which they are seen: a face has one
-  const auto sideOf = [&](std::uint32_t i) {
-    const LoopSample& sample = samples_[i];
-    return leftOf(path.curve.tangentAt(sample.place)).dot(sample.normal);
-  };
   samples_.anchors().follow(path, 2 * noise_.sigma, search_.beyond,
-                            [&](std::uint32_t i, double s) {
+                            [&](std::uint32_t, double s) {
                               low = std::min(low, s);
                               high = std::max(high, s);
-                              side += sideOf(i);
                               return true;
                             });
   std::vector<std::pair<std::uint32_t, float>> near;
   samples_.places().follow(
       path, energy_.reach, search_.beyond, [&](std::uint32_t i, double s) {
-        constexpr double backwards = -0.5; // cosine
-        if (s > low - search_.beyond && s < high + search_.beyond &&
-            sideOf(i) * side >= backwards * std::abs(side))
+        if (s > low - search_.beyond && s < high + search_.beyond)
           near.push_back({i, static_cast<float>(costOf(i, candidate))});
         return s >= low && s <= high;
       });
