@@ -6,7 +6,6 @@
 #include "rooms/building_file.h"
 #include "rooms/labelled_rooms.h"
 #include "run_tool.h"
-#include "sedr_segmentation/src/plan/doorway_reveals.h"
 #include "stage_pictures.h"
 #include "tool_error.h"
 
@@ -28,7 +27,6 @@ struct Settings {
   std::string raw;
   std::string building;
   PictureFile picture;
-  std::string plan = "rules";
 };
 
 /** @brief Passes the points by label to the fitting, and the rooms if the file has any.
@@ -71,7 +69,6 @@ run(const Settings& settings, Fitting& fitting)
   if (!settings.building.empty())
     building = loadBuilding(settings.building);
   setEvidence(cloud, fitting);
-  fitting.setByEnergy(settings.plan == "energy");
   if (!settings.raw.empty()) {
     ScanSettings in_same_frame;
     in_same_frame.origin = cloud.origin;
@@ -83,10 +80,8 @@ run(const Settings& settings, Fitting& fitting)
     if (!fitting.segment(plan))
       throw ToolError(fitting.getErrorMessage(), NothingFound);
   }
-  if (!settings.building.empty()) {
+  if (!settings.building.empty())
     giveStoreys(building, plan);
-    closeReveals(plan, fitting.getPriors());
-  }
   writeWhole(settings.output, [&](std::ostream& stream) {
     stream << pcl::sedr::floorplanToJson(plan, nullptr, cloud.origin);
   });
@@ -127,9 +122,6 @@ main(int argc, char** argv)
       "building", settings.building,
       "JSON file of pcl_room_segmentation: the plan gets its storeys, doorways "
       "and stairs");
-  options.text("plan", settings.plan,
-               "how walls are fitted: by lines and rules, or by one energy",
-               {"rules", "energy"});
   settings.picture.declare(options);
   return runTool(options, argc, argv, [&] { return run(settings, fitting); });
 }

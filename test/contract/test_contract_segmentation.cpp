@@ -232,7 +232,6 @@ public:
   {
     parameter([this](double v) { stage_.setDistanceThreshold(v); }, 0.05, {0, nan});
     parameter([this](double v) { stage_.setGridSize(v); }, 0.05, {-0.05, inf});
-    parameter([this](double v) { stage_.setMinimumLength(v); }, 0.2, {0, -1});
     parameter([this](double v) { stage_.setRadiusLimits(v, 25); }, 0.15, {0, 26});
     parameter(
         [this](double v) {

@@ -36,10 +36,18 @@ public:
   template <typename Visitor>
   void forEachIndexWithin(const Eigen::Vector2d& p, double radius, Visitor visit) const
   {
-    visitWithin(p, radius, [&](std::size_t k) {
-      visit(k);
-      return true;
-    });
+    if (points_.empty() || !grid_.holds(p.x(), p.y()))
+      return;
+    const Cell low = grid_.at(p.x() - radius, p.y() - radius);
+    const Cell high = grid_.at(p.x() + radius, p.y() + radius);
+    for (std::int32_t y = low.y; y <= high.y; ++y) {
+      // Adjacent cells of a row are consecutive in the set.
+      for (std::size_t i = cells_.firstFrom({low.x, y});
+           i < cells_.size() && cells_.keys()[i] <= keyOf({high.x, y}); ++i)
+        for (std::size_t k = first_[i]; k < first_[i + 1]; ++k)
+          if ((points_[k] - p).squaredNorm() <= radius * radius)
+            visit(k);
+    }
   }
 
   /** @brief Calls `visit(point)` for every point in the cells that overlap a box,
@@ -59,34 +67,7 @@ public:
           visit(points_[k]);
   }
 
-  /** @brief Returns whether there is a point within `radius` of `p`. */
-  bool hasWithin(const Eigen::Vector2d& p, double radius) const
-  {
-    return !visitWithin(p, radius, [](std::size_t) { return false; });
-  }
-
 private:
-  /** @brief Calls `visit` with the index of every point within `radius` of `p` until it
-   * returns false.
-   * @return true if `visit` never returned false */
-  template <typename Visitor>
-  bool visitWithin(const Eigen::Vector2d& p, double radius, Visitor visit) const
-  {
-    if (points_.empty() || !grid_.holds(p.x(), p.y()))
-      return true;
-    const Cell low = grid_.at(p.x() - radius, p.y() - radius);
-    const Cell high = grid_.at(p.x() + radius, p.y() + radius);
-    for (std::int32_t y = low.y; y <= high.y; ++y) {
-      // Adjacent cells of a row are consecutive in the set.
-      for (std::size_t i = cells_.firstFrom({low.x, y});
-           i < cells_.size() && cells_.keys()[i] <= keyOf({high.x, y}); ++i)
-        for (std::size_t k = first_[i]; k < first_[i + 1]; ++k)
-          if ((points_[k] - p).squaredNorm() <= radius * radius && !visit(k))
-            return false;
-    }
-    return true;
-  }
-
   CellGrid grid_;
   std::vector<Eigen::Vector2d> points_; ///< sorted by cell
   CellSet cells_;

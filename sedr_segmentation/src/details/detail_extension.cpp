@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "detail_extension.h"
 
-#include "../curves/strip.h"
+#include "strip.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "detail_extension.h"
+#include "detail_outline.h"
 #include "detail_risers.h"
 #include "height_map.h"
 
@@ -147,39 +148,6 @@ atRim(const PlanPoints& points,
   return own;
 }
 
-PlanDetail
-fitDetail(const HeightMap& map,
-          const CellMask& cells,
-          bool is_floor,
-          std::int32_t label,
-          const PlanPoints& risers,
-          const std::vector<PlanElement>& others,
-          const RoomFitParameters& parameters)
-{
-  PlanDetail detail;
-  detail.slab = map.slabOf(label);
-  // The cells of a riser belong to the lower of two ceilings, the higher of two floors.
-  const bool is_low =
-      heightOverMain(map.main, detail.slab, cells, CellGrid(parameters.cell_size)) < 0;
-  LoopParameters loop = parameters.loop;
-  loop.expected_offset = (is_low != is_floor ? 0.5 : -0.5) * parameters.cell_size;
-  loop.reach = 2 * parameters.cell_size;
-  loop.evidence_span = 2 * parameters.cell_size; // a riser has few points in height
-  loop.corner_reach = 3 * parameters.cell_size;
-  loop.threads = parameters.threads;
-  const std::vector<Contour> contours = traceContours(cells, parameters.cell_size);
-  const auto largest = std::max_element(
-      contours.begin(), contours.end(),
-      [](const Contour& a, const Contour& b) { return signedArea(a) < signedArea(b); });
-  if (largest == contours.end() || !(signedArea(*largest) > 0))
-    return detail;
-  detail.boundary = fitLoop(*largest, risers, others, loop);
-  for (const auto& contour : contours)
-    if (signedArea(contour) < -parameters.minimum_detail_area)
-      detail.holes.push_back(fitLoop(contour, risers, others, loop));
-  return detail;
-}
-
 } // namespace
 
 std::vector<PlanDetail>
@@ -191,7 +159,7 @@ fitDetails(const PointView& points,
            const RoomFitParameters& parameters)
 {
   const CellGrid grid(parameters.cell_size);
-  const Priors& priors = parameters.loop.priors;
+  const Priors& priors = parameters.priors;
   HeightMap map =
       seenHeights(points, evidence, evidence.is_floor ? room.floor : room.ceiling,
                   withinBoundary(cells, room.boundary, grid), parameters);
@@ -234,12 +202,18 @@ fitDetails(const PointView& points,
       appendElements(fitted[l].boundary, point_cell, known);
     }
     const CellMask own = seenCellsOf(map, order[k], boxOfRank(k), near, grid);
-    fitted[k] =
-        evidence.is_floor
-            ? fitDetail(map, own, true, order[k], of_all, known, parameters)
-            : fitDetail(map, own, false, order[k],
-                        PlanPoints(atRim(of_all, own, grid, priors), point_cell), known,
-                        parameters);
+    CellMask seen = own;
+    for (std::size_t i = 0; i < seen.values().size(); ++i)
+      if (map.seen[map.room.indexOf(seen.cellAt(i))] != order[k])
+        seen.values()[i] = 0;
+    DetailOutline outline = outlineOf(
+        own, seen,
+        evidence.is_floor ? of_all
+                          : PlanPoints(atRim(of_all, own, grid, priors), point_cell),
+        known, parameters);
+    fitted[k].slab = map.slabOf(order[k]);
+    fitted[k].boundary = std::move(outline.boundary);
+    fitted[k].holes = std::move(outline.holes);
   };
   for (const std::vector<std::size_t>& turn : turnsOf(larger))
     parallelBlocks(turn.size(), 1, parameters.threads,

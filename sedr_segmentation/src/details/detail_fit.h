@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../plan/room_fit.h"
 #include "../profiles/column_table.h"
 #include "sedr_filters/src/grids/cell_mask.h"
+#include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_segmentation/floorplan_fitting.h>
 
 #include <vector>
 

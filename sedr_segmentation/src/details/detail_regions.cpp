@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../curves/strip.h"
 #include "detail_tops.h"
 #include "slice_scene.h"
+#include "strip.h"
 
 #include <algorithm>
 #include <cmath>

@@ -61,9 +61,9 @@ detailLevels(const PointView& points,
   p.tolerance = parameters.slab_tolerance;
   p.cell_size = parameters.cell_size;
   p.minimum_area = parameters.minimum_detail_area;
-  p.seed = parameters.loop.seed;
+  p.seed = parameters.seed;
   p.threads = parameters.threads;
-  p.priors = parameters.loop.priors;
+  p.priors = parameters.priors;
   std::vector<Level> levels;
   for (const auto& region : regionsOfDetails(points, evidence.details, parameters))
     for (Level& level : findLevels(points, region, p))
@@ -93,7 +93,7 @@ detailSlab(const PointView& points,
       fitSlabRobustly(points, own, level.slab, parameters.slab_tolerance);
   const PlanSlab parallel =
       fitParallel(points, own, main, level.slab, parameters.slab_tolerance);
-  const double min_width = parameters.loop.priors.short_wall;
+  const double min_width = parameters.priors.short_wall;
   const bool is_wide = eroded(cells, cellsFor(min_width / 2, grid.size())).count() > 0;
   const bool is_clear =
       tilted.residual < 0.7 * parallel.residual && tilted.inliers >= parallel.inliers;
@@ -199,7 +199,7 @@ withFieldsOfMain(const PointView& points,
   for (const Level& level : detailLevels(points, evidence, parameters)) {
     const CellMask cells(level.cells, boxOf(level.cells));
     if (std::abs(heightOverMain(main_slab, level.slab, cells, grid)) >=
-        parameters.loop.priors.min_ceiling_step)
+        parameters.priors.min_ceiling_step)
       continue;
     const auto first_of_main =
         std::stable_partition(details.begin(), details.end(), [&](int i) {
@@ -220,7 +220,7 @@ seenHeights(const PointView& points,
             const RoomFitParameters& parameters)
 {
   const CellGrid grid(parameters.cell_size);
-  const Priors& priors = parameters.loop.priors;
+  const Priors& priors = parameters.priors;
   // Furniture causes small and thin regions near the heights of a floor.
   const double min_area =
       evidence.is_floor ? priors.min_slab_area : parameters.minimum_detail_area;

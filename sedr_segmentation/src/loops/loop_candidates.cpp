@@ -99,9 +99,9 @@ CandidateMaker::costOf(std::size_t i, const LoopCandidate& candidate) const
 }
 
 LoopCandidate
-CandidateMaker::candidate(const SeededCurve& path) const
+CandidateMaker::candidate(LoopCandidate candidate) const
 {
-  LoopCandidate candidate = priced(path);
+  const SeededCurve& path = candidate.path;
   double low = 0; // where surfaces are
   double high = 0;
   samples_.anchors().follow(path, 2 * noise_.sigma, search_.beyond,

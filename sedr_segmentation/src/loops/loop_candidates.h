@@ -68,7 +68,13 @@ public:
 
   /** @brief Returns a curve with the samples that may follow it: those near it, up to
    * some metres beyond the surfaces on it. */
-  LoopCandidate candidate(const SeededCurve& path) const;
+  LoopCandidate candidate(const SeededCurve& path) const
+  {
+    return candidate(priced(path));
+  }
+
+  /** @brief The same of a candidate that has its price. */
+  LoopCandidate candidate(LoopCandidate candidate) const;
 
   /** @brief Returns what a sample costs on a curve, nats. */
   double costOf(std::size_t sample, const LoopCandidate& candidate) const;

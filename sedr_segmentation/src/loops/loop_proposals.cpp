@@ -28,9 +28,13 @@ public:
       , unseen_(maker.energy().reach / 60)
   {}
 
-  std::vector<LoopCandidate> find(const std::vector<WallLine>& lines)
+  std::vector<LoopCandidate> find(const std::vector<WallLine>& lines,
+                                  const std::vector<SeededCurve>& known)
   {
     startAgain();
+    std::vector<LoopCandidate> candidates;
+    for (const SeededCurve& path : known)
+      candidates.push_back(takeKnown(path));
     for (const WallLine& line : lines)
       takeParts(line);
     takeWindows(false);
@@ -45,7 +49,6 @@ public:
     for (std::size_t k = 0; k < seen; ++k)
       for (const SeededCurve& turned : maker_.snapped(curves_[k]))
         curves_.push_back(turned);
-    std::vector<LoopCandidate> candidates;
     for (const SeededCurve& curve : curves_)
       candidates.push_back(maker_.candidate(curve));
     for (const DistinctCandidates* lines : {&faces_, &unseen_})
@@ -79,6 +82,18 @@ private:
     for (const auto& [i, cost] : costs)
       left_[i] = std::min(left_[i], cost);
     curves_.push_back(path);
+  }
+
+  /** @brief Takes a curve that costs nothing. */
+  LoopCandidate takeKnown(const SeededCurve& path)
+  {
+    LoopCandidate candidate;
+    candidate.path = path;
+    for (const auto& [i, s] : maker_.support(path, maker_.search().beyond))
+      left_[i] = std::min(left_[i], maker_.costOf(i, candidate));
+    if (!path.curve.isCircle())
+      known_.push_back(path);
+    return maker_.candidate(std::move(candidate));
   }
 
   /** @brief Takes the parts of a wall's line on which a surface was seen. */
@@ -181,7 +196,9 @@ private:
   {
     std::vector<double> angles;
     std::vector<double> weights;
-    for (const SeededCurve& path : curves_) {
+    std::vector<SeededCurve> lines = known_;
+    lines.insert(lines.end(), curves_.begin(), curves_.end());
+    for (const SeededCurve& path : lines) {
       const auto on =
           static_cast<double>(maker_.support(path, maker_.search().beyond).size());
       angles.push_back(std::atan2(path.curve.direction.y(), path.curve.direction.x()));
@@ -307,8 +324,9 @@ private:
   const StoreySamples& samples_;
   std::vector<double> left_; ///< nats of each sample that nothing explains yet
   std::vector<SeededCurve> curves_;
-  DistinctCandidates faces_;  ///< lines through what nothing else explains
-  DistinctCandidates unseen_; ///< lines where nothing was seen
+  std::vector<SeededCurve> known_; ///< lines
+  DistinctCandidates faces_;       ///< lines through what nothing else explains
+  DistinctCandidates unseen_;      ///< lines where nothing was seen
 };
 
 } // namespace
@@ -333,9 +351,10 @@ labelRuns(const std::vector<std::size_t>& labels)
 std::vector<LoopCandidate>
 proposedCurves(const std::vector<LoopContour>& contours,
                const std::vector<WallLine>& lines,
+               const std::vector<SeededCurve>& known,
                CandidateMaker& maker)
 {
-  return ProposalSearch(contours, maker).find(lines);
+  return ProposalSearch(contours, maker).find(lines, known);
 }
 
 } // namespace pcl::sedr

@@ -200,7 +200,7 @@ LoopSolver::renew(std::vector<LoopCandidate> more)
 void
 LoopSolver::solve(int rounds)
 {
-  renew(proposedCurves(contours_, lines_, maker_));
+  renew(proposedCurves(contours_, lines_, known_, maker_));
   descend(); // each loop by itself,
   descend(); // then with the curves of all
   prune();

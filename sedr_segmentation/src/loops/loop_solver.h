@@ -38,6 +38,10 @@ public:
              const WallNoise& noise,
              unsigned threads);
 
+  /** @brief Sets curves that are known already, such as the walls around a detail: they
+   * cost nothing. */
+  void setKnown(std::vector<SeededCurve> known) { known_ = std::move(known); }
+
   /** @brief Minimises the energy, at most `rounds` times. */
   void solve(int rounds = 8);
 
@@ -100,6 +104,7 @@ private:
 
   const std::vector<LoopContour>& contours_;
   const std::vector<WallLine>& lines_;
+  std::vector<SeededCurve> known_;
   StoreySamples samples_;
   CandidateMaker maker_;
   unsigned threads_;

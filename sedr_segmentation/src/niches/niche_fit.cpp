@@ -3,12 +3,15 @@
 
 #include "niche_fit.h"
 
+#include "../curves/loop_difference.h"
 #include "../curves/plan_segment.h"
 #include "../profiles/cell_count.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/base/plane_fit.h"
 #include "sedr_filters/src/grids/cell_mask.h"
 #include "sedr_filters/src/grids/place_table.h"
+#include "sedr_filters/src/plan/plan_bounds.h"
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
 #include <cmath>
@@ -192,6 +195,39 @@ fitNiches(const PointView& points,
   for (auto& own : niches_of)
     niches.insert(niches.end(), own.begin(), own.end());
   return niches;
+}
+
+namespace {
+
+bool
+overlap(const PlanLoop& a, const PlanLoop& b)
+{
+  if (!boundsOf(a).intersects(boundsOf(b)))
+    return false;
+  const auto [of_a, of_b] = partsInside(a, b);
+  return !of_a.empty() || !of_b.empty();
+}
+
+} // namespace
+
+void
+dropSharedNiches(Floorplan& plan)
+{
+  for (PlanRoom& room : plan.rooms) {
+    const auto isShared = [&](const PlanNiche& niche) {
+      return std::any_of(
+          plan.rooms.begin(), plan.rooms.end(), [&](const PlanRoom& other) {
+            return &other != &room && shareHeights(room, other) &&
+                   (overlap(niche.boundary, other.boundary) ||
+                    std::any_of(other.niches.begin(), other.niches.end(),
+                                [&](const PlanNiche& n) {
+                                  return overlap(niche.boundary, n.boundary);
+                                }));
+          });
+    };
+    room.niches.erase(std::remove_if(room.niches.begin(), room.niches.end(), isShared),
+                      room.niches.end());
+  }
 }
 
 } // namespace pcl::sedr

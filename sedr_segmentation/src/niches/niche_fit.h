@@ -50,4 +50,8 @@ std::vector<PlanNiche> fitNiches(const PointView& points,
                                  const PlanRoom& room,
                                  const NicheParameters& parameters = {});
 
+/** @brief Removes the niches that overlap another room of the same heights, or a niche
+ * of one. */
+void dropSharedNiches(Floorplan& plan);
+
 } // namespace pcl::sedr

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "niche_panes.h"
 
-#include "../refit/plan_refit.h"
+#include "../scan/scan_excerpt.h"
 #include "../walls/wall_cells.h"
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/middle_value.h"

@@ -8,7 +8,6 @@
 #include "../loops/loop_assembly.h"
 #include "../niches/niche_fit.h"
 #include "../regions/storey_regions.h"
-#include "room_shares.h"
 #include "room_slabs.h"
 #include "sedr_filters/src/base/parallel.h"
 
@@ -46,6 +45,19 @@ labelledPoints(const std::vector<RoomEvidence>& parts, std::size_t points)
   return rooms;
 }
 
+/** @brief Returns the energy with the limits that were set. */
+LoopEnergy
+energyOf(const RoomFitParameters& parameters)
+{
+  constexpr double sigmas = 2.5; // to which the threshold of inliers corresponds
+  LoopEnergy energy;
+  energy.max_sigma = parameters.tolerance / sigmas;
+  energy.min_sigma = std::min(energy.min_sigma, energy.max_sigma);
+  energy.min_radius = parameters.minimum_radius;
+  energy.max_radius = parameters.maximum_radius;
+  return energy;
+}
+
 /** @brief Fits the loops of the rooms of a storey. */
 void
 fitLoops(const Storey& storey,
@@ -57,9 +69,7 @@ fitLoops(const Storey& storey,
          std::vector<FittedBoundary>& boundaries)
 {
   constexpr double near = 3; // cells: farther points are no evidence of the walls
-  LoopEnergy energy;
-  energy.min_radius = parameters.loop.minimum_radius;
-  energy.max_radius = parameters.loop.maximum_radius;
+  const LoopEnergy energy = energyOf(parameters);
   std::vector<LoopContour> contours;
   for (const std::size_t r : storey.rooms) {
     const CellMask& region = regions[r].cells;
@@ -91,11 +101,7 @@ fitLoops(const Storey& storey,
     PlanRoom& room = rooms[contours[c].room];
     if (loop.elements.empty())
       continue;
-    if (contours[c].is_hole)
-      room.columns.push_back(std::move(loop));
-    else if (room.boundary.elements.empty())
-      room.boundary = std::move(loop);
-    else
+    if (!contours[c].is_hole && !room.boundary.elements.empty())
       continue;
     FittedBoundary fitted;
     fitted.room = static_cast<std::uint32_t>(contours[c].room);
@@ -114,6 +120,10 @@ fitLoops(const Storey& storey,
       fitted.samples.push_back(place);
     }
     boundaries.push_back(std::move(fitted));
+    if (contours[c].is_hole)
+      room.columns.push_back(std::move(loop));
+    else
+      room.boundary = std::move(loop);
   }
 }
 
@@ -149,7 +159,7 @@ fitPlanByEnergy(const PointView& points,
                 std::vector<RoomSheet>* sheets)
 {
   Floorplan plan;
-  const Priors& priors = parameters.loop.priors;
+  const Priors& priors = parameters.priors;
   const unsigned threads = parameters.threads;
   problem.clear();
   warnings.clear();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "plan_fit.h"
+#include "room_ceilings.h"
+#include "room_shares.h"
 
 #include <string>
 #include <vector>
@@ -12,7 +13,11 @@ namespace pcl::sedr {
  * the room's, LoopEnergy which lines and arcs its walls are.
  * @param scan the raw scan, may be empty; it tells glass from walls
  * @param scan_indices the points of it to use; empty: all
- * @see fitPlan() for the other parameters */
+ * @param[out] problem the reason if there is no room, a sentence; else empty
+ * @param[out] warnings a sentence per room that could not be fitted
+ * @param[out] boundaries the boundary points of walls and columns; optional
+ * @param[out] sheets of rooms with ceilings of facets. giveCeilings() makes the facets
+ * when the walls are final; until then such a ceiling is a relief */
 Floorplan fitPlanByEnergy(const PointView& points,
                           const PlanEvidence& evidence,
                           const PointView& scan,

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../adjust/plan_adjustment.h"
-#include "../niches/ceiling_slits.h"
+#include "../curves/joined_elements.h"
+#include "../details/detail_trim.h"
+#include "../niches/niche_fit.h"
 #include "../niches/niche_panes.h"
-#include "../refit/plan_refit.h"
-#include "../refit/plan_regularisation.h"
+#include "../scan/scan_excerpt.h"
 #include "energy_fit.h"
-#include "plan_fit.h"
-#include "room_separation.h"
 #include "rooms_above.h"
-#include "short_elements.h"
 
 #include "sedr_filters/src/plan/plan_evidence.h"
 #include <pcl/impl/instantiate.hpp>
@@ -28,10 +26,9 @@ problemOf(const RoomFitParameters& p)
     const char* what;
     double value;
   } const positive[] = {
-      {"the distance threshold", p.loop.tolerance},
+      {"the distance threshold", p.tolerance},
       {"the grid size", p.cell_size},
-      {"the minimum length", p.loop.minimum_length},
-      {"the minimum radius", p.loop.minimum_radius},
+      {"the minimum radius", p.minimum_radius},
   };
   for (const auto& [what, value] : positive)
     if (!(value > 0) || !std::isfinite(value))
@@ -39,14 +36,14 @@ problemOf(const RoomFitParameters& p)
   if (!(p.minimum_detail_area > 0))
     return "the minimum detail area must be above 0 square metres, it is " +
            std::to_string(p.minimum_detail_area);
-  if (p.loop.tolerance > 1)
+  if (p.tolerance > 1)
     return "the distance threshold must be at most 1 m, it is " +
-           std::to_string(p.loop.tolerance);
-  if (!(p.loop.maximum_radius > p.loop.minimum_radius))
-    return "the maximum radius " + std::to_string(p.loop.maximum_radius) +
-           " m must be above the minimum radius " +
-           std::to_string(p.loop.minimum_radius) + " m";
-  return problemOf(p.loop.priors);
+           std::to_string(p.tolerance);
+  if (!(p.maximum_radius > p.minimum_radius))
+    return "the maximum radius " + std::to_string(p.maximum_radius) +
+           " m must be above the minimum radius " + std::to_string(p.minimum_radius) +
+           " m";
+  return problemOf(p.priors);
 }
 
 std::string
@@ -87,23 +84,10 @@ fitToRaw(const PointView& raw,
          const RoomFitParameters& parameters,
          Floorplan& plan)
 {
-  const Priors& priors = parameters.loop.priors;
-  if (parameters.by_energy) {
-    leaveOutPanes(plan, raw, indices, parameters.threads, priors);
-    AdjustmentParameters adjustment;
-    adjustment.threads = parameters.threads;
-    return adjustPlan(plan, raw, indices, adjustment).problem;
-  }
-  leaveOutBelowSlits(plan, raw, indices, parameters.threads, priors);
-  leaveOutPanes(plan, raw, indices, parameters.threads, priors);
-  RefitParameters refit;
-  refit.priors = priors;
-  refit.threads = parameters.threads;
-  const RefitReport report = refitToRaw(plan, raw, indices, refit);
-  RegularisationParameters regular;
-  regular.priors = priors;
-  regularisePlan(plan, regular);
-  return report.problem;
+  leaveOutPanes(plan, raw, indices, parameters.threads, parameters.priors);
+  AdjustmentParameters adjustment;
+  adjustment.threads = parameters.threads;
+  return adjustPlan(plan, raw, indices, adjustment).problem;
 }
 
 } // namespace
@@ -134,30 +118,30 @@ fitFloorplan(const PlanInput& input,
   const bool has_raw =
       input.raw.size() > 0 && !(input.raw_indices && input.raw_indices->empty());
   const pcl::Indices all;
-  const Priors& priors = parameters.loop.priors;
+  const Priors& priors = parameters.priors;
   const pcl::Indices& raw_indices =
       has_raw && input.raw_indices ? *input.raw_indices : all;
-  plan = parameters.by_energy
-             ? fitPlanByEnergy(input.points, evidence,
-                               has_raw ? input.raw : PointView(), raw_indices,
-                               parameters, problem, warnings, &boundaries, &sheets)
-             : fitPlan(input.points, evidence, parameters, problem, warnings,
-                       &boundaries, &sheets);
+  plan =
+      fitPlanByEnergy(input.points, evidence, has_raw ? input.raw : PointView(),
+                      raw_indices, parameters, problem, warnings, &boundaries, &sheets);
   if (!problem.empty())
     return problem;
   if (has_raw)
     problem = fitToRaw(input.raw, raw_indices, parameters, plan);
   if (!problem.empty())
     warnings.push_back("the plan is not fitted to the raw cloud: " + problem);
-  const std::vector<std::string> cuts =
-      separateRooms(plan, input.points, input.indices, priors);
-  removeShortElements(plan, priors);
+  for (PlanRoom& room : plan.rooms) {
+    joinNeighbours(room.boundary);
+    for (PlanLoop& column : room.columns)
+      joinNeighbours(column);
+    trimDetails(room);
+  }
+  dropSharedNiches(plan);
   giveCeilings(sheets, has_raw ? &input.raw : nullptr, raw_indices, parameters.threads,
                plan);
   endBelowRoomsAbove(plan, priors);
   measureEvidence(plan, input.points, input.indices, priors.wall_band,
                   parameters.threads);
-  warnings.insert(warnings.end(), cuts.begin(), cuts.end());
   return {};
 }
 
@@ -167,7 +151,7 @@ movedPoints(const PointView& raw,
             const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& map)
 {
   const std::size_t size = indices ? indices->size() : raw.size();
-  const std::size_t step = rawStep(size, RefitParameters().max_points);
+  const std::size_t step = rawStep(size, AdjustmentParameters().max_points);
   const auto moved = std::make_shared<std::vector<Eigen::Vector3f>>();
   moved->reserve(size / step + 1);
   for (std::size_t k = 0; k < size; k += step) {

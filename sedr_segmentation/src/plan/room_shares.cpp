@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <memory>
 
 namespace pcl::sedr {
 
@@ -120,31 +121,6 @@ placesOf(const PointView& points, const std::vector<int>& indices)
   return places;
 }
 
-std::shared_ptr<const PlanSlab>
-seenSheet(const std::vector<Eigen::Vector3d>& points,
-          const Priors& priors,
-          unsigned threads)
-{
-  SheetParameters parameters; // coarse: used only for the tops of walls
-  parameters.cell_size = 0.15;
-  parameters.max_cells = 6000;
-  parameters.is_rough = true;
-  parameters.threads = threads;
-  Eigen::AlignedBox2d box;
-  for (const Eigen::Vector3d& p : points)
-    box.extend(p.head<2>());
-  if (box.isEmpty())
-    return nullptr;
-  const SheetGrid grid = sheetGrid(box, parameters);
-  std::vector<std::uint8_t> domain(grid.count(), 0);
-  for (const Eigen::Vector3d& p : points)
-    domain[grid.at(p.head<2>())] = 1;
-  const FacetSheet sheet = fitSheet(points, grid, domain, {}, parameters);
-  if (!hasSlope(sheet) || sheet.explained < priors.share_clear)
-    return nullptr;
-  return std::make_shared<const PlanSlab>(reliefOf(sheet, grid.size / 2));
-}
-
 RoomShares
 shareOut(const PointView& points,
          const PlanEvidence& evidence,
@@ -152,7 +128,7 @@ shareOut(const PointView& points,
          const RoomFitParameters& parameters,
          std::string& problem)
 {
-  const Priors& priors = parameters.loop.priors;
+  const Priors& priors = parameters.priors;
   const CellGrid grid(parameters.cell_size);
   const auto labelled = [&](int i) -> std::int32_t {
     const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
@@ -208,13 +184,9 @@ shareOut(const PointView& points,
 
   RoomShares shares;
   for (std::size_t r = 0; r < numbers.size(); ++r)
-    shares.rooms.push_back({std::move(around[r]),
-                            std::move(ceilings[r]),
-                            std::move(details[r]),
-                            std::move(floors[r]),
-                            std::move(walls[r]),
-                            {},
-                            std::move(behind[r])});
+    shares.rooms.push_back({std::move(around[r]), std::move(ceilings[r]),
+                            std::move(details[r]), std::move(floors[r]),
+                            std::move(walls[r]), std::move(behind[r])});
   shares.sheets = std::move(of_sheets);
   return shares;
 }

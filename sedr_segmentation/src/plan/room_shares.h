@@ -1,14 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "plan_fit.h"
+#include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_segmentation/floorplan_fitting.h>
 
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace pcl::sedr {
+
+/** @brief Input of the plan fit: indices into the points. `room` has one entry per
+ * point, 0 for none, or is empty for one room. */
+struct PlanEvidence {
+  std::vector<int> all;     ///< all points to use
+  std::vector<int> ceiling; ///< of the main ceilings
+  std::vector<int> details;
+  std::vector<int> floor;
+  std::vector<int> walls; ///< empty: all
+  std::vector<std::uint32_t> room;
+  std::vector<int> sheets;   ///< of ceilings that are not level
+  bool finds_sheets = false; ///< whether ceilings that slope are found, not given
+};
+
+/** @brief The points of a room: indices. */
+struct RoomEvidence {
+  std::vector<int> around;  ///< all points in and near the room
+  std::vector<int> ceiling; ///< of the main ceiling
+  std::vector<int> details; ///< of soffits, beams, recesses; may be empty
+  std::vector<int> floor;
+  std::vector<int> walls;
+  std::vector<int> behind; ///< points beyond `around`, for the backs of deep niches
+};
 
 /** @brief The points of each room, in the order of their numbers. */
 struct RoomShares {
@@ -31,11 +54,5 @@ RoomShares shareOut(const PointView& points,
 /** @brief Returns the finite ones of some points. */
 std::vector<Eigen::Vector3d> placesOf(const PointView& points,
                                       const std::vector<int>& indices);
-
-/** @brief Returns the preliminary ceiling of a room, a relief of its facets; null if
- * there are none or they explain too little of it. */
-std::shared_ptr<const PlanSlab> seenSheet(const std::vector<Eigen::Vector3d>& points,
-                                          const Priors& priors,
-                                          unsigned threads);
 
 } // namespace pcl::sedr

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "../details/detail_fit.h"
-#include "room_fit.h"
+#include "room_shares.h"
 
 #include <vector>
 

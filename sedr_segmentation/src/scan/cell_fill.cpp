@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../refit/weighted_values.h"
+#include "weighted_values.h"
 
 #include "cell_fill.h"
 

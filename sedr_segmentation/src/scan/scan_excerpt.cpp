@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_excerpt.h"
-#include "../refit/plan_refit.h"
 #include "sedr_filters/src/base/parallel.h"
 
 #include <atomic>

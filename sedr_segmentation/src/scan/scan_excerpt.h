@@ -13,6 +13,14 @@
 
 namespace pcl::sedr {
 
+/** @brief Returns the step k, at least 1, such that every k-th of `points` gives at
+ * most `most` points. The selection needs no further thinning. */
+inline std::size_t
+rawStep(std::size_t points, std::size_t most)
+{
+  return most > 0 && points > most ? (points + most - 1) / most : 1;
+}
+
 /** @brief Adds the next points of a scan to a sample during the pass `read`, and every
  * `step`-th one, including non-finite ones, to an excerpt.
  * @param first index of the first point in the whole scan */

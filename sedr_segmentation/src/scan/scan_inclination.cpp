@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../planes/plane_pair.h"
-#include "../refit/patch_normals.h"
+#include "patch_normals.h"
 
 #include "scan_inclination.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../refit/patch_normals.h"
+#include "patch_normals.h"
 
 #include "scan_tilt.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tilted_faces.h"
 
-#include "../refit/patch_normals.h"
+#include "patch_normals.h"
 
 #include <pcl/sedr_filters/cell_grid.h>
 #include <pcl/sedr_filters/priors.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../curves/quarter_turns.h"
+#include "quarter_turns.h"
 
 #include <algorithm>
 #include <array>

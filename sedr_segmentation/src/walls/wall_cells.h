@@ -68,15 +68,6 @@ public:
       counts_[k] += other.counts_[k];
   }
 
-  /** @brief Share of the cells in which there are points; 0 if there are no cells. */
-  double shareSeen() const
-  {
-    const auto empty = std::count(counts_.begin(), counts_.end(), std::size_t{0});
-    return counts_.empty()
-               ? 0
-               : 1 - static_cast<double>(empty) / static_cast<double>(counts_.size());
-  }
-
 private:
   static constexpr double rounding = 1e-6; ///< of lengths, in cells
 

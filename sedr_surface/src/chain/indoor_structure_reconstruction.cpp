@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sedr_filters/src/base/number_text.h"
-#include "sedr_segmentation/src/refit/plan_refit.h"
+#include "sedr_segmentation/src/adjust/plan_adjustment.h"
 #include "sedr_segmentation/src/scan/scan_check.h"
 #include "sedr_segmentation/src/scan/scan_excerpt.h"
 #include <pcl/sedr_surface/impl/indoor_structure_reconstruction.hpp>
@@ -34,7 +34,7 @@ cloudProblem(const PointView& points, const pcl::Indices& indices, const Priors&
 std::size_t
 excerptStep(std::size_t points)
 {
-  return rawStep(points, RefitParameters().max_points);
+  return rawStep(points, AdjustmentParameters().max_points);
 }
 
 std::shared_ptr<std::vector<Eigen::Vector3f>>
@@ -58,7 +58,7 @@ thinWithExcerpt(const RowSource& source,
                 const std::function<void(const RowSource&)>& thin,
                 std::shared_ptr<std::vector<Eigen::Vector3f>>& excerpt)
 {
-  const ScanExcerpt scan(source, RefitParameters().max_points, threads);
+  const ScanExcerpt scan(source, AdjustmentParameters().max_points, threads);
   thin(scan);
   const std::string problem = scan.problem();
   if (problem.empty())

@@ -8,7 +8,6 @@
 #include "sedr_filters/src/plan/plan_evidence.h"
 #include "sedr_filters/src/rays/sight_lines.h"
 #include "sedr_segmentation/src/niches/niche_fit.h"
-#include "sedr_segmentation/src/plan/doorway_reveals.h"
 #include "sedr_segmentation/src/plan/room_territory.h"
 #include "sedr_segmentation/src/scan/scan_check.h"
 
@@ -200,7 +199,6 @@ ChainRun::fitPlan(StageReport& report)
                          chain_.floorplan_fitting.getWarnings().begin(),
                          chain_.floorplan_fitting.getWarnings().end());
   giveStoreys(chain_.getBuilding(), *chain_.plan);
-  closeReveals(*chain_.plan, chain_.priors_);
   warnOfCeilings();
   if (!chain_.unit_is_known)
     chain_.unit_doubt = footProblem(

@@ -4,10 +4,10 @@
 
 #include "../mesh/mesh_repair.h"
 #include "sedr_filters/src/rays/sight_lines.h"
-#include "sedr_segmentation/src/plan/plan_fit.h"
-#include "sedr_segmentation/src/refit/wall_tilt_fit.h"
+#include "sedr_segmentation/src/plan/room_ceilings.h"
 #include "sedr_segmentation/src/scan/scan_tilt.h"
 #include "sedr_segmentation/src/scan/tilted_faces.h"
+#include "sedr_segmentation/src/scan/wall_tilt_fit.h"
 
 #include <cmath>
 #include <cstdio>

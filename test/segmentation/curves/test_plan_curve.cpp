@@ -13,8 +13,6 @@ namespace {
 
 using namespace pcl::sedr;
 using Eigen::Vector2d;
-using Points = std::vector<WeightedPoint>;
-
 PlanCurve
 circleAt(const Vector2d& centre, double radius)
 {
@@ -22,41 +20,6 @@ circleAt(const Vector2d& centre, double radius)
   curve.point = centre;
   curve.radius = radius;
   return curve;
-}
-
-Vector2d
-onCircle(const PlanCurve& circle, double degrees)
-{
-  const double a = degrees * M_PI / 180;
-  return circle.point + circle.radius * Vector2d(std::cos(a), std::sin(a));
-}
-
-Points
-alongLine(const PlanCurve& line, double from, double to, double off = 0)
-{
-  Points points;
-  const Vector2d across(-line.direction.y(), line.direction.x());
-  for (double s = from; s <= to + 1e-9; s += 0.05)
-    points.push_back({line.point + s * line.direction + off * across, 1});
-  return points;
-}
-
-Points
-alongCircle(const PlanCurve& circle, double from, double to, double off = 0)
-{
-  Points points;
-  const double step = 0.05 / circle.radius * 180 / M_PI;
-  for (double a = from; a <= to + 1e-9; a += step)
-    points.push_back({onCircle(circleAt(circle.point, circle.radius + off), a), 1});
-  return points;
-}
-
-/** Returns the angle between two lines regardless of direction, radians. */
-double
-angleBetween(const PlanCurve& a, const PlanCurve& b)
-{
-  return std::asin(std::min(1.0, std::abs(a.direction.x() * b.direction.y() -
-                                          a.direction.y() * b.direction.x())));
 }
 
 TEST(PlanCurve, ALineIsInfinite)
@@ -81,131 +44,6 @@ TEST(PlanCurve, ACircleIsWhole)
   EXPECT_TRUE(circle.project({2, 7}).isApprox(Vector2d(2, 2)));
   EXPECT_NEAR(circle.distance(circle.project({2, -1})), 0, 1e-12) << "of the centre";
   EXPECT_NEAR(std::abs(circle.tangentAt({2, 7}).x()), 1, 1e-12);
-}
-
-TEST(CircleThrough, ThreePointsGivesTheirCircle)
-{
-  const PlanCurve truth = circleAt({100, -50}, 2.5);
-  const PlanCurve circle =
-      circleThrough(onCircle(truth, 10), onCircle(truth, 250), onCircle(truth, 100));
-  EXPECT_NEAR((circle.point - truth.point).norm(), 0, 1e-9);
-  EXPECT_NEAR(circle.radius, truth.radius, 1e-9);
-}
-
-TEST(CircleThrough, PointsOnALineGivesTheLine)
-{
-  const PlanCurve line = circleThrough({0, 0}, {1, 1}, {3, 3});
-  EXPECT_FALSE(line.isCircle());
-  EXPECT_NEAR(line.distance({2, 2}), 0, 1e-12);
-  EXPECT_FALSE(circleThrough({1, 1}, {1, 1}, {1, 1}).isCircle());
-}
-
-TEST(FitLine, IsExactInEveryDirection)
-{
-  for (const double degrees : {0.0, 30.0, 90.0, 91.0, 179.0}) {
-    const double a = degrees * M_PI / 180;
-    const PlanCurve truth =
-        lineThrough({3, 4}, Vector2d(3, 4) + Vector2d(std::cos(a), std::sin(a)));
-    const PlanCurve line = fitLine(alongLine(truth, -1, 2));
-    EXPECT_NEAR(angleBetween(line, truth), 0, 1e-9) << degrees;
-    EXPECT_NEAR(truth.distance(line.point), 0, 1e-9);
-    EXPECT_NEAR(line.residual, 0, 1e-9);
-    EXPECT_EQ(line.inliers, 61u);
-  }
-}
-
-TEST(FitLine, WeighsItsPoints)
-{
-  const PlanCurve axis = lineThrough({0, 0}, {1, 0});
-  Points points = alongLine(axis, 0, 2, 0);
-  for (auto& p : alongLine(axis, 0, 2, 0.1)) {
-    p.weight = 3;
-    points.push_back(p);
-  }
-  const PlanCurve line = fitLine(points);
-  EXPECT_NEAR(line.distance({1, 0.075}), 0, 1e-9);
-  // A quarter of the weight is 7.5 cm away, the rest 2.5 cm.
-  EXPECT_NEAR(line.residual, std::sqrt(0.25 * 0.075 * 0.075 + 0.75 * 0.025 * 0.025),
-              1e-9);
-}
-
-TEST(FitCircle, IsExactFromARoughStart)
-{
-  for (const double sweep : {40.0, 90.0, 359.0}) {
-    const PlanCurve truth = circleAt({20, -3}, 2);
-    const PlanCurve circle =
-        fitCircle(alongCircle(truth, 30, 30 + sweep), circleAt({20.2, -3.1}, 1.7));
-    EXPECT_NEAR((circle.point - truth.point).norm(), 0, 1e-6) << sweep;
-    EXPECT_NEAR(circle.radius, 2, 1e-6) << sweep;
-    EXPECT_NEAR(circle.residual, 0, 1e-6);
-  }
-}
-
-TEST(FitCircle, IsTheMiddleOfTwoRings)
-{
-  const PlanCurve truth = circleAt({1, 1}, 0.5);
-  Points points = alongCircle(truth, 0, 359, 0.01);
-  for (const auto& p : alongCircle(truth, 0, 359, -0.01))
-    points.push_back(p);
-  const PlanCurve circle = fitCircle(points, circleAt({1.1, 1}, 0.4));
-  EXPECT_NEAR(circle.radius, 0.5, 1e-4);
-  EXPECT_NEAR(circle.residual, 0.01, 1e-4);
-}
-
-TEST(FitCircle, ThatCannotConvergeLeavesTheStart)
-{
-  const PlanCurve start = circleAt({0, 1}, 1);
-  const PlanCurve circle =
-      fitCircle(alongLine(lineThrough({0, 0}, {1, 0}), -1, 1), start);
-  EXPECT_TRUE(circle.point.allFinite());
-  EXPECT_GT(circle.radius, 0);
-  const Points same(5, {{3, 3}, 1});
-  EXPECT_TRUE(fitCircle(same, start).point.allFinite());
-}
-
-TEST(FitRobustly, ALineIsNotPulledByTheCupboard)
-{
-  const PlanCurve wall = lineThrough({0, 0}, {1, 0.2});
-  Points points = alongLine(wall, 0, 4);
-  for (const auto& p : alongLine(wall, 0, 0.5, 0.04)) // 4 cm off
-    points.push_back(p);
-  const PlanCurve start = lineThrough({0, 0.02}, {1, 0.21});
-  EXPECT_GT(angleBetween(fitLine(points), wall), 0.001) << "else this shows nothing";
-  const PlanCurve line = fitRobustly(points, start, 0.05, 0.1, 25);
-  EXPECT_NEAR(angleBetween(line, wall), 0, 1e-6);
-  EXPECT_NEAR(wall.distance(line.point), 0, 1e-6);
-  EXPECT_EQ(line.inliers, 81u);
-}
-
-TEST(FitRobustly, ACircleIsNotPulledByWhatStandsBeforeIt)
-{
-  const PlanCurve wall = circleAt({5, 5}, 3);
-  Points points = alongCircle(wall, 0, 120);
-  for (const auto& p : alongCircle(wall, 0, 25, -0.04))
-    points.push_back(p);
-  const PlanCurve circle =
-      fitRobustly(points, circleAt({5.01, 5}, 2.99), 0.05, 0.1, 25);
-  EXPECT_NEAR(circle.radius, 3, 1e-5);
-  EXPECT_NEAR((circle.point - wall.point).norm(), 0, 1e-5);
-}
-
-TEST(FitRobustly, RefusesCirclesBeyondTheLimits)
-{
-  const PlanCurve wall = circleAt({5, 5}, 3);
-  const Points points = alongCircle(wall, 0, 120);
-  const PlanCurve start = circleAt({5.01, 5}, 2.99);
-  EXPECT_EQ(fitRobustly(points, start, 0.05, 3.1, 25).radius, 2.99);
-  EXPECT_EQ(fitRobustly(points, start, 0.05, 0.1, 2.95).radius, 2.99);
-  EXPECT_NEAR(fitRobustly(points, start, 0.05, 2.95, 3.1).radius, 3, 1e-6);
-}
-
-TEST(FitRobustly, LeavesTheStartWhereItHoldsNothing)
-{
-  const PlanCurve start = lineThrough({0, 9}, {1, 9});
-  const PlanCurve line =
-      fitRobustly(alongLine(lineThrough({0, 0}, {1, 0}), 0, 1), start, 0.05, 0.1, 25);
-  EXPECT_EQ(line.point, start.point);
-  EXPECT_EQ(line.direction, start.direction);
 }
 
 void

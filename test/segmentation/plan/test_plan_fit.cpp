@@ -3,6 +3,9 @@
 
 #include <pcl/sedr_filters/floorplan_io.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace {
 
 using namespace pcl::sedr;
@@ -207,6 +210,33 @@ TEST(FitPlan, IsTheSameForAnyNumberOfThreads)
     plans.push_back(floorplanToJson(plan));
   }
   EXPECT_EQ(plans[0], plans[1]);
+}
+
+TEST(FitPlan, AWallHiddenAlongAMetreGoesOnInItsLine)
+{
+  TwoRooms scene;
+  auto& walls = scene.evidence.walls;
+  const auto isHidden = [&](int i) {
+    const Eigen::Vector3f& p = scene.points[i];
+    return p.x() < 0.05F && p.y() > 1 && p.y() < 2;
+  };
+  walls.erase(std::remove_if(walls.begin(), walls.end(), isHidden), walls.end());
+  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud = scene.points.cloud();
+  const float gone = std::numeric_limits<float>::quiet_NaN();
+  for (std::size_t i = 0; i < cloud->size(); ++i)
+    if (isHidden(static_cast<int>(i)) && (*cloud)[i].z > 0.1F && (*cloud)[i].z < 2.4F)
+      (*cloud)[i].x = gone;
+  Fitting fitting;
+  fitting.setInputCloud(cloud);
+  fitting.setCeilingIndices(shared(scene.evidence.ceiling));
+  fitting.setFloorIndices(shared(scene.evidence.floor));
+  fitting.setWallIndices(shared(walls));
+  fitting.setRooms(scene.evidence.room);
+  Floorplan plan;
+  ASSERT_TRUE(fitting.segment(plan)) << fitting.getErrorMessage();
+  ASSERT_EQ(plan.rooms.size(), 2u);
+  EXPECT_EQ(plan.rooms[1].boundary.elements.size(), 4u);
+  EXPECT_LT(cornerError(plan.rooms[1].boundary, scene.left), 0.006);
 }
 
 } // namespace

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "room_points.h"
+#include "room_evidence.h"
 #include "two_storeys.h"
 
 #include "sedr_filters/src/plan/plan_evidence.h"
-#include "sedr_segmentation/src/plan/room_separation.h"
+#include "sedr_segmentation/src/niches/niche_fit.h"
 #include "sedr_segmentation/src/plan/rooms_above.h"
 #include <pcl/sedr_filters/floorplan_io.h>
 
@@ -17,59 +17,39 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** Returns the maximum distance between corresponding corners of two plans. */
-double
-farthestCorner(const Floorplan& a, const Floorplan& b)
-{
-  double farthest = 0;
-  for (std::size_t r = 0; r < a.rooms.size(); ++r)
-    for (std::size_t i = 0; i < a.rooms[r].boundary.elements.size(); ++i)
-      farthest = std::max(farthest, (a.rooms[r].boundary.elements[i].start -
-                                     b.rooms[r].boundary.elements[i].start)
-                                        .norm());
-  return farthest;
-}
-
-/** The points of the rooms of a plan. */
-RoomPoints
-scanOf(const Floorplan& plan)
+/** The plan fitted to the points of the rooms of another one. */
+Floorplan
+fittedTo(const Floorplan& truth)
 {
   RoomPoints points(0.05);
-  for (const PlanRoom& room : plan.rooms)
-    points.room(room);
-  return points;
+  PlanEvidence evidence;
+  for (const PlanRoom& room : truth.rooms) {
+    const RoomParts parts = points.room(room);
+    evidence.room.resize(points.size(), room.id);
+    const PlanEvidence own = evidenceOf(points, parts);
+    evidence.ceiling = joined(evidence.ceiling, own.ceiling);
+    evidence.details = joined(evidence.details, own.details);
+    evidence.floor = joined(evidence.floor, own.floor);
+    evidence.walls = joined(evidence.walls, own.walls);
+  }
+  evidence.all = points.all();
+  return planOf(points, evidence);
 }
 
-TEST(RoomsAboveRooms, AreNotSeparatedFromEachOther)
+TEST(RoomsAboveRooms, TakeNothingFromEachOther)
 {
   for (const double shift : {0.0, 0.05, 0.3, -1.0}) {
-    const Floorplan plan = twoStoreys(shift);
-    Floorplan separated = plan;
-    const RoomPoints nothing;
-    EXPECT_TRUE(separateRooms(separated, nothing.view(), {}).empty()) << shift;
-    ASSERT_EQ(separated.rooms.size(), 4u) << shift;
-    EXPECT_EQ(farthestCorner(separated, plan), 0) << shift;
+    const Floorplan truth = twoStoreys(shift);
+    const Floorplan plan = fittedTo(truth);
+    ASSERT_EQ(plan.rooms.size(), 4u) << shift;
+    for (std::size_t r = 0; r < 4; ++r) {
+      EXPECT_EQ(plan.rooms[r].boundary.elements.size(), 4u) << shift;
+      EXPECT_LT(cornerError(plan.rooms[r].boundary, truth.rooms[r].boundary), 0.005)
+          << shift;
+      for (const PlanElement& e : plan.rooms[r].boundary.elements)
+        EXPECT_GT(e.evidence.seen, 0.9) << shift << ' ' << plan.rooms[r].id;
+    }
   }
-}
-
-TEST(RoomsAboveRooms, NorWhereACeilingWasFoundTooHigh)
-{
-  Floorplan plan = twoStoreys(0.3);
-  plan.rooms[0].ceiling = slabAt(3.1); // 0.3 m above the floor of the upper rooms
-  const RoomPoints nothing;
-  EXPECT_TRUE(separateRooms(plan, nothing.view(), {}).empty());
-  EXPECT_NEAR(plan.rooms[2].boundary.area(), 4.3 * 3, 1e-9);
-}
-
-TEST(RoomsAboveRooms, AHallOfBothStoreysIsSeparatedFromEither)
-{
-  Floorplan plan = twoStoreys();
-  plan.rooms.push_back(roomBetween(rectangle(8.9, 0, 12, 3), 0, 5.2, 5));
-  const RoomPoints nothing;
-  separateRooms(plan, nothing.view(), {});
-  EXPECT_NEAR(plan.rooms[1].boundary.area(), plan.rooms[3].boundary.area(), 1e-9);
-  const double both = plan.rooms[1].boundary.area() + plan.rooms[4].boundary.area();
-  EXPECT_LT(both, 15 + 3.1 * 3 - 0.2 * 3);
 }
 
 TEST(RoomsAboveRooms, KeepTheirNiches)
@@ -78,23 +58,11 @@ TEST(RoomsAboveRooms, KeepTheirNiches)
   // A niche in the wall to the next room, below an existing room.
   plan.rooms[0].niches = {{rectangle(1, 3, 2, 3.2), slabAt(1), slabAt(2)}};
   plan.rooms[2].boundary = rectangle(0, 0, 4.5, 3.5);
-  const RoomPoints nothing;
-  separateRooms(plan, nothing.view(), {});
+  dropSharedNiches(plan);
   EXPECT_EQ(plan.rooms[0].niches.size(), 1u);
-}
-
-TEST(RoomsAboveRooms, TakeNothingFromEachOther)
-{
-  const Floorplan truth = twoStoreys(0.3);
-  Floorplan plan = truth;
-  const RoomPoints points = scanOf(truth);
-  EXPECT_TRUE(separateRooms(plan, points.view(), points.all()).empty());
-  measureEvidence(plan, points.view(), points.all(), 0.05, 1);
-  ASSERT_EQ(plan.rooms.size(), 4u);
-  EXPECT_EQ(farthestCorner(plan, truth), 0);
-  for (const PlanRoom& room : plan.rooms)
-    for (const PlanElement& e : room.boundary.elements)
-      EXPECT_GT(e.evidence.seen, 0.9) << room.id;
+  plan.rooms[2].floor = slabAt(0);
+  dropSharedNiches(plan);
+  EXPECT_TRUE(plan.rooms[0].niches.empty()) << "the other room is beside it";
 }
 
 TEST(RoomsAboveRooms, AWallThatOnlyTheStoreyAboveShowsIsNotSeen)

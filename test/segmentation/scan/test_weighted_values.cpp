@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sedr_segmentation/src/refit/weighted_values.h"
+#include "sedr_segmentation/src/scan/weighted_values.h"
 
 #include <gtest/gtest.h>
 

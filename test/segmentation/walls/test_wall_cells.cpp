@@ -39,7 +39,6 @@ TEST(WallCells, CountPointsRowByRow)
   cells.add(2.9, 1.8);
   EXPECT_EQ(cells.counts(),
             (std::vector<std::size_t>{1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 2}));
-  EXPECT_DOUBLE_EQ(cells.shareSeen(), 3.0 / 12);
 }
 
 TEST(WallCells, BothEndsOfAStretchAreOfItAndWhatLiesBesideIsNot)
@@ -79,7 +78,6 @@ TEST(WallCells, WithoutLengthThereAreNone)
     cells.add(2);
     cells.add(std::nan(""));
     EXPECT_TRUE(cells.counts().empty());
-    EXPECT_EQ(cells.shareSeen(), 0);
   }
 }
 

@@ -38,9 +38,6 @@ addModelOptions(Options& options, ModelSettings& s, Reconstruction& chain)
   options.text("prior", s.priors,
                "what is believed before the scan is looked at, name=value, with commas "
                "between them; see doc/priors.md");
-  options.text("plan", s.plan,
-               "how walls are fitted: by lines and rules, or by one energy",
-               {"rules", "energy"});
   options.text("openings", s.openings,
                "doors and windows in the solid: closed, or cut with their reveals",
                {"closed", "cut"});
@@ -55,7 +52,6 @@ apply(const ModelSettings& s, Reconstruction& chain)
 {
   chain.setPriors(priorsOf(s.priors));
   chain.setNumberOfThreads(s.threads);
-  chain.getChain().floorplan_fitting.setByEnergy(s.plan == "energy");
   chain.getChain().extrusion.setCutOpenings(s.openings == "cut");
   if (s.explain)
     std::cout << explained(chain.getPriors()) << std::flush;

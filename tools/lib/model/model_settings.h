@@ -26,7 +26,6 @@ struct ModelSettings {
   bool report = false;
   bool explain = false;            ///< print the priors
   std::string priors;              ///< name=value, separated by commas
-  std::string plan = "rules";      ///< or "energy": FloorplanFitting::setByEnergy()
   std::string openings = "closed"; ///< or "cut": FloorplanExtrusion::setCutOpenings()
 };
 

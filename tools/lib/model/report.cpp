@@ -90,7 +90,6 @@ parametersOf(const RunRecord& run, const Reconstruction& chain)
           {"wall_distance", c.wall_growing.getDistanceThreshold()},
           {"minimum_wall_support", c.wall_growing.getMinimumSupport()},
           {"boundary_tolerance", chain.getBoundaryTolerance()},
-          {"minimum_element_length", c.floorplan_fitting.getMinimumLength()},
           {"minimum_radius", c.floorplan_fitting.getMinimumRadius()},
           {"maximum_radius", c.floorplan_fitting.getMaximumRadius()},
           {"minimum_detail_area", c.floorplan_fitting.getMinimumDetailArea()},

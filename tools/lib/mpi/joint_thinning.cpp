@@ -2,7 +2,7 @@
 #include "joint_thinning.h"
 
 #include "sedr_filters/src/voxels/voxel_sums.h"
-#include "sedr_segmentation/src/refit/plan_refit.h"
+#include "sedr_segmentation/src/adjust/plan_adjustment.h"
 #include "sedr_segmentation/src/scan/scan_excerpt.h"
 
 namespace pcl::sedr::tools {
@@ -28,7 +28,7 @@ public:
   bool read(bool may_stop, VoxelSums& sums, Excerpt& excerpt) const
   {
     excerpt.clear();
-    const std::size_t step = rawStep(scan_.size(), RefitParameters().max_points);
+    const std::size_t step = rawStep(scan_.size(), AdjustmentParameters().max_points);
     ScanSample sample(end_ - begin_);
     RowCoordinates coordinates(scan_.fields(), scan_.rowSize());
     bool adds = true;

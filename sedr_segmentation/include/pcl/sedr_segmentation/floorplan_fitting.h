@@ -19,48 +19,30 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Parameters of the fit of a loop to a contour; metres. */
-struct LoopParameters {
-  double tolerance = 0.05; ///< distance of an inlier from its curve (paper, Table 1)
-  double expected_offset =
-      -0.025;          ///< expected distance of the wall from the contour, inside > 0
-  double reach = 0.06; ///< maximum deviation from the expected offset
-  double evidence_span =
-      0.05; ///< half-length along the contour of the search window of a sample
-  double corner_reach = 0.15;   ///< maximum distance of a corner from the contour
-  double minimum_length = 0.2;  ///< of an element with its own curve
-  double minimum_radius = 0.15; ///< of an arc
-  double maximum_radius = 25.0; ///< of an arc; flatter ones are segments
-  Priors priors;
-  std::uint64_t seed = 1;
-  unsigned threads = 1; ///< per loop; 0: all processors
-};
-
-/** @brief A sample of a contour, moved onto the wall if points support one. */
+/** @brief A sample of the boundary of a room's cells, moved onto the wall if one was
+ * seen there. */
 struct ContourSample {
   Eigen::Vector2d place;    ///< on the smoothed contour
   Eigen::Vector2d position; ///< on the wall if points support one, else `place`
   Eigen::Vector2d tangent;  ///< unit, along the contour
-  double support = 0; ///< point count over the loop's median, at most 1; 0 for too few
-  std::size_t points = 0; ///< number of points that support the wall here
-  double deviation = 0; ///< their root mean square deviation across the contour, metres
+  double support = 0;       ///< 1 if a wall was seen clearly, 0 if not at all
+  std::size_t points = 0;   ///< number of points that support the wall here
 
   /** @brief Returns whether points support the wall here. */
   bool isSupported() const { return support > 0; }
-
-  /** @brief Returns the sample's weight in a fit; it is low without supporting points.
-   */
-  double weight() const { return isSupported() ? support : 0.3; }
 };
 
-/** @brief Parameters of the fit of a room's plan; lengths in metres. */
+/** @brief Parameters of the fit of a plan; lengths in metres. */
 struct RoomFitParameters {
-  LoopParameters loop;
+  Priors priors;
+  double tolerance = 0.05; ///< farthest an inlier is from its curve (paper, Table 1)
   double cell_size = 0.05;
   double slab_tolerance = 0.05;      ///< of the planes of ceiling, floor and details
+  double minimum_radius = 0.15;      ///< of an arc
+  double maximum_radius = 25;        ///< of an arc; flatter ones are segments
   double minimum_detail_area = 0.25; ///< square metres
-  unsigned threads = 0;              ///< rooms fitted in parallel; 0: all processors
-  bool by_energy = false;            ///< see FloorplanFitting::setByEnergy()
+  std::uint64_t seed = 1;            ///< of the planes' random samples
+  unsigned threads = 0;              ///< 0: all processors
 };
 
 /** @brief Boundary points to which a loop of a room was fitted (paper, Figure 7a). */
@@ -75,12 +57,13 @@ struct FittedBoundary {
 /** @brief Fits the floor plan of the rooms (paper, section 2.4 and Figure 7). Frame: z
  * up, metres.
  *
- * Seeded 2D RANSAC finds lines and circles along the outline of ceiling and details;
- * robust least squares fits them to the wall points. The result is a closed loop of
- * segments and arcs per room, with columns as inner loops and details as loops of their
- * own height. Room numbers of the points separate the rooms, see setRooms(); without
- * them there is one room. Non-finite points are left out. O(n log n) for n points plus
- * the cells of the rooms' bounding boxes.
+ * Two energies are made as small as possible: a minimum cut tells which cells are whose
+ * room, and the cheapest cycles of labels around their contours tell which lines and
+ * arcs the walls are. The result is a closed loop of segments and arcs per room, with
+ * columns as inner loops and details as loops of their own height. Room numbers of the
+ * points separate the rooms, see setRooms(); without them there is one room. Non-finite
+ * points are left out. O(n log n) for n points plus the cells of the rooms' bounding
+ * boxes.
  * @code
  * pcl::FloorplanFitting<pcl::PointXYZ> fitting;
  * fitting.setInputCloud(thinned);
@@ -177,50 +160,36 @@ public:
   unsigned getNumberOfThreads() const { return parameters_.threads; }
 
   /** @brief Sets the maximum distance of an inlier from its line or circle, metres,
-   * above 0 and at most 1. Default 0.05 (paper, Table 1). */
-  void setDistanceThreshold(double threshold)
-  {
-    parameters_.loop.tolerance = threshold;
-  }
-  double getDistanceThreshold() const { return parameters_.loop.tolerance; }
+   * above 0 and at most 1. Default 0.05 (paper, Table 1). Within it, the scatter of
+   * walls is measured. */
+  void setDistanceThreshold(double threshold) { parameters_.tolerance = threshold; }
+  double getDistanceThreshold() const { return parameters_.tolerance; }
 
   /** @brief Sets the edge of a grid cell, metres, > 0. Default 0.05. */
   void setGridSize(double size) { parameters_.cell_size = size; }
   double getGridSize() const { return parameters_.cell_size; }
 
-  /** @brief Sets the minimum length of an element with its own line or circle, metres,
-   * > 0. Default 0.2. */
-  void setMinimumLength(double length) { parameters_.loop.minimum_length = length; }
-  double getMinimumLength() const { return parameters_.loop.minimum_length; }
-
   /** @brief Sets the limits of the radii of arcs, metres, 0 < minimum < maximum;
    * flatter walls are segments. Default 0.15 to 25. */
   void setRadiusLimits(double minimum, double maximum)
   {
-    parameters_.loop.minimum_radius = minimum;
-    parameters_.loop.maximum_radius = maximum;
+    parameters_.minimum_radius = minimum;
+    parameters_.maximum_radius = maximum;
   }
-  double getMinimumRadius() const { return parameters_.loop.minimum_radius; }
-  double getMaximumRadius() const { return parameters_.loop.maximum_radius; }
+  double getMinimumRadius() const { return parameters_.minimum_radius; }
+  double getMaximumRadius() const { return parameters_.maximum_radius; }
 
   /** @brief Sets the minimum area of a detail, square metres, > 0. Default 0.25. */
   void setMinimumDetailArea(double area) { parameters_.minimum_detail_area = area; }
   double getMinimumDetailArea() const { return parameters_.minimum_detail_area; }
 
   /** @brief Sets the priors about buildings, furniture and scanners. */
-  void setPriors(const sedr::Priors& priors) { parameters_.loop.priors = priors; }
-  const sedr::Priors& getPriors() const { return parameters_.loop.priors; }
-
-  /** @brief Sets whether walls are found by two energies: which cells are a room's by a
-   * minimum cut, which lines and arcs its walls are by the cheapest cycle of labels
-   * over the samples of its contour. Default false: by RANSAC and revisions of the
-   * loop. */
-  void setByEnergy(bool by_energy) { parameters_.by_energy = by_energy; }
-  bool isByEnergy() const { return parameters_.by_energy; }
+  void setPriors(const sedr::Priors& priors) { parameters_.priors = priors; }
+  const sedr::Priors& getPriors() const { return parameters_.priors; }
 
   /** @brief Sets the seed of the random samples. Default 1. */
-  void setSeed(std::uint64_t seed) { parameters_.loop.seed = seed; }
-  std::uint64_t getSeed() const { return parameters_.loop.seed; }
+  void setSeed(std::uint64_t seed) { parameters_.seed = seed; }
+  std::uint64_t getSeed() const { return parameters_.seed; }
 
   /** @brief Fits the plan.
    * @param[out] plan its rooms by increasing number; empty if there are none

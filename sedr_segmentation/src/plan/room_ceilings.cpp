@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_ceilings.h"
+
+#include "../borders/step_risers.h"
+#include "../sheets/sheet_fit.h"
+#include "sedr_filters/src/base/parallel.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace pcl::sedr {
+
+namespace {
+
+/** @brief Returns the boundary of a room with walls that tilt out of it at their heads
+ * and all others at their feet: no ceiling reaches farther. */
+PlanLoop
+outermostBoundary(const PlanRoom& room, const WallTilts& tilts)
+{
+  WallTilts outwards;
+  for (const WallTilt& tilt : tilts)
+    if (tilt.room == room.id && tilt.tilt < 0)
+      outwards.push_back(tilt);
+  return outwards.empty() ? room.boundary
+                          : boundaryAt(room, outwards, headOf(room, outwards));
+}
+
+} // namespace
+
+std::shared_ptr<const PlanSlab>
+seenSheet(const std::vector<Eigen::Vector3d>& points,
+          const Priors& priors,
+          unsigned threads)
+{
+  SheetParameters parameters; // coarse: used only for the tops of walls
+  parameters.cell_size = 0.15;
+  parameters.max_cells = 6000;
+  parameters.is_rough = true;
+  parameters.threads = threads;
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector3d& p : points)
+    box.extend(p.head<2>());
+  if (box.isEmpty())
+    return nullptr;
+  const SheetGrid grid = sheetGrid(box, parameters);
+  std::vector<std::uint8_t> domain(grid.count(), 0);
+  for (const Eigen::Vector3d& p : points)
+    domain[grid.at(p.head<2>())] = 1;
+  const FacetSheet sheet = fitSheet(points, grid, domain, {}, parameters);
+  if (!hasSlope(sheet) || sheet.explained < priors.share_clear)
+    return nullptr;
+  return std::make_shared<const PlanSlab>(reliefOf(sheet, grid.size / 2));
+}
+
+void
+giveCeilings(const std::vector<RoomSheet>& sheets,
+             const PointView* scan,
+             const std::vector<int>& indices,
+             unsigned threads,
+             Floorplan& plan,
+             const WallTilts& tilts)
+{
+  parallelBlocks(sheets.size(), 1, threads, [&](std::size_t k, std::size_t) {
+    const auto room =
+        std::find_if(plan.rooms.begin(), plan.rooms.end(),
+                     [&](const PlanRoom& other) { return other.id == sheets[k].room; });
+    if (room == plan.rooms.end())
+      return;
+    SheetParameters parameters;
+    parameters.threads = threads;
+    const PlanLoop outline = outermostBoundary(*room, tilts);
+    const SheetGrid grid = gridWithin(outline, parameters);
+    FacetSheet sheet = fitSheet(sheets[k].points, grid, cellsWithin(grid, outline),
+                                wallDirections(outline), parameters);
+    if (!hasSlope(sheet))
+      return;
+    std::vector<Eigen::Vector3d> risers;
+    if (scan) {
+      refitToScan(sheet, *scan, indices, parameters);
+      risers = pointsOfRisers(sheet, *scan, indices);
+    }
+    const PlanLoop foot = std::exchange(room->boundary, outline);
+    giveCeiling(sheet, sheets[k].points, risers, *room);
+    room->boundary = foot;
+  });
+}
+
+} // namespace pcl::sedr
