@@ -76,7 +76,7 @@ TEST_F(SedrTool, PriorsAreSetByNameExplainedAndReported)
   EXPECT_EQ(pcl::sedr::tools::planMaxWall(in("model/floorplan.json")), 1.5)
       << "for drawing it again";
   EXPECT_EQ(values.at("min_headroom"), 2.1);
-  EXPECT_EQ(values.at("door_width"), 0.9) << "the default";
+  EXPECT_EQ(values.at("max_door_width"), 1.6) << "the default";
   EXPECT_EQ(report.at("parameters").at("headroom"), 2.1) << "of the stage";
 }
 

@@ -50,8 +50,8 @@ TEST(Priors, RefusesWhatIsOutOfRangeAndSaysTheRange)
   EXPECT_EQ(setPrior("max_wal", 0.5, priors), "there is no prior max_wal");
   EXPECT_NE(setPrior("max_wall", std::numeric_limits<double>::quiet_NaN(), priors), "");
   EXPECT_EQ(priors.max_wall, Priors().max_wall);
-  priors.door_width = -1;
-  EXPECT_NE(problemOf(priors).find("door_width"), std::string::npos);
+  priors.max_door_width = -1;
+  EXPECT_NE(problemOf(priors).find("max_door_width"), std::string::npos);
 }
 
 } // namespace
