@@ -73,6 +73,35 @@ forEachIn(const CellMask& frame,
   }
 }
 
+/** @brief Returns the points in cells over which they reach farther in height than
+ * those of a ceiling do: 70 degrees. Above what hides a wall up to near the ceiling,
+ * the points of that wall pass for the ceiling's. */
+std::vector<int>
+steepPoints(const CellMask& frame,
+            const CellGrid& grid,
+            const PointView& points,
+            const std::vector<int>& indices)
+{
+  const double steep = std::tan(70 * M_PI / 180) * grid.size();
+  std::vector<float> low(frame.values().size(), no_height);
+  std::vector<float> high(frame.values().size(), -no_height);
+  forEachIn(frame, grid, points, indices,
+            [&](std::size_t at, const Eigen::Vector3f& q) {
+              low[at] = std::min(low[at], q.z());
+              high[at] = std::max(high[at], q.z());
+            });
+  std::vector<int> found;
+  std::vector<int> one(1);
+  for (const int i : indices) {
+    one[0] = i;
+    forEachIn(frame, grid, points, one, [&](std::size_t at, const Eigen::Vector3f&) {
+      if (high[at] - low[at] > steep)
+        found.push_back(i);
+    });
+  }
+  return found;
+}
+
 /** @brief Sets what is known of the ceiling. */
 void
 gatherCeiling(const PointView& points,
@@ -137,13 +166,15 @@ gatherWalls(const PointView& points,
     bool is_top; ///< below the highest ceiling beside it
   };
   std::vector<Place> places;
-  const auto gather = [&](const std::vector<int>& indices, bool of_wall) {
+  const auto gather = [&](const std::vector<int>& indices, bool of_wall, bool below) {
     forEachIn(
         cells.seen, grid, points, indices,
         [&](std::size_t at, const Eigen::Vector3f& q) {
           const auto isBelow = [&](float ceiling) {
             return q.z() > lowest(ceiling) && q.z() < ceiling - p.rim;
           };
+          if (below && q.z() > cells.top[at] - p.rim)
+            return;
           if (q.z() < cells.top[at] + p.rim)
             highest[at] = std::max(highest[at], q.z());
           if (const double above = q.z() - cells.floor; above > p.rim && above < p.sill)
@@ -160,8 +191,9 @@ gatherWalls(const PointView& points,
           places.push_back({at, q.head<2>().cast<double>(), of_wall, is_below_top});
         });
   };
-  gather(room.walls, true);
-  gather(room.others, false);
+  gather(room.walls, true, false);
+  gather(room.others, false, false);
+  gather(steepPoints(cells.seen, grid, points, room.ceiling), true, true);
   cells.solid = CellMask(cells.seen.box());
   cells.glass = cells.riser = cells.pillar = cells.base = cells.solid;
   spread(cells.seen, 1, std::greater<>(), highest);
