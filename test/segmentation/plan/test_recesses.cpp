@@ -80,19 +80,6 @@ TEST(Recesses, AboveASillAreNoPartOfThePlan)
   }
 }
 
-TEST(Recesses, AnAlcoveAboveALowWallIsANicheThoughAWindowIsInItsBack)
-{
-  const RoomPoints::OnWall besideWindow = [](double s, double z) {
-    return s < 0.5 || s > 1.5 || z < 1.1 || z > 2.4;
-  };
-  const PlanRoom room = fittedAbove(0.9, 0.25, besideWindow);
-  EXPECT_LT(cornerError(room.boundary, rectangle(0, 0, 5, 4)), 0.01);
-  ASSERT_EQ(room.niches.size(), 1u);
-  EXPECT_LT(cornerError(room.niches[0].boundary, rectangle(1.5, 4, 3.5, 4.25)), 0.02);
-  EXPECT_NEAR(room.niches[0].bottom.heightAt({2.5, 4}), 0.9, 0.03);
-  EXPECT_NEAR(room.niches[0].top.heightAt({2.5, 4}), 2.6, 0.01);
-}
-
 TEST(Recesses, AWindowOfWhichTheFrameIsSeenIsNone)
 {
   const PlanRoom room = fittedAbove(0.45, 0.25, [](double s, double z) {

@@ -168,12 +168,12 @@ TEST(WallShapes, PilastersAndNichesHaveRightAngles)
                                     {0, 3}});
   const PlanLoop flat =
       polygon({{0, 0}, {2, 0}, {2, 0.1}, {2.5, 0.1}, {2.5, 0}, {5, 0}, {5, 3}, {0, 3}});
-  for (const double degrees : {0.0, 25.0})
-    for (const double noise : {0.003, 0.01}) {
-      SCOPED_TRACE(testing::Message() << degrees << " noise " << noise);
-      for (const PlanLoop& shape : {in_wall, flat})
-        expectShape(placed(shape, degrees, {0.02, 0.013}), noise, 0.005 + noise);
-    }
+  for (const auto& [degrees, noise] :
+       {std::pair(0.0, 0.003), std::pair(0.0, 0.01), std::pair(25.0, 0.003)}) {
+    SCOPED_TRACE(testing::Message() << degrees << " noise " << noise);
+    for (const PlanLoop& shape : {in_wall, flat})
+      expectShape(placed(shape, degrees, {0.02, 0.013}), noise, 0.005 + noise);
+  }
 }
 
 TEST(WallShapes, PartitionsHaveTwoFacesAndAnEnd)
