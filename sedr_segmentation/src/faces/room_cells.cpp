@@ -73,35 +73,6 @@ forEachIn(const CellMask& frame,
   }
 }
 
-/** @brief Returns the points in cells over which they reach farther in height than
- * those of a ceiling do: 70 degrees. Above what hides a wall up to near the ceiling,
- * the points of that wall pass for the ceiling's. */
-std::vector<int>
-steepPoints(const CellMask& frame,
-            const CellGrid& grid,
-            const PointView& points,
-            const std::vector<int>& indices)
-{
-  const double steep = std::tan(70 * M_PI / 180) * grid.size();
-  std::vector<float> low(frame.values().size(), no_height);
-  std::vector<float> high(frame.values().size(), -no_height);
-  forEachIn(frame, grid, points, indices,
-            [&](std::size_t at, const Eigen::Vector3f& q) {
-              low[at] = std::min(low[at], q.z());
-              high[at] = std::max(high[at], q.z());
-            });
-  std::vector<int> found;
-  std::vector<int> one(1);
-  for (const int i : indices) {
-    one[0] = i;
-    forEachIn(frame, grid, points, one, [&](std::size_t at, const Eigen::Vector3f&) {
-      if (high[at] - low[at] > steep)
-        found.push_back(i);
-    });
-  }
-  return found;
-}
-
 /** @brief Sets what is known of the ceiling. */
 void
 gatherCeiling(const PointView& points,
@@ -193,7 +164,8 @@ gatherWalls(const PointView& points,
   };
   gather(room.walls, true, false);
   gather(room.others, false, false);
-  gather(steepPoints(cells.seen, grid, points, room.ceiling), true, true);
+  // Above what hides a wall up to near the ceiling, its points pass for the ceiling's.
+  gather(room.ceiling, true, true);
   cells.solid = CellMask(cells.seen.box());
   cells.glass = cells.riser = cells.pillar = cells.base = cells.solid;
   spread(cells.seen, 1, std::greater<>(), highest);
