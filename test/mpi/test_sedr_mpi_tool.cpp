@@ -185,7 +185,6 @@ TEST_F(SedrMpiTool, GivesTheBytesOfOneProcessOfE57AndLas)
     ASSERT_EQ(result.exit_code, 0) << result.err;
     expectSame(in(scan + "_alone"), arguments[1]);
     const auto report = reportIn(arguments[1] + "/report.json");
-    EXPECT_EQ(report.at("rooms").size(), 2u);
     if (scan == "scan.e57")
       EXPECT_EQ(report.at("positions").at("known"), 2);
     else
