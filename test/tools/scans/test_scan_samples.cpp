@@ -146,12 +146,7 @@ TEST_F(ScanSamples, LazAndLasThatMiscountsAreRefused)
   EXPECT_NE(refusal("simple.laz").find("pdal translate"), std::string::npos);
   EXPECT_NE(refusal("1.2-no-points.las").find("promises 1065 points of 34 bytes"),
             std::string::npos);
-  EXPECT_NE(refusal("garbage_nVariableLength.las").find("1069128089 records"),
-            std::string::npos);
-  EXPECT_NE(refusal("bad_vlr_count.las")
-                .find("3 records before its points, but number "
-                      "3, from byte 429 on"),
-            std::string::npos);
+  EXPECT_NE(refusal("garbage_nVariableLength.las").find("cut off"), std::string::npos);
 }
 
 } // namespace

@@ -2,10 +2,11 @@
 #include "cloud_rows.h"
 
 #include "sedr_filters/src/base/field_access.h"
+#include <pcl/common/io.h>
+#include <pcl/sedr_filters/point_view.h>
 
 #include <algorithm>
 #include <cstring>
-#include <stdexcept>
 
 namespace pcl::sedr::tools {
 
@@ -60,9 +61,6 @@ setTypedField(pcl::PCLPointCloud2& blob,
               std::uint8_t datatype,
               const std::vector<ValueT>& values)
 {
-  if (values.size() != rowsOf(blob))
-    throw std::logic_error("setField: " + std::to_string(values.size()) +
-                           " values for " + std::to_string(rowsOf(blob)) + " rows");
   const auto* field = findField(blob, name);
   if (!field || field->datatype != datatype || field->count != 1)
     replaceField(blob, name, datatype);
@@ -85,22 +83,14 @@ forEachValue(const pcl::PCLPointCloud2& blob, const std::string& name, FunctionT
 const pcl::PCLPointField*
 findField(const pcl::PCLPointCloud2& blob, const std::string& name)
 {
-  const auto it = std::find_if(blob.fields.begin(), blob.fields.end(),
-                               [&](const auto& f) { return f.name == name; });
-  return it == blob.fields.end() ? nullptr : &*it;
+  return pcl::sedr::findField(blob.fields, name);
 }
 
 pcl::PCLPointCloud2
 selectRows(const pcl::PCLPointCloud2& blob, const pcl::Indices& indices)
 {
   pcl::PCLPointCloud2 selected;
-  selected.header = blob.header;
-  selected.fields = blob.fields;
-  selected.point_step = blob.point_step;
-  selected.is_bigendian = blob.is_bigendian;
-  selected.is_dense = blob.is_dense;
-  setRows(selected, 0);
-  appendRows(selected, blob, indices);
+  pcl::copyPointCloud(blob, indices, selected);
   return selected;
 }
 
@@ -110,8 +100,6 @@ appendRows(pcl::PCLPointCloud2& to,
            const pcl::Indices& indices)
 {
   const std::size_t step = to.point_step;
-  if (from.point_step != step)
-    throw std::logic_error("appendRows: the rows have different fields");
   const std::size_t old_rows = rowsOf(to);
   to.data.resize((old_rows + indices.size()) * step);
   for (std::size_t i = 0; i < indices.size(); ++i)
@@ -133,8 +121,6 @@ setCoordinates(pcl::PCLPointCloud2& blob,
                std::size_t first_row,
                const std::vector<Eigen::Vector3f>& points)
 {
-  if (first_row + points.size() > rowsOf(blob))
-    throw std::logic_error("setCoordinates: too many points");
   int axis = 0;
   for (const char* name : {"x", "y", "z"}) {
     const auto* field = findField(blob, name);

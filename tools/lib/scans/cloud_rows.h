@@ -2,9 +2,9 @@
 #pragma once
 
 #include <pcl/PCLPointCloud2.h>
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
 #include <pcl/types.h>
+
+#include <Eigen/Core>
 
 #include <cstdint>
 #include <string>
@@ -62,18 +62,5 @@ std::vector<std::uint32_t> wholeField(const pcl::PCLPointCloud2& blob,
 /** @brief Returns the first value of field `name` of every row; empty if there is no
  * such field. */
 std::vector<float> floatField(const pcl::PCLPointCloud2& blob, const std::string& name);
-
-/** @brief Returns the coordinates of a cloud of any point type, for
- * setCoordinates(). */
-template <typename PointT>
-std::vector<Eigen::Vector3f>
-coordinatesOf(const pcl::PointCloud<PointT>& cloud)
-{
-  std::vector<Eigen::Vector3f> points;
-  points.reserve(cloud.size());
-  for (const auto& p : cloud)
-    points.emplace_back(p.x, p.y, p.z);
-  return points;
-}
 
 } // namespace pcl::sedr::tools

@@ -5,7 +5,6 @@
 #include "tool_error.h"
 
 #include "sedr_filters/src/base/middle_value.h"
-#include "sedr_filters/src/base/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,17 +19,6 @@ constexpr double coarsest = 0.001;             // metres, resolution of floats
 constexpr double far_away = 1000;              // metres, where floats are 0.1 mm apart
 constexpr double farthest_grid = 1e8;          // metres, beyond all map grids
 constexpr std::size_t sample_size = 20000;
-
-/** @brief Returns whether heights, without a hundredth at each end, exceed the height
- * of any building. */
-bool
-couldBeMillimetres(std::vector<double> heights)
-{
-  constexpr double highest = 200;
-  std::sort(heights.begin(), heights.end());
-  const std::size_t cut = heights.size() / 100;
-  return heights[heights.size() - 1 - cut] - heights[cut] > highest;
-}
 
 /** @brief Returns the median of the largest coordinate of each point, relative to
  * `shift`. */
@@ -69,43 +57,19 @@ roundPlaceNear(const ScanPlaces& places)
   return shift;
 }
 
-/** @brief Prints the origin of a file's coordinates once. */
-void
-tellOrigin(const std::string& path, const Origin& origin)
-{
-  tellOnce("'" + path + "' lies far from 0: its coordinates are counted from (" +
-           origin.text(", ") + ") m, which every result tells as its origin");
-}
-
-/** @brief Returns a length in whole metres; one that has no such digits as 1e+300. */
-std::string
-wholeMetres(double length)
-{
-  constexpr double vast = 1e15;
-  return std::abs(length) < vast ? std::to_string(std::llround(length))
-                                 : numberText(length);
-}
-
 [[noreturn]] void
-refuseTooLarge(const std::string& path,
-               double farthest,
-               const Eigen::Vector3d& shift,
-               const ScanPlaces& places)
+refuseTooLarge(const std::string& path, double farthest, const ScanPlaces& places)
 {
   std::ostringstream sentence;
-  sentence.precision(2);
+  sentence.precision(15);
   sentence << "the coordinates of '" << path << "' are too large: at "
-           << wholeMetres(std::floor(farthest)) << " m "
-           << (shift.isZero(0) ? "" : "from the origin ")
-           << "a float resolves no finer than " << farthest * float_step * 1000
-           << " mm; ";
-  if (farthest > farthest_grid)
-    throw ToolError(sentence.str() + "no building has such ones in metres: the file "
-                                     "is broken, or its unit is another (--unit)");
-  sentence << "subtract an origin first, say (";
+           << std::floor(farthest) << " m a float resolves no finer than "
+           << std::ceil(farthest * float_step * 1000)
+           << " mm; if the unit is another, such as the millimetre, scale them (--unit "
+              "0.001), else subtract an origin first, say (";
   for (std::size_t axis = 0; axis < 3; ++axis)
     sentence << (axis > 0 ? ", " : "")
-             << wholeMetres(std::round(middleValue(places[axis]) / 1000) * 1000);
+             << std::round(middleValue(places[axis]) / 1000) * 1000;
   throw ToolError(sentence.str() + ") m");
 }
 
@@ -193,19 +157,13 @@ ScanFile::settleOrigin(const ScanSettings& settings)
   const double farthest = are_floats ? std::max(given, farthestFrom(shift, places))
                                      : farthestFrom(shift, places);
   const bool are_rounded = are_floats || !settings.keeps_doubles;
-  if (are_rounded && farthest * float_step > coarsest) {
-    if (unit_ == 1 && couldBeMillimetres(places[2]))
-      throw ToolError(
-          "the coordinates of '" + path_ +
-          "' are too large for metres; if the unit is the millimetre, scale by "
-          "0.001 (--unit 0.001 in pcl_sedr)");
-    refuseTooLarge(path_, farthest, are_floats ? Eigen::Vector3d(0, 0, 0) : shift,
-                   places);
-  }
+  if (are_rounded && farthest * float_step > coarsest)
+    refuseTooLarge(path_, farthest, places);
   shift_ = shift;
   origin_ = {content_->counted_from.place + shift};
   if ((finds_shift && !shift.isZero(0)) || (takes_viewpoint && !settings.origin))
-    tellOrigin(path_, origin_);
+    tellOnce("'" + path_ + "' lies far from 0: its coordinates are counted from (" +
+             origin_.text(", ") + ") m, which every result tells as its origin");
 }
 
 } // namespace pcl::sedr::tools

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 
 namespace pcl::sedr::tools {
@@ -25,44 +24,26 @@ refuseInput(const std::string& path, const std::string& reason)
                   ": " + reason);
 }
 
-/** @brief Copies a pipe to where it can be read again. */
-int
-keptPipe()
-{
-  const char* folder = std::getenv("TMPDIR");
-  const int kept = folder && *folder != '\0'
-                       ? open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR)
-                       : memfd_create("scan", MFD_CLOEXEC);
-  std::vector<char> bytes(std::size_t{1} << 20);
-  while (kept >= 0) {
-    const ssize_t size = ::read(STDIN_FILENO, bytes.data(), bytes.size());
-    if (size == 0)
-      return kept;
-    if (size < 0 && errno == EINTR)
-      continue;
-    for (ssize_t done = 0; done < size;) {
-      const auto left = static_cast<std::size_t>(size - done);
-      const ssize_t written = write(kept, bytes.data() + done, left);
-      if (written <= 0)
-        refuseInput("-", std::string("it cannot be kept: ") + std::strerror(errno));
-      done += written;
-    }
-    if (size < 0)
-      break;
-  }
-  refuseInput("-", std::strerror(errno));
-}
-
-/** @brief Returns a descriptor of the standard input that can be read anywhere. */
+/** @brief Returns a descriptor of the standard input that can be read anywhere: what
+ * comes by a pipe is kept in memory, once per process. */
 int
 openStandardInput()
 {
   if (isatty(STDIN_FILENO) != 0)
     refuseInput("-", "it is a terminal, a scan is to be piped into the program");
-  struct stat status {};
-  const bool is_file = fstat(STDIN_FILENO, &status) == 0 && S_ISREG(status.st_mode) &&
-                       lseek(STDIN_FILENO, 0, SEEK_CUR) == 0;
-  static const int kept = is_file ? STDIN_FILENO : keptPipe();
+  static const int kept = [] {
+    if (lseek(STDIN_FILENO, 0, SEEK_CUR) == 0)
+      return STDIN_FILENO; // a file that is redirected
+    const int memory = memfd_create("scan", MFD_CLOEXEC);
+    std::vector<char> bytes(std::size_t{1} << 20);
+    ssize_t size = 0;
+    while ((size = ::read(STDIN_FILENO, bytes.data(), bytes.size())) > 0)
+      if (write(memory, bytes.data(), static_cast<std::size_t>(size)) != size)
+        break;
+    if (size != 0)
+      refuseInput("-", std::string("it cannot be kept: ") + std::strerror(errno));
+    return memory;
+  }();
   return fcntl(kept, F_DUPFD_CLOEXEC, 0);
 }
 
@@ -87,6 +68,7 @@ InputFile::InputFile(const std::string& path)
                           : "that is no ordinary file");
   }
   size_ = static_cast<std::size_t>(status.st_size);
+  posix_fadvise(file_, 0, 0, POSIX_FADV_SEQUENTIAL);
 }
 
 InputFile::InputFile(const std::string& path, std::vector<std::uint8_t> unpacked)
@@ -131,14 +113,6 @@ InputFile::beginsWith(std::string_view text) const
   std::string begin(std::min(text.size(), size_), '\0');
   read(0, begin.size(), begin.data());
   return begin == text;
-}
-
-void
-InputFile::expect(std::size_t begin, std::size_t size) const
-{
-  if (file_ >= 0)
-    posix_fadvise(file_, static_cast<off_t>(begin), static_cast<off_t>(size),
-                  POSIX_FADV_WILLNEED);
 }
 
 } // namespace pcl::sedr::tools

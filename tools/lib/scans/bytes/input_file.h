@@ -19,9 +19,8 @@ isStandardInput(const std::string& path)
 /** @brief The bytes of a file, read where they are asked for; thread-safe.
  *
  * "-" is the standard input: a file that is redirected into the program is read in
- * place, what comes by a pipe is kept once per process in memory, or, if TMPDIR is set,
- * in a file without a name there. Throws ToolError if the file is missing, empty, a
- * folder, or has become shorter than it was. */
+ * place, what comes by a pipe is kept in memory, once per process. Throws ToolError if
+ * the file is missing, empty, a folder, or has become shorter than it was. */
 class InputFile {
 public:
   explicit InputFile(const std::string& path);
@@ -49,9 +48,6 @@ public:
   }
 
   bool beginsWith(std::string_view text) const;
-
-  /** @brief Lets the system fetch bytes that will be read next. */
-  void expect(std::size_t begin, std::size_t size) const;
 
 private:
   std::string path_;

@@ -37,12 +37,6 @@ public:
   /** @brief Copies bytes and verifies the checksums of their pages; thread-safe. */
   void read(std::uint64_t begin, std::size_t size, void* to) const;
 
-  /** @brief Lets the system fetch bytes that will be read next. */
-  void expect(std::uint64_t begin, std::uint64_t size) const
-  {
-    file_->expect(physical(begin), physical(size));
-  }
-
 private:
   /** @brief Verifies the checksums of `count` pages from `first` on. */
   void check(std::uint64_t first, std::size_t count, const std::uint8_t* bytes) const;

@@ -17,36 +17,6 @@ namespace {
 constexpr std::size_t batch = 1024; // rows whose values fit into a fast cache
 using Column = std::array<double, batch>;
 
-/** @brief Marks the field called `name` as wanted.
- * @return its number among these; -1 if it is missing or cannot be read */
-int
-want(const E57Scan& scan, const std::string& name, std::vector<std::size_t>& wanted)
-{
-  const int field = scan.find(name);
-  if (field < 0 ||
-      scan.fields[static_cast<std::size_t>(field)].kind == E57Field::Kind::Other)
-    return -1;
-  wanted.push_back(static_cast<std::size_t>(field));
-  return static_cast<int>(wanted.size()) - 1;
-}
-
-/** @brief As above for three fields, which are all required; else three times -1. */
-std::array<int, 3>
-wantAll(const E57Scan& scan,
-        const std::array<const char*, 3>& names,
-        std::vector<std::size_t>& wanted)
-{
-  const std::size_t before = wanted.size();
-  std::array<int, 3> found{};
-  for (std::size_t k = 0; k < names.size(); ++k)
-    found[k] = want(scan, names[k], wanted);
-  if (std::find(found.begin(), found.end(), -1) != found.end()) {
-    wanted.resize(before);
-    found.fill(-1);
-  }
-  return found;
-}
-
 std::uint8_t
 colourByte(double value, const std::pair<double, double>& limits)
 {
@@ -62,23 +32,36 @@ colourByte(double value, const std::pair<double, double>& limits)
 
 } // namespace
 
-E57Points::Fields
+std::vector<int>
 E57Points::fieldsOf(const E57Scan& scan)
 {
-  Fields fields;
-  auto& wanted = fields.wanted;
-  fields.xyz = wantAll(scan, {"cartesianX", "cartesianY", "cartesianZ"}, wanted);
-  fields.is_spherical = fields.xyz[0] < 0;
-  if (fields.is_spherical)
-    fields.xyz = wantAll(
-        scan, {"sphericalRange", "sphericalAzimuth", "sphericalElevation"}, wanted);
-  if (fields.xyz[0] < 0)
+  const auto find = [&](const std::string& name) {
+    const int field = scan.find(name);
+    const bool is_read =
+        field >= 0 &&
+        scan.fields[static_cast<std::size_t>(field)].kind != E57Field::Kind::Other;
+    return is_read ? field : -1;
+  };
+  const auto findAll = [&](const std::string& kind, const char* const(&names)[3]) {
+    std::vector<int> all;
+    for (const char* name : names)
+      all.push_back(find(kind + name));
+    if (std::find(all.begin(), all.end(), -1) != all.end())
+      all.assign(3, -1);
+    return all;
+  };
+  const char* kind = "cartesian";
+  std::vector<int> fields = findAll(kind, {"X", "Y", "Z"});
+  if (fields[X] < 0) {
+    kind = "spherical";
+    fields = findAll(kind, {"Range", "Azimuth", "Elevation"});
+  }
+  if (fields[X] < 0)
     throw ToolError("its points have neither cartesian nor spherical coordinates");
-  fields.invalid = want(
-      scan, fields.is_spherical ? "sphericalInvalidState" : "cartesianInvalidState",
-      wanted);
-  fields.intensity = want(scan, "intensity", wanted);
-  fields.colour = wantAll(scan, {"colorBlue", "colorGreen", "colorRed"}, wanted);
+  fields.push_back(find(std::string(kind) + "InvalidState"));
+  fields.push_back(find("intensity"));
+  const std::vector<int> colour = findAll("color", {"Blue", "Green", "Red"});
+  fields.insert(fields.end(), colour.begin(), colour.end());
   return fields;
 }
 
@@ -86,7 +69,7 @@ E57Points::E57Points(const E57Pages& pages, const E57Scan& scan, std::size_t fir
     : scan_(scan)
     , first_row_(first_row)
     , fields_(fieldsOf(scan))
-    , packets_(pages, scan_, fields_.wanted)
+    , streams_(pages, scan_, fields_)
 {}
 
 void
@@ -95,7 +78,7 @@ E57Points::read(std::size_t first,
                 const E57Row& row,
                 std::uint8_t* rows) const
 {
-  const std::vector<E57Values> values = packets_.read(first, first + size);
+  const std::vector<E57Values> values = streams_.read(first, first + size);
   constexpr std::size_t rows_at_once = 16 * batch;
   parallelBlocks(size, rows_at_once, 0, [&](std::size_t begin, std::size_t end) {
     Column intensity;
@@ -107,8 +90,7 @@ E57Points::read(std::size_t first,
         placeColours(values, begin, n, row.size, to + row.colour);
       if (!hasIntensity() || row.intensity == 0)
         continue;
-      values[static_cast<std::size_t>(fields_.intensity)].read(begin, n,
-                                                               intensity.data());
+      values[Intensity].read(begin, n, intensity.data());
       for (std::size_t i = 0; i < n; ++i) {
         const auto value = static_cast<float>(intensity[i]);
         std::memcpy(to + row.intensity + i * row.size, &value, sizeof value);
@@ -126,21 +108,21 @@ E57Points::placePoints(const std::vector<E57Values>& values,
 {
   std::array<Column, 3> xyz;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    values[static_cast<std::size_t>(fields_.xyz[axis])].read(first, n,
-                                                             xyz[axis].data());
+    values[axis].read(first, n, xyz[axis].data());
   Column invalid;
-  if (fields_.invalid >= 0)
-    values[static_cast<std::size_t>(fields_.invalid)].read(first, n, invalid.data());
+  if (values[Invalid].field)
+    values[Invalid].read(first, n, invalid.data());
+  const bool is_spherical = values[X].field->name == "sphericalRange";
   const Eigen::Matrix3d turn = scan_.rotation.toRotationMatrix();
   for (std::size_t i = 0; i < n; ++i) {
     Eigen::Vector3d p(xyz[0][i], xyz[1][i], xyz[2][i]);
-    if (fields_.is_spherical) {
+    if (is_spherical) {
       const double in_plan = p[0] * std::cos(p[2]);
       p = {in_plan * std::cos(p[1]), in_plan * std::sin(p[1]), p[0] * std::sin(p[2])};
     }
     if (scan_.has_pose)
       p = turn * p + scan_.translation;
-    if (fields_.invalid >= 0 && invalid[i] != 0)
+    if (values[Invalid].field && invalid[i] != 0)
       p.setConstant(std::numeric_limits<double>::quiet_NaN());
     std::memcpy(rows + i * row_size, p.data(), sizeof p);
   }
@@ -154,10 +136,9 @@ E57Points::placeColours(const std::vector<E57Values>& values,
                         std::uint8_t* rows) const
 {
   Column part;
-  for (std::size_t k = 0; k < fields_.colour.size(); ++k) {
-    values[static_cast<std::size_t>(fields_.colour[k])].read(first, n, part.data());
-    const auto& limits =
-        scan_.colour_limits[fields_.colour.size() - 1 - k]; // red first
+  for (std::size_t k = 0; k < 3; ++k) {
+    values[Blue + k].read(first, n, part.data());
+    const auto& limits = scan_.colour_limits[2 - k]; // red first
     for (std::size_t i = 0; i < n; ++i)
       rows[i * row_size + k] = colourByte(part[i], limits);
   }

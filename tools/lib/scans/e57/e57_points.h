@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "e57_packets.h"
+#include "e57_streams.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -25,11 +24,11 @@ public:
   E57Points(const E57Pages& pages, const E57Scan& scan, std::size_t first_row);
 
   const E57Scan& head() const { return scan_; }
-  const E57Packets& packets() const { return packets_; }
+  const E57Streams& streams() const { return streams_; }
   std::size_t begin() const { return first_row_; }
   std::size_t end() const { return first_row_ + scan_.points; }
-  bool hasIntensity() const { return fields_.intensity >= 0; }
-  bool hasColour() const { return fields_.colour[0] >= 0; }
+  bool hasIntensity() const { return fields_[Intensity] >= 0; }
+  bool hasColour() const { return fields_[Blue] >= 0; }
 
   /** @brief Decodes `size` points from `first` on into rows; what the scan does not
    * have stays as it is. */
@@ -39,17 +38,12 @@ public:
             std::uint8_t* rows) const;
 
 private:
-  /** @brief Numbers of the fields that are read among the wanted ones, -1 for none. */
-  struct Fields {
-    std::array<int, 3> xyz{-1, -1, -1}; ///< range, azimuth, elevation if spherical
-    bool is_spherical = false;
-    int invalid = -1;
-    int intensity = -1;
-    std::array<int, 3> colour{-1, -1, -1}; ///< blue, green, red
-    std::vector<std::size_t> wanted;       ///< numbers in the scan
-  };
+  /** @brief What is read: x, y and z, or range, azimuth and elevation; the others if
+   * the scan has them. */
+  enum Role : std::size_t { X, Y, Z, Invalid, Intensity, Blue, Green, Red };
 
-  static Fields fieldsOf(const E57Scan& scan);
+  /** @brief Returns the number of each role's field, -1 for none. */
+  static std::vector<int> fieldsOf(const E57Scan& scan);
 
   void placePoints(const std::vector<E57Values>& values,
                    std::size_t first,
@@ -64,8 +58,8 @@ private:
 
   E57Scan scan_;
   std::size_t first_row_;
-  Fields fields_;
-  E57Packets packets_;
+  std::vector<int> fields_;
+  E57Streams streams_;
 };
 
 } // namespace pcl::sedr::tools

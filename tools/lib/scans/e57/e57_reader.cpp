@@ -82,7 +82,7 @@ E57Reader::open(const E57Entry& entry, bool skip_broken)
                       " cannot be indexed");
     auto scan = std::make_unique<const E57Points>(*pages_, entry.scan, size_);
     if (skip_broken)
-      scan->packets().check();
+      scan->streams().check();
     size_ = scan->end();
     scans_.push_back(std::move(scan));
   }

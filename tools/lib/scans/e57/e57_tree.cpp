@@ -3,98 +3,93 @@
 
 #include "tool_error.h"
 
-#include <boost/property_tree/xml_parser.hpp>
+#include <expat.h>
 
-#include <algorithm>
-#include <sstream>
+#include <memory>
+#include <vector>
 
 namespace pcl::sedr::tools {
 
 namespace {
 
-/** @brief What is known of an XML text before it is parsed. */
-struct XmlShape {
-  std::size_t nesting = 0;        ///< depth of its elements
-  std::size_t parts = 0;          ///< number of its elements and attributes
-  bool has_document_type = false; ///< or another declaration outside of comments
+using Tree = boost::property_tree::ptree;
+
+/** @brief A tree that grows while its text is parsed. */
+struct GrowingTree {
+  Tree tree;
+  std::vector<Tree*> open{&tree}; ///< the element that is read, behind those around it
+  std::size_t parts = 0;          ///< elements and attributes
+  std::string problem;
+  XML_Parser parser = nullptr;
+
+  void refuse(const std::string& reason)
+  {
+    problem = reason;
+    XML_StopParser(parser, XML_FALSE);
+  }
+
+  void begin(const char* name, const char** attributes)
+  {
+    constexpr std::size_t deepest = 64;
+    constexpr std::size_t most = std::size_t{1} << 18; // each may take 400 bytes
+    if (open.size() > deepest)
+      return refuse("the elements of its XML are nested deeper than " +
+                    std::to_string(deepest));
+    Tree& element = open.back()->push_back({name, Tree()})->second;
+    open.push_back(&element);
+    if (*attributes)
+      element.push_back({"<xmlattr>", Tree()});
+    for (++parts; *attributes; attributes += 2, ++parts)
+      element.front().second.push_back({attributes[0], Tree(attributes[1])});
+    if (parts > most)
+      refuse("its XML has more than " + std::to_string(most) +
+             " elements and attributes");
+  }
 };
 
-/** @brief Returns one past the end of `text` from `position` on, or the end of the
- * XML. */
-std::size_t
-past(const std::string& xml, const char* text, std::size_t position)
+GrowingTree&
+growing(void* data)
 {
-  const std::size_t found = xml.find(text, position);
-  return found == std::string::npos ? xml.size()
-                                    : found + std::string::traits_type::length(text);
+  return *static_cast<GrowingTree*>(data);
 }
 
-/** @brief Returns one past the `>` that ends the opening tag at `position`, read as
- * rapidxml reads it: quotes within a name are part of it, and others begin a value only
- * behind `=`. Counts its attributes. */
-std::size_t
-pastOpeningTag(const std::string& xml, std::size_t position, std::size_t& attributes)
+/** @param encoding null: as the text says, or UTF-8 */
+GrowingTree
+parsed(const std::string& xml, const char* encoding)
 {
-  const auto isBlank = [](char c) {
-    return c == ' ' || c == '\t' || c == '\r' || c == '\n';
-  };
-  position = std::min(xml.find_first_of(" \t\r\n/>?", position), xml.size());
-  char before = 0; // the last one that is no blank
-  for (; position < xml.size() && xml[position] != '>'; ++position) {
-    const char c = xml[position];
-    if (before == '=' && (c == '"' || c == '\'')) {
-      position = std::min(xml.find(c, position + 1), xml.size() - 1);
-      ++attributes;
-    }
-    if (!isBlank(c))
-      before = c;
-  }
-  return std::min(position + 1, xml.size());
-}
-
-/** @brief Scans an XML text until its nesting exceeds `limit`. */
-XmlShape
-shapeOf(const std::string& xml, std::size_t limit)
-{
-  XmlShape shape;
-  std::size_t depth = 0;
-  const auto begins = [&](std::size_t at, const char* text) {
-    return xml.compare(at, std::string::traits_type::length(text), text) == 0;
-  };
-  for (std::size_t at = xml.find('<');
-       at != std::string::npos && shape.nesting <= limit; at = xml.find('<', at)) {
-    if (begins(at, "<!--"))
-      at = past(xml, "-->", at + 4);
-    else if (begins(at, "<![CDATA["))
-      at = past(xml, "]]>", at);
-    else if (begins(at, "<?"))
-      at = past(xml, "?>", at + 2);
-    else if (begins(at, "<!")) {
-      shape.has_document_type = true;
-      at = past(xml, ">", at);
-    }
-    else if (begins(at, "</")) {
-      depth -= std::min<std::size_t>(depth, 1);
-      at = past(xml, ">", at);
-    }
-    else {
-      shape.nesting = std::max(shape.nesting, depth + 1);
-      ++shape.parts;
-      at = pastOpeningTag(xml, at + 1, shape.parts);
-      if (at < 2 || xml[at - 2] != '/')
-        ++depth;
-    }
-  }
-  return shape;
+  GrowingTree result;
+  const std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser(
+      XML_ParserCreate(encoding), &XML_ParserFree);
+  result.parser = parser.get();
+  XML_SetUserData(parser.get(), &result);
+  XML_SetElementHandler(
+      parser.get(),
+      [](void* data, const char* name, const char** attributes) {
+        growing(data).begin(name, attributes);
+      },
+      [](void* data, const char*) { growing(data).open.pop_back(); });
+  XML_SetCharacterDataHandler(parser.get(), [](void* data, const char* text, int size) {
+    growing(data).open.back()->data().append(text, static_cast<std::size_t>(size));
+  });
+  XML_SetStartDoctypeDeclHandler(parser.get(), [](void* data, const char*, const char*,
+                                                  const char*, int) {
+    growing(data).refuse("its XML defines a document type, which E57 does not have");
+  });
+  if (XML_Parse(parser.get(), xml.data(), static_cast<int>(xml.size()), XML_TRUE) ==
+          XML_STATUS_ERROR &&
+      result.problem.empty())
+    result.problem = "line " + std::to_string(XML_GetCurrentLineNumber(parser.get())) +
+                     " of its XML cannot be read: " +
+                     XML_ErrorString(XML_GetErrorCode(parser.get()));
+  return result;
 }
 
 } // namespace
 
-boost::property_tree::ptree
+Tree
 readE57Tree(const E57Pages& pages)
 {
   constexpr std::uint64_t largest = std::uint64_t{1} << 26;
-  constexpr std::size_t deepest = 64;
   if (pages.xmlSize() > largest)
     throw ToolError("its XML is said to have " + std::to_string(pages.xmlSize()) +
                     " bytes, more than the " + std::to_string(largest) +
@@ -103,29 +98,12 @@ readE57Tree(const E57Pages& pages)
   pages.read(pages.xmlBegin(), xml.size(), xml.data());
   // Some writers include the padding of the last page.
   xml.erase(xml.find_last_not_of(std::string("\0 \t\r\n", 5)) + 1);
-  const XmlShape shape = shapeOf(xml, deepest);
-  if (shape.has_document_type)
-    throw ToolError("its XML defines a document type, which E57 does not have");
-  if (shape.nesting > deepest)
-    throw ToolError("the elements of its XML are nested deeper than " +
-                    std::to_string(deepest));
-  // Boost takes up to 400 bytes for an attribute that has four in the file.
-  constexpr std::size_t most = std::size_t{1} << 18;
-  if (shape.parts > most)
-    throw ToolError("its XML has " + std::to_string(shape.parts) +
-                    " elements and attributes, more than the " + std::to_string(most) +
-                    " that are taken for sane");
-  boost::property_tree::ptree tree;
-  std::istringstream stream(xml);
-  try {
-    boost::property_tree::read_xml(stream, tree,
-                                   boost::property_tree::xml_parser::no_comments);
-  }
-  catch (const boost::property_tree::xml_parser_error& error) {
-    throw ToolError("line " + std::to_string(error.line()) +
-                    " of its XML cannot be read: " + error.message());
-  }
-  return tree;
+  GrowingTree result = parsed(xml, nullptr);
+  if (!result.problem.empty()) // some write names in the encoding of their machine
+    if (GrowingTree other = parsed(xml, "ISO-8859-1"); other.problem.empty())
+      return std::move(other.tree);
+  throwProblem(result.problem);
+  return std::move(result.tree);
 }
 
 } // namespace pcl::sedr::tools

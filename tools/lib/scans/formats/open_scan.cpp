@@ -6,38 +6,32 @@ namespace pcl::sedr::tools {
 
 namespace {
 
+/** @brief Opens a file of the format that its content tells; refuses settings that have
+ * nothing to act on. */
 ScanContent
 openByContent(const InputFilePtr& file, const ScanSettings& settings)
 {
-  if (looksLikeE57(*file))
+  const bool is_e57 = looksLikeE57(*file);
+  const auto open = looksLikeLas(*file)   ? openLas
+                    : looksLikePly(*file) ? openPly
+                    : looksLikePcd(*file) ? openPcd
+                                          : nullptr;
+  if (!is_e57 && (settings.scan > 1 || settings.skip_broken))
+    throw ToolError(
+        "'" + file->path() + "' is no E57 file and holds one scan: there is " +
+        (settings.skip_broken ? "none for --skip-broken"
+                              : "no scan " + std::to_string(settings.scan)));
+  if ((is_e57 || open) && !settings.columns.empty())
+    throw ToolError("'" + file->path() +
+                    "' tells its columns itself, --columns names those of a text");
+  if (is_e57)
     return openE57(file, settings);
-  if (looksLikeLas(*file))
-    return openLas(file);
-  if (looksLikePly(*file))
-    return openPly(file);
-  if (looksLikePcd(*file))
-    return openPcd(file);
+  if (open)
+    return open(file);
   if (looksLikeColumns(*file))
     return openText(file, settings.columns);
   throw ToolError("'" + file->path() +
                   "' is neither PCD nor PLY, E57, LAS or columns of numbers");
-}
-
-/** @brief Refuses settings that have nothing to act on. */
-void
-checkSettings(const InputFile& file, const ScanSettings& settings)
-{
-  const bool is_e57 = looksLikeE57(file);
-  const bool names_itself =
-      is_e57 || looksLikeLas(file) || looksLikePly(file) || looksLikePcd(file);
-  const std::string one = "'" + file.path() + "' is no E57 file and holds one scan, ";
-  if (!is_e57 && settings.scan > 1)
-    throw ToolError(one + "there is no scan " + std::to_string(settings.scan));
-  if (!is_e57 && settings.skip_broken)
-    throw ToolError(one + "--skip-broken has no others");
-  if (names_itself && !settings.columns.empty())
-    throw ToolError("'" + file.path() +
-                    "' tells its columns itself, --columns names those of a text");
 }
 
 /** @brief Refuses points that cannot be counted, or are none. */
@@ -59,7 +53,6 @@ ScanContent
 openScan(const std::string& path, const ScanSettings& settings)
 {
   const auto file = std::make_shared<const InputFile>(path);
-  checkSettings(*file, settings);
   ScanContent content = openByContent(file, settings);
   checkPoints(*content.points, path);
   const auto stations = content.points->stations();

@@ -188,22 +188,6 @@ readScannerPosition(const PcdHeader& header, ScanContent& content)
   readViewpoint(header.viewpoint, content);
 }
 
-/** @brief Refuses a header that counts more binary points than follow it, or fewer. */
-void
-checkPcdCount(const InputFile& file,
-              std::uint64_t points,
-              std::size_t record,
-              std::size_t left)
-{
-  const std::string promise = "its header promises " + std::to_string(points) +
-                              " points of " + std::to_string(record) + " bytes, but " +
-                              std::to_string(left) + " bytes follow";
-  if (points > left / record)
-    refusePcd(file, "the file is cut off, " + promise);
-  if (points > 0 && areMorePoints(left - points * record, record, file.path()))
-    refusePcd(file, promise);
-}
-
 /** @brief Unpacks the points of a binary_compressed PCD, which are in it field by
  * field. */
 std::vector<std::uint8_t>
@@ -276,18 +260,18 @@ openPcd(const InputFilePtr& file)
         return (field.name != "x" && field.name != "y" && field.name != "z") ||
                field.datatype == pcl::PCLPointField::FLOAT32;
       });
+  Records records{"PCD", row, begin, points, file->size()};
   if (data == "ascii")
     content.points = std::make_unique<TextReader>(
         file, TextColumns::ofHeader("PCD", row, begin, points));
-  else if (data == "binary") {
-    checkPcdCount(*file, points, row.size, file->size() - begin);
-    content.points = std::make_unique<RecordReader>(file, begin, points, row);
-  }
+  else if (data == "binary")
+    content.points = std::make_unique<RecordReader>(file, records);
   else if (data == "binary_compressed") {
-    content.points = std::make_unique<RecordReader>(
-        std::make_shared<InputFile>(file->path(),
-                                    unpackedPcd(*file, begin, points, row)),
-        0, points, row);
+    const auto unpacked = std::make_shared<InputFile>(
+        file->path(), unpackedPcd(*file, begin, points, row));
+    records.begin = 0;
+    records.end = unpacked->size();
+    content.points = std::make_unique<RecordReader>(unpacked, records);
   }
   else
     refusePcd(*file, "its DATA is " + quotedWord(data) + ", not ascii or binary");

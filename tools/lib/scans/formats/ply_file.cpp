@@ -38,7 +38,7 @@ readPlyHeader(const InputFile& file, PlyHeader& header, Origin& origin)
   return lines.position();
 }
 
-/** @brief Returns the row of an element; a list counts as one value. */
+/** @brief Returns the row of an element without lists. */
 StoredRow
 rowOf(const PlyElement& element)
 {
@@ -49,77 +49,6 @@ rowOf(const PlyElement& element)
     row.add(is_normal ? "normal_" + name.substr(1) : name, property.type);
   }
   return row;
-}
-
-/** @brief Returns the byte behind an element in text; one without properties has no
- * lines. */
-std::size_t
-pastLines(const InputFile& file, const PlyElement& element, std::size_t begin)
-{
-  LineReader lines(file, begin);
-  std::uint64_t left = element.properties.empty() ? 0 : element.count;
-  for (std::string_view line; left > 0 && lines.next(line);)
-    left -= wordsOf(line).empty() ? 0 : 1;
-  return lines.position();
-}
-
-/** @brief Returns `at` moved by `count` values of `size` bytes, to the end of the file
- * at most. */
-std::size_t
-moved(const InputFile& file, std::size_t at, std::uint64_t count, std::size_t size)
-{
-  const std::size_t left = file.size() - at;
-  return size > 0 && count > left / size ? file.size() : at + count * size;
-}
-
-/** @brief Returns the byte behind a binary element. */
-std::size_t
-pastElement(const InputFile& file,
-            const PlyElement& element,
-            bool is_big_endian,
-            std::size_t at)
-{
-  if (!element.hasLists())
-    return moved(file, at, element.count, rowOf(element).size);
-  for (std::uint64_t i = 0; i < element.count && at < file.size(); ++i)
-    for (const PlyProperty& property : element.properties) {
-      const std::size_t size = fieldSize(property.count_type);
-      if (size > file.size() - at)
-        return file.size();
-      std::array<std::uint8_t, sizeof(double)> count{};
-      file.read(at, size, count.data());
-      if (is_big_endian)
-        std::reverse(count.begin(), count.begin() + size);
-      const double values =
-          size == 0 ? 1 : readField(count.data(), property.count_type);
-      if (values < 0)
-        refusePly(file, "list " + std::to_string(i + 1) + " of its element " +
-                            quotedWord(element.name) + " has fewer than 0 values");
-      at = moved(file, at + size, static_cast<std::uint64_t>(values),
-                 fieldSize(property.type));
-    }
-  return at;
-}
-
-/** @brief Refuses a header that counts more binary vertices than there are, or fewer if
- * nothing else follows. */
-void
-checkPlyCount(const InputFile& file,
-              const PlyElement& vertices,
-              std::size_t record,
-              bool are_last,
-              std::size_t left)
-{
-  if (record == 0) // which lacks x, as is told later
-    return;
-  const std::string promise = "its header promises " + std::to_string(vertices.count) +
-                              " vertices of " + std::to_string(record) +
-                              " bytes, but " + std::to_string(left) + " bytes follow";
-  if (vertices.count > left / record)
-    refusePly(file, "the file is cut off, " + promise);
-  if (are_last && vertices.count > 0 &&
-      areMorePoints(left - vertices.count * record, record, file.path()))
-    refusePly(file, promise);
 }
 
 } // namespace
@@ -135,31 +64,24 @@ openPly(const InputFilePtr& file)
 {
   PlyHeader header;
   ScanContent content;
-  std::size_t begin = readPlyHeader(*file, header, content.counted_from);
-  const bool is_ascii = header.format == "ascii";
-  const bool is_big_endian = header.format == "binary_big_endian";
-  const auto vertices = std::find_if(header.elements.begin(), header.elements.end(),
-                                     [](const auto& e) { return e.name == "vertex"; });
-  if (vertices == header.elements.end() || vertices->hasLists())
-    refusePly(*file, "it has no element 'vertex' without lists");
-  const bool are_last = vertices + 1 == header.elements.end();
-
+  const std::size_t begin = readPlyHeader(*file, header, content.counted_from);
+  if (header.elements.empty() || header.elements.front().name != "vertex" ||
+      header.elements.front().hasLists())
+    refusePly(*file, "its first element is not 'vertex', without lists");
+  const PlyElement& vertices = header.elements.front();
   for (const PlyElement& element : header.elements)
     if (element.name == "face" || element.name == "tristrips")
       content.faces += element.count;
-  for (auto e = header.elements.begin(); e != vertices; ++e)
-    begin = is_ascii ? pastLines(*file, *e, begin)
-                     : pastElement(*file, *e, is_big_endian, begin);
-  StoredRow row = rowOf(*vertices);
-  row.joins_colours = true;
-  if (is_ascii) {
+  Records records{"PLY", rowOf(vertices), begin, vertices.count, file->size()};
+  records.row.joins_colours = true;
+  records.are_last = header.elements.size() == 1;
+  records.is_big_endian = header.format == "binary_big_endian";
+  if (header.format == "ascii")
     content.points = std::make_unique<TextReader>(
-        file, TextColumns::ofHeader("PLY", row, begin, vertices->count, are_last));
-    return content;
-  }
-  checkPlyCount(*file, *vertices, row.size, are_last, file->size() - begin);
-  content.points =
-      std::make_unique<RecordReader>(file, begin, vertices->count, row, is_big_endian);
+        file, TextColumns::ofHeader("PLY", records.row, begin, vertices.count,
+                                    records.are_last));
+  else
+    content.points = std::make_unique<RecordReader>(file, records);
   return content;
 }
 

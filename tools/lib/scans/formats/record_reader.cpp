@@ -2,58 +2,55 @@
 #include "record_reader.h"
 
 #include "run_tool.h"
+#include "tool_error.h"
 
-#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/parallel_for.h"
 
 namespace pcl::sedr::tools {
 
 RecordReader::RecordReader(std::shared_ptr<const InputFile> file,
-                           std::size_t begin,
-                           std::uint64_t points,
-                           const StoredRow& record,
-                           bool is_big_endian)
+                           const Records& records)
     : file_(std::move(file))
-    , begin_(begin)
-    , is_big_endian_(is_big_endian)
+    , begin_(records.begin)
+    , is_big_endian_(records.is_big_endian)
 {
-  row_ = record;
-  size_ = points;
+  row_ = records.row;
+  size_ = records.points;
+  if (row_.size == 0) // which lacks x, as is told later
+    return;
+  const std::uint64_t bytes = records.end - records.begin;
+  const auto refuse = [&](const std::string& reason) {
+    throw ToolError("cannot read '" + file_->path() + "' as " + records.format + ": " +
+                    reason + "its header promises " + std::to_string(size_) +
+                    " points of " + std::to_string(row_.size) + " bytes, but " +
+                    std::to_string(bytes) + " bytes follow");
+  };
+  if (size_ > bytes / row_.size)
+    refuse("the file is cut off, ");
+  const std::uint64_t surplus = bytes - size_ * row_.size;
+  if (!records.are_last || size_ == 0 || surplus < row_.size)
+    return;
+  if (surplus % row_.size == 0)
+    refuse("");
+  warnOnce("'" + file_->path() + "' has " + std::to_string(surplus) +
+           " bytes behind its points, which are left out; no whole number of points "
+           "of " +
+           std::to_string(row_.size) + " bytes");
 }
 
 void
 RecordReader::read(Chunk& chunk) const
 {
-  const std::size_t bytes = chunk.size * row_.size;
-  const std::size_t begin = begin_ + chunk.first * row_.size;
-  chunk.rows.resize(bytes);
-  file_->read(begin, bytes, chunk.rows.data());
-  file_->expect(begin + bytes, bytes);
-  if (is_big_endian_)
-    swapBytes(chunk);
-}
-
-void
-RecordReader::swapBytes(Chunk& chunk) const
-{
   constexpr std::size_t rows_at_once = std::size_t{1} << 14;
-  parallelBlocks(chunk.size, rows_at_once, 0, [&](std::size_t from, std::size_t to) {
-    for (; from < to; ++from)
+  chunk.rows.resize(chunk.size * row_.size);
+  file_->read(begin_ + chunk.first * row_.size, chunk.rows.size(), chunk.rows.data());
+  if (is_big_endian_)
+    parallelFor(chunk.size, rows_at_once, 0, [&](std::size_t i) {
       for (const StoredField& field : row_.fields) {
-        auto* const first = &chunk.rows[from * row_.size + field.offset];
+        auto* const first = &chunk.rows[i * row_.size + field.offset];
         std::reverse(first, first + fieldSize(field.datatype));
       }
-  });
-}
-
-bool
-areMorePoints(std::uint64_t surplus, std::uint64_t record, const std::string& path)
-{
-  if (surplus >= record && surplus % record != 0)
-    warnOnce("'" + path + "' has " + std::to_string(surplus) +
-             " bytes behind its points, which are left out; no whole number of points "
-             "of " +
-             std::to_string(record) + " bytes");
-  return surplus >= record && surplus % record == 0;
+    });
 }
 
 } // namespace pcl::sedr::tools

@@ -5,35 +5,37 @@
 #include "point_reader.h"
 
 #include <memory>
+#include <string>
 
 namespace pcl::sedr::tools {
 
-/** @brief Points that are records of one size, one behind the other: those of binary
- * PCD and PLY and of LAS. */
+/** @brief Where the points of a file stand, records of one size one behind the other,
+ * as its header tells. */
+struct Records {
+  std::string format; ///< in messages
+  StoredRow row;
+  std::size_t begin = 0; ///< byte of the first record
+  std::uint64_t points = 0;
+  std::uint64_t end = 0; ///< byte behind what may be points
+  bool are_last = true;  ///< whether nothing else comes before `end`
+  bool is_big_endian = false;
+};
+
+/** @brief The points of binary PCD and PLY and of LAS. */
 class RecordReader : public PointReader {
 public:
-  /** @param begin byte of the first record */
-  RecordReader(std::shared_ptr<const InputFile> file,
-               std::size_t begin,
-               std::uint64_t points,
-               const StoredRow& record,
-               bool is_big_endian = false);
+  /** @brief Throws ToolError if the header counts more points than there are, or fewer:
+   * a whole number of records follows the last. Warns of other bytes there, unless they
+   * are less than a record. */
+  RecordReader(std::shared_ptr<const InputFile> file, const Records& records);
 
 protected:
   void read(Chunk& chunk) const override;
 
 private:
-  void swapBytes(Chunk& chunk) const;
-
   std::shared_ptr<const InputFile> file_;
   std::size_t begin_;
   bool is_big_endian_;
 };
-
-/** @brief Tells what the bytes behind the points of a file are: more points than its
- * header promises, if they are a whole number of `record` bytes. Else prints a warning
- * that the file has bytes of something else, unless it is less than a point. */
-bool
-areMorePoints(std::uint64_t surplus, std::uint64_t record, const std::string& path);
 
 } // namespace pcl::sedr::tools
