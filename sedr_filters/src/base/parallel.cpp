@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel.h"
-#include "refused_threads.h"
 
 #include <algorithm>
 #include <atomic>
@@ -10,7 +9,6 @@
 #include <memory>
 #include <mutex>
 #include <new>
-#include <string>
 #include <thread>
 #include <utility>
 
@@ -98,12 +96,11 @@ public:
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     try {
-      for (; threads_ < count && refusal_.empty(); ++threads_)
+      for (; threads_ < count && !is_refused_; ++threads_)
         std::thread([this] { work(); }).detach();
     }
-    catch (const std::exception& error) {
-      refusal_ = std::to_string(threads_ + 1) + " of " + std::to_string(count) +
-                 " threads could be started";
+    catch (const std::exception&) {
+      is_refused_ = true;
     }
   }
 
@@ -124,12 +121,6 @@ public:
     }
     catch (const std::bad_alloc&) {
     }
-  }
-
-  std::string refusal()
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return refusal_;
   }
 
 private:
@@ -157,7 +148,7 @@ private:
   std::condition_variable has_job_;
   std::deque<Job> jobs_;
   unsigned threads_ = 0;
-  std::string refusal_;
+  bool is_refused_ = false; ///< whether the system has refused a thread
 };
 
 } // namespace
@@ -166,12 +157,6 @@ unsigned
 resolveThreads(unsigned requested)
 {
   return requested > 0 ? requested : std::max(1u, std::thread::hardware_concurrency());
-}
-
-std::string
-refusedThreads()
-{
-  return Helpers::shared().refusal();
 }
 
 void

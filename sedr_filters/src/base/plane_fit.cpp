@@ -128,18 +128,11 @@ bestSlab(const Positions& points)
   if (!points.empty())
     mean /= static_cast<double>(points.size());
 
-  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
   for (const auto& p : points) {
     const Eigen::Vector3d d = p.cast<double>() - mean;
-    xx += d.x() * d.x();
-    xy += d.x() * d.y();
-    xz += d.x() * d.z();
-    yy += d.y() * d.y();
-    yz += d.y() * d.z();
-    zz += d.z() * d.z();
+    scatter += d * d.transpose();
   }
-  Eigen::Matrix3d scatter;
-  scatter << xx, xy, xz, xy, yy, yz, xz, yz, zz;
   PlanSlab slab = horizontalSlab(mean.z());
   slab.inliers = points.size();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
@@ -148,6 +141,38 @@ bestSlab(const Positions& points)
   if (points.size() >= 3 && is_flat && std::abs(normal.z()) > 0.5) {
     const Eigen::Vector3d up = normal.z() < 0 ? Eigen::Vector3d(-normal) : normal;
     slab.plane << up, -up.dot(mean);
+  }
+  return slab;
+}
+
+} // namespace
+
+Positions
+positionsOf(const PointView& points, const std::vector<int>& indices)
+{
+  Positions positions;
+  positions.reserve(indices.size());
+  for (const int i : indices)
+    positions.push_back(points[static_cast<std::size_t>(i)]);
+  return positions;
+}
+
+PlanSlab
+fitSlabRobustly(const Positions& points, const PlanSlab& start, double band)
+{
+  PlanSlab slab = start;
+  const double widest = band;
+  Positions inside;
+  Positions fitted;
+  for (int round = 0; round < 6; ++round) {
+    keepWithinBand(points, slab, band, inside);
+    if (inside.size() < 3 || inside == fitted) // the same points give the same fit
+      break;
+    slab = bestSlab(inside);
+    std::vector<double> distances;
+    slab.residual = residualOf(inside, slab, distances);
+    band = shrunk(robustDeviation(std::move(distances)), widest);
+    fitted.swap(inside);
   }
   return slab;
 }
@@ -181,47 +206,6 @@ fitParallel(const Positions& points,
     std::vector<double> distances;
     slab.residual = residualOf(inside, slab, distances);
     band = shrunk(robustDeviation(std::move(distances)), widest);
-  }
-  return slab;
-}
-
-} // namespace
-
-Positions
-positionsOf(const PointView& points, const std::vector<int>& indices)
-{
-  Positions positions;
-  positions.reserve(indices.size());
-  for (const int i : indices)
-    positions.push_back(points[static_cast<std::size_t>(i)]);
-  return positions;
-}
-
-PlanSlab
-fitSlab(const Positions& points)
-{
-  PlanSlab slab = bestSlab(points);
-  std::vector<double> distances;
-  slab.residual = residualOf(points, slab, distances);
-  return slab;
-}
-
-PlanSlab
-fitSlabRobustly(const Positions& points, const PlanSlab& start, double band)
-{
-  PlanSlab slab = start;
-  const double widest = band;
-  Positions inside;
-  Positions fitted;
-  for (int round = 0; round < 6; ++round) {
-    keepWithinBand(points, slab, band, inside);
-    if (inside.size() < 3 || inside == fitted) // the same points give the same fit
-      break;
-    slab = bestSlab(inside);
-    std::vector<double> distances;
-    slab.residual = residualOf(inside, slab, distances);
-    band = shrunk(robustDeviation(std::move(distances)), widest);
-    fitted.swap(inside);
   }
   return slab;
 }
@@ -265,16 +249,6 @@ findSlab(const Positions& points,
   return refined.plane[2] >= minimum_cosine
              ? refined
              : fitParallel(points, level, level, tolerance);
-}
-
-PlanSlab
-fitParallel(const PointView& points,
-            const std::vector<int>& indices,
-            const PlanSlab& direction,
-            const PlanSlab& start,
-            double band)
-{
-  return fitParallel(positionsOf(points, indices), direction, start, band);
 }
 
 namespace {

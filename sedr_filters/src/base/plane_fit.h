@@ -17,35 +17,13 @@ using Positions = std::vector<Eigen::Vector3f>;
 Positions positionsOf(const PointView& points, const std::vector<int>& indices);
 
 /** @brief Fits a horizontal or tilted plane to points by least squares of the distance
- * along its normal. Fewer than three points, or points on one line, give the horizontal
- * plane through their mean height. O(n). */
-PlanSlab fitSlab(const Positions& points);
-
-/** @brief Fits a plane to `points[indices]`. */
-inline PlanSlab
-fitSlab(const PointView& points, const std::vector<int>& indices)
-{
-  return fitSlab(positionsOf(points, indices));
-}
-
-/** @brief Fits a plane as fitSlab(), without outliers. The points within `band` metres
- * of `start` are fitted; then the band shrinks to 2.5 robust standard deviations of its
- * points, a few times. */
+ * along its normal, without outliers. The points within `band` metres of `start` are
+ * fitted; then the band shrinks to 2.5 robust standard deviations of its points, a few
+ * times. Points on one line give the horizontal plane through their mean height. */
 PlanSlab fitSlabRobustly(const Positions& points, const PlanSlab& start, double band);
 
-/** @brief Fits a plane robustly to `points[indices]`. */
-inline PlanSlab
-fitSlabRobustly(const PointView& points,
-                const std::vector<int>& indices,
-                const PlanSlab& start,
-                double band)
-{
-  return fitSlabRobustly(positionsOf(points, indices), start, band);
-}
-
 /** @brief Fits a plane as fitSlabRobustly(), with the normal of `direction`. */
-PlanSlab fitParallel(const PointView& points,
-                     const std::vector<int>& indices,
+PlanSlab fitParallel(const Positions& points,
                      const PlanSlab& direction,
                      const PlanSlab& start,
                      double band);
@@ -60,18 +38,6 @@ PlanSlab findSlab(const Positions& points,
                   std::uint64_t seed,
                   unsigned threads = 1);
 
-/** @brief Finds a plane in `points[indices]`. */
-inline PlanSlab
-findSlab(const PointView& points,
-         const std::vector<int>& indices,
-         double tolerance,
-         double maximum_tilt,
-         std::uint64_t seed,
-         unsigned threads = 1)
-{
-  return findSlab(positionsOf(points, indices), tolerance, maximum_tilt, seed, threads);
-}
-
 /** @brief Finds a plane as findSlab(), but of two parallel surfaces a small step apart
  * it returns the larger. findSlab() fits a tilted plane across both. */
 PlanSlab findLargerSlab(const Positions& points,
@@ -79,19 +45,6 @@ PlanSlab findLargerSlab(const Positions& points,
                         double maximum_tilt,
                         std::uint64_t seed,
                         unsigned threads = 1);
-
-/** @brief Finds the larger plane in `points[indices]`. */
-inline PlanSlab
-findLargerSlab(const PointView& points,
-               const std::vector<int>& indices,
-               double tolerance,
-               double maximum_tilt,
-               std::uint64_t seed,
-               unsigned threads = 1)
-{
-  return findLargerSlab(positionsOf(points, indices), tolerance, maximum_tilt, seed,
-                        threads);
-}
 
 /** @brief Returns the distance of a point from a slab, metres, positive above it; to
  * first order for a curve. */

@@ -2,20 +2,27 @@
 #include "place_table.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pcl::sedr {
 
 void
 PlaceTable::addIn(const Eigen::AlignedBox2d& box, std::uint32_t number)
 {
-  entries_.push_back({table_.boxAround(box.min(), box.max()), number});
+  const Eigen::Vector2d& low = box.min();
+  const Eigen::Vector2d& high = box.max();
+  const bool is_held = grid_.holds(low.x(), low.y()) && grid_.holds(high.x(), high.y());
+  entries_.push_back(
+      {is_held ? CellBox{grid_.at(low.x(), low.y()), grid_.at(high.x(), high.y())}
+               : CellBox{{0, 0}, {-1, -1}},
+       number});
 }
 
 void
 PlaceTable::addAlong(const PlanElement& element, double reach, std::uint32_t number)
 {
   constexpr double rounding = 1e-6; // metres
-  const double step = table_.grid().size();
+  const double step = grid_.size();
   const Eigen::Vector2d margin = Eigen::Vector2d::Constant(reach + step / 2 + rounding);
   const double length = element.length();
   for (double s = 0; s < length + step; s += step) {
@@ -26,17 +33,45 @@ PlaceTable::addAlong(const PlanElement& element, double reach, std::uint32_t num
   }
 }
 
-void
+std::string
 PlaceTable::finish()
 {
-  const bool is_held =
-      std::all_of(entries_.begin(), entries_.end(),
-                  [](const CellTable::Entry& e) { return e.box.count() > 0; });
-  if (!is_held || !table_.fill(entries_).empty())
-    for (const auto& entry : entries_)
+  CellBox box{{0, 0}, {-1, -1}};
+  std::string problem;
+  for (const Entry& entry : entries_) {
+    box = around(box, entry.box);
+    if (entry.box.count() == 0)
+      problem = "a part of the plan lies too far away";
+  }
+  if (problem.empty() && !entries_.empty())
+    problem = maskProblem(box);
+  const std::vector<Entry> entries = std::exchange(entries_, {});
+  if (!problem.empty()) {
+    for (const Entry& entry : entries)
       if (all_.empty() || all_.back() != entry.number)
         all_.push_back(entry.number);
-  entries_ = {};
+    return problem;
+  }
+  frame_ = CellMask(box);
+  const auto forEachCell = [&](const CellBox& cells, const auto& visit) {
+    for (std::int32_t y = cells.low.y; y <= cells.high.y; ++y)
+      for (std::int32_t x = cells.low.x; x <= cells.high.x; ++x)
+        visit(frame_.indexOf({x, y}));
+  };
+  first_.assign(frame_.values().size(), 0);
+  for (const Entry& entry : entries)
+    forEachCell(entry.box, [&](std::size_t i) { ++first_[i]; });
+  std::size_t total = 0;
+  for (auto& first : first_)
+    total += std::exchange(first, total);
+  last_ = first_;
+  numbers_.resize(total);
+  for (const Entry& entry : entries)
+    forEachCell(entry.box, [&](std::size_t i) {
+      if (last_[i] == first_[i] || numbers_[last_[i] - 1] != entry.number)
+        numbers_[last_[i]++] = entry.number;
+    });
+  return {};
 }
 
 } // namespace pcl::sedr

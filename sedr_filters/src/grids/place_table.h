@@ -1,24 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "cell_table.h"
+#include "cell_mask.h"
 #include <pcl/sedr_filters/floorplan.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace pcl::sedr {
 
-/** @brief Finds which of many numbered objects may be at a place in plan. If they lie
- * too far apart for a CellTable, that is all of them. */
+/** @brief Finds in O(1) which of many numbered objects may be at a place in plan. If
+ * they lie too far apart for a table, that is all of them. */
 class PlaceTable {
 public:
+  /** @brief The objects that may be at a place, increasing and unique. */
+  struct Numbers {
+    const std::uint32_t* first = nullptr;
+    const std::uint32_t* last = nullptr;
+
+    const std::uint32_t* begin() const { return first; }
+    const std::uint32_t* end() const { return last; }
+  };
+
   /** @param cell_size metres; about the size of most objects */
   explicit PlaceTable(double cell_size)
-      : table_(cell_size)
+      : grid_(cell_size)
   {}
 
   /** @brief Adds an object within a box; the numbers must not decrease. */
@@ -27,19 +38,33 @@ public:
   /** @brief Adds an object that lies within `reach` metres of an element. */
   void addAlong(const PlanElement& element, double reach, std::uint32_t number);
 
-  /** @brief Completes the table after the last addition; required before at(). */
-  void finish();
+  /** @brief Completes the table after the last addition; required before at().
+   * @return why there is no table, as a sentence; empty otherwise */
+  std::string finish();
 
-  /** @brief Returns the objects that may be at a place, increasing and unique. */
-  CellTable::Numbers at(const Eigen::Vector2d& p) const
+  Numbers at(const Eigen::Vector2d& p) const
   {
-    return all_.empty() ? table_.at(p)
-                        : CellTable::Numbers{all_.data(), all_.data() + all_.size()};
+    if (!all_.empty())
+      return {all_.data(), all_.data() + all_.size()};
+    if (!grid_.holds(p.x(), p.y()) || !frame_.isInside(grid_.at(p.x(), p.y())))
+      return {};
+    const std::size_t i = frame_.indexOf(grid_.at(p.x(), p.y()));
+    return {numbers_.data() + first_[i], numbers_.data() + last_[i]};
   }
 
 private:
-  CellTable table_;
-  std::vector<CellTable::Entry> entries_;
+  /** @brief A number and the cells that list it. */
+  struct Entry {
+    CellBox box;
+    std::uint32_t number;
+  };
+
+  CellGrid grid_;
+  std::vector<Entry> entries_;
+  CellMask frame_; ///< gives the index of each cell
+  std::vector<std::size_t> first_;
+  std::vector<std::size_t> last_;
+  std::vector<std::uint32_t> numbers_;
   std::vector<std::uint32_t> all_; ///< all numbers, if there is no table
 };
 

@@ -47,10 +47,6 @@ bool readOrigin(const nlohmann::ordered_json& json, Origin& origin);
 /** @brief Writes how a scan was levelled; angles in degrees. */
 nlohmann::ordered_json levellingToJson(const Levelling& levelling);
 
-/** @brief Checks the values of a plan that was read, see floorplanFromJson().
- * @throw std::invalid_argument with the reason if they are not valid */
-void checkPlan(const Floorplan& plan);
-
 // The parts of a plan; those that cannot be read throw a std::exception with the
 // reason.
 void to_json(nlohmann::ordered_json& json, const PlanElement& element);

@@ -167,7 +167,7 @@ sharesOf(const CellCount& count)
   if (seen >= min_seen)
     return {seen, count.hidden / all, count.opening / all};
   const double open = count.proved / all;
-  return {seen, 1 - seen - open, open};
+  return {seen, std::max(0.0, 1 - seen - open), open};
 }
 
 using Counts = std::map<const PlanElement*, CellCount>;

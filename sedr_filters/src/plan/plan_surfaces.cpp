@@ -280,7 +280,7 @@ nearestInNiche(const RoomLookup& lookup,
 bool
 snapTo(const RoomLookup& room,
        const std::vector<VerticalSurface>& verticals,
-       const CellTable::Numbers& near,
+       const PlaceTable::Numbers& near,
        const Eigen::Vector3d& position,
        StructureLabel label,
        double farthest,

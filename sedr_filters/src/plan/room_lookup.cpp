@@ -88,7 +88,7 @@ RoomLookup::contains(const Eigen::Vector2d& p) const
 {
   if (!boundary_.contains(p))
     return false;
-  const CellTable::Numbers near = columns_.at(p);
+  const PlaceTable::Numbers near = columns_.at(p);
   return std::none_of(near.begin(), near.end(),
                       [&](std::uint32_t c) { return room_->columns[c].contains(p); });
 }
@@ -98,7 +98,7 @@ RoomLookup::lastAround(const std::vector<PlanDetail>& details,
                        const PlaceTable& places,
                        const Eigen::Vector2d& p)
 {
-  const CellTable::Numbers near = places.at(p);
+  const PlaceTable::Numbers near = places.at(p);
   for (const std::uint32_t* i = near.end(); i != near.begin();)
     if (details[*--i].contains(p))
       return static_cast<int>(*i);

@@ -77,17 +77,6 @@ thicknessAt(const std::vector<const PlanRoom*>& rooms,
   return thickness;
 }
 
-/** @brief Returns a room and the rooms that share its heights. */
-std::vector<const PlanRoom*>
-roomsBeside(const Floorplan& plan, std::size_t room)
-{
-  std::vector<const PlanRoom*> rooms;
-  for (std::size_t r = 0; r < plan.rooms.size(); ++r)
-    if (r == room || shareHeights(plan.rooms[r], plan.rooms[room]))
-      rooms.push_back(&plan.rooms[r]);
-  return rooms;
-}
-
 } // namespace
 
 double
@@ -134,7 +123,7 @@ wallThickness(const Floorplan& plan, std::size_t room, std::size_t element, doub
   constexpr double min_share = 0.2;
   const PlanElement& wall = plan.rooms[room].boundary.elements[element];
   const double length = wall.length();
-  const std::vector<const PlanRoom*> rooms = roomsBeside(plan, room);
+  const std::vector<const PlanRoom*> rooms = roomsAt(plan, heightsOf(plan.rooms[room]));
   const auto samples = static_cast<std::size_t>(std::clamp(length / step, 3.0, 1000.0));
   std::vector<double> found;
   for (std::size_t i = 0; i < samples; ++i) {

@@ -13,10 +13,6 @@ namespace pcl::sedr {
  * up, and twice as many columns around. */
 class DirectionGrid {
 public:
-  explicit DirectionGrid(std::size_t rows)
-      : rows_(rows)
-  {}
-
   /** @brief A grid in which n directions, spread evenly, are `a_cell` in each, but with
    * no cells smaller than 3 degrees. */
   static DirectionGrid forDirections(std::size_t n, double a_cell)
@@ -25,8 +21,6 @@ public:
     const double rows = std::sqrt(static_cast<double>(n) / (2 * a_cell));
     return DirectionGrid(static_cast<std::size_t>(std::clamp(rows, 1.0, max_rows)));
   }
-
-  std::size_t rows() const { return rows_; }
 
   /** @brief How many cells there are. */
   std::size_t size() const { return 2 * rows_ * rows_; }
@@ -67,6 +61,10 @@ public:
   }
 
 private:
+  explicit DirectionGrid(std::size_t rows)
+      : rows_(rows)
+  {}
+
   /** @brief Number of a part of [0, 1). */
   static std::size_t partOf(double share, std::size_t parts)
   {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sight_lines.h"
 
-#include "direction_grid.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -20,12 +18,6 @@ keyOf(const Eigen::Vector3f& p)
 
 } // namespace
 
-std::size_t
-SightLines::cellOf(const Station& station, const Eigen::Vector3d& direction)
-{
-  return DirectionGrid(station.rows).cellOf(direction);
-}
-
 SightLines::SightLines(const std::vector<SightLine>& lines)
 {
   constexpr double lines_a_cell = 4;
@@ -41,15 +33,14 @@ SightLines::SightLines(const std::vector<SightLine>& lines)
   for (std::size_t begin = 0, end = 0; begin < sorted.size(); begin = end) {
     while (end < sorted.size() && sorted[end].from == sorted[begin].from)
       ++end;
-    Station station;
-    station.from = sorted[begin].from;
-    const auto grid = DirectionGrid::forDirections(end - begin, lines_a_cell);
-    station.rows = grid.rows();
+    Station station{sorted[begin].from,
+                    DirectionGrid::forDirections(end - begin, lines_a_cell),
+                    {}};
     std::vector<std::size_t> cell_of;
     for (std::size_t k = begin; k < end; ++k)
-      cell_of.push_back(
-          cellOf(station, (sorted[k].to - station.from).cast<double>().normalized()));
-    station.first.assign(grid.size() + 1, 0);
+      cell_of.push_back(station.grid.cellOf(
+          (sorted[k].to - station.from).cast<double>().normalized()));
+    station.first.assign(station.grid.size() + 1, 0);
     for (const std::size_t cell : cell_of)
       ++station.first[cell + 1];
     station.first[0] = static_cast<std::uint32_t>(begin);
@@ -105,7 +96,7 @@ SightLines::across(const Eigen::Vector3d& place,
       }
     };
     if (std::abs(start) > clear)
-      DirectionGrid(station.rows).forEachAround(whole, radius, countIn);
+      station.grid.forEachAround(whole, radius, countIn);
   }
   return crossings;
 }

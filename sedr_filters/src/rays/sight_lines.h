@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "direction_grid.h"
+
 #include <pcl/sedr_filters/scan_frame.h>
 
 #include <Eigen/Core>
@@ -56,11 +58,9 @@ private:
   /** @brief The rays of one scanner position, by direction. */
   struct Station {
     Eigen::Vector3f from;
-    std::size_t rows = 1; ///< rows of direction cells; there are twice as many columns
+    DirectionGrid grid;
     std::vector<std::uint32_t> first; ///< first line of each cell, then the end
   };
-
-  static std::size_t cellOf(const Station& station, const Eigen::Vector3d& direction);
 
   std::vector<SightLine> lines_; ///< sorted by station and cell
   std::vector<Station> stations_;

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pcl::sedr {
 
@@ -47,47 +46,24 @@ boxOf(const PlanLoop& loop, double tolerance)
   return box;
 }
 
-/** @brief Estimates the number of cells of a room: those of all edges, as high as the
- * room, and those of its box in plan, empty ones included. */
+/** @brief Estimates the number of cells of a room; in plan, of the box around it. */
 double
 estimatedCells(const PlanRoom& room, double size)
 {
-  if (room.boundary.elements.empty())
-    return 0;
-  const Eigen::AlignedBox2d box = boxOf(room.boundary, size / 10);
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  const auto addSlab = [&](const PlanSlab& slab) {
-    for (const auto corner :
-         {Eigen::AlignedBox2d::BottomLeft, Eigen::AlignedBox2d::BottomRight,
-          Eigen::AlignedBox2d::TopLeft, Eigen::AlignedBox2d::TopRight}) {
-      const double height = slab.heightAt(box.corner(corner));
-      low = std::min(low, height);
-      high = std::max({high, height, slab.curve ? slab.curve->highest() : height});
-    }
-  };
-  double columns = 0;
-  const auto addLoop = [&](const PlanLoop& loop) {
-    columns += loop.length() / size + static_cast<double>(loop.elements.size());
-  };
-  addSlab(room.floor);
-  addSlab(room.ceiling);
-  addLoop(room.boundary);
-  std::for_each(room.columns.begin(), room.columns.end(), addLoop);
-  for (const auto* details : {&room.details, &room.floor_details})
-    for (const PlanDetail& detail : *details) {
-      addSlab(detail.slab);
-      addLoop(detail.boundary);
-      std::for_each(detail.holes.begin(), detail.holes.end(), addLoop);
-    }
-  double sheets = box.sizes().prod();
-  for (const PlanNiche& niche : room.niches) {
-    addSlab(niche.bottom);
-    addSlab(niche.top);
-    addLoop(niche.boundary);
-    sheets += boxOf(niche.boundary, size / 10).sizes().prod();
+  double cells = 0;
+  for (const VerticalSurface& surface : verticalSurfaces(room)) {
+    const double length = surface.element->length();
+    const VerticalSpan span = surface.spanAt(length / 2);
+    cells += (length / size + 1) * (std::max(0.0, span.high - span.low) / size + 1);
   }
-  return columns * ((high - low) / size + 1) + 2 * sheets / (size * size);
+  const auto addSheets = [&](const PlanLoop& loop) {
+    cells += 2 * boxOf(loop, size / 10).sizes().prod() / (size * size);
+  };
+  if (!room.boundary.elements.empty())
+    addSheets(room.boundary);
+  for (const PlanNiche& niche : room.niches)
+    addSheets(niche.boundary);
+  return cells;
 }
 
 } // namespace

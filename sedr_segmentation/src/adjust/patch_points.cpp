@@ -200,7 +200,6 @@ PatchPoints::number()
 std::string
 PatchPoints::tabulate()
 {
-  std::vector<CellTable::Entry> entries;
   for (std::size_t s = 0; s < sites_.size(); ++s) {
     const PatchSite& site = sites_[s];
     constexpr double inside = 1e-6; // of a cell, whose edges may be those of the table
@@ -208,10 +207,10 @@ PatchPoints::tabulate()
     const Eigen::Vector2d extent = site.is_slab
                                        ? Eigen::Vector2d::Constant(site.half - inside)
                                        : Eigen::Vector2d(along.array() + farthest_);
-    entries.push_back({near_.boxAround(site.centre - extent, site.centre + extent),
-                       static_cast<std::uint32_t>(s)});
+    near_.addIn({site.centre - extent, site.centre + extent},
+                static_cast<std::uint32_t>(s));
   }
-  return near_.fill(entries);
+  return near_.finish();
 }
 
 bool

@@ -3,7 +3,7 @@
 
 #include "plan_unknowns.h"
 
-#include "sedr_filters/src/grids/cell_table.h"
+#include "sedr_filters/src/grids/place_table.h"
 #include "sedr_filters/src/plan/plan_surfaces.h"
 
 #include <Eigen/Core>
@@ -84,7 +84,7 @@ private:
   double farthest_; ///< maximum distance of a point from a given surface
   std::string problem_;
   std::vector<PatchSite> sites_;
-  CellTable near_;
+  PlaceTable near_;
   std::vector<std::size_t> first_patch_; ///< of each unknown
   std::vector<std::uint8_t> is_top_;
   std::vector<std::size_t> starts_; ///< of each patch's points

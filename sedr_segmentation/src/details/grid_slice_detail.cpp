@@ -83,8 +83,9 @@ analyseSlices(const SliceInput& input,
            std::to_string(ceiling.size()) + " are finite, of the floor's " +
            std::to_string(floor.size());
   const double maximum_tilt = radians(parameters.priors.max_slab_tilt);
-  const PlanSlab slab = findSlab(input.points, ceiling, parameters.tolerance,
-                                 maximum_tilt, input.seed, parameters.threads);
+  const PlanSlab slab =
+      findSlab(positionsOf(input.points, ceiling), parameters.tolerance, maximum_tilt,
+               input.seed, parameters.threads);
   double floor_height = input.floor_height;
   if (!has_height) {
     double sum = 0;

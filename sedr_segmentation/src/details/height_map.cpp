@@ -82,17 +82,16 @@ detailSlab(const PointView& points,
            const RoomFitParameters& parameters)
 {
   const CellGrid grid(parameters.cell_size);
-  std::vector<int> own;
+  Positions own;
   for (const int i : evidence.details) {
     const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
     if (cells.at(grid.at(p.x(), p.y())) &&
         std::abs(distanceAbove(level.slab, p)) <= parameters.slab_tolerance)
-      own.push_back(i);
+      own.push_back(p);
   }
-  const PlanSlab tilted =
-      fitSlabRobustly(points, own, level.slab, parameters.slab_tolerance);
+  const PlanSlab tilted = fitSlabRobustly(own, level.slab, parameters.slab_tolerance);
   const PlanSlab parallel =
-      fitParallel(points, own, main, level.slab, parameters.slab_tolerance);
+      fitParallel(own, main, level.slab, parameters.slab_tolerance);
   const double min_width = parameters.priors.short_wall;
   const bool is_wide = eroded(cells, cellsFor(min_width / 2, grid.size())).count() > 0;
   const bool is_clear =

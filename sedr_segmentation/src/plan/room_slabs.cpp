@@ -13,7 +13,7 @@ slabOf(const PointView& points,
        const std::vector<int>& indices,
        const RoomFitParameters& parameters)
 {
-  return findLargerSlab(points, indices, parameters.slab_tolerance,
+  return findLargerSlab(positionsOf(points, indices), parameters.slab_tolerance,
                         radians(parameters.priors.max_slab_tilt), parameters.seed,
                         parameters.threads);
 }

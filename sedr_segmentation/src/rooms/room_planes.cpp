@@ -50,8 +50,9 @@ mainPlane(const PointView& points,
   std::copy_if(sheet.begin(), sheet.end(), std::back_inserter(level), [&](int i) {
     return std::abs(points[static_cast<std::size_t>(i)].z() - height) <= band;
   });
-  return findLargerSlab(points, level.size() < 3 ? sheet : level, parameters.tolerance,
-                        parameters.maximum_tilt, parameters.seed, parameters.threads);
+  return findLargerSlab(positionsOf(points, level.size() < 3 ? sheet : level),
+                        parameters.tolerance, parameters.maximum_tilt, parameters.seed,
+                        parameters.threads);
 }
 
 std::vector<int>

@@ -2,7 +2,7 @@
 #include "solid_builder.h"
 #include "tilted_wall_solid.h"
 
-#include "sedr_filters/src/plan/level_planes.h"
+#include "sedr_filters/src/plan/plan_check.h"
 
 #include <pcl/sedr_filters/straightening.h>
 #include <pcl/sedr_surface/room_solid.h>
@@ -12,43 +12,6 @@
 namespace pcl::sedr {
 
 namespace {
-
-constexpr double max_coordinate = 1e6; // metres, as in floorplanFromJson()
-
-bool
-isSound(const PlanElement& element)
-{
-  const auto isPlace = [](const Eigen::Vector2d& p) {
-    return p.allFinite() && p.cwiseAbs().maxCoeff() <= max_coordinate;
-  };
-  return isPlace(element.start) && isPlace(element.end) && isPlace(element.centre) &&
-         std::isfinite(element.radius) && std::isfinite(element.residual);
-}
-
-std::string
-loopProblem(const PlanLoop& loop, const std::string& name)
-{
-  if (loop.elements.empty())
-    return name + " has 0 elements";
-  for (std::size_t i = 0; i < loop.elements.size(); ++i)
-    if (!isSound(loop.elements[i]))
-      return "element " + std::to_string(i + 1) + " of " + name +
-             " is not finite or lies beyond 1000000 m";
-  return {};
-}
-
-std::string
-slabProblem(const PlanSlab& slab, const std::string& name)
-{
-  const Eigen::Vector4d& plane = slab.plane;
-  const bool is_sound = plane.allFinite() &&
-                        plane[2] >= min_upward * plane.head<3>().norm() &&
-                        plane[2] > 0 && (!slab.curve || slab.curve->isFinite()) &&
-                        std::abs(slab.heightAt({0, 0})) <= 4 * max_coordinate;
-  return is_sound ? std::string()
-                  : name + " is not finite, is tilted by more than 60 degrees or lies "
-                           "beyond 1000000 m";
-}
 
 /** @brief Sums the areas of triangles by label and orientation. */
 void
@@ -75,38 +38,6 @@ measure(const TriangleMesh& solid, RoomSolidReport& report)
 }
 
 } // namespace
-
-std::string
-roomProblem(const PlanRoom& room)
-{
-  std::string problem = loopProblem(room.boundary, "its boundary");
-  const auto check = [&problem](const std::string& next) {
-    problem = problem.empty() ? next : problem;
-  };
-  const auto checkDetails = [&](const std::vector<PlanDetail>& details,
-                                const std::string& kind) {
-    for (std::size_t d = 0; d < details.size(); ++d) {
-      const std::string name = kind + std::to_string(d + 1);
-      check(slabProblem(details[d].slab, name));
-      check(loopProblem(details[d].boundary, name));
-      for (const PlanLoop& hole : details[d].holes)
-        check(loopProblem(hole, "a hole of " + name));
-    }
-  };
-  check(slabProblem(room.floor, "its floor"));
-  check(slabProblem(room.ceiling, "its ceiling"));
-  for (std::size_t c = 0; c < room.columns.size(); ++c)
-    check(loopProblem(room.columns[c], "column " + std::to_string(c + 1)));
-  checkDetails(room.details, "detail ");
-  checkDetails(room.floor_details, "floor detail ");
-  for (std::size_t n = 0; n < room.niches.size(); ++n) {
-    const std::string name = "niche " + std::to_string(n + 1);
-    check(slabProblem(room.niches[n].bottom, "the bottom of " + name));
-    check(slabProblem(room.niches[n].top, "the top of " + name));
-    check(loopProblem(room.niches[n].boundary, name));
-  }
-  return problem;
-}
 
 RoomSolidReport
 extrudeRoom(const PlanRoom& room,

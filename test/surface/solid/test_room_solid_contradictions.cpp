@@ -130,10 +130,10 @@ TEST(RoomSolidContradictions, NichesThatCannotBeBuiltAreLeftOut)
 
 TEST(RoomSolidContradictions, ABoundaryThatCrossesItself)
 {
-  // A bow tie turned inside out, and a loop that overlaps itself.
-  const Solid tie(roomOf(polygon({{0, 0}, {4, 4}, {4, 0}, {0, 4}}), 2.5));
+  // A bow tie, and a loop that overlaps itself.
+  const Solid tie(roomOf(polygon({{0, 3}, {4, 0}, {4, 4}, {0, 0}}), 2.5));
   expectSound(tie);
-  EXPECT_NEAR(tie.report.volume, 8 * 2.5, 0.01);
+  EXPECT_NEAR(tie.report.volume, 50.0 / 7 * 2.5, 0.01);
   const Solid twice(roomOf(
       polygon({{0, 0}, {5, 0}, {5, 5}, {2, 5}, {2, 2}, {3, 2}, {3, 6}, {0, 6}}), 2.5));
   expectSound(twice);

@@ -4,8 +4,6 @@
 #include "plain_text.h"
 #include "tool_error.h"
 
-#include "sedr_filters/src/base/refused_threads.h"
-
 #include <pcl/console/print.h>
 
 #include <sys/resource.h>
@@ -82,9 +80,6 @@ runTool(Options& options, int argc, char** argv, const std::function<int()>& bod
       return Done;
     }
     const int exit_code = body();
-    if (const std::string few = refusedThreads(); !few.empty())
-      warn(few + ", so this took longer; the limits are ulimit -u for their number and "
-                 "ulimit -v for their memory, 8 MB each");
     if (exit_code == Done)
       checkPrinted();
     return exit_code;

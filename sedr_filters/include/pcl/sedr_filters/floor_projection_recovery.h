@@ -83,10 +83,12 @@ protected:
   void clearResults() override;
 
 private:
-  bool validate();
+  /** @brief Returns what is wrong with the input, as a sentence. */
+  std::string problem() const;
 
-  /** @brief Finds the plane to project onto, with a unit normal that points up. */
-  bool findPlane(const Indices& floor_in_scope, Eigen::Vector4d& plane);
+  /** @brief Finds the plane to project onto, with a unit normal that points up.
+   * @return why there is none, as a sentence; empty otherwise */
+  std::string findPlane(const Indices& floor_in_scope, Eigen::Vector4d& plane) const;
 
   IndicesConstPtr ceiling_;
   IndicesConstPtr detail_;

@@ -6,6 +6,7 @@
 #include <pcl/memory.h>
 #include <pcl/types.h>
 
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -93,6 +94,16 @@ public:
 private:
   ConstPtr indices_;
 };
+
+/** @brief Returns what is wrong with a length, as a sentence; empty if it is above 0 m.
+ * @param what "the grid size" */
+inline std::string
+lengthProblem(const char* what, double length)
+{
+  return length > 0 && std::isfinite(length)
+             ? std::string()
+             : what + (" must be above 0 m, it is " + std::to_string(length));
+}
 
 /** @brief Returns what is wrong with `indices` into a cloud of `cloud_size` points,
  * such as "index 12 is out of range, the cloud has 10 points"; empty if nothing is.

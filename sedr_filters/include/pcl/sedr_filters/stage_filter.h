@@ -19,7 +19,7 @@ namespace pcl::sedr {
  * pcl::Filter::filter() silently does nothing without an input cloud. Here that is a
  * failed run: getErrorMessage() gives the reason, the output is empty, and earlier
  * results are cleared. A derived class clears its results, error and removed indices in
- * clearResults(), and calls removeAll() when a run fails. */
+ * clearResults(), and ends a run that fails by failRun(). */
 template <typename PointT>
 class StageFilter : public Filter<PointT>, public StageError {
 public:
@@ -59,8 +59,14 @@ protected:
     output.is_dense = true;
   }
 
-  /** @brief Ends a failed run: all valid indices become removed indices, if these are
-   * requested. */
+  /** @brief Ends a run that fails for this reason. */
+  void failRun(const std::string& problem)
+  {
+    fail(this->filter_name_.c_str(), problem);
+    removeAll();
+  }
+
+  /** @brief Makes all valid indices removed ones, if these are requested. */
   void removeAll()
   {
     if (this->extract_removed_indices_)

@@ -3,9 +3,6 @@
 
 #include <pcl/sedr_filters/stage_filter.h>
 
-#include <cstdint>
-#include <vector>
-
 namespace pcl {
 
 /** @brief Moves the points of ceiling, floor and walls onto the fitted model (paper,
@@ -49,13 +46,8 @@ private:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;
   using sedr::PlanFilter<PointT>::plan_;
-  using sedr::PlanFilter<PointT>::threads_;
   using sedr::PlanFilter<PointT>::sources_;
   using sedr::PlanFilter<PointT>::surface_points_;
-  using sedr::PlanFilter<PointT>::fail;
-
-  /** @brief Checks the input; takes missing labels and rooms from the point type. */
-  bool validate(std::vector<std::uint32_t>& labels, std::vector<std::uint32_t>& rooms);
 
   double maximum_distance_ = 0.15;
 };

@@ -102,13 +102,8 @@ private:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;
   using sedr::PlanFilter<PointT>::plan_;
-  using sedr::PlanFilter<PointT>::threads_;
   using sedr::PlanFilter<PointT>::sources_;
   using sedr::PlanFilter<PointT>::surface_points_;
-  using sedr::PlanFilter<PointT>::fail;
-
-  /** @brief Checks the input; takes missing labels and rooms from the point type. */
-  bool validate(std::vector<std::uint32_t>& labels, std::vector<std::uint32_t>& rooms);
 
   double grid_size_ = 0.05;
   bool keep_openings_ = false;

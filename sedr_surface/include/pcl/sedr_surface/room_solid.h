@@ -67,8 +67,4 @@ RoomSolidReport extrudeRoom(const PlanRoom& room,
                             std::vector<SolidElement>& elements,
                             const WallTilts& tilts = {});
 
-/** @brief Returns why a room cannot be built, in a sentence, or empty: a boundary
- * without elements, numbers that are not finite or beyond 1e6 m, vertical slabs. */
-std::string roomProblem(const PlanRoom& room);
-
 } // namespace pcl::sedr

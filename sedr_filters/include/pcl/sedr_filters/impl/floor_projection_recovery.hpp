@@ -40,54 +40,49 @@ FloorProjectionRecovery<PointT>::clearResults()
 }
 
 template <typename PointT>
-bool
-FloorProjectionRecovery<PointT>::validate()
+std::string
+FloorProjectionRecovery<PointT>::problem() const
 {
-  constexpr const char* name = "FloorProjectionRecovery";
-  if (!(grid_size_ > 0) || !std::isfinite(grid_size_))
-    return fail(name,
-                "the grid size must be above 0 m, it is " + std::to_string(grid_size_));
-  std::string problem = sedr::indicesProblem(*indices_, input_->size());
-  if (!problem.empty())
-    return fail(name, "floor " + problem);
-  if (!ceiling_ || ceiling_->empty())
-    return fail(name, "the ceiling has 0 points, there is nothing to complete the " +
-                          std::to_string(indices_->size()) +
-                          " points of the floor from");
-  problem = sedr::indicesProblem("ceiling", ceiling_, input_->size());
+  std::string problem = sedr::lengthProblem("the grid size", grid_size_);
+  if (problem.empty())
+    problem = sedr::indicesProblem("floor", indices_, input_->size());
+  if (problem.empty() && (!ceiling_ || ceiling_->empty()))
+    problem = "the ceiling has 0 points, there is nothing to complete the " +
+              std::to_string(indices_->size()) + " points of the floor from";
+  if (problem.empty())
+    problem = sedr::indicesProblem("ceiling", ceiling_, input_->size());
   if (problem.empty())
     problem = sedr::indicesProblem("detail", detail_, input_->size());
-  return problem.empty() || fail(name, problem);
+  return problem;
 }
 
 template <typename PointT>
-bool
+std::string
 FloorProjectionRecovery<PointT>::findPlane(const Indices& floor_in_scope,
-                                           Eigen::Vector4d& plane)
+                                           Eigen::Vector4d& plane) const
 {
-  constexpr const char* name = "FloorProjectionRecovery";
   if (!plane_) {
     const double height = sedr::meanHeight(sedr::PointView(*input_), floor_in_scope);
     plane = {0, 0, 1, -height};
-    return !floor_in_scope.empty() ||
-           fail(name, "none of the " + std::to_string(indices_->size()) +
-                          " floor points lies under the " +
-                          std::to_string(ceiling_->size()) +
-                          " ceiling points, and no floor plane was set");
+    return !floor_in_scope.empty() ? std::string()
+                                   : "none of the " + std::to_string(indices_->size()) +
+                                         " floor points lies under the " +
+                                         std::to_string(ceiling_->size()) +
+                                         " ceiling points, and no floor plane was set";
   }
   if (plane_->values.size() != 4)
-    return fail(name, "a floor plane has 4 coefficients, " +
-                          std::to_string(plane_->values.size()) + " were set");
+    return "a floor plane has 4 coefficients, " +
+           std::to_string(plane_->values.size()) + " were set";
   for (int k = 0; k < 4; ++k)
     plane[k] = plane_->values[static_cast<std::size_t>(k)];
   const double length = plane.head<3>().norm();
   constexpr double steepest = 0.1; // cosine of the tilt, about 84 degrees
   if (!plane.allFinite() || !(length > 0) || std::abs(plane[2]) < steepest * length)
-    return fail(name, "the floor plane must not stand vertical, its normal is (" +
-                          std::to_string(plane[0]) + ", " + std::to_string(plane[1]) +
-                          ", " + std::to_string(plane[2]) + ")");
+    return "the floor plane must not stand vertical, its normal is (" +
+           std::to_string(plane[0]) + ", " + std::to_string(plane[1]) + ", " +
+           std::to_string(plane[2]) + ")";
   plane /= plane[2] < 0 ? -length : length;
-  return true;
+  return {};
 }
 
 template <typename PointT>
@@ -97,14 +92,14 @@ FloorProjectionRecovery<PointT>::applyFilter(PointCloud& output)
   this->startRun(output);
   sedr::FloorRecovery recovery;
   Eigen::Vector4d plane;
-  bool is_done = validate();
-  if (is_done) {
+  std::string reason = problem();
+  if (reason.empty()) {
     recovery = sedr::recoverFloor(sedr::CellGrid(grid_size_), sedr::PointView(*input_),
                                   *indices_, *ceiling_, detail_ ? *detail_ : Indices());
-    is_done = findPlane(recovery.kept, plane);
+    reason = findPlane(recovery.kept, plane);
   }
-  if (!is_done) {
-    this->removeAll();
+  if (!reason.empty()) {
+    this->failRun(reason);
     return;
   }
   source_indices_ = recovery.kept;

@@ -5,24 +5,9 @@
 #include <pcl/sedr_filters/impl/structure_fields.hpp>
 #include <pcl/sedr_filters/structure_refinement.h>
 
-#include <cmath>
 #include <string>
 
 namespace pcl {
-
-template <typename PointT>
-bool
-StructureRefinement<PointT>::validate(std::vector<std::uint32_t>& labels,
-                                      std::vector<std::uint32_t>& rooms)
-{
-  constexpr const char* name = "StructureRefinement";
-  if (!(maximum_distance_ > 0) || !std::isfinite(maximum_distance_))
-    return fail(name, "the maximum distance must be above 0 m, it is " +
-                          std::to_string(maximum_distance_));
-  const std::string problem =
-      sedr::structureProblem(plan_.get(), *input_, *indices_, labels, rooms);
-  return problem.empty() || fail(name, problem);
-}
 
 template <typename PointT>
 void
@@ -31,14 +16,17 @@ StructureRefinement<PointT>::applyFilter(PointCloud& output)
   this->startRun(output);
   std::vector<std::uint32_t> labels = this->labels_;
   std::vector<std::uint32_t> rooms = this->rooms_;
-  if (!validate(labels, rooms)) {
-    this->removeAll();
+  std::string problem = sedr::lengthProblem("the maximum distance", maximum_distance_);
+  if (problem.empty())
+    problem = sedr::structureProblem(plan_.get(), *input_, *indices_, labels, rooms);
+  if (!problem.empty()) {
+    this->failRun(problem);
     return;
   }
 
   sedr::Refinement refinement =
       sedr::refineToPlan(sedr::PointView(*input_), *indices_, labels, rooms, *plan_,
-                         maximum_distance_, threads_);
+                         maximum_distance_, this->threads_);
   sources_ = std::move(refinement.sources);
   surface_points_ = std::move(refinement.points);
   output.reserve(sources_.size());

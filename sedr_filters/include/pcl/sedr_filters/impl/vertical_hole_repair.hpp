@@ -5,26 +5,9 @@
 #include <pcl/sedr_filters/impl/structure_fields.hpp>
 #include <pcl/sedr_filters/vertical_hole_repair.h>
 
-#include <cmath>
 #include <string>
 
 namespace pcl {
-
-template <typename PointT>
-bool
-VerticalHoleRepair<PointT>::validate(std::vector<std::uint32_t>& labels,
-                                     std::vector<std::uint32_t>& rooms)
-{
-  constexpr const char* name = "VerticalHoleRepair";
-  if (!(grid_size_ > 0) || !std::isfinite(grid_size_))
-    return fail(name,
-                "the grid size must be above 0 m, it is " + std::to_string(grid_size_));
-  std::string problem =
-      sedr::structureProblem(plan_.get(), *input_, *indices_, labels, rooms);
-  if (problem.empty())
-    problem = sedr::surfaceCellsProblem(*plan_, grid_size_);
-  return problem.empty() || fail(name, problem);
-}
 
 template <typename PointT>
 void
@@ -43,18 +26,24 @@ VerticalHoleRepair<PointT>::applyFilter(PointCloud& output)
   this->startRun(output);
   std::vector<std::uint32_t> labels = this->labels_;
   std::vector<std::uint32_t> rooms = this->rooms_;
-  if (!validate(labels, rooms)) {
-    this->removeAll();
+  std::string problem = sedr::lengthProblem("the grid size", grid_size_);
+  if (problem.empty())
+    problem = sedr::structureProblem(plan_.get(), *input_, *indices_, labels, rooms);
+  if (problem.empty())
+    problem = sedr::surfaceCellsProblem(*plan_, grid_size_);
+  if (!problem.empty()) {
+    this->failRun(problem);
     return;
   }
 
   // Refined points already lie on the plan: this step finds their surface and normal.
   constexpr double on_surface = 0.01;
-  const sedr::Refinement refined = sedr::refineToPlan(
-      sedr::PointView(*input_), *indices_, labels, rooms, *plan_, on_surface, threads_);
+  const sedr::Refinement refined =
+      sedr::refineToPlan(sedr::PointView(*input_), *indices_, labels, rooms, *plan_,
+                         on_surface, this->threads_);
   std::vector<bool> is_used(refined.sources.size(), false);
   for (const auto& repaired : sedr::repairHoles(refined.points, *plan_, grid_size_,
-                                                &strips_, &unseen_, threads_)) {
+                                                &strips_, &unseen_, this->threads_)) {
     const bool is_new = repaired.source < 0;
     if (is_new && keep_openings_ && sedr::isInOpening(*plan_, repaired.point.position))
       continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "plan_check.h"
+
 #include "../base/number_text.h"
-#include "floorplan_format.h"
 #include "level_planes.h"
 
 #include <algorithm>
@@ -218,6 +219,18 @@ checkOpening(const PlanOpening& opening, const Floorplan& plan, const Ids& ids)
 }
 
 } // namespace
+
+std::string
+roomProblem(const PlanRoom& room)
+{
+  try {
+    checkRoom(room);
+    return {};
+  }
+  catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
 
 void
 checkPlan(const Floorplan& plan)
