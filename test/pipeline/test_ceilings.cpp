@@ -78,7 +78,8 @@ TEST_P(Ceiling, becomesAClosedSolidWithinAHairOfTheTruth)
 
 INSTANTIATE_TEST_SUITE_P(Ceilings,
                          Ceiling,
-                         testing::Values(ExpectedCeiling{"shed_roof", 6, 0, 0},
+                         testing::Values(ExpectedCeiling{"gable_attic", 4, 1, 0},
+                                         ExpectedCeiling{"shed_roof", 6, 0, 0},
                                          ExpectedCeiling{"hip_roof", 4, 3, 0},
                                          ExpectedCeiling{"barrel_vault", 4, 0, 2.5},
                                          ExpectedCeiling{"segmental_vault", 4, 0, 4},

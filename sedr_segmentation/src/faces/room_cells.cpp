@@ -165,7 +165,7 @@ gatherWalls(const PointView& points,
   gather(room.walls, true, false);
   gather(room.others, false, false);
   // Above what hides a wall up to near the ceiling, its points pass for the ceiling's.
-  gather(room.ceiling, true, true);
+  gather(room.off_ceiling, true, true);
   cells.solid = CellMask(cells.seen.box());
   cells.glass = cells.riser = cells.pillar = cells.base = cells.solid;
   spread(cells.seen, 1, std::greater<>(), highest);

@@ -223,6 +223,36 @@ partsOf(const std::vector<std::uint8_t>& cells, const WallLineParameters& p)
   return parts;
 }
 
+/** @brief Fills the places from the end of a part on: a gap up to the next surface
+ * that meets the line if that is near, else the line has ended. */
+void
+fillBeyond(std::size_t from,
+           int step,
+           std::size_t max_gap,
+           std::size_t beyond,
+           const std::vector<std::uint8_t>& is_met,
+           std::vector<AlongLine>& places)
+{
+  const auto at = [&](std::size_t k) {
+    return from + static_cast<std::size_t>(step) * k; // wraps: out of range
+  };
+  const auto isMet = [&](std::size_t k) {
+    return at(k) < places.size() && is_met[at(k)];
+  };
+  std::size_t gap = 0;
+  while (isMet(gap)) // the surface turns
+    ++gap;
+  while (gap < max_gap && !isMet(gap))
+    ++gap;
+  if (gap >= max_gap)
+    gap = 0;
+  for (std::size_t k = 0; k < beyond && at(k) < places.size(); ++k)
+    if (k < gap)
+      places[at(k)] = AlongLine::Gap;
+    else if (places[at(k)] == AlongLine::Nothing)
+      places[at(k)] = AlongLine::Ended;
+}
+
 } // namespace
 
 double
@@ -343,26 +373,26 @@ wallLines(std::vector<SurfacePlace> places, const WallLineParameters& p)
         (is_oblique && static_cast<double>(longest) * p.cell < p.min_oblique))
       continue;
     wall.places.assign(cells.size(), AlongLine::Nothing);
-    const auto fill = [&](std::size_t from, std::size_t to, AlongLine what) {
-      for (std::size_t i = from; i < std::min(to, wall.places.size()); ++i)
-        wall.places[i] = what;
-    };
     const auto wide = static_cast<std::size_t>(std::lround(p.max_gap / p.cell));
-    fill(parts.front().first - std::min(beyond, parts.front().first),
-         parts.front().first, AlongLine::Ended);
+    std::vector<std::uint8_t> is_met = cells; // by a surface on it or across it
+    for (std::size_t i = 0; i < search.size(); ++i)
+      if (std::abs(line.normal.dot(search.at(i)) - line.offset) < p.cell)
+        if (const double at = (along.dot(search.at(i)) - wall.start) / p.cell;
+            at >= 0 && at < static_cast<double>(is_met.size()))
+          is_met[static_cast<std::size_t>(at)] = 1;
     for (std::size_t k = 0; k < parts.size(); ++k) {
-      const std::size_t end = parts[k].second;
-      fill(parts[k].first, end, AlongLine::Surface);
-      const bool is_last = k + 1 == parts.size();
-      const std::size_t next = is_last ? end + 2 * beyond : parts[k + 1].first;
-      if (!is_last && next - end < wide)
-        fill(end, next, AlongLine::Gap);
-      else {
-        fill(end, std::min(next, end + beyond), AlongLine::Ended);
-        if (!is_last)
-          fill(std::max(end, next - std::min(beyond, next)), next, AlongLine::Ended);
-      }
+      fillBeyond(parts[k].second, 1, wide, beyond, is_met, wall.places);
+      fillBeyond(parts[k].first - 1, -1, wide, beyond, is_met, wall.places);
+      if (k > 0 && parts[k].first - parts[k - 1].second < wide)
+        std::fill(wall.places.begin() +
+                      static_cast<std::ptrdiff_t>(parts[k - 1].second),
+                  wall.places.begin() + static_cast<std::ptrdiff_t>(parts[k].first),
+                  AlongLine::Gap);
     }
+    for (const auto& [from, to] : parts)
+      std::fill(wall.places.begin() + static_cast<std::ptrdiff_t>(from),
+                wall.places.begin() + static_cast<std::ptrdiff_t>(to),
+                AlongLine::Surface);
     result.push_back(std::move(wall));
   }
   return result;

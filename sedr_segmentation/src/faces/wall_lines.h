@@ -12,7 +12,7 @@ namespace pcl::sedr {
 /** @brief What is at a place along the line of a wall. */
 enum class AlongLine : std::uint8_t {
   Surface, ///< a surface was seen
-  Gap,     ///< between two parts of the surface: a door, a window, something before it
+  Gap,     ///< up to the next surface on it or across it: a door, a window
   Ended,   ///< beyond its ends, or in a wide gap
   Nothing  ///< farther away
 };

@@ -19,16 +19,38 @@ namespace pcl::sedr {
 
 namespace {
 
-/** @brief Returns the points of each room by what they are labelled as. */
-std::vector<RoomPoints>
-labelledPoints(const std::vector<RoomEvidence>& parts, std::size_t points)
+/** @brief Returns the points of a list that lie off a slab by more than the rim in
+ * which its noise is; all of them without a slab. */
+std::vector<int>
+offSlab(const PointView& points, const std::vector<int>& indices, const PlanSlab* slab)
 {
-  std::vector<std::uint8_t> is_labelled(points, 0);
+  if (!slab)
+    return indices;
+  std::vector<int> off;
+  for (const int i : indices) {
+    const Eigen::Vector3d p = points[static_cast<std::size_t>(i)].cast<double>();
+    const Eigen::Vector2d at = p.head<2>();
+    if (std::abs((p.z() - slab->heightAt(at)) * slab->normalAt(at).z()) >
+        RoomCellsParameters().rim)
+      off.push_back(i);
+  }
+  return off;
+}
+
+/** @brief Returns the points of each room by what they are labelled as.
+ * @param sheets the ceilings that slope, null for the others */
+std::vector<RoomPoints>
+labelledPoints(const PointView& points,
+               const std::vector<RoomEvidence>& parts,
+               const std::vector<std::shared_ptr<const PlanSlab>>& sheets)
+{
+  std::vector<std::uint8_t> is_labelled(points.size(), 0);
   std::vector<RoomPoints> rooms(parts.size());
   for (std::size_t r = 0; r < parts.size(); ++r) {
     rooms[r].ceiling = parts[r].ceiling;
     rooms[r].ceiling.insert(rooms[r].ceiling.end(), parts[r].details.begin(),
                             parts[r].details.end());
+    rooms[r].off_ceiling = offSlab(points, rooms[r].ceiling, sheets[r].get());
     rooms[r].floor = parts[r].floor;
     rooms[r].walls = parts[r].walls;
     // Faces of beams and lintels are labelled as details.
@@ -169,9 +191,14 @@ fitPlanByEnergy(const PointView& points,
   const std::vector<RoomEvidence>& parts = shares.rooms;
   if (!problem.empty())
     return plan;
+  std::vector<std::shared_ptr<const PlanSlab>> slopes(parts.size());
+  if (sheets)
+    parallelBlocks(parts.size(), 1, threads, [&](std::size_t r, std::size_t) {
+      slopes[r] = seenSheet(placesOf(points, shares.sheets[r]), priors, 1);
+    });
   const RoomCellsParameters of_cells;
   std::vector<RoomCells> cells =
-      roomCells(points, labelledPoints(parts, points.size()), grid, of_cells, threads);
+      roomCells(points, labelledPoints(points, parts, slopes), grid, of_cells, threads);
   if (scan.size() > 0)
     findGlass(scan, scan_indices, grid, of_cells, threads, cells);
   const std::vector<Storey> storeys = storeysOf(cells, {}, threads);
@@ -182,7 +209,6 @@ fitPlanByEnergy(const PointView& points,
   parallelBlocks(storeys.size(), 1, threads, [&](std::size_t s, std::size_t) {
     fitLoops(storeys[s], cells, regions, grid, parameters, rooms, fitted[s]);
   });
-  std::vector<std::uint8_t> is_sheet(numbers.size(), 0);
   parallelBlocks(rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {
     PlanRoom& room = rooms[r];
     room.id = numbers[r];
@@ -190,12 +216,8 @@ fitPlanByEnergy(const PointView& points,
         parts[r].floor.size() < 3)
       return;
     SlabEvidence of_ceiling;
-    const std::shared_ptr<const PlanSlab> sheet =
-        sheets ? seenSheet(placesOf(points, shares.sheets[r]), priors, 1) : nullptr;
-    if (sheet) {
-      room.ceiling = *sheet;
-      is_sheet[r] = 1;
-    }
+    if (slopes[r])
+      room.ceiling = *slopes[r];
     else
       of_ceiling = ceilingEvidence(points, parts[r], parameters, room.ceiling);
     room.floor = slabOf(points, parts[r].floor, parameters);
@@ -225,7 +247,7 @@ fitPlanByEnergy(const PointView& points,
                       regions[r].lost);
         warnings.push_back(name + text);
       }
-      if (is_sheet[r])
+      if (slopes[r])
         sheets->push_back({numbers[r], placesOf(points, shares.sheets[r])});
       plan.rooms.push_back(std::move(rooms[r]));
     }

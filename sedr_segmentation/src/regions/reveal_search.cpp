@@ -19,7 +19,7 @@ RevealSearch::RevealSearch(const RoomCells& room,
     , seen_(closed(room.seen, 2))
     , closed_(dilated(around.opaque, 2))
     , next_(dilated(around.others, 2))
-    , goes_on_(dilated(unite(room.riser, room.base), 1))
+    , goes_on_(closed(unite(room.riser, room.base), 2.5))
     , found_{CellMask(seen_.box()), CellMask(seen_.box()), CellMask(seen_.box())}
 {}
 
@@ -73,8 +73,10 @@ RevealSearch::lookBehind(const Eigen::Vector2d& p,
   const Eigen::Vector2d end = p + (depth + step) * out;
   const bool is_reveal = depth > 0 && depth < energy_.max_wall && !is(closed_, end) &&
                          (in_gap || !is(next_, end));
+  const bool goes_on =
+      is(goes_on_, p) || is(goes_on_, p + size * out) || is(goes_on_, p - size * out);
   const bool is_shallow = what == AlongLine::Gap && depth > 1.5 * size &&
-                          depth < energy_.max_wall && is(goes_on_, p);
+                          depth < energy_.max_wall && goes_on;
   bool in_wall = in_gap;
   for (double d = step; d < farthest; d += step) {
     const Eigen::Vector2d q = p + d * out;

@@ -53,7 +53,7 @@ private:
   CellMask seen_;
   CellMask closed_;  ///< near opaque surfaces
   CellMask next_;    ///< near the air of other rooms
-  CellMask goes_on_; ///< near walls that go on above or below an opening
+  CellMask goes_on_; ///< walls that go on above or below an opening
   BehindLines found_;
 };
 
