@@ -14,28 +14,7 @@ namespace {
 
 constexpr double aligned = 1e-6; // radians
 
-bool
-areAlike(const LoopCandidate& a, const LoopCandidate& b, double same)
-{
-  constexpr double span = 1; // metres: curves are compared over
-  if (a.curve().isCircle() != b.curve().isCircle() || a.cost != b.cost ||
-      (a.path.seed - b.path.seed).norm() > span)
-    return false;
-  const auto isNear = [&](double s) { return a.curve().distance(b.path.at(s)) < same; };
-  return isNear(-span) && isNear(0) && isNear(span);
-}
-
 } // namespace
-
-void
-DistinctCandidates::add(const LoopCandidate& candidate)
-{
-  constexpr std::size_t last = 24; // those of one stretch
-  for (std::size_t k = all_.size() - std::min(all_.size(), last); k < all_.size(); ++k)
-    if (areAlike(all_[k], candidate, same_))
-      return;
-  all_.push_back(candidate);
-}
 
 CandidateMaker::CandidateMaker(const StoreySamples& samples,
                                const LoopEnergy& energy,
@@ -93,9 +72,64 @@ CandidateMaker::costOf(std::size_t i, const LoopCandidate& candidate) const
             (3 * noise_.spread);
         unexplained = std::min(unexplained, sample.before[q] + d * d);
       }
-  const double t = (curve.project(sample.place) - sample.place).dot(sample.normal);
+  const double t = offsetAt(i, curve);
   return outlier_ * (sample.seen * unexplained + (1 - sample.seen) * candidate.unseen) +
          static_cast<double>(samples_.areas(i)[table.at(t)]);
+}
+
+/** @brief Returns how far along its normal from a sample a curve is. */
+double
+CandidateMaker::offsetAt(std::size_t i, const PlanCurve& curve) const
+{
+  const LoopSample& sample = samples_[i];
+  return (curve.project(sample.place) - sample.place).dot(sample.normal);
+}
+
+/** @brief Returns the samples that a candidate explains, and where it is there. */
+std::vector<std::pair<std::uint32_t, double>>
+CandidateMaker::explainedBy(const LoopCandidate& candidate) const
+{
+  std::vector<std::pair<std::uint32_t, double>> explained;
+  for (std::size_t k = 0; k < candidate.samples.size(); ++k)
+    if (static_cast<double>(candidate.costs[k]) < outlier_ * 0.9)
+      explained.push_back(
+          {candidate.samples[k], offsetAt(candidate.samples[k], candidate.curve())});
+  return explained;
+}
+
+std::vector<LoopCandidate>
+CandidateMaker::distinct(std::vector<LoopCandidate> candidates, double same) const
+{
+  std::vector<std::vector<std::pair<std::uint32_t, double>>> explained;
+  std::vector<std::pair<double, std::size_t>> order; // nats a sample
+  for (std::size_t c = 0; c < candidates.size(); ++c) {
+    explained.push_back(explainedBy(candidates[c]));
+    if (!explained[c].empty())
+      order.push_back(
+          {(candidates[c].cost + parameter_) / static_cast<double>(explained[c].size()),
+           c});
+  }
+  std::stable_sort(order.begin(), order.end());
+  std::vector<std::vector<std::size_t>> at(samples_.size()); // those kept
+  std::vector<LoopCandidate> kept;
+  for (const auto& [rank, c] : order) {
+    const auto runsAlong = [&](std::size_t k) {
+      const LoopCandidate& other = kept[k];
+      return std::all_of(
+          explained[c].begin(), explained[c].end(), [&](const auto& place) {
+            return std::binary_search(other.samples.begin(), other.samples.end(),
+                                      place.first) &&
+                   std::abs(offsetAt(place.first, other.curve()) - place.second) < same;
+          });
+    };
+    const auto& beside = at[explained[c].front().first];
+    if (std::any_of(beside.begin(), beside.end(), runsAlong))
+      continue;
+    for (const std::uint32_t i : candidates[c].samples)
+      at[i].push_back(kept.size());
+    kept.push_back(std::move(candidates[c]));
+  }
+  return kept;
 }
 
 LoopCandidate

@@ -22,23 +22,6 @@ struct LoopCandidate {
   const PlanCurve& curve() const { return path.curve; }
 };
 
-/** @brief Candidates without those like one added shortly before. */
-class DistinctCandidates {
-public:
-  /** @param same metres: curves this near to each other are alike */
-  explicit DistinctCandidates(double same)
-      : same_(same)
-  {}
-
-  void add(const LoopCandidate& candidate);
-
-  const std::vector<LoopCandidate>& all() const { return all_; }
-
-private:
-  double same_;
-  std::vector<LoopCandidate> all_;
-};
-
 /** @brief Makes candidates of curves, and tells what they cost (LoopEnergy). */
 class CandidateMaker {
 public:
@@ -76,6 +59,12 @@ public:
   /** @brief The same of a candidate that has its price. */
   LoopCandidate candidate(LoopCandidate candidate) const;
 
+  /** @brief Returns the candidates without those that run along a better one: where
+   * they explain samples, it is within `same` metres. Better is what costs least for
+   * each sample that it explains. O(candidates x those beside them). */
+  std::vector<LoopCandidate> distinct(std::vector<LoopCandidate> candidates,
+                                      double same) const;
+
   /** @brief Returns what a sample costs on a curve, nats. */
   double costOf(std::size_t sample, const LoopCandidate& candidate) const;
 
@@ -94,12 +83,14 @@ public:
   /** @brief Returns whether a circle is one that walls may have. */
   bool isPossible(const PlanCurve& curve) const
   {
-    return !curve.isCircle() ||
-           (curve.radius > energy_.min_radius - noise_.sigma &&
-            curve.radius < energy_.max_radius);
+    return !curve.isCircle() || (curve.radius > energy_.min_radius - noise_.sigma &&
+                                 curve.radius < energy_.max_radius);
   }
 
 private:
+  std::vector<std::pair<std::uint32_t, double>>
+  explainedBy(const LoopCandidate& candidate) const;
+  double offsetAt(std::size_t i, const PlanCurve& curve) const;
   double angleFromMain(const PlanCurve& curve) const;
 
   const StoreySamples& samples_;

@@ -53,7 +53,7 @@ LoopSolver::improvements() const
 {
   constexpr std::size_t fewest = 3; // samples, or places of a fit
   const double sigma = maker_.sigma();
-  DistinctCandidates proposals(sigma / 4);
+  std::vector<LoopCandidate> proposals;
   for (std::size_t c = 0; c < labels_.size(); ++c) {
     if (labels_[c].empty())
       continue;
@@ -93,7 +93,7 @@ LoopSolver::improvements() const
           for (const SeededCurve& p : paths)
             if (const LoopCandidate candidate = maker_.priced(p);
                 pays(c, span, candidate))
-              proposals.add(candidate);
+              proposals.push_back(maker_.candidate(p));
         };
         propose(fitCurve(false, places, sigma));
         if (seen > 2 * fewest)
@@ -108,10 +108,7 @@ LoopSolver::improvements() const
         }
       }
   }
-  std::vector<LoopCandidate> more;
-  for (const LoopCandidate& candidate : proposals.all())
-    more.push_back(maker_.candidate(candidate.path));
-  return more;
+  return maker_.distinct(std::move(proposals), sigma / 4);
 }
 
 } // namespace pcl::sedr

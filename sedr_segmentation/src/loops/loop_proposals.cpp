@@ -19,13 +19,13 @@ struct Window {
 
 /** @brief Takes proposals as long as they explain what none before them does. */
 class ProposalSearch {
+  static constexpr double unseen_spacing = 0.025; // metres, of lines that nobody saw
+
 public:
   ProposalSearch(const std::vector<LoopContour>& contours, CandidateMaker& maker)
       : contours_(contours)
       , maker_(maker)
       , samples_(maker.samples())
-      , faces_(maker.sigma() / 2)
-      , unseen_(maker.energy().reach / 60)
   {}
 
   std::vector<LoopCandidate> find(const std::vector<WallLine>& lines,
@@ -51,10 +51,9 @@ public:
         curves_.push_back(turned);
     for (const SeededCurve& curve : curves_)
       candidates.push_back(maker_.candidate(curve));
-    for (const DistinctCandidates* lines : {&faces_, &unseen_})
-      for (const LoopCandidate& line : lines->all())
-        candidates.push_back(maker_.candidate(line.path));
-    return candidates;
+    for (LoopCandidate& line : maker_.distinct(std::move(unseen_), unseen_spacing))
+      candidates.push_back(std::move(line));
+    return maker_.distinct(std::move(candidates), maker_.sigma() / 4);
   }
 
 private:
@@ -258,7 +257,7 @@ private:
     PlanCurve line;
     line.direction = leftOf(v);
     line.point = points[offsets[best].second];
-    faces_.add(maker_.priced({line, line.point}));
+    curves_.push_back({line, line.point});
   }
 
   /** @brief Adds lines through the unseen stretches of a contour. */
@@ -302,7 +301,7 @@ private:
           const double offset = offsets[static_cast<std::size_t>(
               quantile * static_cast<double>(offsets.size() - 1))];
           line.point = middle + (offset - v.dot(middle)) * v;
-          unseen_.add(maker_.priced({line, middle}));
+          unseen_.push_back(maker_.candidate(SeededCurve{line, middle}));
         }
       }
   }
@@ -313,9 +312,9 @@ private:
     for (const std::size_t window : {24, 12, 6})
       for (std::size_t k = 0; k + window <= length; k += window / 2) {
         const Window places = windowAt(c, first + k, window);
-        const PlanCurve line =
-            fitCurve(false, places.unseen, maker_.energy().reach / 60);
-        unseen_.add(maker_.priced({line, places.unseen[window / 2]}));
+        const PlanCurve line = fitCurve(false, places.unseen, unseen_spacing);
+        unseen_.push_back(
+            maker_.candidate(SeededCurve{line, places.unseen[window / 2]}));
       }
   }
 
@@ -324,9 +323,8 @@ private:
   const StoreySamples& samples_;
   std::vector<double> left_; ///< nats of each sample that nothing explains yet
   std::vector<SeededCurve> curves_;
-  std::vector<SeededCurve> known_; ///< lines
-  DistinctCandidates faces_;       ///< lines through what nothing else explains
-  DistinctCandidates unseen_;      ///< lines where nothing was seen
+  std::vector<SeededCurve> known_;    ///< lines
+  std::vector<LoopCandidate> unseen_; ///< lines where nothing was seen
 };
 
 } // namespace
