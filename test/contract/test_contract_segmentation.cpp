@@ -174,7 +174,6 @@ public:
     parameter([this](double v) { stage_.setDistanceThreshold(v); }, 0.07, {-1, inf});
     parameter([this](double v) { stage_.setSliceThickness(v); }, 0.1, {0, -0.1});
     parameter([this](double v) { stage_.setTrials(static_cast<int>(v)); }, 3, {0, 4});
-    parameter([this](double v) { stage_.setMinimumIslandArea(v); }, 0.5, {-1, nan});
     stage_.setFloorHeight(0);
   }
 

@@ -127,7 +127,8 @@ void
 giveCeiling(const FacetSheet& sheet,
             const std::vector<Eigen::Vector3d>& points,
             const std::vector<Eigen::Vector3d>& risers,
-            PlanRoom& room)
+            PlanRoom& room,
+            bool is_floor)
 {
   const CellCracks cracks = cracksOf(sheet.grid, sheet.label);
   const auto borders =
@@ -139,24 +140,25 @@ giveCeiling(const FacetSheet& sheet,
       pieces.emplace_back(-area, piece);
   }
   std::sort(pieces.begin(), pieces.end());
-  room.details.clear();
+  std::vector<PlanDetail>& details = is_floor ? room.floor_details : room.details;
+  details.clear();
   for (const auto& [negative, piece] : pieces) {
     PlanDetail facet;
     const std::size_t cell = cracks.first_cell[piece];
     facet.slab = sheet.facets[static_cast<std::size_t>(sheet.label[cell])];
     facet.slab.inferred = shareInferred(sheet, cracks, piece);
     if (piece == pieces.front().second) {
-      room.ceiling = facet.slab;
+      (is_floor ? room.floor : room.ceiling) = facet.slab;
       continue;
     }
-    facet.is_facet = true;
+    facet.is_facet = !is_floor;
     for (PlanLoop& loop : loopsOf(cracks, piece, borders))
       if (loop.area() > 0)
         facet.boundary = withinRoom(loop, room.boundary, -negative);
       else if (loop.area() < 0)
         facet.holes.push_back(std::move(loop));
     if (facet.boundary.elements.size() > 2)
-      room.details.push_back(std::move(facet));
+      details.push_back(std::move(facet));
   }
 }
 

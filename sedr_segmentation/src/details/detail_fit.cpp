@@ -160,9 +160,8 @@ fitDetails(const PointView& points,
 {
   const CellGrid grid(parameters.cell_size);
   const Priors& priors = parameters.priors;
-  HeightMap map =
-      seenHeights(points, evidence, evidence.is_floor ? room.floor : room.ceiling,
-                  withinBoundary(cells, room.boundary, grid), parameters);
+  HeightMap map = seenHeights(points, evidence,
+                              withinBoundary(cells, room.boundary, grid), parameters);
   if (map.details.empty())
     return {};
   if (!evidence.is_floor) {

@@ -240,8 +240,7 @@ riserPoints(const PointView& points,
       risers.push_back(p.head<2>().cast<double>());
   }
   if (!evidence.is_floor)
-    for (const auto* part : {&evidence.main, &evidence.details})
-      appendHiddenRisers(points, *part, map, grid, risers);
+    appendHiddenRisers(points, evidence.indices, map, grid, risers);
   return risers;
 }
 

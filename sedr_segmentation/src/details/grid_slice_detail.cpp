@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "slice_detail.h"
-
+#include "../profiles/cell_count.h"
+#include "../profiles/column_table.h"
 #include "sedr_filters/src/base/plane_fit.h"
+
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_segmentation/impl/grid_slice_detail.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl::sedr {
 
@@ -29,9 +32,6 @@ problemOf(const SliceParameters& parameters)
     return bad("the slice thickness must be above 0 m", parameters.slice_thickness);
   if (parameters.trials < 1 || parameters.trials > 3)
     return bad("the number of trials must be from 1 to 3", parameters.trials);
-  if (!(parameters.minimum_island_area >= 0))
-    return bad("the minimum island area must be at least 0 square metres",
-               parameters.minimum_island_area);
   return problemOf(parameters.priors);
 }
 
@@ -60,6 +60,153 @@ finiteOf(const PointView& points, const pcl::Indices& indices)
     if (points.isFinite(static_cast<std::size_t>(i)))
       kept.push_back(i);
   return kept;
+}
+
+/** @brief A room on the grid. */
+struct SliceScene {
+  const SliceParameters& parameters;
+  const PlanSlab& slab;
+  double floor_height;
+  CellGrid grid;
+  CellMask ceiling;
+  ColumnTable columns;
+
+  double ceilingAt(Cell cell) const { return slab.heightAt(grid.centre(cell)); }
+
+  /** @brief Returns the height of a slice at `fraction` of the room height from the
+   * top. */
+  double sliceAt(Cell cell, double fraction) const
+  {
+    const double top = ceilingAt(cell);
+    return top - fraction * (top - floor_height);
+  }
+};
+
+/** @brief Returns the cells with points in the slice. */
+CellMask
+sliceMask(const SliceScene& scene, double fraction)
+{
+  CellMask slice(scene.ceiling.box());
+  const double half = scene.parameters.slice_thickness / 2;
+  for (std::size_t i = 0; i < slice.values().size(); ++i) {
+    const Cell cell = slice.cellAt(i);
+    const double z = scene.sliceAt(cell, fraction);
+    slice.values()[i] = scene.columns.hasWithin(cell, z - half, z + half) ? 1 : 0;
+  }
+  return slice;
+}
+
+/** @brief Accepts zero-valued regions of the minimum size with points between slice and
+ * ceiling in at least half of their cells, and rejects the others. */
+void
+judgeRegions(const SliceScene& scene,
+             const CellMask& enclosed,
+             double lowest_fraction,
+             SliceTrial& trial)
+{
+  const MaskRegions regions = labelRegions(enclosed, true);
+  std::vector<std::vector<CellKey>> cells(regions.sizes.size());
+  std::vector<std::size_t> seen(regions.sizes.size(), 0);
+  for (std::size_t i = 0; i < regions.label.size(); ++i) {
+    if (regions.label[i] < 0)
+      continue;
+    const auto r = static_cast<std::size_t>(regions.label[i]);
+    const Cell cell = enclosed.cellAt(i);
+    cells[r].push_back(keyOf(cell));
+    seen[r] +=
+        scene.columns.hasWithin(cell, scene.sliceAt(cell, lowest_fraction),
+                                scene.ceilingAt(cell) + scene.parameters.tolerance)
+            ? 1
+            : 0;
+  }
+  for (std::size_t r = 0; r < cells.size(); ++r) {
+    const bool is_accepted = cells[r].size() >= scene.parameters.minimum_cells &&
+                             2 * seen[r] >= cells[r].size();
+    (is_accepted ? trial.accepted : trial.rejected)
+        .push_back(CellSet::fromSorted(std::move(cells[r])));
+  }
+}
+
+/** @brief Returns the zero-valued cells enclosed by slices and ceiling but not by the
+ * ceiling alone, and which of their regions may be detail. */
+SliceTrial
+makeTrial(const SliceScene& scene,
+          int number,
+          const std::vector<double>& fractions,
+          const CellMask& enclosed_by_ceiling,
+          Cell middle)
+{
+  SliceTrial trial;
+  trial.number = number;
+  trial.fractions = fractions;
+  CellMask slices(scene.ceiling.box());
+  for (const double fraction : fractions) {
+    // Dilation by one cell closes the pinholes of a sparse wall.
+    slices = unite(slices, dilated(sliceMask(scene, fraction), 1));
+    trial.heights.push_back(scene.sliceAt(middle, fraction));
+  }
+  const CellMask enclosed =
+      subtract(enclosedCells(unite(scene.ceiling, slices)), enclosed_by_ceiling);
+  trial.slice = slices.toSet();
+  trial.enclosed = enclosed.toSet();
+  judgeRegions(scene, enclosed, fractions.back(), trial);
+  return trial;
+}
+
+/** @brief Runs trials until the slices of one enclose a detail. */
+void
+runTrials(const SliceScene& scene, SliceDetails& details)
+{
+  const std::vector<std::vector<double>> fractions{{1.0 / 4},
+                                                   {1.0 / 2},
+                                                   {1.0 / 8, 3.0 / 8}};
+  const Cell middle = details.ceiling[details.ceiling.size() / 2];
+  const CellMask by_ceiling = enclosedCells(scene.ceiling);
+  for (int number = 1; number <= scene.parameters.trials; ++number) {
+    details.trials.push_back(makeTrial(scene, number,
+                                       fractions[static_cast<std::size_t>(number - 1)],
+                                       by_ceiling, middle));
+    if (details.trials.back().accepted.empty())
+      continue;
+    details.trial = number;
+    return;
+  }
+}
+
+/** @brief Collects the points of the details: the uppermost run of each profile if it
+ * starts above half the room's height. This leaves out walls, which rise from below. */
+void
+collectPoints(const SliceScene& scene, SliceDetails& details)
+{
+  if (details.trial == 0)
+    return;
+  std::vector<CellSet> regions = details.trials.back().accepted;
+  std::stable_sort(regions.begin(), regions.end(),
+                   [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  std::vector<std::pair<int, std::size_t>> found;
+  double lowest = std::numeric_limits<double>::infinity();
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    details.sizes.push_back(regions[r].size());
+    details.cells = unite(details.cells, regions[r]);
+    for (std::size_t k = 0; k < regions[r].size(); ++k) {
+      const Cell cell = regions[r][k];
+      const std::vector<ColumnRun> runs =
+          scene.columns.runs(cell, scene.parameters.priors.run_gap);
+      if (runs.empty() || runs.back().low <= scene.sliceAt(cell, 0.5))
+        continue;
+      lowest = std::min<double>(lowest, runs.back().low);
+      for (auto* e = scene.columns.begin(cell); e != scene.columns.end(cell); ++e)
+        if (e->z >= runs.back().low)
+          found.emplace_back(e->index, r);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  for (const auto& [index, region] : found) {
+    details.indices.push_back(index);
+    details.region.push_back(region);
+  }
+  if (std::isfinite(lowest))
+    details.slice_height = lowest - scene.parameters.cell_size;
 }
 
 } // namespace
@@ -93,9 +240,25 @@ analyseSlices(const SliceInput& input,
       sum += input.points[static_cast<std::size_t>(i)].z();
     floor_height = sum / static_cast<double>(floor.size());
   }
-  details = findSliceDetails(input.points, input.indices, ceiling, slab, floor_height,
-                             parameters, problem);
-  return problem;
+  const CellGrid grid(parameters.cell_size);
+  const CellSet cells(grid, input.points, ceiling);
+  const CellBox all = boxOf(CellSet(grid, input.points, input.indices));
+  const int margin = cellsFor(parameters.priors.max_soffit_reach, grid.size());
+  const CellBox box = grown(overlapOf(grown(boxOf(cells), margin), all), 3);
+  problem = maskProblem(box);
+  if (!problem.empty())
+    return problem;
+  const SliceScene scene{
+      parameters,
+      slab,
+      floor_height,
+      grid,
+      CellMask(cells, box),
+      ColumnTable(grid, box, input.points, input.indices, parameters.threads)};
+  details.ceiling = cells;
+  runTrials(scene, details);
+  collectPoints(scene, details);
+  return {};
 }
 
 } // namespace pcl::sedr

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "height_map.h"
 
-#include "../levels/horizontal_levels.h"
 #include "../profiles/cell_count.h"
 #include "sedr_filters/src/base/plane_fit.h"
+#include "sedr_filters/src/plan/level_planes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,89 +14,65 @@ namespace pcl::sedr {
 
 namespace {
 
-/** @brief Returns the detail points of each region of cells up to four cells apart: a
- * coffer has nothing to do with the level of another one. Regions below the minimum
- * area of a detail, widened as they are, hold none. Of points too far apart for a mask,
- * all are one region. */
-std::vector<std::vector<int>>
-regionsOfDetails(const PointView& points,
-                 const std::vector<int>& details,
-                 const RoomFitParameters& parameters)
+/** @brief Returns the points over some cells near a plane. */
+Positions
+pointsOver(const PointView& points,
+           const std::vector<int>& indices,
+           const CellMask& cells,
+           const PlanSlab& plane,
+           const RoomFitParameters& parameters)
 {
-  constexpr int reach = 2; // cells
   const CellGrid grid(parameters.cell_size);
-  const CellSet cells(grid, points, details);
-  if (cells.empty())
-    return {};
-  const CellBox box = grown(boxOf(cells), reach + 1);
-  if (!maskProblem(box).empty())
-    return {details};
-  const CellMask mask = dilated(CellMask(cells, box), reach);
-  const MaskRegions labels = labelRegions(mask, true);
-  std::vector<std::vector<int>> regions(labels.sizes.size());
-  for (const int i : details) {
-    if (!points.isFinite(static_cast<std::size_t>(i)))
+  Positions own;
+  for (const int i : indices) {
+    const auto at = static_cast<std::size_t>(i);
+    if (!points.isFinite(at) || !grid.holds(points[at].x(), points[at].y()))
       continue;
-    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
-    if (!grid.holds(p.x(), p.y()))
-      continue;
-    const std::int32_t label = labels.label[mask.indexOf(grid.at(p.x(), p.y()))];
-    regions[static_cast<std::size_t>(label)].push_back(i);
+    if (cells.at(grid.at(points[at].x(), points[at].y())) &&
+        std::abs(distanceAbove(plane, points[at])) <= parameters.slab_tolerance)
+      own.push_back(points[at]);
   }
-  std::vector<std::vector<int>> large;
-  for (std::size_t r = 0; r < regions.size(); ++r)
-    if (static_cast<double>(labels.sizes[r]) * grid.size() * grid.size() >=
-        parameters.minimum_detail_area)
-      large.push_back(std::move(regions[r]));
-  return large;
-}
-
-/** @brief Finds the levels of each region of the detail points. */
-std::vector<Level>
-detailLevels(const PointView& points,
-             const SlabEvidence& evidence,
-             const RoomFitParameters& parameters)
-{
-  LevelParameters p;
-  p.tolerance = parameters.slab_tolerance;
-  p.cell_size = parameters.cell_size;
-  p.minimum_area = parameters.minimum_detail_area;
-  p.seed = parameters.seed;
-  p.threads = parameters.threads;
-  p.priors = parameters.priors;
-  std::vector<Level> levels;
-  for (const auto& region : regionsOfDetails(points, evidence.details, parameters))
-    for (Level& level : findLevels(points, region, p))
-      levels.push_back(std::move(level));
-  return levels;
+  return own;
 }
 
 /** @brief Returns the plane of the detail over some cells: parallel to the main slab,
  * unless the detail is wide and a free fit is clearly better. */
 PlanSlab
 detailSlab(const PointView& points,
-           const SlabEvidence& evidence,
+           const std::vector<int>& indices,
            const PlanSlab& main,
-           const Level& level,
+           const PlanSlab& facet,
            const CellMask& cells,
            const RoomFitParameters& parameters)
 {
-  const CellGrid grid(parameters.cell_size);
-  Positions own;
-  for (const int i : evidence.details) {
-    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
-    if (cells.at(grid.at(p.x(), p.y())) &&
-        std::abs(distanceAbove(level.slab, p)) <= parameters.slab_tolerance)
-      own.push_back(p);
-  }
-  const PlanSlab tilted = fitSlabRobustly(own, level.slab, parameters.slab_tolerance);
-  const PlanSlab parallel =
-      fitParallel(own, main, level.slab, parameters.slab_tolerance);
+  const Positions own = pointsOver(points, indices, cells, facet, parameters);
+  const PlanSlab tilted = fitSlabRobustly(own, facet, parameters.slab_tolerance);
+  const PlanSlab parallel = fitParallel(own, main, facet, parameters.slab_tolerance);
   const double min_width = parameters.priors.short_wall;
-  const bool is_wide = eroded(cells, cellsFor(min_width / 2, grid.size())).count() > 0;
+  const bool is_wide =
+      eroded(cells, cellsFor(min_width / 2, parameters.cell_size)).count() > 0;
   const bool is_clear =
       tilted.residual < 0.7 * parallel.residual && tilted.inliers >= parallel.inliers;
   return is_wide && is_clear ? tilted : parallel;
+}
+
+/** @brief Returns the mean height of a slab above the main one over masked cells. */
+double
+heightOverMain(const PlanSlab& main,
+               const PlanSlab& slab,
+               const CellMask& cells,
+               const CellGrid& grid)
+{
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < cells.values().size(); ++i) {
+    if (!cells.values()[i])
+      continue;
+    const Eigen::Vector2d p = grid.centre(cells.cellAt(i));
+    sum += slab.heightAt(p) - main.heightAt(p);
+    ++count;
+  }
+  return count == 0 ? 0 : sum / static_cast<double>(count);
 }
 
 /** @brief Returns whether a region below a ceiling is a lamp: small, away from the
@@ -120,154 +96,138 @@ isLamp(const CellMask& region,
          10 * intersect(rim, main).count() >= 8 * rim.count();
 }
 
-/** @brief Adds a region of a ceiling or floor to a map, as one detail per field if
- * existing details divide it, like beams. Small remaining fields join the largest.
- * @param least minimum number of cells of a detail */
-void
-addFields(const PointView& points,
-          const SlabEvidence& evidence,
-          const PlanSlab& main_slab,
-          const Level& level,
-          CellMask piece,
-          std::size_t least,
-          const RoomFitParameters& parameters,
-          HeightMap& map)
+/** @brief Returns the cells with points of each facet: every cell belongs to the one
+ * that its points lie on, of those within a cell of the surface's grid. */
+std::vector<CellMask>
+cellsOfFacets(const PointView& points,
+              const SlabEvidence& evidence,
+              const CellMask& room,
+              const RoomFitParameters& parameters)
 {
-  constexpr std::size_t min_part = 4; // one part in this many of `least`
-  for (std::size_t i = 0; i < map.label.size(); ++i)
-    if (map.label[i] > 0)
-      piece.values()[i] = 0;
-  const MaskRegions fields = labelRegions(piece, true);
-  if (fields.sizes.empty())
-    return;
-  const PlanSlab slab =
-      detailSlab(points, evidence, main_slab, level, piece, parameters);
-  const auto largest = static_cast<std::size_t>(
-      std::max_element(fields.sizes.begin(), fields.sizes.end()) -
-      fields.sizes.begin());
-  std::vector<std::int32_t> number(fields.sizes.size(), 0);
-  for (std::size_t f = 0; f < fields.sizes.size(); ++f)
-    if (f == largest || min_part * fields.sizes[f] >= least) {
-      map.details.push_back(slab);
-      number[f] = static_cast<std::int32_t>(map.details.size());
-    }
-  for (std::size_t i = 0; i < map.label.size(); ++i)
-    if (fields.label[i] >= 0) {
-      const auto field = static_cast<std::size_t>(fields.label[i]);
-      map.label[i] = number[field] > 0 ? number[field] : number[largest];
-    }
+  const CellGrid grid(parameters.cell_size);
+  const FacetSheet& surface = evidence.surface;
+  std::vector<std::int32_t> facet(room.values().size(), FacetSheet::none);
+  std::vector<double> nearest(facet.size(), parameters.slab_tolerance);
+  for (const int i : evidence.indices) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    if (!room.at(grid.at(p.x(), p.y())))
+      continue;
+    const std::size_t at = room.indexOf(grid.at(p.x(), p.y()));
+    const Eigen::Vector2d place = surface.grid.cellsTo(p.head<2>().cast<double>());
+    const auto x = static_cast<int>(std::floor(place.x()));
+    const auto y = static_cast<int>(std::floor(place.y()));
+    for (int row = y - 1; row <= y + 1; ++row)
+      for (int column = x - 1; column <= x + 1; ++column) {
+        if (!surface.grid.holds(column, row))
+          continue;
+        const std::int32_t label = surface.label[surface.grid.indexOf(column, row)];
+        const double off =
+            std::abs(distanceAbove(surface.facets[static_cast<std::size_t>(label)], p));
+        if (off >= nearest[at])
+          continue;
+        nearest[at] = off;
+        facet[at] = label;
+      }
+  }
+  std::vector<CellMask> cells(surface.facets.size(), CellMask(room.box()));
+  for (std::size_t i = 0; i < facet.size(); ++i)
+    if (facet[i] != FacetSheet::none)
+      cells[static_cast<std::size_t>(facet[i])].values()[i] = 1;
+  return cells;
 }
 
 } // namespace
 
-double
-heightOverMain(const PlanSlab& main,
-               const PlanSlab& slab,
-               const CellMask& cells,
-               const CellGrid& grid)
-{
-  double sum = 0;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < cells.values().size(); ++i) {
-    if (!cells.values()[i])
-      continue;
-    const Eigen::Vector2d p = grid.centre(cells.cellAt(i));
-    sum += slab.heightAt(p) - main.heightAt(p);
-    ++count;
-  }
-  return count == 0 ? 0 : sum / static_cast<double>(count);
-}
-
-SlabEvidence
-withFieldsOfMain(const PointView& points,
-                 SlabEvidence evidence,
-                 const PlanSlab& main_slab,
-                 const RoomFitParameters& parameters)
-{
-  const CellGrid grid(parameters.cell_size);
-  const double tolerance = parameters.slab_tolerance;
-  const auto isNear = [&](const PlanSlab& slab, int i) {
-    return std::abs(distanceAbove(slab, points[static_cast<std::size_t>(i)])) <=
-           tolerance;
-  };
-  std::vector<int>& details = evidence.details;
-  const auto near_main = static_cast<double>(std::count_if(
-      details.begin(), details.end(), [&](int i) { return isNear(main_slab, i); }));
-  if (near_main * grid.size() * grid.size() < parameters.minimum_detail_area)
-    return evidence; // the usual case; avoids the level detection
-  for (const Level& level : detailLevels(points, evidence, parameters)) {
-    const CellMask cells(level.cells, boxOf(level.cells));
-    if (std::abs(heightOverMain(main_slab, level.slab, cells, grid)) >=
-        parameters.priors.min_ceiling_step)
-      continue;
-    const auto first_of_main =
-        std::stable_partition(details.begin(), details.end(), [&](int i) {
-          const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
-          return !cells.at(grid.at(p.x(), p.y())) || !isNear(level.slab, i);
-        });
-    evidence.main.insert(evidence.main.end(), first_of_main, details.end());
-    details.erase(first_of_main, details.end());
-  }
-  return evidence;
-}
-
 HeightMap
 seenHeights(const PointView& points,
             const SlabEvidence& evidence,
-            const PlanSlab& main_slab,
             const CellMask& room,
             const RoomFitParameters& parameters)
 {
   const CellGrid grid(parameters.cell_size);
   const Priors& priors = parameters.priors;
+  const double cell_area = grid.size() * grid.size();
   // Furniture causes small and thin regions near the heights of a floor.
+  // Cells of risers are of no facet, and take up to half of a small one.
   const double min_area =
-      evidence.is_floor ? priors.min_slab_area : parameters.minimum_detail_area;
+      evidence.is_floor ? priors.min_slab_area : parameters.minimum_detail_area / 2;
   const double step =
       evidence.is_floor ? priors.min_floor_step : priors.min_ceiling_step;
-  const auto least = static_cast<std::size_t>(min_area / (grid.size() * grid.size()));
   HeightMap map;
   map.priors = priors;
   map.room = room;
   map.label.assign(room.values().size(), -1);
-  map.main = main_slab;
-  const CellMask main =
-      intersect(CellMask(CellSet(grid, points, evidence.main), room.box()), room);
-  // A beam between two parts of the ceiling may be narrow.
-  const CellMask beams =
-      evidence.is_floor ? CellMask(room.box()) : eroded(dilated(main, 2), 2);
+  const std::vector<PlanSlab>& facets = evidence.surface.facets;
+  std::vector<CellMask> cells = cellsOfFacets(points, evidence, room, parameters);
+  map.main = mainSlab(points, evidence, parameters);
+  // Facets less than a step from a larger one are unevenness of it.
+  std::vector<std::size_t> others;
+  CellMask main(room.box());
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    const auto isOf = [&](const PlanSlab& slab) {
+      return std::abs(heightOverMain(slab, facets[f], cells[f], grid)) < step;
+    };
+    const auto larger = std::find_if(others.begin(), others.end(),
+                                     [&](std::size_t g) { return isOf(facets[g]); });
+    if (f == 0 || isOf(map.main))
+      main = unite(main, cells[f]);
+    else if (larger != others.end())
+      cells[*larger] = unite(cells[*larger], cells[f]);
+    else
+      others.push_back(f);
+  }
   for (std::size_t i = 0; i < map.label.size(); ++i)
     if (main.values()[i])
       map.label[i] = 0;
-  for (const Level& level : detailLevels(points, evidence, parameters)) {
-    CellMask cells = intersect(CellMask(level.cells, room.box()), room);
-    const double over = heightOverMain(main_slab, level.slab, cells, grid);
-    const double height = std::abs(over);
-    if (height < step)
-      continue;
-    const auto enough = static_cast<std::size_t>(
-        over < 0 && height < priors.min_floor_step
-            ? priors.min_slab_area / (grid.size() * grid.size())
-            : 0);
-    cells = subtract(eroded(dilated(cells, 2), 2), main);
-    const bool is_recess = !evidence.is_floor && over > 0;
-    const double opening = evidence.is_floor ? 2
-                           : is_recess ? cellsFor(priors.min_recess / 2, grid.size())
-                                       : 1;
-    const CellMask wide = dilated(eroded(cells, opening), opening + 1);
-    cells = intersect(cells, is_recess ? wide : unite(wide, beams));
-    const MaskRegions regions = labelRegions(cells, true);
+  // A beam between two parts of the ceiling may be narrow.
+  const CellMask near_main = eroded(dilated(main, 2), 2);
+  for (const std::size_t f : others) {
+    const CellMask closed =
+        intersect(room, subtract(eroded(dilated(cells[f], 2), 2), main));
+    const CellMask own = intersect(closed, dilated(eroded(closed, 1), 2));
+    const MaskRegions regions = labelRegions(own, true);
     for (std::size_t r = 0; r < regions.sizes.size(); ++r) {
-      if (regions.sizes[r] < std::max(least, enough))
+      const CellMask region = regionMask(own, regions, static_cast<std::int32_t>(r));
+      const PlanSlab slab =
+          detailSlab(points, evidence.indices, map.main, facets[f], region, parameters);
+      const double over = heightOverMain(map.main, slab, region, grid);
+      const bool is_shallow = over < 0 && -over < priors.min_floor_step;
+      if (static_cast<double>(region.count()) * cell_area <
+              (is_shallow ? std::max(min_area, priors.min_slab_area) : min_area) ||
+          (!evidence.is_floor &&
+           isLamp(region, over, near_main, room, grid.size(), priors)))
         continue;
-      const CellMask region = regionMask(cells, regions, static_cast<std::int32_t>(r));
-      if (!evidence.is_floor && isLamp(region, over, beams, room, grid.size(), priors))
-        continue;
-      addFields(points, evidence, main_slab, level, region, least, parameters, map);
+      map.details.push_back(slab);
+      for (std::size_t i = 0; i < map.label.size(); ++i)
+        if (region.values()[i])
+          map.label[i] = static_cast<std::int32_t>(map.details.size());
     }
   }
   map.seen = map.label;
   return map;
+}
+
+PlanSlab
+mainSlab(const PointView& points,
+         const SlabEvidence& evidence,
+         const RoomFitParameters& parameters)
+{
+  const double tilt = radians(parameters.priors.max_slab_tilt);
+  const auto fitTo = [&](const std::vector<int>& indices) {
+    return findLargerSlab(positionsOf(points, indices), parameters.slab_tolerance, tilt,
+                          parameters.seed, parameters.threads);
+  };
+  const FacetSheet& surface = evidence.surface;
+  std::vector<int> own;
+  for (const int i : evidence.indices) {
+    const auto p = points[static_cast<std::size_t>(i)].cast<double>();
+    const std::size_t at = surface.facets.empty() ? 0 : surface.grid.at(p.head<2>());
+    if (at < surface.label.size() && surface.label[at] == 0 &&
+        std::abs(distanceAbove(surface.facets.front(), p.cast<float>())) <=
+            2 * parameters.slab_tolerance)
+      own.push_back(i);
+  }
+  return fitTo(own.size() < 3 ? evidence.indices : own);
 }
 
 std::vector<CellBox>

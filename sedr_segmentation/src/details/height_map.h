@@ -29,23 +29,12 @@ struct HeightMap {
   }
 };
 
-/** @brief Returns the mean height of a slab above the main one over masked cells. */
-double heightOverMain(const PlanSlab& main,
-                      const PlanSlab& slab,
-                      const CellMask& cells,
-                      const CellGrid& grid);
-
-/** @brief Moves detail points less than a step from the main slab to the main points.
- * Beams may divide a ceiling into fields of several levels. */
-SlabEvidence withFieldsOfMain(const PointView& points,
-                              SlabEvidence evidence,
-                              const PlanSlab& main_slab,
-                              const RoomFitParameters& parameters);
-
-/** @brief Labels the cells of the main slab and of each connected detail. */
+/** @brief Labels the cells of a room by its surface, if that is of level planes: the
+ * main slab is the largest facet, every other piece of a facet is a detail. Lamps, and
+ * pieces that are too small or nearly at the height of the main slab, are none.
+ * @param room cells within the boundary */
 HeightMap seenHeights(const PointView& points,
                       const SlabEvidence& evidence,
-                      const PlanSlab& main_slab,
                       const CellMask& room,
                       const RoomFitParameters& parameters);
 

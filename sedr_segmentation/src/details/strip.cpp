@@ -33,22 +33,4 @@ stripOf(const CellMask& cells, const CellGrid& grid)
   return strip;
 }
 
-bool
-wallGoesOn(const Strip& strip,
-           const CellGrid& grid,
-           const std::function<bool(Cell)>& is_wall)
-{
-  for (const double side : {-1.0, 1.0}) {
-    int walls = 0;
-    for (const double beyond : {0.15, 0.2, 0.25, 0.3}) {
-      const Eigen::Vector2d p =
-          strip.middle + side * (strip.length / 2 + beyond) * strip.direction;
-      walls += is_wall(grid.at(p.x(), p.y())) ? 1 : 0;
-    }
-    if (walls >= 3)
-      return true;
-  }
-  return false;
-}
-
 } // namespace pcl::sedr

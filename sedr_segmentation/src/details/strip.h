@@ -5,8 +5,6 @@
 
 #include <Eigen/Core>
 
-#include <functional>
-
 namespace pcl::sedr {
 
 /** @brief A strip of cells along a line; lengths in metres. */
@@ -20,12 +18,5 @@ struct Strip {
 /** @brief Fits a straight strip to cells by their variance, l^2 / 12 for length l. The
  * length is 0 without cells. O(cells of the box). */
 Strip stripOf(const CellMask& cells, const CellGrid& grid);
-
-/** @brief Returns whether a wall continues in line with a strip, 0.15 to 0.3 m beyond
- * one of its ends.
- * @param is_wall returns whether a cell is a wall */
-bool wallGoesOn(const Strip& strip,
-                const CellGrid& grid,
-                const std::function<bool(Cell)>& is_wall);
 
 } // namespace pcl::sedr

@@ -3,12 +3,10 @@
 
 #include "../adjust/plan_adjustment.h"
 #include "../details/detail_fit.h"
-#include "../details/height_map.h"
 #include "../faces/room_cells.h"
 #include "../loops/loop_assembly.h"
 #include "../niches/niche_fit.h"
 #include "../regions/storey_regions.h"
-#include "room_slabs.h"
 #include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
@@ -149,22 +147,22 @@ fitLoops(const Storey& storey,
   }
 }
 
-/** @brief Fits the parts of ceiling and floor at heights of their own. */
-void
-fitSurfaces(const PointView& points,
-            const RoomEvidence& parts,
-            const SlabEvidence& of_ceiling,
-            const CellMask& region,
-            const RoomFitParameters& parameters,
-            PlanRoom& room)
+/** @brief Labels the points of a ceiling or a floor within the walls. */
+SlabEvidence
+slabEvidence(const PointView& points,
+             std::vector<int> indices,
+             bool is_floor,
+             const PlanLoop& boundary,
+             const std::vector<Eigen::Vector3d>& around)
 {
-  const CellGrid grid(parameters.cell_size);
-  const ColumnTable columns(grid, region.box(), points, parts.around);
-  if (!of_ceiling.details.empty())
-    room.details = fitDetails(points, of_ceiling, room, region, columns, parameters);
-  const SlabEvidence floor = floorEvidence(points, parts, room.floor, parameters);
-  if (!floor.details.empty())
-    room.floor_details = fitDetails(points, floor, room, region, columns, parameters);
+  SheetParameters of_surface;
+  of_surface.planes_only = is_floor;
+  SlabEvidence evidence;
+  evidence.is_floor = is_floor;
+  evidence.surface =
+      surfaceWithin(boundary, placesOf(points, indices), of_surface, around);
+  evidence.indices = std::move(indices);
+  return evidence;
 }
 
 } // namespace
@@ -209,19 +207,37 @@ fitPlanByEnergy(const PointView& points,
   parallelBlocks(storeys.size(), 1, threads, [&](std::size_t s, std::size_t) {
     fitLoops(storeys[s], cells, regions, grid, parameters, rooms, fitted[s]);
   });
+  std::vector<std::vector<RoomSheet>> of_rooms(numbers.size());
   parallelBlocks(rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {
     PlanRoom& room = rooms[r];
     room.id = numbers[r];
     if (room.boundary.elements.empty() || parts[r].ceiling.size() < 3 ||
         parts[r].floor.size() < 3)
       return;
-    SlabEvidence of_ceiling;
-    if (slopes[r])
-      room.ceiling = *slopes[r];
-    else
-      of_ceiling = ceilingEvidence(points, parts[r], parameters, room.ceiling);
-    room.floor = slabOf(points, parts[r].floor, parameters);
-    fitSurfaces(points, parts[r], of_ceiling, regions[r].cells, parameters, room);
+    const ColumnTable columns(grid, regions[r].cells.box(), points, parts[r].around);
+    const auto detailsOf = [&](const SlabEvidence& evidence) {
+      return fitDetails(points, evidence, room, regions[r].cells, columns, parameters);
+    };
+    const std::vector<Eigen::Vector3d> around = placesOf(points, parts[r].around);
+    const SlabEvidence ceiling =
+        slabEvidence(points, shares.sheets[r], false, room.boundary, around);
+    const SlabEvidence floor =
+        slabEvidence(points, seenPoints(points, grid, parts[r].floor, true), true,
+                     room.boundary, around);
+    for (const SlabEvidence* slab : {&ceiling, &floor}) {
+      PlanSlab& main = slab->is_floor ? room.floor : room.ceiling;
+      main = mainSlab(points, *slab, parameters);
+      if (!sheets || !hasSlope(slab->surface) ||
+          slab->surface.explained < priors.share_clear)
+        continue;
+      of_rooms[r].push_back(
+          {numbers[r], placesOf(points, slab->indices), slab->surface, slab->is_floor});
+      main = reliefOf(slab->surface, slab->surface.grid.size / 2);
+    }
+    if (!room.ceiling.curve)
+      room.details = detailsOf(ceiling);
+    if (!room.floor.curve)
+      room.floor_details = detailsOf(floor);
     std::vector<int> beside = parts[r].around;
     beside.insert(beside.end(), parts[r].behind.begin(), parts[r].behind.end());
     NicheParameters of_niches;
@@ -247,8 +263,8 @@ fitPlanByEnergy(const PointView& points,
                       regions[r].lost);
         warnings.push_back(name + text);
       }
-      if (slopes[r])
-        sheets->push_back({numbers[r], placesOf(points, shares.sheets[r])});
+      for (RoomSheet& sheet : of_rooms[r])
+        sheets->push_back(std::move(sheet));
       plan.rooms.push_back(std::move(rooms[r]));
     }
   }

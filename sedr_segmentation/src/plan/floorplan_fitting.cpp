@@ -14,6 +14,7 @@
 #include <pcl/sedr_segmentation/impl/floorplan_fitting.hpp>
 
 #include <cmath>
+#include <utility>
 
 namespace pcl::sedr {
 
@@ -137,8 +138,8 @@ fitFloorplan(const PlanInput& input,
     trimDetails(room);
   }
   dropSharedNiches(plan);
-  giveCeilings(sheets, has_raw ? &input.raw : nullptr, raw_indices, parameters.threads,
-               plan);
+  giveCeilings(std::move(sheets), has_raw ? &input.raw : nullptr, raw_indices,
+               parameters.threads, plan);
   endBelowRoomsAbove(plan, priors);
   measureEvidence(plan, input.points, input.indices, priors.wall_band,
                   parameters.threads);

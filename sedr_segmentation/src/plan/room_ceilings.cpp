@@ -2,7 +2,6 @@
 #include "room_ceilings.h"
 
 #include "../borders/step_risers.h"
-#include "../sheets/sheet_fit.h"
 #include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
@@ -35,7 +34,6 @@ seenSheet(const std::vector<Eigen::Vector3d>& points,
   SheetParameters parameters; // coarse: used only for the tops of walls
   parameters.cell_size = 0.15;
   parameters.max_cells = 6000;
-  parameters.is_rough = true;
   parameters.threads = threads;
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector3d& p : points)
@@ -53,7 +51,7 @@ seenSheet(const std::vector<Eigen::Vector3d>& points,
 }
 
 void
-giveCeilings(const std::vector<RoomSheet>& sheets,
+giveCeilings(std::vector<RoomSheet> sheets,
              const PointView* scan,
              const std::vector<int>& indices,
              unsigned threads,
@@ -69,9 +67,9 @@ giveCeilings(const std::vector<RoomSheet>& sheets,
     SheetParameters parameters;
     parameters.threads = threads;
     const PlanLoop outline = outermostBoundary(*room, tilts);
-    const SheetGrid grid = gridWithin(outline, parameters);
-    FacetSheet sheet = fitSheet(sheets[k].points, grid, cellsWithin(grid, outline),
-                                wallDirections(outline), parameters);
+    FacetSheet& sheet = sheets[k].sheet;
+    if (sheet.facets.empty())
+      sheet = surfaceWithin(outline, sheets[k].points, parameters);
     if (!hasSlope(sheet))
       return;
     std::vector<Eigen::Vector3d> risers;
@@ -79,9 +77,17 @@ giveCeilings(const std::vector<RoomSheet>& sheets,
       refitToScan(sheet, *scan, indices, parameters);
       risers = pointsOfRisers(sheet, *scan, indices);
     }
-    const PlanLoop foot = std::exchange(room->boundary, outline);
-    giveCeiling(sheet, sheets[k].points, risers, *room);
-    room->boundary = foot;
+    PlanRoom outermost; // another thread may write to the room
+    outermost.boundary = outline;
+    giveCeiling(sheet, sheets[k].points, risers, outermost, sheets[k].is_floor);
+    if (sheets[k].is_floor) {
+      room->floor = outermost.floor;
+      room->floor_details = std::move(outermost.floor_details);
+    }
+    else {
+      room->ceiling = outermost.ceiling;
+      room->details = std::move(outermost.details);
+    }
   });
 }
 

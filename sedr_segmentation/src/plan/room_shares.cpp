@@ -3,7 +3,6 @@
 
 #include "../niches/niche_fit.h"
 #include "../rooms/room_planes.h"
-#include "../sheets/sheet_fit.h"
 #include "frontier_points.h"
 #include "room_territory.h"
 #include "sedr_filters/src/base/exactness.h"
@@ -63,37 +62,6 @@ heightsOfRooms(const PointView& points,
   return heights;
 }
 
-/** @brief Returns the points of a ceiling and its details that nothing of them hides
- * from below, without vertical faces, if much of them slopes; else none. */
-std::vector<int>
-slopingCeiling(const PointView& points,
-               const CellGrid& grid,
-               const std::vector<int>& ceiling,
-               const std::vector<int>& details)
-{
-  // Metres: more than the steepest slope rises in a cell.
-  const double step = 2 * grid.size();
-  std::map<CellKey, float> lowest;
-  std::vector<int> seen;
-  const auto forAll = [&](auto use) {
-    for (const auto* part : {&ceiling, &details})
-      for (const int i : *part)
-        if (const auto at = static_cast<std::size_t>(i); points.isFinite(at))
-          use(i, keyOf(grid.at(points[at].x(), points[at].y())), points[at].z());
-  };
-  forAll([&](int, CellKey cell, float z) {
-    const auto known = lowest.emplace(cell, z).first;
-    known->second = std::min(known->second, z);
-  });
-  forAll([&](int i, CellKey cell, float z) {
-    if (z < lowest[cell] + step)
-      seen.push_back(i);
-  });
-  if (slopingArea(placesOf(points, seen)) < SheetParameters().min_area)
-    seen.clear();
-  return seen;
-}
-
 } // namespace
 
 std::vector<std::uint32_t>
@@ -108,6 +76,34 @@ roomNumbers(const PlanEvidence& evidence)
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   return numbers;
+}
+
+std::vector<int>
+seenPoints(const PointView& points,
+           const CellGrid& grid,
+           const std::vector<int>& indices,
+           bool is_floor)
+{
+  // Metres: more than the steepest slope rises in a cell.
+  const auto step = static_cast<float>(2 * grid.size());
+  const float sign = is_floor ? -1 : 1;
+  std::map<CellKey, float> nearest;
+  const auto forAll = [&](auto use) {
+    for (const int i : indices)
+      if (const auto at = static_cast<std::size_t>(i);
+          points.isFinite(at) && grid.holds(points[at].x(), points[at].y()))
+        use(i, keyOf(grid.at(points[at].x(), points[at].y())), sign * points[at].z());
+  };
+  forAll([&](int, CellKey cell, float z) {
+    const auto known = nearest.emplace(cell, z).first;
+    known->second = std::min(known->second, z);
+  });
+  std::vector<int> seen;
+  forAll([&](int i, CellKey cell, float z) {
+    if (z < nearest[cell] + step)
+      seen.push_back(i);
+  });
+  return seen;
 }
 
 std::vector<Eigen::Vector3d>
@@ -149,8 +145,11 @@ shareOut(const PointView& points,
   auto ceilings = shareBy(evidence.ceiling, labelled);
   auto details = shareBy(evidence.details, labelled);
   auto of_sheets = shareBy(evidence.sheets, labelled);
-  for (std::size_t r = 0; r < numbers.size() && evidence.finds_sheets; ++r)
-    of_sheets[r] = slopingCeiling(points, grid, ceilings[r], details[r]);
+  for (std::size_t r = 0; r < numbers.size() && evidence.finds_sheets; ++r) {
+    std::vector<int> both = ceilings[r];
+    both.insert(both.end(), details[r].begin(), details[r].end());
+    of_sheets[r] = seenPoints(points, grid, both, false);
+  }
   std::vector<CellSet> scopes;
   for (std::size_t r = 0; r < numbers.size(); ++r)
     scopes.push_back(

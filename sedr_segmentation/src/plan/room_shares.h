@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/cell_grid.h>
 #include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
 
@@ -19,8 +20,8 @@ struct PlanEvidence {
   std::vector<int> floor;
   std::vector<int> walls; ///< empty: all
   std::vector<std::uint32_t> room;
-  std::vector<int> sheets;   ///< of ceilings that are not level
-  bool finds_sheets = false; ///< whether ceilings that slope are found, not given
+  std::vector<int> sheets;   ///< of ceilings as they are seen from below
+  bool finds_sheets = false; ///< whether those are found, not given
 };
 
 /** @brief The points of a room: indices. */
@@ -36,7 +37,7 @@ struct RoomEvidence {
 /** @brief The points of each room, in the order of their numbers. */
 struct RoomShares {
   std::vector<RoomEvidence> rooms;
-  std::vector<std::vector<int>> sheets; ///< points of ceilings that are not level
+  std::vector<std::vector<int>> sheets; ///< points of ceilings as seen from below
 };
 
 /** @brief Returns the room numbers, increasing, without 0. */
@@ -50,6 +51,13 @@ RoomShares shareOut(const PointView& points,
                     const std::vector<std::uint32_t>& numbers,
                     const RoomFitParameters& parameters,
                     std::string& problem);
+
+/** @brief Returns those of the points of a ceiling, or of a floor, that nothing of them
+ * hides from inside the room, without vertical faces. */
+std::vector<int> seenPoints(const PointView& points,
+                            const CellGrid& grid,
+                            const std::vector<int>& indices,
+                            bool is_floor);
 
 /** @brief Returns the finite ones of some points. */
 std::vector<Eigen::Vector3d> placesOf(const PointView& points,

@@ -23,6 +23,7 @@ constexpr ShapeKind all_kinds[] = {ShapeKind::Level,
                                    ShapeKind::Sphere,
                                    ShapeKind::EllipticCylinder,
                                    ShapeKind::Ellipsoid};
+constexpr int plane_kinds = 2; ///< the first ones
 
 constexpr std::size_t min_cells = 10; ///< that another shape is tried for
 constexpr double settled = 1e-4;      ///< share of its cost: a last fit follows
@@ -33,8 +34,9 @@ public:
   explicit Chooser(const FacetEvidence& evidence)
       : evidence_(evidence)
       , cells_(evidence.cells)
-      , kinds_(std::begin(all_kinds) + (evidence.parameters.is_rough ? 1 : 0),
-               std::end(all_kinds))
+      , kinds_(std::begin(all_kinds),
+               evidence.parameters.planes_only ? std::begin(all_kinds) + plane_kinds
+                                               : std::end(all_kinds))
   {
     for (std::size_t cell = 0; cell < cells_.grid().count(); ++cell)
       if (isSeen(cell))
@@ -317,7 +319,8 @@ FacetChoice
 chooseFacets(const FacetEvidence& evidence, std::vector<FacetProposal> proposals)
 {
   FacetChoice choice = Chooser(evidence).run(std::move(proposals));
-  addReliefs(evidence, choice);
+  if (!evidence.parameters.planes_only)
+    addReliefs(evidence, choice);
   return choice;
 }
 

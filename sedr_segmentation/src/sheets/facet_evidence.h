@@ -2,7 +2,9 @@
 #pragma once
 
 #include "cell_points.h"
+#include "riser_bins.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -16,6 +18,15 @@ struct FacetEvidence {
                                          ///< beside those that are seen: the walls'
   double deviation;                      ///< of points from their facet, metres
   const SheetParameters& parameters;
+  const RiserBins* risers = nullptr; ///< null: not known
+
+  /** @brief What a metre of border between two cells costs for what was seen of a riser
+   * there: the share of the step that none closes, of which noise leaves some. */
+  double openShare(std::size_t cell, std::size_t next, double low, double high) const
+  {
+    constexpr double least = 0.2;
+    return risers ? std::max(least, 1 - risers->share(cell, next, low, high)) : 1;
+  }
 
   /** @brief What a cell with points counts for: its share of a patch. */
   double weight() const { return std::pow(cells.grid().size / parameters.patch, 2); }

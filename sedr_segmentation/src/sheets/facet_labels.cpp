@@ -25,6 +25,7 @@ class Borders {
 public:
   Borders(const std::vector<FacetCosts>& facets, const FacetEvidence& evidence)
       : facets_(facets)
+      , evidence_(evidence)
       , cells_(evidence.cells)
       , parameters_(evidence.parameters)
   {}
@@ -58,15 +59,18 @@ public:
       return 0;
     const auto& a = facets_[static_cast<std::size_t>(one)].height;
     const auto& b = facets_[static_cast<std::size_t>(other)].height;
-    const double step =
-        std::abs(static_cast<double>(a[cell]) + a[next] - b[cell] - b[next]) / 2;
-    return cells_.grid().size *
+    const double one_height = (static_cast<double>(a[cell]) + a[next]) / 2;
+    const double other_height = (static_cast<double>(b[cell]) + b[next]) / 2;
+    const auto& [low, high] = std::minmax(one_height, other_height);
+    const double step = high - low;
+    return cells_.grid().size * evidence_.openShare(cell, next, low, high) *
            (parameters_.crease +
             parameters_.step * std::min(1.0, step / parameters_.full_step));
   }
 
 private:
   const std::vector<FacetCosts>& facets_;
+  const FacetEvidence& evidence_;
   const CellPoints& cells_;
   const SheetParameters& parameters_;
 };
@@ -252,9 +256,11 @@ takenBy(std::int32_t own,
                       if_yes[cell]);
   });
   borders.forAll(box, [&](std::size_t a, std::size_t b) {
-    const double no_no = borders.costOf(a, b, label[a], label[b]);
     const double no_yes = borders.costOf(a, b, label[a], own);
     const double yes_no = borders.costOf(a, b, own, label[b]);
+    // Where risers are seen, two steps may cost less than one: a cut cannot tell.
+    const double no_no =
+        std::min(borders.costOf(a, b, label[a], label[b]), no_yes + yes_no);
     if (isIn(a) && isIn(b))
       expansion.addPair(numberOf(a), numberOf(b), no_no, no_yes, yes_no, 0);
     else if (isIn(a))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shape_proposals.h"
 
+#include "cell_pieces.h"
 #include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
@@ -243,6 +244,119 @@ fitFacet(ShapeKind kind,
   return facet;
 }
 
+namespace {
+
+/** @brief Cells of squares of 2 x reach + 1 cells in a set, and the share of seen cells
+ * of a square that must be in it. */
+std::vector<std::size_t>
+wideCells(const CellPoints& cells, const std::vector<std::uint8_t>& is_in, int reach)
+{
+  constexpr double min_share = 0.9;
+  const SheetGrid& grid = cells.grid();
+  std::vector<std::uint8_t> is_wide(grid.count(), 0);
+  for (const std::size_t cell : cells.seen()) {
+    if (!is_in[cell])
+      continue;
+    const std::vector<std::size_t> window = cells.window(cell, reach);
+    const auto own = std::count_if(window.begin(), window.end(),
+                                   [&](std::size_t c) { return is_in[c] != 0; });
+    if (static_cast<double>(own) >= min_share * static_cast<double>(window.size()) &&
+        window.size() > static_cast<std::size_t>(2 * reach * (2 * reach + 1)))
+      for (const std::size_t c : window)
+        is_wide[c] = is_in[c];
+  }
+  std::vector<std::size_t> wide;
+  for (const std::size_t cell : cells.seen())
+    if (is_wide[cell])
+      wide.push_back(cell);
+  return wide;
+}
+
+/** @brief Whether a level plane fits its cells as a free one does: a strip of a slope
+ * or of a vault is none. */
+bool
+isTrulyLevel(const PlanSlab& level,
+             const std::vector<std::size_t>& own,
+             const FacetEvidence& evidence)
+{
+  const auto points = evidence.cells.pointsOf(own, max_points);
+  PlanSlab free = fitPlane(points);
+  refineShape(ShapeKind::Plane, points, evidence.deviation, free);
+  return std::all_of(own.begin(), own.end(), [&](std::size_t cell) {
+    const Eigen::Vector2d place = evidence.cells.grid().centre(cell);
+    return std::abs(free.heightAt(place) - level.heightAt(place)) < evidence.deviation;
+  });
+}
+
+/** @brief Level planes at the peaks of the histogram of heights. Their `cells` are
+ * those that need no other shape: nowhere narrower than half a metre, and not part of
+ * a slope. */
+std::vector<FacetProposal>
+proposeLevels(const FacetEvidence& evidence)
+{
+  constexpr std::size_t most = 40;
+  constexpr double wide = 0.5; // metres
+  const CellPoints& cells = evidence.cells;
+  const double cell_size = cells.grid().size;
+  const auto least = static_cast<std::size_t>(
+      std::ceil(evidence.parameters.min_area / (2 * cell_size * cell_size)));
+  const double band = facet_band * evidence.deviation;
+  std::vector<std::pair<double, std::size_t>> heights; // of flat cells
+  for (const std::size_t cell : cells.seen()) {
+    double sum = 0;
+    for (const Eigen::Vector3d* p = cells.begin(cell); p != cells.end(cell); ++p)
+      sum += p->z();
+    heights.emplace_back(sum / static_cast<double>(cells.end(cell) - cells.begin(cell)),
+                         cell);
+  }
+  std::sort(heights.begin(), heights.end());
+  std::vector<FacetProposal> found;
+  while (found.size() < most) {
+    std::size_t first = 0;
+    std::size_t count = 0;
+    for (std::size_t low = 0, high = 0; high < heights.size(); ++high) {
+      while (heights[high].first - heights[low].first > band)
+        ++low;
+      if (high - low + 1 > count) {
+        first = low;
+        count = high - low + 1;
+      }
+    }
+    if (count < std::max<std::size_t>(least, 1))
+      break;
+    std::vector<std::size_t> own;
+    for (std::size_t k = first; k < first + count; ++k)
+      own.push_back(heights[k].second);
+    std::sort(own.begin(), own.end());
+    FacetProposal level = fitFacet(ShapeKind::Level, evidence, std::move(own));
+    level.cells.clear();
+    std::vector<std::uint8_t> is_own(cells.grid().count(), 0);
+    for (const std::size_t cell : cells.seen())
+      is_own[cell] = explainsCell(level.slab, cells, cell, evidence.deviation) ? 1 : 0;
+    const auto reach = static_cast<int>(std::lround(wide / 2 / cell_size));
+    std::vector<std::uint8_t> is_left(cells.grid().count(), 0);
+    for (const std::size_t cell : wideCells(cells, is_own, std::max(1, reach)))
+      is_left[cell] = 1;
+    for (const auto& piece : piecesOf(cells.grid(), is_left))
+      if (isTrulyLevel(level.slab, piece, evidence))
+        level.cells.insert(level.cells.end(), piece.begin(), piece.end());
+    std::sort(level.cells.begin(), level.cells.end());
+    found.push_back(std::move(level));
+    heights.erase(std::remove_if(heights.begin(), heights.end(),
+                                 [&](const auto& height) {
+                                   return is_own[height.second] ||
+                                          std::abs(height.first -
+                                                   found.back().slab.heightAt(
+                                                       Eigen::Vector2d::Zero())) <
+                                              band / 2;
+                                 }),
+                  heights.end());
+  }
+  return found;
+}
+
+} // namespace
+
 std::vector<FacetProposal>
 proposeFacets(const FacetEvidence& evidence)
 {
@@ -253,22 +367,27 @@ proposeFacets(const FacetEvidence& evidence)
   // A window with a curve in it is mostly of that curve: the smallest dome that is
   // tested is 1.7 m wide, in cells of 10 and 15 cm.
   const std::vector<int> of_curves{5, 10, 16};
-  const std::vector<Search> searches{{ShapeKind::Plane, {3, 1}},
-                                     {ShapeKind::Cylinder, of_curves},
-                                     {ShapeKind::Sphere, of_curves}};
-  std::vector<std::vector<FacetProposal>> found(searches.size());
+  std::vector<Search> searches{{ShapeKind::Plane, {3, 1}},
+                               {ShapeKind::Cylinder, of_curves},
+                               {ShapeKind::Sphere, of_curves}};
+  if (evidence.parameters.planes_only)
+    searches.resize(1);
+  const std::vector<FacetProposal> levels = proposeLevels(evidence);
+  std::vector<std::vector<FacetProposal>> found(searches.size(), levels);
   parallelBlocks(searches.size(), 1, evidence.parameters.threads,
                  [&](std::size_t k, std::size_t) {
                    for (const int reach : searches[k].reaches)
                      growFromSeeds(evidence, searches[k].kind, reach, found[k]);
                  });
-  std::vector<FacetProposal> all;
+  std::vector<FacetProposal> all = levels;
+  const auto known = static_cast<std::ptrdiff_t>(levels.size());
   // A level plane is one number only, and worth it where a tilted one is not.
-  for (const FacetProposal& plane : found.front())
-    if (!evidence.parameters.is_rough && isLevel(plane.slab))
-      all.push_back(fitFacet(ShapeKind::Level, evidence, plane.cells));
+  for (auto plane = found.front().begin() + known; plane != found.front().end();
+       ++plane)
+    if (isLevel(plane->slab))
+      all.push_back(fitFacet(ShapeKind::Level, evidence, plane->cells));
   for (auto& of_kind : found)
-    std::move(of_kind.begin(), of_kind.end(), std::back_inserter(all));
+    std::move(of_kind.begin() + known, of_kind.end(), std::back_inserter(all));
   return all;
 }
 

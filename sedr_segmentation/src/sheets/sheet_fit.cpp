@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <utility>
 
 namespace pcl::sedr {
@@ -37,12 +39,13 @@ fillNearest(const SheetGrid& grid, std::vector<std::int32_t>& label)
   }
 }
 
-/** @brief Takes the label from pieces of facets that are too small to be one. */
+/** @brief Gives pieces that are too small to be a facet to that beside them which
+ * explains them best. Smaller ones are one with risers along half of their border. */
 void
-dropSmallPieces(const SheetGrid& grid,
-                double min_area,
-                std::vector<std::int32_t>& label)
+dropSmallPieces(const FacetEvidence& evidence, FacetChoice& choice)
 {
+  const SheetGrid& grid = evidence.cells.grid();
+  std::vector<std::int32_t>& label = choice.label;
   std::vector<std::uint8_t> is_known(label.size(), 0);
   for (std::size_t first = 0; first < label.size(); ++first) {
     if (label[first] == FacetSheet::none || is_known[first])
@@ -50,20 +53,47 @@ dropSmallPieces(const SheetGrid& grid,
     const std::int32_t own = label[first];
     std::vector<std::size_t> piece{first};
     is_known[first] = 1;
+    double closed = 0;
+    double border = 0;
+    std::map<std::int32_t, double> beside; // label, what it costs in the piece
     for (std::size_t k = 0; k < piece.size(); ++k)
       for (const auto& [dx, dy] :
            {std::pair<int, int>(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
         const int x = grid.columnOf(piece[k]) + dx;
         const int y = grid.rowOf(piece[k]) + dy;
-        if (!grid.holds(x, y) || label[grid.indexOf(x, y)] != own ||
-            is_known[grid.indexOf(x, y)])
+        if (!grid.holds(x, y))
           continue;
-        is_known[grid.indexOf(x, y)] = 1;
-        piece.push_back(grid.indexOf(x, y));
+        const std::size_t next = grid.indexOf(x, y);
+        if (label[next] != own && label[next] != FacetSheet::none) {
+          const auto heightOf = [&](std::int32_t facet) {
+            return static_cast<double>(
+                choice.costs[static_cast<std::size_t>(facet)].height[piece[k]]);
+          };
+          const double height = heightOf(own);
+          const double other = heightOf(label[next]);
+          const auto& [low, high] = std::minmax(height, other);
+          closed += 1 - evidence.openShare(piece[k], next, low, high);
+          border += 1;
+          beside.emplace(label[next], 0);
+        }
+        if (label[next] != own || is_known[next])
+          continue;
+        is_known[next] = 1;
+        piece.push_back(next);
       }
-    if (static_cast<double>(piece.size()) * grid.size * grid.size < min_area)
+    const double least = border > 0 && closed >= border / 2
+                             ? evidence.parameters.min_closed_area
+                             : evidence.parameters.min_area;
+    if (static_cast<double>(piece.size()) * grid.size * grid.size >= least)
+      continue;
+    for (auto& [other, cost] : beside)
       for (const std::size_t cell : piece)
-        label[cell] = FacetSheet::none;
+        cost += choice.costs[static_cast<std::size_t>(other)].cost[cell];
+    const auto best = std::min_element(
+        beside.begin(), beside.end(),
+        [](const auto& a, const auto& b) { return a.second < b.second; });
+    for (const std::size_t cell : piece)
+      label[cell] = best == beside.end() ? FacetSheet::none : best->first;
   }
 }
 
@@ -235,7 +265,8 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
          const SheetGrid& grid,
          const std::vector<std::uint8_t>& domain,
          const std::vector<double>& directions,
-         const SheetParameters& parameters)
+         const SheetParameters& parameters,
+         const std::vector<Eigen::Vector3d>& around)
 {
   constexpr std::size_t min_points = 50;
   FacetSheet sheet;
@@ -246,12 +277,17 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
     return sheet;
   sheet.noise = cells.noise();
   const double deviation = std::hypot(sheet.noise, parameters.unevenness);
-  const FacetEvidence evidence{cells, directions, deviation, parameters};
+  constexpr double coarsest = 0.15; // metres: in larger cells much is beside a step
+  std::optional<RiserBins> risers;
+  if (!around.empty() && grid.size <= coarsest)
+    risers.emplace(grid, around);
+  const FacetEvidence evidence{cells, directions, deviation, parameters,
+                               risers ? &*risers : nullptr};
   FacetChoice choice = chooseFacets(evidence, proposeFacets(evidence));
   for (std::size_t cell = 0; cell < choice.label.size(); ++cell)
     if (!domain[cell])
       choice.label[cell] = FacetSheet::none;
-  dropSmallPieces(grid, parameters.min_area, choice.label);
+  dropSmallPieces(evidence, choice);
   fillNearest(grid, choice.label);
   for (std::size_t cell = 0; cell < choice.label.size(); ++cell)
     if (!domain[cell])
@@ -277,6 +313,17 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
   sheet.explained = static_cast<double>(seen) / static_cast<double>(with_points);
   finishFacets(cells, choice, deviation, parameters, sheet);
   return sheet;
+}
+
+FacetSheet
+surfaceWithin(const PlanLoop& loop,
+              const std::vector<Eigen::Vector3d>& points,
+              const SheetParameters& parameters,
+              const std::vector<Eigen::Vector3d>& around)
+{
+  const SheetGrid grid = gridWithin(loop, parameters);
+  return fitSheet(points, grid, cellsWithin(grid, loop), wallDirections(loop),
+                  parameters, around);
 }
 
 bool

@@ -33,14 +33,13 @@ struct SheetParameters {
                           ///< `full_step` or more
   double full_step = 0.2; ///< metres
   double min_area = 0.4;  ///< of a facet, square metres
-  double min_relief = 1;  ///< of a free form, square metres
-  double relief_spacing = 0.25; ///< between its heights, metres
-  double steepest = M_PI / 3;   ///< of a plane, radians
-  double level = level_tilt;    ///< greatest tilt of a level ceiling, radians
-  double largest_radius = 40;   ///< of a vault; flatter ones are planes, metres
-  bool is_rough = false; ///< before the outline is known: level planes cost as much as
-                         ///< tilted ones, so that lintels below the eaves are no
-                         ///< facets
+  double min_closed_area = 0.25; ///< of one with risers around it
+  double min_relief = 1;         ///< of a free form, square metres
+  double relief_spacing = 0.25;  ///< between its heights, metres
+  double steepest = M_PI / 3;    ///< of a plane, radians
+  double level = level_tilt;     ///< greatest tilt of a level ceiling, radians
+  double largest_radius = 40;    ///< of a vault; flatter ones are planes, metres
+  bool planes_only = false;      ///< of floors: no curves, no free forms
   unsigned threads = 1;
 };
 
@@ -133,6 +132,8 @@ struct FacetSheet {
  * facets are known; as many as the grid has, see sheetGrid()
  * @param directions that the axes of vaults may have beside those that are seen, those
  * of the walls: radians
+ * @param around all points in and near the room: a border is cheap where they show a
+ * riser; may be empty
  * @return no facets where there are fewer than 50 points
  *
  * The same for any number of threads. O(n) a facet that is tried. */
@@ -140,13 +141,14 @@ FacetSheet fitSheet(const std::vector<Eigen::Vector3d>& points,
                     const SheetGrid& grid,
                     const std::vector<std::uint8_t>& domain,
                     const std::vector<double>& directions,
-                    const SheetParameters& parameters = {});
+                    const SheetParameters& parameters = {},
+                    const std::vector<Eigen::Vector3d>& around = {});
 
-/** @brief The largest part of a ceiling, in square metres, that is smooth, slopes by
- * more than 4 degrees and is nowhere narrower than half a metre: none of level planes,
- * their steps and what hangs below them, much of a roof, a vault or a cove. 0 where
- * there are no points. O(n). */
-double slopingArea(const std::vector<Eigen::Vector3d>& points);
+/** @brief As above, over what a loop encloses, in cells along its walls. */
+FacetSheet surfaceWithin(const PlanLoop& loop,
+                         const std::vector<Eigen::Vector3d>& points,
+                         const SheetParameters& parameters = {},
+                         const std::vector<Eigen::Vector3d>& around = {});
 
 /** @brief Whether a sheet has a facet in closed form that is no level plane. */
 bool hasSlope(const FacetSheet& sheet);
@@ -177,15 +179,16 @@ std::vector<std::uint8_t> cellsWithin(const SheetGrid& grid, const PlanLoop& loo
 /** @brief The heights of a sheet as a slab, of `spacing` metres or more. */
 PlanSlab reliefOf(const FacetSheet& sheet, double spacing);
 
-/** @brief Gives a room its ceiling: its largest facet is the main one, others lie over
- * it, with borders where facets meet, at steps, and at the room's walls. Details of the
- * ceiling make way.
+/** @brief Gives a room its ceiling, or its floor: the largest facet is the main one,
+ * others lie over it, with borders where facets meet, at steps, and at the room's
+ * walls. Details make way.
  * @param points those that the sheet was fitted to
  * @param risers points of what is vertical between its facets; may be empty */
 void giveCeiling(const FacetSheet& sheet,
                  const std::vector<Eigen::Vector3d>& points,
                  const std::vector<Eigen::Vector3d>& risers,
-                 PlanRoom& room);
+                 PlanRoom& room,
+                 bool is_floor = false);
 
 /** @brief The directions of a room's straight walls and those square to them, radians,
  * the most frequent first. */

@@ -105,7 +105,6 @@ ChainRun::findStructure()
   return runStage("RoomSegmentation", n, [&](auto& r) { return partRooms(r); }) &&
          runStage("HorizontalPlaneDetection", n,
                   [&](auto& r) { return findPlanes(r); }) &&
-         runStage("GridSliceDetail", n, [&](auto& r) { return findDetails(r); }) &&
          runStage("FloorProjectionRecovery", n,
                   [&](auto& r) { return recoverFloors(r); }) &&
          runStage("CeilingBoundaryWallGrowing", n,

@@ -73,8 +73,8 @@ private:
   bool findPlanes(StageReport& report);
   double cellSizeThatFills() const;
 
-  /** @brief Adds the points of platforms and steps to the floors of their rooms. */
-  void findPlatforms();
+  /** @brief Restricts the floors of the rooms to what is no furniture. */
+  void findFloors();
 
   /** @brief Collects the planes of all rooms in `planes`, for display. */
   void listPlanes();
@@ -82,8 +82,6 @@ private:
   /** @brief Adds points where a room's ceiling is hidden, using the air below it.
    * @return number of points */
   std::size_t addHiddenCeiling(std::size_t room);
-
-  bool findDetails(StageReport& report);
 
   /** @brief A part of a sloping ceiling that its model does not represent. */
   struct PlaceOff {
@@ -99,13 +97,10 @@ private:
       std::size_t region,
       const std::function<double(const Eigen::Vector2d&, double)>& distance) const;
 
-  /** @brief Returns whether a room's ceiling is more than level planes. */
-  bool hasSheet(std::size_t region) const;
-
   /** @brief Returns the scanned points of a room's ceiling. */
   pcl::Indices seenCeiling(std::size_t region) const;
 
-  /** @brief Returns the points of all ceilings that are not level, increasing. */
+  /** @brief Returns the scanned points of all ceilings, increasing. */
   pcl::IndicesPtr sheetPoints() const;
 
   /** @brief Warns of ceilings that are not level and that the plan does not
@@ -158,8 +153,8 @@ private:
    * building's grid. */
   CellSet levelColumns(std::size_t room) const;
 
-  /** @brief Labels the unlabelled points of a room's ceiling: soffits that the slices
-   * did not separate from window heads, and points outside all slabs.
+  /** @brief Labels the points of a room's ceiling off its main plane: as details below
+   * level parts of the ceiling, else as ceiling.
    * @return number of points */
   std::size_t labelLowerCeilings(std::size_t room);
 
@@ -181,7 +176,7 @@ private:
   std::vector<ChainRoom> regions_;
   std::vector<pcl::IndicesPtr> territory_; ///< of each room, indices of thinned points
   std::vector<pcl::Indices> shares_; ///< points of each room, starting with room 0
-  std::vector<double> slice_height_; ///< of each room, NaN without details
+  std::vector<double> slice_height_; ///< of each room, NaN without lower ceilings
   std::vector<StructureCloud::Ptr>
       refined_; ///< of each room of the plan, until repaired
 };

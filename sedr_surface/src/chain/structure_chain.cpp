@@ -29,7 +29,6 @@ StructureChain::setPriors(const Priors& priors)
   room_segmentation.setHeadroom(priors.min_headroom);
   room_segmentation.setWidestDoor(priors.max_door_width);
   plane_detection.setPriors(priors);
-  slice_detail.setPriors(priors);
   floorplan_fitting.setPriors(priors);
   opening_detection.setPriors(priors);
 }
@@ -39,7 +38,6 @@ StructureChain::setCells(double size)
 {
   plane_detection.setGridSize(size);
   room_segmentation.setGridSize(size);
-  slice_detail.setGridSize(size);
   floor_recovery.setGridSize(size);
   floorplan_fitting.setGridSize(size);
   hole_repair.setGridSize(size);

@@ -4,7 +4,6 @@
 #include "chain_run.h"
 
 #include "sedr_filters/src/plan/room_lookup.h"
-#include "sedr_segmentation/src/sheets/sheet_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -97,16 +96,6 @@ ChainRun::ceilingOff(
   return place;
 }
 
-bool
-ChainRun::hasSheet(std::size_t region) const
-{
-  std::vector<Eigen::Vector3d> points;
-  for (const int i : seenCeiling(region))
-    points.push_back(
-        (*chain_.cloud)[static_cast<std::size_t>(i)].getVector3fMap().cast<double>());
-  return slopingArea(points) >= SheetParameters().min_area;
-}
-
 pcl::Indices
 ChainRun::seenCeiling(std::size_t region) const
 {
@@ -122,14 +111,11 @@ pcl::IndicesPtr
 ChainRun::sheetPoints() const
 {
   pcl::IndicesPtr sheets(new pcl::Indices);
-  for (std::size_t r = 0; r < regions_.size(); ++r) {
-    if (!hasSheet(r))
-      continue;
+  for (std::size_t r = 0; r < regions_.size(); ++r)
     for (const int i : seenCeiling(r))
       if (chain_.rooms[static_cast<std::size_t>(i)] ==
           r + 1) // else floor of the one above
         sheets->push_back(i);
-  }
   std::sort(sheets->begin(), sheets->end());
   return sheets;
 }

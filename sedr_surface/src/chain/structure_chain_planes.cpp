@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../formats/labels.h"
+#include "sedr_segmentation/src/plan/room_shares.h"
 #include "sedr_segmentation/src/plan/room_territory.h"
+#include "sedr_segmentation/src/planes/floor_parts.h"
 #include "sedr_segmentation/src/walls/wall_growing.h"
 
 #include "chain_run.h"
@@ -177,8 +179,6 @@ ChainRun::findPlanes(StageReport& report)
       chain_.rooms[at] = static_cast<std::uint32_t>(r + 1);
       ++report.points_out;
     }
-    room.floor = pointsOn(points, room.floor, room.floor_slab, parameters.tolerance);
-    report.points_out += room.floor.size();
   }
   const CellGrid grid(chain_.plane_detection.getGridSize());
   for (std::size_t r = 0; r < regions_.size(); ++r) {
@@ -190,43 +190,33 @@ ChainRun::findPlanes(StageReport& report)
   if (!of_rooms.problem().empty())
     return fail(of_rooms.problem());
   territory_ = territories(of_rooms);
-  findPlatforms();
+  findFloors();
+  for (std::size_t r = 0; r < regions_.size(); ++r) {
+    report.points_out += regions_[r].floor.size();
+    slice_height_.push_back(std::numeric_limits<double>::quiet_NaN());
+    if (regions_[r].scope.empty())
+      warn(static_cast<std::uint32_t>(r + 1),
+           "no point of its ceiling was found: it is left out");
+    report.points_out += labelLowerCeilings(r);
+  }
   listPlanes();
   tellResult("HorizontalPlaneDetection");
   return true;
 }
 
 void
-ChainRun::findPlatforms()
+ChainRun::findFloors()
 {
-  constexpr double highest = 1;   // metres above the floor
-  constexpr double largest = 200; // square metres; halls would take too long
   const PointView points(*chain_.cloud);
-  parallelBlocks(
-      regions_.size(), 1, chain_.room_segmentation.getNumberOfThreads(),
-      [&](std::size_t r, std::size_t) {
-        ChainRoom& room = regions_[r];
-        if (chain_.getBuilding().rooms[r].area > largest || room.floor.empty())
-          return;
-        pcl::IndicesPtr near(new pcl::Indices);
-        for (const int i : *territory_[r]) {
-          const auto at = static_cast<std::size_t>(i);
-          const bool is_ceiling =
-              chain_.labels[at] == valueOf(StructureLabel::Ceiling) &&
-              chain_.rooms[at] == r + 1;
-          if (is_ceiling || distanceAbove(room.floor_slab, points[at]) < highest)
-            near->push_back(i);
-        }
-        pcl::HorizontalPlaneDetection<pcl::PointXYZ> detection = chain_.plane_detection;
-        detection.setInputCloud(chain_.cloud);
-        detection.setIndices(near);
-        std::vector<pcl::HorizontalPlane> found;
-        if (!detection.segment(found))
-          return;
-        for (const pcl::HorizontalPlane& plane : found)
-          if (plane.kind == LevelKind::Floor)
-            room.floor = unite(room.floor, plane.inliers.indices);
-      });
+  const CellGrid grid(chain_.plane_detection.getGridSize());
+  parallelBlocks(regions_.size(), 1, chain_.room_segmentation.getNumberOfThreads(),
+                 [&](std::size_t r, std::size_t) {
+                   ChainRoom& room = regions_[r];
+                   room.floor = floorPoints(
+                       points, seenPoints(points, grid, room.floor, true),
+                       *territory_[r], room.floor_slab,
+                       chain_.plane_detection.getDistanceThreshold(), chain_.priors_);
+                 });
 }
 
 void

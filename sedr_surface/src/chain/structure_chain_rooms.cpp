@@ -47,54 +47,6 @@ ChainRun::shareOut()
 }
 
 bool
-ChainRun::findDetails(StageReport& report)
-{
-  using Detection = decltype(chain_.slice_detail);
-  chain_.slice_detail.setInputCloud(chain_.cloud);
-  shareOut();
-  std::vector<Detection> detections(regions_.size(), chain_.slice_detail);
-  std::vector<pcl::PointIndices> details(regions_.size());
-  const CellGrid grid(chain_.plane_detection.getGridSize());
-  const auto detect = [&](std::size_t r, std::size_t) {
-    const ChainRoom& region = regions_[r];
-    if (region.scope.empty())
-      return;
-    const Eigen::Vector2d middle = grid.centre(region.scope[region.scope.size() / 2]);
-    Detection& own = detections[r];
-    own.setIndices(territory_[r]);
-    own.setCeilingIndices(
-        labelled(StructureLabel::Ceiling, static_cast<std::uint32_t>(r + 1)));
-    own.setFloorHeight(region.floor_slab.heightAt(middle));
-    own.segment(details[r]);
-  };
-  parallelBlocks(regions_.size(), 1, chain_.room_segmentation.getNumberOfThreads(),
-                 detect);
-
-  for (std::size_t r = 0; r < regions_.size(); ++r) {
-    const auto room = static_cast<std::uint32_t>(r + 1);
-    if (regions_[r].scope.empty())
-      warn(room, "no point of its ceiling was found: it is left out");
-    chain_.slice_detail = std::move(detections[r]);
-    if (!chain_.slice_detail.getErrorMessage().empty())
-      warn(room, chain_.slice_detail.getErrorMessage());
-    tellResult("GridSliceDetail", room);
-    slice_height_.push_back(chain_.slice_detail.getSliceHeight());
-    // Slices do not apply to vaults and roofs.
-    const CellGrid& columns = chain_.getBuilding().grid;
-    const CellSet level = levelColumns(r);
-    for (const int i : details[r].indices) {
-      const pcl::PointXYZ& p = (*chain_.cloud)[static_cast<std::size_t>(i)];
-      if (!anyAround(level, columns.at(p.x, p.y), 1, [](std::size_t) { return true; }))
-        continue;
-      chain_.labels[static_cast<std::size_t>(i)] = valueOf(StructureLabel::Detail);
-      chain_.rooms[static_cast<std::size_t>(i)] = room;
-    }
-    report.points_out += details[r].indices.size() + labelLowerCeilings(r);
-  }
-  return true;
-}
-
-bool
 ChainRun::recoverFloors(StageReport& report)
 {
   shareOut();

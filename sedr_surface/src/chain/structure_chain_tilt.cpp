@@ -116,7 +116,7 @@ ChainRun::fitCeilingsAsScanned(const PointView& raw, const pcl::Indices& indices
   std::vector<RoomSheet> sheets;
   for (const PlanRoom& room : chain_.plan->rooms)
     if (isTilted(room, chain_.tilts))
-      sheets.push_back({room.id, {}});
+      sheets.push_back({room.id, {}, {}});
   if (sheets.empty())
     return;
   const pcl::IndicesConstPtr ceilings = sheetPoints();
@@ -129,7 +129,7 @@ ChainRun::fitCeilingsAsScanned(const PointView& raw, const pcl::Indices& indices
   for (std::size_t i = 0; i < raw.size(); ++i)
     all.push_back(scanned(raw, i).cast<float>());
   const PointView of_all(all.data(), sizeof(Eigen::Vector3f), all.size());
-  giveCeilings(sheets, all.empty() ? nullptr : &of_all, indices,
+  giveCeilings(std::move(sheets), all.empty() ? nullptr : &of_all, indices,
                chain_.room_segmentation.getNumberOfThreads(), *chain_.plan,
                chain_.tilts);
 }

@@ -2,10 +2,9 @@
 #include "segmentation/plan/room_evidence.h"
 
 #include "sedr_segmentation/src/details/detail_fit.h"
-#include "sedr_segmentation/src/details/height_map.h"
+#include "sedr_segmentation/src/plan/room_shares.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace {
 
@@ -30,18 +29,23 @@ detailsOf(const PlanRoom& truth,
   const RoomParts parts = points.room(truth);
   SlabEvidence evidence;
   evidence.is_floor = is_floor;
-  for (const int i : is_floor ? parts.floor : parts.ceiling) {
-    const bool is_main = !is_floor || points[i].z() < 0.02;
-    (is_main ? evidence.main : evidence.details).push_back(i);
-  }
+  evidence.indices = is_floor ? parts.floor : parts.ceiling;
   for (const int i : parts.details)
     if ((points[i].z() < truth.ceiling.heightAt({0, 0}) / 2) == is_floor)
-      evidence.details.push_back(i);
+      evidence.indices.push_back(i);
   const auto isInShadow = [&](int i) {
     return points[i].y() > shadow.first && points[i].y() < shadow.second;
   };
-  for (std::vector<int>* part : {&evidence.main, &evidence.details})
-    part->erase(std::remove_if(part->begin(), part->end(), isInShadow), part->end());
+  evidence.indices.erase(
+      std::remove_if(evidence.indices.begin(), evidence.indices.end(), isInShadow),
+      evidence.indices.end());
+  evidence.indices =
+      seenPoints(points.view(), CellGrid(0.05), evidence.indices, is_floor);
+  SheetParameters of_surface;
+  of_surface.planes_only = is_floor;
+  evidence.surface =
+      surfaceWithin(truth.boundary, placesOf(points.view(), evidence.indices),
+                    of_surface, placesOf(points.view(), points.all()));
   PlanRoom room = truth;
   room.details.clear();
   room.floor_details.clear();
@@ -61,30 +65,6 @@ detailsOf(const PlanRoom& truth,
   seen.erase(std::remove_if(seen.begin(), seen.end(), isHidden), seen.end());
   const ColumnTable columns(grid, cells.box(), points.view(), seen);
   return fitDetails(points.view(), evidence, room, cells, columns, parameters);
-}
-
-TEST(FitDetails, StrayPointsFarAwayAreNone)
-{
-  PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
-  truth.details = {detailOf(rectangle(3.91, 0.01, 5.01, 4.01), 2.2)};
-  RoomPoints points;
-  const RoomParts parts = points.room(truth);
-  SlabEvidence evidence{parts.ceiling, parts.details, false};
-  CellMask cells(CellBox{{0, 0}, {100, 80}});
-  std::fill(cells.values().begin(), cells.values().end(), std::uint8_t{1});
-  const std::size_t without =
-      seenHeights(points.view(), evidence, truth.ceiling, cells, {}).details.size();
-  EXPECT_GE(without, 1u);
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  // The first two span more cells than a mask may have, the third is beyond the grid.
-  for (const double far : {9e4, -9e4, 1e12, double{nan}}) {
-    points.point(far, far, 2.2);
-    evidence.details.push_back(points.all().back());
-    EXPECT_EQ(
-        seenHeights(points.view(), evidence, truth.ceiling, cells, {}).details.size(),
-        without)
-        << far;
-  }
 }
 
 TEST(FitDetails, OfAPlainCeilingAreNone)
@@ -136,8 +116,8 @@ TEST(FitDetails, ASoffitNeedsARiserWhateverWallsAreAboveIt)
 TEST(FitDetails, AStepWithAHiddenRiserIsWhereTheLowerCeilingEnds)
 {
   PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
-  room.details = {detailOf(rectangle(0.01, 2.06, 5.01, 4.01), 2.2)};
-  const auto details = detailsOf(room, false, 0, Hidden::Risers, Shadow(1.63, 2.055));
+  room.details = {detailOf(rectangle(0.01, 2.56, 5.01, 4.01), 2.2)};
+  const auto details = detailsOf(room, false, 0, Hidden::Risers, Shadow(2.13, 2.555));
   ASSERT_EQ(details.size(), 1u);
   EXPECT_LT(cornerError(details[0].boundary, room.details[0].boundary), 0.02);
 }
@@ -191,7 +171,7 @@ TEST(FitDetails, ASoffitAllAroundHasAHole)
 {
   PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
   room.details = {detailOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.2)};
-  const PlanLoop hole = rectangle(0.81, 0.81, 4.21, 3.21);
+  const PlanLoop hole = rectangle(0.51, 0.51, 4.51, 3.51);
   room.details[0].holes = {reversed(hole)};
   const auto details = detailsOf(room);
   ASSERT_EQ(details.size(), 1u);

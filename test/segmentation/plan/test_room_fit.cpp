@@ -192,7 +192,7 @@ TEST(FitRoom, ASoffitAllAroundHasAHole)
 {
   PlanRoom truth = roomOf(rectangle(0.01, 0.01, 6.01, 5.01), 2.6);
   truth.details = {detailOf(truth.boundary, 2.3)};
-  truth.details[0].holes = {reversed(rectangle(0.81, 0.81, 5.21, 4.21))};
+  truth.details[0].holes = {reversed(rectangle(0.61, 0.61, 5.41, 4.41))};
   RoomPoints points(0.05, 0.002);
   const RoomParts parts = points.room(truth);
   const PlanRoom room = fitted(points, parts);
@@ -359,7 +359,7 @@ TEST(FitRoom, FieldsBetweenBeamsAreOfTheMainCeilingWhateverLevelTheyWereFoundIn)
   for (const double x : {1.0, 3.0, 5.0})
     EXPECT_NEAR(room.ceilingAt({x, 2}), 2.7, 0.002) << x;
   for (const double x : {2.01, 4.01})
-    EXPECT_NEAR(room.ceilingAt({x, 2}), 2.4, 0.002) << x;
+    EXPECT_NEAR(room.ceilingAt({x, 2}), 2.4, 0.005) << x;
 }
 
 } // namespace

@@ -339,52 +339,6 @@ TEST(PointsOfRisers, AreNoneOfTheWalls)
   EXPECT_TRUE(pointsOfRisers(sheet, PointView(wall), {}).empty());
 }
 
-TEST(SlopingArea, TellsWhatSlopesFromLevelCeilings)
-{
-  EXPECT_GT(slopingArea(sceneOf(6, 4, jackArches).points), 1);
-  EXPECT_GT(slopingArea(sceneOf(6, 4, gable).points), 8);
-  // A cove along one wall of a level ceiling.
-  EXPECT_GT(slopingArea(sceneOf(6, 4,
-                                [](double x, double) {
-                                  const double off = std::max(0.0, 0.8 - x);
-                                  return 2.2 + std::sqrt(1 - off * off);
-                                })
-                            .points),
-            1);
-  for (const double noise : {0.002, 0.01, 0.02})
-    for (const double step : {0.02, 0.04, 0.2})
-      EXPECT_EQ(
-          slopingArea(sceneOf(
-                          6, 4,
-                          [&](double x, double) { return x < 2.3 ? 2.5 - step : 2.5; },
-                          noise)
-                          .points),
-          0)
-          << noise << ' ' << step;
-  EXPECT_EQ(slopingArea({}), 0);
-}
-
-TEST(SlopingArea, OfADomeIsSeenThoughItsPointsAreNoisierThanThoseOfTheLevelCeiling)
-{
-  EXPECT_GT(slopingArea(roomBelowSmallDome().points), 1);
-}
-
-TEST(SlopingArea, OfStepsIsNone)
-{
-  // The underside of stairs, of whose voxels only those of risers slope.
-  for (const double noise : {0.002, 0.02})
-    for (const double seen : {0.0, 0.17}) {
-      Scene scene = sceneOf(
-          6, 4, [](double x, double) { return 2 + 0.17 * std::floor(x / 0.28); },
-          noise);
-      for (double x = 0.28; x < 6; x += 0.28)
-        for (double at = 0; at < 4; at += 0.04)
-          for (double z = 0; z < seen; z += 0.04)
-            scene.points.emplace_back(x, at, 2 + 0.17 * (x / 0.28 - 1) + z);
-      EXPECT_EQ(slopingArea(scene.points), 0) << noise << ' ' << seen;
-    }
-}
-
 TEST(FitSheet, TooFewPointsMakeNoSheet)
 {
   Scene scene = sceneOf(6, 4, gable);

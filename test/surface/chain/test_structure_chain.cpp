@@ -35,9 +35,6 @@ TEST(StructureChain, TellsEveryResultWhileItsStageStillKnowsIt)
     if (stage == "HorizontalPlaneDetection") {
       EXPECT_EQ(chain.planes.size(), 4u) << "a ceiling and a floor a room";
     }
-    if (stage == "GridSliceDetail") {
-      EXPECT_FALSE(chain.slice_detail.getAnalysis().trials.empty());
-    }
     if (stage == "CeilingBoundaryWallGrowing")
       walls[room] = chain.wall_growing.getWallIndices().size();
     if (stage == "VerticalHoleRepair")
@@ -45,20 +42,12 @@ TEST(StructureChain, TellsEveryResultWhileItsStageStillKnowsIt)
   };
   ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
   const std::vector<std::pair<std::string, std::uint32_t>> expected{
-      {"RoomSegmentation", 0},
-      {"HorizontalPlaneDetection", 0},
-      {"GridSliceDetail", 1},
-      {"GridSliceDetail", 2},
-      {"FloorProjectionRecovery", 1},
-      {"FloorProjectionRecovery", 2},
-      {"CeilingBoundaryWallGrowing", 1},
-      {"CeilingBoundaryWallGrowing", 2},
-      {"FloorplanFitting", 0},
-      {"OpeningDetection", 0},
-      {"StructureRefinement", 1},
-      {"StructureRefinement", 2},
-      {"VerticalHoleRepair", 1},
-      {"VerticalHoleRepair", 2},
+      {"RoomSegmentation", 0},           {"HorizontalPlaneDetection", 0},
+      {"FloorProjectionRecovery", 1},    {"FloorProjectionRecovery", 2},
+      {"CeilingBoundaryWallGrowing", 1}, {"CeilingBoundaryWallGrowing", 2},
+      {"FloorplanFitting", 0},           {"OpeningDetection", 0},
+      {"StructureRefinement", 1},        {"StructureRefinement", 2},
+      {"VerticalHoleRepair", 1},         {"VerticalHoleRepair", 2},
       {"FloorplanExtrusion", 0}};
   EXPECT_EQ(told, expected);
   EXPECT_GT(walls[1], 1000u);
@@ -79,7 +68,7 @@ TEST(StructureChain, TakesLargerCellsForASparseScanAndTheOldOnesForTheNext)
 {
   StructureChain chain;
   ASSERT_TRUE(chain.findStructure(roomScannedEvery(0.1))) << chain.problem;
-  EXPECT_GT(chain.slice_detail.getGridSize(), 0.09);
+  EXPECT_GT(chain.plane_detection.getGridSize(), 0.09);
   ASSERT_EQ(chain.warnings.size(), 1u);
   EXPECT_NE(chain.warnings[0].find("too sparse for cells of 0.05 m"),
             std::string::npos);
@@ -87,7 +76,7 @@ TEST(StructureChain, TakesLargerCellsForASparseScanAndTheOldOnesForTheNext)
   EXPECT_NEAR(chain.plan->rooms[0].area(), 12, 0.1);
 
   ASSERT_TRUE(chain.findStructure(roomScannedEvery(0.04))) << chain.problem;
-  EXPECT_EQ(chain.slice_detail.getGridSize(), 0.05);
+  EXPECT_EQ(chain.plane_detection.getGridSize(), 0.05);
   EXPECT_EQ(chain.hole_repair.getGridSize(), 0.05);
   EXPECT_NEAR(chain.wall_growing.getDistanceThreshold(), 0.15, 1e-12);
   EXPECT_TRUE(chain.warnings.empty());

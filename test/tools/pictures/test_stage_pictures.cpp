@@ -133,7 +133,6 @@ oneTrial()
   analysis.trials = {trial};
   analysis.cells = block(0, 9, 0, 29);
   analysis.sizes = {300};
-  analysis.refused = block(42, 44, 5, 9);
   analysis.trial = 1;
   return analysis;
 }
@@ -147,7 +146,6 @@ TEST(SlicePicture, ShowsEveryTrialAndTheDetails)
   EXPECT_EQ(colourAt(picture, 0, at(2, 27)), colours::removed);
   EXPECT_EQ(colourAt(picture, 0, at(1, 28)), colours::paper);
   EXPECT_EQ(colourAt(picture, 1, at(1, 28)), colours::detail);
-  EXPECT_EQ(colourAt(picture, 1, at(43, 7)), colours::removed);
 }
 
 TEST(SlicePicture, RoomsThatNeededNoSecondTrialAreFaintInIt)

@@ -36,9 +36,7 @@ void
 ChainPictures::note(const std::string& stage, std::uint32_t room)
 {
   const StructureChain& chain = chain_.getChain();
-  if (stage == "GridSliceDetail")
-    slices_.push_back(chain.slice_detail.getAnalysis());
-  else if (stage == "FloorProjectionRecovery")
+  if (stage == "FloorProjectionRecovery")
     floors_.push_back(floorCellsOf(chain.floor_recovery));
   else if (stage == "CeilingBoundaryWallGrowing")
     walls_.push_back(roomWallsOf(chain.wall_growing, room));
@@ -52,11 +50,15 @@ ChainPictures::note(const std::string& stage, std::uint32_t room)
 std::vector<std::string>
 ChainPictures::names()
 {
-  return {"01_parallel_voxel_grid.png",        "02_room_segmentation.png",
-          "03_horizontal_plane_detection.png", "04_grid_slice_detail.png",
-          "05_floor_projection_recovery.png",  "06_ceiling_boundary_wall_growing.png",
-          "07_floorplan_fitting.png",          "08_structure_refinement.png",
-          "09_vertical_hole_repair.png",       "10_structural_poisson.png"};
+  return {"01_parallel_voxel_grid.png",
+          "02_room_segmentation.png",
+          "03_horizontal_plane_detection.png",
+          "05_floor_projection_recovery.png",
+          "06_ceiling_boundary_wall_growing.png",
+          "07_floorplan_fitting.png",
+          "08_structure_refinement.png",
+          "09_vertical_hole_repair.png",
+          "10_structural_poisson.png"};
 }
 
 std::vector<std::string>
@@ -69,7 +71,6 @@ ChainPictures::draw() const
                    chain_.getVoxelSize()),
       drawRooms(chain.getBuilding()),
       drawPlanes(chain.planes, points, chain_.getGridSize()),
-      drawSlices(slices_, chain_.getGridSize()),
       drawFloor(floors_),
       drawWalls(walls_, points),
       drawPlan(*chain.plan, chain.floorplan_fitting.getBoundaries()),

@@ -33,7 +33,6 @@ private:
   void note(const std::string& stage, std::uint32_t room);
 
   Chain& chain_;
-  std::vector<SliceDetails> slices_;
   std::vector<FloorCells> floors_;
   std::vector<RoomWalls> walls_;
   RefinedWalls refined_;

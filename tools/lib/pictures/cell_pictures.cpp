@@ -293,7 +293,6 @@ drawSlices(const std::vector<SliceDetails>& rooms, double cell_size)
     for (const SliceTrial& trial : room.trials)
       trials = std::max(trials, trial.number);
     found.addCells(room.ceiling, cell_size, ceiling_colour);
-    found.addCells(room.refused, cell_size, colours::removed);
     found.addCells(room.cells, cell_size, colours::detail);
   }
   found.title = "found: " + (details > 0 ? counted(details, "detail") : "no detail");
@@ -307,9 +306,7 @@ drawSlices(const std::vector<SliceDetails>& rooms, double cell_size)
   picture.addLegend("ceiling", ceiling_colour);
   picture.addLegend("slice", colours::wall);
   picture.addLegend("zero-valued region taken, its cells; detail", colours::detail);
-  picture.addLegend("rejected or refused: too small, nothing above, a lamp, a head of "
-                    "an opening",
-                    colours::removed);
+  picture.addLegend("rejected: too small, or nothing above", colours::removed);
   return picture;
 }
 

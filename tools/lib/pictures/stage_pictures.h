@@ -3,7 +3,6 @@
 
 #include "picture.h"
 
-#include "sedr_segmentation/src/details/slice_detail.h"
 #include <pcl/sedr_filters/floor_projection_recovery.h>
 #include <pcl/sedr_filters/grid_region_outlier_removal.h>
 #include <pcl/sedr_filters/structure_refinement.h>
@@ -11,6 +10,7 @@
 #include <pcl/sedr_segmentation/building.h>
 #include <pcl/sedr_segmentation/ceiling_boundary_wall_growing.h>
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
+#include <pcl/sedr_segmentation/grid_slice_detail.h>
 #include <pcl/sedr_segmentation/horizontal_plane_detection.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 

@@ -24,11 +24,6 @@ struct SliceParameters {
   std::size_t minimum_cells = 20; ///< of a detail region (paper, Table 1)
   int trials = 3;               ///< 1/4; then 1/2; then 1/8 and 3/8 of the room height
   double slice_thickness = 0.1; ///< of a slice
-  double widest_niche =
-      Priors().max_door_width; ///< maximum width; a narrower straight opening with a
-                               ///< lower head is a door or a window
-  double minimum_island_area =
-      0.5; ///< square metres; a smaller island is a lamp or a vent
   Priors priors;
   unsigned threads = 0; ///< 0: all processors
 };
@@ -57,7 +52,6 @@ struct SliceDetails {
 
   CellSet ceiling;                ///< cells of the main ceiling
   std::vector<SliceTrial> trials; ///< trials made; the last one decided
-  CellSet refused; ///< undersides of lamps and heads of doors and windows, not detail
 };
 
 } // namespace sedr
@@ -67,8 +61,7 @@ struct SliceDetails {
  *
  * Horizontal slices at 1/4 and 1/2, then at 1/8 and 3/8 of the room height below the
  * ceiling show the walls. Cells that slice and ceiling enclose together, but not the
- * ceiling alone, may be detail. Beyond the paper, undersides of one height that adjoin
- * the ceiling are detail too, and heads of doors and windows are left out. The class
+ * ceiling alone, are detail if points lie between slice and ceiling. The class
  * processes one room: setIndices() gives its points, setCeilingIndices() those of its
  * main ceiling. The planes of ceiling and floor are fitted to the indices. Non-finite
  * points are never detail. O(n log n) plus the cells of the bounding box.
@@ -124,17 +117,8 @@ public:
   void setSliceThickness(double thickness) { parameters_.slice_thickness = thickness; }
   double getSliceThickness() const { return parameters_.slice_thickness; }
 
-  /** @brief Sets the minimum area of a detail that the ceiling encloses, square metres,
-   * >= 0. Smaller ones are lamps or vents. Default 0.5. */
-  void setMinimumIslandArea(double area) { parameters_.minimum_island_area = area; }
-  double getMinimumIslandArea() const { return parameters_.minimum_island_area; }
-
-  /** @brief Sets the priors, and with them the maximum door width. */
-  void setPriors(const sedr::Priors& priors)
-  {
-    parameters_.priors = priors;
-    parameters_.widest_niche = priors.max_door_width;
-  }
+  /** @brief Sets the priors about buildings. */
+  void setPriors(const sedr::Priors& priors) { parameters_.priors = priors; }
   const sedr::Priors& getPriors() const { return parameters_.priors; }
 
   /** @brief Sets the number of threads; 0 (default): all processors. The result does

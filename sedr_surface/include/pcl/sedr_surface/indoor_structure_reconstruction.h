@@ -117,16 +117,6 @@ public:
     return static_cast<unsigned>(chain_.wall_growing.getNumberOfNeighbors());
   }
 
-  /** @brief Sets the minimum number of cells in a structural detail. Default 20. */
-  void setMinimumDetailCells(std::size_t cells)
-  {
-    chain_.slice_detail.setMinimumCells(cells);
-  }
-  std::size_t getMinimumDetailCells() const
-  {
-    return chain_.slice_detail.getMinimumCells();
-  }
-
   /** @brief Sets the "tolerance of boundary", metres. Default 0.05. */
   void setBoundaryTolerance(double tolerance)
   {

@@ -10,7 +10,6 @@
 #include <pcl/sedr_filters/vertical_hole_repair.h>
 #include <pcl/sedr_segmentation/ceiling_boundary_wall_growing.h>
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
-#include <pcl/sedr_segmentation/grid_slice_detail.h>
 #include <pcl/sedr_segmentation/horizontal_plane_detection.h>
 #include <pcl/sedr_segmentation/opening_detection.h>
 #include <pcl/sedr_segmentation/room_segmentation.h>
@@ -62,7 +61,6 @@ public:
 
   pcl::RoomSegmentation<pcl::PointXYZ> room_segmentation;
   pcl::HorizontalPlaneDetection<pcl::PointXYZ> plane_detection;
-  pcl::GridSliceDetail<pcl::PointXYZ> slice_detail;
   pcl::FloorProjectionRecovery<pcl::PointXYZ> floor_recovery{
       true}; ///< reports what it removes
   pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ> wall_growing;

@@ -61,7 +61,6 @@ void
 IndoorStructureReconstruction<PointT>::setPlaneTolerance(double tolerance)
 {
   chain_.plane_detection.setDistanceThreshold(tolerance);
-  chain_.slice_detail.setDistanceThreshold(tolerance);
 }
 
 template <typename PointT>
@@ -89,7 +88,6 @@ IndoorStructureReconstruction<PointT>::setNumberOfThreads(unsigned threads)
   voxel_grid_.setNumberOfThreads(threads);
   chain_.plane_detection.setNumberOfThreads(threads);
   chain_.room_segmentation.setNumberOfThreads(threads);
-  chain_.slice_detail.setNumberOfThreads(threads);
   chain_.wall_growing.setNumberOfThreads(threads);
   chain_.floorplan_fitting.setNumberOfThreads(threads);
   chain_.opening_detection.setNumberOfThreads(threads);
@@ -103,7 +101,6 @@ void
 IndoorStructureReconstruction<PointT>::setSeed(std::uint64_t seed)
 {
   chain_.plane_detection.setSeed(seed);
-  chain_.slice_detail.setSeed(seed);
   chain_.floorplan_fitting.setSeed(seed);
 }
 

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "floor_parts.h"
+
+#include "../borders/cell_cracks.h"
+#include "../sheets/riser_bins.h"
+#include "../sheets/sheet_fit.h"
+#include "sedr_filters/src/base/plane_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace pcl::sedr {
+
+namespace {
+
+std::vector<Eigen::Vector3d>
+placesAt(const PointView& points, const std::vector<int>& indices)
+{
+  std::vector<Eigen::Vector3d> places;
+  for (const int i : indices)
+    if (points.isFinite(static_cast<std::size_t>(i)))
+      places.push_back(points[static_cast<std::size_t>(i)].cast<double>());
+  return places;
+}
+
+/** @brief A grid over some points, and its cells at most 20 cm from one. */
+SheetGrid
+gridOver(const std::vector<Eigen::Vector3d>& places,
+         const SheetParameters& parameters,
+         std::vector<std::uint8_t>& domain)
+{
+  constexpr int reach = 2; // cells
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector3d& p : places)
+    box.extend(p.head<2>());
+  const SheetGrid grid = sheetGrid(box, parameters);
+  domain.assign(grid.count(), 0);
+  for (const Eigen::Vector3d& p : places) {
+    const std::size_t cell = grid.at(p.head<2>());
+    for (int dy = -reach; dy <= reach; ++dy)
+      for (int dx = -reach; dx <= reach; ++dx)
+        if (const int x = grid.columnOf(cell) + dx, y = grid.rowOf(cell) + dy;
+            grid.holds(x, y))
+          domain[grid.indexOf(x, y)] = 1;
+  }
+  return grid;
+}
+
+/** @brief A piece of the surface on which a room's air ends, and its rim in cells. */
+struct FloorPiece {
+  struct Border {
+    double length = 0;
+    double closed = 0; ///< by risers, or as the step is low
+    double rise = 0;   ///< sum over the border, from this piece to the other one
+  };
+
+  const PlanSlab* slab = nullptr;
+  double area = 0;
+  double above_main = 0; ///< mean height, metres
+  double hides = 0;      ///< share of its cells off the rim with floor below
+  double walls = 0;      ///< length of its rim beside walls
+  double rim = 0;
+  std::map<std::size_t, Border> borders;
+  bool is_floor = false;
+};
+
+/** @brief Decides which pieces are of the floor, from the main plane outwards. */
+class FloorPieces {
+public:
+  FloorPieces(const FacetSheet& surface,
+              const RiserBins& risers,
+              const std::vector<std::uint8_t>& floor_seen,
+              const PlanSlab& main,
+              const Priors& priors)
+      : priors_(priors)
+  {
+    const SheetGrid& grid = surface.grid;
+    std::vector<std::int32_t> label = surface.label;
+    for (std::size_t cell = 0; cell < label.size(); ++cell)
+      if (!surface.is_inside[cell])
+        label[cell] = FacetSheet::none;
+    CellCracks cracks = cracksOf(grid, label);
+    piece_of_ = std::move(cracks.piece);
+    pieces_.resize(cracks.first_cell.size());
+    std::vector<double> cells(pieces_.size(), 0);
+    std::vector<double> within(pieces_.size(), 0); // cells off the rim
+    for (std::size_t cell = 0; cell < label.size(); ++cell) {
+      if (label[cell] == FacetSheet::none)
+        continue;
+      FloorPiece& piece = pieces_[static_cast<std::size_t>(piece_of_[cell])];
+      piece.slab = &surface.facets[static_cast<std::size_t>(label[cell])];
+      const Eigen::Vector2d place = grid.centre(cell);
+      const double height = piece.slab->heightAt(place);
+      const double over = height - main.heightAt(place);
+      cells[static_cast<std::size_t>(piece_of_[cell])] += 1;
+      piece.area += surface.is_seen[cell] ? grid.size * grid.size : 0;
+      piece.above_main += over;
+      const double rim_before = piece.rim;
+      for (const auto& [dx, dy] :
+           {std::pair<int, int>(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
+        const int x = grid.columnOf(cell) + dx;
+        const int y = grid.rowOf(cell) + dy;
+        if (!grid.holds(x, y))
+          continue;
+        const std::size_t next = grid.indexOf(x, y);
+        if (label[next] == label[cell])
+          continue;
+        piece.rim += 1;
+        if (label[next] == FacetSheet::none) {
+          piece.walls += 1;
+          continue;
+        }
+        const double other =
+            surface.facets[static_cast<std::size_t>(label[next])].heightAt(place);
+        FloorPiece::Border& border =
+            piece.borders[static_cast<std::size_t>(piece_of_[next])];
+        border.length += 1;
+        border.rise += other - height;
+        const auto& [low, high] = std::minmax(height, other);
+        border.closed +=
+            high - low < priors.min_floor_step + 0.04 ||
+                    risers.share(cell, next, low, high) >= priors.share_half
+                ? 1
+                : 0;
+      }
+      if (piece.rim > rim_before)
+        continue;
+      within[static_cast<std::size_t>(piece_of_[cell])] += 1;
+      piece.hides += floor_seen[cell] && over > priors.min_floor_step ? 1 : 0;
+    }
+    for (std::size_t k = 0; k < pieces_.size(); ++k)
+      if (cells[k] > 0) {
+        pieces_[k].above_main /= cells[k];
+        pieces_[k].hides /= std::max(1.0, within[k]);
+        pieces_[k].is_floor = std::abs(pieces_[k].above_main) < priors.min_floor_step;
+      }
+    for (bool has_grown = true; has_grown;) {
+      has_grown = false;
+      for (FloorPiece& piece : pieces_)
+        if (!piece.is_floor && piece.slab && isFloor(piece)) {
+          piece.is_floor = true;
+          has_grown = true;
+        }
+    }
+  }
+
+  /** @brief Returns the slab of the floor in a cell; null where it is none. */
+  const PlanSlab* slabIn(std::size_t cell) const
+  {
+    const FloorPiece& piece = pieces_[static_cast<std::size_t>(piece_of_[cell])];
+    return piece.is_floor ? piece.slab : nullptr;
+  }
+
+private:
+  bool isFloor(const FloorPiece& piece) const
+  {
+    constexpr double highest = 1.5; // of a stage or a pit, metres from the main floor
+    constexpr double seen_below = 0.1;
+    constexpr double steepest = radians(15); // of a ramp
+    constexpr double min_tread = 0.25;       // square metres
+    const bool is_large = piece.area > priors_.max_furniture_area;
+    if (piece.hides > seen_below || piece.slab->plane[2] < std::cos(steepest) ||
+        std::abs(piece.above_main) > (is_large ? highest : priors_.max_platform_height))
+      return false;
+    double closed = piece.walls;
+    double held = piece.walls; // by what furniture has not beside it
+    bool is_reached = is_large;
+    bool is_below_floor = false;
+    for (const auto& [other, border] : piece.borders) {
+      const double rise = border.rise / border.length;
+      const bool is_step = std::abs(rise) <= priors_.max_step_height;
+      const bool is_known = pieces_[other].is_floor;
+      closed += border.closed;
+      if (is_known || (rise > priors_.min_floor_step && is_step))
+        held += rise > -priors_.min_floor_step ? border.length : 0;
+      is_reached = is_reached || (is_known && is_step);
+      is_below_floor = is_below_floor || (is_known && rise > priors_.min_floor_step);
+    }
+    const double least = is_below_floor ? min_tread : priors_.min_platform_area;
+    return piece.area >= least && is_reached && closed >= 0.7 * piece.rim &&
+           (is_large || held >= 0.2 * piece.rim);
+  }
+
+  const Priors& priors_;
+  std::vector<std::int32_t> piece_of_;
+  std::vector<FloorPiece> pieces_;
+};
+
+} // namespace
+
+std::vector<int>
+floorPoints(const PointView& points,
+            const std::vector<int>& ends,
+            const std::vector<int>& around,
+            const PlanSlab& main,
+            double tolerance,
+            const Priors& priors)
+{
+  const auto onMain = [&](int i) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    return std::abs(distanceAbove(main, p)) <= tolerance;
+  };
+  std::vector<int> floor;
+  const std::vector<Eigen::Vector3d> places = placesAt(points, ends);
+  SheetParameters parameters;
+  parameters.planes_only = true;
+  std::vector<std::uint8_t> domain;
+  FacetSheet surface;
+  if (!places.empty() && std::any_of(ends.begin(), ends.end(), [&](int i) {
+        return points.isFinite(static_cast<std::size_t>(i)) && !onMain(i);
+      })) {
+    const SheetGrid grid = gridOver(places, parameters, domain);
+    const std::vector<Eigen::Vector3d> all = placesAt(points, around);
+    surface = fitSheet(places, grid, domain, {}, parameters, all);
+    if (!surface.facets.empty()) {
+      std::vector<std::uint8_t> floor_seen(grid.count(), 0);
+      for (const Eigen::Vector3d& p : all)
+        if (const std::size_t cell = grid.at(p.head<2>());
+            cell < floor_seen.size() &&
+            std::abs(distanceAbove(main, p.cast<float>())) <= tolerance / 2)
+          floor_seen[cell] = 1;
+      const FloorPieces pieces(surface, RiserBins(grid, all), floor_seen, main, priors);
+      for (const int i : ends) {
+        const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+        const std::size_t cell =
+            p.allFinite() ? grid.at(p.head<2>().cast<double>()) : grid.count();
+        const PlanSlab* slab = cell < grid.count() ? pieces.slabIn(cell) : nullptr;
+        if ((slab && std::abs(distanceAbove(*slab, p)) <= tolerance) || onMain(i))
+          floor.push_back(i);
+      }
+      return floor;
+    }
+  }
+  std::copy_if(ends.begin(), ends.end(), std::back_inserter(floor), onMain);
+  return floor;
+}
+
+} // namespace pcl::sedr

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "riser_bins.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace pcl::sedr {
+
+RiserBins::RiserBins(const SheetGrid& grid, const std::vector<Eigen::Vector3d>& points)
+{
+  constexpr double bins = 64;
+  double top = -std::numeric_limits<double>::infinity();
+  bottom_ = std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3d& p : points) {
+    bottom_ = std::min(bottom_, p.z());
+    top = std::max(top, p.z());
+  }
+  bin_ = std::max(bin_, (top - bottom_) / (bins - 1));
+  std::vector<std::uint64_t> own(grid.count(), 0);
+  for (const Eigen::Vector3d& p : points)
+    if (const std::size_t cell = grid.at(p.head<2>()); cell < own.size())
+      own[cell] |= std::uint64_t{1} << static_cast<int>((p.z() - bottom_) / bin_);
+  seen_ = own;
+  for (std::size_t cell = 0; cell < own.size(); ++cell)
+    for (const auto& [dx, dy] : {std::pair<int, int>(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
+      const int x = grid.columnOf(cell) + dx;
+      const int y = grid.rowOf(cell) + dy;
+      if (grid.holds(x, y))
+        seen_[cell] |= own[grid.indexOf(x, y)];
+    }
+}
+
+double
+RiserBins::share(std::size_t cell, std::size_t next, double low, double high) const
+{
+  constexpr double margin = 0.03; // metres: noise of the surfaces
+  constexpr double least = 0.1; // metres: a lower step's riser is in no bin of its own
+  if (high - low < least)
+    return 0;
+  const double middle = std::floor(((low + high) / 2 - bottom_) / bin_);
+  const double first = std::min(middle, std::ceil((low + margin - bottom_) / bin_));
+  const double last =
+      std::max(middle, std::floor((high - margin - bottom_) / bin_) - 1);
+  const auto from = static_cast<int>(std::clamp(first, 0.0, 63.0));
+  const auto count = static_cast<int>(std::clamp(last, 0.0, 63.0)) - from + 1;
+  const std::uint64_t between = (~std::uint64_t{0} >> (64 - count)) << from;
+  return static_cast<double>(
+             __builtin_popcountll((seen_[cell] | seen_[next]) & between)) /
+         count;
+}
+
+} // namespace pcl::sedr

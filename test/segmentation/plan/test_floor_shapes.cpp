@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_evidence.h"
+
+#include "sedr_segmentation/src/planes/floor_parts.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <ostream>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+/** A room of 8 m x 6 m with parts of its floor. */
+struct FloorShape {
+  const char* name;
+  std::vector<PlanDetail> parts;
+  double slope = 0; ///< of the main floor along x
+};
+
+std::ostream&
+operator<<(std::ostream& stream, const FloorShape& shape)
+{
+  return stream << shape.name;
+}
+
+PlanRoom
+roomWith(const FloorShape& shape)
+{
+  PlanRoom room = roomOf(rectangle(0.01, 0.01, 8.01, 6.01), 3.4);
+  room.floor = slabAt(0, shape.slope);
+  room.floor_details = shape.parts;
+  return room;
+}
+
+/** Returns a strip that rises along x from the floor at 2.01. */
+PlanDetail
+ramp(double degrees)
+{
+  const double slope = std::tan(degrees * M_PI / 180);
+  PlanDetail part = detailOf(rectangle(2.01, 4.51, 5.01, 6.01), 0);
+  part.slab = slabAt(-2.01 * slope, slope);
+  return part;
+}
+
+PlanDetail
+platformAfter(const PlanDetail& ramp)
+{
+  return detailOf(rectangle(5.01, 4.51, 8.01, 6.01), ramp.slab.heightAt({5.01, 5}));
+}
+
+class FloorShapes : public testing::TestWithParam<FloorShape> {};
+
+/** Returns the share of the floor that is farther than a centimetre from the truth. */
+double
+shareOff(const PlanRoom& found, const PlanRoom& truth)
+{
+  int off = 0;
+  int count = 0;
+  for (double y = 0.05; y < 6; y += 0.031)
+    for (double x = 0.05; x < 8; x += 0.031) {
+      off += std::abs(found.floorAt({x, y}) - truth.floorAt({x, y})) > 0.01 ? 1 : 0;
+      ++count;
+    }
+  return static_cast<double>(off) / count;
+}
+
+TEST_P(FloorShapes, AreInThePlan)
+{
+  const PlanRoom truth = roomWith(GetParam());
+  RoomPoints points(0.05, 0.005);
+  const RoomParts parts = points.room(truth);
+  RoomParts found = parts;
+  found.floor =
+      floorPoints(points.view(), parts.floor, points.all(), slabAt(0), 0.07, {});
+  EXPECT_GE(found.floor.size(), parts.floor.size() * 97 / 100);
+  const PlanRoom room = fitted(points, found);
+  EXPECT_EQ(room.floor_details.size(), truth.floor_details.size());
+  EXPECT_LE(shareOff(room, truth), 0.01);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Floors,
+    FloorShapes,
+    testing::Values(
+        FloorShape{"platform", {detailOf(rectangle(5.01, 0.01, 8.01, 6.01), 0.3)}},
+        FloorShape{"step", {detailOf(rectangle(5.01, 0.01, 8.01, 6.01), 0.1)}},
+        FloorShape{"stage", {detailOf(rectangle(5.01, 0.01, 8.01, 6.01), 1.2)}},
+        FloorShape{"pit", {detailOf(rectangle(2.01, 1.01, 5.01, 4.01), -0.6)}},
+        FloorShape{"ramp of 6 degrees", {ramp(6), platformAfter(ramp(6))}},
+        FloorShape{"ramp of 10 degrees", {ramp(10), platformAfter(ramp(10))}},
+        FloorShape{"sloping hall", {}, std::tan(5 * M_PI / 180)}));
+
+TEST(FloorPoints, OfFurnitureAreNone)
+{
+  struct Piece {
+    const char* name;
+    PlanLoop outline;
+    double height;
+    bool has_sides;
+  };
+  for (const Piece& piece :
+       {Piece{"table", rectangle(3.01, 2.01, 5.01, 3.01), 0.75, false},
+        Piece{"bed", rectangle(3.01, 0.01, 5.01, 2.01), 0.5, true},
+        Piece{"chest", rectangle(6.01, 2.01, 7.01, 2.81), 0.45, true}}) {
+    RoomPoints points(0.05, 0.005);
+    const PlanRoom room = roomWith({"plain", {}});
+    const bool has_sides = piece.has_sides;
+    std::vector<int> ends = points.slab(room.boundary, 0, [&](double x, double y) {
+      return !(has_sides && piece.outline.contains({x, y}));
+    });
+    const std::size_t floor = ends.size();
+    for (const int i : points.slab(piece.outline, piece.height))
+      ends.push_back(i);
+    for (const PlanElement& side : piece.outline.elements)
+      if (has_sides)
+        points.wall(side, 0.05, piece.height);
+    EXPECT_EQ(floorPoints(points.view(), ends, points.all(), slabAt(0), 0.07, {}).size(),
+              floor)
+        << piece.name;
+  }
+}
+
+} // namespace
