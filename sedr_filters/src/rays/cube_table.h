@@ -48,8 +48,7 @@ public:
 
   std::uint32_t find(const Cube& cube) const
   {
-    const VoxelCode code = codeOf(cube);
-    return static_cast<std::uint32_t>(table_.numberOf(code, hashOf(code)));
+    return static_cast<std::uint32_t>(table_.numberOf(codeOf(cube)));
   }
 
   std::uint32_t findAt(const Eigen::Vector3d& place) const { return find(at(place)); }
@@ -57,8 +56,7 @@ public:
   /** @brief Returns the number of a cube, which is added if it is new. */
   std::uint32_t add(const Cube& cube)
   {
-    const VoxelCode code = codeOf(cube);
-    table_.add({code, 1, {}}, hashOf(code));
+    table_.add({codeOf(cube), 1, {}});
     return find(cube);
   }
 

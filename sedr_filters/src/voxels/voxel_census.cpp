@@ -49,7 +49,7 @@ void
 VoxelCensus::endRun()
 {
   if (run_.count > 0)
-    cubes_.add(run_, hashOf(run_.code));
+    cubes_.add(run_);
   run_ = {};
 }
 

@@ -25,13 +25,8 @@ struct alignas(64) VoxelSums::Shard {
   void add(const VoxelSum* sums, std::size_t n)
   {
     const std::lock_guard<std::mutex> lock(mutex);
-    std::array<std::uint64_t, most_at_once> hashes; // NOLINT: filled below
     for (std::size_t i = 0; i < n; ++i)
-      table.expectSlot(hashes[i] = hashOf(sums[i].code));
-    for (std::size_t i = 0; i < n; ++i)
-      table.expectSum(hashes[i]);
-    for (std::size_t i = 0; i < n; ++i)
-      table.add(sums[i], hashes[i]);
+      table.add(sums[i]);
   }
 };
 
@@ -134,7 +129,7 @@ VoxelSums::add(const std::vector<VoxelSum>& sums)
 {
   for (const VoxelSum& sum : sums)
     if (sum.count > 0)
-      shards_[shardOf(sum.code)].table.add(sum, hashOf(sum.code));
+      shards_[shardOf(sum.code)].table.add(sum);
 }
 
 std::size_t
@@ -210,14 +205,8 @@ VoxelSums::forEach(const std::function<void(const VoxelSum&, std::size_t)>& see,
                    unsigned threads) const
 {
   constexpr std::size_t voxels_a_block = 4096;
-  constexpr std::size_t ahead = 16;
-  parallelBlocks(order_.size(), voxels_a_block, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t i = begin; i < end; ++i) {
-                     VoxelTable::prefetch(order_[std::min(i + ahead, end - 1)]);
-                     see(*order_[i], i);
-                   }
-                 });
+  parallelFor(order_.size(), voxels_a_block, threads,
+              [&](std::size_t i) { see(*order_[i], i); });
 }
 
 void
@@ -228,7 +217,7 @@ VoxelSums::index()
   for (std::size_t place = 0; place < order_.size(); ++place) {
     const VoxelCode& code = order_[place]->code;
     Shard& shard = shards_[shardOf(code)];
-    const std::int64_t number = shard.table.numberOf(code, hashOf(code));
+    const std::int64_t number = shard.table.numberOf(code);
     shard.places[static_cast<std::size_t>(number)] =
         static_cast<std::uint32_t>(place + 1);
   }
@@ -240,9 +229,8 @@ VoxelSums::find(const Eigen::Vector3f& point) const
   if (!frame_.holds(point))
     return -1;
   const VoxelCode code = frame_.codes(point);
-  const std::uint64_t hash = hashOf(code);
   const Shard& shard = shards_[shardOf(code)];
-  const std::int64_t number = shard.table.numberOf(code, hash);
+  const std::int64_t number = shard.table.numberOf(code);
   return number < 0 ? -1
                     : std::int64_t{shard.places[static_cast<std::size_t>(number)]} - 1;
 }

@@ -53,7 +53,7 @@ pointsAround(const VoxelTable& cubes)
       code[0] += k % 3 - 1;
       code[1] += k / 3 % 3 - 1;
       code[2] += k / 9 - 1;
-      const std::int64_t found = cubes.numberOf(code, hashOf(code));
+      const std::int64_t found = cubes.numberOf(code);
       around[c] += found < 0 ? 0 : cubes[static_cast<std::size_t>(found)].count;
     }
   return around;
@@ -84,7 +84,7 @@ VoxelColumns::VoxelColumns(const PointView& points,
     VoxelSum run{}; // points of the same cube, one after another
     const auto endRun = [&] {
       if (run.count > 0)
-        met[begin / points_a_block].add(run, hashOf(run.code));
+        met[begin / points_a_block].add(run);
       run.count = 0;
     };
     for (std::size_t k = begin; k < end; ++k) {
@@ -102,7 +102,7 @@ VoxelColumns::VoxelColumns(const PointView& points,
   VoxelTable cubes;
   for (const VoxelTable& block : met)
     for (std::size_t c = 0; c < block.size(); ++c)
-      cubes.add(block[c], hashOf(block[c].code));
+      cubes.add(block[c]);
   makeTiles(heightsOf(cubes, std::max(bytes_of_any_scan, n * bytes_a_point)));
 
   // The points of each tile, so that each is filled by one thread.

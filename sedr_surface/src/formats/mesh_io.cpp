@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <exception>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -152,45 +152,10 @@ private:
   std::string bytes_;
 };
 
-/** @brief Returns the zero-based index of an OBJ word, "7", "7/1/2" or "-1" for the
- * last vertex; -1 if invalid. */
-std::int64_t
-objIndex(const std::string& word, std::size_t vertices)
-{
-  try {
-    const long long index = std::stoll(word);
-    const auto count = static_cast<std::int64_t>(vertices);
-    const std::int64_t from_zero = index > 0 ? index - 1 : count + index;
-    return index != 0 && from_zero >= 0 && from_zero < count ? from_zero : -1;
-  }
-  catch (const std::exception&) {
-    return -1;
-  }
-}
-
 std::string
 inLine(std::size_t number)
 {
   return " in line " + std::to_string(number);
-}
-
-/** @brief Returns true if a vertex line of OBJ occurs before any byte that text cannot
- * contain. */
-bool
-looksLikeObj(const std::string& content)
-{
-  std::istringstream lines(content);
-  std::string line;
-  std::string keyword;
-  while (std::getline(lines, line)) {
-    std::istringstream words(line);
-    double coordinate = 0;
-    if (words >> keyword && keyword == "v" && words >> coordinate)
-      return true;
-    if (line.find('\0') != std::string::npos)
-      return false;
-  }
-  return false;
 }
 
 /** @brief As parsePly(), for an OBJ file. */
@@ -212,8 +177,11 @@ parseObj(const std::string& content, TriangleMesh& mesh)
     else if (word == "f") {
       std::vector<std::uint32_t> polygon;
       while (words >> word) {
-        const std::int64_t index = objIndex(word, mesh.vertices.size());
-        if (index < 0)
+        // "7", "7/1/2" or, for the last vertex, "-1"
+        const auto count = static_cast<std::int64_t>(mesh.vertices.size());
+        const std::int64_t number = std::strtoll(word.c_str(), nullptr, 10);
+        const std::int64_t index = number > 0 ? number - 1 : count + number;
+        if (index < 0 || index >= count)
           return "has a face with the bad vertex '" + word + "'" + inLine(number);
         polygon.push_back(static_cast<std::uint32_t>(index));
       }
@@ -235,9 +203,7 @@ parse(const std::string& content, TriangleMesh& mesh)
   std::string reason;
   if (content.compare(0, 4, "ply\n") == 0 || content.compare(0, 4, "ply\r") == 0)
     reason = parsePly(content, mesh);
-  else if (looksLikeObj(content))
-    reason = parseObj(content, mesh);
-  else
+  else if (reason = parseObj(content, mesh); mesh.vertices.empty())
     reason = "is neither a PLY nor an OBJ file";
   if (!reason.empty())
     return reason;

@@ -4,7 +4,8 @@
 #include "run_tool.h"
 #include "tool_error.h"
 
-#include "sedr_filters/src/base/parallel.h"
+#include <pcl/common/io.h>
+#include <pcl/point_types.h>
 
 #include <algorithm>
 #include <array>
@@ -89,16 +90,8 @@ JointScan::JointScan(const std::vector<std::string>& paths,
   row_size_ = files_.front()->rowSize();
   if (files_.size() == 1)
     return;
-  fields_.clear();
-  row_size_ = 3 * sizeof(float);
-  for (const char* name : {"x", "y", "z"}) {
-    pcl::PCLPointField field;
-    field.name = name;
-    field.offset = static_cast<pcl::uindex_t>(fields_.size() * sizeof(float));
-    field.datatype = pcl::PCLPointField::FLOAT32;
-    field.count = 1;
-    fields_.push_back(field);
-  }
+  fields_ = pcl::getFields<pcl::PointXYZ>();
+  row_size_ = sizeof(Eigen::Vector3f);
 }
 
 void

@@ -4,7 +4,8 @@
 #include "run_tool.h"
 #include "scan_file.h"
 
-#include <array>
+#include <pcl/conversions.h>
+
 #include <cstring>
 
 namespace pcl::sedr::tools {
@@ -40,18 +41,11 @@ loadCloud(const std::string& path, const ScanSettings& settings)
     return true;
   });
 
-  cloud.points.reset(new pcl::PointCloud<pcl::PointXYZ>(blob.width, 1));
-  cloud.points->is_dense = false;
+  cloud.points.reset(new pcl::PointCloud<pcl::PointXYZ>);
+  pcl::fromPCLPointCloud2(blob, *cloud.points);
   cloud.knows_viewpoint = file.knowsViewpoint();
   cloud.points->sensor_origin_ = file.viewpoint();
   cloud.points->sensor_orientation_ = file.orientation();
-  const std::array<std::size_t, 3> offsets{findField(blob, "x")->offset,
-                                           findField(blob, "y")->offset,
-                                           findField(blob, "z")->offset};
-  for (std::size_t i = 0; i < blob.width; ++i)
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      std::memcpy(&(*cloud.points)[i].data[axis],
-                  &blob.data[i * blob.point_step + offsets[axis]], sizeof(float));
 
   cloud.label = wholeField(blob, "label");
   cloud.room = wholeField(blob, "room");

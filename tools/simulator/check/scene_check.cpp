@@ -163,69 +163,6 @@ prismsOf(const Object& object)
   return prisms;
 }
 
-/** @brief Checks that nothing obstructs an object at a point of a part's outline.
- * @param size of the object in the plan; on a slope it touches at its middle */
-void
-checkSample(const std::string& name,
-            const Room& room,
-            const std::vector<Loop>& floor_voids,
-            const Vec2& sample,
-            const Prism& prism,
-            double size)
-{
-  if (!isInRoom(room, sample))
-    fail(name, " meets a wall or column", at(sample));
-  const auto over = [&](Layer layer) { // metres beyond the floor or ceiling
-    const Slab& slab = slabOf(room, regionAt(room, sample, layer), layer);
-    const double z = heightAt(slab, sample);
-    return (layer == Layer::Floor ? z - prism.low : prism.high - z) - kContact -
-           0.5 * size * slab.gradient.norm();
-  };
-  const auto holds = [&](const Loop& loop) { return loop.contains(sample); };
-  if (over(Layer::Floor) > 0.0 &&
-      std::none_of(floor_voids.begin(), floor_voids.end(), holds))
-    fail(name, " is below the floor", at(sample));
-  if (over(Layer::Ceiling) > 0.0 &&
-      std::none_of(room.voids.begin(), room.voids.end(),
-                   [&](const CeilingVoid& v) { return v.leads_to && holds(v.loop); }))
-    fail(name, " is above the ceiling", at(sample));
-}
-
-/** @param floor_voids of each room */
-void
-checkFurniture(const Scene& scene,
-               const Object& object,
-               const std::vector<std::vector<Loop>>& floor_voids)
-{
-  const std::vector<Prism> prisms = prismsOf(object);
-  Box2 whole;
-  for (const Prism& prism : prisms)
-    whole.extend(boundsOf(prism.footprint));
-  const std::string name =
-      object.place + (object.place.empty() ? "the " : ": the ") + object.name;
-  for (const Prism& prism : prisms) {
-    const Box2 bounds = boundsOf(prism.footprint);
-    const std::uint32_t number =
-        roomAt(scene, lifted(bounds.center(), 0.5 * (prism.low + prism.high)));
-    if (number == 0)
-      fail(name, at(bounds.center()), " is in no room");
-    const Room& room = scene.rooms[number - 1];
-    for (const Loop& column : room.columns)
-      if (prism.footprint.contains(column.elements.front().start))
-        fail(name, " stands around a column");
-    std::vector<Vec2> samples = samplesAlong(prism.footprint);
-    for (const Layer layer : {Layer::Floor, Layer::Ceiling})
-      for (const SlabDetail& detail : detailsOf(room, layer))
-        if (detail.bounds.intersects(bounds))
-          for (const Vec2& sample : samplesAlong(detail.loop, kContact))
-            if (prism.footprint.contains(sample))
-              samples.push_back(sample);
-    for (const Vec2& sample : samples)
-      checkSample(name, room, floor_voids[number - 1], sample, prism,
-                  whole.diagonal().norm());
-  }
-}
-
 void
 checkStation(const Scene& scene, const Vec3& station, const std::string& name)
 {
@@ -252,9 +189,6 @@ checkScene(const Scene& scene)
   checkOverlaps(scene.rooms);
   meshOf(scene);
   checkGaps(scene);
-  const auto floor_voids = floorVoidsOf(scene);
-  for (const Object& object : scene.furniture)
-    checkFurniture(scene, object, floor_voids);
   for (std::size_t i = 0; i < scene.scanners.size(); ++i)
     for (std::size_t k = 0; k < scene.scanners[i].stations.size(); ++k)
       checkStation(scene, scene.scanners[i].stations[k],

@@ -9,8 +9,7 @@ namespace pcl::sedr::sim {
  *
  * Every room can be meshed: see meshOf(). Rooms do not overlap, and openings and niches
  * do not reach into other rooms. Voids lie within one part of a ceiling and of the
- * floor above it. Furniture stands inside a single room and intersects no wall, column,
- * floor or ceiling. Scanners are in a room and in no object. Outlines are sampled every
+ * floor above it. Scanners are in a room and in no object. Outlines are sampled every
  * few centimetres.
  * @throw std::invalid_argument with a sentence about the first fault, which begins with
  * its place, as in "rooms[2].openings[0]" */

@@ -140,7 +140,6 @@ struct Object {
   std::string name{};
   std::vector<Box> boxes{};
   std::vector<Cylinder> cylinders{};
-  std::string place{}; ///< its place in the scene file, for messages
 };
 
 /** @brief A scanner and its stations.

@@ -53,7 +53,6 @@ private:
     parts_ += object.boxes.size() + object.cylinders.size();
     if (parts_ > kMostParts)
       view.fail("makes more than " + std::to_string(kMostParts) + " parts");
-    object.place = view.place();
     objects_.push_back(std::move(object));
   }
 

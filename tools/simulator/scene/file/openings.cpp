@@ -113,13 +113,6 @@ readLeaf(const JsonView& view)
   return leaf;
 }
 
-void
-addObject(std::vector<Object>& objects, const JsonView& view, Object object)
-{
-  object.place = view.place();
-  objects.push_back(std::move(object));
-}
-
 } // namespace
 
 std::size_t
@@ -158,13 +151,13 @@ readOpening(const JsonView& view, std::size_t room_index, Scene& scene)
     opening.leaf = readLeaf(*leaf);
     const Element& wall = room.outline.elements[opening.wall];
     if (opening.isShut())
-      addObject(scene.outside, *leaf, makeLeaf(wall, opening));
+      scene.outside.push_back(makeLeaf(wall, opening));
     else
-      addObject(scene.furniture, *leaf, makeLeaf(wall, opening));
+      scene.furniture.push_back(makeLeaf(wall, opening));
   }
   room.openings.push_back(opening);
   if (const auto lobby = view.find("lobby"))
-    addObject(scene.outside, *lobby, readLobby(*lobby, room, opening));
+    scene.outside.push_back(readLobby(*lobby, room, opening));
 }
 
 } // namespace pcl::sedr::sim
