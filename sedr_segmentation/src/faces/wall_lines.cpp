@@ -352,6 +352,7 @@ wallLines(std::vector<SurfacePlace> places, const WallLineParameters& p)
     wall.normal = line.normal;
     wall.offset = line.offset;
     wall.start = low - p.beyond;
+    wall.cell = p.cell;
     std::vector<std::uint8_t> cells(
         static_cast<std::size_t>((high - low) / p.cell) + 1 + 2 * beyond, 0);
     wall.owner.assign(cells.size(), 0);

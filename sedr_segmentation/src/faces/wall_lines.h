@@ -18,23 +18,27 @@ enum class AlongLine : std::uint8_t {
 };
 
 /** @brief The line of the surfaces of walls, normal . p = offset, and what is along it:
- * one value per cell from `start` on, in the direction (-normal.y, normal.x). */
+ * one value per `cell` metres from `start` on, in the direction (-normal.y, normal.x).
+ */
 struct WallLine {
   Eigen::Vector2d normal = Eigen::Vector2d::UnitX();
   double offset = 0;
   double start = 0;
+  double cell = 0.05;
   std::vector<AlongLine> places;
   std::vector<std::uint32_t> owner; ///< room whose surface was seen at each place
 
-  Eigen::Vector2d at(double s) const
+  /** @brief Returns the place on the line at a number of cells from its start. */
+  Eigen::Vector2d at(double cells) const
   {
-    return offset * normal + s * Eigen::Vector2d(-normal.y(), normal.x());
+    return offset * normal +
+           (start + cells * cell) * Eigen::Vector2d(-normal.y(), normal.x());
   }
 };
 
 /** @brief Parameters of the search for lines; metres and degrees. */
 struct WallLineParameters {
-  double cell = 0.05;
+  double cell = 0.05;        ///< of the places along a line; that of the plan's cells
   double tolerance = 0.02;   ///< places this near to a line are on it
   double neighbours = 0.25;  ///< radius in which a place gets its normal
   double min_part = 0.15;    ///< of a surface; shorter parts are strays

@@ -98,7 +98,6 @@ private:
   /** @brief Takes the parts of a wall's line on which a surface was seen. */
   void takeParts(const WallLine& line)
   {
-    const double cell = WallLineParameters().cell;
     PlanCurve curve;
     curve.direction = leftOf(line.normal);
     const auto is = [&](std::size_t i, AlongLine what) {
@@ -109,7 +108,7 @@ private:
         std::size_t end = i;
         while (is(end, AlongLine::Surface))
           ++end;
-        curve.point = line.at(line.start + cell * static_cast<double>(i + end) / 2);
+        curve.point = line.at(static_cast<double>(i + end) / 2);
         take({curve, curve.point}, maker_.parameter());
       }
   }

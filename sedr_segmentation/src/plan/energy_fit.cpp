@@ -199,7 +199,9 @@ fitPlanByEnergy(const PointView& points,
       roomCells(points, labelledPoints(points, parts, slopes), grid, of_cells, threads);
   if (scan.size() > 0)
     findGlass(scan, scan_indices, grid, of_cells, threads, cells);
-  const std::vector<Storey> storeys = storeysOf(cells, {}, threads);
+  WallLineParameters of_lines;
+  of_lines.cell = grid.size();
+  const std::vector<Storey> storeys = storeysOf(cells, of_lines, threads);
   const std::vector<RoomRegion> regions =
       roomRegions(cells, storeys, grid, {}, threads);
   std::vector<PlanRoom> rooms(numbers.size());

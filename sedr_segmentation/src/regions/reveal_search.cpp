@@ -26,13 +26,11 @@ RevealSearch::RevealSearch(const RoomCells& room,
 void
 RevealSearch::lookBehind(const WallLine& line)
 {
-  const double size = grid_.size();
   for (std::size_t b = 0; b < 2 * line.places.size(); ++b) {
     const AlongLine what = line.places[b / 2];
     if (what == AlongLine::Nothing)
       continue;
-    const Eigen::Vector2d p =
-        line.at(line.start + (static_cast<double>(b) + 0.5) * size / 2);
+    const Eigen::Vector2d p = line.at((static_cast<double>(b) + 0.5) / 2);
     if (!seen_.isInside(grid_.at(p.x(), p.y())))
       continue;
     lookBehind(p, line.normal, what);

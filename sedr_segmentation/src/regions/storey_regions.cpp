@@ -39,8 +39,7 @@ markLine(const WallLine& line,
       continue;
     const bool is_own = what == AlongLine::Surface && line.owner[b / 2] == room;
     const auto value = static_cast<float>(is_own ? 0 : cost);
-    const Eigen::Vector2d p =
-        line.at(line.start + (static_cast<double>(b) + 0.5) * size / 2);
+    const Eigen::Vector2d p = line.at((static_cast<double>(b) + 0.5) / 2);
     const Cell middle = grid.at(p.x(), p.y());
     if (!frame.isInside(middle))
       continue;
