@@ -89,7 +89,6 @@ writeLas(Seeds& seeds)
   las.record = 36;
   las.colour_offset = 30;
   las.before.assign(60, '\0');
-  las.claimed_records = 1;
   seeds.write("las", las.bytes());
 }
 

@@ -45,7 +45,7 @@ fullFile()
     "scanners": [
       {"stations": [[2, 2.5, 1.5]], "rays": 100, "noise": 0.005},
       {"walk": {"path": [[6, 1], [8, 3]], "count": 3, "height": 1.5, "sway": 0.1},
-       "rays": 100, "min_elevation": -60, "jitter": 0.1, "max_range": 30, "noise": 0.005}],
+       "rays": 100, "jitter": 0.1, "max_range": 30, "noise": 0.005}],
     "placement": {"yaw": 10, "shift": [1, 2, 3]}
   })");
 }

@@ -4,6 +4,7 @@
 #include "cube_table.h"
 #include <pcl/sedr_filters/point_view.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace pcl::sedr {
@@ -20,34 +21,22 @@ public:
       : cubes_(size)
   {
     const std::size_t count = indices ? indices->size() : points.size();
-    const auto pointAt = [&](std::size_t k) {
-      return indices ? static_cast<std::size_t>((*indices)[k]) : k;
-    };
-    std::vector<std::uint32_t> cube_of(count, CubeTable::none);
-    for (std::size_t k = 0; k < count; ++k)
-      if (points.isFinite(pointAt(k)))
-        cube_of[k] = cubes_.add(cubes_.at(points[pointAt(k)].cast<double>()));
-    first_.assign(cubes_.size() + 1, 0);
-    for (const std::uint32_t cube : cube_of)
-      if (cube != CubeTable::none)
-        ++first_[cube + 1];
-    for (std::size_t k = 1; k < first_.size(); ++k)
-      first_[k] += first_[k - 1];
-    places_.resize(first_.back());
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::size_t k = 0; k < count; ++k)
-      if (cube_of[k] != CubeTable::none)
-        places_[next[cube_of[k]]++] = points[pointAt(k)];
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t i = indices ? static_cast<std::size_t>((*indices)[k]) : k;
+      if (!points.isFinite(i))
+        continue;
+      const std::uint32_t cube = cubes_.add(cubes_.at(points[i].cast<double>()));
+      places_.resize(cubes_.size());
+      places_[cube].push_back(points[i]);
+    }
   }
 
   const CubeTable& cubes() const { return cubes_; }
 
-  /** @brief Calls `see(place)` for the points of a cube. */
-  template <typename See>
-  void forEachPoint(std::uint32_t cube, See see) const
+  /** @brief Returns the points of a cube. */
+  const std::vector<Eigen::Vector3f>& operator[](std::uint32_t cube) const
   {
-    for (std::uint32_t k = first_[cube]; k < first_[cube + 1]; ++k)
-      see(places_[k]);
+    return places_[cube];
   }
 
   /** @brief Checks whether `asked(point)` is true for any point within one edge of a
@@ -56,17 +45,16 @@ public:
   bool anyNear(const Eigen::Vector3d& place, Asked asked) const
   {
     return cubes_.anyAround(cubes_.at(place), [&](std::uint32_t cube) {
-      bool is_any = false;
-      for (std::uint32_t k = first_[cube]; k < first_[cube + 1] && !is_any; ++k)
-        is_any = asked(Eigen::Vector3d(places_[k].cast<double>()));
-      return is_any;
+      return std::any_of(places_[cube].begin(), places_[cube].end(),
+                         [&](const Eigen::Vector3f& p) {
+                           return asked(Eigen::Vector3d(p.cast<double>()));
+                         });
     });
   }
 
 private:
   CubeTable cubes_;
-  std::vector<std::uint32_t> first_; ///< point of each cube, and the end
-  std::vector<Eigen::Vector3f> places_;
+  std::vector<std::vector<Eigen::Vector3f>> places_; ///< of each cube
 };
 
 } // namespace pcl::sedr

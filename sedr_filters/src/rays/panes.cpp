@@ -84,8 +84,7 @@ private:
   /** @brief A point of a cube of the region, which the random number chooses. */
   Eigen::Vector3d anyPointOf(std::uint32_t cube)
   {
-    std::vector<Eigen::Vector3f> places;
-    surfaces_.forEachPoint(cube, [&](const auto& p) { places.push_back(p); });
+    const auto& places = surfaces_.pointsOf(cube);
     return places[random_() % places.size()].cast<double>();
   }
 
@@ -118,13 +117,12 @@ private:
   std::vector<std::uint32_t> cubesOf(const Pane& pane) const
   {
     std::vector<std::uint32_t> cubes;
-    for (const std::uint32_t cube : left_) {
-      bool is_on = false;
-      surfaces_.forEachPoint(
-          cube, [&](const Eigen::Vector3f& p) { is_on = is_on || isOn(pane, p); });
-      if (is_on)
-        cubes.push_back(cube);
-    }
+    std::copy_if(left_.begin(), left_.end(), std::back_inserter(cubes),
+                 [&](std::uint32_t cube) {
+                   const auto& places = surfaces_.pointsOf(cube);
+                   return std::any_of(places.begin(), places.end(),
+                                      [&](const auto& p) { return isOn(pane, p); });
+                 });
     return cubes;
   }
 
@@ -139,12 +137,11 @@ private:
     std::vector<Eigen::Vector3d> points;
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     for (const std::uint32_t cube : pane.cubes)
-      surfaces_.forEachPoint(cube, [&](const Eigen::Vector3f& p) {
+      for (const Eigen::Vector3f& p : surfaces_.pointsOf(cube))
         if (isOn(pane, p)) {
           points.push_back(p.cast<double>());
           mean += points.back();
         }
-      });
     mean /= static_cast<double>(points.size());
     Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
     for (const Eigen::Vector3d& p : points)

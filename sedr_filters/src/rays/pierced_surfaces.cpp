@@ -96,14 +96,14 @@ PiercedSurfaces::isSurrounded(const Eigen::Vector3f& from,
   const Eigen::Vector3f v = direction.cross(u);
   unsigned eighths = 0;
   return cubes().anyAround(cube, [&](std::uint32_t near_cube) {
-    forEachPoint(near_cube, [&](const Eigen::Vector3f& p) {
+    for (const Eigen::Vector3f& p : pointsOf(near_cube)) {
       const Eigen::Vector3f to = p - from;
       const float x = to.dot(u);
       const float y = to.dot(v);
       if (std::abs(to.dot(direction) - along) <= depth &&
           x * x + y * y < around * around)
         eighths |= 1U << eighthOf(x, y);
-    });
+    }
     return surrounds(eighths);
   });
 }

@@ -26,11 +26,10 @@ public:
 
   const CubeTable& cubes() const { return points_.cubes(); }
 
-  /** @brief Calls `see(place)` for the points of a cube. */
-  template <typename See>
-  void forEachPoint(std::uint32_t cube, See see) const
+  /** @brief Returns the points of a cube. */
+  const std::vector<Eigen::Vector3f>& pointsOf(std::uint32_t cube) const
   {
-    points_.forEachPoint(cube, see);
+    return points_[cube];
   }
 
   /** @brief Returns how far from its start a ray enters the box of the points, metres;

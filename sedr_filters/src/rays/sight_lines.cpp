@@ -1,55 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sight_lines.h"
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <map>
 #include <tuple>
 
 namespace pcl::sedr {
 
-namespace {
-
-auto
-keyOf(const Eigen::Vector3f& p)
-{
-  return std::tuple(p.x(), p.y(), p.z());
-}
-
-} // namespace
-
 SightLines::SightLines(const std::vector<SightLine>& lines)
 {
   constexpr double lines_a_cell = 4;
-  std::vector<SightLine> sorted;
-  for (const SightLine& line : lines)
-    if (line.from.allFinite() && line.to.allFinite() && line.from != line.to)
-      sorted.push_back(line);
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const SightLine& a, const SightLine& b) {
-                     return keyOf(a.from) < keyOf(b.from);
-                   });
-  lines_.resize(sorted.size());
-  for (std::size_t begin = 0, end = 0; begin < sorted.size(); begin = end) {
-    while (end < sorted.size() && sorted[end].from == sorted[begin].from)
-      ++end;
-    Station station{sorted[begin].from,
-                    DirectionGrid::forDirections(end - begin, lines_a_cell),
+  std::map<std::tuple<float, float, float>, std::vector<Eigen::Vector3f>> ends_from;
+  for (const auto& [from, to] : lines)
+    if (from.allFinite() && to.allFinite() && from != to)
+      ends_from[{from.x(), from.y(), from.z()}].push_back(to);
+  for (const auto& [from, ends] : ends_from) {
+    Station station{{std::get<0>(from), std::get<1>(from), std::get<2>(from)},
+                    DirectionGrid::forDirections(ends.size(), lines_a_cell),
                     {}};
-    std::vector<std::size_t> cell_of;
-    for (std::size_t k = begin; k < end; ++k)
-      cell_of.push_back(station.grid.cellOf(
-          (sorted[k].to - station.from).cast<double>().normalized()));
-    station.first.assign(station.grid.size() + 1, 0);
-    for (const std::size_t cell : cell_of)
-      ++station.first[cell + 1];
-    station.first[0] = static_cast<std::uint32_t>(begin);
-    std::partial_sum(station.first.begin(), station.first.end(), station.first.begin());
-    std::vector<std::uint32_t> next = station.first;
-    for (std::size_t k = begin; k < end; ++k)
-      lines_[next[cell_of[k - begin]]++] = sorted[k];
+    station.ends.resize(station.grid.size());
+    for (const Eigen::Vector3f& to : ends)
+      station.ends[station.grid.cellOf((to - station.from).cast<double>().normalized())]
+          .push_back(to);
     stations_.push_back(std::move(station));
   }
+}
+
+std::size_t
+SightLines::size() const
+{
+  std::size_t size = 0;
+  for (const Station& station : stations_)
+    for (const auto& ends : station.ends)
+      size += ends.size();
+  return size;
 }
 
 std::vector<Eigen::Vector3f>
@@ -64,10 +48,14 @@ SightLines::places() const
 SightLines
 SightLines::levelled(const Levelling& levelling) const
 {
-  std::vector<SightLine> lines = lines_;
-  for (SightLine& line : lines)
-    for (Eigen::Vector3f* const p : {&line.from, &line.to})
-      *p = levelling.level(p->cast<double>()).cast<float>();
+  const auto level = [&](const Eigen::Vector3f& p) {
+    return Eigen::Vector3f(levelling.level(p.cast<double>()).cast<float>());
+  };
+  std::vector<SightLine> lines;
+  for (const Station& station : stations_)
+    for (const auto& ends : station.ends)
+      for (const Eigen::Vector3f& to : ends)
+        lines.push_back({level(station.from), level(to)});
   return SightLines(lines);
 }
 
@@ -83,8 +71,8 @@ SightLines::across(const Eigen::Vector3d& place,
     const Eigen::Vector3d whole = place - from;
     const double start = -whole.dot(normal); // how far in front of the surface
     const auto countIn = [&](std::size_t cell) {
-      for (std::uint32_t k = station.first[cell]; k < station.first[cell + 1]; ++k) {
-        const Eigen::Vector3d way = lines_[k].to.cast<double>() - from;
+      for (const Eigen::Vector3f& to : station.ends[cell]) {
+        const Eigen::Vector3d way = to.cast<double>() - from;
         const double end = start + way.dot(normal);
         if ((start > 0) != (start > end))
           continue; // leads away from it

@@ -8,7 +8,6 @@
 #include <Eigen/Core>
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace pcl::sedr {
@@ -31,7 +30,7 @@ public:
   explicit SightLines(const std::vector<SightLine>& lines);
 
   /** @brief Returns the number of rays. */
-  std::size_t size() const { return lines_.size(); }
+  std::size_t size() const;
 
   /** @brief Returns where the scanners stood, each place once. */
   std::vector<Eigen::Vector3f> places() const;
@@ -59,10 +58,9 @@ private:
   struct Station {
     Eigen::Vector3f from;
     DirectionGrid grid;
-    std::vector<std::uint32_t> first; ///< first line of each cell, then the end
+    std::vector<std::vector<Eigen::Vector3f>> ends; ///< in each cell
   };
 
-  std::vector<SightLine> lines_; ///< sorted by station and cell
   std::vector<Station> stations_;
 };
 

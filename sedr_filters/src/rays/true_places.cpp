@@ -32,11 +32,11 @@ isOnSurface(const Eigen::Vector3f& place, const PiercedSurfaces& surfaces)
   std::size_t beyond = 0;
   const CubeTable& cubes = surfaces.cubes();
   cubes.anyAround(cubes.at(place.cast<double>()), [&](std::uint32_t cube) {
-    surfaces.forEachPoint(cube, [&](const Eigen::Vector3f& p) {
+    for (const Eigen::Vector3f& p : surfaces.pointsOf(cube)) {
       const float distance = (p - place).norm();
       if (distance < around)
         ++(distance < nearest ? near : beyond);
-    });
+    }
     return false;
   });
   return near >= 3 && beyond >= 8;

@@ -37,20 +37,9 @@ VoxelCensus::add(const VoxelCode& voxel, std::uint32_t points)
     return;
   const VoxelCode cube{voxel[0] >> edge_bits, voxel[1] >> edge_bits,
                        voxel[2] >> edge_bits};
-  if (!isSame(run_.code, cube))
-    endRun();
-  run_.code = cube;
-  run_.count += std::min(points, most);
+  cubes_.add({cube, std::min(points, most), {}});
   points_by_count_.resize(max_counted + 1, 0);
   points_by_count_[std::min<std::size_t>(points, max_counted)] += points;
-}
-
-void
-VoxelCensus::endRun()
-{
-  if (run_.count > 0)
-    cubes_.add(run_);
-  run_ = {};
 }
 
 /** @brief Returns the 20th percentile of the points of the cubes between the lowest and
@@ -101,9 +90,8 @@ VoxelCensus::middleCount() const
 }
 
 std::uint32_t
-VoxelCensus::minPoints()
+VoxelCensus::minPoints() const
 {
-  endRun();
   constexpr double denser = 10; // ratio of the densities of surfaces and strays
   const double in_air = pointsInAir();
   if (in_air == 0)

@@ -19,7 +19,7 @@ namespace pcl::sedr {
  */
 class VoxelCensus {
 public:
-  /** @brief Counts a voxel; fastest if voxels of a cube come in succession. */
+  /** @brief Counts a voxel. */
   void add(const VoxelCode& voxel, std::uint32_t points);
 
   /** @brief Returns the minimum number of points of a voxel on a surface; about one in
@@ -27,15 +27,13 @@ public:
    * cubes between the lowest and the highest of their profile, of which four fifths
    * hold points; and if half of the points lie in voxels with less than ten times as
    * many: the scan is too sparse to decide. O(n log n) for n cubes. */
-  std::uint32_t minPoints();
+  std::uint32_t minPoints() const;
 
 private:
-  void endRun();
   double pointsInAir() const;
   std::size_t middleCount() const;
 
-  VoxelSum run_{};   ///< the last cube
-  VoxelTable cubes_; ///< the others; only their counts are used
+  VoxelTable cubes_;                           ///< of which only the counts are used
   std::vector<std::uint64_t> points_by_count_; ///< in voxels of 0, 1, 2, ... points
 };
 

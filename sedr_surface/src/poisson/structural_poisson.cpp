@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_poisson.h"
 
+#include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/base/parallel.h"
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/sedr_filters/point_types.h>
@@ -44,13 +45,8 @@ problemOf(const RoomPoissonParameters& parameters)
 {
   std::string problem;
   const auto check = [&](bool right, const char* rule, double value) {
-    if (right || !problem.empty())
-      return;
-    std::string number = std::to_string(value);
-    number.erase(number.find_last_not_of('0') + 1);
-    if (number.back() == '.')
-      number.pop_back();
-    problem = std::string(rule) + ", it is " + number;
+    if (!right && problem.empty())
+      problem = std::string(rule) + ", it is " + numberText(value);
   };
   check(parameters.depth >= 3 && parameters.depth <= 14,
         "the depth must lie from 3 to 14", parameters.depth);

@@ -20,8 +20,7 @@ struct LasSample {
   std::vector<std::array<std::int32_t, 3>> points;
   std::array<std::uint16_t, 3> colour{0, 0, 0};
   std::uint16_t intensity = 0;
-  std::string before;                ///< bytes between header and points
-  std::uint32_t claimed_records = 0; ///< number of variable-length records in `before`
+  std::string before; ///< bytes between header and points
   long long claimed_points = -1;
 
   std::string bytes() const
@@ -39,7 +38,6 @@ struct LasSample {
     put(25, minor);
     put(94, static_cast<std::uint16_t>(header_size));
     put(96, static_cast<std::uint32_t>(header_size + before.size()));
-    put(100, claimed_records);
     put(104, format);
     put(105, record);
     if (minor < 4 || format < 6)

@@ -92,11 +92,13 @@ constexpr std::uint64_t kTurn = ~0ULL;  ///< ray number of a station's rotation
 /** @brief A station with the angular raster of its scanner, about the requested rays at
  * equal steps in both angles, from the lowest elevation to the zenith. */
 struct Station {
+  static constexpr double lowest = -65; ///< degrees; the highest is the zenith
+
   Station(const Scanner& of, const Vec3& at, std::size_t n)
       : scanner(of)
       , place(at)
       , number(n)
-      , low(of.min_elevation * pi / 180.0)
+      , low(lowest * pi / 180.0)
   {
     const double span = 0.5 * pi - low;
     const auto rays = static_cast<double>(of.rays_per_station);

@@ -150,8 +150,7 @@ struct Object {
 struct Scanner {
   std::vector<Vec3> stations;
   std::size_t rays_per_station = 0;
-  double min_elevation = -65.0; ///< degrees; the maximum is the zenith
-  double jitter = 0.1;          ///< random share of an angular step
+  double jitter = 0.1; ///< random share of an angular step
   double max_range = 60.0;
   double noise = 0.0; ///< standard deviation along the ray
 };

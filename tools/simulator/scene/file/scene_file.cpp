@@ -125,8 +125,6 @@ readScanner(const JsonView& view, const Scene& scene)
   Scanner scanner;
   scanner.stations = readStations(view, scene);
   scanner.rays_per_station = view.at("rays").count(1, kMostRays);
-  if (const auto elevation = view.find("min_elevation"))
-    scanner.min_elevation = elevation->number(-90.0, 89.0);
   if (const auto jitter = view.find("jitter"))
     scanner.jitter = jitter->number(0.0, 1.0);
   if (const auto range = view.find("max_range"))
