@@ -56,8 +56,8 @@ run(const Settings& settings, Extrusion& extrusion)
     solid.flip(); // its triangles face outwards
     return drawMesh(solid);
   });
-  for (const auto& warning : extrusion.getWarnings())
-    warn(warning);
+  for (const auto& line : summaryOf(extrusion.getWarnings()))
+    warn(line);
   if (!extrusion.getErrorMessage().empty())
     std::cerr << "pcl_floorplan_extrusion: " << extrusion.getErrorMessage() << '\n';
   return Done;

@@ -86,8 +86,8 @@ run(const Settings& settings, Fitting& fitting)
     stream << pcl::sedr::floorplanToJson(plan, nullptr, cloud.origin);
   });
   settings.picture.write([&] { return drawPlan(plan, fitting.getBoundaries()); });
-  for (const auto& warning : fitting.getWarnings())
-    warn(warning);
+  for (const auto& line : summaryOf(fitting.getWarnings()))
+    warn(line);
   for (const auto& room : plan.rooms)
     tell(room);
   return Done;

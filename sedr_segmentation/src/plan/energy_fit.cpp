@@ -10,7 +10,6 @@
 #include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 
 namespace pcl::sedr {
@@ -174,7 +173,7 @@ fitPlanByEnergy(const PointView& points,
                 const std::vector<int>& scan_indices,
                 const RoomFitParameters& parameters,
                 std::string& problem,
-                std::vector<std::string>& warnings,
+                std::vector<PlanWarning>& warnings,
                 std::vector<FittedBoundary>* boundaries,
                 std::vector<RoomSheet>* sheets)
 {
@@ -248,23 +247,26 @@ fitPlanByEnergy(const PointView& points,
     room.niches = fitNiches(points, beside, room, of_niches);
   });
   for (std::size_t r = 0; r < rooms.size(); ++r) {
-    const std::string name = "room " + std::to_string(numbers[r]) + ": ";
     if (parts[r].ceiling.size() < 3 || parts[r].floor.size() < 3)
-      warnings.push_back(name + std::to_string(parts[r].ceiling.size()) +
-                         " ceiling points and " +
-                         std::to_string(parts[r].floor.size()) +
-                         " floor points are too few, 3 are needed of each");
+      warnings.push_back({WarningKind::NoPlan,
+                          {},
+                          numbers[r],
+                          0,
+                          std::to_string(parts[r].ceiling.size()) +
+                              " ceiling points and " +
+                              std::to_string(parts[r].floor.size()) +
+                              " floor points are too few, 3 are needed of each"});
     else if (rooms[r].boundary.elements.empty())
-      warnings.push_back(name + "no closed outline could be fitted to " +
-                         std::to_string(cells[r].seen.count()) + " ceiling cells");
+      warnings.push_back({WarningKind::NoPlan,
+                          {},
+                          numbers[r],
+                          0,
+                          "no closed outline could be fitted to " +
+                              std::to_string(cells[r].seen.count()) +
+                              " ceiling cells"});
     else {
-      if (regions[r].lost >= parameters.minimum_detail_area) {
-        char text[96];
-        std::snprintf(text, sizeof text,
-                      "%.2f m2 of its ceiling lie apart and are left out",
-                      regions[r].lost);
-        warnings.push_back(name + text);
-      }
+      if (regions[r].lost >= parameters.minimum_detail_area)
+        warnings.push_back({WarningKind::CeilingApart, {regions[r].lost}, numbers[r]});
       for (RoomSheet& sheet : of_rooms[r])
         sheets->push_back(std::move(sheet));
       plan.rooms.push_back(std::move(rooms[r]));
@@ -282,8 +284,8 @@ fitPlanByEnergy(const PointView& points,
     adjustPlan(plan, points, evidence.all, adjustment);
   }
   if (plan.rooms.empty())
-    problem =
-        warnings.empty() ? "no ceiling point belongs to a room" : warnings.front();
+    problem = warnings.empty() ? "no ceiling point belongs to a room"
+                               : sentenceOf(warnings.front());
   return plan;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/plan_warning.h>
+
 #include "room_ceilings.h"
 #include "room_shares.h"
 
@@ -14,7 +16,7 @@ namespace pcl::sedr {
  * @param scan the raw scan, may be empty; it tells glass from walls
  * @param scan_indices the points of it to use; empty: all
  * @param[out] problem the reason if there is no room, a sentence; else empty
- * @param[out] warnings a sentence per room that could not be fitted
+ * @param[out] warnings rooms that could not be fitted
  * @param[out] boundaries the boundary points of walls and columns; optional
  * @param[out] sheets of rooms with ceilings of facets. giveCeilings() makes the facets
  * when the walls are final; until then such a ceiling is a relief */
@@ -24,7 +26,7 @@ Floorplan fitPlanByEnergy(const PointView& points,
                           const std::vector<int>& scan_indices,
                           const RoomFitParameters& parameters,
                           std::string& problem,
-                          std::vector<std::string>& warnings,
+                          std::vector<PlanWarning>& warnings,
                           std::vector<FittedBoundary>* boundaries,
                           std::vector<RoomSheet>* sheets);
 

@@ -97,7 +97,7 @@ std::string
 fitFloorplan(const PlanInput& input,
              const RoomFitParameters& parameters,
              Floorplan& plan,
-             std::vector<std::string>& warnings,
+             std::vector<PlanWarning>& warnings,
              std::vector<FittedBoundary>& boundaries)
 {
   std::string problem = problemOf(parameters);
@@ -130,7 +130,7 @@ fitFloorplan(const PlanInput& input,
   if (has_raw)
     problem = fitToRaw(input.raw, raw_indices, parameters, plan);
   if (!problem.empty())
-    warnings.push_back("the plan is not fitted to the raw cloud: " + problem);
+    warnings.push_back({WarningKind::NotAdjusted, {}, 0, 0, problem});
   for (PlanRoom& room : plan.rooms) {
     joinNeighbours(room.boundary);
     for (PlanLoop& column : room.columns)

@@ -60,7 +60,7 @@ ChainRun::tellResult(const char* stage, std::uint32_t room) const
 void
 ChainRun::warn(std::uint32_t room, const std::string& reason)
 {
-  chain_.warnings.push_back("room " + std::to_string(room) + ": " + reason);
+  warn({WarningKind::Stage, {}, room, 0, reason});
 }
 
 /** @brief Warns if half of the scanned points and more are not finite. */
@@ -72,8 +72,8 @@ ChainRun::warnOfLostPoints()
   for (std::size_t i = 0; i < raw.size(); ++i)
     lost += raw.isFinite(i) ? 0 : 1;
   if (lost > 0 && 2 * lost >= raw.size())
-    chain_.warnings.push_back(std::to_string(100 * lost / raw.size()) +
-                              " % of the points are not finite: they were left out");
+    warn({WarningKind::LostPoints,
+          {100.0 * static_cast<double>(lost) / static_cast<double>(raw.size())}});
 }
 
 bool
@@ -81,22 +81,16 @@ ChainRun::findStructure()
 {
   warnOfLostPoints();
   if (chain_.stray_limit > 0)
-    chain_.warnings.push_back(
-        "points are scattered all over the air of the scan: voxels of fewer than " +
-        std::to_string(chain_.stray_limit) + " points were left out");
-  if (chain_.mirrored.untrue > 0)
-    chain_.warnings.push_back(
-        std::to_string(chain_.mirrored.untrue) + " of " +
-        std::to_string(chain_.mirrored.positions) +
-        " positions of the scanner are not where the points were taken "
-        "from: they lie on a surface, or rays from there go through walls that were "
-        "seen; what they would tell was left out");
-  if (chain_.mirrored.points > 0)
-    chain_.warnings.push_back(
-        std::to_string(chain_.mirrored.mirrors) +
-        (chain_.mirrored.mirrors == 1 ? " surface mirrors" : " surfaces mirror") +
-        ", as the scanner's positions tell: " + std::to_string(chain_.mirrored.points) +
-        " thinned points seen in them were left out");
+    warn({WarningKind::Strays, {static_cast<double>(chain_.stray_limit)}});
+  const MirrorFigures& mirrored = chain_.mirrored;
+  if (mirrored.untrue > 0)
+    warn({WarningKind::Positions,
+          {static_cast<double>(mirrored.untrue),
+           static_cast<double>(mirrored.positions)}});
+  if (mirrored.points > 0)
+    warn({WarningKind::Mirrors,
+          {static_cast<double>(mirrored.mirrors),
+           static_cast<double>(mirrored.points)}});
   if (!checkScan())
     return false;
   levelScan();
@@ -147,8 +141,10 @@ ChainRun::makeMesh()
                     if (!is_made)
                       return fail(chain_.poisson.getErrorMessage());
                     tellResult("StructuralPoisson");
-                    if (!chain_.poisson.getErrorMessage().empty())
-                      chain_.warnings.push_back(chain_.poisson.getErrorMessage());
+                    for (const RoomPoissonReport& mesh : chain_.poisson.getReports())
+                      for (const std::string* reason : {&mesh.problem, &mesh.warning})
+                        if (!reason->empty())
+                          warn({WarningKind::Mesh, {}, mesh.room, 0, *reason});
                     return true;
                   });
 }

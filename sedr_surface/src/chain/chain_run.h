@@ -49,6 +49,8 @@ private:
   /** @brief Adds a warning that a stage failed for one room; the others continue. */
   void warn(std::uint32_t room, const std::string& reason);
 
+  void warn(PlanWarning warning) { chain_.warnings.push_back(std::move(warning)); }
+
   void warnOfLostPoints();
   bool checkScan();
 

@@ -4,7 +4,6 @@
 #include <pcl/sedr_filters/cell_grid.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace pcl::sedr {
 
@@ -99,22 +98,20 @@ coverageOf(const Building& building, const Floorplan& plan)
   return coverage;
 }
 
-std::string
+std::optional<PlanWarning>
 coverageWarning(const Coverage& coverage)
 {
   constexpr double enough = 0.9;
   const CoverageGap* const gap = coverage.largest();
   if (coverage.share() >= enough || !gap)
-    return "";
-  char text[160];
-  std::snprintf(
-      text, sizeof text,
-      "%.0f of %.0f square metres of floor were modelled, %.0f %%; the largest "
-      "of what is missing, %.0f square metres around (%.1f, %.1f), z %.1f to "
-      "%.1f: ",
-      coverage.modelled, coverage.seen, 100 * coverage.share(), gap->area, gap->at.x(),
-      gap->at.y(), gap->floor, gap->ceiling);
-  return text + gap->reason;
+    return std::nullopt;
+  return PlanWarning{WarningKind::Coverage,
+                     {coverage.modelled, coverage.seen, 100 * coverage.share(),
+                      gap->area, gap->floor, gap->ceiling},
+                     0,
+                     0,
+                     gap->reason,
+                     gap->at};
 }
 
 } // namespace pcl::sedr

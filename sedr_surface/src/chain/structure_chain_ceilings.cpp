@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace pcl::sedr {
@@ -135,14 +134,10 @@ ChainRun::warnOfCeilings()
     });
     if (off.area < worth_word)
       continue;
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  has_facets ? "%.1f m2 of its ceiling, from %.2f to %.2f m, are more "
-                               "than 10 cm off its facets"
-                             : "%.1f m2 of its ceiling are not level, from %.2f to "
-                               "%.2f m: they are modelled by the main plane",
-                  off.area, off.low, off.high);
-    warn(room.id, text);
+    const double floor = room.floor.heightAt(room.boundary.elements.front().start);
+    warn({has_facets ? WarningKind::CeilingOff : WarningKind::CeilingSlopes,
+          {off.area, off.low - floor, off.high - floor},
+          room.id});
   }
 }
 

@@ -4,7 +4,6 @@
 #include <pcl/sedr_filters/impl/refinement.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace pcl::sedr {
 
@@ -94,13 +93,9 @@ ChainRun::warnOfGuesses()
     if (std::max(unseen.surface, unseen.walls) <= most)
       continue;
     const bool is_surface = unseen.surface > most;
-    char text[120];
-    std::snprintf(text, sizeof text,
-                  "%.0f %% of its %s were filled in, not seen: its walls may be "
-                  "elsewhere",
-                  100 * (is_surface ? unseen.surface : unseen.walls),
-                  is_surface ? "surface" : "walls");
-    warn(room, text);
+    warn({is_surface ? WarningKind::FilledIn : WarningKind::FilledInWalls,
+          {100 * (is_surface ? unseen.surface : unseen.walls)},
+          room});
   }
 }
 
@@ -117,8 +112,9 @@ ChainRun::extrude(StageReport& report)
                          chain_.extrusion.getWarnings().end());
   // The mesh does not need the solids: rooms without one are reported, the run
   // continues.
-  if (!chain_.extrusion.getErrorMessage().empty())
-    chain_.warnings.push_back(chain_.extrusion.getErrorMessage());
+  for (const RoomSolidReport& solid : chain_.extrusion.getReports())
+    if (!solid.problem.empty())
+      warn({WarningKind::NoSolid, {}, solid.room, 0, solid.problem});
   return true;
 }
 

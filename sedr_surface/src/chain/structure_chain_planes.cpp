@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 namespace pcl::sedr {
@@ -54,25 +53,6 @@ areaOfLargestStorey(const Building& building)
   return largest;
 }
 
-/** @brief Returns what a warning tells of the parts of a room that nobody saw; empty if
- * there are few. */
-std::string
-unseenWarning(const BuildingRoom& room, const Priors& priors)
-{
-  char text[160] = "";
-  if (room.inferred >= priors.min_slab_area)
-    std::snprintf(text, sizeof text,
-                  "%.1f of its %.1f m2 were not seen, behind what stands before them: "
-                  "its walls go on until they meet, %.1f m of them unseen",
-                  room.inferred, room.area, room.unseen_outline);
-  else if (room.enclosure < priors.share_clear)
-    std::snprintf(text, sizeof text,
-                  "along %.1f m of its outline neither a wall nor an opening was seen: "
-                  "it may go on there",
-                  room.unseen_outline);
-  return text;
-}
-
 } // namespace
 
 bool
@@ -102,16 +82,15 @@ ChainRun::partRooms(StageReport& report)
     return fail("the storeys that were found are too high for a building");
   const Building& building = chain_.getBuilding();
   for (const LeftOut& thing : building.left_out)
-    if (thing.kind == LeftOutKind::Mirror || thing.kind == LeftOutKind::Partial) {
-      char text[160];
-      std::snprintf(text, sizeof text, "%.1f m2 at (%.1f, %.1f) are left out: %s",
-                    thing.area, thing.at.x(), thing.at.y(), thing.reason.c_str());
-      chain_.warnings.push_back(text);
-    }
+    if (thing.kind == LeftOutKind::Mirror || thing.kind == LeftOutKind::Partial)
+      warn({WarningKind::LeftOut, {thing.area}, 0, 0, thing.reason, thing.at});
   for (const BuildingRoom& room : building.rooms)
-    if (const std::string warning = unseenWarning(room, chain_.priors_);
-        !warning.empty())
-      warn(room.id, warning);
+    if (room.inferred >= chain_.priors_.min_slab_area)
+      warn({WarningKind::Hidden,
+            {room.inferred, room.area, room.unseen_outline},
+            room.id});
+    else if (room.enclosure < chain_.priors_.share_clear)
+      warn({WarningKind::Open, {room.unseen_outline}, room.id});
   regions_.assign(building.rooms.size(), {});
   for (std::size_t i = 0; i < building.room_of.size(); ++i)
     if (building.room_of[i] != 0) {
@@ -150,12 +129,7 @@ ChainRun::findPlanes(StageReport& report)
   const double wanted = chain_.adapts_grid ? cellSizeThatFills() : size;
   if (wanted > size) {
     chain_.enlargeCells(wanted);
-    char text[200];
-    std::snprintf(text, sizeof text,
-                  "the scan is too sparse for cells of %.2f m, its ceilings leave some "
-                  "empty: cells of %.2f m are used",
-                  size, wanted);
-    chain_.warnings.push_back(text);
+    warn({WarningKind::Sparse, {size, wanted}});
   }
   const PointView points(*chain_.cloud);
   RoomPlaneParameters parameters;

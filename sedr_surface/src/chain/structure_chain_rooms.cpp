@@ -157,7 +157,7 @@ ChainRun::fitPlan(StageReport& report)
         *chain_.plan, sight_ ? sight_->places() : std::vector<Eigen::Vector3f>(),
         chain_.priors_);
   if (!chain_.unit_doubt.empty())
-    chain_.warnings.push_back(chain_.unit_doubt);
+    warn({WarningKind::Unit, {}, 0, 0, chain_.unit_doubt});
   for (const auto& room : chain_.plan->rooms)
     for (const auto& element : room.boundary.elements)
       report.points_out += element.inliers;

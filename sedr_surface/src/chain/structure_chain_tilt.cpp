@@ -10,7 +10,6 @@
 #include "sedr_segmentation/src/scan/wall_tilt_fit.h"
 
 #include <cmath>
-#include <cstdio>
 
 namespace pcl::sedr {
 
@@ -47,16 +46,13 @@ ChainRun::levelScan()
       [&](const Eigen::Vector3d& p) { return chain_.levelling->level(p); });
   if (sight_)
     sight_ = std::make_shared<SightLines>(sight_->levelled(*chain_.levelling));
-  char text[300];
-  std::snprintf(
-      text, sizeof text,
-      "the scan is tilted by %.2f degrees, its up towards %.0f degrees from x: it was "
-      "made level for the fit; %s, and the plan is of the level frame",
-      chain_.levelling->angle() * 180 / M_PI,
-      chain_.levelling->direction() * 180 / M_PI,
-      chain_.keep_levelled ? "points, mesh and solid stay level"
-                           : "points, mesh and solid are turned back");
-  chain_.warnings.push_back(text);
+  warn({WarningKind::Levelled,
+        {chain_.levelling->angle() * 180 / M_PI,
+         chain_.levelling->direction() * 180 / M_PI},
+        0,
+        0,
+        chain_.keep_levelled ? "points, mesh and solid stay level"
+                             : "points, mesh and solid are turned back"});
 }
 
 void
@@ -98,13 +94,8 @@ ChainRun::tiltPlan()
     p.getVector3fMap() = fitted.straighten(scanned).cast<float>();
   }
   chain_.straightening = fitted;
-  for (const WallTilt& tilt : chain_.tilts) {
-    char text[120];
-    std::snprintf(text, sizeof text, "its wall %zu is tilted by %.2f degrees %s it",
-                  tilt.wall + 1, std::abs(tilt.tilt) * 180 / M_PI,
-                  tilt.tilt > 0 ? "into" : "out of");
-    warn(tilt.room, text);
-  }
+  for (const WallTilt& tilt : chain_.tilts)
+    warn({WarningKind::Tilted, {tilt.tilt * 180 / M_PI}, tilt.room, tilt.wall + 1});
 }
 
 void

@@ -60,8 +60,11 @@ IfcDocument::addRooms()
     added.room = &room;
     added.report = extrudeRoom(room, {}, added.solid, added.elements, settings.tilts);
     if (added.solid.empty())
-      model.warnings.push_back("room " + std::to_string(room.id) +
-                               " has no body in the IFC: " + added.report.problem);
+      model.warnings.push_back({WarningKind::IfcLoss,
+                                {},
+                                room.id,
+                                0,
+                                "no body in the IFC: " + added.report.problem});
   }
 }
 

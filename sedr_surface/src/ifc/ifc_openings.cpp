@@ -335,7 +335,8 @@ writeNiches(IfcDocument& document, const std::vector<WrittenWall>& walls)
         ++count;
       }
       if (count == 0)
-        document.model.warnings.push_back(name + " is in no wall of the IFC");
+        document.model.warnings.push_back(
+            {WarningKind::IfcLoss, {}, 0, 0, name + " is in no wall of the IFC"});
     }
   }
 }
@@ -378,9 +379,12 @@ writeOpenings(IfcDocument& document, const std::vector<WrittenWall>& walls)
     std::string numbers;
     for (const std::string& number : outside)
       numbers += (numbers.empty() ? "" : ", ") + number;
-    document.model.warnings.push_back(
-        std::to_string(outside.size()) + " of " + std::to_string(plan.openings.size()) +
-        " openings are in no wall of the IFC: " + numbers);
+    document.model.warnings.push_back({WarningKind::NotInIfc,
+                                       {static_cast<double>(outside.size()),
+                                        static_cast<double>(plan.openings.size())},
+                                       0,
+                                       0,
+                                       numbers});
   }
   const std::vector<PlanDoorway> doorways = otherDoorways(plan);
   for (std::size_t d = 0; d < doorways.size(); ++d) {
@@ -392,9 +396,13 @@ writeOpenings(IfcDocument& document, const std::vector<WrittenWall>& walls)
       writePassage(document, doorway, name);
     else
       document.model.warnings.push_back(
-          name + " between rooms " + std::to_string(doorway.rooms[0]) + " and " +
-          std::to_string(doorway.rooms[1]) +
-          " is no opening in the IFC: no wall stands there");
+          {WarningKind::IfcLoss,
+           {},
+           0,
+           0,
+           name + " between rooms " + std::to_string(doorway.rooms[0]) + " and " +
+               std::to_string(doorway.rooms[1]) +
+               " is no opening in the IFC: no wall stands there"});
   }
   writeNiches(document, walls);
 }

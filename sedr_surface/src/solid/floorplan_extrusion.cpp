@@ -27,18 +27,15 @@ toleranceProblem(double value, double low, double high, const char* name)
   return text.str();
 }
 
-/** @brief Adds a sentence for each pair of rooms that overlap. */
+/** @brief Adds a warning for each pair of rooms that overlap. */
 void
-warnOfCrossings(const TriangleMesh& mesh, std::vector<std::string>& warnings)
+warnOfCrossings(const TriangleMesh& mesh, std::vector<PlanWarning>& warnings)
 {
   std::set<std::pair<std::uint32_t, std::uint32_t>> crossing;
   for (const auto& [t, u] : findSelfIntersections(mesh))
     crossing.insert({mesh.rooms[t], mesh.rooms[u]});
   for (const auto& [room, other] : crossing)
-    warnings.push_back(room == other
-                           ? "room " + std::to_string(room) + " meets itself"
-                           : "rooms " + std::to_string(room) + " and " +
-                                 std::to_string(other) + " run into each other");
+    warnings.push_back({WarningKind::Crossing, {static_cast<double>(other)}, room});
 }
 
 } // namespace
@@ -69,8 +66,10 @@ extrudePlan(const Floorplan* plan,
     solids.mesh.append(solid);
     if (!report.problem.empty())
       problem += (problem.empty() ? "" : "; ") + name + report.problem;
-    for (const std::string& warning : report.warnings)
-      solids.warnings.push_back(name + warning);
+    for (PlanWarning warning : report.warnings) {
+      warning.room = room.id;
+      solids.warnings.push_back(warning);
+    }
     solids.reports.push_back(report);
   }
   if (cut) {
@@ -78,8 +77,9 @@ extrudePlan(const Floorplan* plan,
       element.name = cut->named(element.name);
     // One sentence tells of the openings.
     solids.warnings.erase(std::remove_if(solids.warnings.begin(), solids.warnings.end(),
-                                         [&](const std::string& warning) {
-                                           return cut->named(warning) != warning;
+                                         [&](const PlanWarning& warning) {
+                                           return cut->named(warning.reason) !=
+                                                  warning.reason;
                                          }),
                           solids.warnings.end());
     joinReveals(*cut, solids.elements, solids.mesh, solids.warnings);

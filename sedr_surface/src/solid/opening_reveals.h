@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/plan_warning.h>
 #include <pcl/sedr_filters/straightening.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 
@@ -42,10 +43,10 @@ struct RevealedPlan {
  * leave a closed manifold.
  * @param elements with names from RevealedPlan::named()
  * @param[in,out] solids of all rooms
- * @param[in,out] warnings a sentence on the openings that stay closed */
+ * @param[in,out] warnings the openings that stay closed */
 void joinReveals(const RevealedPlan& plan,
                  const std::vector<SolidElement>& elements,
                  TriangleMesh& solids,
-                 std::vector<std::string>& warnings);
+                 std::vector<PlanWarning>& warnings);
 
 } // namespace pcl::sedr

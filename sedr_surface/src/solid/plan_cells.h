@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/plan_warning.h>
+
 #include "../triangulation/constrained_triangulation.h"
 #include "../triangulation/segment_arrangement.h"
 #include "plan_subdivision.h"
@@ -39,11 +41,11 @@ public:
 
   /** @brief Removes details and niches, then other regions, that leave no height
    * between floor and ceiling or would touch a neighbour. */
-  void dropUnbuildable(std::vector<std::string>& warnings);
+  void dropUnbuildable(std::vector<PlanWarning>& warnings);
 
   /** @brief Removes small pieces cut off by columns or crossing walls, and warns of
    * larger ones. */
-  void checkPieces(std::vector<std::string>& warnings);
+  void checkPieces(std::vector<PlanWarning>& warnings);
 
   /** @brief Returns the edges between different regions. */
   std::vector<SubdivisionEdge> edges() const;

@@ -99,7 +99,7 @@ PlanCells::problemOf(const Part& part) const
 }
 
 void
-PlanCells::dropUnbuildable(std::vector<std::string>& warnings)
+PlanCells::dropUnbuildable(std::vector<PlanWarning>& warnings)
 {
   for (bool is_changed = true; is_changed;) {
     is_changed = false;
@@ -116,8 +116,12 @@ PlanCells::dropUnbuildable(std::vector<std::string>& warnings)
       const bool is_floor = part.region.isRoom() && part.region.floor != region.floor;
       const int slab = is_floor ? region.floor : region.ceiling;
       const std::size_t element = layers_.slabs[static_cast<std::size_t>(slab)].element;
-      warnings.push_back(layers_.elements[element].name + " " + problem +
-                         textOf(": %.2f m2 are left out", part.area));
+      warnings.push_back({WarningKind::Contradiction,
+                          {part.area},
+                          0,
+                          0,
+                          layers_.elements[element].name + " " + problem +
+                              textOf(": %.2f m2 are left out", part.area)});
       assign(part, part.region);
       is_changed = true;
       break;
@@ -126,7 +130,7 @@ PlanCells::dropUnbuildable(std::vector<std::string>& warnings)
 }
 
 void
-PlanCells::checkPieces(std::vector<std::string>& warnings)
+PlanCells::checkPieces(std::vector<PlanWarning>& warnings)
 {
   std::vector<Part> pieces = roomPieces();
   std::stable_sort(pieces.begin(), pieces.end(),
@@ -136,9 +140,13 @@ PlanCells::checkPieces(std::vector<std::string>& warnings)
     pieces.pop_back();
   }
   if (pieces.size() > 1)
-    warnings.push_back(textOf("its plan falls into %zu pieces, the largest of %.2f m2 "
-                              "and %.2f m2",
-                              pieces.size(), pieces[0].area, pieces[1].area));
+    warnings.push_back({WarningKind::Contradiction,
+                        {pieces[1].area},
+                        0,
+                        0,
+                        textOf("its plan falls into %zu pieces, the largest of %.2f m2 "
+                               "and %.2f m2",
+                               pieces.size(), pieces[0].area, pieces[1].area)});
 }
 
 } // namespace pcl::sedr

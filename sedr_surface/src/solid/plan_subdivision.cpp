@@ -130,15 +130,19 @@ std::string
 subdivideRoom(const RoomLayers& layers,
               const SolidParameters& parameters,
               PlanSubdivision& subdivision,
-              std::vector<std::string>& warnings)
+              std::vector<PlanWarning>& warnings)
 {
   subdivision = PlanSubdivision();
   const auto chains =
       facetLoops(layers, parameters.chord_tolerance, parameters.snap_tolerance);
   for (std::size_t l = 0; l < chains.size(); ++l)
     if (chains[l].corners.empty())
-      warnings.push_back(layers.elements[layers.loops[l].first_element].name +
-                         " and the rest of its loop are too small and left out");
+      warnings.push_back({WarningKind::Contradiction,
+                          {},
+                          0,
+                          0,
+                          layers.elements[layers.loops[l].first_element].name +
+                              " and the rest of its loop are too small and left out"});
   subdivision.grid = gridOf(chains);
   std::vector<GridSegment> segments;
   std::vector<SegmentSource> sources;
@@ -177,9 +181,14 @@ subdivideRoom(const RoomLayers& layers,
   if (cuts > 0)
     splitWhereHeightsCross(layers, subdivision);
   if (cuts > 0)
-    warnings.push_back(std::to_string(cuts) +
-                       (cuts == 1 ? " corner that touches another is cut off by 1 mm"
-                                  : " corners that touch others are cut off by 1 mm"));
+    warnings.push_back(
+        {WarningKind::Contradiction,
+         {},
+         0,
+         0,
+         std::to_string(cuts) +
+             (cuts == 1 ? " corner that touches another is cut off by 1 mm"
+                        : " corners that touch others are cut off by 1 mm")});
   return {};
 }
 

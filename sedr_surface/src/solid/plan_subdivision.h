@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/plan_warning.h>
+
 #include "plan_facets.h"
 #include "plan_grid.h"
 #include "room_layers.h"
@@ -90,11 +92,11 @@ double solidSeparation(const PlanGrid& grid);
  * @param layers of a room with finite coordinates
  * @param parameters in range
  * @param[out] subdivision the result
- * @param[out] warnings a sentence for each contradiction of the plan that was resolved
+ * @param[out] warnings each contradiction of the plan that was resolved
  * @return an empty string, or a sentence on why there is no result */
 std::string subdivideRoom(const RoomLayers& layers,
                           const SolidParameters& parameters,
                           PlanSubdivision& subdivision,
-                          std::vector<std::string>& warnings);
+                          std::vector<PlanWarning>& warnings);
 
 } // namespace pcl::sedr

@@ -112,7 +112,7 @@ void
 joinReveals(const RevealedPlan& plan,
             const std::vector<SolidElement>& elements,
             TriangleMesh& solids,
-            std::vector<std::string>& warnings)
+            std::vector<PlanWarning>& warnings)
 {
   std::map<std::string, std::uint32_t> number;
   for (std::size_t e = 0; e < elements.size(); ++e)
@@ -147,9 +147,13 @@ joinReveals(const RevealedPlan& plan,
     if (!is_cut[k])
       closed += (closed.empty() ? "" : ", ") + std::to_string(k + 1);
   if (!closed.empty())
-    warnings.push_back(std::to_string(std::count(is_cut.begin(), is_cut.end(), false)) +
-                       " of " + std::to_string(openings) +
-                       " openings stay closed in the solid: " + closed);
+    warnings.push_back(
+        {WarningKind::OpeningClosed,
+         {static_cast<double>(std::count(is_cut.begin(), is_cut.end(), false)),
+          static_cast<double>(openings)},
+         0,
+         0,
+         closed});
 }
 
 } // namespace pcl::sedr

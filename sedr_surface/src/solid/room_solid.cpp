@@ -65,7 +65,11 @@ extrudeRoom(const PlanRoom& room,
         tiltWalls(layers, wallRuns(room, tilts), headOf(room, tilts), solid);
     if (!folded.empty()) {
       report = extrudeRoom(room, parameters, solid, elements);
-      report.warnings.push_back("its walls stand vertical in the solid: " + folded);
+      report.warnings.push_back({WarningKind::Contradiction,
+                                 {},
+                                 0,
+                                 0,
+                                 "its walls stand vertical in the solid: " + folded});
       return report;
     }
   }

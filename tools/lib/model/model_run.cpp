@@ -89,7 +89,8 @@ checkedCoverage(const Reconstruction& chain, bool takes_partial)
       coverageOf(chain.getChain().getBuilding(), *chain.getFloorplan());
   if (coverage.share() >= least || takes_partial)
     return coverage;
-  std::string reason = coverageWarning(coverage);
+  const auto gap = coverageWarning(coverage);
+  std::string reason = gap ? sentenceOf(*gap) : "";
   if (const std::string& doubt = chain.getChain().unit_doubt; !doubt.empty())
     reason += "; " + doubt;
   throw ToolError("less than half of the floor that was seen could be modelled: " +
@@ -262,9 +263,8 @@ makeModel(const ModelSettings& settings,
     chain.getChain().unit_is_known = knowsUnit(settings);
   });
   reconstruct(settings, chain, record);
-  const std::string gap = coverageWarning(record.coverage);
-  if (!gap.empty())
-    chain.getChain().warnings.push_back(gap);
+  if (const auto gap = coverageWarning(record.coverage))
+    chain.getChain().warnings.push_back(*gap);
   record.stages = chain.getStageReports();
   record.stages.insert(record.stages.begin(), reading);
   if (!settings.no_mesh)
@@ -297,8 +297,8 @@ makeModel(const ModelSettings& settings,
   if (settings.report)
     problem = writeReportPage(settings, folder);
   folder.exchange();
-  for (const auto& warning : chain.getChain().warnings)
-    warn(warning);
+  for (const auto& line : summaryOf(chain.getChain().warnings))
+    warn(line);
   say(summaryOf(record, chain));
   if (!problem.empty())
     throw ToolError(problem);

@@ -3,6 +3,7 @@
 #include "wall_maps.h"
 
 #include "sedr_filters/src/plan/floorplan_format.h"
+#include "sedr_surface/src/drawing/text_spot.h"
 
 #include <pcl/common/angles.h>
 #include <pcl/sedr_filters/plan_measures.h>
@@ -249,6 +250,35 @@ coverageOf(const Coverage& coverage)
           {"left_out", left_out}};
 }
 
+/** @brief Returns the place of a warning in plan, null if it has none. */
+Json
+placeOf(const PlanWarning& warning, const Floorplan& plan)
+{
+  Eigen::Vector2d at = warning.at;
+  for (const PlanRoom& room : plan.rooms)
+    if (room.id == warning.room && !at.allFinite()) {
+      const std::vector<PlanElement>& walls = room.boundary.elements;
+      at = warning.wall > 0 && warning.wall <= walls.size()
+               ? walls[warning.wall - 1].pointAt(walls[warning.wall - 1].length() / 2)
+               : textSpotIn(room.boundary, room.columns).place;
+    }
+  return at.allFinite() ? Json{at.x(), at.y()} : Json();
+}
+
+Json
+warningsOf(const Reconstruction& chain)
+{
+  Json warnings = Json::array();
+  for (const PlanWarning& warning : chain.getChain().warnings)
+    warnings.push_back({{"kind", nameOf(warning.kind)},
+                        {"room", warning.room},
+                        {"wall", warning.wall},
+                        {"at", placeOf(warning, *chain.getFloorplan())},
+                        {"values", warning.values},
+                        {"text", sentenceOf(warning)}});
+  return warnings;
+}
+
 /** @brief Returns the scan, and non-default settings of reading it. */
 Json
 inputOf(const RunRecord& run)
@@ -292,7 +322,7 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"walls", wallMapsOf(chain)},
             {"coverage", coverageOf(run.coverage)},
             {"evaluation", evaluation},
-            {"warnings", chain.getChain().warnings}};
+            {"warnings", warningsOf(chain)}};
   roundNumbers(json);
   const Eigen::Vector3d& origin = chain.getOrigin().place;
   json["origin"] = {origin.x(), origin.y(), origin.z()}; // with full precision

@@ -26,7 +26,7 @@ main(int argc, char** argv)
   for (const auto& stage : reconstruction.getStageReports())
     std::cout << stage.name << ": " << stage.points_in << " points in, "
               << stage.points_out << " out\n";
-  for (const auto& warning : reconstruction.getChain().warnings)
+  for (const auto& warning : summaryOf(reconstruction.getChain().warnings))
     std::cout << "warning: " << warning << '\n';
   for (const auto& room : reconstruction.getFloorplan()->rooms)
     std::cout << "room " << room.id << ": " << room.area() << " m2, "

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/plan_warning.h>
 #include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/scan_frame.h>
@@ -197,9 +198,9 @@ public:
    * if no room could be fitted */
   bool segment(sedr::Floorplan& plan);
 
-  /** @brief Returns the warnings, a sentence each: rooms that could not be fitted,
+  /** @brief Returns the warnings: rooms that could not be fitted,
    * ceilings with a part left out, and a raw cloud that could not be used. */
-  const std::vector<std::string>& getWarnings() const { return warnings_; }
+  const std::vector<sedr::PlanWarning>& getWarnings() const { return warnings_; }
 
   /** @brief Returns the boundary points to which the last run fitted walls and columns,
    * including those of rooms that could not be fitted. */
@@ -218,7 +219,7 @@ private:
   std::function<sedr::PointView()> raw_; ///< returns the current raw cloud
   IndicesConstPtr raw_indices_;
   sedr::RoomFitParameters parameters_;
-  std::vector<std::string> warnings_;
+  std::vector<sedr::PlanWarning> warnings_;
   std::vector<sedr::FittedBoundary> boundaries_;
 };
 

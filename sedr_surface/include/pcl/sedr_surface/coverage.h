@@ -2,10 +2,12 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/plan_warning.h>
 #include <pcl/sedr_segmentation/building.h>
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,8 +49,8 @@ struct Coverage {
  * as glimpses through an opening. O(columns times elements of their room's loop). */
 Coverage coverageOf(const Building& building, const Floorplan& plan);
 
-/** @brief Returns a warning if the coverage is below nine tenths; empty otherwise. It
- * names the largest part left out, with area, place and reason. */
-std::string coverageWarning(const Coverage& coverage);
+/** @brief Returns a warning if the coverage is below nine tenths. It names the largest
+ * part left out, with area, place and reason. */
+std::optional<PlanWarning> coverageWarning(const Coverage& coverage);
 
 } // namespace pcl::sedr

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/plan_warning.h>
 #include <pcl/sedr_surface/mesh_reconstruction.h>
 #include <pcl/sedr_surface/room_solid.h>
 
@@ -88,7 +89,7 @@ public:
 
   /** @brief Returns a sentence for each contradiction of the plan that was resolved,
    * and for each pair of rooms that overlap. */
-  const std::vector<std::string>& getWarnings() const { return warnings_; }
+  const std::vector<sedr::PlanWarning>& getWarnings() const { return warnings_; }
 
   /** @brief Returns true if the last run made a closed, manifold solid of every room.
    */
@@ -109,7 +110,7 @@ private:
   sedr::SolidParameters parameters_;
   std::vector<sedr::SolidElement> elements_;
   std::vector<sedr::RoomSolidReport> reports_;
-  std::vector<std::string> warnings_;
+  std::vector<sedr::PlanWarning> warnings_;
   bool closed_ = false;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/plan_warning.h>
 #include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/scan_frame.h>
 #include <pcl/sedr_filters/straightening.h>
@@ -35,7 +36,7 @@ struct IfcModel {
   std::size_t slabs = 0;
   std::size_t columns = 0;
   std::size_t openings = 0;
-  std::vector<std::string> warnings; ///< what could not be written, a sentence each
+  std::vector<PlanWarning> warnings; ///< what could not be written
 };
 
 /** @brief Writes a floor plan as IFC4 (ADD2 TC1), a STEP file in metres.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/plan_warning.h>
 #include <pcl/sedr_filters/straightening.h>
 #include <pcl/sedr_surface/mesh_topology.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
@@ -33,7 +34,7 @@ struct RoomSolidReport {
   double riser_area = 0;   ///< between two heights of floor or ceiling, and in niches
   double volume = 0;       ///< cubic metres
   std::string problem;     ///< why there is no closed solid, or empty
-  std::vector<std::string> warnings; ///< contradictions of the plan that were resolved
+  std::vector<PlanWarning> warnings; ///< contradictions of the plan that were resolved
 };
 
 /** @brief Builds the solid that a room's walls, floor, ceiling, columns and details

@@ -148,7 +148,7 @@ public:
   std::shared_ptr<Floorplan> plan;
   StructureCloud::Ptr structure; ///< refined and repaired
   std::vector<StageReport> reports;
-  std::vector<std::string> warnings;
+  std::vector<PlanWarning> warnings; ///< see sentenceOf() and summaryOf()
   std::string unit_doubt; ///< the one of `warnings` that doubts the unit, or empty
   std::string failed_stage;
   std::string problem;

@@ -30,7 +30,7 @@ struct PlanInput {
 std::string fitFloorplan(const PlanInput& input,
                          const RoomFitParameters& parameters,
                          Floorplan& plan,
-                         std::vector<std::string>& warnings,
+                         std::vector<PlanWarning>& warnings,
                          std::vector<FittedBoundary>& boundaries);
 
 /** @brief Returns the raw points that the fit uses, transformed by the map. */

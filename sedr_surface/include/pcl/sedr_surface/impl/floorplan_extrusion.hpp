@@ -12,7 +12,7 @@ struct PlanSolids {
   TriangleMesh& mesh;
   std::vector<SolidElement>& elements;
   std::vector<RoomSolidReport>& reports;
-  std::vector<std::string>& warnings;
+  std::vector<PlanWarning>& warnings;
 };
 
 /** @brief Builds all rooms of a plan.

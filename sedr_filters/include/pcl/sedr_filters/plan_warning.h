@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace pcl::sedr {
+
+/** @brief What a warning tells of, in the order of telling. */
+enum class WarningKind {
+  Coverage,      ///< modelled, seen m2, %; missing m2, z from, to; reason
+  Unit,          ///< reason
+  LostPoints,    ///< %
+  Strays,        ///< points of a voxel that was kept
+  Positions,     ///< untrue, all
+  Mirrors,       ///< surfaces, thinned points
+  Levelled,      ///< degrees, direction; reason
+  Sparse,        ///< cell wanted, used
+  NoPlan,        ///< reason
+  Stage,         ///< reason
+  LeftOut,       ///< m2; reason
+  Hidden,        ///< m2 unseen, all; m of outline unseen
+  Open,          ///< m of outline without wall or opening
+  FilledIn,      ///< % of its surface
+  FilledInWalls, ///< % of its walls
+  CeilingApart,  ///< m2
+  CeilingOff,    ///< m2 off the facets, from, to m above the floor
+  CeilingSlopes, ///< m2 not level, from, to m above the floor
+  Tilted,        ///< degrees, positive into the room
+  NotAdjusted,   ///< reason
+  Crossing,      ///< the other room; the room itself if both meet
+  Contradiction, ///< m2 left out of the solid; reason
+  OpeningClosed, ///< openings that stay closed in the solid, all; reason: numbers
+  NoSolid,       ///< reason
+  NotInIfc,      ///< openings in no wall, all; reason: numbers
+  IfcLoss,       ///< reason
+  Mesh           ///< reason
+};
+
+/** @brief What a stage doubts, for programs; sentenceOf() tells it in words. */
+struct PlanWarning {
+  WarningKind kind = WarningKind::Stage;
+  std::vector<double> values{}; ///< see WarningKind; the first tells how much
+  std::uint32_t room = 0;       ///< 0: not of one room
+  std::size_t wall = 0;         ///< number within the room, from 1; 0: of no wall
+  std::string reason{};         ///< of a stage, in words
+  /** In plan; NaN if not known. */
+  Eigen::Vector2d at =
+      Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+};
+
+/** @brief Returns the name of a kind in files: "ceiling_off". */
+std::string nameOf(WarningKind kind);
+
+/** @brief Returns a warning as a sentence: "wall 3.12: it is tilted by 2.10 degrees
+ * into the room". */
+std::string sentenceOf(const PlanWarning& warning);
+
+/** @brief Returns one line a kind, at most `most`: the sentence of a single warning,
+ * else how many there are, how much in all, and the worst. */
+std::vector<std::string> summaryOf(const std::vector<PlanWarning>& warnings,
+                                   std::size_t most = 10);
+
+} // namespace pcl::sedr

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/plan_warning.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+namespace pcl::sedr {
+
+namespace {
+
+/** @brief The words for a kind of warning. In a sentence, {k.d} stands for the k-th
+ * value with d decimals, {reason} for the reason. */
+struct Words {
+  const char* name;     ///< in files
+  const char* several;  ///< what several of them are called
+  const char* unit;     ///< of the sum of the first values; empty: they do not add up
+  const char* sentence; ///< about one
+};
+
+/** In the order of WarningKind. */
+constexpr std::array<Words, 27> words{{
+    {"coverage", "", "",
+     "{0.0} of {1.0} square metres of floor were modelled, {2.0} %; the largest of "
+     "what "
+     "is missing, {3.0} square metres{at}, z {4.1} to {5.1}: {reason}"},
+    {"unit", "", "", "{reason}"},
+    {"lost_points", "", "", "{0.0} % of the points are not finite: they were left out"},
+    {"strays", "", "",
+     "points are scattered all over the air of the scan: voxels of fewer than {0.0} "
+     "points were left out"},
+    {"positions", "", "",
+     "{0.0} of {1.0} positions of the scanner are not where the points were taken "
+     "from: "
+     "they lie on a surface, or rays from there go through walls that were seen; what "
+     "they would tell was left out"},
+    {"mirrors", "", "",
+     "mirroring surfaces, as the scanner's positions tell: {0.0}; {1.0} thinned points "
+     "seen in them were left out"},
+    {"levelled", "", "",
+     "the scan is tilted by {0.2} degrees, its up towards {1.0} degrees from x: it was "
+     "made level for the fit; {reason}, and the plan is of the level frame"},
+    {"sparse", "", "",
+     "the scan is too sparse for cells of {0.2} m, its ceilings leave some empty: "
+     "cells "
+     "of {1.2} m are used"},
+    {"no_plan", "rooms have no plan", "", "{reason}"},
+    {"stage", "rooms could not be worked on", "", "{reason}"},
+    {"left_out", "places are left out", "m2", "{0.1} m2{at} are left out: {reason}"},
+    {"hidden", "rooms go on behind what stands before them", "m2",
+     "{0.1} of its {1.1} m2 were not seen, behind what stands before them: its walls "
+     "go "
+     "on until they meet, {2.1} m of them unseen"},
+    {"open", "rooms may go on where neither a wall nor an opening was seen", "m",
+     "along {0.1} m of its outline neither a wall nor an opening was seen: it may go "
+     "on "
+     "there"},
+    {"filled_in", "rooms were filled in, not seen, to a large part", "",
+     "{0.0} % of its surface were filled in, not seen: its walls may be elsewhere"},
+    {"filled_in_walls", "rooms have walls of which hardly anything was seen", "",
+     "{0.0} % of its walls were filled in, not seen: they may be elsewhere"},
+    {"ceiling_apart", "rooms have parts of a ceiling that lie apart and are left out",
+     "m2", "{0.2} m2 of its ceiling lie apart and are left out"},
+    {"ceiling_off", "rooms have ceilings more than 10 cm off their facets", "m2",
+     "{0.1} m2 of its ceiling, {1.2} to {2.2} m above its floor, are more than 10 cm "
+     "off its facets"},
+    {"ceiling_slopes", "rooms have ceilings that are not level", "m2",
+     "{0.1} m2 of its ceiling are not level, {1.2} to {2.2} m above its floor: they "
+     "are "
+     "modelled by the main plane"},
+    {"tilted", "walls are tilted", "", "it is tilted by {0.2} degrees into the room"},
+    {"not_adjusted", "", "", "the plan is not fitted to the raw cloud: {reason}"},
+    {"crossing", "rooms run into others in the solid", "",
+     "it runs into room {0.0} in the solid"},
+    {"contradiction", "places of the plan contradict and are simpler in the solid",
+     "m2", "{reason}"},
+    {"opening_closed", "", "",
+     "{0.0} of {1.0} openings stay closed in the solid: {reason}"},
+    {"no_solid", "rooms have no solid", "", "{reason}"},
+    {"not_in_ifc", "", "",
+     "{0.0} of {1.0} openings are in no wall of the IFC: {reason}"},
+    {"ifc_loss", "things are not in the IFC", "", "{reason}"},
+    {"mesh", "meshes are not closed, or closed by a guess", "", "{reason}"},
+}};
+
+const Words&
+wordsOf(WarningKind kind)
+{
+  return words[static_cast<std::size_t>(kind)];
+}
+
+std::string
+decimals(double value, int digits)
+{
+  std::array<char, 400> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", digits, value);
+  return text.data();
+}
+
+double
+firstOf(const PlanWarning& warning)
+{
+  return warning.values.empty() ? 0 : std::abs(warning.values.front());
+}
+
+/** @brief Returns what a placeholder stands for. */
+std::string
+filledIn(const std::string& name, const PlanWarning& warning)
+{
+  if (name == "reason")
+    return warning.reason;
+  if (name == "at")
+    return warning.at.allFinite() ? " around (" + decimals(warning.at.x(), 1) + ", " +
+                                        decimals(warning.at.y(), 1) + ")"
+                                  : "";
+  const auto k = static_cast<std::size_t>(name[0] - '0');
+  return k < warning.values.size() ? decimals(warning.values[k], name[2] - '0') : "?";
+}
+
+} // namespace
+
+std::string
+nameOf(WarningKind kind)
+{
+  return wordsOf(kind).name;
+}
+
+std::string
+sentenceOf(const PlanWarning& warning)
+{
+  std::string text;
+  if (warning.wall > 0)
+    text = "wall " + std::to_string(warning.room) + "." + std::to_string(warning.wall) +
+           ": ";
+  else if (warning.room > 0)
+    text = "room " + std::to_string(warning.room) + ": ";
+  std::string words = wordsOf(warning.kind).sentence;
+  if (warning.kind == WarningKind::Tilted && warning.values.front() < 0)
+    words = "it is tilted by {0.2} degrees out of the room";
+  if (warning.kind == WarningKind::Crossing &&
+      static_cast<std::uint32_t>(firstOf(warning)) == warning.room)
+    words = "it meets itself in the solid";
+  PlanWarning shown = warning;
+  if (warning.kind == WarningKind::Tilted)
+    shown.values.front() = firstOf(warning);
+  for (std::size_t at = 0; at < words.size();) {
+    const std::size_t open = std::min(words.find('{', at), words.size());
+    text.append(words, at, open - at);
+    const std::size_t close = words.find('}', open);
+    if (open == words.size())
+      break;
+    text += filledIn(words.substr(open + 1, close - open - 1), shown);
+    at = close + 1;
+  }
+  return text;
+}
+
+std::vector<std::string>
+summaryOf(const std::vector<PlanWarning>& warnings, std::size_t most)
+{
+  std::map<WarningKind, std::vector<const PlanWarning*>> kinds;
+  for (const PlanWarning& warning : warnings)
+    kinds[warning.kind].push_back(&warning);
+  std::vector<std::string> lines;
+  std::size_t told = 0;
+  for (const auto& [kind, all] : kinds) {
+    if (lines.size() + 1 == most && kinds.size() > most) {
+      lines.push_back("and " + std::to_string(warnings.size() - told) + " more of " +
+                      std::to_string(kinds.size() - lines.size()) +
+                      " other kinds, see the report");
+      break;
+    }
+    told += all.size();
+    const PlanWarning& worst =
+        **std::max_element(all.begin(), all.end(), [](const auto* a, const auto* b) {
+          return firstOf(*a) < firstOf(*b);
+        });
+    const Words& of_kind = wordsOf(kind);
+    if (all.size() == 1) {
+      lines.push_back(sentenceOf(worst));
+      continue;
+    }
+    double sum = 0;
+    for (const PlanWarning* warning : all)
+      sum += firstOf(*warning);
+    std::string line = std::to_string(all.size()) + " " + of_kind.several;
+    if (*of_kind.unit != '\0' && sum > 0)
+      line += ", " + decimals(sum, 1) + " " + of_kind.unit + " in all";
+    lines.push_back(line + (sum > 0 ? "; most: " : "; first: ") + sentenceOf(worst));
+  }
+  return lines;
+}
+
+} // namespace pcl::sedr
