@@ -106,7 +106,7 @@ TEST(WriteIfc, ADoorwayWithoutAWallIsTold)
   const IfcModel model = writeIfc(plan);
   EXPECT_EQ(model.openings, 0u);
   ASSERT_EQ(model.warnings.size(), 1u);
-  EXPECT_NE(model.warnings[0].find("doorway_1 between rooms 1 and 2"),
+  EXPECT_NE(model.warnings[0].reason.find("doorway_1 between rooms 1 and 2"),
             std::string::npos);
 }
 

@@ -16,7 +16,7 @@ namespace {
 struct Words {
   const char* name;     ///< in files
   const char* several;  ///< what several of them are called
-  const char* unit;     ///< of the sum of the first values; empty: they do not add up
+  const char* unit;     ///< of the first values, which add up unless it is %; or empty
   const char* sentence; ///< about one
 };
 
@@ -57,10 +57,12 @@ constexpr std::array<Words, 27> words{{
      "along {0.1} m of its outline neither a wall nor an opening was seen: it may go "
      "on "
      "there"},
-    {"filled_in", "rooms were filled in, not seen, to a large part", "",
-     "{0.0} % of its surface were filled in, not seen: its walls may be elsewhere"},
-    {"filled_in_walls", "rooms have walls of which hardly anything was seen", "",
-     "{0.0} % of its walls were filled in, not seen: they may be elsewhere"},
+    {"filled_in", "rooms have walls that were not measured to a large part", "%",
+     "{0.0} % of its walls were not measured: {1.0} % are inferred behind what hides "
+     "them, {2.0} % nobody saw"},
+    {"guessed_wall", "walls are guesses", "m",
+     "a guess of {0.1} m, {1.0} % of it inferred behind what hides it, {2.0} % seen by "
+     "nobody"},
     {"ceiling_apart", "rooms have parts of a ceiling that lie apart and are left out",
      "m2", "{0.2} m2 of its ceiling lie apart and are left out"},
     {"ceiling_off", "rooms have ceilings more than 10 cm off their facets", "m2",
@@ -182,13 +184,15 @@ summaryOf(const std::vector<PlanWarning>& warnings, std::size_t most)
       lines.push_back(sentenceOf(worst));
       continue;
     }
+    const std::string unit = of_kind.unit;
     double sum = 0;
     for (const PlanWarning* warning : all)
       sum += firstOf(*warning);
     std::string line = std::to_string(all.size()) + " " + of_kind.several;
-    if (*of_kind.unit != '\0' && sum > 0)
-      line += ", " + decimals(sum, 1) + " " + of_kind.unit + " in all";
-    lines.push_back(line + (sum > 0 ? "; most: " : "; first: ") + sentenceOf(worst));
+    if (!unit.empty() && unit != "%")
+      line += ", " + decimals(sum, 1) + " " + unit + " in all";
+    lines.push_back(line + (unit.empty() ? "; first: " : "; most: ") +
+                    sentenceOf(unit.empty() ? *all.front() : worst));
   }
   return lines;
 }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "unseen_cells.h"
 
 #include "../base/parallel_for.h"
 #include "surface_cells.h"
@@ -90,9 +89,7 @@ std::vector<RepairedPoint>
 repairHoles(const std::vector<SurfacePoint>& refined,
             const Floorplan& plan,
             double cell_size,
-            std::vector<RepairedStrip>* strips,
-            std::map<std::uint32_t, UnseenShares>* unseen,
-            unsigned threads)
+            std::vector<RepairedStrip>* strips)
 {
   std::map<std::uint32_t, std::vector<std::size_t>> points_of;
   for (std::size_t i = 0; i < refined.size(); ++i)
@@ -102,8 +99,6 @@ repairHoles(const std::vector<SurfacePoint>& refined,
     SurfaceCells cells(room, cell_size);
     for (const std::size_t i : points_of[room.id])
       cells.occupy(refined[i], i);
-    if (unseen)
-      (*unseen)[room.id] = unseenSharesOf(cells, refined, threads);
     if (strips)
       for (const auto& strip : cells.strips())
         strips->push_back(repairedStrip(strip, room.id, repaired.size()));

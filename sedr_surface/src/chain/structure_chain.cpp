@@ -88,8 +88,6 @@ StructureChain::reset(const Cloud::ConstPtr& thinned)
   tilts.clear();
   straight_plan_ = plan;
   straight_structure_ = structure;
-  repaired_shares_.clear();
-  unseen_.clear();
   reports.clear();
   warnings.clear();
   unit_doubt.clear();

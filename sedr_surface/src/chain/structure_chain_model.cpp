@@ -2,6 +2,7 @@
 #include "chain_run.h"
 
 #include <pcl/sedr_filters/impl/refinement.h>
+#include <pcl/sedr_filters/wall_shares.h>
 
 #include <algorithm>
 
@@ -70,12 +71,6 @@ ChainRun::repair(StageReport& report)
     if (!chain_.hole_repair.getErrorMessage().empty())
       return fail(chain_.hole_repair.getErrorMessage());
     tellResult("VerticalHoleRepair", room.id);
-    for (const auto& [id, shares] : chain_.hole_repair.getUnseenShares())
-      chain_.unseen_[id] = shares;
-    if (!whole.empty())
-      chain_.repaired_shares_[room.id] =
-          static_cast<double>(chain_.hole_repair.getRepairedIndices().size()) /
-          static_cast<double>(whole.size());
     *chain_.structure += whole;
   }
   chain_.hole_repair.setFloorplan(chain_.straight_plan_);
@@ -88,14 +83,24 @@ ChainRun::repair(StageReport& report)
 void
 ChainRun::warnOfGuesses()
 {
-  constexpr double most = 0.45;
-  for (const auto& [room, unseen] : chain_.unseen_) {
-    if (std::max(unseen.surface, unseen.walls) <= most)
-      continue;
-    const bool is_surface = unseen.surface > most;
-    warn({is_surface ? WarningKind::FilledIn : WarningKind::FilledInWalls,
-          {100 * (is_surface ? unseen.surface : unseen.walls)},
-          room});
+  constexpr double enough = 0.55;
+  constexpr double worth_word = 0.5; // metres; shorter walls follow their neighbours
+  const Floorplan& plan = *chain_.plan;
+  for (const PlanRoom& room : plan.rooms) {
+    const WallShares all = wallShares(plan, room);
+    if (all.area > 0 && all.measured < enough)
+      warn({WarningKind::FilledIn,
+            {100 * (1 - all.measured), 100 * all.inferred, 100 * all.unseen},
+            room.id});
+    for (std::size_t e = 0; e < room.boundary.elements.size(); ++e) {
+      const WallShares shares = wallShares(plan, room, e);
+      const double length = room.boundary.elements[e].length();
+      if (shares.isGuess() && length >= worth_word)
+        warn({WarningKind::GuessedWall,
+              {length, 100 * shares.inferred, 100 * shares.unseen},
+              room.id,
+              e + 1});
+    }
   }
 }
 

@@ -4,6 +4,8 @@
 #include "../formats/decimal_text.h"
 #include "plan_layers.h"
 
+#include <pcl/sedr_filters/wall_shares.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -130,8 +132,9 @@ rowsAround(const Floorplan& plan, const PlanFrame& frame, double max_wall)
   std::vector<PlanElement> walls;
   const PlanFrame turned{frame.turn};
   for (const PlanRoom& room : plan.rooms)
-    for (const PlanElement& e : room.boundary.elements)
-      walls.push_back(turned(e));
+    for (std::size_t e = 0; e < room.boundary.elements.size(); ++e)
+      if (!wallShares(plan, room, e).isGuess())
+        walls.push_back(turned(room.boundary.elements[e]));
   const Eigen::AlignedBox2d bounds = boundsOf(plan, frame);
   const double text = 2 * small_font * halfSizeOf({"0.00"}).x();
   std::vector<DimensionChain> chains =

@@ -32,7 +32,33 @@ public:
     for (const PlanLoop& column : room.columns)
       if (!isIsland(room, column))
         addArea(styleOf(PlanLayer::Column).line, {column});
-    addArea(styleOf(PlanLayer::Wall).line, wallLoops(room));
+    addWalls(room);
+  }
+
+  /** @brief Draws the outline of a room, guesses in their own look. */
+  void addWalls(const PlanRoom& room)
+  {
+    std::vector<SheetPath> runs;
+    PlanLayer last = PlanLayer::Note;
+    bool has_guess = false;
+    for (const PlanLine& line : drawing_.lines) {
+      if (line.room != room.id ||
+          (line.layer != PlanLayer::Wall && line.layer != PlanLayer::Guess))
+        continue;
+      const PlanElement element = frame_(line.element);
+      has_guess = has_guess || line.layer == PlanLayer::Guess;
+      const bool goes_on = line.layer == last &&
+                           runs.back().chains[0].elements.back().end == element.start;
+      if (!goes_on)
+        runs.push_back(SheetPath{styleOf(line.layer).line, {PlanLoop()}});
+      runs.back().chains[0].elements.push_back(element);
+      last = line.layer;
+    }
+    if (!has_guess)
+      addArea(styleOf(PlanLayer::Wall).line, wallLoops(room));
+    else
+      for (const SheetPath& run : runs)
+        sheet_.add(run);
   }
 
   /** @brief Draws a gap in the walls, over both faces. */
@@ -90,6 +116,9 @@ titleOf(const PlanDrawing& drawing, const DrawingSettings& settings)
   for (const PlanRoom& room : drawing.plan.rooms)
     block.area += room.area();
   block.origin = settings.origin;
+  block.has_guesses =
+      std::any_of(drawing.lines.begin(), drawing.lines.end(),
+                  [](const PlanLine& line) { return line.layer == PlanLayer::Guess; });
   block.has_slopes =
       std::any_of(drawing.lines.begin(), drawing.lines.end(), [](const PlanLine& line) {
         return line.layer == PlanLayer::Headroom;
@@ -115,8 +144,9 @@ PlanDrawing::PlanDrawing(const Floorplan& whole,
   TextPlaces places(layout.size);
   dimensions = placedRows(rowsAround(plan, frame, settings.max_wall), frame, places);
   for (const PlanLine& line : lines) {
-    const bool is_solid =
-        line.layer == PlanLayer::Wall || line.layer == PlanLayer::Column;
+    const bool is_solid = line.layer == PlanLayer::Wall ||
+                          line.layer == PlanLayer::Guess ||
+                          line.layer == PlanLayer::Column;
     is_solid ? places.keepOff(frame(line.element)) : places.avoid(frame(line.element));
   }
   texts = placedTexts(plan, ceilings, lines, doorways, frame, places);

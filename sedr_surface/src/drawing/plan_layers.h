@@ -11,6 +11,7 @@ namespace pcl::sedr {
 /** @brief What a line, an area or a text of a drawing tells of. */
 enum class PlanLayer {
   Wall,
+  Guess, ///< walls of which hardly anything was measured
   Column,
   Niche,
   Door,
@@ -22,6 +23,7 @@ enum class PlanLayer {
   Room,     ///< numbers, areas and heights of rooms
   Height,   ///< heights of ceilings
   Dimension,
+  Number, ///< numbers of walls
   Note
 };
 
@@ -48,8 +50,9 @@ inline const SheetLook cell{no_colour, ink, 0.18};
 } // namespace looks
 
 /** In the order of PlanLayer. */
-inline const std::array<LayerStyle, 13> layer_styles{
+inline const std::array<LayerStyle, 15> layer_styles{
     {{"A-WALL", 7, false, {no_colour, ink, 0.5}, ink},
+     {"A-WALL-GUES", 8, true, {no_colour, 0x9a9a9a, 0.35, {1.6, 1}}, 0x9a9a9a},
      {"A-COLS", 1, false, {0x7d7d7d, ink, 0.35}, 0x444444},
      {"A-WALL-NICH", 6, false, {looks::room_colour, 0x333333, 0.3}, ink},
      {"A-DOOR", 4, false, {looks::room_colour, no_colour, 0}, 0x444444},
@@ -65,6 +68,7 @@ inline const std::array<LayerStyle, 13> layer_styles{
      {"A-AREA-IDEN", 7, false, {}, ink},
      {"A-CLNG-IDEN", 5, false, {}, looks::blue},
      {"A-ANNO-DIMS", 8, false, {}, 0x444444},
+     {"A-WALL-IDEN", 9, false, {}, 0x8a8a8a},
      {"A-ANNO-TEXT", 7, false, {}, looks::blue}}};
 
 inline const LayerStyle&

@@ -9,6 +9,7 @@
 #include "sedr_segmentation/src/curves/plan_segment.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_filters/wall_shares.h>
 
 #include <algorithm>
 #include <cmath>
@@ -172,7 +173,10 @@ planLines(const Floorplan& plan,
   for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
     const PlanRoom& room = plan.rooms[r];
     RoomLines lines(room, all);
-    lines.addLoop(room.boundary, PlanLayer::Wall);
+    for (std::size_t e = 0; e < room.boundary.elements.size(); ++e)
+      lines.add(room.boundary.elements[e], wallShares(plan, room, e).isGuess()
+                                               ? PlanLayer::Guess
+                                               : PlanLayer::Wall);
     for (const PlanLoop& column : room.columns)
       lines.addLoop(column,
                     isIsland(room, column) ? PlanLayer::Wall : PlanLayer::Column);

@@ -172,26 +172,28 @@ public:
 
   /** @brief Writes a text beside a line, if there is space.
    * @return its box */
-  std::optional<TextBox>
-  writeAlong(PlanLayer layer, const PlanElement& element, const std::string& text)
+  std::optional<TextBox> writeAlong(PlanLayer layer,
+                                    const PlanElement& element,
+                                    const std::string& text,
+                                    double font = small_font)
   {
     constexpr double clear = 1;          // distance of the text from the ends
     constexpr double beside_line = 0.95; // distance from the line over the font size
     if (text.empty())
       return std::nullopt;
     const PlanElement drawn = frame_(element);
-    const Eigen::Vector2d half = small_font * halfSizeOf({text});
+    const Eigen::Vector2d half = font * halfSizeOf({text});
     std::vector<TextBox> boxes;
     for (const double share : {1.0 / 2, 1.0 / 3, 2.0 / 3, 1.0 / 5, 4.0 / 5}) {
       const double s = share * drawn.length();
       const Eigen::Vector2d normal = drawn.normalAt(s);
       if (std::min(s, drawn.length() - s) >= half.x() + clear)
-        boxes.push_back({drawn.pointAt(s) + beside_line * small_font * normal, half,
+        boxes.push_back({drawn.pointAt(s) + beside_line * font * normal, half,
                          readableAngle({normal.y(), -normal.x()})});
     }
     const auto box = places_.takeFirst(boxes);
     if (box)
-      add(layer, *box, small_font, text);
+      add(layer, *box, font, text);
     return box;
   }
 
@@ -224,9 +226,8 @@ public:
   {
     const std::string text =
         decimalText(doorway.width, 2) + " x " + decimalText(doorway.height, 2) +
-        (doorway.kind == OpeningKind::Window
-             ? " sill " + decimalText(doorway.sill, 2)
-             : "");
+        (doorway.kind == OpeningKind::Window ? " sill " + decimalText(doorway.sill, 2)
+                                             : "");
     const Eigen::Vector2d half = detail_font * halfSizeOf({text});
     std::vector<TextBox> boxes;
     for (const std::size_t k : {2U, 0U}) {
@@ -331,7 +332,13 @@ placedTexts(const Floorplan& plan,
   for (const DoorwayGap& doorway : doorways)
     writer.writeDoorway(doorway);
   for (const WallFace& face : wallFaces(plan))
-    writer.writeSize(elementOf(plan, face));
+    if (!isGuess(plan, face))
+      writer.writeSize(elementOf(plan, face));
+  for (const PlanRoom& room : plan.rooms)
+    for (std::size_t e = 0; e < room.boundary.elements.size(); ++e)
+      writer.writeAlong(PlanLayer::Number, room.boundary.elements[e],
+                        std::to_string(room.id) + "." + std::to_string(e + 1),
+                        smallest_font);
   return std::move(writer.found);
 }
 

@@ -133,6 +133,7 @@ addTitleBlock(Sheet& sheet, const SheetLayout& layout, const TitleBlock& block)
       std::string("Dimensions in metres, from face to face. Dashed: overhead. "
                   "h: height of the ceiling above the floor.") +
           (block.has_slopes ? " Dotted: headroom." : "") +
+          (block.has_guesses ? " Grey, dashed: walls inferred, not measured." : "") +
           " Walls filled where both faces were scanned.");
   if (has_origin)
     strip.addCell(2, 0.65, 1, "Origin of coordinates, m", block.origin.text(", "));

@@ -17,7 +17,8 @@ struct TitleBlock {
   std::size_t rooms = 0;
   double area = 0; ///< square metres
   Origin origin;
-  bool has_slopes = false; ///< whether to explain the lines of headroom
+  bool has_guesses = false; ///< whether to explain walls that were not seen
+  bool has_slopes = false;  ///< whether to explain the lines of headroom
 };
 
 /** @brief Adds the frame of the sheet and the strip at its foot: title, storey, rooms

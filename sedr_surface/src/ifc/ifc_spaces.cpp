@@ -5,6 +5,7 @@
 #include "mesh_prism.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_filters/wall_shares.h>
 
 #include <algorithm>
 #include <cmath>
@@ -57,21 +58,6 @@ prismOf(const IfcRoom& written)
   return Prism{*floor, *ceiling};
 }
 
-/** @brief Returns the share of a room's walls that was seen, weighted by length; below
- * 0 if unknown. */
-double
-seenShare(const PlanRoom& room)
-{
-  double seen = 0;
-  double length = 0;
-  for (const PlanElement& e : room.boundary.elements)
-    if (e.evidence.isKnown()) {
-      seen += e.evidence.seen * e.length();
-      length += e.length();
-    }
-  return length > 0 ? seen / length : -1;
-}
-
 /** @brief Returns the largest residual of floor, ceiling and walls, metres. */
 double
 largestResidual(const PlanRoom& room)
@@ -104,11 +90,13 @@ describe(IfcDocument& document, const IfcRoom& written, const std::string& name)
       {"CeilingResidual", lengthProperty(room.ceiling.residual)},
       {"CeilingPoints", countProperty(room.ceiling.inliers)},
       {"BodyClosed", booleanProperty(written.report.closed)}};
-  const double seen = seenShare(room);
-  if (seen >= 0) {
-    properties.emplace_back("WallsSeenShare", shareProperty(seen));
-    properties.emplace_back("Confidence",
-                            shareProperty(confidence(seen, largestResidual(room))));
+  const WallShares walls = wallShares(document.plan, room);
+  if (walls.area > 0) {
+    properties.emplace_back("WallsMeasuredShare", shareProperty(walls.measured));
+    properties.emplace_back("WallsInferredShare", shareProperty(walls.inferred));
+    properties.emplace_back("WallsUnseenShare", shareProperty(walls.unseen));
+    properties.emplace_back(
+        "Confidence", shareProperty(confidence(walls.measured, largestResidual(room))));
   }
   document.addProperties(written.space, name, "Pset_SEDR", properties);
 }

@@ -74,6 +74,8 @@ describe(IfcDocument& document, const WrittenWall& written)
   if (confidence >= 0)
     properties.emplace_back("Confidence", shareProperty(confidence));
   if (face.evidence.isKnown()) {
+    properties.emplace_back("Guess",
+                            booleanProperty(isGuess(document.plan, wall.face)));
     properties.emplace_back("SeenShare", shareProperty(face.evidence.seen));
     properties.emplace_back("HiddenShare", shareProperty(face.evidence.hidden));
     properties.emplace_back("OpeningShare", shareProperty(face.evidence.opening));

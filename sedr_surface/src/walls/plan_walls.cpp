@@ -4,6 +4,7 @@
 #include "face_pairs.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_filters/wall_shares.h>
 
 #include <algorithm>
 #include <cmath>
@@ -219,6 +220,13 @@ const PlanElement&
 elementOf(const Floorplan& plan, const WallFace& face)
 {
   return wallLoop(plan, face).elements[face.element];
+}
+
+bool
+isGuess(const Floorplan& plan, const WallFace& face)
+{
+  return face.loop == 0 &&
+         wallShares(plan, plan.rooms[face.room], face.element).isGuess();
 }
 
 std::vector<WallFace>

@@ -49,6 +49,10 @@ const PlanElement& elementOf(const Floorplan& plan, const WallFace& face);
 /** @brief Returns all faces of a plan, loop by loop. */
 std::vector<WallFace> wallFaces(const Floorplan& plan);
 
+/** @brief Checks whether hardly anything of a face was measured; of islands that is not
+ * known. */
+bool isGuess(const Floorplan& plan, const WallFace& face);
+
 /** @brief A range along an element: metres from its start. Ends beyond the element lie
  * on its straight continuation. */
 struct Stretch {

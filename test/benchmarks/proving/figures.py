@@ -87,7 +87,7 @@ def measure(run, row):
     stages = [s for s in report["stages"] if s["stage"] not in ("reading", "MeshEvaluation", "writing")]
     row["stage_seconds"] = ";".join(f"{s['stage']}={s['seconds']:.7g}" for s in stages)
     row["seconds"] = sum(s["seconds"] for s in stages)
-    row["warnings"] = " | ".join(report["warnings"])
+    row["warnings"] = " | ".join(warning["text"] for warning in report["warnings"])
     row.update(of_solid(run, plans.compare_rooms(plan, report, truth, row)))
     mesh = meshes.read_mesh(run.folder / "truth.ply")
     samples = meshes.samples(mesh)

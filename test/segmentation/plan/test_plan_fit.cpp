@@ -15,7 +15,7 @@ using namespace sedr_test;
 Floorplan
 fitPlan(const RoomPoints& points,
         const PlanEvidence& evidence,
-        std::vector<std::string>* warnings)
+        std::vector<PlanWarning>* warnings)
 {
   Fitting fitting;
   setEvidence(points, evidence, fitting);
@@ -36,7 +36,7 @@ TEST(FitPlan, SeesTheBacksOfDeepNiches)
   evidence.ceiling = own.ceiling;
   evidence.floor = own.floor;
   evidence.walls = own.walls;
-  std::vector<std::string> warnings;
+  std::vector<PlanWarning> warnings;
   const Floorplan plan = fitPlan(points, evidence, &warnings);
   ASSERT_EQ(plan.rooms.size(), 1u);
   ASSERT_EQ(plan.rooms[0].niches.size(), 1u);
@@ -54,7 +54,7 @@ TEST(FitPlan, FitsEachRoomToItsOwnFaceOfThePartition)
   for (const bool walls_known : {true, false}) {
     if (!walls_known)
       scene.evidence.walls.clear();
-    std::vector<std::string> warnings;
+    std::vector<PlanWarning> warnings;
     const Floorplan plan = fitPlan(scene.points, scene.evidence, &warnings);
     EXPECT_TRUE(warnings.empty());
     ASSERT_EQ(plan.rooms.size(), 2u);
@@ -87,7 +87,7 @@ TEST(FitPlan, ARoomKeepsItsFloorThoughSomeOfItsCeilingIsThatOfTheStoreyAbove)
       ++moved;
     }
   ASSERT_EQ(moved, 100);
-  std::vector<std::string> warnings;
+  std::vector<PlanWarning> warnings;
   const Floorplan plan = fitPlan(points, evidence, &warnings);
   ASSERT_EQ(plan.rooms.size(), 2u);
   EXPECT_NEAR(plan.rooms[0].floor.heightAt({2, 1}), 0, 0.002);
@@ -111,7 +111,7 @@ TEST(FitPlan, AWallSeenFromNextDoorIsNoNiche)
     scene.evidence.room.push_back(7);
   }
   scene.evidence.all = scene.points.all();
-  std::vector<std::string> warnings;
+  std::vector<PlanWarning> warnings;
   const Floorplan plan = fitPlan(scene.points, scene.evidence, &warnings);
   ASSERT_EQ(plan.rooms.size(), 2u);
   EXPECT_EQ(plan.rooms[1].boundary.elements.size(), 4u);
@@ -126,13 +126,13 @@ TEST(FitPlan, ARoomThatCannotBeFittedIsAWarningWhileOthersCan)
   floor.erase(std::remove_if(floor.begin(), floor.end(),
                              [&](int i) { return scene.points[i].x() > 4; }),
               floor.end());
-  std::vector<std::string> warnings;
+  std::vector<PlanWarning> warnings;
   const Floorplan plan = fitPlan(scene.points, scene.evidence, &warnings);
   ASSERT_EQ(plan.rooms.size(), 1u);
   EXPECT_EQ(plan.rooms[0].id, 7u);
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_NE(warnings[0].find("room 3"), std::string::npos) << warnings[0];
-  EXPECT_NE(warnings[0].find("0 floor points"), std::string::npos) << warnings[0];
+  EXPECT_NE(sentenceOf(warnings[0]).find("room 3"), std::string::npos);
+  EXPECT_NE(sentenceOf(warnings[0]).find("0 floor points"), std::string::npos);
 }
 
 TEST(FitPlan, WithoutAnyRoomThereIsAProblem)
@@ -156,7 +156,7 @@ TEST(FitPlan, WithoutNumbersAllIsOneRoom)
   evidence.all = points.all();
   evidence.ceiling = own.ceiling;
   evidence.floor = own.floor;
-  std::vector<std::string> warnings;
+  std::vector<PlanWarning> warnings;
   const Floorplan plan = fitPlan(points, evidence, &warnings);
   ASSERT_EQ(plan.rooms.size(), 1u);
   EXPECT_EQ(plan.rooms[0].id, 1u);
@@ -186,12 +186,12 @@ TEST(FitPlan, APartOfACeilingFarFromTheRestIsToldAndLeftOut)
     scene.evidence.room.push_back(3);
   }
   scene.evidence.all = scene.points.all();
-  std::vector<std::string> warnings;
+  std::vector<PlanWarning> warnings;
   const Floorplan plan = fitPlan(scene.points, scene.evidence, &warnings);
   ASSERT_EQ(plan.rooms.size(), 2u);
   EXPECT_LT(cornerError(plan.rooms[0].boundary, scene.right), 0.003);
   ASSERT_EQ(warnings.size(), 1u);
-  const std::string& told = warnings[0];
+  const std::string told = sentenceOf(warnings[0]);
   EXPECT_EQ(told.substr(0, 8), "room 3: ");
   EXPECT_NEAR(std::stod(told.substr(8)), 1.5, 0.1) << told;
   EXPECT_NE(told.find("m2 of its ceiling lie apart and are left out"), told.npos);

@@ -34,8 +34,8 @@ bool
 tells(const StructureChain& chain, const char* words)
 {
   return std::any_of(chain.warnings.begin(), chain.warnings.end(),
-                     [&](const std::string& warning) {
-                       return warning.find(words) != std::string::npos;
+                     [&](const PlanWarning& warning) {
+                       return sentenceOf(warning).find(words) != std::string::npos;
                      });
 }
 

@@ -76,9 +76,10 @@ struct CutSolid {
     EXPECT_TRUE(findSelfIntersections(extrusion.getMesh(), 1e-7).empty());
     EXPECT_EQ(extrusion.getErrorMessage(), "");
     if (warning.empty())
-      EXPECT_TRUE(extrusion.getWarnings().empty()) << extrusion.getWarnings().front();
+      EXPECT_TRUE(extrusion.getWarnings().empty())
+          << sentenceOf(extrusion.getWarnings().front());
     else
-      EXPECT_EQ(extrusion.getWarnings().back(), warning);
+      EXPECT_EQ(sentenceOf(extrusion.getWarnings().back()), warning);
   }
 
   Extrusion extrusion;
@@ -213,7 +214,7 @@ TEST(CutOpenings, StayClosedWithoutAWallOrInATiltedOne)
   cut.extrusion.setTilts({{1, 2, 0.1}});
   pcl::PolygonMesh unused;
   cut.extrusion.reconstruct(unused);
-  EXPECT_EQ(cut.extrusion.getWarnings().back(),
+  EXPECT_EQ(sentenceOf(cut.extrusion.getWarnings().back()),
             "2 of 2 openings stay closed in the solid: 1, 2");
   EXPECT_TRUE(checkTopology(cut.extrusion.getMesh()).isClosedManifold());
 }

@@ -143,7 +143,8 @@ TEST(FloorplanExtrusion, RoomsThatRunIntoEachOtherAreTold)
   extrusion.reconstruct(output);
   EXPECT_TRUE(extrusion.isClosed()) << "each by itself";
   ASSERT_EQ(extrusion.getWarnings().size(), 1u);
-  EXPECT_EQ(extrusion.getWarnings()[0], "rooms 3 and 8 run into each other");
+  EXPECT_EQ(sentenceOf(extrusion.getWarnings()[0]),
+            "room 3: it runs into room 8 in the solid");
 }
 
 } // namespace

@@ -73,7 +73,7 @@ TEST(RoomSolidContradictions, AColumnThatTouchesAWall)
   expectSound(corner);
   EXPECT_NEAR(corner.report.volume, 29 * 2.5, 1e-5);
   ASSERT_EQ(corner.report.warnings.size(), 1u);
-  EXPECT_NE(corner.report.warnings[0].find("1 mm"), std::string::npos);
+  EXPECT_NE(corner.report.warnings[0].reason.find("1 mm"), std::string::npos);
   room.columns[0] = reversed(circle({3, 4}, 1)); // tangent
   expectSound(Solid(room));
 }
@@ -103,7 +103,7 @@ TEST(RoomSolidContradictions, ADetailDownToTheFloorIsLeftOut)
   const Solid solid(room);
   expectPiece(solid, 30 * 2.5);
   ASSERT_EQ(solid.report.warnings.size(), 1u);
-  EXPECT_NE(solid.report.warnings[0].find("room_1_detail_1"), std::string::npos);
+  EXPECT_NE(solid.report.warnings[0].reason.find("room_1_detail_1"), std::string::npos);
   room.ceiling = slabAt(-1);
   EXPECT_NE(Solid(room).report.problem, "");
   EXPECT_TRUE(Solid(room).mesh.empty());

@@ -7,6 +7,7 @@
 
 #include <pcl/common/angles.h>
 #include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_filters/wall_shares.h>
 
 #include <nlohmann/json.hpp>
 
@@ -155,12 +156,20 @@ solidOf(const StructureChain& chain, std::uint32_t room)
   return nullptr;
 }
 
+/** @brief Returns how much of walls was measured; null if that is not known. */
+Json
+supportOf(const WallShares& walls)
+{
+  return walls.area > 0 ? Json{{"measured", walls.measured},
+                               {"inferred", walls.inferred},
+                               {"unseen", walls.unseen}}
+                        : Json();
+}
+
 Json
 roomsOf(const Reconstruction& chain)
 {
   Json rooms = Json::array();
-  std::map<std::uint32_t, double> repaired = chain.getChain().repairedShares();
-  std::map<std::uint32_t, UnseenShares> unseen = chain.getChain().unseenShares();
   const Floorplan& plan = *chain.getFloorplan();
   const std::map<std::uint32_t, std::uint32_t> storeys = storeyOfRooms(plan);
   const std::vector<BuildingRoom>& found = chain.getChain().getBuilding().rooms;
@@ -179,9 +188,7 @@ roomsOf(const Reconstruction& chain)
                      {"walls", room.boundary.elements.size()},
                      {"columns", room.columns.size()},
                      {"details", room.details.size()},
-                     {"repaired_share", repaired[room.id]},
-                     {"unseen_share", unseen[room.id].surface},
-                     {"unseen_walls", unseen[room.id].walls},
+                     {"support", supportOf(wallShares(plan, room))},
                      {"inferred_area", is_known ? seen->inferred : 0},
                      {"unseen_outline", is_known ? seen->unseen_outline : 0},
                      {"solid", solidOf(chain.getChain(), room.id)},
@@ -317,6 +324,7 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"origin", nullptr}, // reserves its position here
             {"levelling", levelling ? levellingToJson(*levelling) : Json()},
             {"positions", positionsOf(chain.getChain().mirrored)},
+            {"support", supportOf(wallShares(*chain.getFloorplan()))},
             {"rooms", roomsOf(chain)},
             {"openings", openingsOf(*chain.getFloorplan())},
             {"walls", wallMapsOf(chain)},
@@ -347,6 +355,12 @@ summaryOf(const RunRecord& run, const Reconstruction& chain)
   std::snprintf(text, sizeof text, "%zu %s, %.1f square metres, ", rooms,
                 rooms == 1 ? "room" : "rooms", area);
   std::string summary = text;
+  const WallShares walls = wallShares(*chain.getFloorplan());
+  std::snprintf(text, sizeof text,
+                "walls %.0f %% measured, %.0f %% inferred, %.0f %% unseen, ",
+                100 * walls.measured, 100 * walls.inferred, 100 * walls.unseen);
+  if (walls.area > 0)
+    summary += text;
   std::snprintf(text, sizeof text, "%zu closed %s, ", closed,
                 closed == 1 ? "mesh" : "meshes");
   if (run.figures)

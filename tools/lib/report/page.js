@@ -66,6 +66,8 @@
       if (rooms[0].mesh) figures.push(['closed meshes',
         rooms.filter(room => room.mesh && room.mesh.closed_manifold).length + ' of ' + rooms.length]);
     }
+    if (report.support) figures.push(['of the walls measured', percent(report.support.measured)],
+      ['inferred', percent(report.support.inferred)], ['seen by nobody', percent(report.support.unseen)]);
     if (distances && distances.count) figures.push(['half the points within', centimetres(distances.median)],
       ['within 5\u00a0cm', percent(distances.within_5cm)]);
     byId('figures').append(...figures.map(([name, value]) =>
@@ -74,8 +76,6 @@
 
   // ---- Advice: [finding, remedy] ----
 
-  const unseen = room => isNumber(room.unseen_share) ? room.unseen_share : room.repaired_share;
-
   function* openModels() {
     for (const room of rooms)
       for (const [name, model, remedy] of [
@@ -83,30 +83,6 @@
         ['solid', room.solid, 'Look at its walls in the plan: lines that cross or miss each other.']])
         if (model && model.closed_manifold === false)
           yield [`Room ${room.id}: its ${name} is not closed${model.problem ? ': ' + model.problem : ''}.`, remedy];
-  }
-
-  function* filledIn() {
-    const much = rooms.filter(room => unseen(room) >= 0.25);
-    if (much.length)
-      yield ['Much of the surface was not seen and is filled in: '
-        + much.map(room => `room ${room.id} ${(100 * unseen(room)).toFixed(0)} %`).join(', ')
-        + '. That is doors, windows, what furniture hides, or what was out of the scanner\'s sight.',
-        'Compare the pictures of scan and model below. Where too much of a ceiling is missing, --plane-tolerance 0.1 '
-        + 'takes in noisier planes.'];
-  }
-
-  function* unseenWalls() {
-    const length = wall => Math.hypot(wall.end[0] - wall.start[0], wall.end[1] - wall.start[1]);
-    const texts = plan.rooms.map(room => {
-      const walls = room.boundary.map((wall, k) => ({ wall, number: k + 1 })).filter(({ wall }) => wall.evidence
-        && length(wall) >= 0.5 && wall.evidence.seen < 0.2 && wall.evidence.hidden > 0.5).map(({ wall, number }) =>
-        `wall ${number} (${length(wall).toFixed(1)} m, ${(100 * wall.evidence.hidden).toFixed(0)} % hidden)`);
-      return walls.length ? `room ${room.id}: ` + walls.slice(0, 6).join(', ')
-        + (walls.length > 6 ? ` and ${walls.length - 6} more` : '') : '';
-    }).filter(Boolean);
-    if (texts.length)
-      yield ['Walls of which hardly anything was seen: ' + texts.join('; ') + '.',
-        'Their places follow their neighbours and what little was seen. If they matter, scan again from another place.'];
   }
 
   function* farPoints() {
@@ -123,28 +99,33 @@
         'Often that is furniture at the walls: see where it is in the picture of distances.'];
   }
 
-  function* warnings() {
-    const isTold = rooms.some(room => isNumber(unseen(room)));
-    for (const warning of report.warnings || []) {
-      if (typeof warning !== 'string' || (isTold && warning.includes('were filled in, not seen'))) continue;
-      yield [warning, warning.includes('too sparse')
-        ? 'A denser scan, or scans from more places, would show more.'
-        : /left out/.test(warning) && /ceiling/.test(warning) ? '--pictures shows what each stage decided, and why.' : ''];
+  // Warnings by kind, of earlier versions sentences; several of a kind are folded.
+  function warnings(list) {
+    const kinds = new Map();
+    (report.warnings || []).map(told => typeof told === 'string' ? { text: told, kind: told } : told)
+      .forEach(told => kinds.set(told.kind, [...kinds.get(told.kind) || [], told]));
+    const remedies = { sparse: 'A denser scan, or scans from more places, would show more.',
+      filled_in: 'Their places follow their neighbours and what little was seen. If they matter, scan again from another place.' };
+    for (const [kind, told] of kinds) {
+      const texts = told.map(warning => warning.text + (warning.at ? ` (x ${number(warning.at[0], 1)}, y ${number(warning.at[1], 1)} m)` : ''));
+      list.append(make('li', {}, texts.length === 1 ? texts[0] : make('details', {},
+        make('summary', {}, `${texts.length} of this kind: ${told[0].text} …`), make('ul', {}, ...texts.map(text => make('li', {}, text)))),
+        ...(remedies[kind] ? [make('span', { class: 'remedy' }, remedies[kind])] : [])));
     }
   }
 
   function check(section) {
     const list = section.querySelector('ul');
-    for (const source of [openModels, filledIn, unseenWalls, farPoints, warnings])
+    for (const source of [openModels, farPoints])
       for (const [finding, remedy] of source())
         list.append(make('li', {}, finding, ...(remedy ? [make('span', { class: 'remedy' }, remedy)] : [])));
-    const unknown = [[room => room.mesh || room.solid, 'whether all rooms are closed'],
-      [room => isNumber(unseen(room)), 'how much of their surface was seen']]
-      .filter(([isKnown]) => !rooms.length || !rooms.every(isKnown)).map(([, text]) => text);
-    if (!distances) unknown.push('how far the points lie from the model');
+    warnings(list);
+    const unknown = [[rooms.every(room => room.mesh || room.solid), 'whether all rooms are closed'],
+      [rooms.every(room => room.support), 'how much of their walls was measured'], [distances, 'how far the points lie from the model']]
+      .filter(([isKnown]) => !rooms.length || !isKnown).map(([, text]) => text);
     if (!list.children.length)
       list.append(unknown.length ? make('li', {}, `Nothing stands out, but the files do not tell ${unknown.join(', ')}.`)
-        : make('li', { class: 'fine' }, 'Nothing stands out: all rooms are closed, most of their surface was seen, '
+        : make('li', { class: 'fine' }, 'Nothing stands out: all rooms are closed, most of their walls were measured, '
           + 'and the points lie where the model is.'));
     return true;
   }
@@ -155,7 +136,7 @@
     const found = report.coverage;
     if (!found) return false;
     section.querySelector('.summary').append(`${number(found.modelled, 1)}\u00a0m² of ${number(found.seen, 1)}\u00a0m² of `
-      + 'floor that was seen are in the plan, ', make('strong', {}, percent(found.share)), '.');
+      + `floor that was seen are in the plan, ${percent(found.share)}.`);
     section.querySelector('.note').hidden = !found.left_out.length;
     if (found.left_out.length)
       section.querySelector('.wide').append(table([
@@ -196,7 +177,8 @@
     ['perimeter, m', room => number(room.perimeter, 2)], ['height, m', room => number(room.height, 2)],
     ['volume, m³', room => number(room.volume, 2)], ['wall surface, m²', room => number((room.solid || {}).wall_area, 2)],
     ['walls', room => countOf(room.walls || room.boundary)], ['columns', room => countOf(room.columns)],
-    ['ceiling details', room => countOf(room.details)], ['filled in', room => percent(unseen(room))],
+    ['ceiling details', room => countOf(room.details)], ['walls measured', room => percent((room.support || {}).measured)],
+    ['inferred', room => percent((room.support || {}).inferred)],
     ['mesh', room => closed(room.mesh)], ['solid', room => closed(room.solid)]];
   const countOf = list => String(Array.isArray(list) ? list.length : list || 0); // the plan has lists, the report numbers
 
@@ -249,7 +231,7 @@
         pen.strokeRect(x(opening.from), y(opening.top), x(opening.to) - x(opening.from), y(opening.bottom) - y(opening.top));
       const kinds = map.openings.map(opening => ', ' + opening.kind).join('');
       return make('figure', {}, canvas, make('figcaption', {},
-        `wall ${map.walls.join(', ')}: ${number(map.length, 1)} m${kinds}`));
+        `wall ${map.walls.map(wall => map.room + '.' + wall).join(', ')}: ${number(map.length, 1)} m${kinds}`));
     };
     for (const room of [...new Set(maps.map(map => map.room))]) {
       const own = maps.filter(map => map.room === room), count = sum(own, map => map.openings.length);

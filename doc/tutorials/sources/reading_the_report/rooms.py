@@ -8,6 +8,6 @@ with open(sys.argv[1] + "/report.json") as file:
     report = json.load(file)
 for room in report["rooms"]:
     print(f"room {room['id']}: {room['area']:.2f} m2, {room['walls']} walls, "
-          f"{100 * room['repaired_share']:.0f} % filled in")
+          f"{100 * room['support']['measured']:.0f} % of them measured")
 for warning in report["warnings"]:
-    print("warning:", warning)
+    print("warning:", warning["text"])

@@ -26,8 +26,8 @@ enum class WarningKind {
   LeftOut,       ///< m2; reason
   Hidden,        ///< m2 unseen, all; m of outline unseen
   Open,          ///< m of outline without wall or opening
-  FilledIn,      ///< % of its surface
-  FilledInWalls, ///< % of its walls
+  FilledIn,      ///< % of its walls not measured, inferred, unseen
+  GuessedWall,   ///< m, % inferred, unseen
   CeilingApart,  ///< m2
   CeilingOff,    ///< m2 off the facets, from, to m above the floor
   CeilingSlopes, ///< m2 not level, from, to m above the floor

@@ -29,14 +29,6 @@ struct RepairedStrip {
   std::vector<Column> columns; ///< of equal widths
 };
 
-/** @brief The shares of a room that no scanned point supports, at the local density of
- * the scan. An empty cell counts only if it is farther from all points of its surface
- * than these are from one another. */
-struct UnseenShares {
-  double surface = 0; ///< share of the cells of all surfaces of the room
-  double walls = 0;   ///< share of wall length seen in under a fifth of its height
-};
-
 } // namespace sedr
 
 /** @brief Fills the holes of a refined structure (paper, section 2.4). For each cell
@@ -82,13 +74,6 @@ public:
   /** @brief Returns the output indices of the points that fill holes, increasing. */
   const Indices& getRepairedIndices() const { return repaired_; }
 
-  /** @brief Returns, by room id, the shares that the scan does not support at its own
-   * density. Where the scan is sparser than the cells, this is less than was filled. */
-  const std::map<std::uint32_t, sedr::UnseenShares>& getUnseenShares() const
-  {
-    return unseen_;
-  }
-
   /** @brief Returns where the cells of walls, columns and risers are in the output.
    * With getSourceIndices() this shows which part of a wall was seen. */
   const std::vector<sedr::RepairedStrip>& getStrips() const { return strips_; }
@@ -109,7 +94,6 @@ private:
   bool keep_openings_ = false;
   Indices repaired_;
   std::vector<sedr::RepairedStrip> strips_;
-  std::map<std::uint32_t, sedr::UnseenShares> unseen_;
 };
 
 } // namespace pcl

@@ -19,7 +19,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -176,14 +175,6 @@ public:
    * without reflections. They precede the recovered points. */
   std::size_t scannedPoints() const { return scanned_points_; }
 
-  /** @brief Returns the share of each room's points that hole repair added in the last
-   * run. */
-  std::map<std::uint32_t, double> repairedShares() const { return repaired_shares_; }
-
-  /** @brief Returns the share of each room that the scan did not support, at its own
-   * density, in the last run. A warning reports large shares. */
-  const std::map<std::uint32_t, UnseenShares>& unseenShares() const { return unseen_; }
-
 private:
   friend class ChainRun;
 
@@ -195,8 +186,6 @@ private:
   double enlarged_from_ = 0; ///< cell size before it was enlarged; 0: not enlarged
   std::shared_ptr<Floorplan> straight_plan_; ///< `plan` before tilts are applied
   StructureCloud::Ptr straight_structure_;   ///< `structure` before tilts are applied
-  std::map<std::uint32_t, double> repaired_shares_;
-  std::map<std::uint32_t, UnseenShares> unseen_;
   std::size_t scanned_points_ = 0;
 };
 

@@ -6,14 +6,12 @@
 #include <pcl/sedr_filters/structure_label.h>
 
 #include <cstdint>
-#include <map>
 #include <string>
 #include <vector>
 
 namespace pcl::sedr {
 
 struct RepairedStrip;
-struct UnseenShares;
 
 /** @brief The points of the structure, moved onto the plan. */
 struct Refinement {
@@ -54,14 +52,10 @@ std::string surfaceCellsProblem(const Floorplan& plan, double size);
 /** @brief Returns one point for every cell of every room's surfaces (SurfaceCells): the
  * refined point of the cell, or a new one at its centre. Rooms follow in plan order.
  * surfaceCellsProblem() must be empty.
- * @param[out] strips where the points of vertical surfaces are among them, optional
- * @param[out] unseen unseen shares of each room by id, optional */
-std::vector<RepairedPoint>
-repairHoles(const std::vector<SurfacePoint>& refined,
-            const Floorplan& plan,
-            double cell_size,
-            std::vector<RepairedStrip>* strips = nullptr,
-            std::map<std::uint32_t, UnseenShares>* unseen = nullptr,
-            unsigned threads = 1);
+ * @param[out] strips where the points of vertical surfaces are among them, optional */
+std::vector<RepairedPoint> repairHoles(const std::vector<SurfacePoint>& refined,
+                                       const Floorplan& plan,
+                                       double cell_size,
+                                       std::vector<RepairedStrip>* strips = nullptr);
 
 } // namespace pcl::sedr

@@ -16,7 +16,6 @@ VerticalHoleRepair<PointT>::clearResults()
   sedr::PlanFilter<PointT>::clearResults();
   repaired_.clear();
   strips_.clear();
-  unseen_.clear();
 }
 
 template <typename PointT>
@@ -42,8 +41,8 @@ VerticalHoleRepair<PointT>::applyFilter(PointCloud& output)
       sedr::refineToPlan(sedr::PointView(*input_), *indices_, labels, rooms, *plan_,
                          on_surface, this->threads_);
   std::vector<bool> is_used(refined.sources.size(), false);
-  for (const auto& repaired : sedr::repairHoles(refined.points, *plan_, grid_size_,
-                                                &strips_, &unseen_, this->threads_)) {
+  for (const auto& repaired :
+       sedr::repairHoles(refined.points, *plan_, grid_size_, &strips_)) {
     const bool is_new = repaired.source < 0;
     if (is_new && keep_openings_ && sedr::isInOpening(*plan_, repaired.point.position))
       continue;

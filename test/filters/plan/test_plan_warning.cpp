@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../../plan_loops.h"
+
+#include <pcl/sedr_filters/plan_warning.h>
+#include <pcl/sedr_filters/wall_shares.h>
+
+#include <gtest/gtest.h>
+
+using namespace pcl::sedr;
+
+namespace {
+
+TEST(PlanWarning, ASentenceNamesTheWallAndItsNumbers)
+{
+  EXPECT_EQ(sentenceOf({WarningKind::Tilted, {-2.104}, 3, 12}),
+            "wall 3.12: it is tilted by 2.10 degrees out of the room");
+  EXPECT_EQ(sentenceOf({WarningKind::LeftOut, {2.5}, 0, 0, "a mirror", {1.04, -7}}),
+            "2.5 m2 around (1.0, -7.0) are left out: a mirror");
+  EXPECT_EQ(nameOf(WarningKind::Mesh), "mesh");
+}
+
+TEST(PlanWarning, TheSummaryHasALineAKindWithCountSumAndWorst)
+{
+  std::vector<PlanWarning> warnings{{WarningKind::CeilingApart, {0.5}, 1},
+                                    {WarningKind::Coverage, {}},
+                                    {WarningKind::CeilingApart, {1.5}, 2},
+                                    {WarningKind::CeilingApart, {1}, 3}};
+  const std::vector<std::string> lines = summaryOf(warnings);
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[1],
+            "3 rooms have parts of a ceiling that lie apart and are left out, 3.0 m2 "
+            "in all; most: room 2: 1.50 m2 of its ceiling lie apart and are left out");
+  EXPECT_TRUE(summaryOf({}).empty());
+}
+
+TEST(PlanWarning, TheSummaryHasTenLinesHoweverManyKindsThereAre)
+{
+  std::vector<PlanWarning> warnings;
+  for (int k = 0; k <= static_cast<int>(WarningKind::Mesh); ++k)
+    for (std::uint32_t room = 1; room < 100; ++room)
+      warnings.push_back({static_cast<WarningKind>(k), {1, 2, 3, 4, 5, 6}, room});
+  const std::vector<std::string> lines = summaryOf(warnings);
+  ASSERT_EQ(lines.size(), 10u);
+  const auto kinds = static_cast<std::size_t>(WarningKind::Mesh) + 1;
+  EXPECT_EQ(lines.back(), "and " + std::to_string(99 * (kinds - 9)) + " more of " +
+                              std::to_string(kinds - 9) +
+                              " other kinds, see the report");
+}
+
+/** A room of 4 m x 3 m x 2.5 m, with a door of 1 m x 2 m in its first wall. */
+Floorplan
+roomWithADoor()
+{
+  Floorplan plan;
+  plan.rooms = {sedr_test::roomOf(sedr_test::rectangle(0, 0, 4, 3), 2.5)};
+  plan.rooms[0].id = 1;
+  PlanOpening door;
+  door.start = {1, 0};
+  door.end = {2, 0};
+  door.top = 2;
+  door.walls = {{1, 0}};
+  plan.openings = {door};
+  return plan;
+}
+
+TEST(WallShares, AreOfTheSurfaceWithoutOpenings)
+{
+  Floorplan plan = roomWithADoor();
+  EXPECT_EQ(wallShares(plan).area, 0); // nothing is known
+  EXPECT_FALSE(wallShares(plan, plan.rooms[0], 0).isGuess());
+  // The door is 2 of 10 square metres; half of the wall is seen, a tenth hidden.
+  plan.rooms[0].boundary.elements[0].evidence = {0.5, 0.1, 0.4};
+  const WallShares wall = wallShares(plan, plan.rooms[0], 0);
+  EXPECT_NEAR(wall.area, 8, 1e-12);
+  EXPECT_NEAR(wall.measured, 5.0 / 8, 1e-12);
+  EXPECT_NEAR(wall.inferred, 1.0 / 8, 1e-12);
+  EXPECT_NEAR(wall.unseen, 2.0 / 8, 1e-12);
+  // A second wall of 7.5 square metres of which only what hides it was seen.
+  plan.rooms[0].boundary.elements[1].evidence = {0, 1, 0};
+  EXPECT_TRUE(wallShares(plan, plan.rooms[0], 1).isGuess());
+  const WallShares both = wallShares(plan);
+  EXPECT_NEAR(both.area, 15.5, 1e-12);
+  EXPECT_NEAR(both.measured, 5 / 15.5, 1e-12);
+  EXPECT_NEAR(both.inferred, 8.5 / 15.5, 1e-12);
+  EXPECT_NEAR(both.measured + both.inferred + both.unseen, 1, 1e-12);
+}
+
+} // namespace
