@@ -68,6 +68,7 @@ main(int argc, char** argv)
     checkDrawingOutput(output);
     const auto drawn = loadFloorplan(plan);
     settings.origin = planOrigin(plan);
+    settings.names = planNames(plan);
     settings.tilts = planTilts(plan);
     settings.max_wall = planMaxWall(plan);
     settings.paper = paperNamed(paper);

@@ -52,6 +52,7 @@ main(int argc, char** argv)
     const auto rooms = loadFloorplan(plan);
     settings.arcs =
         arcs == "faceted" ? pcl::sedr::IfcArcs::Facets : pcl::sedr::IfcArcs::Exact;
+    settings.names = planNames(plan);
     settings.tilts = planTilts(plan);
     settings.max_wall = planMaxWall(plan);
     const auto model = writeIfc(*rooms, settings, planOrigin(plan));

@@ -21,7 +21,7 @@ struct Words {
 };
 
 /** In the order of WarningKind. */
-constexpr std::array<Words, 27> words{{
+constexpr std::array<Words, 35> words{{
     {"coverage", "", "",
      "{0.0} of {1.0} square metres of floor were modelled, {2.0} %; the largest of "
      "what "
@@ -85,6 +85,16 @@ constexpr std::array<Words, 27> words{{
      "{0.0} of {1.0} openings are in no wall of the IFC: {reason}"},
     {"ifc_loss", "things are not in the IFC", "", "{reason}"},
     {"mesh", "meshes are not closed, or closed by a guess", "", "{reason}"},
+    {"no_door", "rooms have no door", "m2", "no door, passage or stair leads into it"},
+    {"narrow_door", "doors are narrow", "", "a door of {0.2} m"},
+    {"small_room", "rooms are small", "", "a room of {0.1} m2"},
+    {"narrow_room", "rooms are narrow", "", "nowhere wider than {0.2} m"},
+    {"height", "rooms have unusual heights", "", "{0.2} m high"},
+    {"ragged", "rooms have many walls", "", "{0.1} walls in 10 m of its outline"},
+    {"flat_arc", "arcs are as flat as their noise", "",
+     "an arc that rises {0.1} cm above its chord, of {1.1} m radius: it may be "
+     "straight"},
+    {"small_storey", "storeys are small", "", "{reason}: a storey of {0.1} m2"},
 }};
 
 const Words&

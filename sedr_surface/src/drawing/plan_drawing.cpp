@@ -149,7 +149,7 @@ PlanDrawing::PlanDrawing(const Floorplan& whole,
                           line.layer == PlanLayer::Column;
     is_solid ? places.keepOff(frame(line.element)) : places.avoid(frame(line.element));
   }
-  texts = placedTexts(plan, ceilings, lines, doorways, frame, places);
+  texts = placedTexts(plan, ceilings, lines, doorways, settings.names, frame, places);
 }
 
 Sheet

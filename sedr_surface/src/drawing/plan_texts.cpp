@@ -31,7 +31,7 @@ circleAbout(const TextSpot& spot)
 
 /** @brief Returns the text lines of a room: number, area, height. */
 std::vector<std::string>
-roomTexts(const PlanRoom& room, const Eigen::Vector2d& place)
+roomTexts(const PlanRoom& room, const RoomNames& names, const Eigen::Vector2d& place)
 {
   std::string height =
       decimalText(room.ceiling.heightAt(place) - room.floor.heightAt(place), 2);
@@ -39,8 +39,10 @@ roomTexts(const PlanRoom& room, const Eigen::Vector2d& place)
     const auto [eaves, ridge] = heightRange(room);
     height = decimalText(eaves, 2) + " - " + decimalText(ridge, 2);
   }
-  return {"Room " + std::to_string(room.id), decimalText(room.area(), 2) + " m²",
-          "h " + height + " m"};
+  const std::string number = std::to_string(room.id);
+  const auto named = names.find(room.id);
+  return {named == names.end() ? "Room " + number : number + " " + named->second,
+          decimalText(room.area(), 2) + " m²", "h " + height + " m"};
 }
 
 /** @brief Returns the size of a column: "Ø 0.40", "0.30 x 0.50"; empty for other
@@ -93,10 +95,10 @@ public:
 
   /** @brief Writes number, area and height of a room.
    * @return a circle around the text, metres */
-  TextSpot writeRoom(const PlanRoom& room)
+  TextSpot writeRoom(const PlanRoom& room, const RoomNames& names)
   {
     TextSpot spot = textSpotIn(room.boundary, room.columns);
-    const std::vector<std::string> lines = roomTexts(room, spot.place);
+    const std::vector<std::string> lines = roomTexts(room, names, spot.place);
     auto box = writeAt(PlanLayer::Room, spot, lines, large_font);
     if (!box)
       box = writeAt(PlanLayer::Room, spot, {lines[0], lines[1]}, large_font);
@@ -303,13 +305,14 @@ placedTexts(const Floorplan& plan,
             const std::vector<CeilingLines>& ceilings,
             const std::vector<PlanLine>& lines,
             const std::vector<DoorwayGap>& doorways,
+            const RoomNames& names,
             const PlanFrame& frame,
             TextPlaces& places)
 {
   TextWriter writer(frame, places);
   std::vector<TextSpot> room_texts;
   for (const PlanRoom& room : plan.rooms)
-    room_texts.push_back(writer.writeRoom(room));
+    room_texts.push_back(writer.writeRoom(room, names));
   writeStairs(plan, writer);
   for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
     const PlanRoom& room = plan.rooms[r];

@@ -158,10 +158,13 @@ writeSpaces(IfcDocument& document)
                                "Tessellation", "space");
     const StepRef place = document.placeIn(written.storey);
     const std::string number = std::to_string(room.id);
+    const auto named = document.settings.names.find(room.id);
     written.space = document.step.add(
-        "IFCSPACE", {document.guid(name), none, number, none, none, place, shape,
-                     "Room " + number, StepValue::enumerated("ELEMENT"),
-                     StepValue::enumerated("INTERNAL"), heightsOf(room).low});
+        "IFCSPACE",
+        {document.guid(name), none, number, none, none, place, shape,
+         named == document.settings.names.end() ? "Room " + number : named->second,
+         StepValue::enumerated("ELEMENT"), StepValue::enumerated("INTERNAL"),
+         heightsOf(room).low});
     storey.spaces.push_back(written.space);
     ++document.model.spaces;
     describe(document, written, name);

@@ -50,7 +50,7 @@ TEST(Coverage, IsWholeWhereEveryRoomHasItsPlan)
   EXPECT_EQ(coverage.share(), 1);
   EXPECT_TRUE(coverage.left_out.empty());
   EXPECT_EQ(coverage.largest(), nullptr);
-  EXPECT_EQ(coverageWarning(coverage), "");
+  EXPECT_FALSE(coverageWarning(coverage));
 }
 
 TEST(Coverage, ARoomWithoutAPlanIsLeftOut)
@@ -60,7 +60,8 @@ TEST(Coverage, ARoomWithoutAPlanIsLeftOut)
   EXPECT_NEAR(coverage.share(), 1 / 3.0, 1e-6);
   ASSERT_EQ(coverage.left_out.size(), 1u);
   EXPECT_EQ(coverage.left_out[0].reason, "room 1: no plan could be fitted");
-  const std::string warning = coverageWarning(coverage);
+  ASSERT_TRUE(coverageWarning(coverage));
+  const std::string warning = sentenceOf(*coverageWarning(coverage));
   EXPECT_NE(warning.find("6 of 18 square metres"), std::string::npos) << warning;
   EXPECT_NE(warning.find("12 square metres around (2."), std::string::npos) << warning;
   EXPECT_NE(warning.find("room 1: no plan could be fitted"), std::string::npos);
@@ -109,7 +110,8 @@ TEST(Coverage, ARoomSeenInPartCounts)
       coverageOf(building, {{planned(1, 0, 4), planned(2, 5, 7)}});
   EXPECT_NEAR(coverage.share(), 18.0 / 24, 1e-9);
   ASSERT_NE(coverage.largest(), nullptr);
-  EXPECT_NE(coverageWarning(coverage).find("seen in part"), std::string::npos);
+  ASSERT_TRUE(coverageWarning(coverage));
+  EXPECT_NE(coverageWarning(coverage)->reason.find("seen in part"), std::string::npos);
 }
 
 } // namespace

@@ -11,9 +11,6 @@
 #include <pcl/sedr_filters/floorplan_io.h>
 
 #define BOOST_ALLOW_DEPRECATED_HEADERS // Boost.Geometry includes one
-#include <boost/geometry/algorithms/is_valid.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
-#include <boost/geometry/geometries/ring.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -52,8 +49,20 @@ roomAt(const Floorplan& plan, const Eigen::Vector3d& p)
   return nearest;
 }
 
+/** @brief Warns of rooms whose outline crosses itself: parts of them are lost. */
+void
+warnOfCrossings(const Floorplan& plan)
+{
+  for (const PlanRoom& room : plan.rooms)
+    if (const std::string problem = outlineProblem(room.boundary); !problem.empty())
+      warn("the outline of room " + std::to_string(room.id) + " " + problem +
+           ": its area and what is made of it are wrong");
+}
+
+} // namespace
+
 std::string
-textOfFile(const std::string& path)
+planText(const std::string& path)
 {
   const InputFile file(path);
   std::string text(file.size(), '\0');
@@ -61,24 +70,11 @@ textOfFile(const std::string& path)
   return text;
 }
 
-/** @brief Warns of rooms whose outline crosses itself: parts of them are lost. */
-void
-warnOfCrossings(const Floorplan& plan)
+RoomNames
+planNames(const std::string& path)
 {
-  namespace bg = boost::geometry;
-  constexpr double chord = 0.01; // metres
-  for (const PlanRoom& room : plan.rooms) {
-    bg::model::ring<bg::model::d2::point_xy<double>, false, false> outline;
-    for (const Eigen::Vector2d& corner : room.boundary.polygon(chord))
-      outline.emplace_back(corner.x(), corner.y());
-    bg::validity_failure_type failure = bg::no_failure;
-    if (!bg::is_valid(outline, failure) && failure == bg::failure_self_intersections)
-      warn("the outline of room " + std::to_string(room.id) +
-           " crosses itself: its area and what is made of it are wrong");
-  }
+  return namesFromJson(planText(path));
 }
-
-} // namespace
 
 std::shared_ptr<const Floorplan>
 loadFloorplan(const std::string& path)
@@ -89,7 +85,7 @@ loadFloorplan(const std::string& path)
                     "' is a cloud or mesh; a floor plan is asked for, the "
                     "floorplan.json that pcl_sedr writes");
   std::string problem;
-  auto plan = std::make_shared<Floorplan>(floorplanFromJson(textOfFile(path), problem));
+  auto plan = std::make_shared<Floorplan>(floorplanFromJson(planText(path), problem));
   if (!problem.empty())
     throw ToolError("'" + path + "': " + problem);
   if (plan->rooms.empty())
@@ -101,7 +97,7 @@ loadFloorplan(const std::string& path)
 std::optional<Origin>
 statedPlanOrigin(const std::string& path)
 {
-  const auto json = nlohmann::ordered_json::parse(textOfFile(path), nullptr, false);
+  const auto json = nlohmann::ordered_json::parse(planText(path), nullptr, false);
   if (json.is_discarded())
     throw ToolError("'" + path + "' is no JSON, or only a part of one");
   Origin origin;
@@ -120,7 +116,7 @@ WallTilts
 planTilts(const std::string& path)
 {
   std::string problem;
-  WallTilts tilts = tiltsFromJson(textOfFile(path), problem);
+  WallTilts tilts = tiltsFromJson(planText(path), problem);
   if (!problem.empty())
     throw ToolError("'" + path + "': " + problem);
   return tilts;
@@ -130,7 +126,7 @@ double
 planMaxWall(const std::string& path)
 {
   std::string problem;
-  const double max_wall = maxWallFromJson(textOfFile(path), problem);
+  const double max_wall = maxWallFromJson(planText(path), problem);
   if (!problem.empty())
     throw ToolError("'" + path + "': " + problem);
   return max_wall;

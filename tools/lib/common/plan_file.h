@@ -4,6 +4,7 @@
 #include "tool_cloud.h"
 
 #include "sedr_filters/src/plan/plan_surfaces.h"
+#include <pcl/sedr_filters/plan_editor.h>
 #include <pcl/sedr_filters/straightening.h>
 
 #include <memory>
@@ -28,6 +29,12 @@ Origin planOrigin(const std::string& path);
 /** @brief Returns the tilted walls in a plan file that loadFloorplan() has read. Throws
  * ToolError if they are invalid. */
 WallTilts planTilts(const std::string& path);
+
+/** @brief Returns the text of a plan file. */
+std::string planText(const std::string& path);
+
+/** @brief Returns the names of rooms in a plan file. */
+RoomNames planNames(const std::string& path);
 
 /** @brief Returns the maximum thickness of a wall that a plan file states, metres, or
  * the default. Throws ToolError if it is invalid. */

@@ -8,6 +8,7 @@
 #include <pcl/common/angles.h>
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_filters/wall_shares.h>
+#include <pcl/sedr_surface/plausibility.h>
 
 #include <nlohmann/json.hpp>
 
@@ -273,14 +274,14 @@ placeOf(const PlanWarning& warning, const Floorplan& plan)
 }
 
 Json
-warningsOf(const Reconstruction& chain)
+warningsOf(const std::vector<PlanWarning>& list, const Floorplan& plan)
 {
   Json warnings = Json::array();
-  for (const PlanWarning& warning : chain.getChain().warnings)
+  for (const PlanWarning& warning : list)
     warnings.push_back({{"kind", nameOf(warning.kind)},
                         {"room", warning.room},
                         {"wall", warning.wall},
-                        {"at", placeOf(warning, *chain.getFloorplan())},
+                        {"at", placeOf(warning, plan)},
                         {"values", warning.values},
                         {"text", sentenceOf(warning)}});
   return warnings;
@@ -330,7 +331,9 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"walls", wallMapsOf(chain)},
             {"coverage", coverageOf(run.coverage)},
             {"evaluation", evaluation},
-            {"warnings", warningsOf(chain)}};
+            {"warnings", warningsOf(chain.getChain().warnings, *chain.getFloorplan())},
+            {"unlikely",
+             warningsOf(unlikelyPlaces(*chain.getFloorplan()), *chain.getFloorplan())}};
   roundNumbers(json);
   const Eigen::Vector3d& origin = chain.getOrigin().place;
   json["origin"] = {origin.x(), origin.y(), origin.z()}; // with full precision

@@ -102,7 +102,7 @@
   // Warnings by kind, of earlier versions sentences; several of a kind are folded.
   function warnings(list) {
     const kinds = new Map();
-    (report.warnings || []).map(told => typeof told === 'string' ? { text: told, kind: told } : told)
+    [...report.warnings || [], ...report.unlikely || []].map(told => typeof told === 'string' ? { text: told, kind: told } : told)
       .forEach(told => kinds.set(told.kind, [...kinds.get(told.kind) || [], told]));
     const remedies = { sparse: 'A denser scan, or scans from more places, would show more.',
       filled_in: 'Their places follow their neighbours and what little was seen. If they matter, scan again from another place.' };
@@ -173,7 +173,7 @@
   }
 
   const roomColumns = [
-    ['room', room => room.id], ['area, m²', room => number(room.area, 2)],
+    ['room', room => [room.id, (plan.names || {})[room.id]].filter(Boolean).join(' ')], ['area, m²', room => number(room.area, 2)],
     ['perimeter, m', room => number(room.perimeter, 2)], ['height, m', room => number(room.height, 2)],
     ['volume, m³', room => number(room.volume, 2)], ['wall surface, m²', room => number((room.solid || {}).wall_area, 2)],
     ['walls', room => countOf(room.walls || room.boundary)], ['columns', room => countOf(room.columns)],

@@ -93,6 +93,7 @@ drawings(const std::string& file, const Floorplan& plan)
   if (plan.rooms.empty())
     return sheets;
   DrawingSettings settings;
+  settings.names = planNames(file);
   settings.tilts = planTilts(file);
   settings.max_wall = planMaxWall(file);
   settings.paper = PaperSize::A4;

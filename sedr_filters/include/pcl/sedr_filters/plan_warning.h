@@ -39,7 +39,15 @@ enum class WarningKind {
   NoSolid,       ///< reason
   NotInIfc,      ///< openings in no wall, all; reason: numbers
   IfcLoss,       ///< reason
-  Mesh           ///< reason
+  Mesh,          ///< reason
+  NoDoor,        ///< m2
+  NarrowDoor,    ///< m
+  SmallRoom,     ///< m2
+  NarrowRoom,    ///< m
+  Height,        ///< m
+  Ragged,        ///< walls in 10 m
+  FlatArc,       ///< rise in cm, radius in m
+  SmallStorey    ///< m2; reason: its name
 };
 
 /** @brief What a stage doubts, for programs; sentenceOf() tells it in words. */

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/plan_editor.h>
 #include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/scan_frame.h>
 #include <pcl/sedr_filters/straightening.h>
@@ -26,6 +27,7 @@ struct DrawingSettings {
   Origin origin{};                     ///< origin of the coordinates
   PaperSize paper = PaperSize::A3;     ///< larger if the given scale needs it
   std::string title{};                 ///< "": "Floor plan"
+  RoomNames names{};                   ///< shown instead of "Room 3"
   WallTilts tilts{};                   ///< of walls, whose heads are drawn dashed
   double max_wall = Priors().max_wall; ///< maximum thickness of a wall, metres
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/plan_editor.h>
 #include <pcl/sedr_filters/plan_warning.h>
 #include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/scan_frame.h>
@@ -24,6 +25,7 @@ struct IfcSettings {
   IfcArcs arcs = IfcArcs::Exact;
   double assumed_thickness = 0.2;      ///< if one face was seen, metres, 0.02 to 2
   double max_wall = Priors().max_wall; ///< maximum thickness of a wall, metres
+  RoomNames names{};                   ///< long names of spaces
   WallTilts tilts{}; ///< tilted walls: spaces show the tilt, walls stand at their feet
 };
 

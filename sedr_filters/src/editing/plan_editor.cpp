@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sedr_filters/plan_editor.h>
+
+#include "outline_edits.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace pcl::sedr {
+
+namespace {
+
+PlanRoom*
+find(Floorplan& plan, std::uint32_t id)
+{
+  const auto found = std::find_if(plan.rooms.begin(), plan.rooms.end(),
+                                  [id](const PlanRoom& room) { return room.id == id; });
+  return found == plan.rooms.end() ? nullptr : &*found;
+}
+
+/** @brief Replaces a room's number in all that refers to rooms; 0: outside. What is
+ * then on both sides of itself, or of no room, goes. */
+void
+renumber(Floorplan& plan, std::uint32_t from, std::uint32_t to)
+{
+  const auto replace = [&](auto& rooms) {
+    std::replace(rooms.begin(), rooms.end(), from, to);
+    return rooms[0] == rooms[1];
+  };
+  const auto removeIf = [](auto& list, const auto& goes) {
+    list.erase(std::remove_if(list.begin(), list.end(), goes), list.end());
+  };
+  removeIf(plan.openings, [&](PlanOpening& opening) {
+    for (OpeningWall& wall : opening.walls)
+      wall.room = wall.room == from ? to : wall.room;
+    removeIf(opening.walls, [](const OpeningWall& wall) { return wall.room == 0; });
+    opening.swing = opening.swing == from ? to : opening.swing;
+    return replace(opening.rooms) || opening.walls.empty();
+  });
+  removeIf(plan.doorways, [&](PlanDoorway& doorway) { return replace(doorway.rooms); });
+  removeIf(plan.stairs, [&](PlanStair& stair) { return replace(stair.rooms); });
+  for (PlanStorey& storey : plan.storeys)
+    removeIf(storey.rooms, [from](std::uint32_t room) { return room == from; });
+  removeIf(plan.storeys, [](const PlanStorey& storey) { return storey.rooms.empty(); });
+}
+
+/** @brief Finds the elements again that openings are in: those nearest to their faces.
+ * Openings that no wall of their rooms is beside go. */
+void
+attachOpenings(Floorplan& plan)
+{
+  constexpr double reach = 0.5; // metres from the face
+  const auto attach = [&](PlanOpening& opening) {
+    const Eigen::Vector2d middle = (opening.start + opening.end) / 2;
+    const Eigen::Vector2d way = (opening.end - opening.start).normalized();
+    std::vector<OpeningWall> walls;
+    for (const OpeningWall& wall : opening.walls) {
+      const PlanRoom* const room = find(plan, wall.room);
+      if (!room)
+        continue;
+      double nearest = opening.depth / 2 + reach;
+      std::optional<std::size_t> element;
+      for (std::size_t e = 0; e < room->boundary.elements.size(); ++e) {
+        const PlanElement& candidate = room->boundary.elements[e];
+        const double distance = candidate.distance(middle);
+        const double s = candidate.project(middle);
+        if (distance < nearest && std::abs(candidate.normalAt(s).dot(way)) < 0.5) {
+          nearest = distance;
+          element = e;
+        }
+      }
+      if (element)
+        walls.push_back({wall.room, *element});
+    }
+    opening.walls = walls;
+    return walls.empty();
+  };
+  plan.openings.erase(
+      std::remove_if(plan.openings.begin(), plan.openings.end(), attach),
+      plan.openings.end());
+}
+
+} // namespace
+
+bool
+PlanEditor::apply(std::uint32_t room,
+                  const std::function<std::string(Floorplan&, PlanRoom&)>& change)
+{
+  Floorplan changed = plan_;
+  PlanRoom* const found = find(changed, room);
+  problem_ =
+      found ? change(changed, *found) : "the plan has no room " + std::to_string(room);
+  for (const PlanRoom& r : changed.rooms)
+    if (const PlanRoom* const before = find(plan_, r.id); problem_.empty())
+      if (const std::string wrong = outlineProblem(r.boundary);
+          !wrong.empty() && (!before || outlineProblem(before->boundary).empty()))
+        problem_ = "the outline of room " + std::to_string(r.id) + " then " + wrong;
+  if (!problem_.empty())
+    return false;
+  attachOpenings(changed);
+  plan_ = std::move(changed);
+  return true;
+}
+
+bool
+PlanEditor::name(std::uint32_t room, const std::string& text)
+{
+  return apply(room, [&](Floorplan&, PlanRoom&) {
+    if (text.empty())
+      names_.erase(room);
+    else
+      names_[room] = text;
+    return std::string();
+  });
+}
+
+bool
+PlanEditor::merge(std::uint32_t room, std::uint32_t other)
+{
+  return apply(room, [&](Floorplan& plan, PlanRoom& first) -> std::string {
+    PlanRoom* const second = find(plan, other);
+    if (!second || room == other)
+      return "the plan has no other room " + std::to_string(other);
+    const SharedWall shared = longestWall(first, *second);
+    if (!(shared.to > shared.from))
+      return "rooms " + std::to_string(room) + " and " + std::to_string(other) +
+             " have no straight wall between them";
+    const PlanElement& near = first.boundary.elements[shared.element];
+    const PlanElement& far = second->boundary.elements[shared.other];
+    const double back = far.project(near.pointAt(shared.to));
+    const double there = far.project(near.pointAt(shared.from));
+    // Around the first room, through the wall, around the second one, and back.
+    std::vector<PlanElement> loop;
+    appendAround(first.boundary, shared.element, shared.to, shared.from, loop);
+    loop.push_back(segment(near.pointAt(shared.from), far.pointAt(there)));
+    appendAround(second->boundary, shared.other, there, back, loop);
+    loop.push_back(segment(far.pointAt(back), near.pointAt(shared.to)));
+    first.boundary.elements = std::move(loop);
+    simplify(first.boundary);
+    const auto append = [](auto& to, const auto& from) {
+      to.insert(to.end(), from.begin(), from.end());
+    };
+    append(first.columns, second->columns);
+    append(first.details, second->details);
+    append(first.floor_details, second->floor_details);
+    append(first.niches, second->niches);
+    renumber(plan, other, room);
+    plan.rooms.erase(plan.rooms.begin() + (second - plan.rooms.data()));
+    names_.erase(other);
+    return {};
+  });
+}
+
+bool
+PlanEditor::split(std::uint32_t room,
+                  const Eigen::Vector2d& from,
+                  const Eigen::Vector2d& to)
+{
+  return apply(room, [&](Floorplan& plan, PlanRoom& first) -> std::string {
+    const PlanElement line = segment(from, to);
+    // Where the line crosses the outline: element, distance along it.
+    std::vector<std::pair<std::size_t, double>> cuts;
+    for (std::size_t e = 0; e < first.boundary.elements.size(); ++e) {
+      const PlanElement& wall = first.boundary.elements[e];
+      if (!wall.isArc())
+        if (const auto at = crossing(line, wall))
+          cuts.emplace_back(e, wall.project(*at));
+    }
+    if (cuts.size() != 2)
+      return "the line crosses " + std::to_string(cuts.size()) +
+             " straight walls of room " + std::to_string(room) +
+             ", it must cross two: begin and end it outside";
+    std::array<PlanLoop, 2> loops;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto [e, s] = cuts[k];
+      const auto [last, t] = cuts[1 - k];
+      const auto& all = first.boundary.elements;
+      auto& part = loops[k].elements;
+      part.push_back(all[e].part(s, all[e].length()));
+      for (std::size_t i = (e + 1) % all.size(); i != last; i = (i + 1) % all.size())
+        part.push_back(all[i]);
+      part.push_back(all[last].part(0, t));
+      part.push_back(segment(part.back().end, part.front().start));
+    }
+    const bool is_first_left = cross(to - from, loops[0].elements[0].end - from) > 0;
+    PlanRoom second = first;
+    first.boundary = loops[is_first_left ? 0 : 1];
+    second.boundary = loops[is_first_left ? 1 : 0];
+    for (const PlanRoom& other : plan.rooms)
+      second.id = std::max(second.id, other.id + 1);
+    for (PlanRoom* part : {&first, &second}) {
+      simplify(part->boundary);
+      const auto isElsewhere = [part](const PlanLoop& loop) {
+        return std::none_of(loop.elements.begin(), loop.elements.end(),
+                            [part](const PlanElement& e) {
+                              return part->boundary.distance(e.start) < touching ||
+                                     part->boundary.contains(e.start);
+                            });
+      };
+      const auto keepOwn = [&](auto& list) {
+        list.erase(std::remove_if(
+                       list.begin(), list.end(),
+                       [&](const auto& thing) { return isElsewhere(thing.boundary); }),
+                   list.end());
+      };
+      part->columns.erase(
+          std::remove_if(part->columns.begin(), part->columns.end(), isElsewhere),
+          part->columns.end());
+      keepOwn(part->niches);
+    }
+    const auto isSecond = [&](const Eigen::Vector2d& place) {
+      return second.boundary.distance(place) < first.boundary.distance(place);
+    };
+    const std::uint32_t id = second.id;
+    const auto giveTo = [&](std::uint32_t& of, const Eigen::Vector2d& place) {
+      of = of == room && isSecond(place) ? id : of;
+    };
+    for (PlanOpening& opening : plan.openings) {
+      const Eigen::Vector2d middle = (opening.start + opening.end) / 2;
+      for (std::uint32_t* of : {&opening.rooms[0], &opening.rooms[1], &opening.swing})
+        giveTo(*of, middle);
+      for (OpeningWall& wall : opening.walls)
+        giveTo(wall.room, middle);
+    }
+    for (PlanDoorway& doorway : plan.doorways)
+      for (std::uint32_t& of : doorway.rooms)
+        giveTo(of, (doorway.start + doorway.end) / 2);
+    for (PlanStair& stair : plan.stairs)
+      for (std::uint32_t& of : stair.rooms)
+        giveTo(of, stair.at);
+    for (PlanStorey& storey : plan.storeys)
+      if (std::count(storey.rooms.begin(), storey.rooms.end(), room) > 0)
+        storey.rooms.push_back(id); // the largest number yet
+    plan.rooms.push_back(std::move(second));
+    return {};
+  });
+}
+
+bool
+PlanEditor::drop(std::uint32_t room)
+{
+  return apply(room, [&](Floorplan& plan, PlanRoom& gone) {
+    plan.rooms.erase(plan.rooms.begin() + (&gone - plan.rooms.data()));
+    renumber(plan, room, 0);
+    names_.erase(room);
+    return std::string();
+  });
+}
+
+bool
+PlanEditor::square(std::uint32_t room)
+{
+  return apply(room, [&](Floorplan&, PlanRoom& changed) -> std::string {
+    constexpr double most = 10 * M_PI / 180;
+    std::vector<PlanElement> lines = changed.boundary.elements;
+    const auto longest = std::max_element(
+        lines.begin(), lines.end(), [](const PlanElement& a, const PlanElement& b) {
+          return (a.isArc() ? 0 : a.length()) < (b.isArc() ? 0 : b.length());
+        });
+    if (longest->isArc())
+      return "room " + std::to_string(room) + " has no straight wall";
+    const auto angleOf = [](const PlanElement& e) {
+      return std::atan2(e.end.y() - e.start.y(), e.end.x() - e.start.x());
+    };
+    const double axis = angleOf(*longest);
+    for (PlanElement& line : lines) {
+      const double off = std::remainder(angleOf(line) - axis, M_PI / 2);
+      if (line.isArc() || std::abs(off) > most)
+        continue;
+      const Eigen::Vector2d middle = (line.start + line.end) / 2;
+      const Eigen::Rotation2Dd turn(-off);
+      line.start = middle + turn * (line.start - middle);
+      line.end = middle + turn * (line.end - middle);
+    }
+    return meetAgain(lines, changed.boundary);
+  });
+}
+
+bool
+PlanEditor::moveWall(std::uint32_t room, std::size_t wall, double distance)
+{
+  return apply(room, [&](Floorplan& plan, PlanRoom& changed) -> std::string {
+    std::vector<PlanElement> lines = changed.boundary.elements;
+    const std::string name = std::to_string(room) + "." + std::to_string(wall);
+    if (wall < 1 || wall > lines.size())
+      return "there is no wall " + name + ": room " + std::to_string(room) + " has " +
+             std::to_string(lines.size());
+    PlanElement& line = lines[wall - 1];
+    if (line.isArc() || !std::isfinite(distance))
+      return "wall " + name + " is an arc, only straight walls can be moved";
+    const Eigen::Vector2d off = -distance * line.normalAt(0);
+    line.start += off;
+    line.end += off;
+    for (PlanOpening& opening : plan.openings)
+      for (const OpeningWall& in : opening.walls)
+        if (in.room == room && in.element + 1 == wall) {
+          const bool has_other = opening.walls.size() > 1; // it stays
+          opening.start += has_other ? off / 2 : off;
+          opening.end += has_other ? off / 2 : off;
+          opening.depth = std::max(opening.depth - (has_other ? distance : 0), 0.0);
+        }
+    return meetAgain(lines, changed.boundary);
+  });
+}
+
+} // namespace pcl::sedr

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../drawing/text_spot.h"
+
+#include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_surface/plausibility.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::sedr {
+
+namespace {
+
+constexpr double min_room_area = 2;    // square metres
+constexpr double min_room_width = 0.8; // metres, of the largest circle in it
+constexpr double min_height = 2;       // metres
+constexpr double max_height = 6;       // metres
+constexpr double max_walls = 8;        // in 10 m, and of a room
+constexpr double min_door_width = 0.7; // metres
+constexpr double min_storey_area = 5;  // square metres
+constexpr double min_noise = 0.005;    // metres
+
+/** @brief Checks whether a door, passage, doorway or stair leads into a room. */
+bool
+hasWayIn(const Floorplan& plan, std::uint32_t room)
+{
+  const auto leadsIn = [room](const auto& way) {
+    return way.rooms[0] == room || way.rooms[1] == room;
+  };
+  return std::any_of(plan.openings.begin(), plan.openings.end(),
+                     [&](const PlanOpening& opening) {
+                       return opening.kind != OpeningKind::Window && leadsIn(opening);
+                     }) ||
+         std::any_of(plan.doorways.begin(), plan.doorways.end(), leadsIn) ||
+         std::any_of(plan.stairs.begin(), plan.stairs.end(), leadsIn);
+}
+
+/** @brief Returns how far the middle of an arc is off its chord, metres. */
+double
+riseOf(const PlanElement& arc)
+{
+  return (arc.pointAt(arc.length() / 2) - (arc.start + arc.end) / 2).norm();
+}
+
+void
+addRoom(const Floorplan& plan, const PlanRoom& room, std::vector<PlanWarning>& found)
+{
+  const TextSpot spot = textSpotIn(room.boundary, room.columns);
+  const auto add = [&](WarningKind kind, double value) {
+    found.push_back({kind, {value}, room.id, 0, {}, spot.place});
+  };
+  const std::vector<PlanElement>& walls = room.boundary.elements;
+  if (!hasWayIn(plan, room.id))
+    add(WarningKind::NoDoor, room.area());
+  if (room.area() < min_room_area)
+    add(WarningKind::SmallRoom, room.area());
+  if (2 * spot.radius < min_room_width)
+    add(WarningKind::NarrowRoom, 2 * spot.radius);
+  const double height = room.ceilingAt(spot.place) - room.floorAt(spot.place);
+  if (height < min_height || height > max_height)
+    add(WarningKind::Height, height);
+  const double density = 10 * static_cast<double>(walls.size()) / room.perimeter();
+  if (static_cast<double>(walls.size()) > max_walls && density > max_walls)
+    add(WarningKind::Ragged, density);
+  for (std::size_t e = 0; e < walls.size(); ++e)
+    if (walls[e].isArc() &&
+        riseOf(walls[e]) < 2 * std::max(walls[e].residual, min_noise))
+      found.push_back({WarningKind::FlatArc,
+                       {100 * riseOf(walls[e]), walls[e].radius},
+                       room.id,
+                       e + 1,
+                       {},
+                       walls[e].pointAt(walls[e].length() / 2)});
+}
+
+} // namespace
+
+std::vector<PlanWarning>
+unlikelyPlaces(const Floorplan& plan)
+{
+  std::vector<PlanWarning> found;
+  for (const PlanRoom& room : plan.rooms)
+    addRoom(plan, room, found);
+  for (const PlanOpening& opening : plan.openings)
+    if (opening.kind == OpeningKind::Door && opening.width() < min_door_width)
+      found.push_back({WarningKind::NarrowDoor,
+                       {opening.width()},
+                       std::max(opening.rooms[0], opening.rooms[1]),
+                       0,
+                       {},
+                       (opening.start + opening.end) / 2});
+  for (const PlanStorey& storey : storeysOf(plan)) {
+    const Floorplan part = partOf(plan, storey);
+    double area = 0;
+    for (const PlanRoom& room : part.rooms)
+      area += room.area();
+    if (area < min_storey_area)
+      found.push_back({WarningKind::SmallStorey,
+                       {area},
+                       0,
+                       0,
+                       storey.name,
+                       textSpotIn(part.rooms[0].boundary, {}).place});
+  }
+  std::stable_sort(
+      found.begin(), found.end(),
+      [](const PlanWarning& a, const PlanWarning& b) { return a.kind < b.kind; });
+  return found;
+}
+
+} // namespace pcl::sedr

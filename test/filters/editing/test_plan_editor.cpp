@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../../plan_loops.h"
+
+#include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_filters/plan_editor.h>
+
+#include <gtest/gtest.h>
+
+using namespace pcl::sedr;
+using sedr_test::rectangle;
+using sedr_test::roomOf;
+
+namespace {
+
+/** Rooms of 4 m x 3 m and 2 m x 3 m with a wall of 20 cm and a door between them. */
+Floorplan
+twoRooms()
+{
+  Floorplan plan;
+  plan.rooms = {roomOf(rectangle(0, 0, 4, 3), 2.5, 1),
+                roomOf(rectangle(4.2, 0, 6.2, 3), 2.5, 2)};
+  PlanOpening door;
+  door.kind = OpeningKind::Door;
+  door.rooms = {1, 2};
+  door.walls = {{1, 1}, {2, 3}};
+  door.start = {4.1, 1};
+  door.end = {4.1, 2};
+  door.top = 2;
+  door.depth = 0.2;
+  plan.openings = {door};
+  plan.storeys = {{1, "ground", 0, 2.5, {1, 2}}};
+  return plan;
+}
+
+void
+expectValid(const PlanEditor& editor)
+{
+  std::string problem;
+  const Floorplan read =
+      floorplanFromJson(floorplanToJson(editor.getFloorplan()), problem);
+  EXPECT_EQ(problem, "");
+  EXPECT_EQ(read.rooms.size(), editor.getFloorplan().rooms.size());
+  for (const PlanRoom& room : editor.getFloorplan().rooms)
+    EXPECT_EQ(outlineProblem(room.boundary), "");
+}
+
+TEST(PlanEditor, MergedRoomsHaveTheAreaOfBothAndOfTheWall)
+{
+  PlanEditor editor(twoRooms(), {{2, "Bath"}});
+  ASSERT_TRUE(editor.merge(1, 2)) << editor.getErrorMessage();
+  expectValid(editor);
+  ASSERT_EQ(editor.getFloorplan().rooms.size(), 1u);
+  EXPECT_NEAR(editor.getFloorplan().rooms[0].area(), 6.2 * 3, 1e-9);
+  EXPECT_EQ(editor.getFloorplan().rooms[0].boundary.elements.size(), 4u);
+  EXPECT_TRUE(editor.getFloorplan().openings.empty());
+  EXPECT_EQ(editor.getFloorplan().storeys[0].rooms, std::vector<std::uint32_t>{1});
+  EXPECT_TRUE(editor.getNames().empty());
+}
+
+TEST(PlanEditor, OfWallsThatFaceEachOtherInPartTheRestStays)
+{
+  Floorplan plan = twoRooms();
+  plan.rooms[1].boundary = rectangle(4.2, 2, 6.2, 5);
+  PlanEditor editor(plan);
+  ASSERT_TRUE(editor.merge(1, 2)) << editor.getErrorMessage();
+  expectValid(editor);
+  EXPECT_NEAR(editor.getFloorplan().rooms[0].area(), 12 + 6 + 0.2 * 1, 1e-9);
+  EXPECT_EQ(editor.getFloorplan().rooms[0].boundary.elements.size(), 8u);
+}
+
+TEST(PlanEditor, ASplitRoomHasTwoPartsWithTheirDoors)
+{
+  PlanEditor editor(twoRooms());
+  ASSERT_TRUE(editor.split(1, {1, -1}, {1, 4})) << editor.getErrorMessage();
+  expectValid(editor);
+  const Floorplan& plan = editor.getFloorplan();
+  ASSERT_EQ(plan.rooms.size(), 3u);
+  EXPECT_NEAR(plan.rooms[0].area(), 3, 1e-9); // to the left of the line, which runs up
+  EXPECT_EQ(plan.rooms[2].id, 3u);
+  EXPECT_NEAR(plan.rooms[2].area(), 9, 1e-9);
+  ASSERT_EQ(plan.openings.size(), 1u);
+  EXPECT_EQ(plan.openings[0].rooms[0], 3u);
+  ASSERT_EQ(plan.openings[0].walls.size(), 2u);
+  const OpeningWall wall = plan.openings[0].walls[0];
+  EXPECT_NEAR(plan.rooms[2].boundary.elements[wall.element].distance({4, 1.5}), 0,
+              1e-9);
+  EXPECT_EQ(plan.storeys[0].rooms, (std::vector<std::uint32_t>{1, 2, 3}));
+  EXPECT_FALSE(editor.split(2, {0, -1}, {0, 4}));
+  EXPECT_NE(editor.getErrorMessage().find("crosses 0 straight walls"),
+            std::string::npos);
+}
+
+TEST(PlanEditor, ADroppedRoomIsOutside)
+{
+  PlanEditor editor(twoRooms());
+  ASSERT_TRUE(editor.drop(2)) << editor.getErrorMessage();
+  expectValid(editor);
+  ASSERT_EQ(editor.getFloorplan().openings.size(), 1u);
+  EXPECT_EQ(editor.getFloorplan().openings[0].rooms[1], 0u);
+  EXPECT_EQ(editor.getFloorplan().openings[0].walls.size(), 1u);
+  EXPECT_FALSE(editor.drop(2));
+  EXPECT_EQ(editor.getErrorMessage(), "the plan has no room 2");
+}
+
+TEST(PlanEditor, AMovedWallTakesItsCornersAndHalfOfTheDoorAlong)
+{
+  PlanEditor editor(twoRooms());
+  ASSERT_TRUE(editor.moveWall(1, 2, 0.05)) << editor.getErrorMessage(); // x = 4
+  expectValid(editor);
+  EXPECT_NEAR(editor.getFloorplan().rooms[0].area(), 4.05 * 3, 1e-9);
+  EXPECT_NEAR(editor.getFloorplan().openings[0].depth, 0.15, 1e-12);
+  EXPECT_NEAR(editor.getFloorplan().openings[0].start.x(), 4.125, 1e-12);
+  EXPECT_FALSE(editor.moveWall(1, 2, -5));
+  EXPECT_EQ(editor.getErrorMessage(), "wall 1 would vanish");
+  EXPECT_FALSE(editor.moveWall(1, 9, 1));
+  EXPECT_NEAR(editor.getFloorplan().rooms[0].area(), 4.05 * 3, 1e-9);
+}
+
+TEST(PlanEditor, NearlySquareCornersBecomeSquare)
+{
+  Floorplan plan;
+  plan.rooms = {
+      roomOf(sedr_test::polygon({{0, 0}, {5.2, 0}, {5.1, 3}, {0.1, 3.1}}), 2.5, 4)};
+  PlanEditor editor(plan);
+  ASSERT_TRUE(editor.square(4)) << editor.getErrorMessage();
+  expectValid(editor);
+  const auto& walls = editor.getFloorplan().rooms[0].boundary.elements;
+  ASSERT_EQ(walls.size(), 4u);
+  for (std::size_t k = 0; k < 4; ++k)
+    EXPECT_NEAR(walls[k].normalAt(0).dot(walls[(k + 1) % 4].normalAt(0)), 0, 1e-9);
+  EXPECT_NEAR(editor.getFloorplan().rooms[0].area(), 5.1 * 3.05, 1e-9);
+}
+
+TEST(PlanEditor, NamesAreKeptInTheJson)
+{
+  PlanEditor editor(twoRooms());
+  ASSERT_TRUE(editor.name(2, "Küche"));
+  const std::string json =
+      withNames(floorplanToJson(editor.getFloorplan()), editor.getNames());
+  EXPECT_EQ(namesFromJson(json), editor.getNames());
+  EXPECT_TRUE(namesFromJson("[").empty());
+  ASSERT_TRUE(editor.name(2, ""));
+  EXPECT_TRUE(editor.getNames().empty());
+  EXPECT_FALSE(editor.name(7, "none"));
+}
+
+TEST(OutlineProblem, TellsOfCrossingsAndTurns)
+{
+  EXPECT_EQ(outlineProblem(rectangle(0, 0, 1, 2)), "");
+  EXPECT_EQ(outlineProblem(reversed(rectangle(0, 0, 1, 2))), "is clockwise");
+  EXPECT_EQ(
+      outlineProblem(sedr_test::polygon({{0, 0}, {3, 0}, {3, 3}, {1, -1}, {0, 3}}))
+          .substr(0, 14),
+      "crosses itself");
+}
+
+} // namespace

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../../plan_loops.h"
+
+#include <pcl/sedr_surface/plausibility.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace pcl::sedr;
+using sedr_test::rectangle;
+using sedr_test::roomOf;
+
+namespace {
+
+std::vector<WarningKind>
+kindsIn(const Floorplan& plan)
+{
+  std::vector<WarningKind> kinds;
+  for (const PlanWarning& warning : unlikelyPlaces(plan)) {
+    EXPECT_TRUE(warning.at.allFinite()) << sentenceOf(warning);
+    EXPECT_EQ(sentenceOf(warning).find('?'), std::string::npos) << sentenceOf(warning);
+    kinds.push_back(warning.kind);
+  }
+  return kinds;
+}
+
+/** A room of 4 m x 3 m with a door of a width. */
+Floorplan
+plainRoom(double width = 0.9)
+{
+  Floorplan plan;
+  plan.rooms = {roomOf(rectangle(0, 0, 4, 3), 2.5)};
+  PlanOpening door;
+  door.kind = OpeningKind::Door;
+  door.rooms = {1, 0};
+  door.start = {1, 0};
+  door.end = {1 + width, 0};
+  door.top = 2;
+  plan.openings = {door};
+  return plan;
+}
+
+TEST(UnlikelyPlaces, NoneInAPlainRoom)
+{
+  EXPECT_TRUE(kindsIn(plainRoom()).empty());
+}
+
+TEST(UnlikelyPlaces, EachKindAlone)
+{
+  using Kinds = std::vector<WarningKind>;
+  Floorplan plan = plainRoom();
+  plan.openings[0].kind = OpeningKind::Window;
+  EXPECT_EQ(kindsIn(plan), Kinds{WarningKind::NoDoor});
+  EXPECT_EQ(kindsIn(plainRoom(0.6)), Kinds{WarningKind::NarrowDoor});
+  plan = plainRoom();
+  plan.rooms[0].boundary = rectangle(0, 0, 10, 0.7);
+  EXPECT_EQ(kindsIn(plan), Kinds{WarningKind::NarrowRoom});
+  plan.rooms[0].boundary = rectangle(0, 0, 1.5, 1.2);
+  EXPECT_EQ(kindsIn(plan), (Kinds{WarningKind::SmallRoom, WarningKind::SmallStorey}));
+  for (const double height : {1.9, 6.1}) {
+    plan = plainRoom();
+    plan.rooms[0] = roomOf(rectangle(0, 0, 4, 3), height);
+    EXPECT_EQ(kindsIn(plan), Kinds{WarningKind::Height});
+  }
+  plan = plainRoom(); // an arc of 5 mm rise over 4 m
+  PlanElement& arc = plan.rooms[0].boundary.elements[0];
+  arc.radius = 400;
+  arc.centre = {2, std::sqrt(400.0 * 400 - 4)};
+  EXPECT_EQ(kindsIn(plan), Kinds{WarningKind::FlatArc});
+}
+
+} // namespace
