@@ -65,13 +65,13 @@ constexpr std::array<Words, 35> words{{
      "nobody"},
     {"ceiling_apart", "rooms have parts of a ceiling that lie apart and are left out",
      "m2", "{0.2} m2 of its ceiling lie apart and are left out"},
-    {"ceiling_off", "rooms have ceilings more than 10 cm off their facets", "m2",
+    {"ceiling_off", "rooms have ceilings more than 10 cm off the model", "m2",
      "{0.1} m2 of its ceiling, {1.2} to {2.2} m above its floor, are more than 10 cm "
-     "off its facets"},
-    {"ceiling_slopes", "rooms have ceilings that are not level", "m2",
-     "{0.1} m2 of its ceiling are not level, {1.2} to {2.2} m above its floor: they "
-     "are "
-     "modelled by the main plane"},
+     "off the model"},
+    {"floor_off", "rooms have floors more than 10 cm off the model", "m2",
+     "{0.1} m2 of its floor, {1.2} to {2.2} m above its main floor, are more than 10 "
+     "cm "
+     "off the model"},
     {"tilted", "walls are tilted", "", "it is tilted by {0.2} degrees into the room"},
     {"not_adjusted", "", "", "the plan is not fitted to the raw cloud: {reason}"},
     {"crossing", "rooms run into others in the solid", "",

@@ -85,29 +85,12 @@ private:
    * @return number of points */
   std::size_t addHiddenCeiling(std::size_t room);
 
-  /** @brief A part of a sloping ceiling that its model does not represent. */
-  struct PlaceOff {
-    double area = 0;                                      ///< square metres
-    double low = std::numeric_limits<double>::infinity(); ///< metres
-    double high = -std::numeric_limits<double>::infinity();
-  };
-
-  /** @brief Returns the part of a room's ceiling that is neither level nor near its
-   * model. `distance(place, height)` returns the distance of a height from the model,
-   * metres. */
-  PlaceOff ceilingOff(
-      std::size_t region,
-      const std::function<double(const Eigen::Vector2d&, double)>& distance) const;
-
   /** @brief Returns the scanned points of a room's ceiling. */
   pcl::Indices seenCeiling(std::size_t region) const;
 
   /** @brief Returns the scanned points of all ceilings, increasing. */
   pcl::IndicesPtr sheetPoints() const;
 
-  /** @brief Warns of ceilings that are not level and that the plan does not
-   * represent. */
-  void warnOfCeilings();
   bool recoverFloors(StageReport& report);
   bool growWalls(StageReport& report);
   bool fitPlan(StageReport& report);

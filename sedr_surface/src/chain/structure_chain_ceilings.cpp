@@ -3,39 +3,11 @@
 
 #include "chain_run.h"
 
-#include "sedr_filters/src/plan/room_lookup.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace pcl::sedr {
-
-namespace {
-
-/** @brief Smaller parts of a ceiling cause no warning, square metres. */
-constexpr double worth_word = 1;
-
-/** @brief Returns the distance of a height from the range of a room's ceiling heights
- * around a place, metres. On a slope, that range is wide. */
-double
-distanceFromCeiling(const RoomLookup& room,
-                    const Eigen::Vector2d& place,
-                    double size,
-                    double height)
-{
-  double low = room.ceilingAt(place);
-  double high = low;
-  for (const double x : {-1.0, 1.0})
-    for (const double y : {-1.0, 1.0}) {
-      const double z = room.ceilingAt(place + size * Eigen::Vector2d(x, y));
-      low = std::min(low, z);
-      high = std::max(high, z);
-    }
-  return std::max({0.0, low - height, height - high});
-}
-
-} // namespace
 
 CellSet
 ChainRun::levelColumns(std::size_t region) const
@@ -75,26 +47,6 @@ ChainRun::labelLowerCeilings(std::size_t region)
   return found;
 }
 
-ChainRun::PlaceOff
-ChainRun::ceilingOff(
-    std::size_t region,
-    const std::function<double(const Eigen::Vector2d&, double)>& distance) const
-{
-  constexpr double off = 0.1; // metres from the model
-  const Building& building = chain_.getBuilding();
-  const CellGrid& columns = building.grid;
-  PlaceOff place;
-  for (const RoomColumn& column : building.rooms[region].columns) {
-    if (column.is_level || !column.ceiling_seen ||
-        distance(columns.centre(column.cell), column.ceiling) <= off)
-      continue;
-    place.area += columns.size() * columns.size();
-    place.low = std::min<double>(place.low, column.ceiling);
-    place.high = std::max<double>(place.high, column.ceiling);
-  }
-  return place;
-}
-
 pcl::Indices
 ChainRun::seenCeiling(std::size_t region) const
 {
@@ -117,28 +69,6 @@ ChainRun::sheetPoints() const
         sheets->push_back(i);
   std::sort(sheets->begin(), sheets->end());
   return sheets;
-}
-
-void
-ChainRun::warnOfCeilings()
-{
-  for (const PlanRoom& room : chain_.plan->rooms) {
-    const std::size_t region = room.id - 1;
-    const bool has_facets = room.hasFacets();
-    const RoomLookup lookup(room);
-    const PlanSlab& slab = regions_[region].ceiling_slab;
-    const PlaceOff off = ceilingOff(region, [&](const Eigen::Vector2d& p, double z) {
-      return has_facets
-                 ? distanceFromCeiling(lookup, p, chain_.getBuilding().grid.size(), z)
-                 : std::abs(z - slab.heightAt(p));
-    });
-    if (off.area < worth_word)
-      continue;
-    const double floor = room.floor.heightAt(room.boundary.elements.front().start);
-    warn({has_facets ? WarningKind::CeilingOff : WarningKind::CeilingSlopes,
-          {off.area, off.low - floor, off.high - floor},
-          room.id});
-  }
 }
 
 } // namespace pcl::sedr

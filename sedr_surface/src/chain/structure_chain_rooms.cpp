@@ -3,6 +3,7 @@
 #include "sedr_filters/src/plan/plan_surfaces.h"
 
 #include "chain_run.h"
+#include "unexplained.h"
 
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/plan/plan_evidence.h"
@@ -151,7 +152,8 @@ ChainRun::fitPlan(StageReport& report)
                          chain_.floorplan_fitting.getWarnings().begin(),
                          chain_.floorplan_fitting.getWarnings().end());
   giveStoreys(chain_.getBuilding(), *chain_.plan);
-  warnOfCeilings();
+  for (PlanWarning& warning : unexplainedSurfaces(chain_.getBuilding(), *chain_.plan))
+    warn(std::move(warning));
   if (!chain_.unit_is_known)
     chain_.unit_doubt = footProblem(
         *chain_.plan, sight_ ? sight_->places() : std::vector<Eigen::Vector3f>(),

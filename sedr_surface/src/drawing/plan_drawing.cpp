@@ -208,6 +208,17 @@ floorplanToPng(const Floorplan& plan,
   return sheetPng(planSheet({plan, settings, 0}, settings), resolution / inch);
 }
 
+Eigen::Affine2d
+drawingPlaces(const Floorplan& plan, const DrawingSettings& settings)
+{
+  const SheetLayout layout = layoutOf(plan, settings);
+  const Eigen::Array2d size = layout.size;
+  return Eigen::Translation2d(0, 1) *
+         Eigen::Scaling((Eigen::Array2d(1, -1) / size).matrix()) *
+         Eigen::Translation2d(layout.frame.shift) *
+         Eigen::Rotation2Dd(layout.frame.turn) * Eigen::Scaling(layout.frame.scale);
+}
+
 double
 drawingScale(const Floorplan& plan, PaperSize paper)
 {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
+#include "sedr_surface/src/chain/unexplained.h"
+
 #include <pcl/sedr_surface/coverage.h>
 
 #include <gtest/gtest.h>
@@ -112,6 +114,28 @@ TEST(Coverage, ARoomSeenInPartCounts)
   ASSERT_NE(coverage.largest(), nullptr);
   ASSERT_TRUE(coverageWarning(coverage));
   EXPECT_NE(coverageWarning(coverage)->reason.find("seen in part"), std::string::npos);
+}
+
+TEST(UnexplainedSurfaces, ArePlacesThatLieOffTheModel)
+{
+  Building building = buildingOfTwoRooms();
+  const Floorplan plan{{planned(1, 0, 4), planned(2, 5, 7)}};
+  EXPECT_TRUE(unexplainedSurfaces(building, plan).empty());
+  // A pit of 1 m x 1 m, 0.4 m deep; a lamp of 10 cm.
+  for (RoomColumn& column : building.rooms[0].columns) {
+    const Eigen::Vector2d at = building.grid.centre(column.cell);
+    if ((at - Eigen::Vector2d(2, 1.5)).lpNorm<Eigen::Infinity>() < 0.5)
+      column.floor = -0.4F;
+    if ((at - Eigen::Vector2d(1.05, 1.05)).norm() < 0.01)
+      column.ceiling = 2;
+  }
+  const auto found = unexplainedSurfaces(building, plan);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, WarningKind::FloorOff);
+  EXPECT_NEAR(found[0].values[0], 1, 1e-9);
+  EXPECT_NEAR((found[0].at - Eigen::Vector2d(2, 1.5)).norm(), 0, 1e-6);
+  EXPECT_EQ(sentenceOf(found[0]), "room 1: 1.0 m2 of its floor, -0.40 to -0.40 m above "
+                                  "its main floor, are more than 10 cm off the model");
 }
 
 } // namespace

@@ -107,12 +107,17 @@
     const remedies = { sparse: 'A denser scan, or scans from more places, would show more.',
       filled_in: 'Their places follow their neighbours and what little was seen. If they matter, scan again from another place.' };
     for (const [kind, told] of kinds) {
-      const texts = told.map(warning => warning.text + (warning.at ? ` (x ${number(warning.at[0], 1)}, y ${number(warning.at[1], 1)} m)` : ''));
+      const texts = told.map(({ text, at, room }) => {
+        if (at) marks.push({ number: marks.length + 1, at, room, text });
+        return make('span', {}, text, ...(at ? [make('span', { class: 'mark' }, String(marks.length))] : []));
+      });
       list.append(make('li', {}, texts.length === 1 ? texts[0] : make('details', {},
         make('summary', {}, `${texts.length} of this kind: ${told[0].text} …`), make('ul', {}, ...texts.map(text => make('li', {}, text)))),
         ...(remedies[kind] ? [make('span', { class: 'remedy' }, remedies[kind])] : [])));
     }
   }
+
+  const marks = []; // places of warnings, drawn on the plan
 
   function check(section) {
     const list = section.querySelector('ul');
@@ -158,12 +163,35 @@
     return storeys.length > 1;
   }
 
+  // The points of the scan 1.0 to 1.5 m above a storey's floor, on the sheet of its plan.
+  function slice(drawing, places) {
+    const canvas = make('canvas', { width: 2000, height: 1414 }), pen = canvas.getContext('2d');
+    pen.fillStyle = '#e8590c';
+    for (let i = 0; i < places.length; i += 3)
+      if (places[i + 2] > drawing.floor + 1 && places[i + 2] < drawing.floor + 1.5) {
+        const [x, y] = onSheet(drawing, [places[i], places[i + 1]]);
+        pen.fillRect(canvas.width * x - 1.5, canvas.height * y - 1.5, 3, 3);
+      }
+    return canvas;
+  }
+
+  const onSheet = (drawing, at) => [drawing.x, drawing.y].map(([a, b, c]) => a * at[0] + b * at[1] + c);
+
   function drawings(section) {
+    const box = section.querySelector('input'), places = data.scan && data.scan.is_scan ? readScan(data.scan).corners : [];
+    box.parentElement.hidden = !places.length;
+    box.addEventListener('change', () => section.classList.toggle('sliced', box.checked));
+    section.classList.toggle('sliced', box.checked);
     for (const drawing of data.drawings) {
       if (data.drawings.length > 1) section.querySelector('.plans').append(make('h3', {}, drawing.name));
-      section.querySelector('.plans').append(make('img', {
-        alt: 'Plan: ' + drawing.name, src: 'data:image/svg+xml,' + encodeURIComponent(drawing.svg)
-      }));
+      const sheet = make('div', { class: 'sheet' }, make('img', {
+        alt: 'Plan: ' + drawing.name, src: 'data:image/svg+xml,' + encodeURIComponent(drawing.svg) }), slice(drawing, places));
+      for (const { number, at, room, text } of marks)
+        if (!room || drawing.rooms.includes(room)) {
+          const [x, y] = onSheet(drawing, at);
+          sheet.append(make('span', { class: 'mark', title: text, style: `left:${100 * x}%;top:${100 * y}%` }, String(number)));
+        }
+      section.querySelector('.plans').append(sheet);
     }
     if ((plan.doorways || []).length)
       section.querySelector('.doors').textContent = (plan.openings || []).length

@@ -100,7 +100,13 @@ drawings(const std::string& file, const Floorplan& plan)
   const std::vector<PlanStorey> storeys = storeysOf(plan);
   for (const PlanStorey& storey : storeys) {
     settings.storey = storeys.size() > 1 ? &storey : nullptr;
-    sheets.push_back({{"name", storey.name}, {"svg", floorplanToSvg(plan, settings)}});
+    const auto places = drawingPlaces(plan, settings).matrix();
+    sheets.push_back({{"name", storey.name},
+                      {"floor", storey.floor},
+                      {"rooms", storey.rooms},
+                      {"x", {places(0, 0), places(0, 1), places(0, 2)}},
+                      {"y", {places(1, 0), places(1, 1), places(1, 2)}},
+                      {"svg", floorplanToSvg(plan, settings)}});
   }
   return sheets;
 }

@@ -29,8 +29,8 @@ enum class WarningKind {
   FilledIn,      ///< % of its walls not measured, inferred, unseen
   GuessedWall,   ///< m, % inferred, unseen
   CeilingApart,  ///< m2
-  CeilingOff,    ///< m2 off the facets, from, to m above the floor
-  CeilingSlopes, ///< m2 not level, from, to m above the floor
+  CeilingOff,    ///< m2 off the model, from, to m above the floor
+  FloorOff,      ///< likewise
   Tilted,        ///< degrees, positive into the room
   NotAdjusted,   ///< reason
   Crossing,      ///< the other room; the room itself if both meet

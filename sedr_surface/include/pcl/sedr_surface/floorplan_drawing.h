@@ -7,6 +7,8 @@
 #include <pcl/sedr_filters/scan_frame.h>
 #include <pcl/sedr_filters/straightening.h>
 
+#include <Eigen/Geometry>
+
 #include <string>
 
 namespace pcl::sedr {
@@ -56,6 +58,10 @@ std::string floorplanToPdf(const Floorplan& plan, const DrawingSettings& setting
 std::string floorplanToPng(const Floorplan& plan,
                            const DrawingSettings& settings = {},
                            double resolution = 150);
+
+/** @brief Returns where places of a plan are on its sheet, as shares of width and
+ * height from the upper left corner. */
+Eigen::Affine2d drawingPlaces(const Floorplan& plan, const DrawingSettings& settings);
 
 /** @brief Returns the scale that is chosen if none is set. */
 double drawingScale(const Floorplan& plan, PaperSize paper = PaperSize::A3);

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "unexplained.h"
+
+#include "sedr_filters/src/plan/room_lookup.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+namespace pcl::sedr {
+
+namespace {
+
+constexpr double off = 0.1;         // metres from the model
+constexpr double min_patch = 0.25;  // square metres
+constexpr double told_share = 0.02; // of the area of a room
+
+using HeightAt = std::function<double(const Eigen::Vector2d&)>;
+
+/** @brief Returns the distance of a height from the model's heights around a place,
+ * which cover a wide range on a slope and at a step. */
+double
+distanceFrom(const HeightAt& model, const Eigen::Vector2d& place, double size, double z)
+{
+  double low = model(place);
+  double high = low;
+  for (const double x : {-1.0, 1.0})
+    for (const double y : {-1.0, 1.0}) {
+      const double height = model(place + size * Eigen::Vector2d(x, y));
+      low = std::min(low, height);
+      high = std::max(high, height);
+    }
+  return std::max({0.0, low - z, z - high});
+}
+
+/** @brief A surface of a room: what was seen of it, and its model. */
+struct Surface {
+  WarningKind kind;
+  bool RoomColumn::*is_seen;
+  float RoomColumn::*height;
+  HeightAt model;
+};
+
+void
+addUnexplained(const Surface& surface,
+               const BuildingRoom& room,
+               const CellGrid& grid,
+               const PlanRoom& plan,
+               std::vector<PlanWarning>& warnings)
+{
+  std::vector<CellKey> keys;
+  std::vector<float> heights;
+  for (const RoomColumn& column : room.columns) {
+    const Eigen::Vector2d at = grid.centre(column.cell);
+    const double z = column.*surface.height;
+    const bool is_beside = plan.boundary.distance(at) < 2 * grid.size() ||
+                           std::any_of(plan.columns.begin(), plan.columns.end(),
+                                       [&](const PlanLoop& loop) {
+                                         return loop.distance(at) < 2 * grid.size();
+                                       });
+    if (!(column.*surface.is_seen) || is_beside || !plan.contains(at) ||
+        distanceFrom(surface.model, at, grid.size(), z) <= off)
+      continue;
+    keys.push_back(keyOf(column.cell)); // increasing, as the columns
+    heights.push_back(static_cast<float>(z));
+  }
+  const CellSet cells(keys);
+  const CellRegions patches = labelRegions(cells);
+  const double cell = grid.size() * grid.size();
+  const double floor = plan.floorAt(plan.boundary.elements.front().start);
+  std::size_t count = 0;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const std::size_t patch = patches.label[k];
+    const auto size = static_cast<double>(patches.sizes[patch]);
+    if (size * cell < min_patch)
+      continue;
+    ++count;
+    low = std::min<double>(low, heights[k] - floor);
+    high = std::max<double>(high, heights[k] - floor);
+    if (patch == 0) // the largest
+      middle += grid.centre(cells[k]) / size;
+  }
+  const double area = static_cast<double>(count) * cell;
+  if (count > 0 && area >= told_share * plan.area())
+    warnings.push_back({surface.kind, {area, low, high}, plan.id, 0, {}, middle});
+}
+
+} // namespace
+
+std::vector<PlanWarning>
+unexplainedSurfaces(const Building& building, const Floorplan& plan)
+{
+  std::vector<PlanWarning> warnings;
+  for (const PlanRoom& room : plan.rooms) {
+    const auto found =
+        std::find_if(building.rooms.begin(), building.rooms.end(),
+                     [&](const BuildingRoom& r) { return r.id == room.id; });
+    if (found == building.rooms.end() || room.boundary.elements.empty())
+      continue;
+    const RoomLookup model(room);
+    for (const Surface& surface :
+         {Surface{WarningKind::CeilingOff, &RoomColumn::ceiling_seen,
+                  &RoomColumn::ceiling,
+                  [&](const Eigen::Vector2d& p) { return model.ceilingAt(p); }},
+          Surface{WarningKind::FloorOff, &RoomColumn::floor_seen, &RoomColumn::floor,
+                  [&](const Eigen::Vector2d& p) { return model.floorAt(p); }}})
+      addUnexplained(surface, *found, building.grid, room, warnings);
+  }
+  return warnings;
+}
+
+} // namespace pcl::sedr
