@@ -42,10 +42,10 @@ def sample_plan():
 
 def sample_report():
     rooms = [{"id": 1, "area": 11.75, "perimeter": 14.0, "height": 2.4255, "volume": 28.5, "walls": 4, "columns": 1,
-              "details": 1, "repaired_share": 0.62, "solid": {"closed_manifold": True, "wall_area": 34.1, "problem": ""},
+              "details": 1, "support": {"measured": 0.38, "inferred": 0.5, "unseen": 0.12}, "solid": {"closed_manifold": True, "wall_area": 34.1, "problem": ""},
               "mesh": {"closed_manifold": False, "problem": "2 edges are open"}},
              {"id": 2, "area": 6.0, "perimeter": 10.0, "height": 2.5, "volume": 15.0, "walls": 4, "columns": 0,
-              "details": 0, "repaired_share": 0.04, "solid": {"closed_manifold": True, "wall_area": 25.0, "problem": ""},
+              "details": 0, "support": {"measured": 0.96, "inferred": 0.04, "unseen": 0}, "solid": {"closed_manifold": True, "wall_area": 25.0, "problem": ""},
               "mesh": {"closed_manifold": True, "problem": ""}}]
     distances = {"count": 1000, "mean": 0.004, "rms": 0.006, "median": 0.003, "p95": 0.012, "p99": 0.02, "max": 0.8,
                  "within_1cm": 0.9, "within_5cm": 0.99, "beyond_5cm": 0.01, "histogram_range": 0.1,
@@ -55,7 +55,10 @@ def sample_report():
             "stages": [{"stage": "ParallelVoxelGrid", "points_in": 1234567, "points_out": 4800, "seconds": 0.25},
                        {"stage": "StructuralPoisson", "points_in": 4800, "points_out": 9000, "seconds": 1.5}],
             "rooms": rooms, "evaluation": {"mesh": {"triangles": 64}, "cloud_to_mesh": distances},
-            "warnings": ["room 1: <b>a part</b> of its ceiling is left out"]}
+            "support": {"measured": 0.59, "inferred": 0.33, "unseen": 0.08},
+            "warnings": [{"kind": "stage", "room": 1, "wall": 0, "at": [1, 2], "values": [], "text": "room 1: <b>a part</b>"},
+                         {"kind": "stage", "room": 2, "wall": 3, "at": [5, 1], "values": [], "text": "wall 2.3: second"}],
+            "unlikely": [{"kind": "no_door", "room": 1, "wall": 0, "at": None, "values": [12], "text": "room 1: no door"}]}
 
 
 def write_scan(path):
@@ -279,10 +282,10 @@ class ReportInABrowser(ReportCase):
     def test_rooms_and_stages_are_told_with_units(self):
         browser = self.open()
         told = self.row(browser, "rooms", "1")
-        self.assertEqual([told[head] for head in ("area, m²", "perimeter, m", "volume, m³", "wall surface, m²", "filled in",
+        self.assertEqual([told[head] for head in ("area, m²", "perimeter, m", "volume, m³", "wall surface, m²", "walls measured",
                                                   "mesh", "solid")],
-                         ["11.75", "14.00", "28.50", "34.10", "62\u00a0%", "open", "closed"])
-        self.assertEqual(self.row(browser, "rooms", "2")["filled in"], "4.0\u00a0%")
+                         ["11.75", "14.00", "28.50", "34.10", "38\u00a0%", "open", "closed"])
+        self.assertEqual(self.row(browser, "rooms", "2")["walls measured"], "96\u00a0%")
         stage = self.row(browser, "stages", "ParallelVoxelGrid")
         self.assertEqual([stage[head] for head in ("points in", "points out", "seconds", "with")],
                          ["1\u202f234\u202f567", "4\u202f800", "0.25", "voxel\u00a00.05\u00a0m"])
@@ -324,7 +327,7 @@ class ReportInABrowser(ReportCase):
         self.assertIn("room 1: 1 wall, 1 opening", self.words(browser, "#walls"))
         browser.run("new Promise(done => { const box = document.querySelector('#walls details');"
                     " box.addEventListener('toggle', () => setTimeout(done, 0)); box.open = true; })")
-        self.assertIn("wall 2, 3: 4.0 m, door", self.words(browser, "#walls"))
+        self.assertIn("wall 1.2, 1.3: 4.0 m, door", self.words(browser, "#walls"))
         # Pixels of cells from the top left: three a cell.
         pixel = "[...document.querySelector('#walls canvas').getContext('2d').getImageData({}, {}, 1, 1).data]"
         self.assertEqual(browser.run(pixel.format(1, 1)), [155, 155, 155, 255], "seen")
@@ -345,13 +348,32 @@ class ReportInABrowser(ReportCase):
     def test_what_is_amiss_is_told_with_a_remedy(self):
         words = self.words(self.open(), "#check")
         self.assertIn("Room 1: its mesh is not closed: 2 edges are open.", words)
-        self.assertIn("was not seen and is filled in: room 1 62 %.", words)
+        self.assertIn("2 of this kind: room 1: <b>a part</b> …", words)
+        self.assertIn("room 1: no door", words)
         self.assertIn("Take the solid, solid.ply.", words)
-        self.assertNotIn("room 2 4 %", words)
+
+    def test_the_share_of_walls_that_was_measured_heads_the_page(self):
+        self.assertIn("59\u00a0%", self.open().run("document.getElementById('figures').textContent"))
+
+    def test_warnings_have_numbers_on_the_plan_that_lies_over_the_scan(self):
+        browser = self.open()
+        marks = browser.run("[...document.querySelectorAll('#plan .mark')].map(mark => {"
+                            " const sheet = mark.parentElement.getBoundingClientRect(), box = mark.getBoundingClientRect();"
+                            " return [mark.textContent, mark.title, box.x + box.width / 2 - sheet.x, box.y + box.height / 2 - sheet.y]; })")
+        self.assertEqual([mark[:2] for mark in marks], [["1", "room 1: <b>a part</b>"], ["2", "wall 2.3: second"]])
+        # From (1, 2) to (5, 1): four metres to the right and one down.
+        self.assertAlmostEqual((marks[1][2] - marks[0][2]) / (marks[1][3] - marks[0][3]), 4, delta=0.05)
+        # The wall that was scanned, y = 3, is on the slice, right above the first place.
+        dots = browser.run("""(() => { const canvas = document.querySelector('#plan canvas'), pen = canvas.getContext('2d');
+          const box = canvas.getBoundingClientRect(), [dx, dy] = [%s, %s];
+          const seen = (x, y) => pen.getImageData(x * canvas.width / box.width - 8, y * canvas.height / box.height - 8, 16, 16).data
+            .some(value => value > 0);
+          return [seen(dx, dy), seen(dx, dy + %s)]; })()""" % (marks[0][2], marks[0][3], marks[0][3] - marks[1][3]))
+        self.assertEqual(dots, [False, True])
 
     def test_nothing_amiss_is_told_too(self):
         report = sample_report()
-        report["warnings"], report["rooms"] = [], report["rooms"][1:]
+        report["warnings"], report["unlikely"], report["rooms"] = [], [], report["rooms"][1:]
         self.write("report.json", report)
         self.make("--scan", self.scan)
         self.assertIn("Nothing stands out", self.words(self.open(), "#check"))

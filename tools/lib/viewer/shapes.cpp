@@ -4,6 +4,7 @@
 #include "progress.h"
 
 #include "sedr_surface/src/formats/decimal_text.h"
+#include <pcl/sedr_filters/wall_shares.h>
 #include <pcl/sedr_surface/mesh_distance.h>
 
 #include <vtkCellArray.h>
@@ -118,14 +119,23 @@ addLoop(const PlanLoop& loop,
 }
 
 void
-addRoom(const PlanRoom& room, bool with_ceilings, ColouredShape& lines)
+addRoom(const Floorplan& plan,
+        const PlanRoom& room,
+        bool with_ceilings,
+        ColouredShape& lines)
 {
   using namespace colours;
   const auto add = [&](const PlanLoop& loop, const PlanSlab& low, const PlanSlab& high,
                        Colour straight, Colour bent) {
     addLoop(loop, low, high, with_ceilings, straight, bent, lines);
   };
-  add(room.boundary, room.floor, room.ceiling, ink, arc);
+  PlanLoop measured;
+  PlanLoop guessed;
+  for (std::size_t e = 0; e < room.boundary.elements.size(); ++e)
+    (wallShares(plan, room, e).isGuess() ? guessed : measured)
+        .elements.push_back(room.boundary.elements[e]);
+  add(measured, room.floor, room.ceiling, ink, arc);
+  add(guessed, room.floor, room.ceiling, other, other);
   for (const auto& loop : room.columns)
     add(loop, room.floor, room.ceiling, column, column);
   for (const auto& niche : room.niches)
@@ -222,7 +232,7 @@ Shapes::of(const std::string& layer, const ViewState& state) const
   if (layer == "plan") {
     for (const auto& room : result_.plan.rooms)
       if (shows(StructureLabel::Wall, room.id, Eigen::Vector3d::Zero(), state))
-        addRoom(room, state.ceilings, shape);
+        addRoom(result_.plan, room, state.ceilings, shape);
     return shape.data(2);
   }
   if (layer == "openings") {

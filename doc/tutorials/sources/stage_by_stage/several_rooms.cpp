@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The plan and the solid of a scan of several rooms, by three stages chained by hand.
+#include <pcl/io/pcd_io.h>
+#include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_filters/parallel_voxel_grid.h>
+#include <pcl/sedr_segmentation/floorplan_fitting.h>
+#include <pcl/sedr_segmentation/room_segmentation.h>
+#include <pcl/sedr_surface/floorplan_extrusion.h>
+#include <pcl/sedr_surface/mesh_io.h>
+
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+using pcl::sedr::StructureLabel;
+
+int
+main(int argc, char** argv)
+{
+  const Cloud::Ptr scan(new Cloud);
+  if (argc != 2 || pcl::io::loadPCDFile(argv[1], *scan) < 0) {
+    std::cerr << "usage: several_rooms SCAN.pcd\n";
+    return 1;
+  }
+  pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
+  grid.setInputCloud(scan);
+  grid.setLeafSize(0.05f, 0.05f, 0.05f);
+  const Cloud::Ptr thinned(new Cloud);
+  grid.filter(*thinned);
+
+  // [rooms]
+  pcl::RoomSegmentation<pcl::PointXYZ> segmentation;
+  segmentation.setInputCloud(thinned);
+  std::vector<pcl::PointIndices> rooms;
+  if (!segmentation.segment(rooms)) {
+    std::cerr << segmentation.getErrorMessage() << '\n';
+    return 2;
+  }
+  const pcl::sedr::Building& building = segmentation.getBuilding();
+  const pcl::IndicesPtr ceilings(new pcl::Indices);
+  const pcl::IndicesPtr floors(new pcl::Indices);
+  for (std::size_t i = 0; i < thinned->size(); ++i)
+    if (building.room_of[i] != 0)
+      (building.label_of[i] == static_cast<std::uint32_t>(StructureLabel::Ceiling)
+           ? *ceilings
+           : *floors)
+          .push_back(static_cast<pcl::index_t>(i));
+  // [rooms]
+
+  // [plan]
+  pcl::FloorplanFitting<pcl::PointXYZ> fitting;
+  fitting.setInputCloud(thinned);
+  fitting.setCeilingIndices(ceilings);
+  fitting.setFloorIndices(floors);
+  fitting.setRooms(building.room_of);
+  fitting.setRawCloud(scan); // more exact than voxels
+  const auto plan = std::make_shared<pcl::sedr::Floorplan>();
+  if (!fitting.segment(*plan)) {
+    std::cerr << fitting.getErrorMessage() << '\n';
+    return 2;
+  }
+  for (const std::string& line : summaryOf(fitting.getWarnings()))
+    std::cout << "warning: " << line << '\n';
+  giveStoreys(building, *plan); // with doorways and stairs
+  // [plan]
+
+  // [solid]
+  pcl::FloorplanExtrusion<pcl::PointXYZ> extrusion;
+  extrusion.setFloorplan(plan);
+  pcl::PolygonMesh solid;
+  extrusion.reconstruct(solid);
+  // [solid]
+  std::ofstream("rooms.json") << pcl::sedr::floorplanToJson(*plan);
+  double area = 0;
+  for (const auto& room : plan->rooms)
+    area += room.area();
+  std::cout << plan->rooms.size() << " rooms, " << area << " m2, "
+            << plan->doorways.size() << " doorways, solid "
+            << (extrusion.isClosed() ? "closed" : "open") << '\n';
+  const std::string problem = pcl::sedr::savePly("rooms.ply", extrusion.getMesh());
+  if (!problem.empty())
+    std::cerr << problem << '\n';
+  return problem.empty() ? 0 : 2;
+}
