@@ -21,12 +21,16 @@ struct Words {
 };
 
 /** In the order of WarningKind. */
-constexpr std::array<Words, 35> words{{
+constexpr std::array<Words, 36> words{{
     {"coverage", "", "",
      "{0.0} of {1.0} square metres of floor were modelled, {2.0} %; the largest of "
      "what "
      "is missing, {3.0} square metres{at}, z {4.1} to {5.1}: {reason}"},
     {"unit", "", "", "{reason}"},
+    {"upside_down", "", "",
+     "{0.0} % of the {1.0} m2 of surfaces within the rooms are in their upper halves: "
+     "is "
+     "the scan upside down? things stand on floors"},
     {"lost_points", "", "", "{0.0} % of the points are not finite: they were left out"},
     {"strays", "", "",
      "points are scattered all over the air of the scan: voxels of fewer than {0.0} "

@@ -4,6 +4,7 @@
 
 #include "chain_run.h"
 #include "unexplained.h"
+#include "upside_down.h"
 
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/plan/plan_evidence.h"
@@ -154,6 +155,10 @@ ChainRun::fitPlan(StageReport& report)
   giveStoreys(chain_.getBuilding(), *chain_.plan);
   for (PlanWarning& warning : unexplainedSurfaces(chain_.getBuilding(), *chain_.plan))
     warn(std::move(warning));
+  if (const auto doubt = upsideDownDoubt(
+          PointView(*chain_.cloud), chain_.plane_detection.getGridSize(), *chain_.plan);
+      doubt && !chain_.trust_up)
+    warn(*doubt);
   if (!chain_.unit_is_known)
     chain_.unit_doubt = footProblem(
         *chain_.plan, sight_ ? sight_->places() : std::vector<Eigen::Vector3f>(),

@@ -17,20 +17,24 @@ constexpr double told_share = 0.02; // of the area of a room
 
 using HeightAt = std::function<double(const Eigen::Vector2d&)>;
 
-/** @brief Returns the distance of a height from the model's heights around a place,
- * which cover a wide range on a slope and at a step. */
-double
-distanceFrom(const HeightAt& model, const Eigen::Vector2d& place, double size, double z)
+/** @brief The range of the model's heights around a place, wide on a slope and at a
+ * step. */
+struct Range {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+};
+
+Range
+rangeAt(const HeightAt& model, const Eigen::Vector2d& place, double size)
 {
-  double low = model(place);
-  double high = low;
-  for (const double x : {-1.0, 1.0})
-    for (const double y : {-1.0, 1.0}) {
+  Range range;
+  for (const double x : {-1.0, 0.0, 1.0})
+    for (const double y : {-1.0, 0.0, 1.0}) {
       const double height = model(place + size * Eigen::Vector2d(x, y));
-      low = std::min(low, height);
-      high = std::max(high, height);
+      range.low = std::min(range.low, height);
+      range.high = std::max(range.high, height);
     }
-  return std::max({0.0, low - z, z - high});
+  return range;
 }
 
 /** @brief A surface of a room: what was seen of it, and its model. */
@@ -58,8 +62,11 @@ addUnexplained(const Surface& surface,
                                        [&](const PlanLoop& loop) {
                                          return loop.distance(at) < 2 * grid.size();
                                        });
-    if (!(column.*surface.is_seen) || is_beside || !plan.contains(at) ||
-        distanceFrom(surface.model, at, grid.size(), z) <= off)
+    if (!(column.*surface.is_seen) || is_beside || !plan.contains(at))
+      continue;
+    const Range range = rangeAt(surface.model, at, grid.size());
+    const bool may_be_furniture = surface.kind == WarningKind::FloorOff;
+    if (z >= range.low - off && (may_be_furniture || z <= range.high + off))
       continue;
     keys.push_back(keyOf(column.cell)); // increasing, as the columns
     heights.push_back(static_cast<float>(z));

@@ -12,9 +12,10 @@ namespace pcl::sedr {
 /** @brief Returns what of the floors and ceilings that were seen the plan does not
  * explain: connected places of 0.25 m2 and more that lie more than 10 cm off the model,
  * if they make up 2 % of a room; one warning a room for its floor and one for its
- * ceiling. Places within two cells of a wall or column do not count, nor do those
- * outside of the plan, which coverageOf() tells of. Rooms of both have the same ids.
- * O(columns of the building). */
+ * ceiling. What is above a floor may be furniture and is not told. Places within two
+ * cells of a wall or column do not count, nor do those outside of the plan, which
+ * coverageOf() tells of. Rooms of both have the same ids. O(columns of the building).
+ */
 std::vector<PlanWarning> unexplainedSurfaces(const Building& building,
                                              const Floorplan& plan);
 

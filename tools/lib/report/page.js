@@ -206,7 +206,6 @@
     ['volume, m³', room => number(room.volume, 2)], ['wall surface, m²', room => number((room.solid || {}).wall_area, 2)],
     ['walls', room => countOf(room.walls || room.boundary)], ['columns', room => countOf(room.columns)],
     ['ceiling details', room => countOf(room.details)], ['walls measured', room => percent((room.support || {}).measured)],
-    ['inferred', room => percent((room.support || {}).inferred)],
     ['mesh', room => closed(room.mesh)], ['solid', room => closed(room.solid)]];
   const countOf = list => String(Array.isArray(list) ? list.length : list || 0); // the plan has lists, the report numbers
 

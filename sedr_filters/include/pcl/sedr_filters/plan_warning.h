@@ -15,6 +15,7 @@ namespace pcl::sedr {
 enum class WarningKind {
   Coverage,      ///< modelled, seen m2, %; missing m2, z from, to; reason
   Unit,          ///< reason
+  UpsideDown,    ///< % of things in upper halves of rooms, m2 of their surfaces
   LostPoints,    ///< %
   Strays,        ///< points of a voxel that was kept
   Positions,     ///< untrue, all
