@@ -186,10 +186,13 @@
       if (data.drawings.length > 1) section.querySelector('.plans').append(make('h3', {}, drawing.name));
       const sheet = make('div', { class: 'sheet' }, make('img', {
         alt: 'Plan: ' + drawing.name, src: 'data:image/svg+xml,' + encodeURIComponent(drawing.svg) }), slice(drawing, places));
+      const taken = new Map(); // marks of a place stand side by side
       for (const { number, at, room, text } of marks)
         if (!room || drawing.rooms.includes(room)) {
-          const [x, y] = onSheet(drawing, at);
-          sheet.append(make('span', { class: 'mark', title: text, style: `left:${100 * x}%;top:${100 * y}%` }, String(number)));
+          const [x, y] = onSheet(drawing, at), before = taken.get(String(at)) || 0;
+          taken.set(String(at), before + 1);
+          sheet.append(make('span', { class: 'mark', title: text,
+            style: `left:calc(${100 * x}% + ${1.6 * before}em);top:${100 * y}%` }, String(number)));
         }
       section.querySelector('.plans').append(sheet);
     }
