@@ -6,7 +6,6 @@
 
 #include "../profiles/cell_count.h"
 #include "detail_fit.h"
-#include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/plan/room_lookup.h"
 
 #include <algorithm>
@@ -73,34 +72,6 @@ widestFirst(const HeightMap& map)
     return sizes[static_cast<std::size_t>(a)] > sizes[static_cast<std::size_t>(b)];
   });
   return labels;
-}
-
-/** @brief Returns for each of `count` boxes the earlier boxes that it overlaps. */
-template <typename BoxAt>
-std::vector<std::vector<std::size_t>>
-overlapsBefore(std::size_t count, BoxAt boxAt)
-{
-  std::vector<std::vector<std::size_t>> before(count);
-  for (std::size_t k = 0; k < count; ++k)
-    for (std::size_t l = 0; l < k; ++l)
-      if (overlapOf(boxAt(k), boxAt(l)).count() > 0)
-        before[k].push_back(l);
-  return before;
-}
-
-/** @brief Divides tasks into turns such that each depends only on earlier turns. */
-std::vector<std::vector<std::size_t>>
-turnsOf(const std::vector<std::vector<std::size_t>>& waits_for)
-{
-  std::vector<std::size_t> turn_of(waits_for.size(), 0);
-  std::vector<std::vector<std::size_t>> turns;
-  for (std::size_t k = 0; k < waits_for.size(); ++k) {
-    for (const std::size_t l : waits_for[k])
-      turn_of[k] = std::max(turn_of[k], turn_of[l] + 1);
-    turns.resize(std::max(turns.size(), turn_of[k] + 1));
-    turns[turn_of[k]].push_back(k);
-  }
-  return turns;
 }
 
 /** @brief Extends beams over their hidden parts; merged parts get one label. */
@@ -187,16 +158,14 @@ fitDetails(const PointView& points,
   const auto boxOfRank = [&](std::size_t k) -> const CellBox& {
     return boxes[static_cast<std::size_t>(order[k])];
   };
-  // A detail is fitted after the larger ones near it, and in parallel with all others.
-  const std::vector<std::vector<std::size_t>> larger =
-      overlapsBefore(order.size(), [&](std::size_t k) {
-        return grown(boxOfRank(k), cellsFor(priors.max_wall, grid.size()));
-      });
   std::vector<PlanDetail> fitted(order.size());
-  const auto fit = [&](std::size_t k) {
+  for (std::size_t k = 0; k < order.size(); ++k) { // after the larger ones near it
+    const CellBox reach = grown(boxOfRank(k), cellsFor(priors.max_wall, grid.size()));
     std::vector<const PlanDetail*> near;
     std::vector<PlanElement> known = others;
-    for (const std::size_t l : larger[k]) {
+    for (std::size_t l = 0; l < k; ++l) {
+      if (overlapOf(reach, boxOfRank(l)).count() == 0)
+        continue;
       near.push_back(&fitted[l]);
       appendElements(fitted[l].boundary, point_cell, known);
     }
@@ -213,10 +182,7 @@ fitDetails(const PointView& points,
     fitted[k].slab = map.slabOf(order[k]);
     fitted[k].boundary = std::move(outline.boundary);
     fitted[k].holes = std::move(outline.holes);
-  };
-  for (const std::vector<std::size_t>& turn : turnsOf(larger))
-    parallelBlocks(turn.size(), 1, parameters.threads,
-                   [&](std::size_t k, std::size_t) { fit(turn[k]); });
+  }
   std::vector<PlanDetail> details;
   for (PlanDetail& detail : fitted)
     if (!detail.boundary.elements.empty())

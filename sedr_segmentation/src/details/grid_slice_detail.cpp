@@ -249,12 +249,9 @@ analyseSlices(const SliceInput& input,
   if (!problem.empty())
     return problem;
   const SliceScene scene{
-      parameters,
-      slab,
-      floor_height,
-      grid,
-      CellMask(cells, box),
-      ColumnTable(grid, box, input.points, input.indices, parameters.threads)};
+      parameters,           slab,
+      floor_height,         grid,
+      CellMask(cells, box), ColumnTable(grid, box, input.points, input.indices)};
   details.ceiling = cells;
   runTrials(scene, details);
   collectPoints(scene, details);

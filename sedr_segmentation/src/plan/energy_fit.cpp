@@ -8,6 +8,7 @@
 #include "../niches/niche_fit.h"
 #include "../regions/storey_regions.h"
 #include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/plane_fit.h"
 
 #include <algorithm>
 #include <memory>
@@ -152,15 +153,27 @@ slabEvidence(const PointView& points,
              std::vector<int> indices,
              bool is_floor,
              const PlanLoop& boundary,
-             const std::vector<Eigen::Vector3d>& around)
+             const std::vector<Eigen::Vector3d>& around,
+             const RoomFitParameters& parameters)
 {
   SheetParameters of_surface;
   of_surface.planes_only = is_floor;
   SlabEvidence evidence;
   evidence.is_floor = is_floor;
-  evidence.surface =
-      surfaceWithin(boundary, placesOf(points, indices), of_surface, around);
   evidence.indices = std::move(indices);
+  const PlanSlab main = mainSlab(points, evidence, parameters);
+  const auto off =
+      std::count_if(evidence.indices.begin(), evidence.indices.end(), [&](int i) {
+        return std::abs(distanceAbove(main, points[static_cast<std::size_t>(i)])) >
+               parameters.priors.min_ceiling_step;
+      });
+  const double cell_area = parameters.cell_size * parameters.cell_size;
+  const bool is_plain =
+      static_cast<double>(off) * cell_area < parameters.minimum_detail_area;
+  evidence.surface = is_plain
+                         ? plainSurface(boundary, main)
+                         : surfaceWithin(boundary, placesOf(points, evidence.indices),
+                                         of_surface, around);
   return evidence;
 }
 
@@ -220,11 +233,11 @@ fitPlanByEnergy(const PointView& points,
       return fitDetails(points, evidence, room, regions[r].cells, columns, parameters);
     };
     const std::vector<Eigen::Vector3d> around = placesOf(points, parts[r].around);
-    const SlabEvidence ceiling =
-        slabEvidence(points, shares.sheets[r], false, room.boundary, around);
+    const SlabEvidence ceiling = slabEvidence(points, shares.sheets[r], false,
+                                              room.boundary, around, parameters);
     const SlabEvidence floor =
         slabEvidence(points, seenPoints(points, grid, parts[r].floor, true), true,
-                     room.boundary, around);
+                     room.boundary, around, parameters);
     for (const SlabEvidence* slab : {&ceiling, &floor}) {
       PlanSlab& main = slab->is_floor ? room.floor : room.ceiling;
       main = mainSlab(points, *slab, parameters);

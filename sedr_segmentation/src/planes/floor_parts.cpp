@@ -157,7 +157,7 @@ private:
   bool isFloor(const FloorPiece& piece) const
   {
     constexpr double highest = 1.5; // of a stage or a pit, metres from the main floor
-    constexpr double seen_below = 0.1;
+    constexpr double seen_below = 0.05;
     constexpr double steepest = radians(15); // of a ramp
     constexpr double min_tread = 0.25;       // square metres
     const bool is_large = piece.area > priors_.max_furniture_area;
@@ -178,9 +178,12 @@ private:
       is_reached = is_reached || (is_known && is_step);
       is_below_floor = is_below_floor || (is_known && rise > priors_.min_floor_step);
     }
+    // A group of desks is as large as a stage, and its sides are not all closed.
+    const bool is_low = std::abs(piece.above_main) <= priors_.max_platform_height;
+    const double min_closed = is_low ? priors_.share_closed : 0.9;
     const double least = is_below_floor ? min_tread : priors_.min_platform_area;
-    return piece.area >= least && is_reached && closed >= 0.7 * piece.rim &&
-           (is_large || held >= 0.2 * piece.rim);
+    return piece.area >= least && is_reached && closed >= min_closed * piece.rim &&
+           (is_large || held >= priors_.share_little * piece.rim);
   }
 
   const Priors& priors_;

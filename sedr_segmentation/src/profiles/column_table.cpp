@@ -1,35 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "column_order.h"
-
 #include "column_table.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <numeric>
+#include <tuple>
+#include <utility>
 
 namespace pcl::sedr {
 
 ColumnTable::ColumnTable(const CellGrid& grid,
                          const CellBox& box,
                          const PointView& points,
-                         const std::vector<int>& indices,
-                         unsigned threads)
+                         const std::vector<int>& indices)
     : frame_(box)
+    , first_(frame_.values().size() + 1, 0)
 {
-  const auto columnOf = [&](Cell cell) {
-    return frame_.isInside(cell) ? static_cast<std::uint32_t>(frame_.indexOf(cell))
-                                 : no_column;
-  };
-  const ColumnOrder order(grid, points, indices, frame_.values().size(), columnOf,
-                          threads);
-  first_ = order.first();
-  entries_ = order.sorted<Entry>(
-      [&](std::size_t k, std::uint32_t) {
-        return Entry{points[static_cast<std::size_t>(indices[k])].z(), indices[k]};
-      },
-      [](const Entry& a, const Entry& b) {
-        return a.z != b.z ? a.z < b.z : a.index < b.index;
-      });
+  std::vector<std::pair<std::size_t, Entry>> all;
+  for (const int i : indices) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    if (!std::isfinite(p.z()) || !grid.holds(p.x(), p.y()))
+      continue;
+    const Cell cell = grid.at(p.x(), p.y());
+    if (!frame_.isInside(cell))
+      continue;
+    all.push_back({frame_.indexOf(cell), {p.z(), i}});
+    ++first_[all.back().first + 1];
+  }
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.first, a.second.z, a.second.index) <
+           std::tie(b.first, b.second.z, b.second.index);
+  });
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  for (const auto& [cell, entry] : all)
+    entries_.push_back(entry);
 }
 
 bool

@@ -16,16 +16,13 @@ struct ColumnRun {
 };
 
 /** @brief The profiles (points per grid cell, sorted by height) in a box of cells.
- * Points that are not finite or outside the box are left out. O(n log n); the result
- * does not depend on the number of threads. */
+ * Points that are not finite or outside the box are left out. O(n log n). */
 class ColumnTable {
 public:
-  /** @param threads for the construction; 0: all processors */
   ColumnTable(const CellGrid& grid,
               const CellBox& box,
               const PointView& points,
-              const std::vector<int>& indices,
-              unsigned threads = 1);
+              const std::vector<int>& indices);
 
   /** @brief A point of a profile. */
   struct Entry {

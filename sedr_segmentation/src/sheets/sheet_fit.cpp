@@ -326,6 +326,19 @@ surfaceWithin(const PlanLoop& loop,
                   parameters, around);
 }
 
+FacetSheet
+plainSurface(const PlanLoop& loop, const PlanSlab& plane)
+{
+  FacetSheet sheet;
+  sheet.grid = gridWithin(loop, {});
+  sheet.is_inside = cellsWithin(sheet.grid, loop);
+  sheet.is_seen = sheet.is_inside;
+  sheet.label.assign(sheet.grid.count(), 0);
+  sheet.facets = {plane};
+  sheet.explained = 1;
+  return sheet;
+}
+
 bool
 hasSlope(const FacetSheet& sheet)
 {

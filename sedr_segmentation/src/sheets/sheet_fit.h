@@ -150,6 +150,9 @@ FacetSheet surfaceWithin(const PlanLoop& loop,
                          const SheetParameters& parameters = {},
                          const std::vector<Eigen::Vector3d>& around = {});
 
+/** @brief The surface of a room that is one plane. */
+FacetSheet plainSurface(const PlanLoop& loop, const PlanSlab& plane);
+
 /** @brief Whether a sheet has a facet in closed form that is no level plane. */
 bool hasSlope(const FacetSheet& sheet);
 

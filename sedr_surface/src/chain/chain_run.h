@@ -143,6 +143,10 @@ private:
    * @return number of points */
   std::size_t labelLowerCeilings(std::size_t room);
 
+  /** @brief Labels the unlabelled points between the main ceiling and lower parts of it
+   * as details, unless a wall goes on below. */
+  void labelRisers(std::size_t room);
+
   /** @brief Labels the points in niches, which no earlier stage considers. */
   void labelNiches();
 

@@ -3,9 +3,13 @@
 
 #include "chain_run.h"
 
+#include "sedr_filters/src/base/plane_fit.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 
 namespace pcl::sedr {
 
@@ -40,11 +44,59 @@ ChainRun::labelLowerCeilings(std::size_t region)
     ++found;
     lowest = std::min<double>(lowest, points[at].z());
   }
+  labelRisers(region);
   // Below a soffit, walls grow from the floor's boundary, as below any detail.
   double& slice = slice_height_[region];
   if (found > 0 && !(slice < lowest))
     slice = lowest - chain_.plane_detection.getGridSize();
   return found;
+}
+
+void
+ChainRun::labelRisers(std::size_t region)
+{
+  constexpr double below = 0.4; // metres: what goes on so far down is a wall
+  constexpr double rim = 0.1;   // metres, of noise
+  const PointView points(*chain_.cloud);
+  const CellGrid& grid = chain_.getBuilding().grid;
+  std::map<CellKey, float> lowest; // of the parts of the ceiling, near each cell
+  for (const int i : regions_[region].ceiling) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    if (chain_.labels[static_cast<std::size_t>(i)] != valueOf(StructureLabel::Detail))
+      continue;
+    const Cell cell = grid.at(p.x(), p.y());
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx) {
+        const auto known =
+            lowest.emplace(keyOf({cell.x + dx, cell.y + dy}), p.z()).first;
+        known->second = std::min(known->second, p.z());
+      }
+  }
+  if (lowest.empty())
+    return;
+  std::map<CellKey, pcl::Indices> risers;
+  std::set<CellKey> walls;
+  for (const int i : *territory_[region]) {
+    const auto at = static_cast<std::size_t>(i);
+    const Eigen::Vector3f p = points[at];
+    if (chain_.labels[at] != 0)
+      continue;
+    const auto low = lowest.find(keyOf(grid.at(p.x(), p.y())));
+    if (low == lowest.end())
+      continue;
+    if (p.z() > low->second - rim &&
+        distanceAbove(regions_[region].ceiling_slab, p) < 0)
+      risers[low->first].push_back(i);
+    else if (p.z() < low->second - rim && p.z() > low->second - below)
+      walls.insert(low->first);
+  }
+  for (const auto& [cell, own] : risers)
+    if (walls.count(cell) == 0)
+      for (const int i : own) {
+        chain_.labels[static_cast<std::size_t>(i)] = valueOf(StructureLabel::Detail);
+        chain_.rooms[static_cast<std::size_t>(i)] =
+            static_cast<std::uint32_t>(region + 1);
+      }
 }
 
 pcl::Indices

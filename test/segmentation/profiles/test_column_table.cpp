@@ -64,25 +64,6 @@ TEST(ColumnTable, HoldsThePointsOfEachColumnByHeight)
   }
 }
 
-TEST(ColumnTable, IsTheSameForAnyNumberOfThreads)
-{
-  const RoomPoints points = randomPoints(2000);
-  const ColumnTable alone(CellGrid(0.05), box, points.view(), points.all());
-  for (const unsigned threads : {2u, 3u, 64u}) {
-    const ColumnTable table(CellGrid(0.05), box, points.view(), points.all(), threads);
-    for (int y = box.low.y; y <= box.high.y; ++y)
-      for (int x = box.low.x; x <= box.high.x; ++x) {
-        std::vector<int> expected;
-        std::vector<int> indices;
-        for (auto* e = alone.begin({x, y}); e != alone.end({x, y}); ++e)
-          expected.push_back(e->index);
-        for (auto* e = table.begin({x, y}); e != table.end({x, y}); ++e)
-          indices.push_back(e->index);
-        EXPECT_EQ(indices, expected);
-      }
-  }
-}
-
 TEST(ColumnTable, WithoutSomeCellsHoldsThePointsOfTheOthersAsBefore)
 {
   const RoomPoints points = randomPoints(2000);
