@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../../plan_loops.h"
+#include "sedr_surface/src/chain/upside_down.h"
 
 #include <pcl/sedr_surface/plausibility.h>
 
@@ -68,6 +69,21 @@ TEST(UnlikelyPlaces, EachKindAlone)
   arc.radius = 400;
   arc.centre = {2, std::sqrt(400.0 * 400 - 4)};
   EXPECT_EQ(kindsIn(plan), Kinds{WarningKind::FlatArc});
+}
+
+TEST(UpsideDownDoubt, IsOfTablesThatHangFromTheCeiling)
+{
+  const Floorplan plan = plainRoom();
+  for (const double height : {0.7, 1.8}) { // of a table of 2 m x 1.2 m
+    std::vector<Eigen::Vector3f> points;
+    for (float x = 1; x < 3; x += 0.05F)
+      for (float y = 1; y < 2.2F; y += 0.05F)
+        points.emplace_back(x, y, static_cast<float>(height));
+    const PointView view(points.data(), sizeof(Eigen::Vector3f), points.size());
+    const auto doubt = upsideDownDoubt(view, 0.05, plan);
+    EXPECT_EQ(doubt.has_value(), height > 1) << height;
+    EXPECT_FALSE(upsideDownDoubt(view, 0.03, plan)) << "it is too small";
+  }
 }
 
 } // namespace
