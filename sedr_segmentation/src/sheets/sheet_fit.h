@@ -24,7 +24,6 @@ struct SheetParameters {
   std::size_t max_cells = 20000; ///< of a room
   double unevenness = 0.005;     ///< by which a ceiling strays from its shape, metres:
                                  ///< plaster within a straightedge's tolerance
-  double largest_noise = 0.02; ///< of points, metres: more is relief, of ribs or beams
   double patch = 0.5;     ///< metres within which it strays as one: what is seen there
                           ///< counts once
   double outlier = 4.5;   ///< cost of a patch that no facet explains: three deviations
