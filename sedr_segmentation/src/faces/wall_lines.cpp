@@ -223,8 +223,8 @@ partsOf(const std::vector<std::uint8_t>& cells, const WallLineParameters& p)
   return parts;
 }
 
-/** @brief Fills the places from the end of a part on: a gap up to the next surface
- * that meets the line if that is near, else the line has ended. */
+/** @brief Fills the places from the end of a part on: up to the next surface that
+ * meets the line if that is near; then the line has ended. */
 void
 fillBeyond(std::size_t from,
            int step,
@@ -248,7 +248,7 @@ fillBeyond(std::size_t from,
     gap = 0;
   for (std::size_t k = 0; k < beyond && at(k) < places.size(); ++k)
     if (k < gap)
-      places[at(k)] = AlongLine::Gap;
+      places[at(k)] = AlongLine::Corner;
     else if (places[at(k)] == AlongLine::Nothing)
       places[at(k)] = AlongLine::Ended;
 }

@@ -12,7 +12,8 @@ namespace pcl::sedr {
 /** @brief What is at a place along the line of a wall. */
 enum class AlongLine : std::uint8_t {
   Surface, ///< a surface was seen
-  Gap,     ///< up to the next surface on it or across it: a door, a window
+  Gap,     ///< between two parts of the surface: a door, a window
+  Corner,  ///< up to the next surface across it: a window beside a corner
   Ended,   ///< beyond its ends, or in a wide gap
   Nothing  ///< farther away
 };

@@ -275,7 +275,8 @@ assembleLoop(LoopSolver& solver, std::size_t c)
     if (attempt + 1 == max_tries || std::count(is_bad.begin(), is_bad.end(), 1) == 0) {
       loop = withoutCrossings(std::move(loop));
       const bool is_right_way = (loop.area() > 0) != contour.is_hole;
-      return loop.elements.size() > 1 && is_right_way ? loop : PlanLoop();
+      const bool has_area = std::abs(loop.area()) > spacing * spacing;
+      return loop.elements.size() > 1 && is_right_way && has_area ? loop : PlanLoop();
     }
     std::vector<std::pair<std::size_t, std::size_t>> places;
     for (std::size_t r = 0; r < runs.size(); ++r)

@@ -19,7 +19,8 @@ RevealSearch::RevealSearch(const RoomCells& room,
     , seen_(closed(room.seen, 2))
     , closed_(dilated(around.opaque, 2))
     , next_(dilated(around.others, 2))
-    , goes_on_(closed(unite(room.riser, room.base), 2.5))
+    , above_(closed(room.riser, 2.5))
+    , below_(closed(room.base, 2.5))
     , found_{CellMask(seen_.box()), CellMask(seen_.box()), CellMask(seen_.box())}
 {}
 
@@ -71,10 +72,13 @@ RevealSearch::lookBehind(const Eigen::Vector2d& p,
   const Eigen::Vector2d end = p + (depth + step) * out;
   const bool is_reveal = depth > 0 && depth < energy_.max_wall && !is(closed_, end) &&
                          (in_gap || !is(next_, end));
-  const bool goes_on =
-      is(goes_on_, p) || is(goes_on_, p + size * out) || is(goes_on_, p - size * out);
-  const bool is_shallow = what == AlongLine::Gap && depth > 1.5 * size &&
-                          depth < energy_.max_wall && goes_on;
+  const auto goesOn = [&](const CellMask& wall) {
+    return is(wall, p) || is(wall, p + size * out) || is(wall, p - size * out);
+  };
+  // The side of a soffit that ends at a wall is no lintel.
+  const bool is_shallow =
+      in_gap && depth > 1.5 * size && depth < energy_.max_wall &&
+      (goesOn(below_) || (what == AlongLine::Gap && goesOn(above_)));
   bool in_wall = in_gap;
   for (double d = step; d < farthest; d += step) {
     const Eigen::Vector2d q = p + d * out;

@@ -51,9 +51,10 @@ private:
   const RegionEnergy& energy_;
   const CellMask& air_;
   CellMask seen_;
-  CellMask closed_;  ///< near opaque surfaces
-  CellMask next_;    ///< near the air of other rooms
-  CellMask goes_on_; ///< walls that go on above or below an opening
+  CellMask closed_; ///< near opaque surfaces
+  CellMask next_;   ///< near the air of other rooms
+  CellMask above_;  ///< walls that go on above an opening,
+  CellMask below_;  ///< and below it
   BehindLines found_;
 };
 
