@@ -150,7 +150,7 @@ TEST(Chain, leaves_a_wall_of_windows_where_it_is)
 TEST(Chain, finds_all_corners_of_soffit_and_recess)
 {
   Reconstruction chain;
-  chain.setInputCloud(cloudOf("bls_room", noiseAndSeed(0.005, 1)));
+  chain.setInputCloud(cloudOf("bls_room", noiseAndSeed(0.01, 1)));
   ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
   ASSERT_EQ(chain.getFloorplan()->rooms.size(), 1U);
   const auto& details = chain.getFloorplan()->rooms[0].details;

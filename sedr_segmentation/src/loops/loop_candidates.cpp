@@ -115,12 +115,14 @@ CandidateMaker::distinct(std::vector<LoopCandidate> candidates, double same) con
   for (const auto& [rank, c] : order) {
     const auto runsAlong = [&](std::size_t k) {
       const LoopCandidate& other = kept[k];
-      return std::all_of(
-          explained[c].begin(), explained[c].end(), [&](const auto& place) {
-            return std::binary_search(other.samples.begin(), other.samples.end(),
-                                      place.first) &&
-                   std::abs(offsetAt(place.first, other.curve()) - place.second) < same;
-          });
+      return other.cost <= candidates[c].cost && other.unseen <= candidates[c].unseen &&
+             std::all_of(
+                 explained[c].begin(), explained[c].end(), [&](const auto& place) {
+                   return std::binary_search(other.samples.begin(), other.samples.end(),
+                                             place.first) &&
+                          std::abs(offsetAt(place.first, other.curve()) -
+                                   place.second) < same;
+                 });
     };
     const auto& beside = at[explained[c].front().first];
     if (std::any_of(beside.begin(), beside.end(), runsAlong))
