@@ -229,8 +229,8 @@ fitPlanByEnergy(const PointView& points,
         parts[r].floor.size() < 3)
       return;
     const ColumnTable columns(grid, regions[r].cells.box(), points, parts[r].around);
-    const auto detailsOf = [&](const SlabEvidence& evidence) {
-      return fitDetails(points, evidence, room, regions[r].cells, columns, parameters);
+    const auto detailsOf = [&](const SlabEvidence& slab) {
+      return fitDetails(points, slab, room, regions[r].cells, columns, parameters);
     };
     const std::vector<Eigen::Vector3d> around = placesOf(points, parts[r].around);
     const SlabEvidence ceiling = slabEvidence(points, shares.sheets[r], false,
