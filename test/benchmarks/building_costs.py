@@ -14,10 +14,13 @@ import csv
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
 import time
+
+import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -48,6 +51,26 @@ def run(command):
     return seconds, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
 
 
+def write_copies(path, points):
+    """Makes a storey of a scan: copies side by side, some `points` in all."""
+    scan = path.read_bytes()
+    begin = scan.index(b"DATA binary\n") + 12
+    row = np.dtype([("xyz", "<f4", 3), ("label", "<u4"), ("room", "<u4")])
+    rows = np.frombuffer(scan, row, offset=begin)
+    rows = rows[rows["room"] > 0]  # without what is outside
+    pitch = np.append(np.ptp(rows["xyz"][:, :2], axis=0) + 0.3, 0)  # 30 cm of wall between
+    copies = max(1, round(points / len(rows)))
+    in_row = max(1, round((copies * pitch[1] / pitch[0]) ** 0.5))
+    header = re.sub(rb"(WIDTH|POINTS) \d+", rb"\1 %d" % (copies * len(rows)), scan[:begin])
+    with path.open("wb") as file:
+        file.write(header)
+        for copy in range(copies):
+            moved = rows.copy()
+            moved["xyz"] += (pitch * [copy % in_row, copy // in_row, 0]).astype("<f4")
+            moved["room"] += copy * rows["room"].max()
+            file.write(moved.tobytes())
+
+
 def main():
     options = arguments()
     columns = None
@@ -55,11 +78,11 @@ def main():
             tempfile.TemporaryDirectory(dir=options.folder) as folder:
         folder = pathlib.Path(folder)
         for millions in options.millions:
-            make = [options.bin / "pcl_simulate_indoor_scan", options.scene, folder,
-                    "--building", int(millions * 1e6)]
+            make = [options.bin / "pcl_simulate_indoor_scan", options.scene, folder]
             if options.rays:
                 make += ["--rays", options.rays]
             run(make)
+            write_copies(folder / "scan.pcd", int(millions * 1e6))
             for _ in range(options.runs):
                 seconds, processor, memory = run(
                     [options.bin / "pcl_sedr", folder / "scan.pcd", folder / "model",

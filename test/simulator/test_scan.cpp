@@ -236,47 +236,5 @@ TEST(Scan, plenumsAreSeenThroughMissingTilesOnly)
     EXPECT_LT(point.z, 3.4001F);
 }
 
-/** @brief Returns the points of a PCD of the simulator. */
-std::vector<ScanPoint>
-pointsOf(const std::filesystem::path& path)
-{
-  const std::string bytes = bytesOf(path);
-  const std::size_t begin = bytes.find("DATA binary\n") + 12;
-  std::vector<ScanPoint> points((bytes.size() - begin) / sizeof(ScanPoint));
-  std::memcpy(points.data(), bytes.data() + begin, points.size() * sizeof(ScanPoint));
-  EXPECT_NE(bytes.find("POINTS " + std::to_string(points.size()) + "\n"),
-            std::string::npos);
-  return points;
-}
-
-TEST(Building, copiesStandInRowsWithNoiseAndRoomsOfTheirOwn)
-{
-  const TemporaryFolder folder;
-  const auto path = folder.path() / "scan.pcd";
-  const Scene scene = read(boxFile());
-  ScanOptions options;
-  const std::size_t one = writeBuilding(path, scene, 1, options).points;
-  const std::vector<ScanPoint> room = pointsOf(path);
-  ASSERT_EQ(room.size(), one);
-  EXPECT_EQ(writeBuilding(path, scene, 6 * one + 10, options).copies, 6U);
-  const std::vector<ScanPoint> exact = pointsOf(path);
-  ASSERT_EQ(exact.size(), 6 * one);
-  options.noise = 0.01;
-  writeBuilding(path, scene, 6 * one, options);
-  const std::vector<ScanPoint> noisy = pointsOf(path);
-  double squares = 0;
-  std::size_t same = 0;
-  for (std::size_t i = 0; i < one; ++i) {
-    EXPECT_NEAR(exact[one + i].x, room[i].x + 5.3, 1e-5);
-    EXPECT_EQ(exact[one + i].room, 2U);
-    EXPECT_EQ(exact[5 * one + i].label, room[i].label);
-    squares += (placeOf(noisy[i]) - placeOf(room[i])).squaredNorm();
-    same += noisy[i].z == noisy[one + i].z ? 1 : 0;
-  }
-  EXPECT_GT(exact[5 * one].y, room[0].y + 1) << "the last is in another row";
-  EXPECT_NEAR(std::sqrt(squares / static_cast<double>(one)), 0.01, 0.001);
-  EXPECT_LT(same, one / 100);
-}
-
 } // namespace
 } // namespace pcl::sedr::sim::test

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "bytes/whole_file.h"
+#include "progress.h"
 #include "run_tool.h"
 #include "simulator/scan/scan_files.h"
 #include "simulator/scene/scenes.h"
 #include "simulator/truth/truth.h"
 #include "tool_error.h"
 
-#include <unistd.h>
-
-#include <cmath>
-#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <iomanip>
@@ -29,7 +27,6 @@ struct Settings {
   std::string folder;
   std::string print;
   bool list = false;
-  std::optional<std::size_t> building;
   sim::ScanOptions scan;
 };
 
@@ -50,11 +47,6 @@ addOptions(Options& options, Settings& s)
                          Range::between(1, 1e8));
   options.optionalNumber("max-range", s.scan.max_range, "m", "longest range",
                          "see --list", Range::above(0));
-  options.optionalNumber("building", s.building, "",
-                         "write a storey of copies of the scene side by side "
-                         "instead, of about so many "
-                         "points in all: scan.pcd alone",
-                         "none", Range::between(1, 2e9));
   options.number("threads", s.scan.threads, "",
                  "threads; 0: as many as the machine has", Range::between(0, 256));
 }
@@ -73,42 +65,19 @@ printScenes()
 }
 
 void
-showProgress(double share)
-{
-  std::fprintf(stderr, "\rscanning %3.0f %%%s", 100.0 * share, share < 1.0 ? "" : "\n");
-}
-
-/** @brief Creates the folder, or fails, before the long work begins. */
-void
-prepareFolder(const std::filesystem::path& folder)
-{
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw std::runtime_error("Cannot create the folder " + folder.string() + ": " +
-                             error.message());
-  if (access(folder.c_str(), W_OK | X_OK) != 0)
-    throw std::runtime_error("Cannot write to the folder " + folder.string());
-}
-
-void
 simulate(const Settings& settings)
 {
   const sim::Scene scene = sim::sceneNamed(settings.scene);
   const std::filesystem::path folder = settings.folder;
-  prepareFolder(folder);
-  sim::ScanOptions options = settings.scan;
-  if (isatty(STDERR_FILENO) != 0)
-    options.progress = showProgress;
-  if (settings.building) {
-    const sim::BuildingScan building =
-        sim::writeBuilding(folder / "scan.pcd", scene, *settings.building, options);
-    std::cout << scene.name << ": " << building.points << " points of "
-              << building.copies << " copies\n";
-    return;
-  }
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  checkWritable((folder / "scan.pcd").string()); // before the long work begins
   const sim::SceneMesh mesh = sim::meshOf(scene);
-  const sim::Scan scan = sim::scan(scene, mesh, options);
+  sim::Scan scan;
+  {
+    const Progress progress("scanning");
+    scan = sim::scan(scene, mesh, settings.scan);
+  }
   const std::size_t triangles = sim::writeTruth(folder, scene, mesh);
   sim::writePcd(folder / "scan.pcd", scan.points);
   sim::writePositions(folder / "positions.txt", scan.positions);

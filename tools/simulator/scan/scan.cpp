@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <utility>
 
 namespace pcl::sedr::sim {
@@ -192,15 +191,9 @@ scan(const Scene& scene, const SceneMesh& mesh, const ScanOptions& options)
     }
   const Tracer tracer(mesh);
   std::vector<std::vector<ScanPoint>> results(blocks.size());
-  std::mutex mutex;
-  std::size_t done = 0;
   parallelBlocks(blocks.size(), 1, options.threads, [&](std::size_t i, std::size_t) {
     results[i] = scanBlock(tracer, scene.placement, stations[blocks[i].first],
                            blocks[i].second, options.seed);
-    const std::lock_guard<std::mutex> lock(mutex);
-    ++done;
-    if (options.progress)
-      options.progress(static_cast<double>(done) / static_cast<double>(blocks.size()));
   });
   Scan scan;
   for (const Station& station : stations) {

@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -27,9 +26,6 @@ struct ScanOptions {
   std::optional<std::size_t> rays_per_station; ///< approximate, to fill whole rows
   std::optional<double> max_range;             ///< metres
   unsigned threads = 0;                        ///< 0: one per core
-  /// Called from time to time with the completed share, by one thread at a
-  /// time.
-  std::function<void(double)> progress;
 };
 
 /** @brief A scanner position in the frame of the files and its number of points. */

@@ -1,18 +1,74 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "e57_scan.h"
 
-#include "e57_tree.h"
 #include "plain_text.h"
 #include "tool_error.h"
 
+#include <boost/property_tree/xml_parser.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace pcl::sedr::tools {
 
 namespace {
 
 using Tree = boost::property_tree::ptree;
+
+/** @brief Refuses XML that would take the parser too deep, or too much memory. */
+void
+checkXml(const std::string& xml)
+{
+  constexpr std::size_t deepest = 64;
+  constexpr std::size_t most = std::size_t{1} << 18; // each may take 400 bytes
+  std::size_t depth = 0;
+  std::size_t elements = 0;
+  for (std::size_t at = xml.find('<'); at != xml.npos; at = xml.find('<', at + 1)) {
+    const char next = at + 1 < xml.size() ? xml[at + 1] : '>';
+    const std::size_t end = std::min(xml.find('>', at), xml.size() - 1);
+    if (next == '/')
+      depth -= depth > 0 ? 1 : 0;
+    else if (next != '!' && next != '?' && ++elements > 0 && xml[end - 1] != '/')
+      ++depth;
+    if (depth > deepest)
+      throw ToolError("the elements of its XML are nested deeper than " +
+                      std::to_string(deepest));
+  }
+  if (elements + static_cast<std::size_t>(std::count(xml.begin(), xml.end(), '=')) >
+      most)
+    throw ToolError("its XML has more than " + std::to_string(most) +
+                    " elements and attributes");
+}
+
+/** @brief Parses the XML of a file; attributes are below "<xmlattr>". */
+Tree
+readTree(const E57Pages& pages)
+{
+  namespace xml_parser = boost::property_tree::xml_parser;
+  constexpr std::uint64_t largest = std::uint64_t{1} << 26;
+  if (pages.xmlSize() > largest)
+    throw ToolError("its XML is said to have " + std::to_string(pages.xmlSize()) +
+                    " bytes, more than the " + std::to_string(largest) +
+                    " that are taken for sane");
+  std::string xml(static_cast<std::size_t>(pages.xmlSize()), '\0');
+  pages.read(pages.xmlBegin(), xml.size(), xml.data());
+  // Some writers include the padding of the last page.
+  xml.erase(xml.find_last_not_of(std::string("\0 \t\r\n", 5)) + 1);
+  checkXml(xml);
+  std::istringstream stream(xml);
+  Tree tree;
+  try {
+    xml_parser::read_xml(stream, tree,
+                         xml_parser::no_comments | xml_parser::trim_whitespace);
+  }
+  catch (const xml_parser::xml_parser_error& error) {
+    throw ToolError("line " + std::to_string(error.line()) +
+                    " of its XML cannot be read: " + error.message());
+  }
+  return tree;
+}
 
 /** @brief Returns the number at a path below `node`; what E57 omits is `otherwise`.
  * Throws boost::property_tree::ptree_bad_data for anything but a number. */
@@ -200,7 +256,7 @@ E57Scan::title() const
 std::vector<E57Entry>
 readE57Scans(const E57Pages& pages)
 {
-  const Tree tree = readE57Tree(pages);
+  const Tree tree = readTree(pages);
   const auto root = tree.get_child_optional("e57Root");
   if (!root)
     throw ToolError("its XML has no element 'e57Root'");
