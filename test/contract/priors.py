@@ -100,11 +100,9 @@ What is believed of buildings, furniture, scanners and samples before a scan is 
 
 ```
 pcl_sedr scan.pcd model --prior max_wall=0.9,min_headroom=2
-pcl_sedr scan.pcd model --prior max_wall=0.9 --explain
 ```
 
-`--explain` prints the values in use, their sources and the folders where they act; `report.json` holds them as `priors`. A value out
-of its range, or an unknown name, ends the program with a sentence.
+`report.json` holds the values in use, their sources and the folders where they act as `priors`. A value out of its range, or an unknown name, ends the program with a sentence.
 """
     group = None
     for name, value, meaning in members(root):
