@@ -3,7 +3,6 @@
 #include "progress.h"
 #include "rooms/labelled_rooms.h"
 #include "run_tool.h"
-#include "stage_pictures.h"
 #include "tool_error.h"
 
 #include <pcl/sedr_segmentation/ceiling_boundary_wall_growing.h>
@@ -18,7 +17,7 @@ namespace {
 
 using Growing = pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ>;
 
-RoomWalls
+pcl::Indices
 growIn(const ToolCloud& cloud, const LabelledRoom& room, Growing& growing)
 {
   double lowest = std::numeric_limits<double>::quiet_NaN(); // of the details
@@ -35,7 +34,7 @@ growIn(const ToolCloud& cloud, const LabelledRoom& room, Growing& growing)
     throw ToolError("room " + std::to_string(room.id) + ": " +
                         growing.getErrorMessage(),
                     NothingFound);
-  return roomWallsOf(growing, room.id);
+  return growing.getWallIndices();
 }
 
 int
@@ -47,20 +46,21 @@ run(const StageFiles& files, Growing& growing)
   std::replace(cloud.label.begin(), cloud.label.end(),
                static_cast<std::uint32_t>(StructureLabel::Wall),
                static_cast<std::uint32_t>(StructureLabel::Other));
-  std::vector<RoomWalls> rooms;
+  const std::vector<LabelledRoom> rooms = labelledRooms(cloud, territory_cell);
+  std::vector<pcl::Indices> found;
   {
     const Progress progress("growing walls");
-    for (const LabelledRoom& room : labelledRooms(cloud, territory_cell))
-      rooms.push_back(growIn(cloud, room, growing));
+    for (const LabelledRoom& room : rooms)
+      found.push_back(growIn(cloud, room, growing));
   }
   std::size_t walls = 0;
-  for (const auto& found : rooms)
-    for (const auto i : found.walls) {
+  for (std::size_t r = 0; r < rooms.size(); ++r)
+    for (const auto i : found[r]) {
       const auto at = static_cast<std::size_t>(i);
       if (cloud.label[at] != 0)
         continue;
-      setLabel({i}, StructureLabel::Wall, found.room > 0 ? found.room : cloud.room[at],
-               cloud);
+      setLabel({i}, StructureLabel::Wall,
+               rooms[r].id > 0 ? rooms[r].id : cloud.room[at], cloud);
       ++walls;
     }
   if (walls == 0)
@@ -70,8 +70,6 @@ run(const StageFiles& files, Growing& growing)
                     NothingFound);
   storeLabels(cloud);
   files.save(cloud);
-  files.picture.write(
-      [&] { return drawWalls(rooms, pcl::sedr::PointView(*cloud.points)); });
   say(std::to_string(walls) + " of " + std::to_string(cloud.size()) +
       " points are walls, of " + std::to_string(rooms.size()) +
       (rooms.size() == 1 ? " room" : " rooms"));

@@ -3,7 +3,6 @@
 #include "progress.h"
 #include "rooms/labelled_rooms.h"
 #include "run_tool.h"
-#include "stage_pictures.h"
 #include "tool_error.h"
 
 #include <pcl/sedr_filters/floor_projection_recovery.h>
@@ -12,8 +11,6 @@
 #include <optional>
 
 using namespace pcl::sedr::tools;
-using pcl::sedr::CellGrid;
-using pcl::sedr::PointView;
 using pcl::sedr::StructureLabel;
 
 namespace {
@@ -31,7 +28,6 @@ struct Recovered {
   pcl::Indices sources; ///< rows that the new floor points copy
   std::vector<Eigen::Vector3f> points;
   std::vector<std::uint32_t> rooms;
-  std::vector<FloorCells> cells; ///< for the picture
 };
 
 /** @brief Projects to the plane of the room's own floor; without one, to the mean of
@@ -64,7 +60,6 @@ recoverRoom(const Settings& settings,
     recovery.filter(floor);
   }
   throwProblem(recovery.getErrorMessage());
-  result.cells.push_back(floorCellsOf(recovery));
   const pcl::Indices& removed = *recovery.getRemovedIndices();
   result.removed.insert(result.removed.end(), removed.begin(), removed.end());
   for (std::size_t i = floor.size() - recovery.getNumberOfProjected(); i < floor.size();
@@ -135,15 +130,9 @@ run(const Settings& settings)
     });
     outside.erase(end, outside.end());
     result.removed.insert(result.removed.end(), outside.begin(), outside.end());
-    result.cells.push_back({settings.grid,
-                            {},
-                            {},
-                            pcl::sedr::CellSet(CellGrid(settings.grid),
-                                               PointView(*cloud.points), outside)});
   }
   apply(settings, result, cloud);
   settings.save(cloud);
-  settings.picture.write([&] { return drawFloor(result.cells); });
   say(std::to_string(result.points.size()) + " points projected, " +
       std::to_string(result.removed.size()) + " floor points removed");
   return Done;

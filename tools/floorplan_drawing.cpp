@@ -66,11 +66,10 @@ main(int argc, char** argv)
                  Range::between(0, 1e6));
   return runTool(options, argc, argv, [&] {
     checkDrawingOutput(output);
-    const auto drawn = loadFloorplan(plan);
-    settings.origin = planOrigin(plan);
-    settings.names = planNames(plan);
-    settings.tilts = planTilts(plan);
-    settings.max_wall = planMaxWall(plan);
+    const PlanFile file = loadPlan(plan);
+    const auto& drawn = file.plan;
+    settings.origin = file.origin;
+    file.describe(settings);
     settings.paper = paperNamed(paper);
     if (storey > 0) {
       saveDrawing(sheetOf(output, *drawn, static_cast<std::uint32_t>(storey)), *drawn,

@@ -118,9 +118,7 @@ apply(const Edits& edits, PlanEditor& editor)
 
 /** @brief Returns the tilts of rooms whose walls were not changed. */
 pcl::sedr::WallTilts
-keptTilts(const pcl::sedr::WallTilts& tilts,
-          const pcl::sedr::Floorplan& before,
-          const pcl::sedr::Floorplan& after)
+keptTilts(const PlanFile& before, const pcl::sedr::Floorplan& after)
 {
   const auto wallsOf = [](const pcl::sedr::Floorplan& plan, std::uint32_t id) {
     std::vector<double> corners;
@@ -131,11 +129,11 @@ keptTilts(const pcl::sedr::WallTilts& tilts,
     return corners;
   };
   pcl::sedr::WallTilts kept;
-  for (const auto& tilt : tilts)
-    if (wallsOf(before, tilt.room) == wallsOf(after, tilt.room))
+  for (const auto& tilt : before.tilts)
+    if (wallsOf(*before.plan, tilt.room) == wallsOf(after, tilt.room))
       kept.push_back(tilt);
-  if (kept.size() < tilts.size())
-    warn(std::to_string(tilts.size() - kept.size()) +
+  if (kept.size() < before.tilts.size())
+    warn(std::to_string(before.tilts.size() - kept.size()) +
          " tilted walls stand vertical now: their rooms were changed");
   return kept;
 }
@@ -143,16 +141,13 @@ keptTilts(const pcl::sedr::WallTilts& tilts,
 /** @brief Returns the JSON of a plan with changed rooms and what refers to them; all
  * else stays. */
 std::string
-changedJson(const std::string& old,
-            const pcl::sedr::Floorplan& before,
-            const PlanEditor& editor,
-            const pcl::sedr::WallTilts& tilts)
+changedJson(const PlanFile& before, const PlanEditor& editor)
 {
   using Json = nlohmann::ordered_json;
-  Json json = Json::parse(old);
+  Json json = Json::parse(before.text);
   const pcl::sedr::Floorplan& after = editor.getFloorplan();
-  const Json changed = Json::parse(
-      withTilts(floorplanToJson(after), keptTilts(tilts, before, after), {}));
+  const Json changed =
+      Json::parse(withTilts(floorplanToJson(after), keptTilts(before, after), {}));
   for (const char* key :
        {"version", "rooms", "storeys", "doorways", "stairs", "openings"})
     if (changed.contains(key))
@@ -189,15 +184,13 @@ main(int argc, char** argv)
   options.text("name", edits.name, "ROOM=TEXT: name a room");
   return runTool(options, argc, argv, [&] {
     checkOutput(output, "a floor plan", {".json"});
-    const auto before = loadFloorplan(plan);
-    const std::string text = planText(plan);
-    PlanEditor editor(*before, pcl::sedr::namesFromJson(text));
+    const PlanFile before = loadPlan(plan);
+    PlanEditor editor(*before.plan, before.names);
     apply(edits, editor);
     if (editor.getFloorplan().rooms.empty())
       throw ToolError("no room is left");
-    writeWhole(output, [&](std::ostream& stream) {
-      stream << changedJson(text, *before, editor, planTilts(plan));
-    });
+    writeWhole(output,
+               [&](std::ostream& stream) { stream << changedJson(before, editor); });
     return Done;
   });
 }

@@ -40,8 +40,9 @@ run(const Settings& settings, Extrusion& extrusion)
 {
   checkSolidOutput(settings.output);
   settings.picture.check();
-  extrusion.setFloorplan(loadFloorplan(settings.plan));
-  extrusion.setTilts(planTilts(settings.plan));
+  const PlanFile file = loadPlan(settings.plan);
+  extrusion.setFloorplan(file.plan);
+  extrusion.setTilts(file.tilts);
   extrusion.setCutOpenings(settings.openings == "cut");
   pcl::PolygonMesh unused;
   extrusion.reconstruct(unused);
@@ -49,8 +50,8 @@ run(const Settings& settings, Extrusion& extrusion)
     tell(report);
   if (extrusion.getMesh().empty())
     throw ToolError(extrusion.getErrorMessage(), NothingFound);
-  saveSolid(settings.output, extrusion.getMesh(), extrusion.getElements(),
-            *extrusion.getFloorplan(), planOrigin(settings.plan));
+  saveSolid(settings.output, extrusion.getMesh(), extrusion.getElements(), *file.plan,
+            file.origin);
   settings.picture.write([&] {
     pcl::sedr::TriangleMesh solid = extrusion.getMesh();
     solid.flip(); // its triangles face outwards
@@ -80,9 +81,6 @@ main(int argc, char** argv)
       "solid to write: .ply, faces with room, label and element, or .obj with "
       "groups of element, room and storey and materials by label in a .mtl beside it, "
       "or .glb (glTF 2.0) for the web");
-  options.parameter("chord-tolerance", extrusion, &Extrusion::getChordTolerance,
-                    &Extrusion::setChordTolerance, "m",
-                    "farthest that facets are off their arc", Range::between(1e-6, 1));
   options.text("openings", settings.openings,
                "doors and windows in the solid: closed, or cut with their reveals",
                {"closed", "cut"});

@@ -49,13 +49,11 @@ main(int argc, char** argv)
                  Range::between(0.02, 2));
   return runTool(options, argc, argv, [&] {
     checkOutput(output, "a building model", {".ifc"});
-    const auto rooms = loadFloorplan(plan);
+    const PlanFile file = loadPlan(plan);
     settings.arcs =
         arcs == "faceted" ? pcl::sedr::IfcArcs::Facets : pcl::sedr::IfcArcs::Exact;
-    settings.names = planNames(plan);
-    settings.tilts = planTilts(plan);
-    settings.max_wall = planMaxWall(plan);
-    const auto model = writeIfc(*rooms, settings, planOrigin(plan));
+    file.describe(settings);
+    const auto model = writeIfc(*file.plan, settings, file.origin);
     writeWhole(output, [&](std::ostream& stream) { stream << model.text; });
     tell(model);
     return Done;

@@ -3,7 +3,6 @@
 #include "progress.h"
 #include "rooms/labelled_rooms.h"
 #include "run_tool.h"
-#include "stage_pictures.h"
 #include "tool_error.h"
 
 #include <pcl/sedr_filters/grid_region_outlier_removal.h>
@@ -77,7 +76,6 @@ run(const Settings& settings, Removal& removal)
                     NothingFound);
   apply(settings, selected, removal, cloud);
   settings.save(cloud);
-  settings.picture.write([&] { return drawRegions(removal.getRegionMap()); });
   say(std::to_string(kept.size()) + " of " + std::to_string(selected.size()) +
       " points in " + std::to_string(removal.getNumberOfRegions()) + " of " +
       std::to_string(removal.getRegionSizes().size()) + " regions, threshold " +

@@ -3,7 +3,6 @@
 #include "progress.h"
 #include "rooms/labelled_rooms.h"
 #include "run_tool.h"
-#include "stage_pictures.h"
 #include "tool_error.h"
 
 #include <pcl/sedr_segmentation/grid_slice_detail.h>
@@ -83,13 +82,11 @@ run(const StageFiles& files, Analysis& analysis)
   const std::vector<LabelledRoom> rooms = labelledRooms(cloud, analysis.getGridSize());
   requireLabel(cloud, StructureLabel::Floor);
   std::vector<FoundDetails> found;
-  std::vector<pcl::sedr::SliceDetails> slices;
   {
     const Progress progress("looking at slices");
     for (const LabelledRoom& room : rooms) {
       found.push_back(analyse(cloud, room, analysis));
       tell(analysis, room, found.back());
-      slices.push_back(analysis.getAnalysis());
     }
   }
   for (std::size_t r = 0; r < rooms.size(); ++r) { // other ceilings are details
@@ -101,7 +98,6 @@ run(const StageFiles& files, Analysis& analysis)
   }
   storeLabels(cloud);
   files.save(cloud);
-  files.picture.write([&] { return drawSlices(slices, analysis.getGridSize()); });
   return Done;
 }
 

@@ -4,7 +4,6 @@
 #include "rooms/building_file.h"
 #include "rooms/labelled_rooms.h"
 #include "run_tool.h"
-#include "stage_pictures.h"
 #include "tool_error.h"
 
 #include "sedr_segmentation/src/planes/plane_list.h"
@@ -159,9 +158,6 @@ run(const Settings& settings, Detection& detection)
   }
   storeLabels(cloud);
   settings.save(cloud);
-  settings.picture.write([&] {
-    return drawPlanes(planes, PointView(*cloud.points), detection.getGridSize());
-  });
   print(planes);
   return Done;
 }

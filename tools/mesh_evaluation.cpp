@@ -244,9 +244,6 @@ main(int argc, char** argv)
   options.number("near-distance", settings.near_distance, "m", "how near, with --near",
                  Range::atLeast(0));
   options.text("json", settings.json, "file to write all figures to");
-  options.parameter("spacing", evaluation, &pcl::MeshEvaluation::getSampleSpacing,
-                    &pcl::MeshEvaluation::setSampleSpacing, "m",
-                    "between the samples of a mesh", Range::above(0));
   options.flag("self-intersections", find_intersections,
                "look for triangles of the model that go through each other");
   return runTool(options, argc, argv, [&] {

@@ -31,12 +31,13 @@ run(const Settings& settings, Detection& detection)
 {
   checkOutput(settings.output, "a floor plan", {".json"});
   settings.picture.check();
-  pcl::sedr::Floorplan plan = *loadFloorplan(settings.plan);
+  const PlanFile file = loadPlan(settings.plan);
+  pcl::sedr::Floorplan plan = *file.plan;
   ScanSettings in_same_frame;
-  in_same_frame.origin = planOrigin(settings.plan);
+  in_same_frame.origin = file.origin;
   detection.setInputCloud(loadCloud(settings.scan, in_same_frame).points);
   pcl::sedr::Priors priors;
-  priors.max_wall = planMaxWall(settings.plan);
+  priors.max_wall = file.max_wall;
   detection.setPriors(priors);
   {
     const Progress progress("finding openings");
@@ -44,10 +45,9 @@ run(const Settings& settings, Detection& detection)
       throw ToolError(detection.getErrorMessage(), NothingFound);
   }
   writeWhole(settings.output, [&](std::ostream& stream) {
-    stream << pcl::sedr::withTilts(pcl::sedr::floorplanToJson(plan, nullptr,
-                                                              *in_same_frame.origin,
-                                                              priors.max_wall),
-                                   planTilts(settings.plan), {});
+    stream << pcl::sedr::withTilts(
+        pcl::sedr::floorplanToJson(plan, nullptr, file.origin, file.max_wall),
+        file.tilts, {});
   });
   settings.picture.write([&] { return drawOpenings(plan, *detection.getSearch()); });
   for (const pcl::sedr::PlanOpening& opening : plan.openings) {

@@ -4,11 +4,9 @@
 #include "run_tool.h"
 #include "scan_file.h"
 #include "scan_options.h"
-#include "stage_pictures.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
 
-#include <pcl/conversions.h>
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
 
 using namespace pcl::sedr::tools;
@@ -55,12 +53,7 @@ run(const Settings& settings)
                         std::to_string(scan.size()) + " points",
                     NothingFound);
   warnOfPositions(scan);
-  settings.save(cloud);
-  settings.picture.write([&] {
-    pcl::PointCloud<pcl::PointXYZ> thinned;
-    pcl::fromPCLPointCloud2(cloud.blob, thinned);
-    return drawThinning(scan, pcl::sedr::PointView(thinned), settings.leaf);
-  });
+  settings.save(cloud, settings.reading.resolved());
   say(std::to_string(scan.size()) + " points -> " + std::to_string(rowsOf(cloud.blob)));
   return Done;
 }

@@ -74,7 +74,7 @@ run(const Settings& settings, Segmentation& segmentation)
   const Building& building = segmentation.getBuilding();
   setField(cloud.blob, "label", building.label_of);
   setField(cloud.blob, "room", building.room_of);
-  settings.save(cloud);
+  saveCloud(settings.output, cloud);
   if (!settings.building.empty())
     writeWhole(settings.building,
                [&](std::ostream& stream) { stream << buildingToJson(building); });

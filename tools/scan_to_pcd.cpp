@@ -38,8 +38,7 @@ listScans(const std::string& path)
 int
 run(const Settings& settings)
 {
-  const std::string given =
-      settings.scan.settings.keeps_doubles ? "--doubles" : settings.scan.given();
+  const std::string given = settings.scan.given();
   if (settings.list && !(settings.output.empty() && given.empty()))
     throw ToolError("--list reads no points, it takes no " +
                     (given.empty() ? "OUTPUT" : given));
@@ -59,10 +58,11 @@ int
 main(int argc, char** argv)
 {
   Settings settings;
-  Options options("pcl_scan_to_pcd",
-                  "Writes a scan of any format as PCD or PLY with x, y, z and, where "
-                  "they are there, intensity and rgb; of an E57 file all scans, each in "
-                  "its place.");
+  Options options(
+      "pcl_scan_to_pcd",
+      "Writes a scan of any format as PCD or PLY with x, y, z and, where "
+      "they are there, intensity and rgb; of an E57 file all scans, each in "
+      "its place.");
   options.file("INPUT", settings.input,
                "PCD, PLY, E57, LAS or text to read; - is the standard input");
   options.optionalFile("OUTPUT", settings.output,
@@ -71,6 +71,5 @@ main(int argc, char** argv)
                "print number, points, position and name of every scan of an E57 file "
                "instead");
   addScanOptions(options, settings.scan);
-  addDoublesOption(options, settings.scan);
   return runTool(options, argc, argv, [&] { return run(settings); });
 }

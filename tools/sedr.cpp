@@ -28,7 +28,8 @@ main(int argc, char** argv)
                "folder for the results, made if missing");
   addModelOptions(options, settings, chain);
   options.flag("pictures", settings.pictures,
-               "write a picture of what each stage decided to OUTPUT_DIR/pictures");
+               "write pictures of the rooms, the fitted plan and the mesh to "
+               "OUTPUT_DIR/pictures");
   return runTool(options, argc, argv, [&] {
     apply(settings, chain);
     settings.input = boost::join(settings.inputs, ", ");

@@ -13,26 +13,17 @@
 
 using namespace pcl::sedr::tools;
 using pcl::sedr::Floorplan;
-using pcl::sedr::Origin;
 
 namespace {
 
-/** @brief A plan and the origin of its coordinates. */
-struct PlacedPlan {
-  Floorplan plan;
-  Origin origin;
-};
-
 /** @brief Returns the plan of a folder of pcl_sedr, or of a plan file. */
-PlacedPlan
+PlanFile
 planOf(const std::string& path)
 {
   std::error_code error;
-  const std::string file =
-      std::filesystem::is_directory(path, error)
-          ? (std::filesystem::path(path) / "floorplan.json").string()
-          : path;
-  return {*loadFloorplan(file), planOrigin(file)};
+  return loadPlan(std::filesystem::is_directory(path, error)
+                      ? (std::filesystem::path(path) / "floorplan.json").string()
+                      : path);
 }
 
 /** @brief The options of the command line. */
@@ -63,9 +54,11 @@ run(const Settings& settings)
   if (!settings.json.empty())
     checkOutput(settings.json, "a list of changes", {".json"});
   settings.picture.check();
-  const auto [before, origin] = planOf(settings.before);
-  const PlacedPlan other = planOf(settings.after);
-  const Floorplan after = shifted(other.plan, other.origin.place - origin.place);
+  const PlanFile first = planOf(settings.before);
+  const PlanFile second = planOf(settings.after);
+  const Floorplan& before = *first.plan;
+  const Floorplan after =
+      shifted(*second.plan, second.origin.place - first.origin.place);
   const auto changes = comparePlans(before, after, settings.compare);
   for (const auto& change : changes)
     std::cout << describe(change) << '\n';

@@ -3,7 +3,6 @@
 #include "plan_file.h"
 #include "progress.h"
 #include "run_tool.h"
-#include "stage_pictures.h"
 #include "tool_error.h"
 
 #include <pcl/sedr_filters/structure_refinement.h>
@@ -24,7 +23,7 @@ int
 run(const Settings& settings, Refinement& refinement)
 {
   settings.check();
-  const auto plan = loadFloorplan(settings.plan);
+  const auto plan = loadPlan(settings.plan).plan;
   ToolCloud cloud = loadCloud(settings.input);
   giveRooms(*plan, cloud);
   pcl::PointCloud<pcl::PointXYZ> refined;
@@ -49,11 +48,6 @@ run(const Settings& settings, Refinement& refinement)
   cloud.blob = selectRows(cloud.blob, refinement.getSourceIndices());
   setSurfacePoints(cloud.blob, refinement.getSurfacePoints());
   settings.save(cloud);
-  settings.picture.write([&] {
-    RefinedWalls walls;
-    addRefinedWalls(refinement, cloud.label, walls);
-    return drawRefinement(walls, *plan);
-  });
   say(std::to_string(refined.size()) + " of " + std::to_string(labelled) +
       " labelled points are on the plan's surfaces");
   return Done;

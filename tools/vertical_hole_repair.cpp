@@ -3,7 +3,6 @@
 #include "plan_file.h"
 #include "progress.h"
 #include "run_tool.h"
-#include "stage_pictures.h"
 #include "tool_error.h"
 
 #include <pcl/sedr_filters/vertical_hole_repair.h>
@@ -46,9 +45,7 @@ int
 run(const Settings& settings, Repair& repair)
 {
   settings.check();
-  if (settings.keep_openings && !settings.picture.path.empty())
-    throw ToolError("--picture shows all cells of the walls: not with --keep-openings");
-  const auto plan = loadFloorplan(settings.plan);
+  const auto plan = loadPlan(settings.plan).plan;
   ToolCloud cloud = loadCloud(settings.input);
   giveRooms(*plan, cloud);
   {
@@ -69,11 +66,6 @@ run(const Settings& settings, Repair& repair)
                     NothingFound);
   const std::size_t filled = apply(repair, cloud);
   settings.save(cloud);
-  settings.picture.write([&] {
-    RepairedSurfaces surfaces;
-    addRepairedSurfaces(repair, surfaces);
-    return drawRepair(surfaces, *plan);
-  });
   say(std::to_string(rowsOf(cloud.blob)) + " points, " + std::to_string(filled) +
       " of them fill holes");
   return Done;

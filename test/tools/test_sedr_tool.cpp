@@ -59,28 +59,24 @@ TEST_F(SedrTool, MakesAClosedModelOfARoom)
   EXPECT_NEAR(std::abs(mesh.at("volume").get<double>()), 30, 0.4);
 }
 
-TEST_F(SedrTool, PriorsAreSetByNameExplainedAndReported)
+TEST_F(SedrTool, PriorsAreSetByNameAndReported)
 {
-  const ProgramRun result =
-      onFile(scanOf().pcd(false),
-             {"--no-mesh", "--explain", "--prior", "max_wall=1.5, min_headroom=2.1"});
+  const ProgramRun result = onFile(
+      scanOf().pcd(false), {"--no-mesh", "--prior", "max_wall=1.5, min_headroom=2.1"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   std::map<std::string, double> values;
   const auto report = nlohmann::json::parse(bytesOf(in("model/report.json")));
-  for (const auto& prior : report.at("priors")) {
+  for (const auto& prior : report.at("priors"))
     values[prior.at("name")] = prior.at("value");
-    EXPECT_NE(result.out.find(prior.at("source").get<std::string>()),
-              std::string::npos);
-  }
   EXPECT_EQ(values.at("max_wall"), 1.5);
-  EXPECT_EQ(pcl::sedr::tools::planMaxWall(in("model/floorplan.json")), 1.5)
+  EXPECT_EQ(pcl::sedr::tools::loadPlan(in("model/floorplan.json")).max_wall, 1.5)
       << "for drawing it again";
   EXPECT_EQ(values.at("min_headroom"), 2.1);
   EXPECT_EQ(values.at("max_door_width"), 1.6) << "the default";
   EXPECT_EQ(report.at("parameters").at("headroom"), 2.1) << "of the stage";
 }
 
-TEST_F(SedrTool, DrawsWhatEveryStageDecidedOnDemand)
+TEST_F(SedrTool, DrawsRoomsPlanAndMeshOnDemand)
 {
   const std::string scan = scanOf().pcd(false);
   const ProgramRun plain = onFile(scan);
@@ -96,10 +92,7 @@ TEST_F(SedrTool, DrawsWhatEveryStageDecidedOnDemand)
     std::map<std::string, std::string> pictures;
     for (const auto& entry : std::filesystem::directory_iterator(in("model/pictures")))
       pictures[entry.path().filename()] = bytesOf(entry.path());
-    ASSERT_EQ(pictures.size(), 9u);
-    EXPECT_EQ(pictures.count("01_parallel_voxel_grid.png"), 1u);
-    EXPECT_EQ(pictures.count("02_room_segmentation.png"), 1u);
-    EXPECT_EQ(pictures.count("10_structural_poisson.png"), 1u);
+    ASSERT_EQ(pictures.size(), 3u);
     for (const auto& [name, bytes] : pictures)
       EXPECT_GT(imageOf(bytes).width, 400) << name;
     if (k == 0)

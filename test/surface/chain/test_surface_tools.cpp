@@ -152,7 +152,6 @@ TEST_F(SurfaceTools, evaluation_refuses_what_it_cannot_use)
   expectFailure(run(MESH_EVALUATION,
                     {in("cube.ply"), "--cloud", in("cloud.pcd"), "--labels", "7,8"}),
                 2, "none of the 2 points");
-  expectFailure(run(MESH_EVALUATION, {in("cube.ply"), "--spacing", "0"}), 1, "spacing");
   expectFailure(run(MESH_EVALUATION, {in("cube.ply"), "--json", in("no/f.json")}), 1,
                 "no");
 }

@@ -52,7 +52,7 @@ protected:
     ASSERT_EQ(model(in("study/scan.pcd"), "model", {"--positions", settings.positions})
                   .exit_code,
               0);
-    plan_ = *pcl::sedr::tools::loadFloorplan(in("model/floorplan.json"));
+    plan_ = *pcl::sedr::tools::loadPlan(in("model/floorplan.json")).plan;
   }
 
   static void TearDownTestSuite()
@@ -163,8 +163,9 @@ protected:
   static void expectPlan(const std::string& folder)
   {
     const std::string path = in(folder) + "/floorplan.json";
-    const pcl::sedr::Floorplan plan = *pcl::sedr::tools::loadFloorplan(path);
-    const pcl::sedr::Origin origin = pcl::sedr::tools::planOrigin(path);
+    const pcl::sedr::tools::PlanFile file = pcl::sedr::tools::loadPlan(path);
+    const pcl::sedr::Floorplan& plan = *file.plan;
+    const pcl::sedr::Origin& origin = file.origin;
     constexpr double tolerance = 1e-4; // metres
     ASSERT_EQ(plan.rooms.size(), plan_.rooms.size());
     for (std::size_t r = 0; r < plan.rooms.size(); ++r) {

@@ -39,53 +39,6 @@ TEST(ScanPrograms, AllTakeTheSameReadingOptions)
   }
 }
 
-TEST(ScanPrograms, DoublesKeepWhatFloatsRound)
-{
-  const TemporaryFolder folder;
-  const auto in = [&](const char* name) { return (folder.path() / name).string(); };
-  LasSample las; // several kilometres wide: floats are 0.2 mm apart at its ends
-  las.shift = {600000, 5000000, 0};
-  for (int i = 0; i < 1000; ++i)
-    las.points.push_back({i * 3137, i * 2111, i % 7 * 401});
-  writeFile(in("wide.las"), las.bytes());
-  const auto worst = [&](const std::string& path) {
-    ScanSettings settings;
-    settings.keeps_doubles = true;
-    const ScanFile scan(path, settings);
-    double farthest = 0;
-    scan.forEachPiece([&](const pcl::sedr::RowSource::Piece& piece) {
-      for (std::size_t i = 0; i < piece.size; ++i)
-        for (int axis = 0; axis < 3; ++axis) {
-          const auto a = static_cast<std::size_t>(axis);
-          const auto& field = scan.fields()[a];
-          const double value = pcl::sedr::readField(
-              piece.rows + i * scan.rowSize() + field.offset, field.datatype);
-          const double expected = 1e-3 * las.points[piece.first + i][a] + las.shift[a];
-          farthest = std::max(farthest,
-                              std::abs(value + scan.origin().place[axis] - expected));
-        }
-      return true;
-    });
-    return farthest;
-  };
-  for (const char* name : {"wide.pcd", "wide.ply"}) {
-    ASSERT_EQ(run(SCAN_TO_PCD, {in("wide.las"), in(name)}).exit_code, 0);
-    EXPECT_GT(worst(in(name)), 2e-5) << name;
-    ASSERT_EQ(run(SCAN_TO_PCD, {in("wide.las"), in(name), "--doubles"}).exit_code, 0);
-    EXPECT_LT(worst(in(name)), 1e-8) << name;
-    ASSERT_EQ(
-        run(SCAN_TO_PCD, {in("wide.las"), in(name), "--doubles", "--origin", "0,0,0"})
-            .exit_code,
-        0);
-    EXPECT_LT(worst(in(name)), 1e-8) << name;
-    ScanSettings as_given;
-    as_given.keeps_doubles = true;
-    as_given.shifts = false;
-    EXPECT_TRUE(ScanFile(in(name), as_given).origin().isZero());
-  }
-  EXPECT_EQ(loadCloud(in("wide.ply")).blob.data, loadCloud(in("wide.las")).blob.data);
-}
-
 TEST_F(ScanTools, BadOptionsAndScansThatStayTooLargeAreOneSentence)
 {
   writeFile(in("large.las"), las());

@@ -25,9 +25,9 @@ TEST_F(ScansAsTheyCome, E57OfThreePosesInAGridGivesThePlanAndEveryOutputItsOrigi
                 .at("positions")
                 .at("known"),
             3);
-  const Origin origin = planOrigin(in("of_e57/floorplan.json"));
+  const Origin origin = originOfModel(in("of_e57/floorplan.json"));
   EXPECT_FALSE(origin.isZero());
-  EXPECT_EQ(origin, planOrigin(in("of_e57/report.json")));
+  EXPECT_EQ(origin, originOfModel(in("of_e57/report.json")));
   for (const char* name :
        {"structure.pcd", "solid.ply", "solid.obj", "floorplan.svg", "floorplan.dxf"})
     EXPECT_NE(bytesOf(in("of_e57/") + name).find(origin.comment()), std::string::npos)
@@ -70,9 +70,9 @@ TEST_F(ScansAsTheyCome, TwoScansOfASiteAreComparedInOneFrame)
   ASSERT_EQ(model(in("site.las"), "two", {"--origin", "691590.5,5335990,0"}).exit_code,
             0);
   ASSERT_EQ(model(in("site.las"), "three", {"--origin", in("two")}).exit_code, 0);
-  EXPECT_EQ(planOrigin(in("two/floorplan.json")), (Origin{{691590.5, 5335990, 0}}));
-  EXPECT_EQ(planOrigin(in("three/floorplan.json")),
-            planOrigin(in("two/floorplan.json")));
+  EXPECT_EQ(originOfModel(in("two/floorplan.json")), (Origin{{691590.5, 5335990, 0}}));
+  EXPECT_EQ(originOfModel(in("three/floorplan.json")),
+            originOfModel(in("two/floorplan.json")));
   const ProgramRun compared = run(STRUCTURE_COMPARE, {in("one"), in("two")});
   EXPECT_EQ(compared.exit_code, 0) << compared.err;
   EXPECT_EQ(compared.out, "nothing has changed\n");

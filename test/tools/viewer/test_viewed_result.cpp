@@ -72,7 +72,8 @@ TEST_F(ViewedSample, OfACloudReadInPiecesTheSamePointsAreShown)
   constexpr std::size_t most = 700;
   const DisplayCloud whole = displayCloudOf(ScanFile(path), most);
   const DisplayCloud pieces = displayCloudOf(ScanFile(path, inPieces(100)), most);
-  ASSERT_EQ(whole.size(), most);
+  EXPECT_LE(whole.size(), most);
+  EXPECT_GE(whole.size(), most / 2);
   EXPECT_EQ(whole.points[0].x(), sample_.scan.points[0].x);
   EXPECT_EQ(pieces.points, whole.points);
   EXPECT_EQ(pieces.whole_size, sample_.scan.points.size());

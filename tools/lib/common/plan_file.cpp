@@ -62,7 +62,7 @@ warnOfCrossings(const Floorplan& plan)
 } // namespace
 
 std::string
-planText(const std::string& path)
+textOfFile(const std::string& path)
 {
   const InputFile file(path);
   std::string text(file.size(), '\0');
@@ -70,66 +70,46 @@ planText(const std::string& path)
   return text;
 }
 
-RoomNames
-planNames(const std::string& path)
-{
-  return namesFromJson(planText(path));
-}
-
-std::shared_ptr<const Floorplan>
-loadFloorplan(const std::string& path)
+PlanFile
+loadPlan(const std::string& path)
 {
   const InputFile file(path);
   if (looksLikePcd(file) || looksLikePly(file))
     throw ToolError("'" + path +
                     "' is a cloud or mesh; a floor plan is asked for, the "
                     "floorplan.json that pcl_sedr writes");
+  const auto check = [&](const std::string& problem) {
+    if (!problem.empty())
+      throw ToolError("'" + path + "': " + problem);
+  };
+  PlanFile result;
+  result.text = textOfFile(path);
   std::string problem;
-  auto plan = std::make_shared<Floorplan>(floorplanFromJson(planText(path), problem));
-  if (!problem.empty())
-    throw ToolError("'" + path + "': " + problem);
-  if (plan->rooms.empty())
+  result.plan =
+      std::make_shared<const Floorplan>(floorplanFromJson(result.text, problem));
+  check(problem);
+  if (result.plan->rooms.empty())
     throw ToolError("the floor plan '" + path + "' has no rooms", NothingFound);
-  warnOfCrossings(*plan);
-  return plan;
+  result.origin = statedPlanOrigin(path).value_or(Origin());
+  result.names = namesFromJson(result.text);
+  result.tilts = tiltsFromJson(result.text, problem);
+  check(problem);
+  result.max_wall = maxWallFromJson(result.text, problem);
+  check(problem);
+  warnOfCrossings(*result.plan);
+  return result;
 }
 
 std::optional<Origin>
 statedPlanOrigin(const std::string& path)
 {
-  const auto json = nlohmann::ordered_json::parse(planText(path), nullptr, false);
+  const auto json = nlohmann::ordered_json::parse(textOfFile(path), nullptr, false);
   if (json.is_discarded())
     throw ToolError("'" + path + "' is no JSON, or only a part of one");
   Origin origin;
   if (!readOrigin(json, origin))
     throw ToolError("the origin in '" + path + "' is no list of three numbers");
   return json.contains("origin") ? std::optional<Origin>(origin) : std::nullopt;
-}
-
-Origin
-planOrigin(const std::string& path)
-{
-  return statedPlanOrigin(path).value_or(Origin());
-}
-
-WallTilts
-planTilts(const std::string& path)
-{
-  std::string problem;
-  WallTilts tilts = tiltsFromJson(planText(path), problem);
-  if (!problem.empty())
-    throw ToolError("'" + path + "': " + problem);
-  return tilts;
-}
-
-double
-planMaxWall(const std::string& path)
-{
-  std::string problem;
-  const double max_wall = maxWallFromJson(planText(path), problem);
-  if (!problem.empty())
-    throw ToolError("'" + path + "': " + problem);
-  return max_wall;
 }
 
 void

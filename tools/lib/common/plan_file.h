@@ -14,31 +14,37 @@
 
 namespace pcl::sedr::tools {
 
+/** @brief A floor plan, and what else its file tells. */
+struct PlanFile {
+  std::string text;
+  std::shared_ptr<const Floorplan> plan;
+  Origin origin; ///< of the coordinates; 0, 0, 0 if none is stated
+  WallTilts tilts;
+  RoomNames names;
+  double max_wall = 0; ///< maximum thickness of a wall, metres
+
+  /** @brief Takes names, tilts and thickness over to the settings of a drawing or
+   * building model. */
+  template <typename SettingsT>
+  void describe(SettingsT& settings) const
+  {
+    settings.names = names;
+    settings.tilts = tilts;
+    settings.max_wall = max_wall;
+  }
+};
+
 /** @brief Reads a floor plan. Throws ToolError on failure, including a plan without
  * rooms. */
-std::shared_ptr<const Floorplan> loadFloorplan(const std::string& path);
+PlanFile loadPlan(const std::string& path);
 
 /** @brief Returns the origin of the coordinates in a floor plan or a report.json, if it
  * states one. Throws ToolError if the file is no JSON, or the origin is not three
  * numbers. */
 std::optional<Origin> statedPlanOrigin(const std::string& path);
 
-/** @brief The same; 0, 0, 0 if none is stated. */
-Origin planOrigin(const std::string& path);
-
-/** @brief Returns the tilted walls in a plan file that loadFloorplan() has read. Throws
- * ToolError if they are invalid. */
-WallTilts planTilts(const std::string& path);
-
-/** @brief Returns the text of a plan file. */
-std::string planText(const std::string& path);
-
-/** @brief Returns the names of rooms in a plan file. */
-RoomNames planNames(const std::string& path);
-
-/** @brief Returns the maximum thickness of a wall that a plan file states, metres, or
- * the default. Throws ToolError if it is invalid. */
-double planMaxWall(const std::string& path);
+/** @brief Returns the bytes of a file. Throws ToolError if it cannot be read. */
+std::string textOfFile(const std::string& path);
 
 /** @brief Assigns rooms to points of a file that has none: the plan's room that
  * contains the point, or else the nearest. Does nothing if any labelled point has a

@@ -65,10 +65,8 @@ int
 runTool(Options& options, int argc, char** argv, const std::function<int()>& body)
 {
   runningTool() = options.tool();
-  const auto complain = [&](const std::string& sentence, int exit_code) {
-    std::cerr << options.tool() << ": " << plainText(sentence) << std::endl;
-    if (exit_code == Done)
-      checkPrinted();
+  const auto complain = [](const std::string& sentence, int exit_code) {
+    tell(sentence);
     return exit_code;
   };
   std::signal(SIGXFSZ, SIG_IGN); // a file too large is an error of its writer

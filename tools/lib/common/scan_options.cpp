@@ -45,7 +45,6 @@ statedOrigin(const std::string& path)
     return std::nullopt;
   ScanSettings as_it_is;
   as_it_is.shifts = false;
-  as_it_is.keeps_doubles = true;
   origin = ScanFile(path, as_it_is).origin();
   return origin.isZero() ? std::nullopt : std::make_optional(origin);
 }
@@ -129,14 +128,6 @@ addPositionsOption(Options& options, ScanOptions& scan)
                "text of the scanner's positions: a line each of x y z, in the unit and "
                "frame of the scan, and how many points are from there, in their order; "
                "else as an E57 or a PCD tells them");
-}
-
-void
-addDoublesOption(Options& options, ScanOptions& scan)
-{
-  options.flag("doubles", scan.settings.keeps_doubles,
-               "write x, y and z as doubles, which PCL's own types do not have, where "
-               "floats would round them");
 }
 
 } // namespace pcl::sedr::tools

@@ -32,9 +32,6 @@ void addScanOptions(Options& options, ScanOptions& scan);
  */
 void addPositionsOption(Options& options, ScanOptions& scan);
 
-/** @brief Declares --doubles, for programs that write what they read. */
-void addDoublesOption(Options& options, ScanOptions& scan);
-
 /** @brief Writes a scan as PCD or PLY, in the form that the options ask for. */
 void convertScan(const std::string& input,
                  const std::string& output,

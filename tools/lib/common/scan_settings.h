@@ -14,11 +14,10 @@ struct ScanSettings {
   double unit = 1;              ///< metres per unit of the file
   std::optional<Origin> origin; ///< of coordinates; empty: chosen automatically
   bool shifts = true;           ///< whether an origin is subtracted if none is given
-  std::size_t scan = 0;       ///< number, from 1, of a scan within an E57 file; 0: all
-  bool skip_broken = false;   ///< skip scans of an E57 file that cannot be read
-  bool keeps_doubles = false; ///< x, y and z stay doubles where floats would round them
-  std::string positions;      ///< file of scanner positions; empty: from the scan
-  std::string columns;        ///< names of columns in a text file; empty: from the file
+  std::size_t scan = 0;     ///< number, from 1, of a scan within an E57 file; 0: all
+  bool skip_broken = false; ///< skip scans of an E57 file that cannot be read
+  std::string positions;    ///< file of scanner positions; empty: from the scan
+  std::string columns;      ///< names of columns in a text file; empty: from the file
   std::size_t piece_bytes = std::size_t{1} << 23; ///< approximate size of a piece
 };
 

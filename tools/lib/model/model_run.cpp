@@ -2,15 +2,16 @@
 #include "model_run.h"
 
 #include "bytes/whole_file.h"
-#include "chain_pictures.h"
 #include "formats/scan_formats.h"
 #include "joint_scan.h"
 #include "output_folder.h"
+#include "picture_file.h"
 #include "progress.h"
 #include "report.h"
 #include "report/report_page.h"
 #include "run_tool.h"
 #include "solid_files.h"
+#include "stage_pictures.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
 
@@ -24,7 +25,6 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -33,6 +33,10 @@
 namespace pcl::sedr::tools {
 
 namespace {
+
+constexpr const char* rooms_picture = "pictures/room_segmentation.png";
+constexpr const char* plan_picture = "pictures/floorplan_fitting.png";
+constexpr const char* mesh_picture = "pictures/structural_poisson.png";
 
 /** @brief Returns the names of the files that a run writes, without those of several
  * storeys. */
@@ -48,8 +52,7 @@ outputNames(const ModelSettings& settings)
   if (settings.report)
     names.push_back("report.html");
   if (settings.pictures)
-    for (const auto& name : ChainPictures::names())
-      names.push_back("pictures/" + name);
+    names.insert(names.end(), {rooms_picture, plan_picture, mesh_picture});
   return names;
 }
 
@@ -217,6 +220,16 @@ writeDrawings(const OutputFolder& folder, const Reconstruction& chain, unsigned 
   });
 }
 
+void
+writePictures(const OutputFolder& folder, const Reconstruction& chain)
+{
+  const StructureChain& c = chain.getChain();
+  savePicture(folder.file(rooms_picture), drawRooms(c.getBuilding()));
+  savePicture(folder.file(plan_picture),
+              drawPlan(*c.plan, c.floorplan_fitting.getBoundaries()));
+  savePicture(folder.file(mesh_picture), drawMesh(c.poisson.getMesh()));
+}
+
 /** @brief Writes report.html from the model's files, which must exist.
  * @return why it could not, or an empty text: the model is good without it */
 std::string
@@ -252,9 +265,6 @@ makeModel(const ModelSettings& settings,
         "--pictures and --report show the mesh, which --no-mesh leaves out");
   OutputFolder folder(settings.folder, settings.inputs);
   folder.check(outputNames(settings));
-  std::optional<ChainPictures> pictures;
-  if (settings.pictures)
-    pictures.emplace(chain);
   RunRecord record;
   record.path = settings.input;
   record.reading = settings.scan.settings;
@@ -271,19 +281,13 @@ makeModel(const ModelSettings& settings,
     record.stages.push_back(timed("MeshEvaluation", [&](StageReport& report) {
       record.figures = evaluate(chain, settings.threads, report);
     }));
-  std::vector<std::string> drawn;
-  if (pictures)
-    record.stages.push_back(
-        timed("drawing", [&](StageReport&) { drawn = pictures->draw(); }));
-  for (std::size_t i = 0; i < drawn.size(); ++i)
-    writeWhole(folder.file("pictures/" + ChainPictures::names()[i]),
-               [&](std::ostream& stream) { stream << drawn[i]; });
   record.stages.push_back(timed("writing", [&](StageReport& report) {
     const std::function<void()> files[] = {
         [&] { writeModel(folder, chain, !settings.no_mesh); },
         [&] { writeBuildingModel(folder, chain); },
-        [&] { writeDrawings(folder, chain, settings.threads); }};
-    parallelBlocks(std::size(files), 1, settings.threads,
+        [&] { writeDrawings(folder, chain, settings.threads); },
+        [&] { writePictures(folder, chain); }};
+    parallelBlocks(settings.pictures ? 4 : 3, 1, settings.threads,
                    [&](std::size_t k, std::size_t) { files[k](); });
     report.points_in = report.points_out = chain.getStructure()->size();
   }));

@@ -1,10 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model_settings.h"
-#include "prior_values.h"
+#include "tool_error.h"
 
-#include <iostream>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
 
 namespace pcl::sedr::tools {
+
+namespace {
+
+/** @brief Reads priors: name=value, separated by commas. */
+Priors
+readPriors(const std::string& list)
+{
+  Priors priors;
+  std::istringstream given(list);
+  for (std::string one; std::getline(given, one, ',');) {
+    one.erase(0, std::min(one.find_first_not_of(' '), one.size()));
+    const std::size_t equals = std::min(one.find('='), one.size());
+    const std::string number = one.substr(std::min(equals + 1, one.size()));
+    char* end = nullptr;
+    const double value = std::strtod(number.c_str(), &end);
+    if (number.empty() || *end != '\0' || !std::isfinite(value))
+      throw ToolError("a prior is given as name=value, not '" + one + "'");
+    const std::string problem = setPrior(one.substr(0, equals), value, priors);
+    if (!problem.empty())
+      throw ToolError(problem + "; doc/priors.md lists all");
+  }
+  return priors;
+}
+
+} // namespace
 
 void
 addModelOptions(Options& options, ModelSettings& s, Reconstruction& chain)
@@ -41,8 +69,6 @@ addModelOptions(Options& options, ModelSettings& s, Reconstruction& chain)
   options.text("openings", s.openings,
                "doors and windows in the solid: closed, or cut with their reveals",
                {"closed", "cut"});
-  options.flag("explain", s.explain,
-               "print all priors: value, unit, range, source and where they act");
   options.flag("report", s.report,
                "write report.html, one page on all of it, as pcl_sedr_report does");
 }
@@ -50,11 +76,9 @@ addModelOptions(Options& options, ModelSettings& s, Reconstruction& chain)
 void
 apply(const ModelSettings& s, Reconstruction& chain)
 {
-  chain.setPriors(priorsOf(s.priors));
+  chain.setPriors(readPriors(s.priors));
   chain.setNumberOfThreads(s.threads);
   chain.getChain().extrusion.setCutOpenings(s.openings == "cut");
-  if (s.explain)
-    std::cout << explained(chain.getPriors()) << std::flush;
 }
 
 } // namespace pcl::sedr::tools

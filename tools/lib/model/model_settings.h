@@ -24,7 +24,6 @@ struct ModelSettings {
   bool partial = false; ///< accept a model of a small part
   bool pictures = false;
   bool report = false;
-  bool explain = false;            ///< print the priors
   std::string priors;              ///< name=value, separated by commas
   std::string openings = "closed"; ///< or "cut": FloorplanExtrusion::setCutOpenings()
 };
@@ -33,7 +32,7 @@ struct ModelSettings {
  * chain. */
 void addModelOptions(Options& options, ModelSettings& s, Reconstruction& chain);
 
-/** @brief Applies the settings to the chain, and prints the priors if asked to. */
+/** @brief Applies the settings to the chain. */
 void apply(const ModelSettings& s, Reconstruction& chain);
 
 } // namespace pcl::sedr::tools

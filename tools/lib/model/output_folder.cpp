@@ -8,17 +8,14 @@
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
-#include <thread>
 #include <utility>
 
 namespace pcl::sedr::tools {
@@ -34,25 +31,6 @@ refuse(const fs::path& folder, const std::string& reason)
                   "' cannot be written to: " + reason);
 }
 
-/** @brief Runs `work`, which allocates no memory and returns an error number, in a
- * process that goes on if this one is killed; in this one if there can be no other. */
-template <typename Work>
-int
-runApart(const Work& work)
-{
-  const pid_t worker = fork();
-  if (worker < 0)
-    return work();
-  if (worker == 0) {
-    setsid(); // signals of the terminal do not concern it
-    _exit(work());
-  }
-  int status = 0;
-  while (waitpid(worker, &status, 0) < 0 && errno == EINTR)
-    ;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : EINTR;
-}
-
 } // namespace
 
 OutputFolder::OutputFolder(const std::string& path, std::vector<std::string> inputs)
@@ -66,9 +44,8 @@ OutputFolder::OutputFolder(const std::string& path, std::vector<std::string> inp
        !fs::exists(fs::symlink_status(folder, error)) && folder != folder.root_path();
        folder = folder.parent_path())
     missing_.push_back(folder);
-  watch();
+  fs::create_directories(path_, error);
   try {
-    fs::create_directories(path_, error);
     if (error)
       refuse(path_, error.message());
     lock();
@@ -76,75 +53,32 @@ OutputFolder::OutputFolder(const std::string& path, std::vector<std::string> inp
       fs::remove_all(entry, error);
   }
   catch (...) {
-    end();
+    clean();
     throw;
   }
 }
 
 OutputFolder::~OutputFolder()
 {
-  end();
-}
-
-void
-OutputFolder::end() const
-{
-  close(lock_);
-  close(alive_);
-  if (watcher_ < 0 || waitpid(watcher_, nullptr, 0) < 0)
-    clean();
+  clean();
 }
 
 /** @brief Creates the hidden folder and locks it. */
 void
 OutputFolder::lock()
 {
-  for (int tries = 0;;) { // one that was killed may still be cleaned up after
-    if (mkdir(part_.c_str(), S_IRWXU | S_IRWXG | S_IRWXO) != 0 && errno != EEXIST)
-      refuse(path_, std::strerror(errno));
-    lock_ = open(part_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW);
-    if (lock_ < 0 && errno == ENOENT)
-      continue; // the run that has just ended removed it
-    if (lock_ < 0)
-      refuse(path_, std::strerror(errno));
-    if (flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-      close(std::exchange(lock_, -1));
-      if (++tries == 10)
-        refuse(path_, "another run is writing into it; wait for its end, or choose "
-                      "another output folder");
-      std::this_thread::sleep_for(std::chrono::milliseconds(50));
-      continue;
-    }
-    struct stat locked {};
-    struct stat found {};
-    fstat(lock_, &locked);
-    if (stat(part_.c_str(), &found) == 0 && found.st_ino == locked.st_ino)
-      return;
-    close(std::exchange(lock_, -1));
-  }
-}
-
-/** @brief Starts a process that cleans up when this one has ended in whatever way. */
-void
-OutputFolder::watch()
-{
-  int ends[2] = {-1, -1};
-  if (pipe2(ends, O_CLOEXEC) != 0 || (watcher_ = fork()) != 0) {
-    close(ends[0]);
-    alive_ = ends[1];
+  if (mkdir(part_.c_str(), S_IRWXU | S_IRWXG | S_IRWXO) != 0 && errno != EEXIST)
+    refuse(path_, std::strerror(errno));
+  lock_ = open(part_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW);
+  if (lock_ >= 0 && flock(lock_, LOCK_EX | LOCK_NB) == 0)
     return;
-  }
-  setsid();
-  for (const int signal : {SIGTERM, SIGINT, SIGHUP})
-    std::signal(signal, SIG_IGN);
-  close(ends[1]);
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    close(stream); // others may wait for their end
-  char none = 0;
-  while (read(ends[0], &none, 1) < 0 && errno == EINTR)
-    ;
-  clean();
-  _exit(0);
+  const int problem = errno;
+  if (lock_ >= 0)
+    close(std::exchange(lock_, -1));
+  refuse(path_, problem == EWOULDBLOCK
+                    ? "another run is writing into it; wait for its end, or choose "
+                      "another output folder"
+                    : std::strerror(problem));
 }
 
 /** @brief Removes the hidden folder, unless it is that of another run, and the folders
@@ -153,15 +87,10 @@ void
 OutputFolder::clean() const
 {
   std::error_code error;
-  const int part = open(part_.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW);
-  int tries = part >= 0 ? 20 : 0; // a process that ends keeps its lock for a moment
-  while (tries > 0 && flock(part, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    --tries;
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  }
-  if (tries > 0)
+  if (lock_ >= 0) {
     fs::remove_all(part_, error);
-  close(part);
+    close(lock_);
+  }
   for (const auto& folder : missing_)
     fs::remove(folder, error); // only if it is empty
 }
@@ -218,11 +147,13 @@ OutputFolder::namesInReport() const
   std::ifstream stream(path_ / "report.json", std::ios::binary);
   const auto report = nlohmann::json::parse(stream, nullptr, false);
   std::vector<std::string> names;
-  if (report.is_object() && report.value("format", nlohmann::json()) == "sedr-report")
-    for (const auto& name : report.value("files", nlohmann::json::array()))
-      if (const fs::path path = name.is_string() ? name.get<std::string>() : "";
-          !path.empty() && path.is_relative() && *path.begin() != "..")
-        names.push_back(path.lexically_normal().string());
+  if (!report.is_object() || report.value("format", nlohmann::json()) != "sedr-report")
+    return names;
+  names.emplace_back("report.html"); // pcl_sedr_report may have made it
+  for (const auto& name : report.value("files", nlohmann::json::array()))
+    if (const fs::path path = name.is_string() ? name.get<std::string>() : "";
+        !path.empty() && path.is_relative() && *path.begin() != "..")
+      names.push_back(path.lexically_normal().string());
   return names;
 }
 
@@ -245,16 +176,18 @@ OutputFolder::exchange()
   for (const auto& file : old)
     if (const fs::path folder = fs::path(file).parent_path(); folder != path_)
       emptied.push_back(folder);
-  const int problem = runApart([&] {
-    for (const auto& [from, to] : moves)
-      if (rename(from.c_str(), to.c_str()) != 0)
-        return errno;
-    for (const auto& file : old)
-      unlink(file.c_str());
-    for (const auto& folder : emptied)
-      rmdir(folder.c_str());
-    return 0;
-  });
+  for (const int interrupt : {SIGINT, SIGTERM, SIGHUP})
+    std::signal(interrupt, SIG_IGN); // the set becomes whole, which takes no time
+  int problem = 0;
+  for (const auto& [from, to] : moves)
+    if (problem == 0 && rename(from.c_str(), to.c_str()) != 0)
+      problem = errno;
+  for (const auto& file : problem == 0 ? old : std::vector<std::string>())
+    unlink(file.c_str());
+  for (const auto& folder : emptied)
+    rmdir(folder.c_str());
+  for (const int interrupt : {SIGINT, SIGTERM, SIGHUP})
+    std::signal(interrupt, SIG_DFL);
   if (problem != 0)
     refuse(path_, std::strerror(problem));
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <sys/types.h>
-
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -10,10 +8,10 @@
 namespace pcl::sedr::tools {
 
 /** @brief A result folder whose files are exchanged as a set: they are written into a
- * hidden folder within it and moved at the end. A second process moves them and cleans
- * up, so the folder has the old set or the new one and nothing else even if this
- * process is killed. Only one run at a time; a second one is refused. Throws ToolError
- * if the folder cannot be written. */
+ * hidden folder within it and moved at the end, while interrupts are ignored. What a
+ * run that was killed has left of the hidden folder goes with the next one. Only one
+ * run at a time; a second one is refused. Throws ToolError if the folder cannot be
+ * written. */
 class OutputFolder {
 public:
   /** @param path may be missing, including parent folders; removed again if nothing is
@@ -40,8 +38,6 @@ public:
 
 private:
   void lock();
-  void watch();
-  void end() const;
   void clean() const;
   bool isInput(const std::filesystem::path& file) const;
   std::vector<std::string> namesInReport() const;
@@ -51,8 +47,6 @@ private:
   std::vector<std::string> inputs_;
   std::vector<std::filesystem::path> missing_; ///< folders created, innermost first
   int lock_ = -1;
-  int alive_ = -1; ///< a pipe that is closed when this process ends
-  pid_t watcher_ = -1;
 };
 
 } // namespace pcl::sedr::tools

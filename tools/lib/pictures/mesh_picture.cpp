@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "counted.h"
 #include "stage_pictures.h"
 
 #include <algorithm>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "opening_picture.h"
 
-#include "counted.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>

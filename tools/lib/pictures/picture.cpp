@@ -201,7 +201,10 @@ Panel::addPoints(const Places& points, Colour colour, double size)
 void
 Panel::addPath(const Places& points, Colour colour, double pixels)
 {
-  SheetPath path{{no_colour, colour.number(), pixels}, {{}}};
+  SheetPath path;
+  path.look.stroke = colour.number();
+  path.look.width = pixels;
+  path.chains.emplace_back();
   for (std::size_t k = 1; k < points.size(); ++k) {
     path.chains.back().elements.emplace_back();
     path.chains.back().elements.back().start = points[k - 1];

@@ -102,6 +102,13 @@ private:
   std::vector<std::string> notes_;
 };
 
+/** @brief Formats a count: "1 room", "3 rooms". */
+inline std::string
+counted(std::size_t number, const std::string& thing)
+{
+  return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
+}
+
 /** @brief Returns a box grown by `margin` on every side; empty stays empty. */
 Box grown(const Box& box, double margin);
 

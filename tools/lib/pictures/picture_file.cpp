@@ -2,6 +2,8 @@
 #include "picture_file.h"
 
 #include "bytes/whole_file.h"
+#include "scan_file.h"
+#include "stage_pictures.h"
 
 namespace pcl::sedr::tools {
 
@@ -13,7 +15,7 @@ PictureFile::check() const
 }
 
 void
-PictureFile::save(const Picture& picture) const
+savePicture(const std::string& path, const Picture& picture)
 {
   const std::string bytes = picture.png();
   writeWhole(path, [&](std::ostream& stream) { stream << bytes; });
@@ -35,6 +37,16 @@ StageFiles::check() const
 {
   checkCloudOutput(output);
   picture.check();
+}
+
+void
+StageFiles::save(const ToolCloud& cloud, const ScanSettings& reading) const
+{
+  LabelCounts before; // first, as the output may be the input
+  if (!picture.path.empty())
+    before = labelCountsOf(ScanFile(input, reading));
+  saveCloud(output, cloud);
+  picture.write([&] { return drawLabels(before, labelCountsOf(ScanFile(output))); });
 }
 
 } // namespace pcl::sedr::tools

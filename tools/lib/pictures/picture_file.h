@@ -9,6 +9,10 @@
 
 namespace pcl::sedr::tools {
 
+/** @brief Writes a picture as PNG, completely or not at all. Throws ToolError on
+ * failure. */
+void savePicture(const std::string& path, const Picture& picture);
+
 /** @brief The picture that a program is asked for by --picture. */
 struct PictureFile {
   std::string path; ///< empty: none
@@ -28,11 +32,8 @@ struct PictureFile {
   void write(Draw draw) const
   {
     if (!path.empty())
-      save(draw());
+      savePicture(path, draw());
   }
-
-private:
-  void save(const Picture& picture) const;
 };
 
 /** @brief The files of a stage's program: a cloud in, one out, and a picture. */
@@ -49,7 +50,9 @@ struct StageFiles {
    * work. */
   void check() const;
 
-  void save(const ToolCloud& cloud) const { saveCloud(output, cloud); }
+  /** @brief Writes the cloud, and the picture of what became of the input.
+   * @param reading of the input */
+  void save(const ToolCloud& cloud, const ScanSettings& reading = {}) const;
 };
 
 } // namespace pcl::sedr::tools

@@ -16,8 +16,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -29,13 +27,6 @@ namespace {
 
 using Json = ResultFolder::Json;
 
-std::string
-textOfFile(const std::string& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
 /** @brief Returns the scripts of three.js; empty if one is missing or has an end tag of
  * its element. */
 std::string
@@ -43,7 +34,8 @@ threeScripts(const std::string& folder)
 {
   std::string scripts;
   for (const char* name : {"/three.min.js", "/examples/js/controls/OrbitControls.js"}) {
-    const std::string text = textOfFile(folder + name);
+    const std::string text =
+        fs::is_regular_file(folder + name) ? textOfFile(folder + name) : "";
     if (text.empty() || text.find("</script") != std::string::npos)
       return "";
     scripts += text + "\n";
@@ -87,15 +79,12 @@ colours()
 /** @brief Returns a sheet of each storey, by its name. Sheets are small, so that their
  * letters are large on a page. */
 Json
-drawings(const std::string& file, const Floorplan& plan)
+drawings(const PlanFile& file)
 {
+  const Floorplan& plan = *file.plan;
   Json sheets = Json::array();
-  if (plan.rooms.empty())
-    return sheets;
   DrawingSettings settings;
-  settings.names = planNames(file);
-  settings.tilts = planTilts(file);
-  settings.max_wall = planMaxWall(file);
+  file.describe(settings);
   settings.paper = PaperSize::A4;
   const std::vector<PlanStorey> storeys = storeysOf(plan);
   for (const PlanStorey& storey : storeys) {
@@ -136,10 +125,10 @@ pageData(const std::string& path, const PageSettings& settings)
             {"models", Json::object()}};
   Floorplan plan;
   if (folder.has("floorplan.json")) {
-    const std::string file = folder.file("floorplan.json");
-    plan = *loadFloorplan(file);
-    json["plan"] = Json::parse(textOfFile(file));
-    json["drawings"] = drawings(file, plan);
+    const PlanFile file = loadPlan(folder.file("floorplan.json"));
+    plan = *file.plan;
+    json["plan"] = Json::parse(file.text);
+    json["drawings"] = drawings(file);
   }
   const TriangleMesh mesh = folder.mesh("mesh.ply"); // triangles face into the rooms
   const TriangleMesh solid = folder.mesh("solid.ply");
@@ -157,24 +146,6 @@ pageData(const std::string& path, const PageSettings& settings)
   const std::string scan = settings.scan.empty() ? folder.scanPath() : settings.scan;
   json["scan"] = pagePoints(folder, scan, plan, mesh, solid, settings.range);
   return json;
-}
-
-/** @brief Adds the page to the files in report.json, which the next run exchanges. */
-void
-enlist(const std::string& path)
-{
-  const ResultFolder folder(path);
-  Json report = folder.report();
-  Json& files = report["files"];
-  if (!files.is_array())
-    files = Json::array(); // of an earlier version
-  if (!folder.has("report.json") ||
-      std::find(files.begin(), files.end(), "report.html") != files.end())
-    return;
-  files.push_back("report.html");
-  writeWhole(folder.file("report.json"), [&](std::ostream& stream) {
-    stream << report.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
-  });
 }
 
 } // namespace
@@ -206,7 +177,6 @@ writePage(const std::string& path, const PageSettings& settings)
 {
   const std::string page = (fs::path(path) / "report.html").string();
   checkWritable(page);
-  enlist(path);
   const std::string html = makePage(path, settings);
   writeWhole(page, [&](std::ostream& stream) { stream << html; });
   return page;

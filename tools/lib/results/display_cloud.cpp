@@ -87,10 +87,8 @@ DisplayCloud
 displayCloudOf(const RowSource& scan, std::size_t most)
 {
   DisplayCloud shown;
-  forEachFinite(
-      scan, [&](const std::uint8_t*, const Eigen::Vector3f&) { ++shown.whole_size; });
-  const std::size_t count =
-      most == 0 ? shown.whole_size : std::min(most, shown.whole_size);
+  const std::size_t step =
+      most == 0 ? 1 : std::max<std::size_t>(1, (scan.size() + most - 1) / most);
   const auto* label = findField(scan.fields(), "label");
   const auto* room = findField(scan.fields(), "room");
   const auto add = [](const std::uint8_t* row, const pcl::PCLPointField* field,
@@ -99,11 +97,8 @@ displayCloudOf(const RowSource& scan, std::size_t most)
       values.push_back(static_cast<std::uint32_t>(
           std::max(0.0, readField(row + field->offset, field->datatype))));
   };
-  shown.points.reserve(count);
-  std::size_t seen = 0;
   forEachFinite(scan, [&](const std::uint8_t* row, const Eigen::Vector3f& place) {
-    const std::size_t taken = shown.size();
-    if (taken >= count || seen++ != taken * shown.whole_size / count)
+    if (shown.whole_size++ % step != 0)
       return;
     shown.points.push_back(place);
     add(row, label, shown.labels);

@@ -30,8 +30,8 @@ struct DisplayCloud {
 };
 
 /** @brief Returns at most `most` points of a cloud, evenly distributed over its file,
- * with labels and rooms if present. `most` 0: all. Reads the cloud twice, piece by
- * piece; memory is that of the result. */
+ * with labels and rooms if present. `most` 0: all. Reads the cloud piece by piece;
+ * memory is that of the result. */
 DisplayCloud displayCloudOf(const RowSource& scan, std::size_t most);
 
 /** @brief Returns one point per voxel, of edge `voxel_size` metres or more if there

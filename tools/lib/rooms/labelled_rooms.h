@@ -3,6 +3,7 @@
 
 #include "tool_cloud.h"
 
+#include "sedr_segmentation/src/plan/room_shares.h"
 #include "sedr_segmentation/src/rooms/room_planes.h"
 #include "sedr_segmentation/src/scan/scan_check.h"
 
@@ -32,12 +33,8 @@ void setLabel(const pcl::Indices& rows,
 void storeLabels(ToolCloud& cloud);
 
 /** @brief The rows of a room in a labelled file, without those that are not finite. */
-struct LabelledRoom {
+struct LabelledRoom : RoomEvidence {
   std::uint32_t id = 0; ///< 0: a file without rooms
-  pcl::Indices ceiling; ///< label 1, of all heights
-  pcl::Indices floor;   ///< label 2, of all heights
-  pcl::Indices details; ///< label 4
-  pcl::Indices around;  ///< rows of any label in the room and at its walls
 };
 
 /** @brief Returns the rooms that have a ceiling, by number; a file without numbers is

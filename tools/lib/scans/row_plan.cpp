@@ -49,10 +49,7 @@ copyField(const std::uint8_t* from,
 
 } // namespace
 
-RowPlan::RowPlan(const StoredRow& stored,
-                 double unit,
-                 const Eigen::Vector3d& shift,
-                 std::uint8_t datatype)
+RowPlan::RowPlan(const StoredRow& stored, double unit, const Eigen::Vector3d& shift)
     : stored_size_(stored.size)
 {
   using Field = pcl::PCLPointField;
@@ -67,15 +64,15 @@ RowPlan::RowPlan(const StoredRow& stored,
     const int axis = axisOf(field);
     if (axis >= 0 && (unit != 1 || shift[axis] != 0 || field.count != 1 ||
                       field.datatype != Field::FLOAT32)) {
-      move.datatype = datatype;
+      move.is_number = true;
       move.unit = unit;
       move.shift = shift[axis];
     }
     else if (field.becomes_float)
-      move.datatype = Field::FLOAT32;
-    is_plain_ = is_plain_ && move.datatype == 0 && move.to == field.offset;
-    addField(field.name, move.datatype == 0 ? field.datatype : move.datatype,
-             move.datatype == 0 ? field.count : 1);
+      move.is_number = true;
+    is_plain_ = is_plain_ && !move.is_number && move.to == field.offset;
+    addField(field.name, move.is_number ? Field::FLOAT32 : field.datatype,
+             move.is_number ? 1 : field.count);
     moves_.push_back(move);
   }
   if (has_colour)
@@ -109,7 +106,6 @@ RowPlan::addColour(const StoredRow& stored)
   is_plain_ = false;
 }
 
-template <typename OutT>
 void
 RowPlan::convert(const Move& move,
                  const std::uint8_t* stored,
@@ -121,7 +117,7 @@ RowPlan::convert(const Move& move,
     for (std::size_t i = 0; i < rows; ++i) {
       std::memcpy(&typed, stored + i * stored_size_ + field.offset, sizeof typed);
       const double number = static_cast<double>(typed) * field.scale + field.shift;
-      const auto value = static_cast<OutT>(move.unit * number - move.shift);
+      const auto value = static_cast<float>(move.unit * number - move.shift);
       std::memcpy(to + i * row_size_ + move.to, &value, sizeof value);
     }
   });
@@ -140,10 +136,8 @@ RowPlan::convert(const std::uint8_t* stored, std::size_t rows, std::uint8_t* to)
     const auto* from = stored + move.from.offset;
     auto* where = to + move.to;
     const std::size_t size = fieldSize(move.from.datatype) * move.from.count;
-    if (move.datatype == pcl::PCLPointField::FLOAT64)
-      convert<double>(move, stored, rows, to);
-    else if (move.datatype == pcl::PCLPointField::FLOAT32)
-      convert<float>(move, stored, rows, to);
+    if (move.is_number)
+      convert(move, stored, rows, to);
     else if (size == 4)
       copyField<4>(from, stored_size_, rows, where, row_size_);
     else if (size == 1)

@@ -6,16 +6,12 @@
 namespace pcl::sedr::tools {
 
 /** @brief Converts stored points to rows of a cloud: no padding, x, y and z in metres
- * as FLOAT32 or FLOAT64. Unit and origin are applied in double precision. */
+ * as FLOAT32. Unit and origin are applied in double precision. */
 class RowPlan {
 public:
   /** @param unit metres per unit of the file
-   * @param shift subtracted from coordinates, metres
-   * @param datatype of x, y and z, unless they are stored as floats in metres */
-  RowPlan(const StoredRow& stored,
-          double unit,
-          const Eigen::Vector3d& shift,
-          std::uint8_t datatype);
+   * @param shift subtracted from coordinates, metres */
+  RowPlan(const StoredRow& stored, double unit, const Eigen::Vector3d& shift);
 
   const std::vector<pcl::PCLPointField>& fields() const { return fields_; }
   std::size_t rowSize() const { return row_size_; }
@@ -30,7 +26,7 @@ private:
   struct Move {
     StoredField from;
     std::size_t to = 0;
-    std::uint8_t datatype = 0; ///< to convert to; 0: bytes are copied
+    bool is_number = false; ///< converted to a float; else its bytes are copied
     double unit = 1;
     double shift = 0;
   };
@@ -38,8 +34,7 @@ private:
   void addField(const std::string& name, std::uint8_t datatype, std::size_t count = 1);
   void addColour(const StoredRow& stored);
 
-  /** @brief Writes a field as numbers of type OutT. */
-  template <typename OutT>
+  /** @brief Writes a field as floats. */
   void convert(const Move& move,
                const std::uint8_t* stored,
                std::size_t rows,

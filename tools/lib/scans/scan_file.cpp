@@ -44,10 +44,7 @@ ScanFile::ScanFile(const std::string& path, const ScanSettings& settings)
 {
   checkCoordinates();
   settleOrigin(settings);
-  plan_ =
-      std::make_shared<RowPlan>(content_->points->row(), unit_, shift_,
-                                settings.keeps_doubles ? pcl::PCLPointField::FLOAT64
-                                                       : pcl::PCLPointField::FLOAT32);
+  plan_ = std::make_shared<RowPlan>(content_->points->row(), unit_, shift_);
 }
 
 void

@@ -27,7 +27,7 @@ using ScanPlaces = std::array<std::vector<double>, 3>;
  * demand.
  *
  * Rows have every field of a PCD or PLY, and of other formats those that a stage uses.
- * x, y and z are FLOAT32 metres, without padding, FLOAT64 if the settings keep doubles.
+ * x, y and z are FLOAT32 metres, without padding.
  * They are read piece by piece, so that a scan of any size takes the memory of two
  * pieces; only a binary_compressed PCD is unpacked into memory.
  *

@@ -156,8 +156,7 @@ ScanFile::settleOrigin(const ScanSettings& settings)
   // An origin cannot restore the precision that floats have lost.
   const double farthest = are_floats ? std::max(given, farthestFrom(shift, places))
                                      : farthestFrom(shift, places);
-  const bool are_rounded = are_floats || !settings.keeps_doubles;
-  if (are_rounded && farthest * float_step > coarsest)
+  if (farthest * float_step > coarsest)
     refuseTooLarge(path_, farthest, places);
   shift_ = shift;
   origin_ = {content_->counted_from.place + shift};
