@@ -89,9 +89,16 @@ labelledRooms(const ToolCloud& cloud, double grid_size)
       shareOut(PointView(*cloud.points), evidence, numbers, parameters, problem);
   throwProblem(problem);
   std::vector<LabelledRoom> rooms;
-  for (std::size_t r = 0; r < shares.rooms.size(); ++r)
-    if (!shares.rooms[r].ceiling.empty())
-      rooms.push_back({std::move(shares.rooms[r]), has_rooms ? numbers[r] : 0});
+  for (std::size_t r = 0; r < shares.rooms.size(); ++r) {
+    RoomEvidence& share = shares.rooms[r];
+    for (const int i : share.around) // details without a number are of the room there
+      if (const auto at = static_cast<std::size_t>(i);
+          has_rooms && cloud.room[at] == 0 &&
+          cloud.label[at] == static_cast<std::uint32_t>(StructureLabel::Detail))
+        share.details.push_back(i);
+    if (!share.ceiling.empty())
+      rooms.push_back({std::move(share), has_rooms ? numbers[r] : 0});
+  }
   if (rooms.empty())
     throw ToolError("none of the " + std::to_string(cloud.size()) + " points of '" +
                         cloud.path + "' has label 1, ceiling, and is finite",
