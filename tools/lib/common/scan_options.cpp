@@ -8,6 +8,7 @@
 #include "tool_error.h"
 
 #include "bytes/text_lines.h"
+#include "formats/scan_formats.h"
 
 #include <filesystem>
 #include <optional>

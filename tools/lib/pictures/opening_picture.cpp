@@ -62,8 +62,8 @@ drawOpenings(const Floorplan& plan, const OpeningSearch& search)
       if (const WallRectangle& at = found.rectangle; found.side == side) {
         constexpr int chords = 12; // of an arched head
         std::vector<Eigen::Vector2d> outline{{at.from, at.bottom}, {at.to, at.bottom}};
-        for (int k = 0; k <= chords; ++k) {
-          const double x = 1 - 2.0 * k / chords;
+        for (int chord = 0; chord <= chords; ++chord) {
+          const double x = 1 - 2.0 * chord / chords;
           outline.emplace_back((at.from + at.to + x * (at.to - at.from)) / 2,
                                at.top - at.rise * (1 - std::sqrt(1 - x * x)));
         }

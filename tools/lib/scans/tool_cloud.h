@@ -4,6 +4,8 @@
 #include "cloud_rows.h"
 #include "scan_settings.h"
 
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
 #include <pcl/sedr_filters/point_types.h>
 
 #include <Eigen/Geometry>
