@@ -40,8 +40,8 @@ revealOf(const WallMap& map, const EdgeFrame& edge, const OpeningSizes& sizes)
   const double high = edge.high - inset;
   const auto bins =
       static_cast<std::size_t>(2 * sizes.edge_reach / opening_numbers.edge_bin) + 1;
-  const auto parts =
-      static_cast<std::size_t>((high - low) / opening_numbers.edge_stretch) + 1;
+  const double stretch = 2 * map.cell();
+  const auto parts = static_cast<std::size_t>((high - low) / stretch) + 1;
   std::vector<std::vector<bool>> shown(bins, std::vector<bool>(parts));
   const auto offsetOf = [&](const SidePoint& p) {
     return edge.outward(p) - (edge.position - sizes.edge_reach);
@@ -56,8 +56,7 @@ revealOf(const WallMap& map, const EdgeFrame& edge, const OpeningSizes& sizes)
   for (const SidePoint& p : map.points())
     if (isReveal(p))
       shown[static_cast<std::size_t>(offsetOf(p) / opening_numbers.edge_bin)]
-           [static_cast<std::size_t>((edge.across(p) - low) /
-                                     opening_numbers.edge_stretch)] = true;
+           [static_cast<std::size_t>((edge.across(p) - low) / stretch)] = true;
   // Noise spreads a plane over bins; windows of a few bins hold it.
   const auto reach = static_cast<std::size_t>(
       std::ceil(std::max(0.5 * map.tolerance(), opening_numbers.edge_bin) /
@@ -76,8 +75,9 @@ revealOf(const WallMap& map, const EdgeFrame& edge, const OpeningSizes& sizes)
   for (std::size_t b = bins; b-- > 0;) {
     if (shareAround(b) < opening_numbers.min_reveal)
       continue;
-    while (b > 0 && shareAround(b - 1) > shareAround(b))
-      --b; // to the peak
+    // To the peak; behind a plane that fills the opening there is none.
+    for (std::size_t k = 0; k < reach && b > 0; ++k)
+      b -= shareAround(b - 1) > shareAround(b) ? 1 : 0;
     double middle = edge.position - sizes.edge_reach +
                     opening_numbers.edge_bin * (static_cast<double>(b) + 0.5);
     const double half = opening_numbers.edge_bin * (static_cast<double>(reach) + 1);
@@ -104,7 +104,7 @@ revealOf(const WallMap& map, const EdgeFrame& edge, const OpeningSizes& sizes)
 std::optional<EdgeFit>
 rimOf(const WallMap& map, const EdgeFrame& edge, const OpeningSizes& sizes)
 {
-  const double stretch = std::max(map.cell(), 0.05);
+  const double stretch = 2 * map.cell();
   const auto parts = static_cast<std::size_t>((edge.high - edge.low) / stretch) + 1;
   const double nothing = 1e9;
   std::vector<double> first(parts, nothing);

@@ -111,16 +111,18 @@ public:
       }
     gains.lower.resize(columns_ * n);
     gains.upper.resize(columns_ * n);
-    for (std::size_t c = 0; c < columns_; ++c)
-      for (std::size_t r = 0; r <= rows_; ++r) {
+    for (std::size_t c = 0; c < columns_; ++c) {
+      bool has_lintel = false; // a wall was seen above
+      for (std::size_t r = rows_ + 1; r-- > 0;) {
         const BothSides& below = r > 0 ? cells_[c * rows_ + r - 1] : corner;
         const BothSides& above = r < rows_ ? cells_[c * rows_ + r] : corner;
+        has_lintel = has_lintel || above.isSeen();
         const bool on_floor = below.here == WallCell::Beyond;
         gains.lower[c * n + r] = on_floor ? 0 : edge(below, above);
-        gains.upper[c * n + r] = above.here == WallCell::Beyond
-                                     ? weights_.no_edge * cell_
-                                     : edge(above, below);
+        gains.upper[c * n + r] =
+            has_lintel ? edge(above, below) : weights_.no_head * cell_;
       }
+    }
   }
 
 private:
@@ -147,24 +149,12 @@ openingGains(const WallMap& map,
     return static_cast<std::size_t>(std::max(1.0, std::round(length / cell)));
   };
   gains.min_columns = cellsIn(sizes.min_width);
-  gains.max_columns = cellsIn(sizes.max_width);
   gains.min_rows = cellsIn(sizes.min_height);
   const double floor = map.heightOf(0) + cell / 2;
-  std::size_t head = map.rows(); // the highest one below the ceiling
-  const auto isBeyond = [&](std::size_t row) {
-    for (std::size_t c = 0; c < map.columns(); ++c)
-      if (map.at(c, row) != WallCell::Beyond)
-        return false;
-    return true;
-  };
-  while (head > 1 && isBeyond(head - 1))
-    --head;
-  gains.prior = [weights, sizes, floor, head, &map](std::size_t a, std::size_t b) {
-    const bool is_whole = b >= head;
+  gains.prior = [weights, sizes, floor, &map](std::size_t a, std::size_t b) {
     const bool is_on_floor = map.heightOf(a) < floor + sizes.on_floor;
     const bool is_low = map.heightOf(b) - map.heightOf(a) < sizes.min_head;
-    return weights.opening + (is_on_floor && is_low ? weights.low_head : 0) +
-           (is_whole ? weights.no_head : 0);
+    return weights.opening + (is_on_floor && is_low ? weights.low_head : 0);
   };
   return gains;
 }

@@ -15,9 +15,9 @@ struct KindWeights {
 };
 
 const KindWeights kind_weights{
-    // one raised sill room narrow wide tall low_lintel thin filled
-    {{-4.0, 5.3, 6.0, -5.3, -1.8, 4.2, -1.4, 1.4, 1.1, 0.5}},
-    {{-1.8, 3.1, -1.1, -1.8, 15.6, 4.3, -0.3, 5.9, 3.6, -1.7}}};
+    // one raised sill room narrow wide tall low_lintel thin filled around
+    {{-1.6, 7.0, 4.7, -5.8, -2.8, 3.5, 0.9, 3.8, -0.1, -0.5, -2.7}},
+    {{2.9, 2.6, 1.3, -1.0, 8.9, 4.6, 1.7, 1.2, -0.3, 0.3, -6.7}}};
 
 double
 product(const OpeningFeatures& a, const OpeningFeatures& b)
@@ -43,13 +43,6 @@ featuresOf(const Floorplan& plan,
   const double floor = highestFloor(plan, o);
   const double sill = o.bottom - floor;
   const double head = o.top - floor;
-  std::size_t filled = 0;
-  std::size_t all = 0;
-  for (double x = at.from + 0.1; x < at.to - 0.1; x += map.cell())
-    for (double z = at.bottom + 0.1; z < at.top - 0.1; z += map.cell()) {
-      ++all;
-      filled += map.at(x, z) == WallCell::Within ? 1 : 0;
-    }
   return {
       1,
       sill > sizes.on_floor ? 1.0 : 0.0,
@@ -57,11 +50,12 @@ featuresOf(const Floorplan& plan,
       o.rooms[1] != 0 ? 1.0 : 0.0,
       std::clamp(opening_numbers.narrow_door - o.width(), 0.0, 0.5),
       std::clamp(o.width() - opening_numbers.narrow_door, 0.0, 1.5),
-      std::clamp(head - opening_numbers.high_door, 0.0, 0.5),
-      std::clamp(opening_numbers.usual_lintel - (ceiling - o.top), 0.0,
-                 opening_numbers.usual_lintel),
+      std::clamp(head - opening_numbers.high_door, 0.0, 1.0),
+      std::clamp(sizes.usual_lintel - (ceiling - o.top), 0.0, sizes.usual_lintel),
       std::clamp(opening_numbers.usual_wall - o.depth, 0.0, opening_numbers.usual_wall),
-      all > 0 ? static_cast<double>(filled) / static_cast<double>(all) : 0.0};
+      map.shareOf(WallCell::Within, at.from + 0.1, at.to - 0.1, at.bottom + 0.1,
+                  at.top - 0.1),
+      found.around};
 }
 
 } // namespace

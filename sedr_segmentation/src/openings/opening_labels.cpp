@@ -61,8 +61,7 @@ bestRectangles(const CellGains& g)
       closed[c].gain = closed[c - 1].gain;
     for (std::size_t k = 0; k < bands.size(); ++k) {
       Band& band = bands[k];
-      if (band.gain > never && c - band.start >= g.min_columns &&
-          c - band.start <= g.max_columns) {
+      if (band.gain > never && c - band.start >= g.min_columns) {
         const double gain = band.gain + over(right, c, band);
         if (gain > closed[c].gain)
           closed[c] = {gain, band.start, k};

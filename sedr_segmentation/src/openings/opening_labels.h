@@ -29,7 +29,6 @@ struct CellGains {
   std::vector<double> lower;
   std::vector<double> upper;
   std::size_t min_columns = 1;
-  std::size_t max_columns = 1;
   std::size_t min_rows = 1;
   /** @brief Gain of an opening between two rows, before its evidence. */
   std::function<double(std::size_t, std::size_t)> prior;
@@ -48,7 +47,7 @@ CellArch bestArch(const CellGains& gains, const CellRectangle& rectangle, double
 
 /** @brief Returns the rectangles that do not share columns and gain most together, from
  * left to right: exact, by dynamic programming along the columns over all pairs of rows
- * (widths are checked for the best start of each pair only). O(columns rows^2). */
+ * (the width is checked for the best start of each pair only). O(columns rows^2). */
 std::vector<CellRectangle> bestRectangles(const CellGains& gains);
 
 } // namespace pcl::sedr

@@ -94,7 +94,7 @@ findLeaves(const Floorplan& plan,
     PlanOpening& o = found.opening;
     if (o.kind != OpeningKind::Door || o.width() > sizes.max_leaf)
       continue;
-    if (found.features.back() > sizes.min_leaf_share) {
+    if (found.features[9] > sizes.min_leaf_share) {
       o.state = OpeningState::Closed;
       continue;
     }

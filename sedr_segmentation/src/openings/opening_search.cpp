@@ -139,19 +139,6 @@ addWall(const Floorplan& plan,
     opening.walls.push_back({room.id, *nearest});
 }
 
-/** @brief Whether no face was seen below most of a rectangle. */
-bool
-isOpenBelow(const WallMap& map, const WallRectangle& at)
-{
-  std::size_t seen = 0;
-  std::size_t all = 0;
-  for (double s = at.from + map.cell() / 2; s < at.to; s += map.cell()) {
-    ++all;
-    seen += map.at(s, at.bottom - map.cell() / 2) == WallCell::Seen ? 1 : 0;
-  }
-  return 2 * seen < all;
-}
-
 /** @brief Finds the openings of all sides and keeps each once. */
 class OpeningFinder {
 public:
@@ -191,15 +178,28 @@ public:
     std::stable_sort(
         all.begin(), all.end(),
         [](const FoundOpening& a, const FoundOpening& b) { return a.gain > b.gain; });
-    for (const FoundOpening& candidate : all)
-      if (std::none_of(search_.found.begin(), search_.found.end(),
-                       [&](const FoundOpening& other) {
-                         return areSame(other.opening, candidate.opening);
-                       }))
+    for (const FoundOpening& candidate : all) {
+      const auto same = std::find_if(search_.found.begin(), search_.found.end(),
+                                     [&](const FoundOpening& other) {
+                                       return areSame(other.opening, candidate.opening);
+                                     });
+      if (same == search_.found.end())
         search_.found.push_back(candidate);
+      // A leaf may be flush with one face: the other side shows the edges.
+      else if (candidate.gain > 0.9 * same->gain && candidate.behind == same->side &&
+               seenInside(candidate) < seenInside(*same))
+        *same = candidate;
+    }
   }
 
 private:
+  double seenInside(const FoundOpening& found) const
+  {
+    const WallRectangle& at = found.rectangle;
+    return search_.maps[found.side].shareOf(WallCell::Seen, at.from, at.to, at.bottom,
+                                            at.top);
+  }
+
   std::vector<FoundOpening> openingsOn(std::size_t side) const
   {
     const WallMap& map = search_.maps[side];
@@ -222,7 +222,8 @@ private:
       candidate.side = side;
       candidate.behind = backs_[side].at((rectangle.from + rectangle.to) / 2);
       candidate.gain = cells.gain;
-      if (seenAround(candidate, rectangle) < sizes_.min_around)
+      candidate.around = seenAround(candidate, rectangle);
+      if (candidate.around < sizes_.min_around)
         continue;
       candidate.rectangle = fittedEdges(map, rectangle, sizes_);
       describe(candidate);
@@ -243,9 +244,13 @@ private:
       if (const std::size_t b = backs_[k].at(s); b < sides.size())
         behind[c] = {&search_.maps[b], sides[b].line.project(place)};
       if (const std::size_t bay = bays_[k].at(s); bay < sides.size())
-        is_wall[c] = map.seenHeight(s) > sizes_.on_floor ||
-                     search_.maps[bay].seenHeight(sides[bay].line.project(place)) <
-                         sizes_.min_height;
+        is_wall[c] =
+            (behind[c].map != nullptr && // the bay ends within the wall
+             behind[c].map->seenHeight(behind[c].along) < sizes_.on_floor) ||
+            map.seenHeight(s) >
+                std::max(sizes_.on_floor, opening_numbers.bay_share *
+                                              search_.maps[bay].seenHeight(
+                                                  sides[bay].line.project(place)));
     }
     return openingGains(map, behind, is_wall, parameters_.weights, sizes_);
   }
@@ -310,10 +315,16 @@ private:
     o.rooms[0] = room.id;
     o.rooms[1] = is_paired ? plan_.rooms[search_.sides[candidate.behind].room].id
                            : roomBehind(plan_, o, o.depth / 2 + 0.3);
+    if (const double ceiling = room.ceilingAt(place);
+        ceiling - o.top < sizes_.usual_lintel &&
+        map.shareOf(WallCell::Seen, at.from, at.to, at.top, ceiling) < 0.5)
+      o.top = ceiling; // no lintel
     const double floor = highestFloor(plan_, o);
     const double step =
         std::max(sizes_.on_floor, 1.2 * map.cell()); // rows hold the floor's points
-    if (at.bottom - floor < step && isOpenBelow(map, at))
+    if (at.bottom - floor < step &&
+        map.shareOf(WallCell::Seen, at.from, at.to, at.bottom - map.cell(), at.bottom) <
+            0.5)
       o.bottom = floor;
   }
 

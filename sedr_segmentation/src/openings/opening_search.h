@@ -24,15 +24,17 @@ struct OpeningParameters {
 /** @brief What tells the kind of an opening: 1; 1 if it has a sill; height of the sill,
  * metres; 1 if a room is behind it; how much narrower, wider and higher it is than
  * usual doors; how much lower than usual its lintel and how much thinner its wall is;
- * share of its area that shows something within the wall. */
-using OpeningFeatures = std::array<double, 10>;
+ * share of its area that shows something within the wall; share of its jambs and head
+ * beside which a wall was seen. */
+using OpeningFeatures = std::array<double, 11>;
 
 /** @brief An opening on the map of a side. */
 struct FoundOpening {
   std::size_t side = 0;
   std::size_t behind = 0; ///< the side behind it; the number of sides: none
   WallRectangle rectangle;
-  double gain = 0; ///< nats
+  double gain = 0;   ///< nats
+  double around = 0; ///< share of jambs and head beside which a wall was seen
   PlanOpening opening;
   OpeningFeatures features{};
 };

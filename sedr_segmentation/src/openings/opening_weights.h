@@ -20,9 +20,9 @@ struct OpeningWeights {
   double rim = 5;          ///< from a seen face to nothing
   double unseen_edge = -4; ///< hidden, or nothing on both sides
   double no_edge = -10;    ///< the same on both sides, as inside of an opening
+  double no_head = -15;    ///< no wall was seen above: a bay, or no wall at all
   // An opening.
   double opening = -12;  ///< four edges and their observations, by BIC
-  double no_head = -25;  ///< it reaches the ceiling: a bay, or no wall at all
   double arch = 8;       ///< cost of an arched head: top and rise, by BIC, and that
                          ///< most heads are flat
   double low_head = -15; ///< it stands on the floor, and nobody could walk through
@@ -31,7 +31,6 @@ struct OpeningWeights {
 /** @brief Sizes of openings and of what is beside them, metres. */
 struct OpeningSizes {
   double min_width = 0.35;
-  double max_width = 8;        ///< of a glazed front
   double min_height = 0.3;     ///< of a cellar window
   double min_head = 1.75;      ///< height of a door
   double max_gap = 4;          ///< between walls in a line: a bay, drawn to its pane
@@ -44,6 +43,7 @@ struct OpeningSizes {
   double min_around = 0.3;     ///< share of jambs and head with a wall beside them
   double beside = 0.1;         ///< distance from them, beyond the points of a corner
   double edge_reach = 0.12;    ///< distance of the true edge from that of the cells
+  double usual_lintel = 0.3;   ///< of a usual door below the ceiling
   double leaf_reach = 1.4;     ///< of points before a side that may show a leaf
   double leaf_margin = 0.15;   ///< at the edges of a leaf, where other things are
   double leaf_band = 0.06;     ///< distance of a leaf's points from its middle
@@ -59,11 +59,10 @@ struct OpeningNumbers {
   double edge_bin = 0.01;      ///< of positions of an edge, metres
   double reveal_strip = 0.15;  ///< of a reveal behind the face, before frames, metres
   double min_reveal = 0.35;    ///< share of the length of an edge that shows its reveal
-  double edge_stretch = 0.05;  ///< of an edge that is looked at together, metres
+  double bay_share = 0.08;     ///< of what is seen of a bay, on the wall before it
   double beyond = -1e6;        ///< nats a square metre where no wall is
   double narrow_door = 0.8;    ///< narrowest usual door, metres
   double high_door = 2.25;     ///< highest usual door, metres
-  double usual_lintel = 0.3;   ///< of a usual door below the ceiling, metres
   double usual_wall = 0.1;     ///< thickness of a wall with a usual door, metres
   double min_confidence = 0.5; ///< of a kind that is told
   double leaf_cell = 0.1;      ///< of a leaf, metres
@@ -87,6 +86,8 @@ struct OpeningNumbers {
       0.25; ///< of the points of cells around it in one that was seen; glass has less
   double least_share = 0.15;  ///< likewise of the points in a middle cell of the wall
   double around = 0.5;        ///< reach of those cells, metres
+  double relief_reach = 0.06; ///< of cells whose offsets are averaged, metres
+  double min_relief = 0.01;   ///< of a leaf behind the face, metres
   double face_bin = 0.02;     ///< of distances of a face before its line, metres
   double face_stretch = 0.1;  ///< along a side, metres
   double below_ceiling = 0.5; ///< where walls are seen and no furniture is, metres

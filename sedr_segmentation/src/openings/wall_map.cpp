@@ -32,9 +32,14 @@ public:
                    sums_[i - n] - sums_[i - n - 1];
   }
 
-  double over(std::size_t c0, std::size_t c1, std::size_t r0, std::size_t r1) const
+  /** @brief Returns the sum of the cells at most `reach` columns and rows away. */
+  double around(std::size_t column, std::size_t row, std::size_t reach) const
   {
     const std::size_t n = rows_ + 1;
+    const std::size_t c0 = column - std::min(column, reach);
+    const std::size_t c1 = std::min(column + reach + 1, sums_.size() / n - 1);
+    const std::size_t r0 = row - std::min(row, reach);
+    const std::size_t r1 = std::min(row + reach + 1, rows_);
     return sums_[c1 * n + r1] - sums_[c0 * n + r1] - sums_[c1 * n + r0] +
            sums_[c0 * n + r0];
   }
@@ -106,6 +111,20 @@ WallMap::findExtent(const PlanRoom& room, const WallSide& side)
 }
 
 double
+WallMap::shareOf(WallCell state, double from, double to, double bottom, double top)
+    const
+{
+  std::size_t count = 0;
+  std::size_t all = 0;
+  for (double s = from + cell_ / 2; s < to; s += cell_)
+    for (double z = bottom + cell_ / 2; z < top; z += cell_) {
+      ++all;
+      count += at(s, z) == state ? 1 : 0;
+    }
+  return all > 0 ? static_cast<double>(count) / static_cast<double>(all) : 0;
+}
+
+double
 WallMap::seenHeight(double along) const
 {
   const auto c = static_cast<std::size_t>(std::max(0.0, along) / cell_);
@@ -173,6 +192,13 @@ WallMap::findDepth()
   for (const SidePoint& p : points_)
     if (const std::size_t i = indexOf(p); i != none && std::abs(p.offset) < tolerance_)
       is_seen[i] = 1;
+  // Cells at the rim of an opening show both the face and what is within the wall.
+  const std::vector<std::uint8_t> all = is_seen;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (const std::size_t step : {std::size_t{1}, rows_})
+      if (i < step || i + step >= all.size() || all[i - step] == 0 ||
+          all[i + step] == 0)
+        is_seen[i] = 0;
   const double n = std::accumulate(is_seen.begin(), is_seen.end(), 0.0);
   std::vector<std::vector<std::size_t>> behind(
       static_cast<std::size_t>(depth_ / opening_numbers.depth_bin) + 1);
@@ -192,6 +218,42 @@ WallMap::findDepth()
       return;
     }
   }
+}
+
+/** @brief Finds the cells around which the points of the face lie behind it on
+ * average, farther than is usual on this wall: a closed leaf shows by its relief. */
+std::vector<bool>
+WallMap::recessedCells() const
+{
+  std::vector<double> offsets(columns_ * rows_);
+  std::vector<double> counts(offsets.size());
+  for (const SidePoint& p : points_)
+    if (const std::size_t i = indexOf(p);
+        i != none && std::abs(p.offset) < tolerance_) {
+      offsets[i] += p.offset;
+      ++counts[i];
+    }
+  SumTable sums(columns_, rows_);
+  SumTable numbers(columns_, rows_);
+  sums.fill([&](std::size_t i) { return offsets[i]; });
+  numbers.fill([&](std::size_t i) { return counts[i]; });
+  const auto reach =
+      static_cast<std::size_t>(std::ceil(opening_numbers.relief_reach / cell_));
+  std::vector<double> means(offsets.size());
+  std::vector<double> usual;
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    const double n = numbers.around(i / rows_, i % rows_, reach);
+    means[i] = sums.around(i / rows_, i % rows_, reach) / std::max(1.0, n);
+    if (n > 0)
+      usual.push_back(std::abs(means[i]));
+  }
+  const double limit =
+      std::max(opening_numbers.min_relief,
+               usual.empty() ? 0 : 4 * 1.4826 * middleValue(std::move(usual)));
+  std::vector<bool> is_recessed(means.size());
+  for (std::size_t i = 0; i < means.size(); ++i)
+    is_recessed[i] = means[i] < -limit;
+  return is_recessed;
 }
 
 void
@@ -217,6 +279,7 @@ WallMap::count()
     else if (p.offset > -depth_ + tolerance_)
       ++within[i];
   }
+  const std::vector<bool> is_recessed = recessedCells();
   // A face that was seen has about as many points as others near it; glass has not.
   std::vector<double> filled;
   for (const std::uint32_t n : seen)
@@ -231,12 +294,8 @@ WallMap::count()
   cells_.assign(seen.size(), WallCell::Empty);
   for (std::size_t c = 0; c < columns_; ++c)
     for (std::size_t r = 0; r < rows_; ++r) {
-      const std::size_t c0 = c - std::min(c, reach);
-      const std::size_t c1 = std::min(c + reach + 1, columns_);
-      const std::size_t r0 = r - std::min(r, reach);
-      const std::size_t r1 = std::min(r + reach + 1, rows_);
       const double mean =
-          sums.over(c0, c1, r0, r1) / std::max(1.0, numbers.over(c0, c1, r0, r1));
+          sums.around(c, r, reach) / std::max(1.0, numbers.around(c, r, reach));
       const double expected = std::max(mean, opening_numbers.least_share * usual /
                                                  opening_numbers.seen_share);
       const std::size_t i = c * rows_ + r;
@@ -244,7 +303,7 @@ WallMap::count()
       if (heightOf(r) + cell_ < floors_[c] || heightOf(r + 1) > ceilings_[c])
         cells_[i] = WallCell::Beyond;
       else if (seen[i] >= needed)
-        cells_[i] = WallCell::Seen;
+        cells_[i] = is_recessed[i] ? WallCell::Within : WallCell::Seen;
       else if (within[i] >= std::max(1.0, 0.5 * needed))
         cells_[i] = WallCell::Within;
       else if (before[i] >= needed)

@@ -56,6 +56,10 @@ public:
   /** @brief Returns the state at a place; Beyond if it is not on the map. */
   WallCell at(double along, double height) const;
 
+  /** @brief Returns the share of the cells of a rectangle that are in a state. */
+  double
+  shareOf(WallCell state, double from, double to, double bottom, double top) const;
+
   /** @brief Returns the height of the cells of a column that were seen, metres. */
   double seenHeight(double along) const;
 
@@ -74,6 +78,7 @@ private:
   void findDepth();
   void findExtent(const PlanRoom& room, const WallSide& side);
   void count();
+  std::vector<bool> recessedCells() const;
   std::size_t indexOf(const SidePoint& p) const;
 
   double length_;

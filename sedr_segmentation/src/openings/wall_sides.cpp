@@ -124,6 +124,30 @@ addLoop(std::size_t room,
   }
 }
 
+/** @brief Leads straight sides on over the bays at their ends: where the boundary of
+ * their room lies behind their line, no deeper than a wall. */
+void
+extendOverBays(std::vector<WallSide>& sides, const OpeningSizes& sizes)
+{
+  const std::vector<WallSide> from = sides;
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    const PlanElement& line = from[k].line;
+    if (line.isArc())
+      continue;
+    const double length = line.length();
+    const auto reach = [&](double end, double step) {
+      double far = end;
+      while (std::abs(far - end) < sizes.max_gap &&
+             sideBehind(from, from[k], far + step, BehindKind::Own, sizes.max_depth) <
+                 from.size())
+        far += step;
+      return line.pointAt(far);
+    };
+    sides[k].line.start = reach(0, -opening_numbers.back_step);
+    sides[k].line.end = reach(length, opening_numbers.back_step);
+  }
+}
+
 } // namespace
 
 std::vector<WallSide>
@@ -140,6 +164,7 @@ wallSides(const Floorplan& plan, const OpeningSizes& sizes)
     for (std::size_t k = first; k < sides.size(); ++k)
       addHeights(room, sides[k]);
   }
+  extendOverBays(sides, sizes);
   return sides;
 }
 

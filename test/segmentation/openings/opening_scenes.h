@@ -78,6 +78,21 @@ public:
       reveals(cut, -0.2, 0);
   }
 
+  /** Draws the plan of the first room to a pane at y behind its outer wall, from its
+   * corner to x. */
+  void drawPlanToPane(double x, double y)
+  {
+    auto& elements = plan.rooms[0].boundary.elements;
+    PlanElement pane = elements[0];
+    pane.start.y() = pane.end.y() = y;
+    pane.end.x() = x;
+    PlanElement side = pane;
+    side.start = pane.end;
+    side.end = elements[0].start = Eigen::Vector2d(x, 0);
+    elements.back().end = pane.start;
+    elements.insert(elements.begin(), {pane, side});
+  }
+
   /** Scans a sheet parallel to the walls, one in `every` of its points. */
   void scanSheet(const Cut& at, double y, int every = 1)
   {

@@ -121,6 +121,45 @@ TEST(OpeningDetection, ClosedDoor)
   EXPECT_EQ(found[0].state, OpeningState::Closed);
 }
 
+TEST(OpeningDetection, ClosedDoorShowsByItsReliefBelowTheNoise)
+{
+  TwoRooms scene(0.01);
+  scene.scanMiddleWall({door});
+  scene.scanSheet(door, 4.02);
+  scene.scanSheet(door, 4.1);
+  const auto found = openingsOf(scene);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, OpeningKind::Door);
+  EXPECT_EQ(found[0].state, OpeningState::Closed);
+}
+
+TEST(OpeningDetection, LeafFlushWithOneFaceHasTheEdgesOfTheOther)
+{
+  TwoRooms scene(0.003);
+  scene.scanMiddleWall({door});
+  scene.scanSheet(door, 4);
+  scene.scanSheet(door, 4.05);
+  const auto found = openingsOf(scene);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, OpeningKind::Door);
+  expectEdges(found[0], door, 4.06, 0.02);
+}
+
+TEST(OpeningDetection, WindowInACornerOfAPlanDrawnToItsPane)
+{
+  TwoRooms scene(0.005);
+  const Cut cut{0, 1.2, 0.9, 2.1};
+  scene.drawPlanToPane(1.2, -0.15);
+  scene.scanOuterWall({cut});
+  scene.scanSheet(cut, -0.15, 2);
+  const auto found = openingsOf(scene);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, OpeningKind::Window);
+  EXPECT_NEAR(std::max(found[0].start.x(), found[0].end.x()), cut.to, 0.02);
+  EXPECT_NEAR(found[0].bottom, cut.bottom, 0.02);
+  EXPECT_NEAR(found[0].top, cut.top, 0.02);
+}
+
 TEST(OpeningDetection, WidePassage)
 {
   TwoRooms scene(0.005);
