@@ -2,7 +2,6 @@
 #include "plan_loops.h"
 
 #include <pcl/sedr_filters/impl/structure_fields.hpp>
-#include <pcl/sedr_filters/stage_filter.h>
 
 #include <gtest/gtest.h>
 
@@ -74,23 +73,5 @@ TEST(StructureFields, WhatIsMissingIsToldWithItsNumbers)
   EXPECT_EQ(structureProblem(&plan, cloud, {0}, labels, rooms),
             "the cloud has 3 points, but 1 labels and 3 rooms are known");
 }
-
-/** Fails on every cloud. */
-class Failing : public StageFilter<pcl::PointXYZ> {
-public:
-  Failing()
-      : StageFilter(true)
-  {
-    filter_name_ = "Failing";
-  }
-
-private:
-  void applyFilter(PointCloud& output) override
-  {
-    startRun(output);
-    fail("Failing", "it always does");
-    removeAll();
-  }
-};
 
 } // namespace

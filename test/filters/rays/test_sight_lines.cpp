@@ -81,22 +81,6 @@ TEST(SightLines, AreCountedAsRayByRayInEveryDirection)
   EXPECT_GT(before, 300u);
 }
 
-TEST(SightLines, TellWhatIsOpenWhatIsHiddenAndWhatIsNotKnown)
-{
-  // Through a door at x = 2 to a wall at x = 5; onto a cupboard at x = 1.5.
-  const SightLines sight({{{0, 0, 1}, {5, 0, 1}}, {{0, 0, 1}, {1.5F, 1.5F, 1}}});
-  const Vector3d normal = -Vector3d::UnitX();
-  EXPECT_EQ(sight.across({2, 0, 1}, normal, 0.05).through, 1u);
-  EXPECT_EQ(sight.across({2, 0, 1}, -normal, 0.05).through, 1u);
-  EXPECT_EQ(sight.across({2, 2, 1}, normal, 0.05).before, 1u);
-  EXPECT_EQ(sight.across({2, 2, 1}, normal, 0.05).through, 0u);
-  const auto unknown = sight.across({2, 1, 1}, normal, 0.05);
-  EXPECT_EQ(unknown.through + unknown.before, 0u);
-  // A wall on which a ray ended, within noise, counts for neither.
-  EXPECT_EQ(sight.across({5, 0, 1}, normal, 0.05).before, 0u);
-  EXPECT_EQ(sight.across({5.1, 0, 1}, normal, 0.05).before, 0u);
-}
-
 TEST(SightLines, MoveWithTheLevelFrame)
 {
   const std::vector<SightLine> lines = randomLines(5000);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Positions of a scanner that the scan contradicts.
 #include "sedr_filters/src/rays/mirrored_points.h"
-#include "sedr_filters/src/rays/pierced_surfaces.h"
+#include "sedr_filters/src/rays/panes.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

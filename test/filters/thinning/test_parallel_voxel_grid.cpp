@@ -8,8 +8,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <random>
+#include <vector>
 
 namespace {
 
@@ -274,6 +276,29 @@ TEST(ParallelVoxelGrid, StrayPointsFarAwayLeaveTheOtherVoxelsAsTheyAre)
             static_cast<int>(thinned.size()) - 1);
   EXPECT_EQ(grid.getGridCoordinates(1e20f, -0.01f, 0), Eigen::Vector3i(1 << 30, -1, 0));
   EXPECT_EQ(grid.getCentroidIndex({-1e30f, -1e30f, -1e30f}), -1);
+}
+
+TEST(ParallelVoxelGrid, OrderOfThePointsAndThreadsLeaveTheSameBytes)
+{
+  const auto cloud = randomCloud<pcl::PointXYZ>(300000, -3, 3, 3);
+  cloud->emplace_back(5e5f, 5.5e6f, 90.f);
+  const auto filtered = [&](unsigned threads) {
+    pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
+    grid.setInputCloud(cloud);
+    grid.setNumberOfThreads(threads);
+    pcl::PointCloud<pcl::PointXYZ> output;
+    grid.filter(output);
+    std::vector<float> values;
+    for (const auto& p : output)
+      values.insert(values.end(), {p.x, p.y, p.z});
+    return values;
+  };
+  const std::vector<float> expected = filtered(1);
+  ASSERT_GT(expected.size(), 100000u);
+  for (const unsigned threads : {2u, 3u, 8u})
+    EXPECT_EQ(filtered(threads), expected) << threads;
+  std::shuffle(cloud->begin(), cloud->end(), std::mt19937(1));
+  EXPECT_EQ(filtered(1), expected);
 }
 
 TEST(ParallelVoxelGrid, MeanIsExactWhereAFloatSumWouldDrift)
