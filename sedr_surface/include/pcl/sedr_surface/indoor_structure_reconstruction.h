@@ -3,10 +3,8 @@
 
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
 #include <pcl/sedr_filters/priors.h>
-#include <pcl/sedr_filters/stage_error.h>
+#include <pcl/sedr_surface/mesh_reconstruction.h>
 #include <pcl/sedr_surface/structure_chain.h>
-
-#include <pcl/surface/reconstruction.h>
 
 #include <functional>
 #include <memory>
@@ -45,8 +43,7 @@ struct ThinnedScan {
  * floor plan and the reports of the stages have getters. If a stage finds nothing, the
  * mesh is empty and getErrorMessage() names the stage and what it looked for. */
 template <typename PointT>
-class IndoorStructureReconstruction : public SurfaceReconstruction<PointT>,
-                                      public sedr::StageError {
+class IndoorStructureReconstruction : public sedr::MeshReconstruction<PointT> {
 public:
   using Ptr = shared_ptr<IndoorStructureReconstruction<PointT>>;
   using ConstPtr = shared_ptr<const IndoorStructureReconstruction<PointT>>;
@@ -152,18 +149,12 @@ public:
   sedr::StructureChain& getChain() { return chain_; }
   const sedr::StructureChain& getChain() const { return chain_; }
 
-  /** @brief Reconstructs the mesh, with the room of every triangle. */
-  void reconstruct(pcl::PolygonMesh& output) override;
-
-  /** @brief As above; the points are the vertices of the mesh. */
-  void reconstruct(PointCloud& points, std::vector<pcl::Vertices>& polygons) override;
-
   /** @brief Finds the structure without making the mesh.
    * @return false if a stage found nothing, with the reason in getErrorMessage() */
   bool findStructure();
 
-  /** @brief Makes only getChain().poisson.getMesh() from the structure, without PCL's
-   * form of the mesh, which is several times as large.
+  /** @brief Makes only getChain().poisson.getMesh() from the structure, without the
+   * copy of getMesh() and PCL's form, which is several times as large.
    * @return false if there is none, with the reason in getErrorMessage() */
   bool makeMesh();
 
@@ -182,14 +173,13 @@ public:
   const std::string& getFailedStage() const { return chain_.failed_stage; }
 
 protected:
-  void performReconstruction(pcl::PolygonMesh& output) override;
-
-  void performReconstruction(PointCloud& points,
-                             std::vector<pcl::Vertices>& polygons) override;
+  bool run() override;
 
 private:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;
+  using sedr::MeshReconstruction<PointT>::mesh_;
+  using sedr::MeshReconstruction<PointT>::fail;
 
   bool refuseInput(const std::string& problem);
 

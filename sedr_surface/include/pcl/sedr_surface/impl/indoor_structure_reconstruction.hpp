@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_surface/impl/mesh_reconstruction.hpp>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 
 #include <pcl/common/io.h>
-#include <pcl/conversions.h>
 
 #include <chrono>
 
@@ -45,7 +45,6 @@ IndoorStructureReconstruction<PointT>::IndoorStructureReconstruction()
   voxel_grid_.setDownsampleAllData(false);
   voxel_grid_.setRemoveStrays(true);
   setNumberOfThreads(threads_);
-  this->check_tree_ = false;
 }
 
 template <typename PointT>
@@ -234,6 +233,7 @@ IndoorStructureReconstruction<PointT>::findStructure()
 {
   constexpr const char* name = "IndoorStructureReconstruction";
   this->clearError();
+  mesh_ = sedr::TriangleMesh();
   reports_.clear();
   const sedr::StructureChain::Cloud::Ptr thinned(new sedr::StructureChain::Cloud);
   chain_.reset(thinned);
@@ -259,32 +259,6 @@ IndoorStructureReconstruction<PointT>::findStructure()
 }
 
 template <typename PointT>
-void
-IndoorStructureReconstruction<PointT>::reconstruct(pcl::PolygonMesh& output)
-{
-  output = pcl::PolygonMesh();
-  if (findStructure())
-    performReconstruction(output);
-  if (input_)
-    output.header = input_->header;
-}
-
-template <typename PointT>
-void
-IndoorStructureReconstruction<PointT>::reconstruct(PointCloud& points,
-                                                   std::vector<pcl::Vertices>& polygons)
-{
-  // The points may be the input cloud.
-  PointCloud vertices;
-  polygons.clear();
-  if (findStructure())
-    performReconstruction(vertices, polygons);
-  if (input_)
-    vertices.header = input_->header;
-  points = vertices;
-}
-
-template <typename PointT>
 bool
 IndoorStructureReconstruction<PointT>::makeMesh()
 {
@@ -295,27 +269,13 @@ IndoorStructureReconstruction<PointT>::makeMesh()
 }
 
 template <typename PointT>
-void
-IndoorStructureReconstruction<PointT>::performReconstruction(pcl::PolygonMesh& output)
+bool
+IndoorStructureReconstruction<PointT>::run()
 {
-  if (makeMesh())
-    sedr::toPolygonMesh(chain_.isMeshMoved() ? chain_.meshInScanFrame()
-                                             : chain_.poisson.getMesh(),
-                        output);
-}
-
-template <typename PointT>
-void
-IndoorStructureReconstruction<PointT>::performReconstruction(
-    PointCloud& points,
-    std::vector<pcl::Vertices>& polygons)
-{
-  pcl::PolygonMesh mesh;
-  performReconstruction(mesh);
-  pcl::PointCloud<pcl::PointXYZ> vertices;
-  pcl::fromPCLPointCloud2(mesh.cloud, vertices);
-  pcl::copyPointCloud(vertices, points);
-  polygons = mesh.polygons;
+  if (!findStructure() || !makeMesh())
+    return false;
+  mesh_ = chain_.meshInScanFrame();
+  return true;
 }
 
 } // namespace pcl
