@@ -2,8 +2,72 @@
 #include "cell_mask.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace pcl::sedr {
+namespace {
+
+constexpr float infinite = std::numeric_limits<float>::infinity();
+
+/** @brief Lower envelope of the parabolas (x - i)^2 + f[i], sampled at the integers.
+ * This is one pass of the distance transform along a row or column of n values,
+ * `stride` apart. */
+class ParabolaPass {
+public:
+  explicit ParabolaPass(std::size_t n)
+      : values_(n)
+      , apex_(n)
+      , from_(n + 1)
+  {}
+
+  void run(float* f, std::size_t n, std::size_t stride)
+  {
+    std::size_t k = 0;
+    bool has_any = false;
+    for (std::size_t q = 0; q < n; ++q) {
+      values_[q] = f[q * stride];
+      if (values_[q] == infinite)
+        continue;
+      if (!has_any) {
+        has_any = true;
+        apex_[0] = q;
+        from_[0] = -infinite;
+        from_[1] = infinite;
+        continue;
+      }
+      float crossing = crossingOf(q, apex_[k]);
+      while (crossing <= from_[k])
+        crossing = crossingOf(q, apex_[--k]);
+      apex_[++k] = q;
+      from_[k] = crossing;
+      from_[k + 1] = infinite;
+    }
+    if (!has_any)
+      return;
+    k = 0;
+    for (std::size_t q = 0; q < n; ++q) {
+      while (from_[k + 1] < static_cast<float>(q))
+        ++k;
+      const float d = static_cast<float>(q) - static_cast<float>(apex_[k]);
+      f[q * stride] = d * d + values_[apex_[k]];
+    }
+  }
+
+private:
+  float crossingOf(std::size_t q, std::size_t p) const
+  {
+    const double fq = values_[q] + static_cast<double>(q) * static_cast<double>(q);
+    const double fp = values_[p] + static_cast<double>(p) * static_cast<double>(p);
+    return static_cast<float>(
+        (fq - fp) / (2.0 * (static_cast<double>(q) - static_cast<double>(p))));
+  }
+
+  std::vector<float> values_;
+  std::vector<std::size_t> apex_;
+  std::vector<float> from_;
+};
+
+} // namespace
 
 std::uint64_t
 CellBox::count() const
@@ -165,6 +229,156 @@ CellMask
 cropped(const CellMask& mask, const CellBox& box)
 {
   return combined(CellMask(box), mask, [](bool, bool in_mask) { return in_mask; });
+}
+
+MaskRegions
+labelRegions(const CellMask& mask, bool eight_connected)
+{
+  MaskRegions regions;
+  regions.label.assign(mask.values().size(), -1);
+  std::vector<std::size_t> stack;
+  for (std::size_t start = 0; start < mask.values().size(); ++start) {
+    if (!mask.values()[start] || regions.label[start] >= 0)
+      continue;
+    const auto region = static_cast<std::int32_t>(regions.sizes.size());
+    regions.sizes.push_back(0);
+    regions.touches_border.push_back(0);
+    regions.label[start] = region;
+    stack.push_back(start);
+    while (!stack.empty()) {
+      const Cell cell = mask.cellAt(stack.back());
+      stack.pop_back();
+      ++regions.sizes.back();
+      if (cell.x == mask.box().low.x || cell.x == mask.box().high.x ||
+          cell.y == mask.box().low.y || cell.y == mask.box().high.y)
+        regions.touches_border.back() = 1;
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx) {
+          const Cell next{cell.x + dx, cell.y + dy};
+          if ((!eight_connected && dx != 0 && dy != 0) || !mask.at(next))
+            continue;
+          const std::size_t i = mask.indexOf(next);
+          if (regions.label[i] >= 0)
+            continue;
+          regions.label[i] = region;
+          stack.push_back(i);
+        }
+    }
+  }
+  return regions;
+}
+
+CellMask
+regionMask(const CellMask& mask, const MaskRegions& regions, std::int32_t region)
+{
+  CellMask result(mask.box());
+  for (std::size_t i = 0; i < result.values().size(); ++i)
+    result.values()[i] = regions.label[i] == region ? 1 : 0;
+  return result;
+}
+
+CellMask
+markedRegions(const CellMask& mask, const CellMask& marks, bool eight_connected)
+{
+  const MaskRegions regions = labelRegions(mask, eight_connected);
+  std::vector<std::uint8_t> is_marked(regions.sizes.size(), 0);
+  for (std::size_t i = 0; i < regions.label.size(); ++i)
+    if (marks.values()[i] && regions.label[i] >= 0)
+      is_marked[static_cast<std::size_t>(regions.label[i])] = 1;
+  CellMask result(mask.box());
+  for (std::size_t i = 0; i < regions.label.size(); ++i)
+    if (regions.label[i] >= 0)
+      result.values()[i] = is_marked[static_cast<std::size_t>(regions.label[i])];
+  return result;
+}
+
+CellMask
+largestRegion(const CellMask& mask)
+{
+  const MaskRegions regions = labelRegions(mask, false);
+  if (regions.sizes.empty())
+    return mask;
+  const auto largest = std::max_element(regions.sizes.begin(), regions.sizes.end());
+  return regionMask(mask, regions,
+                    static_cast<std::int32_t>(largest - regions.sizes.begin()));
+}
+
+void
+growLabels(const CellMask& domain, int steps, std::vector<std::int32_t>& label)
+{
+  std::vector<std::size_t> front;
+  for (std::size_t i = 0; i < label.size(); ++i)
+    if (label[i] >= 0)
+      front.push_back(i);
+  for (int step = 0; step < steps && !front.empty(); ++step) {
+    std::vector<std::size_t> next;
+    for (const std::size_t i : front) {
+      const Cell cell = domain.cellAt(i);
+      for (const Cell d : {Cell{1, 0}, Cell{-1, 0}, Cell{0, 1}, Cell{0, -1}}) {
+        const Cell to{cell.x + d.x, cell.y + d.y};
+        if (!domain.at(to))
+          continue;
+        const std::size_t j = domain.indexOf(to);
+        if (label[j] >= 0)
+          continue;
+        label[j] = label[i];
+        next.push_back(j);
+      }
+    }
+    front.swap(next);
+  }
+}
+
+CellMask
+enclosedCells(const CellMask& mask)
+{
+  const CellMask empty = inverted(mask);
+  const MaskRegions regions = labelRegions(empty, false);
+  CellMask enclosed(mask.box());
+  for (std::size_t i = 0; i < enclosed.values().size(); ++i)
+    enclosed.values()[i] =
+        regions.label[i] >= 0 &&
+                !regions.touches_border[static_cast<std::size_t>(regions.label[i])]
+            ? 1
+            : 0;
+  return enclosed;
+}
+
+std::vector<float>
+squaredDistances(const CellMask& mask)
+{
+  const auto width = static_cast<std::size_t>(mask.width());
+  const auto height = static_cast<std::size_t>(mask.height());
+  std::vector<float> distances(mask.values().size());
+  for (std::size_t i = 0; i < distances.size(); ++i)
+    distances[i] = mask.values()[i] ? 0.f : infinite;
+  ParabolaPass pass(std::max(width, height));
+  for (std::size_t x = 0; x < width; ++x)
+    pass.run(distances.data() + x, height, width);
+  for (std::size_t y = 0; y < height; ++y)
+    pass.run(distances.data() + y * width, width, 1);
+  return distances;
+}
+
+CellMask
+dilated(const CellMask& mask, double radius)
+{
+  const std::vector<float> distances = squaredDistances(mask);
+  CellMask result(mask.box());
+  for (std::size_t i = 0; i < distances.size(); ++i)
+    result.values()[i] = distances[i] <= radius * radius ? 1 : 0;
+  return result;
+}
+
+CellMask
+eroded(const CellMask& mask, double radius)
+{
+  if (mask.values().empty())
+    return mask;
+  // The cells around the box count as not set.
+  const CellMask outside =
+      dilated(inverted(cropped(mask, grown(mask.box(), 1))), radius);
+  return inverted(cropped(outside, mask.box()));
 }
 
 } // namespace pcl::sedr

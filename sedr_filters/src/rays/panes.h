@@ -1,13 +1,60 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "pierced_surfaces.h"
+#include "cube_points.h"
+
+#include <pcl/sedr_filters/point_view.h>
+
+#include <Eigen/Geometry>
 
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
 namespace pcl::sedr {
+
+/** @brief A ray of a scanner and what it ended on. */
+struct ScanRay {
+  Eigen::Vector3f from;   ///< the position
+  Eigen::Vector3f to;     ///< the point
+  std::uint32_t cube = 0; ///< that the point is in
+};
+
+/** @brief What rays of a scan go through: panes of glass, which return few points, and
+ * whatever else has gaps. Points are kept by cubes of a quarter of a metre. */
+class PiercedSurfaces {
+public:
+  /** @param points of the scan, thinned */
+  explicit PiercedSurfaces(const PointView& points);
+
+  const CubeTable& cubes() const { return points_.cubes(); }
+
+  /** @brief Returns the points of a cube. */
+  const std::vector<Eigen::Vector3f>& pointsOf(std::uint32_t cube) const
+  {
+    return points_[cube];
+  }
+
+  /** @brief Returns how far from its start a ray enters the box of the points, metres;
+   * 0 if it starts inside. Rays end inside. */
+  float entryOf(const ScanRay& ray) const;
+
+  /** @brief Returns the first cube in which a ray has points on all sides around it, at
+   * least 0.4 m before its end; CubeTable::none where it has none. O(length of the ray
+   * within the box of the points). */
+  std::uint32_t firstPierced(const ScanRay& ray) const;
+
+private:
+  /** @brief Whether points stand on all sides around a ray near `along` metres from its
+   * start. */
+  bool isSurrounded(const Eigen::Vector3f& from,
+                    const Eigen::Vector3f& direction,
+                    float along,
+                    const Cube& cube) const;
+
+  CubePoints points_;
+  Eigen::AlignedBox3f box_; ///< of the points, and a cube around it
+};
 
 /** @brief A flat surface that rays go through. */
 struct Pane {

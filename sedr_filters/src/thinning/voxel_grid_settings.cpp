@@ -1,19 +1,139 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../base/field_access.h"
 #include "../voxels/voxel_sums.h"
-#include "field_means.h"
 
+#include <pcl/PCLPointField.h>
+#include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_filters/stage_error.h>
 #include <pcl/sedr_filters/voxel_grid_settings.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
 #include <sstream>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace pcl::sedr {
-
 namespace {
+
+constexpr std::size_t channels = 4;
+
+bool
+isColour(const pcl::PCLPointField& field)
+{
+  return (field.name == "rgb" || field.name == "rgba") &&
+         fieldSize(field.datatype) == channels;
+}
+
+bool
+isLabel(const pcl::PCLPointField& field)
+{
+  return field.name == "label" || field.name == "room";
+}
+
+/** @brief Averages fields of any type over the rows of each voxel: numbers in double,
+ * `rgb` and `rgba` by channel, `label` and `room` by majority; normals have unit
+ * length.
+ */
+class FieldMeans {
+public:
+  /** @param fields the fields to average; the others of a row are not changed */
+  FieldMeans(const std::vector<pcl::PCLPointField>& fields, std::size_t voxels)
+  {
+    for (const char* name : {"normal_x", "normal_y", "normal_z"})
+      if (const auto* field = findField(fields, name))
+        normal_.push_back(*field);
+    for (const auto& field : fields)
+      for (std::size_t k = 0; k < std::max<std::size_t>(field.count, 1); ++k) {
+        const Kind kind = isColour(field)  ? Kind::Colour
+                          : isLabel(field) ? Kind::Label
+                                           : Kind::Number;
+        std::size_t& used = kind == Kind::Label ? votes_a_voxel_ : sums_a_voxel_;
+        values_.push_back(
+            {kind, field.offset + k * fieldSize(field.datatype), field.datatype, used});
+        used += kind == Kind::Colour ? channels : 1;
+      }
+    sums_.resize(voxels * sums_a_voxel_, 0);
+    votes_.resize(voxels * votes_a_voxel_);
+  }
+
+  void add(std::size_t voxel, const std::uint8_t* row)
+  {
+    double* sums = sums_.data() + voxel * sums_a_voxel_;
+    for (const Value& value : values_) {
+      const std::uint8_t* where = row + value.offset;
+      if (value.kind == Kind::Colour)
+        for (std::size_t c = 0; c < channels; ++c)
+          sums[value.place + c] += where[c];
+      else {
+        const double number = readField(where, value.datatype);
+        if (value.kind == Kind::Number)
+          sums[value.place] += number;
+        else
+          ++votes_[voxel * votes_a_voxel_ + value.place]
+                  [std::isnan(number) ? 0 : number];
+      }
+    }
+  }
+
+  /** @brief Writes the means of the `count` rows added to a voxel. */
+  void write(std::size_t voxel, std::size_t count, std::uint8_t* row) const
+  {
+    const double* sums = sums_.data() + voxel * sums_a_voxel_;
+    const auto size = static_cast<double>(count);
+    for (const Value& value : values_) {
+      std::uint8_t* where = row + value.offset;
+      if (value.kind == Kind::Number)
+        writeField(where, value.datatype, sums[value.place] / size);
+      else if (value.kind == Kind::Colour) // truncated, as pcl::CentroidPoint does
+        for (std::size_t c = 0; c < channels; ++c)
+          where[c] = static_cast<std::uint8_t>(sums[value.place + c] / size);
+      else { // the most frequent, the smallest of equally frequent ones
+        const auto& votes = votes_[voxel * votes_a_voxel_ + value.place];
+        const auto most = std::max_element(
+            votes.begin(), votes.end(),
+            [](const auto& a, const auto& b) { return a.second < b.second; });
+        writeField(where, value.datatype, most->first);
+      }
+    }
+    normalise(row);
+  }
+
+private:
+  /** @brief Normalises the normal, if there is one and it is not zero. */
+  void normalise(std::uint8_t* row) const
+  {
+    double square = 0;
+    for (const auto& field : normal_)
+      square += std::pow(readField(row + field.offset, field.datatype), 2);
+    if (normal_.size() != 3 || !(square > 0))
+      return;
+    for (const auto& field : normal_)
+      writeField(row + field.offset, field.datatype,
+                 readField(row + field.offset, field.datatype) / std::sqrt(square));
+  }
+
+  enum class Kind { Number, Colour, Label };
+
+  /** @brief One value of a row. */
+  struct Value {
+    Kind kind;
+    std::size_t offset; ///< offset in the row, bytes
+    std::uint8_t datatype;
+    std::size_t place; ///< position among the sums or votes of a voxel
+  };
+
+  std::vector<Value> values_;
+  std::vector<pcl::PCLPointField> normal_;
+  std::size_t sums_a_voxel_ = 0;
+  std::size_t votes_a_voxel_ = 0;
+  std::vector<double> sums_;
+  std::vector<std::map<double, std::size_t>> votes_;
+};
 
 constexpr std::array<const char*, 3> axes{"x", "y", "z"};
 
@@ -131,8 +251,7 @@ VoxelGridSettings::finish(VoxelSums& sums)
 {
   if (removes_strays_)
     stray_limit_ = sums.strayLimit();
-  const std::size_t size =
-      sums.arrange(std::max(min_points_per_voxel_, stray_limit_), threads_);
+  const std::size_t size = sums.arrange(std::max(min_points_per_voxel_, stray_limit_));
   if (save_leaf_layout_) {
     layout_.resize(size);
     sums.forEach(

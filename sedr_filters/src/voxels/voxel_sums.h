@@ -61,7 +61,7 @@ public:
   /** @brief Sorts the voxels by z, then y, then x, without a copy of them.
    * @param min_points minimum number of points of a voxel that is kept
    * @return number of voxels kept */
-  std::size_t arrange(std::uint32_t min_points = 0, unsigned threads = 0);
+  std::size_t arrange(std::uint32_t min_points = 0);
 
   /** @brief Calls `see(voxel, place)` for all kept voxels and their places in the
    * order, from several threads at once. Requires arrange() after the last point. */
@@ -69,7 +69,7 @@ public:
                unsigned threads = 0) const;
 
   /** @brief Returns all voxels, sorted by z, then y, then x, and clears the object. */
-  std::vector<VoxelSum> take(unsigned threads = 0);
+  std::vector<VoxelSum> take();
 
   /** @brief Prepares find() and visit(), after arrange(). */
   void index();

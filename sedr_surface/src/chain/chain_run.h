@@ -7,6 +7,8 @@
 
 #include <limits>
 #include <numeric>
+#include <optional>
+#include <vector>
 
 namespace pcl::sedr {
 
@@ -18,6 +20,26 @@ allIndices(std::size_t n)
   std::iota(indices->begin(), indices->end(), 0);
   return indices;
 }
+
+/** @brief Returns what of the floors and ceilings that were seen the plan does not
+ * explain: connected places of 0.25 m2 and more that lie more than 10 cm off the model,
+ * if they make up 2 % of a room; one warning a room for its floor and one for its
+ * ceiling. What is above a floor may be furniture and is not told. Places within two
+ * cells of a wall or column do not count, nor do those outside of the plan, which
+ * coverageOf() tells of. Rooms of both have the same ids. O(columns of the building).
+ */
+std::vector<PlanWarning> unexplainedSurfaces(const Building& building,
+                                             const Floorplan& plan);
+
+/** @brief Returns a doubt whether the scan is upside down: things stand on floors, so
+ * most of what is in rooms, off their walls, lies in their lower half. A doubt needs at
+ * least 2 m2 of surfaces, three quarters of them in the upper half.
+ * @param points thinned
+ * @param voxel distance of neighbouring points, at most; metres
+ *
+ * O(points times rooms whose boxes contain them). */
+std::optional<PlanWarning>
+upsideDownDoubt(const PointView& points, double voxel, const Floorplan& plan);
 
 /** @brief A run of a StructureChain: what the stages leave each other beside the
  * results that the chain keeps. */

@@ -3,14 +3,24 @@
 
 #include "../formats/decimal_text.h"
 #include "../walls/plan_walls.h"
-#include "title_block.h"
+#include "plan_layers.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace pcl::sedr {
 namespace {
+
+using namespace sheet_measures;
+
+constexpr double row_height = title_height / 3;
+constexpr double caption_font = 1.8;
+constexpr double indent = 1.5;     ///< of texts within their cell
+constexpr double north_width = 20; ///< of the cell with the arrow
+constexpr SheetColour grey = 0x777777;
 
 /** @brief Draws a plan on a sheet, from the ground up. */
 class PlanPainter {
@@ -105,25 +115,145 @@ private:
   const PlanFrame& frame_;
 };
 
-TitleBlock
+/** @brief Draws the strip, row by row from the top. */
+class TitleStrip {
+public:
+  TitleStrip(Sheet& sheet, const SheetLayout& layout)
+      : sheet_(sheet)
+      , layout_(layout)
+      , low_(margin_left, margin)
+      , width_(layout.size.x() - margin_left - margin - north_width)
+  {
+    const Eigen::Vector2d high = layout.size - Eigen::Vector2d::Constant(margin);
+    sheet.addBox(looks::frame, {low_, high});
+    sheet.addBox(looks::cell, {low_, Eigen::Vector2d(high.x(), margin + title_height)});
+  }
+
+  /** @brief Adds a cell between two shares of the width; its text is made to fit. */
+  void addCell(int row,
+               double from,
+               double to,
+               const std::string& caption,
+               const std::string& text,
+               double font = small_font)
+  {
+    const Eigen::Vector2d corner = cornerOf(row, from);
+    const double width = (to - from) * width_;
+    sheet_.addBox(looks::cell, {corner, corner + Eigen::Vector2d(width, row_height)});
+    addText(grey, corner + Eigen::Vector2d(indent, row_height - 1.9), caption_font,
+            caption, width);
+    addText(ink, corner + Eigen::Vector2d(indent, 3), font, text, width);
+  }
+
+  /** @brief Adds a scale bar of 25 to 62.5 mm in four parts. */
+  void addScaleBar(int row, double from)
+  {
+    const double per_metre = 1000 / layout_.scale;
+    double length = 0.01;
+    for (int k = 0; length * per_metre < 25; ++k)
+      length *= k % 3 == 1 ? 2.5 : 2; // 1, 2, 5, 10
+    const double part = length * per_metre / 4;
+    const Eigen::Vector2d start = cornerOf(row, from) + Eigen::Vector2d(4, 2.2);
+    for (int k = 0; k < 4; ++k)
+      sheet_.addBox({k % 2 == 0 ? ink : paper_colour, ink, 0.15},
+                    {start + Eigen::Vector2d(k * part, 0),
+                     start + Eigen::Vector2d((k + 1) * part, 1.3)});
+    for (int k = 0; k <= 4; k += 2)
+      sheet_.add(SheetText{0x444444, start + Eigen::Vector2d(k * part, 3.6),
+                           caption_font,
+                           shortDecimalText(length * k / 4, 3) + (k == 4 ? " m" : "")});
+  }
+
+  /** @brief Adds an arrow along y of the plan, which is north if the origin belongs to
+   * a map grid. */
+  void addNorth(const Origin& origin)
+  {
+    const Eigen::Vector2d middle(layout_.size.x() - margin - north_width / 2,
+                                 margin + title_height / 2);
+    const Eigen::Rotation2Dd turn(layout_.frame.turn);
+    const auto at = [&](double x, double y) -> Eigen::Vector2d {
+      return middle + turn * Eigen::Vector2d(x, y);
+    };
+    sheet_.addLine({ink}, {at(0, 6), at(2.6, -6), at(0, -3.6), at(-2.6, -6)}, true);
+    sheet_.add(SheetText{ink, at(0, 9), small_font, origin.isZero() ? "y" : "N"});
+  }
+
+private:
+  Eigen::Vector2d cornerOf(int row, double share) const
+  {
+    return low_ + Eigen::Vector2d(share * width_, (2 - row) * row_height);
+  }
+
+  void addText(SheetColour colour,
+               const Eigen::Vector2d& place,
+               double font,
+               const std::string& text,
+               double width)
+  {
+    if (text.empty())
+      return;
+    const double fitting = (width - 2 * indent) / textWidth(text);
+    sheet_.add(
+        SheetText{colour, place, std::min(font, fitting), text, 0, TextAnchor::Start});
+  }
+
+  Sheet& sheet_;
+  const SheetLayout& layout_;
+  Eigen::Vector2d low_;
+  double width_;
+};
+
+/** @brief Returns what is drawn: a title, and the storey if it is one. */
+std::pair<std::string, std::string>
 titleOf(const PlanDrawing& drawing, const DrawingSettings& settings)
 {
-  TitleBlock block;
-  block.title = settings.title.empty() ? "Floor plan" : settings.title;
   const std::vector<PlanStorey> storeys = storeysOf(drawing.plan);
-  block.storey = storeys.size() == 1 ? storeys[0].name : "";
-  block.rooms = drawing.plan.rooms.size();
+  return {settings.title.empty() ? "Floor plan" : settings.title,
+          storeys.size() == 1 ? storeys[0].name : ""};
+}
+
+/** @brief Adds the frame of the sheet and the strip at its foot: title, storey, rooms
+ * and area, scale and bar, north arrow, and fields to be filled in by hand. */
+void
+addTitleBlock(Sheet& sheet, const PlanDrawing& drawing, const DrawingSettings& settings)
+{
+  const auto [title, storey] = titleOf(drawing, settings);
+  const std::size_t rooms = drawing.plan.rooms.size();
+  double area = 0;
   for (const PlanRoom& room : drawing.plan.rooms)
-    block.area += room.area();
-  block.origin = settings.origin;
-  block.has_guesses =
-      std::any_of(drawing.lines.begin(), drawing.lines.end(),
-                  [](const PlanLine& line) { return line.layer == PlanLayer::Guess; });
-  block.has_slopes =
-      std::any_of(drawing.lines.begin(), drawing.lines.end(), [](const PlanLine& line) {
-        return line.layer == PlanLayer::Headroom;
-      });
-  return block;
+    area += room.area();
+  const auto explains = [&drawing](PlanLayer layer, const char* words) {
+    return std::any_of(drawing.lines.begin(), drawing.lines.end(),
+                       [layer](const PlanLine& line) { return line.layer == layer; })
+               ? words
+               : "";
+  };
+  const SheetLayout& layout = drawing.layout;
+  TitleStrip strip(sheet, layout);
+  strip.addCell(0, 0, 0.45, "Title", title, large_font);
+  strip.addCell(0, 0.45, 0.75, "Storey", storey.empty() ? "all" : storey, large_font);
+  strip.addCell(0, 0.75, 1, "Scale",
+                "1:" + shortDecimalText(layout.scale, 2) + " " + layout.paper,
+                large_font);
+  strip.addCell(1, 0, 0.3, "Rooms, floor area",
+                std::to_string(rooms) + (rooms == 1 ? " room, " : " rooms, ") +
+                    decimalText(area, 2) + " m²");
+  for (const auto& [from, caption] :
+       {std::make_pair(0.3, "Date"), {0.4, "Drawn"}, {0.5, "Checked"}})
+    strip.addCell(1, from, from + 0.1, caption, "");
+  strip.addCell(1, 0.6, 1, "", "");
+  strip.addScaleBar(1, 0.6);
+  const bool has_origin = !settings.origin.isZero();
+  strip.addCell(
+      2, 0, has_origin ? 0.65 : 1, "Notes",
+      std::string("Dimensions in metres, from face to face. Dashed: "
+                  "overhead. h: height of the ceiling above the floor.") +
+          explains(PlanLayer::Headroom, " Dotted: headroom.") +
+          explains(PlanLayer::Guess, " Grey, dashed: walls inferred, not measured.") +
+          " Walls filled where both faces were scanned.");
+  if (has_origin)
+    strip.addCell(2, 0.65, 1, "Origin of coordinates, m", settings.origin.text(", "));
+  strip.addNorth(settings.origin);
 }
 
 } // namespace
@@ -155,11 +285,11 @@ PlanDrawing::PlanDrawing(const Floorplan& whole,
 Sheet
 planSheet(const PlanDrawing& drawing, const DrawingSettings& settings)
 {
-  const TitleBlock block = titleOf(drawing, settings);
+  const auto [title, storey] = titleOf(drawing, settings);
   Sheet sheet;
   sheet.size = drawing.layout.size;
-  sheet.title = block.title + " 1:" + shortDecimalText(drawing.layout.scale, 2) +
-                (block.storey.empty() ? "" : ", " + block.storey);
+  sheet.title = title + " 1:" + shortDecimalText(drawing.layout.scale, 2) +
+                (storey.empty() ? "" : ", " + storey);
   if (!settings.origin.isZero())
     sheet.description = settings.origin.comment();
   if (drawing.plan.rooms.empty())
@@ -183,7 +313,7 @@ planSheet(const PlanDrawing& drawing, const DrawingSettings& settings)
   sheet.add(SheetGroup{"dimensions"});
   addDimensions(sheet, drawing.dimensions);
   sheet.add(SheetGroup{"title"});
-  addTitleBlock(sheet, drawing.layout, block);
+  addTitleBlock(sheet, drawing, settings);
   return sheet;
 }
 

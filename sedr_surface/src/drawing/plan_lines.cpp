@@ -2,8 +2,7 @@
 #include "plan_lines.h"
 
 #include "../formats/decimal_text.h"
-#include "../overhead/ceiling_heights.h"
-#include "../overhead/line_parts.h"
+#include "../overhead/ceiling_lines.h"
 #include "../walls/plan_walls.h"
 
 #include "sedr_segmentation/src/curves/plan_segment.h"

@@ -2,7 +2,7 @@
 #include "plan_texts.h"
 
 #include "../formats/decimal_text.h"
-#include "../overhead/ceiling_heights.h"
+#include "../overhead/ceiling_lines.h"
 #include "../walls/plan_walls.h"
 #include "text_spot.h"
 

@@ -179,8 +179,8 @@ parseObj(const std::string& content, TriangleMesh& mesh)
       while (words >> word) {
         // "7", "7/1/2" or, for the last vertex, "-1"
         const auto count = static_cast<std::int64_t>(mesh.vertices.size());
-        const std::int64_t number = std::strtoll(word.c_str(), nullptr, 10);
-        const std::int64_t index = number > 0 ? number - 1 : count + number;
+        const std::int64_t told = std::strtoll(word.c_str(), nullptr, 10);
+        const std::int64_t index = told > 0 ? told - 1 : count + told;
         if (index < 0 || index >= count)
           return "has a face with the bad vertex '" + word + "'" + inLine(number);
         polygon.push_back(static_cast<std::uint32_t>(index));

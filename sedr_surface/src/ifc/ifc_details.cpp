@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ifc_parts.h"
 #include "level_slab.h"
-#include "mesh_prism.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,8 +55,7 @@ writeDetail(IfcDocument& document,
   const StepRef place = document.placeIn(written.storey);
   const StepRef item = document.shapes.faceSet(body);
   const StepRef shape = document.shapeOf(item, "Tessellation", "detail");
-  document.addElement(type, name, written.storey, place, shape,
-                      {StepValue::enumerated(kind)});
+  document.addElement(type, name, written.storey, place, shape, {symbol(kind)});
 }
 
 void
@@ -80,7 +78,7 @@ writeColumn(IfcDocument& document, std::size_t r, std::size_t c)
       column.area() < 0 ? reversed(column) : column, {}, bottom - ground, height);
   const StepRef shape = document.shapeOf(item, "SweptSolid", "column");
   const StepRef ref = document.addElement("IFCCOLUMN", name, written.storey, place,
-                                          shape, {StepValue::enumerated("COLUMN")});
+                                          shape, {symbol("COLUMN")});
   document.addQuantities(ref, name, "Qto_ColumnBaseQuantities",
                          {{"LENGTH", "Length", height},
                           {"AREA", "CrossSectionArea", std::abs(column.area())}});

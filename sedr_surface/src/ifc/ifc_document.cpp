@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ifc_document.h"
 
+#include "ifc_parts.h"
+
+#include <pcl/sedr_surface/floorplan_ifc.h>
+
 #include <boost/uuid/name_generator_sha1.hpp>
 #include <boost/uuid/string_generator.hpp>
 #include <boost/uuid/uuid.hpp>
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace pcl::sedr::ifc {
-
 namespace {
 
 /** @brief Returns the GlobalId for a name: its UUID of version 5 (RFC 4122) in the 22
@@ -72,8 +76,7 @@ StepRef
 IfcDocument::addUnits()
 {
   const auto unit = [&](const char* kind, const char* name) {
-    return step.add("IFCSIUNIT", {StepValue::derived(), StepValue::enumerated(kind),
-                                  StepValue::none(), StepValue::enumerated(name)});
+    return step.add("IFCSIUNIT", {derived, symbol(kind), none, symbol(name)});
   };
   const std::vector<StepRef> units{
       unit("LENGTHUNIT", "METRE"), unit("AREAUNIT", "SQUARE_METRE"),
@@ -86,7 +89,6 @@ IfcDocument::addMapConversion(StepRef context, const Origin& origin)
 {
   if (origin.isZero() && settings.crs.empty())
     return;
-  const StepValue none = StepValue::none();
   const StepRef crs =
       step.add("IFCPROJECTEDCRS", {settings.crs.empty() ? "not told" : settings.crs,
                                    none, none, none, none, none, none});
@@ -97,16 +99,13 @@ IfcDocument::addMapConversion(StepRef context, const Origin& origin)
 void
 IfcDocument::addProject(const Origin& origin)
 {
-  const StepValue none = StepValue::none();
   const StepRef frame = shapes.axes(Eigen::Vector3d::Zero());
-  const StepRef context =
-      step.add("IFCGEOMETRICREPRESENTATIONCONTEXT",
-               {none, "Model", StepValue::integer(3), 0.00001, frame, none});
+  const StepRef context = step.add("IFCGEOMETRICREPRESENTATIONCONTEXT",
+                                   {none, "Model", integer(3), 0.00001, frame, none});
   const auto part = [&](const char* name, const char* view) {
-    const StepValue derived = StepValue::derived();
     return step.add("IFCGEOMETRICREPRESENTATIONSUBCONTEXT",
                     {name, "Model", derived, derived, derived, derived, context, none,
-                     StepValue::enumerated(view), none});
+                     symbol(view), none});
   };
   body_context = part("Body", "MODEL_VIEW");
   axis_context = part("Axis", "GRAPH_VIEW");
@@ -115,7 +114,7 @@ IfcDocument::addProject(const Origin& origin)
       step.add("IFCPROJECT", {guid("project"), none, settings.name, none, none, none,
                               none, std::vector<StepRef>{context}, units});
   addMapConversion(context, origin);
-  const StepValue whole = StepValue::enumerated("ELEMENT");
+  const StepValue whole = symbol("ELEMENT");
   const StepRef site_place = shapes.placement({}, Eigen::Vector3d::Zero());
   const StepRef site =
       step.add("IFCSITE", {guid("site"), none, "site", none, none, site_place, none,
@@ -132,15 +131,14 @@ IfcDocument::addProject(const Origin& origin)
 void
 IfcDocument::addStoreys(StepRef building, StepRef building_placement)
 {
-  const StepValue none = StepValue::none();
   std::map<std::uint32_t, std::size_t> index_of;
   std::vector<StepRef> refs;
   for (const PlanStorey& storey : storeysOf(plan)) {
     const StepRef place = shapes.placement(building_placement, {0, 0, storey.floor});
     const std::string name = "storey_" + std::to_string(storey.number);
-    const StepRef ref = step.add(
-        "IFCBUILDINGSTOREY", {guid(name), none, storey.name, none, none, place, none,
-                              none, StepValue::enumerated("ELEMENT"), storey.floor});
+    const StepRef ref =
+        step.add("IFCBUILDINGSTOREY", {guid(name), none, storey.name, none, none, place,
+                                       none, none, symbol("ELEMENT"), storey.floor});
     refs.push_back(ref);
     for (const std::uint32_t room : storey.rooms)
       index_of[room] = storeys.size();
@@ -160,7 +158,6 @@ IfcDocument::addElement(const std::string& type,
                         StepRef shape,
                         const std::vector<StepValue>& more)
 {
-  const StepValue none = StepValue::none();
   std::vector<StepValue> attributes{guid(name), none,      name,  none,
                                     none,       placement, shape, none};
   attributes.insert(attributes.end(), more.begin(), more.end());
@@ -175,7 +172,6 @@ IfcDocument::relate(const std::string& type,
                     const StepValue& relating,
                     const StepValue& related)
 {
-  const StepValue none = StepValue::none();
   return step.add(type, {guid(name), none, none, none, relating, related});
 }
 
@@ -187,7 +183,6 @@ IfcDocument::addProperties(StepRef object,
 {
   if (properties.empty())
     return;
-  const StepValue none = StepValue::none();
   std::vector<StepRef> values;
   for (const auto& [name, value] : properties)
     values.push_back(step.add("IFCPROPERTYSINGLEVALUE", {name, none, value, none}));
@@ -204,7 +199,6 @@ IfcDocument::addQuantities(StepRef object,
                            const std::string& set,
                            const std::vector<Quantity>& quantities)
 {
-  const StepValue none = StepValue::none();
   std::vector<StepRef> values;
   for (const Quantity& quantity : quantities)
     values.push_back(step.add(std::string("IFCQUANTITY") + quantity.kind,
@@ -245,32 +239,47 @@ IfcDocument::finish()
 StepValue
 lengthProperty(double metres)
 {
-  return StepValue::typed("IFCLENGTHMEASURE", metres);
+  return typed("IFCLENGTHMEASURE", metres);
 }
 
 StepValue
 shareProperty(double share)
 {
-  return StepValue::typed("IFCNORMALISEDRATIOMEASURE", std::clamp(share, 0.0, 1.0));
+  return typed("IFCNORMALISEDRATIOMEASURE", std::clamp(share, 0.0, 1.0));
 }
 
 StepValue
 countProperty(std::size_t count)
 {
-  return StepValue::typed("IFCINTEGER",
-                          StepValue::integer(static_cast<std::int64_t>(count)));
+  return typed("IFCINTEGER", integer(count));
 }
 
 StepValue
 textProperty(const std::string& text)
 {
-  return StepValue::typed("IFCTEXT", text);
+  return typed("IFCTEXT", text);
 }
 
 StepValue
 booleanProperty(bool value)
 {
-  return StepValue::typed("IFCBOOLEAN", StepValue::logical(value));
+  return typed("IFCBOOLEAN", logical(value));
 }
 
 } // namespace pcl::sedr::ifc
+
+pcl::sedr::IfcModel
+pcl::sedr::writeIfc(const Floorplan& plan,
+                    const IfcSettings& settings,
+                    const Origin& origin)
+{
+  ifc::IfcDocument document(plan, settings, origin);
+  ifc::writeSpaces(document);
+  ifc::writeOpenings(document, ifc::writeWalls(document));
+  ifc::writeSlabs(document);
+  ifc::writeDetails(document);
+  document.finish();
+  document.model.text = document.step.text("ViewDefinition [ReferenceView_V1.2]",
+                                           settings.name + ".ifc", "IFC4");
+  return std::move(document.model);
+}

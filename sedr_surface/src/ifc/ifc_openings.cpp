@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ifc_parts.h"
 #include "level_slab.h"
-#include "mesh_prism.h"
 
 #include <algorithm>
 #include <cmath>
@@ -119,13 +118,12 @@ writeOpening(IfcDocument& document,
              const char* kind,
              const char* type = "SweptSolid")
 {
-  const StepValue none = StepValue::none();
   const StepRef frame = document.shapes.axes(Eigen::Vector3d::Zero());
   const StepRef place = document.step.add("IFCLOCALPLACEMENT", {wall.placement, frame});
   const StepRef shape = document.shapeOf(item, type, "opening");
-  const StepRef opening = document.step.add(
-      "IFCOPENINGELEMENT", {document.guid(name), none, name, none, none, place, shape,
-                            none, StepValue::enumerated(kind)});
+  const StepRef opening =
+      document.step.add("IFCOPENINGELEMENT", {document.guid(name), none, name, none,
+                                              none, place, shape, none, symbol(kind)});
   document.relate("IFCRELVOIDSELEMENT", name + " in " + wall.name, wall.ref, opening);
   ++document.model.openings;
   return opening;
@@ -217,10 +215,8 @@ writeFilling(IfcDocument& document,
   const StepRef filling = document.addElement(
       is_door ? "IFCDOOR" : "IFCWINDOW", name, wall.storey, place,
       document.shapeOf(body, "SweptSolid", "opening"),
-      {box.top - box.bottom, opening.width(),
-       StepValue::enumerated(is_door ? "DOOR" : "WINDOW"),
-       StepValue::enumerated(is_door ? operationOf(opening) : "NOTDEFINED"),
-       StepValue::none()});
+      {box.top - box.bottom, opening.width(), symbol(is_door ? "DOOR" : "WINDOW"),
+       symbol(is_door ? operationOf(opening) : "NOTDEFINED"), none});
   document.relate("IFCRELFILLSELEMENT", name + " in its opening", gap.opening, filling);
 }
 

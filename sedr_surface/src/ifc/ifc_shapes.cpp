@@ -42,13 +42,6 @@ shortArcs(const PlanLoop& loop)
   return parts;
 }
 
-/** @brief Converts to indices that count from 1. */
-StepValue
-indexOf(std::size_t point)
-{
-  return StepValue::integer(static_cast<std::int64_t>(point) + 1);
-}
-
 struct Colour {
   const char* kind;
   double red, green, blue;
@@ -88,7 +81,7 @@ IfcShapes::axes(const Eigen::Vector3d& origin,
 {
   const StepRef at = point(origin);
   if (z == Eigen::Vector3d::UnitZ() && x == Eigen::Vector3d::UnitX())
-    return step_.add("IFCAXIS2PLACEMENT3D", {at, StepValue::none(), StepValue::none()});
+    return step_.add("IFCAXIS2PLACEMENT3D", {at, none, none});
   const StepRef up = direction(z);
   const StepRef along = direction(x);
   return step_.add("IFCAXIS2PLACEMENT3D", {at, up, along});
@@ -122,19 +115,18 @@ IfcShapes::indexedCurve(const PlanLoop& loop)
   std::vector<StepValue> segments;
   const std::vector<PlanElement> parts = shortArcs(loop);
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    std::vector<StepValue> indices{indexOf(points.size())};
+    std::vector<StepValue> indices{integer(points.size() + 1)};
     points.emplace_back(numbers(parts[i].start));
     if (isCurved(parts[i])) {
-      indices.push_back(indexOf(points.size()));
+      indices.push_back(integer(points.size() + 1));
       points.emplace_back(numbers(parts[i].pointAt(parts[i].length() / 2)));
     }
-    indices.push_back(indexOf(i + 1 < parts.size() ? points.size() : 0));
-    segments.push_back(StepValue::typed(
-        isCurved(parts[i]) ? "IFCARCINDEX" : "IFCLINEINDEX", StepValue::list(indices)));
+    indices.push_back(integer(i + 1 < parts.size() ? points.size() + 1 : 1));
+    segments.push_back(
+        typed(isCurved(parts[i]) ? "IFCARCINDEX" : "IFCLINEINDEX", listOf(indices)));
   }
-  const StepRef list = step_.add("IFCCARTESIANPOINTLIST2D", {StepValue::list(points)});
-  return step_.add("IFCINDEXEDPOLYCURVE",
-                   {list, StepValue::list(segments), StepValue::none()});
+  const StepRef list = step_.add("IFCCARTESIANPOINTLIST2D", {listOf(points)});
+  return step_.add("IFCINDEXEDPOLYCURVE", {list, listOf(segments), none});
 }
 
 StepRef
@@ -157,12 +149,11 @@ IfcShapes::extrusion(const PlanLoop& boundary,
   std::vector<StepRef> inner;
   for (const PlanLoop& hole : holes)
     inner.push_back(closedCurve(hole));
-  const StepValue area = StepValue::enumerated("AREA");
+  const StepValue area = symbol("AREA");
   const StepRef profile =
       inner.empty()
-          ? step_.add("IFCARBITRARYCLOSEDPROFILEDEF", {area, StepValue::none(), outer})
-          : step_.add("IFCARBITRARYPROFILEDEFWITHVOIDS",
-                      {area, StepValue::none(), outer, inner});
+          ? step_.add("IFCARBITRARYCLOSEDPROFILEDEF", {area, none, outer})
+          : step_.add("IFCARBITRARYPROFILEDEFWITHVOIDS", {area, none, outer, inner});
   const StepRef frame = axes({0, run * bottom, bottom});
   const Eigen::Vector3d way(0, run, 1);
   const StepRef up = direction(way.normalized());
@@ -176,10 +167,8 @@ IfcShapes::clipped(StepRef body, const Eigen::Vector3d& on, const Eigen::Vector3
   const Eigen::Vector3d along = up.cross(Eigen::Vector3d::UnitY()).normalized();
   const StepRef frame = axes(on, up, along);
   const StepRef plane = step_.add("IFCPLANE", {frame});
-  const StepRef above =
-      step_.add("IFCHALFSPACESOLID", {plane, StepValue::logical(false)});
-  return step_.add("IFCBOOLEANCLIPPINGRESULT",
-                   {StepValue::enumerated("DIFFERENCE"), body, above});
+  const StepRef above = step_.add("IFCHALFSPACESOLID", {plane, logical(false)});
+  return step_.add("IFCBOOLEANCLIPPINGRESULT", {symbol("DIFFERENCE"), body, above});
 }
 
 StepRef
@@ -191,12 +180,10 @@ IfcShapes::faceSet(const TriangleMesh& mesh)
   std::vector<StepValue> triangles;
   for (const Triangle& t : mesh.triangles)
     triangles.push_back(
-        StepValue::list({StepValue::integer(t[0] + 1), StepValue::integer(t[1] + 1),
-                         StepValue::integer(t[2] + 1)}));
-  const StepRef list = step_.add("IFCCARTESIANPOINTLIST3D", {StepValue::list(points)});
+        listOf({integer(t[0] + 1), integer(t[1] + 1), integer(t[2] + 1)}));
+  const StepRef list = step_.add("IFCCARTESIANPOINTLIST3D", {listOf(points)});
   return step_.add("IFCTRIANGULATEDFACESET",
-                   {list, StepValue::none(), StepValue::logical(true),
-                    StepValue::list(triangles), StepValue::none()});
+                   {list, none, logical(true), listOf(triangles), none});
 }
 
 StepRef
@@ -208,11 +195,10 @@ IfcShapes::styleOf(const std::string& kind)
   const auto* c =
       std::find_if(std::begin(colours), std::end(colours),
                    [&](const Colour& colour) { return kind == colour.kind; });
-  const StepRef rgb =
-      step_.add("IFCCOLOURRGB", {StepValue::none(), c->red, c->green, c->blue});
+  const StepRef rgb = step_.add("IFCCOLOURRGB", {none, c->red, c->green, c->blue});
   const StepRef shading = step_.add("IFCSURFACESTYLESHADING", {rgb, c->transparency});
-  style = step_.add("IFCSURFACESTYLE", {kind, StepValue::enumerated("BOTH"),
-                                        std::vector<StepRef>{shading}});
+  style = step_.add("IFCSURFACESTYLE",
+                    {kind, symbol("BOTH"), std::vector<StepRef>{shading}});
   return style;
 }
 
@@ -220,14 +206,13 @@ void
 IfcShapes::colour(StepRef body, const std::string& kind)
 {
   const StepRef style = styleOf(kind);
-  step_.add("IFCSTYLEDITEM", {body, std::vector<StepRef>{style}, StepValue::none()});
+  step_.add("IFCSTYLEDITEM", {body, std::vector<StepRef>{style}, none});
 }
 
 StepRef
 IfcShapes::product(const std::vector<StepRef>& shapes)
 {
-  return step_.add("IFCPRODUCTDEFINITIONSHAPE",
-                   {StepValue::none(), StepValue::none(), shapes});
+  return step_.add("IFCPRODUCTDEFINITIONSHAPE", {none, none, shapes});
 }
 
 StepRef

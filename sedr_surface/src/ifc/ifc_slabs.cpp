@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ifc_parts.h"
 #include "level_slab.h"
-#include "mesh_prism.h"
 
 #include "../drawing/text_spot.h"
 
@@ -69,33 +68,51 @@ private:
     return document_.storeys[document_.rooms[r].storey].storey.floor;
   }
 
-  /** @brief Adds a slab with a body, with z relative to the storey.
-   * @param face its visible surface */
-  StepRef add(std::size_t r,
-              const std::string& name,
-              StepRef item,
-              const std::string& type,
-              const std::string& colour,
-              const char* kind,
-              double thickness,
-              bool is_assumed,
-              const PlanSlab& face)
+  /** @brief Adds the slab behind a face of a room, downwards if its thickness is below
+   * 0, and the space boundary on it. It is swept if the face is level and
+   * `may_be_swept`, else a mesh on parts of the room. */
+  std::optional<Slab> add(std::size_t r,
+                          const char* part,
+                          const PlanSlab& face,
+                          double thickness,
+                          bool is_assumed,
+                          bool may_be_swept,
+                          const std::vector<std::string>& parts,
+                          const char* colour,
+                          const char* kind)
   {
-    const IfcRoom& room = document_.rooms[r];
-    const StepRef place = document_.placeIn(room.storey);
-    const StepRef shape = document_.shapeOf(item, type, colour);
-    const StepRef slab = document_.addElement("IFCSLAB", name, room.storey, place,
-                                              shape, {StepValue::enumerated(kind)});
-    document_.addQuantities(
-        slab, name, "Qto_SlabBaseQuantities",
-        {{"LENGTH", "Width", thickness},
-         {"AREA", "GrossArea", std::abs(room.room->boundary.area())}});
+    const IfcRoom& written = document_.rooms[r];
+    const PlanRoom& room = *written.room;
+    const std::string name = nameIn(room, part);
+    const auto level = levelOf(face, boundsOf(room.boundary));
+    const bool is_swept = level && may_be_swept;
+    StepRef item;
+    if (is_swept)
+      item = document_.shapes.extrusion(
+          room.boundary, {}, std::min(*level, *level + thickness) - groundOf(r),
+          std::abs(thickness));
+    else {
+      const TriangleMesh body = bodyOn(r, parts, thickness);
+      if (body.empty())
+        return std::nullopt;
+      item = document_.shapes.faceSet(body);
+    }
+    const StepRef place = document_.placeIn(written.storey);
+    const StepRef shape =
+        document_.shapeOf(item, is_swept ? "SweptSolid" : "Tessellation", colour);
+    const StepRef slab = document_.addElement("IFCSLAB", name, written.storey, place,
+                                              shape, {symbol(kind)});
+    document_.addQuantities(slab, name, "Qto_SlabBaseQuantities",
+                            {{"LENGTH", "Width", std::abs(thickness)},
+                             {"AREA", "GrossArea", std::abs(room.boundary.area())}});
     document_.addProperties(slab, name, "Pset_SEDR",
                             {{"ThicknessAssumed", booleanProperty(is_assumed)},
                              {"Residual", lengthProperty(face.residual)},
                              {"Points", countProperty(face.inliers)}});
     ++document_.model.slabs;
-    return slab;
+    writeBoundary(document_, r, name, slab, {},
+                  {"PHYSICAL", is_assumed ? "NOTDEFINED" : "INTERNAL"});
+    return Slab{name, slab};
   }
 
   void writeFloor(std::size_t r)
@@ -104,55 +121,25 @@ private:
     const PlanRoom& room = *written.room;
     const Eigen::Vector2d spot = textSpotIn(room.boundary, room.columns).place;
     const auto below = slabBelow(document_.plan, r, spot);
-    const double thickness =
-        below ? below->thickness : document_.settings.assumed_thickness;
-    const std::string name = nameIn(room, "floor_slab");
-    const auto level = levelOf(room.floor, boundsOf(room.boundary));
-    StepRef item;
-    const bool is_swept = level && !hasSunkenDetails(room);
-    if (is_swept)
-      item = document_.shapes.extrusion(room.boundary, {},
-                                        *level - thickness - groundOf(r), thickness);
-    else {
-      std::vector<std::string> parts{nameIn(room, "floor")};
-      for (std::size_t d = 0; d < room.floor_details.size(); ++d)
-        if (sideOf(room.floor_details[d], room.floor) < 0)
-          parts.push_back(nameIn(room, "floor_detail_" + std::to_string(d + 1)));
-      const TriangleMesh body = bodyOn(r, parts, -thickness);
-      if (body.empty())
-        return;
-      item = document_.shapes.faceSet(body);
-    }
-    const bool is_lowest = written.storey == 0 && !below;
-    const StepRef slab =
-        add(r, name, item, is_swept ? "SweptSolid" : "Tessellation", "slab",
-            is_lowest ? "BASESLAB" : "FLOOR", thickness, !below, room.floor);
-    writeBoundary(document_, r, name, slab, {},
-                  {"PHYSICAL", below ? "INTERNAL" : "NOTDEFINED"});
-    if (below)
-      slab_above_[below->room].push_back({name, slab});
+    std::vector<std::string> parts{nameIn(room, "floor")};
+    for (std::size_t d = 0; d < room.floor_details.size(); ++d)
+      if (sideOf(room.floor_details[d], room.floor) < 0)
+        parts.push_back(nameIn(room, "floor_detail_" + std::to_string(d + 1)));
+    const auto slab =
+        add(r, "floor_slab", room.floor,
+            -(below ? below->thickness : document_.settings.assumed_thickness), !below,
+            parts.size() == 1, parts, "slab",
+            written.storey == 0 && !below ? "BASESLAB" : "FLOOR");
+    if (slab && below)
+      slab_above_[below->room].push_back(*slab);
   }
 
   void writeCeiling(std::size_t r)
   {
     const PlanRoom& room = *document_.rooms[r].room;
-    const double thickness = document_.settings.assumed_thickness;
-    const std::string name = nameIn(room, "ceiling_slab");
-    const auto level = levelOf(room.ceiling, boundsOf(room.boundary));
-    StepRef item;
-    const bool is_swept = level && !hasRaisedDetails(room) && !hasSlopingCeiling(room);
-    if (is_swept)
-      item = document_.shapes.extrusion(room.boundary, {}, *level - groundOf(r),
-                                        thickness);
-    else {
-      const TriangleMesh body = bodyOn(r, ceilingParts(r), thickness);
-      if (body.empty())
-        return;
-      item = document_.shapes.faceSet(body);
-    }
-    const StepRef slab = add(r, name, item, is_swept ? "SweptSolid" : "Tessellation",
-                             "ceiling", "ROOF", thickness, true, room.ceiling);
-    writeBoundary(document_, r, name, slab, {}, {"PHYSICAL", "NOTDEFINED"});
+    add(r, "ceiling_slab", room.ceiling, document_.settings.assumed_thickness, true,
+        !hasRaisedDetails(room) && !hasSlopingCeiling(room), ceilingParts(r), "ceiling",
+        "ROOF");
   }
 
   /** @brief Returns the parts of the ceiling with facets and recesses, without what

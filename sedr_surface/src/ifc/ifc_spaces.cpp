@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "confidence.h"
 #include "ifc_parts.h"
 #include "level_slab.h"
-#include "mesh_prism.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_filters/wall_shares.h>
@@ -141,7 +139,6 @@ topTriangles(const IfcRoom& written,
 void
 writeSpaces(IfcDocument& document)
 {
-  const StepValue none = StepValue::none();
   for (IfcRoom& written : document.rooms) {
     const PlanRoom& room = *written.room;
     IfcStorey& storey = document.storeys[written.storey];
@@ -163,8 +160,7 @@ writeSpaces(IfcDocument& document)
         "IFCSPACE",
         {document.guid(name), none, number, none, none, place, shape,
          named == document.settings.names.end() ? "Room " + number : named->second,
-         StepValue::enumerated("ELEMENT"), StepValue::enumerated("INTERNAL"),
-         heightsOf(room).low});
+         symbol("ELEMENT"), symbol("INTERNAL"), heightsOf(room).low});
     storey.spaces.push_back(written.space);
     ++document.model.spaces;
     describe(document, written, name);
@@ -179,14 +175,12 @@ writeBoundary(IfcDocument& document,
               StepRef geometry,
               const BoundaryKind& kind)
 {
-  const StepValue none = StepValue::none();
   const std::string name =
       nameIn(*document.rooms[room].room, "boundary") + " at " + element_name;
   document.step.add("IFCRELSPACEBOUNDARY1STLEVEL",
                     {document.guid(name), none, "1stLevel", none,
                      document.rooms[room].space, element, geometry,
-                     StepValue::enumerated(kind.element),
-                     StepValue::enumerated(kind.side), none});
+                     symbol(kind.element), symbol(kind.side), none});
 }
 
 StepRef
@@ -206,8 +200,7 @@ rectangleOf(IfcDocument& document,
       loopOf({{0, 0}, {length, 0}, {length, height}, {0, height}}));
   const StepRef surface =
       document.step.add("IFCCURVEBOUNDEDPLANE", {plane, rim, std::vector<StepRef>{}});
-  return document.step.add("IFCCONNECTIONSURFACEGEOMETRY",
-                           {surface, StepValue::none()});
+  return document.step.add("IFCCONNECTIONSURFACEGEOMETRY", {surface, none});
 }
 
 std::string

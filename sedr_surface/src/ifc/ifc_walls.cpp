@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "confidence.h"
 #include "ifc_parts.h"
 #include "wall_body.h"
 
@@ -222,10 +221,9 @@ writeWalls(IfcDocument& document)
     added.ref = document.addElement(
         "IFCWALL", added.name, added.storey, added.placement,
         document.shapes.product(shapes),
-        {StepValue::enumerated(heights.isSwept() && added.runs.near == 0 &&
-                                       added.runs.far == 0
-                                   ? "STANDARD"
-                                   : "NOTDEFINED")});
+        {symbol(heights.isSwept() && added.runs.near == 0 && added.runs.far == 0
+                    ? "STANDARD"
+                    : "NOTDEFINED")});
     describe(document, added);
     writeBoundaries(document, added, heights.isLevel());
     ++document.model.walls;

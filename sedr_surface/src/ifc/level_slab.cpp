@@ -2,12 +2,16 @@
 #include "level_slab.h"
 
 #include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
 
 namespace pcl::sedr::ifc {
-
 namespace {
 
-constexpr double level = 0.001; ///< smaller height differences are ignored, metres
+constexpr double same_height =
+    0.001; ///< smaller height differences are ignored, metres
 
 /** @brief Returns the range of a slab's heights over a box, from samples. */
 double
@@ -32,7 +36,7 @@ spreadOf(const PlanSlab& slab, const Eigen::AlignedBox2d& box)
 std::optional<double>
 levelOf(const PlanSlab& slab, const Eigen::AlignedBox2d& box)
 {
-  if (box.isEmpty() || !(spreadOf(slab, box) < level))
+  if (box.isEmpty() || !(spreadOf(slab, box) < same_height))
     return std::nullopt;
   return slab.heightAt(box.center());
 }
@@ -58,7 +62,7 @@ sideOf(const PlanDetail& detail, const PlanSlab& slab)
 {
   const Eigen::Vector2d middle = boundsOf(detail.boundary).center();
   const double above = detail.slab.heightAt(middle) - slab.heightAt(middle);
-  return above > level ? 1 : above < -level ? -1 : 0;
+  return above > same_height ? 1 : above < -same_height ? -1 : 0;
 }
 
 bool
@@ -69,12 +73,61 @@ hasRaisedDetails(const PlanRoom& room)
       [&](const PlanDetail& detail) { return sideOf(detail, room.ceiling) > 0; });
 }
 
-bool
-hasSunkenDetails(const PlanRoom& room)
+TriangleMesh
+prismOn(const TriangleMesh& mesh,
+        const std::vector<std::size_t>& triangles,
+        const std::function<double(const Eigen::Vector3d&)>& height_at)
 {
-  return std::any_of(
-      room.floor_details.begin(), room.floor_details.end(),
-      [&](const PlanDetail& detail) { return sideOf(detail, room.floor) < 0; });
+  TriangleMesh prism;
+  std::map<std::uint32_t, std::uint32_t> taken;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (const std::size_t t : triangles) {
+    Triangle own;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t v = mesh.triangles[t][k];
+      const auto [at, is_new] =
+          taken.emplace(v, static_cast<std::uint32_t>(prism.vertices.size()));
+      if (is_new)
+        prism.vertices.push_back(mesh.vertices[v]);
+      own[k] = at->second;
+    }
+    prism.triangles.push_back(own);
+    for (std::size_t k = 0; k < 3; ++k)
+      edges.emplace(own[k], own[(k + 1) % 3]);
+  }
+  const auto n = static_cast<std::uint32_t>(prism.vertices.size());
+  for (std::uint32_t v = 0; v < n; ++v) {
+    const Eigen::Vector3d p = prism.vertices[v];
+    prism.vertices.emplace_back(p.x(), p.y(), height_at(p));
+  }
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const Triangle own = prism.triangles[t];
+    prism.triangles.push_back({own[0] + n, own[2] + n, own[1] + n});
+  }
+  for (const auto& [a, b] : edges)
+    if (edges.count({b, a}) == 0) { // the rim
+      prism.triangles.push_back({b, a, a + n});
+      prism.triangles.push_back({b, a + n, b + n});
+    }
+  if (prism.signedVolume() < 0)
+    prism.flip();
+  return prism;
+}
+
+std::vector<std::size_t>
+allTriangles(const TriangleMesh& mesh)
+{
+  std::vector<std::size_t> all(mesh.triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+TriangleMesh
+lowered(TriangleMesh mesh, double height)
+{
+  for (Eigen::Vector3d& vertex : mesh.vertices)
+    vertex.z() -= height;
+  return mesh;
 }
 
 } // namespace pcl::sedr::ifc

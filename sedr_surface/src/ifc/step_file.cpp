@@ -61,18 +61,18 @@ StepValue::StepValue(const std::vector<double>& values)
 {}
 
 StepValue
-StepValue::list(const std::vector<StepValue>& values)
+listOf(const std::vector<StepValue>& values)
 {
-  return StepValue(
-      Written{joined(values, [](const StepValue& value) { return value.text(); })});
+  return StepValue::written(
+      joined(values, [](const StepValue& value) { return value.text(); }));
 }
 
 StepRef
 StepFile::add(const std::string& type, const std::vector<StepValue>& attributes)
 {
   ++count_;
-  data_ += "#" + std::to_string(count_) + "=" + type +
-           StepValue::list(attributes).text() + ";\n";
+  data_ +=
+      "#" + std::to_string(count_) + "=" + type + listOf(attributes).text() + ";\n";
   return {count_};
 }
 

@@ -44,38 +44,53 @@ public:
   StepValue(const std::vector<double>& values);
   StepValue(bool) = delete; ///< use logical()
 
-  /** @brief Returns $, for an optional attribute without a value. */
-  static StepValue none() { return StepValue(Written{"$"}); }
-  /** @brief Returns *, for an attribute that a subtype derives. */
-  static StepValue derived() { return StepValue(Written{"*"}); }
-  static StepValue logical(bool value) { return enumerated(value ? "T" : "F"); }
-  static StepValue enumerated(const std::string& name)
+  /** @brief Returns a value that is written as it is. */
+  static StepValue written(std::string text)
   {
-    return StepValue(Written{"." + name + "."});
+    StepValue value;
+    value.text_ = std::move(text);
+    return value;
   }
-  static StepValue integer(std::int64_t value)
-  {
-    return StepValue(Written{std::to_string(value)});
-  }
-  /** @brief Returns a value with its type: IFCLENGTHMEASURE(0.2). */
-  static StepValue typed(const std::string& type, const StepValue& value)
-  {
-    return StepValue(Written{type + "(" + value.text_ + ")"});
-  }
-  static StepValue list(const std::vector<StepValue>& values);
 
   const std::string& text() const { return text_; }
 
 private:
-  struct Written {
-    std::string text;
-  };
-  explicit StepValue(Written written)
-      : text_(std::move(written.text))
-  {}
+  StepValue() = default;
 
   std::string text_;
 };
+
+/** @brief The value of an optional attribute without one; derived, of an attribute that
+ * a subtype derives. */
+inline const StepValue none = StepValue::written("$");
+inline const StepValue derived = StepValue::written("*");
+
+inline StepValue
+symbol(const std::string& name)
+{
+  return StepValue::written("." + name + ".");
+}
+
+inline StepValue
+logical(bool value)
+{
+  return symbol(value ? "T" : "F");
+}
+
+inline StepValue
+integer(std::size_t value)
+{
+  return StepValue::written(std::to_string(value));
+}
+
+/** @brief Returns a value with its type: IFCLENGTHMEASURE(0.2). */
+inline StepValue
+typed(const std::string& type, const StepValue& value)
+{
+  return StepValue::written(type + "(" + value.text() + ")");
+}
+
+StepValue listOf(const std::vector<StepValue>& values);
 
 /** @brief The instances of a STEP file, in the order of addition. */
 class StepFile {

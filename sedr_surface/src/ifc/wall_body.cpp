@@ -3,10 +3,18 @@
 
 #include "level_slab.h"
 
+#include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_segmentation/src/curves/plan_segment.h"
+
+#include <pcl/sedr_filters/plan_measures.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace pcl::sedr::ifc {
 namespace {
@@ -118,6 +126,110 @@ simplified(const std::vector<WallHeights::Top>& tops)
   return kept;
 }
 
+PlanElement
+arcPart(const PlanElement& arc, const Stretch& stretch)
+{
+  return stretch.from <= 0 && stretch.to >= arc.length()
+             ? arc
+             : arc.part(std::max(stretch.from, 0.0),
+                        std::min(stretch.to, arc.length()));
+}
+
+/** @brief Returns the arc with the same centre and another radius. */
+PlanElement
+withRadius(PlanElement arc, double radius)
+{
+  for (Eigen::Vector2d* p : {&arc.start, &arc.end})
+    *p = arc.centre + (*p - arc.centre) * (radius / arc.radius);
+  arc.radius = radius;
+  return arc;
+}
+
+double
+farRadius(const PlanElement& arc, double thickness)
+{
+  constexpr double least = 0.01;
+  return arc.counter_clockwise ? arc.radius + thickness
+                               : std::max(arc.radius - thickness, least);
+}
+
+/** @brief What is between the face of a wall and its far side, in the wall's frame. */
+PlanArea
+bandOf(const Floorplan& plan, const PlanWall& wall)
+{
+  const PlanElement& element = elementOf(plan, wall.face);
+  if (!element.isArc()) {
+    const auto& o = wall.outline; // clockwise
+    return {loopOf({o[0], o[3], o[2], o[1]}), {}};
+  }
+  const WallFrame frame = frameOf(plan, wall);
+  const PlanElement near = arcPart(element, wall.stretch);
+  const PlanElement far = withRadius(near, farRadius(near, wall.thickness));
+  PlanLoop close{{near}};
+  PlanLoop behind{{far}};
+  if (std::abs(near.sweep()) > 2 * M_PI - 1e-6) {
+    if (close.area() < 0) {
+      close = reversed(close);
+      behind = reversed(behind);
+    }
+    const bool is_outside = far.radius > near.radius;
+    return {inFrame(is_outside ? behind : close, frame),
+            {inFrame(is_outside ? close : behind, frame)}};
+  }
+  PlanLoop loop;
+  loop.elements.push_back(near);
+  loop.elements.push_back(segment(near.end, far.end));
+  loop.elements.push_back(reversed(behind).elements.front());
+  loop.elements.push_back(segment(far.start, near.start));
+  return {inFrame(loop.area() < 0 ? reversed(loop) : loop, frame), {}};
+}
+
+/** @brief Returns what a room takes of the plan, in a frame. */
+PlanArea
+areaOf(const PlanRoom& room, const WallFrame& frame)
+{
+  PlanArea area{inFrame(room.boundary, frame)};
+  for (const PlanLoop& column : room.columns)
+    area.holes.push_back(inFrame(column, frame));
+  return area;
+}
+
+/** @brief Returns the rooms above or below which something of a wall is. */
+std::vector<const PlanRoom*>
+roomsInPlan(const Floorplan& plan, const PlanWall& wall)
+{
+  const PlanArea band = bandOf(plan, wall);
+  const Eigen::AlignedBox2d box = boundsOf(band.boundary);
+  std::vector<const PlanRoom*> rooms;
+  for (const PlanRoom& room : plan.rooms) {
+    const PlanArea area = areaOf(room, frameOf(plan, wall));
+    constexpr double rounding = 1e-5; // square metres
+    if (boundsOf(area.boundary).intersects(box) && commonArea(band, area) > rounding)
+      rooms.push_back(&room);
+  }
+  return rooms;
+}
+
+/** @brief Returns the median height of a room's ceiling along the middle of a wall;
+ * infinite where that is open to the ceiling of the wall's own room. */
+double
+ceilingInside(const Floorplan& plan, const PlanWall& wall, const PlanRoom& room)
+{
+  constexpr std::size_t samples = 9;
+  std::vector<double> heights;
+  for (std::size_t i = 0; i < samples; ++i) {
+    const double along = (static_cast<double>(i) + 0.5) / samples;
+    const auto [place, inward] = faceAt(
+        elementOf(plan, wall.face), wall.stretch.from + wall.stretch.length() * along);
+    const double height = room.ceilingAt(place - wall.thickness / 2 * inward);
+    heights.push_back(height > openHeight(plan, wall.face, place)
+                          ? std::numeric_limits<double>::infinity()
+                          : height);
+  }
+  std::sort(heights.begin(), heights.end());
+  return heights[samples / 2];
+}
+
 } // namespace
 
 double
@@ -212,6 +324,107 @@ heightAbove(const PlanArea& profile,
     highest = std::max(highest, lowest);
   }
   return highest + above;
+}
+
+double
+openHeight(const Floorplan& plan, const WallFace& face, const Eigen::Vector2d& p)
+{
+  constexpr double slab_edge = 0.25; // metres; less is no wall, but a roof's thickness
+  constexpr double before = 0.01;
+  const PlanElement& element = elementOf(plan, face);
+  const auto [place, inward] = faceAt(element, element.project(p));
+  return plan.rooms[face.room].ceilingAt(place + before * inward) - slab_edge;
+}
+
+std::vector<const PlanRoom*>
+roomsIn(const Floorplan& plan, const PlanWall& wall)
+{
+  std::vector<const PlanRoom*> rooms = roomsInPlan(plan, wall);
+  const PlanRoom& own = plan.rooms[wall.face.room];
+  rooms.erase(
+      std::remove_if(rooms.begin(), rooms.end(),
+                     [&](const PlanRoom* room) { return !shareHeights(*room, own); }),
+      rooms.end());
+  return rooms;
+}
+
+void
+endAtStoreys(const Floorplan& plan, const PlanWall& wall, WallHeights& heights)
+{
+  const PlanRoom& own = plan.rooms[wall.face.room];
+  const RoomHeights own_heights = pcl::sedr::heightsOf(own);
+  const double middle = (own_heights.low + own_heights.high) / 2;
+  const PlanArea band = bandOf(plan, wall);
+  const double half = band.boundary.area() / 2; // the room may be below a corner only
+  for (const PlanRoom* room : roomsInPlan(plan, wall)) {
+    const RoomHeights others = pcl::sedr::heightsOf(*room);
+    if (shareHeights(*room, own) ||
+        commonArea(band, areaOf(*room, frameOf(plan, wall))) < half)
+      continue;
+    if (others.low < own_heights.low)
+      heights.bottom = std::max(heights.bottom, ceilingInside(plan, wall, *room));
+    if (others.low > middle)
+      for (WallHeights::Top& top : heights.tops)
+        top.height = std::min(top.height, others.low);
+  }
+}
+
+PlanArea
+profileOf(const Floorplan& plan,
+          const PlanWall& wall,
+          const std::vector<const PlanRoom*>& rooms)
+{
+  std::vector<PlanArea> areas;
+  for (const PlanRoom* room : rooms)
+    areas.push_back(areaOf(*room, frameOf(plan, wall)));
+  const PlanArea band = bandOf(plan, wall);
+  return areas.empty() ? band : largestPartOutside(band, areas);
+}
+
+WallRuns
+runsOf(const Floorplan& plan, const PlanWall& wall, const WallTilts& tilts)
+{
+  const auto runOfFace = [&](const WallFace& face) {
+    return face.loop > 0 ? 0 : wallRuns(plan.rooms[face.room], tilts)[face.element];
+  };
+  if (tilts.empty() || elementOf(plan, wall.face).isArc())
+    return {};
+  const double near = runOfFace(wall.face);
+  return {near, wall.other ? -runOfFace(*wall.other) : near};
+}
+
+TriangleMesh
+meshOf(const Floorplan& plan,
+       const PlanWall& wall,
+       const WallHeights& heights,
+       const WallRuns& runs,
+       const PlanArea& profile)
+{
+  const PlanElement& element = elementOf(plan, wall.face);
+  const WallFrame frame = frameOf(plan, wall);
+  const double length = wall.stretch.length();
+  // The top bends across the wall where it bends along it.
+  std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> bends;
+  for (std::size_t k = 1; k + 1 < heights.tops.size(); ++k) {
+    constexpr double beyond = 0.01;
+    const auto [place, inward] =
+        faceAt(element, wall.stretch.from + heights.tops[k].along * length);
+    bends.emplace_back(frame.toLocal(place + beyond * inward),
+                       frame.toLocal(place - (2 * wall.thickness + beyond) * inward));
+  }
+  const TriangleMesh foot = triangulated(profile, bends);
+  constexpr double min_height = 0.001;
+  TriangleMesh mesh = prismOn(foot, allTriangles(foot), [&](const Eigen::Vector3d& p) {
+    const double s =
+        element.isArc() ? element.project(frame.toPlan(p.head<2>())) - wall.stretch.from
+                        : p.x(); // stretches may go on beyond their element
+    return std::max(heights.topAt(s / length) - heights.bottom, min_height);
+  });
+  for (Eigen::Vector3d& p : mesh.vertices) {
+    const double across = std::clamp(-p.y() / wall.thickness, 0.0, 1.0);
+    p.y() += ((1 - across) * runs.near + across * runs.far) * p.z();
+  }
+  return mesh;
 }
 
 } // namespace pcl::sedr::ifc

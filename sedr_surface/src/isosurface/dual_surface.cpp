@@ -1,18 +1,304 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dual_surface.h"
 
-#include "dual_vertices.h"
-
+#include "../solver/surface_samples.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/base/parallel_for.h"
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace pcl::sedr {
 namespace {
+
+/** @brief A tangent plane of the surface. */
+struct SurfacePlane {
+  Eigen::Vector3f point;
+  Eigen::Vector3f normal;
+};
+
+/** @brief The samples in and around one block of the finest grid, for queries of
+ * tangent planes. Lengths in cells, from the block's first node. */
+class SurfacePlanes {
+public:
+  /** @brief Samples further than `radius`, at most 8 cells, do not contribute to a
+   * plane. */
+  explicit SurfacePlanes(float radius)
+      : radius_(std::min(radius, 8.f))
+  {}
+
+  /** @brief Loads the samples around block `b`. */
+  void load(const BandGrid& grid, std::size_t b, const SortedSamples& samples)
+  {
+    around_.clear();
+    samples.gather(grid.at(b), radius_, around_);
+    places_.resize(static_cast<Eigen::Index>(around_.size()), 3);
+    for (std::size_t i = 0; i < around_.size(); ++i)
+      places_.row(static_cast<Eigen::Index>(i)) =
+          Eigen::Map<const Eigen::RowVector3f>(around_[i].place);
+  }
+
+  /** @brief Fits a plane to samples around `place` on the side of `slope` whose normals
+   * agree with that of the nearest one. Near an edge, the plane is that of one of its
+   * sides. Follows curved surfaces.
+   * @return false if there are no samples */
+  bool
+  find(const Eigen::Vector3f& place, const Eigen::Vector3f& slope, SurfacePlane& plane)
+  {
+    constexpr float agree = 0.9f;      // cosine of 25 degrees
+    constexpr float min_share = 0.15f; // of the weight; below it, an outlier
+    distance2_ = (places_.col(0) - place[0]).square() +
+                 (places_.col(1) - place[1]).square() +
+                 (places_.col(2) - place[2]).square();
+    near_.clear();
+    float all = 0;
+    const float radius2 = radius_ * radius_;
+    for (std::size_t i = 0; i < around_.size(); ++i) {
+      const float distance2 = distance2_[static_cast<Eigen::Index>(i)];
+      if (distance2 >= radius2 || normalOf(i).dot(slope) <= 0)
+        continue;
+      const float closeness = 1 - distance2 / radius2;
+      near_.push_back({i, distance2, closeness * closeness});
+      all += closeness * closeness;
+    }
+    std::sort(near_.begin(), near_.end(), [](const Near& a, const Near& b) {
+      return a.distance2 != b.distance2 ? a.distance2 < b.distance2 : a.index < b.index;
+    });
+    for (const Near& seed : near_) {
+      const Eigen::Vector3f direction = normalOf(seed.index);
+      Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+      float weight = 0;
+      for (const Near& other : near_)
+        if (normalOf(other.index).dot(direction) > agree) {
+          sum += other.weight * normalOf(other.index);
+          weight += other.weight;
+        }
+      if (weight < min_share * all)
+        continue;
+      plane.normal = sum.normalized();
+      // The mean of own and mean normal is exact on planes and on round surfaces.
+      float height = 0;
+      for (const Near& other : near_) {
+        const Eigen::Vector3f normal = normalOf(other.index);
+        if (normal.dot(direction) <= agree)
+          continue;
+        const Eigen::Vector3f from =
+            place - Eigen::Map<const Eigen::Vector3f>(around_[other.index].place);
+        height += other.weight * 0.5f * (normal + plane.normal).dot(from);
+      }
+      plane.point = place - height / weight * plane.normal;
+      return true;
+    }
+    return false;
+  }
+
+private:
+  struct Near {
+    std::size_t index;
+    float distance2;
+    float weight;
+  };
+
+  Eigen::Map<const Eigen::Vector3f> normalOf(std::size_t i) const
+  {
+    return Eigen::Map<const Eigen::Vector3f>(around_[i].normal);
+  }
+
+  float radius_;
+  std::vector<BlockSample> around_; ///< with unit normals
+  Eigen::ArrayX3f places_;          ///< of these samples, by axis
+  Eigen::ArrayXf distance2_;
+  std::vector<Near> near_;
+};
+
+constexpr int strides[3] = {1, 10, 100};
+
+// The twelve edges of a cell: lowest corner and axis.
+struct CellEdge {
+  int corner;
+  int axis;
+};
+constexpr std::array<CellEdge, 12> cell_edges = {{{0, 0},
+                                                  {2, 0},
+                                                  {4, 0},
+                                                  {6, 0},
+                                                  {0, 1},
+                                                  {1, 1},
+                                                  {4, 1},
+                                                  {5, 1},
+                                                  {0, 2},
+                                                  {1, 2},
+                                                  {2, 2},
+                                                  {3, 2}}};
+
+// Returns the mean normal, counting each face once, however many planes it has.
+Eigen::Vector3f
+meanOfFaces(const std::vector<SurfacePlane>& planes)
+{
+  constexpr float same = 0.9f; // cosine of 25 degrees
+  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    bool is_new = true;
+    for (std::size_t j = 0; j < i && is_new; ++j)
+      is_new = planes[i].normal.dot(planes[j].normal) < same;
+    if (is_new)
+      sum += planes[i].normal;
+  }
+  return sum.norm() > 0 ? Eigen::Vector3f(sum.normalized()) : planes.front().normal;
+}
+
+/** @brief Places the vertices of a dual surface, block by block. */
+class DualVertices {
+public:
+  DualVertices(const BandGrid& grid,
+               const std::vector<float>& values,
+               const SortedSamples& samples,
+               float radius)
+      : grid_(grid)
+      , values_(values)
+      , samples_(samples)
+      , planes_(radius)
+  {}
+
+  /** @brief Places the vertices of a block's cells.
+   * @param table the vertex of each of the 512 cells, or the largest number if none
+   * @param places positions of all vertices of the mesh, in cells
+   * @param vertices properties of each vertex */
+  void place(std::size_t b,
+             const std::uint32_t* table,
+             Eigen::Vector3d* places,
+             SurfaceVertex* vertices)
+  {
+    grid_.gatherHalo(values_, b, halo_.data());
+    planes_.load(grid_, b, samples_);
+    known_.fill(-1);
+    found_.clear();
+    const BandGrid::Block block = grid_.at(b);
+    const Eigen::Vector3d origin(static_cast<double>(block[0] * BandGrid::edge),
+                                 static_cast<double>(block[1] * BandGrid::edge),
+                                 static_cast<double>(block[2] * BandGrid::edge));
+    for (int i = 0; i < static_cast<int>(BandGrid::nodes); ++i) {
+      const std::uint32_t vertex = table[i];
+      if (vertex == std::numeric_limits<std::uint32_t>::max())
+        continue;
+      const std::array<int, 3> cell = {i & 7, i >> 3 & 7, i >> 6};
+      cell_planes_.clear();
+      for (const CellEdge& edge : cell_edges) {
+        const std::array<int, 3> node = {cell[0] + (edge.corner & 1),
+                                         cell[1] + (edge.corner >> 1 & 1),
+                                         cell[2] + (edge.corner >> 2)};
+        const std::size_t here = BandGrid::haloIndex(node[0], node[1], node[2]);
+        if ((halo_[here] > 0) !=
+            (halo_[here + static_cast<std::size_t>(strides[edge.axis])] > 0))
+          cell_planes_.push_back(planeAt(node, edge.axis));
+      }
+      const Eigen::Vector3f centre(static_cast<float>(cell[0]) + 0.5f,
+                                   static_cast<float>(cell[1]) + 0.5f,
+                                   static_cast<float>(cell[2]) + 0.5f);
+      places[vertex] = origin + meet(centre, vertices[vertex]).cast<double>();
+    }
+  }
+
+private:
+  const SurfacePlane& planeAt(const std::array<int, 3>& node, int axis)
+  {
+    const auto id =
+        static_cast<std::size_t>(((node[2] * 9 + node[1]) * 9 + node[0]) * 3 + axis);
+    if (known_[id] >= 0)
+      return found_[static_cast<std::size_t>(known_[id])];
+    known_[id] = static_cast<std::int16_t>(found_.size());
+    const std::size_t here = BandGrid::haloIndex(node[0], node[1], node[2]);
+    const float from = halo_[here];
+    const float to = halo_[here + static_cast<std::size_t>(strides[axis])];
+    std::array<int, 3> end = node;
+    ++end[static_cast<std::size_t>(axis)];
+    Eigen::Vector3f place(static_cast<float>(node[0]), static_cast<float>(node[1]),
+                          static_cast<float>(node[2]));
+    place[axis] += std::min(std::max(from / (from - to), 0.02f), 0.98f);
+    const Eigen::Vector3f slope = slopeAt(node) + slopeAt(end);
+    SurfacePlane plane;
+    if (!planes_.find(place, slope, plane) || (plane.point - place).norm() > 1.5f) {
+      plane.point = place;
+      plane.normal = slope.norm() > 0 ? Eigen::Vector3f(slope.normalized())
+                                      : Eigen::Vector3f::Unit(axis);
+    }
+    found_.push_back(plane);
+    return found_.back();
+  }
+
+  Eigen::Vector3f slopeAt(const std::array<int, 3>& node) const
+  {
+    const std::size_t here = BandGrid::haloIndex(node[0], node[1], node[2]);
+    Eigen::Vector3f slope;
+    for (int k = 0; k < 3; ++k) {
+      const auto step = static_cast<std::size_t>(strides[k]);
+      const bool last = node[static_cast<std::size_t>(k)] == 8;
+      slope[k] =
+          (halo_[last ? here : here + step] - halo_[here - step]) * (last ? 2.f : 1.f);
+    }
+    return slope;
+  }
+
+  Eigen::Vector3f meet(const Eigen::Vector3f& centre, SurfaceVertex& vertex) const
+  {
+    constexpr float flat = 0.05f; // share of squared normals, at an edge of 25 degrees
+    constexpr float farthest = 1.f; // cells from the centre of the cell, along an axis
+    Eigen::Vector3f mean = Eigen::Vector3f::Zero();
+    for (const SurfacePlane& plane : cell_planes_)
+      mean += plane.point;
+    mean /= static_cast<float>(cell_planes_.size());
+    Eigen::Matrix3f squares = Eigen::Matrix3f::Zero();
+    Eigen::Vector3f right = Eigen::Vector3f::Zero();
+    for (const SurfacePlane& plane : cell_planes_) {
+      squares += plane.normal * plane.normal.transpose();
+      right += plane.normal * plane.normal.dot(plane.point - mean);
+    }
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
+    solver.computeDirect(squares);
+    Eigen::Vector3f shift = Eigen::Vector3f::Zero();
+    int rank = 0;
+    for (int k = 2; k >= 0; --k) {
+      if (solver.eigenvalues()[k] < flat * solver.eigenvalues()[2])
+        break;
+      const Eigen::Vector3f axis = solver.eigenvectors().col(k);
+      shift += axis * (axis.dot(right) / solver.eigenvalues()[k]);
+      ++rank;
+    }
+    vertex.sharpness = static_cast<std::uint8_t>(rank - 1);
+    // On a curved face, the mean lies as far inside as the planes' intersection lies
+    // outside.
+    if (rank == 1)
+      shift /= 2;
+    vertex.line = solver.eigenvectors().col(0);
+    vertex.normal = meanOfFaces(cell_planes_);
+    // Limits the distance from the cell to what the rounding of the function may cause.
+    float share = 1;
+    for (int k = 0; k < 3; ++k) {
+      const float from = mean[k] - centre[k];
+      const float to = from + shift[k];
+      if (std::abs(to) > farthest && std::abs(to) > std::abs(from))
+        share = std::min(share, std::max(0.f, (farthest - std::abs(from)) /
+                                                  (std::abs(to) - std::abs(from))));
+    }
+    return mean + share * shift;
+  }
+
+  const BandGrid& grid_;
+  const std::vector<float>& values_;
+  const SortedSamples& samples_;
+  SurfacePlanes planes_;
+  std::array<float, BandGrid::halo_nodes> halo_;
+  std::array<std::int16_t, 3 * 729> known_; ///< plane of each edge, or -1
+  std::vector<SurfacePlane> found_;
+  std::vector<SurfacePlane> cell_planes_;
+};
 
 constexpr auto none = std::numeric_limits<std::uint32_t>::max();
 
@@ -119,7 +405,6 @@ addTriangles(const BandGrid& grid,
              const std::vector<SurfaceVertex>& vertices,
              std::vector<Triangle>& triangles)
 {
-  constexpr int strides[3] = {1, 10, 100};
   float halo[BandGrid::halo_nodes];
   grid.gatherHalo(values, b, halo);
   if (!isHaloCrossed(halo, 0))

@@ -1,14 +1,69 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "../solver/band_grid.h"
 #include "../solver/poisson_level.h"
-#include "surface_mending.h"
+#include "../solver/surface_samples.h"
 
 #include <pcl/sedr_surface/triangle_mesh.h>
 
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace pcl::sedr {
+
+/** @brief Sets the signs of nodes within thin sheets. Where samples less than two cells
+ * apart face away from each other, e.g. at a panel between two niches, their
+ * contributions cancel in the solved function and leave holes. The nodes near the
+ * middle are set to form a sheet without holes, of values below zero. Gaps between
+ * samples that face each other are set likewise, with values above zero.
+ *
+ * The position of the surface follows from the planes of the samples:
+ * extractDualSurface().
+ *
+ * @param samples in blocks of cells of `grid`
+ * @param spacing typical distance of neighbouring samples, cells
+ *
+ * O(samples) for a bounded number per block; independent of the number of threads. */
+void keepThinSheets(const BandGrid& grid,
+                    const SortedSamples& samples,
+                    double spacing,
+                    unsigned threads,
+                    std::vector<float>& values);
+
+/** @brief Makes the nodes above zero well composed: where such nodes (or the others)
+ * touch only along an edge or at a corner of a cell, one of them changes sign. The
+ * faces between nodes of different sign then form a closed manifold surface, and each
+ * cell holds at most one piece of it.
+ *
+ * Nodes with values nearest to zero change first. If that does not converge, nodes
+ * above zero change, which terminates. O(blocks) per round. */
+void
+makeWellComposed(const BandGrid& grid, std::vector<float>& values, unsigned threads);
+
+/** @brief Properties of a surface vertex besides its position. */
+struct SurfaceVertex {
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero(); ///< mean of the faces that meet
+  Eigen::Vector3f line = Eigen::Vector3f::Zero();   ///< direction of its edge
+  std::uint8_t sharpness = 0; ///< 0 on a face, 1 at an edge, 2 at a corner
+};
+
+/** @brief Removes folds (triangles that face against the normals of their vertices) and
+ * slivers from a closed manifold surface by edge collapses and flips. The
+ * surface stays closed and manifold. In a collapse, the sharper vertex stays in place.
+ *
+ * @param vertices properties of each vertex of the mesh
+ * @param min_height slivers are triangles of less height
+ * @param longest maximum length of edges to collapse
+ *
+ * O(n), in a fixed order. */
+void mendSurface(TriangleMesh& mesh,
+                 std::vector<SurfaceVertex>& vertices,
+                 double min_height,
+                 double longest);
 
 /** @brief Extracts the surface between nodes with values above zero and the others by
  * dual contouring. Each cell that the surface crosses has a vertex, each crossed grid

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sign_repair.h"
+#include "dual_surface.h"
 
 #include "sedr_filters/src/base/parallel.h"
 
@@ -86,11 +86,10 @@ findFlips(const BandGrid& grid,
 
 } // namespace
 
-std::size_t
+void
 makeWellComposed(const BandGrid& grid, std::vector<float>& values, unsigned threads)
 {
   constexpr std::size_t part = 64;
-  std::size_t changed = 0;
   std::vector<bool> is_suspect(grid.size(), true);
   for (int round = 0;; ++round) {
     std::vector<std::vector<std::size_t>> flips((grid.size() + part - 1) / part);
@@ -103,7 +102,7 @@ makeWellComposed(const BandGrid& grid, std::vector<float>& values, unsigned thre
     for (const auto& list : flips)
       all.insert(all.end(), list.begin(), list.end());
     if (all.empty())
-      return changed;
+      return;
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
     is_suspect.assign(grid.size(), false);
@@ -117,7 +116,6 @@ makeWellComposed(const BandGrid& grid, std::vector<float>& values, unsigned thre
           is_suspect[b] = true;
       }
     }
-    changed += all.size();
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "surface_mending.h"
+#include "dual_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,13 +61,10 @@ public:
     if (best.gain <= 0)
       return turnEdge(t, changed);
     collapse(best.kept, best.gone);
-    ++collapsed_;
     const auto& ring = around(best.kept);
     changed.insert(changed.end(), ring.begin(), ring.end());
     return true;
   }
-
-  std::size_t collapsed() const { return collapsed_; }
 
   const std::vector<bool>& alive() const { return alive_; }
 
@@ -246,13 +243,12 @@ private:
   std::vector<std::uint32_t> first_; // index into corners_, per vertex
   std::vector<std::uint32_t> corners_;
   std::vector<std::vector<std::uint32_t>> around_; // filled on demand
-  std::size_t collapsed_ = 0;
   bool strict_ = true;
 };
 
 } // namespace
 
-std::size_t
+void
 mendSurface(TriangleMesh& mesh,
             std::vector<SurfaceVertex>& vertices,
             double min_height,
@@ -273,7 +269,6 @@ mendSurface(TriangleMesh& mesh,
     bad = std::move(next);
   }
   mesh.keepTriangles(mender.alive());
-  return mender.collapsed();
 }
 
 } // namespace pcl::sedr

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "thin_sheets.h"
+#include "dual_surface.h"
 
 #include "sedr_filters/src/base/parallel.h"
 
@@ -110,7 +110,7 @@ private:
 
 } // namespace
 
-std::size_t
+void
 keepThinSheets(const BandGrid& grid,
                const SortedSamples& samples,
                double spacing,
@@ -130,19 +130,15 @@ keepThinSheets(const BandGrid& grid,
   for (const auto& part : parts)
     votes.insert(votes.end(), part.begin(), part.end());
   std::sort(votes.begin(), votes.end());
-  std::size_t changed = 0;
   std::size_t last = std::numeric_limits<std::size_t>::max();
   for (const Vote& vote : votes) {
     if (vote.node == last)
       continue;
     last = vote.node; // the nearest sheet decides
     float& value = values[vote.node];
-    if ((value > 0) == vote.above)
-      continue;
-    value = vote.above ? certain : -certain;
-    ++changed;
+    if ((value > 0) != vote.above)
+      value = vote.above ? certain : -certain;
   }
-  return changed;
 }
 
 } // namespace pcl::sedr

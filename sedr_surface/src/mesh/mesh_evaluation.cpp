@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mesh_intersection.h"
 #include "mesh_repair.h"
 #include "sedr_filters/src/base/number_text.h"
 #include <pcl/sedr_surface/mesh_evaluation.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mesh_intersection.h"
+#include "mesh_repair.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ceiling_heights.h"
+#include "ceiling_lines.h"
 
 #include "../formats/decimal_text.h"
-#include "line_parts.h"
 
 #include "sedr_filters/src/plan/plan_bounds.h"
 #include "sedr_filters/src/plan/room_lookup.h"

@@ -2,7 +2,6 @@
 #include "ceiling_lines.h"
 
 #include "../formats/decimal_text.h"
-#include "line_parts.h"
 
 #include "sedr_filters/src/grids/disjoint_sets.h"
 #include "sedr_filters/src/plan/room_lookup.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "line_parts.h"
+#include "ceiling_lines.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -108,15 +108,17 @@ solve(const std::vector<OrientedPoint>& local,
   }
   report.depth = std::clamp(depth, 3, parameters.depth);
   ScreenedPoissonParameters solver;
-  solver.cell = std::max(wanted, margin * extent / std::ldexp(1., report.depth));
+  const double coarsest =
+      std::max(wanted, margin * extent / std::ldexp(1., report.depth));
+  solver.cell = coarsest;
   solver.spacing = report.spacing;
   solver.point_weight = parameters.point_weight;
   solver.threads = parameters.threads;
-  report.problem = screenedPoisson(local, solver, mesh, report.screened);
-  report.cell = report.screened.cell;
+  report.problem = screenedPoisson(local, solver, mesh);
+  report.cell = solver.cell;
   if (!report.problem.empty())
     return false;
-  if (report.cell > 1.001 * solver.cell || report.cell > coarse * wanted)
+  if (report.cell > 1.001 * coarsest || report.cell > coarse * wanted)
     report.warning = "its cells are " + shortNumber(report.cell) + " m instead of " +
                      shortNumber(wanted) + " m, for it extends over " +
                      shortNumber(extent) + " m";

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../isosurface/dual_surface.h"
-#include "../isosurface/sign_repair.h"
-#include "../isosurface/thin_sheets.h"
 #include "../solver/poisson_hierarchy.h"
-#include <pcl/sedr_surface/structural_poisson.h>
 
 #include "screened_poisson.h"
 
@@ -86,19 +83,17 @@ facesOutwards(const std::vector<SurfaceSample>& samples)
 
 std::string
 screenedPoisson(const std::vector<OrientedPoint>& points,
-                const ScreenedPoissonParameters& parameters,
-                TriangleMesh& mesh,
-                ScreenedPoissonReport& report)
+                ScreenedPoissonParameters& parameters,
+                TriangleMesh& mesh)
 {
   mesh = TriangleMesh();
-  report = ScreenedPoissonReport();
   if (points.size() < 3)
     return "screened Poisson needs at least 3 points, there are " +
            std::to_string(points.size());
   Eigen::AlignedBox3d box;
   for (const OrientedPoint& p : points)
     box.extend(p.position.cast<double>());
-  double cell = parameters.cell;
+  double& cell = parameters.cell;
   std::vector<SurfaceSample> samples;
   Eigen::Vector3d origin;
   for (;;) {
@@ -117,41 +112,27 @@ screenedPoisson(const std::vector<OrientedPoint>& points,
   if (outwards)
     for (SurfaceSample& sample : samples)
       sample.normal = -sample.normal;
-  PoissonHierarchy hierarchy;
-  HierarchyOptions options;
-  options.weight = parameters.point_weight;
-  options.tolerance = parameters.tolerance;
-  options.max_iterations = parameters.max_iterations;
-  options.max_blocks = 2 * parameters.max_nodes / BandGrid::nodes;
-  options.threads = parameters.threads;
-  const std::string problem = hierarchy.solve(samples, options);
-  report.cell = cell;
-  report.levels = static_cast<int>(hierarchy.levels());
-  const BandGrid& grid = hierarchy.finest().grid();
-  report.nodes = grid.size() * BandGrid::nodes;
-  report.iterations = hierarchy.report().iterations;
-  report.residual = hierarchy.report().residual;
-  report.converged = report.residual <= parameters.tolerance;
-  report.iso_value = hierarchy.meanAtSamples();
-  report.widened = hierarchy.widened();
-  if (!problem.empty())
-    return problem;
-  std::vector<float> values = hierarchy.finest().values;
-  const auto iso = static_cast<float>(report.iso_value);
+  PoissonSolution solution = solvePoisson(
+      samples, {parameters.point_weight, 2 * parameters.max_nodes / BandGrid::nodes,
+                parameters.threads});
+  if (!solution.problem.empty())
+    return solution.problem;
+  const BandGrid& grid = solution.level.grid();
+  std::vector<float>& values = solution.level.values;
+  const auto iso = static_cast<float>(solution.mean);
   for (std::size_t i = 0; i < grid.size() * BandGrid::nodes; ++i) {
     values[i] -= iso;
     if (std::abs(values[i]) < 1e-4f)
       values[i] = values[i] > 0 ? 1e-4f : -1e-4f;
   }
-  const SortedSamples& placed = hierarchy.finest().samples();
-  report.turned_signs = keepThinSheets(grid, placed, parameters.spacing / cell,
-                                       parameters.threads, values);
-  report.turned_signs += makeWellComposed(grid, values, parameters.threads);
+  const SortedSamples& placed = solution.level.samples();
+  keepThinSheets(grid, placed, parameters.spacing / cell, parameters.threads, values);
+  makeWellComposed(grid, values, parameters.threads);
   std::vector<SurfaceVertex> vertices;
   extractDualSurface(grid, values, placed,
                      static_cast<float>(1.5 * parameters.spacing / cell),
                      parameters.threads, mesh, vertices);
-  report.collapsed_edges = mendSurface(mesh, vertices, min_height, longest_collapse);
+  mendSurface(mesh, vertices, min_height, longest_collapse);
   for (Eigen::Vector3d& v : mesh.vertices)
     v = origin + cell * v;
   if (outwards)

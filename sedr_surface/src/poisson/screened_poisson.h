@@ -10,15 +10,11 @@
 
 namespace pcl::sedr {
 
-struct ScreenedPoissonReport;
-
 /** @brief Parameters of screenedPoisson(). */
 struct ScreenedPoissonParameters {
   double cell = 0.04;      ///< edge of the finest cells, metres
   double spacing = 0.05;   ///< typical distance between neighbouring points, metres
   float point_weight = 10; ///< alpha of equation 4: weight of points against smoothness
-  double tolerance = 1e-2; ///< residual over right-hand side at which a grid is solved
-  int max_iterations = 200;                      ///< on each grid
   std::size_t max_nodes = std::size_t(48) << 20; ///< per grid, about 40 bytes each
   unsigned threads = 1;                          ///< 0: all processors
 };
@@ -27,15 +23,14 @@ struct ScreenedPoissonParameters {
  * the surface: one closed, manifold surface.
  *
  * @param points finite, with unit normals towards free space; at least three
- * @param parameters in range
+ * @param parameters in range; the cell becomes larger if there would be too many nodes
  * @param mesh the surface, possibly of several components, its normals on the side of
  * those of the points; empty on failure
  * @return an empty string, or why there is no surface
  *
  * The same bytes for any number of threads. */
 std::string screenedPoisson(const std::vector<OrientedPoint>& points,
-                            const ScreenedPoissonParameters& parameters,
-                            TriangleMesh& mesh,
-                            ScreenedPoissonReport& report);
+                            ScreenedPoissonParameters& parameters,
+                            TriangleMesh& mesh);
 
 } // namespace pcl::sedr

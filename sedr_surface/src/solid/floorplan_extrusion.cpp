@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../mesh/mesh_intersection.h"
+#include "../mesh/mesh_repair.h"
 #include "opening_reveals.h"
 
 #include <pcl/impl/instantiate.hpp>

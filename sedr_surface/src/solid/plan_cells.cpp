@@ -3,259 +3,463 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <limits>
+#include <map>
+#include <string>
 
 namespace pcl::sedr {
+namespace {
 
-PlanCells::PlanCells(const RoomLayers& layers,
-                     const PlanGrid& grid,
-                     const Arrangement& arrangement,
-                     const PlanTriangulation& triangulation,
-                     const std::vector<SegmentSource>& sources,
-                     const std::vector<double>& tolerance)
-    : layers_(layers)
-    , grid_(grid)
-    , arrangement_(arrangement)
-    , triangulation_(triangulation)
-    , sources_(sources)
-    , tolerance_(tolerance)
-    , region_(triangulation.triangles.size())
+/** @brief Pieces of a room with a smaller area are removed, square metres. */
+constexpr double crumb = 0.01;
+
+template <typename... Values>
+std::string
+textOf(const char* format, Values... values)
 {
-  classify();
+  char text[200];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
 }
 
-const Arrangement::Edge*
-PlanCells::edgeAt(std::uint32_t t, std::size_t side) const
-{
-  const std::pair<std::uint32_t, std::uint32_t> ends =
-      std::minmax(corner(t, side), corner(t, side + 1));
-  const auto edge =
-      std::lower_bound(arrangement_.edges.begin(), arrangement_.edges.end(), ends,
-                       [](const Arrangement::Edge& e, const auto& wanted) {
-                         return std::make_pair(e.a, e.b) < wanted;
-                       });
-  const bool is_edge = edge != arrangement_.edges.end() && edge->a == ends.first &&
-                       edge->b == ends.second;
-  return is_edge ? &*edge : nullptr;
-}
+/** @brief A triangulated room plan with a region per triangle. Regions that cannot be
+ * built are replaced. */
+class PlanCells {
+public:
+  /** @param tolerance of each SolidElement, metres: parts narrower than that of the
+   * elements around them are slivers */
+  PlanCells(const RoomLayers& layers,
+            const PlanGrid& grid,
+            const Arrangement& arrangement,
+            const PlanTriangulation& triangulation,
+            const std::vector<SegmentSource>& sources,
+            const std::vector<double>& tolerance)
+      : layers_(layers)
+      , grid_(grid)
+      , arrangement_(arrangement)
+      , triangulation_(triangulation)
+      , sources_(sources)
+      , tolerance_(tolerance)
+      , region_(triangulation.triangles.size())
+  {
+    classify();
+  }
 
-void
-PlanCells::classify()
-{
-  using Winding = std::vector<int>;
-  const Winding outside(layers_.loops.size(), 0);
-  std::vector<Winding> winding(region_.size());
-  // Winding numbers inside a triangle's side, given those beyond it.
-  const auto inside = [&](std::uint32_t t, std::size_t side, Winding beyond) {
-    if (const Arrangement::Edge* edge = edgeAt(t, side))
-      for (const SegmentUse& use : edge->uses) {
-        if (sources_[use.segment].loop == SegmentSource::no_loop)
+  /** @brief Merges slivers into neighbouring parts. */
+  void mergeSlivers()
+  {
+    // One by one, the narrowest first, since a merge widens the other part.
+    for (;;) {
+      const std::vector<Part> parts = regions();
+      const Part* narrowest = nullptr;
+      double least = 0;
+      for (const Part& part : parts) {
+        const double width = widthOf(part);
+        if (part.is_outside || width >= part.tolerance)
           continue;
-        const bool is_left = use.forward == (corner(t, side) == edge->a);
-        beyond[sources_[use.segment].loop] += is_left ? 1 : -1;
+        if (narrowest != nullptr && width >= least)
+          continue;
+        narrowest = &part;
+        least = width;
       }
-    return beyond;
-  };
-  std::vector<std::uint32_t> waiting;
-  const auto reach = [&](std::uint32_t t, Winding turns) {
-    region_[t] = layers_.regionOf(turns);
-    winding[t] = std::move(turns);
-    waiting.push_back(t);
-  };
-  for (std::uint32_t t = 0; t < region_.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i)
-      if (triangulation_.neighbours[t][i] == none && winding[t].empty())
-        reach(t, inside(t, i, outside));
-  while (!waiting.empty()) {
-    const std::uint32_t t = waiting.back();
-    waiting.pop_back();
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t n = triangulation_.neighbours[t][i];
-      if (n == none || !winding[n].empty())
-        continue;
-      std::size_t back = 0;
-      while (triangulation_.neighbours[n][back] != t)
-        ++back;
-      reach(n, inside(n, back, winding[t]));
+      if (narrowest == nullptr)
+        return;
+      assign(*narrowest, heirOf(*narrowest));
     }
   }
-}
 
-PlanRegion
-PlanCells::across(std::uint32_t t, std::size_t side) const
-{
-  const std::uint32_t n = triangulation_.neighbours[t][side];
-  return n == none ? PlanRegion() : region_[n];
-}
+  /** @brief Removes details and niches, then other regions, that leave no height
+   * between floor and ceiling or would touch a neighbour. */
+  void dropUnbuildable(std::vector<PlanWarning>& warnings)
+  {
+    for (bool is_changed = true; is_changed;) {
+      is_changed = false;
+      for (Part& part : regions()) {
+        const std::string problem = problemOf(part);
+        if (problem.empty())
+          continue;
+        const PlanRegion region = part.region;
+        for (const PlanRegion& plain : layers_.plainRegions(region)) {
+          part.region = plain;
+          if (plain != region && problemOf(part).empty())
+            break;
+        }
+        const bool is_floor = part.region.isRoom() && part.region.floor != region.floor;
+        const int slab = is_floor ? region.floor : region.ceiling;
+        const std::size_t element =
+            layers_.slabs[static_cast<std::size_t>(slab)].element;
+        warnings.push_back({WarningKind::Contradiction,
+                            {part.area},
+                            0,
+                            0,
+                            layers_.elements[element].name + " " + problem +
+                                textOf(": %.2f m2 are left out", part.area)});
+        assign(part, part.region);
+        is_changed = true;
+        break;
+      }
+    }
+  }
 
-double
-PlanCells::areaOf(std::uint32_t t) const
-{
-  const auto& points = arrangement_.vertices;
-  return 0.5 * grid_.unit() * grid_.unit() *
-         static_cast<double>(
-             turn(points[corner(t, 0)], points[corner(t, 1)], points[corner(t, 2)]));
-}
+  /** @brief Removes small pieces cut off by columns or crossing walls, and warns of
+   * larger ones. */
+  void checkPieces(std::vector<PlanWarning>& warnings)
+  {
+    std::vector<Part> pieces = roomPieces();
+    std::stable_sort(pieces.begin(), pieces.end(),
+                     [](const Part& a, const Part& b) { return a.area > b.area; });
+    while (pieces.size() > 1 && pieces.back().area < crumb) {
+      assign(pieces.back(), PlanRegion());
+      pieces.pop_back();
+    }
+    if (pieces.size() > 1)
+      warnings.push_back(
+          {WarningKind::Contradiction,
+           {pieces[1].area},
+           0,
+           0,
+           textOf("its plan falls into %zu pieces, the largest of %.2f m2 "
+                  "and %.2f m2",
+                  pieces.size(), pieces[0].area, pieces[1].area)});
+  }
 
-void
-PlanCells::measure(Part& part, std::uint32_t t, std::size_t side) const
-{
-  const double length =
-      grid_.unit() * distance(arrangement_.vertices[corner(t, side)],
-                              arrangement_.vertices[corner(t, side + 1)]);
-  part.perimeter += length;
-  part.beside[across(t, side)] += length;
-  if (triangulation_.neighbours[t][side] == none)
-    part.is_outside = !part.region.isRoom();
-  if (const Arrangement::Edge* edge = edgeAt(t, side))
-    for (const SegmentUse& use : edge->uses)
-      part.tolerance =
-          std::max(part.tolerance, tolerance_[sources_[use.segment].element]);
-}
+  /** @brief Returns the edges between different regions. */
+  std::vector<SubdivisionEdge> edges() const
+  {
+    std::vector<SubdivisionEdge> edges;
+    for (std::uint32_t t = 0; t < region_.size(); ++t)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const PlanRegion beyond = across(t, i);
+        const Arrangement::Edge* edge = edgeAt(t, i);
+        const bool is_first = triangulation_.neighbours[t][i] == none ||
+                              t < triangulation_.neighbours[t][i];
+        if (edge == nullptr || beyond == region_[t] || !is_first)
+          continue;
+        SubdivisionEdge e{corner(t, i), corner(t, i + 1), region_[t], beyond, {}};
+        for (const SegmentUse& use : edge->uses)
+          if (sources_[use.segment].loop != SegmentSource::no_loop)
+            e.elements.push_back(sources_[use.segment].element);
+        std::sort(e.elements.begin(), e.elements.end());
+        e.elements.erase(std::unique(e.elements.begin(), e.elements.end()),
+                         e.elements.end());
+        edges.push_back(std::move(e));
+      }
+    return edges;
+  }
 
-template <typename Alike>
-std::vector<PlanCells::Part>
-PlanCells::partsOf(Alike alike) const
-{
-  std::vector<Part> parts;
-  std::vector<bool> is_taken(region_.size(), false);
-  for (std::uint32_t first = 0; first < region_.size(); ++first) {
-    if (is_taken[first])
-      continue;
-    Part part;
-    part.region = region_[first];
-    part.triangles.push_back(first);
-    is_taken[first] = true;
-    for (std::size_t k = 0; k < part.triangles.size(); ++k) {
-      const std::uint32_t t = part.triangles[k];
-      part.area += areaOf(t);
+  /** @brief Returns the visible creases of curved slabs. */
+  std::vector<SubdivisionCrease> creases() const
+  {
+    std::vector<SubdivisionCrease> creases;
+    for (std::uint32_t t = 0; t < region_.size(); ++t)
       for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t n = triangulation_.neighbours[t][i];
-        if (n == none || !alike(region_[t], region_[n]))
-          measure(part, t, i);
-        else if (!is_taken[n]) {
-          is_taken[n] = true;
-          part.triangles.push_back(n);
+        const int slab = region_[t].ceiling;
+        const Arrangement::Edge* edge = edgeAt(t, i);
+        if (n == none || n < t || edge == nullptr || slab == PlanRegion::nothing ||
+            region_[n] != region_[t])
+          continue;
+        const std::size_t element =
+            layers_.slabs[static_cast<std::size_t>(slab)].element;
+        if (std::any_of(edge->uses.begin(), edge->uses.end(),
+                        [&](const SegmentUse& use) {
+                          return sources_[use.segment].loop == SegmentSource::no_loop &&
+                                 sources_[use.segment].element == element;
+                        }))
+          creases.push_back({corner(t, i), corner(t, i + 1), slab});
+      }
+    return creases;
+  }
+
+private:
+  static constexpr std::uint32_t none = PlanTriangulation::none;
+
+  /** @brief Connected triangles of one region. */
+  struct Part {
+    PlanRegion region;
+    std::vector<std::uint32_t> triangles;
+    double area = 0;                     ///< square metres
+    double perimeter = 0;                ///< metres
+    double tolerance = 0;                ///< maximum of the elements around it, metres
+    bool is_outside = false;             ///< adjacent to the hull, in no room
+    std::map<PlanRegion, double> beside; ///< shared length with other regions
+  };
+
+  void classify()
+  {
+    using Winding = std::vector<int>;
+    const Winding outside(layers_.loops.size(), 0);
+    std::vector<Winding> winding(region_.size());
+    // Winding numbers inside a triangle's side, given those beyond it.
+    const auto inside = [&](std::uint32_t t, std::size_t side, Winding beyond) {
+      if (const Arrangement::Edge* edge = edgeAt(t, side))
+        for (const SegmentUse& use : edge->uses) {
+          if (sources_[use.segment].loop == SegmentSource::no_loop)
+            continue;
+          const bool is_left = use.forward == (corner(t, side) == edge->a);
+          beyond[sources_[use.segment].loop] += is_left ? 1 : -1;
         }
+      return beyond;
+    };
+    std::vector<std::uint32_t> waiting;
+    const auto reach = [&](std::uint32_t t, Winding turns) {
+      region_[t] = layers_.regionOf(turns);
+      winding[t] = std::move(turns);
+      waiting.push_back(t);
+    };
+    for (std::uint32_t t = 0; t < region_.size(); ++t)
+      for (std::size_t i = 0; i < 3; ++i)
+        if (triangulation_.neighbours[t][i] == none && winding[t].empty())
+          reach(t, inside(t, i, outside));
+    while (!waiting.empty()) {
+      const std::uint32_t t = waiting.back();
+      waiting.pop_back();
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t n = triangulation_.neighbours[t][i];
+        if (n == none || !winding[n].empty())
+          continue;
+        std::size_t back = 0;
+        while (triangulation_.neighbours[n][back] != t)
+          ++back;
+        reach(n, inside(n, back, winding[t]));
       }
     }
-    parts.push_back(std::move(part));
   }
-  return parts;
-}
 
-std::vector<PlanCells::Part>
-PlanCells::regions() const
-{
-  return partsOf([](const PlanRegion& a, const PlanRegion& b) { return a == b; });
-}
-
-std::vector<PlanCells::Part>
-PlanCells::roomPieces() const
-{
-  auto pieces = partsOf([](const PlanRegion& a, const PlanRegion& b) {
-    return a.isRoom() == b.isRoom();
-  });
-  pieces.erase(std::remove_if(pieces.begin(), pieces.end(),
-                              [](const Part& part) { return !part.region.isRoom(); }),
-               pieces.end());
-  return pieces;
-}
-
-PlanRegion
-PlanCells::heirOf(const Part& part)
-{
-  PlanRegion heir;
-  double longest = 0;
-  for (const auto& [region, length] : part.beside)
-    if (region.isRoom() && length > longest) {
-      heir = region;
-      longest = length;
-    }
-  return heir;
-}
-
-/** @brief Returns the shorter side of the rectangle of the same area and perimeter. */
-double
-PlanCells::widthOf(const Part& part)
-{
-  const double sides = part.perimeter / 2;
-  return (sides - std::sqrt(std::max(sides * sides - 4 * part.area, 0.0))) / 2;
-}
-
-void
-PlanCells::assign(const Part& part, const PlanRegion& region)
-{
-  for (const std::uint32_t t : part.triangles)
-    region_[t] = region;
-}
-
-void
-PlanCells::mergeSlivers()
-{
-  // One by one, the narrowest first, since a merge widens the other part.
-  for (;;) {
-    const std::vector<Part> parts = regions();
-    const Part* narrowest = nullptr;
-    double least = 0;
-    for (const Part& part : parts) {
-      const double width = widthOf(part);
-      if (part.is_outside || width >= part.tolerance)
+  /** @brief Returns sets of triangles connected by sides with `alike(t, u)`. */
+  template <typename Alike>
+  std::vector<Part> partsOf(Alike alike) const
+  {
+    std::vector<Part> parts;
+    std::vector<bool> is_taken(region_.size(), false);
+    for (std::uint32_t first = 0; first < region_.size(); ++first) {
+      if (is_taken[first])
         continue;
-      if (narrowest != nullptr && width >= least)
-        continue;
-      narrowest = &part;
-      least = width;
+      Part part;
+      part.region = region_[first];
+      part.triangles.push_back(first);
+      is_taken[first] = true;
+      for (std::size_t k = 0; k < part.triangles.size(); ++k) {
+        const std::uint32_t t = part.triangles[k];
+        part.area += areaOf(t);
+        for (std::size_t i = 0; i < 3; ++i) {
+          const std::uint32_t n = triangulation_.neighbours[t][i];
+          if (n == none || !alike(region_[t], region_[n]))
+            measure(part, t, i);
+          else if (!is_taken[n]) {
+            is_taken[n] = true;
+            part.triangles.push_back(n);
+          }
+        }
+      }
+      parts.push_back(std::move(part));
     }
-    if (narrowest == nullptr)
-      return;
-    assign(*narrowest, heirOf(*narrowest));
+    return parts;
   }
-}
 
-std::vector<SubdivisionEdge>
-PlanCells::edges() const
-{
-  std::vector<SubdivisionEdge> edges;
-  for (std::uint32_t t = 0; t < region_.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const PlanRegion beyond = across(t, i);
-      const Arrangement::Edge* edge = edgeAt(t, i);
-      const bool is_first = triangulation_.neighbours[t][i] == none ||
-                            t < triangulation_.neighbours[t][i];
-      if (edge == nullptr || beyond == region_[t] || !is_first)
-        continue;
-      SubdivisionEdge e{corner(t, i), corner(t, i + 1), region_[t], beyond, {}};
+  std::vector<Part> regions() const
+  {
+    return partsOf([](const PlanRegion& a, const PlanRegion& b) { return a == b; });
+  }
+
+  /** @brief Returns the connected pieces of the room, regardless of regions. */
+  std::vector<Part> roomPieces() const
+  {
+    auto pieces = partsOf([](const PlanRegion& a, const PlanRegion& b) {
+      return a.isRoom() == b.isRoom();
+    });
+    pieces.erase(std::remove_if(pieces.begin(), pieces.end(),
+                                [](const Part& part) { return !part.region.isRoom(); }),
+                 pieces.end());
+    return pieces;
+  }
+
+  void measure(Part& part, std::uint32_t t, std::size_t side) const
+  {
+    const double length =
+        grid_.unit() * distance(arrangement_.vertices[corner(t, side)],
+                                arrangement_.vertices[corner(t, side + 1)]);
+    part.perimeter += length;
+    part.beside[across(t, side)] += length;
+    if (triangulation_.neighbours[t][side] == none)
+      part.is_outside = !part.region.isRoom();
+    if (const Arrangement::Edge* edge = edgeAt(t, side))
       for (const SegmentUse& use : edge->uses)
-        if (sources_[use.segment].loop != SegmentSource::no_loop)
-          e.elements.push_back(sources_[use.segment].element);
-      std::sort(e.elements.begin(), e.elements.end());
-      e.elements.erase(std::unique(e.elements.begin(), e.elements.end()),
-                       e.elements.end());
-      edges.push_back(std::move(e));
-    }
-  return edges;
-}
+        part.tolerance =
+            std::max(part.tolerance, tolerance_[sources_[use.segment].element]);
+  }
 
-std::vector<SubdivisionCrease>
-PlanCells::creases() const
+  /** @brief Returns the region that absorbs a sliver: the room region with the longest
+   * common edge; `nothing` if there is none. */
+  static PlanRegion heirOf(const Part& part)
+  {
+    PlanRegion heir;
+    double longest = 0;
+    for (const auto& [region, length] : part.beside)
+      if (region.isRoom() && length > longest) {
+        heir = region;
+        longest = length;
+      }
+    return heir;
+  }
+
+  /** @brief Returns the shorter side of the rectangle of the same area and perimeter.
+   */
+  static double widthOf(const Part& part)
+  {
+    const double sides = part.perimeter / 2;
+    return (sides - std::sqrt(std::max(sides * sides - 4 * part.area, 0.0))) / 2;
+  }
+
+  void assign(const Part& part, const PlanRegion& region)
+  {
+    for (const std::uint32_t t : part.triangles)
+      region_[t] = region;
+  }
+
+  double heightOf(int slab, std::uint32_t vertex) const
+  {
+    return layers_.slabs[static_cast<std::size_t>(slab)].slab.heightAt(
+        grid_.toPlan(arrangement_.vertices[vertex]));
+  }
+
+  /** @brief Returns the minimum distance of ceiling and floor: a millimetre, more only
+   * on a coarse grid. */
+  double minClearance() const { return 20 * solidSeparation(grid_); }
+
+  /** @brief Returns the minimum height of a part's ceiling above its floor, metres. */
+  double clearance(const Part& part) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t t : part.triangles)
+      for (std::size_t i = 0; i < 3; ++i)
+        least = std::min(least, heightOf(part.region.ceiling, corner(t, i)) -
+                                    heightOf(part.region.floor, corner(t, i)));
+    return least;
+  }
+
+  /** @brief Returns whether a part's floor meets a neighbour's ceiling along an edge,
+   * or vice versa. */
+  bool touchesBeside(const Part& part) const
+  {
+    for (const std::uint32_t t : part.triangles)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const PlanRegion other = across(t, i);
+        const auto meet = [&](int slab, int other_slab) {
+          const auto isNear = [&](std::uint32_t v) {
+            return std::abs(heightOf(slab, v) - heightOf(other_slab, v)) <
+                   minClearance();
+          };
+          return isNear(corner(t, i)) && isNear(corner(t, i + 1));
+        };
+        if (other.isRoom() &&
+            (meet(part.region.floor, other.ceiling) ||
+             (layers_.isNiche(part.region) && meet(part.region.ceiling, other.floor))))
+          return true;
+      }
+    return false;
+  }
+
+  /** @brief Returns whether a part is open to a neighbouring part of the room. */
+  bool isOpen(const Part& part) const
+  {
+    for (const std::uint32_t t : part.triangles)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const PlanRegion other = across(t, i);
+        // An earlier niche is open itself, or is left out before the next round.
+        if (!other.isRoom() ||
+            (layers_.isNiche(other) && other.floor >= part.region.floor))
+          continue;
+        const auto overlapAt = [&](std::uint32_t v) {
+          return std::min(heightOf(part.region.ceiling, v),
+                          heightOf(other.ceiling, v)) -
+                 std::max(heightOf(part.region.floor, v), heightOf(other.floor, v));
+        };
+        if (overlapAt(corner(t, i)) > minClearance() &&
+            overlapAt(corner(t, i + 1)) > minClearance())
+          return true;
+      }
+    return false;
+  }
+
+  /** @brief Returns why a part cannot be built, or empty. */
+  std::string problemOf(const Part& part) const
+  {
+    if (!part.region.isRoom())
+      return {};
+    const double height = clearance(part);
+    if (height < minClearance())
+      return textOf("comes down to %.3f m above what is below it", height);
+    if (layers_.isNiche(part.region) && !isOpen(part))
+      return "is not open to the room";
+    if (part.region != layers_.plainRegions(part.region).front() && touchesBeside(part))
+      return "is where the ceiling beside it is";
+    return {};
+  }
+
+  PlanRegion across(std::uint32_t t, std::size_t side) const
+  {
+    const std::uint32_t n = triangulation_.neighbours[t][side];
+    return n == none ? PlanRegion() : region_[n];
+  }
+
+  /** @brief Returns the edge on a triangle's side, or null. */
+  const Arrangement::Edge* edgeAt(std::uint32_t t, std::size_t side) const
+  {
+    const std::pair<std::uint32_t, std::uint32_t> ends =
+        std::minmax(corner(t, side), corner(t, side + 1));
+    const auto edge =
+        std::lower_bound(arrangement_.edges.begin(), arrangement_.edges.end(), ends,
+                         [](const Arrangement::Edge& e, const auto& wanted) {
+                           return std::make_pair(e.a, e.b) < wanted;
+                         });
+    const bool is_edge = edge != arrangement_.edges.end() && edge->a == ends.first &&
+                         edge->b == ends.second;
+    return is_edge ? &*edge : nullptr;
+  }
+
+  std::uint32_t corner(std::uint32_t t, std::size_t i) const
+  {
+    return triangulation_.triangles[t][i % 3];
+  }
+
+  double areaOf(std::uint32_t t) const
+  {
+    const auto& points = arrangement_.vertices;
+    return 0.5 * grid_.unit() * grid_.unit() *
+           static_cast<double>(
+               turn(points[corner(t, 0)], points[corner(t, 1)], points[corner(t, 2)]));
+  }
+
+  const RoomLayers& layers_;
+  const PlanGrid& grid_;
+  const Arrangement& arrangement_;
+  const PlanTriangulation& triangulation_;
+  const std::vector<SegmentSource>& sources_;
+  const std::vector<double>& tolerance_;
+  std::vector<PlanRegion> region_; ///< per triangle
+};
+
+} // namespace
+
+void
+findRegions(const RoomLayers& layers,
+            const Arrangement& arrangement,
+            const PlanTriangulation& triangulation,
+            const std::vector<SegmentSource>& sources,
+            const std::vector<double>& tolerance,
+            PlanSubdivision& subdivision,
+            std::vector<PlanWarning>& warnings)
 {
-  std::vector<SubdivisionCrease> creases;
-  for (std::uint32_t t = 0; t < region_.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t n = triangulation_.neighbours[t][i];
-      const int slab = region_[t].ceiling;
-      const Arrangement::Edge* edge = edgeAt(t, i);
-      if (n == none || n < t || edge == nullptr || slab == PlanRegion::nothing ||
-          region_[n] != region_[t])
-        continue;
-      const std::size_t element = layers_.slabs[static_cast<std::size_t>(slab)].element;
-      if (std::any_of(edge->uses.begin(), edge->uses.end(), [&](const SegmentUse& use) {
-            return sources_[use.segment].loop == SegmentSource::no_loop &&
-                   sources_[use.segment].element == element;
-          }))
-        creases.push_back({corner(t, i), corner(t, i + 1), slab});
-    }
-  return creases;
+  PlanCells cells(layers, subdivision.grid, arrangement, triangulation, sources,
+                  tolerance);
+  cells.mergeSlivers();
+  cells.dropUnbuildable(warnings);
+  cells.checkPieces(warnings);
+  subdivision.vertices = arrangement.vertices;
+  subdivision.edges = cells.edges();
+  subdivision.creases = cells.creases();
 }
 
 } // namespace pcl::sedr

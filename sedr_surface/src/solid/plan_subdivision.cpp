@@ -1,15 +1,295 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_cells.h"
+#include "plan_facets.h"
+#include "room_layers.h"
+#include "sedr_filters/src/plan/plan_arcs.h"
 #include "subdivision_mending.h"
-#include "visible_creases.h"
 
+#include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_surface/room_solid.h>
 
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace pcl::sedr {
-
 namespace {
+
+/** @brief A straight line in plan along which a curved slab is folded. */
+struct SlabCrease {
+  std::size_t slab = 0; ///< index of RoomLayers::slabs
+  Eigen::Vector2d from;
+  Eigen::Vector2d to;
+};
+
+/** @brief A straight line in plan along which a curved slab is folded. */
+using Crease = std::pair<Eigen::Vector2d, Eigen::Vector2d>;
+
+constexpr double margin = 0.01;      ///< metres: beyond bounds, off springing lines
+constexpr double max_creases = 2000; ///< of a cylinder, or rays of a dome
+
+/** @brief Returns the angle between two creases of a circle of this radius, radians. */
+double
+stepOf(double radius, double tolerance)
+{
+  const double step = 2 * std::acos(std::max(0.0, 1 - tolerance / radius));
+  return std::max(step, M_PI / max_creases);
+}
+
+/** @brief Returns the bounding box of `bounds` in the frame of a curve. */
+Eigen::AlignedBox2d
+localBounds(const SlabCurve& curve, const Eigen::AlignedBox2d& bounds)
+{
+  Eigen::AlignedBox2d local;
+  for (const double x : {bounds.min().x(), bounds.max().x()})
+    for (const double y : {bounds.min().y(), bounds.max().y()})
+      local.extend(Eigen::Rotation2Dd(-curve.direction()) *
+                   (Eigen::Vector2d(x, y) - curve.centre));
+  local.extend(local.min() - Eigen::Vector2d::Constant(margin));
+  local.extend(local.max() + Eigen::Vector2d::Constant(margin));
+  return local;
+}
+
+std::vector<Crease>
+cylinderCreases(const SlabCurve& curve,
+                const Eigen::AlignedBox2d& bounds,
+                double tolerance)
+{
+  const Eigen::AlignedBox2d local = localBounds(curve, bounds);
+  const double step = stepOf(std::max(curve.across, curve.up), tolerance);
+  const auto count = static_cast<int>(std::ceil(M_PI / step));
+  std::vector<Crease> creases;
+  for (int k = 0; k <= count; ++k) {
+    const double offset = curve.across * std::sin(M_PI * k / count - M_PI / 2);
+    // A crease on the springing line would form a sliver along the wall.
+    const double reach = k == 0 || k == count ? 2 * margin : 0;
+    if (offset - reach > local.min().y() && offset + reach < local.max().y())
+      creases.emplace_back(Eigen::Vector2d(local.min().x(), offset),
+                           Eigen::Vector2d(local.max().x(), offset));
+  }
+  return creases;
+}
+
+/** @brief Returns rings around the top with rays between them, fewer towards the
+ * top. */
+std::vector<Crease>
+domeCreases(const SlabCurve& curve, const Eigen::AlignedBox2d& bounds, double tolerance)
+{
+  const double radius = std::max({curve.across, curve.along, curve.up});
+  const double step = stepOf(radius, tolerance);
+  const auto rings = static_cast<int>(std::ceil(M_PI / 2 / step));
+  const double most = std::min(2 * M_PI / step, max_creases);
+  const auto raysAt = [&](int ring) {
+    const double wanted = most * std::sin(M_PI / 2 * ring / rings);
+    int rays = 8;
+    while (rays < wanted)
+      rays *= 2;
+    return rays;
+  };
+  const auto placeOf = [&](int ring, int ray, int rays) -> Eigen::Vector2d {
+    const double out = std::sin(M_PI / 2 * ring / rings);
+    const double angle = 2 * M_PI * ray / rays;
+    return {curve.along * out * std::cos(angle), curve.across * out * std::sin(angle)};
+  };
+  const Eigen::AlignedBox2d local = localBounds(curve, bounds);
+  std::vector<Crease> creases;
+  const auto add = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+    if (local.intersects(Eigen::AlignedBox2d(from.cwiseMin(to), from.cwiseMax(to))))
+      creases.emplace_back(from, to);
+  };
+  for (int ring = 1; ring <= rings; ++ring) {
+    const int rays = raysAt(ring);
+    for (int ray = 0; ray < rays; ++ray)
+      add(placeOf(ring, ray, rays), placeOf(ring, ray + 1, rays));
+    const int inner = raysAt(ring - 1);
+    for (int ray = 0; ray < inner; ++ray)
+      add(placeOf(ring - 1, ray, inner), placeOf(ring, ray, inner));
+  }
+  return creases;
+}
+
+std::vector<Crease>
+reliefCreases(const SlabCurve& curve, const Eigen::AlignedBox2d& bounds)
+{
+  const Eigen::AlignedBox2d local = localBounds(curve, bounds);
+  std::vector<Crease> creases;
+  for (std::size_t k = 0; k < std::max(curve.columns, curve.rows()); ++k) {
+    const double at = curve.spacing * static_cast<double>(k);
+    if (k < curve.columns && at > local.min().x() && at < local.max().x())
+      creases.emplace_back(Eigen::Vector2d(at, local.min().y()),
+                           Eigen::Vector2d(at, local.max().y()));
+    if (k < curve.rows() && at > local.min().y() && at < local.max().y())
+      creases.emplace_back(Eigen::Vector2d(local.min().x(), at),
+                           Eigen::Vector2d(local.max().x(), at));
+  }
+  return creases;
+}
+
+/** @brief Clips a crease to a box.
+ * @return whether anything is left */
+bool
+clip(const Eigen::AlignedBox2d& box, Crease& crease)
+{
+  const Eigen::Vector2d way = crease.second - crease.first;
+  double from = 0;
+  double to = 1;
+  for (int k = 0; k < 2; ++k) {
+    const double low = box.min()[k] - crease.first[k];
+    const double high = box.max()[k] - crease.first[k];
+    if (way[k] == 0) {
+      if (low > 0 || high < 0)
+        return false;
+      continue;
+    }
+    from = std::max(from, std::min(low / way[k], high / way[k]));
+    to = std::min(to, std::max(low / way[k], high / way[k]));
+  }
+  const Eigen::Vector2d start = crease.first;
+  crease = {start + from * way, start + to * way};
+  return from < to;
+}
+
+/** @brief Returns the lines in plan that divide a curve into flat pieces within a
+ * tolerance: parallels to the axis of a cylinder, rings and rays of a dome, the grid of
+ * a relief.
+ * @param bounds of the curved area in plan, metres, not empty; creases reach slightly
+ * farther
+ * @param tolerance metres, above 0 */
+std::vector<Crease>
+creasesOf(const SlabCurve& curve, const Eigen::AlignedBox2d& bounds, double tolerance)
+{
+  std::vector<Crease> creases =
+      curve.kind == CurveKind::Relief     ? reliefCreases(curve, bounds)
+      : curve.kind == CurveKind::Cylinder ? cylinderCreases(curve, bounds, tolerance)
+                                          : domeCreases(curve, bounds, tolerance);
+  const Eigen::Rotation2Dd turn(curve.direction());
+  const Eigen::AlignedBox2d box(bounds.min() - Eigen::Vector2d::Constant(margin),
+                                bounds.max() + Eigen::Vector2d::Constant(margin));
+  std::vector<Crease> inside;
+  for (const auto& [from, to] : creases) {
+    Crease crease(curve.centre + turn * from, curve.centre + turn * to);
+    if (clip(box, crease))
+      inside.push_back(crease);
+  }
+  return inside;
+}
+
+/** @brief The creases of a room's curved slabs, clipped where another slab replaces
+ * them. */
+class VisibleCreases {
+public:
+  /** @param chains facets of the layers' loops; both must outlive this object */
+  VisibleCreases(const RoomLayers& layers, const std::vector<FacetChain>& chains)
+      : layers_(layers)
+      , chains_(chains)
+      , boxes_(chains.size())
+  {
+    for (std::size_t l = 0; l < chains.size(); ++l)
+      for (const Eigen::Vector2d& corner : chains[l].corners)
+        boxes_[l].extend(corner);
+  }
+
+  /** @brief Returns the creases of one slab, for facets within `tolerance` metres.
+   *
+   * O(k n) for k creases and n corners of the loops whose boxes they meet. */
+  std::vector<Crease> of(std::size_t slab, double tolerance) const
+  {
+    const RoomLayers::Slab& own = layers_.slabs[slab];
+    std::vector<Crease> visible;
+    Eigen::AlignedBox2d bounds;
+    for (std::size_t l = 0; l < chains_.size(); ++l)
+      if (layers_.loops[l].loop == own.loop)
+        bounds.extend(boxes_[l]);
+    if (!own.slab.curve || bounds.isEmpty())
+      return visible;
+    for (const Crease& crease : creasesOf(*own.slab.curve, bounds, tolerance)) {
+      const std::vector<double> shares = crossings(crease);
+      const Eigen::Vector2d way = crease.second - crease.first;
+      for (std::size_t k = 0; k + 1 < shares.size(); ++k) {
+        const double middle = (shares[k] + shares[k + 1]) / 2;
+        if (!regionAt(crease.first + middle * way).has(static_cast<int>(slab)))
+          continue;
+        visible.emplace_back(crease.first + shares[k] * way,
+                             crease.first + shares[k + 1] * way);
+      }
+    }
+    return visible;
+  }
+
+private:
+  /** @brief Returns where the loops cross a line, as shares of its length, sorted, with
+   * 0 and 1. */
+  std::vector<double> crossings(const Crease& crease) const
+  {
+    const Eigen::Vector2d way = crease.second - crease.first;
+    Eigen::AlignedBox2d box(crease.first);
+    box.extend(crease.second);
+    std::vector<double> shares{0, 1};
+    for (std::size_t l = 0; l < chains_.size(); ++l) {
+      if (!boxes_[l].intersects(box))
+        continue;
+      const auto& corners = chains_[l].corners;
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Eigen::Vector2d from = corners[i] - crease.first;
+        const Eigen::Vector2d to = corners[(i + 1) % corners.size()] - crease.first;
+        const double side = cross(way, from);
+        const double side_to = cross(way, to);
+        if ((side < 0) == (side_to < 0))
+          continue;
+        const Eigen::Vector2d at = from + side / (side - side_to) * (to - from);
+        const double share = at.dot(way) / way.squaredNorm();
+        if (share > 0 && share < 1)
+          shares.push_back(share);
+      }
+    }
+    std::sort(shares.begin(), shares.end());
+    return shares;
+  }
+
+  /** @brief Returns the region at a place. */
+  PlanRegion regionAt(const Eigen::Vector2d& p) const
+  {
+    std::vector<int> winding(chains_.size(), 0);
+    for (std::size_t l = 0; l < chains_.size(); ++l)
+      if (boxes_[l].contains(p))
+        for (std::size_t i = 0; i < chains_[l].corners.size(); ++i) {
+          PlanElement side;
+          side.start = chains_[l].corners[i];
+          side.end = chains_[l].corners[(i + 1) % chains_[l].corners.size()];
+          winding[l] += windingOf(side, p);
+        }
+    return layers_.regionOf(winding);
+  }
+
+  const RoomLayers& layers_;
+  const std::vector<FacetChain>& chains_;
+  std::vector<Eigen::AlignedBox2d> boxes_; ///< of the chains
+};
+
+/** @brief Returns the creases of a room's curved slabs, which divide them into flat
+ * pieces: parallels to the axis of a cylinder, rings and rays of a dome, the grid of a
+ * relief. They are clipped where another slab replaces theirs.
+ *
+ * O(k n) for k creases and n corners of the loops whose boxes they meet.
+ * @param chains facets of the layers' loops
+ * @param tolerance of the pieces, metres, above 0 */
+std::vector<SlabCrease>
+visibleCreases(const RoomLayers& layers,
+               const std::vector<FacetChain>& chains,
+               double tolerance)
+{
+  const VisibleCreases visible(layers, chains);
+  std::vector<SlabCrease> creases;
+  for (std::size_t slab = 0; slab < layers.slabs.size(); ++slab)
+    for (const auto& [from, to] : visible.of(slab, tolerance))
+      creases.push_back({slab, from, to});
+  return creases;
+}
 
 PlanGrid
 gridOf(const std::vector<FacetChain>& chains)
@@ -35,23 +315,6 @@ collectSegments(const std::vector<FacetChain>& chains,
       sources.push_back({l, chains[l].elements[i]});
     }
   }
-}
-
-/** @brief Adds the creases of curved slabs. */
-void
-collectCreases(const RoomLayers& layers,
-               const std::vector<FacetChain>& chains,
-               const PlanGrid& grid,
-               double tolerance,
-               std::vector<GridSegment>& segments,
-               std::vector<SegmentSource>& sources)
-{
-  const VisibleCreases creases(layers, chains);
-  for (std::size_t slab = 0; slab < layers.slabs.size(); ++slab)
-    for (const auto& [from, to] : creases.of(slab, tolerance)) {
-      segments.push_back({grid.toGrid(from), grid.toGrid(to)});
-      sources.push_back({SegmentSource::no_loop, layers.slabs[slab].element});
-    }
 }
 
 FacetCorners
@@ -147,8 +410,11 @@ subdivideRoom(const RoomLayers& layers,
   std::vector<GridSegment> segments;
   std::vector<SegmentSource> sources;
   collectSegments(chains, subdivision.grid, segments, sources);
-  collectCreases(layers, chains, subdivision.grid, parameters.chord_tolerance, segments,
-                 sources);
+  for (const auto& [slab, from, to] :
+       visibleCreases(layers, chains, parameters.chord_tolerance)) {
+    segments.push_back({subdivision.grid.toGrid(from), subdivision.grid.toGrid(to)});
+    sources.push_back({SegmentSource::no_loop, layers.slabs[slab].element});
+  }
 
   Arrangement arrangement;
   arrangeSegments(segments, solidSeparation(subdivision.grid) / subdivision.grid.unit(),
@@ -161,16 +427,8 @@ subdivideRoom(const RoomLayers& layers,
     return "its plan of " + std::to_string(ends.size()) +
            " edges could not be triangulated";
 
-  const std::vector<double> tolerances =
-      tolerancesOf(layers, parameters.snap_tolerance);
-  PlanCells cells(layers, subdivision.grid, arrangement, triangulation, sources,
-                  tolerances);
-  cells.mergeSlivers();
-  cells.dropUnbuildable(warnings);
-  cells.checkPieces(warnings);
-  subdivision.vertices = arrangement.vertices;
-  subdivision.edges = cells.edges();
-  subdivision.creases = cells.creases();
+  findRegions(layers, arrangement, triangulation, sources,
+              tolerancesOf(layers, parameters.snap_tolerance), subdivision, warnings);
   if (subdivision.edges.empty())
     return "its plan encloses no room";
 

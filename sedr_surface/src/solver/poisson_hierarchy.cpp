@@ -32,179 +32,6 @@ refineRow(const float* coarse, std::size_t stride, float* fine, std::size_t fine
   }
 }
 
-} // namespace
-
-float
-PoissonHierarchy::valueAt(std::size_t level,
-                          std::int64_t x,
-                          std::int64_t y,
-                          std::int64_t z) const
-{
-  if (level == levels_.size())
-    return outside;
-  const BandGrid& grid = levels_[level].grid();
-  const std::size_t b =
-      grid.find({floorDivide(x, BandGrid::edge), floorDivide(y, BandGrid::edge),
-                 floorDivide(z, BandGrid::edge)});
-  if (b < grid.size())
-    return levels_[level]
-        .values[b * BandGrid::nodes + BandGrid::nodeIndex(x & 7, y & 7, z & 7)];
-  const std::int64_t lo[3] = {floorDivide(x, 2), floorDivide(y, 2), floorDivide(z, 2)};
-  const std::int64_t hi[3] = {lo[0] + (x & 1), lo[1] + (y & 1), lo[2] + (z & 1)};
-  float sum = 0;
-  for (int c = 0; c < 8; ++c)
-    sum += valueAt(level + 1, c & 1 ? hi[0] : lo[0], c & 2 ? hi[1] : lo[1],
-                   c & 4 ? hi[2] : lo[2]);
-  return sum / 8;
-}
-
-void
-PoissonHierarchy::interpolate(std::size_t level,
-                              const BandGrid::Block& block,
-                              float* halo) const
-{
-  if (level + 1 == levels_.size()) {
-    std::fill(halo, halo + BandGrid::halo_nodes, outside);
-    return;
-  }
-  const PoissonLevel& coarser = levels_[level + 1];
-  const BandGrid& grid = coarser.grid();
-  std::int64_t first[3];
-  for (std::size_t k = 0; k < 3; ++k)
-    first[k] = block[k] * (BandGrid::edge / 2) - 1;
-  // The patch lies in at most two blocks along each axis.
-  std::size_t blocks[8];
-  std::int64_t base[3];
-  for (int k = 0; k < 3; ++k)
-    base[k] = floorDivide(first[k], BandGrid::edge);
-  for (int c = 0; c < 8; ++c)
-    blocks[c] =
-        grid.find({base[0] + (c & 1), base[1] + (c >> 1 & 1), base[2] + (c >> 2)});
-  float patch[patch_edge * patch_edge * patch_edge];
-  float* value = patch;
-  for (std::int64_t z = first[2]; z < first[2] + 6; ++z)
-    for (std::int64_t y = first[1]; y < first[1] + 6; ++y)
-      for (std::int64_t x = first[0]; x < first[0] + 6; ++x) {
-        const bool up[3] = {x >= (base[0] + 1) * 8, y >= (base[1] + 1) * 8,
-                            z >= (base[2] + 1) * 8};
-        const std::size_t b =
-            blocks[(up[0] ? 1 : 0) + (up[1] ? 2 : 0) + (up[2] ? 4 : 0)];
-        *value++ = b < grid.size()
-                       ? coarser.values[b * BandGrid::nodes +
-                                        BandGrid::nodeIndex(x & 7, y & 7, z & 7)]
-                       : valueAt(level + 1, x, y, z);
-      }
-  float along_x[6 * 6 * 10];
-  float along_y[6 * 10 * 10];
-  for (std::size_t row = 0; row < 36; ++row)
-    refineRow(patch + row * 6, 1, along_x + row * 10, 1);
-  for (std::size_t z = 0; z < 6; ++z)
-    for (std::size_t x = 0; x < 10; ++x)
-      refineRow(along_x + z * 60 + x, 10, along_y + z * 100 + x, 10);
-  for (std::size_t yx = 0; yx < 100; ++yx)
-    refineRow(along_y + yx, 100, halo + yx, 100);
-}
-
-void
-PoissonHierarchy::gather(std::size_t level, std::size_t b, float* halo) const
-{
-  const BandGrid& grid = levels_[level].grid();
-  if (!grid.atRim(b)) {
-    grid.gatherHalo(levels_[level].values, b, halo);
-    return;
-  }
-  float inside[BandGrid::halo_nodes];
-  grid.gatherHalo(levels_[level].values, b, inside);
-  interpolate(level, grid.at(b), halo);
-  std::size_t i = 0;
-  for (int z = -1; z <= 8; ++z)
-    for (int y = -1; y <= 8; ++y)
-      for (int x = -1; x <= 8; ++x, ++i)
-        if (grid.blockAt(b, x, y, z) < grid.size())
-          halo[i] = inside[i];
-}
-
-void
-PoissonHierarchy::start(std::size_t level, const PoissonLevel& before, unsigned threads)
-{
-  PoissonLevel& current = levels_[level];
-  const BandGrid& grid = current.grid();
-  parallelFor(grid.size(), BandGrid::blocks_at_once, threads, [&](std::size_t b) {
-    float* values = &current.values[b * BandGrid::nodes];
-    const std::size_t old = before.grid().find(grid.at(b));
-    if (old < before.grid().size()) {
-      std::copy_n(&before.values[old * BandGrid::nodes], BandGrid::nodes, values);
-      return;
-    }
-    float halo[BandGrid::halo_nodes];
-    interpolate(level, grid.at(b), halo);
-    BandGrid::copyInner(halo, values);
-  });
-}
-
-void
-PoissonHierarchy::solveLevel(std::size_t level,
-                             const std::vector<SurfaceSample>& samples,
-                             std::vector<BandGrid::Key> more,
-                             const HierarchyOptions& options)
-{
-  constexpr int max_rounds = 40;
-  const double scale = std::ldexp(1., static_cast<int>(level));
-  const bool coarsest = level + 1 == levels_.size();
-  // Small grids are faster with one thread.
-  const unsigned threads = samples.size() < min_for_threads ? 1 : options.threads;
-  PoissonLevel before;
-  widened_ = -1;
-  do {
-    levels_[level] = PoissonLevel(samples, scale, options.weight, more, threads);
-    start(level, before, threads);
-    report_ = levels_[level].solve(
-        [this, level](std::size_t b, float* halo) { gather(level, b, halo); },
-        options.tolerance, options.max_iterations, threads);
-    mean_ = levels_[level].meanAtSamples(threads);
-    ++widened_;
-    if (coarsest)
-      return;
-    const auto missing =
-        blocksMissing(level, level == 0 ? static_cast<float>(mean_) : 0.f);
-    if (missing.empty())
-      return;
-    more.insert(more.end(), missing.begin(), missing.end());
-    before = std::move(levels_[level]);
-  } while (widened_ < max_rounds &&
-           before.grid().size() + more.size() <= options.max_blocks);
-  problem_ = "the surface runs out of the " + std::to_string(before.grid().size()) +
-             " blocks of cells: the points enclose nothing";
-  levels_[level] = std::move(before);
-}
-
-std::string
-PoissonHierarchy::solve(const std::vector<SurfaceSample>& samples,
-                        const HierarchyOptions& options)
-{
-  constexpr double coarsest_cells = 20; // across all samples
-  double extent = 0;
-  for (const SurfaceSample& sample : samples)
-    extent = std::max(
-        extent, (sample.position - samples.front().position).cwiseAbs().maxCoeff());
-  std::vector<std::vector<SurfaceSample>> merged(1, samples);
-  for (double cells = 2 * extent; cells > coarsest_cells; cells /= 2)
-    merged.push_back(
-        mergeSamples(merged.back(), std::ldexp(1., static_cast<int>(merged.size()))));
-  levels_.clear();
-  levels_.resize(merged.size());
-  problem_.clear();
-  for (std::size_t level = levels_.size(); level-- > 0 && problem_.empty();)
-    solveLevel(level, merged[level],
-               level + 1 == levels_.size()
-                   ? blocksOfBox(merged[level], std::ldexp(1., static_cast<int>(level)))
-                   : blocksAtSurface(level + 1),
-               options);
-  return problem_;
-}
-
-namespace {
-
 // Calls visit(x, y, z) for cells that the surface crosses, by their lowest nodes from
 // `first` to 7.
 template <typename Visit>
@@ -227,90 +54,262 @@ makeUnique(std::vector<BandGrid::Key>& keys)
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
 }
 
+/** @brief The grids, the finest first. */
+class PoissonHierarchy {
+public:
+  PoissonSolution solve(const std::vector<SurfaceSample>& samples,
+                        const PoissonOptions& options)
+  {
+    constexpr double coarsest_cells = 20; // across all samples
+    double extent = 0;
+    for (const SurfaceSample& sample : samples)
+      extent = std::max(
+          extent, (sample.position - samples.front().position).cwiseAbs().maxCoeff());
+    std::vector<std::vector<SurfaceSample>> merged(1, samples);
+    for (double cells = 2 * extent; cells > coarsest_cells; cells /= 2)
+      merged.push_back(
+          mergeSamples(merged.back(), std::ldexp(1., static_cast<int>(merged.size()))));
+    levels_.clear();
+    levels_.resize(merged.size());
+    problem_.clear();
+    for (std::size_t level = levels_.size(); level-- > 0 && problem_.empty();)
+      solveLevel(
+          level, merged[level],
+          level + 1 == levels_.size()
+              ? blocksOfBox(merged[level], std::ldexp(1., static_cast<int>(level)))
+              : blocksAtSurface(level + 1),
+          options);
+    return {std::move(levels_.front()), mean_, problem_};
+  }
+
+private:
+  float valueAt(std::size_t level, std::int64_t x, std::int64_t y, std::int64_t z) const
+  {
+    if (level == levels_.size())
+      return outside;
+    const BandGrid& grid = levels_[level].grid();
+    const std::size_t b =
+        grid.find({floorDivide(x, BandGrid::edge), floorDivide(y, BandGrid::edge),
+                   floorDivide(z, BandGrid::edge)});
+    if (b < grid.size())
+      return levels_[level]
+          .values[b * BandGrid::nodes + BandGrid::nodeIndex(x & 7, y & 7, z & 7)];
+    const std::int64_t lo[3] = {floorDivide(x, 2), floorDivide(y, 2),
+                                floorDivide(z, 2)};
+    const std::int64_t hi[3] = {lo[0] + (x & 1), lo[1] + (y & 1), lo[2] + (z & 1)};
+    float sum = 0;
+    for (int c = 0; c < 8; ++c)
+      sum += valueAt(level + 1, c & 1 ? hi[0] : lo[0], c & 2 ? hi[1] : lo[1],
+                     c & 4 ? hi[2] : lo[2]);
+    return sum / 8;
+  }
+
+  void interpolate(std::size_t level, const BandGrid::Block& block, float* halo) const
+  {
+    if (level + 1 == levels_.size()) {
+      std::fill(halo, halo + BandGrid::halo_nodes, outside);
+      return;
+    }
+    const PoissonLevel& coarser = levels_[level + 1];
+    const BandGrid& grid = coarser.grid();
+    std::int64_t first[3];
+    for (std::size_t k = 0; k < 3; ++k)
+      first[k] = block[k] * (BandGrid::edge / 2) - 1;
+    // The patch lies in at most two blocks along each axis.
+    std::size_t blocks[8];
+    std::int64_t base[3];
+    for (int k = 0; k < 3; ++k)
+      base[k] = floorDivide(first[k], BandGrid::edge);
+    for (int c = 0; c < 8; ++c)
+      blocks[c] =
+          grid.find({base[0] + (c & 1), base[1] + (c >> 1 & 1), base[2] + (c >> 2)});
+    float patch[patch_edge * patch_edge * patch_edge];
+    float* value = patch;
+    for (std::int64_t z = first[2]; z < first[2] + 6; ++z)
+      for (std::int64_t y = first[1]; y < first[1] + 6; ++y)
+        for (std::int64_t x = first[0]; x < first[0] + 6; ++x) {
+          const bool up[3] = {x >= (base[0] + 1) * 8, y >= (base[1] + 1) * 8,
+                              z >= (base[2] + 1) * 8};
+          const std::size_t b =
+              blocks[(up[0] ? 1 : 0) + (up[1] ? 2 : 0) + (up[2] ? 4 : 0)];
+          *value++ = b < grid.size()
+                         ? coarser.values[b * BandGrid::nodes +
+                                          BandGrid::nodeIndex(x & 7, y & 7, z & 7)]
+                         : valueAt(level + 1, x, y, z);
+        }
+    float along_x[6 * 6 * 10];
+    float along_y[6 * 10 * 10];
+    for (std::size_t row = 0; row < 36; ++row)
+      refineRow(patch + row * 6, 1, along_x + row * 10, 1);
+    for (std::size_t z = 0; z < 6; ++z)
+      for (std::size_t x = 0; x < 10; ++x)
+        refineRow(along_x + z * 60 + x, 10, along_y + z * 100 + x, 10);
+    for (std::size_t yx = 0; yx < 100; ++yx)
+      refineRow(along_y + yx, 100, halo + yx, 100);
+  }
+
+  void gather(std::size_t level, std::size_t b, float* halo) const
+  {
+    const BandGrid& grid = levels_[level].grid();
+    if (!grid.atRim(b)) {
+      grid.gatherHalo(levels_[level].values, b, halo);
+      return;
+    }
+    float inside[BandGrid::halo_nodes];
+    grid.gatherHalo(levels_[level].values, b, inside);
+    interpolate(level, grid.at(b), halo);
+    std::size_t i = 0;
+    for (int z = -1; z <= 8; ++z)
+      for (int y = -1; y <= 8; ++y)
+        for (int x = -1; x <= 8; ++x, ++i)
+          if (grid.blockAt(b, x, y, z) < grid.size())
+            halo[i] = inside[i];
+  }
+
+  void solveLevel(std::size_t level,
+                  const std::vector<SurfaceSample>& samples,
+                  std::vector<BandGrid::Key> more,
+                  const PoissonOptions& options)
+  {
+    constexpr int max_rounds = 40;
+    const double scale = std::ldexp(1., static_cast<int>(level));
+    const bool coarsest = level + 1 == levels_.size();
+    // Small grids are faster with one thread.
+    const unsigned threads = samples.size() < min_for_threads ? 1 : options.threads;
+    PoissonLevel before;
+    int widened = -1;
+    do {
+      levels_[level] = PoissonLevel(samples, scale, options.weight, more, threads);
+      start(level, before, threads);
+      levels_[level].solve(
+          [this, level](std::size_t b, float* halo) { gather(level, b, halo); },
+          threads);
+      mean_ = levels_[level].meanAtSamples(threads);
+      ++widened;
+      if (coarsest)
+        return;
+      const auto missing =
+          blocksMissing(level, level == 0 ? static_cast<float>(mean_) : 0.f);
+      if (missing.empty())
+        return;
+      more.insert(more.end(), missing.begin(), missing.end());
+      before = std::move(levels_[level]);
+    } while (widened < max_rounds &&
+             before.grid().size() + more.size() <= options.max_blocks);
+    problem_ = "the surface runs out of the " + std::to_string(before.grid().size()) +
+               " blocks of cells: the points enclose nothing";
+    levels_[level] = std::move(before);
+  }
+
+  void start(std::size_t level, const PoissonLevel& before, unsigned threads)
+  {
+    PoissonLevel& current = levels_[level];
+    const BandGrid& grid = current.grid();
+    parallelFor(grid.size(), BandGrid::blocks_at_once, threads, [&](std::size_t b) {
+      float* values = &current.values[b * BandGrid::nodes];
+      const std::size_t old = before.grid().find(grid.at(b));
+      if (old < before.grid().size()) {
+        std::copy_n(&before.values[old * BandGrid::nodes], BandGrid::nodes, values);
+        return;
+      }
+      float halo[BandGrid::halo_nodes];
+      interpolate(level, grid.at(b), halo);
+      BandGrid::copyInner(halo, values);
+    });
+  }
+
+  std::vector<BandGrid::Key> blocksOfBox(const std::vector<SurfaceSample>& samples,
+                                         double scale) const
+  {
+    constexpr double pad = 5; // cells within which the function settles
+    Eigen::AlignedBox3d box;
+    for (const SurfaceSample& sample : samples)
+      box.extend(sample.position);
+    BandGrid::Block first;
+    BandGrid::Block last;
+    for (int k = 0; k < 3; ++k) {
+      first[static_cast<std::size_t>(k)] =
+          static_cast<std::int64_t>(std::floor((box.min()[k] / scale - pad) / 8));
+      last[static_cast<std::size_t>(k)] =
+          static_cast<std::int64_t>(std::floor((box.max()[k] / scale + pad) / 8));
+    }
+    std::vector<BandGrid::Key> keys;
+    for (std::int64_t z = first[2]; z <= last[2]; ++z)
+      for (std::int64_t y = first[1]; y <= last[1]; ++y)
+        for (std::int64_t x = first[0]; x <= last[0]; ++x)
+          keys.push_back(BandGrid::keyOf({x, y, z}));
+    return keys;
+  }
+
+  std::vector<BandGrid::Key> blocksAtSurface(std::size_t level) const
+  {
+    const BandGrid& grid = levels_[level].grid();
+    std::vector<BandGrid::Key> keys;
+    float halo[BandGrid::halo_nodes];
+    for (std::size_t b = 0; b < grid.size(); ++b) {
+      const BandGrid::Block block = grid.at(b);
+      std::array<bool, 64> wanted{};
+      gather(level, b, halo);
+      forCrossedCells(halo, 0, 0, [&](int x, int y, int z) {
+        // The finer cells of this one and two more on each side, in blocks -1 to 2 of
+        // those within this one.
+        const int cell[3] = {x, y, z};
+        int lo[3];
+        int hi[3];
+        for (int k = 0; k < 3; ++k) {
+          lo[k] = (2 * cell[k] - 2 + 8) / 8;
+          hi[k] = (2 * cell[k] + 3 + 8) / 8;
+        }
+        for (int k = lo[2]; k <= hi[2]; ++k)
+          for (int j = lo[1]; j <= hi[1]; ++j)
+            for (int i = lo[0]; i <= hi[0]; ++i)
+              wanted[static_cast<std::size_t>((k * 4 + j) * 4 + i)] = true;
+      });
+      for (std::int64_t i = 0; i < 64; ++i)
+        if (wanted[static_cast<std::size_t>(i)])
+          keys.push_back(
+              BandGrid::keyOf({2 * block[0] + i % 4 - 1, 2 * block[1] + i / 4 % 4 - 1,
+                               2 * block[2] + i / 16 - 1}));
+    }
+    makeUnique(keys);
+    return keys;
+  }
+
+  std::vector<BandGrid::Key> blocksMissing(std::size_t level, float iso) const
+  {
+    const BandGrid& grid = levels_[level].grid();
+    std::vector<BandGrid::Key> keys;
+    float halo[BandGrid::halo_nodes];
+    for (std::size_t b = 0; b < grid.size(); ++b) {
+      if (!grid.atRim(b))
+        continue;
+      const BandGrid::Block block = grid.at(b);
+      gather(level, b, halo);
+      forCrossedCells(halo, iso, -1, [&](int x, int y, int z) {
+        for (int c = 0; c < 8; ++c) {
+          const int n[3] = {x + (c & 1), y + (c >> 1 & 1), z + (c >> 2)};
+          if (grid.blockAt(b, n[0], n[1], n[2]) == grid.size())
+            keys.push_back(
+                BandGrid::keyOf({block[0] + (n[0] >> 3), block[1] + (n[1] >> 3),
+                                 block[2] + (n[2] >> 3)}));
+        }
+      });
+    }
+    makeUnique(keys);
+    return keys;
+  }
+
+  std::vector<PoissonLevel> levels_;
+  double mean_ = 0;
+  std::string problem_;
+};
+
 } // namespace
 
-std::vector<BandGrid::Key>
-PoissonHierarchy::blocksOfBox(const std::vector<SurfaceSample>& samples,
-                              double scale) const
+PoissonSolution
+solvePoisson(const std::vector<SurfaceSample>& samples, const PoissonOptions& options)
 {
-  constexpr double pad = 5; // cells within which the function settles
-  Eigen::AlignedBox3d box;
-  for (const SurfaceSample& sample : samples)
-    box.extend(sample.position);
-  BandGrid::Block first;
-  BandGrid::Block last;
-  for (int k = 0; k < 3; ++k) {
-    first[static_cast<std::size_t>(k)] =
-        static_cast<std::int64_t>(std::floor((box.min()[k] / scale - pad) / 8));
-    last[static_cast<std::size_t>(k)] =
-        static_cast<std::int64_t>(std::floor((box.max()[k] / scale + pad) / 8));
-  }
-  std::vector<BandGrid::Key> keys;
-  for (std::int64_t z = first[2]; z <= last[2]; ++z)
-    for (std::int64_t y = first[1]; y <= last[1]; ++y)
-      for (std::int64_t x = first[0]; x <= last[0]; ++x)
-        keys.push_back(BandGrid::keyOf({x, y, z}));
-  return keys;
-}
-
-std::vector<BandGrid::Key>
-PoissonHierarchy::blocksAtSurface(std::size_t level) const
-{
-  const BandGrid& grid = levels_[level].grid();
-  std::vector<BandGrid::Key> keys;
-  float halo[BandGrid::halo_nodes];
-  for (std::size_t b = 0; b < grid.size(); ++b) {
-    const BandGrid::Block block = grid.at(b);
-    std::array<bool, 64> wanted{};
-    gather(level, b, halo);
-    forCrossedCells(halo, 0, 0, [&](int x, int y, int z) {
-      // The finer cells of this one and two more on each side, in blocks -1 to 2 of
-      // those within this one.
-      const int cell[3] = {x, y, z};
-      int lo[3];
-      int hi[3];
-      for (int k = 0; k < 3; ++k) {
-        lo[k] = (2 * cell[k] - 2 + 8) / 8;
-        hi[k] = (2 * cell[k] + 3 + 8) / 8;
-      }
-      for (int k = lo[2]; k <= hi[2]; ++k)
-        for (int j = lo[1]; j <= hi[1]; ++j)
-          for (int i = lo[0]; i <= hi[0]; ++i)
-            wanted[static_cast<std::size_t>((k * 4 + j) * 4 + i)] = true;
-    });
-    for (std::int64_t i = 0; i < 64; ++i)
-      if (wanted[static_cast<std::size_t>(i)])
-        keys.push_back(
-            BandGrid::keyOf({2 * block[0] + i % 4 - 1, 2 * block[1] + i / 4 % 4 - 1,
-                             2 * block[2] + i / 16 - 1}));
-  }
-  makeUnique(keys);
-  return keys;
-}
-
-std::vector<BandGrid::Key>
-PoissonHierarchy::blocksMissing(std::size_t level, float iso) const
-{
-  const BandGrid& grid = levels_[level].grid();
-  std::vector<BandGrid::Key> keys;
-  float halo[BandGrid::halo_nodes];
-  for (std::size_t b = 0; b < grid.size(); ++b) {
-    if (!grid.atRim(b))
-      continue;
-    const BandGrid::Block block = grid.at(b);
-    gather(level, b, halo);
-    forCrossedCells(halo, iso, -1, [&](int x, int y, int z) {
-      for (int c = 0; c < 8; ++c) {
-        const int n[3] = {x + (c & 1), y + (c >> 1 & 1), z + (c >> 2)};
-        if (grid.blockAt(b, n[0], n[1], n[2]) == grid.size())
-          keys.push_back(
-              BandGrid::keyOf({block[0] + (n[0] >> 3), block[1] + (n[1] >> 3),
-                               block[2] + (n[2] >> 3)}));
-      }
-    });
-  }
-  makeUnique(keys);
-  return keys;
+  return PoissonHierarchy().solve(samples, options);
 }
 
 } // namespace pcl::sedr

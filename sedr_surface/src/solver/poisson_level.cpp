@@ -238,14 +238,12 @@ PoissonLevel::applyAll(const std::vector<float>& x,
                     });
 }
 
-SolveReport
-PoissonLevel::solve(const GatherHalo& gather,
-                    double tolerance,
-                    int max_iterations,
-                    unsigned threads)
+void
+PoissonLevel::solve(const GatherHalo& gather, unsigned threads)
 {
+  constexpr double tolerance = 1e-2;
+  constexpr int max_iterations = 200;
   constexpr std::size_t part = 32; // blocks
-  SolveReport report;
   const std::size_t blocks = grid_.size();
   const std::size_t n = blocks * BandGrid::nodes;
   std::vector<float> residual(grid_.valueCount(), 0.f);
@@ -268,7 +266,7 @@ PoissonLevel::solve(const GatherHalo& gather,
         sum += static_cast<double>(right_[i] * right_[i] / diagonal_[i]);
       });
   const double enough = tolerance * tolerance * right_length;
-  while (length > enough && report.iterations < max_iterations) {
+  for (int k = 0; k < max_iterations && length > enough; ++k) {
     const double curvature = applyAll(step, applied, threads);
     if (!(curvature > 0))
       break;
@@ -289,10 +287,7 @@ PoissonLevel::solve(const GatherHalo& gather,
       step[i] = residual[i] / diagonal_[i] + back * step[i];
     });
     length = next;
-    ++report.iterations;
   }
-  report.residual = right_length > 0 ? std::sqrt(length / right_length) : 0;
-  return report;
 }
 
 double

@@ -9,12 +9,6 @@
 
 namespace pcl::sedr {
 
-/** @brief Accuracy of solving a linear system. */
-struct SolveReport {
-  int iterations = 0;
-  double residual = 0; ///< norm relative to the right-hand side, scaled by the diagonal
-};
-
 /** @brief Writes the halo of a block (BandGrid::halo_nodes values). */
 using GatherHalo = std::function<void(std::size_t, float*)>;
 
@@ -55,15 +49,12 @@ public:
   /** @brief Values at the nodes. */
   std::vector<float> values;
 
-  /** @brief Improves the values by conjugate gradients, until the residual is
-   * `tolerance` times the right-hand side or `max_iterations` are reached.
+  /** @brief Improves the values by conjugate gradients, until the residual is a
+   * hundredth of the right-hand side, or for 200 iterations.
    * @param gather writes the halo of a block, including given values around the blocks
    *
    * Sums use blocks of fixed size: the same bits for any number of threads. */
-  SolveReport solve(const GatherHalo& gather,
-                    double tolerance,
-                    int max_iterations,
-                    unsigned threads);
+  void solve(const GatherHalo& gather, unsigned threads);
 
   /** @brief Returns the mean of the values at the samples, weighted by area. */
   double meanAtSamples(unsigned threads) const;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
-#include "sedr_surface/src/overhead/ceiling_heights.h"
 #include "sedr_surface/src/overhead/ceiling_lines.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include "plan_loops.h"
 
-#include "sedr_surface/src/mesh/mesh_intersection.h"
+#include "sedr_surface/src/mesh/mesh_repair.h"
 #include <pcl/sedr_surface/room_solid.h>
 
 #include <gtest/gtest.h>

@@ -67,11 +67,11 @@ private:
 
 /** @brief Adds up the sums of all ranks at rank 0, two and two. */
 void
-addUp(const Ranks& ranks, VoxelSums& sums, unsigned threads)
+addUp(const Ranks& ranks, VoxelSums& sums)
 {
   for (int step = 1; step < ranks.size(); step *= 2) {
     if (ranks.rank() % (2 * step) != 0) {
-      std::vector<VoxelSum> mine = sums.take(threads);
+      std::vector<VoxelSum> mine = sums.take();
       sendList(ranks, ranks.rank() - step, mine);
       return;
     }
@@ -106,7 +106,7 @@ writeMeans(VoxelSums& sums,
            unsigned threads,
            StructureChain::Cloud& means)
 {
-  means.resize(sums.arrange(min_points, threads));
+  means.resize(sums.arrange(min_points));
   sums.forEach(
       [&](const VoxelSum& voxel, std::size_t place) {
         means[place].getVector3fMap() = sums.frame().mean(voxel);
@@ -141,7 +141,7 @@ thinTogether(const Ranks& ranks,
     sums = std::make_unique<VoxelSums>(inverse_leaf); // the whole scan is not too large
     part.read(false, *sums, excerpt);
   });
-  addUp(ranks, *sums, threads);
+  addUp(ranks, *sums);
   if (ranks.rank() == 0) {
     if (grid.getRemoveStrays())
       thinned.stray_limit = sums->strayLimit();

@@ -37,7 +37,6 @@ serialize(Archive& archive, pcl::sedr::RoomSurface& surface, unsigned)
   archive& r.room& r.points& r.skipped_points& r.scaled_normals& r.spacing& r.depth;
   archive& r.cell& r.parted_vertices& r.removed_components& r.removed_triangles;
   archive& r.closed& r.area& r.volume& r.unsupported_share& r.problem& r.warning;
-  archive& make_binary_object(&r.screened, sizeof r.screened);
   pcl::sedr::MeshTopology& t = r.topology;
   archive& t.vertices& t.unused_vertices& t.edges& t.triangles& t.degenerate_triangles;
   archive& t.zero_area_triangles& t.duplicate_triangles& t.boundary_edges;
@@ -49,8 +48,6 @@ serialize(Archive& archive, pcl::sedr::RoomSurface& surface, unsigned)
 } // namespace boost::serialization
 
 namespace pcl::sedr::tools {
-
-static_assert(std::is_trivially_copyable<ScreenedPoissonReport>::value);
 
 RoomSharing
 sharedRooms(const Ranks& ranks)

@@ -15,20 +15,6 @@ namespace sedr {
 
 struct RoomSamples;
 
-/** @brief Statistics of solving the Poisson equation of a room. */
-struct ScreenedPoissonReport {
-  double cell = 0; ///< metres; larger than requested if the limit of nodes was reached
-  std::size_t nodes = 0; ///< of the finest grid
-  int levels = 0;        ///< number of grids; cells double from one to the next
-  int iterations = 0;    ///< of conjugate gradients on the finest grid
-  double residual = 0;   ///< on the finest grid, relative to the right-hand side
-  bool converged = false;
-  double iso_value = 0; ///< mean at the points; -1/2 is behind, 1/2 in front of them
-  int widened = 0;      ///< number of times the finest grid was widened
-  std::size_t turned_signs = 0;    ///< nodes with changed sign, for a manifold surface
-  std::size_t collapsed_edges = 0; ///< removed folds and slivers
-};
-
 /** @brief Parameters of a room's surface; see StructuralPoisson. */
 struct RoomPoissonParameters {
   int depth = 9;           ///< maximum: cells are at least the room's extent / 2^depth
@@ -48,7 +34,6 @@ struct RoomPoissonReport {
   double spacing = 0;                 ///< of the points, metres
   int depth = 0;                      ///< 2^depth cells are as long as the room
   double cell = 0;                    ///< edge of the finest cells, metres
-  ScreenedPoissonReport screened;     ///< the solution
   std::size_t parted_vertices = 0;    ///< vertices moved off the position of another
   std::size_t removed_components = 0; ///< all but the largest
   std::size_t removed_triangles = 0;  ///< with these components
