@@ -104,7 +104,7 @@ gatherCeiling(const PointView& points,
             });
   const int reach = static_cast<int>(std::lround(p.local / grid.size()));
   spread(cells.seen, reach, std::greater<>(), cells.top);
-  spread(cells.seen, reach, std::less<>(), cells.low);
+  spread(cells.seen, 1, std::less<>(), cells.low);
   for (std::size_t i = 0; i < cells.top.size(); ++i)
     if (cells.low[i] == no_height)
       cells.top[i] = cells.low[i] = static_cast<float>(cells.ceiling);
@@ -127,7 +127,7 @@ gatherWalls(const PointView& points,
   };
   std::vector<std::uint8_t> bins(count, 0);
   std::vector<std::uint8_t> bins_of_low(count, 0);
-  std::vector<std::uint8_t> bins_of_base(count, 0);
+  std::vector<std::uint64_t> bins_of_base(count, 0);
   std::vector<float> highest(count, -no_height);
   std::vector<std::uint8_t> is_wall(count, 0);
   struct Place {
@@ -148,8 +148,10 @@ gatherWalls(const PointView& points,
             return;
           if (q.z() < cells.top[at] + p.rim)
             highest[at] = std::max(highest[at], q.z());
-          if (const double above = q.z() - cells.floor; above > p.rim && above < p.sill)
-            bins_of_base[at] |= 1u << static_cast<int>(above / p.bin);
+          if (const double above = q.z() - cells.floor;
+              above > p.rim && q.z() < lowest(cells.low[at]))
+            bins_of_base[at] |= std::uint64_t{1}
+                                << std::min(63, static_cast<int>(above / p.bin));
           const bool is_below_low = isBelow(cells.low[at]);
           const bool is_below_top = isBelow(cells.top[at]);
           if (is_below_low)
@@ -182,7 +184,10 @@ gatherWalls(const PointView& points,
     cells.riser.values()[i] = below_top >= needed && !goes_on;
     cells.pillar.values()[i] =
         below_top < needed && below_low >= needed && !endsBelow(i);
-    cells.base.values()[i] = __builtin_popcount(bins_of_base[i]) >= p.filled_of_wall;
+    const bool is_tall = highest[i] > cells.floor + p.sill; // for what is below a sill
+    cells.base.values()[i] =
+        __builtin_popcountll(bins_of_base[i]) >= p.filled_of_wall &&
+        !(is_tall && highest[i] < cells.low[i] - p.below);
   }
   const CellMask near = dilated(cells.solid, 1);
   const CellMask near_pillar = dilated(cells.pillar, 1);

@@ -32,7 +32,7 @@ struct RoomCells {
   CellMask glass;         ///< those of them that return few rays
   CellMask riser;         ///< cells of a surface between two ceilings, with air below
   CellMask pillar; ///< cells of one that ends at a lower ceiling beside a higher one
-  CellMask base;   ///< cells of a surface above the floor
+  CellMask base;   ///< cells of a surface below the band, such as a sill's
   std::vector<Eigen::Vector2d> wall_points; ///< just below the ceiling, on surfaces
 
   /** @brief Mean place of the wall points of each solid cell, in the order of cells. */
@@ -50,7 +50,7 @@ struct RoomCellsParameters {
   double rim = 0.06;      ///< nearest to the ceiling, where its noise is
   double bin = 0.07;      ///< height of a bin of the band, above the voxel size
   double below = 0.09;    ///< a surface that ends so far below a ceiling is no wall
-  double sill = 0.45;     ///< above the floor: what stands below an opening reaches it
+  double sill = 1.3;      ///< above the floor: no sill is higher, tall furniture is
   int filled = 5;         ///< bins of a surface that reaches up to the ceiling,
   int filled_of_wall = 3; ///< of one that wall growing has reached
   double local = 0.2;     ///< the ceiling of a cell is the highest within this reach

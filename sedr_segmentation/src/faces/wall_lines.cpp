@@ -200,14 +200,16 @@ snap(const LineSearch& search,
     line = {v, offsets[best]};
 }
 
-/** @brief Returns the runs [first, last) of cells in which a surface was seen, without
- * small holes and short parts. */
-std::vector<std::pair<std::size_t, std::size_t>>
+using Part = std::pair<std::size_t, std::size_t>; ///< [first, last) of cells
+
+/** @brief Returns the runs of cells in which a surface was seen, without small holes
+ * and short parts. */
+std::vector<Part>
 partsOf(const std::vector<std::uint8_t>& cells, const WallLineParameters& p)
 {
   const auto hole = static_cast<std::size_t>(std::lround(p.max_hole / p.cell));
   const auto shortest = static_cast<std::size_t>(std::lround(p.min_part / p.cell));
-  std::vector<std::pair<std::size_t, std::size_t>> parts;
+  std::vector<Part> parts;
   for (std::size_t i = 0; i < cells.size(); ++i)
     if (cells[i]) {
       if (!parts.empty() && i - parts.back().second <= 2 * hole)
@@ -221,36 +223,6 @@ partsOf(const std::vector<std::uint8_t>& cells, const WallLineParameters& p)
                              }),
               parts.end());
   return parts;
-}
-
-/** @brief Fills the places from the end of a part on: up to the next surface that
- * meets the line if that is near; then the line has ended. */
-void
-fillBeyond(std::size_t from,
-           int step,
-           std::size_t max_gap,
-           std::size_t beyond,
-           const std::vector<std::uint8_t>& is_met,
-           std::vector<AlongLine>& places)
-{
-  const auto at = [&](std::size_t k) {
-    return from + static_cast<std::size_t>(step) * k; // wraps: out of range
-  };
-  const auto isMet = [&](std::size_t k) {
-    return at(k) < places.size() && is_met[at(k)];
-  };
-  std::size_t gap = 0;
-  while (isMet(gap)) // the surface turns
-    ++gap;
-  while (gap < max_gap && !isMet(gap))
-    ++gap;
-  if (gap >= max_gap)
-    gap = 0;
-  for (std::size_t k = 0; k < beyond && at(k) < places.size(); ++k)
-    if (k < gap)
-      places[at(k)] = AlongLine::Corner;
-    else if (places[at(k)] == AlongLine::Nothing)
-      places[at(k)] = AlongLine::Ended;
 }
 
 } // namespace
@@ -317,7 +289,9 @@ mainAngles(const std::vector<double>& angles,
 }
 
 std::vector<WallLine>
-wallLines(std::vector<SurfacePlace> places, const WallLineParameters& p)
+wallLines(std::vector<SurfacePlace> places,
+          const std::vector<Eigen::Vector2d>& lower,
+          const WallLineParameters& p)
 {
   constexpr std::size_t least = 6; // places of a line: 0.3 m
   std::vector<WallLine> result;
@@ -373,27 +347,35 @@ wallLines(std::vector<SurfacePlace> places, const WallLineParameters& p)
     if (parts.empty() ||
         (is_oblique && static_cast<double>(longest) * p.cell < p.min_oblique))
       continue;
+    std::vector<std::uint8_t> is_low(cells.size(), 0);
+    for (const Eigen::Vector2d& q : lower)
+      if (std::abs(line.normal.dot(q) - line.offset) < p.cell)
+        if (const double at = (along.dot(q) - wall.start) / p.cell;
+            at >= 0 && at < static_cast<double>(cells.size()))
+          is_low[static_cast<std::size_t>(at)] = 1;
     wall.places.assign(cells.size(), AlongLine::Nothing);
-    const auto wide = static_cast<std::size_t>(std::lround(p.max_gap / p.cell));
-    std::vector<std::uint8_t> is_met = cells; // by a surface on it or across it
-    for (std::size_t i = 0; i < search.size(); ++i)
-      if (std::abs(line.normal.dot(search.at(i)) - line.offset) < p.cell)
-        if (const double at = (along.dot(search.at(i)) - wall.start) / p.cell;
-            at >= 0 && at < static_cast<double>(is_met.size()))
-          is_met[static_cast<std::size_t>(at)] = 1;
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-      fillBeyond(parts[k].second, 1, wide, beyond, is_met, wall.places);
-      fillBeyond(parts[k].first - 1, -1, wide, beyond, is_met, wall.places);
-      if (k > 0 && parts[k].first - parts[k - 1].second < wide)
-        std::fill(wall.places.begin() +
-                      static_cast<std::ptrdiff_t>(parts[k - 1].second),
-                  wall.places.begin() + static_cast<std::ptrdiff_t>(parts[k].first),
-                  AlongLine::Gap);
-    }
+    const auto fill = [&](const Part& part, AlongLine what) {
+      std::fill(wall.places.begin() + static_cast<std::ptrdiff_t>(part.first),
+                wall.places.begin() + static_cast<std::ptrdiff_t>(part.second), what);
+    };
     for (const auto& [from, to] : parts)
-      std::fill(wall.places.begin() + static_cast<std::ptrdiff_t>(from),
-                wall.places.begin() + static_cast<std::ptrdiff_t>(to),
-                AlongLine::Surface);
+      fill({from - std::min(from, beyond), std::min(to + beyond, cells.size())},
+           AlongLine::Ended);
+    const auto hole = static_cast<std::size_t>(std::lround(p.max_hole / p.cell));
+    for (const Part& low_part : partsOf(is_low, p)) {
+      const auto isBeside = [&](const Part& part) {
+        return part.first <= low_part.second + 2 * hole &&
+               low_part.first <= part.second + 2 * hole;
+      };
+      if (std::any_of(parts.begin(), parts.end(), isBeside))
+        fill(low_part, AlongLine::Lower);
+    }
+    const auto wide = static_cast<std::size_t>(std::lround(p.max_gap / p.cell));
+    for (std::size_t k = 1; k < parts.size(); ++k)
+      if (parts[k].first - parts[k - 1].second < wide)
+        fill({parts[k - 1].second, parts[k].first}, AlongLine::Gap);
+    for (const Part& part : parts)
+      fill(part, AlongLine::Surface);
     result.push_back(std::move(wall));
   }
   return result;

@@ -13,7 +13,7 @@ namespace pcl::sedr {
 enum class AlongLine : std::uint8_t {
   Surface, ///< a surface was seen
   Gap,     ///< between two parts of the surface: a door, a window
-  Corner,  ///< up to the next surface across it: a window beside a corner
+  Lower,   ///< beside a part, the surface goes on below: a window next to a corner
   Ended,   ///< beyond its ends, or in a wide gap
   Nothing  ///< farther away
 };
@@ -69,8 +69,11 @@ struct SurfacePlace {
 };
 
 /** @brief Finds the lines on which the places of surfaces lie. O(places x lines).
- * Deterministic. */
+ * Deterministic.
+ * @param places on surfaces up to the ceiling
+ * @param lower centres of cells with surfaces that end below it */
 std::vector<WallLine> wallLines(std::vector<SurfacePlace> places,
+                                const std::vector<Eigen::Vector2d>& lower,
                                 const WallLineParameters& parameters = {});
 
 } // namespace pcl::sedr

@@ -213,7 +213,7 @@ fitPlanByEnergy(const PointView& points,
     findGlass(scan, scan_indices, grid, of_cells, threads, cells);
   WallLineParameters of_lines;
   of_lines.cell = grid.size();
-  const std::vector<Storey> storeys = storeysOf(cells, of_lines, threads);
+  const std::vector<Storey> storeys = storeysOf(cells, grid, of_lines, threads);
   const std::vector<RoomRegion> regions =
       roomRegions(cells, storeys, grid, {}, threads);
   std::vector<PlanRoom> rooms(numbers.size());

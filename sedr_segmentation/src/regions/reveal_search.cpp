@@ -72,13 +72,13 @@ RevealSearch::lookBehind(const Eigen::Vector2d& p,
   const Eigen::Vector2d end = p + (depth + step) * out;
   const bool is_reveal = depth > 0 && depth < energy_.max_wall && !is(closed_, end) &&
                          (in_gap || !is(next_, end));
-  const auto goesOn = [&](const CellMask& wall) {
+  const auto isAt = [&](const CellMask& wall) {
     return is(wall, p) || is(wall, p + size * out) || is(wall, p - size * out);
   };
   // The side of a soffit that ends at a wall is no lintel.
-  const bool is_shallow =
-      in_gap && depth > 1.5 * size && depth < energy_.max_wall &&
-      (goesOn(below_) || (what == AlongLine::Gap && goesOn(above_)));
+  const bool goes_on = what == AlongLine::Lower ||
+                       (what == AlongLine::Gap && (isAt(below_) || isAt(above_)));
+  const bool is_shallow = goes_on && depth > 1.5 * size && depth < energy_.max_wall;
   bool in_wall = in_gap;
   for (double d = step; d < farthest; d += step) {
     const Eigen::Vector2d q = p + d * out;

@@ -233,6 +233,7 @@ addCells(const CellMask& mask, CellMask& sum)
 
 std::vector<Storey>
 storeysOf(const std::vector<RoomCells>& rooms,
+          const CellGrid& grid,
           const WallLineParameters& parameters,
           unsigned threads)
 {
@@ -261,18 +262,23 @@ storeysOf(const std::vector<RoomCells>& rooms,
   }
   parallelBlocks(storeys.size(), 1, threads, [&](std::size_t s, std::size_t) {
     std::vector<SurfacePlace> places;
+    std::vector<Eigen::Vector2d> lower;
     for (const std::size_t r : order) {
       if (!rooms[r].sharesHeights(rooms[seeds[s]]) && r != seeds[s])
         continue;
       std::size_t k = 0;
       for (std::size_t i = 0; i < rooms[r].solid.values().size(); ++i)
-        if (rooms[r].solid.values()[i]) {
+        if (!rooms[r].solid.values()[i]) {
+          if (rooms[r].base.values()[i])
+            lower.push_back(grid.centre(rooms[r].base.cellAt(i)));
+        }
+        else {
           if (!rooms[r].glass.values()[i])
             places.push_back({rooms[r].centres[k], static_cast<std::uint32_t>(r)});
           ++k;
         }
     }
-    storeys[s].lines = wallLines(std::move(places), parameters);
+    storeys[s].lines = wallLines(std::move(places), lower, parameters);
   });
   return storeys;
 }

@@ -50,6 +50,7 @@ struct Storey {
 /** @brief Groups rooms by the heights that they share, and finds the lines of each
  * group's walls. */
 std::vector<Storey> storeysOf(const std::vector<RoomCells>& rooms,
+                              const CellGrid& grid,
                               const WallLineParameters& parameters,
                               unsigned threads);
 
