@@ -7,15 +7,16 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** A room of 5 m x 4 m with a recess 2 m wide in the wall y = 4, up to the ceiling. */
+/** A room of 5 m x 4 m with a recess from x = 1.5 m on in the wall y = 4, up to the
+ * ceiling. */
 PlanLoop
-withRecess(double depth)
+withRecess(double depth, double end = 3.5)
 {
   return polygon({{0, 0},
                   {5, 0},
                   {5, 4},
-                  {3.5, 4},
-                  {3.5, 4 + depth},
+                  {end, 4},
+                  {end, 4 + depth},
                   {1.5, 4 + depth},
                   {1.5, 4},
                   {0, 4}});
@@ -23,15 +24,18 @@ withRecess(double depth)
 
 /** Fits the room with a recess. Above `sill` everything was scanned, below it the wall
  * in front of the recess, and of the back the points where `isSeen` is true. An
- * optional soffit of 0.6 m continues into the recess. */
+ * optional soffit of 0.6 m continues into the recess. Furniture hides the wall below
+ * the sill up to `hidden`. */
 PlanRoom
 fittedAbove(double sill,
             double depth,
             const RoomPoints::OnWall& isSeen,
-            bool has_soffit = false)
+            bool has_soffit = false,
+            double end = 3.5,
+            double hidden = 0)
 {
   RoomPoints points(0.05, 0.003);
-  const PlanLoop loop = withRecess(depth);
+  const PlanLoop loop = withRecess(depth, end);
   const PlanLoop soffit = rectangle(1, 3.4, 4, 4 + depth);
   RoomParts parts;
   if (has_soffit) {
@@ -61,7 +65,7 @@ fittedAbove(double sill,
   }
   if (sill > 0)
     parts.walls =
-        joined(parts.walls, points.wall(segment({3.5, 4}, {1.5, 4}), 0, sill));
+        joined(parts.walls, points.wall(segment({end, 4}, {1.5, 4}), hidden, sill));
   return fitted(points, parts);
 }
 
@@ -77,6 +81,15 @@ TEST(Recesses, AboveASillAreNoPartOfThePlan)
     ASSERT_EQ(room.niches.size(), 1u) << "its back was seen";
     EXPECT_NEAR(room.niches[0].bottom.heightAt({2.5, 4}), sill, 0.01);
     EXPECT_NEAR(room.niches[0].top.heightAt({2.5, 4}), 2.6, 0.01);
+  }
+}
+
+TEST(Recesses, NextToACornerAndBehindFurnitureNeither)
+{
+  for (const double end : {3.5, 5.0}) {
+    const PlanRoom room = fittedAbove(0.9, 0.25, all_of_it, false, end, 0.55);
+    EXPECT_EQ(room.boundary.elements.size(), 4u) << end;
+    EXPECT_LT(cornerError(room.boundary, rectangle(0, 0, 5, 4)), 0.01) << end;
   }
 }
 
