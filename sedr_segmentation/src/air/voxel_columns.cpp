@@ -194,24 +194,17 @@ VoxelColumns::makeTiles(const std::vector<std::pair<CellKey, TileHeights>>& heig
 }
 
 VoxelColumns
-VoxelColumns::halved(unsigned threads, Cell corner) const
+VoxelColumns::halved(unsigned threads) const
 {
-  const Eigen::Vector2d shift(corner.x, corner.y);
-  VoxelColumns half(CellGrid(2 * cellSize(), grid_.corner() + cellSize() * shift),
-                    voxel_height_);
+  VoxelColumns half(CellGrid(2 * cellSize()), voxel_height_);
   std::map<CellKey, TileHeights> heights;
-  const auto tileOfHalf = [](std::int32_t v) { return tileOf(v >> 1); };
-  for (const Tile& tile : tiles_) {
-    const Cell low{edge * tile.corner.x - corner.x, edge * tile.corner.y - corner.y};
-    for (std::int32_t y = tileOfHalf(low.y); y <= tileOfHalf(low.y + edge - 1); ++y)
-      for (std::int32_t x = tileOfHalf(low.x); x <= tileOfHalf(low.x + edge - 1); ++x)
-        heights[keyOf({x, y})].add({tile.low, tile.low + 64 * tile.words - 1});
-  }
+  for (const Tile& tile : tiles_)
+    heights[keyOf({tile.corner.x >> 1, tile.corner.y >> 1})].add(
+        {tile.low, tile.low + 64 * tile.words - 1});
   half.makeTiles({heights.begin(), heights.end()});
   parallelBlocks(half.tiles_.size(), 1, threads, [&](std::size_t t, std::size_t) {
     const Tile& tile = half.tiles_[t];
-    for (std::int32_t part = 0; part < 9; ++part) {
-      const Cell by{part % 3, part / 3};
+    for (const Cell by : {Cell{0, 0}, {1, 0}, {0, 1}, {1, 1}}) {
       const auto found =
           tile_at_.find(keyOf({2 * tile.corner.x + by.x, 2 * tile.corner.y + by.y}));
       if (found == tile_at_.end())
@@ -221,15 +214,12 @@ VoxelColumns::halved(unsigned threads, Cell corner) const
       const auto above = static_cast<std::size_t>((fine.low - tile.low) / 64);
       for (std::int32_t y = 0; y < edge; ++y)
         for (std::int32_t x = 0; x < edge; ++x) {
-          const Cell to{(edge * by.x + x - corner.x) >> 1,
-                        (edge * by.y + y - corner.y) >> 1};
-          if (to.x < 0 || to.y < 0 || to.x >= edge || to.y >= edge)
-            continue;
           const std::uint64_t* const from =
               bits_.data() + fine.first + withinTile({x, y}) * words;
           std::uint64_t* const into =
               half.bits_.data() + tile.first + above +
-              withinTile(to) * static_cast<std::size_t>(tile.words);
+              withinTile({(edge * by.x + x) / 2, (edge * by.y + y) / 2}) *
+                  static_cast<std::size_t>(tile.words);
           for (std::size_t w = 0; w < words; ++w)
             into[w] |= from[w];
         }

@@ -49,9 +49,8 @@ public:
                unsigned threads);
 
   /** @brief The same with columns of two by two of these: a voxel is occupied where
-   * one of its four is. O(columns).
-   * @param corner the cell of these at which four of the wider ones meet: 0 or 1 */
-  VoxelColumns halved(unsigned threads, Cell corner = {0, 0}) const;
+   * one of its four is. O(columns). */
+  VoxelColumns halved(unsigned threads) const;
 
   const CellGrid& grid() const { return grid_; }
   double cellSize() const { return grid_.size(); }

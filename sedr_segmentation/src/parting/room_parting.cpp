@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace pcl::sedr {
@@ -44,25 +45,32 @@ public:
   void joinAll()
   {
     for (const auto& entry : rooms_.borders())
-      openness_[entry.first] = opennessOf(entry.first);
-    while (true) {
-      auto best = openness_.end();
-      for (auto it = openness_.begin(); it != openness_.end(); ++it)
-        if (isOneSpace(it->first, it->second) && !it->second.is_other_level &&
-            (best == openness_.end() || isBefore(it->second, best->second)))
-          best = it;
-      if (best == openness_.end())
-        return;
-      join(best->first);
-    }
+      judge(entry.first);
+    while (!to_join_.empty())
+      join(to_join_.begin()->second);
   }
 
 private:
-  /** @brief Which of two borders to open first: where no doors are, then the more open
-   * one. */
-  static bool isBefore(const Openness& a, const Openness& b)
+  /** @brief What of borders to open is opened first: where no doors are, then the more
+   * open one. */
+  using Turn = std::pair<bool, double>;
+
+  void forget(const RoomPair& pair)
   {
-    return a.are_doors != b.are_doors ? !a.are_doors : a.share > b.share;
+    if (const auto turn = turn_.find(pair); turn != turn_.end()) {
+      to_join_.erase({turn->second, pair});
+      turn_.erase(turn);
+    }
+  }
+
+  void judge(const RoomPair& pair)
+  {
+    forget(pair);
+    const Openness openness = opennessOf(pair);
+    if (openness.is_other_level || !isOneSpace(pair, openness))
+      return;
+    turn_[pair] = {openness.are_doors, -openness.share};
+    to_join_.insert({turn_[pair], pair});
   }
 
   Openness opennessOf(const RoomPair& pair)
@@ -187,15 +195,14 @@ private:
    * others that share an opening with one of these. */
   void join(const RoomPair pair)
   {
-    openness_.erase(pair);
     for (const std::uint32_t other : rooms_.room(pair.second).beside)
-      openness_.erase(std::minmax(pair.second, other));
+      forget(std::minmax(pair.second, other));
     rooms_.join(pair);
     std::vector<RoomPair> changed = wholes_.afterJoining(pair);
     for (const std::uint32_t other : rooms_.room(pair.first).beside)
       changed.push_back(std::minmax(pair.first, other));
     for (const RoomPair& border : changed)
-      openness_[border] = opennessOf(border);
+      judge(border);
   }
 
   const AirGaps& air_;
@@ -204,7 +211,8 @@ private:
   RoomBorders rooms_;
   OpeningMeasures measures_;
   WholeOpenings wholes_;
-  std::map<RoomPair, Openness> openness_;
+  std::map<RoomPair, Turn> turn_; ///< of borders to open
+  std::set<std::pair<Turn, RoomPair>> to_join_;
 };
 
 /** @brief How far the ceiling dips over each gap, without specks. */
@@ -248,21 +256,13 @@ openingsBetween(const AirGaps& air,
 
 } // namespace
 
-std::vector<std::int32_t>
-roomsIn(const AirGaps& air, const PartingParameters& parameters)
+PartedAir
+partIntoRooms(const AirGaps& air, const PartingParameters& parameters)
 {
   const std::vector<float> dip = dipsOf(air, parameters);
   RoomLabels labels(roomBasins(air, dip, parameters));
   RoomJoining(air, dip, parameters, labels).joinAll();
-  return labels.joined();
-}
-
-PartedAir
-partInto(std::vector<std::int32_t> room,
-         const AirGaps& air,
-         const PartingParameters& parameters)
-{
-  const std::vector<float> dip = dipsOf(air, parameters);
+  std::vector<std::int32_t> room = labels.joined();
   keepHeightField(air, room);
   RoomLabels rooms(std::move(room));
   PartedAir parted;

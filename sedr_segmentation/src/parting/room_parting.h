@@ -24,16 +24,9 @@ struct PartedAir {
  * roomBasins()), of which neighbours are joined again unless a wall is between them.
  * Two are parted by what is between them as a whole: if walls make up most of it, or if
  * all openings are doors or passages (see isDoor()). What lies above each other is
- * never joined, nor are floors a step of a storey apart. O(gaps log gaps).
- * @return room of each gap, by size, largest first, no_room for specks */
-std::vector<std::int32_t> roomsIn(const AirGaps& air,
-                                  const PartingParameters& parameters);
-
-/** @brief Describes air by the rooms it is parted into: each is one height field, of
- * which the tallest gap of a column stays; with the openings between them. O(gaps).
- * @param room of each gap, any numbers from 0, no_room for none */
-PartedAir partInto(std::vector<std::int32_t> room,
-                   const AirGaps& air,
-                   const PartingParameters& parameters);
+ * never joined, nor are floors a step of a storey apart. Rooms are numbered by size,
+ * largest first; each is one height field, of which the tallest gap of a column stays.
+ * O(gaps log gaps). */
+PartedAir partIntoRooms(const AirGaps& air, const PartingParameters& parameters);
 
 } // namespace pcl::sedr

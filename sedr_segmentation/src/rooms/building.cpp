@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "agreed_rooms.h"
 #include "mirror_images.h"
 #include "pane_views.h"
 #include "room_closure.h"
@@ -7,14 +6,11 @@
 #include "room_points.h"
 #include "storey_levels.h"
 
-#include "sedr_filters/src/base/parallel.h"
 #include <pcl/sedr_segmentation/building.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
-#include <optional>
 #include <utility>
 
 namespace pcl::sedr {
@@ -22,9 +18,6 @@ namespace pcl::sedr {
 namespace {
 
 constexpr double voxel_height = 0.05; // metres
-
-/** @brief Corners of the grids that rooms are looked for in, in half cells. */
-constexpr std::array<Cell, 4> grid_corners{Cell{0, 0}, {1, 0}, {0, 1}, {1, 1}};
 
 /** @brief Columns half as wide as those that rooms are looked for in: `fine` ones, or
  * larger where the scan is too sparse to fill twice their size. */
@@ -275,40 +268,7 @@ tellOpenings(const std::vector<RoomOpening>& openings,
   }
 }
 
-/** @brief The air of a scan in one grid, and the rooms that it is parted into. */
-struct AirInGrid {
-  AirInGrid(const VoxelColumns& fine,
-            const VoxelColumns& seen,
-            bool is_dense,
-            const BuildingParameters& parameters,
-            const PartingParameters& of_parting)
-      : columns(withHolesClosed(seen, is_dense, parameters.threads))
-      , air(columns, seen, airParameters(parameters), &fine)
-      , room(roomsIn(air, of_parting))
-  {}
-
-  VoxelColumns columns;
-  AirGaps air;
-  std::vector<std::int32_t> room; ///< of each gap
-};
-
-/** @brief The rooms in one grid of the gaps of another. */
-std::vector<std::int32_t>
-roomsOfGaps(const AirGaps& gaps, const AirInGrid& grid)
-{
-  std::vector<std::int32_t> room(gaps.size(), PartedAir::no_room);
-  for (std::size_t g = 0; g < gaps.size(); ++g) {
-    const Eigen::Vector2d p =
-        gaps.columns().grid().centre(gaps.columns().cellOf(gaps[g].column));
-    const std::uint32_t same = grid.air.goingOnFrom(
-        gaps[g], grid.columns.columnAt(grid.columns.grid().at(p.x(), p.y())));
-    if (same != AirGaps::none)
-      room[g] = grid.room[same];
-  }
-  return room;
-}
-
-/** @brief Describes the rooms of a scan as found in one grid. */
+/** @brief Describes the rooms of a scan. */
 Building
 describe(const AirGaps& air,
          const PartedAir& parted,
@@ -381,22 +341,12 @@ findBuilding(const PointView& points,
   of_parting.widest_door = parameters.widest_door;
   of_parting.widest_passage = parameters.widest_passage;
   of_parting.smallest_room = parameters.minimum_area;
-  std::array<std::optional<AirInGrid>, grid_corners.size()> grids;
-  std::vector<std::vector<std::int32_t>> rooms(grids.size());
-  const auto forEachGrid = [&](const auto& body) {
-    parallelBlocks(grids.size(), 1, parameters.threads,
-                   [&](std::size_t g, std::size_t) { body(g); });
-  };
-  forEachGrid([&](std::size_t g) {
-    grids[g].emplace(half,
-                     withoutStrays(half.halved(parameters.threads, grid_corners[g]),
-                                   parameters.threads),
-                     is_dense, parameters, of_parting);
-  });
-  const AirGaps& air = grids.front()->air;
-  forEachGrid([&](std::size_t g) { rooms[g] = roomsOfGaps(air, *grids[g]); });
-  return describe(air, partInto(agreedRooms(rooms), air, of_parting), fine, points,
-                  indices, parameters, of_parting, problem, behind);
+  const VoxelColumns seen =
+      withoutStrays(half.halved(parameters.threads), parameters.threads);
+  const VoxelColumns columns = withHolesClosed(seen, is_dense, parameters.threads);
+  const AirGaps air(columns, seen, airParameters(parameters), &half);
+  return describe(air, partIntoRooms(air, of_parting), fine, points, indices,
+                  parameters, of_parting, problem, behind);
 }
 
 } // namespace pcl::sedr

@@ -142,24 +142,6 @@ TEST(VoxelColumns, HalvedTheyHoldWhatOneOfFourHeld)
             (Voxels{{0, 0, 500}, {32, 0, -500}, {0, 63, 3}, {-1, -65, 0}}));
 }
 
-TEST(VoxelColumns, AreHalvedFromAnyCorner)
-{
-  for (const int many : {60, 1200})
-    for (const Cell corner : {Cell{0, 1}, Cell{1, 0}, Cell{1, 1}})
-      for (const unsigned threads : {1u, 3u}) {
-        const Voxels voxels = cloudOfVoxels(many);
-        Voxels halves;
-        for (const auto& [x, y, k] : voxels)
-          halves.emplace((x - corner.x) >> 1, (y - corner.y) >> 1, k);
-        const VoxelColumns half = columnsOf(pointsIn(voxels)).halved(threads, corner);
-        EXPECT_EQ(voxelsOf(half), halves);
-        EXPECT_EQ(half.grid().corner(), cell * Eigen::Vector2d(corner.x, corner.y));
-        const VoxelColumns quarter = half.halved(threads, corner);
-        EXPECT_EQ(quarter.grid().corner(),
-                  3 * cell * Eigen::Vector2d(corner.x, corner.y));
-      }
-}
-
 TEST(VoxelColumns, DropThoseWithFewAround)
 {
   const Voxels voxels = cloudOfVoxels(500);

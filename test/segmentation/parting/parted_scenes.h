@@ -16,7 +16,7 @@ namespace sedr_test {
 struct Parted : SceneAir {
   explicit Parted(const AirScene& of, unsigned threads = 1)
       : SceneAir(of, threads)
-      , parted(pcl::sedr::partInto(pcl::sedr::roomsIn(gaps, {}), gaps, {}))
+      , parted(pcl::sedr::partIntoRooms(gaps, {}))
   {}
 
   /** Returns the room at a place, -1 for none. */

@@ -303,31 +303,4 @@ TEST(FindBuilding, GivesTheSameForAnyNumberOfThreads)
     EXPECT_EQ(one.building.rooms[r].enclosure, three.building.rooms[r].enclosure);
 }
 
-TEST(FindBuilding, WhatOneGridJoinsIsPartedWhereTheOthersPartIt)
-{
-  // Between the walls of the smaller room are 29 x 29 whole cells with a corner at 0,
-  // 29 x 30 or 30 x 30 half a cell beside it.
-  const double a = 0.02;
-  const double b = 3.08;
-  AirScene scene;
-  for (const auto& [x0, x1] : {std::pair(a, b), std::pair(b + 0.1, b + 5.1)}) {
-    scene.slab(x0, a, x1, b, 0.01);
-    scene.slab(x0, a, x1, b, 2.51);
-    for (const double y : {a, b})
-      scene.wall(x0, y, x1, y, 0.01, 2.51);
-  }
-  for (const double x : {a, b + 5.1})
-    scene.wall(x, a, x, b, 0.01, 2.51);
-  scene.partition(b, a, b, 0.01, 2.51, {0.8, 2.3, 2.11});
-  BuildingParameters parameters;
-  const auto areParted = [&](double smallest_room) {
-    parameters.minimum_area = smallest_room;
-    const Found found(scene, parameters);
-    return found.roomAt(1.5, 1.5) != found.roomAt(6, 1.5);
-  };
-  EXPECT_TRUE(areParted(8.3));
-  EXPECT_TRUE(areParted(8.6)) << "in three of four grids";
-  EXPECT_FALSE(areParted(9.1)) << "in none";
-}
-
 } // namespace

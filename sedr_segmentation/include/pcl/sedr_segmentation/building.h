@@ -91,8 +91,8 @@ struct Building {
 
 /** @brief Divides a scan into rooms and storeys (paper, section 2.3.1, on the envelope
  * instead of a plane). The gaps of the profiles are linked to the free space of the
- * building, which is divided at walls, doors and lintels. This is done in four grids
- * half a cell apart; the rooms are those that most of the four agree on.
+ * building, which is divided at walls, doors and lintels: at what parts two basins of
+ * free space as a whole, not at single columns.
  *
  * @param points thinned, z up
  * @param indices the points to use; empty: all
