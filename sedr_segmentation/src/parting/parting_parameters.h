@@ -22,7 +22,7 @@ struct PartingParameters {
   double end_reach = 0.25;  ///< from the end of an opening to the wall there
   double floor_reach = 1;   ///< the floor near an opening is that within
   double same_floor = 1.0;  ///< floors of one room differ by less at an opening
-  double min_floor = 0.2;   ///< share of a room over its floor; less is above furniture
+  double min_over_air = 0.1; ///< share of a gallery; less is on furniture
   double smallest_level = 5; ///< square metres; less on another height is a landing
   double max_stacked = 0.1;  ///< share of the larger of two rooms that may lie above
                              ///< the other if they are one: stairs

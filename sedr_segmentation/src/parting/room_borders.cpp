@@ -2,7 +2,6 @@
 #include "room_borders.h"
 
 #include "gap_distance.h"
-#include "walked_floors.h"
 #include "wall_beside.h"
 
 #include <algorithm>
@@ -86,7 +85,7 @@ RoomBorders::RoomBorders(const AirGaps& air,
     : labels_(labels)
     , rooms_(labels.sizes().size())
 {
-  measureRooms(air, parameters.thickest_wall);
+  measureRooms(air);
   for (auto& [pair, crossings] : crossingsOf(air, labels))
     borders_[pair].crossings = std::move(crossings);
   countWalls(air, static_cast<int>(std::lround(2 * parameters.lintel_reach /
@@ -116,10 +115,10 @@ RoomBorders::join(const RoomPair& pair)
   RoomExtent& into = rooms_[a];
   RoomExtent& joined = rooms_[b];
   into.area += joined.area;
-  into.over_floor += joined.over_floor;
   into.depth = std::max(into.depth, joined.depth);
   into.ends += joined.ends;
   into.floors.add(joined.floors);
+  into.roofs.add(joined.roofs);
   borders_.erase(pair);
   into.beside.erase(b);
   joined.beside.erase(a);
@@ -141,20 +140,21 @@ RoomBorders::join(const RoomPair& pair)
 }
 
 void
-RoomBorders::measureRooms(const AirGaps& air, double thickest_wall)
+RoomBorders::measureRooms(const AirGaps& air)
 {
   const double cell = air.columns().cellSize();
   for (std::size_t r = 0; r < rooms_.size(); ++r)
     rooms_[r].area = static_cast<double>(labels_.sizes()[r]) * cell * cell;
   const std::vector<float> free =
       distanceToRim(air, std::vector<std::uint8_t>(air.size(), 1));
-  const std::vector<std::uint8_t> is_over_floor = standOnFloor(air, thickest_wall);
   for (std::uint32_t g = 0; g < air.size(); ++g)
     if (labels_.hasRoom(g)) {
       RoomExtent& own = rooms_[labels_.roomOf(g)];
-      own.over_floor += is_over_floor[g] * cell * cell;
       own.depth = std::max<double>(own.depth, free[g] * cell);
       own.floors.add(air.columns().heightOf(air[g].low));
+      for (std::size_t o = air.first(air[g].column); o < g; ++o)
+        if (air.height(o) >= air.parameters().headroom)
+          own.roofs.add(air.columns().heightOf(air[o].high));
     }
 }
 

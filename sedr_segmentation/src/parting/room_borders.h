@@ -39,10 +39,10 @@ std::map<RoomPair, std::vector<Crossing>> waysBetween(const AirGaps& air,
 /** @brief What is known of a room while rooms are joined. */
 struct RoomExtent {
   double area = 0;                ///< square metres
-  double over_floor = 0;          ///< square metres of it, see standOnFloor()
   double depth = 0;               ///< of the place farthest from its rim, metres
   std::size_t ends = 0;           ///< where its air ends
   HeightCounts floors;            ///< of its gaps
+  HeightCounts roofs;             ///< of the air below them in which one can stand
   std::set<std::uint32_t> beside; ///< rooms with which it has a border
 };
 
@@ -66,7 +66,7 @@ public:
   void join(const RoomPair& pair);
 
 private:
-  void measureRooms(const AirGaps& air, double thickest_wall);
+  void measureRooms(const AirGaps& air);
   void countWalls(const AirGaps& air, int reach);
   void countStacked(const AirGaps& air);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_parting.h"
 
-#include "reveals.h"
 #include "room_basins.h"
 #include "room_borders.h"
 #include "whole_openings.h"
@@ -91,21 +90,20 @@ private:
                     [&](const MeasuredOpening& m) { return isWay(m); });
     for (const MeasuredOpening& m : openings) {
       const bool is_apart = floorStep(pair, m) > parameters_.same_floor;
-      const bool is_above_furniture =
-          is_apart && !(hasFloor(pair.first) && hasFloor(pair.second));
+      const bool is_step = is_apart && isLarge(pair.first) && isLarge(pair.second);
+      const bool is_above_furniture = is_step && !areLevels(pair);
       length += m.width;
       open += m.width * (is_above_furniture ? 1 : m.open_height);
       if (has_way && !isWay(m))
         continue; // a gap in what was seen of a wall
-      are_doors = are_doors && !is_above_furniture &&
-                  (isDoor(m, parameters_) || wholes_.isPartOfDoor(pair.first, m) ||
-                   wholes_.isPartOfDoor(pair.second, m));
+      are_doors =
+          are_doors && (isDoor(m, parameters_) || wholes_.isPartOfDoor(pair.first, m) ||
+                        wholes_.isPartOfDoor(pair.second, m));
       beside = std::max(beside, m.width * m.open_height + m.beside);
       have_lintels = have_lintels && m.dip >= parameters_.min_lintel;
       are_plain = are_plain && have_lintels && m.width <= parameters_.widest_door;
       openness.is_other_level =
-          openness.is_other_level ||
-          (is_apart && isLevel(pair.first) && isLevel(pair.second));
+          openness.is_other_level || (is_step && !is_above_furniture);
     }
     if (open <= 0)
       return openness;
@@ -165,18 +163,25 @@ private:
            rooms_.room(room).depth >= parameters_.min_way / 2;
   }
 
-  /** @brief Whether one walks in a room; else it is the air above furniture. */
-  bool hasFloor(std::uint32_t room) const
+  /** @brief Whether of two rooms the higher is on a floor: below a part of it is air of
+   * the lower room's height in which one can stand, as below a gallery. Else it is the
+   * air above furniture. */
+  bool areLevels(const RoomPair& pair) const
   {
-    return rooms_.room(room).over_floor >=
-           parameters_.min_floor * rooms_.room(room).area;
+    const double floor_a = rooms_.room(pair.first).floors.highestCount();
+    const double floor_b = rooms_.room(pair.second).floors.highestCount();
+    const RoomExtent& higher =
+        rooms_.room(floor_a > floor_b ? pair.first : pair.second);
+    const double cell = air_.columns().cellSize();
+    return static_cast<double>(higher.roofs.countAbove(std::min(floor_a, floor_b))) *
+               cell * cell >
+           parameters_.min_over_air * higher.area;
   }
 
-  /** @brief Whether a room is a level of its own, as a gallery is: more than a landing.
-   */
-  bool isLevel(std::uint32_t room) const
+  /** @brief Whether a room may be a level of its own, more than a landing. */
+  bool isLarge(std::uint32_t room) const
   {
-    return hasFloor(room) && rooms_.room(room).area >= parameters_.smallest_level;
+    return rooms_.room(room).area >= parameters_.smallest_level;
   }
 
   /** @brief Whether no wall and no door is between two rooms. */
@@ -269,7 +274,6 @@ partIntoRooms(const AirGaps& air, const PartingParameters& parameters)
   parted.room = rooms.joined();
   parted.rooms = rooms.sizes().size();
   parted.openings = openingsBetween(air, dip, parameters, rooms);
-  parted.is_reveal = revealsOf(air, dip, parameters.lintel, parted.room);
   return parted;
 }
 

@@ -16,8 +16,7 @@ struct PartedAir {
   static constexpr std::int32_t no_room = RoomLabels::no_room;
   std::vector<std::int32_t> room; ///< of each gap, no_room for specks
   std::size_t rooms = 0;
-  std::vector<RoomOpening> openings;   ///< between different rooms
-  std::vector<std::uint8_t> is_reveal; ///< of each gap, see revealsOf()
+  std::vector<RoomOpening> openings; ///< between different rooms
 };
 
 /** @brief Parts air into rooms: basins of the distance from what ends the air (see

@@ -184,8 +184,7 @@ private:
         if (parted_.room[g] == PartedAir::no_room ||
             !isSameAir(air_[g].low, air_[g].high, low, high))
           continue;
-        if (parted_.is_reveal[g] != 0 ||
-            use_[static_cast<std::size_t>(parted_.room[g])] != PartUse::Spare) {
+        if (use_[static_cast<std::size_t>(parted_.room[g])] != PartUse::Spare) {
           b.content = Content::Other;
           return b;
         }

@@ -85,7 +85,7 @@ describeRooms(const AirGaps& air, const PartedAir& parted)
   const VoxelColumns& columns = air.columns();
   std::vector<std::vector<std::uint32_t>> gaps(parted.rooms);
   for (std::uint32_t g = 0; g < air.size(); ++g)
-    if (parted.room[g] != PartedAir::no_room && parted.is_reveal[g] == 0)
+    if (parted.room[g] != PartedAir::no_room)
       gaps[static_cast<std::size_t>(parted.room[g])].push_back(g);
   const LevelParts levels(air, parted.room);
   std::vector<BuildingRoom> rooms(parted.rooms);

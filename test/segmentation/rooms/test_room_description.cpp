@@ -20,7 +20,6 @@ describe(const AirScene& scene)
   PartedAir all;
   all.room.assign(air.gaps.size(), 0);
   all.rooms = 1;
-  all.is_reveal.assign(air.gaps.size(), 0);
   return describeRooms(air.gaps, all).at(0);
 }
 
