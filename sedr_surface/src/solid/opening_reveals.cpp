@@ -251,10 +251,13 @@ RevealedPlan::RevealedPlan(const Floorplan& plan, const WallTilts& tilts)
       const OpeningFrame frame(plan, opening, side.is_left);
       const double far = is_joined ? (side.is_left ? middle : -middle)
                                    : outerEnd(plan, room, frame, opening.depth);
-      // The plan may be drawn to the pane, or have a niche as deep as the wall.
-      is_open[k] = !is_joined && (side.nearest - far < min_depth ||
-                                  room.nicheAt(frame.at(0.5, far + step)) >= 0);
-      if (is_open[k] || side.nearest - far < min_depth)
+      // The plan may be drawn to the pane, have a niche as deep as the wall, or a room
+      // that goes on through the opening.
+      const bool is_through = side.nearest - far < min_depth;
+      is_open[k] = is_joined
+                       ? is_open[k] || (is_through && beside[0].room == beside[1].room)
+                       : is_through || room.nicheAt(frame.at(0.5, far + step)) >= 0;
+      if (is_open[k] || is_through)
         continue;
       reveals.push_back({k, side.room, rooms[side.room].niches.size(), is_joined});
       rooms[side.room].niches.push_back(

@@ -230,6 +230,15 @@ TEST(CutOpenings, NeedNothingWhereThePlanWasDrawnToThePane)
   EXPECT_NEAR(cut.volume(), 100 + 0.2, 1e-5);
 }
 
+TEST(CutOpenings, NeedNothingWhereARoomGoesOnThroughThem)
+{
+  Floorplan plan = wallOfTwoRooms();
+  plan.openings = {openingAt({1, 1}, {3, 2}, {2, 2}, 0, 2, 0.1)};
+  const CutSolid cut(plan);
+  cut.expectSound(2);
+  EXPECT_NEAR(cut.volume(), 100, 1e-5);
+}
+
 TEST(CutOpenings, LeaveAClosedManifoldWhateverTheyAre)
 {
   std::mt19937 random(5);
