@@ -210,7 +210,9 @@ TEST_F(ScanRefusals, OfXmlThatWouldGrowOrGoTooDeep)
   const std::string deep = times(100000, "<a>");
   expectRefusals(
       {{fileOf(deep), "deeper than 64"},
-       {fileOf("<!DOCTYPE x [<!ENTITY a \"aaaa\">]><e57Root/>"), "holds no scan"},
+       {fileOf("<!DOCTYPE x [<!ENTITY a \"aaaa\">]><e57Root/>"), "document type"},
+       {fileOf(times(10000, "<a b='/>'>")), "deeper than 64"},
+       {fileOf(times(10000, "<a><!--</a>-->")), "deeper than 64"},
        {fileOf("<e57Root>" + times(150000, "<a b=''/>") + "</e57Root>"),
         "more than 262144 elements and attributes"},
        {fileOf("<e57Root><data3D></e57Root>"), "of its XML cannot be read"},

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <sstream>
 
@@ -17,6 +18,25 @@ namespace {
 
 using Tree = boost::property_tree::ptree;
 
+/** @brief Returns the byte behind a tag, comment or the like that begins at `at`, also
+ * if its quotes hold brackets; the size of the text if it has no end. */
+std::size_t
+endOfTag(const std::string& xml, std::size_t at)
+{
+  for (const auto& [begin, end] :
+       {std::pair("<!--", "-->"), {"<![CDATA[", "]]>"}, {"<?", "?>"}})
+    if (xml.compare(at, std::strlen(begin), begin) == 0)
+      return std::min(xml.find(end, at), xml.size() - 1) + 1;
+  for (char quote = 0; at < xml.size(); ++at)
+    if (quote != 0)
+      quote = xml[at] == quote ? char{0} : quote;
+    else if (xml[at] == '"' || xml[at] == '\'')
+      quote = xml[at];
+    else if (xml[at] == '>')
+      return at + 1;
+  return at;
+}
+
 /** @brief Refuses XML that would take the parser too deep, or too much memory. */
 void
 checkXml(const std::string& xml)
@@ -25,12 +45,16 @@ checkXml(const std::string& xml)
   constexpr std::size_t most = std::size_t{1} << 18; // each may take 400 bytes
   std::size_t depth = 0;
   std::size_t elements = 0;
-  for (std::size_t at = xml.find('<'); at != xml.npos; at = xml.find('<', at + 1)) {
-    const char next = at + 1 < xml.size() ? xml[at + 1] : '>';
-    const std::size_t end = std::min(xml.find('>', at), xml.size() - 1);
-    if (next == '/')
+  std::size_t end = 0;
+  for (std::size_t at = xml.find('<'); at != xml.npos; at = xml.find('<', end)) {
+    end = endOfTag(xml, at);
+    const std::string kind = xml.substr(at + 1, 2);
+    if (kind == "!D" || kind == "!d")
+      throw ToolError("its XML defines a document type, which E57 does not have");
+    if (kind[0] == '/')
       depth -= depth > 0 ? 1 : 0;
-    else if (next != '!' && next != '?' && ++elements > 0 && xml[end - 1] != '/')
+    else if (kind[0] != '!' && kind[0] != '?' && ++elements > 0 && end >= 2 &&
+             xml[end - 2] != '/')
       ++depth;
     if (depth > deepest)
       throw ToolError("the elements of its XML are nested deeper than " +
