@@ -43,7 +43,7 @@ const std::vector<Prior> table = {
      "plan"},
     {"max_wall", &Priors::max_wall, "walls", "m", 0.1, 3,
      "walls of stone with facing; castles have more",
-     "details, floorplan_drawing, floorplan_io, ifc, openings, plan, walls"},
+     "details, floorplan_drawing, floorplan_ifc, floorplan_io, openings, plan, walls"},
     {"short_wall", &Priors::short_wall, "walls", "m", 0.1, 5,
      "chosen on the proving ground",
      "details"},

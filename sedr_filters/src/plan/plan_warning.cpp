@@ -21,7 +21,7 @@ struct Words {
 };
 
 /** In the order of WarningKind. */
-constexpr std::array<Words, 36> words{{
+constexpr std::array<Words, 37> words{{
     {"coverage", "", "",
      "{0.0} of {1.0} square metres of floor were modelled, {2.0} %; the largest of "
      "what "
@@ -76,6 +76,9 @@ constexpr std::array<Words, 36> words{{
      "{0.1} m2 of its floor, {1.2} to {2.2} m above its main floor, are more than 10 "
      "cm "
      "off the model"},
+    {"wall_off", "walls lean away from the model", "m2",
+     "{0.1} m2 of what was seen of it lie on a plane that leans by {1.1} degrees, more "
+     "than 5 cm off the model"},
     {"tilted", "walls are tilted", "", "it is tilted by {0.2} degrees into the room"},
     {"not_adjusted", "", "", "the plan is not fitted to the raw cloud: {reason}"},
     {"crossing", "rooms run into others in the solid", "",

@@ -31,6 +31,10 @@ ChainRun::runStage(const std::string& name, std::size_t points_in, Step step)
     chain_.on_stage(name);
   StageReport report{name, points_in, 0, 0};
   chain_.failed_stage = name;
+  if (chain_.is_cancelled && chain_.is_cancelled()) {
+    chain_.problem = "cancelled before " + name;
+    return false;
+  }
   const auto start = std::chrono::steady_clock::now();
   const bool is_done = step(report);
   report.seconds = secondsSince(start);

@@ -31,6 +31,12 @@ allIndices(std::size_t n)
 std::vector<PlanWarning> unexplainedSurfaces(const Building& building,
                                              const Floorplan& plan);
 
+/** @brief Returns the walls that lean where the plan has them vertical: a plane that leans
+ * by up to 15 degrees and meets the wall between floor and ceiling holds at least 0.25 m2
+ * and a tenth more of what was seen of it. One warning a wall. O(points + tiles of 10 cm
+ * times planes). */
+std::vector<PlanWarning> leaningWalls(const PointView& points, const Floorplan& plan);
+
 /** @brief Returns a doubt whether the scan is upside down: things stand on floors, so
  * most of what is in rooms, off their walls, lies in their lower half. A doubt needs at
  * least 2 m2 of surfaces, three quarters of them in the upper half.

@@ -311,6 +311,8 @@ ChainRun::fitPlan(StageReport& report)
   giveStoreys(chain_.getBuilding(), *chain_.plan);
   for (PlanWarning& warning : unexplainedSurfaces(chain_.getBuilding(), *chain_.plan))
     warn(std::move(warning));
+  for (PlanWarning& warning : leaningWalls(PointView(*chain_.cloud), *chain_.plan))
+    warn(std::move(warning));
   if (const auto doubt = upsideDownDoubt(
           PointView(*chain_.cloud), chain_.plane_detection.getGridSize(), *chain_.plan);
       doubt && !chain_.trust_up)

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace {
 
 using namespace pcl::sedr;
@@ -136,6 +138,50 @@ TEST(UnexplainedSurfaces, ArePlacesThatLieOffTheModel)
   EXPECT_NEAR((found[0].at - Eigen::Vector2d(2, 1.5)).norm(), 0, 1e-6);
   EXPECT_EQ(sentenceOf(found[0]), "room 1: 1.0 m2 of its floor, -0.40 to -0.40 m above "
                                   "its main floor, are more than 10 cm off the model");
+}
+
+/** @brief Points every 5 cm on the four walls of planned(1, 0, 4), 3 m deep, which the
+ * wall at x = 0 leaves by `lean` metres a metre of height, and on a cupboard before it.
+ */
+pcl::PointCloud<pcl::PointXYZ>
+leaningRoom(double lean)
+{
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  const auto add = [&](double x, double y, double z) {
+    cloud.push_back(
+        {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)});
+  };
+  for (double z = 0.025; z < 2.5; z += 0.05) {
+    for (double y = 0.025; y < 3; y += 0.05) {
+      add(lean * z, y, z);
+      add(4, y, z);
+      if (y > 1 && y < 2 && z < 1.8)
+        add(0.25 + lean * z, y, z); // the front of a cupboard
+    }
+    for (double x = 0.025; x < 4; x += 0.05) {
+      add(x, 0, z);
+      add(x, 3, z);
+    }
+    for (double x = 0; x < 0.25; x += 0.05) // its sides
+      if (z < 1.8)
+        add(x, 1, z), add(x, 2, z);
+  }
+  return cloud;
+}
+
+TEST(UnexplainedSurfaces, AreWallsThatLeanAwayFromThePlan)
+{
+  const Floorplan plan{{planned(1, 0, 4)}};
+  const auto upright = leaningRoom(0);
+  EXPECT_TRUE(leaningWalls(PointView(upright), plan).empty());
+  const auto leaning = leaningRoom(0.05); // 2.9 degrees: 12 cm at the top
+  const auto found = leaningWalls(PointView(leaning), plan);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, WarningKind::WallOff);
+  EXPECT_EQ(found[0].room, 1u);
+  EXPECT_EQ(found[0].wall, 4u);
+  EXPECT_NEAR(found[0].values[0], 3 * 1.5, 0.9) << "more than 5 cm off above 1 m";
+  EXPECT_NEAR(found[0].values[1], -std::atan(0.05) * 180 / M_PI, 0.6);
 }
 
 } // namespace

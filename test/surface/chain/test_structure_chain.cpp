@@ -64,6 +64,20 @@ roomScannedEvery(double spacing)
   return points.cloud();
 }
 
+TEST(StructureChain, EndsBeforeTheStageAtWhichItIsCancelled)
+{
+  StructureChain chain;
+  std::string stage;
+  chain.on_stage = [&](const std::string& name) { stage = name; };
+  chain.is_cancelled = [&] { return stage == "FloorplanFitting"; };
+  EXPECT_FALSE(chain.findStructure(roomScannedEvery(0.04)));
+  EXPECT_EQ(chain.problem, "cancelled before FloorplanFitting");
+  EXPECT_EQ(chain.failed_stage, "FloorplanFitting");
+  EXPECT_TRUE(chain.plan->rooms.empty());
+  chain.is_cancelled = nullptr;
+  EXPECT_TRUE(chain.findStructure(roomScannedEvery(0.04))) << chain.problem;
+}
+
 TEST(StructureChain, TakesLargerCellsForASparseScanAndTheOldOnesForTheNext)
 {
   StructureChain chain;

@@ -39,7 +39,8 @@ TEST(LabelPicture, ShowsWhatCameAndWhatWent)
   add(before, StructureLabel::Floor, block(45, 59, 0, 9), 2);
   add(before, StructureLabel::Other, block(60, 69, 0, 29), 2);
   after = before;
-  for (const CellKey key : block(45, 59, 0, 9).keys())
+  const CellSet gone = block(45, 59, 0, 9);
+  for (const CellKey key : gone.keys())
     after[StructureLabel::Floor].erase(key);
   add(after, StructureLabel::Floor, block(25, 39, 0, 29), 1);
   add(after, StructureLabel::Floor, block(0, 4, 0, 29), 3); // 3 of 5 are new

@@ -71,7 +71,9 @@ RowPlan::RowPlan(const StoredRow& stored, double unit, const Eigen::Vector3d& sh
     else if (field.becomes_float)
       move.is_number = true;
     is_plain_ = is_plain_ && !move.is_number && move.to == field.offset;
-    addField(field.name, move.is_number ? std::uint8_t{Field::FLOAT32} : field.datatype,
+    addField(field.name,
+             move.is_number ? static_cast<std::uint8_t>(Field::FLOAT32)
+                            : field.datatype,
              move.is_number ? 1 : field.count);
     moves_.push_back(move);
   }

@@ -32,6 +32,7 @@ enum class WarningKind {
   CeilingApart,  ///< m2
   CeilingOff,    ///< m2 off the model, from, to m above the floor
   FloorOff,      ///< likewise
+  WallOff,       ///< m2 off the model, degrees, positive into the room
   Tilted,        ///< degrees, positive into the room
   NotAdjusted,   ///< reason
   Crossing,      ///< the other room; the room itself if both meet

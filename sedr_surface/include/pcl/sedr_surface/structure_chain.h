@@ -73,6 +73,10 @@ public:
   /** @brief Called with a stage's name before it runs. */
   std::function<void(const std::string&)> on_stage;
 
+  /** @brief Asked before every stage. If it returns true, the run ends: it returns false,
+   * and `problem` tells before which stage. */
+  std::function<bool()> is_cancelled;
+
   /** @brief Called with a stage's name and a room after every run of that stage's
    * object, while its getters still hold the results. Planes, details, floors, walls,
    * refinement and repair run once per room; room 0 means all rooms. */

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "chain_run.h"
+
+#include "sedr_filters/src/grids/place_table.h"
+#include "sedr_filters/src/plan/plan_surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::sedr {
+
+namespace {
+
+// Metres.
+constexpr double tile = 0.1;      ///< a wall is divided into tiles of this size
+constexpr double reach = 0.5;     ///< how far before and behind a wall is looked
+constexpr double on_plane = 0.03; ///< distance of points on a plane
+constexpr double off_wall = 0.05;
+constexpr double min_area = 0.25; ///< square metres
+constexpr double min_more = 0.1;  ///< share that a leaning plane must hold in addition
+constexpr int leans = 26;         ///< tried to each side, in hundredths of the height
+
+/** @brief What was seen in a tile of a wall: a height and offsets into the room. */
+struct Tile {
+  double z = 0;
+  std::vector<float> offsets;
+
+  bool isWithin(double offset, double distance) const
+  {
+    return std::any_of(offsets.begin(), offsets.end(),
+                       [&](float seen) { return std::abs(seen - offset) < distance; });
+  }
+};
+
+class WallTiles {
+public:
+  explicit WallTiles(const VerticalSurface& wall)
+      : wall_(wall)
+      , columns_(static_cast<std::size_t>(wall.element->length() / tile) + 1)
+  {
+    for (std::size_t c = 0; c < columns_; ++c) {
+      const double s = (static_cast<double>(c) + 0.5) * tile;
+      spans_.push_back(wall.spanAt(std::min(s, wall.element->length())));
+      low_ = c == 0 ? spans_[c].low : std::min(low_, spans_[c].low);
+      high_ = c == 0 ? spans_[c].high : std::max(high_, spans_[c].high);
+    }
+    tiles_.resize(columns_ *
+                  (static_cast<std::size_t>(std::max(high_ - low_, 0.0) / tile) + 1));
+    for (std::size_t i = 0; i < tiles_.size(); ++i)
+      tiles_[i].z = low_ + (static_cast<double>(i / columns_) + 0.5) * tile;
+  }
+
+  void add(const Eigen::Vector3d& p)
+  {
+    const double s = wall_.element->project(p.head<2>());
+    const auto column = static_cast<std::size_t>(s / tile);
+    const VerticalSpan& span = spans_[column];
+    if (s <= 0 || s >= wall_.element->length() || p.z() < span.low + off_wall ||
+        p.z() > span.high - off_wall)
+      return;
+    const Eigen::Vector2d off = p.head<2>() - wall_.element->pointAt(s);
+    const double offset = off.dot(wall_.normalAt(s).head<2>());
+    if (std::abs(offset) <= reach)
+      tiles_[static_cast<std::size_t>((p.z() - low_) / tile) * columns_ + column]
+          .offsets.push_back(static_cast<float>(offset));
+  }
+
+  /** @brief Returns the warning about a plane that holds clearly more than the wall, of
+   * kind Stage if there is none. */
+  PlanWarning doubt() const
+  {
+    const std::size_t on_wall = held(0, low_);
+    std::size_t most = on_wall;
+    double lean = 0;
+    double foot = low_;
+    for (int k = -leans; k <= leans; ++k)
+      for (double z = low_; z <= high_; z += tile)
+        if (const std::size_t now = held(0.01 * k, z); now > most) {
+          most = now;
+          lean = 0.01 * k;
+          foot = z;
+        }
+    const auto more = static_cast<double>(most - on_wall);
+    PlanWarning warning;
+    if (more * tile * tile < min_area || more < min_more * static_cast<double>(on_wall))
+      return warning;
+    std::size_t off = 0;
+    for (const Tile& seen : tiles_) {
+      const double offset = lean * (seen.z - foot);
+      off += std::abs(offset) > off_wall && seen.isWithin(offset, on_plane) ? 1 : 0;
+    }
+    warning.kind = WarningKind::WallOff;
+    warning.values = {static_cast<double>(off) * tile * tile,
+                      std::atan(lean) * 180 / M_PI};
+    return warning;
+  }
+
+private:
+  /** @brief Returns the number of tiles on a plane that leans by `lean` into the room
+   * and meets the wall at the height `z`. */
+  std::size_t held(double lean, double z) const
+  {
+    return static_cast<std::size_t>(
+        std::count_if(tiles_.begin(), tiles_.end(), [&](const Tile& seen) {
+          return seen.isWithin(lean * (seen.z - z), on_plane);
+        }));
+  }
+
+  const VerticalSurface& wall_;
+  std::size_t columns_;
+  std::vector<VerticalSpan> spans_; ///< of each column
+  double low_ = 0;
+  double high_ = 0;
+  std::vector<Tile> tiles_; ///< row by row
+};
+
+} // namespace
+
+std::vector<PlanWarning>
+leaningWalls(const PointView& points, const Floorplan& plan)
+{
+  std::vector<std::vector<VerticalSurface>> surfaces;
+  std::vector<WallTiles> walls;
+  std::vector<std::pair<std::uint32_t, std::size_t>> numbers; // of room and wall
+  PlaceTable near(0.5);
+  for (const PlanRoom& room : plan.rooms) {
+    surfaces.push_back(verticalSurfaces(room));
+    for (const VerticalSurface& surface : surfaces.back()) {
+      if (surface.label != StructureLabel::Wall)
+        continue;
+      near.addAlong(*surface.element, reach, static_cast<std::uint32_t>(walls.size()));
+      walls.emplace_back(surface);
+      numbers.emplace_back(
+          room.id,
+          static_cast<std::size_t>(surface.element - room.boundary.elements.data()));
+    }
+  }
+  near.finish();
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points.isFinite(i)) {
+      const Eigen::Vector3d p = points[i].cast<double>();
+      for (const std::uint32_t wall : near.at(p.head<2>()))
+        walls[wall].add(p);
+    }
+  std::vector<PlanWarning> warnings;
+  for (std::size_t w = 0; w < walls.size(); ++w)
+    if (PlanWarning warning = walls[w].doubt(); warning.kind == WarningKind::WallOff) {
+      warning.room = numbers[w].first;
+      warning.wall = numbers[w].second + 1;
+      warnings.push_back(std::move(warning));
+    }
+  return warnings;
+}
+
+} // namespace pcl::sedr
