@@ -18,6 +18,7 @@ constexpr double on_plane = 0.03; ///< distance of points on a plane
 constexpr double off_wall = 0.05;
 constexpr double min_area = 0.25; ///< square metres
 constexpr double min_more = 0.1;  ///< share that a leaning plane must hold in addition
+constexpr double max_lost = 0.1;  ///< share of the wall that it may lose
 constexpr int leans = 26;         ///< tried to each side, in hundredths of the height
 
 /** @brief What was seen in a tile of a wall: a height and offsets into the room. */
@@ -65,45 +66,53 @@ public:
           .offsets.push_back(static_cast<float>(offset));
   }
 
-  /** @brief Returns the warning about a plane that holds clearly more than the wall, of
-   * kind Stage if there is none. */
+  /** @brief Returns the warning about a plane that holds what the wall holds and
+   * clearly more, of kind Stage if there is none. A plane through a wall and what
+   * stands before it loses much of the wall. */
   PlanWarning doubt() const
   {
-    const std::size_t on_wall = held(0, low_);
-    std::size_t most = on_wall;
+    Held most;
     double lean = 0;
-    double foot = low_;
     for (int k = -leans; k <= leans; ++k)
       for (double z = low_; z <= high_; z += tile)
-        if (const std::size_t now = held(0.01 * k, z); now > most) {
+        if (const Held now = held(0.01 * k, z);
+            now.more - now.lost > most.more - most.lost &&
+            now.lost < max_lost * now.wall) {
           most = now;
           lean = 0.01 * k;
-          foot = z;
         }
-    const auto more = static_cast<double>(most - on_wall);
     PlanWarning warning;
-    if (more * tile * tile < min_area || more < min_more * static_cast<double>(on_wall))
+    if (most.more * tile * tile < min_area || most.more < min_more * most.wall)
       return warning;
-    std::size_t off = 0;
-    for (const Tile& seen : tiles_) {
-      const double offset = lean * (seen.z - foot);
-      off += std::abs(offset) > off_wall && seen.isWithin(offset, on_plane) ? 1 : 0;
-    }
     warning.kind = WarningKind::WallOff;
-    warning.values = {static_cast<double>(off) * tile * tile,
-                      std::atan(lean) * 180 / M_PI};
+    warning.values = {most.off * tile * tile, std::atan(lean) * 180 / M_PI};
     return warning;
   }
 
 private:
-  /** @brief Returns the number of tiles on a plane that leans by `lean` into the room
-   * and meets the wall at the height `z`. */
-  std::size_t held(double lean, double z) const
+  /** @brief Numbers of tiles. */
+  struct Held {
+    double wall = 0; ///< that the wall holds
+    double more = 0; ///< that a leaning plane holds, and the wall does not
+    double lost = 0; ///< that the wall holds, and the plane does not
+    double off = 0;  ///< that the plane holds far off the wall
+  };
+
+  /** @brief Counts the tiles on a plane that leans by `lean` into the room and meets
+   * the wall at the height `z`. */
+  Held held(double lean, double z) const
   {
-    return static_cast<std::size_t>(
-        std::count_if(tiles_.begin(), tiles_.end(), [&](const Tile& seen) {
-          return seen.isWithin(lean * (seen.z - z), on_plane);
-        }));
+    Held held;
+    for (const Tile& seen : tiles_) {
+      const double offset = lean * (seen.z - z);
+      const bool is_on_wall = seen.isWithin(0, on_plane);
+      const bool is_on_plane = seen.isWithin(offset, on_plane);
+      held.wall += is_on_wall ? 1 : 0;
+      held.more += is_on_plane && !is_on_wall ? 1 : 0;
+      held.lost += is_on_wall && !is_on_plane ? 1 : 0;
+      held.off += is_on_plane && !is_on_wall && std::abs(offset) > off_wall ? 1 : 0;
+    }
+    return held;
   }
 
   const VerticalSurface& wall_;
