@@ -52,6 +52,12 @@ public:
   /** @brief Returns roomAt() of every point. O(n); `threads` 0: all processors. */
   std::vector<std::int32_t> roomsAt(const PointView& points, unsigned threads) const;
 
+  const CellGrid& grid() const { return grid_; }
+
+  /** @brief Returns the cells that touch a cell of another room, at an edge or corner.
+   */
+  CellSet frontier() const;
+
 private:
   /** @brief The grid of a group of nearby rooms. */
   struct Quarter {
