@@ -13,9 +13,13 @@ namespace pcl::sedr {
 
 namespace {
 
+/** @brief Whether two elements follow one curve, or one of them is a step of no length
+ * that is left between two lines that became one. */
 bool
 areOfOneCurve(const PlanElement& a, const PlanElement& b)
 {
+  if ((a.start - a.end).norm() < same_place || (b.start - b.end).norm() < same_place)
+    return !a.isArc() && !b.isArc();
   if (a.isArc() != b.isArc())
     return false;
   if (a.isArc())

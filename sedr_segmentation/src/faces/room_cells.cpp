@@ -149,7 +149,7 @@ gatherWalls(const PointView& points,
           if (q.z() < cells.top[at] + p.rim)
             highest[at] = std::max(highest[at], q.z());
           if (const double above = q.z() - cells.floor;
-              above > p.rim && q.z() < lowest(cells.low[at]))
+              above > p.rim && above < p.sill)
             bins_of_base[at] |= std::uint64_t{1}
                                 << std::min(63, static_cast<int>(above / p.bin));
           const bool is_below_low = isBelow(cells.low[at]);

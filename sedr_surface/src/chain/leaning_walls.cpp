@@ -26,10 +26,16 @@ struct Tile {
   double z = 0;
   std::vector<float> offsets;
 
-  bool isWithin(double offset, double distance) const
+  /** @brief Returns how well an offset fits what was seen: 1 on it, 0 from `on_plane`
+   * on. */
+  double fit(double offset) const
   {
-    return std::any_of(offsets.begin(), offsets.end(),
-                       [&](float seen) { return std::abs(seen - offset) < distance; });
+    double best = 0;
+    for (const float seen : offsets) {
+      const double miss = (seen - offset) / on_plane;
+      best = std::max(best, 1 - miss * miss);
+    }
+    return best;
   }
 };
 
@@ -82,7 +88,7 @@ public:
           lean = 0.01 * k;
         }
     PlanWarning warning;
-    if (most.more * tile * tile < min_area || most.more < min_more * most.wall)
+    if (most.off * tile * tile < min_area || most.more < min_more * most.wall)
       return warning;
     warning.kind = WarningKind::WallOff;
     warning.values = {most.off * tile * tile, std::atan(lean) * 180 / M_PI};
@@ -90,27 +96,28 @@ public:
   }
 
 private:
-  /** @brief Numbers of tiles. */
+  /** @brief Tiles, weighted by how well a plane fits them. */
   struct Held {
-    double wall = 0; ///< that the wall holds
-    double more = 0; ///< that a leaning plane holds, and the wall does not
-    double lost = 0; ///< that the wall holds, and the plane does not
-    double off = 0;  ///< that the plane holds far off the wall
+    double wall = 0; ///< held by the wall
+    double more = 0; ///< held by a leaning plane, and less by the wall
+    double lost = 0; ///< held by the wall, and less by the plane
+    double off = 0;  ///< held by the plane far off the wall; a number
   };
 
-  /** @brief Counts the tiles on a plane that leans by `lean` into the room and meets
-   * the wall at the height `z`. */
+  /** @brief Compares the wall with a plane that leans by `lean` into the room and meets
+   * it at the height `z`. */
   Held held(double lean, double z) const
   {
     Held held;
     for (const Tile& seen : tiles_) {
+      if (seen.offsets.empty())
+        continue;
       const double offset = lean * (seen.z - z);
-      const bool is_on_wall = seen.isWithin(0, on_plane);
-      const bool is_on_plane = seen.isWithin(offset, on_plane);
-      held.wall += is_on_wall ? 1 : 0;
-      held.more += is_on_plane && !is_on_wall ? 1 : 0;
-      held.lost += is_on_wall && !is_on_plane ? 1 : 0;
-      held.off += is_on_plane && !is_on_wall && std::abs(offset) > off_wall ? 1 : 0;
+      const double on_wall = seen.fit(0);
+      const double more = seen.fit(offset) - on_wall;
+      held.wall += on_wall;
+      (more > 0 ? held.more : held.lost) += std::abs(more);
+      held.off += more > 0 && std::abs(offset) > off_wall ? 1 : 0;
     }
     return held;
   }

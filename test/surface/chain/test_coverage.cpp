@@ -181,7 +181,7 @@ TEST(UnexplainedSurfaces, AreWallsThatLeanAwayFromThePlan)
   EXPECT_EQ(found[0].room, 1u);
   EXPECT_EQ(found[0].wall, 4u);
   EXPECT_NEAR(found[0].values[0], 3 * 1.5, 0.9) << "more than 5 cm off above 1 m";
-  EXPECT_NEAR(found[0].values[1], -std::atan(0.05) * 180 / M_PI, 0.6);
+  EXPECT_NEAR(found[0].values[1], std::atan(0.05) * 180 / M_PI, 0.6);
 }
 
 } // namespace
