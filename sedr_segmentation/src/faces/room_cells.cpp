@@ -104,7 +104,7 @@ gatherCeiling(const PointView& points,
             });
   const int reach = static_cast<int>(std::lround(p.local / grid.size()));
   spread(cells.seen, reach, std::greater<>(), cells.top);
-  spread(cells.seen, reach, std::less<>(), cells.low);
+  spread(cells.seen, 1, std::less<>(), cells.low);
   for (std::size_t i = 0; i < cells.top.size(); ++i)
     if (cells.low[i] == no_height)
       cells.top[i] = cells.low[i] = static_cast<float>(cells.ceiling);
