@@ -96,13 +96,13 @@ def page(root):
 # Priors
 
 What is believed of buildings, furniture, scanners and samples before a scan is looked at: `pcl::sedr::Priors`
-(`<pcl/sedr_filters/priors.h>`), which the stages read. In C++ `reconstruction.setPriors(priors)` sets it. On the command line:
+(`<pcl/sedr_filters/priors.h>`), set by `reconstruction.setPriors(priors)`, or on the command line:
 
 ```
 pcl_sedr scan.pcd model --prior max_wall=0.9,min_headroom=2
 ```
 
-`report.json` holds the values in use, their sources and the folders where they act as `priors`. A value out of its range, or an unknown name, ends the program with a sentence.
+`report.json` holds the values in use, their sources and the folders where they act. Values out of their range and unknown names are refused.
 """
     group = None
     for name, value, meaning in members(root):
@@ -111,7 +111,7 @@ pcl_sedr scan.pcd model --prior max_wall=0.9,min_headroom=2
             group = line[1]
             text += ("\n## " + TITLES[group] + "\n\n| name | value | range | meaning |\n"
                      "|---|---|---|---|\n")
-        text += "| `%s` | %g %s | %g to %g | %s |\n" % (
+        text += "| `%s` | %g %s | %g–%g | %s |\n" % (
             name, value, line[2], line[3], line[4], meaning)
     return text
 
