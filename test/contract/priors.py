@@ -111,7 +111,7 @@ pcl_sedr scan.pcd model --prior max_wall=0.9,min_headroom=2
             group = line[1]
             text += ("\n## " + TITLES[group] + "\n\n| name | value | range | meaning |\n"
                      "|---|---|---|---|\n")
-        text += "| `%s` | %g %s | %g–%g | %s |\n" % (
+        text += "| `%s` | %g %s | %g to %g | %s |\n" % (
             name, value, line[2], line[3], line[4], meaning)
     return text
 
