@@ -16,12 +16,12 @@ struct PartingParameters {
   double min_lintel = 0.15; ///< mean dip of what is a door's
   double widest_passage = 4; ///< of one below a deep lintel
   double deep_lintel = 0.2;
-  double widest_pier = 0.6; ///< a pier or column makes two openings of one no more
-  double jamb = 0.25;       ///< a room goes on beside a door by so much
-  double jamb_reach = 2;    ///< as far as it is followed there
-  double end_reach = 0.25;  ///< from the end of an opening to the wall there
-  double floor_reach = 1;   ///< the floor near an opening is that within
-  double same_floor = 1.0;  ///< floors of one room differ by less at an opening
+  double widest_pier = 0.6;  ///< a pier or column makes two openings of one no more
+  double jamb = 0.25;        ///< a room goes on beside a door by so much
+  double jamb_reach = 2;     ///< as far as it is followed there
+  double end_reach = 0.25;   ///< from the end of an opening to the wall there
+  double floor_reach = 1;    ///< the floor near an opening is that within
+  double same_floor = 1.0;   ///< floors of one room differ by less at an opening
   double min_over_air = 0.1; ///< share of a gallery; less is on furniture
   double smallest_level = 5; ///< square metres; less on another height is a landing
   double max_stacked = 0.1;  ///< share of the larger of two rooms that may lie above
@@ -33,10 +33,6 @@ struct PartingParameters {
                                  ///< room
   double max_open = 0.4;         ///< share of a room's outline that doors may be
   double smallest_room = 1.0;    ///< square metres
-  double min_line = 1;    ///< minimum length of seen wall on a line that is continued
-  double line_cost = 0.2; ///< cost of a metre of unseen outline on such a line;
-                          ///< elsewhere 1
-  double area_cost = 0.1; ///< cost of a square metre whose ceiling was not seen
 };
 
 } // namespace pcl::sedr

@@ -4,21 +4,12 @@
 namespace pcl::sedr {
 
 bool
-isWalledUp(const AirGaps& air,
-           std::uint32_t column,
-           std::int32_t low,
-           std::int32_t high)
-{
-  constexpr double least = 0.3; // of the heights
-  return column != VoxelColumns::none &&
-         air.occupiedShare(column, low + (high - low) / 3, high) >= least;
-}
-
-bool
 isWallAt(const AirGaps& air, std::uint32_t column, const AirGap& gap)
 {
+  constexpr double least = 0.3; // of the heights
   const auto isWall = [&](std::uint32_t c) {
-    return isWalledUp(air, c, gap.low, gap.high);
+    return c != VoxelColumns::none &&
+           air.occupiedShare(c, gap.low + (gap.high - gap.low) / 3, gap.high) >= least;
   };
   if (column == VoxelColumns::none)
     return false;

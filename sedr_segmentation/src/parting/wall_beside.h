@@ -11,14 +11,8 @@ namespace pcl::sedr {
 /** @brief Columns from the end of the air within which a wall may stand. */
 constexpr int wall_depth = 3;
 
-/** @brief Whether a wall stands in a column between two heights: much of the upper two
- * thirds is occupied; furniture may hide the rest. */
-bool isWalledUp(const AirGaps& air,
-                std::uint32_t column,
-                std::int32_t low,
-                std::int32_t high);
-
-/** @brief Whether a wall stands in a column or beside it at the heights of a gap. */
+/** @brief Whether a wall stands in a column or beside it at the heights of a gap: much
+ * of the upper two thirds is occupied; furniture may hide the rest. */
 bool isWallAt(const AirGaps& air, std::uint32_t column, const AirGap& gap);
 
 /** @brief Whether a wall stands within three columns of a gap in plan_directions[d]. */

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mirror_images.h"
 #include "pane_views.h"
-#include "room_closure.h"
 #include "room_description.h"
 #include "room_points.h"
 #include "storey_levels.h"
 
 #include <pcl/sedr_segmentation/building.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <utility>
 
 namespace pcl::sedr {
@@ -169,11 +171,11 @@ judge(const std::vector<BuildingRoom>& parts,
 bool
 isBesideRoom(std::uint32_t part,
              const std::vector<RoomOpening>& openings,
-             const std::vector<PartUse>& use)
+             const std::vector<Verdict>& verdicts)
 {
   return std::any_of(openings.begin(), openings.end(), [&](const RoomOpening& o) {
     return std::max(o.a, o.b) == part && isWalkable(o) && // parts are by size
-           use[std::min(o.a, o.b)] == PartUse::Room;
+           verdicts[std::min(o.a, o.b)].reason.empty();
   });
 }
 
@@ -187,11 +189,27 @@ seenArea(const BuildingRoom& part, double cell_size)
   return static_cast<double>(seen) * cell_size * cell_size;
 }
 
+/** @brief Area of the smallest rectangle around the columns of a part, square metres.
+ */
+double
+rectangleAround(const BuildingRoom& part, const CellGrid& grid)
+{
+  constexpr int directions = 16; // of a quarter turn
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < directions; ++k) {
+    const Eigen::Rotation2Dd turn(M_PI / 2 * k / directions);
+    Eigen::AlignedBox2d box;
+    for (const RoomColumn& column : part.columns)
+      box.extend(turn * grid.centre(column.cell));
+    smallest = std::min(smallest, (box.sizes().array() + grid.size()).prod());
+  }
+  return smallest;
+}
+
 /** @brief Keeps what is a room, numbered anew, and tells the rest with reasons.
  * @return number of each part of the air among the rooms, 0 for those left out */
 std::vector<std::uint32_t>
-keepRooms(const AirGaps& air,
-          const PartedAir& parted,
+keepRooms(const PartedAir& parted,
           const PartingParameters& of_parting,
           std::vector<BuildingRoom> parts,
           const std::vector<PartAccess>& access,
@@ -203,18 +221,11 @@ keepRooms(const AirGaps& air,
   std::vector<Verdict> verdicts =
       judge(parts, access, is_view, parameters, of_parting.smallest_level,
             building.grid.size());
-  std::vector<PartUse> use;
-  for (const Verdict& verdict : verdicts)
-    use.push_back(verdict.reason.empty()                ? PartUse::Room
-                  : verdict.kind == LeftOutKind::Mirror ? PartUse::Other
-                                                        : PartUse::Spare);
-  closeRooms(air, parted, use, of_parting, parts,
-             [&](std::uint32_t p, const BuildingRoom& completed, double box) {
-               if (parameters.minimum_enclosure > 0 &&
-                   isBesideRoom(p, parted.openings, use))
-                 verdicts[p] = {seenInPart(completed, box), LeftOutKind::Partial};
-               return verdicts[p].reason.empty();
-             });
+  for (std::uint32_t p = 0; p < parts.size(); ++p)
+    if (verdicts[p].reason.empty() && parameters.minimum_enclosure > 0 &&
+        isBesideRoom(p, parted.openings, verdicts))
+      verdicts[p] = {seenInPart(parts[p], rectangleAround(parts[p], building.grid)),
+                     LeftOutKind::Partial};
   std::vector<std::size_t> rooms;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const BuildingRoom& part = parts[p];
@@ -289,7 +300,7 @@ describe(const AirGaps& air,
   const std::vector<PartAccess> access =
       accessTo(parts, parted.openings, seenDensities(parts, fine, columns.grid()));
   const std::vector<std::uint32_t> number = keepRooms(
-      air, parted, of_parting, std::move(parts), access, is_view, parameters, building);
+      parted, of_parting, std::move(parts), access, is_view, parameters, building);
   building.storeys = findStoreys(building.rooms, parameters.storey_step);
   tellOpenings(parted.openings, number, building);
   std::stable_sort(building.left_out.begin(), building.left_out.end(),

@@ -5,11 +5,13 @@
 #include "../parting/wall_beside.h"
 
 #include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/grids/cell_mask.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace pcl::sedr {
 
@@ -76,12 +78,25 @@ private:
   std::vector<std::uint8_t> is_met_;
 };
 
+/** @brief The cells that the gaps of a room surround: of columns and furniture. */
+CellMask
+holesIn(const AirGaps& air, const std::vector<std::uint32_t>& gaps)
+{
+  std::vector<CellKey> keys;
+  for (const std::uint32_t g : gaps)
+    keys.push_back(keyOf(air.columns().cellOf(air[g].column)));
+  const CellSet cells(std::move(keys));
+  const CellBox box = grown(boxOf(cells), 1);
+  return maskProblem(box).empty() ? enclosedCells(CellMask(cells, box)) : CellMask();
+}
+
 } // namespace
 
 std::vector<BuildingRoom>
 describeRooms(const AirGaps& air, const PartedAir& parted)
 {
-  constexpr double share_of_floor = 0.1; // of a room's columns
+  constexpr double share_of_floor = 0.1;       // of a room's columns
+  constexpr double sides_to_length = M_PI / 4; // of cells, over all directions
   const VoxelColumns& columns = air.columns();
   std::vector<std::vector<std::uint32_t>> gaps(parted.rooms);
   for (std::uint32_t g = 0; g < air.size(); ++g)
@@ -95,8 +110,10 @@ describeRooms(const AirGaps& air, const PartedAir& parted)
         room.id = static_cast<std::uint32_t>(r + 1);
         HeightCounts lows;
         HeightCounts highs;
+        const CellMask holes = holesIn(air, gaps[r]);
         std::size_t walled = 0;
         std::size_t ends = 0;
+        std::size_t unseen = 0;
         for (const std::uint32_t g : gaps[r]) {
           const AirGap& gap = air[g];
           const double low = columns.heightOf(gap.low);
@@ -106,8 +123,12 @@ describeRooms(const AirGaps& air, const PartedAir& parted)
                                   gap.ceiling_seen, levels.isLevel(g)});
           lows.add(low);
           highs.add(high);
+          unseen += !gap.floor_seen && !gap.ceiling_seen ? 1 : 0;
+          const Cell cell = columns.cellOf(gap.column);
           for (int d = 0; d < 4; ++d)
-            if (air.link(g, d) == AirGaps::none) {
+            if (const Cell by = plan_directions[static_cast<std::size_t>(d)];
+                air.link(g, d) == AirGaps::none &&
+                !holes.at({cell.x + by.x, cell.y + by.y})) {
               ++ends;
               walled += isWallBeside(air, g, d) ? 1 : 0;
             }
@@ -122,6 +143,10 @@ describeRooms(const AirGaps& air, const PartedAir& parted)
                     columns.cellSize();
         room.enclosure =
             ends == 0 ? 1 : static_cast<double>(walled) / static_cast<double>(ends);
+        room.inferred =
+            static_cast<double>(unseen) * columns.cellSize() * columns.cellSize();
+        room.unseen_outline =
+            sides_to_length * static_cast<double>(ends - walled) * columns.cellSize();
       });
   return rooms;
 }

@@ -37,10 +37,9 @@ std::string noRoomBecause(const BuildingRoom& room,
                           const BuildingParameters& parameters,
                           LeftOutKind& kind);
 
-/** @brief Why a room that one walks into is none once it is completed, see
- * closeRooms(): most of its outline is where the view ended, and not along its walls,
- * as panes are. Empty if it is one.
- * @param box area of the rectangle around what was seen of it, along its walls */
+/** @brief Why a room that one walks into is none: most of its outline is where the view
+ * ended, and not along its walls, as panes are. Empty if it is one.
+ * @param box area of the smallest rectangle around it */
 std::string seenInPart(const BuildingRoom& room, double box);
 
 } // namespace pcl::sedr
