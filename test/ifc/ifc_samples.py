@@ -38,6 +38,19 @@ def house():
                          doorway([0, 1], [0.0, 1.0], [0.0, 2.0]), doorway([0, 5], [14.4, -1.07], [13.6, -1.07])]}
 
 
+def opening(kind, rooms, start, end, bottom=0.0, top=2.05, hinge="unknown", swing=0, state="unknown"):
+    """An opening in no named wall; the first room is to the left."""
+    return dict(doorway(rooms, start, end, bottom, top), kind=kind, walls=[], depth=0.1, hinge=hinge, swing=swing, state=state)
+
+
+def house_with_doors(hinge="start", swing=1):
+    """The house with a door between hall and cell, windows in a flat wall and in a curved one."""
+    return dict(house(), doorways=[], openings=[
+        opening("door", [1, 2], [2.9, 4.05], [2.0, 4.05], hinge=hinge, swing=swing, state="open"),
+        opening("window", [1, 0], [2, -0.1], [3, -0.1], 0.9, 2.1),
+        opening("window", [5, 0], [14.4, -1.07], [13.6, -1.07], 1.0, 2.0)])
+
+
 VOLUMES = {1: (24 + 2 * math.pi - 0.16 * math.pi - 0.25) * 3 - 2 * 0.4, 2: 15 * 2.5 - 4.5 * 0.3 + 0.1,
            3: 4 * 2.6 * 2.5, 4: 15 * (1.5 + 0.75), 5: 9 * math.pi * 4}
 

@@ -13,7 +13,7 @@ import unittest
 
 import step_reader
 from express_schema import Check, Schema
-from ifc_samples import house, write
+from ifc_samples import house, house_with_doors, write
 from plan_samples import rectangle, room, slab
 
 TOOL = sys.argv[1]
@@ -44,6 +44,28 @@ class IfcSchema(unittest.TestCase):
                          "BOOLEANCLIPPINGRESULT"):
                 self.assertIn("IFC" + kind, kinds)
             self.assertEqual("IFCINDEXEDPOLYCURVE" in kinds, "faceted" not in options)
+
+    def test_doors_open_towards_their_y_axis(self):
+        """The wall's hall is below y = 4.05, its cell above. From the side that the leaf turns away from, the
+        hinge at x = 2.9 is on the left looking down, on the right looking up."""
+        for hinge, swing, operation in (("start", 1, "LEFT"), ("start", 2, "RIGHT"), ("end", 1, "RIGHT"),
+                                        ("end", 2, "LEFT"), ("both", 2, None), ("unknown", 0, None)):
+            instances = step_reader.read(write(TOOL, house_with_doors(hinge, swing), self.folder))
+            self.assertEqual(self.problems(instances), [])
+            kinds = [name for name, _ in instances.values()]
+            self.assertEqual((kinds.count("IFCDOOR"), kinds.count("IFCWINDOW")), (1, 2))
+            door = next(v for name, v in instances.values() if name == "IFCDOOR")
+            expected = "SINGLE_SWING_" + operation if operation else \
+                {"both": "DOUBLE_DOOR_SINGLE_SWING", "unknown": "NOTDEFINED"}[hinge]
+            self.assertIn(expected, str(door[11]))
+            turn, place = 1 + 0j, door[5]
+            while isinstance(place, int):
+                parent, frame = instances[place][1]
+                way = instances[frame][1][2]
+                turn *= complex(*instances[way][1][0][:2]) if isinstance(way, int) else 1
+                place = parent
+            if swing:
+                self.assertAlmostEqual(turn.real, -1 if swing == 1 else 1)  # the y axis is x, turned left
 
     def test_one_room_without_an_origin(self):
         plan = {"format": "sedr-floorplan", "version": 1, "unit": "m",

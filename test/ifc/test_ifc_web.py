@@ -16,7 +16,7 @@ import unittest
 
 import step_reader
 import web_ifc
-from ifc_samples import VOLUMES, doorway, house, write
+from ifc_samples import VOLUMES, doorway, house, house_with_doors, write
 from plan_samples import rectangle, room, segment, slab
 from web_ifc import opened
 
@@ -154,7 +154,11 @@ class WebIfc(unittest.TestCase):
         """Every opening takes as much of its wall as is in both, of walls below roofs and vaults at least
         something."""
         path = write(TOOL, plan, self.folder, "--ifc-arcs", "faceted", name="with")
-        cuts = web_ifc.cuts(path, step_reader.read(path), opened(path)["products"])
+        instances, products = step_reader.read(path), opened(path)["products"]
+        for name, wall in web_ifc.fillings(instances):
+            self.assertIsNotNone(wall, what + name)
+            self.assertGreater(products[name]["volume"], 0.001, what + name)
+        cuts = web_ifc.cuts(path, instances, products)
         for name, cut, expected in cuts:
             self.assertGreater(cut if expected is None else expected, 0.001, what + name)
             if expected is not None:
@@ -164,6 +168,7 @@ class WebIfc(unittest.TestCase):
     def test_openings_cut_as_much_as_they_should(self):
         """In walls of one face and of two, curved ones, and those about a core within a room."""
         self.assertEqual(self.expect_cuts(house(), "house "), 5)
+        self.assertEqual(self.expect_cuts(house_with_doors(), "doors "), 4)  # and a niche
         ring = room(1, rectangle(0, 0, 12, 12), slab(0), slab(3), columns=[rectangle(3, 3, 9, 9, clockwise=True)])
         core = room(2, rectangle(3.1, 3.2, 8, 8), slab(0), slab(2.6))
         plan = dict(house(), rooms=[ring, core], storeys=[], doorways=[

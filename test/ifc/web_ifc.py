@@ -90,6 +90,14 @@ def common_volume(wall, openings):
     return volume
 
 
+def fillings(instances):
+    """(door or window, the wall whose opening it fills; None if there is none)."""
+    filled = {v[5]: v[4] for name, v in instances.values() if name == "IFCRELFILLSELEMENT"}
+    hosts = {v[5]: v[4] for name, v in instances.values() if name == "IFCRELVOIDSELEMENT"}
+    return [("%s %s" % (name, v[2]), hosts.get(filled.get(i))) for i, (name, v) in instances.items()
+            if name in ("IFCDOOR", "IFCWINDOW")]
+
+
 def cuts(path, instances, products):
     """(wall, what its openings take of it, what they should take) of each wall with openings; the last is None
     where the wall or an opening is not swept. The file is to have its arcs as facets."""

@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 // In the order of their enumerations.
 constexpr std::array<const char*, 4> kinds{"unknown", "door", "window", "passage"};
-constexpr std::array<const char*, 3> hinges{"unknown", "start", "end"};
+constexpr std::array<const char*, 4> hinges{"unknown", "start", "end", "both"};
 constexpr std::array<const char*, 4> states{"unknown", "closed", "ajar", "open"};
 
 template <typename Enum, std::size_t n>

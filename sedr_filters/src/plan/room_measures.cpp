@@ -140,4 +140,22 @@ wallThickness(const Floorplan& plan, std::size_t room, std::size_t element, doub
   return *middle;
 }
 
+std::vector<OpeningLeaf>
+leavesOf(const PlanOpening& opening)
+{
+  std::vector<OpeningLeaf> leaves;
+  const Eigen::Vector2d way = opening.end - opening.start;
+  const double side = opening.swing == opening.rooms[0] ? 1 : -1;
+  const Eigen::Vector2d into = side * Eigen::Vector2d(-way.y(), way.x());
+  const Eigen::Vector2d face = opening.depth / 2 * into.normalized();
+  const double share = opening.hinge == OpeningHinge::Both ? 0.5 : 1;
+  if (opening.hinge == OpeningHinge::Start || opening.hinge == OpeningHinge::Both)
+    leaves.push_back({opening.start + face, opening.start + face + share * way,
+                      opening.start + face + share * into});
+  if (opening.hinge == OpeningHinge::End || opening.hinge == OpeningHinge::Both)
+    leaves.push_back({opening.end + face, opening.end + face - share * way,
+                      opening.end + face + share * into});
+  return leaves;
+}
+
 } // namespace pcl::sedr

@@ -29,8 +29,8 @@ findOpenings(const PointView& points,
   parameters.sizes.before = priors.max_furniture_depth;
   parameters.threads = threads;
   auto found = std::make_shared<OpeningSearch>(plan, points, indices.get(), parameters);
-  nameOpenings(plan, *found, parameters);
-  findLeaves(plan, *found, parameters);
+  findLeaves(plan, points, indices.get(), parameters.sizes, found->found);
+  nameOpenings(plan, *found, parameters.sizes);
   for (const FoundOpening& opening : found->found)
     plan.openings.push_back(opening.opening);
   search = std::move(found);

@@ -15,9 +15,9 @@ struct KindWeights {
 };
 
 const KindWeights kind_weights{
-    // one raised sill room narrow wide tall low_lintel thin filled around
-    {{-1.6, 7.0, 4.7, -5.8, -2.8, 3.5, 0.9, 3.8, -0.1, -0.5, -2.7}},
-    {{2.9, 2.6, 1.3, -1.0, 8.9, 4.6, 1.7, 1.2, -0.3, 0.3, -6.7}}};
+    // one raised sill room narrow wide tall low_lintel thin filled around leaf
+    {{-1.6, 7.0, 4.7, -5.8, -2.8, 3.5, 0.9, 3.8, -0.1, -0.5, -2.7, -4}},
+    {{2.9, 2.6, 1.3, -1.0, 8.9, 4.6, 1.7, 1.2, -0.3, 0.3, -6.7, -4}}};
 
 double
 product(const OpeningFeatures& a, const OpeningFeatures& b)
@@ -34,9 +34,7 @@ featuresOf(const Floorplan& plan,
            const FoundOpening& found,
            const OpeningSizes& sizes)
 {
-  const WallMap& map = search.maps[found.side];
   const PlanOpening& o = found.opening;
-  const WallRectangle& at = found.rectangle;
   const PlanRoom& room = plan.rooms[search.sides[found.side].room];
   const double ceiling = room.ceilingAt(search.sides[found.side].line.pointAt(
       (found.rectangle.from + found.rectangle.to) / 2));
@@ -53,22 +51,20 @@ featuresOf(const Floorplan& plan,
       std::clamp(head - opening_numbers.high_door, 0.0, 1.0),
       std::clamp(sizes.usual_lintel - (ceiling - o.top), 0.0, sizes.usual_lintel),
       std::clamp(opening_numbers.usual_wall - o.depth, 0.0, opening_numbers.usual_wall),
-      map.shareOf(WallCell::Within, at.from + 0.1, at.to - 0.1, at.bottom + 0.1,
-                  at.top - 0.1),
-      found.around};
+      found.filled,
+      found.around,
+      o.hinge != OpeningHinge::Unknown ? 1.0 : 0.0};
 }
 
 } // namespace
 
 void
-nameOpenings(const Floorplan& plan,
-             OpeningSearch& search,
-             const OpeningParameters& parameters)
+nameOpenings(const Floorplan& plan, OpeningSearch& search, const OpeningSizes& sizes)
 {
   for (FoundOpening& found : search.found) {
-    found.features = featuresOf(plan, search, found, parameters.sizes);
-    const double window = std::exp(product(kind_weights.window, found.features));
-    const double passage = std::exp(product(kind_weights.passage, found.features));
+    const OpeningFeatures features = featuresOf(plan, search, found, sizes);
+    const double window = std::exp(product(kind_weights.window, features));
+    const double passage = std::exp(product(kind_weights.passage, features));
     const std::pair<double, OpeningKind> likeliest = std::max(
         {std::pair(1.0, OpeningKind::Door), std::pair(window, OpeningKind::Window),
          std::pair(passage, OpeningKind::Passage)});
@@ -76,6 +72,13 @@ nameOpenings(const Floorplan& plan,
     found.opening.kind = found.opening.confidence < opening_numbers.min_confidence
                              ? OpeningKind::Unknown
                              : likeliest.second;
+    if (found.opening.kind != OpeningKind::Door) {
+      found.opening.hinge = OpeningHinge::Unknown;
+      found.opening.swing = 0;
+      found.opening.state = OpeningState::Unknown;
+    }
+    else if (found.filled > sizes.min_leaf_share)
+      found.opening.state = OpeningState::Closed;
   }
 }
 

@@ -6,9 +6,9 @@
 namespace pcl::sedr {
 
 /** @brief Names the kind of each opening by log-odds of what was measured of it. Below
- * a probability of one half it is unknown. */
-void nameOpenings(const Floorplan& plan,
-                  OpeningSearch& search,
-                  const OpeningParameters& parameters);
+ * a probability of one half it is unknown. Only doors have leaves; one that shuts a
+ * door within its wall is closed. */
+void
+nameOpenings(const Floorplan& plan, OpeningSearch& search, const OpeningSizes& sizes);
 
 } // namespace pcl::sedr

@@ -7,17 +7,22 @@
 namespace pcl::sedr {
 namespace {
 
-/** @brief A leaf that stands open before a side, and how well the scan shows it. */
+/** @brief One leaf, and how well the scan shows it. */
 struct Leaf {
-  double shown = 0; ///< share of its cells
+  double shown = 0; ///< share of its cells, less those of what it is a part of
   double angle = 0; ///< radians from shut
-  bool is_at_from = true;
 };
 
-/** @brief Cells of a vertical sheet from a hinge outwards. */
-class SheetCells {
+/** @brief The leaves of an opening that stand open on one of its sides. */
+struct Leaves : Leaf {
+  OpeningHinge hinge = OpeningHinge::Unknown;
+  bool is_left = true; ///< of the direction of the opening
+};
+
+/** @brief Returns the share of the cells of a rectangle that hold points. */
+class Cells {
 public:
-  SheetCells(double length, double height)
+  Cells(double length, double height)
       : columns_(
             static_cast<std::size_t>(std::max(1.0, length / opening_numbers.leaf_cell)))
       , rows_(
@@ -25,7 +30,6 @@ public:
       , cells_(columns_ * rows_)
   {}
 
-  /** @brief Marks a place `out` from the beginning, `up` from the lower edge. */
   void mark(double out, double up)
   {
     const double c = out / opening_numbers.leaf_cell;
@@ -47,38 +51,108 @@ private:
   std::vector<bool> cells_;
 };
 
-/** @brief Returns the leaf that a side shows best. */
+/** @brief Returns the leaf that points beside an opening show best.
+ * @param points along from the hinge, towards the other jamb */
 Leaf
-leafBefore(const WallMap& map, const WallRectangle& door, const OpeningSizes& sizes)
+leafAmong(const std::vector<SidePoint>& points,
+          double width,
+          double low,
+          double high,
+          const OpeningSizes& sizes)
 {
-  const double width = door.to - door.from;
-  const double low = door.bottom + sizes.leaf_margin;
-  const double high = door.top - sizes.leaf_margin;
-  std::vector<SidePoint> near;
-  for (const SidePoint& p : map.points())
-    if (p.offset > sizes.on_floor && p.height > low && p.height < high &&
-        p.along > door.from - 1.5 * width && p.along < door.to + 1.5 * width)
-      near.push_back(p);
   Leaf best;
-  for (const bool is_at_from : {true, false})
-    for (int degrees = 20; degrees <= 165; degrees += 5) {
-      const double angle = radians(degrees);
-      const double c = std::cos(angle);
-      const double s = std::sin(angle);
-      SheetCells leaf(width - 2 * sizes.leaf_margin, high - low);
-      SheetCells beyond(2 * sizes.leaf_margin, high - low);
-      for (const SidePoint& p : near) {
-        const double along = is_at_from ? p.along - door.from : door.to - p.along;
-        if (std::abs(along * s - p.offset * c) > sizes.leaf_band)
-          continue;
-        const double out = along * c + p.offset * s;
+  for (int degrees = 20; degrees <= 165; degrees += 3) {
+    const double angle = radians(degrees);
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    Cells leaf(width - 2 * sizes.leaf_margin, high - low);
+    Cells beyond(2 * sizes.leaf_margin, high - low);
+    Cells above(width - 2 * sizes.leaf_margin, 2 * sizes.leaf_margin);
+    std::array<Cells, 2> beside{leaf, leaf}; // one side is free: it was seen from there
+    Cells end(opening_numbers.leaf_cell, high - low); // all that shows of it edge-on
+    std::array<Cells, 2> round{end, end};             // what stands before or behind it
+    const double near_end = width - 0.5 * opening_numbers.leaf_cell;
+    for (const SidePoint& p : points) {
+      const double off = p.along * s - p.offset * c;
+      const double out = p.along * c + p.offset * s;
+      if (std::abs(off) > 3 * sizes.leaf_band)
+        continue;
+      if (std::abs(off) < sizes.leaf_band) {
         leaf.mark(out - sizes.leaf_margin, p.height - low);
-        beyond.mark(out - width - sizes.leaf_margin, p.height - low);
+        end.mark(out - near_end, p.height - low);
       }
-      const double shown = leaf.share() - beyond.share();
-      if (shown > best.shown)
-        best = {shown, angle, is_at_from};
+      else {
+        round[off > 0 ? 1 : 0].mark(out - near_end, p.height - low);
+        beside[off > 0 ? 1 : 0].mark(out - sizes.leaf_margin, p.height - low);
+      }
+      above.mark(out - sizes.leaf_margin, p.height - high - 2 * sizes.leaf_margin);
+      beyond.mark(out - width - sizes.leaf_margin, p.height - low);
     }
+    const double shown =
+        std::max(leaf.share(), end.share() - round[0].share() - round[1].share()) -
+        beyond.share() - above.share() - std::min(beside[0].share(), beside[1].share());
+    if (shown > best.shown)
+      best = {shown, angle};
+  }
+  return best;
+}
+
+/** @brief Returns an opening as the side of a wall, led on beyond both jambs, so that
+ * leaves stand before it. */
+WallSide
+sideOf(const PlanOpening& opening, bool is_left)
+{
+  const Eigen::Vector2d way = opening.end - opening.start;
+  const Eigen::Vector2d left = Eigen::Vector2d(-way.y(), way.x()).normalized();
+  WallSide side;
+  side.line.start =
+      opening.start - 1.5 * way + (is_left ? 0.5 : -0.5) * opening.depth * left;
+  side.line.end = side.line.start + 4 * way;
+  if (!is_left)
+    std::swap(side.line.start, side.line.end);
+  side.floor = opening.bottom;
+  side.ceiling = opening.top + 0.5;
+  return side;
+}
+
+/** @brief Returns the leaves that points before a side of an opening show best: one as
+ * wide as it, or two. */
+Leaves
+leavesBefore(const std::vector<SidePoint>& points,
+             const PlanOpening& opening,
+             bool is_left,
+             const OpeningSizes& sizes)
+{
+  const double width = opening.width();
+  const double low = opening.bottom + sizes.leaf_margin;
+  const double high = opening.top - sizes.leaf_margin;
+  Leaves best;
+  best.is_left = is_left;
+  std::array<Leaf, 2> halves;
+  for (const bool is_first : {true, false}) { // jamb of the side's direction
+    std::vector<SidePoint> from_hinge;
+    for (SidePoint p : points)
+      if (p.offset > sizes.on_floor && p.height > low) {
+        p.along = static_cast<float>(is_first ? p.along - 1.5 * width
+                                              : 2.5 * width - p.along);
+        from_hinge.push_back(p);
+      }
+    if (width < sizes.max_leaf)
+      if (const Leaf leaf = leafAmong(from_hinge, width, low, high, sizes);
+          leaf.shown > best.shown) {
+        static_cast<Leaf&>(best) = leaf;
+        best.hinge = is_first == is_left ? OpeningHinge::Start : OpeningHinge::End;
+      }
+    if (width > sizes.min_double)
+      halves[is_first ? 0 : 1] = leafAmong(from_hinge, width / 2, low, high, sizes);
+  }
+  if (const Leaf& worse =
+          std::min(halves[0], halves[1],
+                   [](const Leaf& a, const Leaf& b) { return a.shown < b.shown; });
+      worse.shown > best.shown) {
+    static_cast<Leaf&>(best) = worse;
+    best.hinge = OpeningHinge::Both;
+  }
   return best;
 }
 
@@ -86,37 +160,41 @@ leafBefore(const WallMap& map, const WallRectangle& door, const OpeningSizes& si
 
 void
 findLeaves(const Floorplan& plan,
-           OpeningSearch& search,
-           const OpeningParameters& parameters)
+           const PointView& points,
+           const pcl::Indices* indices,
+           const OpeningSizes& sizes,
+           std::vector<FoundOpening>& found)
 {
-  const OpeningSizes& sizes = parameters.sizes;
-  for (FoundOpening& found : search.found) {
-    PlanOpening& o = found.opening;
-    if (o.kind != OpeningKind::Door || o.width() > sizes.max_leaf)
+  std::vector<PlanOpening*> doors;
+  std::vector<WallSide> sides;
+  for (FoundOpening& each : found) {
+    PlanOpening& o = each.opening;
+    if (each.filled > sizes.min_leaf_share || o.width() < sizes.min_double / 2 ||
+        o.width() > 2 * sizes.max_leaf || o.height() < sizes.min_head ||
+        o.bottom - highestFloor(plan, o) > sizes.on_floor)
       continue;
-    if (found.features[9] > sizes.min_leaf_share) {
-      o.state = OpeningState::Closed;
+    doors.push_back(&o);
+    for (const bool is_left : {true, false})
+      sides.push_back(sideOf(o, is_left));
+  }
+  const auto beside = pointsBeside(sides, points, indices, sizes.leaf_reach, 0);
+  for (std::size_t k = 0; k < doors.size(); ++k) {
+    PlanOpening& o = *doors[k];
+    const Leaves left = leavesBefore(beside[2 * k], o, true, sizes);
+    const Leaves right = leavesBefore(beside[2 * k + 1], o, false, sizes);
+    const Leaves& best = right.shown > left.shown ? right : left;
+    if (best.shown < sizes.min_leaf_share)
       continue;
+    o.hinge = best.hinge;
+    if (!best.is_left) {
+      std::swap(o.start, o.end);
+      std::swap(o.rooms[0], o.rooms[1]);
+      if (o.hinge != OpeningHinge::Both)
+        o.hinge =
+            o.hinge == OpeningHinge::Start ? OpeningHinge::End : OpeningHinge::Start;
     }
-    Leaf leaf = leafBefore(search.maps[found.side], found.rectangle, sizes);
-    bool is_before = true; // the side on whose map the opening was found
-    if (found.behind < search.sides.size()) {
-      const WallSide& other = search.sides[found.behind];
-      WallRectangle door = found.rectangle;
-      door.from = other.line.project(o.end);
-      door.to = other.line.project(o.start);
-      const Leaf behind = leafBefore(search.maps[found.behind], door, sizes);
-      if (behind.shown > leaf.shown) {
-        leaf = behind;
-        leaf.is_at_from = !behind.is_at_from; // it runs the other way
-        is_before = false;
-      }
-    }
-    if (leaf.shown < sizes.min_leaf_share)
-      continue;
-    o.hinge = leaf.is_at_from ? OpeningHinge::Start : OpeningHinge::End;
-    o.swing = is_before ? plan.rooms[search.sides[found.side].room].id : o.rooms[1];
-    o.state = leaf.angle > sizes.max_ajar ? OpeningState::Open : OpeningState::Ajar;
+    o.swing = o.rooms[0];
+    o.state = best.angle > sizes.max_ajar ? OpeningState::Open : OpeningState::Ajar;
   }
 }
 

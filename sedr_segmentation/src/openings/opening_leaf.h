@@ -5,11 +5,15 @@
 
 namespace pcl::sedr {
 
-/** @brief Sets hinge, swing and state of the doors whose leaf was seen: a sheet as wide
- * and high as the door that stands before either side of the wall and ends at a jamb,
- * or one that shuts it within the wall. Others stay unknown. */
+/** @brief Sets hinge, swing and state of the openings beside which a leaf stands open:
+ * a sheet as wide and high as the opening, or two of half its width, that begins at a
+ * jamb and ends. Those are turned so that the leaf is to the left of their direction.
+ * Others stay unknown.
+ * @param indices of the points to use; null: all */
 void findLeaves(const Floorplan& plan,
-                OpeningSearch& search,
-                const OpeningParameters& parameters);
+                const PointView& points,
+                const pcl::Indices* indices,
+                const OpeningSizes& sizes,
+                std::vector<FoundOpening>& found);
 
 } // namespace pcl::sedr

@@ -154,7 +154,7 @@ public:
   void makeMaps(const PointView& points, const pcl::Indices* indices)
   {
     std::vector<WallSide>& sides = search_.sides;
-    auto beside = pointsBeside(sides, points, indices, sizes_);
+    auto beside = pointsBeside(sides, points, indices, sizes_.before, sizes_.max_depth);
     for (std::size_t k = 0; k < sides.size(); ++k)
       if (const double off = faceOffset(sides[k], beside[k], sizes_); off > 0)
         moveSide(off, sides[k], beside[k]);
@@ -312,6 +312,8 @@ private:
     o.top = at.top;
     o.rise = at.rise;
     o.residual = at.residual;
+    candidate.filled = map.shareOf(WallCell::Within, at.from + 0.1, at.to - 0.1,
+                                   at.bottom + 0.1, at.top - 0.1);
     o.rooms[0] = room.id;
     o.rooms[1] = is_paired ? plan_.rooms[search_.sides[candidate.behind].room].id
                            : roomBehind(plan_, o, o.depth / 2 + 0.3);

@@ -25,8 +25,8 @@ struct OpeningParameters {
  * metres; 1 if a room is behind it; how much narrower, wider and higher it is than
  * usual doors; how much lower than usual its lintel and how much thinner its wall is;
  * share of its area that shows something within the wall; share of its jambs and head
- * beside which a wall was seen. */
-using OpeningFeatures = std::array<double, 11>;
+ * beside which a wall was seen; 1 if a leaf stands open beside it. */
+using OpeningFeatures = std::array<double, 12>;
 
 /** @brief An opening on the map of a side. */
 struct FoundOpening {
@@ -34,9 +34,9 @@ struct FoundOpening {
   std::size_t behind = 0; ///< the side behind it; the number of sides: none
   WallRectangle rectangle;
   double gain = 0;   ///< nats
+  double filled = 0; ///< share that shows something within the wall
   double around = 0; ///< share of jambs and head beside which a wall was seen
   PlanOpening opening;
-  OpeningFeatures features{};
 };
 
 /** @brief The maps of all sides of walls, and the openings on them. */

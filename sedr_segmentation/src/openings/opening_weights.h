@@ -46,8 +46,9 @@ struct OpeningSizes {
   double usual_lintel = 0.3;   ///< of a usual door below the ceiling
   double leaf_reach = 1.4;     ///< of points before a side that may show a leaf
   double leaf_margin = 0.15;   ///< at the edges of a leaf, where other things are
-  double leaf_band = 0.06;     ///< distance of a leaf's points from its middle
+  double leaf_band = 0.05;     ///< distance of a leaf's points from its middle
   double max_leaf = 1.4;       ///< width of a single leaf
+  double min_double = 1.1;     ///< width of a door with two leaves
   double min_leaf_share = 0.5; ///< of a leaf that shows
   double max_ajar = 1.05;      ///< angle of a leaf that stands ajar, radians
 };
@@ -81,11 +82,9 @@ struct OpeningNumbers {
   double depth_bin = 0.01;     ///< of depths behind a face, metres
   double back_share =
       0.1; ///< of the cells that were seen with points of another face behind
-  double min_depth = 0.05; ///< of the thinnest wall, metres
-  double seen_share =
-      0.25; ///< of the points of cells around it in one that was seen; glass has less
-  double least_share = 0.15;  ///< likewise of the points in a middle cell of the wall
-  double around = 0.5;        ///< reach of those cells, metres
+  double min_depth = 0.05;    ///< of the thinnest wall, metres
+  double least_share = 0.15;  ///< of the usual points of a cell in one that was seen
+  double sparse_gap = 0.15;   ///< between cells that were seen, metres
   double relief_reach = 0.06; ///< of cells whose offsets are averaged, metres
   double min_relief = 0.01;   ///< of a leaf behind the face, metres
   double face_bin = 0.02;     ///< of distances of a face before its line, metres

@@ -72,6 +72,7 @@ WallMap::WallMap(const PlanRoom& room,
   findDepth();
   findExtent(room, side);
   count();
+  closeGaps();
   points_.erase(std::remove_if(points_.begin(), points_.end(),
                                [&](const SidePoint& p) { return p.offset < -depth_; }),
                 points_.end());
@@ -280,34 +281,43 @@ WallMap::count()
       ++within[i];
   }
   const std::vector<bool> is_recessed = recessedCells();
-  // A face that was seen has about as many points as others near it; glass has not.
   std::vector<double> filled;
   for (const std::uint32_t n : seen)
     if (n > 0)
       filled.push_back(n);
-  const double usual = filled.empty() ? 1 : middleValue(std::move(filled));
-  SumTable sums(columns_, rows_);
-  SumTable numbers(columns_, rows_);
-  sums.fill([&](std::size_t i) { return static_cast<double>(seen[i]); });
-  numbers.fill([&](std::size_t i) { return seen[i] > 0 ? 1.0 : 0.0; });
-  const auto reach = static_cast<std::size_t>(opening_numbers.around / cell_);
+  const double needed =
+      filled.empty() ? 1 : opening_numbers.least_share * middleValue(std::move(filled));
   cells_.assign(seen.size(), WallCell::Empty);
   for (std::size_t c = 0; c < columns_; ++c)
     for (std::size_t r = 0; r < rows_; ++r) {
-      const double mean =
-          sums.around(c, r, reach) / std::max(1.0, numbers.around(c, r, reach));
-      const double expected = std::max(mean, opening_numbers.least_share * usual /
-                                                 opening_numbers.seen_share);
       const std::size_t i = c * rows_ + r;
-      const double needed = std::max(1.0, opening_numbers.seen_share * expected);
       if (heightOf(r) + cell_ < floors_[c] || heightOf(r + 1) > ceilings_[c])
         cells_[i] = WallCell::Beyond;
-      else if (seen[i] >= needed)
+      else if (seen[i] > needed)
         cells_[i] = is_recessed[i] ? WallCell::Within : WallCell::Seen;
-      else if (within[i] >= std::max(1.0, 0.5 * needed))
+      else if (within[i] > 0)
         cells_[i] = WallCell::Within;
-      else if (before[i] >= needed)
+      else if (before[i] > 0)
         cells_[i] = WallCell::Hidden;
+    }
+}
+
+/** @brief Makes empty cells between seen ones of a row seen where the gap is narrower
+ * than any opening: points are sparse there. */
+void
+WallMap::closeGaps()
+{
+  const auto widest =
+      static_cast<std::size_t>(std::round(opening_numbers.sparse_gap / cell_));
+  for (std::size_t r = 0; r < rows_; ++r)
+    for (std::size_t c = 0, last = none; c < columns_; ++c) {
+      if (at(c, r) != WallCell::Seen)
+        continue;
+      for (std::size_t k = last != none && c - last <= widest + 1 ? last + 1 : c; k < c;
+           ++k)
+        if (WallCell& cell = cells_[k * rows_ + r]; cell == WallCell::Empty)
+          cell = WallCell::Seen;
+      last = c;
     }
 }
 
@@ -404,10 +414,11 @@ std::vector<std::vector<SidePoint>>
 pointsBeside(const std::vector<WallSide>& sides,
              const PointView& points,
              const pcl::Indices* indices,
-             const OpeningSizes& sizes)
+             double before,
+             double behind)
 {
   std::vector<std::vector<SidePoint>> beside(sides.size());
-  const SideGrid grid(sides, std::max(sizes.leaf_reach, sizes.max_depth));
+  const SideGrid grid(sides, std::max(before, behind));
   const std::size_t n = indices ? indices->size() : points.size();
   for (std::size_t k = 0; k < n; ++k) {
     const Eigen::Vector3f p =
@@ -420,8 +431,7 @@ pointsBeside(const std::vector<WallSide>& sides,
       if (p.z() < side.floor - 0.1 || p.z() > side.ceiling + 0.1)
         continue;
       const double offset = side.offset(place);
-      if (offset > sizes.leaf_reach || offset < -sizes.max_depth ||
-          !side.line.isBeside(place))
+      if (offset > before || offset < -behind || !side.line.isBeside(place))
         continue;
       beside[s].push_back({static_cast<float>(side.line.project(place)), p.z(),
                            static_cast<float>(offset)});

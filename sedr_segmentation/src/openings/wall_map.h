@@ -78,6 +78,7 @@ private:
   void findDepth();
   void findExtent(const PlanRoom& room, const WallSide& side);
   void count();
+  void closeGaps();
   std::vector<bool> recessedCells() const;
   std::size_t indexOf(const SidePoint& p) const;
 
@@ -104,11 +105,12 @@ double faceOffset(const WallSide& side,
                   const OpeningSizes& sizes);
 
 /** @brief Returns the points of a scan beside each side: up to `before` metres before
- * and `max_depth` behind it, between floor and ceiling.
+ * and `behind` behind it, between floor and ceiling.
  * @param indices of the points to use; null: all */
 std::vector<std::vector<SidePoint>> pointsBeside(const std::vector<WallSide>& sides,
                                                  const PointView& points,
                                                  const pcl::Indices* indices,
-                                                 const OpeningSizes& sizes);
+                                                 double before,
+                                                 double behind);
 
 } // namespace pcl::sedr

@@ -245,26 +245,20 @@ gapOf(const Floorplan& plan, const PlanOpening& opening)
     if (room.id == opening.rooms[0])
       gap.sill = opening.bottom -
                  room.floorAt((gap.corners[0] + gap.corners[1]) / 2 + 0.05 * left);
-  if (opening.kind != OpeningKind::Door || opening.hinge == OpeningHinge::Unknown ||
-      opening.swing == 0)
-    return gap;
-  const bool is_at_start = opening.hinge == OpeningHinge::Start;
-  const bool is_left = opening.swing == opening.rooms[0];
-  const Eigen::Vector2d into = is_left ? left : Eigen::Vector2d(-left);
-  const Eigen::Vector2d hinge =
-      (is_at_start ? opening.start : opening.end) + opening.depth / 2 * into;
-  const Eigen::Vector2d shut =
-      (is_at_start ? opening.end : opening.start) + opening.depth / 2 * into;
-  PlanElement leaf;
-  leaf.start = hinge;
-  leaf.end = hinge + gap.width * into;
-  PlanElement swing;
-  swing.start = leaf.end;
-  swing.end = shut;
-  swing.centre = hinge;
-  swing.radius = gap.width;
-  swing.counter_clockwise = is_at_start != is_left;
-  gap.leaf = {leaf, swing};
+  for (const OpeningLeaf& door : leavesOf(opening)) {
+    PlanElement leaf;
+    leaf.start = door.hinge;
+    leaf.end = door.open;
+    PlanElement swing;
+    swing.start = door.open;
+    swing.end = door.shut;
+    swing.centre = door.hinge;
+    swing.radius = (door.open - door.hinge).norm();
+    const Eigen::Vector2d to_shut = door.shut - door.hinge;
+    const Eigen::Vector2d to_open = door.open - door.hinge;
+    swing.counter_clockwise = to_open.x() * to_shut.y() > to_open.y() * to_shut.x();
+    gap.leaf.insert(gap.leaf.end(), {leaf, swing});
+  }
   return gap;
 }
 

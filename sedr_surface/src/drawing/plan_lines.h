@@ -42,7 +42,7 @@ struct DoorwayGap {
   double height = 0; ///< metres
   double sill = 0;   ///< of a window above the floor, metres
   OpeningKind kind = OpeningKind::Unknown; ///< of a doorway: unknown
-  std::vector<PlanElement> leaf{};         ///< of a door: its leaf and its swing
+  std::vector<PlanElement> leaf{};         ///< of a door: its leaves and their swings
 };
 
 /** @brief Returns the layer of a gap. */

@@ -180,19 +180,9 @@ writeDoorway(IfcDocument& document,
   return gaps;
 }
 
-/** @brief Returns how a door opens, seen from the room that it swings into: IFC tells
- * the side of its hinges from there. */
-const char*
-operationOf(const PlanOpening& door)
-{
-  if (door.hinge == OpeningHinge::Unknown || door.swing == 0)
-    return "NOTDEFINED";
-  const bool is_left = door.swing == door.rooms[0]; // the start is on its left
-  return (door.hinge == OpeningHinge::Start) == is_left ? "SINGLE_SWING_RIGHT"
-                                                        : "SINGLE_SWING_LEFT";
-}
-
-/** @brief Fills the gap of a door or window in the middle of its wall. */
+/** @brief Fills the gap of a door or window in the middle of its wall. By IFC, a door
+ * opens towards the y axis of its placement, and its hinges are told looking that way.
+ */
 void
 writeFilling(IfcDocument& document,
              const PlanOpening& opening,
@@ -204,19 +194,30 @@ writeFilling(IfcDocument& document,
   if (!is_door && opening.kind != OpeningKind::Window)
     return;
   const WrittenWall& wall = *gap.wall;
-  OpeningBox box = gap.box;
-  const double middle = box.plan.center().y();
-  box.plan.min().y() = middle - thickness / 2;
-  box.plan.max().y() = middle + thickness / 2;
-  const StepRef body = document.shapes.extrusion(loopAround(box.plan), {}, box.bottom,
-                                                 box.top - box.bottom, wall.runs.near);
-  const StepRef frame = document.shapes.axes(Eigen::Vector3d::Zero());
-  const StepRef place = document.step.add("IFCLOCALPLACEMENT", {wall.placement, frame});
+  const OpeningBox& box = gap.box;
+  const WallFrame frame = frameOf(document.plan, wall.wall);
+  const std::vector<OpeningLeaf> leaves = leavesOf(opening);
+  const bool is_turned = !leaves.empty() && frame.toLocal(leaves[0].open).y() <
+                                                frame.toLocal(leaves[0].hinge).y();
+  const bool is_first = !leaves.empty() && frame.toLocal(leaves[0].hinge).x() <
+                                               frame.toLocal(leaves[0].shut).x();
+  const char* operation = leaves.empty()          ? "NOTDEFINED"
+                          : leaves.size() == 2    ? "DOUBLE_DOOR_SINGLE_SWING"
+                          : is_first != is_turned ? "SINGLE_SWING_LEFT"
+                                                  : "SINGLE_SWING_RIGHT";
+  const double sign = is_turned ? -1 : 1;
+  const Eigen::Vector2d middle = box.plan.center();
+  const Eigen::Vector2d half(box.plan.sizes().x() / 2, thickness / 2);
+  const StepRef place =
+      document.shapes.placement(wall.placement, {middle.x(), middle.y(), 0}, {sign, 0});
+  const StepRef body =
+      document.shapes.extrusion(loopAround({-half, half}), {}, box.bottom,
+                                box.top - box.bottom, sign * wall.runs.near);
   const StepRef filling = document.addElement(
       is_door ? "IFCDOOR" : "IFCWINDOW", name, wall.storey, place,
       document.shapeOf(body, "SweptSolid", "opening"),
       {box.top - box.bottom, opening.width(), symbol(is_door ? "DOOR" : "WINDOW"),
-       symbol(is_door ? operationOf(opening) : "NOTDEFINED"), none});
+       symbol(operation), none});
   document.relate("IFCRELFILLSELEMENT", name + " in its opening", gap.opening, filling);
 }
 

@@ -61,6 +61,23 @@ TEST(PlanOpenings, ReadBackAsWritten)
   EXPECT_EQ(door.confidence, 0.9);
 }
 
+TEST(PlanOpenings, LeavesHangAtTheFaceOfTheirSide)
+{
+  PlanOpening door = planWithADoor().openings[0];
+  ASSERT_EQ(leavesOf(door).size(), 1u);
+  EXPECT_TRUE(leavesOf(door)[0].hinge.isApprox(Eigen::Vector2d(1.9, 0)));
+  EXPECT_TRUE(leavesOf(door)[0].shut.isApprox(Eigen::Vector2d(1, 0)));
+  EXPECT_TRUE(leavesOf(door)[0].open.isApprox(Eigen::Vector2d(1.9, 0.9)));
+  door.hinge = OpeningHinge::Both;
+  door.swing = 0; // the outside, to the right
+  ASSERT_EQ(leavesOf(door).size(), 2u);
+  EXPECT_TRUE(leavesOf(door)[0].hinge.isApprox(Eigen::Vector2d(1, -0.2)));
+  EXPECT_TRUE(leavesOf(door)[0].shut.isApprox(Eigen::Vector2d(1.45, -0.2)));
+  EXPECT_TRUE(leavesOf(door)[1].open.isApprox(Eigen::Vector2d(1.9, -0.65)));
+  door.hinge = OpeningHinge::Unknown;
+  EXPECT_TRUE(leavesOf(door).empty());
+}
+
 TEST(PlanOpenings, InvalidOnesAreRefused)
 {
   const auto problemWith = [](const auto& spoil) {

@@ -193,6 +193,49 @@ TEST(OpeningDetection, OpenLeafTellsHingeAndSwing)
     }
 }
 
+TEST(OpeningDetection, LeafOpensToTheOutside)
+{
+  TwoRooms scene(0.003);
+  scene.scanOuterWall({door});
+  scene.scanLeaf(door.to, -0.2, 260, 0.88, 2);
+  const auto found = openingsOf(scene);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, OpeningKind::Door);
+  EXPECT_EQ(found[0].swing, 0u);
+  EXPECT_EQ(found[0].rooms[0], 0u) << "it opens to the left of the direction";
+  EXPECT_GT(found[0].start.x(), found[0].end.x());
+  EXPECT_EQ(found[0].hinge, OpeningHinge::Start);
+}
+
+TEST(OpeningDetection, TwoLeavesHangAtBothJambs)
+{
+  TwoRooms scene(0.003);
+  const Cut wide{1.5, 3.1, 0, 2.05};
+  scene.scanMiddleWall({wide});
+  scene.scanLeaf(wide.from, TwoRooms::back, 100, 0.78, 2);
+  scene.scanLeaf(wide.to, TwoRooms::back, 100, 0.78, 2);
+  const auto found = openingsOf(scene);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, OpeningKind::Door);
+  EXPECT_EQ(found[0].hinge, OpeningHinge::Both);
+  EXPECT_EQ(found[0].swing, 2u);
+  EXPECT_EQ(found[0].state, OpeningState::Open);
+}
+
+TEST(OpeningDetection, WallsBesideAJambAreNoLeaves)
+{
+  for (const double head : {2.05, 2.5}) {
+    TwoRooms scene(0.003);
+    scene.scanMiddleWall({{1.5, 2.4, 0, head}});
+    for (const double x : {1.2, 1.3})
+      scene.scanLeaf(x, TwoRooms::face, -90, 1.4, 2.5);
+    scene.scanLeaf(1.5, TwoRooms::back, 90, 1.4, 2.5);
+    const auto found = openingsOf(scene);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].hinge, OpeningHinge::Unknown) << head;
+  }
+}
+
 TEST(OpeningDetection, ShadowOfAWardrobeIsNoOpening)
 {
   TwoRooms scene(0.005);

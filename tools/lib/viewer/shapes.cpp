@@ -156,8 +156,8 @@ colourOf(OpeningKind kind)
                                         : colours::other;
 }
 
-/** @brief Adds the outline of an opening in the middle of its wall, and the foot of its
- * leaf, turned out of the wall by a right angle. */
+/** @brief Adds the outline of an opening in the middle of its wall, and the feet of its
+ * leaves, turned out of the wall by a right angle. */
 void
 addOpening(const PlanOpening& opening, ColouredShape& lines)
 {
@@ -177,13 +177,12 @@ addOpening(const PlanOpening& opening, ColouredShape& lines)
   add(1, opening.bottom);
   for (std::size_t k = 0; k < corners.size(); ++k)
     lines.addLine(corners[k], corners[(k + 1) % corners.size()], colour);
-  if (opening.hinge == OpeningHinge::Unknown || opening.swing == 0)
-    return;
-  const Eigen::Vector2d way = opening.end - opening.start;
-  const double side = opening.swing == opening.rooms[0] ? 1 : -1;
-  const Eigen::Vector3d hinge =
-      opening.hinge == OpeningHinge::Start ? corners.front() : corners.back();
-  lines.addLine(hinge, hinge + side * Eigen::Vector3d(-way.y(), way.x(), 0), colour);
+  for (const OpeningLeaf& leaf : leavesOf(opening)) {
+    const auto onFloor = [&](const Eigen::Vector2d& p) {
+      return Eigen::Vector3d(p.x(), p.y(), opening.bottom);
+    };
+    lines.addLine(onFloor(leaf.hinge), onFloor(leaf.open), colour);
+  }
 }
 
 } // namespace

@@ -12,8 +12,8 @@ namespace pcl::sedr {
 /** @brief What an opening is. */
 enum class OpeningKind { Unknown, Door, Window, Passage };
 
-/** @brief The end of an opening at which its leaf hangs. */
-enum class OpeningHinge { Unknown, Start, End };
+/** @brief The end of an opening at which its leaf hangs; both: it has two leaves. */
+enum class OpeningHinge { Unknown, Start, End, Both };
 
 /** @brief Whether a leaf, sash or blind shuts an opening. */
 enum class OpeningState { Unknown, Closed, Ajar, Open };
@@ -38,14 +38,24 @@ struct PlanOpening {
   double rise = 0;  ///< of an arched head; 0: it is flat
   double depth = 0; ///< of the reveals: the thickness of the wall
   OpeningHinge hinge = OpeningHinge::Unknown;
-  std::uint32_t swing = 0; ///< id of the room that the leaf opens into; 0: not known
+  std::uint32_t swing = 0; ///< the one of `rooms` it opens into, if the hinge is known
   OpeningState state = OpeningState::Unknown;
   double confidence = 0; ///< probability of `kind`, or of the likeliest if unknown
-  double residual = 0; ///< standard deviation of its edges
+  double residual = 0;   ///< standard deviation of its edges
 
   double width() const { return (end - start).norm(); }
   double height() const { return top - bottom; }
 };
+
+/** @brief A leaf of a door, at the face of the wall that it turns away from. */
+struct OpeningLeaf {
+  Eigen::Vector2d hinge = Eigen::Vector2d::Zero();
+  Eigen::Vector2d shut = Eigen::Vector2d::Zero(); ///< where it ends when shut
+  Eigen::Vector2d open = Eigen::Vector2d::Zero(); ///< likewise, turned by 90 degrees
+};
+
+/** @brief Returns the leaves of an opening whose hinge is known. */
+std::vector<OpeningLeaf> leavesOf(const PlanOpening& opening);
 
 /** @brief Returns the name of a kind in files: "door". */
 const char* nameOf(OpeningKind kind);
