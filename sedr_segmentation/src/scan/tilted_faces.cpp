@@ -23,9 +23,10 @@ namespace {
 
 constexpr double cube_size = 0.4; // metres
 
-/** @brief Limits of the tilt. Less is construction tolerance or the drift of a mobile
- * scanner; more is a roof. */
-constexpr double min_tilt = radians(5);
+/** @brief Limits of the tilt. Less is construction tolerance, 4 cm in a storey; more is
+ * a roof. */
+constexpr double min_tilt = radians(1);
+constexpr double max_drift = radians(5); ///< of scanners
 constexpr double max_tilt = radians(28);
 
 /** @brief Minimum height and area of a face, and maximum start above the floor, metres.
@@ -111,6 +112,37 @@ public:
   }
 
   const PlanePatch& operator[](std::size_t i) const { return patches_[i]; }
+
+  /** @brief Returns the root mean square distance of patches from their plane. */
+  double scatterOf(const std::vector<std::size_t>& members) const
+  {
+    const Plane plane = planeOf(members);
+    double squares = 0;
+    for (const std::size_t i : members)
+      squares += std::pow(plane.distance(patches_[i].middle), 2);
+    return std::sqrt(squares / static_cast<double>(members.size()));
+  }
+
+  /** @brief Returns how much more likely patches are on their plane than on the
+   * vertical plane through their middle, in nats, at a deviation of `sigma`. */
+  double gainOf(const std::vector<std::size_t>& members, double sigma) const
+  {
+    constexpr double outlier = 4.5; // nats
+    const Plane plane = planeOf(members);
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const std::size_t i : members)
+      middle += patches_[i].middle / static_cast<double>(members.size());
+    Plane vertical;
+    vertical.normal << plane.normal.head<2>().normalized(), 0;
+    vertical.offset = vertical.normal.dot(middle);
+    double gain = 0;
+    for (const std::size_t i : members)
+      for (const auto& [fit, sign] : {std::pair(vertical, 1), std::pair(plane, -1)})
+        gain +=
+            sign * std::min(outlier,
+                            std::pow(fit.distance(patches_[i].middle) / sigma, 2) / 2);
+    return gain;
+  }
 
   /** @brief Fits the plane of some patches. */
   Plane planeOf(const std::vector<std::size_t>& members) const
@@ -238,7 +270,8 @@ quantile(std::vector<double> values, double share)
 std::optional<TiltedFace>
 faceOf(const WallPatches& patches,
        const std::vector<std::size_t>& members,
-       const PointsInPlan& points)
+       const PointsInPlan& points,
+       bool is_tilted)
 {
   constexpr double reach = 0.06; // of points from the plane of patches
   constexpr double beside = 0.6; // search distance for the floor
@@ -287,9 +320,7 @@ faceOf(const WallPatches& patches,
   if (high - low < min_height || low - floor > max_above_floor)
     return {};
   TiltedFace face;
-  face.run = std::abs(plane.normal.z()) < std::sin(min_tilt)
-                 ? 0
-                 : -plane.normal.z() / plane.normal.head<2>().norm();
+  face.run = is_tilted ? -plane.normal.z() / plane.normal.head<2>().norm() : 0;
   face.low = std::min(low, floor) - 0.1;
   face.head = high + 0.05;
   const double at_head = face.run == 0 ? (low + high) / 2 : face.head;
@@ -305,26 +336,43 @@ faceOf(const WallPatches& patches,
 std::vector<TiltedFace>
 tiltedFaces(const PointView& points, const std::vector<int>& indices, unsigned threads)
 {
-  constexpr double min_share = 0.6; // of the minimum tilt, for the tilt of patches
+  constexpr double min_gain = 10;     // nats: few walls are tilted
+  constexpr double min_sigma = 0.003; // of plaster, metres
+  constexpr double drift_sigmas = 4;
   WallPatches patches(
       planesOf(points, indices, Eigen::Matrix3d::Identity(), cube_size, threads));
+  const std::vector<std::vector<std::size_t>> all = patches.faces();
+  std::vector<double> tilts;
+  std::vector<double> scatters;
+  for (const std::vector<std::size_t>& members : all) {
+    tilts.push_back(std::abs(std::asin(patches.planeOf(members).normal.z())));
+    scatters.push_back(patches.scatterOf(members));
+  }
+  if (all.empty())
+    return {};
+  // A third of the walls at least is vertical: it shows how far these seem to tilt, as
+  // the error of mobile scanners drifts. 0.43 deviations hold a third of a normal
+  // distribution.
+  const double drift =
+      std::min(max_drift, drift_sigmas * quantile(tilts, 1.0 / 3) / 0.43);
+  const double sigma = std::max(min_sigma, quantile(scatters, 0.5));
   std::vector<TiltedFace> faces;
-  std::optional<const PointsInPlan> in_plan;    // used only if some wall may be tilted
-  std::vector<std::vector<std::size_t>> others; // used only if some wall is tilted
-  for (std::vector<std::size_t>& members : patches.faces()) {
-    const bool may_tilt =
-        std::abs(patches.planeOf(members).normal.z()) > min_share * std::sin(min_tilt);
+  std::optional<const PointsInPlan> in_plan; // used only if some wall may be tilted
+  std::vector<std::size_t> others;           // used only if some wall is tilted
+  for (std::size_t f = 0; f < all.size(); ++f) {
+    const bool may_tilt = tilts[f] > std::max(min_tilt, drift) &&
+                          patches.gainOf(all[f], sigma) > min_gain;
     if (may_tilt && !in_plan)
       in_plan.emplace(points, indices);
-    const auto face = may_tilt ? faceOf(patches, members, *in_plan) : std::nullopt;
-    if (face && face->run != 0)
+    const auto face = may_tilt ? faceOf(patches, all[f], *in_plan, true) : std::nullopt;
+    if (face)
       faces.push_back(*face);
     else
-      others.push_back(std::move(members));
+      others.push_back(f);
   }
-  for (const std::vector<std::size_t>& members : others)
+  for (const std::size_t f : others)
     if (const auto face =
-            faces.empty() ? std::nullopt : faceOf(patches, members, *in_plan))
+            faces.empty() ? std::nullopt : faceOf(patches, all[f], *in_plan, false))
       faces.push_back(*face);
   return faces;
 }
