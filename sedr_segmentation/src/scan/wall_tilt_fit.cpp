@@ -27,8 +27,8 @@ struct WallPlane {
   std::size_t inliers = 0;
 };
 
-/** @brief Returns the tilted face of a wall, null if there is none; `sign` is 1 or -1
- * for equal or opposite directions. */
+/** @brief Returns the tilted face that most of a wall is on, null if there is none;
+ * `sign` is 1 or -1 for equal or opposite directions. */
 const TiltedFace*
 faceBehind(const PlanElement& wall, const std::vector<TiltedFace>& faces, double& sign)
 {
@@ -37,19 +37,23 @@ faceBehind(const PlanElement& wall, const std::vector<TiltedFace>& faces, double
   if (wall.isArc())
     return nullptr;
   const TiltedFace* behind = nullptr;
-  double least = near;
+  double longest = 0;
   for (const TiltedFace& face : faces) {
     const Eigen::Vector2d way = (face.end - face.start).normalized();
     const Eigen::Vector2d left(-way.y(), way.x());
     const double cosine = way.dot((wall.end - wall.start).normalized());
-    const double along = (wall.pointAt(wall.length() / 2) - face.start).dot(way);
-    const double off =
-        std::abs((wall.pointAt(wall.length() / 2) - face.start).dot(left));
-    if (face.run == 0 || std::abs(cosine) < min_cosine || off >= least ||
-        along < -near || along > (face.end - face.start).norm() + near)
+    const auto [first, last] = std::minmax(
+        {(wall.start - face.start).dot(way), (wall.end - face.start).dot(way)});
+    const double from = std::max(first, 0.0);
+    const double to = std::min(last, (face.end - face.start).norm());
+    const Eigen::Vector2d middle = face.start + (from + to) / 2 * way;
+    const double off = std::abs(
+        (wall.pointAt(std::abs((middle - wall.start).dot(way))) - middle).dot(left));
+    if (face.run == 0 || std::abs(cosine) < min_cosine || off >= near ||
+        to - from <= longest)
       continue;
     behind = &face;
-    least = off;
+    longest = to - from;
     sign = cosine > 0 ? 1 : -1;
   }
   return behind;

@@ -141,4 +141,24 @@ TEST(StructureChainTilt, ASlopingCeilingOverTiltedWallsIsOnePlane)
   EXPECT_LT(farthestFrom(chain.extrusion.getMesh(), *scan), 0.02);
 }
 
+TEST(StructureChainTilt, WallsThatTiltByADegreeAreExact)
+{
+  for (const double degrees : {1.2, 3.0, 4.5}) {
+    const auto scan = tiltedBelow({slabAt(2.6, 0, 0)}, degrees * M_PI / 180);
+    StructureChain chain;
+    ASSERT_TRUE(chain.findStructure(scan)) << chain.problem;
+    ASSERT_EQ(chain.tilts.size(), 2u) << degrees;
+    for (const WallTilt& tilt : chain.tilts)
+      EXPECT_NEAR(std::abs(tilt.tilt), degrees * M_PI / 180, 0.0005) << degrees;
+    EXPECT_LT(farthestFrom(chain.extrusion.getMesh(), *scan), 0.02) << degrees;
+  }
+}
+
+TEST(StructureChainTilt, HalfADegreeIsATolerance)
+{
+  StructureChain chain;
+  ASSERT_TRUE(chain.findStructure(tiltedBelow({slabAt(2.6, 0, 0)}, 0.5 * M_PI / 180)));
+  EXPECT_TRUE(chain.tilts.empty());
+}
+
 } // namespace
