@@ -47,6 +47,8 @@ def summary(rows):
              "rooms: " + f"{total('rooms')} true, {total('rooms_found')} found, matched " +
              ", ".join(f"{total(f'matched_{s}')} at {s}" for s in grades.STEPS) +
              "; " + ", ".join(f"{total(k)} {k}" for k in ("missed", "merged", "split", "shape", "extra")),
+             f"flights of stairs: {total('stairs')} true, {total('stairs_found')} found, {total('stairs_exact')} with all steps, "
+             f"{total('stairs_invented')} invented",
              f"seconds of pcl_sedr: {total('seconds') / len(rows):.1f} on average, {max(r['seconds'] for r in rows):.1f} at most"]
     codes = sorted({r["exit"] for r in rows})
     lines.append("exit codes: " + ", ".join(f"{c}: {sum(r['exit'] == c for r in rows)}" for c in codes))

@@ -154,8 +154,8 @@ class Check:
             if name == "IFCOPENINGELEMENT":
                 if n not in voids or n in contained:
                     self.tell("#%d=%s" % (n, name), "must be hosted by an element, not contained")
-            elif n not in contained:
-                self.tell("#%d=%s" % (n, name), "is in no storey")
+            elif (n in whole) == (n in contained):
+                self.tell("#%d=%s" % (n, name), "is in a storey or part of an element, one of both")
         for n, name, values in self.of("IFCPRODUCT"):
             if values["Representation"] is not None and values["ObjectPlacement"] is None:
                 self.tell("#%d=%s" % (n, name), "has a shape but no placement")

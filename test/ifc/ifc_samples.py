@@ -35,7 +35,9 @@ def house():
             "storeys": [{"number": 1, "name": "ground floor", "rooms": [1, 2, 3, 5]},
                         {"number": 2, "name": "attic, \u00fcber \u20ac 'x' \\", "rooms": [4]}],
             "doorways": [doorway([1, 2], [2.0, 4.05], [2.9, 4.05]), doorway([2, 3], [5.1, 5.0], [5.1, 5.9]),
-                         doorway([0, 1], [0.0, 1.0], [0.0, 2.0]), doorway([0, 5], [14.4, -1.07], [13.6, -1.07])]}
+                         doorway([0, 1], [0.0, 1.0], [0.0, 2.0]), doorway([0, 5], [14.4, -1.07], [13.6, -1.07])],
+            "stairs": [{"rooms": [2, 4], "at": [2, 6], "bottom": 0, "top": 2.8, "flights": [
+                {"bottom": 0, "rise": 0.175, "risers": [[[0.5 + 0.25 * k, 6.5], [0.5 + 0.25 * k, 5.5]] for k in range(16)]}]}]}
 
 
 def opening(kind, rooms, start, end, bottom=0.0, top=2.05, hinge="unknown", swing=0, state="unknown"):

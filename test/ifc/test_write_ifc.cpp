@@ -51,6 +51,21 @@ TEST(WriteIfc, TellsWhatIsInIt)
   EXPECT_EQ(count(model.text, "=IFCRELSPACEBOUNDARY1STLEVEL("), 8u + 4u);
 }
 
+TEST(WriteIfc, AStairHasItsFlights)
+{
+  Floorplan plan = twoRooms();
+  PlanFlight flight;
+  flight.rise = 0.18;
+  for (const double x : {0.5, 0.75, 1.0, 1.25})
+    flight.risers.push_back({Eigen::Vector2d(x, 1), Eigen::Vector2d(x, 0)});
+  plan.stairs = {{{1, 1}, {1, 1}, 0, 0.72, {flight, flight}}};
+  const IfcModel model = writeIfc(plan);
+  EXPECT_EQ(model.stairs, 1u);
+  EXPECT_EQ(count(model.text, "=IFCSTAIR("), 1u);
+  EXPECT_EQ(count(model.text, "=IFCSTAIRFLIGHT("), 2u);
+  EXPECT_EQ(count(model.text, "$,4,3,0.18,0.25,.STRAIGHT.)"), 2u);
+}
+
 TEST(WriteIfc, AFaceTowardsTheRoofOfTheRoomBelowIsOfNoWall)
 {
   Floorplan plan{

@@ -191,6 +191,10 @@ renumber(Floorplan& plan, std::uint32_t from, std::uint32_t to)
     std::replace(rooms.begin(), rooms.end(), from, to);
     return rooms[0] == rooms[1];
   };
+  const auto leadsNowhere = [&](auto& link) {
+    replace(link.rooms);
+    return !link.leadsSomewhere();
+  };
   const auto removeIf = [](auto& list, const auto& goes) {
     list.erase(std::remove_if(list.begin(), list.end(), goes), list.end());
   };
@@ -201,8 +205,8 @@ renumber(Floorplan& plan, std::uint32_t from, std::uint32_t to)
     opening.swing = opening.swing == from ? to : opening.swing;
     return replace(opening.rooms) || opening.walls.empty();
   });
-  removeIf(plan.doorways, [&](PlanDoorway& doorway) { return replace(doorway.rooms); });
-  removeIf(plan.stairs, [&](PlanStair& stair) { return replace(stair.rooms); });
+  removeIf(plan.doorways, leadsNowhere);
+  removeIf(plan.stairs, leadsNowhere);
   for (PlanStorey& storey : plan.storeys)
     removeIf(storey.rooms, [from](std::uint32_t room) { return room == from; });
   removeIf(plan.storeys, [](const PlanStorey& storey) { return storey.rooms.empty(); });

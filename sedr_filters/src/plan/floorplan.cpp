@@ -201,4 +201,24 @@ PlanRoom::area() const
   return area;
 }
 
+double
+PlanFlight::going() const
+{
+  double length = 0;
+  for (std::size_t k = 1; k < steps(); ++k)
+    length += (middle(k) - middle(k - 1)).norm();
+  return steps() < 2 ? 0 : length / static_cast<double>(steps() - 1);
+}
+
+std::vector<Eigen::Vector2d>
+PlanFlight::outline() const
+{
+  std::vector<Eigen::Vector2d> corners;
+  for (const Riser& riser : risers)
+    corners.push_back(riser[1]);
+  for (std::size_t k = steps(); k-- > 0;)
+    corners.push_back(risers[k][0]);
+  return corners;
+}
+
 } // namespace pcl::sedr

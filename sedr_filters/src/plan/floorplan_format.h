@@ -57,6 +57,7 @@ void to_json(nlohmann::ordered_json& json, const PlanOpening& opening);
 void to_json(nlohmann::ordered_json& json, const PlanStorey& storey);
 void to_json(nlohmann::ordered_json& json, const PlanDoorway& doorway);
 void to_json(nlohmann::ordered_json& json, const PlanStair& stair);
+void to_json(nlohmann::ordered_json& json, const PlanFlight& flight);
 void from_json(const nlohmann::ordered_json& json, PlanElement& element);
 void from_json(const nlohmann::ordered_json& json, PlanLoop& loop);
 void from_json(const nlohmann::ordered_json& json, PlanSlab& slab);
@@ -66,6 +67,7 @@ void from_json(const nlohmann::ordered_json& json, PlanOpening& opening);
 void from_json(const nlohmann::ordered_json& json, PlanStorey& storey);
 void from_json(const nlohmann::ordered_json& json, PlanDoorway& doorway);
 void from_json(const nlohmann::ordered_json& json, PlanStair& stair);
+void from_json(const nlohmann::ordered_json& json, PlanFlight& flight);
 
 /** @brief Writes a slab with the members that only facets have. */
 nlohmann::ordered_json facetToJson(const PlanSlab& slab);

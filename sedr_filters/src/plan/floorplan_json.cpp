@@ -107,7 +107,7 @@ linksToJson(const Floorplan& plan, const std::vector<Link>& links)
       if (std::none_of(plan.rooms.begin(), plan.rooms.end(),
                        [&](const PlanRoom& room) { return room.id == id; }))
         id = 0;
-    if (link.rooms[0] != link.rooms[1])
+    if (link.leadsSomewhere())
       json.push_back(link);
   }
   return json;
@@ -185,6 +185,17 @@ to_json(Json& json, const PlanStair& stair)
           {"at", stair.at},
           {"bottom", stair.bottom},
           {"top", stair.top}};
+  if (!stair.flights.empty())
+    json["flights"] = stair.flights;
+}
+
+void
+to_json(Json& json, const PlanFlight& flight)
+{
+  json = {{"steps", flight.steps()}, {"rise", flight.rise},
+          {"going", flight.going()}, {"bottom", flight.bottom},
+          {"top", flight.top()},     {"outline", flight.outline()},
+          {"risers", flight.risers}};
 }
 
 void
@@ -200,6 +211,15 @@ from_json(const Json& json, PlanStair& stair)
 {
   readLink(json, "stairs", stair);
   json.at("at").get_to(stair.at);
+  readIfThere(json, "flights", stair.flights);
+}
+
+void
+from_json(const Json& json, PlanFlight& flight)
+{
+  json.at("risers").get_to(flight.risers);
+  json.at("bottom").get_to(flight.bottom);
+  json.at("rise").get_to(flight.rise);
 }
 
 void

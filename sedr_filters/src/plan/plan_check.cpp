@@ -21,6 +21,7 @@ constexpr double max_radius = 1e5;           // metres
 constexpr double max_gap_of_arc = 1e-3;      // of its ends from its circle, metres
 constexpr double max_gap_of_loop = 1e-6;     // metres
 constexpr std::size_t max_heights = 4000000; // of a relief
+constexpr std::size_t max_steps = 1000;      // of a flight
 
 /** @brief Throws a sentence unless `is_valid`. */
 void
@@ -173,7 +174,7 @@ checkLink(const Link& link, const std::string& what, const Ids& ids)
   for (const std::uint32_t id : link.rooms)
     require(id == 0 || ids.count(id) > 0, what + " names room " + std::to_string(id) +
                                               ", which the plan does not have");
-  require(link.rooms[0] != link.rooms[1],
+  require(link.leadsSomewhere(),
           what + " leads from room " + std::to_string(link.rooms[0]) + " to itself");
   checkLength(link.bottom, what + "'s bottom");
   checkLength(link.top, what + "'s top");
@@ -181,6 +182,22 @@ checkLink(const Link& link, const std::string& what, const Ids& ids)
                                        "'s top must not be below its bottom, it is "
                                        "by " +
                                        numberText(link.bottom - link.top) + " m");
+}
+
+void
+checkFlight(const PlanFlight& flight)
+{
+  constexpr double max_rise = 1; // metres
+  require(flight.steps() >= 2 && flight.steps() <= max_steps,
+          "a flight has from 2 to " + std::to_string(max_steps) + " risers, not " +
+              std::to_string(flight.steps()));
+  require(flight.rise > 0 && flight.rise <= max_rise,
+          "the rise of a flight must be above 0 m and at most " + numberText(max_rise) +
+              " m, it is " + numberText(flight.rise));
+  checkLength(flight.bottom, "a flight's bottom");
+  for (const PlanFlight::Riser& riser : flight.risers)
+    for (const Eigen::Vector2d& end : riser)
+      checkPlace(end);
 }
 
 void
@@ -250,6 +267,8 @@ checkPlan(const Floorplan& plan)
   for (const PlanStair& stair : plan.stairs) {
     checkLink(stair, "stairs", ids);
     checkPlace(stair.at);
+    for (const PlanFlight& flight : stair.flights)
+      checkFlight(flight);
   }
   for (const PlanOpening& opening : plan.openings)
     checkOpening(opening, plan, ids);

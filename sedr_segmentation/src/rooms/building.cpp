@@ -3,6 +3,7 @@
 #include "pane_views.h"
 #include "room_description.h"
 #include "room_points.h"
+#include "stair_chains.h"
 #include "storey_levels.h"
 
 #include <pcl/sedr_segmentation/building.h>
@@ -303,6 +304,7 @@ describe(const AirGaps& air,
       parted, of_parting, std::move(parts), access, is_view, parameters, building);
   building.storeys = findStoreys(building.rooms, parameters.storey_step);
   tellOpenings(parted.openings, number, building);
+  addFlights(points, indices, fine, building);
   std::stable_sort(building.left_out.begin(), building.left_out.end(),
                    [](const LeftOut& a, const LeftOut& b) { return a.area > b.area; });
   if (air.voidArea() > 0)

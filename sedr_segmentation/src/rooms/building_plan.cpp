@@ -10,12 +10,12 @@ namespace pcl::sedr {
 void
 giveStoreys(const Building& building, Floorplan& plan)
 {
-  const auto isInPlan = [&](std::uint32_t id) {
-    return std::any_of(plan.rooms.begin(), plan.rooms.end(),
-                       [&](const PlanRoom& room) { return room.id == id; });
+  const auto isKnown = [&](std::uint32_t id) { // 0: a stair's end that nobody saw
+    return id == 0 || std::any_of(plan.rooms.begin(), plan.rooms.end(),
+                                  [&](const PlanRoom& room) { return room.id == id; });
   };
   const auto isKept = [&](const auto& link) {
-    return isInPlan(link.rooms[0]) && isInPlan(link.rooms[1]);
+    return isKnown(link.rooms[0]) && isKnown(link.rooms[1]) && link.leadsSomewhere();
   };
   plan.storeys = building.storeys;
   plan.storeys = storeysOf(plan); // without the rooms that have no plan

@@ -107,7 +107,8 @@ private:
   static bool isOpen(PlanLayer layer)
   {
     return layer == PlanLayer::Ceiling || layer == PlanLayer::Ridge ||
-           layer == PlanLayer::Headroom || layer == PlanLayer::Floor;
+           layer == PlanLayer::Headroom || layer == PlanLayer::Floor ||
+           layer == PlanLayer::Stair || layer == PlanLayer::StairCut;
   }
 
   Sheet& sheet_;

@@ -11,6 +11,7 @@
 #include <pcl/sedr_filters/wall_shares.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pcl::sedr {
@@ -94,6 +95,71 @@ private:
   const PlanRoom& room_;
   std::vector<PlanLine>& lines_;
 };
+
+/** @brief Adds the lines of a flight: its treads, and an arrow up. Where the plan cuts
+ * it there is a break line, and what is above is dashed.
+ * @param below number of its risers below the cut */
+void
+addFlight(const PlanFlight& flight,
+          std::uint32_t room,
+          std::size_t below,
+          std::vector<PlanLine>& lines)
+{
+  constexpr double head = 0.15; // of the arrow, metres
+  const auto add = [&](std::size_t k, const std::vector<Eigen::Vector2d>& places) {
+    for (std::size_t p = 0; p + 1 < places.size(); ++p)
+      lines.push_back({segment(places[p], places[p + 1]),
+                       k < below ? PlanLayer::Stair : PlanLayer::StairCut, room});
+  };
+  const auto& risers = flight.risers;
+  const std::size_t last = flight.steps() - 1;
+  for (std::size_t k = 0; k <= last; ++k)
+    add(k, {risers[k][0], risers[k][1]});
+  for (std::size_t k = 0; k < last; ++k) {
+    add(k, {risers[k][0], risers[k + 1][0]});
+    add(k, {risers[k][1], risers[k + 1][1]});
+    add(k, {flight.middle(k), flight.middle(k + 1)});
+  }
+  const Eigen::Vector2d way =
+      head * (flight.middle(last) - flight.middle(last - 1)).normalized();
+  const Eigen::Vector2d left(-way.y() / 2, way.x() / 2);
+  add(last, {flight.middle(last) - way + left, flight.middle(last),
+             flight.middle(last) - way - left});
+  if (below == 0 || below > last)
+    return;
+  // Across the tread at the cut: straight, up, down, straight.
+  const auto across = [&](double share, double up) -> Eigen::Vector2d {
+    const auto on = [&](const PlanFlight::Riser& riser) -> Eigen::Vector2d {
+      return riser[0] + share * (riser[1] - riser[0]);
+    };
+    return on(risers[below - 1]) + up * (on(risers[below]) - on(risers[below - 1]));
+  };
+  add(0, {across(0, 0.3), across(0.4, 0.5), across(0.45, 1), across(0.55, 0),
+          across(0.6, 0.5), across(1, 0.7)});
+}
+
+/** @brief Adds the flights of all stairs: cut 1.2 m above the lower room's floor on a
+ * plan with that room, whole on one that has the upper room only. */
+void
+addStairs(const Floorplan& plan, std::vector<PlanLine>& lines)
+{
+  constexpr double cut = 1.2; // metres above its floor
+  for (const PlanStair& stair : plan.stairs) {
+    std::array<bool, 2> has{};
+    for (const PlanRoom& room : plan.rooms)
+      for (std::size_t k = 0; k < 2; ++k)
+        has[k] = has[k] || room.id == stair.rooms[k];
+    for (const PlanFlight& flight : stair.flights) {
+      std::size_t below = 0;
+      while (below < flight.steps() &&
+             (!has[0] || flight.bottom + flight.rise * static_cast<double>(below) <
+                             stair.bottom + cut))
+        ++below;
+      if (has[0] || has[1])
+        addFlight(flight, stair.rooms[has[0] ? 0 : 1], below, lines);
+    }
+  }
+}
 
 /** @brief Returns the face of a room nearest to a doorway, within 0.5 m and 30 degrees;
  * null if there is none. */
@@ -192,6 +258,7 @@ planLines(const Floorplan& plan,
     lines.addHeadroom();
     lines.addHeads(tilts);
   }
+  addStairs(plan, all);
   return all;
 }
 

@@ -278,6 +278,7 @@ pcl::sedr::writeIfc(const Floorplan& plan,
   ifc::writeOpenings(document, ifc::writeWalls(document));
   ifc::writeSlabs(document);
   ifc::writeDetails(document);
+  ifc::writeStairs(document);
   document.finish();
   document.model.text = document.step.text("ViewDefinition [ReferenceView_V1.2]",
                                            settings.name + ".ifc", "IFC4");

@@ -63,6 +63,9 @@ void writeSlabs(IfcDocument& document);
 /** @brief Adds columns, coverings, beams and platforms. */
 void writeDetails(IfcDocument& document);
 
+/** @brief Adds the stairs whose flights were seen. */
+void writeStairs(IfcDocument& document);
+
 /** @brief The kind of a space boundary. */
 struct BoundaryKind {
   const char* element = "PHYSICAL"; ///< or "VIRTUAL" where nothing is built

@@ -190,6 +190,45 @@ def what_became(true, wanted, found, best):
     return "shape"
 
 
+def true_flights(folder):
+    """Foot and head in plan, bottom, top and steps of each flight of a scene, as it was placed."""
+    with open(os.path.join(folder, "scene.json"), encoding="utf-8") as file:
+        scene = json.load(file)
+    place = scene.get("placement", {"yaw": 0, "shift": [0, 0, 0]})
+    turn, shift = np.radians(place["yaw"]), np.array(place["shift"], float)
+    flights = []
+    for room in scene["rooms"]:
+        for stairs in (f["stairs"] for f in room.get("furniture", []) if "stairs" in f):
+            yaw = np.radians(stairs["yaw"])
+            foot = np.array(stairs["at"], float)
+            head = foot + stairs["steps"] * stairs["going"] * np.array([-np.sin(yaw), np.cos(yaw)])
+            rotation = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
+            bottom = room.get("floor", 0.0) + shift[2]
+            flights.append((rotation @ foot + shift[:2], rotation @ head + shift[:2], bottom,
+                            bottom + stairs["rise"] * (stairs["steps"] + 1), stairs["steps"] + 1))
+    return flights
+
+
+def grade_stairs(true, plan):
+    """Flights: how many there are, are found (over half of their height, within 0.5 m), with as many steps, and invented."""
+    found = [f for s in plan.get("stairs", []) for f in s.get("flights", [])]
+    met, exact = set(), 0
+    matched = 0
+    for foot, head, bottom, top, steps in true:
+        best = None
+        for k, f in enumerate(found):
+            risers = np.mean(np.array(f["risers"]), axis=1)
+            way = (head - foot) / np.linalg.norm(head - foot)
+            off = np.abs((risers - foot) @ np.array([-way[1], way[0]]))
+            common = min(top, f["top"]) - max(bottom, f["bottom"])
+            if common > 0.5 * (top - bottom) and np.median(off) < 0.5 and np.linalg.norm(risers.mean(axis=0) - (foot + head) / 2) < 1:
+                best = f
+                met.add(k)
+        matched += best is not None
+        exact += best is not None and best["steps"] == steps
+    return {"stairs": len(true), "stairs_found": matched, "stairs_exact": exact, "stairs_invented": len(found) - len(met)}
+
+
 def grade(folder, output, every_room=False):
     """All figures of a building, and the places that a picture shows.
 
@@ -225,6 +264,8 @@ def grade(folder, output, every_room=False):
     figures["area_error_max"] = round(max(errors), 4) if errors else ""
     figures["storeys"] = len({p.storey for p in wanted})
     figures["storeys_found"] = len(plan.get("storeys", [None] if found else []))
+    if os.path.exists(os.path.join(folder, "scene.json")):
+        figures.update(grade_stairs(true_flights(folder), plan))
     has_storeys = figures["storeys"] == figures["storeys_found"]
     figures["all_right"] = int(all(f == "right" for f in fates) and not extra and has_storeys)
     return figures, {"wanted": wanted, "rest": rest, "found": found, "extra": extra, "fates": fates, "best": best}

@@ -123,7 +123,14 @@ TEST(FloorplanRefusals, ValuesAreRefusedWithThem)
            {"a doorway's top must not be below its bottom",
             [](Floorplan& p) { p.doorways[0].top = -1; }},
            {"stairs's bottom must lie within",
-            [](Floorplan& p) { p.stairs[0].bottom = -1e7; }}}) {
+            [](Floorplan& p) { p.stairs[0].bottom = -1e7; }},
+           {"from 2 to 1000 risers, not 0",
+            [](Floorplan& p) { p.stairs[0].flights.resize(1); }},
+           {"the rise of a flight must be above 0 m", [](Floorplan& p) {
+              p.stairs[0].flights.resize(1);
+              p.stairs[0].flights[0].risers.resize(
+                  3, {Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()});
+            }}}) {
     Floorplan plan = refusalPlan();
     c.spoil(plan);
     const std::string problem = refusalOf(floorplanToJson(plan));

@@ -19,6 +19,12 @@ twoNamedStoreys()
   plan.doorways = {{{1, 2}, {4.05, 1.0 / 3}, {4.05, 1.2}, 0.01, 2.05},
                    {{0, 3}, {0, 1}, {0, 2}, 2.8, 4.8}};
   plan.stairs = {{{2, 4}, {M_PI, 1.5}, 0, 2.8}};
+  PlanFlight flight; // 4 steps along x, 1 m wide
+  flight.bottom = 0.1;
+  flight.rise = 0.175;
+  for (const double x : {5.0, 5.25, 5.5, 5.75})
+    flight.risers.push_back({Eigen::Vector2d(x, 1), Eigen::Vector2d(x, 0)});
+  plan.stairs[0].flights = {flight};
   return plan;
 }
 
@@ -51,7 +57,24 @@ TEST(StoreyJson, ReadsBackExactly)
   EXPECT_EQ(read.stairs[0].rooms, plan.stairs[0].rooms);
   EXPECT_EQ(read.stairs[0].at, plan.stairs[0].at);
   EXPECT_EQ(read.stairs[0].top, 2.8);
+  ASSERT_EQ(read.stairs[0].flights.size(), 1u);
+  const PlanFlight& flight = read.stairs[0].flights[0];
+  EXPECT_EQ(flight.risers, plan.stairs[0].flights[0].risers);
+  EXPECT_EQ(flight.rise, 0.175);
+  EXPECT_NEAR(flight.top(), 0.8, 1e-12);
+  EXPECT_NEAR(flight.going(), 0.25, 1e-12);
+  EXPECT_EQ(flight.outline().size(), 8u);
   EXPECT_EQ(floorplanToJson(read), floorplanToJson(plan));
+}
+
+TEST(StoreyJson, StairsWithinARoomAreThoseWithFlights)
+{
+  Floorplan plan = twoNamedStoreys();
+  plan.stairs[0].rooms = {2, 2};
+  std::string problem;
+  EXPECT_EQ(readOf(floorplanToJson(plan), problem).stairs.size(), 1u) << problem;
+  plan.stairs[0].flights.clear();
+  EXPECT_TRUE(readOf(floorplanToJson(plan), problem).stairs.empty());
 }
 
 TEST(StoreyJson, ARoomThatIsGoneIsOutside)

@@ -218,6 +218,39 @@ TEST(FloorplanDrawing, SheetsOfStoreysLieOverEachOther)
   EXPECT_FALSE(holds(dxf, "Room 1\n"));
 }
 
+TEST(FloorplanDrawing, AFlightIsCutOnTheLowerStoreyOnly)
+{
+  Floorplan plan = twoStoreys(0);
+  plan.storeys = {{1, "ground", 0, 0, {1, 2}}, {2, "attic", 0, 0, {3, 4}}};
+  plan.stairs = {{{2, 4}, {6, 0.5}, 0, 2.8}};
+  PlanFlight flight; // 16 steps along x; the riser of 0.175 * 7 m is above the cut
+  flight.rise = 0.175;
+  for (int k = 0; k < 16; ++k)
+    flight.risers.push_back(
+        {Eigen::Vector2d(4.5 + 0.25 * k, 1.5), Eigen::Vector2d(4.5 + 0.25 * k, 0.5)});
+  plan.stairs[0].flights = {flight};
+  const auto storeys = storeysOf(plan);
+  for (std::size_t s = 0; s < 2; ++s) {
+    const PlanDrawing drawing(plan, sheetOf(storeys[s]), 0);
+    std::size_t treads = 0;
+    std::size_t overhead = 0;
+    std::size_t slanted = 0;
+    for (const PlanLine& line : drawing.lines) {
+      const bool is_overhead = line.layer == PlanLayer::StairCut;
+      const Eigen::Vector2d way = line.element.end - line.element.start;
+      if (line.layer != PlanLayer::Stair && !is_overhead)
+        continue;
+      treads += std::abs(way.x()) < 1e-9 ? 1 : 0;
+      overhead += is_overhead && std::abs(way.x()) < 1e-9 ? 1 : 0;
+      slanted += std::abs(way.x()) > 1e-9 && std::abs(way.y()) > 1e-9 ? 1 : 0;
+    }
+    EXPECT_EQ(treads, 16u);
+    EXPECT_EQ(overhead, s == 0 ? 9u : 0u);
+    EXPECT_EQ(slanted, s == 0 ? 7u : 2u) << "arrow and break line";
+  }
+  EXPECT_TRUE(holds(floorplanToDxf(plan, sheetOf(storeys[0])), "A-FLOR-STRS\n"));
+}
+
 /** The gap of a doorway between two rooms with a wall of 10 cm from x = 4 to 4.1. */
 Eigen::AlignedBox2d
 gapOf(const PlanDoorway& doorway)

@@ -287,14 +287,48 @@ struct PlanDoorway {
   double top = 0;                                  ///< metres
 
   double width() const { return (end - start).norm(); }
+
+  bool leadsSomewhere() const { return rooms[0] != rooms[1]; }
 };
 
-/** @brief A stair from a room to a higher one. */
+/** @brief A flight of a stair: its risers in plan, from the foot up. Between two of
+ * them lies a tread; the last one leads to a landing or a floor. */
+struct PlanFlight {
+  using Riser = std::array<Eigen::Vector2d, 2>; ///< its left and its right end
+
+  std::vector<Riser> risers; ///< seen by one who climbs
+  double bottom = 0;         ///< of the floor or landing at its foot, metres
+  double rise = 0;           ///< of each step, metres
+
+  std::size_t steps() const { return risers.size(); }
+  double top() const { return bottom + rise * static_cast<double>(steps()); }
+
+  /** @brief The middle of a riser: the line on which one walks. */
+  Eigen::Vector2d middle(std::size_t riser) const
+  {
+    return (risers[riser][0] + risers[riser][1]) / 2;
+  }
+
+  /** @brief Returns the mean depth of its treads on that line, metres. */
+  double going() const;
+
+  /** @brief Returns the outline of its treads, counter-clockwise. */
+  std::vector<Eigen::Vector2d> outline() const;
+};
+
+/** @brief A stair from a room to a higher one, or within a room. */
 struct PlanStair {
   std::array<std::uint32_t, 2> rooms{};         ///< ids of the lower and the upper room
   Eigen::Vector2d at = Eigen::Vector2d::Zero(); ///< in plan
   double bottom = 0;                            ///< metres
   double top = 0;                               ///< metres
+  std::vector<PlanFlight> flights{};            ///< from the foot up; none: not seen
+
+  /** @brief Whether it joins two rooms, or two levels of one that were seen. */
+  bool leadsSomewhere() const
+  {
+    return rooms[0] != rooms[1] || (rooms[0] != 0 && !flights.empty());
+  }
 };
 
 /** @brief The floor plan: the rooms of a scan (paper, section 2.4 and Figure 7), and

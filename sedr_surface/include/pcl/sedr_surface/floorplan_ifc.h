@@ -38,6 +38,7 @@ struct IfcModel {
   std::size_t slabs = 0;
   std::size_t columns = 0;
   std::size_t openings = 0;
+  std::size_t stairs = 0; ///< those with flights
   std::vector<PlanWarning> warnings; ///< what could not be written
 };
 
@@ -57,7 +58,7 @@ struct IfcModel {
  * x axis of a wall's placement runs along the wall. Floors and the uppermost ceilings
  * are IfcSlab, columns IfcColumn, platforms IfcSlab. Details below a ceiling are
  * IfcCovering, narrow ones IfcBeam. Doorways are openings in their walls and deeper
- * than these; niches are recesses. Spaces refer to the walls and slabs around them
+ * than these; niches are recesses. Stairs are IfcStair with their flights. Spaces refer to the walls and slabs around them
  * (IfcRelSpaceBoundary1stLevel). Pset_SEDR holds residuals, shares and numbers of
  * points.
  *
