@@ -37,33 +37,32 @@ halfOfThoseFilled(VoxelColumns columns, unsigned threads)
   }
 }
 
-/** @brief Columns without what floats in the air. */
+/** @brief Columns without what floats in the air. What is of no surface goes before
+ * holes are closed, else it would be closed to one. */
 VoxelColumns
-withoutStrays(VoxelColumns columns, unsigned threads)
+withoutStrays(VoxelColumns columns, bool is_dense, unsigned threads)
 {
   constexpr double min_share = 0.5; // of the usual neighbours, for what is no stray
   constexpr int most = 4;           // neighbours: a surface's edge has five
   const int usual = columns.usualCompany(threads);
   columns.dropStrays(
       std::clamp(static_cast<int>(std::lround(min_share * usual)), 1, most), threads);
+  if (is_dense)
+    columns.keepSurfaces(most + 1, threads);
   return columns;
 }
 
-/** @brief The same with surfaces where a sparse scan shows dots, and without what is
- * then still alone in the air. */
+/** @brief The same with surfaces where a sparse scan shows dots. */
 VoxelColumns
-withHolesClosed(VoxelColumns columns, bool is_dense, unsigned threads)
+withHolesClosed(VoxelColumns columns, unsigned threads)
 {
   constexpr double widest_gap = 0.2;  // metres, between the dots of a surface
   constexpr double widest_hole = 0.4; // in a surface
-  constexpr int min_closed = 6;       // neighbours, where each column has its points
   const auto cells = [&](double metres) {
     return static_cast<int>(std::lround(metres / columns.cellSize()));
   };
   columns.closeDots(cells(widest_gap), threads);
   columns.closeHoles(cells(widest_hole), threads);
-  if (is_dense)
-    columns.keepSurfaces(min_closed, threads);
   return columns;
 }
 
@@ -355,8 +354,8 @@ findBuilding(const PointView& points,
   of_parting.widest_passage = parameters.widest_passage;
   of_parting.smallest_room = parameters.minimum_area;
   const VoxelColumns seen =
-      withoutStrays(half.halved(parameters.threads), parameters.threads);
-  const VoxelColumns columns = withHolesClosed(seen, is_dense, parameters.threads);
+      withoutStrays(half.halved(parameters.threads), is_dense, parameters.threads);
+  const VoxelColumns columns = withHolesClosed(seen, parameters.threads);
   const AirGaps air(columns, seen, airParameters(parameters), &half);
   return describe(air, partIntoRooms(air, of_parting), fine, points, indices,
                   parameters, of_parting, problem, behind);
