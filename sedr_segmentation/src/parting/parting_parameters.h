@@ -24,8 +24,6 @@ struct PartingParameters {
   double same_floor = 1.0;   ///< floors of one room differ by less at an opening
   double min_over_air = 0.1; ///< share of a gallery; less is on furniture
   double smallest_level = 5; ///< square metres; less on another height is a landing
-  double max_stacked = 0.1;  ///< share of the larger of two rooms that may lie above
-                             ///< the other if they are one: stairs
   double widest_share = 0.8; ///< of the width of the wider room that is open, but for
                              ///< doors with a lintel
   double min_open = 0.5;     ///< share of the wall between that joins two rooms

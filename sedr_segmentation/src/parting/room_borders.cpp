@@ -90,7 +90,6 @@ RoomBorders::RoomBorders(const AirGaps& air,
     borders_[pair].crossings = std::move(crossings);
   countWalls(air, static_cast<int>(std::lround(2 * parameters.lintel_reach /
                                                air.columns().cellSize())));
-  countStacked(air);
   for (auto& [pair, border] : borders_) {
     rooms_[pair.first].beside.insert(pair.second);
     rooms_[pair.second].beside.insert(pair.first);
@@ -131,7 +130,6 @@ RoomBorders::join(const RoomPair& pair)
       border.crossings.push_back(c);
     }
     border.walls += moved.walls;
-    border.stacked += moved.stacked;
     rooms_[other].beside.erase(b);
     rooms_[other].beside.insert(a);
     into.beside.insert(other);
@@ -178,15 +176,6 @@ RoomBorders::countWalls(const AirGaps& air, int reach)
   }
   for (const auto& [pair, n] : faces)
     borders_[pair].walls = (n + 1) / 2; // each is met from both sides
-}
-
-void
-RoomBorders::countStacked(const AirGaps& air)
-{
-  for (std::uint32_t g = 0; g + 1 < air.size(); ++g)
-    for (std::uint32_t o = g + 1; o < air.size() && air[o].column == air[g].column; ++o)
-      if (labels_.hasRoom(g) && labels_.hasRoom(o) && !labels_.isSameRoom(g, o))
-        ++borders_[pairOf(labels_.roomOf(g), labels_.roomOf(o))].stacked;
 }
 
 } // namespace pcl::sedr

@@ -22,8 +22,7 @@ using RoomPair = std::pair<std::uint32_t, std::uint32_t>;
 /** @brief What is between two rooms. */
 struct RoomBorder {
   std::vector<Crossing> crossings;
-  std::size_t walls = 0;   ///< ends of air that face the other room's across a wall
-  std::size_t stacked = 0; ///< columns in which one lies above the other
+  std::size_t walls = 0; ///< ends of air that face the other room's across a wall
 };
 
 /** @brief The links from one room to another, by pairs of rooms. O(links). */
@@ -68,7 +67,6 @@ public:
 private:
   void measureRooms(const AirGaps& air);
   void countWalls(const AirGaps& air, int reach);
-  void countStacked(const AirGaps& air);
 
   RoomLabels& labels_;
   std::vector<RoomExtent> rooms_;

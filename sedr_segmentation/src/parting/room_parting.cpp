@@ -3,7 +3,6 @@
 
 #include "room_basins.h"
 #include "room_borders.h"
-#include "whole_openings.h"
 
 #include "../air/ceiling_dip.h"
 
@@ -38,7 +37,6 @@ public:
       , labels_(labels)
       , rooms_(air, parameters, labels)
       , measures_(air, dip, parameters)
-      , wholes_(air, parameters, rooms_, measures_, labels)
   {}
 
   void joinAll()
@@ -89,16 +87,14 @@ private:
         std::any_of(openings.begin(), openings.end(),
                     [&](const MeasuredOpening& m) { return isWay(m); });
     for (const MeasuredOpening& m : openings) {
-      const bool is_apart = floorStep(pair, m) > parameters_.same_floor;
-      const bool is_step = is_apart && isLarge(pair.first) && isLarge(pair.second);
+      const bool is_step = floorStep(pair, m) > parameters_.same_floor &&
+                           isLarge(pair.first) && isLarge(pair.second);
       const bool is_above_furniture = is_step && !areLevels(pair);
       length += m.width;
       open += m.width * (is_above_furniture ? 1 : m.open_height);
       if (has_way && !isWay(m))
         continue; // a gap in what was seen of a wall
-      are_doors =
-          are_doors && (isDoor(m, parameters_) || wholes_.isPartOfDoor(pair.first, m) ||
-                        wholes_.isPartOfDoor(pair.second, m));
+      are_doors = are_doors && isDoor(m, parameters_);
       beside = std::max(beside, m.width * m.open_height + m.beside);
       have_lintels = have_lintels && m.dip >= parameters_.min_lintel;
       are_plain = are_plain && have_lintels && m.width <= parameters_.widest_door;
@@ -107,12 +103,9 @@ private:
     }
     if (open <= 0)
       return openness;
-    const auto [smaller, larger] =
-        std::minmax(rooms_.room(pair.first).area, rooms_.room(pair.second).area);
+    const double smaller =
+        std::min(rooms_.room(pair.first).area, rooms_.room(pair.second).area);
     openness.share = open / length;
-    openness.is_other_level =
-        openness.is_other_level || static_cast<double>(border.stacked) * cell * cell >
-                                       parameters_.max_stacked * larger;
     const double of_width =
         have_lintels ? open / std::max(length, beside) : openness.share;
     openness.are_doors = are_doors;
@@ -196,18 +189,14 @@ private:
                (are_rooms ? parameters_.min_open : parameters_.min_open_of_part);
   }
 
-  /** @brief Joins two rooms and judges anew all borders of the joined one, and those of
-   * others that share an opening with one of these. */
+  /** @brief Joins two rooms and judges anew all borders of the joined one. */
   void join(const RoomPair pair)
   {
     for (const std::uint32_t other : rooms_.room(pair.second).beside)
       forget(std::minmax(pair.second, other));
     rooms_.join(pair);
-    std::vector<RoomPair> changed = wholes_.afterJoining(pair);
     for (const std::uint32_t other : rooms_.room(pair.first).beside)
-      changed.push_back(std::minmax(pair.first, other));
-    for (const RoomPair& border : changed)
-      judge(border);
+      judge(std::minmax(pair.first, other));
   }
 
   const AirGaps& air_;
@@ -215,7 +204,6 @@ private:
   RoomLabels& labels_;
   RoomBorders rooms_;
   OpeningMeasures measures_;
-  WholeOpenings wholes_;
   std::map<RoomPair, Turn> turn_; ///< of borders to open
   std::set<std::pair<Turn, RoomPair>> to_join_;
 };

@@ -98,29 +98,6 @@ reachedParts(const std::vector<BuildingRoom>& parts,
   return is_reached;
 }
 
-/** @brief How one knows of each part of the air that it is of this building. */
-std::vector<PartAccess>
-accessTo(const std::vector<BuildingRoom>& parts,
-         const std::vector<RoomOpening>& openings,
-         const std::vector<double>& density)
-{
-  constexpr double least = 0.75; // of the usual density
-  double seen = 0;
-  double all = 0;
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    seen += density[p] * parts[p].area;
-    all += parts[p].area;
-  }
-  const std::vector<std::uint8_t> is_reached = reachedParts(parts, openings);
-  std::vector<PartAccess> access(parts.size(), PartAccess::None);
-  for (std::size_t p = 0; p < parts.size(); ++p)
-    if (is_reached[p] != 0)
-      access[p] = PartAccess::Reached;
-    else if (density[p] * all >= least * seen)
-      access[p] = PartAccess::Dense;
-  return access;
-}
-
 /** @brief Why a part of the air is no room; no reason for rooms. */
 struct Verdict {
   std::string reason;
@@ -129,7 +106,7 @@ struct Verdict {
 
 std::vector<Verdict>
 judge(const std::vector<BuildingRoom>& parts,
-      const std::vector<PartAccess>& access,
+      const std::vector<std::uint8_t>& is_reached,
       const std::vector<std::uint8_t>& is_view,
       const BuildingParameters& parameters,
       double smallest_level,
@@ -147,8 +124,8 @@ judge(const std::vector<BuildingRoom>& parts,
       verdict = {"seen only through panes of glass, or in mirrors",
                  LeftOutKind::Mirror};
     else
-      verdict.reason =
-          noRoomBecause(parts[p], cell_size, access[p], parameters, verdict.kind);
+      verdict.reason = noRoomBecause(parts[p], cell_size, is_reached[p] != 0,
+                                     parameters, verdict.kind);
     if (verdict.reason.empty() && parts[p].area >= smallest_level)
       floors.push_back(parts[p].floor);
   }
@@ -212,14 +189,14 @@ std::vector<std::uint32_t>
 keepRooms(const PartedAir& parted,
           const PartingParameters& of_parting,
           std::vector<BuildingRoom> parts,
-          const std::vector<PartAccess>& access,
+          const std::vector<std::uint8_t>& is_reached,
           const std::vector<std::uint8_t>& is_view,
           const BuildingParameters& parameters,
           Building& building)
 {
   constexpr double worth_telling = 0.25; // square metres
   std::vector<Verdict> verdicts =
-      judge(parts, access, is_view, parameters, of_parting.smallest_level,
+      judge(parts, is_reached, is_view, parameters, of_parting.smallest_level,
             building.grid.size());
   for (std::uint32_t p = 0; p < parts.size(); ++p)
     if (verdicts[p].reason.empty() && parameters.minimum_enclosure > 0 &&
@@ -297,10 +274,9 @@ describe(const AirGaps& air,
   std::vector<BuildingRoom> parts = describeRooms(air, parted);
   const std::vector<std::uint8_t> is_view =
       viewsThroughPanes(parts, columns.grid(), points, behind);
-  const std::vector<PartAccess> access =
-      accessTo(parts, parted.openings, seenDensities(parts, fine, columns.grid()));
+  const std::vector<std::uint8_t> is_reached = reachedParts(parts, parted.openings);
   const std::vector<std::uint32_t> number = keepRooms(
-      parted, of_parting, std::move(parts), access, is_view, parameters, building);
+      parted, of_parting, std::move(parts), is_reached, is_view, parameters, building);
   building.storeys = findStoreys(building.rooms, parameters.storey_step);
   tellOpenings(parted.openings, number, building);
   addFlights(points, indices, fine, building);

@@ -151,45 +151,10 @@ describeRooms(const AirGaps& air, const PartedAir& parted)
   return rooms;
 }
 
-std::vector<double>
-seenDensities(const std::vector<BuildingRoom>& parts,
-              const VoxelColumns& fine,
-              const CellGrid& grid)
-{
-  const auto edge = static_cast<int>(std::lround(grid.size() / fine.cellSize()));
-  const auto isSeenAt = [&](Cell cell, double height) {
-    constexpr int reach = 2; // voxels: a surface's noise
-    const std::uint32_t column = fine.columnAt(cell);
-    const auto at = static_cast<std::int32_t>(std::lround(height / fine.voxelHeight()));
-    return column != VoxelColumns::none &&
-           fine.countBetween(column, at - reach, at + reach) > 0;
-  };
-  std::vector<double> densities;
-  for (const BuildingRoom& part : parts) {
-    std::array<std::size_t, 2> all{0, 0}; // of floor and ceiling
-    std::array<std::size_t, 2> seen{0, 0};
-    for (const RoomColumn& column : part.columns)
-      for (int k = 0; k < edge * edge; ++k) {
-        const Cell cell{column.cell.x * edge + k % edge,
-                        column.cell.y * edge + k / edge};
-        all[0] += column.floor_seen ? 1 : 0;
-        all[1] += column.ceiling_seen ? 1 : 0;
-        seen[0] += column.floor_seen && isSeenAt(cell, column.floor) ? 1 : 0;
-        seen[1] += column.ceiling_seen && isSeenAt(cell, column.ceiling) ? 1 : 0;
-      }
-    const auto share = [&](std::size_t side) {
-      return static_cast<double>(seen[side]) /
-             static_cast<double>(std::max<std::size_t>(1, all[side]));
-    };
-    densities.push_back(std::min(share(0), share(1)));
-  }
-  return densities;
-}
-
 std::string
 noRoomBecause(const BuildingRoom& room,
               double cell_size,
-              PartAccess access,
+              bool is_reached,
               const BuildingParameters& parameters,
               LeftOutKind& kind)
 {
@@ -228,14 +193,10 @@ noRoomBecause(const BuildingRoom& room,
     return text;
   }
   // Of a place too small for a scanner only what an opening shows may be seen.
-  constexpr double too_small = 5;      // square metres
-  constexpr double closed = 0.6;       // of its outline
-  constexpr double one_side = 1.0 / 3; // likewise: a balcony has no more walls
-  constexpr double not_glazed = 0.5;   // likewise
-  const double least = area < too_small                ? closed
-                       : access == PartAccess::Reached ? 0
-                       : access == PartAccess::Dense   ? one_side
-                                                       : not_glazed;
+  constexpr double too_small = 5;    // square metres
+  constexpr double closed = 0.6;     // of its outline
+  constexpr double not_glazed = 0.5; // likewise
+  const double least = area < too_small ? closed : is_reached ? 0 : not_glazed;
   if (room.enclosure < std::max(least, parameters.minimum_enclosure)) {
     kind = LeftOutKind::Open;
     std::snprintf(

@@ -22,7 +22,8 @@ wallsBetween(const SceneAir& air,
   }
   RoomLabels labels(std::move(label));
   const RoomBorders borders(air.gaps, PartingParameters(), labels);
-  return borders.between({0, 1}).walls;
+  const auto border = borders.borders().find({0, 1});
+  return border == borders.borders().end() ? 0 : border->second.walls;
 }
 
 TEST(RoomBorders, HaveWallsWhereWallsStand)

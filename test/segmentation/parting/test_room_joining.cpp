@@ -96,29 +96,6 @@ TEST(PartRooms, ANookBelowABeamWithADoorToTheNextRoomIsOfTheHallItOpensTo)
   });
 }
 
-TEST(PartRooms, APassageIntoAHallPartsItThoughBeamsEndAboveIt)
-{
-  forBothTurns([](AirScene& scene) {
-    for (const auto& [x0, x1, high] :
-         {std::tuple(0.05, 4.05, 2.61), std::tuple(4.15, 10.15, 4.51)}) {
-      scene.slab(x0, 0.05, x1, 8.05, 0.01);
-      scene.slab(x0, 0.05, x1, 8.05, high);
-      for (const double y : {0.05, 8.05})
-        scene.wall(x0, y, x1, y, 0.01, high);
-    }
-    scene.wall(0.05, 0.05, 0.05, 8.05, 0.01, 2.61);
-    scene.wall(10.15, 0.05, 10.15, 8.05, 0.01, 4.51);
-    scene.partition(4.05, 0.05, 8.05, 0.01, 2.61, {1.45, 5.05, 2.36});
-    scene.wall(4.15, 0.05, 4.15, 8.05, 2.61, 4.51);
-    for (const double y : {2.35, 4.95})
-      scene.hanging(4.15, y, 10.15, y + 0.3, 3.61, 4.51);
-    const Parted air(scene);
-    EXPECT_EQ(air.rooms(), 2u);
-    EXPECT_NE(air.roomAt(2, 2), air.roomAt(6, 2));
-    EXPECT_EQ(air.roomAt(6, 1), air.roomAt(6, 7));
-  });
-}
-
 TEST(PartRooms, ColumnsPartNothing)
 {
   forBothTurns([](AirScene& scene) {
