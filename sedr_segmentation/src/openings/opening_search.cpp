@@ -59,32 +59,6 @@ private:
   std::vector<std::size_t> behind_;
 };
 
-/** @brief Moves a side and its points to a face before it. */
-void
-moveSide(double off, WallSide& side, std::vector<SidePoint>& points)
-{
-  PlanElement& line = side.line;
-  const double length = line.length();
-  if (line.isArc()) {
-    const double radius = line.radius + (line.counter_clockwise ? -off : off);
-    if (radius <= 0)
-      return;
-    for (Eigen::Vector2d* end : {&line.start, &line.end})
-      *end = line.centre + radius / line.radius * (*end - line.centre);
-    line.radius = radius;
-  }
-  else {
-    const Eigen::Vector2d shift = off * line.normalAt(0);
-    line.start += shift;
-    line.end += shift;
-  }
-  const auto scale = static_cast<float>(line.length() / length);
-  for (SidePoint& p : points) {
-    p.offset -= static_cast<float>(off);
-    p.along *= scale;
-  }
-}
-
 /** @brief Whether two openings are the same one, seen from two sides or by two walls in
  * a line. */
 bool
@@ -153,11 +127,8 @@ public:
 
   void makeMaps(const PointView& points, const pcl::Indices* indices)
   {
-    std::vector<WallSide>& sides = search_.sides;
+    const std::vector<WallSide>& sides = search_.sides;
     auto beside = pointsBeside(sides, points, indices, sizes_.before, sizes_.max_depth);
-    for (std::size_t k = 0; k < sides.size(); ++k)
-      if (const double off = faceOffset(sides[k], beside[k], sizes_); off > 0)
-        moveSide(off, sides[k], beside[k]);
     for (std::size_t k = 0; k < sides.size(); ++k) {
       backs_.emplace_back(sides, k, BehindKind::Opposite, sizes_.max_depth);
       bays_.emplace_back(sides, k, BehindKind::Own, sizes_.max_depth);

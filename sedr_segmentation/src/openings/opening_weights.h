@@ -87,11 +87,6 @@ struct OpeningNumbers {
   double sparse_gap = 0.15;   ///< between cells that were seen, metres
   double relief_reach = 0.06; ///< of cells whose offsets are averaged, metres
   double min_relief = 0.01;   ///< of a leaf behind the face, metres
-  double face_bin = 0.02;     ///< of distances of a face before its line, metres
-  double face_stretch = 0.1;  ///< along a side, metres
-  double below_ceiling = 0.5; ///< where walls are seen and no furniture is, metres
-  double line_share = 0.25;   ///< of the length of a line that is no face
-  double face_share = 0.6;    ///< of the length of a face
   double grid_cell = 0.5;     ///< of the grid of sides, metres
   double height_step = 0.25;  ///< between places where heights are read, metres
   double min_island = 4;      ///< around a loop that walls surround, metres

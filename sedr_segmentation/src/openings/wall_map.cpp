@@ -13,42 +13,6 @@ namespace {
 
 const std::size_t none = static_cast<std::size_t>(-1);
 
-/** @brief Sums over rectangles of cells. */
-class SumTable {
-public:
-  SumTable(std::size_t columns, std::size_t rows)
-      : rows_(rows)
-      , sums_((columns + 1) * (rows + 1))
-  {}
-
-  /** @brief Sets the values column by column. */
-  template <typename Value>
-  void fill(const Value& value)
-  {
-    const std::size_t n = rows_ + 1;
-    for (std::size_t i = n; i < sums_.size(); ++i)
-      if (i % n != 0)
-        sums_[i] = value((i / n - 1) * rows_ + i % n - 1) + sums_[i - 1] +
-                   sums_[i - n] - sums_[i - n - 1];
-  }
-
-  /** @brief Returns the sum of the cells at most `reach` columns and rows away. */
-  double around(std::size_t column, std::size_t row, std::size_t reach) const
-  {
-    const std::size_t n = rows_ + 1;
-    const std::size_t c0 = column - std::min(column, reach);
-    const std::size_t c1 = std::min(column + reach + 1, sums_.size() / n - 1);
-    const std::size_t r0 = row - std::min(row, reach);
-    const std::size_t r1 = std::min(row + reach + 1, rows_);
-    return sums_[c1 * n + r1] - sums_[c0 * n + r1] - sums_[c1 * n + r0] +
-           sums_[c0 * n + r0];
-  }
-
-private:
-  std::size_t rows_;
-  std::vector<double> sums_;
-};
-
 } // namespace
 
 WallMap::WallMap(const PlanRoom& room,
@@ -234,20 +198,25 @@ WallMap::recessedCells() const
       offsets[i] += p.offset;
       ++counts[i];
     }
-  SumTable sums(columns_, rows_);
-  SumTable numbers(columns_, rows_);
-  sums.fill([&](std::size_t i) { return offsets[i]; });
-  numbers.fill([&](std::size_t i) { return counts[i]; });
   const auto reach =
       static_cast<std::size_t>(std::ceil(opening_numbers.relief_reach / cell_));
   std::vector<double> means(offsets.size());
   std::vector<double> usual;
-  for (std::size_t i = 0; i < means.size(); ++i) {
-    const double n = numbers.around(i / rows_, i % rows_, reach);
-    means[i] = sums.around(i / rows_, i % rows_, reach) / std::max(1.0, n);
-    if (n > 0)
-      usual.push_back(std::abs(means[i]));
-  }
+  for (std::size_t c = 0; c < columns_; ++c)
+    for (std::size_t r = 0; r < rows_; ++r) {
+      double sum = 0;
+      double n = 0;
+      for (std::size_t o = c - std::min(c, reach);
+           o <= std::min(c + reach, columns_ - 1); ++o)
+        for (std::size_t i = o * rows_ + r - std::min(r, reach);
+             i <= o * rows_ + std::min(r + reach, rows_ - 1); ++i) {
+          sum += offsets[i];
+          n += counts[i];
+        }
+      means[c * rows_ + r] = sum / std::max(1.0, n);
+      if (n > 0)
+        usual.push_back(std::abs(means[c * rows_ + r]));
+    }
   const double limit =
       std::max(opening_numbers.min_relief,
                usual.empty() ? 0 : 4 * 1.4826 * middleValue(std::move(usual)));
@@ -319,41 +288,6 @@ WallMap::closeGaps()
           cell = WallCell::Seen;
       last = c;
     }
-}
-
-double
-faceOffset(const WallSide& side,
-           const std::vector<SidePoint>& points,
-           const OpeningSizes& sizes)
-{
-  const auto bins =
-      static_cast<std::size_t>(sizes.max_depth / opening_numbers.face_bin) + 1;
-  const auto parts =
-      static_cast<std::size_t>(side.line.length() / opening_numbers.face_stretch) + 1;
-  std::vector<std::vector<bool>> shown(bins, std::vector<bool>(parts));
-  for (const SidePoint& p : points)
-    if (p.offset >= -opening_numbers.face_bin / 2 &&
-        p.height > side.ceiling - opening_numbers.below_ceiling &&
-        p.height < side.ceiling - opening_numbers.slab_band)
-      if (const auto b = static_cast<std::size_t>(
-              (p.offset + opening_numbers.face_bin / 2) / opening_numbers.face_bin);
-          b < bins)
-        shown[b]
-             [std::min(static_cast<std::size_t>(p.along / opening_numbers.face_stretch),
-                       parts - 1)] = true;
-  const auto shareOf = [&](std::size_t b) {
-    return static_cast<double>(std::count(shown[b].begin(), shown[b].end(), true)) /
-           static_cast<double>(parts);
-  };
-  std::size_t best = 0;
-  for (std::size_t b = 1; b < bins; ++b)
-    if (shareOf(b) > shareOf(best))
-      best = b;
-  const double on_line = std::max(shareOf(0), shareOf(1));
-  return on_line < opening_numbers.line_share &&
-                 shareOf(best) > opening_numbers.face_share
-             ? opening_numbers.face_bin * static_cast<double>(best)
-             : 0;
 }
 
 namespace {

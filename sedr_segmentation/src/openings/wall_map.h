@@ -97,13 +97,6 @@ private:
   std::vector<WallCell> cells_;
 };
 
-/** @brief Returns how far before a side its face lies, metres: where points below the
- * ceiling cover more of its length than on its line. A plan may be drawn to the panes
- * of a wall. */
-double faceOffset(const WallSide& side,
-                  const std::vector<SidePoint>& points,
-                  const OpeningSizes& sizes);
-
 /** @brief Returns the points of a scan beside each side: up to `before` metres before
  * and `behind` behind it, between floor and ceiling.
  * @param indices of the points to use; null: all */

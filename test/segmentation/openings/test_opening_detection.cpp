@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace pcl::sedr {
@@ -222,6 +224,19 @@ TEST(OpeningDetection, TwoLeavesHangAtBothJambs)
   EXPECT_EQ(found[0].state, OpeningState::Open);
 }
 
+TEST(OpeningDetection, LeafSeenEdgeOnShowsByItsEnd)
+{
+  TwoRooms scene(0.003);
+  scene.scanMiddleWall({door});
+  const double a = -70 * M_PI / 180;
+  scene.scanLeaf(door.from + 0.84 * std::cos(a), TwoRooms::face + 0.84 * std::sin(a),
+                 -70, 0.06, 2);
+  const auto found = openingsOf(scene);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].swing, 1u);
+  EXPECT_EQ(found[0].hinge, OpeningHinge::End) << "at the smaller x";
+}
+
 TEST(OpeningDetection, WallsBesideAJambAreNoLeaves)
 {
   for (const double head : {2.05, 2.5}) {
@@ -244,6 +259,24 @@ TEST(OpeningDetection, ShadowOfAWardrobeIsNoOpening)
   scene.scanSheet(wardrobe, 3.4);
   scene.scanOuterWall({});
   EXPECT_TRUE(openingsOf(scene).empty());
+}
+
+TEST(OpeningDetection, ShadowBeforeASparseFaceDoesNotWidenADoor)
+{
+  TwoRooms scene(0.003);
+  scene.scanMiddleWall({door}, {{2.4, 3, 0, 2.05}});
+  auto& points = scene.cloud->points;
+  points.erase(std::remove_if(points.begin(), points.end(),
+                              [](const pcl::PointXYZ& p) {
+                                return p.y > 4.1 && p.x > 2.4 && p.x < 3.2 &&
+                                       std::lround(p.x / 0.015) % 5 != 0;
+                              }),
+               points.end());
+  scene.cloud->width = static_cast<std::uint32_t>(points.size());
+  scene.cloud->height = 1;
+  const auto found = openingsOf(scene);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].width(), door.to - door.from, 0.04);
 }
 
 TEST(OpeningDetection, SeveralInOneWall)

@@ -17,54 +17,29 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array<char, 5> letters{'n', 's', 'w', 'h', 'e'}; // as WallCell
 
-/** @brief A map in coarser cells: the most frequent state of each. */
-class CoarseMap {
-public:
-  CoarseMap(const WallMap& map, double cell)
-      : map_(map)
-      , factor_(static_cast<std::size_t>(std::max(1.0, std::round(cell / map.cell()))))
-  {}
-
-  std::size_t columns() const { return (map_.columns() + factor_ - 1) / factor_; }
-  std::size_t rows() const { return (map_.rows() + factor_ - 1) / factor_; }
-
-  double cell() const { return map_.cell() * static_cast<double>(factor_); }
-
-  /** @brief Returns the runs of cells, row by row from the top. */
-  std::string runs() const
-  {
-    std::string text;
-    std::size_t length = 0;
-    char last = 0;
-    const auto end = [&] { text += length > 0 ? std::to_string(length) + last : ""; };
-    for (std::size_t r = rows(); r-- > 0;)
-      for (std::size_t c = 0; c < columns(); ++c) {
-        const char letter = letters[stateAt(c, r)];
-        if (letter != last)
-          end();
-        length = letter == last ? length + 1 : 1;
-        last = letter;
-      }
-    end();
-    return text;
-  }
-
-private:
-  std::size_t stateAt(std::size_t column, std::size_t row) const
-  {
-    std::array<std::size_t, letters.size()> counts{};
-    for (std::size_t c = column * factor_;
-         c < std::min((column + 1) * factor_, map_.columns()); ++c)
-      for (std::size_t r = row * factor_;
-           r < std::min((row + 1) * factor_, map_.rows()); ++r)
-        ++counts[static_cast<std::size_t>(map_.at(c, r))];
-    return static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) -
-                                    counts.begin());
-  }
-
-  const WallMap& map_;
-  std::size_t factor_;
-};
+/** @brief Returns the states in the middle of coarser cells, in runs, row by row from
+ * the top. */
+std::string
+runsOf(const WallMap& map, double cell, std::size_t columns, std::size_t rows)
+{
+  std::string text;
+  std::size_t length = 0;
+  char last = 0;
+  const auto end = [&] { text += length > 0 ? std::to_string(length) + last : ""; };
+  for (std::size_t r = rows; r-- > 0;)
+    for (std::size_t c = 0; c < columns; ++c) {
+      const WallCell state =
+          map.at(cell * (static_cast<double>(c) + 0.5),
+                 map.heightOf(0) + cell * (static_cast<double>(r) + 0.5));
+      const char letter = letters[static_cast<std::size_t>(state)];
+      if (letter != last)
+        end();
+      length = letter == last ? length + 1 : 1;
+      last = letter;
+    }
+  end();
+  return text;
+}
 
 } // namespace
 
@@ -80,7 +55,13 @@ wallMaps(const Floorplan& plan, const OpeningSearch& search)
   Json maps = Json::array();
   for (std::size_t k = 0; k < search.maps.size(); ++k) {
     const WallSide& side = search.sides[k];
-    const CoarseMap coarse(search.maps[k], cell);
+    const WallMap& map = search.maps[k];
+    const double size = std::max(cell, map.cell());
+    const auto partsOf = [size](double length) {
+      return static_cast<std::size_t>(std::ceil(length / size));
+    };
+    const std::size_t columns = partsOf(side.line.length());
+    const std::size_t rows = partsOf(map.cell() * static_cast<double>(map.rows()));
     std::vector<std::size_t> walls = side.elements;
     for (std::size_t& wall : walls)
       ++wall;
@@ -95,11 +76,11 @@ wallMaps(const Floorplan& plan, const OpeningSearch& search)
     maps.push_back({{"room", plan.rooms[side.room].id},
                     {"walls", walls},
                     {"length", side.line.length()},
-                    {"base", search.maps[k].heightOf(0)},
-                    {"cell", coarse.cell()},
-                    {"columns", coarse.columns()},
-                    {"rows", coarse.rows()},
-                    {"cells", coarse.runs()},
+                    {"base", map.heightOf(0)},
+                    {"cell", size},
+                    {"columns", columns},
+                    {"rows", rows},
+                    {"cells", runsOf(map, size, columns, rows)},
                     {"openings", openings}});
   }
   return maps;

@@ -25,15 +25,11 @@ template <typename PointT>
 bool
 OpeningDetection<PointT>::segment(sedr::Floorplan& plan)
 {
-  plan.openings.clear();
-  search_.reset();
-  this->clearError();
   if (!this->initCompute())
     return fail("OpeningDetection", "no input cloud was set");
-  const std::string problem = sedr::findOpenings(sedr::PointView(*input_), indices_,
-                                                 priors_, threads_, plan, search_);
+  const bool is_done = segment(sedr::PointView(*input_), indices_, plan);
   this->deinitCompute();
-  return problem.empty() || fail("OpeningDetection", problem);
+  return is_done;
 }
 
 template <typename PointT>
