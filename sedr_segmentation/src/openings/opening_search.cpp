@@ -14,49 +14,31 @@ namespace pcl::sedr {
 namespace {
 
 /** @brief The sides behind one side, at steps along it. */
-class Backs {
-public:
+struct Backs {
+  std::vector<std::size_t> behind;
+  double nearest = std::numeric_limits<double>::infinity(); ///< distance of any
+
   Backs(const std::vector<WallSide>& sides,
         std::size_t side,
         BehindKind kind,
         double max_depth)
-      : sides_(sides)
-      , side_(sides[side])
   {
-    const auto n =
-        static_cast<std::size_t>(side_.line.length() / opening_numbers.back_step) + 1;
-    for (std::size_t k = 0; k < n; ++k)
-      behind_.push_back(sideBehind(
-          sides, side_,
-          std::min(opening_numbers.back_step * (static_cast<double>(k) + 0.5),
-                   side_.line.length()),
-          kind, max_depth));
+    const PlanElement& line = sides[side].line;
+    const double step = opening_numbers.back_step;
+    for (double s = step / 2; s < line.length() + step / 2; s += step) {
+      const double along = std::min(s, line.length());
+      behind.push_back(sideBehind(sides, sides[side], along, kind, max_depth));
+      if (behind.back() < sides.size())
+        nearest = std::min(nearest, -sides[behind.back()].offset(line.pointAt(along)));
+    }
   }
 
   std::size_t at(double along) const
   {
     const auto k =
         static_cast<std::size_t>(std::max(along, 0.0) / opening_numbers.back_step);
-    return behind_[std::min(k, behind_.size() - 1)];
+    return behind[std::min(k, behind.size() - 1)];
   }
-
-  /** @brief Returns the least distance of a side behind; infinite if there is none. */
-  double nearest() const
-  {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < behind_.size(); ++k)
-      if (behind_[k] < sides_.size())
-        least = std::min(least,
-                         -sides_[behind_[k]].offset(side_.line.pointAt(std::min(
-                             opening_numbers.back_step * (static_cast<double>(k) + 0.5),
-                             side_.line.length()))));
-    return least;
-  }
-
-private:
-  const std::vector<WallSide>& sides_;
-  const WallSide& side_;
-  std::vector<std::size_t> behind_;
 };
 
 /** @brief Whether two openings are the same one, seen from two sides or by two walls in
@@ -134,7 +116,7 @@ public:
       bays_.emplace_back(sides, k, BehindKind::Own, sizes_.max_depth);
       search_.maps.emplace_back(plan_.rooms[sides[k].room], sides[k],
                                 std::move(beside[k]),
-                                std::min(backs_[k].nearest(), sizes_.shallow), sizes_);
+                                std::min(backs_[k].nearest, sizes_.shallow), sizes_);
     }
   }
 

@@ -297,30 +297,25 @@ class SideGrid {
 public:
   SideGrid(const std::vector<WallSide>& sides, double reach)
   {
-    Eigen::AlignedBox2d all;
-    std::vector<Eigen::AlignedBox2d> boxes;
-    for (const WallSide& side : sides) {
-      boxes.push_back(boxAround(side.line));
-      boxes.back().extend(boxes.back().min() - Eigen::Vector2d::Constant(reach));
-      boxes.back().extend(boxes.back().max() + Eigen::Vector2d::Constant(reach));
-      all.extend(boxes.back());
-    }
     if (sides.empty())
       return;
-    origin_ = all.min();
-    columns_ =
-        static_cast<std::size_t>(all.sizes().x() / opening_numbers.grid_cell) + 1;
-    rows_ = static_cast<std::size_t>(all.sizes().y() / opening_numbers.grid_cell) + 1;
+    Eigen::AlignedBox2d all;
+    for (const WallSide& side : sides)
+      all.extend(boxAround(side.line));
+    origin_ = all.min() - Eigen::Vector2d::Constant(reach);
+    const double cell = opening_numbers.grid_cell;
+    const Eigen::Vector2d size = all.sizes() + Eigen::Vector2d::Constant(2 * reach);
+    columns_ = static_cast<std::size_t>(size.x() / cell) + 1;
+    rows_ = static_cast<std::size_t>(size.y() / cell) + 1;
     sides_.resize(columns_ * rows_);
-    for (std::uint32_t k = 0; k < sides.size(); ++k)
-      for (std::size_t i = 0; i < sides_.size(); ++i) {
+    for (std::size_t r = 0; r < rows_; ++r)
+      for (std::size_t c = 0; c < columns_; ++c) {
         const Eigen::Vector2d middle =
-            origin_ + opening_numbers.grid_cell *
-                          Eigen::Vector2d(static_cast<double>(i % columns_) + 0.5,
-                                          static_cast<double>(i / columns_) + 0.5);
-        if (boxes[k].exteriorDistance(middle) < opening_numbers.grid_cell &&
-            sides[k].line.distance(middle) < reach + opening_numbers.grid_cell)
-          sides_[i].push_back(k);
+            origin_ + cell * Eigen::Vector2d(static_cast<double>(c) + 0.5,
+                                             static_cast<double>(r) + 0.5);
+        for (std::uint32_t k = 0; k < sides.size(); ++k)
+          if (sides[k].line.distance(middle) < reach + cell)
+            sides_[r * columns_ + c].push_back(k);
       }
   }
 
