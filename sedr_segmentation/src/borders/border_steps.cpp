@@ -17,11 +17,15 @@ namespace {
 
 using Place = Eigen::Vector2d;
 
-/** @brief The middle of the places that have most votes on their left, those on their
- * right taken away; 0 where all are alike. */
+/** @brief The place that has most votes on its left, those on its right taken away: 0
+ * where all are alike. In the middle of a gap without votes, but where a lower part of
+ * a ceiling hides what is in it, at the end of that part.
+ * @param lower -1: it lies on the right, 1: on the left
+ * @param wide metres: narrower gaps hide nothing */
 double
-middleOfBest(const std::vector<std::pair<double, double>>& votes)
+placeOfBest(const std::vector<std::pair<double, double>>& votes, int lower, double wide)
 {
+  constexpr double to_edge = 0.0125; // metres: of a voxel that an edge cuts
   std::vector<double> sums{0};
   for (const auto& vote : votes)
     sums.front() += vote.second;
@@ -34,9 +38,14 @@ middleOfBest(const std::vector<std::pair<double, double>>& votes)
   std::size_t last = first;
   while (last + 1 < sums.size() && sums[last + 1] >= best)
     ++last;
-  if (first == 0 || last + 1 == sums.size())
-    return 0; // points on one side only
-  return (votes[first - 1].first + votes[last].first) / 2;
+  const double endless = std::numeric_limits<double>::infinity();
+  const double right = first == 0 ? -endless : votes[first - 1].first;
+  const double left = last + 1 == sums.size() ? endless : votes[last].first;
+  if (lower != 0 && left - right > wide) {
+    const double end = lower > 0 ? left - to_edge : right + to_edge;
+    return std::isfinite(end) ? end : 0;
+  }
+  return std::isfinite(left - right) ? (right + left) / 2 : 0; // points on both sides
 }
 
 } // namespace
@@ -182,7 +191,9 @@ BorderSteps::bestShift(const BorderPart& part,
                votes.emplace_back(across, misfit(chain.right) - misfit(chain.left));
              });
   std::sort(votes.begin(), votes.end());
-  return middleOfBest(votes);
+  const double left = cracks_.facetOf(chain.left).heightAt(part.through);
+  const double right = cracks_.facetOf(chain.right).heightAt(part.through);
+  return placeOfBest(votes, left < right ? 1 : -1, cracks_.cellSize());
 }
 
 /** @brief How far to the left the vertical face between the two facets lies, if one was

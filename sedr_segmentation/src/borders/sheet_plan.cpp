@@ -2,7 +2,9 @@
 #include "facet_borders.h"
 
 #include "../curves/loop_difference.h"
+#include "../curves/plan_curve.h"
 #include "../sheets/sheet_fit.h"
+#include "sedr_filters/src/base/exactness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,16 +50,26 @@ loopsOf(const CellCracks& cracks,
   return loops;
 }
 
-/** @brief The part of a loop within a room's boundary, where that is one loop of about
- * the same area as its cells; else all of it, for whoever uses it cuts it off. */
-PlanLoop
-withinRoom(const PlanLoop& loop, const PlanLoop& boundary, double area)
+/** @brief Returns the parts of a counter-clockwise loop inside a boundary, without
+ * slivers; the loop itself if both coincide up to rounding. */
+std::vector<PlanLoop>
+within(const PlanLoop& loop, const PlanLoop& boundary)
 {
-  constexpr double alike = 0.1;
-  std::vector<PlanLoop> parts = intersection(loop, boundary);
-  if (parts.size() == 1 && std::abs(parts.front().area() - area) < alike * area + 0.1)
-    return std::move(parts.front());
-  return loop;
+  std::vector<PlanLoop> inside = intersection(loop, boundary);
+  double missing = loop.area();
+  for (const PlanLoop& part : inside)
+    missing -= part.area();
+  for (const PlanLoop& part : difference(loop, boundary))
+    missing -= part.area();
+  if (std::abs(missing) > same_place) // square metres
+    return {loop};
+  constexpr double sliver = 0.005; // metres
+  inside.erase(std::remove_if(inside.begin(), inside.end(),
+                              [](const PlanLoop& part) {
+                                return 2 * part.area() <= sliver * part.length();
+                              }),
+               inside.end());
+  return inside;
 }
 
 /** @brief Share of a piece's cells in the room of which nothing was seen. */
@@ -142,23 +154,34 @@ giveCeiling(const FacetSheet& sheet,
   std::sort(pieces.begin(), pieces.end());
   std::vector<PlanDetail>& details = is_floor ? room.floor_details : room.details;
   details.clear();
+  const bool slopes = hasSlope(sheet);
   for (const auto& [negative, piece] : pieces) {
     PlanDetail facet;
     const std::size_t cell = cracks.first_cell[piece];
     facet.slab = sheet.facets[static_cast<std::size_t>(sheet.label[cell])];
     facet.slab.inferred = shareInferred(sheet, cracks, piece);
-    if (piece == pieces.front().second) {
+    if (piece == pieces.front().second)
       (is_floor ? room.floor : room.ceiling) = facet.slab;
-      continue;
-    }
-    facet.is_facet = !is_floor;
-    for (PlanLoop& loop : loopsOf(cracks, piece, borders))
+    if (sheet.label[cell] ==
+        sheet.label[cracks.first_cell[pieces.front().second]]) // the main one, or beyond
+      continue;                                                // what parts it
+    facet.is_facet = slopes && !is_floor;
+    std::vector<PlanLoop> outer;
+    std::vector<PlanLoop> holes;
+    for (const PlanLoop& loop : loopsOf(cracks, piece, borders))
       if (loop.area() > 0)
-        facet.boundary = withinRoom(loop, room.boundary, -negative);
+        outer = within(loop, room.boundary);
       else if (loop.area() < 0)
-        facet.holes.push_back(std::move(loop));
-    if (facet.boundary.elements.size() > 2)
-      details.push_back(std::move(facet));
+        holes.push_back(reversed(loop));
+    for (PlanLoop& part : outer) {
+      facet.holes.clear();
+      for (const PlanLoop& hole : holes)
+        for (const PlanLoop& of_hole : within(hole, part))
+          facet.holes.push_back(reversed(of_hole));
+      facet.boundary = std::move(part);
+      if (facet.boundary.elements.size() > 1)
+        details.push_back(facet);
+    }
   }
 }
 

@@ -2,7 +2,6 @@
 #include "energy_fit.h"
 
 #include "../adjust/plan_adjustment.h"
-#include "../details/detail_fit.h"
 #include "../faces/room_cells.h"
 #include "../loops/loop_assembly.h"
 #include "../niches/niche_fit.h"
@@ -147,34 +146,41 @@ fitLoops(const Storey& storey,
   }
 }
 
-/** @brief Labels the points of a ceiling or a floor within the walls. */
-SlabEvidence
-slabEvidence(const PointView& points,
-             std::vector<int> indices,
-             bool is_floor,
-             const PlanLoop& boundary,
-             const std::vector<Eigen::Vector3d>& around,
-             const RoomFitParameters& parameters)
+/** @brief Fits the main plane of a ceiling or a floor, and its facets if it has more.
+ * @return the facets; without any if the plane is all */
+RoomSheet
+fitSurface(const PointView& points,
+           const std::vector<int>& indices,
+           bool is_floor,
+           const std::vector<Eigen::Vector3d>& around,
+           const RoomFitParameters& parameters,
+           PlanRoom& room)
 {
-  SheetParameters of_surface;
-  of_surface.planes_only = is_floor;
-  SlabEvidence evidence;
-  evidence.is_floor = is_floor;
-  evidence.indices = std::move(indices);
-  const PlanSlab main = mainSlab(points, evidence, parameters);
-  const auto off =
-      std::count_if(evidence.indices.begin(), evidence.indices.end(), [&](int i) {
-        return std::abs(distanceAbove(main, points[static_cast<std::size_t>(i)])) >
-               parameters.priors.min_ceiling_step;
-      });
-  const double cell_area = parameters.cell_size * parameters.cell_size;
-  const bool is_plain =
-      static_cast<double>(off) * cell_area < parameters.minimum_detail_area;
-  evidence.surface = is_plain
-                         ? plainSurface(boundary, main)
-                         : surfaceWithin(boundary, placesOf(points, evidence.indices),
-                                         of_surface, around);
-  return evidence;
+  const Priors& priors = parameters.priors;
+  Positions all;
+  for (const int i : indices)
+    all.push_back(points[static_cast<std::size_t>(i)]);
+  PlanSlab& main = is_floor ? room.floor : room.ceiling;
+  main = findLargerSlab(all, parameters.slab_tolerance, radians(priors.max_slab_tilt),
+                        parameters.seed, parameters.threads);
+  RoomSheet sheet;
+  sheet.room = room.id;
+  sheet.is_floor = is_floor;
+  const auto off = std::count_if(all.begin(), all.end(), [&](const auto& p) {
+    return std::abs(distanceAbove(main, p)) > priors.min_ceiling_step;
+  });
+  if (static_cast<double>(off) * parameters.cell_size * parameters.cell_size <
+      parameters.minimum_detail_area)
+    return sheet;
+  SheetParameters of_surface = SheetParameters::of(priors, is_floor);
+  of_surface.min_closed_area = parameters.minimum_detail_area;
+  sheet.points = placesOf(points, indices);
+  sheet.sheet = surfaceWithin(room.boundary, sheet.points, of_surface, around);
+  if (sheet.sheet.facets.size() > 1 || hasSlope(sheet.sheet))
+    main = reliefOf(sheet.sheet, sheet.sheet.grid.size / 2);
+  else
+    sheet.sheet.facets.clear();
+  return sheet;
 }
 
 } // namespace
@@ -188,7 +194,7 @@ fitPlanByEnergy(const PointView& points,
                 std::string& problem,
                 std::vector<PlanWarning>& warnings,
                 std::vector<FittedBoundary>* boundaries,
-                std::vector<RoomSheet>* sheets)
+                std::vector<RoomSheet>& sheets)
 {
   Floorplan plan;
   const Priors& priors = parameters.priors;
@@ -202,10 +208,9 @@ fitPlanByEnergy(const PointView& points,
   if (!problem.empty())
     return plan;
   std::vector<std::shared_ptr<const PlanSlab>> slopes(parts.size());
-  if (sheets)
-    parallelBlocks(parts.size(), 1, threads, [&](std::size_t r, std::size_t) {
-      slopes[r] = seenSheet(placesOf(points, shares.sheets[r]), priors, 1);
-    });
+  parallelBlocks(parts.size(), 1, threads, [&](std::size_t r, std::size_t) {
+    slopes[r] = slopeOf(placesOf(points, shares.sheets[r]), priors);
+  });
   const RoomCellsParameters of_cells;
   std::vector<RoomCells> cells =
       roomCells(points, labelledPoints(points, parts, slopes), grid, of_cells, threads);
@@ -228,30 +233,14 @@ fitPlanByEnergy(const PointView& points,
     if (room.boundary.elements.empty() || parts[r].ceiling.size() < 3 ||
         parts[r].floor.size() < 3)
       return;
-    const ColumnTable columns(grid, regions[r].cells.box(), points, parts[r].around);
-    const auto detailsOf = [&](const SlabEvidence& slab) {
-      return fitDetails(points, slab, room, regions[r].cells, columns, parameters);
-    };
     const std::vector<Eigen::Vector3d> around = placesOf(points, parts[r].around);
-    const SlabEvidence ceiling = slabEvidence(points, shares.sheets[r], false,
-                                              room.boundary, around, parameters);
-    const SlabEvidence floor =
-        slabEvidence(points, seenPoints(points, grid, parts[r].floor, true), true,
-                     room.boundary, around, parameters);
-    for (const SlabEvidence* slab : {&ceiling, &floor}) {
-      PlanSlab& main = slab->is_floor ? room.floor : room.ceiling;
-      main = mainSlab(points, *slab, parameters);
-      if (!sheets || !hasSlope(slab->surface) ||
-          slab->surface.explained < priors.share_clear)
-        continue;
-      of_rooms[r].push_back(
-          {numbers[r], placesOf(points, slab->indices), slab->surface, slab->is_floor});
-      main = reliefOf(slab->surface, slab->surface.grid.size / 2);
+    for (const bool is_floor : {false, true}) {
+      const std::vector<int> indices =
+          is_floor ? seenPoints(points, grid, parts[r].floor, true) : shares.sheets[r];
+      RoomSheet sheet = fitSurface(points, indices, is_floor, around, parameters, room);
+      if (!sheet.sheet.facets.empty())
+        of_rooms[r].push_back(std::move(sheet));
     }
-    if (!room.ceiling.curve)
-      room.details = detailsOf(ceiling);
-    if (!room.floor.curve)
-      room.floor_details = detailsOf(floor);
     std::vector<int> beside = parts[r].around;
     beside.insert(beside.end(), parts[r].behind.begin(), parts[r].behind.end());
     NicheParameters of_niches;
@@ -281,7 +270,7 @@ fitPlanByEnergy(const PointView& points,
       if (regions[r].lost >= parameters.minimum_detail_area)
         warnings.push_back({WarningKind::CeilingApart, {regions[r].lost}, numbers[r]});
       for (RoomSheet& sheet : of_rooms[r])
-        sheets->push_back(std::move(sheet));
+        sheets.push_back(std::move(sheet));
       plan.rooms.push_back(std::move(rooms[r]));
     }
   }

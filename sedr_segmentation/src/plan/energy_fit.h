@@ -18,8 +18,8 @@ namespace pcl::sedr {
  * @param[out] problem the reason if there is no room, a sentence; else empty
  * @param[out] warnings rooms that could not be fitted
  * @param[out] boundaries the boundary points of walls and columns; optional
- * @param[out] sheets of rooms with ceilings of facets. giveCeilings() makes the facets
- * when the walls are final; until then such a ceiling is a relief */
+ * @param[out] sheets the ceilings and floors that are more than a plane. giveCeilings()
+ * makes their facets when the walls are final; until then they are reliefs */
 Floorplan fitPlanByEnergy(const PointView& points,
                           const PlanEvidence& evidence,
                           const PointView& scan,
@@ -28,6 +28,6 @@ Floorplan fitPlanByEnergy(const PointView& points,
                           std::string& problem,
                           std::vector<PlanWarning>& warnings,
                           std::vector<FittedBoundary>* boundaries,
-                          std::vector<RoomSheet>* sheets);
+                          std::vector<RoomSheet>& sheets);
 
 } // namespace pcl::sedr

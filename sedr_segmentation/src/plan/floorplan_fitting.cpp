@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../adjust/plan_adjustment.h"
 #include "../curves/joined_elements.h"
-#include "../details/detail_trim.h"
 #include "../niches/niche_fit.h"
 #include "../niches/niche_panes.h"
 #include "../scan/scan_excerpt.h"
@@ -124,7 +123,7 @@ fitFloorplan(const PlanInput& input,
       has_raw && input.raw_indices ? *input.raw_indices : all;
   plan =
       fitPlanByEnergy(input.points, evidence, has_raw ? input.raw : PointView(),
-                      raw_indices, parameters, problem, warnings, &boundaries, &sheets);
+                      raw_indices, parameters, problem, warnings, &boundaries, sheets);
   if (!problem.empty())
     return problem;
   if (has_raw)
@@ -135,11 +134,10 @@ fitFloorplan(const PlanInput& input,
     joinNeighbours(room.boundary);
     for (PlanLoop& column : room.columns)
       joinNeighbours(column);
-    trimDetails(room);
   }
   dropSharedNiches(plan);
-  giveCeilings(std::move(sheets), has_raw ? &input.raw : nullptr, raw_indices,
-               parameters.threads, plan);
+  giveCeilings(std::move(sheets), has_raw ? input.raw : input.points,
+               has_raw ? raw_indices : input.indices, parameters.threads, plan);
   endBelowRoomsAbove(plan, priors);
   measureEvidence(plan, input.points, input.indices, priors.wall_band,
                   parameters.threads);

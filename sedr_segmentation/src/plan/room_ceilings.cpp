@@ -2,9 +2,12 @@
 #include "room_ceilings.h"
 
 #include "../borders/step_risers.h"
+#include "../sheets/cell_points.h"
+#include "../sheets/sheet_relief.h"
 #include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace pcl::sedr {
@@ -27,32 +30,44 @@ outermostBoundary(const PlanRoom& room, const WallTilts& tilts)
 } // namespace
 
 std::shared_ptr<const PlanSlab>
-seenSheet(const std::vector<Eigen::Vector3d>& points,
-          const Priors& priors,
-          unsigned threads)
+slopeOf(const std::vector<Eigen::Vector3d>& points, const Priors& priors)
 {
-  SheetParameters parameters; // coarse: used only for the tops of walls
+  constexpr double spacing = 0.3;  // metres, of the relief
+  constexpr double uneven = 0.015; // metres: points off a plane by more lie at a step
+  constexpr int reach = 2;         // cells
+  SheetParameters parameters;
   parameters.cell_size = 0.15;
-  parameters.max_cells = 6000;
-  parameters.threads = threads;
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector3d& p : points)
     box.extend(p.head<2>());
   if (box.isEmpty())
     return nullptr;
   const SheetGrid grid = sheetGrid(box, parameters);
-  std::vector<std::uint8_t> domain(grid.count(), 0);
-  for (const Eigen::Vector3d& p : points)
-    domain[grid.at(p.head<2>())] = 1;
-  const FacetSheet sheet = fitSheet(points, grid, domain, {}, parameters);
-  if (!hasSlope(sheet) || sheet.explained < priors.share_clear)
+  const std::vector<std::uint8_t> all(grid.count(), 1);
+  const CellPoints cells(grid, all, points);
+  std::size_t slopes = 0;
+  for (const std::size_t cell : cells.seen()) {
+    const auto near = cells.pointsOf(cells.window(cell, reach), 100);
+    if (near.size() < 10)
+      continue;
+    const PlanSlab plane = fitPlane(near);
+    double sum = 0;
+    for (const Eigen::Vector3d& p : near)
+      sum += std::pow(distanceOf(plane, p), 2);
+    slopes += !isLevel(plane) &&
+                      sum < uneven * uneven * static_cast<double>(near.size())
+                  ? 1
+                  : 0;
+  }
+  if (static_cast<double>(slopes) <
+      priors.share_little * static_cast<double>(cells.seen().size()))
     return nullptr;
-  return std::make_shared<const PlanSlab>(reliefOf(sheet, grid.size / 2));
+  return std::make_shared<const PlanSlab>(reliefOf(points, spacing));
 }
 
 void
 giveCeilings(std::vector<RoomSheet> sheets,
-             const PointView* scan,
+             const PointView& scan,
              const std::vector<int>& indices,
              unsigned threads,
              Floorplan& plan,
@@ -70,13 +85,10 @@ giveCeilings(std::vector<RoomSheet> sheets,
     FacetSheet& sheet = sheets[k].sheet;
     if (sheet.facets.empty())
       sheet = surfaceWithin(outline, sheets[k].points, parameters);
-    if (!hasSlope(sheet))
+    if (sheet.facets.empty())
       return;
-    std::vector<Eigen::Vector3d> risers;
-    if (scan) {
-      refitToScan(sheet, *scan, indices, parameters);
-      risers = pointsOfRisers(sheet, *scan, indices);
-    }
+    refitToScan(sheet, scan, indices, parameters);
+    const std::vector<Eigen::Vector3d> risers = pointsOfRisers(sheet, scan, indices);
     PlanRoom outermost; // another thread may write to the room
     outermost.boundary = outline;
     giveCeiling(sheet, sheets[k].points, risers, outermost, sheets[k].is_floor);

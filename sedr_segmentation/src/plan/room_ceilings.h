@@ -13,7 +13,7 @@
 
 namespace pcl::sedr {
 
-/** @brief The ceiling, or the floor, of a room that is not level. */
+/** @brief The ceiling, or the floor, of a room that is more than a plane. */
 struct RoomSheet {
   std::uint32_t room = 0; ///< PlanRoom::id
   std::vector<Eigen::Vector3d> points;
@@ -21,18 +21,18 @@ struct RoomSheet {
   bool is_floor = false;
 };
 
-/** @brief Returns the ceiling of a room before its outline is known, a relief of its
- * facets; null if none of them slopes or they explain too little of it. */
-std::shared_ptr<const PlanSlab> seenSheet(const std::vector<Eigen::Vector3d>& points,
-                                          const Priors& priors,
-                                          unsigned threads);
+/** @brief Returns the heights of a ceiling that slopes or curves in more than a few
+ * places, before its outline is known: planes through the points about each place.
+ * Null for all others. O(n). */
+std::shared_ptr<const PlanSlab> slopeOf(const std::vector<Eigen::Vector3d>& points,
+                                        const Priors& priors);
 
-/** @brief Sets the facets of ceilings and floors. A room without slopes is not changed.
- * @param scan the raw scan, if known, for the fit of the facets
- * @param indices the points of the scan to use; empty: all
+/** @brief Sets the facets of ceilings and floors.
+ * @param scan the points that the facets are fitted to, the raw ones if known
+ * @param indices those to use; empty: all
  * @param tilts of the walls of `plan`; points are where they were scanned */
 void giveCeilings(std::vector<RoomSheet> sheets,
-                  const PointView* scan,
+                  const PointView& scan,
                   const std::vector<int>& indices,
                   unsigned threads,
                   Floorplan& plan,

@@ -207,8 +207,7 @@ floorPoints(const PointView& points,
   };
   std::vector<int> floor;
   const std::vector<Eigen::Vector3d> places = placesAt(points, ends);
-  SheetParameters parameters;
-  parameters.planes_only = true;
+  const SheetParameters parameters = SheetParameters::of(priors, true);
   std::vector<std::uint8_t> domain;
   FacetSheet surface;
   if (!places.empty() && std::any_of(ends.begin(), ends.end(), [&](int i) {
@@ -224,7 +223,11 @@ floorPoints(const PointView& points,
             cell < floor_seen.size() &&
             std::abs(distanceAbove(main, p.cast<float>())) <= tolerance / 2)
           floor_seen[cell] = 1;
-      const FloorPieces pieces(surface, RiserBins(grid, all), floor_seen, main, priors);
+      const auto [low, high] = std::minmax_element(
+          places.begin(), places.end(),
+          [](const auto& a, const auto& b) { return a.z() < b.z(); });
+      const FloorPieces pieces(surface, RiserBins(grid, all, low->z(), high->z()),
+                               floor_seen, main, priors);
       for (const int i : ends) {
         const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
         const std::size_t cell =

@@ -44,27 +44,11 @@ public:
   /** @brief Returns whether a point of the profile lies within [low, high]. */
   bool hasWithin(Cell cell, double low, double high) const;
 
-  /** @brief Returns the share of the `bins` equal parts of [low, high] that contain a
-   * point of the profiles within `radius` cells. O(points of these profiles there). */
-  double share(Cell cell, double low, double high, int bins, int radius) const;
-
   /** @brief Returns the runs of the profile separated by gaps of more than `gap`
    * metres, lowest first. */
   std::vector<ColumnRun> runs(Cell cell, double gap) const;
 
-  /** @brief Returns the table without the points of some cells. */
-  ColumnTable without(const CellMask& cells) const;
-
-  /** @brief Returns the indices of the points in some cells, increasing. */
-  std::vector<int> indicesIn(const CellMask& cells) const;
-
-  const CellBox& box() const { return frame_.box(); }
-
 private:
-  explicit ColumnTable(const CellBox& box)
-      : frame_(box)
-  {}
-
   CellMask frame_; ///< box and cell numbers
   std::vector<std::size_t> first_;
   std::vector<Entry> entries_;

@@ -30,7 +30,11 @@ CellPoints::CellPoints(const SheetGrid& grid,
   std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
   for (const Eigen::Vector3d& p : points)
     if (const std::size_t cell = cellOf(p); cell < grid.count())
+    {
       points_[next[cell]++] = p;
+      lowest_ = std::min(lowest_, p.z());
+      highest_ = std::max(highest_, p.z());
+    }
   balls_.resize(grid.count());
   for (std::size_t cell = 0; cell < grid.count(); ++cell) {
     if (isEmpty(cell))

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace pcl::sedr {
@@ -29,6 +30,8 @@ public:
 
   const SheetGrid& grid() const { return grid_; }
   std::size_t size() const { return points_.size(); }
+  double lowest() const { return lowest_; } ///< z of all points
+  double highest() const { return highest_; }
   bool isEmpty(std::size_t cell) const { return first_[cell] == first_[cell + 1]; }
   bool isInside(std::size_t cell) const { return domain_[cell] != 0; }
 
@@ -70,6 +73,8 @@ private:
   const std::vector<std::uint8_t>& domain_;
   std::vector<std::size_t> first_;
   std::vector<Eigen::Vector3d> points_;
+  double lowest_ = std::numeric_limits<double>::infinity();
+  double highest_ = -std::numeric_limits<double>::infinity();
   std::vector<CellBall> balls_;
   std::vector<std::size_t> seen_;
   std::vector<PointRow> middles_;

@@ -35,7 +35,7 @@ public:
       : evidence_(evidence)
       , cells_(evidence.cells)
       , kinds_(std::begin(all_kinds),
-               evidence.parameters.planes_only ? std::begin(all_kinds) + plane_kinds
+               evidence.parameters.is_floor ? std::begin(all_kinds) + plane_kinds
                                                : std::end(all_kinds))
   {
     for (std::size_t cell = 0; cell < cells_.grid().count(); ++cell)
@@ -319,7 +319,7 @@ FacetChoice
 chooseFacets(const FacetEvidence& evidence, std::vector<FacetProposal> proposals)
 {
   FacetChoice choice = Chooser(evidence).run(std::move(proposals));
-  if (!evidence.parameters.planes_only)
+  if (!evidence.parameters.is_floor)
     addReliefs(evidence, choice);
   return choice;
 }

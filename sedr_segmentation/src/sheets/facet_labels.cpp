@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl::sedr {
 
@@ -179,21 +180,36 @@ costsOf(const PlanSlab& facet, const FacetEvidence& evidence)
   return costs;
 }
 
+namespace {
+
+/** @brief What the cells of a box cost, and the borders in and around it. */
+double
+energyWithin(const CellBox& box,
+             const std::vector<FacetCosts>& facets,
+             const Borders& borders,
+             const CellPoints& cells,
+             const std::vector<std::int32_t>& label)
+{
+  double energy = 0;
+  for (int y = box.min().y(); y <= box.max().y(); ++y)
+    for (int x = box.min().x(); x <= box.max().x(); ++x)
+      if (const std::size_t cell = cells.grid().indexOf(x, y); cells.isInside(cell))
+        energy += facets[static_cast<std::size_t>(label[cell])].cost[cell];
+  borders.forAll(box, [&](std::size_t a, std::size_t b) {
+    energy += borders.costOf(a, b, label[a], label[b]);
+  });
+  return energy;
+}
+
+} // namespace
+
 double
 energyOf(const std::vector<FacetCosts>& facets,
          const FacetEvidence& evidence,
          const std::vector<std::int32_t>& label)
 {
-  const CellPoints& cells = evidence.cells;
-  double energy = 0;
-  for (std::size_t cell = 0; cell < label.size(); ++cell)
-    if (cells.isInside(cell))
-      energy += facets[static_cast<std::size_t>(label[cell])].cost[cell];
-  const Borders borders(facets, evidence);
-  borders.forAll(wholeBox(cells.grid()), [&](std::size_t a, std::size_t b) {
-    energy += borders.costOf(a, b, label[a], label[b]);
-  });
-  return energy;
+  return energyWithin(wholeBox(evidence.cells.grid()), facets,
+                      Borders(facets, evidence), evidence.cells, label);
 }
 
 namespace {
@@ -233,47 +249,42 @@ takenBy(std::int32_t own,
         const CellPoints& cells,
         const std::vector<std::int32_t>& label)
 {
+  constexpr std::uint32_t fixed = std::numeric_limits<std::uint32_t>::max();
   const SheetGrid& grid = cells.grid();
-  const Eigen::Vector2i extent = box.sizes() + Eigen::Vector2i::Ones();
-  const auto isIn = [&](std::size_t cell) {
-    return box.contains(Eigen::Vector2i(grid.columnOf(cell), grid.rowOf(cell)));
-  };
-  const auto numberOf = [&](std::size_t cell) {
-    return static_cast<std::size_t>((grid.rowOf(cell) - box.min().y()) * extent.x() +
-                                    grid.columnOf(cell) - box.min().x());
-  };
-  BinaryEnergy expansion(static_cast<std::size_t>(extent.prod()));
-  const auto forAllCells = [&](auto use) {
-    for (int y = box.min().y(); y <= box.max().y(); ++y)
-      for (int x = box.min().x(); x <= box.max().x(); ++x)
-        if (cells.isInside(grid.indexOf(x, y)))
-          use(grid.indexOf(x, y));
-  };
+  std::vector<std::uint32_t> number(label.size(), fixed); // of the cells of others
+  std::vector<std::size_t> others;
+  for (int y = box.min().y(); y <= box.max().y(); ++y)
+    for (int x = box.min().x(); x <= box.max().x(); ++x)
+      if (const std::size_t cell = grid.indexOf(x, y);
+          cells.isInside(cell) && label[cell] != own) {
+        number[cell] = static_cast<std::uint32_t>(others.size());
+        others.push_back(cell);
+      }
+  BinaryEnergy expansion(others.size());
   const std::vector<float>& if_yes = facets[static_cast<std::size_t>(own)].cost;
-  forAllCells([&](std::size_t cell) {
-    expansion.addTerm(numberOf(cell),
+  for (const std::size_t cell : others)
+    expansion.addTerm(number[cell],
                       facets[static_cast<std::size_t>(label[cell])].cost[cell],
                       if_yes[cell]);
-  });
   borders.forAll(box, [&](std::size_t a, std::size_t b) {
-    const double no_yes = borders.costOf(a, b, label[a], own);
+    if (number[a] == fixed && number[b] == fixed)
+      return;
+    const double now = borders.costOf(a, b, label[a], label[b]);
     const double yes_no = borders.costOf(a, b, own, label[b]);
-    // Where risers are seen, two steps may cost less than one: a cut cannot tell.
-    const double no_no =
-        std::min(borders.costOf(a, b, label[a], label[b]), no_yes + yes_no);
-    if (isIn(a) && isIn(b))
-      expansion.addPair(numberOf(a), numberOf(b), no_no, no_yes, yes_no, 0);
-    else if (isIn(a))
-      expansion.addTerm(numberOf(a), no_no, yes_no);
-    else if (isIn(b))
-      expansion.addTerm(numberOf(b), no_no, no_yes);
+    const double no_yes = borders.costOf(a, b, label[a], own);
+    if (number[b] == fixed)
+      expansion.addTerm(number[a], now, yes_no);
+    else if (number[a] == fixed)
+      expansion.addTerm(number[b], now, no_yes);
+    else // where risers are seen, two steps may cost less than one: a cut cannot tell
+      expansion.addPair(number[a], number[b], std::min(now, no_yes + yes_no), no_yes,
+                        yes_no, 0);
   });
   const std::vector<std::uint8_t> takes = expansion.minimise();
   std::vector<std::size_t> taken;
-  forAllCells([&](std::size_t cell) {
-    if (takes[numberOf(cell)] && label[cell] != own)
+  for (const std::size_t cell : others)
+    if (takes[number[cell]])
       taken.push_back(cell);
-  });
   return taken;
 }
 
@@ -303,7 +314,6 @@ labelCells(const std::vector<FacetCosts>& facets,
   constexpr int max_sweeps = 4;
   constexpr double worth = 1e-6;
   const Borders borders(facets, evidence);
-  double energy = energyOf(facets, evidence, label);
   const auto count = static_cast<std::int32_t>(facets.size());
   // An expansion over cells that have not changed since the last one changes nothing.
   std::vector<std::int32_t> changed(label.size(), 0); // by which expansion
@@ -318,13 +328,12 @@ labelCells(const std::vector<FacetCosts>& facets,
         takenBy(k % count, box, facets, borders, evidence.cells, label);
     if (taken.empty())
       continue;
+    const double before = energyWithin(box, facets, borders, evidence.cells, label);
     std::vector<std::int32_t> next = label;
     for (const std::size_t cell : taken)
       next[cell] = k % count;
-    const double there = energyOf(facets, evidence, next);
-    if (there >= energy - worth)
+    if (energyWithin(box, facets, borders, evidence.cells, next) >= before - worth)
       continue;
-    energy = there;
     for (const std::size_t cell : taken)
       changed[cell] = k + 1;
     tried[own] = k + 1;

@@ -3,24 +3,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace pcl::sedr {
 
-RiserBins::RiserBins(const SheetGrid& grid, const std::vector<Eigen::Vector3d>& points)
+RiserBins::RiserBins(const SheetGrid& grid,
+                     const std::vector<Eigen::Vector3d>& points,
+                     double low,
+                     double high)
+    : bottom_(low)
 {
   constexpr double bins = 64;
-  double top = -std::numeric_limits<double>::infinity();
-  bottom_ = std::numeric_limits<double>::infinity();
-  for (const Eigen::Vector3d& p : points) {
-    bottom_ = std::min(bottom_, p.z());
-    top = std::max(top, p.z());
-  }
-  bin_ = std::max(bin_, (top - bottom_) / (bins - 1));
+  bin_ = std::max(bin_, (high - low) / (bins - 1));
   std::vector<std::uint64_t> own(grid.count(), 0);
   for (const Eigen::Vector3d& p : points)
-    if (const std::size_t cell = grid.at(p.head<2>()); cell < own.size())
+    if (const std::size_t cell = grid.at(p.head<2>());
+        cell < own.size() && p.z() >= low && p.z() <= high)
       own[cell] |= std::uint64_t{1} << static_cast<int>((p.z() - bottom_) / bin_);
   seen_ = own;
   for (std::size_t cell = 0; cell < own.size(); ++cell)
@@ -36,8 +34,7 @@ double
 RiserBins::share(std::size_t cell, std::size_t next, double low, double high) const
 {
   constexpr double margin = 0.03; // metres: noise of the surfaces
-  constexpr double least = 0.1; // metres: a lower step's riser is in no bin of its own
-  if (high - low < least)
+  if (high - low < min_step)
     return 0;
   const double middle = std::floor(((low + high) / 2 - bottom_) / bin_);
   const double first = std::min(middle, std::ceil((low + margin - bottom_) / bin_));

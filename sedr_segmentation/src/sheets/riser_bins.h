@@ -15,8 +15,15 @@ namespace pcl::sedr {
  * share of a step a vertical face closes. 64 bins, at least a voxel high. */
 class RiserBins {
 public:
-  /** @param points of all that was seen in and near the room. O(n). */
-  RiserBins(const SheetGrid& grid, const std::vector<Eigen::Vector3d>& points);
+  static constexpr double min_step = 0.1; ///< metres: lower steps have no bin of
+                                          ///< their own
+
+  /** @param points of all that was seen in and near the room; those below `low` or
+   * above `high` are left out. O(n). */
+  RiserBins(const SheetGrid& grid,
+            const std::vector<Eigen::Vector3d>& points,
+            double low,
+            double high);
 
   /** @brief Returns the share of the bins between two heights, without those of the
    * surfaces themselves, that hold points at the border of two cells; 0 if the step is

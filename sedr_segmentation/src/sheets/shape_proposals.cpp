@@ -370,7 +370,7 @@ proposeFacets(const FacetEvidence& evidence)
   std::vector<Search> searches{{ShapeKind::Plane, {3, 1}},
                                {ShapeKind::Cylinder, of_curves},
                                {ShapeKind::Sphere, of_curves}};
-  if (evidence.parameters.planes_only)
+  if (evidence.parameters.is_floor)
     searches.resize(1);
   const std::vector<FacetProposal> levels = proposeLevels(evidence);
   std::vector<std::vector<FacetProposal>> found(searches.size(), levels);

@@ -2,10 +2,10 @@
 #include "facet_choice.h"
 
 #include "sheet_fit.h"
+#include "sheet_pieces.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -36,64 +36,6 @@ fillNearest(const SheetGrid& grid, std::vector<std::int32_t>& label)
         next.push_back(grid.indexOf(x, y));
       }
     front = std::move(next);
-  }
-}
-
-/** @brief Gives pieces that are too small to be a facet to that beside them which
- * explains them best. Smaller ones are one with risers along half of their border. */
-void
-dropSmallPieces(const FacetEvidence& evidence, FacetChoice& choice)
-{
-  const SheetGrid& grid = evidence.cells.grid();
-  std::vector<std::int32_t>& label = choice.label;
-  std::vector<std::uint8_t> is_known(label.size(), 0);
-  for (std::size_t first = 0; first < label.size(); ++first) {
-    if (label[first] == FacetSheet::none || is_known[first])
-      continue;
-    const std::int32_t own = label[first];
-    std::vector<std::size_t> piece{first};
-    is_known[first] = 1;
-    double closed = 0;
-    double border = 0;
-    std::map<std::int32_t, double> beside; // label, what it costs in the piece
-    for (std::size_t k = 0; k < piece.size(); ++k)
-      for (const auto& [dx, dy] :
-           {std::pair<int, int>(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
-        const int x = grid.columnOf(piece[k]) + dx;
-        const int y = grid.rowOf(piece[k]) + dy;
-        if (!grid.holds(x, y))
-          continue;
-        const std::size_t next = grid.indexOf(x, y);
-        if (label[next] != own && label[next] != FacetSheet::none) {
-          const auto heightOf = [&](std::int32_t facet) {
-            return static_cast<double>(
-                choice.costs[static_cast<std::size_t>(facet)].height[piece[k]]);
-          };
-          const double height = heightOf(own);
-          const double other = heightOf(label[next]);
-          const auto& [low, high] = std::minmax(height, other);
-          closed += 1 - evidence.openShare(piece[k], next, low, high);
-          border += 1;
-          beside.emplace(label[next], 0);
-        }
-        if (label[next] != own || is_known[next])
-          continue;
-        is_known[next] = 1;
-        piece.push_back(next);
-      }
-    const double least = border > 0 && closed >= border / 2
-                             ? evidence.parameters.min_closed_area
-                             : evidence.parameters.min_area;
-    if (static_cast<double>(piece.size()) * grid.size * grid.size >= least)
-      continue;
-    for (auto& [other, cost] : beside)
-      for (const std::size_t cell : piece)
-        cost += choice.costs[static_cast<std::size_t>(other)].cost[cell];
-    const auto best = std::min_element(
-        beside.begin(), beside.end(),
-        [](const auto& a, const auto& b) { return a.second < b.second; });
-    for (const std::size_t cell : piece)
-      label[cell] = best == beside.end() ? FacetSheet::none : best->first;
   }
 }
 
@@ -208,6 +150,17 @@ finishFacets(const CellPoints& cells,
 
 } // namespace
 
+SheetParameters
+SheetParameters::of(const Priors& priors, bool is_floor)
+{
+  SheetParameters parameters;
+  parameters.min_step = is_floor ? priors.min_floor_step : priors.min_ceiling_step;
+  parameters.min_clear_step = priors.min_floor_step;
+  parameters.min_free_area = priors.min_slab_area;
+  parameters.is_floor = is_floor;
+  return parameters;
+}
+
 double
 FacetSheet::heightAt(const Eigen::Vector2d& p) const
 {
@@ -280,15 +233,17 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
   constexpr double coarsest = 0.15; // metres: in larger cells much is beside a step
   std::optional<RiserBins> risers;
   if (!around.empty() && grid.size <= coarsest)
-    risers.emplace(grid, around);
+    risers.emplace(grid, around, cells.lowest(), cells.highest());
   const FacetEvidence evidence{cells, directions, deviation, parameters,
                                risers ? &*risers : nullptr};
   FacetChoice choice = chooseFacets(evidence, proposeFacets(evidence));
   for (std::size_t cell = 0; cell < choice.label.size(); ++cell)
     if (!domain[cell])
       choice.label[cell] = FacetSheet::none;
-  dropSmallPieces(evidence, choice);
+  dropPieces(evidence, choice);
   fillNearest(grid, choice.label);
+  if (!parameters.is_floor && !choice.facets.empty())
+    giveShadowsToHigher(evidence, choice);
   for (std::size_t cell = 0; cell < choice.label.size(); ++cell)
     if (!domain[cell])
       choice.label[cell] = FacetSheet::none;

@@ -4,6 +4,7 @@
 #include "sedr_filters/src/plan/level_planes.h"
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
+#include <pcl/sedr_filters/priors.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -38,8 +39,14 @@ struct SheetParameters {
   double steepest = M_PI / 3;    ///< of a plane, radians
   double level = level_tilt;     ///< greatest tilt of a level ceiling, radians
   double largest_radius = 40;    ///< of a vault; flatter ones are planes, metres
-  bool planes_only = false;      ///< of floors: no curves, no free forms
+  double min_step = 0.03;        ///< metres: less is unevenness of a level ceiling
+  double min_clear_step = 0.06;  ///< metres: lower ones may be panels or rugs
+  double min_free_area = 1;      ///< square metres: smaller things may hang or stand
+  bool is_floor = false;         ///< no curves, no free forms; seen from above
   unsigned threads = 1;
+
+  /** @brief Those of ceilings or floors of buildings that are built as priors say. */
+  static SheetParameters of(const Priors& priors, bool is_floor);
 };
 
 /** @brief A part of the plan in square cells, which lie along the walls: steps and

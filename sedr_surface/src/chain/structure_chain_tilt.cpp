@@ -120,7 +120,7 @@ ChainRun::fitCeilingsAsScanned(const PointView& raw, const pcl::Indices& indices
   for (std::size_t i = 0; i < raw.size(); ++i)
     all.push_back(scanned(raw, i).cast<float>());
   const PointView of_all(all.data(), sizeof(Eigen::Vector3f), all.size());
-  giveCeilings(std::move(sheets), all.empty() ? nullptr : &of_all, indices,
+  giveCeilings(std::move(sheets), of_all, indices,
                chain_.room_segmentation.getNumberOfThreads(), *chain_.plan,
                chain_.tilts);
 }

@@ -84,24 +84,6 @@ TEST(ColumnTable, WithoutSomeCellsHoldsThePointsOfTheOthersAsBefore)
     }
 }
 
-TEST(ColumnTable, TellsTheIndicesInSomeCellsInOrder)
-{
-  const RoomPoints points = randomPoints(2000);
-  const CellGrid grid(0.05);
-  const ColumnTable table(grid, box, points.view(), points.all());
-  CellMask some(grown(box, 5));
-  for (const Cell cell : {Cell{0, 0}, Cell{1, 0}, Cell{-2, 5}, Cell{-5, 0}})
-    some.set(cell, 1);
-  std::vector<int> expected;
-  for (const int i : points.all())
-    if (const Cell cell = grid.at(points[i].x(), points[i].y());
-        some.at(cell) && table.begin(cell) != table.end(cell))
-      expected.push_back(i);
-  EXPECT_GT(expected.size(), 20u);
-  EXPECT_EQ(table.indicesIn(some), expected);
-  EXPECT_TRUE(table.indicesIn(CellMask(box)).empty());
-}
-
 TEST(ColumnTable, IsEmptyOutsideOfItsBoxAndForPointsThatAreNotFinite)
 {
   RoomPoints points;
@@ -145,34 +127,6 @@ TEST(ColumnTable, TheEndsOfAHeightRangeAreWithin)
   EXPECT_TRUE(table.hasWithin({0, 0}, 1, 1.5));
   EXPECT_FALSE(table.hasWithin({0, 0}, 1.501, 2));
   EXPECT_FALSE(table.hasWithin({1, 0}, 1, 2));
-}
-
-TEST(ColumnTable, ShareIsThatOfTheOccupiedParts)
-{
-  RoomPoints points;
-  for (const double z : {0.1, 0.15, 0.6, 1.9})
-    points.point(0.01, 0.01, z);
-  points.point(0.06, -0.04, 1.1); // a neighbour by a corner
-  points.point(0.11, 0.01, 1.4);  // two cells away
-  const ColumnTable table(CellGrid(0.05), box, points.view(), points.all());
-  EXPECT_DOUBLE_EQ(table.share({0, 0}, 0, 2, 4, 0), 0.75);
-  EXPECT_DOUBLE_EQ(table.share({0, 0}, 0, 2, 4, 1), 1);
-  EXPECT_DOUBLE_EQ(table.share({0, 0}, 0, 2, 8, 1), 0.5);
-  EXPECT_DOUBLE_EQ(table.share({0, 0}, 0, 2, 8, 2), 0.625);
-  EXPECT_DOUBLE_EQ(table.share({0, 0}, 2, 2, 4, 1), 0) << "no height";
-  EXPECT_DOUBLE_EQ(table.share({0, 0}, 2, 0, 4, 1), 0);
-  EXPECT_DOUBLE_EQ(table.share({0, 0}, 0, 2, 0, 1), 0) << "no parts";
-}
-
-TEST(ColumnTable, APointBetweenTwoPartsIsInBoth)
-{
-  RoomPoints points;
-  for (const double z : {0.5, 1.5})
-    points.point(0.01, 0.01, z);
-  const ColumnTable table(CellGrid(0.05), box, points.view(), points.all());
-  EXPECT_DOUBLE_EQ(table.share({0, 0}, 0, 2, 4, 0), 1);
-  EXPECT_DOUBLE_EQ(table.share({0, 0}, 0.5, 1.5, 4, 0), 0.5);
-  EXPECT_DOUBLE_EQ(table.share({0, 0}, 0.5, 1.5, 40, 0), 0.05) << "many parts";
 }
 
 TEST(ColumnTable, RunsArePartedByLargerGaps)

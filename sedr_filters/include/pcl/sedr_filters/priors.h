@@ -38,7 +38,6 @@ struct Priors {
   // Walls and what is in them.
   double min_wall = 0.04;        ///< minimum thickness of a partition: a pane of glass
   double max_wall = 0.6;         ///< maximum thickness of a wall, with its niches
-  double short_wall = 1;         ///< shorter walls have no exact direction of their own
   double min_niche_depth = 0.09; ///< measured depth of niches built 0.1 deep
   double max_niche_depth = 1;    ///< deeper recesses are parts of the room
   double max_door_recess = 0.2;  ///< maximum depth of a closed door in its wall
@@ -63,7 +62,6 @@ struct Priors {
   // Furniture.
   double max_furniture_depth = 0.9; ///< its maximum depth, a wardrobe before a wall
   double max_furniture_area = 4.5;  ///< larger platforms are part of the building
-  double lamp_clearance = 0.15;     ///< from walls to the nearest lamp
 
   // Scanners: noise and unevenness.
   double unevenness = 0.001; ///< the position of no wall is known better
@@ -76,7 +74,6 @@ struct Priors {
   double run_gap = 0.15;      ///< maximum gap in a surface, three usual voxels
   double evidence_cell = 0.1; ///< edge of a wall cell, in length and height
   double patch = 0.5;         ///< edge of a surface patch whose direction is fitted
-  double riser_cells = 3;     ///< grid cells over which noise spreads a riser
   double cell_fill = 0.97;    ///< share of ceiling cells filled in a dense enough scan
   double max_enlargement = 2.5;  ///< maximum factor of the cell size in a sparse scan
   double min_scan_points = 1000; ///< minimum number of points of a room

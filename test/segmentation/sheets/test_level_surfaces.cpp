@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/plan/room_evidence.h"
 
-#include "sedr_segmentation/src/details/detail_fit.h"
+#include "sedr_segmentation/src/borders/step_risers.h"
 #include "sedr_segmentation/src/plan/room_shares.h"
+#include "sedr_segmentation/src/sheets/sheet_fit.h"
 
 #include <algorithm>
 
@@ -27,34 +28,15 @@ detailsOf(const PlanRoom& truth,
 {
   RoomPoints points(0.05, noise);
   const RoomParts parts = points.room(truth);
-  SlabEvidence evidence;
-  evidence.is_floor = is_floor;
-  evidence.indices = is_floor ? parts.floor : parts.ceiling;
+  std::vector<int> own = is_floor ? parts.floor : parts.ceiling;
   for (const int i : parts.details)
     if ((points[i].z() < truth.ceiling.heightAt({0, 0}) / 2) == is_floor)
-      evidence.indices.push_back(i);
+      own.push_back(i);
   const auto isInShadow = [&](int i) {
     return points[i].y() > shadow.first && points[i].y() < shadow.second;
   };
-  evidence.indices.erase(
-      std::remove_if(evidence.indices.begin(), evidence.indices.end(), isInShadow),
-      evidence.indices.end());
-  evidence.indices =
-      seenPoints(points.view(), CellGrid(0.05), evidence.indices, is_floor);
-  SheetParameters of_surface;
-  of_surface.planes_only = is_floor;
-  evidence.surface =
-      surfaceWithin(truth.boundary, placesOf(points.view(), evidence.indices),
-                    of_surface, placesOf(points.view(), points.all()));
-  PlanRoom room = truth;
-  room.details.clear();
-  room.floor_details.clear();
-  const RoomFitParameters parameters;
-  const CellGrid grid(parameters.cell_size);
-  const CellSet outline(grid, points.view(), points.all());
-  CellMask cells(grown(boxOf(outline), 12));
-  for (std::size_t i = 0; i < cells.values().size(); ++i)
-    cells.values()[i] = room.contains(grid.centre(cells.cellAt(i))) ? 1 : 0;
+  own.erase(std::remove_if(own.begin(), own.end(), isInShadow), own.end());
+  own = seenPoints(points.view(), CellGrid(0.05), own, is_floor);
   const auto isHidden = [&](int i) {
     const Eigen::Vector3f p = points[i];
     const double to_wall = truth.boundary.distance(p.head<2>().cast<double>());
@@ -63,18 +45,25 @@ detailsOf(const PlanRoom& truth,
   };
   std::vector<int> seen = points.all();
   seen.erase(std::remove_if(seen.begin(), seen.end(), isHidden), seen.end());
-  const ColumnTable columns(grid, cells.box(), points.view(), seen);
-  return fitDetails(points.view(), evidence, room, cells, columns, parameters);
+  const std::vector<Eigen::Vector3d> places = placesOf(points.view(), own);
+  FacetSheet surface =
+      surfaceWithin(truth.boundary, places, SheetParameters::of({}, is_floor),
+                    placesOf(points.view(), seen));
+  refitToScan(surface, points.view(), seen);
+  PlanRoom room = truth;
+  giveCeiling(surface, places, pointsOfRisers(surface, points.view(), seen), room,
+              is_floor);
+  return is_floor ? room.floor_details : room.details;
 }
 
-TEST(FitDetails, OfAPlainCeilingAreNone)
+TEST(LevelSurface, OfAPlainCeilingAreNone)
 {
   const PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
   EXPECT_TRUE(detailsOf(room).empty());
   EXPECT_TRUE(detailsOf(room, true).empty());
 }
 
-TEST(FitDetails, TheEdgesOfASoffitAreTheWallsAndItsRiser)
+TEST(LevelSurface, TheEdgesOfASoffitAreTheWallsAndItsRiser)
 {
   PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
   room.details = {detailOf(rectangle(0.01, 3.21, 5.01, 4.01), 2.2)};
@@ -89,7 +78,7 @@ TEST(FitDetails, TheEdgesOfASoffitAreTheWallsAndItsRiser)
   }
 }
 
-TEST(FitDetails, TheSidesOfARecessAreItsRisersAndTheWallsAboveTheCeiling)
+TEST(LevelSurface, TheSidesOfARecessAreItsRisersAndTheWallsAboveTheCeiling)
 {
   const auto countOf = [](const PlanLoop& part, Hidden hidden) {
     PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.2);
@@ -105,7 +94,7 @@ TEST(FitDetails, TheSidesOfARecessAreItsRisersAndTheWallsAboveTheCeiling)
   EXPECT_EQ(countOf(step, Hidden::RisersAndWalls), 0u) << "a reflection";
 }
 
-TEST(FitDetails, ASoffitNeedsARiserWhateverWallsAreAboveIt)
+TEST(LevelSurface, ASoffitNeedsARiserWhateverWallsAreAboveIt)
 {
   PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
   room.details = {detailOf(rectangle(0.01, 2.81, 5.01, 4.01), 2.2)};
@@ -113,7 +102,7 @@ TEST(FitDetails, ASoffitNeedsARiserWhateverWallsAreAboveIt)
   EXPECT_EQ(detailsOf(room, false, 0, Hidden::Risers).size(), 0u) << "a shelf";
 }
 
-TEST(FitDetails, AStepWithAHiddenRiserIsWhereTheLowerCeilingEnds)
+TEST(LevelSurface, AStepWithAHiddenRiserIsWhereTheLowerCeilingEnds)
 {
   PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
   room.details = {detailOf(rectangle(0.01, 2.56, 5.01, 4.01), 2.2)};
@@ -122,7 +111,7 @@ TEST(FitDetails, AStepWithAHiddenRiserIsWhereTheLowerCeilingEnds)
   EXPECT_LT(cornerError(details[0].boundary, room.details[0].boundary), 0.02);
 }
 
-TEST(FitDetails, BeamsBelowASoffitPartItIntoFields)
+TEST(LevelSurface, BeamsBelowASoffitPartItIntoFields)
 {
   PlanRoom room = roomOf(rectangle(0.01, 0.01, 6.01, 5.01), 2.7);
   const PlanDetail soffit = detailOf(rectangle(0.01, 3.51, 6.01, 5.01), 2.35);
@@ -141,7 +130,7 @@ TEST(FitDetails, BeamsBelowASoffitPartItIntoFields)
   }
 }
 
-TEST(FitDetails, FieldsBetweenBeamsMayBeSmallerThanADetail)
+TEST(LevelSurface, FieldsBetweenBeamsMayBeSmallerThanADetail)
 {
   // Fields of 0.27 square metres, whose edges belong to beams.
   PlanRoom room = roomOf(rectangle(0.01, 0.01, 6.01, 5.01), 2.7);
@@ -156,7 +145,7 @@ TEST(FitDetails, FieldsBetweenBeamsMayBeSmallerThanADetail)
   EXPECT_GE(right, 8);
 }
 
-TEST(FitDetails, TheLargestComesFirst)
+TEST(LevelSurface, TheLargestComesFirst)
 {
   PlanRoom room = roomOf(rectangle(0.01, 0.01, 6.01, 4.01), 2.5);
   room.details = {detailOf(rectangle(0.01, 3.21, 2.01, 4.01), 2.2),
@@ -167,7 +156,7 @@ TEST(FitDetails, TheLargestComesFirst)
   EXPECT_NEAR(details[1].slab.heightAt({1, 3.6}), 2.2, 0.001);
 }
 
-TEST(FitDetails, ASoffitAllAroundHasAHole)
+TEST(LevelSurface, ASoffitAllAroundHasAHole)
 {
   PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
   room.details = {detailOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.2)};
@@ -181,7 +170,7 @@ TEST(FitDetails, ASoffitAllAroundHasAHole)
   EXPECT_LT(cornerError(details[0].boundary, room.boundary), 0.002);
 }
 
-TEST(FitDetails, ASmallPieceBelowACeilingAwayFromTheWallsIsALamp)
+TEST(LevelSurface, ASmallPieceBelowACeilingAwayFromTheWallsIsALamp)
 {
   struct Piece {
     PlanLoop outline;
@@ -203,7 +192,7 @@ TEST(FitDetails, ASmallPieceBelowACeilingAwayFromTheWallsIsALamp)
   }
 }
 
-TEST(FitDetails, APieceThatHangsAtABeamIsNoLamp)
+TEST(LevelSurface, APieceThatHangsAtABeamIsNoLamp)
 {
   PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
   room.details = {detailOf(rectangle(2.01, 0.01, 2.31, 4.01), 2.2)};
@@ -212,7 +201,7 @@ TEST(FitDetails, APieceThatHangsAtABeamIsNoLamp)
   EXPECT_EQ(detailsOf(room).size(), 2u);
 }
 
-TEST(FitDetails, OfAFloorAreItsSteps)
+TEST(LevelSurface, OfAFloorAreItsSteps)
 {
   PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
   room.floor_details = {detailOf(rectangle(3.01, 0.01, 5.01, 4.01), 0.3)};
@@ -223,7 +212,7 @@ TEST(FitDetails, OfAFloorAreItsSteps)
   EXPECT_NEAR(details[0].slab.heightAt({4, 2}), 0.3, 0.001);
 }
 
-TEST(FitDetails, AFloorsPartsAreOfASquareMetreAndNoRugs)
+TEST(LevelSurface, AFloorsPartsAreOfASquareMetreAndNoRugs)
 {
   struct Piece {
     double width; ///< a third of its length, metres
@@ -241,7 +230,7 @@ TEST(FitDetails, AFloorsPartsAreOfASquareMetreAndNoRugs)
   }
 }
 
-TEST(FitDetails, ACeilingsPartsOfFiveCentimetresAreOfASquareMetre)
+TEST(LevelSurface, ACeilingsPartsOfFiveCentimetresAreOfASquareMetre)
 {
   for (const double width : {0.8, 1.4}) { // 0.8 and 1.4 m2
     PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);

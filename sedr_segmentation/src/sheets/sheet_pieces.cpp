@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sheet_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace pcl::sedr {
+
+namespace {
+
+constexpr std::pair<int, int> four_sides[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+
+/** @brief A connected part of the cells of a facet, and the sides of cells around it.
+ */
+struct Piece {
+  std::vector<std::size_t> cells;
+  double border = 0; ///< sides beside other facets and walls, as far as not hidden
+  double closed = 0; ///< those of them that are closed
+  double step = 0;   ///< sum of how much higher the facets beside it are, metres
+  double sides = 0;  ///< beside other facets
+  std::map<std::int32_t, double> beside; ///< facet, what it costs in the piece
+};
+
+class Pieces {
+public:
+  Pieces(const FacetEvidence& evidence, FacetChoice& choice)
+      : evidence_(evidence)
+      , parameters_(evidence.parameters)
+      , grid_(evidence.cells.grid())
+      , choice_(choice)
+      , label_(choice.label)
+  {}
+
+  void run()
+  {
+    joinEven();
+    std::vector<std::vector<std::size_t>> pieces = connected();
+    std::stable_sort(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) {
+      return a.size() < b.size();
+    });
+    if (pieces.empty())
+      return;
+    main_ = label_[pieces.back().front()];
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      const Piece piece = describe(std::move(pieces[k]));
+      if (k + 1 < pieces.size() ? isBuiltSo(piece) : isLargeEnough(piece))
+        continue;
+      const auto best = std::min_element(
+          piece.beside.begin(), piece.beside.end(),
+          [](const auto& a, const auto& b) { return a.second < b.second; });
+      for (const std::size_t cell : piece.cells)
+        label_[cell] = best == piece.beside.end() ? FacetSheet::none : best->first;
+    }
+  }
+
+private:
+  double heightOf(std::int32_t facet, std::size_t cell) const
+  {
+    return choice_.costs[static_cast<std::size_t>(facet)].height[cell];
+  }
+
+  bool isLevelFacet(std::int32_t facet) const
+  {
+    const PlanSlab& slab = choice_.facets[static_cast<std::size_t>(facet)].slab;
+    return !slab.curve && isLevel(slab);
+  }
+
+  /** @brief Gives the cells of level facets the first label of those that are less than
+   * a step apart, by number of cells. */
+  void joinEven()
+  {
+    std::vector<std::vector<std::size_t>> cells(choice_.facets.size());
+    for (std::size_t cell = 0; cell < label_.size(); ++cell)
+      if (label_[cell] != FacetSheet::none)
+        cells[static_cast<std::size_t>(label_[cell])].push_back(cell);
+    std::vector<std::int32_t> order;
+    for (std::size_t k = 0; k < cells.size(); ++k)
+      if (!cells[k].empty() && isLevelFacet(static_cast<std::int32_t>(k)))
+        order.push_back(static_cast<std::int32_t>(k));
+    std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
+      return cells[static_cast<std::size_t>(a)].size() >
+             cells[static_cast<std::size_t>(b)].size();
+    });
+    std::vector<std::int32_t> kept;
+    for (const std::int32_t k : order) {
+      const auto& own = cells[static_cast<std::size_t>(k)];
+      const auto same = std::find_if(kept.begin(), kept.end(), [&](std::int32_t other) {
+        double off = 0;
+        for (const std::size_t cell : own)
+          off += heightOf(other, cell) - heightOf(k, cell);
+        return std::abs(off) <
+               parameters_.min_step * static_cast<double>(own.size());
+      });
+      if (same == kept.end())
+        kept.push_back(k);
+      else
+        for (const std::size_t cell : own)
+          label_[cell] = *same;
+    }
+  }
+
+  std::vector<std::vector<std::size_t>> connected() const
+  {
+    std::vector<std::vector<std::size_t>> pieces;
+    std::vector<std::uint8_t> is_known(label_.size(), 0);
+    for (std::size_t first = 0; first < label_.size(); ++first) {
+      if (label_[first] == FacetSheet::none || is_known[first])
+        continue;
+      std::vector<std::size_t> piece{first};
+      is_known[first] = 1;
+      for (std::size_t k = 0; k < piece.size(); ++k)
+        forAllSides(piece[k], [&](std::size_t next) {
+          if (label_[next] != label_[first] || is_known[next])
+            return;
+          is_known[next] = 1;
+          piece.push_back(next);
+        });
+      pieces.push_back(std::move(piece));
+    }
+    return pieces;
+  }
+
+  template <typename Use>
+  void forAllSides(std::size_t cell, Use use) const
+  {
+    for (const auto& [dx, dy] : four_sides) {
+      const int x = grid_.columnOf(cell) + dx;
+      const int y = grid_.rowOf(cell) + dy;
+      if (grid_.holds(x, y))
+        use(grid_.indexOf(x, y));
+    }
+  }
+
+  /** @brief Whether risers close the step between two heights at the border of two
+   * cells, up to the higher one: a duct ends below it. Low steps are closed. */
+  bool
+  isClosed(std::size_t cell, std::size_t next, double height, double other) const
+  {
+    constexpr double below = 0.15; // metres
+    const auto& [low, high] = std::minmax(height, other);
+    if (high - low < RiserBins::min_step)
+      return true;
+    return evidence_.risers &&
+           evidence_.risers->share(cell, next, low, high) >= 0.5 &&
+           (parameters_.is_floor || high - low < 2 * below ||
+            evidence_.risers->share(cell, next, high - below, high) > 0);
+  }
+
+  Piece describe(std::vector<std::size_t> cells) const
+  {
+    Piece piece;
+    piece.cells = std::move(cells);
+    const std::int32_t own = label_[piece.cells.front()];
+    for (const std::size_t cell : piece.cells)
+      forAllSides(cell, [&](std::size_t next) {
+        const std::int32_t other = label_[next];
+        if (other == own)
+          return;
+        const double height = heightOf(own, cell);
+        const bool is_wall = other == FacetSheet::none;
+        if (is_wall && (parameters_.is_floor || !isLevelFacet(own) ||
+                        !isLevelFacet(main_) || height < heightOf(main_, cell)))
+          return;
+        const double beside = heightOf(is_wall ? main_ : other, cell);
+        const bool is_closed = isClosed(cell, next, height, beside);
+        if (!is_wall) {
+          piece.beside.emplace(other, 0);
+          piece.step += beside - height;
+          piece.sides += 1;
+        }
+        const bool is_hidden = !parameters_.is_floor && !is_wall && !is_closed &&
+                               beside > height && evidence_.cells.isEmpty(next);
+        piece.border += is_hidden ? 0 : 1;
+        piece.closed += is_closed ? 1 : 0;
+      });
+    for (auto& [other, cost] : piece.beside)
+      for (const std::size_t cell : piece.cells)
+        cost += choice_.costs[static_cast<std::size_t>(other)].cost[cell];
+    return piece;
+  }
+
+  double areaOf(const Piece& piece) const
+  {
+    return static_cast<double>(piece.cells.size()) * grid_.size * grid_.size;
+  }
+
+  /** @brief Whether a piece lies at a wall, or less than two cells from it. */
+  bool isAtWall(const Piece& piece) const
+  {
+    return std::any_of(piece.cells.begin(), piece.cells.end(), [&](std::size_t cell) {
+      return std::any_of(
+          std::begin(four_sides), std::end(four_sides), [&](const auto& side) {
+            const int x = grid_.columnOf(cell) + 2 * side.first;
+            const int y = grid_.rowOf(cell) + 2 * side.second;
+            return !grid_.holds(x, y) ||
+                   label_[grid_.indexOf(x, y)] == FacetSheet::none;
+          });
+    });
+  }
+
+  bool isLargeEnough(const Piece& piece) const
+  {
+    const bool is_closed = piece.border > 0 && 2 * piece.closed >= piece.border;
+    return areaOf(piece) >=
+           (is_closed ? parameters_.min_closed_area : parameters_.min_area);
+  }
+
+  bool isBuiltSo(const Piece& piece) const
+  {
+    if (!isLargeEnough(piece) ||
+        (evidence_.risers && 2 * piece.closed < piece.border))
+      return false;
+    if (!isLevelFacet(main_) || !isLevelFacet(label_[piece.cells.front()]))
+      return true;
+    // How far it stands out into the room: lamps, panels, furniture and rugs do.
+    const double out = (parameters_.is_floor ? -1 : 1) * piece.step /
+                       std::max(1.0, piece.sides);
+    const bool is_free = !isAtWall(piece) && piece.beside.size() == 1 &&
+                         piece.beside.begin()->first == main_;
+    return areaOf(piece) >= parameters_.min_free_area || out <= 0 ||
+           !(is_free || out < parameters_.min_clear_step);
+  }
+
+  const FacetEvidence& evidence_;
+  const SheetParameters& parameters_;
+  const SheetGrid& grid_;
+  FacetChoice& choice_;
+  std::vector<std::int32_t>& label_;
+  std::int32_t main_ = FacetSheet::none;
+};
+
+} // namespace
+
+void
+dropPieces(const FacetEvidence& evidence, FacetChoice& choice)
+{
+  Pieces(evidence, choice).run();
+}
+
+void
+giveShadowsToHigher(const FacetEvidence& evidence, FacetChoice& choice)
+{
+  constexpr std::pair<int, int> lines[] = {{1, 0}, {0, 1}, {1, 1}, {1, -1}};
+  const CellPoints& cells = evidence.cells;
+  const SheetGrid& grid = cells.grid();
+  const std::vector<std::int32_t> label = choice.label;
+  const auto heightOf = [&](std::int32_t facet, std::size_t cell) {
+    return choice.costs[static_cast<std::size_t>(facet)].height[cell];
+  };
+  /** The next cell with points; the number of cells if there is none in the room. */
+  const auto seenFrom = [&](std::size_t from, int dx, int dy, int& steps) {
+    int x = grid.columnOf(from);
+    int y = grid.rowOf(from);
+    for (steps = 1;; ++steps) {
+      x += dx;
+      y += dy;
+      if (!grid.holds(x, y) || !cells.isInside(grid.indexOf(x, y)))
+        return grid.count();
+      if (!cells.isEmpty(grid.indexOf(x, y)))
+        return grid.indexOf(x, y);
+    }
+  };
+  for (std::size_t cell = 0; cell < label.size(); ++cell) {
+    if (!cells.isInside(cell) || !cells.isEmpty(cell))
+      continue;
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const auto& [dx, dy] : lines) {
+      int before = 0;
+      int after = 0;
+      const std::size_t a = seenFrom(cell, dx, dy, before);
+      const std::size_t b = seenFrom(cell, -dx, -dy, after);
+      const double length = (before + after) * std::hypot(dx, dy);
+      if (a == grid.count() || b == grid.count() || length >= shortest)
+        continue;
+      shortest = length;
+      // Where they meet in between, they are no two heights.
+      const double step_at_a = heightOf(label[a], a) - heightOf(label[b], a);
+      const double step_at_b = heightOf(label[a], b) - heightOf(label[b], b);
+      if (step_at_a * step_at_b > 0)
+        choice.label[cell] = step_at_a > 0 ? label[a] : label[b];
+    }
+  }
+}
+
+} // namespace pcl::sedr

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "facet_choice.h"
+
+namespace pcl::sedr {
+
+/** @brief Leaves of a choice what is built. Level facets less than a step apart are
+ * one. A piece of a facet goes to what is around it if it is too small, if it hangs
+ * free like a lamp, or if less than half of its border is closed: by risers, or as both
+ * sides meet there. Border that a lower part of a ceiling hides does not count.
+ * O(cells), with risers seen. */
+void dropPieces(const FacetEvidence& evidence, FacetChoice& choice);
+
+/** @brief Gives cells without points that lie straight between two parts of a ceiling
+ * the higher one: the lower part ends where it was last seen, and hides what is beside
+ * it. O(cells without points times their distance from those with). */
+void giveShadowsToHigher(const FacetEvidence& evidence, FacetChoice& choice);
+
+} // namespace pcl::sedr
