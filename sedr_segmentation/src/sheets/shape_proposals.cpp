@@ -4,6 +4,8 @@
 #include "cell_pieces.h"
 #include "sedr_filters/src/base/parallel.h"
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -272,20 +274,37 @@ wideCells(const CellPoints& cells, const std::vector<std::uint8_t>& is_in, int r
   return wide;
 }
 
-/** @brief Whether a level plane fits its cells as a free one does: a strip of a slope
- * or of a vault is none. */
+/** @brief Whether a level plane fits its cells as a surface that may tilt and bend does:
+ * a strip of a slope or of a vault is none. */
 bool
 isTrulyLevel(const PlanSlab& level,
              const std::vector<std::size_t>& own,
              const FacetEvidence& evidence)
 {
   const auto points = evidence.cells.pointsOf(own, max_points);
-  PlanSlab free = fitPlane(points);
-  refineShape(ShapeKind::Plane, points, evidence.deviation, free);
-  return std::all_of(own.begin(), own.end(), [&](std::size_t cell) {
-    const Eigen::Vector2d place = evidence.cells.grid().centre(cell);
-    return std::abs(free.heightAt(place) - level.heightAt(place)) < evidence.deviation;
-  });
+  const Eigen::Vector3d mean = meanOf(points);
+  using Terms = Eigen::Matrix<double, 6, 1>;
+  const auto termsAt = [&](const Eigen::Vector2d& place) {
+    const Eigen::Vector2d p = place - mean.head<2>();
+    return (Terms() << 1, p.x(), p.y(), p.x() * p.x(), p.x() * p.y(), p.y() * p.y())
+        .finished();
+  };
+  Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
+  Terms right = Terms::Zero();
+  for (const Eigen::Vector3d& p : points) {
+    const double off = distanceOf(level, p);
+    if (std::abs(off) > facet_band * evidence.deviation)
+      continue;
+    const Terms terms = termsAt(p.head<2>());
+    normal += terms * terms.transpose();
+    right += off * terms;
+  }
+  const Terms bent = normal.ldlt().solve(right);
+  return bent.allFinite() &&
+         std::all_of(own.begin(), own.end(), [&](std::size_t cell) {
+           return std::abs(bent.dot(termsAt(evidence.cells.grid().centre(cell)))) <
+                  evidence.deviation;
+         });
 }
 
 /** @brief Level planes at the peaks of the histogram of heights. Their `cells` are

@@ -66,22 +66,6 @@ sortBySize(FacetChoice& choice)
   choice = std::move(sorted);
 }
 
-/** @brief Whether all cells about one have its label, and none lies at a wall. */
-bool
-isWithin(const FacetSheet& sheet, std::size_t cell)
-{
-  const SheetGrid& grid = sheet.grid;
-  for (int dy = -1; dy <= 1; ++dy)
-    for (int dx = -1; dx <= 1; ++dx) {
-      const int x = grid.columnOf(cell) + dx;
-      const int y = grid.rowOf(cell) + dy;
-      if (!grid.holds(x, y) || !sheet.is_inside[grid.indexOf(x, y)] ||
-          sheet.label[grid.indexOf(x, y)] != sheet.label[cell])
-        return false;
-    }
-  return true;
-}
-
 /** @brief The plane that stands for a curve: through its points, level if it would tilt
  * by more than planes may. */
 Eigen::Vector4d
@@ -98,39 +82,21 @@ planeNear(const std::vector<Eigen::Vector3d>& points)
   return {0, 0, 1, -height};
 }
 
-/** @brief The last fit of every facet, to points away from its borders, and what is
- * known of it then. */
+/** @brief Gives a sheet its facets, and what is known of them: the points that they
+ * explain, and the planes that stand for curves. */
 void
-finishFacets(const CellPoints& cells,
-             const FacetChoice& choice,
-             double deviation,
-             const SheetParameters& parameters,
-             FacetSheet& sheet)
+takeFacets(const CellPoints& cells,
+           FacetChoice choice,
+           double deviation,
+           FacetSheet& sheet)
 {
   constexpr std::size_t max_points = 40000;
-  constexpr std::size_t min_cells = 20;
   std::vector<std::vector<std::size_t>> own(choice.facets.size());
-  std::vector<std::vector<std::size_t>> within(choice.facets.size());
-  for (std::size_t cell = 0; cell < sheet.label.size(); ++cell) {
-    if (!cells.isInside(cell) || cells.isEmpty(cell))
-      continue;
-    const auto facet = static_cast<std::size_t>(sheet.label[cell]);
-    own[facet].push_back(cell);
-    if (isWithin(sheet, cell))
-      within[facet].push_back(cell);
-  }
+  for (std::size_t cell = 0; cell < sheet.label.size(); ++cell)
+    if (cells.isInside(cell) && !cells.isEmpty(cell))
+      own[static_cast<std::size_t>(sheet.label[cell])].push_back(cell);
   for (std::size_t k = 0; k < choice.facets.size(); ++k) {
-    const FacetProposal& facet = choice.facets[k];
-    PlanSlab slab = facet.slab;
-    const bool is_relief = slab.curve && slab.curve->kind == CurveKind::Relief;
-    const auto& fitted = within[k].size() >= min_cells ? within[k] : own[k];
-    if (!is_relief && !fitted.empty()) {
-      FacetProposal refined = facet;
-      refineShape(facet.kind, cells.pointsOf(fitted, max_points), deviation,
-                  refined.slab);
-      if (isBuilt(refined, parameters))
-        slab = refined.slab;
-    }
+    PlanSlab& slab = choice.facets[k].slab;
     if (slab.curve)
       slab.plane = planeNear(cells.pointsOf(own[k], max_points));
     double sum = 0;
@@ -266,7 +232,7 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
     seen += sheet.is_seen[cell];
   }
   sheet.explained = static_cast<double>(seen) / static_cast<double>(with_points);
-  finishFacets(cells, choice, deviation, parameters, sheet);
+  takeFacets(cells, std::move(choice), deviation, sheet);
   return sheet;
 }
 
