@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sheet_pieces.h"
 
+#include "cell_pieces.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -13,6 +15,13 @@ namespace pcl::sedr {
 namespace {
 
 constexpr std::pair<int, int> four_sides[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+
+bool
+isLevelFacet(const FacetChoice& choice, std::int32_t facet)
+{
+  const PlanSlab& slab = choice.facets[static_cast<std::size_t>(facet)].slab;
+  return !slab.curve && isLevel(slab);
+}
 
 /** @brief A connected part of the cells of a facet, and the sides of cells around it.
  */
@@ -39,9 +48,8 @@ public:
   {
     joinEven();
     std::vector<std::vector<std::size_t>> pieces = connected();
-    std::stable_sort(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) {
-      return a.size() < b.size();
-    });
+    std::stable_sort(pieces.begin(), pieces.end(),
+                     [](const auto& a, const auto& b) { return a.size() < b.size(); });
     if (pieces.empty())
       return;
     main_ = label_[pieces.back().front()];
@@ -63,14 +71,9 @@ private:
     return choice_.costs[static_cast<std::size_t>(facet)].height[cell];
   }
 
-  bool isLevelFacet(std::int32_t facet) const
-  {
-    const PlanSlab& slab = choice_.facets[static_cast<std::size_t>(facet)].slab;
-    return !slab.curve && isLevel(slab);
-  }
-
   /** @brief Gives the cells of level facets the first label of those that are less than
-   * a step apart, by number of cells. */
+   * a step apart, by more than plaster strays over their patches, by number of cells:
+   * the largest one's, or that of one beside them. */
   void joinEven()
   {
     std::vector<std::vector<std::size_t>> cells(choice_.facets.size());
@@ -79,7 +82,7 @@ private:
         cells[static_cast<std::size_t>(label_[cell])].push_back(cell);
     std::vector<std::int32_t> order;
     for (std::size_t k = 0; k < cells.size(); ++k)
-      if (!cells[k].empty() && isLevelFacet(static_cast<std::int32_t>(k)))
+      if (!cells[k].empty() && isLevelFacet(choice_, static_cast<std::int32_t>(k)))
         order.push_back(static_cast<std::int32_t>(k));
     std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
       return cells[static_cast<std::size_t>(a)].size() >
@@ -89,11 +92,15 @@ private:
     for (const std::int32_t k : order) {
       const auto& own = cells[static_cast<std::size_t>(k)];
       const auto same = std::find_if(kept.begin(), kept.end(), [&](std::int32_t other) {
+        if (other != kept.front() && !isBeside(own, other))
+          return false;
         double off = 0;
         for (const std::size_t cell : own)
           off += heightOf(other, cell) - heightOf(k, cell);
-        return std::abs(off) <
-               parameters_.min_step * static_cast<double>(own.size());
+        const auto count = static_cast<double>(own.size());
+        const double error =
+            parameters_.unevenness / std::sqrt(evidence_.weight() * count);
+        return std::abs(off) < (parameters_.min_step - error) * count;
       });
       if (same == kept.end())
         kept.push_back(k);
@@ -101,6 +108,16 @@ private:
         for (const std::size_t cell : own)
           label_[cell] = *same;
     }
+  }
+
+  bool isBeside(const std::vector<std::size_t>& cells, std::int32_t other) const
+  {
+    bool is_beside = false;
+    for (const std::size_t cell : cells)
+      forAllSides(cell, [&](std::size_t next) {
+        is_beside = is_beside || label_[next] == other;
+      });
+    return is_beside;
   }
 
   std::vector<std::vector<std::size_t>> connected() const
@@ -137,15 +154,13 @@ private:
 
   /** @brief Whether risers close the step between two heights at the border of two
    * cells, up to the higher one: a duct ends below it. Low steps are closed. */
-  bool
-  isClosed(std::size_t cell, std::size_t next, double height, double other) const
+  bool isClosed(std::size_t cell, std::size_t next, double height, double other) const
   {
     constexpr double below = 0.15; // metres
     const auto& [low, high] = std::minmax(height, other);
     if (high - low < RiserBins::min_step)
       return true;
-    return evidence_.risers &&
-           evidence_.risers->share(cell, next, low, high) >= 0.5 &&
+    return evidence_.risers && evidence_.risers->share(cell, next, low, high) >= 0.5 &&
            (parameters_.is_floor || high - low < 2 * below ||
             evidence_.risers->share(cell, next, high - below, high) > 0);
   }
@@ -162,8 +177,9 @@ private:
           return;
         const double height = heightOf(own, cell);
         const bool is_wall = other == FacetSheet::none;
-        if (is_wall && (parameters_.is_floor || !isLevelFacet(own) ||
-                        !isLevelFacet(main_) || height < heightOf(main_, cell)))
+        if (is_wall &&
+            (parameters_.is_floor || !isLevelFacet(choice_, own) ||
+             !isLevelFacet(choice_, main_) || height < heightOf(main_, cell)))
           return;
         const double beside = heightOf(is_wall ? main_ : other, cell);
         const bool is_closed = isClosed(cell, next, height, beside);
@@ -192,13 +208,13 @@ private:
   bool isAtWall(const Piece& piece) const
   {
     return std::any_of(piece.cells.begin(), piece.cells.end(), [&](std::size_t cell) {
-      return std::any_of(
-          std::begin(four_sides), std::end(four_sides), [&](const auto& side) {
-            const int x = grid_.columnOf(cell) + 2 * side.first;
-            const int y = grid_.rowOf(cell) + 2 * side.second;
-            return !grid_.holds(x, y) ||
-                   label_[grid_.indexOf(x, y)] == FacetSheet::none;
-          });
+      return std::any_of(std::begin(four_sides), std::end(four_sides),
+                         [&](const auto& side) {
+                           const int x = grid_.columnOf(cell) + 2 * side.first;
+                           const int y = grid_.rowOf(cell) + 2 * side.second;
+                           return !grid_.holds(x, y) ||
+                                  label_[grid_.indexOf(x, y)] == FacetSheet::none;
+                         });
     });
   }
 
@@ -211,14 +227,14 @@ private:
 
   bool isBuiltSo(const Piece& piece) const
   {
-    if (!isLargeEnough(piece) ||
-        (evidence_.risers && 2 * piece.closed < piece.border))
+    if (!isLargeEnough(piece) || (evidence_.risers && 2 * piece.closed < piece.border))
       return false;
-    if (!isLevelFacet(main_) || !isLevelFacet(label_[piece.cells.front()]))
+    if (!isLevelFacet(choice_, main_) ||
+        !isLevelFacet(choice_, label_[piece.cells.front()]))
       return true;
     // How far it stands out into the room: lamps, panels, furniture and rugs do.
-    const double out = (parameters_.is_floor ? -1 : 1) * piece.step /
-                       std::max(1.0, piece.sides);
+    const double out =
+        (parameters_.is_floor ? -1 : 1) * piece.step / std::max(1.0, piece.sides);
     const bool is_free = !isAtWall(piece) && piece.beside.size() == 1 &&
                          piece.beside.begin()->first == main_;
     return areaOf(piece) >= parameters_.min_free_area || out <= 0 ||
@@ -284,6 +300,117 @@ giveShadowsToHigher(const FacetEvidence& evidence, FacetChoice& choice)
         choice.label[cell] = step_at_a > 0 ? label[a] : label[b];
     }
   }
+}
+
+namespace {
+
+/** @brief The beams of a ceiling, over cells along the walls. */
+class Beams {
+public:
+  Beams(const CellPoints& cells, FacetChoice& choice)
+      : cells_(cells)
+      , grid_(cells.grid())
+      , choice_(choice)
+  {}
+
+  void run()
+  {
+    std::vector<std::size_t> sizes(choice_.facets.size(), 0);
+    for (const std::size_t cell : cells_.seen())
+      ++sizes[static_cast<std::size_t>(choice_.label[cell])];
+    main_ = static_cast<std::int32_t>(std::max_element(sizes.begin(), sizes.end()) -
+                                      sizes.begin());
+    for (std::size_t k = 0; k < sizes.size(); ++k) {
+      const auto facet = static_cast<std::int32_t>(k);
+      if (sizes[k] == 0 || facet == main_ || !isLevelFacet(choice_, facet))
+        continue;
+      std::vector<std::uint8_t> is_seen(grid_.count(), 0);
+      for (const std::size_t cell : cells_.seen())
+        is_seen[cell] = choice_.label[cell] == facet ? 1 : 0;
+      for (const std::vector<std::size_t>& piece : piecesOf(grid_, is_seen))
+        extend(facet, piece);
+    }
+  }
+
+private:
+  /** @brief Cells across a beam that show nothing, the main facet, or its end. */
+  enum class Across { Unseen, Main, End };
+
+  void extend(std::int32_t facet, const std::vector<std::size_t>& piece)
+  {
+    Eigen::AlignedBox2i box;
+    for (const std::size_t cell : piece)
+      box.extend(Eigen::Vector2i(grid_.columnOf(cell), grid_.rowOf(cell)));
+    const Eigen::Vector2i extent = box.sizes() + Eigen::Vector2i::Ones();
+    const int along = extent.x() > extent.y() ? 0 : 1;
+    const int length = extent[along];
+    if (length < 2 * extent[1 - along] ||
+        4 * piece.size() < 3 * static_cast<std::size_t>(extent.prod()))
+      return;
+    for (const int way : {-1, 1}) {
+      const int last = way > 0 ? box.max()[along] : box.min()[along];
+      for (int gap = 1; 2 * gap <= length; ++gap) {
+        const Across across = lookAcross(box, along, last + way * gap);
+        if (across == Across::Unseen)
+          continue;
+        // An end that is seen in part is oblique: a shadow's, no beam's.
+        for (int k = -extent[1 - along]; across == Across::End && k < gap; ++k)
+          claim(facet, box, along, last + way * k);
+        break;
+      }
+    }
+  }
+
+  template <typename Use>
+  void forAllAcross(const Eigen::AlignedBox2i& box, int along, int at, int rim, Use use)
+  {
+    for (int k = box.min()[1 - along] + rim; k <= box.max()[1 - along] - rim; ++k) {
+      const int x = along == 0 ? at : k;
+      const int y = along == 0 ? k : at;
+      const bool is_inside = grid_.holds(x, y) && cells_.isInside(grid_.indexOf(x, y));
+      use(is_inside ? grid_.indexOf(x, y) : grid_.count());
+    }
+  }
+
+  Across lookAcross(const Eigen::AlignedBox2i& box, int along, int at)
+  {
+    const int rim = box.sizes()[1 - along] > 1 ? 1 : 0; // its edges are in these cells
+    int count = 0;
+    int main = 0;
+    int end = 0;
+    forAllAcross(box, along, at, rim, [&](std::size_t cell) {
+      const bool is_wall = cell == grid_.count();
+      const bool is_main =
+          !is_wall && !cells_.isEmpty(cell) && choice_.label[cell] == main_;
+      ++count;
+      main += is_main ? 1 : 0;
+      end += is_wall || (!is_main && !cells_.isEmpty(cell)) ? 1 : 0;
+    });
+    if (5 * main > count)
+      return Across::Main;
+    return 2 * end >= count ? Across::End : Across::Unseen;
+  }
+
+  void claim(std::int32_t facet, const Eigen::AlignedBox2i& box, int along, int at)
+  {
+    forAllAcross(box, along, at, 0, [&](std::size_t cell) {
+      if (cell < grid_.count() && cells_.isEmpty(cell))
+        choice_.label[cell] = facet;
+    });
+  }
+
+  const CellPoints& cells_;
+  const SheetGrid& grid_;
+  FacetChoice& choice_;
+  std::int32_t main_ = FacetSheet::none; ///< the largest facet
+};
+
+} // namespace
+
+void
+extendBeams(const FacetEvidence& evidence, FacetChoice& choice)
+{
+  Beams(evidence.cells, choice).run();
 }
 
 } // namespace pcl::sedr

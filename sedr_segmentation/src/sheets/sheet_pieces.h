@@ -17,4 +17,10 @@ void dropPieces(const FacetEvidence& evidence, FacetChoice& choice);
  * it. O(cells without points times their distance from those with). */
 void giveShadowsToHigher(const FacetEvidence& evidence, FacetChoice& choice);
 
+/** @brief Proposes that beams go on where nothing was seen: cells without points in
+ * line with a level strip, up to the wall or what is seen next, are of its facet if the
+ * main one is not seen among them and they are no more than half as long as it.
+ * O(facets times cells). */
+void extendBeams(const FacetEvidence& evidence, FacetChoice& choice);
+
 } // namespace pcl::sedr
