@@ -64,26 +64,6 @@ TEST(ColumnTable, HoldsThePointsOfEachColumnByHeight)
   }
 }
 
-TEST(ColumnTable, WithoutSomeCellsHoldsThePointsOfTheOthersAsBefore)
-{
-  const RoomPoints points = randomPoints(2000);
-  const CellGrid grid(0.05);
-  const ColumnTable table(grid, box, points.view(), points.all());
-  CellMask some(CellBox{{-10, 0}, {0, 2}}); // partly outside the table
-  some.set({0, 0}, 1);
-  some.set({-3, 2}, 1);
-  some.set({-10, 1}, 1);
-  const ColumnTable rest = table.without(some);
-  for (int x = -4; x <= 5; ++x)
-    for (int y = -3; y <= 6; ++y) {
-      const Cell cell{x, y};
-      const auto count = rest.end(cell) - rest.begin(cell);
-      EXPECT_EQ(count, some.at(cell) ? 0 : table.end(cell) - table.begin(cell));
-      for (std::ptrdiff_t k = 0; k < count; ++k)
-        EXPECT_EQ(rest.begin(cell)[k].index, table.begin(cell)[k].index);
-    }
-}
-
 TEST(ColumnTable, IsEmptyOutsideOfItsBoxAndForPointsThatAreNotFinite)
 {
   RoomPoints points;
