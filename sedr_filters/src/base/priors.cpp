@@ -148,7 +148,7 @@ const std::vector<Prior> table = {
      "plan, scan"},
     {"share_little", &Priors::share_little, "shares", "", 0.05, 0.5,
      "chosen on the proving ground",
-     "niches, plan, planes"},
+     "niches, planes"},
     {"share_part", &Priors::share_part, "shares", "", 0.1, 0.9,
      "half of a thing is in view",
      "niches"},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cell_cracks.h"
 
+#include "../sheets/cell_pieces.h"
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -141,25 +143,10 @@ cracksOf(const SheetGrid& grid, const std::vector<std::int32_t>& label)
 {
   CellCracks cracks;
   cracks.piece.assign(grid.count(), -1);
-  for (std::size_t first = 0; first < grid.count(); ++first) {
-    if (cracks.piece[first] >= 0)
-      continue;
-    const auto number = static_cast<std::int32_t>(cracks.first_cell.size());
-    std::vector<std::size_t> cells{first};
-    cracks.piece[first] = number;
-    for (std::size_t k = 0; k < cells.size(); ++k)
-      for (const CrackVertex& way : ways) {
-        const int x = grid.columnOf(cells[k]) + way.x;
-        const int y = grid.rowOf(cells[k]) + way.y;
-        if (!grid.holds(x, y))
-          continue;
-        const std::size_t next = grid.indexOf(x, y);
-        if (cracks.piece[next] >= 0 || label[next] != label[first])
-          continue;
-        cracks.piece[next] = number;
-        cells.push_back(next);
-      }
-    cracks.first_cell.push_back(first);
+  for (const std::vector<std::size_t>& cells : piecesOf(grid, label)) {
+    for (const std::size_t cell : cells)
+      cracks.piece[cell] = static_cast<std::int32_t>(cracks.first_cell.size());
+    cracks.first_cell.push_back(cells.front());
     cracks.cell_count.push_back(cells.size());
   }
   CrackTracer(grid, cracks).run();

@@ -18,17 +18,12 @@ heightsAbout(const FacetSheet& sheet, std::size_t cell)
 {
   const auto reach = static_cast<int>(std::ceil(SheetCracks::riser_reach));
   const SheetGrid& grid = sheet.grid;
-  const int x = grid.columnOf(cell);
-  const int y = grid.rowOf(cell);
   std::vector<std::int32_t> labels;
-  for (int row = std::max(0, y - reach); row <= std::min(grid.rows - 1, y + reach);
-       ++row)
-    for (int column = std::max(0, x - reach);
-         column <= std::min(grid.columns - 1, x + reach); ++column) {
-      const std::int32_t label = sheet.label[grid.indexOf(column, row)];
-      if (std::find(labels.begin(), labels.end(), label) == labels.end())
-        labels.push_back(label);
-    }
+  grid.forAllWithin(cell, reach, [&](std::size_t near) {
+    const std::int32_t label = sheet.label[near];
+    if (std::find(labels.begin(), labels.end(), label) == labels.end())
+      labels.push_back(label);
+  });
   const auto heightOf = [&](std::int32_t label) {
     return sheet.facets[static_cast<std::size_t>(label)].heightAt(grid.centre(cell));
   };
@@ -45,15 +40,11 @@ bool
 isOffWalls(const FacetSheet& sheet, std::size_t cell)
 {
   constexpr int border = 2; // cells
-  const SheetGrid& grid = sheet.grid;
-  for (int dy = -border; dy <= border; ++dy)
-    for (int dx = -border; dx <= border; ++dx) {
-      const int x = grid.columnOf(cell) + dx;
-      const int y = grid.rowOf(cell) + dy;
-      if (!grid.holds(x, y) || !sheet.is_inside[grid.indexOf(x, y)])
-        return false;
-    }
-  return true;
+  bool is_inside = true;
+  const bool is_off_rim = sheet.grid.forAllWithin(cell, border, [&](std::size_t near) {
+    is_inside = is_inside && sheet.is_inside[near] != 0;
+  });
+  return is_inside && is_off_rim;
 }
 
 } // namespace

@@ -110,6 +110,35 @@ gatherCeiling(const PointView& points,
       cells.top[i] = cells.low[i] = static_cast<float>(cells.ceiling);
 }
 
+/** @brief Returns the sums of a raster over squares of 2 reach + 1 cells. */
+std::vector<float>
+boxSums(const CellMask& frame, int reach, const std::vector<float>& values)
+{
+  const auto width = static_cast<std::size_t>(frame.width());
+  const auto height = static_cast<std::size_t>(frame.height());
+  std::vector<double> table((width + 1) * (height + 1), 0);
+  for (std::size_t y = 0; y < height; ++y) {
+    double row = 0;
+    for (std::size_t x = 0; x < width; ++x) {
+      row += values[y * width + x];
+      table[(y + 1) * (width + 1) + x + 1] = table[y * (width + 1) + x + 1] + row;
+    }
+  }
+  std::vector<float> sums(values.size());
+  const auto r = static_cast<std::size_t>(reach);
+  for (std::size_t y = 0; y < height; ++y)
+    for (std::size_t x = 0; x < width; ++x) {
+      const std::size_t left = x < r ? 0 : x - r;
+      const std::size_t low = y < r ? 0 : y - r;
+      const std::size_t right = std::min(width, x + r + 1);
+      const std::size_t high = std::min(height, y + r + 1);
+      sums[y * width + x] = static_cast<float>(
+          table[high * (width + 1) + right] - table[low * (width + 1) + right] -
+          table[high * (width + 1) + left] + table[low * (width + 1) + left]);
+    }
+  return sums;
+}
+
 /** @brief Finds the surfaces that reach up to the ceiling. */
 void
 gatherWalls(const PointView& points,
@@ -137,6 +166,23 @@ gatherWalls(const PointView& points,
     bool is_top; ///< below the highest ceiling beside it
   };
   std::vector<Place> places;
+  // How far the ceiling may be below the highest place near: a slope is as far below
+  // the mean as that is above it.
+  std::vector<float> highest_own(count, 0);
+  std::vector<float> is_own(count, 0);
+  forEachIn(cells.seen, grid, points, room.ceiling,
+            [&](std::size_t at, const Eigen::Vector3f& q) {
+              const float z = q.z() - static_cast<float>(cells.ceiling);
+              highest_own[at] = is_own[at] == 0 ? z : std::max(highest_own[at], z);
+              is_own[at] = 1;
+            });
+  const int reach = static_cast<int>(std::lround(p.local / grid.size()));
+  const std::vector<float> sum = boxSums(cells.seen, reach, highest_own);
+  const std::vector<float> number_near = boxSums(cells.seen, reach, is_own);
+  const auto lowestCeiling = [&](std::size_t at) {
+    const double mean = cells.ceiling + sum[at] / std::max(1.0f, number_near[at]);
+    return 2 * mean - cells.top[at];
+  };
   const auto gather = [&](const std::vector<int>& indices, bool of_wall, bool below) {
     forEachIn(
         cells.seen, grid, points, indices,
@@ -144,12 +190,11 @@ gatherWalls(const PointView& points,
           const auto isBelow = [&](float ceiling) {
             return q.z() > lowest(ceiling) && q.z() < ceiling - p.rim;
           };
-          if (below && q.z() > cells.top[at] - p.rim)
+          if (below && q.z() > lowestCeiling(at) - p.rim)
             return;
           if (q.z() < cells.top[at] + p.rim)
             highest[at] = std::max(highest[at], q.z());
-          if (const double above = q.z() - cells.floor;
-              above > p.rim && above < p.sill)
+          if (const double above = q.z() - cells.floor; above > p.rim && above < p.sill)
             bins_of_base[at] |= std::uint64_t{1}
                                 << std::min(63, static_cast<int>(above / p.bin));
           const bool is_below_low = isBelow(cells.low[at]);
@@ -167,7 +212,7 @@ gatherWalls(const PointView& points,
   gather(room.walls, true, false);
   gather(room.others, false, false);
   // Above what hides a wall up to near the ceiling, its points pass for the ceiling's.
-  gather(room.off_ceiling, true, true);
+  gather(room.ceiling, true, true);
   cells.solid = CellMask(cells.seen.box());
   cells.glass = cells.riser = cells.pillar = cells.base = cells.solid;
   spread(cells.seen, 1, std::greater<>(), highest);
@@ -211,35 +256,6 @@ gatherWalls(const PointView& points,
   }
   for (std::size_t k = 0; k < solids; ++k)
     cells.centres[k] /= counts[k];
-}
-
-/** @brief Returns the sums of a raster over squares of 2 reach + 1 cells. */
-std::vector<float>
-boxSums(const CellMask& frame, int reach, const std::vector<float>& values)
-{
-  const auto width = static_cast<std::size_t>(frame.width());
-  const auto height = static_cast<std::size_t>(frame.height());
-  std::vector<double> table((width + 1) * (height + 1), 0);
-  for (std::size_t y = 0; y < height; ++y) {
-    double row = 0;
-    for (std::size_t x = 0; x < width; ++x) {
-      row += values[y * width + x];
-      table[(y + 1) * (width + 1) + x + 1] = table[y * (width + 1) + x + 1] + row;
-    }
-  }
-  std::vector<float> sums(values.size());
-  const auto r = static_cast<std::size_t>(reach);
-  for (std::size_t y = 0; y < height; ++y)
-    for (std::size_t x = 0; x < width; ++x) {
-      const std::size_t left = x < r ? 0 : x - r;
-      const std::size_t low = y < r ? 0 : y - r;
-      const std::size_t right = std::min(width, x + r + 1);
-      const std::size_t high = std::min(height, y + r + 1);
-      sums[y * width + x] = static_cast<float>(
-          table[high * (width + 1) + right] - table[low * (width + 1) + right] -
-          table[high * (width + 1) + left] + table[low * (width + 1) + left]);
-    }
-  return sums;
 }
 
 /** @brief Hits of the scan in the cells of a room. */

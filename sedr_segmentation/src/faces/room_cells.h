@@ -13,8 +13,7 @@ namespace pcl::sedr {
 
 /** @brief The points of a room, as indices. */
 struct RoomPoints {
-  std::vector<int> ceiling;     ///< of ceilings and what hangs from them, all heights
-  std::vector<int> off_ceiling; ///< those that do not lie on a ceiling that slopes
+  std::vector<int> ceiling; ///< of ceilings and what hangs from them, all heights
   std::vector<int> floor;
   std::vector<int> walls;  ///< labelled as wall
   std::vector<int> others; ///< unlabelled, in and near the room

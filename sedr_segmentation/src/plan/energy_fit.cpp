@@ -10,36 +10,14 @@
 #include "sedr_filters/src/base/plane_fit.h"
 
 #include <algorithm>
-#include <memory>
 
 namespace pcl::sedr {
 
 namespace {
 
-/** @brief Returns the points of a list that lie off a slab by more than the rim in
- * which its noise is; all of them without a slab. */
-std::vector<int>
-offSlab(const PointView& points, const std::vector<int>& indices, const PlanSlab* slab)
-{
-  if (!slab)
-    return indices;
-  std::vector<int> off;
-  for (const int i : indices) {
-    const Eigen::Vector3d p = points[static_cast<std::size_t>(i)].cast<double>();
-    const Eigen::Vector2d at = p.head<2>();
-    if (std::abs((p.z() - slab->heightAt(at)) * slab->normalAt(at).z()) >
-        RoomCellsParameters().rim)
-      off.push_back(i);
-  }
-  return off;
-}
-
-/** @brief Returns the points of each room by what they are labelled as.
- * @param sheets the ceilings that slope, null for the others */
+/** @brief Returns the points of each room by what they are labelled as. */
 std::vector<RoomPoints>
-labelledPoints(const PointView& points,
-               const std::vector<RoomEvidence>& parts,
-               const std::vector<std::shared_ptr<const PlanSlab>>& sheets)
+labelledPoints(const PointView& points, const std::vector<RoomEvidence>& parts)
 {
   std::vector<std::uint8_t> is_labelled(points.size(), 0);
   std::vector<RoomPoints> rooms(parts.size());
@@ -47,7 +25,6 @@ labelledPoints(const PointView& points,
     rooms[r].ceiling = parts[r].ceiling;
     rooms[r].ceiling.insert(rooms[r].ceiling.end(), parts[r].details.begin(),
                             parts[r].details.end());
-    rooms[r].off_ceiling = offSlab(points, rooms[r].ceiling, sheets[r].get());
     rooms[r].floor = parts[r].floor;
     rooms[r].walls = parts[r].walls;
     // Faces of beams and lintels are labelled as details.
@@ -207,13 +184,9 @@ fitPlanByEnergy(const PointView& points,
   const std::vector<RoomEvidence>& parts = shares.rooms;
   if (!problem.empty())
     return plan;
-  std::vector<std::shared_ptr<const PlanSlab>> slopes(parts.size());
-  parallelBlocks(parts.size(), 1, threads, [&](std::size_t r, std::size_t) {
-    slopes[r] = slopeOf(placesOf(points, shares.sheets[r]), priors);
-  });
   const RoomCellsParameters of_cells;
   std::vector<RoomCells> cells =
-      roomCells(points, labelledPoints(points, parts, slopes), grid, of_cells, threads);
+      roomCells(points, labelledPoints(points, parts), grid, of_cells, threads);
   if (scan.size() > 0)
     findGlass(scan, scan_indices, grid, of_cells, threads, cells);
   WallLineParameters of_lines;

@@ -2,12 +2,9 @@
 #include "room_ceilings.h"
 
 #include "../borders/step_risers.h"
-#include "../sheets/cell_points.h"
-#include "../sheets/sheet_relief.h"
 #include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace pcl::sedr {
@@ -28,42 +25,6 @@ outermostBoundary(const PlanRoom& room, const WallTilts& tilts)
 }
 
 } // namespace
-
-std::shared_ptr<const PlanSlab>
-slopeOf(const std::vector<Eigen::Vector3d>& points, const Priors& priors)
-{
-  constexpr double spacing = 0.3;  // metres, of the relief
-  constexpr double uneven = 0.015; // metres: points off a plane by more lie at a step
-  constexpr int reach = 2;         // cells
-  SheetParameters parameters;
-  parameters.cell_size = 0.15;
-  Eigen::AlignedBox2d box;
-  for (const Eigen::Vector3d& p : points)
-    box.extend(p.head<2>());
-  if (box.isEmpty())
-    return nullptr;
-  const SheetGrid grid = sheetGrid(box, parameters);
-  const std::vector<std::uint8_t> all(grid.count(), 1);
-  const CellPoints cells(grid, all, points);
-  std::size_t slopes = 0;
-  for (const std::size_t cell : cells.seen()) {
-    const auto near = cells.pointsOf(cells.window(cell, reach), 100);
-    if (near.size() < 10)
-      continue;
-    const PlanSlab plane = fitPlane(near);
-    double sum = 0;
-    for (const Eigen::Vector3d& p : near)
-      sum += std::pow(distanceOf(plane, p), 2);
-    slopes += !isLevel(plane) &&
-                      sum < uneven * uneven * static_cast<double>(near.size())
-                  ? 1
-                  : 0;
-  }
-  if (static_cast<double>(slopes) <
-      priors.share_little * static_cast<double>(cells.seen().size()))
-    return nullptr;
-  return std::make_shared<const PlanSlab>(reliefOf(points, spacing));
-}
 
 void
 giveCeilings(std::vector<RoomSheet> sheets,

@@ -4,11 +4,9 @@
 #include "../sheets/sheet_fit.h"
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
-#include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/straightening.h>
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace pcl::sedr {
@@ -20,12 +18,6 @@ struct RoomSheet {
   FacetSheet sheet{}; ///< fitted to them; without facets: not yet
   bool is_floor = false;
 };
-
-/** @brief Returns the heights of a ceiling that slopes or curves in more than a few
- * places, before its outline is known: planes through the points about each place.
- * Null for all others. O(n). */
-std::shared_ptr<const PlanSlab> slopeOf(const std::vector<Eigen::Vector3d>& points,
-                                        const Priors& priors);
 
 /** @brief Sets the facets of ceilings and floors.
  * @param scan the points that the facets are fitted to, the raw ones if known

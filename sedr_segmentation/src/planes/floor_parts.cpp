@@ -39,11 +39,7 @@ gridOver(const std::vector<Eigen::Vector3d>& places,
   domain.assign(grid.count(), 0);
   for (const Eigen::Vector3d& p : places) {
     const std::size_t cell = grid.at(p.head<2>());
-    for (int dy = -reach; dy <= reach; ++dy)
-      for (int dx = -reach; dx <= reach; ++dx)
-        if (const int x = grid.columnOf(cell) + dx, y = grid.rowOf(cell) + dy;
-            grid.holds(x, y))
-          domain[grid.indexOf(x, y)] = 1;
+    grid.forAllWithin(cell, reach, [&](std::size_t near) { domain[near] = 1; });
   }
   return grid;
 }
@@ -98,19 +94,13 @@ public:
       piece.area += surface.is_seen[cell] ? grid.size * grid.size : 0;
       piece.above_main += over;
       const double rim_before = piece.rim;
-      for (const auto& [dx, dy] :
-           {std::pair<int, int>(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
-        const int x = grid.columnOf(cell) + dx;
-        const int y = grid.rowOf(cell) + dy;
-        if (!grid.holds(x, y))
-          continue;
-        const std::size_t next = grid.indexOf(x, y);
+      grid.forAllSides(cell, [&](std::size_t next) {
         if (label[next] == label[cell])
-          continue;
+          return;
         piece.rim += 1;
         if (label[next] == FacetSheet::none) {
           piece.walls += 1;
-          continue;
+          return;
         }
         const double other =
             surface.facets[static_cast<std::size_t>(label[next])].heightAt(place);
@@ -124,7 +114,7 @@ public:
                     risers.share(cell, next, low, high) >= priors.share_half
                 ? 1
                 : 0;
-      }
+      });
       if (piece.rim > rim_before)
         continue;
       within[static_cast<std::size_t>(piece_of_[cell])] += 1;

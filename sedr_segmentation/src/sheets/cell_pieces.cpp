@@ -16,18 +16,34 @@ piecesOf(const SheetGrid& grid, const std::vector<std::uint8_t>& is_in)
     std::vector<std::size_t> piece{first};
     is_known[first] = 1;
     for (std::size_t k = 0; k < piece.size(); ++k)
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx) {
-          const int x = grid.columnOf(piece[k]) + dx;
-          const int y = grid.rowOf(piece[k]) + dy;
-          if (!grid.holds(x, y))
-            continue;
-          const std::size_t next = grid.indexOf(x, y);
-          if (!is_in[next] || is_known[next])
-            continue;
-          is_known[next] = 1;
-          piece.push_back(next);
-        }
+      grid.forAllWithin(piece[k], 1, [&](std::size_t next) {
+        if (!is_in[next] || is_known[next])
+          return;
+        is_known[next] = 1;
+        piece.push_back(next);
+      });
+    pieces.push_back(std::move(piece));
+  }
+  return pieces;
+}
+
+std::vector<std::vector<std::size_t>>
+piecesOf(const SheetGrid& grid, const std::vector<std::int32_t>& label)
+{
+  std::vector<std::uint8_t> is_known(grid.count(), 0);
+  std::vector<std::vector<std::size_t>> pieces;
+  for (std::size_t first = 0; first < grid.count(); ++first) {
+    if (is_known[first])
+      continue;
+    std::vector<std::size_t> piece{first};
+    is_known[first] = 1;
+    for (std::size_t k = 0; k < piece.size(); ++k)
+      grid.forAllSides(piece[k], [&](std::size_t next) {
+        if (label[next] != label[first] || is_known[next])
+          return;
+        is_known[next] = 1;
+        piece.push_back(next);
+      });
     pieces.push_back(std::move(piece));
   }
   return pieces;

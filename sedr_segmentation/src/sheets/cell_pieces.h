@@ -13,4 +13,8 @@ namespace pcl::sedr {
 std::vector<std::vector<std::size_t>> piecesOf(const SheetGrid& grid,
                                                const std::vector<std::uint8_t>& is_in);
 
+/** @brief The cells of each label in parts that hang together by sides. O(n). */
+std::vector<std::vector<std::size_t>> piecesOf(const SheetGrid& grid,
+                                               const std::vector<std::int32_t>& label);
+
 } // namespace pcl::sedr

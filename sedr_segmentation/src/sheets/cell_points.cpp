@@ -11,7 +11,8 @@ namespace pcl::sedr {
 
 CellPoints::CellPoints(const SheetGrid& grid,
                        const std::vector<std::uint8_t>& domain,
-                       const std::vector<Eigen::Vector3d>& points)
+                       const std::vector<Eigen::Vector3d>& points,
+                       std::size_t most)
     : grid_(grid)
     , domain_(domain)
     , first_(grid.count() + 1, 0)
@@ -21,16 +22,18 @@ CellPoints::CellPoints(const SheetGrid& grid,
     return cell < grid.count() && domain[cell] && std::isfinite(p.z()) ? cell
                                                                        : grid.count();
   };
+  std::vector<std::size_t> count(grid.count(), 0);
   for (const Eigen::Vector3d& p : points)
     if (const std::size_t cell = cellOf(p); cell < grid.count())
-      ++first_[cell + 1];
+      ++count[cell];
   for (std::size_t cell = 0; cell < grid.count(); ++cell)
-    first_[cell + 1] += first_[cell];
+    first_[cell + 1] = first_[cell] + std::min(count[cell], most);
   points_.resize(first_.back());
   std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  std::vector<std::size_t> passed(grid.count(), 0);
   for (const Eigen::Vector3d& p : points)
-    if (const std::size_t cell = cellOf(p); cell < grid.count())
-    {
+    if (const std::size_t cell = cellOf(p);
+        cell < grid.count() && isChosen(passed[cell]++, count[cell], most)) {
       points_[next[cell]++] = p;
       lowest_ = std::min(lowest_, p.z());
       highest_ = std::max(highest_, p.z());
@@ -78,14 +81,10 @@ std::vector<std::size_t>
 CellPoints::window(std::size_t cell, int reach) const
 {
   std::vector<std::size_t> cells;
-  const int x = grid_.columnOf(cell);
-  const int y = grid_.rowOf(cell);
-  for (int row = std::max(0, y - reach); row <= std::min(grid_.rows - 1, y + reach);
-       ++row)
-    for (int column = std::max(0, x - reach);
-         column <= std::min(grid_.columns - 1, x + reach); ++column)
-      if (const std::size_t near = grid_.indexOf(column, row); !isEmpty(near))
-        cells.push_back(near);
+  grid_.forAllWithin(cell, reach, [&](std::size_t near) {
+    if (!isEmpty(near))
+      cells.push_back(near);
+  });
   return cells;
 }
 

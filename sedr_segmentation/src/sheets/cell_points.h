@@ -20,13 +20,22 @@ struct CellBall {
   double radius = 0;
 };
 
+/** @brief Whether the k-th of `size` is one of about `most` that are evenly chosen. */
+inline bool
+isChosen(std::uint64_t k, std::uint64_t size, std::uint64_t most)
+{
+  return size <= most || k * most / size != (k + 1) * most / size;
+}
+
 /** @brief The points of a sheet, cell by cell of its grid. */
 class CellPoints {
 public:
-  /** @brief Points beside the cells of `domain` are left out. O(n). */
+  /** @brief Points beside the cells of `domain` are left out, and those of a cell that
+   * are more than `most`, evenly. O(n). */
   CellPoints(const SheetGrid& grid,
              const std::vector<std::uint8_t>& domain,
-             const std::vector<Eigen::Vector3d>& points);
+             const std::vector<Eigen::Vector3d>& points,
+             std::size_t most = std::numeric_limits<std::uint32_t>::max());
 
   const SheetGrid& grid() const { return grid_; }
   std::size_t size() const { return points_.size(); }

@@ -4,6 +4,7 @@
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 #include <boost/graph/compressed_sparse_row_graph.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
@@ -15,6 +16,7 @@ namespace pcl::sedr {
 namespace {
 
 using Number = std::uint32_t; // of a vertex or an arc
+constexpr Number closed = std::numeric_limits<Number>::max();
 using Graph = boost::compressed_sparse_row_graph<boost::directedS,
                                                  boost::no_property,
                                                  boost::no_property,
@@ -116,20 +118,71 @@ BinaryEnergy::minimise() const
                             " questions and pairs of them, not " +
                             std::to_string(pairs));
   // The source's side says yes.
-  const auto source = static_cast<Number>(yes_.size());
+  std::vector<double> yes = yes_;
+  const std::vector<Number> number = openQuestions(yes);
+  const auto open = static_cast<std::size_t>(std::count_if(
+      number.begin(), number.end(), [](Number n) { return n != closed; }));
+  std::vector<std::uint8_t> answers(yes.size(), 0);
+  if (open == 0)
+    return answers;
+  const auto source = static_cast<Number>(open);
   const Number sink = source + 1;
-  Arcs arcs(yes_.size() + 2, pairs);
-  for (Number v = 0; v < source; ++v) {
-    if (yes_[v] < 0)
-      arcs.add(source, v, -yes_[v]);
-    else if (yes_[v] > 0)
-      arcs.add(v, sink, yes_[v]);
-  }
+  Arcs arcs(open + 2, pairs);
+  for (std::size_t v = 0; v < yes.size(); ++v)
+    if (number[v] != closed && yes[v] < 0)
+      arcs.add(source, number[v], -yes[v]);
+    else if (number[v] != closed && yes[v] > 0)
+      arcs.add(number[v], sink, yes[v]);
   for (const Pair& pair : pairs_)
-    arcs.add(static_cast<Number>(pair.b), static_cast<Number>(pair.a), pair.capacity);
-  std::vector<std::uint8_t> answers = arcs.cut(source, sink);
-  answers.resize(yes_.size());
+    if (number[pair.a] != closed && number[pair.b] != closed)
+      arcs.add(number[pair.b], number[pair.a], pair.capacity);
+  const std::vector<std::uint8_t> cut = arcs.cut(source, sink);
+  for (std::size_t v = 0; v < yes.size(); ++v)
+    answers[v] = number[v] != closed ? cut[number[v]] : 0;
   return answers;
+}
+
+std::vector<std::uint32_t>
+BinaryEnergy::openQuestions(std::vector<double>& yes) const
+{
+  std::vector<double> gain(yes.size(), 0); // of a yes, if all others say yes
+  std::vector<std::size_t> first(yes.size() + 1, 0);
+  for (const Pair& pair : pairs_) {
+    gain[pair.a] += pair.capacity;
+    ++first[pair.a + 1];
+    ++first[pair.b + 1];
+  }
+  for (std::size_t v = 0; v < yes.size(); ++v)
+    first[v + 1] += first[v];
+  std::vector<const Pair*> of(2 * pairs_.size());
+  std::vector<std::size_t> next(first.begin(), first.end() - 1);
+  for (const Pair& pair : pairs_) {
+    of[next[pair.a]++] = &pair;
+    of[next[pair.b]++] = &pair;
+  }
+  std::vector<Number> number(yes.size(), 0);
+  std::vector<std::size_t> no;
+  const auto ask = [&](std::size_t v) {
+    if (number[v] == closed || yes[v] < gain[v])
+      return;
+    number[v] = closed;
+    no.push_back(v);
+  };
+  for (std::size_t v = 0; v < yes.size(); ++v)
+    ask(v);
+  for (std::size_t k = 0; k < no.size(); ++k)
+    for (std::size_t at = first[no[k]]; at < first[no[k] + 1]; ++at) {
+      const Pair& pair = *of[at];
+      if (pair.a == no[k])
+        yes[pair.b] += pair.capacity;
+      else
+        gain[pair.a] -= pair.capacity;
+      ask(pair.a == no[k] ? pair.b : pair.a);
+    }
+  Number open = 0;
+  for (Number& n : number)
+    n = n == closed ? closed : open++;
+  return number;
 }
 
 } // namespace pcl::sedr

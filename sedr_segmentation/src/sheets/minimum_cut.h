@@ -42,7 +42,12 @@ private:
     double capacity; ///< what it costs that a is no and b yes
   };
 
-  std::vector<double> yes_;
+  /** @brief Numbers the questions that are not surely answered by no: those of which a
+   * yes gains something if all others say yes. What their pairs with others cost is
+   * added to `yes`. O(questions and pairs). */
+  std::vector<std::uint32_t> openQuestions(std::vector<double>& yes) const;
+
+  std::vector<double> yes_; ///< what a yes costs more than a no
   std::vector<Pair> pairs_;
 };
 

@@ -22,12 +22,7 @@ RiserBins::RiserBins(const SheetGrid& grid,
       own[cell] |= std::uint64_t{1} << static_cast<int>((p.z() - bottom_) / bin_);
   seen_ = own;
   for (std::size_t cell = 0; cell < own.size(); ++cell)
-    for (const auto& [dx, dy] : {std::pair<int, int>(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
-      const int x = grid.columnOf(cell) + dx;
-      const int y = grid.rowOf(cell) + dy;
-      if (grid.holds(x, y))
-        seen_[cell] |= own[grid.indexOf(x, y)];
-    }
+    grid.forAllSides(cell, [&](std::size_t next) { seen_[cell] |= own[next]; });
 }
 
 double

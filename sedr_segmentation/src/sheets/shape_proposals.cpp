@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace pcl::sedr {
@@ -51,21 +52,14 @@ grownCells(const PlanSlab& slab,
   std::vector<std::uint8_t> is_known(grid.count(), 0);
   std::vector<std::size_t> grown{seed};
   is_known[seed] = 1;
-  for (std::size_t k = 0; k < grown.size(); ++k) {
-    const int x = grid.columnOf(grown[k]);
-    const int y = grid.rowOf(grown[k]);
-    for (int row = y - reach; row <= y + reach; ++row)
-      for (int column = x - reach; column <= x + reach; ++column) {
-        if (!grid.holds(column, row))
-          continue;
-        const std::size_t next = grid.indexOf(column, row);
-        if (is_known[next])
-          continue;
-        is_known[next] = 1;
-        if (!cells.isEmpty(next) && explainsCell(slab, cells, next, deviation))
-          grown.push_back(next);
-      }
-  }
+  for (std::size_t k = 0; k < grown.size(); ++k)
+    grid.forAllWithin(grown[k], reach, [&](std::size_t next) {
+      if (is_known[next])
+        return;
+      is_known[next] = 1;
+      if (!cells.isEmpty(next) && explainsCell(slab, cells, next, deviation))
+        grown.push_back(next);
+    });
   std::sort(grown.begin(), grown.end());
   return grown;
 }
@@ -274,12 +268,17 @@ wideCells(const CellPoints& cells, const std::vector<std::uint8_t>& is_in, int r
   return wide;
 }
 
-/** @brief Whether a level plane fits its cells as a surface that may tilt and bend does:
- * a strip of a slope or of a vault is none. */
-bool
-isTrulyLevel(const PlanSlab& level,
-             const std::vector<std::size_t>& own,
-             const FacetEvidence& evidence)
+/** @brief How far a surface that may tilt and bend lies off a plane through the same
+ * cells: in the worst of them, and in all as a root mean square; metres. */
+struct Bend {
+  double most = std::numeric_limits<double>::infinity();
+  double usual = std::numeric_limits<double>::infinity();
+};
+
+Bend
+bendOf(const PlanSlab& plane,
+       const std::vector<std::size_t>& own,
+       const FacetEvidence& evidence)
 {
   const auto points = evidence.cells.pointsOf(own, max_points);
   const Eigen::Vector3d mean = meanOf(points);
@@ -292,7 +291,7 @@ isTrulyLevel(const PlanSlab& level,
   Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
   Terms right = Terms::Zero();
   for (const Eigen::Vector3d& p : points) {
-    const double off = distanceOf(level, p);
+    const double off = distanceOf(plane, p);
     if (std::abs(off) > facet_band * evidence.deviation)
       continue;
     const Terms terms = termsAt(p.head<2>());
@@ -300,21 +299,55 @@ isTrulyLevel(const PlanSlab& level,
     right += off * terms;
   }
   const Terms bent = normal.ldlt().solve(right);
-  return bent.allFinite() &&
-         std::all_of(own.begin(), own.end(), [&](std::size_t cell) {
-           return std::abs(bent.dot(termsAt(evidence.cells.grid().centre(cell)))) <
-                  evidence.deviation;
-         });
+  if (!bent.allFinite() || own.empty())
+    return {};
+  Bend bend{0, 0};
+  for (const std::size_t cell : own) {
+    const double off = std::abs(bent.dot(termsAt(evidence.cells.grid().centre(cell))));
+    bend.most = std::max(bend.most, off);
+    bend.usual += off * off / static_cast<double>(own.size());
+  }
+  bend.usual = std::sqrt(bend.usual);
+  return bend;
 }
 
-/** @brief Level planes at the peaks of the histogram of heights. Their `cells` are
- * those that need no other shape: nowhere narrower than half a metre, and not part of
- * a slope. */
+/** @brief The cells that a plane explains and that need no other shape: nowhere
+ * narrower than half a metre, and truly flat.
+ * @param[out] strips those that it explains elsewhere, in pieces */
+std::vector<std::size_t>
+flatCells(const PlanSlab& plane,
+          const FacetEvidence& evidence,
+          std::vector<std::vector<std::size_t>>* strips = nullptr)
+{
+  constexpr double wide = 0.5; // metres
+  const CellPoints& cells = evidence.cells;
+  const SheetGrid& grid = cells.grid();
+  std::vector<std::uint8_t> is_own(grid.count(), 0);
+  for (const std::size_t cell : cells.seen())
+    is_own[cell] = explainsCell(plane, cells, cell, evidence.deviation) ? 1 : 0;
+  const auto reach = static_cast<int>(std::lround(wide / 2 / grid.size));
+  std::vector<std::uint8_t> is_wide(grid.count(), 0);
+  for (const std::size_t cell : wideCells(cells, is_own, std::max(1, reach))) {
+    is_wide[cell] = 1;
+    is_own[cell] = 0;
+  }
+  std::vector<std::size_t> flat;
+  for (const auto& piece : piecesOf(grid, is_wide))
+    if (bendOf(plane, piece, evidence).most < evidence.deviation)
+      flat.insert(flat.end(), piece.begin(), piece.end());
+  std::sort(flat.begin(), flat.end());
+  if (strips)
+    *strips = piecesOf(grid, is_own);
+  return flat;
+}
+
+/** @brief Level planes at the peaks of the histogram of heights, of which a part at
+ * least is level, not a strip of a slope or of a vault. Their `cells` are flatCells().
+ */
 std::vector<FacetProposal>
 proposeLevels(const FacetEvidence& evidence)
 {
-  constexpr std::size_t most = 40;
-  constexpr double wide = 0.5; // metres
+  constexpr int most = 40;
   const CellPoints& cells = evidence.cells;
   const double cell_size = cells.grid().size;
   const auto least = static_cast<std::size_t>(
@@ -330,7 +363,7 @@ proposeLevels(const FacetEvidence& evidence)
   }
   std::sort(heights.begin(), heights.end());
   std::vector<FacetProposal> found;
-  while (found.size() < most) {
+  for (int tried = 0; tried < most; ++tried) {
     std::size_t first = 0;
     std::size_t count = 0;
     for (std::size_t low = 0, high = 0; high < heights.size(); ++high) {
@@ -348,28 +381,24 @@ proposeLevels(const FacetEvidence& evidence)
       own.push_back(heights[k].second);
     std::sort(own.begin(), own.end());
     FacetProposal level = fitFacet(ShapeKind::Level, evidence, std::move(own));
-    level.cells.clear();
-    std::vector<std::uint8_t> is_own(cells.grid().count(), 0);
-    for (const std::size_t cell : cells.seen())
-      is_own[cell] = explainsCell(level.slab, cells, cell, evidence.deviation) ? 1 : 0;
-    const auto reach = static_cast<int>(std::lround(wide / 2 / cell_size));
-    std::vector<std::uint8_t> is_left(cells.grid().count(), 0);
-    for (const std::size_t cell : wideCells(cells, is_own, std::max(1, reach)))
-      is_left[cell] = 1;
-    for (const auto& piece : piecesOf(cells.grid(), is_left))
-      if (isTrulyLevel(level.slab, piece, evidence))
-        level.cells.insert(level.cells.end(), piece.begin(), piece.end());
-    std::sort(level.cells.begin(), level.cells.end());
-    found.push_back(std::move(level));
+    std::vector<std::vector<std::size_t>> strips;
+    level.cells = flatCells(level.slab, evidence, &strips);
+    const bool is_level =
+        !level.cells.empty() ||
+        std::any_of(strips.begin(), strips.end(), [&](const auto& strip) {
+          return strip.size() >= least &&
+                 bendOf(level.slab, strip, evidence).usual < evidence.deviation;
+        });
+    const double height = level.slab.heightAt(Eigen::Vector2d::Zero());
     heights.erase(std::remove_if(heights.begin(), heights.end(),
-                                 [&](const auto& height) {
-                                   return is_own[height.second] ||
-                                          std::abs(height.first -
-                                                   found.back().slab.heightAt(
-                                                       Eigen::Vector2d::Zero())) <
-                                              band / 2;
+                                 [&](const auto& other) {
+                                   return std::abs(other.first - height) < band / 2 ||
+                                          explainsCell(level.slab, cells, other.second,
+                                                       evidence.deviation);
                                  }),
                   heights.end());
+    if (is_level)
+      found.push_back(std::move(level));
   }
   return found;
 }
@@ -379,34 +408,31 @@ proposeLevels(const FacetEvidence& evidence)
 std::vector<FacetProposal>
 proposeFacets(const FacetEvidence& evidence)
 {
-  struct Search {
-    ShapeKind kind;
-    std::vector<int> reaches; // cells, one search after the other
-  };
-  // A window with a curve in it is mostly of that curve: the smallest dome that is
-  // tested is 1.7 m wide, in cells of 10 and 15 cm.
-  const std::vector<int> of_curves{5, 10, 16};
-  std::vector<Search> searches{{ShapeKind::Plane, {3, 1}},
-                               {ShapeKind::Cylinder, of_curves},
-                               {ShapeKind::Sphere, of_curves}};
+  std::vector<FacetProposal> all = proposeLevels(evidence);
+  const std::size_t levels = all.size();
+  for (const int reach : {3, 1}) // cells
+    growFromSeeds(evidence, ShapeKind::Plane, reach, all);
+  std::vector<FacetProposal> flat = all; // other shapes are looked for elsewhere
+  for (std::size_t k = levels; k < flat.size(); ++k) {
+    // A level plane is one number only, and worth it where a tilted one is not.
+    if (isLevel(flat[k].slab))
+      all.push_back(fitFacet(ShapeKind::Level, evidence, flat[k].cells));
+    flat[k].cells = flatCells(flat[k].slab, evidence);
+  }
   if (evidence.parameters.is_floor)
-    searches.resize(1);
-  const std::vector<FacetProposal> levels = proposeLevels(evidence);
-  std::vector<std::vector<FacetProposal>> found(searches.size(), levels);
-  parallelBlocks(searches.size(), 1, evidence.parameters.threads,
+    return all;
+  constexpr ShapeKind curves[] = {ShapeKind::Cylinder, ShapeKind::Sphere};
+  std::vector<std::vector<FacetProposal>> found(std::size(curves), flat);
+  parallelBlocks(found.size(), 1, evidence.parameters.threads,
                  [&](std::size_t k, std::size_t) {
-                   for (const int reach : searches[k].reaches)
-                     growFromSeeds(evidence, searches[k].kind, reach, found[k]);
+                   // A window with a curve in it is mostly of that curve: the smallest
+                   // dome that is tested is 1.7 m wide, in cells of 10 and 15 cm.
+                   for (const int reach : {5, 10, 16})
+                     growFromSeeds(evidence, curves[k], reach, found[k]);
                  });
-  std::vector<FacetProposal> all = levels;
-  const auto known = static_cast<std::ptrdiff_t>(levels.size());
-  // A level plane is one number only, and worth it where a tilted one is not.
-  for (auto plane = found.front().begin() + known; plane != found.front().end();
-       ++plane)
-    if (isLevel(plane->slab))
-      all.push_back(fitFacet(ShapeKind::Level, evidence, plane->cells));
   for (auto& of_kind : found)
-    std::move(of_kind.begin() + known, of_kind.end(), std::back_inserter(all));
+    std::move(of_kind.begin() + static_cast<std::ptrdiff_t>(flat.size()), of_kind.end(),
+              std::back_inserter(all));
   return all;
 }
 

@@ -13,7 +13,8 @@ namespace pcl::sedr {
 
 namespace {
 
-constexpr float unexplained = 0.7F; ///< of what an outlier costs
+constexpr float unexplained = 0.7F;    ///< of what an outlier costs
+constexpr double coarsest_cell = 0.15; ///< metres: in larger ones much is beside a step
 
 /** @brief Gives cells without a label that of the nearest one with, by steps. */
 void
@@ -26,15 +27,12 @@ fillNearest(const SheetGrid& grid, std::vector<std::int32_t>& label)
   while (!front.empty()) {
     std::vector<std::size_t> next;
     for (const std::size_t cell : front)
-      for (const auto& [dx, dy] :
-           {std::pair<int, int>(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
-        const int x = grid.columnOf(cell) + dx;
-        const int y = grid.rowOf(cell) + dy;
-        if (!grid.holds(x, y) || label[grid.indexOf(x, y)] != FacetSheet::none)
-          continue;
-        label[grid.indexOf(x, y)] = label[cell];
-        next.push_back(grid.indexOf(x, y));
-      }
+      grid.forAllSides(cell, [&](std::size_t beside) {
+        if (label[beside] != FacetSheet::none)
+          return;
+        label[beside] = label[cell];
+        next.push_back(beside);
+      });
     front = std::move(next);
   }
 }
@@ -82,21 +80,30 @@ planeNear(const std::vector<Eigen::Vector3d>& points)
   return {0, 0, 1, -height};
 }
 
-/** @brief Gives a sheet its facets, and what is known of them: the points that they
- * explain, and the planes that stand for curves. */
+/** @brief Gives a sheet its facets, fitted to all points, and what is known of them:
+ * the points that they explain, and the planes that stand for curves. */
 void
 takeFacets(const CellPoints& cells,
            FacetChoice choice,
            double deviation,
+           const SheetParameters& parameters,
            FacetSheet& sheet)
 {
   constexpr std::size_t max_points = 40000;
+  constexpr std::size_t max_fitted = 5000;
   std::vector<std::vector<std::size_t>> own(choice.facets.size());
   for (std::size_t cell = 0; cell < sheet.label.size(); ++cell)
     if (cells.isInside(cell) && !cells.isEmpty(cell))
       own[static_cast<std::size_t>(sheet.label[cell])].push_back(cell);
   for (std::size_t k = 0; k < choice.facets.size(); ++k) {
     PlanSlab& slab = choice.facets[k].slab;
+    if (!slab.curve || slab.curve->kind != CurveKind::Relief) {
+      FacetProposal refined = choice.facets[k];
+      refineShape(refined.kind, cells.pointsOf(own[k], max_fitted), deviation,
+                  refined.slab);
+      if (isBuilt(refined, parameters))
+        slab = refined.slab;
+    }
     if (slab.curve)
       slab.plane = planeNear(cells.pointsOf(own[k], max_points));
     double sum = 0;
@@ -188,17 +195,17 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
          const std::vector<Eigen::Vector3d>& around)
 {
   constexpr std::size_t min_points = 50;
+  constexpr std::size_t max_a_cell = 5; // the last fit is to all
   FacetSheet sheet;
   sheet.grid = grid;
   sheet.is_inside = domain;
-  const CellPoints cells(sheet.grid, sheet.is_inside, points);
+  const CellPoints cells(sheet.grid, sheet.is_inside, points, max_a_cell);
   if (cells.size() < min_points)
     return sheet;
   sheet.noise = cells.noise();
   const double deviation = std::hypot(sheet.noise, parameters.unevenness);
-  constexpr double coarsest = 0.15; // metres: in larger cells much is beside a step
   std::optional<RiserBins> risers;
-  if (!around.empty() && grid.size <= coarsest)
+  if (!around.empty() && grid.size <= coarsest_cell)
     risers.emplace(grid, around, cells.lowest(), cells.highest());
   const FacetEvidence evidence{cells, directions, deviation, parameters,
                                risers ? &*risers : nullptr};
@@ -234,7 +241,8 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
     seen += sheet.is_seen[cell];
   }
   sheet.explained = static_cast<double>(seen) / static_cast<double>(with_points);
-  takeFacets(cells, std::move(choice), deviation, sheet);
+  takeFacets(CellPoints(sheet.grid, sheet.is_inside, points), std::move(choice),
+             deviation, parameters, sheet);
   return sheet;
 }
 
@@ -247,19 +255,6 @@ surfaceWithin(const PlanLoop& loop,
   const SheetGrid grid = gridWithin(loop, parameters);
   return fitSheet(points, grid, cellsWithin(grid, loop), wallDirections(loop),
                   parameters, around);
-}
-
-FacetSheet
-plainSurface(const PlanLoop& loop, const PlanSlab& plane)
-{
-  FacetSheet sheet;
-  sheet.grid = gridWithin(loop, {});
-  sheet.is_inside = cellsWithin(sheet.grid, loop);
-  sheet.is_seen = sheet.is_inside;
-  sheet.label.assign(sheet.grid.count(), 0);
-  sheet.facets = {plane};
-  sheet.explained = 1;
-  return sheet;
 }
 
 bool

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -99,6 +100,37 @@ struct SheetGrid {
     return placeOf(columnOf(cell) + 0.5, rowOf(cell) + 0.5);
   }
 
+  /** @brief Calls `use(next)` for the cells that share a side with a cell. */
+  template <typename Use>
+  void forAllSides(std::size_t cell, Use use) const
+  {
+    const int x = columnOf(cell);
+    const int y = rowOf(cell);
+    if (x + 1 < columns)
+      use(cell + 1);
+    if (x > 0)
+      use(cell - 1);
+    if (y + 1 < rows)
+      use(cell + static_cast<std::size_t>(columns));
+    if (y > 0)
+      use(cell - static_cast<std::size_t>(columns));
+  }
+
+  /** @brief Calls `use(near)` for the cells at most `reach` columns and rows from a
+   * cell, row by row, itself among them.
+   * @return whether none of them lies beside the grid */
+  template <typename Use>
+  bool forAllWithin(std::size_t cell, int reach, Use use) const
+  {
+    const int x = columnOf(cell);
+    const int y = rowOf(cell);
+    for (int row = std::max(0, y - reach); row <= std::min(rows - 1, y + reach); ++row)
+      for (int column = std::max(0, x - reach);
+           column <= std::min(columns - 1, x + reach); ++column)
+        use(indexOf(column, row));
+    return x >= reach && y >= reach && x + reach < columns && y + reach < rows;
+  }
+
   /** @brief Index of the cell around a place; count() beside the grid. */
   std::size_t at(const Eigen::Vector2d& p) const
   {
@@ -155,9 +187,6 @@ FacetSheet surfaceWithin(const PlanLoop& loop,
                          const std::vector<Eigen::Vector3d>& points,
                          const SheetParameters& parameters = {},
                          const std::vector<Eigen::Vector3d>& around = {});
-
-/** @brief The surface of a room that is one plane. */
-FacetSheet plainSurface(const PlanLoop& loop, const PlanSlab& plane);
 
 /** @brief Whether a sheet has a facet in closed form that is no level plane. */
 bool hasSlope(const FacetSheet& sheet);

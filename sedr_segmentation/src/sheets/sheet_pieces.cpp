@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <utility>
@@ -13,8 +12,6 @@
 namespace pcl::sedr {
 
 namespace {
-
-constexpr std::pair<int, int> four_sides[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
 
 bool
 isLevelFacet(const FacetChoice& choice, std::int32_t facet)
@@ -47,7 +44,12 @@ public:
   void run()
   {
     joinEven();
-    std::vector<std::vector<std::size_t>> pieces = connected();
+    std::vector<std::vector<std::size_t>> pieces = piecesOf(grid_, label_);
+    pieces.erase(std::remove_if(pieces.begin(), pieces.end(),
+                                [&](const auto& piece) {
+                                  return label_[piece.front()] == FacetSheet::none;
+                                }),
+                 pieces.end());
     std::stable_sort(pieces.begin(), pieces.end(),
                      [](const auto& a, const auto& b) { return a.size() < b.size(); });
     if (pieces.empty())
@@ -114,42 +116,10 @@ private:
   {
     bool is_beside = false;
     for (const std::size_t cell : cells)
-      forAllSides(cell, [&](std::size_t next) {
+      grid_.forAllSides(cell, [&](std::size_t next) {
         is_beside = is_beside || label_[next] == other;
       });
     return is_beside;
-  }
-
-  std::vector<std::vector<std::size_t>> connected() const
-  {
-    std::vector<std::vector<std::size_t>> pieces;
-    std::vector<std::uint8_t> is_known(label_.size(), 0);
-    for (std::size_t first = 0; first < label_.size(); ++first) {
-      if (label_[first] == FacetSheet::none || is_known[first])
-        continue;
-      std::vector<std::size_t> piece{first};
-      is_known[first] = 1;
-      for (std::size_t k = 0; k < piece.size(); ++k)
-        forAllSides(piece[k], [&](std::size_t next) {
-          if (label_[next] != label_[first] || is_known[next])
-            return;
-          is_known[next] = 1;
-          piece.push_back(next);
-        });
-      pieces.push_back(std::move(piece));
-    }
-    return pieces;
-  }
-
-  template <typename Use>
-  void forAllSides(std::size_t cell, Use use) const
-  {
-    for (const auto& [dx, dy] : four_sides) {
-      const int x = grid_.columnOf(cell) + dx;
-      const int y = grid_.rowOf(cell) + dy;
-      if (grid_.holds(x, y))
-        use(grid_.indexOf(x, y));
-    }
   }
 
   /** @brief Whether risers close the step between two heights at the border of two
@@ -171,7 +141,7 @@ private:
     piece.cells = std::move(cells);
     const std::int32_t own = label_[piece.cells.front()];
     for (const std::size_t cell : piece.cells)
-      forAllSides(cell, [&](std::size_t next) {
+      grid_.forAllSides(cell, [&](std::size_t next) {
         const std::int32_t other = label_[next];
         if (other == own)
           return;
@@ -207,15 +177,14 @@ private:
   /** @brief Whether a piece lies at a wall, or less than two cells from it. */
   bool isAtWall(const Piece& piece) const
   {
-    return std::any_of(piece.cells.begin(), piece.cells.end(), [&](std::size_t cell) {
-      return std::any_of(std::begin(four_sides), std::end(four_sides),
-                         [&](const auto& side) {
-                           const int x = grid_.columnOf(cell) + 2 * side.first;
-                           const int y = grid_.rowOf(cell) + 2 * side.second;
-                           return !grid_.holds(x, y) ||
-                                  label_[grid_.indexOf(x, y)] == FacetSheet::none;
-                         });
-    });
+    bool is_at_wall = false;
+    for (const std::size_t cell : piece.cells)
+      grid_.forAllSides(cell, [&](std::size_t next) {
+        grid_.forAllSides(next, [&](std::size_t beyond) {
+          is_at_wall = is_at_wall || label_[beyond] == FacetSheet::none;
+        });
+      });
+    return is_at_wall;
   }
 
   bool isLargeEnough(const Piece& piece) const

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "cell_points.h"
 #include "shape_proposals.h"
 
 #include "sedr_filters/src/base/middle_value.h"
@@ -31,17 +32,13 @@ cellsWithinFacets(const FacetSheet& sheet)
   const SheetGrid& grid = sheet.grid;
   std::vector<std::uint8_t> is_within(grid.count(), 0);
   for (std::size_t cell = 0; cell < grid.count(); ++cell) {
-    bool is_alike = sheet.is_inside[cell] != 0;
-    for (int dy = -1; dy <= 1; ++dy)
-      for (int dx = -1; dx <= 1; ++dx) {
-        const int x = grid.columnOf(cell) + dx;
-        const int y = grid.rowOf(cell) + dy;
-        // Beside the room is a wall, whose points are near a facet, too.
-        is_alike = is_alike && grid.holds(x, y) &&
-                   sheet.is_inside[grid.indexOf(x, y)] != 0 &&
-                   sheet.label[grid.indexOf(x, y)] == sheet.label[cell];
-      }
-    is_within[cell] = is_alike ? 1 : 0;
+    bool is_alike = true;
+    // Beside the room is a wall, whose points are near a facet, too.
+    const bool is_off_rim = grid.forAllWithin(cell, 1, [&](std::size_t near) {
+      is_alike = is_alike && sheet.is_inside[near] != 0 &&
+                 sheet.label[near] == sheet.label[cell];
+    });
+    is_within[cell] = is_alike && is_off_rim ? 1 : 0;
   }
   return is_within;
 }
@@ -88,10 +85,7 @@ refitToScan(FacetSheet& sheet,
   std::vector<std::vector<Eigen::Vector3d>> points(sheet.facets.size());
   forAllNear(sheet, is_within, scan, indices,
              [&](std::size_t cell, const Eigen::Vector3d& p) {
-               const std::uint64_t before = passed[cell]++;
-               const std::uint64_t most = max_a_cell;
-               if (count[cell] <= most ||
-                   before * most / count[cell] != (before + 1) * most / count[cell])
+               if (isChosen(passed[cell]++, count[cell], max_a_cell))
                  points[static_cast<std::size_t>(sheet.label[cell])].push_back(p);
              });
   for (std::size_t f = 0; f < sheet.facets.size(); ++f) {
