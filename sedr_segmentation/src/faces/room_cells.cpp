@@ -166,22 +166,25 @@ gatherWalls(const PointView& points,
     bool is_top; ///< below the highest ceiling beside it
   };
   std::vector<Place> places;
-  // How far the ceiling may be below the highest place near: a slope is as far below
-  // the mean as that is above it.
-  std::vector<float> highest_own(count, 0);
-  std::vector<float> is_own(count, 0);
+  std::vector<float> low(count, no_height); // of the ceiling's points in each cell
+  std::vector<float> high(count, -no_height);
   forEachIn(cells.seen, grid, points, room.ceiling,
             [&](std::size_t at, const Eigen::Vector3f& q) {
-              const float z = q.z() - static_cast<float>(cells.ceiling);
-              highest_own[at] = is_own[at] == 0 ? z : std::max(highest_own[at], z);
-              is_own[at] = 1;
+              low[at] = std::min(low[at], q.z());
+              high[at] = std::max(high[at], q.z());
             });
+  std::vector<float> below_top(count, 0);
+  std::vector<float> is_own(count, 0);
+  for (std::size_t at = 0; at < count; ++at)
+    if (low[at] <= high[at]) {
+      below_top[at] = cells.top[at] - high[at];
+      is_own[at] = 1;
+    }
   const int reach = static_cast<int>(std::lround(p.local / grid.size()));
-  const std::vector<float> sum = boxSums(cells.seen, reach, highest_own);
-  const std::vector<float> number_near = boxSums(cells.seen, reach, is_own);
-  const auto lowestCeiling = [&](std::size_t at) {
-    const double mean = cells.ceiling + sum[at] / std::max(1.0f, number_near[at]);
-    return 2 * mean - cells.top[at];
+  const std::vector<float> depths = boxSums(cells.seen, reach, below_top);
+  const std::vector<float> near = boxSums(cells.seen, reach, is_own);
+  const auto maySlope = [&](std::size_t at) {
+    return depths[at] > near[at] * p.rim / 2 && high[at] - low[at] < 2 * p.bin;
   };
   const auto gather = [&](const std::vector<int>& indices, bool of_wall, bool below) {
     forEachIn(
@@ -190,7 +193,7 @@ gatherWalls(const PointView& points,
           const auto isBelow = [&](float ceiling) {
             return q.z() > lowest(ceiling) && q.z() < ceiling - p.rim;
           };
-          if (below && q.z() > lowestCeiling(at) - p.rim)
+          if (below && (q.z() > cells.top[at] - p.rim || maySlope(at)))
             return;
           if (q.z() < cells.top[at] + p.rim)
             highest[at] = std::max(highest[at], q.z());
@@ -234,7 +237,7 @@ gatherWalls(const PointView& points,
         __builtin_popcountll(bins_of_base[i]) >= p.filled_of_wall &&
         !(is_tall && highest[i] < cells.low[i] - p.below);
   }
-  const CellMask near = dilated(cells.solid, 1);
+  const CellMask near_solid = dilated(cells.solid, 1);
   const CellMask near_pillar = dilated(cells.pillar, 1);
   std::vector<std::size_t> number(count, 0);
   std::size_t solids = 0;
@@ -246,7 +249,7 @@ gatherWalls(const PointView& points,
   for (const Place& place : places) {
     if (endsBelow(place.cell))
       continue;
-    if (place.is_top ? place.is_wall || near.values()[place.cell]
+    if (place.is_top ? place.is_wall || near_solid.values()[place.cell]
                      : near_pillar.values()[place.cell] != 0)
       cells.wall_points.push_back(place.at);
     if (place.is_top && cells.solid.values()[place.cell]) {

@@ -288,6 +288,15 @@ takenBy(std::int32_t own,
   return taken;
 }
 
+CellBox
+boxAround(const SheetGrid& grid, const std::vector<std::size_t>& cells)
+{
+  CellBox box;
+  for (const std::size_t cell : cells)
+    box.extend(Eigen::Vector2i(grid.columnOf(cell), grid.rowOf(cell)));
+  return box;
+}
+
 /** @brief Whether a cell in a box, or beside it, changed after an expansion. */
 bool
 hasChanged(const SheetGrid& grid,
@@ -311,7 +320,7 @@ labelCells(const std::vector<FacetCosts>& facets,
            const FacetEvidence& evidence,
            std::vector<std::int32_t>& label)
 {
-  constexpr int max_sweeps = 4;
+  constexpr int max_sweeps = 3;
   constexpr double worth = 1e-6;
   const Borders borders(facets, evidence);
   const auto count = static_cast<std::int32_t>(facets.size());
@@ -328,11 +337,14 @@ labelCells(const std::vector<FacetCosts>& facets,
         takenBy(k % count, box, facets, borders, evidence.cells, label);
     if (taken.empty())
       continue;
-    const double before = energyWithin(box, facets, borders, evidence.cells, label);
     std::vector<std::int32_t> next = label;
     for (const std::size_t cell : taken)
       next[cell] = k % count;
-    if (energyWithin(box, facets, borders, evidence.cells, next) >= before - worth)
+    const CellBox of_taken = boxAround(evidence.cells.grid(), taken);
+    const auto energy = [&](const std::vector<std::int32_t>& of) {
+      return energyWithin(of_taken, facets, borders, evidence.cells, of);
+    };
+    if (energy(next) >= energy(label) - worth)
       continue;
     for (const std::size_t cell : taken)
       changed[cell] = k + 1;

@@ -23,7 +23,7 @@ namespace pcl::sedr {
  * logarithms of probability. */
 struct SheetParameters {
   double cell_size = 0.1; ///< of the plan, each of one facet; larger in large rooms
-  std::size_t max_cells = 20000; ///< of a room
+  std::size_t max_cells = 30000; ///< of a room
   double unevenness = 0.005;     ///< by which a ceiling strays from its shape, metres:
                                  ///< plaster within a straightedge's tolerance
   double patch = 0.5;     ///< metres within which it strays as one: what is seen there

@@ -41,17 +41,23 @@ struct Lattice {
 
 using Segments = std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>;
 
-/** @brief Appends where a function is zero in the squares of a lattice, of which
- * `isWanted` the middle (marching squares; Lorensen and Cline 1987). */
+/** @brief Appends where a function is zero in the squares of a lattice that meet a box,
+ * of which `isWanted` the middle (marching squares; Lorensen and Cline 1987). */
 template <typename Function, typename IsWanted>
 void
 addZeros(const Lattice& lattice,
+         const Eigen::AlignedBox2d& box,
          Function function,
          IsWanted isWanted,
          Segments& segments)
 {
-  for (int y = 0; y + 1 < lattice.rows; ++y)
-    for (int x = 0; x + 1 < lattice.columns; ++x) {
+  const Eigen::Array2d low = (box.min() - lattice.origin) / lattice.spacing;
+  const Eigen::Array2d high = (box.max() - lattice.origin) / lattice.spacing;
+  const Eigen::Array2i first = low.floor().cast<int>().max(0);
+  const Eigen::Array2i last =
+      high.floor().cast<int>().min(Eigen::Array2i(lattice.columns, lattice.rows) - 2);
+  for (int y = first.y(); y <= last.y(); ++y)
+    for (int x = first.x(); x <= last.x(); ++x) {
       const Eigen::Vector2d corners[] = {lattice.at(x, y), lattice.at(x + 1, y),
                                          lattice.at(x + 1, y + 1),
                                          lattice.at(x, y + 1)};
@@ -88,8 +94,17 @@ heightLines(const PlanRoom& room, double height)
     for (int f = -1; f < static_cast<int>(room.floor_details.size()); ++f) {
       const PlanSlab& ceiling = room.ceilingSlab(d);
       const PlanSlab& floor = room.floorSlab(f);
+      Eigen::AlignedBox2d box = boundsOf(room.boundary);
+      if (d >= 0)
+        box = box.intersection(
+            boundsOf(room.details[static_cast<std::size_t>(d)].boundary));
+      if (f >= 0)
+        box = box.intersection(
+            boundsOf(room.floor_details[static_cast<std::size_t>(f)].boundary));
+      if (box.isEmpty())
+        continue;
       addZeros(
-          lattice,
+          lattice, box,
           [&](const Eigen::Vector2d& p) {
             return ceiling.heightAt(p) - floor.heightAt(p) - height;
           },
