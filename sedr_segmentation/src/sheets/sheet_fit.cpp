@@ -89,8 +89,7 @@ takeFacets(const CellPoints& cells,
            const SheetParameters& parameters,
            FacetSheet& sheet)
 {
-  constexpr std::size_t max_points = 40000;
-  constexpr std::size_t max_fitted = 5000;
+  constexpr std::size_t max_points = 5000;
   std::vector<std::vector<std::size_t>> own(choice.facets.size());
   for (std::size_t cell = 0; cell < sheet.label.size(); ++cell)
     if (cells.isInside(cell) && !cells.isEmpty(cell))
@@ -99,7 +98,7 @@ takeFacets(const CellPoints& cells,
     PlanSlab& slab = choice.facets[k].slab;
     if (!slab.curve || slab.curve->kind != CurveKind::Relief) {
       FacetProposal refined = choice.facets[k];
-      refineShape(refined.kind, cells.pointsOf(own[k], max_fitted), deviation,
+      refineShape(refined.kind, cells.pointsOf(own[k], max_points), deviation,
                   refined.slab);
       if (isBuilt(refined, parameters))
         slab = refined.slab;
