@@ -76,6 +76,17 @@ orNone(const pcl::IndicesConstPtr& indices)
   return indices ? *indices : pcl::Indices();
 }
 
+/** @brief Joins walls that follow each other on one line or circle. */
+void
+joinWalls(Floorplan& plan)
+{
+  for (PlanRoom& room : plan.rooms) {
+    joinNeighbours(room.boundary);
+    for (PlanLoop& column : room.columns)
+      joinNeighbours(column);
+  }
+}
+
 /** @brief Moves the plan to the points of the raw scan.
  * @return why it was not moved, a sentence; else empty */
 std::string
@@ -126,15 +137,12 @@ fitFloorplan(const PlanInput& input,
                       raw_indices, parameters, problem, warnings, &boundaries, sheets);
   if (!problem.empty())
     return problem;
+  joinWalls(plan); // an element without length has no direction to keep
   if (has_raw)
     problem = fitToRaw(input.raw, raw_indices, parameters, plan);
   if (!problem.empty())
     warnings.push_back({WarningKind::NotAdjusted, {}, 0, 0, problem});
-  for (PlanRoom& room : plan.rooms) {
-    joinNeighbours(room.boundary);
-    for (PlanLoop& column : room.columns)
-      joinNeighbours(column);
-  }
+  joinWalls(plan);
   dropSharedNiches(plan);
   giveCeilings(std::move(sheets), has_raw ? input.raw : input.points,
                has_raw ? raw_indices : input.indices, parameters.threads, plan);
