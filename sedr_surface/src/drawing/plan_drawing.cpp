@@ -330,15 +330,6 @@ floorplanToPdf(const Floorplan& plan, const DrawingSettings& settings)
   return sheetPdf(planSheet({plan, settings, 0}, settings));
 }
 
-std::string
-floorplanToPng(const Floorplan& plan,
-               const DrawingSettings& settings,
-               double resolution)
-{
-  constexpr double inch = 25.4; // millimetres
-  return sheetPng(planSheet({plan, settings, 0}, settings), resolution / inch);
-}
-
 Eigen::Affine2d
 drawingPlaces(const Floorplan& plan, const DrawingSettings& settings)
 {
@@ -348,14 +339,6 @@ drawingPlaces(const Floorplan& plan, const DrawingSettings& settings)
          Eigen::Scaling((Eigen::Array2d(1, -1) / size).matrix()) *
          Eigen::Translation2d(layout.frame.shift) *
          Eigen::Rotation2Dd(layout.frame.turn) * Eigen::Scaling(layout.frame.scale);
-}
-
-double
-drawingScale(const Floorplan& plan, PaperSize paper)
-{
-  DrawingSettings settings;
-  settings.paper = paper;
-  return layoutOf(plan, settings).scale;
 }
 
 } // namespace pcl::sedr

@@ -55,18 +55,26 @@ facetOf(const PlanLoop& loop, const PlanSlab& slab)
   return detail;
 }
 
+double
+scaleOf(const PlanLoop& loop, PaperSize paper = PaperSize::A3)
+{
+  DrawingSettings settings;
+  settings.paper = paper;
+  return PlanDrawing(planOf(loop), settings, 0).layout.scale;
+}
+
 TEST(FloorplanDrawing, TheScaleIsTheLargestOfARulerThatFitsThePaper)
 {
   // An A3 sheet has 372 mm by 232 mm for a rectangle between frame, title and
   // dimensions, or 249 mm by 355 mm.
-  EXPECT_EQ(drawingScale(planOf(rectangle(0, 0, 3.7, 2.3))), 10);
-  EXPECT_EQ(drawingScale(planOf(rectangle(0, 0, 3.75, 2.3))), 20);
-  EXPECT_EQ(drawingScale(planOf(rectangle(0, 0, 2.4, 3.5))), 10) << "upright";
-  EXPECT_EQ(drawingScale(planOf(rectangle(0, 0, 16, 18))), 75);
-  EXPECT_EQ(drawingScale(planOf(rectangle(0, 0, 34, 20))), 100);
-  EXPECT_EQ(drawingScale(planOf(rectangle(0, 0, 34, 20)), PaperSize::A1), 50);
-  EXPECT_EQ(drawingScale(planOf(rectangle(0, 0, 400, 200))), 2000);
-  EXPECT_EQ(drawingScale(planOf(rectangle(0, 0, 3000, 1000))), 10000);
+  EXPECT_EQ(scaleOf(rectangle(0, 0, 3.7, 2.3)), 10);
+  EXPECT_EQ(scaleOf(rectangle(0, 0, 3.75, 2.3)), 20);
+  EXPECT_EQ(scaleOf(rectangle(0, 0, 2.4, 3.5)), 10) << "upright";
+  EXPECT_EQ(scaleOf(rectangle(0, 0, 16, 18)), 75);
+  EXPECT_EQ(scaleOf(rectangle(0, 0, 34, 20)), 100);
+  EXPECT_EQ(scaleOf(rectangle(0, 0, 34, 20), PaperSize::A1), 50);
+  EXPECT_EQ(scaleOf(rectangle(0, 0, 400, 200)), 2000);
+  EXPECT_EQ(scaleOf(rectangle(0, 0, 3000, 1000)), 10000);
 }
 
 TEST(FloorplanDrawing, AScaleThatIsAskedForHasThePaperItNeeds)

@@ -45,39 +45,33 @@ cellOf(CellKey key)
 }
 
 /** @brief A regular grid of square cells in the x-y plane (paper, section 2.3.1). One
- * corner lies at the origin, so grids of the same cell size coincide, unless another
- * place is given for it. */
+ * corner lies at the origin, so grids of the same cell size coincide. */
 class CellGrid {
 public:
-  /** @param size edge of a cell, metres, > 0; 0 for a grid that is not known
-   * @param corner a place where cells meet, metres */
-  explicit CellGrid(double size, const Eigen::Vector2d& corner = {0, 0})
+  /** @param size edge of a cell, metres, > 0; 0 for a grid that is not known */
+  explicit CellGrid(double size)
       : size_(size)
-      , corner_(corner)
   {}
 
   double size() const { return size_; }
-
-  const Eigen::Vector2d& corner() const { return corner_; }
 
   /** @brief Checks that (x, y) is finite and within the range of a 32-bit cell. */
   bool holds(double x, double y) const
   {
     constexpr double limit = std::numeric_limits<std::int32_t>::max() - 16.0;
-    return std::abs((x - corner_.x()) / size_) < limit &&
-           std::abs((y - corner_.y()) / size_) < limit;
+    return std::abs(x / size_) < limit && std::abs(y / size_) < limit;
   }
 
   /** @brief Returns the cell of (x, y); holds() must be true (asserted). */
   Cell at(double x, double y) const
   {
     assert(holds(x, y));
-    return {floorOf((x - corner_.x()) / size_), floorOf((y - corner_.y()) / size_)};
+    return {floorOf(x / size_), floorOf(y / size_)};
   }
 
   Eigen::Vector2d centre(Cell cell) const
   {
-    return {corner_.x() + (cell.x + 0.5) * size_, corner_.y() + (cell.y + 0.5) * size_};
+    return {(cell.x + 0.5) * size_, (cell.y + 0.5) * size_};
   }
 
 private:
@@ -89,7 +83,6 @@ private:
   }
 
   double size_;
-  Eigen::Vector2d corner_;
 };
 
 /** @brief A set of cells of any extent: a sorted vector of keys and the start of each

@@ -49,16 +49,6 @@ public:
     return p;
   }
 
-  /** @brief Prefetches a point that will soon be read. */
-  void prefetch(std::size_t i) const
-  {
-#ifdef __GNUC__
-    __builtin_prefetch(first_ + i * stride_);
-#else
-    static_cast<void>(i);
-#endif
-  }
-
   bool isFinite(std::size_t i) const
   {
     const Eigen::Vector3f p = (*this)[i];

@@ -50,14 +50,10 @@ struct Priors {
   double max_platform_height = 0.6; ///< above a room's floor; also of steps below it
   double max_step_height = 0.35;    ///< higher steps lead onto a bench or a bed
   double min_platform_area = 1.2;   ///< minimum area of a platform
-  double min_platform_width = 0.7;  ///< minimum width of the parts of a platform
-  double min_tread = 0.2;           ///< minimum depth of a step up to another platform
   double max_soffit_reach = 5;  ///< maximum distance of a soffit from the main ceiling
   double min_floor_step = 0.06; ///< smaller steps are a rug or a ceiling panel
   double min_slab_area = 1; ///< minimum area of a floor part or a shallow ceiling step
   double min_recess = 0.3;  ///< minimum width of a ceiling recess; narrower: ribs
-  double min_drop = 0.1;    ///< minimum drop of a soffit above furniture
-  double max_head_depth = 0.55; ///< of a door or window head taken for a soffit
 
   // Furniture.
   double max_furniture_depth = 0.9; ///< its maximum depth, a wardrobe before a wall
@@ -77,7 +73,6 @@ struct Priors {
   double cell_fill = 0.97;    ///< share of ceiling cells filled in a dense enough scan
   double max_enlargement = 2.5;  ///< maximum factor of the cell size in a sparse scan
   double min_scan_points = 1000; ///< minimum number of points of a room
-  double coarse_cell = 0.2;      ///< cell size that bridges parts hidden by furniture
   double min_points = 10;        ///< minimum number of points to fit a curve
 
   // Thresholds of the share of an object that was seen.

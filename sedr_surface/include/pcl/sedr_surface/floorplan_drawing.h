@@ -53,18 +53,9 @@ std::string floorplanToSvg(const Floorplan& plan, const DrawingSettings& setting
 /** @brief Draws the same sheet as a PDF page. */
 std::string floorplanToPdf(const Floorplan& plan, const DrawingSettings& settings = {});
 
-/** @brief Draws the same sheet as a PNG picture.
- * @param resolution pixels an inch of paper */
-std::string floorplanToPng(const Floorplan& plan,
-                           const DrawingSettings& settings = {},
-                           double resolution = 150);
-
 /** @brief Returns where places of a plan are on its sheet, as shares of width and
  * height from the upper left corner. */
 Eigen::Affine2d drawingPlaces(const Floorplan& plan, const DrawingSettings& settings);
-
-/** @brief Returns the scale that is chosen if none is set. */
-double drawingScale(const Floorplan& plan, PaperSize paper = PaperSize::A3);
 
 /** @brief Writes a floor plan as DXF (AutoCAD release 12), one unit per metre, in the
  * coordinates of the plan, with a resolution of 0.1 micrometres.
