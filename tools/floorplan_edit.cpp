@@ -98,8 +98,11 @@ apply(const Edits& edits, PlanEditor& editor)
     done(editor.square(numberOf<std::uint32_t>(edit, "--square wants a room")),
          "--square " + edit);
   for (const std::string& edit : partsOf(edits.split, ';')) {
-    const auto n = numbersOf<double>(edit, ',', 5, "--split wants ROOM,X1,Y1,X2,Y2");
-    done(editor.split(static_cast<std::uint32_t>(n[0]), {n[1], n[2]}, {n[3], n[4]}),
+    const std::string wanted = "--split wants ROOM,X1,Y1,X2,Y2";
+    const std::size_t comma = std::min(edit.find(','), edit.size() - 1);
+    const auto n = numbersOf<double>(edit.substr(comma + 1), ',', 4, wanted);
+    done(editor.split(numberOf<std::uint32_t>(edit.substr(0, comma), wanted),
+                      {n[0], n[1]}, {n[2], n[3]}),
          "--split " + edit);
   }
   for (const std::string& edit : partsOf(edits.merge, ';')) {
@@ -114,47 +117,6 @@ apply(const Edits& edits, PlanEditor& editor)
     const auto [room, text] = halvesOf(edit, wanted);
     done(editor.name(numberOf<std::uint32_t>(room, wanted), text), "--name " + edit);
   }
-}
-
-/** @brief Returns the tilts of rooms whose walls were not changed. */
-pcl::sedr::WallTilts
-keptTilts(const PlanFile& before, const pcl::sedr::Floorplan& after)
-{
-  const auto wallsOf = [](const pcl::sedr::Floorplan& plan, std::uint32_t id) {
-    std::vector<double> corners;
-    for (const auto& room : plan.rooms)
-      for (const auto& wall : room.boundary.elements)
-        if (room.id == id)
-          corners.insert(corners.end(), {wall.start.x(), wall.start.y()});
-    return corners;
-  };
-  pcl::sedr::WallTilts kept;
-  for (const auto& tilt : before.tilts)
-    if (wallsOf(*before.plan, tilt.room) == wallsOf(after, tilt.room))
-      kept.push_back(tilt);
-  if (kept.size() < before.tilts.size())
-    warn(std::to_string(before.tilts.size() - kept.size()) +
-         " tilted walls stand vertical now: their rooms were changed");
-  return kept;
-}
-
-/** @brief Returns the JSON of a plan with changed rooms and what refers to them; all
- * else stays. */
-std::string
-changedJson(const PlanFile& before, const PlanEditor& editor)
-{
-  using Json = nlohmann::ordered_json;
-  Json json = Json::parse(before.text);
-  const pcl::sedr::Floorplan& after = editor.getFloorplan();
-  const Json changed =
-      Json::parse(withTilts(floorplanToJson(after), keptTilts(before, after), {}));
-  for (const char* key :
-       {"version", "rooms", "storeys", "doorways", "stairs", "openings"})
-    if (changed.contains(key))
-      json[key] = changed[key];
-    else
-      json.erase(key);
-  return pcl::sedr::withNames(json.dump(), editor.getNames());
 }
 
 } // namespace
@@ -189,8 +151,9 @@ main(int argc, char** argv)
     apply(edits, editor);
     if (editor.getFloorplan().rooms.empty())
       throw ToolError("no room is left");
-    writeWhole(output,
-               [&](std::ostream& stream) { stream << changedJson(before, editor); });
+    writeWhole(output, [&](std::ostream& stream) {
+      stream << changedPlanJson(before, editor.getFloorplan(), editor.getNames());
+    });
     return Done;
   });
 }

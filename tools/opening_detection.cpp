@@ -45,9 +45,7 @@ run(const Settings& settings, Detection& detection)
       throw ToolError(detection.getErrorMessage(), NothingFound);
   }
   writeWhole(settings.output, [&](std::ostream& stream) {
-    stream << pcl::sedr::withTilts(
-        pcl::sedr::floorplanToJson(plan, nullptr, file.origin, file.max_wall),
-        file.tilts, {});
+    stream << changedPlanJson(file, plan, file.names);
   });
   settings.picture.write([&] { return drawOpenings(plan, *detection.getSearch()); });
   for (const pcl::sedr::PlanOpening& opening : plan.openings) {

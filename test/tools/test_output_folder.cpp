@@ -69,7 +69,7 @@ TEST_F(ResultSet, ReplacesTheOneOfAnEarlierRunAndNothingElse)
   EXPECT_EQ(files().count("pictures/of_2"), 1u);
   EXPECT_EQ(bytesOf(in("model/file7")), "2");
   writeFile(in("model/report.json"), R"({"format": "sedr-report", "files":
-      ["file3", "../outside", 7, "", ")" +
+      ["file3", "../outside", "x/../../outside", 7, "", ")" +
                                          in("outside") + R"(", "floorplan_1.svg"]})");
   OutputFolder(in("model"), {in("model/file3")}).exchange();
   EXPECT_EQ(bytesOf(in("model/file3")), "2") << "an input";

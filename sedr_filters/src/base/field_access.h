@@ -18,10 +18,9 @@ void
 withFieldType(std::uint8_t datatype, FunctionT f)
 {
   switch (datatype) {
-  case pcl::PCLPointField::BOOL:
-    return f(bool{});
   case pcl::PCLPointField::INT8:
     return f(std::int8_t{});
+  case pcl::PCLPointField::BOOL: // any byte of a file is no bool
   case pcl::PCLPointField::UINT8:
     return f(std::uint8_t{});
   case pcl::PCLPointField::INT16:

@@ -4,14 +4,20 @@
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/plan_editor.h>
 
+#define BOOST_ALLOW_DEPRECATED_HEADERS // Boost.Geometry includes one
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/index/rtree.hpp>
+
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pcl::sedr {
@@ -260,12 +266,27 @@ outlineProblem(const PlanLoop& loop)
     return "is clockwise";
   const std::vector<Eigen::Vector2d> corners = loop.polygon(chord);
   const std::size_t n = corners.size();
-  for (std::size_t a = 0; a < n; ++a)
-    for (std::size_t b = a + 2; b < n; ++b) {
-      if (a == 0 && b + 1 == n)
+  const auto chordAt = [&](std::size_t k) {
+    return segment(corners[k], corners[(k + 1) % n]);
+  };
+  namespace bg = boost::geometry;
+  using Point = bg::model::d2::point_xy<double>;
+  using Box = bg::model::box<Point>;
+  std::vector<std::pair<Box, std::size_t>> boxes;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Eigen::Vector2d low = corners[k].cwiseMin(corners[(k + 1) % n]);
+    const Eigen::Vector2d high = corners[k].cwiseMax(corners[(k + 1) % n]);
+    boxes.emplace_back(Box({low.x(), low.y()}, {high.x(), high.y()}), k);
+  }
+  const bg::index::rtree<std::pair<Box, std::size_t>, bg::index::quadratic<16>> tree(
+      boxes);
+  for (const auto& [box, a] : boxes)
+    for (auto near = tree.qbegin(bg::index::intersects(box)); near != tree.qend();
+         ++near) {
+      const std::size_t b = near->second;
+      if (b < a + 2 || (a == 0 && b + 1 == n))
         continue;
-      if (const auto at = crossing(segment(corners[a], corners[a + 1]),
-                                   segment(corners[b], corners[(b + 1) % n])))
+      if (const auto at = crossing(chordAt(a), chordAt(b)))
         return "crosses itself near (" + numberText(at->x()) + ", " +
                numberText(at->y()) + ")";
     }
@@ -476,7 +497,9 @@ PlanEditor::moveWall(std::uint32_t room, std::size_t wall, double distance)
       return "there is no wall " + name + ": room " + std::to_string(room) + " has " +
              std::to_string(lines.size());
     PlanElement& line = lines[wall - 1];
-    if (line.isArc() || !std::isfinite(distance))
+    if (!std::isfinite(distance))
+      return "wall " + name + " cannot be moved by " + numberText(distance) + " m";
+    if (line.isArc())
       return "wall " + name + " is an arc, only straight walls can be moved";
     const Eigen::Vector2d off = -distance * line.normalAt(0);
     line.start += off;
@@ -511,9 +534,12 @@ namesFromJson(const std::string& json)
   const auto plan = nlohmann::json::parse(json, nullptr, false);
   if (plan.is_object() && plan.contains("names") && plan["names"].is_object())
     for (const auto& [room, name] : plan["names"].items())
-      if (name.is_string())
-        names[static_cast<std::uint32_t>(std::strtoul(room.c_str(), nullptr, 10))] =
-            name.get<std::string>();
+      if (std::uint32_t id = 0; name.is_string()) {
+        const char* const end = room.data() + room.size();
+        const auto [read, problem] = std::from_chars(room.data(), end, id);
+        if (problem == std::errc() && read == end)
+          names[id] = name.get<std::string>();
+      }
   return names;
 }
 

@@ -313,8 +313,9 @@ ChainRun::fitPlan(StageReport& report)
     warn(std::move(warning));
   for (PlanWarning& warning : leaningWalls(PointView(*chain_.cloud), *chain_.plan))
     warn(std::move(warning));
-  if (const auto doubt = upsideDownDoubt(
-          PointView(*chain_.cloud), chain_.plane_detection.getGridSize(), *chain_.plan);
+  const double voxel = chain_.enlarged_from_ > 0 ? chain_.enlarged_from_
+                                                 : chain_.plane_detection.getGridSize();
+  if (const auto doubt = upsideDownDoubt(PointView(*chain_.cloud), voxel, *chain_.plan);
       doubt && !chain_.trust_up)
     warn(*doubt);
   if (!chain_.unit_is_known)

@@ -8,14 +8,17 @@
 #include "tool_error.h"
 
 #include "sedr_filters/src/plan/floorplan_format.h"
+#include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_filters/src/plan/room_lookup.h"
 #include <pcl/sedr_filters/floorplan_io.h>
 
-#define BOOST_ALLOW_DEPRECATED_HEADERS // Boost.Geometry includes one
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <vector>
 
 namespace pcl::sedr::tools {
 
@@ -24,7 +27,7 @@ namespace {
 /** @brief Returns how far a point is below the floor or above the ceiling of a room,
  * else 0. */
 double
-heightBeside(const PlanRoom& room, const Eigen::Vector3d& p)
+heightBeside(const RoomLookup& room, const Eigen::Vector3d& p)
 {
   const Eigen::Vector2d place = p.head<2>();
   return std::max({0.0, room.floorAt(place) - p.z(), p.z() - room.ceilingAt(place)});
@@ -32,19 +35,23 @@ heightBeside(const PlanRoom& room, const Eigen::Vector3d& p)
 
 /** @brief Returns the number of the room that contains `p`, or else of the nearest. */
 std::uint32_t
-roomAt(const Floorplan& plan, const Eigen::Vector3d& p)
+roomAt(const std::vector<RoomLookup>& rooms,
+       const std::vector<Eigen::AlignedBox2d>& boxes,
+       const Eigen::Vector3d& p)
 {
   std::uint32_t nearest = 0;
   double least = std::numeric_limits<double>::infinity();
-  for (const auto& room : plan.rooms) {
-    const Eigen::Vector2d place = p.head<2>();
+  const Eigen::Vector2d place = p.head<2>();
+  for (std::size_t r = 0; r < rooms.size(); ++r) {
+    if (boxes[r].exteriorDistance(place) >= least)
+      continue;
     const double beside =
-        room.boundary.contains(place) ? 0 : room.boundary.distance(place);
-    const double distance = std::hypot(beside, heightBeside(room, p));
+        rooms[r].isWithinBoundary(place) ? 0 : rooms[r].room().boundary.distance(place);
+    const double distance = std::hypot(beside, heightBeside(rooms[r], p));
     if (distance >= least)
       continue;
     least = distance;
-    nearest = room.id;
+    nearest = rooms[r].room().id;
   }
   return nearest;
 }
@@ -57,6 +64,28 @@ warnOfCrossings(const Floorplan& plan)
     if (const std::string problem = outlineProblem(room.boundary); !problem.empty())
       warn("the outline of room " + std::to_string(room.id) + " " + problem +
            ": its area and what is made of it are wrong");
+}
+
+/** @brief Returns the tilts of rooms whose walls were not changed. */
+WallTilts
+keptTilts(const PlanFile& before, const Floorplan& after)
+{
+  const auto wallsOf = [](const Floorplan& plan, std::uint32_t id) {
+    std::vector<double> corners;
+    for (const auto& room : plan.rooms)
+      for (const auto& wall : room.boundary.elements)
+        if (room.id == id)
+          corners.insert(corners.end(), {wall.start.x(), wall.start.y()});
+    return corners;
+  };
+  WallTilts kept;
+  for (const auto& tilt : before.tilts)
+    if (wallsOf(*before.plan, tilt.room) == wallsOf(after, tilt.room))
+      kept.push_back(tilt);
+  if (kept.size() < before.tilts.size())
+    warn(std::to_string(before.tilts.size() - kept.size()) +
+         " tilted walls stand vertical now: their rooms were changed");
+  return kept;
 }
 
 } // namespace
@@ -100,6 +129,27 @@ loadPlan(const std::string& path)
   return result;
 }
 
+std::string
+changedPlanJson(const PlanFile& before, const Floorplan& after, const RoomNames& names)
+{
+  using Json = nlohmann::ordered_json;
+  Json json = Json::parse(before.text);
+  const WallTilts tilts = keptTilts(before, after);
+  std::map<std::uint32_t, double> volumes; // those of tilted rooms are not computed
+  for (const Json& room : json["rooms"])
+    for (const WallTilt& tilt : tilts)
+      if (room.value("id", 0u) == tilt.room && room.contains("volume"))
+        volumes[tilt.room] = room["volume"];
+  const Json changed = Json::parse(withTilts(floorplanToJson(after), tilts, volumes));
+  for (const char* key :
+       {"version", "rooms", "storeys", "doorways", "stairs", "openings"})
+    if (changed.contains(key))
+      json[key] = changed[key];
+    else
+      json.erase(key);
+  return withNames(json.dump(), names);
+}
+
 std::optional<Origin>
 statedPlanOrigin(const std::string& path)
 {
@@ -118,10 +168,16 @@ giveRooms(const Floorplan& plan, ToolCloud& cloud)
   for (std::size_t i = 0; i < cloud.size(); ++i)
     if (cloud.label[i] != 0 && cloud.room[i] != 0)
       return;
+  std::vector<RoomLookup> rooms;
+  std::vector<Eigen::AlignedBox2d> boxes;
+  for (const PlanRoom& room : plan.rooms) {
+    rooms.emplace_back(room);
+    boxes.push_back(boundsOf(room.boundary));
+  }
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector3d p = (*cloud.points)[i].getVector3fMap().cast<double>();
     if (cloud.label[i] != 0 && p.allFinite())
-      cloud.room[i] = roomAt(plan, p);
+      cloud.room[i] = roomAt(rooms, boxes, p);
   }
 }
 

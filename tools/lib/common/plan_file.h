@@ -38,6 +38,11 @@ struct PlanFile {
  * rooms. */
 PlanFile loadPlan(const std::string& path);
 
+/** @brief Returns the JSON of a plan after its rooms, and what refers to them, were
+ * changed; all else stays. Warns of tilts that are lost with a room's walls. */
+std::string
+changedPlanJson(const PlanFile& before, const Floorplan& after, const RoomNames& names);
+
 /** @brief Returns the origin of the coordinates in a floor plan or a report.json, if it
  * states one. Throws ToolError if the file is no JSON, or the origin is not three
  * numbers. */

@@ -140,6 +140,19 @@ OutputFolder::written() const
   return names;
 }
 
+/** @brief Checks whether a name, of a report that anybody may have written, is that of
+ * a file within the folder. */
+bool
+OutputFolder::isWithin(const fs::path& name) const
+{
+  std::error_code error;
+  const fs::path folder = fs::weakly_canonical(path_, error);
+  const fs::path parent = fs::weakly_canonical((path_ / name).parent_path(), error);
+  const auto beyond =
+      std::mismatch(folder.begin(), folder.end(), parent.begin(), parent.end()).first;
+  return !error && name.is_relative() && name.has_filename() && beyond == folder.end();
+}
+
 /** @brief Returns the names of an earlier run's files within the folder. */
 std::vector<std::string>
 OutputFolder::namesInReport() const
@@ -151,9 +164,8 @@ OutputFolder::namesInReport() const
     return names;
   names.emplace_back("report.html"); // pcl_sedr_report may have made it
   for (const auto& name : report.value("files", nlohmann::json::array()))
-    if (const fs::path path = name.is_string() ? name.get<std::string>() : "";
-        !path.empty() && path.is_relative() && *path.begin() != "..")
-      names.push_back(path.lexically_normal().string());
+    if (name.is_string() && isWithin(name.get<std::string>()))
+      names.push_back(fs::path(name.get<std::string>()).lexically_normal().string());
   return names;
 }
 
@@ -176,8 +188,9 @@ OutputFolder::exchange()
   for (const auto& file : old)
     if (const fs::path folder = fs::path(file).parent_path(); folder != path_)
       emptied.push_back(folder);
-  for (const int interrupt : {SIGINT, SIGTERM, SIGHUP})
-    std::signal(interrupt, SIG_IGN); // the set becomes whole, which takes no time
+  std::vector<std::pair<int, void (*)(int)>> handlers;
+  for (const int interrupt : {SIGINT, SIGTERM, SIGHUP}) // the set becomes whole, which
+    handlers.emplace_back(interrupt, std::signal(interrupt, SIG_IGN)); // takes no time
   int problem = 0;
   for (const auto& [from, to] : moves)
     if (problem == 0 && rename(from.c_str(), to.c_str()) != 0)
@@ -186,8 +199,8 @@ OutputFolder::exchange()
     unlink(file.c_str());
   for (const auto& folder : emptied)
     rmdir(folder.c_str());
-  for (const int interrupt : {SIGINT, SIGTERM, SIGHUP})
-    std::signal(interrupt, SIG_DFL);
+  for (const auto& [interrupt, handler] : handlers)
+    std::signal(interrupt, handler);
   if (problem != 0)
     refuse(path_, std::strerror(problem));
 }

@@ -40,6 +40,7 @@ private:
   void lock();
   void clean() const;
   bool isInput(const std::filesystem::path& file) const;
+  bool isWithin(const std::filesystem::path& name) const;
   std::vector<std::string> namesInReport() const;
 
   std::filesystem::path path_;
