@@ -55,8 +55,7 @@ constexpr std::array<Words, 37> words{{
     {"left_out", "places are left out", "m2", "{0.1} m2{at} are left out: {reason}"},
     {"hidden", "rooms go on behind what stands before them", "m2",
      "{0.1} of its {1.1} m2 were not seen, behind what stands before them: its walls "
-     "go "
-     "on until they meet, {2.1} m of them unseen"},
+     "go on until they meet"},
     {"open", "rooms may go on where neither a wall nor an opening was seen", "m",
      "along {0.1} m of its outline neither a wall nor an opening was seen: it may go "
      "on "

@@ -242,6 +242,9 @@ fitPlanByEnergy(const PointView& points,
     else {
       if (regions[r].lost >= parameters.minimum_detail_area)
         warnings.push_back({WarningKind::CeilingApart, {regions[r].lost}, numbers[r]});
+      if (regions[r].unseen >= parameters.priors.min_slab_area)
+        warnings.push_back(
+            {WarningKind::Hidden, {regions[r].unseen, rooms[r].area()}, numbers[r]});
       for (RoomSheet& sheet : of_rooms[r])
         sheets.push_back(std::move(sheet));
       plan.rooms.push_back(std::move(rooms[r]));

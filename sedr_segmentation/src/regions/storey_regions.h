@@ -25,7 +25,7 @@ struct RegionEnergy {
   double glass = 0.5;
   double seen = 4;
   double reveal = 0.3;
-  double unseen = 1;
+  double unseen = 0.6;
   double wall = 3;
   double max_wall = 0.6; ///< metres; a recess behind a line that is no deeper is a
                          ///< reveal: one with an open back, or one above or below
@@ -35,7 +35,8 @@ struct RegionEnergy {
 /** @brief The region of a room in plan. */
 struct RoomRegion {
   CellMask cells;
-  double lost = 0; ///< seen ceiling left out, without reveals, square metres
+  double lost = 0;   ///< seen ceiling left out, without reveals, square metres
+  double unseen = 0; ///< taken in, though nobody saw it, square metres
 };
 
 /** @brief Adds the cells of a mask that lie in the box of another. */

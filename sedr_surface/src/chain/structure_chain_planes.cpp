@@ -85,11 +85,7 @@ ChainRun::partRooms(StageReport& report)
     if (thing.kind == LeftOutKind::Mirror || thing.kind == LeftOutKind::Partial)
       warn({WarningKind::LeftOut, {thing.area}, 0, 0, thing.reason, thing.at});
   for (const BuildingRoom& room : building.rooms)
-    if (room.inferred >= chain_.priors_.min_slab_area)
-      warn({WarningKind::Hidden,
-            {room.inferred, room.area, room.unseen_outline},
-            room.id});
-    else if (room.enclosure < chain_.priors_.share_clear)
+    if (room.enclosure < chain_.priors_.share_clear)
       warn({WarningKind::Open, {room.unseen_outline}, room.id});
   regions_.assign(building.rooms.size(), {});
   for (std::size_t i = 0; i < building.room_of.size(); ++i)
