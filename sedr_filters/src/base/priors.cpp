@@ -82,7 +82,7 @@ const std::vector<Prior> table = {
      "planes, sheets"},
     {"min_slab_area", &Priors::min_slab_area, "slabs", "m2", 0.1, 20,
      "lamps and panels are smaller",
-     "chain, planes, scan, sheets"},
+     "plan, planes, scan, sheets"},
     {"min_recess", &Priors::min_recess, "slabs", "m", 0.05, 2,
      "spacing of ribs",
      "niches"},

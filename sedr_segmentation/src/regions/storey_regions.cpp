@@ -126,11 +126,11 @@ public:
     for (std::size_t i = 0; i < number_.size(); ++i)
       if (seen_.values()[i] && !reveal_.values()[i] && !region.cells.values()[i])
         region.lost += size_ * size_;
-    constexpr double beside_walls = 2; // cells; their ceiling is rarely seen
+    // The ceiling beside walls is rarely seen.
     const CellMask unseen = subtract(subtract(region.cells, seen_), wall_);
-    region.unseen = static_cast<double>(
-                        dilated(eroded(unseen, beside_walls), beside_walls).count()) *
-                    size_ * size_;
+    region.unseen =
+        static_cast<double>(dilated(eroded(unseen, core_depth), core_depth).count()) *
+        size_ * size_;
     return region;
   }
 

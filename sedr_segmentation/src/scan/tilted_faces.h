@@ -8,7 +8,7 @@
 
 namespace pcl::sedr {
 
-/** @brief Finds the tilted wall faces of a scan, by 5 to 28 degrees, and the vertical
+/** @brief Finds the tilted wall faces of a scan, by 1 to 28 degrees, and the vertical
  * ones; empty if no wall is tilted.
  *
  * A face is a connected set of planar patches of 0.4 m in one plane. It must cover 1.5
