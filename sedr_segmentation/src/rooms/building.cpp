@@ -3,8 +3,9 @@
 #include "pane_views.h"
 #include "room_description.h"
 #include "room_points.h"
-#include "stair_chains.h"
 #include "storey_levels.h"
+
+#include "../stairs/stairs.h"
 
 #include <pcl/sedr_segmentation/building.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sedr_segmentation/src/rooms/stair_chains.h"
+#include "sedr_segmentation/src/stairs/stairs.h"
 
 #include "room_points.h"
 

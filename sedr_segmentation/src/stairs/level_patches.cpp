@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "level_patches.h"
+
+#include "sedr_filters/src/grids/disjoint_sets.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cstdint>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+namespace pcl::sedr {
+
+namespace {
+
+/** @brief The top of something in a fine column, with air above. */
+struct Level {
+  Cell cell;
+  std::int32_t voxel = 0;
+  bool is_riser = false; ///< it goes down, as a ramp does not
+  double z = 0;
+  std::size_t points = 0;
+};
+
+class PatchFinder {
+public:
+  PatchFinder(const PointView& points,
+              const std::vector<int>& indices,
+              const VoxelColumns& fine,
+              const RoomFloors& floors)
+      : fine_(fine)
+      , first_(fine.size() + 1, 0)
+  {
+    findLevels(floors);
+    measureHeights(points, indices);
+  }
+
+  std::vector<LevelPatch> find() const
+  {
+    // At a corner of a tread eight of the 24 cells around are level with it, at the end
+    // of a riser's upper edge two; some were not seen.
+    std::vector<std::uint8_t> is_core(levels_.size(), 0);
+    for (std::uint32_t k = 0; k < levels_.size(); ++k) {
+      int level = 0;
+      forEachBeside(k, [&](std::uint32_t) { ++level; });
+      is_core[k] = level >= (levels_[k].is_riser ? 3 : 6) ? 1 : 0;
+    }
+    DisjointSets<> sets(levels_.size());
+    for (std::uint32_t k = 0; k < levels_.size(); ++k)
+      if (is_core[k] != 0)
+        forEachBeside(k, [&](std::uint32_t o) {
+          if (is_core[o] != 0)
+            sets.join(k, o);
+        });
+    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> members;
+    for (std::uint32_t k = 0; k < levels_.size(); ++k)
+      if (is_core[k] != 0)
+        members[sets.find(k)].push_back(k);
+    std::vector<LevelPatch> patches;
+    for (const auto& entry : members)
+      addPatch(entry.second, patches);
+    std::sort(patches.begin(), patches.end(),
+              [](const LevelPatch& a, const LevelPatch& b) {
+                return std::tuple(a.z, a.middle.x(), a.middle.y()) <
+                       std::tuple(b.z, b.middle.x(), b.middle.y());
+              });
+    return patches;
+  }
+
+private:
+  void findLevels(const RoomFloors& floors)
+  {
+    const auto clear = static_cast<std::int32_t>(
+        std::lround(stair_priors.clearance / fine_.voxelHeight()));
+    const auto rise = static_cast<std::int32_t>(
+        std::ceil(stair_priors.min_rise / fine_.voxelHeight()));
+    for (std::uint32_t c = 0; c < fine_.size(); ++c) {
+      bool has_top = false;
+      bool is_riser = false;
+      std::int32_t top = 0;
+      fine_.forEachRun(c, [&](std::int32_t begin, std::int32_t end) {
+        if (has_top && begin - top >= clear) {
+          const Cell cell = fine_.cellOf(c);
+          const double z = fine_.heightOf(top) - fine_.voxelHeight() / 2;
+          if (!floors.isFloor(fine_.grid().centre(cell), z))
+            levels_.push_back({cell, top - 1, is_riser});
+        }
+        has_top = true;
+        is_riser = end - begin >= rise;
+        top = end;
+      });
+      first_[c + 1] = static_cast<std::uint32_t>(levels_.size());
+    }
+  }
+
+  /** @brief Gives each level the mean height of its points. */
+  void measureHeights(const PointView& points, const std::vector<int>& indices)
+  {
+    const std::size_t n = indices.empty() ? points.size() : indices.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t i = indices.empty() ? k : static_cast<std::size_t>(indices[k]);
+      const Eigen::Vector3f p = points[i];
+      if (!points.isFinite(i) || !fine_.grid().holds(p.x(), p.y()))
+        continue;
+      const std::uint32_t c = fine_.columnAt(fine_.grid().at(p.x(), p.y()));
+      if (c == VoxelColumns::none)
+        continue;
+      for (std::uint32_t l = first_[c]; l < first_[c + 1]; ++l)
+        if (fine_.voxelAt(p.z()) == levels_[l].voxel) {
+          levels_[l].z += p.z();
+          ++levels_[l].points;
+        }
+    }
+    for (Level& level : levels_)
+      level.z = level.points == 0 ? fine_.heightOf(level.voxel)
+                                  : level.z / static_cast<double>(level.points);
+  }
+
+  /** @brief Calls `visit` for the levels at most two cells from one and as high. */
+  template <typename Visitor>
+  void forEachBeside(std::uint32_t k, Visitor visit) const
+  {
+    constexpr int reach = 2; // cells
+    const Level& level = levels_[k];
+    for (int dx = -reach; dx <= reach; ++dx)
+      for (int dy = -reach; dy <= reach; ++dy) {
+        const std::uint32_t c = fine_.columnAt({level.cell.x + dx, level.cell.y + dy});
+        if (c == VoxelColumns::none)
+          continue;
+        for (std::uint32_t l = first_[c]; l < first_[c + 1]; ++l)
+          if (l != k && std::abs(levels_[l].z - level.z) <= stair_priors.level)
+            visit(l);
+      }
+  }
+
+  void addPatch(const std::vector<std::uint32_t>& members,
+                std::vector<LevelPatch>& patches) const
+  {
+    const double cell = fine_.cellSize();
+    const auto n = static_cast<double>(members.size());
+    if (n * cell * cell < stair_priors.min_area)
+      return;
+    LevelPatch patch;
+    double squares = 0;
+    for (const std::uint32_t k : members) {
+      patch.cells.push_back(fine_.grid().centre(levels_[k].cell));
+      patch.middle += patch.cells.back() / n;
+      patch.z += levels_[k].z / n;
+      patch.box.extend(patch.cells.back());
+      if (levels_[k].is_riser) {
+        patch.edge += patch.cells.back();
+        ++patch.edge_cells;
+      }
+    }
+    for (const std::uint32_t k : members) {
+      const Eigen::Vector2d d = fine_.grid().centre(levels_[k].cell) - patch.middle;
+      patch.scatter += d * d.transpose();
+      squares += std::pow(levels_[k].z - patch.z, 2) / n;
+    }
+    if (squares > stair_priors.flatness * stair_priors.flatness)
+      return; // a ramp, cushions
+    patch.edge /= std::max(1.0, static_cast<double>(patch.edge_cells));
+    const double depth = std::sqrt(
+        12 / n *
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(patch.scatter).eigenvalues()[0]);
+    patch.is_tread = depth <= stair_priors.deepest;
+    patches.push_back(std::move(patch));
+  }
+
+  const VoxelColumns& fine_;
+  std::vector<std::uint32_t> first_; ///< of the levels of a column
+  std::vector<Level> levels_;
+};
+
+} // namespace
+
+std::vector<LevelPatch>
+levelPatches(const PointView& points,
+             const std::vector<int>& indices,
+             const VoxelColumns& fine,
+             const RoomFloors& floors)
+{
+  return PatchFinder(points, indices, fine, floors).find();
+}
+
+} // namespace pcl::sedr

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_floors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::sedr {
+
+RoomFloors::RoomFloors(const Building& building)
+    : grid_(building.grid)
+{
+  for (const BuildingRoom& room : building.rooms)
+    for (const RoomColumn& c : room.columns)
+      if (std::abs(c.floor - room.floor) < stair_priors.same_floor)
+        at_[keyOf(c.cell)].push_back({room.id, c.floor});
+}
+
+bool
+RoomFloors::isFloor(const Eigen::Vector2d& place, double z) const
+{
+  const auto found = at_.find(keyOf(grid_.at(place.x(), place.y())));
+  return found != at_.end() &&
+         std::any_of(found->second.begin(), found->second.end(),
+                     [&](const Floor& floor) {
+                       return std::abs(floor.z - z) < stair_priors.same_floor;
+                     });
+}
+
+RoomFloors::Floor
+RoomFloors::near(const Eigen::Vector2d& place, double z, double same) const
+{
+  const int reach = static_cast<int>(std::ceil(stair_priors.near / grid_.size()));
+  const Cell middle = grid_.at(place.x(), place.y());
+  Floor nearest;
+  double least = stair_priors.near;
+  for (int dx = -reach; dx <= reach; ++dx)
+    for (int dy = -reach; dy <= reach; ++dy) {
+      const Cell cell{middle.x + dx, middle.y + dy};
+      const auto found = at_.find(keyOf(cell));
+      const double away = (grid_.centre(cell) - place).norm();
+      if (found == at_.end() || away > least)
+        continue;
+      for (const Floor& floor : found->second)
+        if (std::abs(floor.z - z) < same) {
+          nearest = floor;
+          least = away;
+        }
+    }
+  return nearest;
+}
+
+} // namespace pcl::sedr

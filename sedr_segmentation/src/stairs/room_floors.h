@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "stair_priors.h"
+
+#include <pcl/sedr_filters/cell_grid.h>
+#include <pcl/sedr_segmentation/building.h>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace pcl::sedr {
+
+/** @brief The main floors of rooms, by place: neither treads nor platforms. */
+class RoomFloors {
+public:
+  struct Floor {
+    std::uint32_t room = 0; ///< 0: none
+    double z = 0;
+  };
+
+  explicit RoomFloors(const Building& building);
+
+  bool isFloor(const Eigen::Vector2d& place, double z) const;
+
+  /** @brief Returns the floor at a height near a place.
+   * @param same metres that it may be off */
+  Floor near(const Eigen::Vector2d& place,
+             double z,
+             double same = stair_priors.same_floor) const;
+
+private:
+  CellGrid grid_;
+  std::unordered_map<CellKey, std::vector<Floor>> at_;
+};
+
+} // namespace pcl::sedr

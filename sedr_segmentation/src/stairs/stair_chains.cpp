@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "stair_chains.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::sedr {
+
+namespace {
+
+/** @brief Whether a patch may be the underside of a flight, where its treads were not
+ * seen. */
+bool
+isUnderside(const LevelPatch& patch, const LevelPatch& tread)
+{
+  return patch.is_tread && std::abs(patch.z - tread.z) < stair_priors.near &&
+         (patch.middle - tread.middle).norm() < stair_priors.near;
+}
+
+/** @brief Nats that a change of rise, going and direction costs. */
+double
+change(const StairStep& a, const StairStep& b)
+{
+  double squares = std::pow((b.rise - a.rise) / stair_priors.rise_sigma, 2);
+  if (a.is_on_treads && b.is_on_treads) {
+    const double turn =
+        std::atan2(a.way.x() * b.way.y() - a.way.y() * b.way.x(), a.way.dot(b.way));
+    squares += std::pow((b.going - a.going) / stair_priors.going_sigma, 2) +
+               std::pow(turn / stair_priors.turn_sigma, 2) / std::max(a.steps, b.steps);
+  }
+  return squares / 2;
+}
+
+} // namespace
+
+StairChains::StairChains(const std::vector<LevelPatch>& patches,
+                         const RoomFloors& floors,
+                         double cell)
+    : patches_(patches)
+    , floors_(floors)
+    , cell_(cell)
+    , is_used_(patches.size(), 0)
+{
+  for (std::size_t a = 0; a < patches.size(); ++a)
+    for (std::size_t b = a + 1;
+         b < patches.size() &&
+         patches[b].z - patches[a].z <=
+             (stair_priors.max_missing + 1) * stair_priors.max_rise;
+         ++b)
+      for (int steps = 1; steps <= stair_priors.max_missing + 1; ++steps)
+        addStep(a, b, steps);
+  // Patches are by height: of the steps up to a place all before it are known.
+  std::stable_sort(steps_.begin(), steps_.end(),
+                   [](const StairStep& a, const StairStep& b) { return a.to < b.to; });
+}
+
+std::vector<StairStep>
+StairChains::next()
+{
+  std::vector<std::vector<std::size_t>> arriving(patches_.size());
+  double most = stair_priors.min_odds;
+  std::ptrdiff_t last = -1;
+  for (std::size_t k = 0; k < steps_.size(); ++k) {
+    StairStep& step = steps_[k];
+    if (is_used_[step.from] != 0 || is_used_[step.to] != 0)
+      continue;
+    const double own = stair_priors.step_gain - stair_priors.missing * (step.steps - 1);
+    step.odds = own - stair_priors.chain_cost + floorGain(step, true);
+    step.before = -1;
+    for (const std::size_t o : arriving[step.from])
+      if (const double odds = own + steps_[o].odds - change(steps_[o], step);
+          odds > step.odds) {
+        step.odds = odds;
+        step.before = static_cast<std::ptrdiff_t>(o);
+      }
+    arriving[step.to].push_back(k);
+    if (const double odds = step.odds + floorGain(step, false); odds > most) {
+      most = odds;
+      last = static_cast<std::ptrdiff_t>(k);
+    }
+  }
+  std::vector<StairStep> chain;
+  for (; last >= 0; last = steps_[static_cast<std::size_t>(last)].before)
+    chain.push_back(steps_[static_cast<std::size_t>(last)]);
+  std::reverse(chain.begin(), chain.end());
+  for (const StairStep& step : chain)
+    for (const std::size_t tread : {step.from, step.to})
+      for (std::size_t p = 0; p < patches_.size(); ++p)
+        if (p == tread || isUnderside(patches_[p], patches_[tread]))
+          is_used_[p] = 1;
+  return chain;
+}
+
+void
+StairChains::addStep(std::size_t a, std::size_t b, int steps)
+{
+  const LevelPatch& from = patches_[a];
+  const LevelPatch& to = patches_[b];
+  StairStep step{a, b, steps, (to.z - from.z) / steps};
+  const double reach = 3 * cell_ + steps * stair_priors.max_going;
+  if (step.rise < stair_priors.min_rise || step.rise > stair_priors.max_rise ||
+      from.box.exteriorDistance(to.box) > reach ||
+      (steps > 1 && !(from.is_tread && to.is_tread)))
+    return;
+  step.is_on_treads = from.is_tread && to.is_tread;
+  step.way = step.is_on_treads && steps == 1
+                 ? acrossTreads(from.scatter + to.scatter, to.middle - from.middle)
+                 : (to.middle - from.middle).normalized();
+  step.going = (to.front(step.way) - from.front(step.way)) / steps;
+  if (step.is_on_treads &&
+      (step.going < stair_priors.min_going || step.going > stair_priors.max_going))
+    return;
+  for (int k = 1; k < steps; ++k) // a floor ends a stair
+    if (floors_
+            .near(from.middle + k * (to.middle - from.middle) / steps,
+                  from.z + k * step.rise)
+            .room != 0)
+      return;
+  for (const Eigen::Vector2d& p : from.cells)
+    for (const Eigen::Vector2d& q : to.cells)
+      if ((p - q).squaredNorm() <= reach * reach) {
+        steps_.push_back(step);
+        return;
+      }
+}
+
+double
+StairChains::floorGain(const StairStep& step, bool is_foot) const
+{
+  const LevelPatch& patch = patches_[is_foot ? step.from : step.to];
+  const double sign = is_foot ? -1 : 1;
+  for (const int away : {1, 2})
+    if (!patch.is_tread ||
+        floors_.near(patch.middle + sign * away * stair_priors.max_going * step.way,
+                     patch.z + sign * away * step.rise)
+                .room != 0)
+      return stair_priors.floor_gain;
+  return 0;
+}
+
+Eigen::Vector2d
+acrossTreads(const Eigen::Matrix2d& scatter, const Eigen::Vector2d& forwards)
+{
+  const Eigen::Vector2d way =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(scatter).eigenvectors().col(0);
+  return way.dot(forwards) < 0 ? -way : way;
+}
+
+} // namespace pcl::sedr
