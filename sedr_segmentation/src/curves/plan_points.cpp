@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_points.h"
 
-#include <algorithm>
-#include <functional>
 #include <numeric>
 
 namespace pcl::sedr {
 
-PlanPoints::PlanPoints(std::vector<Eigen::Vector2d> points, double cell_size)
+PlanPoints::PlanPoints(const std::vector<Eigen::Vector2d>& points, double cell_size)
     : grid_(cell_size)
 {
-  const auto isHeld = [&](const Eigen::Vector2d& p) {
-    return grid_.holds(p.x(), p.y());
-  };
-  points.erase(std::remove_if(points.begin(), points.end(), std::not_fn(isHeld)),
-               points.end());
   std::vector<CellKey> keys;
+  std::vector<std::uint32_t> held;
   keys.reserve(points.size());
-  for (const auto& p : points)
-    keys.push_back(keyOf(grid_.at(p.x(), p.y())));
+  held.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (grid_.holds(points[i].x(), points[i].y())) {
+      keys.push_back(keyOf(grid_.at(points[i].x(), points[i].y())));
+      held.push_back(static_cast<std::uint32_t>(i));
+    }
   cells_ = CellSet(keys);
   first_.assign(cells_.size() + 1, 0);
   std::vector<std::size_t> cell_of;
@@ -29,9 +27,13 @@ PlanPoints::PlanPoints(std::vector<Eigen::Vector2d> points, double cell_size)
   }
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
   std::vector<std::size_t> next = first_;
-  points_.resize(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    points_[next[cell_of[i]]++] = points[i];
+  points_.resize(held.size());
+  given_.resize(held.size());
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    const std::size_t at = next[cell_of[i]]++;
+    points_[at] = points[held[i]];
+    given_[at] = held[i];
+  }
 }
 
 } // namespace pcl::sedr

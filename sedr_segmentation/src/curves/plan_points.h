@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace pcl::sedr {
@@ -18,11 +19,15 @@ class PlanPoints {
 public:
   /** @param cell_size edge of the cells, metres; ideally about the usual query radius
    */
-  PlanPoints(std::vector<Eigen::Vector2d> points, double cell_size);
+  PlanPoints(const std::vector<Eigen::Vector2d>& points, double cell_size);
 
   std::size_t size() const { return points_.size(); }
 
   const std::vector<Eigen::Vector2d>& all() const { return points_; }
+
+  /** @brief Returns which of the points given to the constructor is point `k` of all().
+   */
+  std::size_t given(std::size_t k) const { return given_[k]; }
 
   /** @brief Calls `visit(point)` for every point within `radius` of `p`. */
   template <typename Visitor>
@@ -70,6 +75,7 @@ public:
 private:
   CellGrid grid_;
   std::vector<Eigen::Vector2d> points_; ///< sorted by cell
+  std::vector<std::uint32_t> given_;
   CellSet cells_;
   std::vector<std::size_t> first_; ///< first point of each cell, and the end
 };

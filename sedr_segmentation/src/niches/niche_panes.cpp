@@ -2,7 +2,7 @@
 #include "niche_panes.h"
 
 #include "../scan/scan_excerpt.h"
-#include "../walls/wall_cells.h"
+#include "wall_cells.h"
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/base/parallel.h"

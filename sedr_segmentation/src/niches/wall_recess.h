@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../walls/wall_cells.h"
+#include "wall_cells.h"
 #include "niche_fit.h"
 #include "sedr_filters/src/grids/cell_mask.h"
 #include <pcl/sedr_filters/floorplan.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "boundary_points.h"
 
-#include "neighbour_cells.h"
-
+#include "../curves/plan_points.h"
 #include "sedr_filters/src/base/exactness.h"
+#include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/base/number_text.h"
-#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/parallel_for.h"
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -19,12 +19,7 @@ namespace pcl::sedr {
 
 namespace {
 
-/** Neighbours asked for first: an inner point has directions all around among so few.
- */
-constexpr unsigned int first_look = 32;
-
-/** @brief Looks at the nearest few points and, only where they leave a gap, at all.
- * More neighbours never widen a gap, so the answer is that of all. */
+/** @brief Tells boundary points from inner ones by all their neighbours. */
 class BoundaryTest {
 public:
   BoundaryTest(const PointView& points,
@@ -37,19 +32,12 @@ public:
 
   bool operator()(pcl::index_t index)
   {
-    if (options_.neighbours > first_look && !hasGap(index, first_look))
-      return false;
-    return hasGap(index, options_.neighbours) && neighbours_.size() >= 3 &&
-           !directions_.empty();
+    search_(index, options_.neighbours, neighbours_);
+    return widestGap(points_, index, neighbours_, directions_) > options_.angle &&
+           neighbours_.size() >= 3 && !directions_.empty();
   }
 
 private:
-  bool hasGap(pcl::index_t index, unsigned int k)
-  {
-    search_(index, k, neighbours_);
-    return widestGap(points_, index, neighbours_, directions_) > options_.angle;
-  }
-
   const PointView& points_;
   const NeighbourSearch& search_;
   const BoundaryOptions& options_;
@@ -57,52 +45,66 @@ private:
   std::vector<float> directions_;
 };
 
-/** @brief The points at which the nearest neighbours leave a gap, and those where they
- * may. */
-struct RimPoints {
-  pcl::Indices boundary;
-  pcl::Indices unknown;
-};
-
-RimPoints
-rimPoints(const std::vector<Eigen::Vector3f>& places, const BoundaryOptions& options)
+/** @brief Returns the median distance from some of the places to the last of their
+ * nearest few, metres. */
+double
+usualReach(const std::vector<Eigen::Vector3f>& places,
+           const NeighbourSearch& search,
+           unsigned neighbours)
 {
-  const NeighbourCells cells(places, options.neighbours, options.angle,
-                             options.threads);
-  std::vector<Gap> gaps(places.size());
-  parallelBlocks(places.size(), 1024, options.threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   NeighbourCells::Around around;
-                   for (std::size_t i = begin; i < end; ++i)
-                     gaps[i] = cells.gapAt(places[i], around);
-                 });
-  RimPoints rim;
-  for (std::size_t i = 0; i < gaps.size(); ++i)
-    if (gaps[i] != Gap::None)
-      (gaps[i] == Gap::Wide ? rim.boundary : rim.unknown)
-          .push_back(static_cast<pcl::index_t>(i));
-  return rim;
+  constexpr unsigned few = 24; // have directions all around an inner point
+  constexpr std::size_t samples = 16;
+  std::vector<double> reaches;
+  pcl::Indices nearest;
+  for (std::size_t i = 0; i < places.size(); i += places.size() / samples + 1) {
+    search(static_cast<pcl::index_t>(i), std::min(few, neighbours), nearest);
+    double reach = 0;
+    for (const auto k : nearest)
+      reach = std::max<double>(
+          reach, (places[static_cast<std::size_t>(k)] - places[i]).norm());
+    reaches.push_back(reach);
+  }
+  return middleValue(std::move(reaches));
 }
 
-/** @brief Those of some points that are boundary, by a search tree. */
-pcl::Indices
-boundaryByTree(const std::vector<Eigen::Vector3f>& places,
-               const pcl::Indices& some,
-               const BoundaryOptions& options)
+/** @brief Tells boundary points where circles suffice: there is no gap among the
+ * nearest where none is among fewer, and a wide one where one is among more.
+ * @return 1 boundary, 0 inner, -1 only the nearest themselves tell */
+std::vector<int>
+boundaryByCircles(const std::vector<Eigen::Vector3f>& places,
+                  const NeighbourSearch& search,
+                  const BoundaryOptions& options)
 {
-  // A cloud of these points only, so that one search tree serves every point type.
-  const auto slab = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
-  slab->reserve(places.size());
+  const double usual = usualReach(places, search, options.neighbours);
+  std::vector<Eigen::Vector2d> plan;
+  plan.reserve(places.size());
   for (const auto& p : places)
-    slab->push_back({p.x(), p.y(), p.z()});
-  pcl::search::KdTree<pcl::PointXYZ> tree(false);
-  tree.setInputCloud(slab);
-  const auto search = [&](pcl::index_t index, unsigned int k, pcl::Indices& nearest) {
-    thread_local std::vector<float> square_distances;
-    tree.nearestKSearch((*slab)[static_cast<std::size_t>(index)], static_cast<int>(k),
-                        nearest, square_distances);
-  };
-  return boundaryPoints(PointView(*slab), some, search, options);
+    plan.emplace_back(p.head<2>().cast<double>());
+  const PlanPoints points(plan, std::max(usual, 0.01));
+  std::vector<int> is_boundary(places.size(), -1);
+  parallelFor(places.size(), 1024, options.threads, [&](std::size_t i) {
+    thread_local std::vector<float> directions;
+    for (const double reach : {usual, 2.5 * usual, 4.5 * usual}) {
+      directions.clear();
+      std::size_t count = 0;
+      points.forEachIndexWithin(plan[i], reach, [&](std::size_t k) {
+        const Eigen::Vector3f way = places[points.given(k)] - places[i];
+        if (way.norm() > reach)
+          return;
+        ++count;
+        if (way.x() != 0 || way.y() != 0)
+          directions.push_back(std::atan2(way.y(), way.x()));
+      });
+      const bool is_wide = widestGap(directions) > options.angle;
+      if (count <= options.neighbours && !is_wide)
+        is_boundary[i] = 0;
+      if (count >= options.neighbours && is_wide && !directions.empty())
+        is_boundary[i] = 1;
+      if (is_boundary[i] >= 0 || count >= options.neighbours)
+        return;
+    }
+  });
+  return is_boundary;
 }
 
 } // namespace
@@ -198,13 +200,27 @@ boundaryPoints(const PointView& points,
     const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
     places.emplace_back(p.x(), p.y(), nearness == Nearness::Plan ? 0.f : p.z());
   }
-  const RimPoints rim = rimPoints(places, options);
-  pcl::Indices boundary = rim.boundary;
-  if (!rim.unknown.empty()) {
-    const pcl::Indices others = boundaryByTree(places, rim.unknown, options);
-    boundary.insert(boundary.end(), others.begin(), others.end());
-    std::sort(boundary.begin(), boundary.end());
-  }
+  // A cloud of these points only, so that one search tree serves every point type.
+  const auto slab = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  slab->reserve(places.size());
+  for (const auto& p : places)
+    slab->push_back({p.x(), p.y(), p.z()});
+  pcl::search::KdTree<pcl::PointXYZ> tree(false);
+  tree.setInputCloud(slab);
+  const auto search = [&](pcl::index_t index, unsigned int k, pcl::Indices& nearest) {
+    thread_local std::vector<float> square_distances;
+    tree.nearestKSearch((*slab)[static_cast<std::size_t>(index)], static_cast<int>(k),
+                        nearest, square_distances);
+  };
+  const std::vector<int> by_circles = boundaryByCircles(places, search, options);
+  pcl::Indices boundary;
+  pcl::Indices others;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (by_circles[i] != 0)
+      (by_circles[i] > 0 ? boundary : others).push_back(static_cast<pcl::index_t>(i));
+  for (const auto i : boundaryPoints(PointView(*slab), others, search, options))
+    boundary.push_back(i);
+  std::sort(boundary.begin(), boundary.end());
   for (auto& i : boundary)
     i = finite[static_cast<std::size_t>(i)];
   return boundary;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wall_growing.h"
 
+#include "../curves/plan_points.h"
 #include "../profiles/rim_support.h"
 #include "boundary_points.h"
 #include "sedr_filters/src/base/middle_value.h"
@@ -30,6 +31,16 @@ without(const pcl::Indices& a, const pcl::Indices& b)
   rest.reserve(a.size());
   std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(rest));
   return rest;
+}
+
+std::vector<Eigen::Vector2d>
+plan(const PointView& points, const pcl::Indices& indices)
+{
+  std::vector<Eigen::Vector2d> places;
+  places.reserve(indices.size());
+  for (const auto i : indices)
+    places.emplace_back(at(points, i).head<2>());
+  return places;
 }
 
 /** @brief Median height of the floor, unless one was given. */
@@ -135,8 +146,8 @@ growWalls(const PointView& points,
           const WallGrowingOptions& options)
 {
   const CellGrid grid = gridOver(points, parts, options.distance);
-  const SeedPlan above(points, grid, seeds.above, options.distance);
-  const SeedPlan below(points, grid, seeds.below, options.distance);
+  const PlanPoints above(plan(points, seeds.above), grid.size());
+  const PlanPoints below(plan(points, seeds.below), grid.size());
 
   const pcl::Indices& candidates = parts.candidates;
   std::vector<std::uint8_t> is_wall(candidates.size());
@@ -144,7 +155,9 @@ growWalls(const PointView& points,
     for (std::size_t i = begin; i < end; ++i) {
       const Eigen::Vector3d p = at(points, candidates[i]);
       const bool is_below = options.hasSlice() && p.z() < options.slice_height;
-      is_wall[i] = (is_below ? below : above).isNear(p.x(), p.y());
+      (is_below ? below : above)
+          .forEachWithin(p.head<2>(), options.distance,
+                         [&](const Eigen::Vector2d&) { is_wall[i] = 1; });
     }
   };
   parallelBlocks(candidates.size(), 4096, options.threads, growBlock);
@@ -165,52 +178,6 @@ gridOver(const PointView& points, const WallParts& parts, double size)
     for (const auto i : *part)
       reach = std::max(reach, at(points, i).head<2>().cwiseAbs().maxCoeff());
   return CellGrid(std::max(size, reach / 1e9));
-}
-
-SeedPlan::SeedPlan(const PointView& points,
-                   const CellGrid& grid,
-                   const pcl::Indices& seeds,
-                   double distance)
-    : grid_(grid)
-    , square_distance_(distance * distance)
-{
-  std::vector<std::pair<CellKey, pcl::index_t>> order;
-  order.reserve(seeds.size());
-  for (const auto i : seeds) {
-    const Eigen::Vector3d p = at(points, i);
-    order.emplace_back(keyOf(grid_.at(p.x(), p.y())), i);
-  }
-  std::sort(order.begin(), order.end());
-  for (const auto& [key, i] : order) {
-    keys_.push_back(key);
-    seeds_.emplace_back(at(points, i).head<2>());
-  }
-}
-
-bool
-SeedPlan::isNear(double x, double y) const
-{
-  if (seeds_.empty())
-    return false;
-  const Cell cell = grid_.at(x, y);
-  for (std::int32_t row = cell.y - 1; row <= cell.y + 1; ++row)
-    if (isNearInRow({cell.x - 1, row}, {x, y}))
-      return true;
-  return false;
-}
-
-bool
-SeedPlan::isNearInRow(Cell first, const Eigen::Vector2d& point) const
-{
-  // Three cells of a row follow each other in the order of the keys.
-  const CellKey last = keyOf({first.x + 2, first.y});
-  auto it = std::lower_bound(keys_.begin(), keys_.end(), keyOf(first));
-  for (; it != keys_.end() && *it <= last; ++it) {
-    const Eigen::Vector2d& seed = seeds_[static_cast<std::size_t>(it - keys_.begin())];
-    if ((seed - point).squaredNorm() <= square_distance_)
-      return true;
-  }
-  return false;
 }
 
 } // namespace pcl::sedr

@@ -61,29 +61,4 @@ pcl::Indices growWalls(const PointView& points,
  * parts. O(n). */
 CellGrid gridOver(const PointView& points, const WallParts& parts, double size);
 
-/** @brief The seeds of walls in plan, sorted into cells: says exactly whether a point
- * lies near one. Memory O(seeds), whatever their extent. */
-class SeedPlan {
-public:
-  /** @param grid cells no smaller than `distance`, which reach all points
-   * @param seeds indices of finite points
-   * @param distance metres, > 0 */
-  SeedPlan(const PointView& points,
-           const CellGrid& grid,
-           const pcl::Indices& seeds,
-           double distance);
-
-  /** @brief Whether a seed lies within the distance of (x, y), itself included. O(log
-   * n). */
-  bool isNear(double x, double y) const;
-
-private:
-  bool isNearInRow(Cell first, const Eigen::Vector2d& point) const;
-
-  CellGrid grid_;
-  double square_distance_;
-  std::vector<CellKey> keys_; ///< of the seeds, ascending
-  std::vector<Eigen::Vector2d> seeds_;
-};
-
 } // namespace pcl::sedr

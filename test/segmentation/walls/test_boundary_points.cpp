@@ -42,7 +42,7 @@ boundaryByDistance(const Cloud& cloud, const BoundaryOptions& options)
 }
 
 pcl::Indices
-boundaryByCells(const Cloud& cloud, const BoundaryOptions& options)
+boundaryOf(const Cloud& cloud, const BoundaryOptions& options)
 {
   pcl::Indices all(cloud.size());
   std::iota(all.begin(), all.end(), 0);
@@ -66,7 +66,7 @@ withNeighbours(unsigned neighbours)
   return options;
 }
 
-TEST(NeighbourCells, AgreeWithAllDistancesWherePointsAreEven)
+TEST(BoundaryPoints, AgreeWithAllDistancesWherePointsAreEven)
 {
   std::mt19937 random(1);
   Cloud cloud;
@@ -75,11 +75,11 @@ TEST(NeighbourCells, AgreeWithAllDistancesWherePointsAreEven)
     const BoundaryOptions options = withNeighbours(neighbours);
     const pcl::Indices truth = boundaryByDistance(cloud, options);
     EXPECT_FALSE(truth.empty());
-    EXPECT_EQ(boundaryByCells(cloud, options), truth) << neighbours;
+    EXPECT_EQ(boundaryOf(cloud, options), truth) << neighbours;
   }
 }
 
-TEST(NeighbourCells, AgreeWithAllDistancesWhereSomePointsAreFarDenser)
+TEST(BoundaryPoints, AgreeWithAllDistancesWhereSomePointsAreFarDenser)
 {
   std::mt19937 random(2);
   Cloud cloud;
@@ -87,23 +87,23 @@ TEST(NeighbourCells, AgreeWithAllDistancesWhereSomePointsAreFarDenser)
   scatter(cloud, random, 800, 1, 0.02f);
   for (const unsigned neighbours : {8u, 40u}) {
     const BoundaryOptions options = withNeighbours(neighbours);
-    EXPECT_EQ(boundaryByCells(cloud, options), boundaryByDistance(cloud, options))
+    EXPECT_EQ(boundaryOf(cloud, options), boundaryByDistance(cloud, options))
         << neighbours;
   }
 }
 
-TEST(NeighbourCells, FewPointsAndPointsInOnePlaceAreNoTrouble)
+TEST(BoundaryPoints, FewPointsAndPointsInOnePlaceAreNoTrouble)
 {
-  EXPECT_TRUE(boundaryByCells({}, withNeighbours(8)).empty());
+  EXPECT_TRUE(boundaryOf({}, withNeighbours(8)).empty());
   Cloud three;
   three.push_back({0, 0, 0});
   three.push_back({1, 0, 0});
   three.push_back({0, 1, 0});
-  EXPECT_EQ(boundaryByCells(three, withNeighbours(8)).size(), 3u);
+  EXPECT_EQ(boundaryOf(three, withNeighbours(8)).size(), 3u);
   Cloud one_place;
   for (int i = 0; i < 100; ++i)
     one_place.push_back({1, 2, 3});
-  EXPECT_TRUE(boundaryByCells(one_place, withNeighbours(8)).empty());
+  EXPECT_TRUE(boundaryOf(one_place, withNeighbours(8)).empty());
 }
 
 } // namespace

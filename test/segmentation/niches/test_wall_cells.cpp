@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sedr_segmentation/src/walls/wall_cells.h"
+#include "sedr_segmentation/src/niches/wall_cells.h"
 
 #include "plan_loops.h"
 
