@@ -193,6 +193,7 @@ bool
 isBuilt(const FacetProposal& facet, const SheetParameters& parameters)
 {
   constexpr double min_radius = 0.3; // of a cove, metres
+  constexpr double max_rise = 1.5;   // of a vault, in half spans
   if (isFlat(facet.kind)) {
     // A rafter's slope is measured to a degree.
     const double steepest = std::cos(parameters.steepest + M_PI / 180);
@@ -204,8 +205,9 @@ isBuilt(const FacetProposal& facet, const SheetParameters& parameters)
   const auto isRadius = [&](double radius) {
     return radius >= min_radius && radius <= parameters.largest_radius;
   };
-  return isRadius(c.across) && isRadius(c.up) &&
-         (c.kind == CurveKind::Cylinder || isRadius(c.along));
+  return isRadius(c.across) && isRadius(c.up) && c.up <= max_rise * c.across &&
+         (c.kind == CurveKind::Cylinder ||
+          (isRadius(c.along) && c.up <= max_rise * c.along));
 }
 
 double
