@@ -170,13 +170,7 @@ class Check:
             names = [self.instances[p][1][0] for p in values[key]]
             if len(names) != len(set(names)):
                 self.tell("#%d" % n, "has two values of one name")
-        for n, name, values in self.of("IFCBOOLEANCLIPPINGRESULT"):
-            first, second = (self.instances[values[k]][0] for k in ("FirstOperand", "SecondOperand"))
-            if not (self.schema.is_a(first, "IFCSWEPTAREASOLID") or first == name) or \
-                    not self.schema.is_a(second, "IFCHALFSPACESOLID") or values["Operator"] != "DIFFERENCE":
-                self.tell("#%d" % n, "does not cut a half space from a swept body")
-        items = {"SweptSolid": "IFCSWEPTAREASOLID", "Clipping": "IFCBOOLEANCLIPPINGRESULT",
-                 "Tessellation": "IFCTESSELLATEDFACESET", "Curve2D": "IFCCURVE"}
+        items = {"SweptSolid": "IFCSWEPTAREASOLID", "Tessellation": "IFCTESSELLATEDFACESET", "Curve2D": "IFCCURVE"}
         for n, name, values in self.of("IFCSHAPEREPRESENTATION"):
             if not all(self.schema.is_a(self.instances[i][0], items[values["RepresentationType"]])
                        for i in values["Items"]):

@@ -76,8 +76,6 @@ class Model:
     def outlines(self, n, frame):
         """Loops in plan of a body: of a swept one its profile's, of triangles those that face down."""
         name, v = self.get(n)
-        if name == "IFCBOOLEANCLIPPINGRESULT":
-            return self.outlines(v[1], frame)
         if name == "IFCEXTRUDEDAREASOLID":
             curve_name, curve = self.get(self.get(v[0])[1][2])
             points = [self.point(p) for p in curve[0]] if curve_name == "IFCPOLYLINE" else self.get(curve[0])[1][0]

@@ -91,7 +91,7 @@ writeColumn(IfcDocument& document, std::size_t r, std::size_t c)
   document.addProperties(
       ref, name, "Pset_SEDR",
       {{"Residual", lengthProperty(residual)}, {"Points", countProperty(points)}});
-  writeBoundary(document, r, name, ref, {});
+  writeBoundary(document, r, name, ref);
   ++document.model.columns;
 }
 

@@ -64,11 +64,9 @@ IfcDocument::addRooms()
     added.room = &room;
     added.report = extrudeRoom(room, {}, added.solid, added.elements, settings.tilts);
     if (added.solid.empty())
-      model.warnings.push_back({WarningKind::IfcLoss,
-                                {},
-                                room.id,
-                                0,
-                                "no body in the IFC: " + added.report.problem});
+      model.warnings.push_back(warningOf(WarningKind::IfcLoss,
+                                         "no body in the IFC: " + added.report.problem,
+                                         {}, room.id));
   }
 }
 

@@ -264,19 +264,10 @@ writePassage(IfcDocument& document, const PlanDoorway& doorway, const std::strin
     if (room.id != doorway.rooms[0] && room.id != doorway.rooms[1])
       continue;
     const std::size_t storey = document.rooms[r].storey;
-    const double ground = document.storeys[storey].storey.floor;
     if (element.isNone())
       element = document.addElement("IFCVIRTUALELEMENT", name, storey,
                                     document.placeIn(storey), {}, {});
-    constexpr double away = 0.3; // metres
-    const Eigen::Vector2d way = (doorway.end - doorway.start).normalized();
-    const bool is_left = room.contains((doorway.start + doorway.end) / 2 +
-                                       away * Eigen::Vector2d(-way.y(), way.x()));
-    const StepRef rectangle =
-        rectangleOf(document, is_left ? doorway.start : doorway.end,
-                    is_left ? doorway.end : doorway.start, doorway.bottom - ground,
-                    doorway.top - doorway.bottom);
-    writeBoundary(document, r, name, element, rectangle, {"VIRTUAL", "INTERNAL"});
+    writeBoundary(document, r, name, element, {"VIRTUAL", "INTERNAL"});
   }
 }
 
@@ -333,7 +324,7 @@ writeNiches(IfcDocument& document, const std::vector<WrittenWall>& walls)
       }
       if (count == 0)
         document.model.warnings.push_back(
-            {WarningKind::IfcLoss, {}, 0, 0, name + " is in no wall of the IFC"});
+            warningOf(WarningKind::IfcLoss, name + " is in no wall of the IFC"));
     }
   }
 }
@@ -376,12 +367,10 @@ writeOpenings(IfcDocument& document, const std::vector<WrittenWall>& walls)
     std::string numbers;
     for (const std::string& number : outside)
       numbers += (numbers.empty() ? "" : ", ") + number;
-    document.model.warnings.push_back({WarningKind::NotInIfc,
-                                       {static_cast<double>(outside.size()),
-                                        static_cast<double>(plan.openings.size())},
-                                       0,
-                                       0,
-                                       numbers});
+    document.model.warnings.push_back(
+        warningOf(WarningKind::NotInIfc, numbers,
+                  {static_cast<double>(outside.size()),
+                   static_cast<double>(plan.openings.size())}));
   }
   const std::vector<PlanDoorway> doorways = otherDoorways(plan);
   for (std::size_t d = 0; d < doorways.size(); ++d) {
@@ -393,13 +382,10 @@ writeOpenings(IfcDocument& document, const std::vector<WrittenWall>& walls)
       writePassage(document, doorway, name);
     else
       document.model.warnings.push_back(
-          {WarningKind::IfcLoss,
-           {},
-           0,
-           0,
-           name + " between rooms " + std::to_string(doorway.rooms[0]) + " and " +
-               std::to_string(doorway.rooms[1]) +
-               " is no opening in the IFC: no wall stands there"});
+          warningOf(WarningKind::IfcLoss,
+                    name + " between rooms " + std::to_string(doorway.rooms[0]) +
+                        " and " + std::to_string(doorway.rooms[1]) +
+                        " is no opening in the IFC: no wall stands there"));
   }
   writeNiches(document, walls);
 }

@@ -72,23 +72,12 @@ struct BoundaryKind {
   const char* side = "INTERNAL";    ///< or "NOTDEFINED" if the other side was not seen
 };
 
-/** @brief Adds a first-level boundary of a space.
- * @param geometry the common surface, or none */
+/** @brief Adds a first-level boundary of a space, without geometry. */
 void writeBoundary(IfcDocument& document,
                    std::size_t room,
                    const std::string& element_name,
                    StepRef element,
-                   StepRef geometry,
                    const BoundaryKind& kind = {});
-
-/** @brief Returns a vertical rectangle at the edge of a space, relative to its storey.
- * @param from,to ends in plan; the space is to the left of the direction between them
- */
-StepRef rectangleOf(IfcDocument& document,
-                    const Eigen::Vector2d& from,
-                    const Eigen::Vector2d& to,
-                    double bottom,
-                    double height);
 
 /** @brief Returns the triangles of a room's solid that belong to some of its parts, by
  * the names of SolidElement. */

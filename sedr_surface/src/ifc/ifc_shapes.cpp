@@ -161,17 +161,6 @@ IfcShapes::extrusion(const PlanLoop& boundary,
 }
 
 StepRef
-IfcShapes::clipped(StepRef body, const Eigen::Vector3d& on, const Eigen::Vector3d& up)
-{
-  // The x axis may have any direction in the plane.
-  const Eigen::Vector3d along = up.cross(Eigen::Vector3d::UnitY()).normalized();
-  const StepRef frame = axes(on, up, along);
-  const StepRef plane = step_.add("IFCPLANE", {frame});
-  const StepRef above = step_.add("IFCHALFSPACESOLID", {plane, logical(false)});
-  return step_.add("IFCBOOLEANCLIPPINGRESULT", {symbol("DIFFERENCE"), body, above});
-}
-
-StepRef
 IfcShapes::faceSet(const TriangleMesh& mesh)
 {
   std::vector<StepValue> points;

@@ -47,11 +47,6 @@ public:
                     double height,
                     double run = 0);
 
-  /** @brief Adds a swept body without its part above a plane.
-   * @param on a point of the plane
-   * @param up unit normal of the plane, upwards */
-  StepRef clipped(StepRef body, const Eigen::Vector3d& on, const Eigen::Vector3d& up);
-
   /** @brief Adds a closed mesh as IfcTriangulatedFaceSet. */
   StepRef faceSet(const TriangleMesh& mesh);
 
@@ -61,7 +56,7 @@ public:
   /** @brief Adds an IfcProductDefinitionShape of shapes such as body() and line(). */
   StepRef product(const std::vector<StepRef>& shapes);
 
-  /** @param type "SweptSolid", "Clipping" or "Tessellation" */
+  /** @param type "SweptSolid" or "Tessellation" */
   StepRef
   body(StepRef context, const std::string& type, const std::vector<StepRef>& items);
 

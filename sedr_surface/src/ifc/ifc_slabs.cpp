@@ -54,7 +54,7 @@ public:
         writeCeiling(r);
       else
         for (const auto& [name, slab] : slab_above_[r])
-          writeBoundary(document_, r, name, slab, {});
+          writeBoundary(document_, r, name, slab);
   }
 
 private:
@@ -110,7 +110,7 @@ private:
                              {"Residual", lengthProperty(face.residual)},
                              {"Points", countProperty(face.inliers)}});
     ++document_.model.slabs;
-    writeBoundary(document_, r, name, slab, {},
+    writeBoundary(document_, r, name, slab,
                   {"PHYSICAL", is_assumed ? "NOTDEFINED" : "INTERNAL"});
     return Slab{name, slab};
   }

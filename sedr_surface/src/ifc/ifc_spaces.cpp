@@ -172,35 +172,14 @@ writeBoundary(IfcDocument& document,
               std::size_t room,
               const std::string& element_name,
               StepRef element,
-              StepRef geometry,
               const BoundaryKind& kind)
 {
   const std::string name =
       nameIn(*document.rooms[room].room, "boundary") + " at " + element_name;
   document.step.add("IFCRELSPACEBOUNDARY1STLEVEL",
                     {document.guid(name), none, "1stLevel", none,
-                     document.rooms[room].space, element, geometry,
-                     symbol(kind.element), symbol(kind.side), none});
-}
-
-StepRef
-rectangleOf(IfcDocument& document,
-            const Eigen::Vector2d& from,
-            const Eigen::Vector2d& to,
-            double bottom,
-            double height)
-{
-  const Eigen::Vector2d way = (to - from).normalized();
-  // Its normal points out of the space.
-  const StepRef frame = document.shapes.axes(
-      {from.x(), from.y(), bottom}, {way.y(), -way.x(), 0}, {way.x(), way.y(), 0});
-  const StepRef plane = document.step.add("IFCPLANE", {frame});
-  const double length = (to - from).norm();
-  const StepRef rim = document.shapes.closedCurve(
-      loopOf({{0, 0}, {length, 0}, {length, height}, {0, height}}));
-  const StepRef surface =
-      document.step.add("IFCCURVEBOUNDEDPLANE", {plane, rim, std::vector<StepRef>{}});
-  return document.step.add("IFCCONNECTIONSURFACEGEOMETRY", {surface, none});
+                     document.rooms[room].space, element, none, symbol(kind.element),
+                     symbol(kind.side), none});
 }
 
 std::string

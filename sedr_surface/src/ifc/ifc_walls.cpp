@@ -19,31 +19,14 @@ faceName(const Floorplan& plan, const WallFace& face)
 }
 
 void
-writeBoundaries(IfcDocument& document, const WrittenWall& written, bool is_level)
+writeBoundaries(IfcDocument& document, const WrittenWall& written)
 {
   const PlanWall& wall = written.wall;
-  const PlanElement& near = elementOf(document.plan, wall.face);
   const BoundaryKind kind{"PHYSICAL", wall.other ? "INTERNAL" : "NOTDEFINED"};
-  const auto add = [&](const WallFace& face, double from, double to) {
-    const PlanElement& element = elementOf(document.plan, face);
-    const IfcStorey& storey = document.storeys[document.rooms[face.room].storey];
-    StepRef geometry;
-    if (!element.isArc() && is_level && to - from > 0.001)
-      geometry = rectangleOf(
-          document, faceAt(element, from).first, faceAt(element, to).first,
-          written.bottom - storey.storey.floor, written.top - written.bottom);
-    const bool is_back = wall.other && face == *wall.other;
-    writeBoundary(document, face.room, written.name + (is_back ? " back" : ""),
-                  written.ref, geometry, kind);
-  };
-  add(wall.face, std::max(wall.stretch.from, 0.0),
-      std::min(wall.stretch.to, near.length()));
-  if (!wall.other)
-    return;
-  const PlanElement& far = elementOf(document.plan, *wall.other);
-  const double a = far.project(faceAt(near, wall.stretch.from).first);
-  const double b = far.project(faceAt(near, wall.stretch.to).first);
-  add(*wall.other, std::min(a, b), std::max(a, b));
+  writeBoundary(document, wall.face.room, written.name, written.ref, kind);
+  if (wall.other)
+    writeBoundary(document, wall.other->room, written.name + " back", written.ref,
+                  kind);
 }
 
 void
@@ -82,38 +65,26 @@ describe(IfcDocument& document, const WrittenWall& written)
   document.addProperties(written.ref, written.name, "Pset_SEDR", properties);
 }
 
-/** @brief Returns the body of a wall in its placement: swept, cut by the planes of a
- * roof, or else, below other ceilings, triangles. */
+/** @brief Returns the body of a wall in its placement: swept if it is level, else
+ * triangles. */
 StepRef
 bodyOf(IfcDocument& document, const WrittenWall& written, const WallHeights& heights)
 {
   const PlanWall& wall = written.wall;
   const PlanArea& profile = written.profile;
-  IfcShapes& shapes = document.shapes;
-  const char* type = "Tessellation";
-  StepRef item;
   TriangleMesh mesh;
-  if (!heights.isSwept() || !written.runs.areAlike())
+  if (!heights.isLevel() || !written.runs.areAlike())
     mesh = meshOf(document.plan, wall, heights, written.runs, profile);
-  if (mesh.triangles.empty()) { // also where the plan cannot be triangulated
-    const WallFrame frame = frameOf(document.plan, wall);
-    const double top = heights.roof.empty()
-                           ? heights.highest()
-                           : heightAbove(profile, frame, heights, written.runs.near);
-    item = shapes.extrusion(profile.boundary, profile.holes, 0, top - heights.bottom,
-                            written.runs.near);
-    type = heights.roof.empty() ? "SweptSolid" : "Clipping";
-    for (const Eigen::Vector4d& plane : heights.roof) {
-      const double z = -(plane.head<2>().dot(frame.origin) + plane[3]) / plane[2];
-      item = shapes.clipped(item, {0, 0, z - heights.bottom},
-                            {plane.head<2>().dot(frame.way),
-                             plane.head<2>().dot(frame.left()), plane[2]});
-    }
-  }
-  else
-    item = shapes.faceSet(mesh);
-  shapes.colour(item, "wall");
-  return shapes.body(document.body_context, type, {item});
+  // A plan that cannot be triangulated is swept, too.
+  const bool is_swept = mesh.triangles.empty();
+  const StepRef item =
+      is_swept ? document.shapes.extrusion(profile.boundary, profile.holes, 0,
+                                           heights.highest() - heights.bottom,
+                                           written.runs.near)
+               : document.shapes.faceSet(mesh);
+  document.shapes.colour(item, "wall");
+  return document.shapes.body(document.body_context,
+                              is_swept ? "SweptSolid" : "Tessellation", {item});
 }
 
 /** @brief Returns whether most of a wall's face is within an area: behind it, too. */
@@ -221,11 +192,11 @@ writeWalls(IfcDocument& document)
     added.ref = document.addElement(
         "IFCWALL", added.name, added.storey, added.placement,
         document.shapes.product(shapes),
-        {symbol(heights.isSwept() && added.runs.near == 0 && added.runs.far == 0
+        {symbol(heights.isLevel() && added.runs.near == 0 && added.runs.far == 0
                     ? "STANDARD"
                     : "NOTDEFINED")});
     describe(document, added);
-    writeBoundaries(document, added, heights.isLevel());
+    writeBoundaries(document, added);
     ++document.model.walls;
     document.model.paired_walls += wall.other ? 1 : 0;
     written.push_back(added);

@@ -21,15 +21,9 @@ struct WallHeights {
 
   double bottom = 0;     ///< of the lowest floor beside it, metres
   std::vector<Top> tops; ///< two of equal height if it is level
-  /** Planes of a roof above the wall, a x + b y + c z + d = 0, c > 0; its top is on the
-   * lowest of them. Empty if the ceiling is level or curved, or if two parts of it do
-   * not meet in a ridge. */
-  std::vector<Eigen::Vector4d> roof{};
 
   /** @brief Returns whether the wall has one height along its whole face. */
   bool isLevel() const { return tops.size() == 2 && tops[0].height == tops[1].height; }
-  /** @brief Returns whether the body is swept, possibly cut by a roof. */
-  bool isSwept() const { return isLevel() || !roof.empty(); }
 
   double highest() const;
   /** @brief Returns the height of the top at a share of the length, on the line between
@@ -68,7 +62,7 @@ double
 openHeight(const Floorplan& plan, const WallFace& face, const Eigen::Vector2d& p);
 
 /** @brief Cuts a wall off at the ceilings of rooms below most of it and at the floors
- * of rooms above, unless planes of a roof cut it. One of its own rooms may reach into
+ * of rooms above. One of its own rooms may reach into
  * the storey of another room. */
 void endAtStoreys(const Floorplan& plan, const PlanWall& wall, WallHeights& heights);
 
@@ -78,13 +72,6 @@ void endAtStoreys(const Floorplan& plan, const PlanWall& wall, WallHeights& heig
 PlanArea profileOf(const Floorplan& plan,
                    const PlanWall& wall,
                    const std::vector<const PlanRoom*>& rooms);
-
-/** @brief Returns a height above all tops of a wall, before roof planes cut it; metres.
- */
-double heightAbove(const PlanArea& profile,
-                   const WallFrame& frame,
-                   const WallHeights& heights,
-                   double run);
 
 /** @brief Returns a wall whose top is not level, or with sides of different runs, as a
  * mesh in its frame, with z from its bottom.
