@@ -94,8 +94,7 @@ private:
   {
     const bool is_seen = isSeen(cell);
     const bool is_proved =
-        !is_seen && sight_ &&
-        sight_->across(cell.middle, cell.normal, cell_size / 2).through > 0;
+        !is_seen && sight_ && sight_->pierce(cell.middle, cell.normal, cell_size / 2);
     const bool is_hidden = !is_seen && !is_proved && isHidden(cell);
     (is_seen ? count.seen : is_hidden ? count.hidden : count.opening) += 1;
     count.proved += is_proved ? 1 : 0;

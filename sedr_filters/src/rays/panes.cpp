@@ -3,14 +3,16 @@
 
 #include "../grids/disjoint_sets.h"
 
-#include <Eigen/Eigenvalues>
+#include <pcl/point_types.h>
+#include <pcl/sample_consensus/ransac.h>
+#include <pcl/sample_consensus/sac_model_plane.h>
+#include <pcl/search/kdtree.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
-#include <random>
 
 namespace pcl::sedr {
 namespace {
@@ -185,115 +187,54 @@ piercedRegions(const CubeTable& cubes, const std::vector<std::uint32_t>& pierced
   return all;
 }
 
-/** @brief Takes planes out of the cubes of a region, the largest first. */
-class PaneSearch {
-public:
-  PaneSearch(const PiercedSurfaces& surfaces, std::vector<std::uint32_t> region)
-      : surfaces_(surfaces)
-      , left_(std::move(region))
-  {}
-
-  std::vector<Pane> run()
-  {
-    std::vector<Pane> panes;
-    while (left_.size() >= fewest_cubes) {
-      Pane best;
-      constexpr int trials = 60;
-      for (int k = 0; k < trials; ++k) {
-        Pane pane;
-        if (!throughThree(pane))
-          continue;
-        pane.cubes = cubesOf(pane);
-        if (pane.cubes.size() > best.cubes.size())
-          best = std::move(pane);
+/** @brief Takes planes out of the cubes of a region, the largest first, by RANSAC.
+ * @param left cubes, increasing */
+void
+addPanes(const PiercedSurfaces& surfaces,
+         std::vector<std::uint32_t> left,
+         std::vector<Pane>& panes)
+{
+  using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+  constexpr int trials = 300;
+  constexpr double farthest = 1.5; // metres between the points of a trial
+  while (left.size() >= fewest_cubes) {
+    const Cloud::Ptr points(new Cloud);
+    std::vector<std::uint32_t> cube_of;
+    for (const std::uint32_t cube : left)
+      for (const Eigen::Vector3f& p : surfaces.pointsOf(cube)) {
+        points->push_back({p.x(), p.y(), p.z()});
+        cube_of.push_back(cube);
       }
-      if (best.cubes.size() < fewest_cubes)
-        return panes;
-      refine(best);
-      std::vector<std::uint32_t> rest;
-      std::set_difference(left_.begin(), left_.end(), best.cubes.begin(),
-                          best.cubes.end(), std::back_inserter(rest));
-      left_ = std::move(rest);
-      panes.push_back(std::move(best));
-    }
-    return panes;
+    const auto model =
+        pcl::make_shared<pcl::SampleConsensusModelPlane<pcl::PointXYZ>>(points);
+    const auto tree = pcl::make_shared<pcl::search::KdTree<pcl::PointXYZ>>();
+    tree->setInputCloud(points);
+    model->setSamplesMaxDist(farthest, tree);
+    pcl::RandomSampleConsensus<pcl::PointXYZ> search(model, thickness);
+    search.setMaxIterations(trials);
+    pcl::Indices inliers;
+    Eigen::VectorXf plane;
+    if (!search.computeModel())
+      return;
+    search.getInliers(inliers);
+    search.getModelCoefficients(plane);
+    model->optimizeModelCoefficients(inliers, plane, plane);
+    Pane pane;
+    pane.normal = plane.head<3>().cast<double>();
+    pane.offset = -plane[3];
+    for (const int i : inliers) // increasing
+      if (const auto cube = cube_of[static_cast<std::size_t>(i)];
+          pane.cubes.empty() || pane.cubes.back() != cube)
+        pane.cubes.push_back(cube);
+    if (pane.cubes.size() < fewest_cubes)
+      return;
+    std::vector<std::uint32_t> rest;
+    std::set_difference(left.begin(), left.end(), pane.cubes.begin(), pane.cubes.end(),
+                        std::back_inserter(rest));
+    left = std::move(rest);
+    panes.push_back(std::move(pane));
   }
-
-private:
-  /** @brief A point of a cube of the region, which the random number chooses. */
-  Eigen::Vector3d anyPointOf(std::uint32_t cube)
-  {
-    const auto& places = surfaces_.pointsOf(cube);
-    return places[random_() % places.size()].cast<double>();
-  }
-
-  /** @brief The plane through three points that are 0.4 to 1.5 m apart.
-   * @return false where chance has found none */
-  bool throughThree(Pane& pane)
-  {
-    constexpr double nearest = 0.4;
-    constexpr double farthest = 1.5;
-    constexpr int tries = 30;
-    std::vector<Eigen::Vector3d> points;
-    for (int k = 0; k < tries && points.size() < 3; ++k) {
-      const Eigen::Vector3d p = anyPointOf(left_[random_() % left_.size()]);
-      const bool fits = std::all_of(points.begin(), points.end(), [&](const auto& q) {
-        return (p - q).norm() > nearest && (p - q).norm() < farthest;
-      });
-      if (fits)
-        points.push_back(p);
-    }
-    if (points.size() < 3)
-      return false;
-    const Eigen::Vector3d normal = (points[1] - points[0]).cross(points[2] - points[0]);
-    if (normal.norm() < nearest * nearest / 2)
-      return false;
-    pane.normal = normal.normalized();
-    pane.offset = pane.normal.dot(points[0]);
-    return true;
-  }
-
-  std::vector<std::uint32_t> cubesOf(const Pane& pane) const
-  {
-    std::vector<std::uint32_t> cubes;
-    std::copy_if(left_.begin(), left_.end(), std::back_inserter(cubes),
-                 [&](std::uint32_t cube) {
-                   const auto& places = surfaces_.pointsOf(cube);
-                   return std::any_of(places.begin(), places.end(),
-                                      [&](const auto& p) { return isOn(pane, p); });
-                 });
-    return cubes;
-  }
-
-  static bool isOn(const Pane& pane, const Eigen::Vector3f& p)
-  {
-    return std::abs(pane.normal.dot(p.cast<double>()) - pane.offset) < thickness;
-  }
-
-  /** @brief Least squares through the points on a pane. */
-  void refine(Pane& pane) const
-  {
-    std::vector<Eigen::Vector3d> points;
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const std::uint32_t cube : pane.cubes)
-      for (const Eigen::Vector3f& p : surfaces_.pointsOf(cube))
-        if (isOn(pane, p)) {
-          points.push_back(p.cast<double>());
-          mean += points.back();
-        }
-    mean /= static_cast<double>(points.size());
-    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-    for (const Eigen::Vector3d& p : points)
-      squares += (p - mean) * (p - mean).transpose();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(squares);
-    pane.normal = solver.eigenvectors().col(0);
-    pane.offset = pane.normal.dot(mean);
-  }
-
-  const PiercedSurfaces& surfaces_;
-  std::vector<std::uint32_t> left_; ///< cubes, increasing
-  std::mt19937 random_{1};
-};
+}
 
 } // namespace
 
@@ -302,8 +243,7 @@ panesOf(const PiercedSurfaces& surfaces, const std::vector<std::uint32_t>& pierc
 {
   std::vector<Pane> panes;
   for (auto& region : piercedRegions(surfaces.cubes(), pierced))
-    for (Pane& pane : PaneSearch(surfaces, std::move(region)).run())
-      panes.push_back(std::move(pane));
+    addPanes(surfaces, std::move(region), panes);
   return panes;
 }
 

@@ -1,28 +1,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sight_lines.h"
 
+#include <pcl/kdtree/kdtree_flann.h>
+#include <pcl/point_types.h>
+
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
 
 namespace pcl::sedr {
 
+struct SightLines::Station {
+  Eigen::Vector3f from;
+  std::vector<Eigen::Vector3f> ends;
+  pcl::KdTreeFLANN<pcl::PointXYZ> directions{false}; ///< unit vectors to the ends
+};
+
 SightLines::SightLines(const std::vector<SightLine>& lines)
 {
-  constexpr double lines_a_cell = 4;
   std::map<std::tuple<float, float, float>, std::vector<Eigen::Vector3f>> ends_from;
   for (const auto& [from, to] : lines)
     if (from.allFinite() && to.allFinite() && from != to)
       ends_from[{from.x(), from.y(), from.z()}].push_back(to);
-  for (const auto& [from, ends] : ends_from) {
-    Station station{{std::get<0>(from), std::get<1>(from), std::get<2>(from)},
-                    DirectionGrid::forDirections(ends.size(), lines_a_cell),
-                    {}};
-    station.ends.resize(station.grid.size());
-    for (const Eigen::Vector3f& to : ends)
-      station.ends[station.grid.cellOf((to - station.from).cast<double>().normalized())]
-          .push_back(to);
-    stations_.push_back(std::move(station));
+  for (auto& [from, ends] : ends_from) {
+    const auto station = std::make_shared<Station>();
+    station->from = {std::get<0>(from), std::get<1>(from), std::get<2>(from)};
+    station->ends = std::move(ends);
+    const pcl::PointCloud<pcl::PointXYZ>::Ptr directions(
+        new pcl::PointCloud<pcl::PointXYZ>);
+    for (const Eigen::Vector3f& to : station->ends) {
+      const Eigen::Vector3f way = (to - station->from).normalized();
+      directions->push_back({way.x(), way.y(), way.z()});
+    }
+    station->directions.setInputCloud(directions);
+    stations_.push_back(station);
   }
 }
 
@@ -30,9 +42,8 @@ std::size_t
 SightLines::size() const
 {
   std::size_t size = 0;
-  for (const Station& station : stations_)
-    for (const auto& ends : station.ends)
-      size += ends.size();
+  for (const auto& station : stations_)
+    size += station->ends.size();
   return size;
 }
 
@@ -40,8 +51,8 @@ std::vector<Eigen::Vector3f>
 SightLines::places() const
 {
   std::vector<Eigen::Vector3f> places;
-  for (const Station& station : stations_)
-    places.push_back(station.from);
+  for (const auto& station : stations_)
+    places.push_back(station->from);
   return places;
 }
 
@@ -52,41 +63,46 @@ SightLines::levelled(const Levelling& levelling) const
     return Eigen::Vector3f(levelling.level(p.cast<double>()).cast<float>());
   };
   std::vector<SightLine> lines;
-  for (const Station& station : stations_)
-    for (const auto& ends : station.ends)
-      for (const Eigen::Vector3f& to : ends)
-        lines.push_back({level(station.from), level(to)});
+  for (const auto& station : stations_)
+    for (const Eigen::Vector3f& to : station->ends)
+      lines.push_back({level(station->from), level(to)});
   return SightLines(lines);
 }
 
-SightLines::Crossings
-SightLines::across(const Eigen::Vector3d& place,
+bool
+SightLines::pierce(const Eigen::Vector3d& place,
                    const Eigen::Vector3d& normal,
                    double radius) const
 {
   constexpr double clear = 0.15; // metres
-  Crossings crossings;
-  for (const Station& station : stations_) {
-    const Eigen::Vector3d from = station.from.cast<double>();
+  for (const auto& station : stations_) {
+    const Eigen::Vector3d from = station->from.cast<double>();
     const Eigen::Vector3d whole = place - from;
     const double start = -whole.dot(normal); // how far in front of the surface
-    const auto countIn = [&](std::size_t cell) {
-      for (const Eigen::Vector3f& to : station.ends[cell]) {
-        const Eigen::Vector3d way = to.cast<double>() - from;
-        const double end = start + way.dot(normal);
-        if ((start > 0) != (start > end))
-          continue; // leads away from it
-        const double share = start / (start - end);
-        if ((share * way - whole).squaredNorm() <= radius * radius)
-          ++(std::abs(end) <= clear ? crossings.on
-             : share < 1            ? crossings.through
-                                    : crossings.before);
-      }
-    };
-    if (std::abs(start) > clear)
-      station.grid.forEachAround(whole, radius, countIn);
+    if (std::abs(start) <= clear)
+      continue;
+    // Next to the scanner every direction leads there.
+    const double distance = whole.norm();
+    constexpr double rounding = 1e-4;
+    const double reach = distance > radius
+                             ? 2 * std::sin(std::asin(radius / distance) / 2) + rounding
+                             : 2 + rounding;
+    const Eigen::Vector3f way = (whole / std::max(distance, 1e-9)).cast<float>();
+    pcl::Indices near;
+    std::vector<float> squares;
+    station->directions.radiusSearch(pcl::PointXYZ(way.x(), way.y(), way.z()), reach,
+                                     near, squares);
+    for (const auto i : near) {
+      const Eigen::Vector3d ray =
+          station->ends[static_cast<std::size_t>(i)].cast<double>() - from;
+      const double end = start + ray.dot(normal);
+      if ((start > 0) == (end > 0) || std::abs(end) <= clear)
+        continue; // ends on or before it, or leads away
+      if ((start / (start - end) * ray - whole).squaredNorm() <= radius * radius)
+        return true;
+    }
   }
-  return crossings;
+  return false;
 }
 
 } // namespace pcl::sedr
