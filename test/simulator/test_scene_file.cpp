@@ -34,8 +34,6 @@ fullFile()
          {"shelf": {"wall": 0, "s": 3.3, "row": {"count": 1, "gap": 0.1}, "size": [0.5, 0.3, 0.8]}},
          {"lamp": {"at": [2, 2], "drop": 0.5, "radius": 0.2}},
          {"door_leaf": {"hinge": [1, 3], "direction": 0, "width": 0.5, "height": 1}},
-         {"fixture": {"at": [2, 1], "size": [0.2, 0.2, 0.1], "drop": 0.1}},
-         {"duct": {"from": [1, 3], "to": [3, 3], "radius": 0.1, "drop": 0.1}},
          {"group": {"places": [[2, 2], [3, 1, 10]], "objects": [{"chair": {"at": [0, 0]}}]}}]},
       {"name": "right", "outline": {"rectangle": [[5.1, 0], [9, 4]]}, "floor": 0.2, "ceiling": 3}],
     "outside": [

@@ -2,6 +2,7 @@
 #include "truth.h"
 
 #include "bytes/whole_file.h"
+#include "sedr_filters/src/plan/floorplan_format.h"
 #include "simulator/scene/file/furniture.h"
 #include "simulator/scene/queries.h"
 
@@ -19,30 +20,6 @@ namespace pcl::sedr::sim {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json
-toJson(const Vec2& point)
-{
-  return Json::array({point.x(), point.y()});
-}
-
-Json
-toJson(const Loop& loop)
-{
-  Json elements = Json::array();
-  for (const Element& element : loop.elements) {
-    Json json{{"type", element.isArc() ? "arc" : "segment"},
-              {"start", toJson(element.start)},
-              {"end", toJson(element.end)}};
-    if (element.isArc()) {
-      json["centre"] = toJson(element.centre);
-      json["radius"] = element.radius;
-      json["counter_clockwise"] = element.counter_clockwise;
-    }
-    elements.push_back(std::move(json));
-  }
-  return elements;
-}
 
 constexpr double kWindowSill = 0.3;       ///< metres above the floors
 constexpr double kDoorWidth = 1.3;        ///< metres, of the widest door
@@ -89,8 +66,8 @@ openingToJson(const Scene& scene, std::size_t room, std::size_t index)
             {"rooms", {room + 1, near.leads_to ? *near.leads_to + 1 : 0}},
             {"bottom", near.sill + scene.placement.shift.z()},
             {"top", near.head + scene.placement.shift.z()},
-            {"start", toJson(placed(scene.placement, face.start))},
-            {"end", toJson(placed(scene.placement, face.end))},
+            {"start", placed(scene.placement, face.start)},
+            {"end", placed(scene.placement, face.end)},
             {"width", width},
             {"depth", near.depth},
             {"lintel", ceiling - near.head},
@@ -126,7 +103,7 @@ voidToJson(const Scene& scene, std::size_t room, const CeilingVoid& hole)
           {"rooms", {room + 1, *hole.leads_to + 1}},
           {"bottom", bottom + scene.placement.shift.z()},
           {"top", top + scene.placement.shift.z()},
-          {"loop", toJson(placed(scene.placement, hole.loop))}};
+          {"loop", placed(scene.placement, hole.loop)}};
 }
 
 /** @brief Returns the doors, windows and passages of a scene. */
@@ -194,7 +171,7 @@ loopsToJson(const Placement& placement, const std::vector<Loop>& loops)
 {
   Json list = Json::array();
   for (const Loop& loop : loops)
-    list.push_back(toJson(placed(placement, loop)));
+    list.push_back(placed(placement, loop));
   return list;
 }
 
@@ -202,7 +179,7 @@ loopsToJson(const Placement& placement, const std::vector<Loop>& loops)
 Json
 boundaryToJson(const Room& room, const Loop& outline)
 {
-  Json elements = toJson(outline);
+  Json elements = outline;
   for (std::size_t i = 0; i < room.tilts.size(); ++i)
     if (room.tilts[i] != 0.0)
       elements[i]["tilt"] = room.tilts[i] * 180.0 / pi;
@@ -296,13 +273,12 @@ writeTruth(const std::filesystem::path& folder,
   const std::string json = truthToJson(scene, truth);
   for (Vec3& vertex : truth.vertices)
     vertex = placed(scene.placement, vertex);
-  const std::string problem =
-      savePly((folder / "truth.ply").string(), truth,
-              {"closed structure of a simulated scene, normals out of the rooms",
-               "label 1 ceiling 2 floor 3 wall 4 detail 5 column; metres, z up",
-               "element: the number of an opening in truth.json, from 1"});
-  if (!problem.empty())
-    throw std::runtime_error(problem);
+  tools::writeWhole((folder / "truth.ply").string(), [&](std::ostream& file) {
+    file << meshToPly(
+        truth, {"closed structure of a simulated scene, normals out of the rooms",
+                "label 1 ceiling 2 floor 3 wall 4 detail 5 column; metres, z up",
+                "element: the number of an opening in truth.json, from 1"});
+  });
   tools::writeWhole((folder / "truth.json").string(),
                     [&](std::ostream& file) { file << json; });
   return truth.triangles.size();

@@ -9,8 +9,6 @@ namespace {
 
 constexpr std::size_t kMostSteps = 200; ///< of a flight of stairs
 constexpr double kChairWidth = 0.45;    ///< metres, also the depth
-constexpr double kCarLength = 4.2;
-constexpr double kCarWidth = 1.75;
 
 void
 addCentred(Assembly& assembly, double width, double depth, double low, double high)
@@ -108,13 +106,6 @@ buildTree(const JsonView& view, Assembly& assembly)
   assembly.addCylinder({0.0, 0.0, 0.8 * height}, 0.6 * crown, 0.2 * height);
 }
 
-void
-buildCar(const JsonView&, Assembly& assembly)
-{
-  addCentred(assembly, kCarLength, kCarWidth, 0.25, 0.85);
-  assembly.addBox({-1.3, -0.8, 0.85}, {1.0, 0.8, 1.45});
-}
-
 /** @brief Builds a straight flight that climbs along y from its foot. */
 void
 buildStairs(const JsonView& view, Assembly& assembly)
@@ -142,37 +133,6 @@ buildLamp(const JsonView& view, Assembly& assembly)
   const double shade = std::min(0.25, 0.5 * drop);
   assembly.addCylinder({0.0, 0.0, -drop}, view.at("radius").size(), shade);
   assembly.addCylinder({0.0, 0.0, shade - drop}, 0.008, drop - shade);
-}
-
-/** @brief Builds a box at the ceiling, or on four rods below it. */
-void
-buildFixture(const JsonView& view, Assembly& assembly)
-{
-  constexpr double rod = 0.004;
-  constexpr double inset = 0.05;
-  const Vec3 size = view.at("size").size3();
-  const auto given = view.find("drop");
-  const double drop = given ? given->number(0.0) : 0.0;
-  addCentred(assembly, size.x(), size.y(), -drop - size.z(), -drop);
-  const double x = 0.5 * size.x() - inset;
-  const double y = 0.5 * size.y() - inset;
-  for (const Vec2& corner : {Vec2(-x, -y), Vec2(-x, y), Vec2(x, -y), Vec2(x, y)})
-    if (drop > 0.0)
-      assembly.addCylinder(lifted(corner, -drop), rod, drop);
-}
-
-/** @brief Builds a level round duct along x of boards within 3 % of the radius. */
-void
-buildDuct(const JsonView& view, Assembly& assembly)
-{
-  constexpr int boards = 48;
-  const double radius = view.at("radius").size();
-  const double middle = -view.at("drop").number(0.0) - radius;
-  const double length = (view.at("to").point2() - view.at("from").point2()).norm();
-  for (int i = 0; i < boards; ++i)
-    addCentred(assembly, length, 2.0 * radius * std::sin(pi * (i + 0.5) / boards),
-               middle - radius * std::cos(pi * i / boards),
-               middle - radius * std::cos(pi * (i + 1) / boards));
 }
 
 /** @brief Builds the leaf of a door, 4 cm thick, from its hinge along x. */
@@ -222,17 +182,13 @@ furnitureKinds()
     return Vec2(Vec2::Constant(2.0 * view.at("crown").size()));
   };
   const auto chair = [](const JsonView&) { return Vec2(kChairWidth, kChairWidth); };
-  const auto car = [](const JsonView&) { return Vec2(kCarLength, kCarWidth); };
   const auto none = [](const JsonView&) { return Vec2(0.0, 0.0); };
   const auto floor = Standing::OnFloor;
   static const std::map<std::string, Kind> kinds{
       {"block", {"block", floor, false, sized, buildBlock}},
-      {"car", {"car", floor, false, car, buildCar}},
       {"chair", {"chair", floor, false, chair, buildChair}},
       {"cylinder", {"cylinder", floor, false, round, buildCylinder}},
       {"door_leaf", {"door leaf", Standing::Hinged, true, none, buildDoorLeaf}},
-      {"duct", {"duct", Standing::Duct, true, none, buildDuct}},
-      {"fixture", {"fixture", Standing::BelowCeiling, true, none, buildFixture}},
       {"lamp", {"lamp", Standing::BelowCeiling, true, none, buildLamp}},
       {"shelf", {"shelf", floor, false, sized, buildShelf}},
       {"stairs", {kStairs, floor, true, none, buildStairs}},

@@ -38,7 +38,7 @@ private:
 };
 
 /** @brief Where an object of a kind stands or hangs. */
-enum class Standing { OnFloor, BelowCeiling, Duct, Hinged };
+enum class Standing { OnFloor, BelowCeiling, Hinged };
 
 /** @brief A kind of furniture. */
 struct Kind {

@@ -71,14 +71,6 @@ private:
   {
     if (kind.standing == Standing::OnFloor && room_ && !is_group_ && view.find("wall"))
       return spotsAtWall(view, kind.footprint(view));
-    if (kind.standing == Standing::Duct) {
-      const Vec2 from = toScene(view.at("from").point2());
-      const Vec2 to = toScene(view.at("to").point2());
-      if (!((to - from).norm() >= 0.01))
-        view.fail("begins where it ends");
-      const Vec2 middle = 0.5 * (from + to);
-      return {{middle, directionOf(to - from), ceilingAt(view, middle)}};
-    }
     const bool is_hinged = kind.standing == Standing::Hinged;
     const Vec2 place = toScene(view.at(is_hinged ? "hinge" : "at").point2());
     return {{place, yawOf(view, is_hinged ? "direction" : "yaw"),
