@@ -108,7 +108,7 @@ main(int argc, char** argv)
                     "widest opening below a lintel that parts two rooms",
                     Range::above(0));
   options.text("building", settings.building,
-               "JSON file for rooms, storeys, doorways, stairs and what was left out");
+               "JSON file for storeys, doorways, stairs and hidden parts of ceilings");
   options.flag(
       "z-up", settings.trust_up,
       "take z as up even if another axis seems to be, or the scan is inclined");

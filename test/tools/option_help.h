@@ -29,14 +29,16 @@ struct OptionHelp {
   }
 };
 
-/** Returns the options in the help of a program, except -h. */
+/** Returns the options in the help of a program, except -h and --version. */
 inline std::vector<OptionHelp>
 optionsIn(const std::string& help)
 {
   std::vector<OptionHelp> options;
   std::istringstream lines(help);
   for (std::string line; std::getline(lines, line);) {
-    if (line.compare(0, 4, "  -h") == 0)
+    if (line.compare(0, 4, "  -h") == 0 || line.compare(0, 11, "  --version") == 0)
+      continue;
+    if (line.empty() && !options.empty())
       break;
     std::istringstream words(line);
     std::string word;

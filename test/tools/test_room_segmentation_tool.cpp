@@ -64,14 +64,10 @@ TEST_F(RoomSegmentationTool, WritesTheBuilding)
   const auto json = nlohmann::json::parse(bytesOf(in("building.json")));
   EXPECT_EQ(json.at("format"), "sedr-building");
   ASSERT_EQ(json.at("storeys").size(), 2u);
-  EXPECT_TRUE(json.at("left_out").is_array());
   const pcl::sedr::Building building = loadBuilding(in("building.json"));
   ASSERT_EQ(building.rooms.size(), 2u);
-  EXPECT_NEAR(json.at("rooms")[0].at("area").get<double>(), 12, 1.2);
-  EXPECT_EQ(json.at("rooms")[0].at("storey"), 1u);
   EXPECT_NEAR(building.rooms[1].floor, 2.8, 0.1);
   EXPECT_NEAR(building.rooms[1].ceiling, 5.3, 0.1);
-  EXPECT_GT(json.at("rooms")[1].at("enclosure").get<double>(), 0.5);
   EXPECT_GE(std::count(result.out.begin(), result.out.end(), '\n'), 3)
       << "a heading and a line a room:\n"
       << result.out;

@@ -134,7 +134,7 @@ TEST(ToolOptions, HelpShowsUnitsRangesAndTheDefaultsOfTheVariables)
   EXPECT_FALSE(sample.parse({"--version"}));
   EXPECT_EQ(sample.options.answer().rfind("pcl_sample (SEDR) ", 0), 0u);
   EXPECT_FALSE(sample.parse({"--help", "--leaf", "nonsense"}));
-  const std::string help = sample.options.help();
+  const std::string help = sample.options.answer();
   EXPECT_NE(help.find("edge of a voxel [m] (above 0; default 0.05)"), std::string::npos)
       << help;
   EXPECT_NE(help.find("(from -5 to 5; default 3)"), std::string::npos) << help;

@@ -20,27 +20,6 @@ namespace {
 
 constexpr double vast = 1e9; // larger limits are those of types and not printed
 
-/** @brief Joins `left` and, from a fixed column on, `right`, broken into lines. */
-std::string
-helpLine(const std::string& left, const std::string& right)
-{
-  constexpr std::size_t indent = 26;
-  constexpr std::size_t width = 90;
-  const std::string margin(indent, ' ');
-  std::string text = "  " + left;
-  text += text.size() + 2 > indent ? "\n" + margin : margin.substr(text.size());
-  std::istringstream words(right);
-  std::size_t column = indent;
-  for (std::string word; words >> word; column += word.size() + 1) {
-    if (column + word.size() > width) {
-      text += "\n" + margin;
-      column = indent;
-    }
-    text += (column == indent ? "" : " ") + word;
-  }
-  return text + "\n";
-}
-
 } // namespace
 
 std::string
@@ -63,7 +42,10 @@ Range::text(const std::string& unit) const
 Options::Options(std::string tool, std::string purpose)
     : tool_(std::move(tool))
     , purpose_(std::move(purpose))
-{}
+    , options_("Options", 90) // letters a line
+{
+  options_.add_options()("help,h", "prints this")("version", "prints the version");
+}
 
 std::string
 Options::textOf(double value)
@@ -71,6 +53,19 @@ Options::textOf(double value)
   std::ostringstream text;
   text << value; // six digits, so that the float 0.05 is printed as 0.05
   return text.str();
+}
+
+void
+Options::add(const std::string& name,
+             const std::string& help,
+             const std::string& allowed,
+             const std::string& default_text,
+             const std::function<void(const std::string&)>& read)
+{
+  const std::string text = help + " (" + allowed + (allowed.empty() ? "" : "; ") +
+                           "default " + default_text + ")";
+  options_.add_options()(name.c_str(), po::value<std::string>()->notifier(read),
+                         text.c_str());
 }
 
 void
@@ -97,11 +92,8 @@ Options::addNumber(const std::string& name,
                       given);
     store(value);
   };
-  options_.push_back({name,
-                      help + (unit.empty() ? "" : " [" + unit + "]") + " (" + allowed +
-                          (allowed.empty() ? "" : "; ") + "default " + default_text +
-                          ")",
-                      true, read});
+  add(name, help + (unit.empty() ? "" : " [" + unit + "]"), allowed, default_text,
+      read);
 }
 
 void
@@ -117,29 +109,21 @@ Options::text(const std::string& name,
       throw ToolError("--" + name + " is one of " + allowed + ", not '" + given + "'");
     value = given;
   };
-  options_.push_back({name,
-                      help + " (" + allowed + (allowed.empty() ? "" : "; ") +
-                          "default " + (value.empty() ? "none" : value) + ")",
-                      true, read});
+  add(name, help, allowed, value.empty() ? "none" : value, read);
 }
 
 void
 Options::flag(const std::string& name, bool& value, const std::string& help)
 {
-  options_.push_back(
-      {name, help, false, [&value](const std::string&) { value = true; }});
+  options_.add_options()(name.c_str(), po::bool_switch(&value), help.c_str());
 }
 
 bool
 Options::parse(int argc, const char* const* argv)
 {
   po::options_description description;
-  description.add_options()("help,h", "")("version", "");
-  for (const auto& option : options_)
-    option.takes_value
-        ? description.add_options()(option.name.c_str(), po::value<std::string>(), "")
-        : description.add_options()(option.name.c_str(), "");
-  description.add_options()("file", po::value<std::vector<std::string>>(), "");
+  description.add(options_).add_options()("file",
+                                          po::value<std::vector<std::string>>());
   po::positional_options_description positions;
   positions.add("file", -1);
   po::variables_map given;
@@ -163,9 +147,7 @@ Options::parse(int argc, const char* const* argv)
     return false;
   readFiles(given.count("file") != 0 ? given["file"].as<std::vector<std::string>>()
                                      : std::vector<std::string>());
-  for (const auto& option : options_)
-    if (given.count(option.name) != 0)
-      option.read(option.takes_value ? given[option.name].as<std::string>() : "");
+  po::notify(given);
   return true;
 }
 
@@ -196,7 +178,7 @@ Options::usage() const
   for (const auto& file : files_)
     usage += file.is_needed ? " " + file.name + (file.values ? "..." : "")
                             : " [" + file.name + "]";
-  return options_.empty() ? usage : usage + " [options]";
+  return usage + " [options]";
 }
 
 std::string
@@ -208,17 +190,15 @@ Options::answer() const
 std::string
 Options::help() const
 {
-  std::string help = purpose_ + "\n\nUsage: " + usage() + "\n\n";
+  std::ostringstream help;
+  help << purpose_ << "\n\nUsage: " << usage() << "\n\n";
   for (const auto& file : files_)
-    help += helpLine(file.name, file.help);
-  help += "\nOptions:\n";
-  for (const auto& option : options_)
-    help +=
-        helpLine("--" + option.name + (option.takes_value ? " arg" : ""), option.help);
-  help += helpLine("-h, --help", "prints this");
-  help += helpLine("--version", "prints the version");
-  return help + "\nExit code: 0 done; 1 bad use or unreadable input; 2 read, but "
-                "nothing found.\n";
+    help << "  " << file.name << ": " << file.help << "\n";
+  help << "\n"
+       << options_
+       << "\nExit code: 0 done; 1 bad use or unreadable input; 2 read, but nothing "
+          "found.\n";
+  return help.str();
 }
 
 } // namespace pcl::sedr::tools

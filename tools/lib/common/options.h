@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <boost/program_options/options_description.hpp>
+
 #include <algorithm>
 #include <functional>
 #include <limits>
@@ -142,9 +144,6 @@ public:
    * text */
   bool parse(int argc, const char* const* argv);
 
-  /** @brief Returns purpose, usage, files and options with units and defaults. */
-  std::string help() const;
-
   /** @brief Returns the help, or name and version. */
   std::string answer() const;
 
@@ -158,13 +157,6 @@ private:
     std::vector<std::string>* values; ///< null unless a list
     bool is_needed = true;
   };
-  struct Option {
-    std::string name;
-    std::string help; ///< complete, with unit and default
-    bool takes_value;
-    std::function<void(const std::string&)> read;
-  };
-
   static std::string textOf(double value);
 
   template <typename NumberT>
@@ -194,7 +186,17 @@ private:
                  const std::string& default_text,
                  const std::function<void(double)>& store);
 
+  /** @brief Declares an option with a value, which `read` takes. */
+  void add(const std::string& name,
+           const std::string& help,
+           const std::string& allowed,
+           const std::string& default_text,
+           const std::function<void(const std::string&)>& read);
+
   std::string usage() const;
+
+  /** @brief Returns purpose, usage, files and options with units and defaults. */
+  std::string help() const;
 
   /** @brief Assigns the file names of the command line. */
   void readFiles(const std::vector<std::string>& names) const;
@@ -202,7 +204,7 @@ private:
   std::string tool_;
   std::string purpose_;
   std::vector<File> files_;
-  std::vector<Option> options_;
+  boost::program_options::options_description options_;
   bool wants_version_ = false;
 };
 

@@ -7,17 +7,11 @@
 
 namespace pcl::sedr::tools {
 
-/** @brief Returns "no headroom", "outdoors", "seen in part" and the like. */
-const char* nameOf(LeftOutKind kind);
-
-/** @brief Writes a building as JSON: {"format": "sedr-building", "version": 1, "unit":
- * "m", "rooms": [...], "storeys": [...], "doorways": [...], "stairs": [...],
- * "left_out": [...]}. Only the room columns with a hidden ceiling are written; points
- * are omitted. */
+/** @brief Writes what the stages after pcl_room_segmentation use of a building, as
+ * JSON: heights and hidden ceilings of rooms, storeys, doorways, stairs. */
 std::string buildingToJson(const Building& building);
 
-/** @brief Reads of the output of buildingToJson() what stages use: storeys, doorways,
- * stairs, and of rooms the heights and hidden ceilings. Throws ToolError on failure. */
+/** @brief Reads the output of buildingToJson(). Throws ToolError on failure. */
 Building loadBuilding(const std::string& path);
 
 } // namespace pcl::sedr::tools
