@@ -18,7 +18,6 @@ using Removal = pcl::GridRegionOutlierRemoval<pcl::PointXYZ>;
 
 struct Settings : StageFiles {
   unsigned int label = static_cast<unsigned int>(StructureLabel::Ceiling);
-  unsigned int support_label = 0;
   bool remove = false;
 };
 
@@ -64,9 +63,6 @@ run(const Settings& settings, Removal& removal)
     const Progress progress("labelling regions");
     removal.setInputCloud(cloud.points);
     removal.setIndices(pcl::make_shared<const pcl::Indices>(selected));
-    if (settings.support_label > 0)
-      removal.setSupportIndices(
-          cloud.withLabel(static_cast<StructureLabel>(settings.support_label)));
     removal.filter(kept);
   }
   throwProblem(removal.getErrorMessage());
@@ -100,9 +96,6 @@ main(int argc, char** argv)
                  "label of the points to work on, 1 ceiling, 2 floor");
   options.parameter("grid", removal, &Removal::getGridSize, &Removal::setGridSize, "m",
                     "edge of a cell", Range::above(0));
-  options.number(
-      "support", settings.support_label, "",
-      "label of points, say 2 floor, that save a smaller region above them, 0 = none");
   options.flag("remove", settings.remove,
                "leave rejected points out, instead of label 0");
   return runTool(options, argc, argv, [&] { return run(settings, removal); });

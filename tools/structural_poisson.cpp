@@ -84,8 +84,10 @@ run(const Settings& settings, Poisson& poisson)
     tell(report);
   if (poisson.getMesh().empty())
     throw ToolError(poisson.getErrorMessage(), NothingFound);
-  throwProblem(pcl::sedr::savePly(settings.output, poisson.getMesh(),
-                                  originComments(originOfModel(settings.input))));
+  writeWhole(settings.output, [&](std::ostream& stream) {
+    stream << pcl::sedr::meshToPly(poisson.getMesh(),
+                                   originComments(originOfModel(settings.input)));
+  });
   settings.picture.write([&] { return drawMesh(poisson.getMesh()); });
   if (!poisson.getErrorMessage().empty())
     std::cerr << "pcl_structural_poisson: " << poisson.getErrorMessage() << std::endl;

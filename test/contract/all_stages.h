@@ -168,7 +168,7 @@ runAllStages()
 
   pcl::IndoorStructureReconstruction<PointT> chain;
   chain.setInputCloud(scan);
-  chain.getChain().poisson.setCellRatio(4); // coarse, to save time
+  chain.getChain().poisson.setDepth(5); // coarse, to save time
   chain.reconstruct(mesh);
   EXPECT_EQ(chain.getErrorMessage(), "");
   figures.chain_volume = chain.getChain().poisson.getMesh().signedVolume();

@@ -22,7 +22,6 @@ public:
           stage_.setLeafSize(0.1f, static_cast<float>(size), 0.1f);
         },
         0.1, {0, -1, nan, inf, 1e-45});
-    stage_.setSaveLeafLayout(true);
   }
 
   Outcome outcomeOf(const Cloud& output) const
@@ -34,8 +33,6 @@ public:
     append(outcome.geometry, output);
     outcome.all = outcome.geometry;
     append(outcome.all, *outcome.removed);
-    for (const auto& p : output)
-      append(outcome.all, stage_.getCentroidIndex(p));
     return outcome;
   }
 };
@@ -50,7 +47,6 @@ public:
       : Adaptor(true)
   {
     parameter([this](double v) { stage_.setGridSize(v); }, 0.05, {0, -0.05, inf});
-    parameter([this](double v) { stage_.setMinimumSupport(v); }, 0.5, {1.5});
   }
 
   void setNegative(bool negative) { stage_.setNegative(negative); }
@@ -90,16 +86,6 @@ private:
     append(outcome.all, stage_.getRegionLabels());
     append(outcome.all, stage_.getRegionSizes());
     return outcome;
-  }
-};
-
-/** The same with support, which the paper has not. */
-class SupportedRegionRemovalAdaptor : public RegionRemovalAdaptor {
-public:
-  void setInput(const Cloud::ConstPtr& cloud)
-  {
-    RegionRemovalAdaptor::setInput(cloud);
-    stage_.setSupportIndices(between(*cloud, -0.1f, 0.1f));
   }
 };
 
@@ -258,7 +244,6 @@ public:
 
 using FilterAdaptors = ::testing::Types<VoxelGridAdaptor,
                                         RegionRemovalAdaptor,
-                                        SupportedRegionRemovalAdaptor,
                                         FloorRecoveryAdaptor,
                                         RefinementAdaptor,
                                         HoleRepairAdaptor>;

@@ -93,28 +93,15 @@ public:
   }
 };
 
-/** The points of the sample room get the normals of its faces. Coarse cells save time.
- * The size is the number of triangles. */
-class PoissonAdaptor : public Adaptor<pcl::StructuralPoisson<pcl::PointNormal>> {
+/** The points of the sample room get the normals of its faces. The size is the number
+ * of triangles. */
+class PoissonAdaptor : public Adaptor<pcl::StructuralPoisson<pcl::PointStructure>> {
 public:
   static constexpr bool finds_in_one_point = false;
 
   PoissonAdaptor()
   {
     parameter([this](double v) { stage_.setDepth(static_cast<int>(v)); }, 9, {2, 15});
-    parameter([this](double v) { stage_.setPointWeight(static_cast<float>(v)); }, 10,
-              {nan});
-    parameter([this](double v) { stage_.setCellRatio(v); }, 4, {0});
-    parameter(
-        [this](double v) { stage_.setMinimumPoints(static_cast<std::size_t>(v)); }, 100,
-        {9});
-    parameter([this](double v) { stage_.setSupportDistance(v); }, 0.3, {0});
-    parameter(
-        [this](double v) {
-          stage_.setRoomLabels(v > 0 ? std::vector<std::uint32_t>{1, 1, 1}
-                                     : structure_.rooms);
-        },
-        0, {1});
   }
 
   void setInput(const Cloud::ConstPtr& cloud)
@@ -141,15 +128,15 @@ private:
   void setPoints(const pcl::Indices& indices)
   {
     structure_ = SampleStructure(*cloud_, indices);
-    const auto points = std::make_shared<pcl::PointCloud<pcl::PointNormal>>();
+    const auto points = std::make_shared<pcl::PointCloud<pcl::PointStructure>>();
     for (std::size_t i = 0; i < cloud_->size(); ++i) {
-      pcl::PointNormal p;
+      pcl::PointStructure p;
       p.getVector3fMap() = (*cloud_)[i].getVector3fMap();
       p.getNormalVector3fMap() = normalOf(i).cast<float>();
+      p.room = structure_.rooms[i];
       points->push_back(p);
     }
     stage_.setInputCloud(points);
-    stage_.setRoomLabels(structure_.rooms);
   }
 
   Eigen::Vector3d normalOf(std::size_t i) const

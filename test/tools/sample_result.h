@@ -59,10 +59,9 @@ struct SampleResult {
     write(folder / "../scan.pcd", scan.pcd(false));
     write(folder / "structure.pcd", scan.withoutLabel(Label::Other).pcd(true));
     write(folder / "floorplan.json", pcl::sedr::floorplanToJson(plan));
-    ASSERT_EQ(pcl::sedr::savePly((folder / "mesh.ply").string(), mesh), "");
-    ASSERT_EQ(pcl::sedr::savePly((folder / "solid.ply").string(), solid,
-                                 pcl::sedr::elementComments(solid, elements)),
-              "");
+    write(folder / "mesh.ply", pcl::sedr::meshToPly(mesh));
+    write(folder / "solid.ply",
+          pcl::sedr::meshToPly(solid, pcl::sedr::elementComments(solid, elements)));
     write(folder / "report.json",
           R"({"format": "sedr-report", "version": 1, "input": {"path": "scan.pcd",
  "points": 1, "unit": 1}, "parameters": {"voxel_size": 0.1}, "stages": [], "rooms": [],

@@ -11,7 +11,6 @@ namespace pcl::sedr {
 
 constexpr double same_point = 1e-7;    ///< nearer ends of loops coincide, metres
 constexpr double same_place = 1e-6;    ///< nearer places coincide, metres
-constexpr double same_corner = 1e-4;   ///< shorter elements are dropped, metres
 constexpr double same_line = 0.001;    ///< nearer elements lie on the line, metres
 constexpr double farthest_place = 1e5; ///< maximum coordinate, metres
 constexpr double chord = 0.005; ///< tolerance of polygons that replace arcs, metres
@@ -22,7 +21,5 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 constexpr std::size_t points_a_block = 16384; ///< points that a thread takes at once
-constexpr std::size_t cells_a_block = 4096;   ///< cells, likewise
-constexpr std::size_t samples_a_block = 64;   ///< samples of a loop, likewise
 
 } // namespace pcl::sedr

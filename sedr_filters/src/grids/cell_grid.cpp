@@ -38,53 +38,13 @@ joinNeighbours(const CellSet& cells, DisjointSets<std::size_t>& sets)
   }
 }
 
-/** @brief Sorts `keys` and removes repetitions. Uses one bit for every cell of the
- * bounding rectangle if that takes no more memory than the keys. */
-void
-sortOnce(std::vector<CellKey>& keys)
-{
-  if (keys.empty())
-    return;
-  Cell low = cellOf(keys.front());
-  Cell high = low;
-  for (const CellKey key : keys) {
-    const Cell cell = cellOf(key);
-    low = {std::min(low.x, cell.x), std::min(low.y, cell.y)};
-    high = {std::max(high.x, cell.x), std::max(high.y, cell.y)};
-  }
-  constexpr std::uint64_t bits = 64;
-  const auto width = static_cast<std::uint64_t>(std::int64_t{high.x} - low.x + 1);
-  const auto height = static_cast<std::uint64_t>(std::int64_t{high.y} - low.y + 1);
-  const std::uint64_t words = width / bits + 1; // words of a row
-  if (words > keys.size() || height > keys.size() / words) {
-    std::sort(keys.begin(), keys.end());
-    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-    return;
-  }
-  std::vector<std::uint64_t> marked(words * height, 0);
-  for (const CellKey key : keys) {
-    const Cell cell = cellOf(key);
-    const auto x = static_cast<std::uint64_t>(std::int64_t{cell.x} - low.x);
-    const auto y = static_cast<std::uint64_t>(std::int64_t{cell.y} - low.y);
-    marked[y * words + x / bits] |= std::uint64_t{1} << (x % bits);
-  }
-  keys.clear();
-  for (std::uint64_t w = 0; w < marked.size(); ++w)
-    for (std::uint64_t rest = marked[w]; rest != 0; rest &= rest - 1) {
-      const auto bit = static_cast<std::uint64_t>(__builtin_ctzll(rest));
-      const auto x = static_cast<std::int64_t>(w % words * bits + bit);
-      keys.push_back(keyOf(
-          {static_cast<std::int32_t>(low.x + x),
-           static_cast<std::int32_t>(low.y + static_cast<std::int64_t>(w / words))}));
-    }
-}
-
 } // namespace
 
 CellSet::CellSet(std::vector<CellKey> keys)
     : keys_(std::move(keys))
 {
-  sortOnce(keys_);
+  std::sort(keys_.begin(), keys_.end());
+  keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
   indexRows();
 }
 

@@ -21,7 +21,7 @@ struct Words {
 };
 
 /** In the order of WarningKind. */
-constexpr std::array<Words, 37> words{{
+constexpr std::array<Words, 36> words{{
     {"coverage", "", "",
      "{0.0} of {1.0} square metres of floor were modelled, {2.0} %; the largest of "
      "what "
@@ -35,11 +35,6 @@ constexpr std::array<Words, 37> words{{
     {"strays", "", "",
      "points are scattered all over the air of the scan: voxels of fewer than {0.0} "
      "points were left out"},
-    {"positions", "", "",
-     "{0.0} of {1.0} positions of the scanner are not where the points were taken "
-     "from: "
-     "they lie on a surface, or rays from there go through walls that were seen; what "
-     "they would tell was left out"},
     {"mirrors", "", "",
      "mirroring surfaces, as the scanner's positions tell: {0.0}; {1.0} thinned points "
      "seen in them were left out"},

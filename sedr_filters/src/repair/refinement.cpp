@@ -6,7 +6,6 @@
 #include "../plan/room_lookup.h"
 
 #include <pcl/sedr_filters/impl/refinement.h>
-#include <pcl/sedr_filters/vertical_hole_repair.h>
 
 #include <Eigen/Geometry>
 
@@ -127,13 +126,24 @@ public:
   /** @brief Returns all cells: vertical surfaces, then floor, ceiling and niches. */
   const std::vector<SurfaceCell>& cells() const { return cells_; }
 
-  /** @brief Returns the divided vertical surfaces. */
-  const std::vector<RepairedStrip>& strips() const { return strips_; }
-
 private:
+  /** @brief A vertical surface, unrolled: columns of cells of equal width. */
+  struct Strip {
+    struct Column {
+      double low = 0;        ///< z, metres
+      double high = 0;       ///< not above `low` if there are no cells
+      std::size_t first = 0; ///< its lowest cell
+      std::size_t cells = 0;
+    };
+
+    StructureLabel label = StructureLabel::Wall; ///< Wall, Column or Detail
+    PlanElement element;
+    std::vector<Column> columns;
+  };
+
   void addStrip(const VerticalSurface& surface)
   {
-    RepairedStrip strip{room_.id, surface.kind, surface.label, *surface.element, {}};
+    Strip strip{surface.label, *surface.element, {}};
     const double length = surface.element->length();
     const std::size_t columns = partsOf(length, size_);
     for (std::size_t c = 0; c < columns; ++c) {
@@ -258,7 +268,7 @@ private:
     std::size_t best = none;
     double least = size_;
     for (const std::uint32_t i : near_.at(place)) {
-      const RepairedStrip& strip = strips_[i];
+      const Strip& strip = strips_[i];
       if (strip.label != point.label)
         continue;
       const double s = strip.element.project(place);
@@ -269,7 +279,7 @@ private:
       const auto c =
           std::min(columns - 1, static_cast<std::size_t>(s / strip.element.length() *
                                                          static_cast<double>(columns)));
-      const RepairedStrip::Column& column = strip.columns[c];
+      const Strip::Column& column = strip.columns[c];
       const double t = (point.position.z() - column.low) / (column.high - column.low);
       if (column.cells == 0 || !(t >= 0 && t <= 1))
         continue;
@@ -287,7 +297,7 @@ private:
   RoomLookup lookup_;
   double size_;
   PlaceTable near_; ///< strips within one cell size
-  std::vector<RepairedStrip> strips_;
+  std::vector<Strip> strips_;
   std::vector<SurfaceCell> cells_;
   std::vector<Sheet> sheets_; ///< floor, ceiling, then bottom and top of each niche
 };
@@ -365,8 +375,7 @@ isInOpening(const Floorplan& plan, const Eigen::Vector3d& place)
 std::vector<RepairedPoint>
 repairHoles(const std::vector<SurfacePoint>& refined,
             const Floorplan& plan,
-            double cell_size,
-            std::vector<RepairedStrip>* strips)
+            double cell_size)
 {
   std::map<std::uint32_t, std::vector<std::size_t>> points_of;
   for (std::size_t i = 0; i < refined.size(); ++i)
@@ -376,12 +385,6 @@ repairHoles(const std::vector<SurfacePoint>& refined,
     SurfaceCells cells(room, cell_size);
     for (const std::size_t i : points_of[room.id])
       cells.occupy(refined[i], i);
-    if (strips)
-      for (RepairedStrip strip : cells.strips()) {
-        for (RepairedStrip::Column& column : strip.columns)
-          column.first += repaired.size();
-        strips->push_back(std::move(strip));
-      }
     repaired.reserve(repaired.size() + cells.cells().size());
     for (const auto& cell : cells.cells()) {
       if (cell.is_occupied)

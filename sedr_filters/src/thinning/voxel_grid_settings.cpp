@@ -13,7 +13,6 @@
 #include <cstdint>
 #include <map>
 #include <sstream>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -137,13 +136,6 @@ private:
 
 constexpr std::array<const char*, 3> axes{"x", "y", "z"};
 
-/** @brief Compares voxels by z, then y, then x. */
-bool
-precedes(const Eigen::Vector3i& a, const Eigen::Vector3i& b)
-{
-  return std::make_tuple(a.z(), a.y(), a.x()) < std::make_tuple(b.z(), b.y(), b.x());
-}
-
 bool
 isCoordinate(const pcl::PCLPointField& field)
 {
@@ -199,27 +191,6 @@ writePlaces(const VoxelSums& sums,
 
 } // namespace
 
-Eigen::Vector3i
-VoxelGridSettings::getGridCoordinates(float x, float y, float z) const
-{
-  return Eigen::Vector3i(VoxelFrame(inverseLeaf()).codes({x, y, z}).data());
-}
-
-int
-VoxelGridSettings::getCentroidIndexAt(const Eigen::Vector3i& ijk) const
-{
-  const auto it = std::lower_bound(layout_.begin(), layout_.end(), ijk, precedes);
-  return it != layout_.end() && *it == ijk ? static_cast<int>(it - layout_.begin())
-                                           : -1;
-}
-
-void
-VoxelGridSettings::clearLayout()
-{
-  stray_limit_ = 0;
-  layout_.clear();
-}
-
 /** @brief Returns why the rows cannot be thinned, as a sentence; empty if they can. */
 std::string
 VoxelGridSettings::problemOf(const RowSource& source, const pcl::Indices* indices) const
@@ -243,26 +214,6 @@ VoxelGridSettings::problemOf(const RowSource& source, const pcl::Indices* indice
   return indices ? indicesProblem(*indices, source.size()) : std::string();
 }
 
-/** @brief Sorts the summed voxels, drops those with too few points, and saves the
- * layout if requested.
- * @return number of voxels kept */
-std::size_t
-VoxelGridSettings::finish(VoxelSums& sums)
-{
-  if (removes_strays_)
-    stray_limit_ = sums.strayLimit();
-  const std::size_t size = sums.arrange(std::max(min_points_per_voxel_, stray_limit_));
-  if (save_leaf_layout_) {
-    layout_.resize(size);
-    sums.forEach(
-        [&](const VoxelSum& voxel, std::size_t place) {
-          layout_[place] = Eigen::Vector3i(voxel.code.data());
-        },
-        threads_);
-  }
-  return size;
-}
-
 std::string
 VoxelGridSettings::thin(const RowSource& source,
                         const pcl::Indices* indices,
@@ -270,7 +221,7 @@ VoxelGridSettings::thin(const RowSource& source,
                         pcl::Indices* removed)
 {
   using Piece = RowSource::Piece;
-  clearLayout();
+  stray_limit_ = 0;
   const std::string problem = problemOf(source, indices);
   if (!problem.empty())
     return problem;
@@ -281,7 +232,9 @@ VoxelGridSettings::thin(const RowSource& source,
              indices ? RowSource::SeeRun() : piece.beside);
     return true;
   });
-  const std::size_t size = finish(sums);
+  if (removes_strays_)
+    stray_limit_ = sums.strayLimit();
+  const std::size_t size = sums.arrange(std::max(min_points_per_voxel_, stray_limit_));
   std::uint8_t* const rows = output.make(size);
   writePlaces(sums, output.fields, output.row_size, rows, threads_);
 

@@ -55,13 +55,6 @@ ChainRun::fail(const std::string& reason)
 }
 
 void
-ChainRun::tellResult(const char* stage, std::uint32_t room) const
-{
-  if (chain_.on_result)
-    chain_.on_result(stage, room);
-}
-
-void
 ChainRun::warn(std::uint32_t room, const std::string& reason)
 {
   warn({WarningKind::Stage, {}, room, 0, reason});
@@ -87,10 +80,6 @@ ChainRun::findStructure()
   if (chain_.stray_limit > 0)
     warn({WarningKind::Strays, {static_cast<double>(chain_.stray_limit)}});
   const MirrorFigures& mirrored = chain_.mirrored;
-  if (mirrored.untrue > 0)
-    warn({WarningKind::Positions,
-          {static_cast<double>(mirrored.untrue),
-           static_cast<double>(mirrored.positions)}});
   if (mirrored.points > 0)
     warn({WarningKind::Mirrors,
           {static_cast<double>(mirrored.mirrors),
@@ -144,7 +133,6 @@ ChainRun::makeMesh()
                     report.points_out = chain_.poisson.getMesh().vertices.size();
                     if (!is_made)
                       return fail(chain_.poisson.getErrorMessage());
-                    tellResult("StructuralPoisson");
                     for (const RoomPoissonReport& mesh : chain_.poisson.getReports())
                       for (const std::string* reason : {&mesh.problem, &mesh.warning})
                         if (!reason->empty())

@@ -31,10 +31,10 @@ allIndices(std::size_t n)
 std::vector<PlanWarning> unexplainedSurfaces(const Building& building,
                                              const Floorplan& plan);
 
-/** @brief Returns the walls that lean where the plan has them vertical: a plane that leans
- * by up to 15 degrees and meets the wall between floor and ceiling holds at least 0.25 m2
- * and a tenth more of what was seen of it. One warning a wall. O(points + tiles of 10 cm
- * times planes). */
+/** @brief Returns the walls that lean where the plan has them vertical: a plane that
+ * leans by up to 15 degrees and meets the wall between floor and ceiling holds at least
+ * 0.25 m2 and a tenth more of what was seen of it. One warning a wall. O(points + tiles
+ * of 10 cm times planes). */
 std::vector<PlanWarning> leaningWalls(const PointView& points, const Floorplan& plan);
 
 /** @brief Returns a doubt whether the scan is upside down: things stand on floors, so
@@ -72,8 +72,6 @@ private:
   template <typename Step>
   bool runStage(const std::string& name, std::size_t points_in, Step step);
 
-  void tellResult(const char* stage, std::uint32_t room = 0) const;
-
   /** @brief Adds a warning that a stage failed for one room; the others continue. */
   void warn(std::uint32_t room, const std::string& reason);
 
@@ -105,9 +103,6 @@ private:
 
   /** @brief Restricts the floors of the rooms to what is no furniture. */
   void findFloors();
-
-  /** @brief Collects the planes of all rooms in `planes`, for display. */
-  void listPlanes();
 
   /** @brief Adds points where a room's ceiling is hidden, using the air below it.
    * @return number of points */

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_segmentation/src/adjust/plan_adjustment.h"
-#include "sedr_segmentation/src/scan/scan_check.h"
 #include "sedr_segmentation/src/scan/scan_excerpt.h"
 #include <pcl/sedr_surface/impl/indoor_structure_reconstruction.hpp>
 
@@ -9,8 +8,6 @@
 #include <pcl/impl/pcl_base.hpp>
 #include <pcl/search/impl/search.hpp>
 #include <pcl/surface/impl/reconstruction.hpp>
-
-#include <limits>
 
 namespace pcl::sedr {
 
@@ -24,32 +21,10 @@ voxelProblem(double voxel_size, double grid_size)
          " m, or cells stay empty";
 }
 
-std::string
-cloudProblem(const PointView& points, const pcl::Indices& indices, const Priors& priors)
-{
-  const std::string problem = indicesProblem(indices, points.size());
-  return problem.empty() ? scanProblem(points, indices, priors) : problem;
-}
-
 std::size_t
 excerptStep(std::size_t points)
 {
   return rawStep(points, AdjustmentParameters().max_points);
-}
-
-std::shared_ptr<std::vector<Eigen::Vector3f>>
-excerptOf(const PointView& points, const pcl::Indices& indices)
-{
-  const std::size_t step = excerptStep(points.size());
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  const auto excerpt = std::make_shared<std::vector<Eigen::Vector3f>>(
-      (points.size() + step - 1) / step, Eigen::Vector3f::Constant(nan));
-  for (const auto index : indices) {
-    const auto i = static_cast<std::size_t>(index);
-    if (i % step == 0)
-      (*excerpt)[i / step] = points[i];
-  }
-  return excerpt;
 }
 
 std::string

@@ -15,6 +15,8 @@ StructureChain::StructureChain()
   extrusion.setChordTolerance(0.00025);
 }
 
+StructureChain::~StructureChain() = default;
+
 void
 StructureChain::setGridSize(double size)
 {
@@ -80,7 +82,6 @@ StructureChain::reset(const Cloud::ConstPtr& thinned)
     values->reserve(cloud->points.capacity());
     values->resize(cloud->size(), 0);
   }
-  planes.clear();
   plan = std::make_shared<Floorplan>();
   structure.reset(new StructureCloud);
   levelling.reset();
@@ -124,11 +125,6 @@ StructureChain::leaveOutMirrored(const ScanPositions& positions,
   mirrored.positions = static_cast<std::size_t>(
       std::count_if(positions.begin(), positions.end(),
                     [](const ScanPosition& position) { return position.isKnown(); }));
-  mirrored.untrue = static_cast<std::size_t>(std::count_if(
-      positions.begin(), positions.end(), [&](const ScanPosition& position) {
-        return std::find(found.untrue.begin(), found.untrue.end(), position.place) !=
-               found.untrue.end();
-      }));
   mirrored.rays = found.rays;
   mirrored.mirrors = found.mirrors;
   mirrored.lines =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../formats/labels.h"
+#include "sedr_filters/src/base/labels.h"
 
 #include "chain_run.h"
 

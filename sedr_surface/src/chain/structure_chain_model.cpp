@@ -46,7 +46,6 @@ ChainRun::refine(StageReport& report)
     chain_.refinement.filter(*refined_.back());
     if (!chain_.refinement.getErrorMessage().empty())
       return fail(chain_.refinement.getErrorMessage());
-    tellResult("StructureRefinement", room.id);
     report.points_out += refined_.back()->size();
   }
   chain_.refinement.setFloorplan(chain_.straight_plan_);
@@ -70,7 +69,6 @@ ChainRun::repair(StageReport& report)
     chain_.hole_repair.filter(whole);
     if (!chain_.hole_repair.getErrorMessage().empty())
       return fail(chain_.hole_repair.getErrorMessage());
-    tellResult("VerticalHoleRepair", room.id);
     *chain_.structure += whole;
   }
   chain_.hole_repair.setFloorplan(chain_.straight_plan_);
@@ -111,7 +109,6 @@ ChainRun::extrude(StageReport& report)
   chain_.extrusion.setTilts(chain_.tilts);
   pcl::PolygonMesh unused;
   chain_.extrusion.reconstruct(unused);
-  tellResult("FloorplanExtrusion");
   report.points_out = chain_.extrusion.getMesh().vertices.size();
   chain_.warnings.insert(chain_.warnings.end(), chain_.extrusion.getWarnings().begin(),
                          chain_.extrusion.getWarnings().end());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../formats/labels.h"
+#include "sedr_filters/src/base/labels.h"
 #include "sedr_segmentation/src/plan/room_shares.h"
 #include "sedr_segmentation/src/plan/room_territory.h"
 #include "sedr_segmentation/src/planes/floor_parts.h"
@@ -95,7 +95,6 @@ ChainRun::partRooms(StageReport& report)
       (is_ceiling ? room.ceiling : room.floor).push_back(static_cast<int>(i));
       ++report.points_out;
     }
-  tellResult("RoomSegmentation");
   return true;
 }
 
@@ -122,7 +121,7 @@ ChainRun::findPlanes(StageReport& report)
     return fail("the maximum tilt must be within 0 and pi/4 radians, it is " +
                 std::to_string(tilt));
   const double size = chain_.plane_detection.getGridSize();
-  const double wanted = chain_.adapts_grid ? cellSizeThatFills() : size;
+  const double wanted = cellSizeThatFills();
   if (wanted > size) {
     chain_.enlargeCells(wanted);
     warn({WarningKind::Sparse, {size, wanted}});
@@ -169,8 +168,6 @@ ChainRun::findPlanes(StageReport& report)
            "no point of its ceiling was found: it is left out");
     report.points_out += labelLowerCeilings(r);
   }
-  listPlanes();
-  tellResult("HorizontalPlaneDetection");
   return true;
 }
 
@@ -187,28 +184,6 @@ ChainRun::findFloors()
                        *territory_[r], room.floor_slab,
                        chain_.plane_detection.getDistanceThreshold(), chain_.priors_);
                  });
-}
-
-void
-ChainRun::listPlanes()
-{
-  const CellGrid grid(chain_.plane_detection.getGridSize());
-  const PointView points(*chain_.cloud);
-  const auto add = [&](const PlanSlab& slab, LevelKind kind, pcl::Indices inliers) {
-    pcl::HorizontalPlane plane =
-        listedPlane(kind, slab, std::move(inliers), points, grid);
-    if (plane.cells > 0)
-      chain_.planes.push_back(std::move(plane));
-  };
-  for (std::size_t r = 0; r < regions_.size(); ++r) {
-    pcl::Indices of_slab;
-    for (const int i : regions_[r].ceiling)
-      if (chain_.labels[static_cast<std::size_t>(i)] ==
-          valueOf(StructureLabel::Ceiling))
-        of_slab.push_back(i);
-    add(regions_[r].ceiling_slab, LevelKind::Ceiling, std::move(of_slab));
-    add(regions_[r].floor_slab, LevelKind::Floor, regions_[r].floor);
-  }
 }
 
 std::size_t

@@ -46,13 +46,11 @@ ChainRun::levelScan()
       [&](const Eigen::Vector3d& p) { return chain_.levelling->level(p); });
   if (sight_)
     sight_ = std::make_shared<SightLines>(sight_->levelled(*chain_.levelling));
-  warn({WarningKind::Levelled,
-        {chain_.levelling->angle() * 180 / M_PI,
-         chain_.levelling->direction() * 180 / M_PI},
-        0,
-        0,
-        chain_.keep_levelled ? "points, mesh and solid stay level"
-                             : "points, mesh and solid are turned back"});
+  warn(warningOf(WarningKind::Levelled,
+                 chain_.keep_levelled ? "points, mesh and solid stay level"
+                                      : "points, mesh and solid are turned back",
+                 {chain_.levelling->angle() * 180 / M_PI,
+                  chain_.levelling->direction() * 180 / M_PI}));
 }
 
 void

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "labels.h"
 #include "ply_reader.h"
+#include "sedr_filters/src/base/labels.h"
 
 #include <pcl/sedr_surface/mesh_io.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
@@ -14,6 +14,7 @@
 #include <iterator>
 #include <sstream>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace pcl::sedr {
@@ -72,7 +73,7 @@ public:
     addFaces();
   }
 
-  const std::string& bytes() const { return bytes_; }
+  std::string take() { return std::move(bytes_); }
 
 private:
   /** @brief Beyond this, floats are off by 0.015 mm or more, metres. */
@@ -187,7 +188,10 @@ parseObj(const std::string& content, TriangleMesh& mesh)
       }
       if (polygon.size() < 3)
         return "has a face with fewer than three vertices" + inLine(number);
-      triangulatePolygon(mesh.vertices, polygon, mesh.triangles);
+      if (std::string reason =
+              triangulatePolygon(mesh.vertices, polygon, mesh.triangles);
+          !reason.empty())
+        return reason + inLine(number);
     }
   }
   return {};
@@ -236,32 +240,9 @@ loadMesh(const std::string& path, TriangleMesh& mesh)
 }
 
 std::string
-savePly(const std::string& path,
-        const TriangleMesh& mesh,
-        const std::vector<std::string>& comments)
+meshToPly(const TriangleMesh& mesh, const std::vector<std::string>& comments)
 {
-  const std::string problem = mesh.problem();
-  if (!problem.empty())
-    return path + " is not written: " + problem;
-  const std::string beside = path + ".part";
-  std::ofstream file(beside, std::ios::binary | std::ios::trunc);
-  if (!file)
-    return path + " cannot be written: its folder is missing or not writable";
-  const PlyContent content(mesh, comments);
-  file.write(content.bytes().data(),
-             static_cast<std::streamsize>(content.bytes().size()));
-  file.close();
-  std::string reason;
-  std::error_code error;
-  if (!file)
-    reason = "the disk took only a part of its " +
-             std::to_string(content.bytes().size()) + " bytes";
-  else if (std::filesystem::rename(beside, path, error); error)
-    reason = error.message();
-  if (reason.empty())
-    return {};
-  std::filesystem::remove(beside, error);
-  return path + " cannot be written: " + reason;
+  return PlyContent(mesh, comments).take();
 }
 
 } // namespace pcl::sedr

@@ -160,7 +160,9 @@ readFaces(RowReader& reader, const PlyElement& element, TriangleMesh& mesh)
                std::to_string(mesh.vertices.size()) + " vertices";
       polygon.push_back(static_cast<std::uint32_t>(index));
     }
-    triangulatePolygon(mesh.vertices, polygon, mesh.triangles);
+    if (std::string reason = triangulatePolygon(mesh.vertices, polygon, mesh.triangles);
+        !reason.empty())
+      return reason;
     const auto attributes = mesh.attributes();
     for (std::size_t k = 0; k < attributes.size(); ++k) {
       if (columns[k] < 0)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_surface/mesh_io.h>
 
-#include "labels.h"
+#include "sedr_filters/src/base/labels.h"
 
 #include <nlohmann/json.hpp>
 

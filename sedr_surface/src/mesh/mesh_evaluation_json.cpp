@@ -50,9 +50,6 @@ toJson(const MeshFigures& figures)
   Json json{{"closed_manifold", figures.closed},
             {"closed_manifold_when_welded", figures.closed_when_welded},
             {"closed", t.isClosed()},
-            {"edge_manifold", t.isEdgeManifold()},
-            {"vertex_manifold", t.isVertexManifold()},
-            {"oriented", t.isOriented()},
             {"area", number(figures.area)},
             {"volume", number(figures.volume)},
             {"vertices", t.vertices},
@@ -64,8 +61,7 @@ toJson(const MeshFigures& figures)
             {"non_manifold_vertices", t.non_manifold_vertices},
             {"inconsistent_edges", t.inconsistent_edges},
             {"degenerate_triangles", t.degenerate_triangles},
-            {"duplicate_triangles", t.duplicate_triangles},
-            {"zero_area_triangles", t.zero_area_triangles}};
+            {"duplicate_triangles", t.duplicate_triangles}};
   if (figures.self_intersections)
     json["self_intersections"] = *figures.self_intersections;
   json["component_count"] = t.components.size();

@@ -111,8 +111,6 @@ countTriangles(const TriangleMesh& mesh, MeshTopology& topology)
       ++topology.degenerate_triangles;
       continue;
     }
-    if (mesh.scaledNormal(t).squaredNorm() == 0)
-      ++topology.zero_area_triangles;
     sorted.push_back(mesh.triangles[t]);
     std::sort(sorted.back().begin(), sorted.back().end());
   }
@@ -236,7 +234,6 @@ checkTopology(const TriangleMesh& mesh)
   countEdges(uses, topology);
   countFans(mesh, uses, topology);
   measureComponents(mesh, uses, topology);
-  topology.unused_vertices = mesh.vertices.size() - topology.vertices;
   topology.euler_characteristic = static_cast<std::int64_t>(topology.vertices) -
                                   static_cast<std::int64_t>(topology.edges) +
                                   static_cast<std::int64_t>(topology.triangles);

@@ -87,14 +87,16 @@ readVertices(const pcl::PCLPointCloud2& cloud, std::vector<Eigen::Vector3d>& ver
 
 } // namespace
 
-void
+std::string
 triangulatePolygon(const std::vector<Eigen::Vector3d>& vertices,
                    const std::vector<std::uint32_t>& polygon,
                    std::vector<Triangle>& triangles)
 {
+  constexpr std::size_t most = 1000;
   std::vector<std::uint32_t> rest = polygon;
-  if (rest.size() < 3)
-    return;
+  if (rest.size() > most)
+    return "has a face of " + std::to_string(rest.size()) + " corners, more than " +
+           std::to_string(most);
   if (rest.size() > 3) {
     const Eigen::Vector3d normal = polygonNormal(vertices, polygon);
     for (std::size_t i = 0; rest.size() > 3 && i < rest.size();) {
@@ -110,6 +112,7 @@ triangulatePolygon(const std::vector<Eigen::Vector3d>& vertices,
   }
   for (std::size_t i = 1; i + 1 < rest.size(); ++i)
     triangles.push_back({rest[0], rest[i], rest[i + 1]});
+  return {};
 }
 
 std::string
@@ -131,7 +134,9 @@ fromPolygonMesh(const pcl::PolygonMesh& polygon_mesh, TriangleMesh& mesh)
                std::to_string(vertices.size()) + " vertices";
       polygon.push_back(static_cast<std::uint32_t>(index));
     }
-    triangulatePolygon(vertices, polygon, triangles);
+    reason = triangulatePolygon(vertices, polygon, triangles);
+    if (!reason.empty())
+      return "the mesh " + reason;
   }
   mesh.vertices = std::move(vertices);
   mesh.triangles = std::move(triangles);

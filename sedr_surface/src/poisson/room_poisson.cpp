@@ -25,6 +25,16 @@ constexpr double much_unsupported = 0.05;
 // Minimum share of triangles on other surfaces that causes a warning.
 constexpr double max_left_out = 1. / 3;
 
+// Finest cell / spacing of the points: smaller cells hold more triangles, no more
+// detail.
+constexpr double cell_ratio = 0.8;
+
+// With fewer points there is no room.
+constexpr std::size_t min_points = 100;
+
+// Surface farther from all points is inferred, metres; at least four spacings.
+constexpr double support_distance = 0.3;
+
 std::string
 shortNumber(double value)
 {
@@ -96,7 +106,7 @@ solve(const std::vector<OrientedPoint>& local,
                      shortNumber(extent) + " m only";
     return false;
   }
-  const double wanted = report.spacing * parameters.cell_ratio;
+  const double wanted = report.spacing * cell_ratio;
   const auto depth =
       static_cast<int>(std::ceil(std::log2(margin * extent / wanted) - 1e-9));
   if (depth > max_depth) {
@@ -112,7 +122,6 @@ solve(const std::vector<OrientedPoint>& local,
       std::max(wanted, margin * extent / std::ldexp(1., report.depth));
   solver.cell = coarsest;
   solver.spacing = report.spacing;
-  solver.point_weight = parameters.point_weight;
   solver.threads = parameters.threads;
   report.problem = screenedPoisson(local, solver, mesh);
   report.cell = solver.cell;
@@ -189,20 +198,20 @@ private:
 
 // Reports what of the surface is far from all points, and what was removed.
 void
-judge(double far_area, double support_distance, RoomPoissonReport& report)
+judge(double far_area, double support, RoomPoissonReport& report)
 {
   report.unsupported_share = report.area > 0 ? far_area / report.area : 0;
   if (report.unsupported_share > max_unsupported) {
     report.closed = false;
     report.problem =
         "the points enclose nothing: " + percent(report.unsupported_share) +
-        " of its surface lies further than " + shortNumber(support_distance) +
+        " of its surface lies further than " + shortNumber(support) +
         " m from all of them";
   }
   else if (report.unsupported_share > much_unsupported)
     report.warning = percent(report.unsupported_share) +
                      " of its surface is a guess, further than " +
-                     shortNumber(support_distance) + " m from all points";
+                     shortNumber(support) + " m from all points";
   const auto left_out = static_cast<double>(report.removed_triangles);
   const double share =
       left_out /
@@ -232,7 +241,7 @@ compareWithPoints(const std::vector<OrientedPoint>& points,
                    for (std::size_t t = begin; t < end; ++t)
                      nearest[t] = tree.find(mesh, t, mesh.scaledNormal(t), distance[t]);
                  });
-  const double support = std::max(parameters.support_distance, 4 * report.spacing);
+  const double support = std::max(support_distance, 4 * report.spacing);
   double agreement = 0;
   double far_area = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -260,8 +269,8 @@ reconstructRoom(const std::vector<OrientedPoint>& points,
   mesh = TriangleMesh();
   nearest.clear();
   report.points = points.size();
-  if (points.size() < parameters.min_points) {
-    report.problem = std::to_string(parameters.min_points) +
+  if (points.size() < min_points) {
+    report.problem = std::to_string(min_points) +
                      " points with normals are needed, there are " +
                      std::to_string(points.size());
     return false;

@@ -126,7 +126,6 @@ screenedPoisson(const std::vector<OrientedPoint>& points,
       values[i] = values[i] > 0 ? 1e-4f : -1e-4f;
   }
   const SortedSamples& placed = solution.level.samples();
-  keepThinSheets(grid, placed, parameters.spacing / cell, parameters.threads, values);
   makeWellComposed(grid, values, parameters.threads);
   std::vector<SurfaceVertex> vertices;
   extractDualSurface(grid, values, placed,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_poisson.h"
 
-#include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/base/parallel.h"
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/sedr_filters/point_types.h>
@@ -43,22 +42,10 @@ forEachRoom(const std::vector<std::size_t>& sizes,
 std::string
 problemOf(const RoomPoissonParameters& parameters)
 {
-  std::string problem;
-  const auto check = [&](bool right, const char* rule, double value) {
-    if (!right && problem.empty())
-      problem = std::string(rule) + ", it is " + numberText(value);
-  };
-  check(parameters.depth >= 3 && parameters.depth <= 14,
-        "the depth must lie from 3 to 14", parameters.depth);
-  check(parameters.point_weight >= 0 && std::isfinite(parameters.point_weight),
-        "the point weight must be 0 or more", parameters.point_weight);
-  check(parameters.cell_ratio >= 0.1 && parameters.cell_ratio <= 10,
-        "the cell ratio must lie from 0.1 to 10", parameters.cell_ratio);
-  check(parameters.support_distance > 0, "the support distance must be above 0 m",
-        parameters.support_distance);
-  check(parameters.min_points >= 10, "the least number of points must be 10 or more",
-        static_cast<double>(parameters.min_points));
-  return problem;
+  return parameters.depth >= 3 && parameters.depth <= 14
+             ? ""
+             : "the depth must lie from 3 to 14, it is " +
+                   std::to_string(parameters.depth);
 }
 
 void

@@ -89,12 +89,10 @@ public:
         const int slab = is_floor ? region.floor : region.ceiling;
         const std::size_t element =
             layers_.slabs[static_cast<std::size_t>(slab)].element;
-        warnings.push_back({WarningKind::Contradiction,
-                            {part.area},
-                            0,
-                            0,
-                            layers_.elements[element].name + " " + problem +
-                                textOf(": %.2f m2 are left out", part.area)});
+        warnings.push_back(warningOf(WarningKind::Contradiction,
+                                     layers_.elements[element].name + " " + problem +
+                                         textOf(": %.2f m2 are left out", part.area),
+                                     {part.area}));
         assign(part, part.region);
         is_changed = true;
         break;
@@ -115,13 +113,11 @@ public:
     }
     if (pieces.size() > 1)
       warnings.push_back(
-          {WarningKind::Contradiction,
-           {pieces[1].area},
-           0,
-           0,
-           textOf("its plan falls into %zu pieces, the largest of %.2f m2 "
-                  "and %.2f m2",
-                  pieces.size(), pieces[0].area, pieces[1].area)});
+          warningOf(WarningKind::Contradiction,
+                    textOf("its plan falls into %zu pieces, the largest of %.2f m2 "
+                           "and %.2f m2",
+                           pieces.size(), pieces[0].area, pieces[1].area),
+                    {pieces[1].area}));
   }
 
   /** @brief Returns the edges between different regions. */

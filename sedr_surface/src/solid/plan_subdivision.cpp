@@ -2,7 +2,6 @@
 #include "plan_cells.h"
 #include "plan_facets.h"
 #include "room_layers.h"
-#include "sedr_filters/src/plan/plan_arcs.h"
 #include "subdivision_mending.h"
 
 #include <pcl/sedr_filters/floorplan.h>
@@ -19,13 +18,6 @@
 
 namespace pcl::sedr {
 namespace {
-
-/** @brief A straight line in plan along which a curved slab is folded. */
-struct SlabCrease {
-  std::size_t slab = 0; ///< index of RoomLayers::slabs
-  Eigen::Vector2d from;
-  Eigen::Vector2d to;
-};
 
 /** @brief A straight line in plan along which a curved slab is folded. */
 using Crease = std::pair<Eigen::Vector2d, Eigen::Vector2d>;
@@ -179,116 +171,30 @@ creasesOf(const SlabCurve& curve, const Eigen::AlignedBox2d& bounds, double tole
   return inside;
 }
 
-/** @brief The creases of a room's curved slabs, clipped where another slab replaces
- * them. */
-class VisibleCreases {
-public:
-  /** @param chains facets of the layers' loops; both must outlive this object */
-  VisibleCreases(const RoomLayers& layers, const std::vector<FacetChain>& chains)
-      : layers_(layers)
-      , chains_(chains)
-      , boxes_(chains.size())
-  {
-    for (std::size_t l = 0; l < chains.size(); ++l)
-      for (const Eigen::Vector2d& corner : chains[l].corners)
-        boxes_[l].extend(corner);
-  }
-
-  /** @brief Returns the creases of one slab, for facets within `tolerance` metres.
-   *
-   * O(k n) for k creases and n corners of the loops whose boxes they meet. */
-  std::vector<Crease> of(std::size_t slab, double tolerance) const
-  {
-    const RoomLayers::Slab& own = layers_.slabs[slab];
-    std::vector<Crease> visible;
-    Eigen::AlignedBox2d bounds;
-    for (std::size_t l = 0; l < chains_.size(); ++l)
-      if (layers_.loops[l].loop == own.loop)
-        bounds.extend(boxes_[l]);
-    if (!own.slab.curve || bounds.isEmpty())
-      return visible;
-    for (const Crease& crease : creasesOf(*own.slab.curve, bounds, tolerance)) {
-      const std::vector<double> shares = crossings(crease);
-      const Eigen::Vector2d way = crease.second - crease.first;
-      for (std::size_t k = 0; k + 1 < shares.size(); ++k) {
-        const double middle = (shares[k] + shares[k + 1]) / 2;
-        if (!regionAt(crease.first + middle * way).has(static_cast<int>(slab)))
-          continue;
-        visible.emplace_back(crease.first + shares[k] * way,
-                             crease.first + shares[k + 1] * way);
-      }
-    }
-    return visible;
-  }
-
-private:
-  /** @brief Returns where the loops cross a line, as shares of its length, sorted, with
-   * 0 and 1. */
-  std::vector<double> crossings(const Crease& crease) const
-  {
-    const Eigen::Vector2d way = crease.second - crease.first;
-    Eigen::AlignedBox2d box(crease.first);
-    box.extend(crease.second);
-    std::vector<double> shares{0, 1};
-    for (std::size_t l = 0; l < chains_.size(); ++l) {
-      if (!boxes_[l].intersects(box))
-        continue;
-      const auto& corners = chains_[l].corners;
-      for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Eigen::Vector2d from = corners[i] - crease.first;
-        const Eigen::Vector2d to = corners[(i + 1) % corners.size()] - crease.first;
-        const double side = cross(way, from);
-        const double side_to = cross(way, to);
-        if ((side < 0) == (side_to < 0))
-          continue;
-        const Eigen::Vector2d at = from + side / (side - side_to) * (to - from);
-        const double share = at.dot(way) / way.squaredNorm();
-        if (share > 0 && share < 1)
-          shares.push_back(share);
-      }
-    }
-    std::sort(shares.begin(), shares.end());
-    return shares;
-  }
-
-  /** @brief Returns the region at a place. */
-  PlanRegion regionAt(const Eigen::Vector2d& p) const
-  {
-    std::vector<int> winding(chains_.size(), 0);
-    for (std::size_t l = 0; l < chains_.size(); ++l)
-      if (boxes_[l].contains(p))
-        for (std::size_t i = 0; i < chains_[l].corners.size(); ++i) {
-          PlanElement side;
-          side.start = chains_[l].corners[i];
-          side.end = chains_[l].corners[(i + 1) % chains_[l].corners.size()];
-          winding[l] += windingOf(side, p);
-        }
-    return layers_.regionOf(winding);
-  }
-
-  const RoomLayers& layers_;
-  const std::vector<FacetChain>& chains_;
-  std::vector<Eigen::AlignedBox2d> boxes_; ///< of the chains
-};
-
-/** @brief Returns the creases of a room's curved slabs, which divide them into flat
- * pieces: parallels to the axis of a cylinder, rings and rays of a dome, the grid of a
- * relief. They are clipped where another slab replaces theirs.
- *
- * O(k n) for k creases and n corners of the loops whose boxes they meet.
- * @param chains facets of the layers' loops
- * @param tolerance of the pieces, metres, above 0 */
-std::vector<SlabCrease>
-visibleCreases(const RoomLayers& layers,
+/** @brief Adds the creases of the curved slabs, also where another slab replaces them:
+ * there they divide no region.
+ * @param tolerance of the flat pieces, metres, above 0 */
+void
+collectCreases(const RoomLayers& layers,
                const std::vector<FacetChain>& chains,
-               double tolerance)
+               double tolerance,
+               const PlanGrid& grid,
+               std::vector<GridSegment>& segments,
+               std::vector<SegmentSource>& sources)
 {
-  const VisibleCreases visible(layers, chains);
-  std::vector<SlabCrease> creases;
-  for (std::size_t slab = 0; slab < layers.slabs.size(); ++slab)
-    for (const auto& [from, to] : visible.of(slab, tolerance))
-      creases.push_back({slab, from, to});
-  return creases;
+  for (const RoomLayers::Slab& slab : layers.slabs) {
+    Eigen::AlignedBox2d bounds;
+    for (std::size_t l = 0; slab.slab.curve && l < chains.size(); ++l)
+      if (layers.loops[l].loop == slab.loop)
+        for (const Eigen::Vector2d& corner : chains[l].corners)
+          bounds.extend(corner);
+    if (bounds.isEmpty())
+      continue;
+    for (const auto& [from, to] : creasesOf(*slab.slab.curve, bounds, tolerance)) {
+      segments.push_back({grid.toGrid(from), grid.toGrid(to)});
+      sources.push_back({SegmentSource::no_loop, slab.element});
+    }
+  }
 }
 
 PlanGrid
@@ -400,21 +306,16 @@ subdivideRoom(const RoomLayers& layers,
       facetLoops(layers, parameters.chord_tolerance, parameters.snap_tolerance);
   for (std::size_t l = 0; l < chains.size(); ++l)
     if (chains[l].corners.empty())
-      warnings.push_back({WarningKind::Contradiction,
-                          {},
-                          0,
-                          0,
-                          layers.elements[layers.loops[l].first_element].name +
-                              " and the rest of its loop are too small and left out"});
+      warnings.push_back(
+          warningOf(WarningKind::Contradiction,
+                    layers.elements[layers.loops[l].first_element].name +
+                        " and the rest of its loop are too small and left out"));
   subdivision.grid = gridOf(chains);
   std::vector<GridSegment> segments;
   std::vector<SegmentSource> sources;
   collectSegments(chains, subdivision.grid, segments, sources);
-  for (const auto& [slab, from, to] :
-       visibleCreases(layers, chains, parameters.chord_tolerance)) {
-    segments.push_back({subdivision.grid.toGrid(from), subdivision.grid.toGrid(to)});
-    sources.push_back({SegmentSource::no_loop, layers.slabs[slab].element});
-  }
+  collectCreases(layers, chains, parameters.chord_tolerance, subdivision.grid, segments,
+                 sources);
 
   Arrangement arrangement;
   arrangeSegments(segments, solidSeparation(subdivision.grid) / subdivision.grid.unit(),
@@ -440,13 +341,10 @@ subdivideRoom(const RoomLayers& layers,
     splitWhereHeightsCross(layers, subdivision);
   if (cuts > 0)
     warnings.push_back(
-        {WarningKind::Contradiction,
-         {},
-         0,
-         0,
-         std::to_string(cuts) +
-             (cuts == 1 ? " corner that touches another is cut off by 1 mm"
-                        : " corners that touch others are cut off by 1 mm")});
+        warningOf(WarningKind::Contradiction,
+                  std::to_string(cuts) +
+                      (cuts == 1 ? " corner that touches another is cut off by 1 mm"
+                                 : " corners that touch others are cut off by 1 mm")));
   return {};
 }
 

@@ -3,8 +3,8 @@
 
 #include <pcl/sedr_filters/plan_warning.h>
 
+#include "../triangulation/plan_grid.h"
 #include "plan_facets.h"
-#include "plan_grid.h"
 #include "room_layers.h"
 
 #include <cstddef>

@@ -148,12 +148,9 @@ joinReveals(const RevealedPlan& plan,
       closed += (closed.empty() ? "" : ", ") + std::to_string(k + 1);
   if (!closed.empty())
     warnings.push_back(
-        {WarningKind::OpeningClosed,
-         {static_cast<double>(std::count(is_cut.begin(), is_cut.end(), false)),
-          static_cast<double>(openings)},
-         0,
-         0,
-         closed});
+        warningOf(WarningKind::OpeningClosed, closed,
+                  {static_cast<double>(std::count(is_cut.begin(), is_cut.end(), false)),
+                   static_cast<double>(openings)}));
 }
 
 } // namespace pcl::sedr

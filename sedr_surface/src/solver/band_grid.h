@@ -24,9 +24,8 @@ public:
   static constexpr std::size_t nodes = 512;
   /// Blocks per work item of a thread; sums are formed in their order.
   static constexpr std::size_t blocks_at_once = 32;
-  static constexpr std::size_t halo_edge = 10; ///< block with one layer around it
-  static constexpr std::size_t halo_nodes = 1000;
-  static constexpr std::int64_t reach = 1 << 20; ///< limit of block coordinates
+  static constexpr std::size_t halo_nodes = 1000; ///< block with one layer around it
+  static constexpr std::int64_t reach = 1 << 20;  ///< limit of block coordinates
 
   BandGrid() = default;
 

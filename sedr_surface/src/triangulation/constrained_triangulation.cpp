@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "constrained_triangulation.h"
 
-#include <boost/polygon/voronoi.hpp>
+#include "delaunay.h"
 
 #include <algorithm>
 #include <array>
@@ -314,84 +314,6 @@ private:
   std::set<Ends> fixed_;
 };
 
-using Triangles = std::vector<std::array<std::uint32_t, 3>>;
-
-/** @brief Cuts a polygon of cocircular points, counter-clockwise, into triangles of
- * non-zero area. */
-bool
-cutPolygon(const std::vector<GridPoint>& points,
-           std::vector<std::uint32_t> polygon,
-           Triangles& triangles)
-{
-  while (polygon.size() >= 3) {
-    const std::size_t n = polygon.size();
-    std::size_t ear = 0;
-    while (ear < n && turn(points[polygon[(ear + n - 1) % n]], points[polygon[ear]],
-                           points[polygon[(ear + 1) % n]]) <= 0)
-      ++ear;
-    if (ear == n)
-      return false;
-    triangles.push_back(
-        {polygon[(ear + n - 1) % n], polygon[ear], polygon[(ear + 1) % n]});
-    polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(ear));
-  }
-  return true;
-}
-
-/** @brief Computes the Delaunay triangulation: a polygon around each vertex of the
- * Voronoi diagram, from the points of its cells. */
-bool
-delaunay(const std::vector<GridPoint>& points, Triangles& triangles)
-{
-  std::vector<boost::polygon::point_data<std::int32_t>> sites;
-  sites.reserve(points.size());
-  for (const GridPoint& p : points)
-    sites.emplace_back(p.x, p.y);
-  boost::polygon::voronoi_diagram<double> diagram;
-  boost::polygon::construct_voronoi(sites.begin(), sites.end(), &diagram);
-  for (const auto& vertex : diagram.vertices()) {
-    std::vector<std::uint32_t> polygon;
-    const auto* edge = vertex.incident_edge();
-    do {
-      polygon.push_back(static_cast<std::uint32_t>(edge->cell()->source_index()));
-      edge = edge->rot_next();
-    } while (edge != vertex.incident_edge());
-    if (!cutPolygon(points, std::move(polygon), triangles))
-      return false;
-  }
-  return true;
-}
-
-/** @brief Returns twice the area of the convex hull of two or more points. */
-std::int64_t
-hullArea(std::vector<GridPoint> points)
-{
-  std::sort(points.begin(), points.end());
-  std::int64_t area = 0;
-  for (int side = 0; side < 2; ++side) {
-    std::vector<GridPoint> chain;
-    for (const GridPoint& p : points) {
-      while (chain.size() >= 2 && turn(chain[chain.size() - 2], chain.back(), p) <= 0)
-        chain.pop_back();
-      chain.push_back(p);
-    }
-    // A fan from the chain's first point; both chains share their end points.
-    for (std::size_t i = 2; i < chain.size(); ++i)
-      area += turn(chain[0], chain[i - 1], chain[i]);
-    std::reverse(points.begin(), points.end());
-  }
-  return area;
-}
-
-bool
-fillsHull(const std::vector<GridPoint>& points, const Triangles& triangles)
-{
-  std::int64_t area = 0;
-  for (const auto& t : triangles)
-    area += turn(points[t[0]], points[t[1]], points[t[2]]);
-  return area == hullArea(points);
-}
-
 } // namespace
 
 bool
@@ -401,8 +323,8 @@ triangulateConstrained(
     PlanTriangulation& triangulation)
 {
   triangulation = PlanTriangulation();
-  Triangles triangles;
-  if (!delaunay(points, triangles) || !fillsHull(points, triangles))
+  PlanTriangles triangles;
+  if (!delaunay(points, triangles))
     return false;
   if (triangles.empty())
     return true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../solid/plan_grid.h"
+#include "plan_grid.h"
 
 #include <array>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_area.h"
 
-#include "../solid/plan_grid.h"
 #include "../triangulation/constrained_triangulation.h"
+#include "../triangulation/plan_grid.h"
 #include "../triangulation/segment_arrangement.h"
 #include "sedr_filters/src/plan/plan_bounds.h"
 #include "sedr_segmentation/src/curves/contour.h"

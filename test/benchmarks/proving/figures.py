@@ -66,7 +66,7 @@ def of_mesh(run, truth, samples):
     figures = evaluate(run, run.out / "mesh.ply", "--truth", run.folder / "truth.ply")
     to_mesh, to_truth = figures["truth_to_mesh"], figures["mesh_to_truth"]
     row = {"components": figures["mesh"]["component_count"], "mesh_beyond_5cm": 1 - to_truth["within_5cm"]}
-    row.update({name: figures["mesh"][name] for name in ("closed", "edge_manifold", "vertex_manifold", "closed_manifold")})
+    row.update({name: figures["mesh"][name] for name in ("closed", "closed_manifold")})
     row.update({f"truth_to_mesh_{name}": to_mesh[name] for name in ("mean", "rms", "p95", "max")})
     row.update({f"truth_within_{name}": to_mesh[f"within_{name}"] for name in ("1cm", "5cm")})
     row.update({f"mesh_to_truth_{name}": to_truth[name] for name in ("mean", "p95", "max")})

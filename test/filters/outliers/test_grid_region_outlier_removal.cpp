@@ -55,34 +55,6 @@ keptOf(Removal& removal)
   return kept;
 }
 
-TEST(GridRegionOutlierRemoval, TheRegionMapTellsEveryCellItsRegionAndWhatBecameOfIt)
-{
-  Scene scene;
-  scene.add(0, 20, 0, 10, 2.5f, 3);
-  scene.add(30, 34, 0, 5);
-  scene.add(50, 52, 0, 3);
-  Removal removal;
-  removal.setInputCloud(scene.cloud);
-  keptOf(removal);
-  const pcl::sedr::RegionMap& map = removal.getRegionMap();
-  EXPECT_NEAR(map.cell_size, 0.05, 1e-9);
-  EXPECT_EQ(map.cells.size(), 200u + 20u + 6u) << "cells, not points";
-  EXPECT_EQ(map.regions.sizes, (std::vector<std::size_t>{200, 20, 6}));
-  EXPECT_EQ(map.regions.sizes, removal.getRegionSizes());
-  EXPECT_EQ(map.number, (std::vector<int>{1, 0, 0}));
-  EXPECT_EQ(map.threshold, 20u);
-  ASSERT_EQ(map.regionCells().size(), 3u);
-  const pcl::sedr::CellSet outlier = map.regionCells()[1];
-  EXPECT_EQ(outlier.size(), 20u);
-  EXPECT_TRUE(outlier.contains({30, 0}) && outlier.contains({33, 4}));
-  EXPECT_FALSE(outlier.contains({50, 0}));
-
-  removal.setGridSize(-1);
-  pcl::Indices kept;
-  removal.filter(kept);
-  EXPECT_TRUE(removal.getRegionMap().cells.empty()) << "nothing is left of an old run";
-}
-
 TEST(GridRegionOutlierRemoval, KeepsTheRegionsAboveTheLargestDifference)
 {
   Scene scene;
@@ -111,34 +83,6 @@ TEST(GridRegionOutlierRemoval, CountsCellsAndNotPoints)
   Removal removal;
   removal.setInputCloud(scene.cloud);
   EXPECT_EQ(keptOf(removal), room);
-}
-
-TEST(GridRegionOutlierRemoval, SupportSavesSmallRoomsAndNothingElse)
-{
-  Scene scene;
-  const auto room = scene.add(0, 80, 0, 80);
-  const auto closet = scene.add(100, 120, 0, 20);
-  const auto outside = scene.add(200, 220, 0, 20);
-  const auto ceilings = joined({room, closet, outside});
-  const auto floor =
-      joined({scene.add(0, 80, 0, 80, 0), scene.add(100, 120, 0, 12, 0)});
-  Removal removal;
-  removal.setInputCloud(scene.cloud);
-  removal.setIndices(std::make_shared<pcl::Indices>(ceilings));
-  EXPECT_EQ(keptOf(removal), room);
-  removal.setSupportIndices(std::make_shared<pcl::Indices>(floor));
-  EXPECT_EQ(keptOf(removal), joined({room, closet}));
-  EXPECT_EQ(removal.getNumberOfRegions(), 2u);
-  removal.setMinimumSupportedCells(401);
-  EXPECT_EQ(keptOf(removal), room);
-  removal.setMinimumSupportedCells(400);
-  removal.setMinimumSupport(0.66); // 13 of 20 rows are on or beside the floor
-  EXPECT_EQ(keptOf(removal), room);
-  removal.setSupportIndices(std::make_shared<pcl::Indices>(pcl::Indices{100000}));
-  pcl::Indices kept;
-  removal.filter(kept);
-  EXPECT_TRUE(kept.empty());
-  EXPECT_NE(removal.getErrorMessage().find("support index 100000"), std::string::npos);
 }
 
 TEST(GridRegionOutlierRemoval, AnOrganisedCloudKeepsItsShape)

@@ -218,37 +218,4 @@ TEST(VerticalHoleRepair, CoversTheRoomOnceAndKeepsTheScannedPoints)
     }
 }
 
-TEST(VerticalHoleRepair, StripsTellWhichPartOfWhichWallWasSeen)
-{
-  const FurnishedRoom room(0);
-  const Repaired result(room);
-  const std::vector<RepairedStrip>& strips = result.repair.getStrips();
-  ASSERT_EQ(strips.size(), 5u);
-  const std::size_t columns[] = {80, 60, 80, 60, 38};
-  for (std::size_t s = 0; s < 5; ++s) {
-    const RepairedStrip& strip = strips[s];
-    EXPECT_EQ(strip.room, 1u);
-    EXPECT_EQ(strip.label, s < 4 ? StructureLabel::Wall : StructureLabel::Column);
-    ASSERT_EQ(strip.columns.size(), columns[s]);
-    const double width = strip.element.length() / static_cast<double>(columns[s]);
-    for (std::size_t c = 0; c < columns[s]; ++c) {
-      const RepairedStrip::Column& column = strip.columns[c];
-      EXPECT_NEAR(column.low, 0, 1e-9);
-      EXPECT_NEAR(column.high, 2.5, 1e-9);
-      ASSERT_EQ(column.cells, 50u);
-      const double along = (static_cast<double>(c) + 0.5) * width;
-      const Eigen::Vector2d place = strip.element.pointAt(along);
-      for (std::size_t r = 0; s < 4 && r < 50; ++r) {
-        const auto& point = result.whole[column.first + r];
-        const double z = 0.05 * (static_cast<double>(r) + 0.5);
-        ASSERT_NEAR(point.x, place.x(), 1e-5);
-        ASSERT_NEAR(point.y, place.y(), 1e-5);
-        ASSERT_NEAR(point.z, z, 1e-5);
-        const bool is_seen = result.repair.getSourceIndices()[column.first + r] >= 0;
-        ASSERT_EQ(is_seen, s > 0 || !FurnishedRoom::inDoor(along, z));
-      }
-    }
-  }
-}
-
 } // namespace

@@ -130,33 +130,6 @@ TEST(ParallelVoxelGrid, MinimumPointsAndXyzAloneActAsInVoxelGrid)
   EXPECT_EQ(ours[0].intensity, 0.f);
 }
 
-TEST(ParallelVoxelGrid, LeafLayoutIsThatOfVoxelGrid)
-{
-  const auto cloud = randomCloud<pcl::PointXYZ>(3000, -1, 1, 13);
-  pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
-  pcl::VoxelGrid<pcl::PointXYZ> oracle;
-  pcl::PointCloud<pcl::PointXYZ> output;
-  const auto run = [&](auto& g) {
-    g.setInputCloud(cloud);
-    g.setLeafSize(0.1f, 0.1f, 0.1f);
-    g.setSaveLeafLayout(true);
-    g.setMinimumPointsNumberPerVoxel(2);
-    g.filter(output);
-  };
-  run(grid);
-  run(oracle);
-  const Eigen::MatrixXi neighbours = pcl::getAllNeighborCellIndices();
-  for (const auto& p : *cloud) {
-    ASSERT_EQ(grid.getCentroidIndex(p), oracle.getCentroidIndex(p));
-    ASSERT_EQ(grid.getGridCoordinates(p.x, p.y, p.z),
-              oracle.getGridCoordinates(p.x, p.y, p.z));
-    ASSERT_EQ(grid.getNeighborCentroidIndices(p, neighbours),
-              oracle.getNeighborCentroidIndices(p, neighbours));
-  }
-  EXPECT_EQ(grid.getCentroidIndexAt({1000, 0, 0}), -1);
-  EXPECT_EQ(grid.getCentroidIndex({1e30f, 0, 0}), -1);
-}
-
 TEST(ParallelVoxelGrid, RemovedAreThePointsOfNoOutputVoxel)
 {
   auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
@@ -264,7 +237,6 @@ TEST(ParallelVoxelGrid, StrayPointsFarAwayLeaveTheOtherVoxelsAsTheyAre)
   cloud->emplace_back(-1e6f, 1e6f, 600.f);
   cloud->emplace_back(-1e30f, -1e30f, -1e30f); // beyond what has voxels
   grid.setInputCloud(cloud);
-  grid.setSaveLeafLayout(true);
   pcl::PointCloud<pcl::PointXYZ> thinned;
   grid.filter(thinned);
   ASSERT_EQ(thinned.size(), expected.size() + 2);
@@ -272,10 +244,6 @@ TEST(ParallelVoxelGrid, StrayPointsFarAwayLeaveTheOtherVoxelsAsTheyAre)
     ASSERT_EQ(thinned[i].getVector3fMap(), expected[i].getVector3fMap());
   EXPECT_EQ(thinned[expected.size()].z, 600.f);
   EXPECT_EQ(thinned.back().z, 1e6f);
-  EXPECT_EQ(grid.getCentroidIndex({1e6f, 1e6f, 1e6f}),
-            static_cast<int>(thinned.size()) - 1);
-  EXPECT_EQ(grid.getGridCoordinates(1e20f, -0.01f, 0), Eigen::Vector3i(1 << 30, -1, 0));
-  EXPECT_EQ(grid.getCentroidIndex({-1e30f, -1e30f, -1e30f}), -1);
 }
 
 TEST(ParallelVoxelGrid, OrderOfThePointsAndThreadsLeaveTheSameBytes)

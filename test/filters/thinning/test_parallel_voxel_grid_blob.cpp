@@ -59,14 +59,34 @@ valueOf(const pcl::PCLPointCloud2& blob,
                               f.datatype);
 }
 
+/** A cloud as a source of one piece. */
+class BlobRows : public pcl::sedr::RowSource {
+public:
+  explicit BlobRows(const pcl::PCLPointCloud2& blob)
+      : blob_(blob)
+  {}
+  const std::vector<pcl::PCLPointField>& fields() const override
+  {
+    return blob_.fields;
+  }
+  std::size_t rowSize() const override { return blob_.point_step; }
+  std::size_t size() const override { return blob_.width; }
+  void forEachPiece(const std::function<bool(const Piece&)>& see) const override
+  {
+    see({blob_.data.data(), 0, size()});
+  }
+
+private:
+  const pcl::PCLPointCloud2& blob_;
+};
+
 pcl::PCLPointCloud2
 thin(const pcl::PCLPointCloud2::ConstPtr& blob,
      pcl::ParallelVoxelGrid<pcl::PCLPointCloud2>& grid)
 {
-  grid.setInputCloud(blob);
   grid.setLeafSize(1, 1, 1);
   pcl::PCLPointCloud2 output;
-  grid.filter(output);
+  grid.filter(BlobRows(*blob), output);
   return output;
 }
 
@@ -140,21 +160,7 @@ TEST(ParallelVoxelGridBlob, AveragesFieldsOfEveryTypeAndCountAndVotesOnLabels)
   EXPECT_EQ(valueOf(output, 1, 1), 4);
 }
 
-TEST(ParallelVoxelGridBlob, RemovedAreThePointsOfNoOutputVoxel)
-{
-  using Field = pcl::PCLPointField;
-  BlobMaker maker;
-  for (const char* name : {"x", "y", "z"})
-    maker.field(name, Field::FLOAT32);
-  maker.point({0.5, 0.5, 0.5});
-  maker.point({std::numeric_limits<double>::quiet_NaN(), 0.5, 0.5});
-  pcl::ParallelVoxelGrid<pcl::PCLPointCloud2> grid(true);
-  const auto output = thin(maker.get(), grid);
-  ASSERT_EQ(output.width, 1u);
-  EXPECT_EQ(*grid.getRemovedIndices(), (pcl::Indices{1}));
-}
-
-TEST(ParallelVoxelGridBlob, BrokenBlobsAreRefused)
+TEST(ParallelVoxelGridBlob, BrokenFieldsAreRefused)
 {
   using Field = pcl::PCLPointField;
   const auto errorOf = [](const pcl::PCLPointCloud2::ConstPtr& blob) {
@@ -172,18 +178,9 @@ TEST(ParallelVoxelGridBlob, BrokenBlobsAreRefused)
   for (const char* name : {"x", "y", "z"})
     whole.field(name, Field::FLOAT32);
   whole.point({1, 2, 3});
-  const auto cut = std::make_shared<pcl::PCLPointCloud2>(*whole.get());
-  cut->width = 100;
-  EXPECT_NE(errorOf(cut).find("1200"), std::string::npos);
   const auto beyond = std::make_shared<pcl::PCLPointCloud2>(*whole.get());
   beyond->fields[2].offset = 10;
   EXPECT_NE(errorOf(beyond).find("14"), std::string::npos);
-
-  pcl::ParallelVoxelGrid<pcl::PCLPointCloud2> without;
-  pcl::PCLPointCloud2 output = *whole.get();
-  without.filter(output);
-  EXPECT_EQ(output.width, 0u);
-  EXPECT_NE(without.getErrorMessage(), "");
 }
 
 } // namespace

@@ -128,7 +128,7 @@ TEST(RoomSharing, ProcessesThatMakeSomeOfTheRoomsGiveTheMeshOfOne)
   }
   pcl::StructuralPoisson<pcl::PointStructure> alone;
   alone.setInputCloud(points);
-  alone.setCellRatio(4); // coarse, to save time
+  alone.setDepth(5); // coarse, to save time
   auto first = alone;
   auto second = alone;
   ASSERT_TRUE(alone.makeMesh());

@@ -17,44 +17,6 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-TEST(StructureChain, TellsEveryResultWhileItsStageStillKnowsIt)
-{
-  // Two rooms of the same height, 10 cm apart.
-  RoomPoints points;
-  points.room(rectangle(0.01, 0.01, 4.01, 3.01), 0, 2.5);
-  points.room(rectangle(4.11, 0.01, 8.11, 3.01), 0, 2.5);
-  StructureChain chain;
-  std::vector<std::pair<std::string, std::uint32_t>> told;
-  std::map<std::uint32_t, std::size_t> walls;
-  std::size_t repaired = 0;
-  chain.on_result = [&](const std::string& stage, std::uint32_t room) {
-    told.emplace_back(stage, room);
-    if (stage == "RoomSegmentation") {
-      EXPECT_EQ(chain.getBuilding().rooms.size(), 2u);
-    }
-    if (stage == "HorizontalPlaneDetection") {
-      EXPECT_EQ(chain.planes.size(), 4u) << "a ceiling and a floor a room";
-    }
-    if (stage == "CeilingBoundaryWallGrowing")
-      walls[room] = chain.wall_growing.getWallIndices().size();
-    if (stage == "VerticalHoleRepair")
-      repaired += chain.hole_repair.getSourceIndices().size();
-  };
-  ASSERT_TRUE(chain.findStructure(points.cloud())) << chain.problem;
-  const std::vector<std::pair<std::string, std::uint32_t>> expected{
-      {"RoomSegmentation", 0},           {"HorizontalPlaneDetection", 0},
-      {"FloorProjectionRecovery", 1},    {"FloorProjectionRecovery", 2},
-      {"CeilingBoundaryWallGrowing", 1}, {"CeilingBoundaryWallGrowing", 2},
-      {"FloorplanFitting", 0},           {"OpeningDetection", 0},
-      {"StructureRefinement", 1},        {"StructureRefinement", 2},
-      {"VerticalHoleRepair", 1},         {"VerticalHoleRepair", 2},
-      {"FloorplanExtrusion", 0}};
-  EXPECT_EQ(told, expected);
-  EXPECT_GT(walls[1], 1000u);
-  EXPECT_GT(walls[2], 1000u);
-  EXPECT_EQ(repaired, chain.structure->size());
-}
-
 /** A room of 4 m x 3 m with a point every `spacing` metres. */
 StructureChain::Cloud::Ptr
 roomScannedEvery(double spacing)

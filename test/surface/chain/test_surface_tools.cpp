@@ -16,7 +16,7 @@ using namespace programs;
 using namespace sedr_test;
 using pcl::sedr::checkTopology;
 using pcl::sedr::loadMesh;
-using pcl::sedr::savePly;
+using pcl::sedr::meshToPly;
 
 namespace {
 
@@ -111,9 +111,8 @@ TEST_F(SurfaceTools, poisson_refuses_what_it_cannot_use)
 
 TEST_F(SurfaceTools, evaluation_prints_and_writes_the_figures_that_its_inputs_allow)
 {
-  ASSERT_EQ(savePly(in("cube.ply"), unitCube()), "");
-  ASSERT_EQ(savePly(in("large.ply"), box({-0.01, -0.01, -0.01}, {1.01, 1.01, 1.01})),
-            "");
+  writeFile(in("cube.ply"), meshToPly(unitCube()));
+  writeFile(in("large.ply"), meshToPly(box({-0.01, -0.01, -0.01}, {1.01, 1.01, 1.01})));
   writeCloud({1, 3});
   ProgramRun result = run(MESH_EVALUATION, {in("cube.ply")});
   EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -136,7 +135,7 @@ TEST_F(SurfaceTools, evaluation_prints_and_writes_the_figures_that_its_inputs_al
 
 TEST_F(SurfaceTools, evaluation_refuses_what_it_cannot_use)
 {
-  ASSERT_EQ(savePly(in("cube.ply"), unitCube()), "");
+  writeFile(in("cube.ply"), meshToPly(unitCube()));
   writeCloud({1, 3});
   expectFailure(run(MESH_EVALUATION, {in("none.ply")}), 1, "cannot be opened");
   expectFailure(run(MESH_EVALUATION, {in("cloud.pcd")}), 1, "neither a PLY nor an OBJ");

@@ -33,8 +33,6 @@ TEST(MeshTopology, open_box_has_the_boundary_of_its_missing_lid)
   EXPECT_EQ(topology.boundary_edges, 4u);
   EXPECT_FALSE(topology.isClosed());
   EXPECT_FALSE(topology.isClosedManifold());
-  EXPECT_TRUE(topology.isEdgeManifold());
-  EXPECT_TRUE(topology.isVertexManifold());
   EXPECT_EQ(topology.euler_characteristic, 1);
   EXPECT_FALSE(topology.components[0].closed);
   EXPECT_EQ(topology.problem(), "4 boundary edges");
@@ -74,23 +72,17 @@ TEST(MeshTopology, a_turned_triangle_makes_its_three_edges_inconsistent)
   const MeshTopology topology = checkTopology(mesh);
   EXPECT_EQ(topology.inconsistent_edges, 3u);
   EXPECT_TRUE(topology.isClosed());
-  EXPECT_FALSE(topology.isOriented());
   EXPECT_FALSE(topology.isClosedManifold());
 }
 
-TEST(MeshTopology, degenerate_duplicate_and_unused_are_counted)
+TEST(MeshTopology, degenerate_and_duplicate_triangles_are_counted)
 {
   TriangleMesh mesh = unitCube();
-  mesh.vertices.emplace_back(5, 5, 5);
-  mesh.vertices.emplace_back(0.5, 0, 0);
   mesh.triangles.push_back({0, 0, 1});
-  mesh.triangles.push_back({0, 9, 1}); // zero area: vertex 9 is on the edge
   mesh.triangles.push_back({2, 3, 0}); // duplicate of the first one
   const MeshTopology topology = checkTopology(mesh);
   EXPECT_EQ(topology.degenerate_triangles, 1u);
-  EXPECT_EQ(topology.zero_area_triangles, 1u);
   EXPECT_EQ(topology.duplicate_triangles, 1u);
-  EXPECT_EQ(topology.unused_vertices, 1u);
   EXPECT_FALSE(topology.isClosedManifold());
 }
 

@@ -38,7 +38,7 @@ TEST(PolygonMesh, concave_polygons_are_cut_right_wherever_they_begin)
       polygon.push_back((first + i) % 5);
     TriangleMesh mesh;
     mesh.vertices = vertices;
-    triangulatePolygon(mesh.vertices, polygon, mesh.triangles);
+    ASSERT_EQ(triangulatePolygon(mesh.vertices, polygon, mesh.triangles), "");
     ASSERT_EQ(mesh.triangles.size(), 3u);
     EXPECT_NEAR(mesh.area(), 9 - 3.75, 1e-12) << first;
     for (std::size_t t = 0; t < 3; ++t)
@@ -50,6 +50,10 @@ TEST(PolygonMesh, what_is_no_mesh_is_refused_with_a_reason)
 {
   pcl::PolygonMesh polygons;
   TriangleMesh mesh = unitCube();
+  EXPECT_NE(triangulatePolygon(mesh.vertices, std::vector<std::uint32_t>(1001, 0),
+                               mesh.triangles)
+                .find("1001 corners"),
+            std::string::npos);
   EXPECT_NE(fromPolygonMesh(polygons, mesh).find("no field x"), std::string::npos);
   EXPECT_TRUE(mesh.empty());
   toPolygonMesh(unitCube(), polygons);

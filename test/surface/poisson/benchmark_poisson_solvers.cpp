@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <map>
 
 namespace {
@@ -28,7 +29,6 @@ meshOf(const pcl::PointCloud<pcl::PointNormal>::Ptr& room)
       std::clamp(static_cast<int>(std::ceil(std::log2(1.1 * extent / cell))), 3, 9);
   pcl::Poisson<pcl::PointNormal> poisson;
   poisson.setDepth(depth);
-  poisson.setPointWeight(10);
   poisson.setScale(
       static_cast<float>(std::max(1.1, cell * std::ldexp(1., depth) / extent)));
   poisson.setSamplesPerNode(1);
@@ -60,7 +60,6 @@ main(int argc, char** argv)
   pcl::sedr::TriangleMesh mesh;
   for (const auto& [number, room] : rooms)
     mesh.append(meshOf(room));
-  const std::string problem = pcl::sedr::savePly(argv[2], mesh);
-  std::fputs(problem.c_str(), stderr);
-  return problem.empty() ? 0 : 1;
+  std::ofstream file(argv[2], std::ios::binary);
+  return file << pcl::sedr::meshToPly(mesh) ? 0 : 1;
 }

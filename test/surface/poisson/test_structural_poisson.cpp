@@ -76,7 +76,7 @@ expectReason(pcl::StructuralPoisson<PointNT>& poisson, const std::string& part)
       << poisson.getErrorMessage();
   EXPECT_TRUE(mesh.polygons.empty());
   EXPECT_EQ(mesh.cloud.width * mesh.cloud.height, 0u);
-  EXPECT_TRUE(poisson.getTriangleRooms().empty());
+  EXPECT_TRUE(poisson.getMesh().rooms.empty());
   EXPECT_FALSE(poisson.isClosed());
   pcl::PointCloud<PointNT> points;
   points.resize(3);
@@ -106,7 +106,7 @@ TEST(StructuralPoisson, each_room_becomes_one_closed_component_that_knows_its_ro
   ASSERT_EQ(poisson.getReports().size(), 2u);
   EXPECT_EQ(poisson.getReports()[0].room, 3u);
   EXPECT_EQ(poisson.getReports()[1].room, 7u);
-  const auto& rooms = poisson.getTriangleRooms();
+  const auto& rooms = poisson.getMesh().rooms;
   ASSERT_EQ(rooms.size(), mesh.triangles.size());
   for (std::size_t t = 0; t < rooms.size(); ++t)
     EXPECT_EQ(rooms[t], mesh.corner(t, 0).x() > 3.05 ? 3u : 7u);
@@ -131,17 +131,13 @@ TEST(StructuralPoisson, triangles_take_the_label_of_the_surface_that_they_show)
   EXPECT_EQ(right, level);
 }
 
-TEST(StructuralPoisson,
-     room_labels_that_are_set_go_before_the_field_and_room_zero_is_left_out)
+TEST(StructuralPoisson, room_zero_is_left_out)
 {
   auto cloud = twoRooms();
-  std::vector<std::uint32_t> rooms(cloud->size(), 1);
-  for (std::size_t i = 0; i < cloud->size(); ++i)
-    if ((*cloud)[i].room == 3)
-      rooms[i] = 0;
+  for (auto& p : *cloud)
+    p.room = p.room == 3 ? 0 : 1;
   pcl::StructuralPoisson<pcl::PointStructure> poisson;
   poisson.setInputCloud(cloud);
-  poisson.setRoomLabels(rooms);
   pcl::PolygonMesh output;
   poisson.reconstruct(output);
   ASSERT_EQ(poisson.getReports().size(), 1u);
@@ -217,9 +213,6 @@ TEST(StructuralPoisson, bad_input_leaves_nothing_but_a_reason)
   expectReason(poisson, "the input cloud is empty");
   const auto cloud = cloudOf<pcl::PointNormal>(smallRoom().points(0.25));
   poisson.setInputCloud(cloud);
-  poisson.setRoomLabels({1, 2, 3});
-  expectReason(poisson, "3 room labels are set for " + std::to_string(cloud->size()));
-  poisson.setRoomLabels({});
   poisson.setIndices(std::make_shared<pcl::Indices>(pcl::Indices{0, 1, 99999}));
   expectReason(poisson, "index 99999 is out of range");
   poisson.setIndices(std::make_shared<pcl::Indices>(pcl::Indices{0, -4}));
@@ -247,10 +240,4 @@ TEST(StructuralPoisson, parameters_out_of_range_are_refused)
   };
   refuses("depth must lie from 3 to 14, it is 2", [](Poisson& p) { p.setDepth(2); });
   refuses("depth must lie from 3 to 14, it is 15", [](Poisson& p) { p.setDepth(15); });
-  refuses("point weight", [](Poisson& p) { p.setPointWeight(-1); });
-  refuses("point weight", [](Poisson& p) { p.setPointWeight(NAN); });
-  refuses("cell ratio must lie from 0.1 to 10, it is 0.01",
-          [](Poisson& p) { p.setCellRatio(0.01); });
-  refuses("support distance", [](Poisson& p) { p.setSupportDistance(0); });
-  refuses("least number of points", [](Poisson& p) { p.setMinimumPoints(3); });
 }

@@ -155,16 +155,12 @@ writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_me
 {
   const StructureChain& c = chain.getChain();
   saveStructure(folder.file("structure.pcd"), *c.structureInScanFrame(), c.origin);
-  const std::string problem =
-      !with_mesh ? std::string()
-
-      : c.isMeshMoved() // otherwise no copy is needed
-          ? savePly(folder.file("mesh.ply"), c.meshInScanFrame(),
-                    originComments(c.origin))
-          : savePly(folder.file("mesh.ply"), c.poisson.getMesh(),
-                    originComments(c.origin));
-  if (!problem.empty())
-    throw ToolError(problem);
+  if (with_mesh)
+    writeWhole(folder.file("mesh.ply"), [&](std::ostream& stream) {
+      stream << (c.isMeshMoved() // otherwise no copy is needed
+                     ? meshToPly(c.meshInScanFrame(), originComments(c.origin))
+                     : meshToPly(c.poisson.getMesh(), originComments(c.origin)));
+    });
   std::map<std::uint32_t, double> volumes; // of rooms with tilted walls
   for (const RoomSolidReport& report : c.extrusion.getReports())
     for (const WallTilt& tilt : c.tilts)

@@ -70,13 +70,9 @@ parametersOf(const RunRecord& run, const Reconstruction& chain)
           {"threads", chain.getNumberOfThreads()},
           {"seed", chain.getSeed()},
           {"voxel_size", chain.getVoxelSize()},
-          {"remove_strays", chain.getVoxelGrid().getRemoveStrays()},
           {"plane_tolerance", chain.getPlaneTolerance()},
           {"maximum_tilt_degrees", pcl::rad2deg(c.plane_detection.getMaximumTilt())},
-          {"minimum_plane_area", c.plane_detection.getMinimumArea()},
-          {"minimum_room_height", c.plane_detection.getMinimumRoomHeight()},
           {"grid_size", chain.getGridSize()},
-          {"adaptive_grid", c.adapts_grid},
           {"minimum_room_area", c.room_segmentation.getMinimumArea()},
           {"headroom", c.room_segmentation.getHeadroom()},
           {"minimum_enclosure", c.room_segmentation.getMinimumEnclosure()},
@@ -86,20 +82,12 @@ parametersOf(const RunRecord& run, const Reconstruction& chain)
           {"boundary_angle_degrees", pcl::rad2deg(chain.getBoundaryAngle())},
           {"boundary_neighbors", chain.getBoundaryNeighbors()},
           {"wall_distance", c.wall_growing.getDistanceThreshold()},
-          {"minimum_wall_support", c.wall_growing.getMinimumSupport()},
           {"boundary_tolerance", chain.getBoundaryTolerance()},
-          {"minimum_radius", c.floorplan_fitting.getMinimumRadius()},
-          {"maximum_radius", c.floorplan_fitting.getMaximumRadius()},
-          {"minimum_detail_area", c.floorplan_fitting.getMinimumDetailArea()},
           {"refinement_distance", c.refinement.getMaximumDistance()},
           {"repair_grid_size", c.hole_repair.getGridSize()},
           {"chord_tolerance", c.extrusion.getChordTolerance()},
           {"snap_tolerance", c.extrusion.getSnapTolerance()},
-          {"tree_depth", chain.getTreeDepth()},
-          {"cell_ratio", c.poisson.getCellRatio()},
-          {"point_weight", c.poisson.getPointWeight()},
-          {"minimum_points", c.poisson.getMinimumPoints()},
-          {"support_distance", c.poisson.getSupportDistance()}};
+          {"tree_depth", c.poisson.getDepth()}};
 }
 
 /** @brief Returns the results from scanner positions, or null. */
@@ -109,7 +97,6 @@ positionsOf(const MirrorFigures& mirrored)
   if (mirrored.positions == 0)
     return nullptr;
   return {{"known", mirrored.positions},
-          {"untrue", mirrored.untrue},
           {"rays", mirrored.rays},
           {"mirrors", mirrored.mirrors},
           {"mirrored_points", mirrored.points}};

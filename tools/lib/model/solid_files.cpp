@@ -40,7 +40,8 @@ saveSolid(const std::string& path,
   if (hasExtension(path, ".ply")) {
     std::vector<std::string> comments = elementComments(mesh, elements);
     comments.insert(comments.begin(), of_origin.begin(), of_origin.end());
-    throwProblem(savePly(path, mesh, comments));
+    writeWhole(path,
+               [&](std::ostream& stream) { stream << meshToPly(mesh, comments); });
     return;
   }
   if (hasExtension(path, ".glb")) {

@@ -38,8 +38,8 @@ serialize(Archive& archive, pcl::sedr::RoomSurface& surface, unsigned)
   archive& r.cell& r.parted_vertices& r.removed_components& r.removed_triangles;
   archive& r.closed& r.area& r.volume& r.unsupported_share& r.problem& r.warning;
   pcl::sedr::MeshTopology& t = r.topology;
-  archive& t.vertices& t.unused_vertices& t.edges& t.triangles& t.degenerate_triangles;
-  archive& t.zero_area_triangles& t.duplicate_triangles& t.boundary_edges;
+  archive& t.vertices& t.edges& t.triangles& t.degenerate_triangles;
+  archive& t.duplicate_triangles& t.boundary_edges;
   archive& t.non_manifold_edges& t.inconsistent_edges& t.non_manifold_vertices;
   archive& t.euler_characteristic;
   passList(archive, t.components);

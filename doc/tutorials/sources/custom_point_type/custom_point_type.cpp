@@ -24,18 +24,9 @@ thin(const Cloud::ConstPtr& scan)
   pcl::ParallelVoxelGrid<ScanPoint> grid;
   grid.setInputCloud(scan);
   grid.setLeafSize(0.05f, 0.05f, 0.05f);
-  grid.setSaveLeafLayout(true);
   Cloud::Ptr thinned(new Cloud);
   grid.filter(*thinned);
-
-  // `label` became that of the majority of each voxel, `seconds` a mean. Here it becomes
-  // the time at which the voxel was seen last.
-  for (const ScanPoint& point : *scan) {
-    const int voxel = grid.getCentroidIndex(point);
-    if (voxel >= 0)
-      (*thinned)[static_cast<std::size_t>(voxel)].seconds =
-          std::max((*thinned)[static_cast<std::size_t>(voxel)].seconds, point.seconds);
-  }
+  // `label` became that of the majority of each voxel, `seconds` a mean.
   return thinned;
 }
 // [thin]

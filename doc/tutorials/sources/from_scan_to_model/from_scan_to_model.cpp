@@ -3,6 +3,7 @@
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 #include <pcl/sedr_surface/mesh_io.h>
 
+#include <fstream>
 #include <iostream>
 
 int
@@ -34,11 +35,7 @@ main(int argc, char** argv)
 
   // A pcl::PolygonMesh has no place for the label and room of a face: save the mesh
   // that has.
-  const std::string problem =
-      pcl::sedr::savePly("mesh.ply", reconstruction.getChain().poisson.getMesh());
-  if (!problem.empty()) {
-    std::cerr << problem << '\n';
-    return 1;
-  }
-  return 0;
+  std::ofstream file("mesh.ply", std::ios::binary);
+  file << pcl::sedr::meshToPly(reconstruction.getChain().poisson.getMesh());
+  return file ? 0 : 1;
 }

@@ -24,7 +24,7 @@ main(int argc, char** argv)
   for (auto& vertex : mesh.vertices)
     vertex = origin.toGiven(vertex);
   if (problem.empty()) // far from 0 it is written in double precision
-    problem = pcl::sedr::savePly(argv[2], mesh);
+    std::ofstream(argv[2], std::ios::binary) << pcl::sedr::meshToPly(mesh);
   std::cerr << problem;
   return problem.empty() ? 0 : 1;
 }

@@ -7,6 +7,7 @@
 #include <pcl/sedr_surface/mesh_io.h>
 #include <pcl/sedr_surface/structure_chain.h>
 
+#include <fstream>
 #include <iostream>
 #include <string>
 
@@ -64,7 +65,8 @@ reconstruct(const Cloud::ConstPtr& scan, double floor, double ceiling)
   for (const auto& room : chain.plan->rooms)
     std::cout << "room " << room.id << ": " << room.area() << " m2, "
               << pcl::sedr::meanHeight(room) << " m high\n";
-  return pcl::sedr::savePly("mesh.ply", chain.poisson.getMesh()).empty();
+  std::ofstream file("mesh.ply", std::ios::binary);
+  return !!(file << pcl::sedr::meshToPly(chain.poisson.getMesh()));
 }
 // [use]
 

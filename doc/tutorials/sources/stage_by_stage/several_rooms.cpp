@@ -78,8 +78,7 @@ main(int argc, char** argv)
   std::cout << plan->rooms.size() << " rooms, " << area << " m2, "
             << plan->doorways.size() << " doorways, solid "
             << (extrusion.isClosed() ? "closed" : "open") << '\n';
-  const std::string problem = pcl::sedr::savePly("rooms.ply", extrusion.getMesh());
-  if (!problem.empty())
-    std::cerr << problem << '\n';
-  return problem.empty() ? 0 : 2;
+  std::ofstream file("rooms.ply", std::ios::binary);
+  file << pcl::sedr::meshToPly(extrusion.getMesh());
+  return file ? 0 : 2;
 }

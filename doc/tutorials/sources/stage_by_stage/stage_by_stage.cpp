@@ -273,9 +273,8 @@ makeMesh(const StructureCloud::ConstPtr& structure)
   poisson.reconstruct(mesh);
   if (!poisson.isClosed())
     giveUp(poisson);
-  const std::string problem = pcl::sedr::savePly("mesh.ply", poisson.getMesh());
-  if (!problem.empty())
-    throw std::runtime_error(problem);
+  std::ofstream("mesh.ply", std::ios::binary)
+      << pcl::sedr::meshToPly(poisson.getMesh());
   std::cout << "mesh: closed, " << mesh.polygons.size() << " triangles\n";
 }
 // [poisson]
@@ -290,9 +289,8 @@ makeSolid(const std::shared_ptr<const pcl::sedr::Floorplan>& plan)
   extrusion.reconstruct(solid);
   if (!extrusion.isClosed())
     giveUp(extrusion);
-  const std::string problem = pcl::sedr::savePly("solid.ply", extrusion.getMesh());
-  if (!problem.empty())
-    throw std::runtime_error(problem);
+  std::ofstream("solid.ply", std::ios::binary)
+      << pcl::sedr::meshToPly(extrusion.getMesh());
   std::cout << "solid: closed, " << solid.polygons.size() << " triangles\n";
 }
 // [solid]

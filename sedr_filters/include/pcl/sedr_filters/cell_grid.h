@@ -93,8 +93,8 @@ public:
 
   CellSet() = default;
 
-  /** @brief Builds the set from `keys` in any order, repetitions allowed. O(n) where
-   * they lie close together, else O(n log n). */
+  /** @brief Builds the set from `keys` in any order, repetitions allowed. O(n log n).
+   */
   explicit CellSet(std::vector<CellKey> keys);
 
   /** @brief Builds the set from `keys`, which must be strictly increasing. O(n). */

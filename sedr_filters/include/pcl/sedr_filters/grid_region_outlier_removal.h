@@ -19,27 +19,12 @@ struct RegionMap {
   CellRegions regions;       ///< connected regions of the cells, largest first
   std::vector<int> number;   ///< for each region: 1 .. n if it is kept, 0 if not
   std::size_t threshold = 0; ///< cells; larger regions are kept
-
-  /** @brief Returns the cells of every region. O(cells). */
-  std::vector<CellSet> regionCells() const;
 };
-
-/** @brief Parameters of GridRegionOutlierRemoval, explained at its setters. */
-struct RegionParameters {
-  double cell_size = 0.05;                   ///< metres
-  double minimum_support = 0.5;              ///< share of the cells of a region
-  std::size_t minimum_supported_cells = 400; ///< cells of a region kept by its support
-};
-
-/** @brief Returns a sentence about invalid parameters; empty if there are none. */
-std::string problemOf(const RegionParameters& parameters);
 
 /** @brief Finds the regions of `points[indices]` and numbers those that are kept.
- * @param support points that support a region; null: only its size decides */
-RegionMap selectRegions(const PointView& points,
-                        const pcl::Indices& indices,
-                        const pcl::Indices* support,
-                        const RegionParameters& parameters);
+ * @param cell_size metres, above 0 */
+RegionMap
+selectRegions(const PointView& points, const pcl::Indices& indices, double cell_size);
 
 /** @brief Returns the region number of each point of the cloud. It is 0 if the region
  * is not kept or the point is not among the indices, -1 for non-finite points. */
@@ -79,32 +64,8 @@ public:
 
   /** @brief Sets the edge of a cell, metres, > 0 (default 0.05), at least the leaf
    * size. */
-  void setGridSize(double size) { parameters_.cell_size = size; }
-  double getGridSize() const { return parameters_.cell_size; }
-
-  /** @brief Sets the points of the input cloud, such as the floor, that support a
-   * region. A region below the threshold is also kept if enough of its cells have such
-   * a point within one cell. Null: off (default). Not in the paper. */
-  void setSupportIndices(const sedr::StageIndices& support)
-  {
-    support_ = support.get();
-  }
-  IndicesConstPtr getSupportIndices() const { return support_; }
-
-  /** @brief Sets the share of cells that must be supported, 0 to 1 (default 0.5). */
-  void setMinimumSupport(double share) { parameters_.minimum_support = share; }
-  double getMinimumSupport() const { return parameters_.minimum_support; }
-
-  /** @brief Sets the minimum size of a region kept by its support, in cells (default
-   * 400, one square metre). */
-  void setMinimumSupportedCells(std::size_t cells)
-  {
-    parameters_.minimum_supported_cells = cells;
-  }
-  std::size_t getMinimumSupportedCells() const
-  {
-    return parameters_.minimum_supported_cells;
-  }
+  void setGridSize(double size) { cell_size_ = size; }
+  double getGridSize() const { return cell_size_; }
 
   /** @brief Writes the kept points to `output`, which may be the input cloud. */
   void filter(PointCloud& output);
@@ -128,10 +89,6 @@ public:
   /** @brief Returns the number of regions that the last run kept. */
   std::size_t getNumberOfRegions() const { return number_of_regions_; }
 
-  /** @brief Returns the cells of the last run, their regions, and which were kept: the
-   * binary map and region map of the paper. Empty after a failure. */
-  const sedr::RegionMap& getRegionMap() const { return region_map_; }
-
 protected:
   using FilterIndices<PointT>::filter_name_;
   using FilterIndices<PointT>::input_;
@@ -149,8 +106,7 @@ private:
 
   bool validate();
 
-  sedr::RegionParameters parameters_;
-  IndicesConstPtr support_;
+  double cell_size_ = 0.05;
 
   std::vector<int> region_labels_;
   sedr::RegionMap region_map_;

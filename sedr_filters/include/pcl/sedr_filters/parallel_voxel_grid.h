@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/filters/filter.h>
+#include <pcl/PCLPointCloud2.h>
 #include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_filters/stage_filter.h>
 #include <pcl/sedr_filters/voxel_grid_settings.h>
-
-#include <vector>
 
 namespace pcl {
 
@@ -55,19 +53,6 @@ public:
    * indices and removed indices. Reads the source once. */
   void filter(const sedr::RowSource& source, PointCloud& output);
 
-  /** @brief Returns the output index of the voxel that holds `p`; -1 if there is none
-   * or the layout was not saved. */
-  int getCentroidIndex(const PointT& p) const
-  {
-    return getCentroidIndexAt(getGridCoordinates(p.x, p.y, p.z));
-  }
-
-  /** @brief Returns the output indices of the voxels at `relative_coordinates` (3 x n)
-   * from the voxel of `reference_point`; -1 for empty ones. */
-  std::vector<int>
-  getNeighborCentroidIndices(const PointT& reference_point,
-                             const Eigen::MatrixXi& relative_coordinates) const;
-
 protected:
   using Filter<PointT>::filter_name_;
   using Filter<PointT>::input_;
@@ -92,34 +77,11 @@ private:
  * or FLOAT64; the voxel of a point is computed in float. */
 template <>
 class PCL_EXPORTS ParallelVoxelGrid<pcl::PCLPointCloud2>
-    : public Filter<pcl::PCLPointCloud2>,
-      public sedr::VoxelGridSettings,
-      public sedr::StageError {
+    : public sedr::VoxelGridSettings, public sedr::StageError {
 public:
-  using Ptr = shared_ptr<ParallelVoxelGrid<pcl::PCLPointCloud2>>;
-  using ConstPtr = shared_ptr<const ParallelVoxelGrid<pcl::PCLPointCloud2>>;
-
-  explicit ParallelVoxelGrid(bool extract_removed_indices = false)
-      : Filter<pcl::PCLPointCloud2>(extract_removed_indices)
-  {
-    filter_name_ = "ParallelVoxelGrid";
-  }
-
-  /** @brief Writes one point a voxel to `output`, which may be the input. */
-  void filter(PCLPointCloud2& output);
-
-  /** @brief Thins a cloud that is read in pieces and need not fit in memory, with the
-   * same result. Ignores input cloud, indices and removed indices. Reads the source
-   * once, or twice if fields other than FLOAT32 x, y and z are averaged. */
+  /** @brief Thins a cloud that is read in pieces and need not fit in memory. Reads the
+   * source once, or twice if fields other than FLOAT32 x, y and z are averaged. */
   void filter(const sedr::RowSource& source, PCLPointCloud2& output);
-
-protected:
-  void applyFilter(PCLPointCloud2& output) override;
-
-private:
-  bool thinInto(PCLPointCloud2& output,
-                const sedr::RowSource& source,
-                const pcl::Indices* indices);
 };
 
 } // namespace pcl

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pcl::sedr {
@@ -18,7 +19,6 @@ enum class WarningKind {
   UpsideDown,    ///< % of things in upper halves of rooms, m2 of their surfaces
   LostPoints,    ///< %
   Strays,        ///< points of a voxel that was kept
-  Positions,     ///< untrue, all
   Mirrors,       ///< surfaces, thinned points
   Levelled,      ///< degrees, direction; reason
   Sparse,        ///< cell wanted, used
@@ -63,6 +63,16 @@ struct PlanWarning {
   Eigen::Vector2d at =
       Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
 };
+
+/** @brief Returns a warning in words of its own. */
+inline PlanWarning
+warningOf(WarningKind kind,
+          std::string reason,
+          std::vector<double> values = {},
+          std::uint32_t room = 0)
+{
+  return {kind, std::move(values), room, 0, std::move(reason)};
+}
 
 /** @brief Returns the name of a kind in files: "ceiling_off". */
 std::string nameOf(WarningKind kind);

@@ -4,33 +4,7 @@
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/stage_filter.h>
 
-#include <cstdint>
-#include <map>
-#include <vector>
-
 namespace pcl {
-namespace sedr {
-
-/** @brief A vertical surface after hole repair, unrolled: profiles of cells along its
- * plan element, each from its lower to its upper end. */
-struct RepairedStrip {
-  /** @brief A profile: a vertical stack of equal cells. */
-  struct Column {
-    double low = 0;        ///< z, metres
-    double high = 0;       ///< not above `low` if there are no cells
-    std::size_t first = 0; ///< index of its lowest cell in the repaired points
-    std::size_t cells = 0;
-  };
-
-  std::uint32_t room = 0;
-  VerticalKind kind = VerticalKind::Wall;
-  StructureLabel label = StructureLabel::Wall; ///< Wall, Column or Detail
-  PlanElement element;
-  std::vector<Column> columns; ///< of equal widths
-};
-
-} // namespace sedr
-
 /** @brief Fills the holes of a refined structure (paper, section 2.4). For each cell
  * along a wall, the empty cells between floor and ceiling are filled, which closes
  * doors, windows and parts hidden by furniture. The faces of columns, the risers of
@@ -67,16 +41,12 @@ public:
   double getGridSize() const { return grid_size_; }
 
   /** @brief Sets whether the openings of the plan stay open: their empty cells are not
-   * filled. Default false, as in the paper. There are no strips then. */
+   * filled. Default false, as in the paper. */
   void setKeepOpenings(bool keep) { keep_openings_ = keep; }
   bool getKeepOpenings() const { return keep_openings_; }
 
   /** @brief Returns the output indices of the points that fill holes, increasing. */
   const Indices& getRepairedIndices() const { return repaired_; }
-
-  /** @brief Returns where the cells of walls, columns and risers are in the output.
-   * With getSourceIndices() this shows which part of a wall was seen. */
-  const std::vector<sedr::RepairedStrip>& getStrips() const { return strips_; }
 
 protected:
   void applyFilter(PointCloud& output) override;
@@ -93,7 +63,6 @@ private:
   double grid_size_ = 0.05;
   bool keep_openings_ = false;
   Indices repaired_;
-  std::vector<sedr::RepairedStrip> strips_;
 };
 
 } // namespace pcl

@@ -14,10 +14,8 @@
 
 namespace pcl::sedr {
 
-class VoxelSums;
-
 /** @brief Common part of all ParallelVoxelGrid classes: the parameters of
- * pcl::VoxelGrid, and the layout of the voxels after a run. */
+ * pcl::VoxelGrid. */
 class VoxelGridSettings {
 public:
   /** @brief Sets the edges of a voxel, metres; the fourth value is ignored. */
@@ -32,7 +30,6 @@ public:
 
   /** @brief Sets whether all fields are averaged (default), or only x, y and z. */
   void setDownsampleAllData(bool downsample) { downsample_all_data_ = downsample; }
-  bool getDownsampleAllData() const { return downsample_all_data_; }
 
   /** @brief Sets the minimum number of points of an output voxel (default 0). */
   void setMinimumPointsNumberPerVoxel(unsigned int min_points_per_voxel)
@@ -51,24 +48,10 @@ public:
    */
   unsigned int getStrayLimit() const { return stray_limit_; }
 
-  /** @brief Sets whether the layout is stored (default false); 12 bytes a voxel. */
-  void setSaveLeafLayout(bool save_leaf_layout)
-  {
-    save_leaf_layout_ = save_leaf_layout;
-  }
-  bool getSaveLeafLayout() const { return save_leaf_layout_; }
-
   /** @brief Sets the number of threads, 0 for all processors (default). The result is
    * identical byte for byte. */
   void setNumberOfThreads(unsigned int threads) { threads_ = threads; }
   unsigned int getNumberOfThreads() const { return threads_; }
-
-  /** @brief Returns the voxel of a finite position (metres); saturated to int. */
-  Eigen::Vector3i getGridCoordinates(float x, float y, float z) const;
-
-  /** @brief Returns the index of the output point of voxel `ijk`; -1 if the voxel is
-   * empty or outside, or the layout was not saved. O(log n). */
-  int getCentroidIndexAt(const Eigen::Vector3i& ijk) const;
 
 protected:
   /** @brief Where thin() writes its points. */
@@ -82,9 +65,6 @@ protected:
   VoxelGridSettings() = default;
   ~VoxelGridSettings() = default;
 
-  /** @brief Clears the results of the last run. */
-  void clearLayout();
-
   /** @brief Thins the rows of a source.
    * @param indices the rows to use, of a source of one piece; null: all
    * @param[out] removed the rows used that lie in no voxel kept; may be null
@@ -94,6 +74,8 @@ protected:
                    const ThinnedRows& output,
                    pcl::Indices* removed = nullptr);
 
+  unsigned int stray_limit_ = 0; ///< of the last run
+
 private:
   Eigen::Array3f inverseLeaf() const
   {
@@ -102,17 +84,11 @@ private:
 
   std::string problemOf(const RowSource& source, const pcl::Indices* indices) const;
 
-  std::size_t finish(VoxelSums& sums);
-
   Eigen::Vector3f leaf_size_ = Eigen::Vector3f::Constant(0.05f);
   bool downsample_all_data_ = true;
-  bool save_leaf_layout_ = false;
   unsigned int min_points_per_voxel_ = 0;
   bool removes_strays_ = false;
   unsigned int threads_ = 0;
-
-  unsigned int stray_limit_ = 0;
-  std::vector<Eigen::Vector3i> layout_; ///< voxel of each output point, in output order
 };
 
 } // namespace pcl::sedr

@@ -50,6 +50,7 @@ public:
   using PointCloud = pcl::PointCloud<PointT>;
 
   IndoorStructureReconstruction();
+  ~IndoorStructureReconstruction() override; // as that of StructureChain
 
   /** @brief Sets a scan that is read in pieces, in place of an input cloud and its
    * indices. The result is the same; memory grows with the thinned scan, not with the
@@ -58,7 +59,6 @@ public:
   {
     source_ = source;
   }
-  std::shared_ptr<const sedr::RowSource> getInputSource() const { return source_; }
 
   /** @brief Sets a function that thins the scan with the leaf of getVoxelGrid(), in
    * place of input cloud and source. It is called once per run. Null (default): this
@@ -75,13 +75,12 @@ public:
   const sedr::Origin& getOrigin() const { return chain_.origin; }
 
   /** @brief Sets the scanner position of each point, by its place in the input cloud or
-   * source. With positions, reflections in glass and mirrors are removed, see
-   * doc/building_blocks.md. Default: none. */
+   * source; excludes indices. With positions, reflections in glass and mirrors are
+   * removed, see doc/building_blocks.md. Default: none. */
   void setScanPositions(const sedr::ScanPositions& positions)
   {
     positions_ = positions;
   }
-  const sedr::ScanPositions& getScanPositions() const { return positions_; }
 
   /** @brief Sets the voxel size of down-sampling, metres. Default 0.05. */
   void setVoxelSize(float size);
@@ -98,12 +97,6 @@ public:
    * adaptive grid, the getter returns the size that was used. */
   void setGridSize(double size);
   double getGridSize() const { return chain_.plane_detection.getGridSize(); }
-
-  /** @brief Sets whether the cells grow, to at most 2.5 times the grid size, if the
-   * scan is too sparse to fill those of its ceilings. A warning reports it. Default
-   * true. */
-  void setAdaptiveGrid(bool is_adaptive) { chain_.adapts_grid = is_adaptive; }
-  bool getAdaptiveGrid() const { return chain_.adapts_grid; }
 
   /** @brief Sets the angle (radians) and the number of neighbours of boundary
    * estimation. Default 60 degrees and 200. */
@@ -123,10 +116,6 @@ public:
   {
     return chain_.floorplan_fitting.getDistanceThreshold();
   }
-
-  /** @brief Sets the maximum tree depth of the Poisson reconstruction. Default 9. */
-  void setTreeDepth(int depth) { chain_.poisson.setDepth(depth); }
-  int getTreeDepth() const { return chain_.poisson.getDepth(); }
 
   /** @brief Sets the threads of all stages; 0 (default): all processors. The result
    * does not depend on it. */
@@ -183,32 +172,20 @@ private:
 
   bool refuseInput(const std::string& problem);
 
-  /** @brief Checks the sizes of voxels and cells, and announces thinning. */
-  bool beginThinning();
+  std::shared_ptr<const sedr::RowSource> sourceOf(PointCloud& chosen) const;
 
-  /** @brief Thins the input cloud, which also serves as the raw cloud of the fit. */
-  bool thinCloud(PointCloud& means);
+  /** @brief Thins the scan, by the function of setThinning() or here. */
+  sedr::ThinnedScan thinned();
 
-  /** @brief Thins the input source in one pass. Every k-th point becomes the raw cloud
-   * of the fit. */
-  bool thinSource(PointCloud& means);
-
-  /** @brief Takes the result of the function set by setThinning(). */
-  bool takeThinned(sedr::StructureChain::Cloud& thinned);
-
-  bool thin(sedr::StructureChain::Cloud& thinned);
+  /** @brief As above; checks the settings before and the result after. */
+  bool thin(sedr::ThinnedScan& scan);
 
   /** @brief Removes reflections from the thinned cloud and the raw points of the fit,
    * if the scanner positions are known. */
-  void leaveOutMirrored(sedr::StructureChain::Cloud& thinned);
-
-  /** @brief Thins the input cloud or source in this object. */
-  bool thinHere(sedr::StructureChain::Cloud& thinned);
+  void leaveOutMirrored(sedr::ThinnedScan& scan);
 
   std::function<sedr::ThinnedScan()> thinning_;
-  std::size_t scan_size_ = 0; ///< points
   sedr::ScanPositions positions_;
-  std::shared_ptr<std::vector<Eigen::Vector3f>> excerpt_; ///< of the last run
   std::shared_ptr<const sedr::RowSource> source_;
   ParallelVoxelGrid<PointT> voxel_grid_;
   sedr::StructureChain chain_;

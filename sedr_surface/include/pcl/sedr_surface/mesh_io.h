@@ -29,13 +29,12 @@ std::string loadMesh(const std::string& path, TriangleMesh& mesh);
  * x, y and z are floats, or doubles if a coordinate is 256 m or more. Faces have int
  * `label`, `room` and `element` if the mesh has them, and the label's colour. Vertices
  * then have uint `label`, `room` and colour: those with the largest area around them.
- * The file is written beside and renamed, so it is complete or absent.
  *
+ * @param mesh valid: its problem() is empty
  * @param comments lines for the header
- * @return an empty string, or a sentence that says why nothing was written */
-std::string savePly(const std::string& path,
-                    const TriangleMesh& mesh,
-                    const std::vector<std::string>& comments = {});
+ * @return the bytes of the file */
+std::string meshToPly(const TriangleMesh& mesh,
+                      const std::vector<std::string>& comments = {});
 
 /** @brief Writes solids as OBJ: one object per room, materials by label, and groups
  * named by element, room and, where known, storey. Metres, z up, seven decimals.

@@ -21,12 +21,10 @@ struct MeshComponent {
 /** @brief The connectivity of a mesh, from indices alone: two vertices at the same
  * place are distinct (see weldVertices). */
 struct MeshTopology {
-  std::size_t vertices = 0;        ///< used by triangles
-  std::size_t unused_vertices = 0; ///< used by no triangle
+  std::size_t vertices = 0; ///< used by triangles
   std::size_t edges = 0;
   std::size_t triangles = 0;
   std::size_t degenerate_triangles = 0;  ///< triangles that use a vertex twice
-  std::size_t zero_area_triangles = 0;   ///< three distinct vertices, but no area
   std::size_t duplicate_triangles = 0;   ///< with the vertices of an earlier one
   std::size_t boundary_edges = 0;        ///< edges with one triangle
   std::size_t non_manifold_edges = 0;    ///< edges with three or more
@@ -38,21 +36,13 @@ struct MeshTopology {
   /** @brief Returns true if no edge has only one triangle. */
   bool isClosed() const { return triangles > 0 && boundary_edges == 0; }
 
-  /** @brief Returns true if no edge has three or more triangles. */
-  bool isEdgeManifold() const { return non_manifold_edges == 0; }
-
-  /** @brief Returns true if the triangles of every vertex form one fan. */
-  bool isVertexManifold() const { return non_manifold_vertices == 0; }
-
-  /** @brief Returns true if neighbouring triangles are oriented alike. */
-  bool isOriented() const { return inconsistent_edges == 0; }
-
   /** @brief Returns true if the mesh bounds a solid: closed, manifold at edges and
    * vertices, consistently oriented, without degenerate or duplicate triangles. */
   bool isClosedManifold() const
   {
-    return isClosed() && isEdgeManifold() && isVertexManifold() && isOriented() &&
-           degenerate_triangles == 0 && duplicate_triangles == 0;
+    return isClosed() && non_manifold_edges == 0 && non_manifold_vertices == 0 &&
+           inconsistent_edges == 0 && degenerate_triangles == 0 &&
+           duplicate_triangles == 0;
   }
 
   /** @brief Returns for users why isClosedManifold() is false: "12 boundary edges, 3

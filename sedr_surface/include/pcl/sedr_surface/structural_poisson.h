@@ -17,12 +17,8 @@ struct RoomSamples;
 
 /** @brief Parameters of a room's surface; see StructuralPoisson. */
 struct RoomPoissonParameters {
-  int depth = 9;           ///< maximum: cells are at least the room's extent / 2^depth
-  float point_weight = 10; ///< alpha of equation 4
-  double cell_ratio = 0.8; ///< finest cell / spacing of the points
-  std::size_t min_points = 100;  ///< rooms with fewer points are skipped
-  double support_distance = 0.3; ///< metres; surface farther off is inferred
-  unsigned threads = 1;          ///< 0: all processors
+  int depth = 9;        ///< maximum: cells are at least the room's extent / 2^depth
+  unsigned threads = 1; ///< 0: all processors
 };
 
 /** @brief Report on the surface of a room. */
@@ -71,9 +67,8 @@ struct RoomSharing {
  *
  * Input are points of the structure with normals into the room, evenly spaced and
  * without large holes, as from StructureRefinement and VerticalHoleRepair; metres.
- * Rooms are distinguished by setRoomLabels(), otherwise by the points' field `room`;
- * with neither, all points are one room. Points of room 0 are ignored if there is any
- * other room.
+ * Rooms are distinguished by the points' field `room`; without it, all points are one
+ * room. Points of room 0 are ignored if there is any other room.
  *
  * Each room is solved separately, near the origin, so that large coordinates lose no
  * precision. The cells are a fixed share of the points' spacing. Only the largest
@@ -106,39 +101,11 @@ public:
    * @return false if there is no surface */
   bool makeMesh() { return run(); }
 
-  /** @brief Sets the room of every input point; empty (default): the points' own field
-   * `room`. */
-  void setRoomLabels(const std::vector<std::uint32_t>& rooms) { room_labels_ = rooms; }
-  const std::vector<std::uint32_t>& getRoomLabels() const { return room_labels_; }
-
   /** @brief Sets the maximum depth, 3 to 14 (default 9, as in the paper). The finest
    * cells are at least 1.1 times the room's extent / 2^depth. Sparse points lead to a
    * smaller depth; rooms too large for the maximum get coarser cells. */
   void setDepth(int depth) { parameters_.depth = depth; }
   int getDepth() const { return parameters_.depth; }
-
-  /** @brief Sets the weight of the points against the smoothness of the surface, alpha
-   * of equation 4, 0 or more (default 10; pcl::Poisson has 4). Exact points allow more
-   * weight, which keeps edges sharper. */
-  void setPointWeight(float point_weight) { parameters_.point_weight = point_weight; }
-  float getPointWeight() const { return parameters_.point_weight; }
-
-  /** @brief Sets the ratio of the finest cell to the points' spacing, 0.1 to 10
-   * (default 0.8). Smaller values give smaller details, more triangles and longer
-   * runs. */
-  void setCellRatio(double cell_ratio) { parameters_.cell_ratio = cell_ratio; }
-  double getCellRatio() const { return parameters_.cell_ratio; }
-
-  /** @brief Sets the minimum number of points of a room, at least 10 (default 100).
-   * Rooms with fewer are skipped. */
-  void setMinimumPoints(std::size_t min_points) { parameters_.min_points = min_points; }
-  std::size_t getMinimumPoints() const { return parameters_.min_points; }
-
-  /** @brief Sets the distance from all points beyond which surface is inferred, metres
-   * above 0 (default 0.3), at least four times the points' spacing. See
-   * RoomPoissonReport::unsupported_share. */
-  void setSupportDistance(double distance) { parameters_.support_distance = distance; }
-  double getSupportDistance() const { return parameters_.support_distance; }
 
   /** @brief Sets the number of threads (default 1; 0: all processors). */
   void setNumberOfThreads(unsigned threads) { parameters_.threads = threads; }
@@ -147,13 +114,9 @@ public:
   /** @brief Sets what other processes do; both functions or none (default): this
    * object makes all rooms. */
   void setRoomSharing(const sedr::RoomSharing& sharing) { sharing_ = sharing; }
-  const sedr::RoomSharing& getRoomSharing() const { return sharing_; }
 
   /** @brief Returns the report of each room, ordered by room number. */
   const std::vector<sedr::RoomPoissonReport>& getReports() const { return reports_; }
-
-  /** @brief Returns the room of every triangle of the last output. */
-  const std::vector<std::uint32_t>& getTriangleRooms() const { return mesh_.rooms; }
 
   /** @brief Returns true if the last run made a closed, manifold surface with one
    * component for every room. */
@@ -182,7 +145,6 @@ private:
   std::string makeSurfaces();
 
   sedr::RoomPoissonParameters parameters_;
-  std::vector<std::uint32_t> room_labels_;
   sedr::RoomSharing sharing_;
   std::vector<sedr::RoomPoissonReport> reports_;
   bool closed_ = false;

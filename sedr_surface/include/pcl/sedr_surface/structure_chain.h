@@ -38,11 +38,10 @@ struct StageReport {
 
 /** @brief Results of using the scanner positions. */
 struct MirrorFigures {
-  std::size_t positions = 0; ///< known positions
-  std::size_t untrue = 0;    ///< of these, positions that the scan contradicts
-  std::size_t rays = 0;      ///< rays traced
-  std::size_t mirrors = 0;   ///< surfaces that reflect rooms
-  std::size_t points = 0;    ///< thinned points that were removed
+  std::size_t positions = 0;               ///< known positions
+  std::size_t rays = 0;                    ///< rays traced
+  std::size_t mirrors = 0;                 ///< surfaces that reflect rooms
+  std::size_t points = 0;                  ///< thinned points that were removed
   std::shared_ptr<const SightLines> lines; ///< rays that met no reflection
   std::vector<std::uint8_t> behind;        ///< 1: thinned point seen only through glass
 };
@@ -57,6 +56,7 @@ public:
   using StructureCloud = pcl::PointCloud<pcl::PointStructure>;
 
   StructureChain();
+  ~StructureChain(); // here it would be compiled with every user
 
   pcl::RoomSegmentation<pcl::PointXYZ> room_segmentation;
   pcl::HorizontalPlaneDetection<pcl::PointXYZ> plane_detection;
@@ -73,18 +73,9 @@ public:
   /** @brief Called with a stage's name before it runs. */
   std::function<void(const std::string&)> on_stage;
 
-  /** @brief Asked before every stage. If it returns true, the run ends: it returns false,
-   * and `problem` tells before which stage. */
+  /** @brief Asked before every stage. If it returns true, the run ends: it returns
+   * false, and `problem` tells before which stage. */
   std::function<bool()> is_cancelled;
-
-  /** @brief Called with a stage's name and a room after every run of that stage's
-   * object, while its getters still hold the results. Planes, details, floors, walls,
-   * refinement and repair run once per room; room 0 means all rooms. */
-  std::function<void(const std::string&, std::uint32_t)> on_result;
-
-  /** @brief Whether the cells grow if the scan is too sparse for them, see
-   * cellSizeFor(). */
-  bool adapts_grid = true;
 
   /** @brief Voxels with fewer points were removed as strays by thinning, see
    * ParallelVoxelGrid::getStrayLimit(). A warning reports it. */
@@ -147,7 +138,6 @@ public:
   Cloud::Ptr cloud; ///< thinned points, then recovered points of ceilings and floors
   std::vector<std::uint32_t> labels; ///< StructureLabel of each point
   std::vector<std::uint32_t> rooms;  ///< room of each point, 0 none
-  std::vector<pcl::HorizontalPlane> planes;
   std::shared_ptr<Floorplan> plan;
   StructureCloud::Ptr structure; ///< refined and repaired
   std::vector<StageReport> reports;

@@ -55,11 +55,9 @@ template <typename PointT>
 bool
 GridRegionOutlierRemoval<PointT>::validate()
 {
-  std::string problem = sedr::problemOf(parameters_);
+  std::string problem = sedr::lengthProblem("the grid size", cell_size_);
   if (problem.empty())
     problem = sedr::indicesProblem(*indices_, input_->size());
-  if (problem.empty())
-    problem = sedr::indicesProblem("support", support_, input_->size());
   return problem.empty() || fail("GridRegionOutlierRemoval", problem);
 }
 
@@ -70,8 +68,7 @@ GridRegionOutlierRemoval<PointT>::applyFilter(Indices& indices)
   clearResults();
   Indices kept; // `indices` may be the input indices themselves
   if (validate()) {
-    region_map_ = sedr::selectRegions(sedr::PointView(*input_), *indices_,
-                                      support_.get(), parameters_);
+    region_map_ = sedr::selectRegions(sedr::PointView(*input_), *indices_, cell_size_);
     for (const int n : region_map_.number)
       number_of_regions_ += n > 0 ? 1 : 0;
     region_labels_ =

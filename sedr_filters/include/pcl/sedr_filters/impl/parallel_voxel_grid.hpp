@@ -40,7 +40,7 @@ void
 ParallelVoxelGrid<PointT>::clearResults()
 {
   sedr::StageFilter<PointT>::clearResults();
-  clearLayout();
+  stray_limit_ = 0;
 }
 
 template <typename PointT>
@@ -93,21 +93,6 @@ ParallelVoxelGrid<PointT>::applyFilter(PointCloud& output)
   if (!thinInto(output, sedr::CloudRows<PointT>(*input_),
                 this->fake_indices_ ? nullptr : indices_.get(), false))
     this->removeAll();
-}
-
-template <typename PointT>
-std::vector<int>
-ParallelVoxelGrid<PointT>::getNeighborCentroidIndices(
-    const PointT& reference_point,
-    const Eigen::MatrixXi& relative_coordinates) const
-{
-  const Eigen::Vector3i voxel =
-      getGridCoordinates(reference_point.x, reference_point.y, reference_point.z);
-  std::vector<int> neighbours;
-  for (Eigen::Index n = 0; n < relative_coordinates.cols(); ++n)
-    neighbours.push_back(
-        getCentroidIndexAt(voxel + relative_coordinates.col(n).head<3>()));
-  return neighbours;
 }
 
 } // namespace pcl

@@ -11,8 +11,6 @@
 
 namespace pcl::sedr {
 
-struct RepairedStrip;
-
 /** @brief The points of the structure, moved onto the plan. */
 struct Refinement {
   std::vector<int> sources; ///< index of each point in the cloud, in input order
@@ -51,11 +49,9 @@ std::string surfaceCellsProblem(const Floorplan& plan, double size);
 
 /** @brief Returns one point for every cell of every room's surfaces (SurfaceCells): the
  * refined point of the cell, or a new one at its centre. Rooms follow in plan order.
- * surfaceCellsProblem() must be empty.
- * @param[out] strips where the points of vertical surfaces are among them, optional */
+ * surfaceCellsProblem() must be empty. */
 std::vector<RepairedPoint> repairHoles(const std::vector<SurfacePoint>& refined,
                                        const Floorplan& plan,
-                                       double cell_size,
-                                       std::vector<RepairedStrip>* strips = nullptr);
+                                       double cell_size);
 
 } // namespace pcl::sedr

@@ -15,7 +15,6 @@ VerticalHoleRepair<PointT>::clearResults()
 {
   sedr::PlanFilter<PointT>::clearResults();
   repaired_.clear();
-  strips_.clear();
 }
 
 template <typename PointT>
@@ -41,8 +40,7 @@ VerticalHoleRepair<PointT>::applyFilter(PointCloud& output)
       sedr::refineToPlan(sedr::PointView(*input_), *indices_, labels, rooms, *plan_,
                          on_surface, this->threads_);
   std::vector<bool> is_used(refined.sources.size(), false);
-  for (const auto& repaired :
-       sedr::repairHoles(refined.points, *plan_, grid_size_, &strips_)) {
+  for (const auto& repaired : sedr::repairHoles(refined.points, *plan_, grid_size_)) {
     const bool is_new = repaired.source < 0;
     if (is_new && keep_openings_ && sedr::isInOpening(*plan_, repaired.point.position))
       continue;
@@ -59,8 +57,6 @@ VerticalHoleRepair<PointT>::applyFilter(PointCloud& output)
     surface_points_.push_back(repaired.point);
     output.push_back(p);
   }
-  if (keep_openings_)
-    strips_.clear(); // their cells are not all in the output
   this->removeAllBut(refined.sources, [&](std::size_t k) { return is_used[k]; });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/impl/parallel_voxel_grid.hpp>
 #include <pcl/sedr_surface/impl/mesh_reconstruction.hpp>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 
@@ -15,19 +16,9 @@ namespace sedr {
  * not. */
 std::string voxelProblem(double voxel_size, double grid_size);
 
-/** @brief Returns why a scan or its indices are invalid, a sentence; empty if valid. */
-std::string cloudProblem(const PointView& points,
-                         const pcl::Indices& indices,
-                         const Priors& priors);
-
 /** @brief Returns the step k of the excerpt, which holds every k-th point of the
  * scan. */
 std::size_t excerptStep(std::size_t points);
-
-/** @brief Returns every k-th point of a cloud, NaN where it is not among the
- * indices. */
-std::shared_ptr<std::vector<Eigen::Vector3f>> excerptOf(const PointView& points,
-                                                        const pcl::Indices& indices);
 
 /** @brief Thins a source by `thin` and collects every k-th of its points in the same
  * pass.
@@ -46,6 +37,9 @@ IndoorStructureReconstruction<PointT>::IndoorStructureReconstruction()
   voxel_grid_.setRemoveStrays(true);
   setNumberOfThreads(threads_);
 }
+
+template <typename PointT>
+IndoorStructureReconstruction<PointT>::~IndoorStructureReconstruction() = default;
 
 template <typename PointT>
 void
@@ -111,120 +105,85 @@ IndoorStructureReconstruction<PointT>::refuseInput(const std::string& problem)
   return fail("IndoorStructureReconstruction", "input: " + problem);
 }
 
+/** @brief Returns the input source, or the points of the input cloud as one. */
+template <typename PointT>
+std::shared_ptr<const sedr::RowSource>
+IndoorStructureReconstruction<PointT>::sourceOf(PointCloud& chosen) const
+{
+  if (source_)
+    return source_;
+  if (this->fake_indices_)
+    return std::make_shared<sedr::CloudRows<PointT>>(*input_);
+  pcl::copyPointCloud(*input_, *indices_, chosen);
+  return std::make_shared<sedr::CloudRows<PointT>>(chosen);
+}
+
+template <typename PointT>
+sedr::ThinnedScan
+IndoorStructureReconstruction<PointT>::thinned()
+{
+  if (thinning_)
+    return thinning_();
+  PointCloud chosen;
+  PointCloud means;
+  const auto source = sourceOf(chosen);
+  sedr::ThinnedScan scan;
+  scan.problem = sedr::thinWithExcerpt(
+      *source, threads_,
+      [&](const sedr::RowSource& rows) { voxel_grid_.filter(rows, means); },
+      scan.excerpt);
+  pcl::copyPointCloud(means, *scan.points);
+  scan.size = source->size();
+  scan.stray_limit = voxel_grid_.getStrayLimit();
+  return scan;
+}
+
 template <typename PointT>
 bool
-IndoorStructureReconstruction<PointT>::beginThinning()
+IndoorStructureReconstruction<PointT>::thin(sedr::ThinnedScan& scan)
 {
-  const std::string problem = sedr::voxelProblem(getVoxelSize(), getGridSize());
+  const auto start = std::chrono::steady_clock::now();
+  std::string problem = sedr::voxelProblem(getVoxelSize(), getGridSize());
+  if (problem.empty() && !source_ && !thinning_) {
+    problem = sedr::indicesProblem(*indices_, input_->size());
+    if (problem.empty() && !positions_.empty() && !this->fake_indices_)
+      problem = "scan positions are of all points, but indices are set";
+  }
   if (!problem.empty())
     return refuseInput(problem);
   if (chain_.on_stage)
     chain_.on_stage("ParallelVoxelGrid");
-  return true;
-}
-
-template <typename PointT>
-bool
-IndoorStructureReconstruction<PointT>::thinCloud(PointCloud& means)
-{
-  // Checked before thinning, which would not reduce a scan in millimetres.
-  const std::string problem =
-      sedr::cloudProblem(sedr::PointView(*input_), *indices_, getPriors());
-  if (!problem.empty())
-    return refuseInput(problem);
-  if (!beginThinning())
-    return false;
-  voxel_grid_.setInputCloud(input_);
-  voxel_grid_.setIndices(indices_);
-  voxel_grid_.filter(means);
-  chain_.floorplan_fitting.setRawCloud(input_, indices_);
-  if (!positions_.empty())
-    excerpt_ = sedr::excerptOf(sedr::PointView(*input_), *indices_);
-  return true;
-}
-
-template <typename PointT>
-bool
-IndoorStructureReconstruction<PointT>::thinSource(PointCloud& means)
-{
-  if (!beginThinning())
-    return false;
-  const std::string problem = sedr::thinWithExcerpt(
-      *source_, threads_,
-      [&](const sedr::RowSource& rows) { voxel_grid_.filter(rows, means); }, excerpt_);
-  if (!problem.empty())
-    return refuseInput(problem);
-  chain_.floorplan_fitting.setRawPoints(excerpt_);
-  return true;
-}
-
-template <typename PointT>
-bool
-IndoorStructureReconstruction<PointT>::takeThinned(sedr::StructureChain::Cloud& thinned)
-{
-  if (!beginThinning())
-    return false;
-  const sedr::ThinnedScan scan = thinning_();
+  scan = thinned();
   if (!scan.problem.empty())
     return refuseInput(scan.problem);
-  thinned.swap(*scan.points);
-  scan_size_ = scan.size;
-  chain_.stray_limit = scan.stray_limit;
-  excerpt_ = scan.excerpt;
-  chain_.floorplan_fitting.setRawPoints(excerpt_);
-  return true;
-}
-
-template <typename PointT>
-bool
-IndoorStructureReconstruction<PointT>::thinHere(sedr::StructureChain::Cloud& thinned)
-{
-  PointCloud means;
-  if (!(source_ ? thinSource(means) : thinCloud(means)))
-    return false;
-  if (!voxel_grid_.getErrorMessage().empty()) {
+  if (!thinning_ && !voxel_grid_.getErrorMessage().empty()) {
     chain_.failed_stage = "ParallelVoxelGrid";
     return fail("IndoorStructureReconstruction",
                 "ParallelVoxelGrid: " + voxel_grid_.getErrorMessage());
   }
-  pcl::copyPointCloud(means, thinned);
-  scan_size_ = source_ ? source_->size() : indices_->size();
-  chain_.stray_limit = voxel_grid_.getStrayLimit();
-  return true;
-}
-
-template <typename PointT>
-bool
-IndoorStructureReconstruction<PointT>::thin(sedr::StructureChain::Cloud& thinned)
-{
-  const auto start = std::chrono::steady_clock::now();
-  if (!(thinning_ ? takeThinned(thinned) : thinHere(thinned)))
-    return false;
+  chain_.stray_limit = scan.stray_limit;
   const std::chrono::duration<double> seconds =
       std::chrono::steady_clock::now() - start;
   reports_.push_back(
-      {"ParallelVoxelGrid", scan_size_, thinned.size(), seconds.count()});
+      {"ParallelVoxelGrid", scan.size, scan.points->size(), seconds.count()});
   return true;
 }
 
 template <typename PointT>
 void
-IndoorStructureReconstruction<PointT>::leaveOutMirrored(
-    sedr::StructureChain::Cloud& thinned)
+IndoorStructureReconstruction<PointT>::leaveOutMirrored(sedr::ThinnedScan& scan)
 {
   if (positions_.empty())
     return;
   const auto start = std::chrono::steady_clock::now();
   if (chain_.on_stage)
     chain_.on_stage("MirroredPoints");
-  const std::size_t before = thinned.size();
-  const std::size_t rows = source_ || thinning_ ? scan_size_ : input_->size();
-  chain_.leaveOutMirrored(positions_, sedr::excerptStep(rows), thinned, *excerpt_);
-  if (before > thinned.size())
-    chain_.floorplan_fitting.setRawPoints(excerpt_);
+  const std::size_t before = scan.points->size();
+  chain_.leaveOutMirrored(positions_, sedr::excerptStep(scan.size), *scan.points,
+                          *scan.excerpt);
   const std::chrono::duration<double> seconds =
       std::chrono::steady_clock::now() - start;
-  reports_.push_back({"MirroredPoints", before, thinned.size(), seconds.count()});
+  reports_.push_back({"MirroredPoints", before, scan.points->size(), seconds.count()});
 }
 
 template <typename PointT>
@@ -235,24 +194,24 @@ IndoorStructureReconstruction<PointT>::findStructure()
   this->clearError();
   mesh_ = sedr::TriangleMesh();
   reports_.clear();
-  const sedr::StructureChain::Cloud::Ptr thinned(new sedr::StructureChain::Cloud);
-  chain_.reset(thinned);
+  sedr::ThinnedScan scan;
+  chain_.reset(scan.points);
   const bool has_cloud = !source_ && !thinning_;
   if (has_cloud && !this->initCompute()) {
     chain_.failed_stage = "input";
     return fail(name, "no input cloud was set");
   }
   chain_.mirrored = sedr::MirrorFigures();
-  bool is_done = thin(*thinned);
+  bool is_done = thin(scan);
   if (is_done) {
-    leaveOutMirrored(*thinned);
-    is_done = chain_.findStructure(thinned);
+    leaveOutMirrored(scan);
+    chain_.floorplan_fitting.setRawPoints(scan.excerpt);
+    is_done = chain_.findStructure(scan.points);
     reports_.insert(reports_.end(), chain_.reports.begin(), chain_.reports.end());
     if (!is_done)
       fail(name, chain_.failed_stage + ": " + chain_.problem);
   }
   chain_.floorplan_fitting.setRawPoints(nullptr);
-  excerpt_.reset();
   if (has_cloud)
     this->deinitCompute();
   return is_done;

@@ -65,9 +65,6 @@ StructuralPoisson<PointNT>::makeSurfaces()
     return "no input cloud is set";
   if (input_->empty())
     return "the input cloud is empty";
-  if (!room_labels_.empty() && room_labels_.size() != input_->size())
-    return std::to_string(room_labels_.size()) + " room labels are set for " +
-           std::to_string(input_->size()) + " points";
   if (!initCompute())
     return "PCL refuses the input cloud and its indices";
   std::string problem = sedr::indicesProblem(*indices_, input_->size());
@@ -83,9 +80,7 @@ StructuralPoisson<PointNT>::makeSurfaces()
     for (const auto index : *indices_) {
       const PointNT& point = (*input_)[index];
       std::uint32_t number = 0;
-      if (!room_labels_.empty())
-        number = room_labels_[static_cast<std::size_t>(index)];
-      else if constexpr (pcl::traits::has_field<PointNT, pcl::fields::room>::value)
+      if constexpr (pcl::traits::has_field<PointNT, pcl::fields::room>::value)
         number = point.room;
       sedr::RoomSamples& room = rooms[number];
       room.room = number;

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tilted_solid.h"
+
+#include "../triangulation/constrained_triangulation.h"
+#include "../triangulation/plan_grid.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/QR>
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace pcl::sedr {
+namespace {
+
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+/** @brief A surface that a vertex lies on. */
+struct Surface {
+  const PlanSlab* slab = nullptr;       ///< a floor or ceiling
+  const PlanElement* element = nullptr; ///< else an element of a loop
+  double run = 0; ///< tilt of a wall, metres into the room per metre of height
+  double off = 0; ///< initial offset of the vertex, from rounding of the plan
+
+  /** @brief Returns the offset of a place, and its gradient. */
+  double offset(const Eigen::Vector3d& p, double head, Eigen::Vector3d& way) const
+  {
+    if (slab) {
+      const Eigen::Vector3d normal = slab->normalAt(p.head<2>());
+      way = normal;
+      return (p.z() - slab->heightAt(p.head<2>())) * normal.z() - off;
+    }
+    Eigen::Vector2d across;
+    double out = 0;
+    if (element->isArc()) {
+      const double sign = element->counter_clockwise ? -1 : 1;
+      const Eigen::Vector2d from = p.head<2>() - element->centre;
+      across = sign * from.normalized();
+      out = sign * (from.norm() - element->radius);
+    }
+    else {
+      across = element->normalAt(0);
+      out = (p.head<2>() - element->start).dot(across);
+    }
+    way << across, -run;
+    return out - run * (p.z() - head) - off;
+  }
+};
+
+class TiltedSolid {
+public:
+  TiltedSolid(const RoomLayers& layers,
+              const std::vector<double>& runs,
+              double head,
+              TriangleMesh& solid)
+      : layers_(layers)
+      , runs_(runs)
+      , head_(head)
+      , solid_(solid)
+  {}
+
+  std::string run()
+  {
+    const std::vector<bool> faced_up = facingUp();
+    std::vector<std::set<std::uint32_t>> elements(solid_.vertices.size());
+    for (std::size_t t = 0; t < solid_.triangles.size(); ++t)
+      for (const std::uint32_t v : solid_.triangles[t])
+        elements[v].insert(solid_.elements[t]);
+    for (std::size_t v = 0; v < elements.size(); ++v)
+      move(elements[v], solid_.vertices[v]);
+    return unfold(faced_up);
+  }
+
+private:
+  Surface surfaceOf(std::size_t element) const
+  {
+    for (const RoomLayers::Slab& slab : layers_.slabs)
+      if (slab.element == element)
+        return {&slab.slab};
+    for (const RoomLayers::Loop& loop : layers_.loops) {
+      const std::size_t n = loop.loop->elements.size();
+      if (element < loop.first_element || element >= loop.first_element + n)
+        continue;
+      const std::size_t i = element - loop.first_element;
+      const bool is_wall = &loop == &layers_.loops.front();
+      return {nullptr, &loop.loop->elements[i], is_wall ? runs_[i] : 0};
+    }
+    return {};
+  }
+
+  void move(const std::set<std::uint32_t>& elements, Eigen::Vector3d& vertex) const
+  {
+    constexpr int rounds = 30;
+    std::vector<Surface> surfaces;
+    bool is_tilted = false;
+    for (const std::uint32_t element : elements) {
+      surfaces.push_back(surfaceOf(element));
+      is_tilted = is_tilted || surfaces.back().run != 0;
+    }
+    if (!is_tilted)
+      return;
+    Eigen::Vector3d way;
+    for (Surface& surface : surfaces) {
+      const double run = std::exchange(surface.run, 0);
+      surface.off = surface.offset(vertex, head_, way);
+      surface.run = run;
+    }
+    const auto count = static_cast<Eigen::Index>(surfaces.size());
+    Eigen::MatrixXd ways(count, 3);
+    Eigen::VectorXd offsets(count);
+    for (int round = 0; round < rounds; ++round) {
+      for (Eigen::Index k = 0; k < count; ++k) {
+        offsets[k] = surfaces[static_cast<std::size_t>(k)].offset(vertex, head_, way);
+        ways.row(k) = way;
+      }
+      // Nearly parallel surfaces do not determine the position along them.
+      Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+      solver.setThreshold(1e-3);
+      solver.compute(ways);
+      const Eigen::Vector3d step = solver.solve(offsets);
+      vertex -= step;
+      if (step.norm() < 1e-13)
+        break;
+    }
+  }
+
+  std::vector<bool> facingUp() const
+  {
+    std::vector<bool> faces_up(solid_.triangles.size());
+    for (std::size_t t = 0; t < faces_up.size(); ++t)
+      faces_up[t] = solid_.scaledNormal(t).z() > 0;
+    return faces_up;
+  }
+
+  /** @brief Triangulates the slabs again that have a triangle turned over. */
+  std::string unfold(const std::vector<bool>& faced_up)
+  {
+    const std::vector<bool> faces_up = facingUp();
+    for (const RoomLayers::Slab& slab : layers_.slabs) {
+      bool is_folded = false;
+      bool is_ceiling = false;
+      for (std::size_t t = 0; t < faced_up.size(); ++t)
+        if (solid_.elements[t] == slab.element) {
+          is_folded = is_folded || faces_up[t] != faced_up[t];
+          is_ceiling = faced_up[t];
+        }
+      const std::string& name = layers_.elements[slab.element].name;
+      if (is_folded && (slab.slab.curve || !triangulate(slab.element, is_ceiling)))
+        return name + " would be folded by tilted walls";
+    }
+    return {};
+  }
+
+  bool triangulate(std::size_t element, bool faces_up)
+  {
+    std::set<Edge> rim; // directed
+    for (std::size_t t = 0; t < solid_.triangles.size(); ++t)
+      for (std::size_t i = 0; solid_.elements[t] == element && i < 3; ++i) {
+        const Edge edge(solid_.triangles[t][i], solid_.triangles[t][(i + 1) % 3]);
+        if (rim.erase({edge.second, edge.first}) == 0)
+          rim.insert(edge);
+      }
+    Eigen::AlignedBox2d box;
+    for (const Edge& edge : rim)
+      box.extend(solid_.vertices[edge.first].head<2>().eval());
+    const PlanGrid grid(box);
+    std::map<std::uint32_t, std::uint32_t> number;
+    std::vector<std::uint32_t> vertices;
+    std::vector<GridPoint> points;
+    for (const Edge& edge : rim)
+      if (number.emplace(edge.first, points.size()).second) {
+        vertices.push_back(edge.first);
+        points.push_back(grid.toGrid(solid_.vertices[edge.first].head<2>()));
+      }
+    std::vector<Edge> edges;
+    for (const Edge& edge : rim)
+      edges.push_back(std::minmax(number[edge.first], number[edge.second]));
+    PlanTriangulation faces;
+    if (!triangulateConstrained(points, edges, faces))
+      return false;
+    const std::vector<bool> is_inside = insideOf(faces, edges);
+    std::vector<Triangle> inside;
+    for (std::size_t f = 0; f < faces.triangles.size(); ++f) {
+      if (!is_inside[f])
+        continue;
+      Triangle triangle;
+      for (std::size_t i = 0; i < 3; ++i)
+        triangle[i] = vertices[faces.triangles[f][faces_up ? i : 2 - i]];
+      inside.push_back(triangle);
+    }
+    std::size_t next = 0;
+    for (std::size_t t = 0; t < solid_.triangles.size(); ++t)
+      if (solid_.elements[t] == element) {
+        if (next == inside.size())
+          return false; // only if the rim crosses itself
+        solid_.triangles[t] = inside[next++];
+      }
+    return next == inside.size();
+  }
+
+  const RoomLayers& layers_;
+  const std::vector<double>& runs_;
+  const double head_;
+  TriangleMesh& solid_;
+};
+
+} // namespace
+
+std::string
+tiltWalls(const RoomLayers& layers,
+          const std::vector<double>& runs,
+          double head,
+          TriangleMesh& solid)
+{
+  return TiltedSolid(layers, runs, head, solid).run();
+}
+
+} // namespace pcl::sedr
