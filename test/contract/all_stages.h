@@ -85,7 +85,6 @@ runAllStages()
   pcl::GridRegionOutlierRemoval<PointT> removal;
   pcl::Indices kept;
   removal.setInputCloud(thinned);
-  removal.setSupportIndices(floor_points);
   removal.filter(kept);
   figures.regions = removal.getNumberOfRegions();
 
