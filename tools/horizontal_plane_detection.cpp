@@ -6,11 +6,11 @@
 #include "run_tool.h"
 #include "tool_error.h"
 
-#include "sedr_segmentation/src/planes/plane_list.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
+#include <string>
 
 using namespace pcl::sedr::tools;
 using pcl::sedr::LevelKind;
@@ -101,6 +101,29 @@ planesByRoom(const Settings& settings, const Detection& detection, ToolCloud& cl
   return planes;
 }
 
+const char*
+nameOf(LevelKind kind)
+{
+  return kind == LevelKind::Ceiling ? "ceiling"
+         : kind == LevelKind::Floor ? "floor"
+                                    : "other";
+}
+
+/** @brief Returns a sentence on the missing ceiling or floor of some planes. */
+std::string
+missingKind(const Planes& planes, double room_height)
+{
+  const auto count = [&](LevelKind kind) {
+    return std::to_string(
+        std::count_if(planes.begin(), planes.end(),
+                      [&](const auto& plane) { return plane.kind == kind; }));
+  };
+  return "of " + std::to_string(planes.size()) + " horizontal planes " +
+         count(LevelKind::Ceiling) + " are ceilings and " + count(LevelKind::Floor) +
+         " floors; a ceiling needs a floor at least " + std::to_string(room_height) +
+         " m below it";
+}
+
 /** @brief Labels ceilings and floors in a file without rooms; returns its planes. */
 Planes
 planesOfAll(const Settings& settings, Detection& detection, ToolCloud& cloud)
@@ -116,11 +139,15 @@ planesOfAll(const Settings& settings, Detection& detection, ToolCloud& cloud)
   for (auto& plane : planes) // tops of walls just below a ceiling
     if (plane.area < detection.getMinimumArea())
       plane.kind = LevelKind::Other;
+  std::map<LevelKind, double> areas;
+  for (const auto& plane : planes)
+    areas[plane.kind] += plane.area;
+  const double of_rooms = std::min(areas[LevelKind::Ceiling], areas[LevelKind::Floor]);
   const std::string missing =
-      pcl::sedr::missingKind(planes, detection.getMinimumRoomHeight());
+      of_rooms > 0 ? "" : missingKind(planes, detection.getMinimumRoomHeight());
   checkScan(cloud, settings.trust_up,
-            missing.empty() ? RoomsAlongZ::Found : RoomsAlongZ::None,
-            missing.empty() ? pcl::sedr::areaOfRooms(planes) : 0, missing);
+            missing.empty() ? RoomsAlongZ::Found : RoomsAlongZ::None, of_rooms,
+            missing);
   std::fill(cloud.label.begin(), cloud.label.end(), 0);
   std::fill(cloud.room.begin(), cloud.room.end(), 0);
   for (const auto& plane : planes)

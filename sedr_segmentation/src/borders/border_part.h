@@ -14,12 +14,10 @@ namespace pcl::sedr {
 constexpr double border_tolerance = 2e-4; ///< metres that a border may be off
 
 /** @brief A part of a border that follows one line: that on which two facets meet, or
- * where a vault touches another facet and goes over into it, as a cove does; or a
- * straight step. */
+ * a straight step. */
 struct BorderPart {
   const PlanSlab* one = nullptr; ///< null: of a step
   const PlanSlab* other = nullptr;
-  bool touches = false; ///< they need not meet: what is left between them is noise
   Eigen::Vector2d through = Eigen::Vector2d::Zero();
   Eigen::Vector2d normal = Eigen::Vector2d::Zero();
   std::vector<Eigen::Vector2d> samples;

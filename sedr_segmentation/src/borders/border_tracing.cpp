@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <utility>
 
 namespace pcl::sedr {
 
@@ -29,14 +28,6 @@ smoothed(const std::vector<std::optional<Place>>& met)
   return meets;
 }
 
-std::size_t
-countOf(const std::vector<std::optional<Place>>& places)
-{
-  return static_cast<std::size_t>(
-      std::count_if(places.begin(), places.end(),
-                    [](const auto& place) { return place.has_value(); }));
-}
-
 } // namespace
 
 std::vector<BorderPart>
@@ -52,23 +43,12 @@ partsOf(const CrackChain& chain, const SheetCracks& cracks, const BorderSteps& s
       reach.push_back(cracks.reachAt(v));
     }
   const std::vector<bool> has_riser = steps.risersAlong(raw, chain);
-  const auto placesOn = [&](const BorderPart& part) {
-    std::vector<std::optional<Place>> places;
-    for (std::size_t k = 0; k < raw.size(); ++k)
-      places.push_back(has_riser[k] ? std::nullopt : part.project(raw[k], reach[k]));
-    return places;
-  };
   BorderPart meeting;
   meeting.one = &cracks.facetOf(chain.left);
   meeting.other = &cracks.facetOf(chain.right);
-  std::vector<std::optional<Place>> met = placesOn(meeting);
-  BorderPart touching = meeting;
-  touching.touches = true;
-  std::vector<std::optional<Place>> touched = placesOn(touching);
-  if (countOf(touched) > 2 * countOf(met)) {
-    meeting = touching;
-    met = std::move(touched);
-  }
+  std::vector<std::optional<Place>> met;
+  for (std::size_t k = 0; k < raw.size(); ++k)
+    met.push_back(has_riser[k] ? std::nullopt : meeting.project(raw[k], reach[k]));
   const std::vector<bool> meets = smoothed(met);
   std::vector<BorderPart> parts;
   for (std::size_t first = 0; first < raw.size();) {

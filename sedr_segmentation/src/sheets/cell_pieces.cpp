@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cell_pieces.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace pcl::sedr {
@@ -8,22 +9,10 @@ namespace pcl::sedr {
 std::vector<std::vector<std::size_t>>
 piecesOf(const SheetGrid& grid, const std::vector<std::uint8_t>& is_in)
 {
-  std::vector<std::uint8_t> is_known(grid.count(), 0);
-  std::vector<std::vector<std::size_t>> pieces;
-  for (std::size_t first = 0; first < grid.count(); ++first) {
-    if (!is_in[first] || is_known[first])
-      continue;
-    std::vector<std::size_t> piece{first};
-    is_known[first] = 1;
-    for (std::size_t k = 0; k < piece.size(); ++k)
-      grid.forAllWithin(piece[k], 1, [&](std::size_t next) {
-        if (!is_in[next] || is_known[next])
-          return;
-        is_known[next] = 1;
-        piece.push_back(next);
-      });
-    pieces.push_back(std::move(piece));
-  }
+  auto pieces = piecesOf(grid, std::vector<std::int32_t>(is_in.begin(), is_in.end()));
+  pieces.erase(std::remove_if(pieces.begin(), pieces.end(),
+                              [&](const auto& piece) { return !is_in[piece.front()]; }),
+               pieces.end());
   return pieces;
 }
 

@@ -36,7 +36,7 @@ public:
       , cells_(evidence.cells)
       , kinds_(std::begin(all_kinds),
                evidence.parameters.is_floor ? std::begin(all_kinds) + plane_kinds
-                                               : std::end(all_kinds))
+                                            : std::end(all_kinds))
   {
     for (std::size_t cell = 0; cell < cells_.grid().count(); ++cell)
       if (isSeen(cell))
@@ -264,45 +264,25 @@ private:
     return pairs;
   }
 
-  /** @brief The shapes that explain most of some cells as one facet. */
-  std::vector<FacetProposal> asOne(const std::vector<std::size_t>& own) const
-  {
-    constexpr std::size_t few_points = 300; // most pairs are no one shape
-    constexpr double min_share = 0.8;
-    std::vector<FacetProposal> found;
-    FacetEvidence coarse = evidence_;
-    coarse.deviation *= 2;
-    for (const ShapeKind kind : kinds_) {
-      FacetProposal facet = fitFacet(kind, evidence_, own, few_points);
-      if (!isBuilt(facet, evidence_.parameters) ||
-          shareExplained(facet, coarse, own) <= min_share)
-        continue;
-      facet = fitFacet(kind, evidence_, own);
-      if (isBuilt(facet, evidence_.parameters))
-        found.push_back(std::move(facet));
-    }
-    return found;
-  }
-
   /** @brief Neighbouring facets as one. */
   std::vector<FacetProposal> others(const FacetChoice& choice) const
   {
+    constexpr std::size_t few_points = 300; // most pairs are no one shape
     const auto own = cellsOf(choice);
     const auto pairs = neighbours(choice);
-    const std::vector<std::pair<std::size_t, std::size_t>> listed(pairs.begin(),
-                                                                  pairs.end());
-    std::vector<std::vector<FacetProposal>> found(listed.size());
-    forEach(listed.size(), [&](std::size_t k) {
-      const auto& [a, b] = listed[k];
+    std::vector<FacetProposal> all;
+    for (const auto& [a, b] : pairs) {
       std::vector<std::size_t> both = own[a];
       both.insert(both.end(), own[b].begin(), own[b].end());
       std::sort(both.begin(), both.end());
-      if (both.size() >= min_cells)
-        found[k] = asOne(both);
-    });
-    std::vector<FacetProposal> all;
-    for (auto& few : found)
-      std::move(few.begin(), few.end(), std::back_inserter(all));
+      std::vector<FacetProposal> found(both.size() < min_cells ? 0 : kinds_.size());
+      forEach(found.size(), [&](std::size_t k) {
+        found[k] = fitFacet(kinds_[k], evidence_, both, few_points);
+      });
+      for (FacetProposal& facet : found)
+        if (isBuilt(facet, evidence_.parameters))
+          all.push_back(std::move(facet));
+    }
     return all;
   }
 

@@ -85,9 +85,6 @@ public:
     // Half of it may lie beside the room.
     if (2 * window.size() < static_cast<std::size_t>((2 * reach + 1) * (2 * reach + 1)))
       return;
-    leaveOutUnreachable(seed, window);
-    if (!isFlat(kind) && isEven(window))
-      return;
     FacetProposal facet = fitFacet(kind, evidence_, window, few_points);
     for (int round = 0; round < rounds; ++round) {
       if (!isBuilt(facet, evidence_.parameters) ||
@@ -105,34 +102,6 @@ public:
   }
 
 private:
-  /** @brief Takes out the cells that no ceiling leads to from the seed: they lie higher
-   * or lower than the steepest one does. */
-  void leaveOutUnreachable(std::size_t seed, std::vector<std::size_t>& window) const
-  {
-    const double slope = std::tan(evidence_.parameters.steepest);
-    const CellBall& first = cells_.ball(seed);
-    window.erase(std::remove_if(window.begin(), window.end(),
-                                [&](std::size_t cell) {
-                                  const Eigen::Vector3d off =
-                                      cells_.ball(cell).centre - first.centre;
-                                  return std::abs(off.z()) >
-                                         slope * off.head<2>().norm() +
-                                             facet_band * deviation_;
-                                }),
-                 window.end());
-  }
-
-  /** @brief Whether a plane explains all of some cells. */
-  bool isEven(const std::vector<std::size_t>& window) const
-  {
-    const auto points = cells_.pointsOf(window, max_points);
-    const PlanSlab plane = fitPlane(points);
-    double sum = 0;
-    for (const Eigen::Vector3d& p : points)
-      sum += std::pow(distanceOf(plane, p), 2);
-    return sum < deviation_ * deviation_ * static_cast<double>(points.size());
-  }
-
   const FacetEvidence& evidence_;
   const CellPoints& cells_;
   double deviation_;
@@ -244,40 +213,9 @@ fitFacet(ShapeKind kind,
 
 namespace {
 
-/** @brief Cells of squares of 2 x reach + 1 cells in a set, and the share of seen cells
- * of a square that must be in it. */
-std::vector<std::size_t>
-wideCells(const CellPoints& cells, const std::vector<std::uint8_t>& is_in, int reach)
-{
-  constexpr double min_share = 0.9;
-  const SheetGrid& grid = cells.grid();
-  std::vector<std::uint8_t> is_wide(grid.count(), 0);
-  for (const std::size_t cell : cells.seen()) {
-    if (!is_in[cell])
-      continue;
-    const std::vector<std::size_t> window = cells.window(cell, reach);
-    const auto own = std::count_if(window.begin(), window.end(),
-                                   [&](std::size_t c) { return is_in[c] != 0; });
-    if (static_cast<double>(own) >= min_share * static_cast<double>(window.size()) &&
-        window.size() > static_cast<std::size_t>(2 * reach * (2 * reach + 1)))
-      for (const std::size_t c : window)
-        is_wide[c] = is_in[c];
-  }
-  std::vector<std::size_t> wide;
-  for (const std::size_t cell : cells.seen())
-    if (is_wide[cell])
-      wide.push_back(cell);
-  return wide;
-}
-
 /** @brief How far a surface that may tilt and bend lies off a plane through the same
- * cells: in the worst of them, and in all as a root mean square; metres. */
-struct Bend {
-  double most = std::numeric_limits<double>::infinity();
-  double usual = std::numeric_limits<double>::infinity();
-};
-
-Bend
+ * cells, in the worst of them, metres. */
+double
 bendOf(const PlanSlab& plane,
        const std::vector<std::size_t>& own,
        const FacetEvidence& evidence)
@@ -301,51 +239,35 @@ bendOf(const PlanSlab& plane,
     right += off * terms;
   }
   const Terms bent = normal.ldlt().solve(right);
-  if (!bent.allFinite() || own.empty())
-    return {};
-  Bend bend{0, 0};
-  for (const std::size_t cell : own) {
-    const double off = std::abs(bent.dot(termsAt(evidence.cells.grid().centre(cell))));
-    bend.most = std::max(bend.most, off);
-    bend.usual += off * off / static_cast<double>(own.size());
-  }
-  bend.usual = std::sqrt(bend.usual);
-  return bend;
+  double most = bent.allFinite() ? 0 : std::numeric_limits<double>::infinity();
+  for (const std::size_t cell : own)
+    most =
+        std::max(most, std::abs(bent.dot(termsAt(evidence.cells.grid().centre(cell)))));
+  return most;
 }
 
-/** @brief The cells that a plane explains and that need no other shape: nowhere
- * narrower than half a metre, and truly flat.
- * @param[out] strips those that it explains elsewhere, in pieces */
+/** @brief The cells that a plane explains and that need no other shape: large
+ * pieces that are truly flat, no strips of a vault. */
 std::vector<std::size_t>
-flatCells(const PlanSlab& plane,
-          const FacetEvidence& evidence,
-          std::vector<std::vector<std::size_t>>* strips = nullptr)
+flatCells(const PlanSlab& plane, const FacetEvidence& evidence)
 {
-  constexpr double wide = 0.5; // metres
   const CellPoints& cells = evidence.cells;
-  const SheetGrid& grid = cells.grid();
-  std::vector<std::uint8_t> is_own(grid.count(), 0);
+  std::vector<std::uint8_t> is_own(cells.grid().count(), 0);
   for (const std::size_t cell : cells.seen())
     is_own[cell] = explainsCell(plane, cells, cell, evidence.deviation) ? 1 : 0;
-  const auto reach = static_cast<int>(std::lround(wide / 2 / grid.size));
-  std::vector<std::uint8_t> is_wide(grid.count(), 0);
-  for (const std::size_t cell : wideCells(cells, is_own, std::max(1, reach))) {
-    is_wide[cell] = 1;
-    is_own[cell] = 0;
-  }
   std::vector<std::size_t> flat;
-  for (const auto& piece : piecesOf(grid, is_wide))
-    if (bendOf(plane, piece, evidence).most < evidence.deviation)
+  const double cell_area = cells.grid().size * cells.grid().size;
+  for (const auto& piece : piecesOf(cells.grid(), is_own))
+    if (static_cast<double>(piece.size()) * cell_area >=
+            evidence.parameters.min_relief &&
+        bendOf(plane, piece, evidence) < evidence.deviation)
       flat.insert(flat.end(), piece.begin(), piece.end());
   std::sort(flat.begin(), flat.end());
-  if (strips)
-    *strips = piecesOf(grid, is_own);
   return flat;
 }
 
-/** @brief Level planes at the peaks of the histogram of heights, of which a part at
- * least is level, not a strip of a slope or of a vault. Their `cells` are flatCells().
- */
+/** @brief Level planes at the peaks of the histogram of heights. Their `cells` are
+ * flatCells(). */
 std::vector<FacetProposal>
 proposeLevels(const FacetEvidence& evidence)
 {
@@ -383,14 +305,7 @@ proposeLevels(const FacetEvidence& evidence)
       own.push_back(heights[k].second);
     std::sort(own.begin(), own.end());
     FacetProposal level = fitFacet(ShapeKind::Level, evidence, std::move(own));
-    std::vector<std::vector<std::size_t>> strips;
-    level.cells = flatCells(level.slab, evidence, &strips);
-    const bool is_level =
-        !level.cells.empty() ||
-        std::any_of(strips.begin(), strips.end(), [&](const auto& strip) {
-          return strip.size() >= least &&
-                 bendOf(level.slab, strip, evidence).usual < evidence.deviation;
-        });
+    level.cells = flatCells(level.slab, evidence);
     const double height = level.slab.heightAt(Eigen::Vector2d::Zero());
     heights.erase(std::remove_if(heights.begin(), heights.end(),
                                  [&](const auto& other) {
@@ -399,8 +314,7 @@ proposeLevels(const FacetEvidence& evidence)
                                                        evidence.deviation);
                                  }),
                   heights.end());
-    if (is_level)
-      found.push_back(std::move(level));
+    found.push_back(std::move(level));
   }
   return found;
 }

@@ -214,10 +214,8 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
       choice.label[cell] = FacetSheet::none;
   dropPieces(evidence, choice);
   fillNearest(grid, choice.label);
-  if (!parameters.is_floor && !choice.facets.empty()) {
-    giveShadowsToHigher(evidence, choice);
+  if (!parameters.is_floor && !choice.facets.empty())
     extendBeams(evidence, choice);
-  }
   for (std::size_t cell = 0; cell < choice.label.size(); ++cell)
     if (!domain[cell])
       choice.label[cell] = FacetSheet::none;

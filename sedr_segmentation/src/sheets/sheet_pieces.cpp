@@ -226,51 +226,6 @@ dropPieces(const FacetEvidence& evidence, FacetChoice& choice)
   Pieces(evidence, choice).run();
 }
 
-void
-giveShadowsToHigher(const FacetEvidence& evidence, FacetChoice& choice)
-{
-  constexpr std::pair<int, int> lines[] = {{1, 0}, {0, 1}, {1, 1}, {1, -1}};
-  const CellPoints& cells = evidence.cells;
-  const SheetGrid& grid = cells.grid();
-  const std::vector<std::int32_t> label = choice.label;
-  const auto heightOf = [&](std::int32_t facet, std::size_t cell) {
-    return choice.costs[static_cast<std::size_t>(facet)].height[cell];
-  };
-  /** The next cell with points; the number of cells if there is none in the room. */
-  const auto seenFrom = [&](std::size_t from, int dx, int dy, int& steps) {
-    int x = grid.columnOf(from);
-    int y = grid.rowOf(from);
-    for (steps = 1;; ++steps) {
-      x += dx;
-      y += dy;
-      if (!grid.holds(x, y) || !cells.isInside(grid.indexOf(x, y)))
-        return grid.count();
-      if (!cells.isEmpty(grid.indexOf(x, y)))
-        return grid.indexOf(x, y);
-    }
-  };
-  for (std::size_t cell = 0; cell < label.size(); ++cell) {
-    if (!cells.isInside(cell) || !cells.isEmpty(cell))
-      continue;
-    double shortest = std::numeric_limits<double>::infinity();
-    for (const auto& [dx, dy] : lines) {
-      int before = 0;
-      int after = 0;
-      const std::size_t a = seenFrom(cell, dx, dy, before);
-      const std::size_t b = seenFrom(cell, -dx, -dy, after);
-      const double length = (before + after) * std::hypot(dx, dy);
-      if (a == grid.count() || b == grid.count() || length >= shortest)
-        continue;
-      shortest = length;
-      // Where they meet in between, they are no two heights.
-      const double step_at_a = heightOf(label[a], a) - heightOf(label[b], a);
-      const double step_at_b = heightOf(label[a], b) - heightOf(label[b], b);
-      if (step_at_a * step_at_b > 0)
-        choice.label[cell] = step_at_a > 0 ? label[a] : label[b];
-    }
-  }
-}
-
 namespace {
 
 /** @brief The beams of a ceiling, over cells along the walls. */

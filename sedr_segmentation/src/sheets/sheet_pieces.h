@@ -12,11 +12,6 @@ namespace pcl::sedr {
  * O(cells), with risers seen. */
 void dropPieces(const FacetEvidence& evidence, FacetChoice& choice);
 
-/** @brief Gives cells without points that lie straight between two parts of a ceiling
- * the higher one: the lower part ends where it was last seen, and hides what is beside
- * it. O(cells without points times their distance from those with). */
-void giveShadowsToHigher(const FacetEvidence& evidence, FacetChoice& choice);
-
 /** @brief Proposes that beams go on where nothing was seen: cells without points in
  * line with a level strip, up to the wall or what is seen next, are of its facet if the
  * main one is not seen among them and they are no more than half as long as it.

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <memory>
 #include <vector>
 
 namespace {
@@ -15,62 +14,6 @@ using namespace pcl::sedr;
 using sheet_test::fitted;
 using sheet_test::Scene;
 using sheet_test::sceneOf;
-
-PlanSlab
-levelAt(double height)
-{
-  PlanSlab slab;
-  slab.plane << 0, 0, 1, -height;
-  return slab;
-}
-
-/** A cylinder along x above y = 1, of a radius of 0.6 m. */
-PlanSlab
-coveWithCrownAt(double height)
-{
-  SlabCurve curve;
-  curve.kind = CurveKind::Cylinder;
-  curve.setDirection(0);
-  curve.centre = {0, 1};
-  curve.across = curve.up = 0.6;
-  curve.base = height - 0.6;
-  PlanSlab slab = levelAt(height);
-  slab.curve = std::make_shared<const SlabCurve>(curve);
-  return slab;
-}
-
-TEST(BorderPart, AVaultThatMissesTheCeilingByNoiseTouchesItAtItsCrown)
-{
-  const PlanSlab level = levelAt(3);
-  for (const double miss : {0.001, 0.005, -0.001}) {
-    const PlanSlab cove = coveWithCrownAt(3 - miss);
-    BorderPart part;
-    part.one = &cove;
-    part.other = &level;
-    if (miss > 0) {
-      EXPECT_FALSE(part.project({2, 0.93}, 0.25)) << "they do not meet";
-    }
-    part.touches = true;
-    const auto place = part.project({2, 0.93}, 0.25);
-    ASSERT_TRUE(place) << miss;
-    EXPECT_NEAR(place->x(), 2, 1e-9);
-    EXPECT_NEAR(place->y(), 1, 1e-6);
-  }
-}
-
-TEST(BorderPart, WhatIsFartherApartOrIsNoVaultTouchesNothing)
-{
-  const PlanSlab level = levelAt(3);
-  const PlanSlab cove = coveWithCrownAt(2.98);
-  const PlanSlab other = levelAt(2.999);
-  BorderPart part;
-  part.touches = true;
-  part.one = &cove;
-  part.other = &level;
-  EXPECT_FALSE(part.project({2, 0.93}, 0.25));
-  part.one = &other;
-  EXPECT_FALSE(part.project({2, 0.93}, 0.25));
-}
 
 TEST(BorderSteps, ARiserCountsForTheBorderAtItsFoot)
 {
