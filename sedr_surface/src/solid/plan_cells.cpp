@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_cells.h"
 
+#include "classified_cells.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -25,26 +27,14 @@ textOf(const char* format, Values... values)
 
 /** @brief A triangulated room plan with a region per triangle. Regions that cannot be
  * built are replaced. */
-class PlanCells {
+class PlanCells : private ClassifiedCells {
 public:
   /** @param tolerance of each SolidElement, metres: parts narrower than that of the
    * elements around them are slivers */
-  PlanCells(const RoomLayers& layers,
-            const PlanGrid& grid,
-            const Arrangement& arrangement,
-            const PlanTriangulation& triangulation,
-            const std::vector<SegmentSource>& sources,
-            const std::vector<double>& tolerance)
-      : layers_(layers)
-      , grid_(grid)
-      , arrangement_(arrangement)
-      , triangulation_(triangulation)
-      , sources_(sources)
+  PlanCells(ClassifiedCells cells, const std::vector<double>& tolerance)
+      : ClassifiedCells(std::move(cells))
       , tolerance_(tolerance)
-      , region_(triangulation.triangles.size())
-  {
-    classify();
-  }
+  {}
 
   /** @brief Merges slivers into neighbouring parts. */
   void mergeSlivers()
@@ -169,8 +159,6 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t none = PlanTriangulation::none;
-
   /** @brief Connected triangles of one region. */
   struct Part {
     PlanRegion region;
@@ -181,47 +169,6 @@ private:
     bool is_outside = false;             ///< adjacent to the hull, in no room
     std::map<PlanRegion, double> beside; ///< shared length with other regions
   };
-
-  void classify()
-  {
-    using Winding = std::vector<int>;
-    const Winding outside(layers_.loops.size(), 0);
-    std::vector<Winding> winding(region_.size());
-    // Winding numbers inside a triangle's side, given those beyond it.
-    const auto inside = [&](std::uint32_t t, std::size_t side, Winding beyond) {
-      if (const Arrangement::Edge* edge = edgeAt(t, side))
-        for (const SegmentUse& use : edge->uses) {
-          if (sources_[use.segment].loop == SegmentSource::no_loop)
-            continue;
-          const bool is_left = use.forward == (corner(t, side) == edge->a);
-          beyond[sources_[use.segment].loop] += is_left ? 1 : -1;
-        }
-      return beyond;
-    };
-    std::vector<std::uint32_t> waiting;
-    const auto reach = [&](std::uint32_t t, Winding turns) {
-      region_[t] = layers_.regionOf(turns);
-      winding[t] = std::move(turns);
-      waiting.push_back(t);
-    };
-    for (std::uint32_t t = 0; t < region_.size(); ++t)
-      for (std::size_t i = 0; i < 3; ++i)
-        if (triangulation_.neighbours[t][i] == none && winding[t].empty())
-          reach(t, inside(t, i, outside));
-    while (!waiting.empty()) {
-      const std::uint32_t t = waiting.back();
-      waiting.pop_back();
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t n = triangulation_.neighbours[t][i];
-        if (n == none || !winding[n].empty())
-          continue;
-        std::size_t back = 0;
-        while (triangulation_.neighbours[n][back] != t)
-          ++back;
-        reach(n, inside(n, back, winding[t]));
-      }
-    }
-  }
 
   /** @brief Returns sets of triangles connected by sides with `alike(t, u)`. */
   template <typename Alike>
@@ -314,16 +261,6 @@ private:
       region_[t] = region;
   }
 
-  double heightOf(int slab, std::uint32_t vertex) const
-  {
-    return layers_.slabs[static_cast<std::size_t>(slab)].slab.heightAt(
-        grid_.toPlan(arrangement_.vertices[vertex]));
-  }
-
-  /** @brief Returns the minimum distance of ceiling and floor: a millimetre, more only
-   * on a coarse grid. */
-  double minClearance() const { return 20 * solidSeparation(grid_); }
-
   /** @brief Returns the minimum height of a part's ceiling above its floor, metres. */
   double clearance(const Part& part) const
   {
@@ -394,47 +331,7 @@ private:
     return {};
   }
 
-  PlanRegion across(std::uint32_t t, std::size_t side) const
-  {
-    const std::uint32_t n = triangulation_.neighbours[t][side];
-    return n == none ? PlanRegion() : region_[n];
-  }
-
-  /** @brief Returns the edge on a triangle's side, or null. */
-  const Arrangement::Edge* edgeAt(std::uint32_t t, std::size_t side) const
-  {
-    const std::pair<std::uint32_t, std::uint32_t> ends =
-        std::minmax(corner(t, side), corner(t, side + 1));
-    const auto edge =
-        std::lower_bound(arrangement_.edges.begin(), arrangement_.edges.end(), ends,
-                         [](const Arrangement::Edge& e, const auto& wanted) {
-                           return std::make_pair(e.a, e.b) < wanted;
-                         });
-    const bool is_edge = edge != arrangement_.edges.end() && edge->a == ends.first &&
-                         edge->b == ends.second;
-    return is_edge ? &*edge : nullptr;
-  }
-
-  std::uint32_t corner(std::uint32_t t, std::size_t i) const
-  {
-    return triangulation_.triangles[t][i % 3];
-  }
-
-  double areaOf(std::uint32_t t) const
-  {
-    const auto& points = arrangement_.vertices;
-    return 0.5 * grid_.unit() * grid_.unit() *
-           static_cast<double>(
-               turn(points[corner(t, 0)], points[corner(t, 1)], points[corner(t, 2)]));
-  }
-
-  const RoomLayers& layers_;
-  const PlanGrid& grid_;
-  const Arrangement& arrangement_;
-  const PlanTriangulation& triangulation_;
-  const std::vector<SegmentSource>& sources_;
   const std::vector<double>& tolerance_;
-  std::vector<PlanRegion> region_; ///< per triangle
 };
 
 } // namespace
@@ -448,7 +345,7 @@ findRegions(const RoomLayers& layers,
             PlanSubdivision& subdivision,
             std::vector<PlanWarning>& warnings)
 {
-  PlanCells cells(layers, subdivision.grid, arrangement, triangulation, sources,
+  PlanCells cells({layers, subdivision.grid, arrangement, triangulation, sources},
                   tolerance);
   cells.mergeSlivers();
   cells.dropUnbuildable(warnings);
