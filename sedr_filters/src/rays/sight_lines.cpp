@@ -56,17 +56,28 @@ SightLines::places() const
   return places;
 }
 
-SightLines
-SightLines::levelled(const Levelling& levelling) const
+std::vector<SightLine>
+SightLines::lines() const
 {
-  const auto level = [&](const Eigen::Vector3f& p) {
-    return Eigen::Vector3f(levelling.level(p.cast<double>()).cast<float>());
-  };
   std::vector<SightLine> lines;
   for (const auto& station : stations_)
     for (const Eigen::Vector3f& to : station->ends)
-      lines.push_back({level(station->from), level(to)});
-  return SightLines(lines);
+      lines.push_back({station->from, to});
+  return lines;
+}
+
+SightLines
+SightLines::levelled(const Levelling& levelling) const
+{
+  const auto level = [&](Eigen::Vector3f& p) {
+    p = levelling.level(p.cast<double>()).cast<float>();
+  };
+  std::vector<SightLine> all = lines();
+  for (SightLine& line : all) {
+    level(line.from);
+    level(line.to);
+  }
+  return SightLines(all);
 }
 
 bool

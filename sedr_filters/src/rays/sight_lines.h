@@ -29,6 +29,9 @@ public:
   /** @brief Returns the number of rays. */
   std::size_t size() const;
 
+  /** @brief Returns the rays, by their positions. */
+  std::vector<SightLine> lines() const;
+
   /** @brief Returns where the scanners stood, each place once. */
   std::vector<Eigen::Vector3f> places() const;
 

@@ -12,6 +12,7 @@ namespace pcl::sedr {
 std::string
 findOpenings(const PointView& points,
              const IndicesConstPtr& indices,
+             const SightLines* sight,
              const Priors& priors,
              unsigned threads,
              Floorplan& plan,
@@ -28,8 +29,9 @@ findOpenings(const PointView& points,
   parameters.sizes.max_depth = priors.max_wall;
   parameters.sizes.before = priors.max_furniture_depth;
   parameters.threads = threads;
-  auto found = std::make_shared<OpeningSearch>(plan, points, indices.get(), parameters);
-  findLeaves(plan, points, indices.get(), parameters.sizes, found->found);
+  auto found =
+      std::make_shared<OpeningSearch>(plan, points, indices.get(), sight, parameters);
+  findLeaves(plan, points, indices.get(), parameters.sizes, threads, found->found);
   nameOpenings(plan, *found, parameters.sizes);
   for (const FoundOpening& opening : found->found)
     plan.openings.push_back(opening.opening);

@@ -14,15 +14,19 @@ struct BothSides {
   WallCell behind = WallCell::Beyond;
   bool is_known = false; ///< that there is a side behind
 
-  bool isSeen() const
-  {
-    return here == WallCell::Seen || (is_known && behind == WallCell::Seen);
-  }
   bool isWithin() const
   {
     return here == WallCell::Within || (is_known && behind == WallCell::Within);
   }
 };
+
+/** @brief Returns a state; what rays went through is as open as what shows the inside
+ * of the wall. */
+WallCell
+openOr(WallCell state)
+{
+  return state == WallCell::Through ? WallCell::Within : state;
+}
 
 class GainsOfMap {
 public:
@@ -40,10 +44,11 @@ public:
       for (std::size_t r = 0; r < rows_; ++r) {
         BothSides& cell = cells_[c * rows_ + r];
         if (is_wall[c])
-          cell.here = map.at(c, r);
+          cell.here = openOr(map.at(c, r));
         cell.is_known = behind[c].map != nullptr;
         if (cell.is_known)
-          cell.behind = behind[c].map->at(behind[c].along, map.heightOf(r) + cell_ / 2);
+          cell.behind =
+              openOr(behind[c].map->at(behind[c].along, map.heightOf(r) + cell_ / 2));
       }
   }
 
@@ -112,15 +117,12 @@ public:
     gains.lower.resize(columns_ * n);
     gains.upper.resize(columns_ * n);
     for (std::size_t c = 0; c < columns_; ++c) {
-      bool has_lintel = false; // a wall was seen above
-      for (std::size_t r = rows_ + 1; r-- > 0;) {
+      for (std::size_t r = 0; r <= rows_; ++r) {
         const BothSides& below = r > 0 ? cells_[c * rows_ + r - 1] : corner;
         const BothSides& above = r < rows_ ? cells_[c * rows_ + r] : corner;
-        has_lintel = has_lintel || above.isSeen();
         const bool on_floor = below.here == WallCell::Beyond;
         gains.lower[c * n + r] = on_floor ? 0 : edge(below, above);
-        gains.upper[c * n + r] =
-            has_lintel ? edge(above, below) : weights_.no_head * cell_;
+        gains.upper[c * n + r] = edge(above, below);
       }
     }
   }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "opening_leaf.h"
 
+#include "sedr_filters/src/base/parallel_for.h"
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace pcl::sedr {
 namespace {
@@ -19,39 +22,8 @@ struct Leaves : Leaf {
   bool is_left = true; ///< of the direction of the opening
 };
 
-/** @brief Returns the share of the cells of a rectangle that hold points. */
-class Cells {
-public:
-  Cells(double length, double height)
-      : columns_(
-            static_cast<std::size_t>(std::max(1.0, length / opening_numbers.leaf_cell)))
-      , rows_(
-            static_cast<std::size_t>(std::max(1.0, height / opening_numbers.leaf_cell)))
-      , cells_(columns_ * rows_)
-  {}
-
-  void mark(double out, double up)
-  {
-    const double c = out / opening_numbers.leaf_cell;
-    const double r = up / opening_numbers.leaf_cell;
-    if (c >= 0 && r >= 0 && c < static_cast<double>(columns_) &&
-        r < static_cast<double>(rows_))
-      cells_[static_cast<std::size_t>(c) * rows_ + static_cast<std::size_t>(r)] = true;
-  }
-
-  double share() const
-  {
-    return static_cast<double>(std::count(cells_.begin(), cells_.end(), true)) /
-           static_cast<double>(cells_.size());
-  }
-
-private:
-  std::size_t columns_;
-  std::size_t rows_;
-  std::vector<bool> cells_;
-};
-
-/** @brief Returns the leaf that points beside an opening show best.
+/** @brief Returns the leaf that points beside an opening show best. It may be some
+ * centimetres off the jamb's corner: leaves are thick, and hang before or behind it.
  * @param points along from the hinge, towards the other jamb */
 Leaf
 leafAmong(const std::vector<SidePoint>& points,
@@ -60,39 +32,60 @@ leafAmong(const std::vector<SidePoint>& points,
           double high,
           const OpeningSizes& sizes)
 {
+  const double cell = opening_numbers.leaf_cell;
+  // The last column lies beyond the leaf, behind one that may hold its edge; the last
+  // row lies above it.
+  const double end = width + cell;
+  const auto columns = static_cast<std::size_t>(end / cell) + 1;
+  const auto leaf_rows = static_cast<std::size_t>((high - low) / cell);
+  const auto rows =
+      static_cast<std::size_t>((high - low + 2 * sizes.leaf_margin) / cell) + 1;
   Leaf best;
-  for (int degrees = 20; degrees <= 165; degrees += 3) {
+  for (int degrees = 20; degrees <= 166; degrees += 2) {
     const double angle = radians(degrees);
     const double c = std::cos(angle);
     const double s = std::sin(angle);
-    Cells leaf(width - 2 * sizes.leaf_margin, high - low);
-    Cells beyond(2 * sizes.leaf_margin, high - low);
-    Cells above(width - 2 * sizes.leaf_margin, 2 * sizes.leaf_margin);
-    std::array<Cells, 2> beside{leaf, leaf}; // one side is free: it was seen from there
-    Cells end(opening_numbers.leaf_cell, high - low); // all that shows of it edge-on
-    std::array<Cells, 2> round{end, end};             // what stands before or behind it
-    const double near_end = width - 0.5 * opening_numbers.leaf_cell;
+    // Of each cell a bit a strip that holds points, by the distance from the hinge.
+    std::vector<std::uint16_t> strips(columns * rows);
     for (const SidePoint& p : points) {
-      const double off = p.along * s - p.offset * c;
-      const double out = p.along * c + p.offset * s;
-      if (std::abs(off) > 3 * sizes.leaf_band)
-        continue;
-      if (std::abs(off) < sizes.leaf_band) {
-        leaf.mark(out - sizes.leaf_margin, p.height - low);
-        end.mark(out - near_end, p.height - low);
-      }
-      else {
-        round[off > 0 ? 1 : 0].mark(out - near_end, p.height - low);
-        beside[off > 0 ? 1 : 0].mark(out - sizes.leaf_margin, p.height - low);
-      }
-      above.mark(out - sizes.leaf_margin, p.height - high - 2 * sizes.leaf_margin);
-      beyond.mark(out - width - sizes.leaf_margin, p.height - low);
+      const double strip =
+          8 + std::floor((p.along * s - p.offset * c) / sizes.leaf_strip);
+      const double x =
+          (p.along * c + p.offset * s - end) / cell + static_cast<double>(columns - 1);
+      const double z = (p.height - low) / cell;
+      if (strip >= 0 && strip < 16 && x >= 0 && z >= 0 &&
+          x < static_cast<double>(columns) && z < static_cast<double>(rows))
+        strips[static_cast<std::size_t>(x) * rows + static_cast<std::size_t>(z)] |=
+            static_cast<std::uint16_t>(1U << static_cast<unsigned>(strip));
     }
-    const double shown =
-        std::max(leaf.share(), end.share() - round[0].share() - round[1].share()) -
-        beyond.share() - above.share() - std::min(beside[0].share(), beside[1].share());
-    if (shown > best.shown)
-      best = {shown, angle};
+    for (unsigned at = 3; at <= 11; ++at) {
+      const auto share = [&](unsigned mask, std::size_t first_column,
+                             std::size_t last_column, std::size_t first_row,
+                             std::size_t last_row) {
+        double n = 0;
+        for (std::size_t x = first_column; x < last_column; ++x)
+          for (std::size_t z = first_row; z < last_row; ++z)
+            n += (strips[x * rows + z] & mask) != 0 ? 1 : 0;
+        return n / static_cast<double>((last_column - first_column) *
+                                       (last_row - first_row));
+      };
+      const unsigned on = 3U << at;
+      const auto ofLeaf = [&](unsigned mask) {
+        return share(mask, 1, columns - 2, 0, leaf_rows);
+      };
+      const auto ofColumn = [&](unsigned mask, std::size_t column) {
+        return share(mask, column, column + 1, 0, leaf_rows);
+      };
+      // It reaches its end and ends there, and on one side it is free: it was seen from
+      // there.
+      const double shown = std::min(ofLeaf(on), std::max(ofColumn(on, columns - 4),
+                                                         ofColumn(on, columns - 3))) -
+                           std::min(ofLeaf(on << 3U), ofLeaf(on >> 3U)) -
+                           ofColumn(on << 2U | on | on >> 2U, columns - 1) -
+                           share(on, 1, columns - 2, rows - 1, rows);
+      if (shown > best.shown)
+        best = {shown, angle};
+    }
   }
   return best;
 }
@@ -100,7 +93,10 @@ leafAmong(const std::vector<SidePoint>& points,
 /** @brief Returns an opening as the side of a wall, led on beyond both jambs, so that
  * leaves stand before it. */
 WallSide
-sideOf(const PlanOpening& opening, bool is_left)
+sideOf(const Floorplan& plan,
+       const PlanOpening& opening,
+       bool is_left,
+       const OpeningSizes& sizes)
 {
   const Eigen::Vector2d way = opening.end - opening.start;
   const Eigen::Vector2d left = Eigen::Vector2d(-way.y(), way.x()).normalized();
@@ -112,6 +108,12 @@ sideOf(const PlanOpening& opening, bool is_left)
     std::swap(side.line.start, side.line.end);
   side.floor = opening.bottom;
   side.ceiling = opening.top + 0.5;
+  const Eigen::Vector2d before =
+      (opening.start + opening.end) / 2 + (is_left ? 1 : -1) * opening.depth * left;
+  for (const PlanRoom& room : plan.rooms)
+    if (room.id == opening.rooms[is_left ? 0 : 1])
+      side.ceiling =
+          std::min(side.ceiling, room.ceilingAt(before) - 2 * sizes.leaf_margin);
   return side;
 }
 
@@ -135,7 +137,8 @@ leavesBefore(const std::vector<SidePoint>& points,
       if (p.offset > sizes.on_floor && p.height > low) {
         p.along = static_cast<float>(is_first ? p.along - 1.5 * width
                                               : 2.5 * width - p.along);
-        from_hinge.push_back(p);
+        if (std::hypot(p.along, p.offset) < width + 2 * sizes.leaf_margin)
+          from_hinge.push_back(p);
       }
     if (width < sizes.max_leaf)
       if (const Leaf leaf = leafAmong(from_hinge, width, low, high, sizes);
@@ -163,6 +166,7 @@ findLeaves(const Floorplan& plan,
            const PointView& points,
            const pcl::Indices* indices,
            const OpeningSizes& sizes,
+           unsigned threads,
            std::vector<FoundOpening>& found)
 {
   std::vector<PlanOpening*> doors;
@@ -175,16 +179,16 @@ findLeaves(const Floorplan& plan,
       continue;
     doors.push_back(&o);
     for (const bool is_left : {true, false})
-      sides.push_back(sideOf(o, is_left));
+      sides.push_back(sideOf(plan, o, is_left, sizes));
   }
   const auto beside = pointsBeside(sides, points, indices, sizes.leaf_reach, 0);
-  for (std::size_t k = 0; k < doors.size(); ++k) {
+  parallelFor(doors.size(), 1, threads, [&](std::size_t k) {
     PlanOpening& o = *doors[k];
     const Leaves left = leavesBefore(beside[2 * k], o, true, sizes);
     const Leaves right = leavesBefore(beside[2 * k + 1], o, false, sizes);
     const Leaves& best = right.shown > left.shown ? right : left;
     if (best.shown < sizes.min_leaf_share)
-      continue;
+      return;
     o.hinge = best.hinge;
     if (!best.is_left) {
       std::swap(o.start, o.end);
@@ -195,7 +199,7 @@ findLeaves(const Floorplan& plan,
     }
     o.swing = o.rooms[0];
     o.state = best.angle > sizes.max_ajar ? OpeningState::Open : OpeningState::Ajar;
-  }
+  });
 }
 
 } // namespace pcl::sedr

@@ -14,6 +14,7 @@ void findLeaves(const Floorplan& plan,
                 const PointView& points,
                 const pcl::Indices* indices,
                 const OpeningSizes& sizes,
+                unsigned threads,
                 std::vector<FoundOpening>& found);
 
 } // namespace pcl::sedr

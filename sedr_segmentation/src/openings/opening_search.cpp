@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace pcl::sedr {
 namespace {
@@ -107,17 +108,25 @@ public:
       , search_(search)
   {}
 
-  void makeMaps(const PointView& points, const pcl::Indices* indices)
+  void makeMaps(const PointView& points,
+                const pcl::Indices* indices,
+                const SightLines* sight)
   {
     const std::vector<WallSide>& sides = search_.sides;
     auto beside = pointsBeside(sides, points, indices, sizes_.before, sizes_.max_depth);
+    const std::vector<SightLine> rays =
+        sight ? sight->lines() : std::vector<SightLine>();
+    std::vector<std::optional<WallMap>> maps(sides.size());
     for (std::size_t k = 0; k < sides.size(); ++k) {
       backs_.emplace_back(sides, k, BehindKind::Opposite, sizes_.max_depth);
       bays_.emplace_back(sides, k, BehindKind::Own, sizes_.max_depth);
-      search_.maps.emplace_back(plan_.rooms[sides[k].room], sides[k],
-                                std::move(beside[k]),
-                                std::min(backs_[k].nearest, sizes_.shallow), sizes_);
     }
+    parallelFor(sides.size(), 1, parameters_.threads, [&](std::size_t k) {
+      maps[k].emplace(plan_.rooms[sides[k].room], sides[k], std::move(beside[k]),
+                      std::min(backs_[k].nearest, sizes_.shallow), sizes_, rays);
+    });
+    for (auto& map : maps)
+      search_.maps.push_back(std::move(*map));
   }
 
   void find()
@@ -180,6 +189,10 @@ private:
         continue;
       candidate.rectangle = fittedEdges(map, rectangle, sizes_);
       describe(candidate);
+      const PlanOpening& o = candidate.opening;
+      if (o.rooms[0] == o.rooms[1] &&
+          plan_.rooms[search_.sides[side].room].contains((o.start + o.end) / 2))
+        continue; // the room goes on from face to face: no wall is between them
       found.push_back(candidate);
     }
     return found;
@@ -270,10 +283,6 @@ private:
     o.rooms[0] = room.id;
     o.rooms[1] = is_paired ? plan_.rooms[search_.sides[candidate.behind].room].id
                            : roomBehind(plan_, o, o.depth / 2 + 0.3);
-    if (const double ceiling = room.ceilingAt(place);
-        ceiling - o.top < sizes_.usual_lintel &&
-        map.shareOf(WallCell::Seen, at.from, at.to, at.top, ceiling) < 0.5)
-      o.top = ceiling; // no lintel
     const double floor = highestFloor(plan_, o);
     const double step =
         std::max(sizes_.on_floor, 1.2 * map.cell()); // rows hold the floor's points
@@ -314,11 +323,12 @@ highestFloor(const Floorplan& plan, const PlanOpening& opening)
 OpeningSearch::OpeningSearch(const Floorplan& plan,
                              const PointView& points,
                              const pcl::Indices* indices,
+                             const SightLines* sight,
                              const OpeningParameters& parameters)
     : sides(wallSides(plan, parameters.sizes))
 {
   OpeningFinder finder(plan, parameters, *this);
-  finder.makeMaps(points, indices);
+  finder.makeMaps(points, indices, sight);
   finder.find();
 }
 

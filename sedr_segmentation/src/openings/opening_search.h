@@ -45,10 +45,12 @@ struct OpeningSearch {
   std::vector<WallMap> maps;
   std::vector<FoundOpening> found; ///< each once
 
-  /** @brief Finds the openings of a plan in a scan. */
+  /** @brief Finds the openings of a plan in a scan.
+   * @param sight rays of the scanners; null: unknown */
   OpeningSearch(const Floorplan& plan,
                 const PointView& points,
                 const pcl::Indices* indices,
+                const SightLines* sight,
                 const OpeningParameters& parameters);
 };
 

@@ -20,7 +20,6 @@ struct OpeningWeights {
   double rim = 5;          ///< from a seen face to nothing
   double unseen_edge = -4; ///< hidden, or nothing on both sides
   double no_edge = -10;    ///< the same on both sides, as inside of an opening
-  double no_head = -15;    ///< no wall was seen above: a bay, or no wall at all
   // An opening.
   double opening = -12;  ///< four edges and their observations, by BIC
   double arch = 8;       ///< cost of an arched head: top and rise, by BIC, and that
@@ -46,7 +45,7 @@ struct OpeningSizes {
   double usual_lintel = 0.3;   ///< of a usual door below the ceiling
   double leaf_reach = 1.4;     ///< of points before a side that may show a leaf
   double leaf_margin = 0.15;   ///< at the edges of a leaf, where other things are
-  double leaf_band = 0.05;     ///< distance of a leaf's points from its middle
+  double leaf_strip = 0.025;   ///< half the depth of a leaf's points
   double max_leaf = 1.4;       ///< width of a single leaf
   double min_double = 1.1;     ///< width of a door with two leaves
   double min_leaf_share = 0.5; ///< of a leaf that shows
@@ -79,18 +78,14 @@ struct OpeningNumbers {
   double on_face = 0.05;       ///< of boards and casings on a wall, metres
   double min_points = 50;      ///< that show the noise of a face
   double cell_points = 3;      ///< in the middle one of the cells that were seen
-  double depth_bin = 0.01;     ///< of depths behind a face, metres
-  double back_share =
-      0.1; ///< of the cells that were seen with points of another face behind
-  double min_depth = 0.05;    ///< of the thinnest wall, metres
-  double least_share = 0.15;  ///< of the usual points of a cell in one that was seen
-  double sparse_gap = 0.15;   ///< between cells that were seen, metres
-  double relief_reach = 0.06; ///< of cells whose offsets are averaged, metres
-  double min_relief = 0.01;   ///< of a leaf behind the face, metres
-  double grid_cell = 0.5;     ///< of the grid of sides, metres
-  double height_step = 0.25;  ///< between places where heights are read, metres
-  double min_island = 4;      ///< around a loop that walls surround, metres
-  double min_cosine = 0.97;   ///< between sides of one wall: 14 degrees
+  double least_share = 0.15;   ///< of the usual points of a cell in one that was seen
+  double sparse_gap = 0.15;    ///< between cells that were seen, metres
+  double relief_reach = 0.06;  ///< of cells whose offsets are averaged, metres
+  double min_relief = 0.01;    ///< of a leaf behind the face, metres
+  double clear = 0.15;         ///< of rays from a face that they cross, metres
+  double height_step = 0.25;   ///< between places where heights are read, metres
+  double min_island = 4;       ///< around a loop that walls surround, metres
+  double min_cosine = 0.97;    ///< between sides of one wall: 14 degrees
 };
 
 inline const OpeningNumbers opening_numbers;

@@ -3,9 +3,12 @@
 
 #include "sedr_filters/src/base/middle_value.h"
 
+#include <boost/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <boost/iterator/function_output_iterator.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace pcl::sedr {
 
@@ -19,7 +22,8 @@ WallMap::WallMap(const PlanRoom& room,
                  const WallSide& side,
                  std::vector<SidePoint> points,
                  double depth,
-                 const OpeningSizes& sizes)
+                 const OpeningSizes& sizes,
+                 const std::vector<SightLine>& rays)
     : length_(side.line.length())
     , base_(side.floor)
     , top_(side.ceiling)
@@ -33,9 +37,8 @@ WallMap::WallMap(const PlanRoom& room,
   columns_ = static_cast<std::size_t>(std::ceil(length_ / cell_));
   rows_ = static_cast<std::size_t>(
       std::max(1.0, std::ceil((side.ceiling - base_) / cell_)));
-  findDepth();
   findExtent(room, side);
-  count();
+  count(side, rays);
   closeGaps();
   points_.erase(std::remove_if(points_.begin(), points_.end(),
                                [&](const SidePoint& p) { return p.offset < -depth_; }),
@@ -148,90 +151,78 @@ WallMap::chooseCell()
   }
 }
 
-/** @brief Reduces the depth to where another face begins: points behind cells that were
- * seen. */
-void
-WallMap::findDepth()
-{
-  std::vector<std::uint8_t> is_seen(columns_ * rows_);
-  for (const SidePoint& p : points_)
-    if (const std::size_t i = indexOf(p); i != none && std::abs(p.offset) < tolerance_)
-      is_seen[i] = 1;
-  // Cells at the rim of an opening show both the face and what is within the wall.
-  const std::vector<std::uint8_t> all = is_seen;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (const std::size_t step : {std::size_t{1}, rows_})
-      if (i < step || i + step >= all.size() || all[i - step] == 0 ||
-          all[i + step] == 0)
-        is_seen[i] = 0;
-  const double n = std::accumulate(is_seen.begin(), is_seen.end(), 0.0);
-  std::vector<std::vector<std::size_t>> behind(
-      static_cast<std::size_t>(depth_ / opening_numbers.depth_bin) + 1);
-  for (const SidePoint& p : points_)
-    if (const std::size_t i = indexOf(p);
-        i != none && is_seen[i] != 0 &&
-        p.offset < -std::max(opening_numbers.min_depth, 2 * tolerance_) &&
-        p.offset > -depth_)
-      behind[static_cast<std::size_t>(-p.offset / opening_numbers.depth_bin)].push_back(
-          i);
-  for (std::size_t b = 0; b < behind.size(); ++b) {
-    std::sort(behind[b].begin(), behind[b].end());
-    const auto cells =
-        std::unique(behind[b].begin(), behind[b].end()) - behind[b].begin();
-    if (static_cast<double>(cells) > opening_numbers.back_share * n && cells > 20) {
-      depth_ = opening_numbers.depth_bin * static_cast<double>(b);
-      return;
-    }
-  }
-}
-
 /** @brief Finds the cells around which the points of the face lie behind it on
  * average, farther than is usual on this wall: a closed leaf shows by its relief. */
 std::vector<bool>
 WallMap::recessedCells() const
 {
-  std::vector<double> offsets(columns_ * rows_);
-  std::vector<double> counts(offsets.size());
+  const auto reach =
+      static_cast<std::size_t>(std::ceil(opening_numbers.relief_reach / cell_));
+  std::vector<double> sums(columns_ * rows_); // of each cell and those around it
+  std::vector<double> counts(sums.size());
   for (const SidePoint& p : points_)
     if (const std::size_t i = indexOf(p);
         i != none && std::abs(p.offset) < tolerance_) {
-      offsets[i] += p.offset;
-      ++counts[i];
-    }
-  const auto reach =
-      static_cast<std::size_t>(std::ceil(opening_numbers.relief_reach / cell_));
-  std::vector<double> means(offsets.size());
-  std::vector<double> usual;
-  for (std::size_t c = 0; c < columns_; ++c)
-    for (std::size_t r = 0; r < rows_; ++r) {
-      double sum = 0;
-      double n = 0;
+      const std::size_t c = i / rows_;
+      const std::size_t r = i % rows_;
       for (std::size_t o = c - std::min(c, reach);
            o <= std::min(c + reach, columns_ - 1); ++o)
-        for (std::size_t i = o * rows_ + r - std::min(r, reach);
-             i <= o * rows_ + std::min(r + reach, rows_ - 1); ++i) {
-          sum += offsets[i];
-          n += counts[i];
+        for (std::size_t k = r - std::min(r, reach);
+             k <= std::min(r + reach, rows_ - 1); ++k) {
+          sums[o * rows_ + k] += p.offset;
+          ++counts[o * rows_ + k];
         }
-      means[c * rows_ + r] = sum / std::max(1.0, n);
-      if (n > 0)
-        usual.push_back(std::abs(means[c * rows_ + r]));
     }
+  std::vector<double> usual;
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    if (counts[i] > 0)
+      usual.push_back(std::abs(sums[i] /= counts[i]));
   const double limit =
       std::max(opening_numbers.min_relief,
                usual.empty() ? 0 : 4 * 1.4826 * middleValue(std::move(usual)));
-  std::vector<bool> is_recessed(means.size());
-  for (std::size_t i = 0; i < means.size(); ++i)
-    is_recessed[i] = means[i] < -limit;
+  std::vector<bool> is_recessed(sums.size());
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    is_recessed[i] = sums[i] < -limit;
   return is_recessed;
 }
 
+/** @brief Counts a ray where it, or its continuation, meets the face: it went through,
+ * or what it ended on hides the cell. */
 void
-WallMap::count()
+WallMap::follow(const WallSide& side,
+                const SightLine& ray,
+                std::vector<std::uint32_t>& through,
+                std::vector<std::uint32_t>& before) const
+{
+  const Eigen::Vector2d from = ray.from.head<2>().cast<double>();
+  const Eigen::Vector2d way = ray.to.head<2>().cast<double>() - from;
+  const double start = side.offset(from);
+  const double end = side.offset(from + way);
+  if (std::min(std::abs(start), std::abs(end)) < opening_numbers.clear ||
+      (start > 0) == (end > start))
+    return; // it leads away from the face, or touches it
+  double share = start / (start - end);
+  for (int k = 0; k < 3 && side.line.isArc(); ++k)
+    share *= start / (start - side.offset(from + share * way));
+  const Eigen::Vector2d place = from + share * way;
+  if (!side.line.isBeside(place))
+    return;
+  const double height = ray.from.z() + share * (ray.to.z() - ray.from.z());
+  if (const std::size_t i = indexOf({static_cast<float>(side.line.project(place)),
+                                     static_cast<float>(height), 0});
+      i != none)
+    ++(share < 1 ? through : before)[i];
+}
+
+void
+WallMap::count(const WallSide& side, const std::vector<SightLine>& rays)
 {
   std::vector<std::uint32_t> seen(columns_ * rows_);
   std::vector<std::uint32_t> within(seen.size());
+  std::vector<std::uint32_t> through(seen.size());
   std::vector<std::uint32_t> before(seen.size());
+  for (const SightLine& ray : rays)
+    follow(side, ray, through, before);
   for (const SidePoint& p : points_) {
     const std::size_t i = indexOf(p);
     if (i == none)
@@ -262,10 +253,12 @@ WallMap::count()
       const std::size_t i = c * rows_ + r;
       if (heightOf(r) + cell_ < floors_[c] || heightOf(r + 1) > ceilings_[c])
         cells_[i] = WallCell::Beyond;
-      else if (seen[i] > needed)
+      else if (seen[i] > std::max(needed, static_cast<double>(through[i])))
         cells_[i] = is_recessed[i] ? WallCell::Within : WallCell::Seen;
       else if (within[i] > 0)
         cells_[i] = WallCell::Within;
+      else if (through[i] > 0)
+        cells_[i] = WallCell::Through;
       else if (before[i] > 0)
         cells_[i] = WallCell::Hidden;
     }
@@ -292,50 +285,10 @@ WallMap::closeGaps()
 
 namespace {
 
-/** @brief Which sides are near a place in plan. */
-class SideGrid {
-public:
-  SideGrid(const std::vector<WallSide>& sides, double reach)
-  {
-    if (sides.empty())
-      return;
-    Eigen::AlignedBox2d all;
-    for (const WallSide& side : sides)
-      all.extend(boxAround(side.line));
-    origin_ = all.min() - Eigen::Vector2d::Constant(reach);
-    const double cell = opening_numbers.grid_cell;
-    const Eigen::Vector2d size = all.sizes() + Eigen::Vector2d::Constant(2 * reach);
-    columns_ = static_cast<std::size_t>(size.x() / cell) + 1;
-    rows_ = static_cast<std::size_t>(size.y() / cell) + 1;
-    sides_.resize(columns_ * rows_);
-    for (std::size_t r = 0; r < rows_; ++r)
-      for (std::size_t c = 0; c < columns_; ++c) {
-        const Eigen::Vector2d middle =
-            origin_ + cell * Eigen::Vector2d(static_cast<double>(c) + 0.5,
-                                             static_cast<double>(r) + 0.5);
-        for (std::uint32_t k = 0; k < sides.size(); ++k)
-          if (sides[k].line.distance(middle) < reach + cell)
-            sides_[r * columns_ + c].push_back(k);
-      }
-  }
+namespace bg = boost::geometry;
 
-  const std::vector<std::uint32_t>& near(const Eigen::Vector2d& p) const
-  {
-    static const std::vector<std::uint32_t> nothing;
-    const Eigen::Vector2d at = (p - origin_) / opening_numbers.grid_cell;
-    if (!(at.x() >= 0 && at.y() >= 0 && at.x() < static_cast<double>(columns_) &&
-          at.y() < static_cast<double>(rows_)))
-      return nothing;
-    return sides_[static_cast<std::size_t>(at.y()) * columns_ +
-                  static_cast<std::size_t>(at.x())];
-  }
-
-private:
-  Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
-  std::size_t columns_ = 0;
-  std::size_t rows_ = 0;
-  std::vector<std::vector<std::uint32_t>> sides_;
-};
+using Corner = bg::model::point<double, 3, bg::cs::cartesian>;
+using Box = bg::model::box<Corner>;
 
 } // namespace
 
@@ -347,7 +300,17 @@ pointsBeside(const std::vector<WallSide>& sides,
              double behind)
 {
   std::vector<std::vector<SidePoint>> beside(sides.size());
-  const SideGrid grid(sides, std::max(before, behind));
+  const double reach = std::max(before, behind);
+  std::vector<std::pair<Box, std::size_t>> boxes;
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    const Eigen::AlignedBox2d box = boxAround(sides[s].line);
+    boxes.push_back(
+        {{{box.min().x() - reach, box.min().y() - reach, sides[s].floor - 0.1},
+          {box.max().x() + reach, box.max().y() + reach, sides[s].ceiling + 0.1}},
+         s});
+  }
+  const bg::index::rtree<std::pair<Box, std::size_t>, bg::index::quadratic<16>> tree(
+      boxes);
   const std::size_t n = indices ? indices->size() : points.size();
   for (std::size_t k = 0; k < n; ++k) {
     const Eigen::Vector3f p =
@@ -355,16 +318,15 @@ pointsBeside(const std::vector<WallSide>& sides,
     if (!p.allFinite())
       continue;
     const Eigen::Vector2d place = p.head<2>().cast<double>();
-    for (const std::uint32_t s : grid.near(place)) {
-      const WallSide& side = sides[s];
-      if (p.z() < side.floor - 0.1 || p.z() > side.ceiling + 0.1)
-        continue;
-      const double offset = side.offset(place);
-      if (offset > before || offset < -behind || !side.line.isBeside(place))
-        continue;
-      beside[s].push_back({static_cast<float>(side.line.project(place)), p.z(),
-                           static_cast<float>(offset)});
-    }
+    const auto add = [&](const std::pair<Box, std::size_t>& near) {
+      const PlanElement& line = sides[near.second].line;
+      const double offset = sides[near.second].offset(place);
+      if (offset <= before && offset >= -behind && line.isBeside(place))
+        beside[near.second].push_back({static_cast<float>(line.project(place)), p.z(),
+                                       static_cast<float>(offset)});
+    };
+    tree.query(bg::index::intersects(Corner(place.x(), place.y(), p.z())),
+               boost::make_function_output_iterator(add));
   }
   return beside;
 }

@@ -3,6 +3,8 @@
 
 #include "wall_sides.h"
 
+#include "sedr_filters/src/rays/sight_lines.h"
+
 #include <pcl/sedr_filters/point_view.h>
 
 #include <pcl/types.h>
@@ -14,11 +16,12 @@ namespace pcl::sedr {
 
 /** @brief What a scan shows of a cell of a wall's side. */
 enum class WallCell : std::uint8_t {
-  Beyond, ///< above the ceiling or below the floor
-  Seen,   ///< points on the face
-  Within, ///< points behind the face, not as deep as the wall
-  Hidden, ///< points before the face only
-  Empty   ///< no points
+  Beyond,  ///< above the ceiling or below the floor
+  Seen,    ///< points on the face
+  Within,  ///< points behind the face, not as deep as the wall
+  Through, ///< rays that went on behind the face
+  Hidden,  ///< points before the face only, or rays that ended before it
+  Empty    ///< nothing
 };
 
 /** @brief A point beside a wall, in metres. */
@@ -33,12 +36,14 @@ class WallMap {
 public:
   /** @brief Sorts points into cells whose size follows from their spacing.
    * @param points before and behind the side; those that it keeps are near the face
-   * @param depth maximum thickness of the wall */
+   * @param depth thickness of the wall, at most
+   * @param rays of the scanners; none: unknown */
   WallMap(const PlanRoom& room,
           const WallSide& side,
           std::vector<SidePoint> points,
           double depth,
-          const OpeningSizes& sizes);
+          const OpeningSizes& sizes,
+          const std::vector<SightLine>& rays);
 
   double cell() const { return cell_; }
   std::size_t columns() const { return columns_; }
@@ -66,8 +71,7 @@ public:
   /** @brief Returns how far points of the face are off it, three standard deviations.
    */
   double tolerance() const { return tolerance_; }
-  /** @brief Returns the thickness of the wall: that given, or less if there are points
-   * of a face behind cells that were seen. */
+  /** @brief Returns the thickness of the wall, at most. */
   double depth() const { return depth_; }
   /** @brief Returns the points before the face, on it and within the wall. */
   const std::vector<SidePoint>& points() const { return points_; }
@@ -75,9 +79,12 @@ public:
 private:
   void centreFace();
   void chooseCell();
-  void findDepth();
   void findExtent(const PlanRoom& room, const WallSide& side);
-  void count();
+  void count(const WallSide& side, const std::vector<SightLine>& rays);
+  void follow(const WallSide& side,
+              const SightLine& ray,
+              std::vector<std::uint32_t>& through,
+              std::vector<std::uint32_t>& before) const;
   void closeGaps();
   std::vector<bool> recessedCells() const;
   std::size_t indexOf(const SidePoint& p) const;

@@ -184,6 +184,7 @@ ChainRun::findOpenings(StageReport& report)
   const bool has_raw = raw.size() > 0;
   const PointView points = has_raw ? raw : PointView(*chain_.cloud);
   report.points_in = points.size();
+  chain_.opening_detection.setSightLines(sight_);
   if (!chain_.opening_detection.segment(
           points, has_raw ? chain_.floorplan_fitting.getRawIndices() : nullptr,
           *chain_.straight_plan_))

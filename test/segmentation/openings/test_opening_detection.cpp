@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "opening_scenes.h"
 
+#include "sedr_filters/src/rays/sight_lines.h"
+
 #include <pcl/sedr_segmentation/opening_detection.h>
 
 #include <gtest/gtest.h>
@@ -9,6 +11,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
 
 namespace pcl::sedr {
 namespace {
@@ -224,19 +229,6 @@ TEST(OpeningDetection, TwoLeavesHangAtBothJambs)
   EXPECT_EQ(found[0].state, OpeningState::Open);
 }
 
-TEST(OpeningDetection, LeafSeenEdgeOnShowsByItsEnd)
-{
-  TwoRooms scene(0.003);
-  scene.scanMiddleWall({door});
-  const double a = -70 * M_PI / 180;
-  scene.scanLeaf(door.from + 0.84 * std::cos(a), TwoRooms::face + 0.84 * std::sin(a),
-                 -70, 0.06, 2);
-  const auto found = openingsOf(scene);
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].swing, 1u);
-  EXPECT_EQ(found[0].hinge, OpeningHinge::End) << "at the smaller x";
-}
-
 TEST(OpeningDetection, WallsBesideAJambAreNoLeaves)
 {
   for (const double head : {2.05, 2.5}) {
@@ -259,6 +251,35 @@ TEST(OpeningDetection, ShadowOfAWardrobeIsNoOpening)
   scene.scanSheet(wardrobe, 3.4);
   scene.scanOuterWall({});
   EXPECT_TRUE(openingsOf(scene).empty());
+}
+
+TEST(OpeningDetection, RaysTellAShadowFromAnOpening)
+{
+  TwoRooms scene(0.005);
+  scene.scanMiddleWall({window});
+  auto& points = scene.cloud->points; // nothing shows but the hole in both faces
+  points.erase(std::remove_if(
+                   points.begin(), points.end(),
+                   [](const pcl::PointXYZ& p) { return std::abs(p.y - 4.06) < 0.04; }),
+               points.end());
+  scene.cloud->width = static_cast<std::uint32_t>(points.size());
+  const auto raysTo = [](float share) { // of the way to the wall
+    const Eigen::Vector3f from(1.6F, 1, 1.4F);
+    std::vector<SightLine> lines;
+    for (float s = 0.8F; s < 2.7F; s += 0.01F)
+      for (float z = 0.7F; z < 2.3F; z += 0.01F)
+        lines.push_back({from, from + share * (Eigen::Vector3f(s, 4, z) - from)});
+    return std::make_shared<const SightLines>(lines);
+  };
+  pcl::OpeningDetection<pcl::PointXYZ> detection;
+  detection.setInputCloud(scene.cloud);
+  for (const auto& [sight, count] :
+       {std::pair(raysTo(0.5F), 0U), std::pair(raysTo(1.5F), 1U)}) {
+    detection.setSightLines(sight);
+    Floorplan plan = scene.plan;
+    ASSERT_TRUE(detection.segment(plan));
+    EXPECT_EQ(plan.openings.size(), count);
+  }
 }
 
 TEST(OpeningDetection, ShadowBeforeASparseFaceDoesNotWidenADoor)

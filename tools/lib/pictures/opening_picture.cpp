@@ -9,10 +9,11 @@ namespace pcl::sedr::tools {
 namespace {
 
 /** In the order of WallCell. */
-constexpr std::array<std::pair<const char*, Colour>, 5> states{
+constexpr std::array<std::pair<const char*, Colour>, 6> states{
     {{"no room", colours::paper},
      {"seen on the wall", colours::other},
      {"within the wall", colours::detail},
+     {"rays through", lightened(colours::detail, 0.5)},
      {"hidden", lightened(colours::floor, 0.5)},
      {"nothing", Colour{250, 226, 140}}}};
 

@@ -241,7 +241,7 @@
 
   // What the scan shows of each wall, a picture a wall, below the name of its room.
   function walls(section) {
-    const states = { s: ['#9b9b9b', 'seen'], w: ['#d8302c', 'within the wall'], h: ['#96b8e1', 'hidden'], e: ['#fae28c', 'nothing'] };
+    const states = { s: ['#9b9b9b', 'seen'], w: ['#d8302c', 'within the wall'], t: ['#eb9795', 'rays through'], h: ['#96b8e1', 'hidden'], e: ['#fae28c', 'nothing'] };
     const maps = report.walls || [], place = section.querySelector('.walls'), scale = 3, metre = 30;
     const counted = (count, word) => `${count} ${word}${count === 1 ? '' : 's'}`;
     const drawn = map => {

@@ -14,6 +14,7 @@ namespace pcl {
 namespace sedr {
 
 struct OpeningSearch;
+class SightLines;
 
 } // namespace sedr
 
@@ -46,6 +47,14 @@ public:
   void setPriors(const sedr::Priors& priors) { priors_ = priors; }
   const sedr::Priors& getPriors() const { return priors_; }
 
+  /** @brief Sets the rays of the scanners, in the frame of the points: what they went
+   * through is open. Null (default): not known. */
+  void setSightLines(const std::shared_ptr<const sedr::SightLines>& sight)
+  {
+    sight_ = sight;
+  }
+  std::shared_ptr<const sedr::SightLines> getSightLines() const { return sight_; }
+
   /** @brief Sets the openings of a plan to those found in the input cloud, by
    * decreasing evidence.
    * @return false, with a reason in getErrorMessage(), for bad input; a plan without
@@ -67,6 +76,7 @@ private:
 
   unsigned threads_ = 0;
   sedr::Priors priors_;
+  std::shared_ptr<const sedr::SightLines> sight_;
   std::shared_ptr<const sedr::OpeningSearch> search_;
 };
 

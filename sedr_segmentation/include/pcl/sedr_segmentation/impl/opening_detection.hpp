@@ -14,6 +14,7 @@ namespace sedr {
  * @return the reason for a failure, a sentence; empty on success */
 std::string findOpenings(const PointView& points,
                          const IndicesConstPtr& indices,
+                         const SightLines* sight,
                          const Priors& priors,
                          unsigned threads,
                          Floorplan& plan,
@@ -41,8 +42,8 @@ OpeningDetection<PointT>::segment(const sedr::PointView& points,
   plan.openings.clear();
   search_.reset();
   this->clearError();
-  const std::string problem =
-      sedr::findOpenings(points, indices, priors_, threads_, plan, search_);
+  const std::string problem = sedr::findOpenings(points, indices, sight_.get(), priors_,
+                                                 threads_, plan, search_);
   return problem.empty() || fail("OpeningDetection", problem);
 }
 
