@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../base/number_text.h"
+#include "../plan/plan_bounds.h"
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/plan_editor.h>
+#include <pcl/sedr_filters/plan_measures.h>
 
 #define BOOST_ALLOW_DEPRECATED_HEADERS // Boost.Geometry includes one
+#include <boost/geometry/algorithms/append.hpp>
+#include <boost/geometry/algorithms/area.hpp>
+#include <boost/geometry/algorithms/intersection.hpp>
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/polygon.hpp>
 #include <boost/geometry/index/rtree.hpp>
 
 #include <algorithm>
@@ -188,6 +194,71 @@ find(Floorplan& plan, std::uint32_t id)
   return found == plan.rooms.end() ? nullptr : &*found;
 }
 
+/** @brief Returns how large the area is that two outlines have in common, square
+ * metres. */
+double
+commonArea(const PlanLoop& a, const PlanLoop& b)
+{
+  constexpr double chord = 0.005;
+  namespace bg = boost::geometry;
+  using Point = bg::model::d2::point_xy<double>;
+  using Polygon = bg::model::polygon<Point, false, false>;
+  const auto polygonOf = [](const PlanLoop& loop) {
+    Polygon polygon;
+    for (const Eigen::Vector2d& p : loop.polygon(chord))
+      bg::append(polygon, Point(p.x(), p.y()));
+    return polygon;
+  };
+  if (!boundsOf(a).intersects(boundsOf(b)))
+    return 0;
+  std::vector<Polygon> common;
+  bg::intersection(polygonOf(a), polygonOf(b), common);
+  double area = 0;
+  for (const Polygon& part : common)
+    area += bg::area(part);
+  return area;
+}
+
+/** @brief Returns why the new outline of a room runs into another room at its heights,
+ * farther than the old one did; an empty text if it does not. */
+std::string
+overlapProblem(const Floorplan& plan, const PlanLoop& before, const PlanRoom& after)
+{
+  constexpr double negligible = 1e-3; // square metres
+  for (const PlanRoom& other : plan.rooms) {
+    if (other.id == after.id || !shareHeights(other, after))
+      continue;
+    const double area = commonArea(after.boundary, other.boundary);
+    if (area > commonArea(before, other.boundary) + negligible)
+      return "room " + std::to_string(after.id) + " would then overlap room " +
+             std::to_string(other.id) + " by " +
+             numberText(std::round(area * 100) / 100) + " m2";
+  }
+  return {};
+}
+
+/** @brief Shifts a loop. */
+void
+shift(PlanLoop& loop, const Eigen::Vector2d& by)
+{
+  for (PlanElement& element : loop.elements)
+    for (Eigen::Vector2d* place : {&element.start, &element.end, &element.centre})
+      *place += by;
+}
+
+/** @brief Returns the wall that a niche is in: the one nearest to its open side. */
+std::size_t
+wallOf(const PlanRoom& room, const PlanNiche& niche)
+{
+  const auto middle = [](const PlanElement& e) { return e.pointAt(e.length() / 2); };
+  const auto& sides = niche.boundary.elements;
+  const auto open = std::min_element(
+      sides.begin(), sides.end(), [&](const PlanElement& a, const PlanElement& b) {
+        return room.boundary.distance(middle(a)) < room.boundary.distance(middle(b));
+      });
+  return room.boundary.nearest(middle(*open));
+}
+
 /** @brief Replaces a room's number in all that refers to rooms; 0: outside. What is
  * then on both sides of itself, or of no room, goes. */
 void
@@ -332,6 +403,15 @@ PlanEditor::merge(std::uint32_t room, std::uint32_t other)
     PlanRoom* const second = find(plan, other);
     if (!second || room == other)
       return "the plan has no other room " + std::to_string(other);
+    if (!shareHeights(first, *second)) {
+      const auto range = [](const PlanRoom& r) {
+        const RoomHeights heights = heightsOf(r);
+        return "room " + std::to_string(r.id) + " from z " +
+               numberText(std::round(heights.low * 100) / 100) + " to " +
+               numberText(std::round(heights.high * 100) / 100) + " m";
+      };
+      return "they lie at different heights: " + range(first) + ", " + range(*second);
+    }
     const SharedWall shared = longestWall(first, *second);
     if (!(shared.to > shared.from))
       return "rooms " + std::to_string(room) + " and " + std::to_string(other) +
@@ -461,7 +541,7 @@ PlanEditor::drop(std::uint32_t room)
 bool
 PlanEditor::square(std::uint32_t room)
 {
-  return apply(room, [&](Floorplan&, PlanRoom& changed) -> std::string {
+  return apply(room, [&](Floorplan& plan, PlanRoom& changed) -> std::string {
     constexpr double most = 10 * M_PI / 180;
     std::vector<PlanElement> lines = changed.boundary.elements;
     const auto longest = std::max_element(
@@ -483,7 +563,9 @@ PlanEditor::square(std::uint32_t room)
       line.start = middle + turn * (line.start - middle);
       line.end = middle + turn * (line.end - middle);
     }
-    return meetAgain(lines, changed.boundary);
+    const PlanLoop before = changed.boundary;
+    const std::string problem = meetAgain(lines, changed.boundary);
+    return problem.empty() ? overlapProblem(plan, before, changed) : problem;
   });
 }
 
@@ -512,7 +594,12 @@ PlanEditor::moveWall(std::uint32_t room, std::size_t wall, double distance)
           opening.end += has_other ? off / 2 : off;
           opening.depth = std::max(opening.depth - (has_other ? distance : 0), 0.0);
         }
-    return meetAgain(lines, changed.boundary);
+    for (PlanNiche& niche : changed.niches)
+      if (wallOf(changed, niche) + 1 == wall)
+        shift(niche.boundary, off);
+    const PlanLoop before = changed.boundary;
+    const std::string problem = meetAgain(lines, changed.boundary);
+    return problem.empty() ? overlapProblem(plan, before, changed) : problem;
   });
 }
 

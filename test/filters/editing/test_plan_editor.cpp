@@ -116,6 +116,43 @@ TEST(PlanEditor, AMovedWallTakesItsCornersAndHalfOfTheDoorAlong)
   EXPECT_NEAR(editor.getFloorplan().rooms[0].area(), 4.05 * 3, 1e-9);
 }
 
+TEST(PlanEditor, RoomsAboveEachOtherAreNotMerged)
+{
+  Floorplan plan = twoRooms();
+  plan.rooms[1].floor = sedr_test::slabAt(2.8);
+  plan.rooms[1].ceiling = sedr_test::slabAt(5.3);
+  PlanEditor editor(plan);
+  EXPECT_FALSE(editor.merge(1, 2));
+  EXPECT_EQ(editor.getErrorMessage(), "they lie at different heights: room 1 from z 0 "
+                                      "to 2.5 m, room 2 from z 2.8 to 5.3 m");
+  EXPECT_EQ(editor.getFloorplan().rooms.size(), 2u);
+}
+
+TEST(PlanEditor, ANicheMovesWithItsWallAndOthersStay)
+{
+  Floorplan plan = twoRooms();
+  const PlanSlab low = plan.rooms[0].floor;
+  plan.rooms[0].niches = {{rectangle(1, 3, 2, 3.15), low, low},  // of wall 1.3
+                          {rectangle(-0.2, 1, 0, 2), low, low}}; // of wall 1.4
+  PlanEditor editor(plan);
+  ASSERT_TRUE(editor.moveWall(1, 3, 0.2)) << editor.getErrorMessage();
+  const std::vector<PlanNiche>& niches = editor.getFloorplan().rooms[0].niches;
+  EXPECT_TRUE(niches[0].boundary.elements[0].start.isApprox(Eigen::Vector2d(1, 3.2)));
+  EXPECT_TRUE(niches[1].boundary.elements[0].start.isApprox(Eigen::Vector2d(-0.2, 1)));
+}
+
+TEST(PlanEditor, AWallDoesNotMoveIntoAnotherRoomOfItsStorey)
+{
+  PlanEditor editor(twoRooms());
+  EXPECT_FALSE(editor.moveWall(1, 2, 0.5)); // x = 4; the other room begins at 4.2
+  EXPECT_EQ(editor.getErrorMessage(), "room 1 would then overlap room 2 by 0.9 m2");
+  EXPECT_TRUE(editor.moveWall(1, 2, 0.2)) << "to its face";
+  Floorplan plan = twoRooms();
+  plan.rooms[1].floor = sedr_test::slabAt(2.8);
+  plan.rooms[1].ceiling = sedr_test::slabAt(5.3);
+  EXPECT_TRUE(PlanEditor(plan).moveWall(1, 2, 0.5)) << "above it";
+}
+
 TEST(PlanEditor, NearlySquareCornersBecomeSquare)
 {
   Floorplan plan;
