@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output_folder.h"
 
+#include "run_tool.h"
 #include "tool_error.h"
 
 #include <nlohmann/json.hpp>
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -39,6 +39,7 @@ OutputFolder::OutputFolder(const std::string& path, std::vector<std::string> inp
     , part_(path_ / ".pcl_sedr.part")
     , inputs_(std::move(inputs))
 {
+  guard_ = std::make_unique<InterruptGuard>([this] { endEarly(); });
   std::error_code error;
   for (fs::path folder = path_;
        !fs::exists(fs::symlink_status(folder, error)) && folder != folder.root_path();
@@ -93,6 +94,19 @@ OutputFolder::clean() const
   }
   for (const auto& folder : missing_)
     fs::remove(folder, error); // only if it is empty
+}
+
+/** @brief Removes the hidden folder while other threads may still write into it. */
+void
+OutputFolder::endEarly() const
+{
+  constexpr int most_tries = 1000;
+  std::error_code error;
+  for (int k = 0; k < most_tries && lock_ >= 0 && fs::exists(part_, error); ++k)
+    fs::remove_all(part_, error);
+  for (const auto& folder : missing_)
+    fs::remove(folder, error);
+  say("interrupted: nothing was written");
 }
 
 bool
@@ -188,9 +202,7 @@ OutputFolder::exchange()
   for (const auto& file : old)
     if (const fs::path folder = fs::path(file).parent_path(); folder != path_)
       emptied.push_back(folder);
-  std::vector<std::pair<int, void (*)(int)>> handlers;
-  for (const int interrupt : {SIGINT, SIGTERM, SIGHUP}) // the set becomes whole, which
-    handlers.emplace_back(interrupt, std::signal(interrupt, SIG_IGN)); // takes no time
+  guard_->stop(); // the set becomes whole, which takes no time
   int problem = 0;
   for (const auto& [from, to] : moves)
     if (problem == 0 && rename(from.c_str(), to.c_str()) != 0)
@@ -199,8 +211,6 @@ OutputFolder::exchange()
     unlink(file.c_str());
   for (const auto& folder : emptied)
     rmdir(folder.c_str());
-  for (const auto& [interrupt, handler] : handlers)
-    std::signal(interrupt, handler);
   if (problem != 0)
     refuse(path_, std::strerror(problem));
 }

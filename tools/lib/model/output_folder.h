@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "interrupt_guard.h"
+
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace pcl::sedr::tools {
 
 /** @brief A result folder whose files are exchanged as a set: they are written into a
- * hidden folder within it and moved at the end, while interrupts are ignored. What a
- * run that was killed has left of the hidden folder goes with the next one. Only one
+ * hidden folder within it and moved at the end, while interrupts are ignored. An
+ * interrupted run removes the hidden folder and says so, what a run that was killed has
+ * left of it goes with the next one. Only one
  * run at a time; a second one is refused. Throws ToolError if the folder cannot be
  * written. */
 class OutputFolder {
@@ -39,6 +43,7 @@ public:
 private:
   void lock();
   void clean() const;
+  void endEarly() const;
   bool isInput(const std::filesystem::path& file) const;
   bool isWithin(const std::filesystem::path& name) const;
   std::vector<std::string> namesInReport() const;
@@ -48,6 +53,7 @@ private:
   std::vector<std::string> inputs_;
   std::vector<std::filesystem::path> missing_; ///< folders created, innermost first
   int lock_ = -1;
+  std::unique_ptr<InterruptGuard> guard_;
 };
 
 } // namespace pcl::sedr::tools
