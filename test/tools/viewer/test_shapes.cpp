@@ -103,6 +103,26 @@ TEST_F(ViewedSample, OneRoomAloneIsShownInAllLayers)
     EXPECT_GE(shapes.of(layer, state)->GetBounds()[0], first - 0.16) << layer;
 }
 
+TEST_F(ViewedSample, TheLegendCountsOpeningsThatAreShown)
+{
+  PlanOpening door;
+  door.kind = OpeningKind::Door;
+  door.rooms = {1, 0};
+  result_.plan.openings = {door, door};
+  result_.plan.openings[1].rooms = {2, 0};
+  const Shapes shapes(result_);
+  ViewState state;
+  state.layers = {"openings"};
+  const auto has = [&](const char* text) {
+    const std::vector<LegendLine> lines = shapes.legend(state);
+    return std::any_of(lines.begin(), lines.end(),
+                       [&](const LegendLine& line) { return line.text == text; });
+  };
+  EXPECT_TRUE(has("door: 2"));
+  state.room = 1;
+  EXPECT_TRUE(has("door: 1"));
+}
+
 TEST_F(ViewedSample, DrawsPlanLinesAndSolidEdges)
 {
   const Shapes shapes(result_);

@@ -198,7 +198,7 @@
     }
     if ((plan.doorways || []).length)
       section.querySelector('.doors').textContent = (plan.openings || []).length
-        ? 'Gaps: doors and passages, a swing where the leaf was seen; double lines: windows.'
+        ? 'Gaps: passages; a swing or a line across: doors, by whether the leaf was seen open; double lines: windows.'
         : 'Gaps: doorways that were found; windows are closed.';
     return data.drawings.length > 0;
   }
@@ -230,7 +230,9 @@
     const size = [['width, m', door => number(length(door), 2)], ['height, m', door => number(door.top - door.bottom, 2)]];
     const between = ['between', door => door.rooms.map(name).join(' and '), 'text'];
     if (found.length)
-      section.querySelector('.wide').append(table([['kind', door => door.kind, 'text'], between, ...size,
+      section.querySelector('.wide').append(table([['kind', door => door.kind, 'text'], between,
+        ['walls', door => (door.walls || []).map(wall => wall.room + '.' + (wall.element + 1)).join(', ')],
+        ['at x, y, m', door => [0, 1].map(k => number((door.start[k] + door.end[k]) / 2, 1)).join(', ')], ...size,
         ['bottom at z, m', door => number(door.bottom, 2)], ['depth, m', door => number(door.depth, 2)],
         ['hinge', door => door.hinge, 'text'], ['state', door => door.state, 'text'],
         ['confidence', door => percent(door.confidence)], ['edges, cm', door => number(100 * door.residual, 1)]], found));

@@ -203,6 +203,16 @@ Shapes::shows(StructureLabel label,
          result_.rules.isInRoom(state.room, room, place);
 }
 
+bool
+Shapes::shows(const PlanOpening& opening, const ViewState& state) const
+{
+  return std::any_of(opening.rooms.begin(), opening.rooms.end(),
+                     [&](std::uint32_t room) {
+                       return room != 0 && shows(StructureLabel::Wall, room,
+                                                 Eigen::Vector3d::Zero(), state);
+                     });
+}
+
 vtkSmartPointer<vtkPolyData>
 Shapes::of(const std::string& layer, const ViewState& state) const
 {
@@ -236,12 +246,8 @@ Shapes::of(const std::string& layer, const ViewState& state) const
   }
   if (layer == "openings") {
     for (const auto& opening : result_.plan.openings)
-      for (const std::uint32_t room : opening.rooms)
-        if (room != 0 &&
-            shows(StructureLabel::Wall, room, Eigen::Vector3d::Zero(), state)) {
-          addOpening(opening, shape);
-          break;
-        }
+      if (shows(opening, state))
+        addOpening(opening, shape);
     return shape.data(2);
   }
   const TriangleMesh& mesh = result_.mesh(layer);
@@ -348,9 +354,11 @@ Shapes::legend(const ViewState& state) const
   if (state.layers.count("openings") > 0)
     for (const OpeningKind kind : {OpeningKind::Door, OpeningKind::Window,
                                    OpeningKind::Passage, OpeningKind::Unknown})
-      if (const auto n = std::count_if(
-              result_.plan.openings.begin(), result_.plan.openings.end(),
-              [kind](const PlanOpening& opening) { return opening.kind == kind; });
+      if (const auto n =
+              std::count_if(result_.plan.openings.begin(), result_.plan.openings.end(),
+                            [&](const PlanOpening& opening) {
+                              return opening.kind == kind && shows(opening, state);
+                            });
           n > 0)
         lines.push_back(
             {std::string(nameOf(kind)) + ": " + std::to_string(n), colourOf(kind)});

@@ -64,6 +64,7 @@ private:
              std::uint32_t room,
              const Eigen::Vector3d& place,
              const ViewState& state) const;
+  bool shows(const PlanOpening& opening, const ViewState& state) const;
 
   /** @brief Returns the distances of a cloud's points from the mesh, metres; for points
    * more than a metre outside its box, from the box. Empty without a mesh. */
