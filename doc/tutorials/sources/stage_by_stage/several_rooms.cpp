@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The plan and the solid of a scan of several rooms, by three stages chained by hand.
+// The plan and the solid of a scan of several rooms, by four stages chained by hand.
 #include <pcl/io/pcd_io.h>
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
+#include <pcl/sedr_segmentation/horizontal_plane_detection.h>
 #include <pcl/sedr_segmentation/room_segmentation.h>
 #include <pcl/sedr_surface/floorplan_extrusion.h>
 #include <pcl/sedr_surface/mesh_io.h>
@@ -41,12 +42,25 @@ main(int argc, char** argv)
   const pcl::IndicesPtr ceilings(new pcl::Indices);
   const pcl::IndicesPtr floors(new pcl::Indices);
   for (std::size_t i = 0; i < thinned->size(); ++i)
-    if (building.room_of[i] != 0)
-      (building.label_of[i] == static_cast<std::uint32_t>(StructureLabel::Ceiling)
-           ? *ceilings
-           : *floors)
-          .push_back(static_cast<pcl::index_t>(i));
+    if (building.label_of[i] == static_cast<std::uint32_t>(StructureLabel::Ceiling) &&
+        building.room_of[i] != 0)
+      ceilings->push_back(static_cast<pcl::index_t>(i));
   // [rooms]
+
+  // [floors]
+  for (const pcl::PointIndices& room : rooms) {
+    pcl::HorizontalPlaneDetection<pcl::PointXYZ> detection;
+    detection.setInputCloud(thinned);
+    detection.setIndices(pcl::make_shared<pcl::PointIndices>(room));
+    std::vector<pcl::HorizontalPlane> planes;
+    if (!detection.segment(planes))
+      std::cout << "warning: " << detection.getErrorMessage() << '\n';
+    for (const pcl::HorizontalPlane& plane : planes)
+      if (plane.kind == pcl::sedr::LevelKind::Floor)
+        floors->insert(floors->end(), plane.inliers.indices.begin(),
+                       plane.inliers.indices.end());
+  }
+  // [floors]
 
   // [plan]
   pcl::FloorplanFitting<pcl::PointXYZ> fitting;
