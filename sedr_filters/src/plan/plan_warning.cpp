@@ -23,67 +23,68 @@ struct Words {
 /** In the order of WarningKind. */
 constexpr std::array<Words, 36> words{{
     {"coverage", "", "",
-     "{0.0} of {1.0} square metres of floor were modelled, {2.0} %; the largest of "
-     "what "
-     "is missing, {3.0} square metres{at}, z {4.1} to {5.1}: {reason}"},
+     "{0.0} of the {1.0} m2 of floor that was seen are in the model, {2.0} %; the "
+     "largest part that is missing has {3.0} m2{at}, z {4.1} to {5.1} m: {reason}"},
     {"unit", "", "", "{reason}"},
     {"upside_down", "", "",
-     "{0.0} % of the {1.0} m2 of surfaces within the rooms are in their upper halves: "
-     "is "
-     "the scan upside down? things stand on floors"},
+     "is the scan upside down? furniture stands on floors, but {0.0} % of the {1.0} m2 "
+     "of surfaces within the rooms are in their upper halves"},
     {"lost_points", "", "", "{0.0} % of the points are not finite: they were left out"},
     {"strays", "", "",
-     "points are scattered all over the air of the scan: voxels of fewer than {0.0} "
-     "points were left out"},
+     "single points are scattered all over the air of the scan: voxels of fewer than "
+     "{0.0} points were left out"},
     {"mirrors", "", "",
-     "mirroring surfaces, as the scanner's positions tell: {0.0}; {1.0} thinned points "
-     "seen in them were left out"},
+     "{0.0} mirroring surfaces, such as panes, were found by the scanner's positions; "
+     "{1.0} thinned points seen in them were left out"},
     {"levelled", "", "",
-     "the scan is tilted by {0.2} degrees, its up towards {1.0} degrees from x: it was "
-     "made level for the fit; {reason}, and the plan is of the level frame"},
+     "the scan is tilted by {0.2} degrees, its up leans towards {1.0} degrees from x: "
+     "it was made level; {reason}, the plan stays level"},
     {"sparse", "", "",
      "the scan is too sparse for cells of {0.2} m, its ceilings leave some empty: "
-     "cells "
-     "of {1.2} m are used"},
-    {"no_plan", "rooms have no plan", "", "{reason}"},
+     "cells of {1.2} m are used, smaller things are lost"},
+    {"no_plan", "rooms have no plan and are not in the model", "",
+     "it has no plan and is not in the model: {reason}"},
     {"stage", "rooms could not be worked on", "", "{reason}"},
     {"left_out", "places are left out", "m2", "{0.1} m2{at} are left out: {reason}"},
-    {"hidden", "rooms go on behind what stands before them", "m2",
-     "{0.1} of its {1.1} m2 were not seen, behind what stands before them: its walls "
-     "go on until they meet"},
+    {"hidden", "rooms are partly hidden behind furniture or other things", "m2",
+     "{0.1} of its {1.1} m2 were not seen, as furniture or other things stand before "
+     "them: its walls were drawn on until they meet"},
     {"open", "rooms may go on where neither a wall nor an opening was seen", "m",
      "along {0.1} m of its outline neither a wall nor an opening was seen: it may go "
-     "on "
-     "there"},
-    {"filled_in", "rooms have walls that were not measured to a large part", "%",
+     "on there"},
+    {"filled_in", "rooms have walls of which a large part was not measured", "%",
      "{0.0} % of its walls were not measured: {1.0} % are inferred behind what hides "
      "them, {2.0} % nobody saw"},
     {"guessed_wall", "walls are guesses", "m",
-     "a guess of {0.1} m, {1.0} % of it inferred behind what hides it, {2.0} % seen by "
-     "nobody"},
+     "its place over {0.1} m is a guess: {1.0} % of it is inferred behind what hides "
+     "it, {2.0} % nobody saw"},
     {"ceiling_apart", "rooms have parts of a ceiling that lie apart and are left out",
-     "m2", "{0.2} m2 of its ceiling lie apart and are left out"},
+     "m2",
+     "{0.2} m2 of ceiling lie apart from the rest of its ceiling and are left out"},
     {"ceiling_off", "rooms have ceilings more than 10 cm off the model", "m2",
      "{0.1} m2 of its ceiling, {1.2} to {2.2} m above its floor, are more than 10 cm "
      "off the model"},
     {"floor_off", "rooms have floors more than 10 cm off the model", "m2",
-     "{0.1} m2 of its floor, {1.2} to {2.2} m above its main floor, are more than 10 "
-     "cm "
-     "off the model"},
+     "{0.1} m2 of its floor, at {1.2} to {2.2} m from its main floor, are more than 10 "
+     "cm off the model"},
     {"wall_off", "walls lean away from the model", "m2",
      "{0.1} m2 of what was seen of it lie on a plane that leans by {1.1} degrees, more "
      "than 5 cm off the model"},
     {"tilted", "walls are tilted", "", "it is tilted by {0.2} degrees into the room"},
-    {"not_adjusted", "", "", "the plan is not fitted to the raw cloud: {reason}"},
-    {"crossing", "rooms run into others in the solid", "",
-     "it runs into room {0.0} in the solid"},
-    {"contradiction", "places of the plan contradict and are simpler in the solid",
-     "m2", "{reason}"},
+    {"not_adjusted", "", "",
+     "the plan is only as exact as thinned points are, it could not be fitted to the "
+     "scan: {reason}"},
+    {"crossing", "solids of rooms run into others", "",
+     "its solid runs into that of room {0.0}"},
+    {"contradiction", "places of the plan contradict each other, the solid is simpler",
+     "m2", "the plan contradicts itself, the solid is simpler: {reason}"},
     {"opening_closed", "", "",
-     "{0.0} of {1.0} openings stay closed in the solid: {reason}"},
-    {"no_solid", "rooms have no solid", "", "{reason}"},
+     "of {1.0} openings {0.0} are closed in the solid, number {reason} of "
+     "floorplan.json"},
+    {"no_solid", "rooms have no solid", "", "it has no solid: {reason}"},
     {"not_in_ifc", "", "",
-     "{0.0} of {1.0} openings are in no wall of the IFC: {reason}"},
+     "of {1.0} openings {0.0} are not in the IFC, as they are in none of its walls: "
+     "number {reason} of floorplan.json"},
     {"ifc_loss", "things are not in the IFC", "", "{reason}"},
     {"mesh", "meshes are not closed, or closed by a guess", "", "{reason}"},
     {"no_door", "rooms have no door", "m2", "no door, passage or stair leads into it"},
@@ -92,8 +93,8 @@ constexpr std::array<Words, 36> words{{
     {"narrow_room", "rooms are narrow", "", "nowhere wider than {0.2} m"},
     {"height", "rooms have unusual heights", "", "{0.2} m high"},
     {"ragged", "rooms have many walls", "", "{0.1} walls in 10 m of its outline"},
-    {"flat_arc", "arcs are as flat as their noise", "",
-     "an arc that rises {0.1} cm above its chord, of {1.1} m radius: it may be "
+    {"flat_arc", "arcs are so flat that they may be straight", "",
+     "an arc that rises only {0.1} cm above its chord, of {1.1} m radius: it may be "
      "straight"},
     {"small_storey", "storeys are small", "", "{reason}: a storey of {0.1} m2"},
 }};
@@ -154,9 +155,11 @@ sentenceOf(const PlanWarning& warning)
     words = "it is tilted by {0.2} degrees out of the room";
   if (warning.kind == WarningKind::Crossing &&
       static_cast<std::uint32_t>(firstOf(warning)) == warning.room)
-    words = "it meets itself in the solid";
+    words = "its solid meets itself";
+  if (warning.kind == WarningKind::Height && warning.values.front() < 0)
+    words = "its ceiling lies {0.2} m below its floor{at}";
   PlanWarning shown = warning;
-  if (warning.kind == WarningKind::Tilted)
+  if (warning.kind == WarningKind::Tilted || warning.kind == WarningKind::Height)
     shown.values.front() = firstOf(warning);
   for (std::size_t at = 0; at < words.size();) {
     const std::size_t open = std::min(words.find('{', at), words.size());

@@ -16,6 +16,8 @@ TEST(PlanWarning, ASentenceNamesTheWallAndItsNumbers)
             "wall 3.12: it is tilted by 2.10 degrees out of the room");
   EXPECT_EQ(sentenceOf({WarningKind::LeftOut, {2.5}, 0, 0, "a mirror", {1.04, -7}}),
             "2.5 m2 around (1.0, -7.0) are left out: a mirror");
+  EXPECT_EQ(sentenceOf({WarningKind::Height, {-0.86}, 4, 0, "", {1, 2}}),
+            "room 4: its ceiling lies 0.86 m below its floor around (1.0, 2.0)");
   EXPECT_EQ(nameOf(WarningKind::Mesh), "mesh");
 }
 
@@ -29,7 +31,8 @@ TEST(PlanWarning, TheSummaryHasALineAKindWithCountSumAndWorst)
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_EQ(lines[1],
             "3 rooms have parts of a ceiling that lie apart and are left out, 3.0 m2 "
-            "in all; most: room 2: 1.50 m2 of its ceiling lie apart and are left out");
+            "in all; most: room 2: 1.50 m2 of ceiling lie apart from the rest of its "
+            "ceiling and are left out");
   EXPECT_TRUE(summaryOf({}).empty());
 }
 

@@ -207,14 +207,15 @@ TEST(CutOpenings, StayClosedWithoutAWallOrInATiltedOne)
   Floorplan plan = wallOfTwoRooms();
   plan.openings = {openingAt({1, 0}, {1, 10}, {2, 10}, 0, 2, 0.2), door(1, 2)};
   CutSolid cut(plan);
-  cut.expectSound(1, "1 of 2 openings stay closed in the solid: 1");
+  cut.expectSound(
+      1, "of 2 openings 1 are closed in the solid, number 1 of floorplan.json");
   plan.openings[1].walls = {{1, 2}, {2, 0}};
   cut.extrusion.setFloorplan(plan);
   cut.extrusion.setTilts({{1, 2, 0.1}});
   pcl::PolygonMesh unused;
   cut.extrusion.reconstruct(unused);
   EXPECT_EQ(sentenceOf(cut.extrusion.getWarnings().back()),
-            "2 of 2 openings stay closed in the solid: 1, 2");
+            "of 2 openings 2 are closed in the solid, number 1, 2 of floorplan.json");
   EXPECT_TRUE(checkTopology(cut.extrusion.getMesh()).isClosedManifold());
 }
 

@@ -144,7 +144,7 @@ TEST(FloorplanExtrusion, RoomsThatRunIntoEachOtherAreTold)
   EXPECT_TRUE(extrusion.isClosed()) << "each by itself";
   ASSERT_EQ(extrusion.getWarnings().size(), 1u);
   EXPECT_EQ(sentenceOf(extrusion.getWarnings()[0]),
-            "room 3: it runs into room 8 in the solid");
+            "room 3: its solid runs into that of room 8");
 }
 
 } // namespace
