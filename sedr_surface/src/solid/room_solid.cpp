@@ -248,16 +248,21 @@ private:
   TriangleMesh mesh_;
 };
 
-/** @brief Sums the areas of triangles by label and orientation. */
+/** @brief Sums the areas of triangles by label and orientation.
+ * @param first number of the first element of the layers */
 void
-measure(const TriangleMesh& solid, RoomSolidReport& report)
+measure(const TriangleMesh& solid,
+        const RoomLayers& layers,
+        std::uint32_t first,
+        RoomSolidReport& report)
 {
   for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
     const Eigen::Vector3d normal = solid.scaledNormal(t);
     const double area = normal.norm() / 2;
     const auto label = static_cast<StructureLabel>(solid.labels[t]);
     report.area += area;
-    if (label == StructureLabel::Wall || label == StructureLabel::Column)
+    if (label == StructureLabel::Wall || label == StructureLabel::Column ||
+        layers.roleOf(solid.elements[t] - first) == LoopRole::NicheSide)
       report.wall_area += area;
     else if (label == StructureLabel::Detail && std::abs(normal.z()) < area) // vertical
       report.riser_area += area;
@@ -315,7 +320,7 @@ extrudeRoom(const PlanRoom& room,
     element += first;
   solid.rooms.assign(solid.triangles.size(), room.id);
   elements.insert(elements.end(), layers.elements.begin(), layers.elements.end());
-  measure(solid, report);
+  measure(solid, layers, first, report);
   return report;
 }
 

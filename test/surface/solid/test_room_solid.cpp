@@ -166,6 +166,8 @@ TEST(RoomSolid, ANicheInAWall)
   EXPECT_NEAR(solid.areaOf("room_1_niche_1_bottom"), 0.3, 1e-5);
   EXPECT_NEAR(solid.areaOf("room_1_niche_1_top"), 0.3, 1e-5);
   EXPECT_NEAR(solid.areaOf("room_1_niche_1_side_3"), 1, 1e-5) << "its back";
+  EXPECT_NEAR(solid.report.riser_area, 0, 1e-5);
+  EXPECT_NEAR(solid.report.wall_area, 2 * 11 * 2.5 + 2 * 0.3, 1e-5) << "with its sides";
   EXPECT_EQ(solid.names().count("room_1_niche_1_side_1"), 0u) << "where it is open";
   EXPECT_NEAR(solid.areaOf("room_1_wall_3"), 6 * 2.5 - 1, 1e-5);
   room.niches[0].bottom = slabAt(0); // down to the floor

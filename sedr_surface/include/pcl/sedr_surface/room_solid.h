@@ -30,8 +30,8 @@ struct RoomSolidReport {
   double area = 0;         ///< of the whole surface, square metres
   double floor_area = 0;   ///< at all its heights, square metres, as the next three
   double ceiling_area = 0; ///< with the undersides of details
-  double wall_area = 0;    ///< of walls and columns
-  double riser_area = 0;   ///< between two heights of floor or ceiling, and in niches
+  double wall_area = 0;    ///< of walls with their niches, and of columns
+  double riser_area = 0;   ///< between two heights of floor or ceiling
   double volume = 0;       ///< cubic metres
   std::string problem;     ///< why there is no closed solid, or empty
   std::vector<PlanWarning> warnings; ///< contradictions of the plan that were resolved
