@@ -72,7 +72,7 @@ Json
 roomToJson(const Floorplan& plan, std::size_t number)
 {
   const PlanRoom& room = plan.rooms[number];
-  const double height = meanHeight(room);
+  const ClearHeight height = clearHeight(room);
   Json walls = room.boundary;
   for (std::size_t i = 0; i < walls.size(); ++i)
     if (const double thickness = wallThickness(plan, number, i); thickness > 0)
@@ -81,8 +81,8 @@ roomToJson(const Floorplan& plan, std::size_t number)
       {"id", room.id},
       {"area", room.area()},
       {"perimeter", room.perimeter()},
-      {"height", height},
-      {"volume", volumeOf(room, height)},
+      {"height", height.usual},
+      {"volume", volumeOf(room, height.mean)},
       {"floor", room.floor},
       {"ceiling", room.hasFacets() ? facetToJson(room.ceiling) : Json(room.ceiling)},
       {"boundary", walls},

@@ -79,29 +79,40 @@ thicknessAt(const std::vector<const PlanRoom*>& rooms,
 
 } // namespace
 
-double
-meanHeight(const PlanRoom& room)
+ClearHeight
+clearHeight(const PlanRoom& room)
 {
   constexpr double usual_step = 0.05;
   constexpr double max_samples = 1e6;
   Eigen::AlignedBox2d box;
   for (const auto& corner : room.boundary.polygon(0.01))
     box.extend(corner);
+  ClearHeight found;
   if (box.isEmpty())
-    return 0;
+    return found;
   const double step = std::max(usual_step, std::sqrt(box.volume() / max_samples));
   const RoomLookup lookup(room);
-  double sum = 0;
-  std::size_t count = 0;
+  std::vector<double> heights;
   for (double y = box.min().y() + step / 2; y < box.max().y(); y += step)
     for (double x = box.min().x() + step / 2; x < box.max().x(); x += step) {
       const Eigen::Vector2d p(x, y);
       if (!lookup.contains(p))
         continue;
-      sum += lookup.ceilingAt(p) - lookup.floorAt(p);
-      ++count;
+      const double height = lookup.ceilingAt(p) - lookup.floorAt(p);
+      if (heights.empty() || height < found.least) {
+        found.least = height;
+        found.lowest = p;
+      }
+      found.mean += height;
+      heights.push_back(height);
     }
-  return count == 0 ? 0 : sum / static_cast<double>(count);
+  if (heights.empty())
+    return found;
+  found.mean /= static_cast<double>(heights.size());
+  const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
+  std::nth_element(heights.begin(), middle, heights.end());
+  found.usual = *middle;
+  return found;
 }
 
 double

@@ -56,9 +56,12 @@ addRoom(const Floorplan& plan, const PlanRoom& room, std::vector<PlanWarning>& f
     add(WarningKind::SmallRoom, room.area());
   if (2 * spot.radius < min_room_width)
     add(WarningKind::NarrowRoom, 2 * spot.radius);
-  const double height = room.ceilingAt(spot.place) - room.floorAt(spot.place);
-  if (height < min_height || height > max_height)
-    add(WarningKind::Height, height);
+  const ClearHeight height = clearHeight(room);
+  if (height.least < 0)
+    found.push_back(
+        {WarningKind::Height, {height.least}, room.id, 0, {}, height.lowest});
+  else if (height.usual < min_height || height.usual > max_height)
+    add(WarningKind::Height, height.usual);
   const double density = 10 * static_cast<double>(walls.size()) / room.perimeter();
   if (static_cast<double>(walls.size()) > max_walls && density > max_walls)
     add(WarningKind::Ragged, density);

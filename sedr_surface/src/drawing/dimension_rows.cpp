@@ -365,16 +365,18 @@ std::vector<DimensionRow>
 rowsAround(const Floorplan& plan, const PlanFrame& frame, double max_wall)
 {
   std::vector<PlanElement> walls;
+  Eigen::AlignedBox2d whole; // without niches and reveals
   const PlanFrame turned{frame.turn};
-  for (const PlanRoom& room : plan.rooms)
+  for (const PlanRoom& room : plan.rooms) {
+    whole.extend(boundsOf(turned(room.boundary)));
     for (std::size_t e = 0; e < room.boundary.elements.size(); ++e)
       if (!wallShares(plan, room, e).isGuess())
         walls.push_back(turned(room.boundary.elements[e]));
+  }
   const Eigen::AlignedBox2d bounds = boundsOf(plan, frame);
   const double text = 2 * small_font * halfSizeOf({"0.00"}).x();
   std::vector<DimensionChain> chains =
       wallChains(walls, max_wall, min_dimension / frame.scale, text / frame.scale);
-  const Eigen::AlignedBox2d whole = boundsOf(plan, turned);
   chains.push_back(
       {DrawingSide::Bottom, {whole.min(), {whole.max().x(), whole.min().y()}}});
   chains.push_back(

@@ -88,8 +88,9 @@ public:
       sheet_.addLine(looks::thin, {c[0], c[1]});
       sheet_.addLine(looks::thin, {c[2], c[3]});
     }
-    for (const PlanElement& line : glassOf(doorway))
-      sheet_.addLine(looks::thin, {frame_(line.start), frame_(line.end)});
+    for (const PlanElement& line : fillingOf(doorway))
+      sheet_.addLine(doorway.kind == OpeningKind::Door ? looks::leaf : looks::thin,
+                     {frame_(line.start), frame_(line.end)});
     for (const PlanElement& line : doorway.leaf)
       sheet_.add(SheetPath{looks::thin, {{{frame_(line)}}}});
   }
@@ -108,7 +109,7 @@ private:
   {
     return layer == PlanLayer::Ceiling || layer == PlanLayer::Ridge ||
            layer == PlanLayer::Headroom || layer == PlanLayer::Floor ||
-           layer == PlanLayer::Stair || layer == PlanLayer::StairCut;
+           layer == PlanLayer::Stair;
   }
 
   Sheet& sheet_;

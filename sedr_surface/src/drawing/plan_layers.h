@@ -21,7 +21,6 @@ enum class PlanLayer {
   Headroom, ///< where a ceiling that is not level is 1.5 or 2.3 m above the floor
   Floor,    ///< steps and platforms
   Stair,    ///< flights: treads, the way up
-  StairCut, ///< flights above the height at which a plan cuts
   Room,     ///< numbers, areas and heights of rooms
   Height,   ///< heights of ceilings
   Dimension,
@@ -45,6 +44,7 @@ constexpr SheetColour blue = 0x2b62a8;
 inline const SheetLook room{room_colour};
 inline const SheetLook wall_body{0xbdb8ae};
 inline const SheetLook jamb{no_colour, ink, 0.25};
+inline const SheetLook leaf{no_colour, ink, 0.5};
 inline const SheetLook thin{no_colour, 0x555555, 0.15};
 inline const SheetLook tick{no_colour, ink, 0.35};
 inline const SheetLook frame{no_colour, ink, 0.5};
@@ -52,7 +52,7 @@ inline const SheetLook cell{no_colour, ink, 0.18};
 } // namespace looks
 
 /** In the order of PlanLayer. */
-inline const std::array<LayerStyle, 17> layer_styles{
+inline const std::array<LayerStyle, 16> layer_styles{
     {{"A-WALL", 7, false, {no_colour, ink, 0.5}, ink},
      {"A-WALL-GUES", 8, true, {no_colour, 0x9a9a9a, 0.35, {1.6, 1}}, 0x9a9a9a},
      {"A-COLS", 1, false, {0x7d7d7d, ink, 0.35}, 0x444444},
@@ -68,7 +68,6 @@ inline const std::array<LayerStyle, 17> layer_styles{
      {"A-CLNG-HEAD", 30, true, {no_colour, 0xb3562b, 0.2, {0.8, 0.8}}, 0xb3562b},
      {"A-FLOR-LEVL", 3, false, {no_colour, 0x333333, 0.2}, looks::blue},
      {"A-FLOR-STRS", 3, false, {no_colour, 0x333333, 0.2}, looks::blue},
-     {"A-FLOR-STRS-OVHD", 3, true, {no_colour, 0x333333, 0.2, {1.8, 0.9}}, looks::blue},
      {"A-AREA-IDEN", 7, false, {}, ink},
      {"A-CLNG-IDEN", 5, false, {}, looks::blue},
      {"A-ANNO-DIMS", 8, false, {}, 0x444444},

@@ -96,36 +96,56 @@ private:
   std::vector<PlanLine>& lines_;
 };
 
-/** @brief Adds the lines of a flight: its treads, and an arrow up. Where the plan cuts
- * it there is a break line, and what is above is dashed.
- * @param below number of its risers below the cut */
+/** @brief A flight as a plan shows it, which looks down from where it cuts. */
+struct ShownFlight {
+  const PlanFlight* flight = nullptr;
+  std::uint32_t room = 0;
+  std::size_t below = 0; ///< number of its risers below the cut
+
+  /** @brief Returns the outline of its treads below the cut. */
+  PlanLoop outline() const
+  {
+    PlanFlight part = *flight;
+    part.risers.resize(std::min(below + 1, flight->steps()));
+    const std::vector<Eigen::Vector2d> corners = part.outline();
+    PlanLoop loop;
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      loop.elements.push_back(segment(corners[k], corners[(k + 1) % corners.size()]));
+    return loop;
+  }
+};
+
+/** @brief Adds the lines of a flight: its treads, and an arrow up. It ends in a break
+ * line where the plan cuts it. */
 void
-addFlight(const PlanFlight& flight,
-          std::uint32_t room,
-          std::size_t below,
-          std::vector<PlanLine>& lines)
+addFlight(const ShownFlight& shown, std::vector<PlanLine>& lines)
 {
   constexpr double head = 0.15; // of the arrow, metres
-  const auto add = [&](std::size_t k, const std::vector<Eigen::Vector2d>& places) {
+  const PlanFlight& flight = *shown.flight;
+  const auto add = [&](const std::vector<Eigen::Vector2d>& places) {
     for (std::size_t p = 0; p + 1 < places.size(); ++p)
-      lines.push_back({segment(places[p], places[p + 1]),
-                       k < below ? PlanLayer::Stair : PlanLayer::StairCut, room});
+      lines.push_back(
+          {segment(places[p], places[p + 1]), PlanLayer::Stair, shown.room});
   };
   const auto& risers = flight.risers;
-  const std::size_t last = flight.steps() - 1;
+  const std::size_t below = shown.below;
+  const bool is_cut = below < flight.steps();
+  const std::size_t last = below - 1;
   for (std::size_t k = 0; k <= last; ++k)
-    add(k, {risers[k][0], risers[k][1]});
+    add({risers[k][0], risers[k][1]});
   for (std::size_t k = 0; k < last; ++k) {
-    add(k, {risers[k][0], risers[k + 1][0]});
-    add(k, {risers[k][1], risers[k + 1][1]});
-    add(k, {flight.middle(k), flight.middle(k + 1)});
+    add({risers[k][0], risers[k + 1][0]});
+    add({risers[k][1], risers[k + 1][1]});
+    add({flight.middle(k), flight.middle(k + 1)});
   }
-  const Eigen::Vector2d way =
-      head * (flight.middle(last) - flight.middle(last - 1)).normalized();
-  const Eigen::Vector2d left(-way.y() / 2, way.x() / 2);
-  add(last, {flight.middle(last) - way + left, flight.middle(last),
-             flight.middle(last) - way - left});
-  if (below == 0 || below > last)
+  if (last > 0) {
+    const Eigen::Vector2d way =
+        head * (flight.middle(last) - flight.middle(last - 1)).normalized();
+    const Eigen::Vector2d left(-way.y() / 2, way.x() / 2);
+    add({flight.middle(last) - way + left, flight.middle(last),
+         flight.middle(last) - way - left});
+  }
+  if (!is_cut)
     return;
   // Across the tread at the cut: straight, up, down, straight.
   const auto across = [&](double share, double up) -> Eigen::Vector2d {
@@ -134,16 +154,18 @@ addFlight(const PlanFlight& flight,
     };
     return on(risers[below - 1]) + up * (on(risers[below]) - on(risers[below - 1]));
   };
-  add(0, {across(0, 0.3), across(0.4, 0.5), across(0.45, 1), across(0.55, 0),
-          across(0.6, 0.5), across(1, 0.7)});
+  add({across(0, 0.3), across(0.4, 0.5), across(0.45, 1), across(0.55, 0),
+       across(0.6, 0.5), across(1, 0.7)});
 }
 
-/** @brief Adds the flights of all stairs: cut 1.2 m above the lower room's floor on a
- * plan with that room, whole on one that has the upper room only. */
+/** @brief Adds the flights of all stairs: up to 1.2 m above the lower room's floor on a
+ * plan with that room, whole on one that has the upper room only. What lies below a
+ * flight that is drawn is hidden. */
 void
 addStairs(const Floorplan& plan, std::vector<PlanLine>& lines)
 {
   constexpr double cut = 1.2; // metres above its floor
+  std::vector<ShownFlight> shown;
   for (const PlanStair& stair : plan.stairs) {
     std::array<bool, 2> has{};
     for (const PlanRoom& room : plan.rooms)
@@ -155,9 +177,27 @@ addStairs(const Floorplan& plan, std::vector<PlanLine>& lines)
              (!has[0] || flight.bottom + flight.rise * static_cast<double>(below) <
                              stair.bottom + cut))
         ++below;
-      if (has[0] || has[1])
-        addFlight(flight, stair.rooms[has[0] ? 0 : 1], below, lines);
+      if ((has[0] || has[1]) && below > 0 && flight.steps() > 1)
+        shown.push_back({&flight, stair.rooms[has[0] ? 0 : 1], below});
     }
+  }
+  std::stable_sort(shown.begin(), shown.end(),
+                   [](const ShownFlight& a, const ShownFlight& b) {
+                     return a.flight->bottom > b.flight->bottom;
+                   });
+  std::vector<PlanLoop> drawn;
+  for (const ShownFlight& flight : shown) {
+    const auto lies = [&](const PlanLoop& above) {
+      for (std::size_t k = 0; k + 1 < flight.below; ++k)
+        if (above.contains((flight.flight->middle(k) + flight.flight->middle(k + 1)) /
+                           2))
+          return true;
+      return false;
+    };
+    if (std::any_of(drawn.begin(), drawn.end(), lies))
+      continue;
+    drawn.push_back(flight.outline());
+    addFlight(flight, lines);
   }
 }
 
@@ -332,16 +372,18 @@ gapOf(const Floorplan& plan, const PlanOpening& opening)
 } // namespace
 
 std::vector<PlanElement>
-glassOf(const DoorwayGap& gap)
+fillingOf(const DoorwayGap& gap)
 {
-  std::vector<PlanElement> lines;
+  std::vector<double> shares; // of the depth of the wall
   if (gap.kind == OpeningKind::Window)
-    for (const double share : {0.4, 0.6}) {
-      PlanElement line;
-      line.start = gap.corners[0] + share * (gap.corners[3] - gap.corners[0]);
-      line.end = gap.corners[1] + share * (gap.corners[2] - gap.corners[1]);
-      lines.push_back(line);
-    }
+    shares = {0.4, 0.6};
+  if (gap.kind == OpeningKind::Door && gap.leaf.empty())
+    shares = {0.5};
+  std::vector<PlanElement> lines;
+  for (const double share : shares)
+    lines.push_back(
+        segment(gap.corners[0] + share * (gap.corners[3] - gap.corners[0]),
+                gap.corners[1] + share * (gap.corners[2] - gap.corners[1])));
   return lines;
 }
 

@@ -52,8 +52,9 @@ layerOf(const DoorwayGap& gap)
   return gap.kind == OpeningKind::Window ? PlanLayer::Window : PlanLayer::Door;
 }
 
-/** @brief Returns the lines of glass along a window, metres; none for other gaps. */
-std::vector<PlanElement> glassOf(const DoorwayGap& gap);
+/** @brief Returns the lines along a gap of what shuts it, metres: two of a window, one
+ * of a door whose leaves are not known; none for other gaps. */
+std::vector<PlanElement> fillingOf(const DoorwayGap& gap);
 
 /** @brief Returns the openings of a plan, and the doorways that are none of them and
  * have a width. A gap is what the nearest

@@ -8,6 +8,7 @@
 
 #include "sedr_filters/src/plan/level_planes.h"
 #include "sedr_filters/src/plan/plan_bounds.h"
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,20 +30,23 @@ circleAbout(const TextSpot& spot)
   return {{circle}};
 }
 
-/** @brief Returns the text lines of a room: number, area, height. */
+/** @brief Returns the text lines of a room: number, area, and the height if its ceiling
+ * lies above its floor. */
 std::vector<std::string>
-roomTexts(const PlanRoom& room, const RoomNames& names, const Eigen::Vector2d& place)
+roomTexts(const PlanRoom& room, const RoomNames& names)
 {
-  std::string height =
-      decimalText(room.ceiling.heightAt(place) - room.floor.heightAt(place), 2);
-  if (room.hasFacets()) {
-    const auto [eaves, ridge] = heightRange(room);
+  const double usual = clearHeight(room).usual;
+  std::string height = decimalText(usual, 2);
+  if (const auto [eaves, ridge] = heightRange(room); room.hasFacets() && eaves > 0)
     height = decimalText(eaves, 2) + " - " + decimalText(ridge, 2);
-  }
   const std::string number = std::to_string(room.id);
   const auto named = names.find(room.id);
-  return {named == names.end() ? "Room " + number : number + " " + named->second,
-          decimalText(room.area(), 2) + " m²", "h " + height + " m"};
+  std::vector<std::string> lines{named == names.end() ? "Room " + number
+                                                      : number + " " + named->second,
+                                 decimalText(room.area(), 2) + " m²"};
+  if (usual > 0)
+    lines.push_back("h " + height + " m");
+  return lines;
 }
 
 /** @brief Returns the size of a column: "Ø 0.40", "0.30 x 0.50"; empty for other
@@ -98,7 +102,7 @@ public:
   TextSpot writeRoom(const PlanRoom& room, const RoomNames& names)
   {
     TextSpot spot = textSpotIn(room.boundary, room.columns);
-    const std::vector<std::string> lines = roomTexts(room, names, spot.place);
+    const std::vector<std::string> lines = roomTexts(room, names);
     auto box = writeAt(PlanLayer::Room, spot, lines, large_font);
     if (!box)
       box = writeAt(PlanLayer::Room, spot, {lines[0], lines[1]}, large_font);

@@ -110,7 +110,7 @@ public:
       const char* layer = styleOf(layerOf(doorway)).dxf_name;
       for (std::size_t k = 0; k < 4; ++k)
         entities_.line(layer, doorway.corners[k], doorway.corners[(k + 1) % 4]);
-      for (const PlanElement& line : glassOf(doorway))
+      for (const PlanElement& line : fillingOf(doorway))
         addElement(layer, line);
       for (const PlanElement& line : doorway.leaf)
         addElement(layer, line);

@@ -12,13 +12,16 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-TEST(RoomMeasures, TheMeanHeightKnowsSoffitsAndSteps)
+TEST(RoomMeasures, HeightsKnowSoffitsAndSteps)
 {
   PlanRoom room = roomOf(rectangle(0, 0, 4, 3), 2.5);
   room.details = {detailOf(rectangle(0, 0, 1, 3), 2.1)};
   room.floor_details = {detailOf(rectangle(2, 0, 4, 3), 0.2)};
   const double height = 2.5 - 0.4 / 4 - 0.2 / 2;
-  EXPECT_NEAR(meanHeight(room), height, 1e-9);
+  EXPECT_NEAR(clearHeight(room).mean, height, 1e-9);
+  EXPECT_NEAR(clearHeight(room).usual, 2.3, 1e-9) << "half of the floor";
+  EXPECT_NEAR(clearHeight(room).least, 2.1, 1e-9);
+  EXPECT_LT(clearHeight(room).lowest.x(), 1);
   room.niches.push_back({rectangle(1, -0.3, 3, 0), slabAt(1), slabAt(2)});
   EXPECT_NEAR(volumeOf(room, height), 12 * height + 0.6, 1e-9);
 }

@@ -64,6 +64,10 @@ TEST(UnlikelyPlaces, EachKindAlone)
     plan.rooms[0] = roomOf(rectangle(0, 0, 4, 3), height);
     EXPECT_EQ(kindsIn(plan), Kinds{WarningKind::Height});
   }
+  plan = plainRoom(); // a detail below the floor, beside the middle
+  plan.rooms[0].details = {sedr_test::detailOf(rectangle(3.5, 0, 4, 3), -0.8)};
+  EXPECT_EQ(kindsIn(plan), Kinds{WarningKind::Height});
+  EXPECT_NEAR(unlikelyPlaces(plan)[0].values[0], -0.8, 1e-9);
   plan = plainRoom(); // an arc of 5 mm rise over 4 m
   PlanElement& arc = plan.rooms[0].boundary.elements[0];
   arc.radius = 400;

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <string>
 
 // The output is checked with other programs in test/tools/report.
@@ -132,6 +134,26 @@ TEST(FloorplanDrawing, EveryDimensionHasItsLength)
   }
 }
 
+TEST(FloorplanDrawing, TheOverallDimensionIsOfTheRoomsWithoutTheirNiches)
+{
+  Floorplan plan = planOf(rectangle(0, 0, 6, 4));
+  plan.rooms[0].niches = {{rectangle(6, 1, 6.3, 2), slabAt(1), slabAt(2)}};
+  double longest = 0;
+  for (const SheetDimension& d : PlanDrawing(plan, scaled(50), 0).dimensions)
+    longest = std::max(longest, d.length);
+  EXPECT_NEAR(longest, 6, 1e-9);
+}
+
+TEST(FloorplanDrawing, AHeightBelowTheFloorIsNotPrinted)
+{
+  Floorplan plan = planOf(rectangle(0, 0, 6, 4));
+  plan.rooms[0].details = {facetOf(rectangle(5, 0, 6, 4), slabAt(11.1, -2))}; // to -0.9
+  EXPECT_TRUE(holds(floorplanToSvg(plan), ">h 2.50 m<"));
+  plan.rooms[0].details.clear();
+  plan.rooms[0].ceiling = slabAt(-0.1);
+  EXPECT_FALSE(holds(floorplanToSvg(plan), ">h "));
+}
+
 TEST(FloorplanDrawing, RowsOfDimensionsTellEachWall)
 {
   // A step of 1 m in the lower wall, which is hidden from above.
@@ -241,22 +263,44 @@ TEST(FloorplanDrawing, AFlightIsCutOnTheLowerStoreyOnly)
   for (std::size_t s = 0; s < 2; ++s) {
     const PlanDrawing drawing(plan, sheetOf(storeys[s]), 0);
     std::size_t treads = 0;
-    std::size_t overhead = 0;
     std::size_t slanted = 0;
     for (const PlanLine& line : drawing.lines) {
-      const bool is_overhead = line.layer == PlanLayer::StairCut;
       const Eigen::Vector2d way = line.element.end - line.element.start;
-      if (line.layer != PlanLayer::Stair && !is_overhead)
+      if (line.layer != PlanLayer::Stair)
         continue;
       treads += std::abs(way.x()) < 1e-9 ? 1 : 0;
-      overhead += is_overhead && std::abs(way.x()) < 1e-9 ? 1 : 0;
       slanted += std::abs(way.x()) > 1e-9 && std::abs(way.y()) > 1e-9 ? 1 : 0;
     }
-    EXPECT_EQ(treads, 16u);
-    EXPECT_EQ(overhead, s == 0 ? 9u : 0u);
+    EXPECT_EQ(treads, s == 0 ? 7u : 16u) << "up to the break line";
     EXPECT_EQ(slanted, s == 0 ? 7u : 2u) << "arrow and break line";
   }
   EXPECT_TRUE(holds(floorplanToDxf(plan, sheetOf(storeys[0])), "A-FLOR-STRS\n"));
+}
+
+TEST(FloorplanDrawing, WhatLiesBelowAFlightThatIsDrawnIsHidden)
+{
+  Floorplan plan = twoStoreys(0);
+  plan.storeys = {{1, "ground", 0, 0, {1, 2}}, {2, "attic", 0, 0, {3, 4}}};
+  PlanFlight flight;
+  flight.rise = 0.175;
+  for (int k = 0; k < 16; ++k)
+    flight.risers.push_back(
+        {Eigen::Vector2d(4.5 + 0.25 * k, 1.5), Eigen::Vector2d(4.5 + 0.25 * k, 0.5)});
+  plan.stairs = {{{2, 4}, {6, 0.5}, 0, 2.8, {flight}}};
+  flight.bottom = 2.8;
+  plan.stairs.push_back({{4, 0}, {6, 0.5}, 2.8, 5.6, {flight}}); // on to a third storey
+  const auto storeys = storeysOf(plan);
+  const PlanDrawing drawing(plan, sheetOf(storeys[1]), 0);
+  std::set<double> treads;
+  std::size_t count = 0;
+  for (const PlanLine& line : drawing.lines)
+    if (line.layer == PlanLayer::Stair &&
+        line.element.start.x() == line.element.end.x()) {
+      treads.insert(line.element.start.x());
+      ++count;
+    }
+  EXPECT_EQ(treads.size(), 7u);
+  EXPECT_EQ(count, 7u) << "no line lies over another one";
 }
 
 /** The gap of a doorway between two rooms with a wall of 10 cm from x = 4 to 4.1. */
@@ -293,6 +337,37 @@ TEST(DoorwayGaps, ToOutsideAreAsDeepThere)
   EXPECT_TRUE(holds(floorplanToDxf(plan), "\n20\n-0.4000000\n"));
   plan.doorways[0].end = plan.doorways[0].start; // of no width
   EXPECT_TRUE(doorwayGaps(plan).empty());
+}
+
+TEST(DoorwayGaps, ADoorIsShutByALineAndAPassageIsNot)
+{
+  Floorplan plan{
+      {roomOf(rectangle(0, 0, 4, 3), 2.5), roomOf(rectangle(4.1, 0, 8, 3), 2.5, 2)}};
+  PlanOpening opening;
+  opening.rooms = {1, 2};
+  opening.start = {4.05, 1};
+  opening.end = {4.05, 2};
+  opening.top = 2;
+  opening.depth = 0.1;
+  opening.walls = {{1, 1}, {2, 3}};
+  plan.openings = {opening};
+  std::map<OpeningKind, std::size_t> lines;
+  for (const OpeningKind kind :
+       {OpeningKind::Door, OpeningKind::Window, OpeningKind::Passage}) {
+    plan.openings[0].kind = kind;
+    lines[kind] = fillingOf(doorwayGaps(plan)[0]).size();
+  }
+  EXPECT_EQ(lines[OpeningKind::Door], 1u);
+  EXPECT_EQ(lines[OpeningKind::Window], 2u);
+  EXPECT_EQ(lines[OpeningKind::Passage], 0u);
+  plan.openings[0].kind = OpeningKind::Door;
+  Floorplan passage = plan;
+  passage.openings[0].kind = OpeningKind::Passage;
+  EXPECT_NE(floorplanToSvg(plan), floorplanToSvg(passage));
+  EXPECT_NE(floorplanToDxf(plan), floorplanToDxf(passage));
+  plan.openings[0].hinge = OpeningHinge::Start;
+  plan.openings[0].swing = 1;
+  EXPECT_TRUE(fillingOf(doorwayGaps(plan)[0]).empty()) << "its leaf is drawn";
 }
 
 TEST(FloorplanDxf, HasArcsCirclesAndDetails)

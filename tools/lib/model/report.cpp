@@ -162,7 +162,7 @@ roomsOf(const Reconstruction& chain)
   const std::map<std::uint32_t, std::uint32_t> storeys = storeyOfRooms(plan);
   const std::vector<BuildingRoom>& found = chain.getChain().getBuilding().rooms;
   for (const auto& room : plan.rooms) {
-    const double height = meanHeight(room);
+    const ClearHeight height = clearHeight(room);
     const auto seen =
         std::find_if(found.begin(), found.end(),
                      [&](const BuildingRoom& r) { return r.id == room.id; });
@@ -171,8 +171,8 @@ roomsOf(const Reconstruction& chain)
                      {"storey", storeys.at(room.id)},
                      {"area", room.area()},
                      {"perimeter", room.perimeter()},
-                     {"height", height},
-                     {"volume", volumeOf(room, height)},
+                     {"height", height.usual},
+                     {"volume", volumeOf(room, height.mean)},
                      {"walls", room.boundary.elements.size()},
                      {"columns", room.columns.size()},
                      {"details", room.details.size()},

@@ -64,7 +64,7 @@ reconstruct(const Cloud::ConstPtr& scan, double floor, double ceiling)
   }
   for (const auto& room : chain.plan->rooms)
     std::cout << "room " << room.id << ": " << room.area() << " m2, "
-              << pcl::sedr::meanHeight(room) << " m high\n";
+              << pcl::sedr::clearHeight(room).mean << " m high\n";
   std::ofstream file("mesh.ply", std::ios::binary);
   return !!(file << pcl::sedr::meshToPly(chain.poisson.getMesh()));
 }

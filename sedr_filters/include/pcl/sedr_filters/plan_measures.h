@@ -60,9 +60,19 @@ std::vector<PlanDoorway> otherDoorways(const Floorplan& plan);
 /** @brief Returns the default name of a storey: "storey 2". */
 std::string storeyName(std::uint32_t number);
 
-/** @brief Returns the mean height of a room in metres, sampled every 5 cm of its floor,
- * with at most a million samples; 0 if no sample lies in it. */
-double meanHeight(const PlanRoom& room);
+/** @brief Heights of a room's ceiling above its floor, details of both included;
+ * metres. */
+struct ClearHeight {
+  double usual = 0; ///< over the middle of the floor by height: half of it has less
+  double mean = 0;
+  double least = 0;
+  Eigen::Vector2d lowest = Eigen::Vector2d::Zero(); ///< where it is least
+};
+
+/** @brief Returns the heights of a room, sampled every 5 cm of its floor, with at most
+ * a million samples; 0 if no sample lies in it. Tables, the report and drawings tell
+ * the usual one. */
+ClearHeight clearHeight(const PlanRoom& room);
 
 /** @brief Returns the volume of a room and its niches, cubic metres. */
 double volumeOf(const PlanRoom& room, double mean_height);
