@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../base/number_text.h"
-#include "../plan/plan_bounds.h"
+#include "plan_outlines.h"
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/plan_editor.h>
 #include <pcl/sedr_filters/plan_measures.h>
-
-#define BOOST_ALLOW_DEPRECATED_HEADERS // Boost.Geometry includes one
-#include <boost/geometry/algorithms/append.hpp>
-#include <boost/geometry/algorithms/area.hpp>
-#include <boost/geometry/algorithms/intersection.hpp>
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
-#include <boost/geometry/geometries/polygon.hpp>
-#include <boost/geometry/index/rtree.hpp>
 
 #include <algorithm>
 #include <array>
@@ -31,21 +22,6 @@ namespace {
 
 constexpr double touching = 1e-6; ///< metres; places within this distance coincide
 
-inline PlanElement
-segment(const Eigen::Vector2d& start, const Eigen::Vector2d& end)
-{
-  PlanElement element;
-  element.start = start;
-  element.end = end;
-  return element;
-}
-
-inline double
-cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 /** @brief A stretch of a straight wall between two rooms. */
 struct SharedWall {
   std::size_t element = 0; ///< of the first room
@@ -53,23 +29,6 @@ struct SharedWall {
   double from = 0;         ///< along the first, metres
   double to = 0;           ///< along the first, metres
 };
-
-/** @brief Returns where two segments cross or touch. */
-std::optional<Eigen::Vector2d>
-crossing(const PlanElement& a, const PlanElement& b)
-{
-  const Eigen::Vector2d u = a.end - a.start;
-  const Eigen::Vector2d v = b.end - b.start;
-  const double area = cross(u, v);
-  const Eigen::Vector2d off = b.start - a.start;
-  if (std::abs(area) <= 1e-12)
-    return std::nullopt;
-  const double s = cross(off, v) / area;
-  const double t = cross(off, u) / area;
-  if (s < 0 || s > 1 || t < 0 || t > 1)
-    return std::nullopt;
-  return a.start + s * u;
-}
 
 /** @brief Joins collinear neighbours and drops elements without a length. */
 void
@@ -194,49 +153,6 @@ find(Floorplan& plan, std::uint32_t id)
   return found == plan.rooms.end() ? nullptr : &*found;
 }
 
-/** @brief Returns how large the area is that two outlines have in common, square
- * metres. */
-double
-commonArea(const PlanLoop& a, const PlanLoop& b)
-{
-  constexpr double chord = 0.005;
-  namespace bg = boost::geometry;
-  using Point = bg::model::d2::point_xy<double>;
-  using Polygon = bg::model::polygon<Point, false, false>;
-  const auto polygonOf = [](const PlanLoop& loop) {
-    Polygon polygon;
-    for (const Eigen::Vector2d& p : loop.polygon(chord))
-      bg::append(polygon, Point(p.x(), p.y()));
-    return polygon;
-  };
-  if (!boundsOf(a).intersects(boundsOf(b)))
-    return 0;
-  std::vector<Polygon> common;
-  bg::intersection(polygonOf(a), polygonOf(b), common);
-  double area = 0;
-  for (const Polygon& part : common)
-    area += bg::area(part);
-  return area;
-}
-
-/** @brief Returns why the new outline of a room runs into another room at its heights,
- * farther than the old one did; an empty text if it does not. */
-std::string
-overlapProblem(const Floorplan& plan, const PlanLoop& before, const PlanRoom& after)
-{
-  constexpr double negligible = 1e-3; // square metres
-  for (const PlanRoom& other : plan.rooms) {
-    if (other.id == after.id || !shareHeights(other, after))
-      continue;
-    const double area = commonArea(after.boundary, other.boundary);
-    if (area > commonArea(before, other.boundary) + negligible)
-      return "room " + std::to_string(after.id) + " would then overlap room " +
-             std::to_string(other.id) + " by " +
-             numberText(std::round(area * 100) / 100) + " m2";
-  }
-  return {};
-}
-
 /** @brief Shifts a loop. */
 void
 shift(PlanLoop& loop, const Eigen::Vector2d& by)
@@ -327,43 +243,6 @@ attachOpenings(Floorplan& plan)
 
 } // namespace
 
-std::string
-outlineProblem(const PlanLoop& loop)
-{
-  constexpr double chord = 0.005;
-  if (loop.elements.empty())
-    return "is empty";
-  if (loop.area() <= 0)
-    return "is clockwise";
-  const std::vector<Eigen::Vector2d> corners = loop.polygon(chord);
-  const std::size_t n = corners.size();
-  const auto chordAt = [&](std::size_t k) {
-    return segment(corners[k], corners[(k + 1) % n]);
-  };
-  namespace bg = boost::geometry;
-  using Point = bg::model::d2::point_xy<double>;
-  using Box = bg::model::box<Point>;
-  std::vector<std::pair<Box, std::size_t>> boxes;
-  for (std::size_t k = 0; k < n; ++k) {
-    const Eigen::Vector2d low = corners[k].cwiseMin(corners[(k + 1) % n]);
-    const Eigen::Vector2d high = corners[k].cwiseMax(corners[(k + 1) % n]);
-    boxes.emplace_back(Box({low.x(), low.y()}, {high.x(), high.y()}), k);
-  }
-  const bg::index::rtree<std::pair<Box, std::size_t>, bg::index::quadratic<16>> tree(
-      boxes);
-  for (const auto& [box, a] : boxes)
-    for (auto near = tree.qbegin(bg::index::intersects(box)); near != tree.qend();
-         ++near) {
-      const std::size_t b = near->second;
-      if (b < a + 2 || (a == 0 && b + 1 == n))
-        continue;
-      if (const auto at = crossing(chordAt(a), chordAt(b)))
-        return "crosses itself near (" + numberText(at->x()) + ", " +
-               numberText(at->y()) + ")";
-    }
-  return {};
-}
-
 bool
 PlanEditor::apply(std::uint32_t room,
                   const std::function<std::string(Floorplan&, PlanRoom&)>& change)
@@ -423,9 +302,9 @@ PlanEditor::merge(std::uint32_t room, std::uint32_t other)
     // Around the first room, through the wall, around the second one, and back.
     std::vector<PlanElement> loop;
     appendAround(first.boundary, shared.element, shared.to, shared.from, loop);
-    loop.push_back(segment(near.pointAt(shared.from), far.pointAt(there)));
+    loop.push_back(straight(near.pointAt(shared.from), far.pointAt(there)));
     appendAround(second->boundary, shared.other, there, back, loop);
-    loop.push_back(segment(far.pointAt(back), near.pointAt(shared.to)));
+    loop.push_back(straight(far.pointAt(back), near.pointAt(shared.to)));
     first.boundary.elements = std::move(loop);
     simplify(first.boundary);
     const auto append = [](auto& to, const auto& from) {
@@ -448,7 +327,7 @@ PlanEditor::split(std::uint32_t room,
                   const Eigen::Vector2d& to)
 {
   return apply(room, [&](Floorplan& plan, PlanRoom& first) -> std::string {
-    const PlanElement line = segment(from, to);
+    const PlanElement line = straight(from, to);
     // Where the line crosses the outline: element, distance along it.
     std::vector<std::pair<std::size_t, double>> cuts;
     for (std::size_t e = 0; e < first.boundary.elements.size(); ++e) {
@@ -471,7 +350,7 @@ PlanEditor::split(std::uint32_t room,
       for (std::size_t i = (e + 1) % all.size(); i != last; i = (i + 1) % all.size())
         part.push_back(all[i]);
       part.push_back(all[last].part(0, t));
-      part.push_back(segment(part.back().end, part.front().start));
+      part.push_back(straight(part.back().end, part.front().start));
     }
     const bool is_first_left = cross(to - from, loops[0].elements[0].end - from) > 0;
     PlanRoom second = first;

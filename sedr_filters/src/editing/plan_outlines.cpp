@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_outlines.h"
+
+#include "../base/number_text.h"
+#include "../plan/plan_bounds.h"
+
+#include <pcl/sedr_filters/plan_editor.h>
+#include <pcl/sedr_filters/plan_measures.h>
+
+#define BOOST_ALLOW_DEPRECATED_HEADERS // Boost.Geometry includes one
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <boost/polygon/polygon.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace pcl::sedr {
+namespace {
+
+/** @brief Returns how large the area is that two outlines have in common, square
+ * metres. */
+double
+commonArea(const PlanLoop& a, const PlanLoop& b)
+{
+  namespace bp = boost::polygon;
+  using namespace bp::operators;
+  constexpr double chord = 0.005;
+  constexpr double unit = 1e-4; // metres
+  const Eigen::AlignedBox2d box = boundsOf(a);
+  if (!box.intersects(boundsOf(b)))
+    return 0;
+  const auto areaOf = [&](const PlanLoop& loop) {
+    std::vector<bp::point_data<int>> corners;
+    for (const Eigen::Vector2d& p : loop.polygon(chord)) {
+      const Eigen::Vector2d at = (p - box.min()) / unit;
+      corners.emplace_back(static_cast<int>(std::lround(at.x())),
+                           static_cast<int>(std::lround(at.y())));
+    }
+    bp::polygon_data<int> polygon;
+    polygon.set(corners.begin(), corners.end());
+    bp::polygon_set_data<int> set;
+    set.insert(polygon);
+    return set;
+  };
+  bp::polygon_set_data<int> common = areaOf(a);
+  common &= areaOf(b);
+  return static_cast<double>(bp::area(common)) * unit * unit;
+}
+
+} // namespace
+
+std::optional<Eigen::Vector2d>
+crossing(const PlanElement& a, const PlanElement& b)
+{
+  const Eigen::Vector2d u = a.end - a.start;
+  const Eigen::Vector2d v = b.end - b.start;
+  const double area = cross(u, v);
+  const Eigen::Vector2d off = b.start - a.start;
+  if (std::abs(area) <= 1e-12)
+    return std::nullopt;
+  const double s = cross(off, v) / area;
+  const double t = cross(off, u) / area;
+  if (s < 0 || s > 1 || t < 0 || t > 1)
+    return std::nullopt;
+  return a.start + s * u;
+}
+
+std::string
+outlineProblem(const PlanLoop& loop)
+{
+  constexpr double chord = 0.005;
+  if (loop.elements.empty())
+    return "is empty";
+  if (loop.area() <= 0)
+    return "is clockwise";
+  const std::vector<Eigen::Vector2d> corners = loop.polygon(chord);
+  const std::size_t n = corners.size();
+  const auto chordAt = [&](std::size_t k) {
+    return straight(corners[k], corners[(k + 1) % n]);
+  };
+  namespace bg = boost::geometry;
+  using Point = bg::model::d2::point_xy<double>;
+  using Box = bg::model::box<Point>;
+  std::vector<std::pair<Box, std::size_t>> boxes;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Eigen::Vector2d low = corners[k].cwiseMin(corners[(k + 1) % n]);
+    const Eigen::Vector2d high = corners[k].cwiseMax(corners[(k + 1) % n]);
+    boxes.emplace_back(Box({low.x(), low.y()}, {high.x(), high.y()}), k);
+  }
+  const bg::index::rtree<std::pair<Box, std::size_t>, bg::index::quadratic<16>> tree(
+      boxes);
+  for (const auto& [box, a] : boxes)
+    for (auto near = tree.qbegin(bg::index::intersects(box)); near != tree.qend();
+         ++near) {
+      const std::size_t b = near->second;
+      if (b < a + 2 || (a == 0 && b + 1 == n))
+        continue;
+      if (const auto at = crossing(chordAt(a), chordAt(b)))
+        return "crosses itself near (" + numberText(at->x()) + ", " +
+               numberText(at->y()) + ")";
+    }
+  return {};
+}
+
+std::string
+overlapProblem(const Floorplan& plan, const PlanLoop& before, const PlanRoom& after)
+{
+  constexpr double negligible = 1e-3; // square metres
+  for (const PlanRoom& other : plan.rooms) {
+    if (other.id == after.id || !shareHeights(other, after))
+      continue;
+    const double area = commonArea(after.boundary, other.boundary);
+    if (area > commonArea(before, other.boundary) + negligible)
+      return "room " + std::to_string(after.id) + " would then overlap room " +
+             std::to_string(other.id) + " by " +
+             numberText(std::round(area * 100) / 100) + " m2";
+  }
+  return {};
+}
+
+} // namespace pcl::sedr

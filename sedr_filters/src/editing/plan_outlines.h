@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/floorplan.h>
+
+#include <optional>
+#include <string>
+
+namespace pcl::sedr {
+
+/** @brief Returns the straight element from `start` to `end`. */
+inline PlanElement
+straight(const Eigen::Vector2d& start, const Eigen::Vector2d& end)
+{
+  PlanElement element;
+  element.start = start;
+  element.end = end;
+  return element;
+}
+
+inline double
+cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/** @brief Returns where two segments cross or touch. */
+std::optional<Eigen::Vector2d> crossing(const PlanElement& a, const PlanElement& b);
+
+/** @brief Returns why the outline of a room, changed from `before`, runs into another
+ * room at its heights farther than it did; an empty text if it does not. */
+std::string
+overlapProblem(const Floorplan& plan, const PlanLoop& before, const PlanRoom& after);
+
+} // namespace pcl::sedr
