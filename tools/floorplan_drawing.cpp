@@ -66,21 +66,21 @@ main(int argc, char** argv)
                  Range::between(0, 1e6));
   return runTool(options, argc, argv, [&] {
     checkDrawingOutput(output);
-    const PlanFile file = loadPlan(plan);
-    const auto& drawn = file.plan;
+    const pcl::sedr::PlanDocument file = loadPlan(plan);
+    const Floorplan& drawn = file.plan;
     settings.origin = file.origin;
-    file.describe(settings);
+    settings.max_wall = file.max_wall;
     settings.paper = paperNamed(paper);
     if (storey > 0) {
-      saveDrawing(sheetOf(output, *drawn, static_cast<std::uint32_t>(storey)), *drawn,
+      saveDrawing(sheetOf(output, drawn, static_cast<std::uint32_t>(storey)), drawn,
                   settings);
       return Done;
     }
-    const auto sheets = drawingSheets(output, *drawn);
+    const auto sheets = drawingSheets(output, drawn);
     for (const DrawingSheet& sheet : sheets)
       checkDrawingOutput(sheet.path);
     for (const DrawingSheet& sheet : sheets)
-      saveDrawing(sheet, *drawn, settings);
+      saveDrawing(sheet, drawn, settings);
     return Done;
   });
 }

@@ -7,11 +7,10 @@
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_filters/plan_editor.h>
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <charconv>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace pcl::sedr::tools;
@@ -146,14 +145,14 @@ main(int argc, char** argv)
   options.text("name", edits.name, "ROOM=TEXT: name a room");
   return runTool(options, argc, argv, [&] {
     checkOutput(output, "a floor plan", {".json"});
-    const PlanFile before = loadPlan(plan);
-    PlanEditor editor(*before.plan, before.names);
+    pcl::sedr::PlanDocument document = loadPlan(plan);
+    PlanEditor editor(std::move(document.plan));
     apply(edits, editor);
     if (editor.getFloorplan().rooms.empty())
       throw ToolError("no room is left");
-    writeWhole(output, [&](std::ostream& stream) {
-      stream << changedPlanJson(before, editor.getFloorplan(), editor.getNames());
-    });
+    document.plan = editor.getFloorplan();
+    writeWhole(output,
+               [&](std::ostream& stream) { stream << documentToJson(document); });
     return Done;
   });
 }

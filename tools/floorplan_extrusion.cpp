@@ -40,9 +40,8 @@ run(const Settings& settings, Extrusion& extrusion)
 {
   checkSolidOutput(settings.output);
   settings.picture.check();
-  const PlanFile file = loadPlan(settings.plan);
+  const pcl::sedr::PlanDocument file = loadPlan(settings.plan);
   extrusion.setFloorplan(file.plan);
-  extrusion.setTilts(file.tilts);
   extrusion.setCutOpenings(settings.openings == "cut");
   pcl::PolygonMesh unused;
   extrusion.reconstruct(unused);
@@ -50,7 +49,7 @@ run(const Settings& settings, Extrusion& extrusion)
     tell(report);
   if (extrusion.getMesh().empty())
     throw ToolError(extrusion.getErrorMessage(), NothingFound);
-  saveSolid(settings.output, extrusion.getMesh(), extrusion.getElements(), *file.plan,
+  saveSolid(settings.output, extrusion.getMesh(), extrusion.getElements(), file.plan,
             file.origin);
   settings.picture.write([&] {
     pcl::sedr::TriangleMesh solid = extrusion.getMesh();

@@ -74,7 +74,9 @@ run(const Settings& settings, Fitting& fitting)
     in_same_frame.origin = cloud.origin;
     fitting.setRawCloud(loadCloud(settings.raw, in_same_frame).points);
   }
-  pcl::sedr::Floorplan plan;
+  pcl::sedr::PlanDocument document;
+  document.origin = cloud.origin;
+  pcl::sedr::Floorplan& plan = document.plan;
   {
     const Progress progress("fitting walls");
     if (!fitting.segment(plan))
@@ -83,7 +85,7 @@ run(const Settings& settings, Fitting& fitting)
   if (!settings.building.empty())
     giveStoreys(building, plan);
   writeWhole(settings.output, [&](std::ostream& stream) {
-    stream << pcl::sedr::floorplanToJson(plan, nullptr, cloud.origin);
+    stream << pcl::sedr::documentToJson(document);
   });
   settings.picture.write([&] { return drawPlan(plan, fitting.getBoundaries()); });
   for (const auto& line : summaryOf(fitting.getWarnings()))

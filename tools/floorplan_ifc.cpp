@@ -49,11 +49,11 @@ main(int argc, char** argv)
                  Range::between(0.02, 2));
   return runTool(options, argc, argv, [&] {
     checkOutput(output, "a building model", {".ifc"});
-    const PlanFile file = loadPlan(plan);
+    const pcl::sedr::PlanDocument file = loadPlan(plan);
     settings.arcs =
         arcs == "faceted" ? pcl::sedr::IfcArcs::Facets : pcl::sedr::IfcArcs::Exact;
-    file.describe(settings);
-    const auto model = writeIfc(*file.plan, settings, file.origin);
+    settings.max_wall = file.max_wall;
+    const auto model = writeIfc(file.plan, settings, file.origin);
     writeWhole(output, [&](std::ostream& stream) { stream << model.text; });
     tell(model);
     return Done;

@@ -31,8 +31,8 @@ run(const Settings& settings, Detection& detection)
 {
   checkOutput(settings.output, "a floor plan", {".json"});
   settings.picture.check();
-  const PlanFile file = loadPlan(settings.plan);
-  pcl::sedr::Floorplan plan = *file.plan;
+  pcl::sedr::PlanDocument file = loadPlan(settings.plan);
+  pcl::sedr::Floorplan& plan = file.plan;
   ScanSettings in_same_frame;
   in_same_frame.origin = file.origin;
   detection.setInputCloud(loadCloud(settings.scan, in_same_frame).points);
@@ -44,9 +44,8 @@ run(const Settings& settings, Detection& detection)
     if (!detection.segment(plan))
       throw ToolError(detection.getErrorMessage(), NothingFound);
   }
-  writeWhole(settings.output, [&](std::ostream& stream) {
-    stream << changedPlanJson(file, plan, file.names);
-  });
+  writeWhole(settings.output,
+             [&](std::ostream& stream) { stream << documentToJson(file); });
   settings.picture.write([&] { return drawOpenings(plan, *detection.getSearch()); });
   for (const pcl::sedr::PlanOpening& opening : plan.openings) {
     char text[160];

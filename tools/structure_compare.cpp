@@ -17,7 +17,7 @@ using pcl::sedr::Floorplan;
 namespace {
 
 /** @brief Returns the plan of a folder of pcl_sedr, or of a plan file. */
-PlanFile
+pcl::sedr::PlanDocument
 planOf(const std::string& path)
 {
   std::error_code error;
@@ -54,11 +54,11 @@ run(const Settings& settings)
   if (!settings.json.empty())
     checkOutput(settings.json, "a list of changes", {".json"});
   settings.picture.check();
-  const PlanFile first = planOf(settings.before);
-  const PlanFile second = planOf(settings.after);
-  const Floorplan& before = *first.plan;
+  const pcl::sedr::PlanDocument first = planOf(settings.before);
+  const pcl::sedr::PlanDocument second = planOf(settings.after);
+  const Floorplan& before = first.plan;
   const Floorplan after =
-      shifted(*second.plan, second.origin.place - first.origin.place);
+      shifted(second.plan, second.origin.place - first.origin.place);
   const auto changes = comparePlans(before, after, settings.compare);
   for (const auto& change : changes)
     std::cout << describe(change) << '\n';

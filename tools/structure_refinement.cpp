@@ -25,7 +25,7 @@ run(const Settings& settings, Refinement& refinement)
   settings.check();
   const auto plan = loadPlan(settings.plan).plan;
   ToolCloud cloud = loadCloud(settings.input);
-  giveRooms(*plan, cloud);
+  giveRooms(plan, cloud);
   pcl::PointCloud<pcl::PointXYZ> refined;
   {
     const Progress progress("moving points onto the plan");

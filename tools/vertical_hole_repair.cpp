@@ -47,7 +47,7 @@ run(const Settings& settings, Repair& repair)
   settings.check();
   const auto plan = loadPlan(settings.plan).plan;
   ToolCloud cloud = loadCloud(settings.input);
-  giveRooms(*plan, cloud);
+  giveRooms(plan, cloud);
   {
     const Progress progress("filling holes");
     repair.setInputCloud(cloud.points);

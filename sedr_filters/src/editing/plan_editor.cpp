@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../base/number_text.h"
 #include "plan_outlines.h"
+#include "room_references.h"
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/plan_editor.h>
@@ -8,10 +9,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,8 +19,6 @@
 namespace pcl::sedr {
 namespace {
 
-constexpr double touching = 1e-6; ///< metres; places within this distance coincide
-
 /** @brief A stretch of a straight wall between two rooms. */
 struct SharedWall {
   std::size_t element = 0; ///< of the first room
@@ -29,40 +26,6 @@ struct SharedWall {
   double from = 0;         ///< along the first, metres
   double to = 0;           ///< along the first, metres
 };
-
-/** @brief Joins collinear neighbours and drops elements without a length. */
-void
-simplify(PlanLoop& loop)
-{
-  auto& e = loop.elements;
-  e.erase(
-      std::remove_if(e.begin(), e.end(),
-                     [](const PlanElement& part) { return part.length() < touching; }),
-      e.end());
-  for (std::size_t k = 0; e.size() > 3 && k < e.size();) {
-    PlanElement& next = e[(k + 1) % e.size()];
-    const Eigen::Vector2d way = (e[k].end - e[k].start).normalized();
-    if (e[k].isArc() || next.isArc() ||
-        std::abs(cross(way, next.end - e[k].start)) > touching ||
-        way.dot(next.end - next.start) < 0) {
-      ++k;
-      continue;
-    }
-    // The evidence of both, weighted by their lengths.
-    const double share = e[k].length() / (e[k].length() + next.length());
-    const auto mean = [&](double ElementEvidence::*part) {
-      next.evidence.*part =
-          share * (e[k].evidence.*part) + (1 - share) * (next.evidence.*part);
-    };
-    mean(&ElementEvidence::seen);
-    mean(&ElementEvidence::hidden);
-    mean(&ElementEvidence::opening);
-    next.inliers += e[k].inliers;
-    next.residual = std::max(next.residual, e[k].residual);
-    next.start = e[k].start;
-    e.erase(e.begin() + static_cast<std::ptrdiff_t>(k));
-  }
-}
 
 /** @brief Returns the longest stretch at which two rooms face each other through a wall
  * of up to 0.6 m; of no length if there is none. */
@@ -108,51 +71,6 @@ appendAround(const PlanLoop& loop,
   elements.push_back(all[k].part(0, t));
 }
 
-/** @brief Meets straight neighbours again after some of them were moved: `lines` are
- * the elements' new lines.
- * @return why that is not possible, or an empty text */
-std::string
-meetAgain(const std::vector<PlanElement>& lines, PlanLoop& loop)
-{
-  const std::size_t n = lines.size();
-  std::vector<Eigen::Vector2d> corners(n); // at the start of each
-  for (std::size_t k = 0; k < n; ++k) {
-    const PlanElement& before = lines[(k + n - 1) % n];
-    const PlanElement& after = lines[k];
-    corners[k] = loop.elements[k].start;
-    if (before.isArc() || after.isArc()) {
-      if (before.distance(corners[k]) > touching ||
-          after.distance(corners[k]) > touching)
-        return "a wall beside an arc cannot be moved";
-      continue;
-    }
-    const Eigen::Vector2d u = after.end - after.start;
-    const Eigen::Vector2d v = before.end - before.start;
-    const double area = cross(u, v);
-    if (std::abs(area) > 1e-3 * u.norm() * v.norm())
-      corners[k] = after.start + cross(before.start - after.start, v) / area * u;
-    else if (std::abs(cross(u.normalized(), before.end - after.start)) > touching)
-      return "it would no longer meet the wall beside it, which is parallel";
-  }
-  for (std::size_t k = 0; k < n; ++k) {
-    PlanElement& element = loop.elements[k];
-    const Eigen::Vector2d end = corners[(k + 1) % n];
-    if (!element.isArc() && (end - corners[k]).dot(lines[k].end - lines[k].start) <= 0)
-      return "wall " + std::to_string(k + 1) + " would vanish";
-    element.start = corners[k];
-    element.end = end;
-  }
-  return {};
-}
-
-PlanRoom*
-find(Floorplan& plan, std::uint32_t id)
-{
-  const auto found = std::find_if(plan.rooms.begin(), plan.rooms.end(),
-                                  [id](const PlanRoom& room) { return room.id == id; });
-  return found == plan.rooms.end() ? nullptr : &*found;
-}
-
 /** @brief Shifts a loop. */
 void
 shift(PlanLoop& loop, const Eigen::Vector2d& by)
@@ -175,72 +93,6 @@ wallOf(const PlanRoom& room, const PlanNiche& niche)
   return room.boundary.nearest(middle(*open));
 }
 
-/** @brief Replaces a room's number in all that refers to rooms; 0: outside. What is
- * then on both sides of itself, or of no room, goes. */
-void
-renumber(Floorplan& plan, std::uint32_t from, std::uint32_t to)
-{
-  const auto replace = [&](auto& rooms) {
-    std::replace(rooms.begin(), rooms.end(), from, to);
-    return rooms[0] == rooms[1];
-  };
-  const auto leadsNowhere = [&](auto& link) {
-    replace(link.rooms);
-    return !link.leadsSomewhere();
-  };
-  const auto removeIf = [](auto& list, const auto& goes) {
-    list.erase(std::remove_if(list.begin(), list.end(), goes), list.end());
-  };
-  removeIf(plan.openings, [&](PlanOpening& opening) {
-    for (OpeningWall& wall : opening.walls)
-      wall.room = wall.room == from ? to : wall.room;
-    removeIf(opening.walls, [](const OpeningWall& wall) { return wall.room == 0; });
-    opening.swing = opening.swing == from ? to : opening.swing;
-    return replace(opening.rooms) || opening.walls.empty();
-  });
-  removeIf(plan.doorways, leadsNowhere);
-  removeIf(plan.stairs, leadsNowhere);
-  for (PlanStorey& storey : plan.storeys)
-    removeIf(storey.rooms, [from](std::uint32_t room) { return room == from; });
-  removeIf(plan.storeys, [](const PlanStorey& storey) { return storey.rooms.empty(); });
-}
-
-/** @brief Finds the elements again that openings are in: those nearest to their faces.
- * Openings that no wall of their rooms is beside go. */
-void
-attachOpenings(Floorplan& plan)
-{
-  constexpr double reach = 0.5; // metres from the face
-  const auto attach = [&](PlanOpening& opening) {
-    const Eigen::Vector2d middle = (opening.start + opening.end) / 2;
-    const Eigen::Vector2d way = (opening.end - opening.start).normalized();
-    std::vector<OpeningWall> walls;
-    for (const OpeningWall& wall : opening.walls) {
-      const PlanRoom* const room = find(plan, wall.room);
-      if (!room)
-        continue;
-      double nearest = opening.depth / 2 + reach;
-      std::optional<std::size_t> element;
-      for (std::size_t e = 0; e < room->boundary.elements.size(); ++e) {
-        const PlanElement& candidate = room->boundary.elements[e];
-        const double distance = candidate.distance(middle);
-        const double s = candidate.project(middle);
-        if (distance < nearest && std::abs(candidate.normalAt(s).dot(way)) < 0.5) {
-          nearest = distance;
-          element = e;
-        }
-      }
-      if (element)
-        walls.push_back({wall.room, *element});
-    }
-    opening.walls = walls;
-    return walls.empty();
-  };
-  plan.openings.erase(
-      std::remove_if(plan.openings.begin(), plan.openings.end(), attach),
-      plan.openings.end());
-}
-
 } // namespace
 
 bool
@@ -248,11 +100,11 @@ PlanEditor::apply(std::uint32_t room,
                   const std::function<std::string(Floorplan&, PlanRoom&)>& change)
 {
   Floorplan changed = plan_;
-  PlanRoom* const found = find(changed, room);
+  PlanRoom* const found = findRoom(changed, room);
   problem_ =
       found ? change(changed, *found) : "the plan has no room " + std::to_string(room);
   for (const PlanRoom& r : changed.rooms)
-    if (const PlanRoom* const before = find(plan_, r.id); problem_.empty())
+    if (const PlanRoom* const before = findRoom(plan_, r.id); problem_.empty())
       if (const std::string wrong = outlineProblem(r.boundary);
           !wrong.empty() && (!before || outlineProblem(before->boundary).empty()))
         problem_ = "the outline of room " + std::to_string(r.id) + " then " + wrong;
@@ -266,11 +118,8 @@ PlanEditor::apply(std::uint32_t room,
 bool
 PlanEditor::name(std::uint32_t room, const std::string& text)
 {
-  return apply(room, [&](Floorplan&, PlanRoom&) {
-    if (text.empty())
-      names_.erase(room);
-    else
-      names_[room] = text;
+  return apply(room, [&](Floorplan&, PlanRoom& named) {
+    named.name = text;
     return std::string();
   });
 }
@@ -279,7 +128,7 @@ bool
 PlanEditor::merge(std::uint32_t room, std::uint32_t other)
 {
   return apply(room, [&](Floorplan& plan, PlanRoom& first) -> std::string {
-    PlanRoom* const second = find(plan, other);
+    PlanRoom* const second = findRoom(plan, other);
     if (!second || room == other)
       return "the plan has no other room " + std::to_string(other);
     if (!shareHeights(first, *second)) {
@@ -316,7 +165,6 @@ PlanEditor::merge(std::uint32_t room, std::uint32_t other)
     append(first.niches, second->niches);
     renumber(plan, other, room);
     plan.rooms.erase(plan.rooms.begin() + (second - plan.rooms.data()));
-    names_.erase(other);
     return {};
   });
 }
@@ -354,6 +202,7 @@ PlanEditor::split(std::uint32_t room,
     }
     const bool is_first_left = cross(to - from, loops[0].elements[0].end - from) > 0;
     PlanRoom second = first;
+    second.name.clear();
     first.boundary = loops[is_first_left ? 0 : 1];
     second.boundary = loops[is_first_left ? 1 : 0];
     for (const PlanRoom& other : plan.rooms)
@@ -412,7 +261,6 @@ PlanEditor::drop(std::uint32_t room)
   return apply(room, [&](Floorplan& plan, PlanRoom& gone) {
     plan.rooms.erase(plan.rooms.begin() + (&gone - plan.rooms.data()));
     renumber(plan, room, 0);
-    names_.erase(room);
     return std::string();
   });
 }
@@ -480,33 +328,6 @@ PlanEditor::moveWall(std::uint32_t room, std::size_t wall, double distance)
     const std::string problem = meetAgain(lines, changed.boundary);
     return problem.empty() ? overlapProblem(plan, before, changed) : problem;
   });
-}
-
-std::string
-withNames(const std::string& json, const RoomNames& names)
-{
-  nlohmann::ordered_json plan = nlohmann::ordered_json::parse(json);
-  plan.erase("names");
-  for (const auto& [room, name] : names)
-    plan["names"][std::to_string(room)] = name;
-  return plan.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
-         "\n";
-}
-
-RoomNames
-namesFromJson(const std::string& json)
-{
-  RoomNames names;
-  const auto plan = nlohmann::json::parse(json, nullptr, false);
-  if (plan.is_object() && plan.contains("names") && plan["names"].is_object())
-    for (const auto& [room, name] : plan["names"].items())
-      if (std::uint32_t id = 0; name.is_string()) {
-        const char* const end = room.data() + room.size();
-        const auto [read, problem] = std::from_chars(room.data(), end, id);
-        if (problem == std::errc() && read == end)
-          names[id] = name.get<std::string>();
-      }
-  return names;
 }
 
 } // namespace pcl::sedr

@@ -107,6 +107,73 @@ outlineProblem(const PlanLoop& loop)
   return {};
 }
 
+void
+simplify(PlanLoop& loop)
+{
+  auto& e = loop.elements;
+  e.erase(
+      std::remove_if(e.begin(), e.end(),
+                     [](const PlanElement& part) { return part.length() < touching; }),
+      e.end());
+  for (std::size_t k = 0; e.size() > 3 && k < e.size();) {
+    PlanElement& next = e[(k + 1) % e.size()];
+    const Eigen::Vector2d way = (e[k].end - e[k].start).normalized();
+    if (e[k].isArc() || next.isArc() || e[k].tilt != next.tilt ||
+        std::abs(cross(way, next.end - e[k].start)) > touching ||
+        way.dot(next.end - next.start) < 0) {
+      ++k;
+      continue;
+    }
+    // The evidence of both, weighted by their lengths.
+    const double share = e[k].length() / (e[k].length() + next.length());
+    const auto mean = [&](double ElementEvidence::*part) {
+      next.evidence.*part =
+          share * (e[k].evidence.*part) + (1 - share) * (next.evidence.*part);
+    };
+    mean(&ElementEvidence::seen);
+    mean(&ElementEvidence::hidden);
+    mean(&ElementEvidence::opening);
+    next.inliers += e[k].inliers;
+    next.residual = std::max(next.residual, e[k].residual);
+    next.start = e[k].start;
+    e.erase(e.begin() + static_cast<std::ptrdiff_t>(k));
+  }
+}
+
+std::string
+meetAgain(const std::vector<PlanElement>& lines, PlanLoop& loop)
+{
+  const std::size_t n = lines.size();
+  std::vector<Eigen::Vector2d> corners(n); // at the start of each
+  for (std::size_t k = 0; k < n; ++k) {
+    const PlanElement& before = lines[(k + n - 1) % n];
+    const PlanElement& after = lines[k];
+    corners[k] = loop.elements[k].start;
+    if (before.isArc() || after.isArc()) {
+      if (before.distance(corners[k]) > touching ||
+          after.distance(corners[k]) > touching)
+        return "a wall beside an arc cannot be moved";
+      continue;
+    }
+    const Eigen::Vector2d u = after.end - after.start;
+    const Eigen::Vector2d v = before.end - before.start;
+    const double area = cross(u, v);
+    if (std::abs(area) > 1e-3 * u.norm() * v.norm())
+      corners[k] = after.start + cross(before.start - after.start, v) / area * u;
+    else if (std::abs(cross(u.normalized(), before.end - after.start)) > touching)
+      return "it would no longer meet the wall beside it, which is parallel";
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    PlanElement& element = loop.elements[k];
+    const Eigen::Vector2d end = corners[(k + 1) % n];
+    if (!element.isArc() && (end - corners[k]).dot(lines[k].end - lines[k].start) <= 0)
+      return "wall " + std::to_string(k + 1) + " would vanish";
+    element.start = corners[k];
+    element.end = end;
+  }
+  return {};
+}
+
 std::string
 overlapProblem(const Floorplan& plan, const PlanLoop& before, const PlanRoom& after)
 {

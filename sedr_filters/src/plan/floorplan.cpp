@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pcl::sedr {
 
@@ -219,6 +220,20 @@ PlanFlight::outline() const
   for (std::size_t k = steps(); k-- > 0;)
     corners.push_back(risers[k][0]);
   return corners;
+}
+
+const PlanRoom*
+findRoom(const Floorplan& plan, std::uint32_t id)
+{
+  const auto found = std::find_if(plan.rooms.begin(), plan.rooms.end(),
+                                  [id](const PlanRoom& room) { return room.id == id; });
+  return found == plan.rooms.end() ? nullptr : &*found;
+}
+
+PlanRoom*
+findRoom(Floorplan& plan, std::uint32_t id)
+{
+  return const_cast<PlanRoom*>(findRoom(std::as_const(plan), id));
 }
 
 } // namespace pcl::sedr

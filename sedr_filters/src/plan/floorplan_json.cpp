@@ -8,6 +8,7 @@
 #include <pcl/sedr_filters/straightening.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -104,8 +105,7 @@ linksToJson(const Floorplan& plan, const std::vector<Link>& links)
   Json json = Json::array();
   for (Link link : links) {
     for (std::uint32_t& id : link.rooms)
-      if (std::none_of(plan.rooms.begin(), plan.rooms.end(),
-                       [&](const PlanRoom& room) { return room.id == id; }))
+      if (!findRoom(plan, id))
         id = 0;
     if (link.leadsSomewhere())
       json.push_back(link);
@@ -243,6 +243,15 @@ from_json(const Json& json, Floorplan& plan)
   readIfThere(json, "doorways", plan.doorways);
   readIfThere(json, "stairs", plan.stairs);
   readIfThere(json, "openings", plan.openings);
+  if (json.contains("names") && json["names"].is_object())
+    for (const auto& [room, name] : json["names"].items()) {
+      std::uint32_t id = 0;
+      const char* const end = room.data() + room.size();
+      const auto [read, problem] = std::from_chars(room.data(), end, id);
+      PlanRoom* const named = findRoom(plan, id);
+      if (problem == std::errc() && read == end && named && name.is_string())
+        named->name = name.get<std::string>();
+    }
 }
 
 // The file.
@@ -260,37 +269,19 @@ levellingToJson(const Levelling& levelling)
           {"about", Eigen::Vector3d(levelling.about)}};
 }
 
-std::string
-floorplanToJson(const Floorplan& plan,
-                const Levelling* levelling,
-                const Origin& origin,
-                double max_wall)
-{
-  Json rooms = Json::array();
-  for (std::size_t r = 0; r < plan.rooms.size(); ++r)
-    rooms.push_back(roomToJson(plan, r));
-  const bool has_facets =
-      std::any_of(plan.rooms.begin(), plan.rooms.end(),
-                  [](const PlanRoom& room) { return room.hasFacets(); });
-  Json json{
-      {"format", floorplan_format_name},
-      {"version", has_facets ? floorplan_facets_version : floorplan_format_version},
-      {"unit", "m"},
-      {"origin", origin.place},
-      {"rooms", rooms},
-      {"storeys", storeysOf(plan)},
-      {"doorways", linksToJson(plan, plan.doorways)},
-      {"stairs", linksToJson(plan, plan.stairs)}};
-  if (!plan.openings.empty())
-    json["openings"] = plan.openings;
-  if (levelling)
-    json["levelling"] = levellingToJson(*levelling);
-  if (max_wall != Priors().max_wall)
-    json["max_wall"] = max_wall;
-  return json.dump(1) + "\n";
-}
-
 namespace {
+
+Levelling
+levellingFromJson(const Json& json)
+{
+  Levelling levelling;
+  const Json& rows = json.at("rotation");
+  for (int r = 0; r < 3; ++r)
+    levelling.rotation.row(r) =
+        rows.at(static_cast<std::size_t>(r)).get<Eigen::Vector3d>();
+  json.at("about").get_to(levelling.about);
+  return levelling;
+}
 
 /** @brief Returns the reason of an exception for readers: without the name and number
  * that begin those of nlohmann, "[json.exception.type_error.302] ". */
@@ -304,14 +295,58 @@ reasonOf(const std::exception& error)
 
 } // namespace
 
-Floorplan
-floorplanFromJson(const std::string& text, std::string& problem)
+std::string
+documentToJson(const PlanDocument& document)
+{
+  const Floorplan& plan = document.plan;
+  Json rooms = Json::array();
+  Json names = Json::object();
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
+    rooms.push_back(roomToJson(plan, r));
+    if (!plan.rooms[r].name.empty())
+      names[std::to_string(plan.rooms[r].id)] = plan.rooms[r].name;
+  }
+  const bool is_plain =
+      std::none_of(plan.rooms.begin(), plan.rooms.end(), [](const PlanRoom& room) {
+        return room.hasFacets() || isTilted(room);
+      });
+  Json json{{"format", floorplan_format_name},
+            {"version", is_plain ? floorplan_format_version : floorplan_facets_version},
+            {"unit", "m"},
+            {"origin", document.origin.place},
+            {"rooms", rooms},
+            {"storeys", storeysOf(plan)},
+            {"doorways", linksToJson(plan, plan.doorways)},
+            {"stairs", linksToJson(plan, plan.stairs)}};
+  if (!plan.openings.empty())
+    json["openings"] = plan.openings;
+  if (document.levelling)
+    json["levelling"] = levellingToJson(*document.levelling);
+  if (document.max_wall != Priors().max_wall)
+    json["max_wall"] = document.max_wall;
+  if (!names.empty())
+    json["names"] = names;
+  // A name may contain any bytes; invalid UTF-8 becomes U+FFFD.
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+PlanDocument
+documentFromJson(const std::string& text, std::string& problem)
 {
   problem.clear();
   try {
-    auto plan = Json::parse(text).get<Floorplan>();
-    checkPlan(plan);
-    return plan;
+    const Json json = Json::parse(text);
+    PlanDocument document;
+    json.get_to(document.plan);
+    checkPlan(document.plan);
+    readIfThere(json, "origin", document.origin.place);
+    if (json.contains("levelling"))
+      document.levelling = levellingFromJson(json["levelling"]);
+    Priors priors;
+    if (json.contains("max_wall"))
+      problem = setPrior("max_wall", json["max_wall"].get<double>(), priors);
+    document.max_wall = priors.max_wall;
+    return problem.empty() ? document : PlanDocument();
   }
   catch (const std::exception& error) {
     problem = std::string("the floor plan cannot be read: ") + reasonOf(error);
@@ -319,10 +354,16 @@ floorplanFromJson(const std::string& text, std::string& problem)
   }
 }
 
-bool
-originFromJson(const std::string& text, Origin& origin)
+std::string
+floorplanToJson(const Floorplan& plan)
 {
-  return readOrigin(Json::parse(text, nullptr, false), origin);
+  return documentToJson({plan});
+}
+
+Floorplan
+floorplanFromJson(const std::string& text, std::string& problem)
+{
+  return documentFromJson(text, problem).plan;
 }
 
 bool
@@ -338,69 +379,6 @@ readOrigin(const Json& json, Origin& origin)
   catch (const std::exception&) {
     return false;
   }
-}
-
-double
-maxWallFromJson(const std::string& text, std::string& problem)
-{
-  problem.clear();
-  Priors priors;
-  const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object() || !json.contains("max_wall"))
-    return priors.max_wall;
-  const Json& stated = json["max_wall"];
-  problem = stated.is_number()
-                ? setPrior("max_wall", stated.get<double>(), priors)
-                : "the max_wall must be a number, it is " + stated.dump();
-  return priors.max_wall;
-}
-
-std::string
-withTilts(const std::string& json,
-          const WallTilts& tilts,
-          const std::map<std::uint32_t, double>& volumes)
-{
-  constexpr double degrees = 180 / M_PI;
-  if (tilts.empty())
-    return json;
-  Json plan = Json::parse(json);
-  plan["version"] = floorplan_facets_version;
-  for (auto& room : plan["rooms"]) {
-    const auto volume = volumes.find(room["id"].get<std::uint32_t>());
-    if (volume != volumes.end())
-      room["volume"] = volume->second;
-    for (const WallTilt& tilt : tilts)
-      if (room["id"] == tilt.room && tilt.wall < room["boundary"].size())
-        room["boundary"][tilt.wall]["tilt"] = tilt.tilt * degrees;
-  }
-  return plan.dump(1) + "\n";
-}
-
-WallTilts
-tiltsFromJson(const std::string& json, std::string& problem)
-{
-  constexpr double degrees = 180 / M_PI;
-  constexpr double most = 45;
-  problem.clear();
-  WallTilts tilts;
-  try {
-    const Json plan = Json::parse(json);
-    for (const auto& room : plan.at("rooms"))
-      for (std::size_t wall = 0; wall < room.at("boundary").size(); ++wall) {
-        const double tilt = room.at("boundary").at(wall).value("tilt", 0.0);
-        if (!(std::abs(tilt) <= most))
-          throw std::invalid_argument("the tilt of a wall lies within " +
-                                      numberText(most) + " degrees, it is " +
-                                      numberText(tilt));
-        if (tilt != 0)
-          tilts.push_back({room.at("id").get<std::uint32_t>(), wall, tilt / degrees});
-      }
-  }
-  catch (const std::exception& error) {
-    problem = std::string("the tilts of walls cannot be read: ") + reasonOf(error);
-    return {};
-  }
-  return tilts;
 }
 
 } // namespace pcl::sedr

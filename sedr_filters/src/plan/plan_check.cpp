@@ -56,6 +56,11 @@ checkElement(const PlanElement& e)
     require(share >= 0 && share <= 1, std::string("the share ") + name +
                                           " of an element lies from 0 to 1, it is " +
                                           numberText(share));
+  constexpr double max_tilt = 45; // degrees
+  const double tilt = e.tilt * 180 / M_PI;
+  require(std::abs(tilt) <= max_tilt, "the tilt of a wall lies within " +
+                                          numberText(max_tilt) + " degrees, it is " +
+                                          numberText(tilt));
   if (e.radius == 0)
     return;
   checkPlace(e.centre);
@@ -210,11 +215,8 @@ checkOpening(const PlanOpening& opening, const Floorplan& plan, const Ids& ids)
   require(opening.walls.size() <= 2, "an opening is in at most 2 walls, not " +
                                          std::to_string(opening.walls.size()));
   for (const OpeningWall& wall : opening.walls)
-    require(std::any_of(plan.rooms.begin(), plan.rooms.end(),
-                        [&](const PlanRoom& room) {
-                          return room.id == wall.room &&
-                                 wall.element < room.boundary.elements.size();
-                        }),
+    require(findRoom(plan, wall.room) &&
+                wall.element < findRoom(plan, wall.room)->boundary.elements.size(),
             "an opening names wall " + std::to_string(wall.element) + " of room " +
                 std::to_string(wall.room) + ", which the plan does not have");
   checkPlace(opening.start);

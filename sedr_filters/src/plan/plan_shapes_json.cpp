@@ -14,6 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double degrees = 180 / M_PI;
+
 // In the order of their enumerations.
 constexpr std::array<const char*, 4> kinds{"unknown", "door", "window", "passage"};
 constexpr std::array<const char*, 4> hinges{"unknown", "start", "end", "both"};
@@ -56,6 +58,8 @@ to_json(Json& json, const PlanElement& e)
     json["evidence"] = {{"seen", e.evidence.seen},
                         {"hidden", e.evidence.hidden},
                         {"opening", e.evidence.opening}};
+  if (e.tilt != 0)
+    json["tilt"] = e.tilt * degrees;
 }
 
 void
@@ -82,6 +86,7 @@ from_json(const Json& json, PlanElement& e)
     evidence.at("hidden").get_to(e.evidence.hidden);
     evidence.at("opening").get_to(e.evidence.opening);
   }
+  e.tilt = json.value("tilt", 0.0) / degrees;
 }
 
 void

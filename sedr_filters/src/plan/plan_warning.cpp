@@ -77,7 +77,7 @@ constexpr std::array<Words, 36> words{{
     {"crossing", "solids of rooms run into others", "",
      "its solid runs into that of room {0.0}"},
     {"contradiction", "places of the plan contradict each other, the solid is simpler",
-     "m2", "the plan contradicts itself, the solid is simpler: {reason}"},
+     "m2", "{reason}"},
     {"opening_closed", "", "",
      "of {1.0} openings {0.0} are closed in the solid, number {reason} of "
      "floorplan.json"},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "plan_bounds.h"
 #include "room_lookup.h"
 #include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_filters/straightening.h>
 
 #include <Eigen/Geometry>
 
@@ -77,6 +79,33 @@ thicknessAt(const std::vector<const PlanRoom*>& rooms,
   return thickness;
 }
 
+/** @brief Returns the volume of a room with tilted walls, by samples. */
+double
+volumeBetweenTiltedWalls(const PlanRoom& room)
+{
+  constexpr double step = 0.05;
+  const auto [low, high] = heightsOf(room);
+  Eigen::AlignedBox2d box = boundsOf(room.boundary);
+  box.extend(boundsOf(boundaryAt(room, std::max(high, headOf(room)))));
+  std::size_t count = 0;
+  for (double z = low + step / 2;; z += step) {
+    const PlanLoop section = boundaryAt(room, z);
+    const LoopLookup lookup(section);
+    const std::size_t before = count;
+    for (double y = box.min().y() + step / 2; y < box.max().y(); y += step)
+      for (double x = box.min().x() + step / 2; x < box.max().x(); x += step) {
+        const Eigen::Vector2d p(x, y);
+        const bool is_air =
+            lookup.contains(p) && z < room.ceilingAt(p) && z > room.floorAt(p) &&
+            std::none_of(room.columns.begin(), room.columns.end(),
+                         [&](const PlanLoop& c) { return c.contains(p); });
+        count += is_air ? 1 : 0;
+      }
+    if (count == before)
+      return static_cast<double>(count) * step * step * step;
+  }
+}
+
 } // namespace
 
 ClearHeight
@@ -118,7 +147,8 @@ clearHeight(const PlanRoom& room)
 double
 volumeOf(const PlanRoom& room, double mean_height)
 {
-  double volume = mean_height * room.area();
+  double volume =
+      isTilted(room) ? volumeBetweenTiltedWalls(room) : mean_height * room.area();
   for (const PlanNiche& niche : room.niches) {
     const Eigen::Vector2d somewhere = niche.boundary.elements.front().pointAt(0);
     volume += niche.boundary.area() *

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pcl::sedr {
 
@@ -75,20 +76,27 @@ footOf(const PlanRoom& room, const PlanElement& wall)
 } // namespace
 
 std::vector<double>
-wallRuns(const PlanRoom& room, const WallTilts& tilts)
+wallRuns(const PlanRoom& room)
 {
-  std::vector<double> runs(room.boundary.elements.size(), 0);
-  for (const WallTilt& tilt : tilts)
-    if (tilt.room == room.id && tilt.wall < runs.size())
-      runs[tilt.wall] = std::tan(tilt.tilt);
+  std::vector<double> runs;
+  for (const PlanElement& wall : room.boundary.elements)
+    runs.push_back(std::tan(wall.tilt));
   return runs;
 }
 
 bool
-isTilted(const PlanRoom& room, const WallTilts& tilts)
+isTilted(const PlanRoom& room)
 {
-  const auto runs = wallRuns(room, tilts);
-  return std::any_of(runs.begin(), runs.end(), [](double run) { return run != 0; });
+  return std::any_of(room.boundary.elements.begin(), room.boundary.elements.end(),
+                     [](const PlanElement& wall) { return wall.tilt != 0; });
+}
+
+PlanRoom
+withVerticalWalls(PlanRoom room)
+{
+  for (PlanElement& wall : room.boundary.elements)
+    wall.tilt = 0;
+  return room;
 }
 
 void
@@ -107,10 +115,10 @@ rejoin(PlanLoop& loop, const std::vector<bool>& is_moved)
 }
 
 PlanLoop
-boundaryAt(const PlanRoom& room, const WallTilts& tilts, double z)
+boundaryAt(const PlanRoom& room, double z)
 {
   PlanLoop loop = room.boundary;
-  const std::vector<double> runs = wallRuns(room, tilts);
+  const std::vector<double> runs = wallRuns(room);
   std::vector<bool> is_moved;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     PlanElement& wall = loop.elements[i];
@@ -123,11 +131,11 @@ boundaryAt(const PlanRoom& room, const WallTilts& tilts, double z)
 }
 
 double
-headOf(const PlanRoom& room, const WallTilts& tilts)
+headOf(const PlanRoom& room)
 {
   constexpr int steps = 16;
   constexpr double inside = 0.01; // metres
-  const std::vector<double> runs = wallRuns(room, tilts);
+  const std::vector<double> runs = wallRuns(room);
   double head = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const PlanElement& wall = room.boundary.elements[i];
@@ -147,12 +155,12 @@ headOf(const PlanRoom& room, const WallTilts& tilts)
 }
 
 Floorplan
-straightened(const Floorplan& plan, const WallTilts& tilts)
+straightened(const Floorplan& plan)
 {
-  const Straightening map(tiltedFaces(plan, tilts));
+  const Straightening map(tiltedFaces(plan));
   Floorplan straight = plan;
   for (PlanRoom& room : straight.rooms) {
-    if (!isTilted(room, tilts))
+    if (!isTilted(room))
       continue;
     const auto move = [&](PlanLoop& loop, const PlanSlab& slab) {
       for (PlanElement& element : loop.elements)
@@ -168,23 +176,24 @@ straightened(const Floorplan& plan, const WallTilts& tilts)
         for (PlanLoop& hole : detail.holes)
           move(hole, detail.slab);
       }
-    room.boundary = boundaryAt(room, tilts, headOf(room, tilts));
+    room.boundary = boundaryAt(room, headOf(room));
+    room = withVerticalWalls(std::move(room));
   }
   return straight;
 }
 
 std::vector<TiltedFace>
-tiltedFaces(const Floorplan& plan, const WallTilts& tilts)
+tiltedFaces(const Floorplan& plan)
 {
   constexpr double beside = 0.1; // margin at floor and ceiling, metres
   std::vector<TiltedFace> faces;
   bool any = false;
   for (const PlanRoom& room : plan.rooms) {
-    const std::vector<double> runs = wallRuns(room, tilts);
-    const bool has_tilts = isTilted(room, tilts);
+    const std::vector<double> runs = wallRuns(room);
+    const bool has_tilts = isTilted(room);
     any = any || has_tilts;
-    const double head = has_tilts ? headOf(room, tilts) : room.ceiling.heightAt({0, 0});
-    const PlanLoop top = has_tilts ? boundaryAt(room, tilts, head) : room.boundary;
+    const double head = has_tilts ? headOf(room) : room.ceiling.heightAt({0, 0});
+    const PlanLoop top = has_tilts ? boundaryAt(room, head) : room.boundary;
     const auto& foot = room.boundary.elements;
     for (std::size_t i = 0; i < top.elements.size(); ++i) {
       const PlanElement& wall = top.elements[i];

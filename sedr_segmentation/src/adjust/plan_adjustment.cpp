@@ -99,12 +99,11 @@ AdjustmentReport
 adjustPlan(Floorplan& plan,
            const PointView& raw,
            const std::vector<int>& indices,
-           const AdjustmentParameters& parameters,
-           WallTilts* tilts)
+           const AdjustmentParameters& parameters)
 {
   constexpr int max_tries = 12;
   AdjustmentReport report;
-  PlanUnknowns unknowns(plan, tilts, parameters);
+  PlanUnknowns unknowns(plan, parameters);
   report.problem = emptyLoop(unknowns, plan);
   if (!report.problem.empty())
     return report;
@@ -147,8 +146,6 @@ adjustPlan(Floorplan& plan,
         unknowns.all[u] = given[u];
   }
   unknowns.write();
-  if (tilts)
-    *tilts = unknowns.tilts(plan);
   report.ties = ties.size();
   for (const Unknown& u : unknowns.all)
     if (u.isSeen())

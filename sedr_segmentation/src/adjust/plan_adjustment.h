@@ -3,7 +3,6 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
-#include <pcl/sedr_filters/straightening.h>
 
 #include <cstddef>
 #include <string>
@@ -84,14 +83,13 @@ struct AdjustmentReport {
  *
  * O(n) for n points. The result does not depend on the number of threads. Memory is 16
  * bytes for each point near a surface.
- * @param[in,out] plan right to a few centimetres; curved slabs are not changed
+ * @param[in,out] plan right to a few centimetres; curved slabs are not changed, and
+ * walls tilt only if one of them does already
  * @param raw the scan, raw or thinned; points that are not finite are left out
- * @param indices the points to use; empty: all
- * @param[in,out] tilts of the walls; null: all walls are vertical */
+ * @param indices the points to use; empty: all */
 AdjustmentReport adjustPlan(Floorplan& plan,
                             const PointView& raw,
                             const std::vector<int>& indices = {},
-                            const AdjustmentParameters& parameters = {},
-                            WallTilts* tilts = nullptr);
+                            const AdjustmentParameters& parameters = {});
 
 } // namespace pcl::sedr

@@ -3,6 +3,7 @@
 
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/plan/plan_bounds.h"
+#include <pcl/sedr_filters/straightening.h>
 
 #include <algorithm>
 #include <cmath>
@@ -67,15 +68,13 @@ Unknown::curve() const
   return curve;
 }
 
-PlanUnknowns::PlanUnknowns(Floorplan& plan,
-                           const WallTilts* tilts,
-                           const AdjustmentParameters& p)
+PlanUnknowns::PlanUnknowns(Floorplan& plan, const AdjustmentParameters& p)
     : parameters_(p)
 {
   for (std::size_t r = 0; r < plan.rooms.size(); ++r)
     addRoom(plan.rooms[r], r);
-  if (tilts)
-    setTilts(plan, *tilts);
+  if (std::any_of(plan.rooms.begin(), plan.rooms.end(), isTilted))
+    setTilts(plan);
   for (Unknown& u : all)
     u.information = prior(u);
 }
@@ -170,33 +169,21 @@ PlanUnknowns::addSlab(PlanSlab& slab,
 }
 
 void
-PlanUnknowns::setTilts(Floorplan& plan, const WallTilts& tilts)
+PlanUnknowns::setTilts(Floorplan& plan)
 {
-  for (const UnknownLoop& loop : loops) {
+  for (UnknownLoop& loop : loops) {
     PlanRoom& room = plan.rooms[loop.room];
+    loop.may_tilt = loop.loop == &room.boundary;
     for (std::size_t i = 0; i < loop.of_element.size(); ++i) {
       Unknown& u = all[loop.of_element[i]];
-      if (loop.loop != &room.boundary || u.kind != UnknownKind::Line)
+      if (!loop.may_tilt || u.kind != UnknownKind::Line)
         continue;
       u.may_tilt = true;
       u.height = room.floor.heightAt(u.point);
-      for (const WallTilt& tilt : tilts)
-        if (tilt.room == room.id && tilt.wall == i)
-          u.run = std::tan(tilt.tilt);
+      if (room.boundary.elements[i].tilt != 0)
+        u.run = std::tan(room.boundary.elements[i].tilt);
     }
   }
-}
-
-WallTilts
-PlanUnknowns::tilts(const Floorplan& plan) const
-{
-  WallTilts tilts;
-  for (const UnknownLoop& loop : loops)
-    for (std::size_t i = 0; i < loop.of_element.size(); ++i)
-      if (const Unknown& u = all[loop.of_element[i]];
-          loop.loop == &plan.rooms[loop.room].boundary && std::abs(u.run) > 1e-9)
-        tilts.push_back({plan.rooms[loop.room].id, i, std::atan(u.run)});
-  return tilts;
 }
 
 Eigen::Matrix3d
@@ -232,6 +219,8 @@ PlanUnknowns::write() const
   for (const UnknownLoop& loop : loops)
     for (std::size_t i = 0; i < loop.of_element.size(); ++i) {
       const Unknown& u = all[loop.of_element[i]];
+      if (loop.may_tilt && u.kind == UnknownKind::Line)
+        loop.loop->elements[i].tilt = std::abs(u.run) > 1e-9 ? std::atan(u.run) : 0;
       if (!u.isSeen())
         continue;
       loop.loop->elements[i].inliers = static_cast<std::size_t>(u.count);

@@ -77,7 +77,8 @@ struct Unknown {
 struct UnknownLoop {
   PlanLoop* loop = nullptr;
   bool is_boundary = false;
-  std::size_t room = 0; ///< index in the plan
+  bool may_tilt = false; ///< its segments are walls that need not be vertical
+  std::size_t room = 0;  ///< index in the plan
   std::vector<std::size_t> of_element;
 };
 
@@ -92,17 +93,15 @@ struct UnknownSlab {
 /** @brief All unknowns of a plan; `plan` must not move in memory. */
 class PlanUnknowns {
 public:
-  PlanUnknowns(Floorplan& plan, const WallTilts* tilts, const AdjustmentParameters& p);
+  PlanUnknowns(Floorplan& plan, const AdjustmentParameters& p);
 
   std::vector<Unknown> all;
   std::vector<UnknownLoop> loops;
   std::vector<UnknownSlab> slabs;
 
-  /** @brief Writes the moved planes and, of seen surfaces, the counts and residuals. */
+  /** @brief Writes the moved planes, the tilts of walls and, of seen surfaces, the
+   * counts and residuals. */
   void write() const;
-
-  /** @brief Returns the walls that are not vertical. */
-  WallTilts tilts(const Floorplan& plan) const;
 
   /** @brief Returns the information of an unknown before any point is seen. */
   Eigen::Matrix3d prior(const Unknown& u) const;
@@ -116,7 +115,7 @@ private:
                std::size_t parent,
                bool is_floor);
   std::size_t unknownOf(const PlanElement& e, std::size_t first);
-  void setTilts(Floorplan& plan, const WallTilts& tilts);
+  void setTilts(Floorplan& plan);
 
   const AdjustmentParameters& parameters_;
 };

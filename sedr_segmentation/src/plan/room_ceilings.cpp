@@ -14,14 +14,11 @@ namespace {
 /** @brief Returns the boundary of a room with walls that tilt out of it at their heads
  * and all others at their feet: no ceiling reaches farther. */
 PlanLoop
-outermostBoundary(const PlanRoom& room, const WallTilts& tilts)
+outermostBoundary(PlanRoom room)
 {
-  WallTilts outwards;
-  for (const WallTilt& tilt : tilts)
-    if (tilt.room == room.id && tilt.tilt < 0)
-      outwards.push_back(tilt);
-  return outwards.empty() ? room.boundary
-                          : boundaryAt(room, outwards, headOf(room, outwards));
+  for (PlanElement& wall : room.boundary.elements)
+    wall.tilt = std::min(wall.tilt, 0.0);
+  return isTilted(room) ? boundaryAt(room, headOf(room)) : room.boundary;
 }
 
 } // namespace
@@ -31,8 +28,7 @@ giveCeilings(std::vector<RoomSheet> sheets,
              const PointView& scan,
              const std::vector<int>& indices,
              unsigned threads,
-             Floorplan& plan,
-             const WallTilts& tilts)
+             Floorplan& plan)
 {
   parallelBlocks(sheets.size(), 1, threads, [&](std::size_t k, std::size_t) {
     const auto room =
@@ -42,7 +38,7 @@ giveCeilings(std::vector<RoomSheet> sheets,
       return;
     SheetParameters parameters;
     parameters.threads = threads;
-    const PlanLoop outline = outermostBoundary(*room, tilts);
+    const PlanLoop outline = outermostBoundary(*room);
     FacetSheet& sheet = sheets[k].sheet;
     if (sheet.facets.empty())
       sheet = surfaceWithin(outline, sheets[k].points, parameters);

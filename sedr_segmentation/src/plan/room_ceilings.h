@@ -22,12 +22,11 @@ struct RoomSheet {
 /** @brief Sets the facets of ceilings and floors.
  * @param scan the points that the facets are fitted to, the raw ones if known
  * @param indices those to use; empty: all
- * @param tilts of the walls of `plan`; points are where they were scanned */
+ * @param plan points of rooms with tilted walls are where they were scanned */
 void giveCeilings(std::vector<RoomSheet> sheets,
                   const PointView& scan,
                   const std::vector<int>& indices,
                   unsigned threads,
-                  Floorplan& plan,
-                  const WallTilts& tilts = {});
+                  Floorplan& plan);
 
 } // namespace pcl::sedr

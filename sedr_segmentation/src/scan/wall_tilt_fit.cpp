@@ -148,14 +148,13 @@ moveDetails(const Straightening& map, PlanRoom& room)
 
 } // namespace
 
-WallTilts
+void
 fitTilts(const Straightening& map,
          const std::vector<TiltedFace>& faces,
          const PointView& raw,
          const std::vector<int>& indices,
          Floorplan& plan)
 {
-  WallTilts tilts;
   for (PlanRoom& room : plan.rooms) {
     auto& walls = room.boundary.elements;
     std::vector<bool> is_moved(walls.size(), false);
@@ -182,14 +181,13 @@ fitTilts(const Straightening& map,
       wall.residual = plane.residual;
       wall.inliers = plane.inliers;
       is_moved[i] = true;
-      tilts.push_back({room.id, i, std::atan(plane.parameters[2])});
+      wall.tilt = std::atan(plane.parameters[2]);
     }
     if (std::find(is_moved.begin(), is_moved.end(), true) == is_moved.end())
       continue;
     moveDetails(map, room);
     rejoin(room.boundary, is_moved);
   }
-  return tilts;
 }
 
 } // namespace pcl::sedr

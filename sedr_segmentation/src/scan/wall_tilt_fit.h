@@ -17,12 +17,12 @@ namespace pcl::sedr {
  * @param map transformation to the frame of vertical walls
  * @param faces wall faces of the map
  * @param raw points in that frame; without indices: all
- * @param[in,out] plan with vertical walls on input, with their feet on output
- * @return the tilted walls */
-WallTilts fitTilts(const Straightening& map,
-                   const std::vector<TiltedFace>& faces,
-                   const PointView& raw,
-                   const std::vector<int>& indices,
-                   Floorplan& plan);
+ * @param[in,out] plan with vertical walls on input, with their feet and tilts on
+ * output */
+void fitTilts(const Straightening& map,
+              const std::vector<TiltedFace>& faces,
+              const PointView& raw,
+              const std::vector<int>& indices,
+              Floorplan& plan);
 
 } // namespace pcl::sedr

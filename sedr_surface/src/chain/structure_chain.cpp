@@ -86,7 +86,6 @@ StructureChain::reset(const Cloud::ConstPtr& thinned)
   structure.reset(new StructureCloud);
   levelling.reset();
   straightening = Straightening();
-  tilts.clear();
   straight_plan_ = plan;
   straight_structure_ = structure;
   reports.clear();

@@ -106,7 +106,6 @@ bool
 ChainRun::extrude(StageReport& report)
 {
   chain_.extrusion.setFloorplan(chain_.plan);
-  chain_.extrusion.setTilts(chain_.tilts);
   pcl::PolygonMesh unused;
   chain_.extrusion.reconstruct(unused);
   report.points_out = chain_.extrusion.getMesh().vertices.size();

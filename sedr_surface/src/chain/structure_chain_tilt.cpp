@@ -79,21 +79,22 @@ ChainRun::tiltPlan()
     return;
   const pcl::IndicesConstPtr indices = chain_.floorplan_fitting.getRawIndices();
   const PointView raw = chain_.floorplan_fitting.getRawPoints();
-  chain_.tilts = fitTilts(chain_.straightening, tilted_faces_,
-                          raw.size() > 0 ? raw : PointView(*chain_.cloud),
-                          indices ? *indices : pcl::Indices(), *chain_.plan);
-  chain_.straight_plan_ =
-      std::make_shared<Floorplan>(straightened(*chain_.plan, chain_.tilts));
+  fitTilts(chain_.straightening, tilted_faces_,
+           raw.size() > 0 ? raw : PointView(*chain_.cloud),
+           indices ? *indices : pcl::Indices(), *chain_.plan);
+  chain_.straight_plan_ = std::make_shared<Floorplan>(straightened(*chain_.plan));
   fitCeilingsAsScanned(raw, indices ? *indices : pcl::Indices());
-  const Straightening fitted(tiltedFaces(*chain_.plan, chain_.tilts));
+  const Straightening fitted(tiltedFaces(*chain_.plan));
   for (auto& p : *chain_.cloud) {
     const Eigen::Vector3d scanned =
         chain_.straightening.back(p.getVector3fMap().cast<double>());
     p.getVector3fMap() = fitted.straighten(scanned).cast<float>();
   }
   chain_.straightening = fitted;
-  for (const WallTilt& tilt : chain_.tilts)
-    warn({WarningKind::Tilted, {tilt.tilt * 180 / M_PI}, tilt.room, tilt.wall + 1});
+  for (const PlanRoom& room : chain_.plan->rooms)
+    for (std::size_t e = 0; e < room.boundary.elements.size(); ++e)
+      if (const double tilt = room.boundary.elements[e].tilt; tilt != 0)
+        warn({WarningKind::Tilted, {tilt * 180 / M_PI}, room.id, e + 1});
 }
 
 void
@@ -104,7 +105,7 @@ ChainRun::fitCeilingsAsScanned(const PointView& raw, const pcl::Indices& indices
   };
   std::vector<RoomSheet> sheets;
   for (const PlanRoom& room : chain_.plan->rooms)
-    if (isTilted(room, chain_.tilts))
+    if (isTilted(room))
       sheets.push_back({room.id, {}, {}});
   if (sheets.empty())
     return;
@@ -119,8 +120,7 @@ ChainRun::fitCeilingsAsScanned(const PointView& raw, const pcl::Indices& indices
     all.push_back(scanned(raw, i).cast<float>());
   const PointView of_all(all.data(), sizeof(Eigen::Vector3f), all.size());
   giveCeilings(std::move(sheets), of_all, indices,
-               chain_.room_segmentation.getNumberOfThreads(), *chain_.plan,
-               chain_.tilts);
+               chain_.room_segmentation.getNumberOfThreads(), *chain_.plan);
 }
 
 void

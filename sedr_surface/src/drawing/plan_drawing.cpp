@@ -271,7 +271,7 @@ PlanDrawing::PlanDrawing(const Floorplan& whole,
   const PlanFrame& frame = layout.frame;
   const std::vector<CeilingLines> ceilings =
       ceilingsOf(plan, finest > 0 ? finest : 1 / frame.scale);
-  lines = planLines(plan, ceilings, settings.tilts);
+  lines = planLines(plan, ceilings);
   doorways = doorwayGaps(plan);
   TextPlaces places(layout.size);
   dimensions = placedRows(rowsAround(plan, frame, settings.max_wall), frame, places);
@@ -281,7 +281,7 @@ PlanDrawing::PlanDrawing(const Floorplan& whole,
                           line.layer == PlanLayer::Column;
     is_solid ? places.keepOff(frame(line.element)) : places.avoid(frame(line.element));
   }
-  texts = placedTexts(plan, ceilings, lines, doorways, settings.names, frame, places);
+  texts = placedTexts(plan, ceilings, lines, doorways, frame, places);
 }
 
 Sheet

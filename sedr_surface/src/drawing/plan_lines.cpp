@@ -79,15 +79,17 @@ public:
   }
 
   /** @brief Adds the heads of tilted walls. */
-  void addHeads(const WallTilts& tilts)
+  void addHeads()
   {
-    for (const WallTilt& tilt : tilts) {
-      if (tilt.room != room_.id || tilt.tilt == 0 ||
-          tilt.wall >= room_.boundary.elements.size())
+    const std::vector<PlanElement>& walls = room_.boundary.elements;
+    for (std::size_t e = 0; e < walls.size(); ++e) {
+      if (walls[e].tilt == 0)
         continue;
-      const PlanLoop head = boundaryAt(room_, tilts, headOf(room_, {tilt}));
-      add(head.elements[tilt.wall], PlanLayer::Ceiling,
-          "tilt " + decimalText(std::abs(tilt.tilt) * 180 / M_PI, 1) + "°");
+      PlanRoom alone = withVerticalWalls(room_); // each has a head of its own
+      alone.boundary.elements[e].tilt = walls[e].tilt;
+      const PlanLoop head = boundaryAt(room_, headOf(alone));
+      add(head.elements[e], PlanLayer::Ceiling,
+          "tilt " + decimalText(std::abs(walls[e].tilt) * 180 / M_PI, 1) + "°");
     }
   }
 
@@ -167,10 +169,8 @@ addStairs(const Floorplan& plan, std::vector<PlanLine>& lines)
   constexpr double cut = 1.2; // metres above its floor
   std::vector<ShownFlight> shown;
   for (const PlanStair& stair : plan.stairs) {
-    std::array<bool, 2> has{};
-    for (const PlanRoom& room : plan.rooms)
-      for (std::size_t k = 0; k < 2; ++k)
-        has[k] = has[k] || room.id == stair.rooms[k];
+    const std::array<bool, 2> has{findRoom(plan, stair.rooms[0]) != nullptr,
+                                  findRoom(plan, stair.rooms[1]) != nullptr};
     for (const PlanFlight& flight : stair.flights) {
       std::size_t below = 0;
       while (below < flight.steps() &&
@@ -270,9 +270,7 @@ ceilingsOf(const Floorplan& plan, double finest)
 }
 
 std::vector<PlanLine>
-planLines(const Floorplan& plan,
-          const std::vector<CeilingLines>& ceilings,
-          const WallTilts& tilts)
+planLines(const Floorplan& plan, const std::vector<CeilingLines>& ceilings)
 {
   std::vector<PlanLine> all;
   for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
@@ -296,7 +294,7 @@ planLines(const Floorplan& plan,
     for (const PlanNiche& niche : room.niches)
       lines.addOffWalls(niche.boundary, PlanLayer::Niche, false);
     lines.addHeadroom();
-    lines.addHeads(tilts);
+    lines.addHeads();
   }
   addStairs(plan, all);
   return all;
@@ -348,10 +346,9 @@ gapOf(const Floorplan& plan, const PlanOpening& opening)
   gap.width = opening.width();
   gap.height = opening.height();
   gap.kind = opening.kind;
-  for (const PlanRoom& room : plan.rooms)
-    if (room.id == opening.rooms[0])
-      gap.sill = opening.bottom -
-                 room.floorAt((gap.corners[0] + gap.corners[1]) / 2 + 0.05 * left);
+  if (const PlanRoom* const room = findRoom(plan, opening.rooms[0]))
+    gap.sill = opening.bottom -
+               room->floorAt((gap.corners[0] + gap.corners[1]) / 2 + 0.05 * left);
   for (const OpeningLeaf& door : leavesOf(opening)) {
     PlanElement leaf;
     leaf.start = door.hinge;

@@ -30,8 +30,7 @@ std::vector<CeilingLines> ceilingsOf(const Floorplan& plan, double finest);
  * The head of a tilted wall has its tilt as note.
  * @param ceilings from ceilingsOf() */
 std::vector<PlanLine> planLines(const Floorplan& plan,
-                                const std::vector<CeilingLines>& ceilings,
-                                const WallTilts& tilts = {});
+                                const std::vector<CeilingLines>& ceilings);
 
 /** @brief A doorway or opening for drawing: a gap through its wall, from face to face.
  */

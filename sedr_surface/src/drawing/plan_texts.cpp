@@ -33,16 +33,15 @@ circleAbout(const TextSpot& spot)
 /** @brief Returns the text lines of a room: number, area, and the height if its ceiling
  * lies above its floor. */
 std::vector<std::string>
-roomTexts(const PlanRoom& room, const RoomNames& names)
+roomTexts(const PlanRoom& room)
 {
   const double usual = clearHeight(room).usual;
   std::string height = decimalText(usual, 2);
   if (const auto [eaves, ridge] = heightRange(room); room.hasFacets() && eaves > 0)
     height = decimalText(eaves, 2) + " - " + decimalText(ridge, 2);
   const std::string number = std::to_string(room.id);
-  const auto named = names.find(room.id);
-  std::vector<std::string> lines{named == names.end() ? "Room " + number
-                                                      : number + " " + named->second,
+  std::vector<std::string> lines{room.name.empty() ? "Room " + number
+                                                   : number + " " + room.name,
                                  decimalText(room.area(), 2) + " m²"};
   if (usual > 0)
     lines.push_back("h " + height + " m");
@@ -99,10 +98,10 @@ public:
 
   /** @brief Writes number, area and height of a room.
    * @return a circle around the text, metres */
-  TextSpot writeRoom(const PlanRoom& room, const RoomNames& names)
+  TextSpot writeRoom(const PlanRoom& room)
   {
     TextSpot spot = textSpotIn(room.boundary, room.columns);
-    const std::vector<std::string> lines = roomTexts(room, names);
+    const std::vector<std::string> lines = roomTexts(room);
     auto box = writeAt(PlanLayer::Room, spot, lines, large_font);
     if (!box)
       box = writeAt(PlanLayer::Room, spot, {lines[0], lines[1]}, large_font);
@@ -286,13 +285,9 @@ private:
 void
 writeStairs(const Floorplan& plan, TextWriter& writer)
 {
-  const auto hasRoom = [&](std::uint32_t id) {
-    return std::any_of(plan.rooms.begin(), plan.rooms.end(),
-                       [id](const PlanRoom& room) { return room.id == id; });
-  };
   for (const PlanStair& stair : plan.stairs) {
-    const bool is_up = hasRoom(stair.rooms[0]);
-    if (!is_up && !hasRoom(stair.rooms[1]))
+    const bool is_up = findRoom(plan, stair.rooms[0]);
+    if (!is_up && !findRoom(plan, stair.rooms[1]))
       continue;
     const std::uint32_t other = stair.rooms[is_up ? 1 : 0];
     writer.writeAt(PlanLayer::Note, {stair.at, 0},
@@ -309,14 +304,13 @@ placedTexts(const Floorplan& plan,
             const std::vector<CeilingLines>& ceilings,
             const std::vector<PlanLine>& lines,
             const std::vector<DoorwayGap>& doorways,
-            const RoomNames& names,
             const PlanFrame& frame,
             TextPlaces& places)
 {
   TextWriter writer(frame, places);
   std::vector<TextSpot> room_texts;
   for (const PlanRoom& room : plan.rooms)
-    room_texts.push_back(writer.writeRoom(room, names));
+    room_texts.push_back(writer.writeRoom(room));
   writeStairs(plan, writer);
   for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
     const PlanRoom& room = plan.rooms[r];

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/plan_editor.h>
-
 #include "../sheet/text_places.h"
 #include "dimension_rows.h"
 #include "plan_lines.h"
@@ -32,7 +30,6 @@ PlanTexts placedTexts(const Floorplan& plan,
                       const std::vector<CeilingLines>& ceilings,
                       const std::vector<PlanLine>& lines,
                       const std::vector<DoorwayGap>& doorways,
-                      const RoomNames& names,
                       const PlanFrame& frame,
                       TextPlaces& places);
 

@@ -62,7 +62,7 @@ IfcDocument::addRooms()
     rooms.emplace_back();
     IfcRoom& added = rooms.back();
     added.room = &room;
-    added.report = extrudeRoom(room, {}, added.solid, added.elements, settings.tilts);
+    added.report = extrudeRoom(room, {}, added.solid, added.elements);
     if (added.solid.empty())
       model.warnings.push_back(warningOf(WarningKind::IfcLoss,
                                          "no body in the IFC: " + added.report.problem,

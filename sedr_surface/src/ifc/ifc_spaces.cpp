@@ -155,12 +155,10 @@ writeSpaces(IfcDocument& document)
                                "Tessellation", "space");
     const StepRef place = document.placeIn(written.storey);
     const std::string number = std::to_string(room.id);
-    const auto named = document.settings.names.find(room.id);
     written.space = document.step.add(
-        "IFCSPACE",
-        {document.guid(name), none, number, none, none, place, shape,
-         named == document.settings.names.end() ? "Room " + number : named->second,
-         symbol("ELEMENT"), symbol("INTERNAL"), heightsOf(room).low});
+        "IFCSPACE", {document.guid(name), none, number, none, none, place, shape,
+                     room.name.empty() ? "Room " + number : room.name,
+                     symbol("ELEMENT"), symbol("INTERNAL"), heightsOf(room).low});
     storey.spaces.push_back(written.space);
     ++document.model.spaces;
     describe(document, written, name);

@@ -173,7 +173,7 @@ writeWalls(IfcDocument& document)
       added.name += "_part_" + std::to_string(part);
     added.bottom = heights.bottom;
     added.top = heights.highest();
-    added.runs = runsOf(plan, wall, document.settings.tilts);
+    added.runs = runsOf(plan, wall);
     added.profile = profileOf(plan, wall, roomsIn(plan, wall));
     endAtBodies(document, added);
     if (isWhollyOpen(plan, added))

@@ -301,12 +301,12 @@ profileOf(const Floorplan& plan,
 }
 
 WallRuns
-runsOf(const Floorplan& plan, const PlanWall& wall, const WallTilts& tilts)
+runsOf(const Floorplan& plan, const PlanWall& wall)
 {
   const auto runOfFace = [&](const WallFace& face) {
-    return face.loop > 0 ? 0 : wallRuns(plan.rooms[face.room], tilts)[face.element];
+    return face.loop > 0 ? 0 : std::tan(elementOf(plan, face).tilt);
   };
-  if (tilts.empty() || elementOf(plan, wall.face).isArc())
+  if (elementOf(plan, wall.face).isArc())
     return {};
   const double near = runOfFace(wall.face);
   return {near, wall.other ? -runOfFace(*wall.other) : near};

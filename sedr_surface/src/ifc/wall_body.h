@@ -46,7 +46,7 @@ struct WallRuns {
 
 /** @brief Returns the runs of a straight wall. The other side of a wall with one known
  * face is tilted like that. */
-WallRuns runsOf(const Floorplan& plan, const PlanWall& wall, const WallTilts& tilts);
+WallRuns runsOf(const Floorplan& plan, const PlanWall& wall);
 
 constexpr double no_area =
     0.001; ///< smaller openings and walls are none, square metres

@@ -41,10 +41,7 @@ warnOfCrossings(const TriangleMesh& mesh, std::vector<PlanWarning>& warnings)
 } // namespace
 
 std::string
-extrudePlan(const Floorplan* plan,
-            const WallTilts& tilts,
-            const SolidParameters& parameters,
-            PlanSolids solids)
+extrudePlan(const Floorplan* plan, const SolidParameters& parameters, PlanSolids solids)
 {
   if (!plan)
     return "no floor plan is set";
@@ -57,11 +54,11 @@ extrudePlan(const Floorplan* plan,
     return problem;
   std::optional<RevealedPlan> cut;
   if (parameters.cut_openings)
-    cut.emplace(*plan, tilts);
+    cut.emplace(*plan);
   for (const PlanRoom& room : cut ? cut->rooms : plan->rooms) {
     TriangleMesh solid;
     const RoomSolidReport report =
-        extrudeRoom(room, parameters, solid, solids.elements, tilts);
+        extrudeRoom(room, parameters, solid, solids.elements);
     const std::string name = "room " + std::to_string(room.id) + ": ";
     solids.mesh.append(solid);
     if (!report.problem.empty())

@@ -187,14 +187,14 @@ topOf(const Floorplan& plan,
 }
 
 bool
-isInTiltedWall(const PlanOpening& opening, const WallTilts& tilts)
+isInTiltedWall(const PlanOpening& opening, const Floorplan& plan)
 {
-  return std::any_of(tilts.begin(), tilts.end(), [&](const WallTilt& tilt) {
-    return std::any_of(opening.walls.begin(), opening.walls.end(),
-                       [&](const OpeningWall& wall) {
-                         return wall.room == tilt.room && wall.element == tilt.wall;
-                       });
-  });
+  return std::any_of(opening.walls.begin(), opening.walls.end(),
+                     [&](const OpeningWall& wall) {
+                       const PlanRoom* const room = findRoom(plan, wall.room);
+                       return room && wall.element < room->boundary.elements.size() &&
+                              room->boundary.elements[wall.element].tilt != 0;
+                     });
 }
 
 /** @brief Returns the rooms that an opening leads to, if their boundary is near. */
@@ -227,13 +227,13 @@ roomsBeside(const Floorplan& plan, const PlanOpening& opening)
 
 } // namespace
 
-RevealedPlan::RevealedPlan(const Floorplan& plan, const WallTilts& tilts)
+RevealedPlan::RevealedPlan(const Floorplan& plan)
     : rooms(plan.rooms)
     , is_open(plan.openings.size(), false)
 {
   for (std::size_t k = 0; k < plan.openings.size(); ++k) {
     const PlanOpening& opening = plan.openings[k];
-    if (isInTiltedWall(opening, tilts) || opening.width() < min_depth ||
+    if (isInTiltedWall(opening, plan) || opening.width() < min_depth ||
         opening.rise > opening.height())
       continue;
     std::vector<RoomBeside> beside = roomsBeside(plan, opening);

@@ -31,7 +31,7 @@ struct RevealedPlan {
 
   /** @brief Openings in tilted walls, and those beside which no wall of their rooms is,
    * stay closed. */
-  RevealedPlan(const Floorplan& plan, const WallTilts& tilts);
+  explicit RevealedPlan(const Floorplan& plan);
 
   /** @brief Returns a text with the names of the niches of openings replaced:
    * room_1_niche_2_side_1 becomes room_1_opening_5_side_1. */

@@ -283,8 +283,7 @@ RoomSolidReport
 extrudeRoom(const PlanRoom& room,
             const SolidParameters& parameters,
             TriangleMesh& solid,
-            std::vector<SolidElement>& elements,
-            const WallTilts& tilts)
+            std::vector<SolidElement>& elements)
 {
   solid = TriangleMesh();
   RoomSolidReport report;
@@ -292,19 +291,18 @@ extrudeRoom(const PlanRoom& room,
   report.problem = roomProblem(room);
   if (!report.problem.empty())
     return report;
-  const bool is_tilted = isTilted(room, tilts);
+  const bool is_tilted = isTilted(room);
   const PlanRoom straight =
-      is_tilted ? straightened(Floorplan{{room}}, tilts).rooms.front() : PlanRoom();
+      is_tilted ? straightened(Floorplan{{room}}).rooms.front() : PlanRoom();
   const RoomLayers layers(is_tilted ? straight : room);
   PlanSubdivision subdivision;
   report.problem = subdivideRoom(layers, parameters, subdivision, report.warnings);
   if (report.problem.empty())
     report.problem = SolidBuilder(layers, subdivision).build(solid);
   if (report.problem.empty() && is_tilted) {
-    const std::string folded =
-        tiltWalls(layers, wallRuns(room, tilts), headOf(room, tilts), solid);
+    const std::string folded = tiltWalls(layers, wallRuns(room), headOf(room), solid);
     if (!folded.empty()) {
-      report = extrudeRoom(room, parameters, solid, elements);
+      report = extrudeRoom(withVerticalWalls(room), parameters, solid, elements);
       report.warnings.push_back(
           warningOf(WarningKind::Contradiction,
                     "its walls stand vertical in the solid: " + folded));

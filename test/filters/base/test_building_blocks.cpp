@@ -3,13 +3,21 @@
 
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_filters/plan_opening.h>
+#include <pcl/sedr_filters/stage_error.h>
+#include <pcl/sedr_filters/stage_filter.h>
+#include <pcl/sedr_filters/structure_label.h>
+#include <pcl/sedr_filters/voxel_grid_settings.h>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <sstream>
+#include <vector>
 
 // The example of doc/building_blocks.md, verbatim.
 
@@ -111,6 +119,84 @@ TEST(BuildingBlocks, WhatIsInstalledIncludesOnlyWhatIsInstalled)
       }
     }
   EXPECT_GT(includes, 50u);
+}
+
+TEST(StageIndices, AreSharedByPointerAndNoneFromNull)
+{
+  using pcl::sedr::StageIndices;
+  const pcl::PointIndices::Ptr found(new pcl::PointIndices);
+  found->indices = {3, 1};
+  EXPECT_EQ(StageIndices(found).get().get(), &found->indices);
+  EXPECT_EQ(*StageIndices(pcl::Indices{2}).get(), pcl::Indices{2});
+  EXPECT_EQ(StageIndices(nullptr).get(), nullptr);
+  EXPECT_EQ(pcl::sedr::indicesProblem("floor", StageIndices(found).get(), 3),
+            "floor index 3 is out of range, the cloud has 3 points");
+  EXPECT_EQ(pcl::sedr::indicesInRange({-1, 0, 3}, 3), pcl::Indices{0});
+  EXPECT_NE(pcl::sedr::lengthProblem("the grid size", std::nan("")), "");
+}
+
+/** A stage that keeps nothing and cannot work on fewer than two points. */
+struct PickyFilter : pcl::sedr::StageFilter<pcl::PointXYZ> {
+  PickyFilter()
+      : StageFilter(true)
+  {}
+
+  void applyFilter(PointCloud& output) override
+  {
+    startRun(output);
+    if (input_->size() < 2)
+      failRun("at least 2 points are needed, there is 1");
+  }
+};
+
+TEST(StageFilter, TellsWhyItFailedAndRemovesAll)
+{
+  PickyFilter filter;
+  pcl::PointCloud<pcl::PointXYZ> output;
+  output.resize(3);
+  filter.filter(output);
+  EXPECT_EQ(filter.getErrorMessage(), "no input cloud was set");
+  EXPECT_TRUE(output.empty());
+  const pcl::PointCloud<pcl::PointXYZ>::Ptr one(new pcl::PointCloud<pcl::PointXYZ>);
+  one->push_back({});
+  filter.setInputCloud(one);
+  filter.filter(output);
+  EXPECT_EQ(filter.getErrorMessage(), "at least 2 points are needed, there is 1");
+  EXPECT_EQ(*filter.getRemovedIndices(), pcl::Indices{0});
+  one->push_back({});
+  filter.filter(output);
+  EXPECT_EQ(filter.getErrorMessage(), "");
+}
+
+TEST(StructureLabel, NamesAreOfKnownValues)
+{
+  EXPECT_STREQ(toString(pcl::sedr::StructureLabel::Column), "column");
+  EXPECT_STREQ(toString(static_cast<pcl::sedr::StructureLabel>(6)), "other");
+}
+
+TEST(PlanOpening, BothLeavesOfADoorMeetInItsMiddle)
+{
+  pcl::sedr::PlanOpening door;
+  door.rooms = {1, 2};
+  door.end = {2, 0};
+  door.depth = 0.2;
+  door.hinge = pcl::sedr::OpeningHinge::Both;
+  door.swing = 1; // the room to the left
+  const std::vector<pcl::sedr::OpeningLeaf> leaves = leavesOf(door);
+  ASSERT_EQ(leaves.size(), 2u);
+  EXPECT_TRUE(leaves[0].shut.isApprox(Eigen::Vector2d(1, 0.1)));
+  EXPECT_TRUE(leaves[1].shut.isApprox(leaves[0].shut));
+  EXPECT_TRUE(leaves[0].open.isApprox(Eigen::Vector2d(0, 1.1)));
+  EXPECT_STREQ(nameOf(pcl::sedr::OpeningKind::Passage), "passage");
+}
+
+TEST(VoxelGridSettings, VoxelsBeginAtZero)
+{
+  struct Settings : pcl::sedr::VoxelGridSettings {
+  } settings;
+  settings.setLeafSize(0.1F, 0.2F, 0.5F);
+  EXPECT_EQ(settings.getGridCoordinates(-0.05F, 0.3F, 1e30F),
+            Eigen::Vector3i(-1, 1, std::numeric_limits<int>::max()));
 }
 
 } // namespace

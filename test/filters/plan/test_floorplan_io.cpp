@@ -66,37 +66,48 @@ TEST(FloorplanJson, ReadsBackExactly)
   EXPECT_EQ(floorplanToJson(read), floorplanToJson(plan));
 }
 
-TEST(FloorplanJson, TheOriginReadsBackAndMayBeMissing)
+TEST(PlanDocument, ReadsBackWhole)
 {
-  const Origin origin{{691600.1, 5335900 + 1.0 / 3, -12}};
-  Origin read;
-  ASSERT_TRUE(originFromJson(floorplanToJson(samplePlan(), nullptr, origin), read));
-  EXPECT_EQ(read, origin);
-  EXPECT_TRUE(originFromJson(floorplanToJson(samplePlan()), read));
-  EXPECT_TRUE(read.isZero());
-  EXPECT_TRUE(originFromJson("{\"rooms\": []}", read));
-  EXPECT_TRUE(read.isZero());
-  EXPECT_FALSE(originFromJson("{\"origin\": [1, 2]}", read));
-  EXPECT_FALSE(originFromJson("{\"origin\": [1, 2, \"3\"]}", read));
+  PlanDocument document{samplePlan(), Origin{{691600.1, 5335900 + 1.0 / 3, -12}},
+                        Levelling::of({0.01, 0.02, 1}, {3, 4, 5}), 1.5};
+  document.plan.rooms[0].name = "Küche \"2\"";
+  std::string problem;
+  const PlanDocument read = documentFromJson(documentToJson(document), problem);
+  EXPECT_EQ(problem, "");
+  EXPECT_EQ(read.origin, document.origin);
+  ASSERT_TRUE(read.levelling);
+  EXPECT_EQ(read.levelling->rotation, document.levelling->rotation);
+  EXPECT_EQ(read.levelling->about, document.levelling->about);
+  EXPECT_EQ(read.max_wall, 1.5);
+  EXPECT_EQ(read.plan.rooms[0].name, document.plan.rooms[0].name);
+  EXPECT_EQ(documentToJson(read), documentToJson(document));
 }
 
-TEST(FloorplanJson, StatesTheMaximumThicknessOfAWall)
+TEST(PlanDocument, MayLackAllButThePlan)
 {
-  const auto read = [](const std::string& text) {
+  std::string problem;
+  const PlanDocument read = documentFromJson(floorplanToJson(samplePlan()), problem);
+  EXPECT_EQ(problem, "");
+  EXPECT_TRUE(read.origin.isZero());
+  EXPECT_FALSE(read.levelling);
+  EXPECT_EQ(read.max_wall, Priors().max_wall);
+}
+
+TEST(PlanDocument, RefusesWhatIsNoOriginOrThickness)
+{
+  const std::string text = floorplanToJson(samplePlan());
+  const auto problemWith = [&](const std::string& member) {
     std::string problem;
-    const double max_wall = maxWallFromJson(text, problem);
-    return problem.empty() ? std::to_string(max_wall) : problem;
+    documentFromJson("{" + member + text.substr(text.find("\"format\"") - 1), problem);
+    return problem;
   };
-  const std::string usual = std::to_string(Priors().max_wall);
-  EXPECT_EQ(read(floorplanToJson(samplePlan())), usual);
-  const std::string castle = floorplanToJson(samplePlan(), nullptr, {}, 1.5);
-  EXPECT_EQ(read(castle), std::to_string(1.5));
-  EXPECT_EQ(
-      read(R"({"max_wall": 1e9})").find("the prior max_wall must be from 0.1 to 3"),
-      0u);
-  EXPECT_EQ(read(R"({"max_wall": "wide"})"),
-            "the max_wall must be a number, it is \"wide\"");
-  EXPECT_EQ(read("{"), usual);
+  const auto holds = [](const std::string& problem, const char* part) {
+    return problem.find(part) != std::string::npos;
+  };
+  EXPECT_TRUE(holds(problemWith(R"("max_wall": 1e9,)"),
+                    "the prior max_wall must be from 0.1 to 3"));
+  EXPECT_TRUE(holds(problemWith(R"("max_wall": "wide",)"), "must be number"));
+  EXPECT_TRUE(holds(problemWith(R"("levelling": {"rotation": 7},)"), "cannot be read"));
 }
 
 TEST(FloorplanJson, TruncatedTextIsRefusedWhereverItEnds)

@@ -14,26 +14,19 @@ using namespace sedr_test;
 
 constexpr double degree = M_PI / 180;
 
-/** A room with corners of various angles; two walls that do not meet are tilted. */
-Floorplan
-obliquePlan()
+TEST(Straightening, BringsWallsToTheirHeadsAndBack)
 {
-  return {{roomOf(polygon({{0, 0}, {6, 0}, {7, 4}, {3, 6}, {0, 4}}), 2.6)}};
-}
-
-const WallTilts two{{1, 1, 12 * degree}, {1, 4, 5 * degree}};
-
-/** How far walls come off their heads, at all heights, and how far from where they were
- * when they go back. */
-void
-expectVertical(const WallTilts& tilts, double tolerance)
-{
-  const Floorplan plan = obliquePlan();
-  const Floorplan straight = straightened(plan, tilts);
-  const Straightening map(tiltedFaces(plan, tilts));
+  // Corners of various angles; two walls that do not meet are tilted.
+  constexpr double tolerance = 1e-9;
+  Floorplan plan{{roomOf(polygon({{0, 0}, {6, 0}, {7, 4}, {3, 6}, {0, 4}}), 2.6)}};
+  plan.rooms[0].boundary.elements[1].tilt = 12 * degree;
+  plan.rooms[0].boundary.elements[4].tilt = 5 * degree;
+  const Floorplan straight = straightened(plan);
+  EXPECT_FALSE(isTilted(straight.rooms[0]));
+  const Straightening map(tiltedFaces(plan));
   const PlanLoop& top = straight.rooms[0].boundary;
   for (double z = 0.0; z <= 2.6; z += 0.2) {
-    const PlanLoop section = boundaryAt(plan.rooms[0], tilts, z);
+    const PlanLoop section = boundaryAt(plan.rooms[0], z);
     for (std::size_t i = 0; i < section.elements.size(); ++i)
       for (const double share : {0.02, 0.3, 0.7, 0.98}) {
         const PlanElement& wall = section.elements[i];
@@ -48,16 +41,11 @@ expectVertical(const WallTilts& tilts, double tolerance)
   }
 }
 
-TEST(Straightening, BringsWallsToTheirHeadsAndBack)
-{
-  expectVertical(two, 1e-9);
-}
-
 TEST(Straightening, TurnsNormalsWithTheWalls)
 {
-  const Floorplan plan{{roomOf(rectangle(0, 0, 6, 4), 2.5)}};
-  const WallTilts tilts{{1, 1, 12 * degree}};
-  const Straightening map(tiltedFaces(plan, tilts));
+  Floorplan plan{{roomOf(rectangle(0, 0, 6, 4), 2.5)}};
+  plan.rooms[0].boundary.elements[1].tilt = 12 * degree;
+  const Straightening map(tiltedFaces(plan));
   const double head = 6 - 2.5 * std::tan(12 * degree);
   const Eigen::Vector3d normal = map.normalBack({head, 2, 1}, {-1, 0, 0});
   EXPECT_NEAR(normal.x(), -std::cos(12 * degree), 1e-9);
@@ -68,9 +56,10 @@ TEST(Straightening, TurnsNormalsWithTheWalls)
 TEST(Straightening, AWallBetweenTwoRoomsIsTiltedWithBothItsFaces)
 {
   PlanRoom east = roomOf(rectangle(4.1, 0, 8, 4), 2.5, 2);
-  const Floorplan plan{{roomOf(rectangle(0, 0, 4, 4), 2.5, 1), east}};
-  const WallTilts tilts{{1, 1, 8 * degree}, {2, 3, -8 * degree}};
-  const Straightening map(tiltedFaces(plan, tilts));
+  Floorplan plan{{roomOf(rectangle(0, 0, 4, 4), 2.5, 1), east}};
+  plan.rooms[0].boundary.elements[1].tilt = 8 * degree;
+  plan.rooms[1].boundary.elements[3].tilt = -8 * degree;
+  const Straightening map(tiltedFaces(plan));
   const double shift = 2.5 * std::tan(8 * degree);
   EXPECT_NEAR(map.straighten({4, 2, 0}).x(), 4 - shift, 1e-9);
   EXPECT_NEAR(map.straighten({4.1, 2, 0}).x(), 4.1 - shift, 1e-9);

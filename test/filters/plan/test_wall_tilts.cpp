@@ -4,6 +4,7 @@
 #include "plan_loops.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <gtest/gtest.h>
 
@@ -25,22 +26,28 @@ raisedRoom()
   return room;
 }
 
-TEST(WallTilts, ARunIsTheTangentOfTheTiltOfTheRoomsOwnWalls)
+PlanRoom
+tilted(PlanRoom room, std::size_t wall, double tilt)
 {
-  const WallTilts tilts{{7, 1, ten_degrees}, {8, 2, ten_degrees}, {7, 9, ten_degrees}};
-  EXPECT_EQ(wallRuns(raisedRoom(), tilts),
-            (std::vector<double>{0, std::tan(ten_degrees), 0, 0}));
-  EXPECT_TRUE(isTilted(raisedRoom(), tilts));
-  EXPECT_FALSE(isTilted(raisedRoom(), {tilts[1], tilts[2]}));
+  room.boundary.elements[wall].tilt = tilt;
+  return room;
+}
+
+TEST(WallTilts, ARunIsTheTangentOfTheTilt)
+{
+  const PlanRoom room = tilted(raisedRoom(), 1, ten_degrees);
+  EXPECT_EQ(wallRuns(room), (std::vector<double>{0, std::tan(ten_degrees), 0, 0}));
+  EXPECT_TRUE(isTilted(room));
+  EXPECT_FALSE(isTilted(withVerticalWalls(room)));
 }
 
 TEST(WallTilts, TheBoundaryOfARoomMovesWithTheHeightAboveItsFloor)
 {
-  const WallTilts tilts{{7, 1, ten_degrees}}; // the wall at x = 6, into the room
-  EXPECT_NEAR(boundaryAt(raisedRoom(), tilts, 1).area(), 24, 1e-9) << "at its foot";
+  const PlanRoom room = tilted(raisedRoom(), 1, ten_degrees); // x = 6, into the room
+  EXPECT_NEAR(boundaryAt(room, 1).area(), 24, 1e-9) << "at its foot";
   for (const double up : {0.5, 2.5}) {
     const double x = 6 - up * std::tan(ten_degrees);
-    const PlanLoop section = boundaryAt(raisedRoom(), tilts, 1 + up);
+    const PlanLoop section = boundaryAt(room, 1 + up);
     EXPECT_NEAR(section.area(), 4 * x, 1e-9);
     EXPECT_NEAR((section.elements[1].start - Eigen::Vector2d(x, 0)).norm(), 0, 1e-9);
     EXPECT_NEAR((section.elements[2].start - Eigen::Vector2d(x, 4)).norm(), 0, 1e-9);
@@ -49,38 +56,40 @@ TEST(WallTilts, TheBoundaryOfARoomMovesWithTheHeightAboveItsFloor)
 
 TEST(WallTilts, ARoundWallIsACone)
 {
-  PlanRoom room = roomOf(circle({3, 3}, 2), 2.5);
-  const PlanLoop section = boundaryAt(room, {{1, 0, -ten_degrees}}, 2);
-  EXPECT_NEAR(section.elements[0].radius, 2 + 2 * std::tan(ten_degrees), 1e-9);
+  const PlanRoom room = tilted(roomOf(circle({3, 3}, 2), 2.5), 0, -ten_degrees);
+  EXPECT_NEAR(boundaryAt(room, 2).elements[0].radius, 2 + 2 * std::tan(ten_degrees),
+              1e-9);
 }
 
 TEST(WallTilts, TheHeadIsTheTopOfTiltedWallsOnly)
 {
   PlanRoom room = raisedRoom();
   room.ceiling = slabAt(3.5, 0.1); // 4.1 m at x = 6
-  EXPECT_NEAR(headOf(room, {{7, 3, 0.01}}), 3.5, 0.01);
-  EXPECT_NEAR(headOf(room, {{7, 1, 0.01}}), 4.1, 0.01);
+  EXPECT_NEAR(headOf(tilted(room, 3, 0.01)), 3.5, 0.01);
+  EXPECT_NEAR(headOf(tilted(room, 1, 0.01)), 4.1, 0.01);
+}
+
+TEST(WallTilts, TakeTheirPartOfTheVolume)
+{
+  const double run = std::tan(ten_degrees);
+  const double volume = 4 * (6 - run * 2.5 / 2) * 2.5;
+  EXPECT_NEAR(volumeOf(tilted(raisedRoom(), 1, ten_degrees), 2.5), volume,
+              0.005 * volume);
 }
 
 TEST(WallTilts, AreWrittenInDegreesAndRead)
 {
-  const std::string json = floorplanToJson({{raisedRoom()}});
-  EXPECT_EQ(withTilts(json, {}), json);
-  const std::string with =
-      withTilts(json, {{7, 1, ten_degrees}, {7, 3, -ten_degrees}}, {{7, 55.5}});
+  const PlanRoom room = tilted(tilted(raisedRoom(), 1, ten_degrees), 3, -ten_degrees);
+  const std::string json = floorplanToJson({{room}});
+  EXPECT_NE(json.find("\"version\": 2"), std::string::npos);
   std::string problem;
-  const WallTilts read = tiltsFromJson(with, problem);
+  const Floorplan read = floorplanFromJson(json, problem);
   EXPECT_EQ(problem, "");
-  ASSERT_EQ(read.size(), 2u);
-  EXPECT_EQ(read[1].room, 7u);
-  EXPECT_EQ(read[1].wall, 3u);
-  EXPECT_NEAR(read[1].tilt, -ten_degrees, 1e-15);
-  EXPECT_NE(with.find("\"volume\": 55.5"), std::string::npos) << with;
-  EXPECT_EQ(floorplanFromJson(with, problem).rooms.size(), 1u);
-  EXPECT_EQ(problem, "");
-  EXPECT_TRUE(tiltsFromJson(json, problem).empty());
-  EXPECT_TRUE(
-      tiltsFromJson(withTilts(json, {{7, 0, 5 * ten_degrees}}), problem).empty());
+  ASSERT_EQ(read.rooms.size(), 1u);
+  EXPECT_NEAR(read.rooms[0].boundary.elements[3].tilt, -ten_degrees, 1e-15);
+  EXPECT_EQ(read.rooms[0].boundary.elements[0].tilt, 0);
+  EXPECT_EQ(floorplanToJson({{raisedRoom()}}).find("tilt"), std::string::npos);
+  floorplanFromJson(floorplanToJson({{tilted(room, 0, 5 * ten_degrees)}}), problem);
   EXPECT_NE(problem.find("50"), std::string::npos) << problem;
 }
 

@@ -333,11 +333,12 @@ TEST(AdjustPlan, TiltedWallsAreMetAtTheirFeet)
   }
   const PointView raw(points.data(), sizeof(Eigen::Vector3f), points.size());
   Floorplan plan = offPlan(plainRoom(), 0.005);
-  WallTilts tilts{{1, 1, 2 * M_PI / 180}};
-  adjustPlan(plan, raw, {}, ofCoarsePlans(), &tilts);
-  ASSERT_EQ(tilts.size(), 1u);
-  EXPECT_EQ(tilts[0].wall, 1u);
-  EXPECT_NEAR(tilts[0].tilt, 3 * M_PI / 180, 0.0005);
+  const std::vector<PlanElement>& walls = plan.rooms[0].boundary.elements;
+  plan.rooms[0].boundary.elements[1].tilt = 2 * M_PI / 180;
+  adjustPlan(plan, raw, {}, ofCoarsePlans());
+  EXPECT_NEAR(walls[1].tilt, 3 * M_PI / 180, 0.0005);
+  for (const std::size_t wall : {0, 2, 3})
+    EXPECT_EQ(walls[wall].tilt, 0) << wall;
   EXPECT_LT(cornerError(plan.rooms[0].boundary, rectangle(0, 0, 4, 3)), 0.001);
 }
 

@@ -187,10 +187,9 @@ TEST(FloorplanDrawing, RoofsHaveRidgesEavesAndHeadroom)
 
 TEST(FloorplanDrawing, TiltedWallsHaveTheirHead)
 {
-  const Floorplan plan = planOf(rectangle(0, 0, 4, 3));
-  const WallTilts tilts{{1, 0, -10 * M_PI / 180}, // the wall at y = 0, out of the room
-                        {1, 7, 0.1}};             // of a wall that the room has not
-  const auto lines = planLines(plan, ceilingsOf(plan, 0.01), tilts);
+  Floorplan plan = planOf(rectangle(0, 0, 4, 3));
+  plan.rooms[0].boundary.elements[0].tilt = -10 * M_PI / 180; // y = 0, out of the room
+  const auto lines = planLines(plan, ceilingsOf(plan, 0.01));
   ASSERT_EQ(lines.size(), 5u);
   EXPECT_NEAR(lines[4].element.start.y(), -2.5 * std::tan(10 * M_PI / 180), 1e-9);
   EXPECT_EQ(lines[4].note, "tilt 10.0°");

@@ -22,9 +22,8 @@ struct Solid {
   pcl::sedr::RoomSolidReport report;
 
   explicit Solid(const pcl::sedr::PlanRoom& room,
-                 const pcl::sedr::SolidParameters& parameters = {},
-                 const pcl::sedr::WallTilts& tilts = {})
-      : report(pcl::sedr::extrudeRoom(room, parameters, mesh, elements, tilts))
+                 const pcl::sedr::SolidParameters& parameters = {})
+      : report(pcl::sedr::extrudeRoom(room, parameters, mesh, elements))
   {}
 
   /** Returns the names of the elements that have triangles. */

@@ -210,8 +210,8 @@ TEST(CutOpenings, StayClosedWithoutAWallOrInATiltedOne)
   cut.expectSound(
       1, "of 2 openings 1 are closed in the solid, number 1 of floorplan.json");
   plan.openings[1].walls = {{1, 2}, {2, 0}};
+  plan.rooms[0].boundary.elements[2].tilt = 0.1;
   cut.extrusion.setFloorplan(plan);
-  cut.extrusion.setTilts({{1, 2, 0.1}});
   pcl::PolygonMesh unused;
   cut.extrusion.reconstruct(unused);
   EXPECT_EQ(sentenceOf(cut.extrusion.getWarnings().back()),

@@ -2,6 +2,7 @@
 #include "plan_loops.h"
 
 #include <pcl/sedr_surface/floorplan_extrusion.h>
+#include <pcl/sedr_surface/mesh_reconstruction.h>
 #include <pcl/sedr_surface/mesh_topology.h>
 
 #include <gtest/gtest.h>
@@ -145,6 +146,42 @@ TEST(FloorplanExtrusion, RoomsThatRunIntoEachOtherAreTold)
   ASSERT_EQ(extrusion.getWarnings().size(), 1u);
   EXPECT_EQ(sentenceOf(extrusion.getWarnings()[0]),
             "room 3: its solid runs into that of room 8");
+}
+
+/** Makes one triangle, or nothing. */
+struct OneTriangle : MeshReconstruction<pcl::PointXYZ> {
+  bool can = true;
+
+  std::string getClassName() const override { return "OneTriangle"; }
+
+  bool run() override
+  {
+    clearError();
+    mesh_ = TriangleMesh();
+    if (!can)
+      return fail("OneTriangle", "it cannot");
+    mesh_.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh_.triangles = {{0, 1, 2}};
+    return true;
+  }
+};
+
+TEST(MeshReconstruction, ServesBothFormsOfPclWithoutACloud)
+{
+  OneTriangle stage;
+  pcl::PolygonMesh mesh;
+  stage.reconstruct(mesh);
+  ASSERT_EQ(mesh.polygons.size(), 1u);
+  EXPECT_EQ(mesh.cloud.width * mesh.cloud.height, 3u);
+  pcl::PointCloud<pcl::PointXYZ> points;
+  std::vector<pcl::Vertices> polygons;
+  static_cast<MeshReconstruction<pcl::PointXYZ>&>(stage).reconstruct(points, polygons);
+  EXPECT_EQ(points.size(), 3u);
+  EXPECT_EQ(polygons.size(), 1u);
+  stage.can = false;
+  stage.reconstruct(mesh);
+  EXPECT_TRUE(mesh.polygons.empty());
+  EXPECT_EQ(stage.getErrorMessage(), "it cannot");
 }
 
 } // namespace

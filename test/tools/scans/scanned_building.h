@@ -52,7 +52,7 @@ protected:
     ASSERT_EQ(model(in("study/scan.pcd"), "model", {"--positions", settings.positions})
                   .exit_code,
               0);
-    plan_ = *pcl::sedr::tools::loadPlan(in("model/floorplan.json")).plan;
+    plan_ = pcl::sedr::tools::loadPlan(in("model/floorplan.json")).plan;
   }
 
   static void TearDownTestSuite()
@@ -163,8 +163,8 @@ protected:
   static void expectPlan(const std::string& folder)
   {
     const std::string path = in(folder) + "/floorplan.json";
-    const pcl::sedr::tools::PlanFile file = pcl::sedr::tools::loadPlan(path);
-    const pcl::sedr::Floorplan& plan = *file.plan;
+    const pcl::sedr::PlanDocument file = pcl::sedr::tools::loadPlan(path);
+    const pcl::sedr::Floorplan& plan = file.plan;
     const pcl::sedr::Origin& origin = file.origin;
     constexpr double tolerance = 1e-4; // metres
     ASSERT_EQ(plan.rooms.size(), plan_.rooms.size());

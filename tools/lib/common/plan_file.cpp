@@ -10,14 +10,13 @@
 #include "sedr_filters/src/plan/floorplan_format.h"
 #include "sedr_filters/src/plan/plan_bounds.h"
 #include "sedr_filters/src/plan/room_lookup.h"
-#include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_filters/plan_editor.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <vector>
 
 namespace pcl::sedr::tools {
@@ -66,28 +65,6 @@ warnOfCrossings(const Floorplan& plan)
            ": its area and what is made of it are wrong");
 }
 
-/** @brief Returns the tilts of rooms whose walls were not changed. */
-WallTilts
-keptTilts(const PlanFile& before, const Floorplan& after)
-{
-  const auto wallsOf = [](const Floorplan& plan, std::uint32_t id) {
-    std::vector<double> corners;
-    for (const auto& room : plan.rooms)
-      for (const auto& wall : room.boundary.elements)
-        if (room.id == id)
-          corners.insert(corners.end(), {wall.start.x(), wall.start.y()});
-    return corners;
-  };
-  WallTilts kept;
-  for (const auto& tilt : before.tilts)
-    if (wallsOf(*before.plan, tilt.room) == wallsOf(after, tilt.room))
-      kept.push_back(tilt);
-  if (kept.size() < before.tilts.size())
-    warn(std::to_string(before.tilts.size() - kept.size()) +
-         " tilted walls stand vertical now: their rooms were changed");
-  return kept;
-}
-
 } // namespace
 
 std::string
@@ -99,7 +76,7 @@ textOfFile(const std::string& path)
   return text;
 }
 
-PlanFile
+PlanDocument
 loadPlan(const std::string& path)
 {
   const InputFile file(path);
@@ -107,47 +84,14 @@ loadPlan(const std::string& path)
     throw ToolError("'" + path +
                     "' is a cloud or mesh; a floor plan is asked for, the "
                     "floorplan.json that pcl_sedr writes");
-  const auto check = [&](const std::string& problem) {
-    if (!problem.empty())
-      throw ToolError("'" + path + "': " + problem);
-  };
-  PlanFile result;
-  result.text = textOfFile(path);
   std::string problem;
-  result.plan =
-      std::make_shared<const Floorplan>(floorplanFromJson(result.text, problem));
-  check(problem);
-  if (result.plan->rooms.empty())
+  PlanDocument document = documentFromJson(textOfFile(path), problem);
+  if (!problem.empty())
+    throw ToolError("'" + path + "': " + problem);
+  if (document.plan.rooms.empty())
     throw ToolError("the floor plan '" + path + "' has no rooms", NothingFound);
-  result.origin = statedPlanOrigin(path).value_or(Origin());
-  result.names = namesFromJson(result.text);
-  result.tilts = tiltsFromJson(result.text, problem);
-  check(problem);
-  result.max_wall = maxWallFromJson(result.text, problem);
-  check(problem);
-  warnOfCrossings(*result.plan);
-  return result;
-}
-
-std::string
-changedPlanJson(const PlanFile& before, const Floorplan& after, const RoomNames& names)
-{
-  using Json = nlohmann::ordered_json;
-  Json json = Json::parse(before.text);
-  const WallTilts tilts = keptTilts(before, after);
-  std::map<std::uint32_t, double> volumes; // those of tilted rooms are not computed
-  for (const Json& room : json["rooms"])
-    for (const WallTilt& tilt : tilts)
-      if (room.value("id", 0u) == tilt.room && room.contains("volume"))
-        volumes[tilt.room] = room["volume"];
-  const Json changed = Json::parse(withTilts(floorplanToJson(after), tilts, volumes));
-  for (const char* key :
-       {"version", "rooms", "storeys", "doorways", "stairs", "openings"})
-    if (changed.contains(key))
-      json[key] = changed[key];
-    else
-      json.erase(key);
-  return withNames(json.dump(), names);
+  warnOfCrossings(document.plan);
+  return document;
 }
 
 std::optional<Origin>

@@ -25,7 +25,6 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -161,16 +160,9 @@ writeModel(const OutputFolder& folder, const Reconstruction& chain, bool with_me
                      ? meshToPly(c.meshInScanFrame(), originComments(c.origin))
                      : meshToPly(c.poisson.getMesh(), originComments(c.origin)));
     });
-  std::map<std::uint32_t, double> volumes; // of rooms with tilted walls
-  for (const RoomSolidReport& report : c.extrusion.getReports())
-    for (const WallTilt& tilt : c.tilts)
-      if (tilt.room == report.room && report.closed)
-        volumes[report.room] = report.volume;
   writeWhole(folder.file("floorplan.json"), [&](std::ostream& stream) {
-    stream << withTilts(floorplanToJson(*chain.getFloorplan(),
-                                        c.levelling ? &*c.levelling : nullptr, c.origin,
-                                        chain.getPriors().max_wall),
-                        c.tilts, volumes);
+    stream << documentToJson(
+        {*chain.getFloorplan(), c.origin, c.levelling, chain.getPriors().max_wall});
   });
   const TriangleMesh solid = c.inScanFrame(c.extrusion.getMesh());
   for (const char* name : {"solid.ply", "solid.obj", "model.glb"})
@@ -183,7 +175,6 @@ drawingSettings(const Reconstruction& chain)
 {
   DrawingSettings drawing;
   drawing.max_wall = chain.getPriors().max_wall;
-  drawing.tilts = chain.getChain().tilts;
   drawing.origin = chain.getOrigin();
   return drawing;
 }
@@ -194,7 +185,6 @@ writeBuildingModel(const OutputFolder& folder, Reconstruction& chain)
 {
   IfcSettings ifc;
   ifc.max_wall = chain.getPriors().max_wall;
-  ifc.tilts = chain.getChain().tilts;
   const IfcModel model = writeIfc(*chain.getFloorplan(), ifc, chain.getOrigin());
   writeWhole(folder.file("model.ifc"),
              [&](std::ostream& stream) { stream << model.text; });

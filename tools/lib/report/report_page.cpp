@@ -79,12 +79,12 @@ colours()
 /** @brief Returns a sheet of each storey, by its name. Sheets are small, so that their
  * letters are large on a page. */
 Json
-drawings(const PlanFile& file)
+drawings(const PlanDocument& file)
 {
-  const Floorplan& plan = *file.plan;
+  const Floorplan& plan = file.plan;
   Json sheets = Json::array();
   DrawingSettings settings;
-  file.describe(settings);
+  settings.max_wall = file.max_wall;
   settings.paper = PaperSize::A4;
   const std::vector<PlanStorey> storeys = storeysOf(plan);
   for (const PlanStorey& storey : storeys) {
@@ -125,9 +125,9 @@ pageData(const std::string& path, const PageSettings& settings)
             {"models", Json::object()}};
   Floorplan plan;
   if (folder.has("floorplan.json")) {
-    const PlanFile file = loadPlan(folder.file("floorplan.json"));
-    plan = *file.plan;
-    json["plan"] = Json::parse(file.text);
+    const PlanDocument file = loadPlan(folder.file("floorplan.json"));
+    plan = file.plan;
+    json["plan"] = Json::parse(textOfFile(folder.file("floorplan.json")));
     json["drawings"] = drawings(file);
   }
   const TriangleMesh mesh = folder.mesh("mesh.ply"); // triangles face into the rooms

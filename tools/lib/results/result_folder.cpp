@@ -3,7 +3,7 @@
 
 #include "tool_error.h"
 
-#include <pcl/sedr_filters/floorplan_io.h>
+#include "sedr_filters/src/plan/floorplan_format.h"
 #include <pcl/sedr_surface/mesh_io.h>
 
 #include <algorithm>
@@ -96,7 +96,7 @@ ResultFolder::scanSettings() const
   settings.columns = valueAt(report_, "/input/columns", std::string());
   settings.skip_broken = valueAt(report_, "/input/skip_broken", false);
   Origin origin;
-  if (report_.contains("origin") && originFromJson(report_.dump(), origin))
+  if (report_.contains("origin") && readOrigin(report_, origin))
     settings.origin = origin;
   return settings;
 }

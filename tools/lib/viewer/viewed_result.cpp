@@ -22,7 +22,7 @@ void
 readFile(const std::string& path, const ReadSettings& settings, ViewedResult& result)
 {
   if (std::filesystem::path(path).extension() == ".json") {
-    result.plan = *loadPlan(path).plan;
+    result.plan = loadPlan(path).plan;
     return;
   }
   if (isMesh(path)) {
@@ -44,7 +44,7 @@ readFolder(const std::string& path, const ReadSettings& settings, ViewedResult& 
     result.clouds["structure"] =
         displayCloudOf(ScanFile(folder.file("structure.pcd")), settings.max_points);
   if (folder.has("floorplan.json"))
-    result.plan = *loadPlan(folder.file("floorplan.json")).plan;
+    result.plan = loadPlan(folder.file("floorplan.json")).plan;
   for (const char* name : {"mesh", "solid"})
     if (folder.has(name + std::string(".ply")))
       result.meshes[name] = folder.mesh(name + std::string(".ply"));

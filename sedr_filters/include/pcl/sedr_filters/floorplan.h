@@ -98,7 +98,9 @@ struct ElementEvidence {
   bool isKnown() const { return seen + hidden + opening > 0; }
 };
 
-/** @brief A straight segment or a circular arc of a plan, metres. */
+/** @brief A straight segment or a circular arc of a plan, metres. That of a tilted wall
+ * is its foot, at the height of the floor's main plane; the wall is a plane on a
+ * segment, a cone on an arc. */
 struct PlanElement {
   Eigen::Vector2d start = Eigen::Vector2d::Zero();
   Eigen::Vector2d end = Eigen::Vector2d::Zero();
@@ -109,6 +111,7 @@ struct PlanElement {
   std::size_t inliers = 0;  ///< number of points that the element was fitted to
   double residual = 0;      ///< root mean square distance of these points, metres
   ElementEvidence evidence; ///< shares seen, hidden and open
+  double tilt = 0; ///< of a wall, radians from the vertical, positive into the room
 
   bool isArc() const { return radius > 0; }
 
@@ -227,6 +230,7 @@ struct PlanRoom {
   std::vector<PlanDetail> details;       ///< of the ceiling, facets first
   std::vector<PlanDetail> floor_details; ///< steps, platforms, pits: parts of the floor
   std::vector<PlanNiche> niches;
+  std::string name; ///< given by hand, such as "Kitchen"; usually empty
 
   /** @brief Checks whether the ceiling has a slope, a curve or facets, not only level
    * planes. */
@@ -340,5 +344,9 @@ struct Floorplan {
   std::vector<PlanStair> stairs{};     ///< those that were found
   std::vector<PlanOpening> openings{}; ///< see OpeningDetection
 };
+
+/** @brief Returns a room by its id; null if the plan does not have it. */
+const PlanRoom* findRoom(const Floorplan& plan, std::uint32_t id);
+PlanRoom* findRoom(Floorplan& plan, std::uint32_t id);
 
 } // namespace pcl::sedr

@@ -5,38 +5,31 @@
 #include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/scan_frame.h>
 
+#include <optional>
 #include <string>
 
 namespace pcl::sedr {
+
+/** @brief A floor plan, and what else its file tells. */
+struct PlanDocument {
+  Floorplan plan;
+  Origin origin{};                      ///< that the plan's coordinates are relative to
+  std::optional<Levelling> levelling{}; ///< the rotation that made the scan level
+  double max_wall = Priors().max_wall;  ///< maximum thickness of a wall, metres
+};
 
 /** @brief Writes a floor plan as JSON: {"format": "sedr-floorplan", "version": 1,
  * "unit": "m", "origin": [x, y, z], "rooms": [...]}. All coordinates are relative to
  * the origin. A room has id, area, perimeter, floor and ceiling (plane a, b, c, d,
  * inliers, residual), boundary, columns and details. A loop is a list of elements:
- * start and end, for arcs centre, radius and counter_clockwise, inliers and residual.
- * Numbers are written so that they read back exactly.
- * @param levelling the rotation that made the scan level, null if none: written as
- * `levelling` with angle and direction in degrees, `rotation` by rows, and `about`
- * @param origin the place that the plan's coordinates are relative to
- * @param max_wall maximum thickness of a wall, metres; written unless it is the
- * default */
-std::string floorplanToJson(const Floorplan& plan,
-                            const Levelling* levelling = nullptr,
-                            const Origin& origin = {},
-                            double max_wall = Priors().max_wall);
+ * start and end, for arcs centre, radius and counter_clockwise, inliers and residual,
+ * for tilted walls tilt in degrees. `levelling` has angle and direction in degrees,
+ * `rotation` by rows, and `about`; `names` those of rooms; max_wall is written unless
+ * it is the default. Numbers are written so that they read back exactly. */
+std::string documentToJson(const PlanDocument& document);
+std::string floorplanToJson(const Floorplan& plan);
 
-/** @brief Reads the origin from a floor plan or a report.json; (0, 0, 0) if there is
- * none.
- * @return false if there is an origin that is not three numbers */
-bool originFromJson(const std::string& text, Origin& origin);
-
-/** @brief Reads the maximum thickness of a wall from a floor plan, metres; the default
- * if there is none.
- * @param[out] problem what is wrong, as a sentence: it is no number, or not in the
- * range of the prior; empty if nothing is */
-double maxWallFromJson(const std::string& text, std::string& problem);
-
-/** @brief Reads what floorplanToJson() wrote.
+/** @brief Reads what documentToJson() wrote.
  *
  * The following are refused:
  * - coordinates beyond 1e6 m;
@@ -44,12 +37,14 @@ double maxWallFromJson(const std::string& text, std::string& problem);
  * - open loops, and boundaries of rooms or details that are not counter-clockwise or
  *   enclose no area;
  * - floors and ceilings whose normal is tilted by more than 60 degrees or not of unit
- *   length (within 1e-3 it is normalised);
- * - room ids that are 0 or occur twice.
+ *   length (within 1e-3 it is normalised), walls tilted by more than 45 degrees;
+ * - room ids that are 0 or occur twice;
+ * - a max_wall out of the range of the prior.
  *
  * An arc whose ends coincide is a whole circle.
  * @param[out] problem what is wrong, as a sentence; empty if nothing is
  * @return an empty plan if there is a problem */
+PlanDocument documentFromJson(const std::string& text, std::string& problem);
 Floorplan floorplanFromJson(const std::string& text, std::string& problem);
 
 } // namespace pcl::sedr

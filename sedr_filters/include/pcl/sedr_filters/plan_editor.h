@@ -5,20 +5,10 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <string>
 #include <utility>
 
 namespace pcl::sedr {
-
-/** @brief Names of rooms, by PlanRoom::id. */
-using RoomNames = std::map<std::uint32_t, std::string>;
-
-/** @brief Returns the JSON of a floor plan with names of rooms instead of its own. */
-std::string withNames(const std::string& json, const RoomNames& names);
-
-/** @brief Returns the names in the JSON of a floor plan; none if they are invalid. */
-RoomNames namesFromJson(const std::string& json);
 
 /** @brief Changes a floor plan by hand: valid plans in, valid plans out. Drawings,
  * solid and IFC are made from the changed plan, without the scan.
@@ -29,16 +19,15 @@ RoomNames namesFromJson(const std::string& json);
  * as in drawings ("3.12" is wall 12 of room 3). Lengths in metres. O(elements squared).
  *
  * @code
- * PlanEditor editor(plan, {});
+ * PlanEditor editor(plan);
  * if (!editor.merge(3, 5))
  *   std::cerr << editor.getErrorMessage() << '\n';
  * editor.name(3, "Kitchen");
  * @endcode */
 class PlanEditor {
 public:
-  explicit PlanEditor(Floorplan plan, RoomNames names = {})
+  explicit PlanEditor(Floorplan plan)
       : plan_(std::move(plan))
-      , names_(std::move(names))
   {}
 
   /** @brief Names a room; an empty text removes its name. */
@@ -64,7 +53,6 @@ public:
   bool moveWall(std::uint32_t room, std::size_t wall, double distance);
 
   const Floorplan& getFloorplan() const { return plan_; }
-  const RoomNames& getNames() const { return names_; }
 
   /** @brief Returns why the last call failed; empty after one that did not. */
   const std::string& getErrorMessage() const { return problem_; }
@@ -76,7 +64,6 @@ private:
              const std::function<std::string(Floorplan&, PlanRoom&)>& change);
 
   Floorplan plan_;
-  RoomNames names_;
   std::string problem_;
 };
 

@@ -74,7 +74,8 @@ struct ClearHeight {
  * the usual one. */
 ClearHeight clearHeight(const PlanRoom& room);
 
-/** @brief Returns the volume of a room and its niches, cubic metres. */
+/** @brief Returns the volume of a room and its niches, cubic metres; below tilted walls
+ * by sections every 5 cm, to some thousandths. */
 double volumeOf(const PlanRoom& room, double mean_height);
 
 /** @brief Returns the thickness of the wall behind an element of a room's boundary,

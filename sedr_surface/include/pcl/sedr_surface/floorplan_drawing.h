@@ -29,8 +29,6 @@ struct DrawingSettings {
   Origin origin{};                     ///< origin of the coordinates
   PaperSize paper = PaperSize::A3;     ///< larger if the given scale needs it
   std::string title{};                 ///< "": "Floor plan"
-  RoomNames names{};                   ///< shown instead of "Room 3"
-  WallTilts tilts{};                   ///< of walls, whose heads are drawn dashed
   double max_wall = Priors().max_wall; ///< maximum thickness of a wall, metres
 };
 

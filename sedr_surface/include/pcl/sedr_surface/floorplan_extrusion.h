@@ -55,10 +55,6 @@ public:
   }
   std::shared_ptr<const sedr::Floorplan> getFloorplan() const { return plan_; }
 
-  /** @brief Sets the tilts of the plan's walls; none by default. */
-  void setTilts(const sedr::WallTilts& tilts) { tilts_ = tilts; }
-  const sedr::WallTilts& getTilts() const { return tilts_; }
-
   /** @brief Sets the maximum distance of facets from their arc, metres, 1e-6 to 1.
    * Default 0.0005, which is 0.3 mm on average for a round wall. */
   void setChordTolerance(double tolerance) { parameters_.chord_tolerance = tolerance; }
@@ -106,7 +102,6 @@ private:
   using sedr::MeshReconstruction<PointT>::fail;
 
   std::shared_ptr<const sedr::Floorplan> plan_;
-  sedr::WallTilts tilts_;
   sedr::SolidParameters parameters_;
   std::vector<sedr::SolidElement> elements_;
   std::vector<sedr::RoomSolidReport> reports_;

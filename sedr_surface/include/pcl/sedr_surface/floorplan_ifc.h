@@ -25,8 +25,6 @@ struct IfcSettings {
   IfcArcs arcs = IfcArcs::Exact;
   double assumed_thickness = 0.2;      ///< if one face was seen, metres, 0.02 to 2
   double max_wall = Priors().max_wall; ///< maximum thickness of a wall, metres
-  RoomNames names{};                   ///< long names of spaces
-  WallTilts tilts{}; ///< tilted walls: spaces show the tilt, walls stand at their feet
 };
 
 /** @brief An IFC file and its contents. */
@@ -38,7 +36,7 @@ struct IfcModel {
   std::size_t slabs = 0;
   std::size_t columns = 0;
   std::size_t openings = 0;
-  std::size_t stairs = 0; ///< those with flights
+  std::size_t stairs = 0;            ///< those with flights
   std::vector<PlanWarning> warnings; ///< what could not be written
 };
 
@@ -58,9 +56,9 @@ struct IfcModel {
  * x axis of a wall's placement runs along the wall. Floors and the uppermost ceilings
  * are IfcSlab, columns IfcColumn, platforms IfcSlab. Details below a ceiling are
  * IfcCovering, narrow ones IfcBeam. Doorways are openings in their walls and deeper
- * than these; niches are recesses. Stairs are IfcStair with their flights. Spaces refer to the walls and slabs around them
- * (IfcRelSpaceBoundary1stLevel). Pset_SEDR holds residuals, shares and numbers of
- * points.
+ * than these; niches are recesses. Stairs are IfcStair with their flights. Spaces refer
+ * to the walls and slabs around them (IfcRelSpaceBoundary1stLevel). Pset_SEDR holds
+ * residuals, shares and numbers of points.
  *
  * The same plan gives the same bytes, and the same names the same GUIDs.
  *

@@ -52,20 +52,18 @@ struct RoomSolidReport {
  * does not intersect itself. To ensure this, plan and heights are snapped to a grid of
  * less than a micrometre; only crossings of edges are rounded.
  *
- * @param room any room; contradictions in it are resolved (subdivideRoom()) and
- * reported
+ * @param room any room; corners of tilted walls are where three surfaces meet;
+ * contradictions in it are resolved (subdivideRoom()) and reported
  * @param parameters tolerances, in range
  * @param[out] solid triangles with label, room and element; empty if nothing could be
  * built, with the reason in RoomSolidReport::problem
  * @param[in,out] elements the room's elements are appended; a triangle's element is an
  * index into it plus 1
- * @param tilts tilted walls; their corners are the intersections of three surfaces
  *
  * Milliseconds for a room of some hundred edges. */
 RoomSolidReport extrudeRoom(const PlanRoom& room,
                             const SolidParameters& parameters,
                             TriangleMesh& solid,
-                            std::vector<SolidElement>& elements,
-                            const WallTilts& tilts = {});
+                            std::vector<SolidElement>& elements);
 
 } // namespace pcl::sedr

@@ -134,7 +134,6 @@ public:
    * identity without tilted walls. `cloud` and the mesh are in that frame; plan,
    * structure and solid are in the frame of the scan. */
   Straightening straightening;
-  WallTilts tilts;  ///< tilted walls of `plan`
   Cloud::Ptr cloud; ///< thinned points, then recovered points of ceilings and floors
   std::vector<std::uint32_t> labels; ///< StructureLabel of each point
   std::vector<std::uint32_t> rooms;  ///< room of each point, 0 none

@@ -20,7 +20,6 @@ struct PlanSolids {
  * @return a sentence on invalid input or rooms that could not be built; empty
  * otherwise */
 std::string extrudePlan(const Floorplan* plan,
-                        const WallTilts& tilts,
                         const SolidParameters& parameters,
                         PlanSolids solids);
 
@@ -36,7 +35,7 @@ FloorplanExtrusion<PointT>::run()
   reports_.clear();
   warnings_.clear();
   const std::string problem = sedr::extrudePlan(
-      plan_.get(), tilts_, parameters_, {mesh_, elements_, reports_, warnings_});
+      plan_.get(), parameters_, {mesh_, elements_, reports_, warnings_});
   closed_ = problem.empty();
   return closed_ || fail("FloorplanExtrusion", problem);
 }

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_references.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace pcl::sedr {
+
+void
+renumber(Floorplan& plan, std::uint32_t from, std::uint32_t to)
+{
+  const auto replace = [&](auto& rooms) {
+    std::replace(rooms.begin(), rooms.end(), from, to);
+    return rooms[0] == rooms[1];
+  };
+  const auto leadsNowhere = [&](auto& link) {
+    replace(link.rooms);
+    return !link.leadsSomewhere();
+  };
+  const auto removeIf = [](auto& list, const auto& goes) {
+    list.erase(std::remove_if(list.begin(), list.end(), goes), list.end());
+  };
+  removeIf(plan.openings, [&](PlanOpening& opening) {
+    for (OpeningWall& wall : opening.walls)
+      wall.room = wall.room == from ? to : wall.room;
+    removeIf(opening.walls, [](const OpeningWall& wall) { return wall.room == 0; });
+    opening.swing = opening.swing == from ? to : opening.swing;
+    return replace(opening.rooms) || opening.walls.empty();
+  });
+  removeIf(plan.doorways, leadsNowhere);
+  removeIf(plan.stairs, leadsNowhere);
+  for (PlanStorey& storey : plan.storeys)
+    removeIf(storey.rooms, [from](std::uint32_t room) { return room == from; });
+  removeIf(plan.storeys, [](const PlanStorey& storey) { return storey.rooms.empty(); });
+}
+
+void
+attachOpenings(Floorplan& plan)
+{
+  constexpr double reach = 0.5; // metres from the face
+  const auto attach = [&](PlanOpening& opening) {
+    const Eigen::Vector2d middle = (opening.start + opening.end) / 2;
+    const Eigen::Vector2d way = (opening.end - opening.start).normalized();
+    std::vector<OpeningWall> walls;
+    for (const OpeningWall& wall : opening.walls) {
+      const PlanRoom* const room = findRoom(plan, wall.room);
+      if (!room)
+        continue;
+      double nearest = opening.depth / 2 + reach;
+      std::optional<std::size_t> element;
+      for (std::size_t e = 0; e < room->boundary.elements.size(); ++e) {
+        const PlanElement& candidate = room->boundary.elements[e];
+        const double distance = candidate.distance(middle);
+        const double s = candidate.project(middle);
+        if (distance < nearest && std::abs(candidate.normalAt(s).dot(way)) < 0.5) {
+          nearest = distance;
+          element = e;
+        }
+      }
+      if (element)
+        walls.push_back({wall.room, *element});
+    }
+    opening.walls = walls;
+    return walls.empty();
+  };
+  plan.openings.erase(
+      std::remove_if(plan.openings.begin(), plan.openings.end(), attach),
+      plan.openings.end());
+}
+
+} // namespace pcl::sedr
