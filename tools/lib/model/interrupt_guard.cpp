@@ -12,7 +12,7 @@
 
 namespace pcl::sedr::tools {
 
-InterruptGuard::InterruptGuard(std::function<void()> clean)
+InterruptGuard::InterruptGuard()
 {
   sigset_t interrupts;
   sigemptyset(&interrupts);
@@ -25,6 +25,11 @@ InterruptGuard::InterruptGuard(std::function<void()> clean)
   pthread_sigmask(SIG_BLOCK, &interrupts, &before_);
   interrupts_ = signalfd(-1, &interrupts, SFD_CLOEXEC);
   stopped_ = eventfd(0, EFD_CLOEXEC);
+}
+
+void
+InterruptGuard::watch(std::function<void()> clean)
+{
   try {
     thread_ = std::thread([this, clean = std::move(clean)] { wait(clean); });
   }
@@ -34,13 +39,13 @@ InterruptGuard::InterruptGuard(std::function<void()> clean)
 }
 
 void
-InterruptGuard::wait(const std::function<void()>& clean) const
+InterruptGuard::wait(const std::function<void()>& clean)
 {
   std::array<pollfd, 2> awaited{{{stopped_, POLLIN, 0}, {interrupts_, POLLIN, 0}}};
   while (poll(awaited.data(), awaited.size(), -1) < 0) {
   }
   signalfd_siginfo interrupt{};
-  if (awaited[0].revents != 0 ||
+  if (awaited[0].revents != 0 || is_over_.exchange(true) ||
       read(interrupts_, &interrupt, sizeof interrupt) != sizeof interrupt)
     return;
   clean();
@@ -53,15 +58,17 @@ InterruptGuard::wait(const std::function<void()>& clean) const
 void
 InterruptGuard::stop()
 {
-  if (!thread_.joinable())
-    return;
-  eventfd_write(stopped_, 1);
-  thread_.join();
+  if (!is_stopped_ && is_over_.exchange(true) && thread_.joinable())
+    thread_.join(); // it ends the process
+  is_stopped_ = true;
 }
 
 InterruptGuard::~InterruptGuard()
 {
   stop();
+  eventfd_write(stopped_, 1);
+  if (thread_.joinable())
+    thread_.join();
   close(interrupts_);
   close(stopped_);
   pthread_sigmask(SIG_SETMASK, &before_, nullptr);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <csignal>
 #include <functional>
 #include <thread>
@@ -12,8 +13,12 @@ namespace pcl::sedr::tools {
  * the guard; those that the process ignores, as under nohup, stay ignored. */
 class InterruptGuard {
 public:
-  /** @param clean called in a thread of its own */
-  explicit InterruptGuard(std::function<void()> clean);
+  /** @brief Lets interrupts wait. */
+  InterruptGuard();
+
+  /** @brief Reacts to interrupts from now on.
+   * @param clean called in a thread of its own */
+  void watch(std::function<void()> clean);
 
   /** @brief Stops; an interrupt that has come since stop() now ends the process. */
   ~InterruptGuard();
@@ -24,11 +29,13 @@ public:
   void stop();
 
 private:
-  void wait(const std::function<void()>& clean) const;
+  void wait(const std::function<void()>& clean);
 
   sigset_t before_{};
   int interrupts_ = -1;
   int stopped_ = -1;
+  std::atomic<bool> is_over_{false}; ///< stopped, or cleaning
+  bool is_stopped_ = false;
   std::thread thread_;
 };
 

@@ -39,7 +39,6 @@ OutputFolder::OutputFolder(const std::string& path, std::vector<std::string> inp
     , part_(path_ / ".pcl_sedr.part")
     , inputs_(std::move(inputs))
 {
-  guard_ = std::make_unique<InterruptGuard>([this] { endEarly(); });
   std::error_code error;
   for (fs::path folder = path_;
        !fs::exists(fs::symlink_status(folder, error)) && folder != folder.root_path();
@@ -52,6 +51,7 @@ OutputFolder::OutputFolder(const std::string& path, std::vector<std::string> inp
     lock();
     for (const auto& entry : fs::directory_iterator(part_)) // of a run that was killed
       fs::remove_all(entry, error);
+    guard_.watch([this] { endEarly(); });
   }
   catch (...) {
     clean();
@@ -102,7 +102,7 @@ OutputFolder::endEarly() const
 {
   constexpr int most_tries = 1000;
   std::error_code error;
-  for (int k = 0; k < most_tries && lock_ >= 0 && fs::exists(part_, error); ++k)
+  for (int k = 0; k < most_tries && fs::exists(part_, error); ++k)
     fs::remove_all(part_, error);
   for (const auto& folder : missing_)
     fs::remove(folder, error);
@@ -138,9 +138,11 @@ OutputFolder::check(const std::vector<std::string>& names) const
 std::string
 OutputFolder::file(const std::string& name) const
 {
+  const fs::path path = part_ / name;
   std::error_code error;
-  fs::create_directories((part_ / name).parent_path(), error);
-  return (part_ / name).string();
+  if (path.parent_path() != part_) // which an interrupt may have removed
+    fs::create_directory(path.parent_path(), error);
+  return path.string();
 }
 
 std::vector<std::string>
@@ -202,7 +204,7 @@ OutputFolder::exchange()
   for (const auto& file : old)
     if (const fs::path folder = fs::path(file).parent_path(); folder != path_)
       emptied.push_back(folder);
-  guard_->stop(); // the set becomes whole, which takes no time
+  guard_.stop(); // the set becomes whole, which takes no time
   int problem = 0;
   for (const auto& [from, to] : moves)
     if (problem == 0 && rename(from.c_str(), to.c_str()) != 0)

@@ -4,7 +4,6 @@
 #include "interrupt_guard.h"
 
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -30,7 +29,7 @@ public:
    * is an input, or a folder. To be called before the work. */
   void check(const std::vector<std::string>& names) const;
 
-  /** @brief Returns where to write a file; its name may contain a folder. */
+  /** @brief Returns where to write a file; its name may begin with a folder. */
   std::string file(const std::string& name) const;
 
   /** @brief Returns the sorted names of the files written and not yet moved. */
@@ -53,7 +52,7 @@ private:
   std::vector<std::string> inputs_;
   std::vector<std::filesystem::path> missing_; ///< folders created, innermost first
   int lock_ = -1;
-  std::unique_ptr<InterruptGuard> guard_;
+  InterruptGuard guard_;
 };
 
 } // namespace pcl::sedr::tools

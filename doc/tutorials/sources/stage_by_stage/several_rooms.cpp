@@ -41,24 +41,28 @@ main(int argc, char** argv)
   const pcl::sedr::Building& building = segmentation.getBuilding();
   const pcl::IndicesPtr ceilings(new pcl::Indices);
   const pcl::IndicesPtr floors(new pcl::Indices);
-  for (std::size_t i = 0; i < thinned->size(); ++i)
-    if (building.label_of[i] == static_cast<std::uint32_t>(StructureLabel::Ceiling) &&
-        building.room_of[i] != 0)
-      ceilings->push_back(static_cast<pcl::index_t>(i));
   // [rooms]
 
   // [floors]
   for (const pcl::PointIndices& room : rooms) {
+    pcl::Indices below; // the floor, tables and beds
+    for (const pcl::index_t i : room.indices)
+      (building.label_of[i] == static_cast<std::uint32_t>(StructureLabel::Ceiling)
+           ? *ceilings
+           : below)
+          .push_back(i);
     pcl::HorizontalPlaneDetection<pcl::PointXYZ> detection;
     detection.setInputCloud(thinned);
     detection.setIndices(pcl::make_shared<pcl::PointIndices>(room));
     std::vector<pcl::HorizontalPlane> planes;
-    if (!detection.segment(planes))
-      std::cout << "warning: " << detection.getErrorMessage() << '\n';
+    detection.segment(planes); // there may be none below a roof
+    pcl::Indices level;
     for (const pcl::HorizontalPlane& plane : planes)
       if (plane.kind == pcl::sedr::LevelKind::Floor)
-        floors->insert(floors->end(), plane.inliers.indices.begin(),
-                       plane.inliers.indices.end());
+        level.insert(level.end(), plane.inliers.indices.begin(),
+                     plane.inliers.indices.end());
+    const pcl::Indices& floor = level.empty() ? below : level;
+    floors->insert(floors->end(), floor.begin(), floor.end());
   }
   // [floors]
 
