@@ -70,14 +70,13 @@ detailsToJson(const std::vector<PlanDetail>& details, bool facets = false)
 }
 
 Json
-roomToJson(const Floorplan& plan, std::size_t number)
+roomToJson(const PlanRoom& room, const std::vector<double>& thicknesses)
 {
-  const PlanRoom& room = plan.rooms[number];
   const ClearHeight height = clearHeight(room);
   Json walls = room.boundary;
   for (std::size_t i = 0; i < walls.size(); ++i)
-    if (const double thickness = wallThickness(plan, number, i); thickness > 0)
-      walls[i]["thickness"] = thickness;
+    if (thicknesses[i] > 0)
+      walls[i]["thickness"] = thicknesses[i];
   Json json{
       {"id", room.id},
       {"area", room.area()},
@@ -301,8 +300,9 @@ documentToJson(const PlanDocument& document)
   const Floorplan& plan = document.plan;
   Json rooms = Json::array();
   Json names = Json::object();
+  const auto thicknesses = wallThicknesses(plan, document.max_wall);
   for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
-    rooms.push_back(roomToJson(plan, r));
+    rooms.push_back(roomToJson(plan.rooms[r], thicknesses[r]));
     if (!plan.rooms[r].name.empty())
       names[std::to_string(plan.rooms[r].id)] = plan.rooms[r].name;
   }

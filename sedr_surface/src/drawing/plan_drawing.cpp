@@ -2,8 +2,8 @@
 #include "plan_drawing.h"
 
 #include "../formats/decimal_text.h"
-#include "../walls/plan_walls.h"
 #include "plan_layers.h"
+#include "sedr_filters/src/plan/plan_walls.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 

@@ -3,7 +3,7 @@
 
 #include "../formats/decimal_text.h"
 #include "../overhead/ceiling_lines.h"
-#include "../walls/plan_walls.h"
+#include "sedr_filters/src/plan/plan_walls.h"
 #include "text_spot.h"
 
 #include "sedr_filters/src/plan/level_planes.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../walls/plan_walls.h"
+#include "sedr_filters/src/plan/plan_walls.h"
 #include "step_file.h"
 
 #include <pcl/sedr_surface/floorplan_ifc.h>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "../walls/plan_area.h"
-#include "../walls/plan_walls.h"
 #include "ifc_shapes.h"
+#include "sedr_filters/src/plan/plan_walls.h"
 
 #include <pcl/sedr_filters/straightening.h>
 

@@ -30,11 +30,11 @@ TEST(RoomMeasures, APartitionIsAsThickAsItsFacesAreApart)
 {
   const Floorplan plan{
       {roomOf(rectangle(0, 0, 4, 3), 2.5), roomOf(rectangle(4.1, 1, 6, 5), 2.5, 2)}};
-  EXPECT_NEAR(wallThickness(plan, 0, 1), 0.1, 1e-9); // two of its three metres
-  EXPECT_NEAR(wallThickness(plan, 1, 3), 0.1, 1e-9); // two of four
+  EXPECT_NEAR(wallThicknesses(plan)[0][1], 0.1, 1e-9); // two of its three metres
+  EXPECT_NEAR(wallThicknesses(plan)[1][3], 0.1, 1e-9); // two of four
   for (const std::size_t outer : {0, 2, 3})
-    EXPECT_EQ(wallThickness(plan, 0, outer), 0) << outer;
-  EXPECT_EQ(wallThickness(plan, 0, 1, 0.09), 0);
+    EXPECT_EQ(wallThicknesses(plan)[0][outer], 0) << outer;
+  EXPECT_EQ(wallThicknesses(plan, 0.09)[0][1], 0);
 }
 
 TEST(RoomMeasures, RoundAndInnerWallsHaveAThicknessToo)
@@ -45,13 +45,13 @@ TEST(RoomMeasures, RoundAndInnerWallsHaveAThicknessToo)
                                   segment({4, 0}, {4, 4}), segment({4, 4}, {0, 4}),
                                   segment({0, 4}, {0, 2.2})}},
                                 2.5, 2)}};
-  EXPECT_NEAR(wallThickness(round, 1, 0), 0.2, 1e-9);
-  EXPECT_NEAR(wallThickness(round, 0, 0), 0.2, 1e-9); // a quarter of the circle
+  EXPECT_NEAR(wallThicknesses(round)[1][0], 0.2, 1e-9);
+  EXPECT_NEAR(wallThicknesses(round)[0][0], 0.2, 1e-9); // a quarter of the circle
   const Floorplan tongue{{roomOf(
       polygon({{0, 0}, {4, 0}, {4, 3}, {2.3, 3}, {2.3, 1}, {2, 1}, {2, 3}, {0, 3}}),
       2.5)}};
-  EXPECT_NEAR(wallThickness(tongue, 0, 3), 0.3, 1e-9);
-  EXPECT_NEAR(wallThickness(tongue, 0, 5), 0.3, 1e-9);
+  EXPECT_NEAR(wallThicknesses(tongue)[0][3], 0.3, 1e-9);
+  EXPECT_NEAR(wallThicknesses(tongue)[0][5], 0.3, 1e-9);
 }
 
 } // namespace

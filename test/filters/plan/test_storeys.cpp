@@ -85,8 +85,8 @@ TEST(Storeys, AWallIsNotAsThickAsItIsFarFromOneAboveIt)
   const Floorplan plan{{roomBetween(rectangle(0, 0, 4, 3), 0, 2.5, 1),
                         roomBetween(rectangle(4.3, 0, 8, 3), 0, 2.5, 2),
                         roomBetween(rectangle(4.1, 0, 8, 3), 2.8, 5.2, 3)}};
-  EXPECT_NEAR(wallThickness(plan, 0, 1), 0.3, 1e-9);
-  EXPECT_EQ(wallThickness(plan, 2, 3), 0);
+  EXPECT_NEAR(wallThicknesses(plan)[0][1], 0.3, 1e-9);
+  EXPECT_EQ(wallThicknesses(plan)[2][3], 0);
 }
 
 } // namespace

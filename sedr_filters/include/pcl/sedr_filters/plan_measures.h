@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_filters/priors.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -78,15 +79,12 @@ ClearHeight clearHeight(const PlanRoom& room);
  * by sections every 5 cm, to some thousandths. */
 double volumeOf(const PlanRoom& room, double mean_height);
 
-/** @brief Returns the thickness of the wall behind an element of a room's boundary,
- * metres. It is the median distance to the face on the other side, of this room or
- * another one at its heights. That face must be parallel within 5 degrees and at most
- * `most` metres away. 0 if less than a fifth of the element has such a face: the wall
- * is known from one side only.
- * @param room,element indices into the plan */
-double wallThickness(const Floorplan& plan,
-                     std::size_t room,
-                     std::size_t element,
-                     double most = 0.6);
+/** @brief Returns the thickness of the wall behind each element of each room's
+ * boundary, metres: that of the longest stretch with a parallel face behind it (within
+ * 5 degrees, arcs concentric), of this room or another one at its heights. 0: the wall
+ * is known from one side only. Drawings and the IFC have the same walls.
+ * @param max_wall maximum thickness, metres */
+std::vector<std::vector<double>> wallThicknesses(const Floorplan& plan,
+                                                 double max_wall = Priors().max_wall);
 
 } // namespace pcl::sedr
