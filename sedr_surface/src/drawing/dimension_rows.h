@@ -3,6 +3,7 @@
 
 #include "../sheet/sheet.h"
 #include "../sheet/text_places.h"
+#include "dimension_chains.h"
 #include "sheet_layout.h"
 
 #include <pcl/sedr_filters/floorplan.h>
@@ -13,23 +14,6 @@
 #include <vector>
 
 namespace pcl::sedr {
-
-/** @brief A side of a drawing. */
-enum class DrawingSide { Bottom, Left, Top, Right };
-
-/** @brief Returns the direction along a side, to the right or upwards; wayOff() the
- * direction away from the plan. */
-Eigen::Vector2d wayAlong(DrawingSide side);
-Eigen::Vector2d wayOff(DrawingSide side);
-
-/** @brief A row of dimensions beside a plan, between places that are visible from that
- * side without a wall in front. Metres, in the frame of the walls. */
-struct DimensionChain {
-  DrawingSide side = DrawingSide::Bottom;
-  std::vector<Eigen::Vector2d> places; ///< corners, in order along the side
-
-  double along(std::size_t place) const { return places[place].dot(wayAlong(side)); }
-};
 
 /** @brief A dimension on a sheet, millimetres. */
 struct SheetDimension {
