@@ -7,10 +7,10 @@
 
 1. Every number of Priors has a line in the table of priors.cpp, in the same order, and
    its default is within its range.
-2. The table tells in which folders each number acts: those whose sources name it.
+2. A source of the library names each number: none is accepted and does nothing.
 3. There are at most MOST_NUMBERS named numbers of sedr_segmentation outside the
    structure: what is believed of buildings or scanners belongs into it.
-doc/priors.md is what the first two make.
+doc/priors.md is what the first makes.
 """
 import collections
 import os
@@ -48,13 +48,13 @@ def members(root):
 
 
 def table(root):
-    """The lines of the table: name, group, unit, low, high, source, where."""
+    """The lines of the table: name, group, unit, low, high, source."""
     text = re.sub(r"\s*\n\s*", " ", read(root, TABLE))
     text = re.sub(r'"\s+"', "", text)
-    return [(name, group, unit, float(low), float(high), source, where)
-            for name, member, group, unit, low, high, source, where in re.findall(
+    return [(name, group, unit, float(low), float(high), source)
+            for name, member, group, unit, low, high, source in re.findall(
                 r'\{"(\w+)", &Priors::(\w+), "(\w+)", "([^"]*)", ([-+.\de]+), ([-+.\de]+), '
-                r'"([^"]*)", "([^"]*)"\}', text) if name == member]
+                r'"([^"]*)"\}', text) if name == member]
 
 
 def sources(root, module):
@@ -64,29 +64,10 @@ def sources(root, module):
                 yield os.path.relpath(os.path.join(folder, file), root)
 
 
-def folder_of(root, path):
-    """The folder of src/ that a source, or the source of a public header, lies in."""
-    part = re.search(r"/src/(\w+)/", path)
-    if part:
-        return part.group(1)
-    stem = os.path.splitext(os.path.basename(path))[0]
-    module = path.split("/", 1)[0]
-    for other in sources(root, module):
-        if other.endswith("/" + stem + ".cpp"):
-            return re.search(r"/src/(\w+)/", other).group(1)
-    return stem
-
-
 def used_in(root):
-    """The folders in which each number is named."""
-    folders = collections.defaultdict(set)
-    for module in MODULES:
-        for path in sources(root, module):
-            if path in (HEADER, TABLE):
-                continue
-            for name in re.findall(r"[pP]riors(?:_|\(\))?\.(\w+)", read(root, path)):
-                folders[name].add(folder_of(root, path))
-    return {name: ", ".join(sorted(found)) for name, found in folders.items()}
+    """The numbers that a source names."""
+    return {name for module in MODULES for path in sources(root, module) if path not in (HEADER, TABLE)
+            for name in re.findall(r"[pP]riors(?:_|\(\))?\.(\w+)", read(root, path))}
 
 
 def page(root):
@@ -102,7 +83,7 @@ What is believed of buildings, furniture, scanners and samples before a scan is 
 pcl_sedr scan.pcd model --prior max_wall=0.9,min_headroom=2
 ```
 
-`report.json` holds the values in use, their sources and the folders where they act. Values out of their range and unknown names are refused.
+`report.json` holds the values in use and their sources. Values out of their range and unknown names are refused.
 """
     group = None
     for name, value, meaning in members(root):
@@ -140,9 +121,8 @@ def problems(root):
     for (name, value, _), line in zip(in_header, in_table):
         if not line[3] <= value <= line[4]:
             found.append("%s = %g is not from %g to %g" % (name, value, line[3], line[4]))
-        if line[6] != used.get(name, ""):
-            found.append("%s acts in '%s', the table says '%s'" %
-                         (name, used.get(name, "no folder"), line[6]))
+        if name not in used:
+            found.append("no source names %s" % name)
     if read(root, PAGE) != page(root):
         found.append(PAGE + " is not what the sources say: run priors.py ROOT --write")
     count = sum(counted(root).values())
@@ -153,24 +133,10 @@ def problems(root):
     return found
 
 
-def write(root):
-    """Brings the table's folders and the page up to date."""
-    text = read(root, TABLE)
-    used = used_in(root)
-    lines = "".join(
-        '    {"%s", &Priors::%s, "%s", "%s", %.10g, %.10g,\n     "%s",\n     "%s"},\n' %
-        (name, name, group, unit, low, high, source, used.get(name, ""))
-        for name, group, unit, low, high, source, _ in table(root))
-    start = text.index("table = {\n") + len("table = {\n")
-    with open(os.path.join(root, TABLE), "w", encoding="utf-8") as file:
-        file.write(text[:start] + lines + text[text.index("};\n", start):])
-    with open(os.path.join(root, PAGE), "w", encoding="utf-8") as file:
-        file.write(page(root))
-
-
 if __name__ == "__main__":
     if sys.argv[2:] == ["--write"]:
-        write(sys.argv[1])
+        with open(os.path.join(sys.argv[1], PAGE), "w", encoding="utf-8") as file:
+            file.write(page(sys.argv[1]))
     FOUND = problems(sys.argv[1])
     print("\n".join(FOUND) or "%d priors, %d named numbers beside them" %
           (len(members(sys.argv[1])), sum(counted(sys.argv[1]).values())))

@@ -54,8 +54,7 @@ priorsOf(const Reconstruction& chain)
                       {"unit", prior.unit},
                       {"low", prior.low},
                       {"high", prior.high},
-                      {"source", prior.source},
-                      {"where", prior.where}});
+                      {"source", prior.source}});
   return priors;
 }
 

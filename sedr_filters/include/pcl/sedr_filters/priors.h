@@ -88,7 +88,6 @@ struct Priors {
 
   // Directions: small angles, in radians or as sines.
   double same_axis = 0.026;     ///< parallel or square to the scan's axes: 1.5 degrees
-  double same_direction = 0.03; ///< directions within one wall: 1.7 degrees
 };
 
 /** @brief Name, range and source of one member of Priors. */
@@ -100,7 +99,6 @@ struct Prior {
   double low; ///< smaller values are refused
   double high;
   const char* source;
-  const char* where; ///< folders of the sources that use it
 };
 
 /** @brief Returns the descriptions of all members of Priors, in order. */
