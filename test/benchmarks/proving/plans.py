@@ -133,8 +133,9 @@ def compare_rooms(plan, report, truth, row):
     meshes = {room["id"]: room["mesh"] for room in report["rooms"]}
     for found, true, overlap, union in found_pairs:
         row["rooms_matched"] += overlap >= MIN_OVERLAP * union
-        for name in ("area", "height", "volume", "perimeter"):
+        for name in ("area", "volume", "perimeter"):
             keep_error(row, f"{name}_error", found[name], true[name])
+        keep_error(row, "height_error", found["volume"] / found["area"], true["volume"] / true["area"])
         if meshes.get(found["id"]):
             keep_error(row, "mesh_volume_error", meshes[found["id"]]["volume"], true["volume"])
         compare_loops(found, true, row)

@@ -15,7 +15,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <limits>
 #include <sstream>
 #include <vector>
 
@@ -190,13 +189,15 @@ TEST(PlanOpening, BothLeavesOfADoorMeetInItsMiddle)
   EXPECT_STREQ(nameOf(pcl::sedr::OpeningKind::Passage), "passage");
 }
 
-TEST(VoxelGridSettings, VoxelsBeginAtZero)
+TEST(VoxelGridSettings, AreThoseOfPclsVoxelGrid)
 {
   struct Settings : pcl::sedr::VoxelGridSettings {
   } settings;
-  settings.setLeafSize(0.1F, 0.2F, 0.5F);
-  EXPECT_EQ(settings.getGridCoordinates(-0.05F, 0.3F, 1e30F),
-            Eigen::Vector3i(-1, 1, std::numeric_limits<int>::max()));
+  EXPECT_EQ(settings.getLeafSize(), Eigen::Vector3f::Constant(0.05F));
+  settings.setLeafSize(Eigen::Vector4f(0.1F, 0.2F, 0.5F, 7));
+  EXPECT_EQ(settings.getLeafSize(), Eigen::Vector3f(0.1F, 0.2F, 0.5F));
+  EXPECT_EQ(settings.getMinimumPointsNumberPerVoxel(), 0u);
+  EXPECT_FALSE(settings.getRemoveStrays());
 }
 
 } // namespace
