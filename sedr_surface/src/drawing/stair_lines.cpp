@@ -99,14 +99,14 @@ addStairs(const Floorplan& plan, std::vector<PlanLine>& lines)
                    });
   std::vector<PlanLoop> drawn;
   for (const ShownFlight& flight : shown) {
-    const auto lies = [&](const PlanLoop& above) {
+    const auto covers = [&](const PlanLoop& above) {
       for (std::size_t k = 0; k + 1 < flight.below; ++k)
         if (above.contains((flight.flight->middle(k) + flight.flight->middle(k + 1)) /
                            2))
           return true;
       return false;
     };
-    if (std::any_of(drawn.begin(), drawn.end(), lies))
+    if (std::any_of(drawn.begin(), drawn.end(), covers))
       continue;
     drawn.push_back(flight.outline());
     addFlight(flight, lines);

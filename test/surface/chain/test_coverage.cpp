@@ -66,8 +66,8 @@ TEST(Coverage, ARoomWithoutAPlanIsLeftOut)
   EXPECT_EQ(coverage.left_out[0].reason, "room 1: no plan could be fitted");
   ASSERT_TRUE(coverageWarning(coverage));
   const std::string warning = sentenceOf(*coverageWarning(coverage));
-  EXPECT_NE(warning.find("6 of 18 square metres"), std::string::npos) << warning;
-  EXPECT_NE(warning.find("12 square metres around (2."), std::string::npos) << warning;
+  EXPECT_NE(warning.find("6 of the 18 m2"), std::string::npos) << warning;
+  EXPECT_NE(warning.find("12 m2 around (2."), std::string::npos) << warning;
   EXPECT_NE(warning.find("room 1: no plan could be fitted"), std::string::npos);
 }
 
@@ -136,8 +136,9 @@ TEST(UnexplainedSurfaces, ArePlacesThatLieOffTheModel)
   EXPECT_EQ(found[0].kind, WarningKind::FloorOff);
   EXPECT_NEAR(found[0].values[0], 1, 1e-9);
   EXPECT_NEAR((found[0].at - Eigen::Vector2d(2, 1.5)).norm(), 0, 1e-6);
-  EXPECT_EQ(sentenceOf(found[0]), "room 1: 1.0 m2 of its floor, -0.40 to -0.40 m above "
-                                  "its main floor, are more than 10 cm off the model");
+  EXPECT_EQ(sentenceOf(found[0]),
+            "room 1: 1.0 m2 of its floor, at -0.40 to -0.40 m from "
+            "its main floor, are more than 10 cm off the model");
 }
 
 /** @brief Points every 5 cm on the four walls of planned(1, 0, 4), 3 m deep, which the
