@@ -78,22 +78,12 @@ roomBehind(const Floorplan& plan, const PlanOpening& opening, double depth)
   return 0;
 }
 
-/** @brief Adds the wall of a side that is nearest to a place; none of an island. */
+/** @brief Adds the wall of a side; none of a column. */
 void
-addWall(const Floorplan& plan,
-        const WallSide& side,
-        const Eigen::Vector2d& place,
-        PlanOpening& opening)
+addWall(const Floorplan& plan, const WallSide& side, PlanOpening& opening)
 {
-  const PlanRoom& room = plan.rooms[side.room];
-  const auto distance = [&](std::size_t e) {
-    return room.boundary.elements[e].distance(place);
-  };
-  const auto nearest = std::min_element(
-      side.elements.begin(), side.elements.end(),
-      [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
-  if (nearest != side.elements.end())
-    opening.walls.push_back({room.id, *nearest});
+  for (const std::size_t e : side.elements)
+    opening.walls.push_back({plan.rooms[side.room].id, e});
 }
 
 /** @brief Finds the openings of all sides and keeps each once. */
@@ -260,11 +250,11 @@ private:
     const bool is_paired = candidate.behind < search_.sides.size();
     const Eigen::Vector2d place = side.line.pointAt((at.from + at.to) / 2);
     PlanOpening& o = candidate.opening;
-    addWall(plan_, side, place, o);
+    addWall(plan_, side, o);
     o.depth = map.depth();
     if (is_paired) {
       const WallSide& other = search_.sides[candidate.behind];
-      addWall(plan_, other, place, o);
+      addWall(plan_, other, o);
       o.depth = -other.offset(place);
     }
     const auto onMiddleLine = [&](double s) {

@@ -32,8 +32,7 @@ struct OpeningSizes {
   double min_width = 0.35;
   double min_height = 0.3;     ///< of a cellar window
   double min_head = 1.75;      ///< height of a door
-  double max_gap = 4;          ///< between walls in a line: a bay, drawn to its pane
-  double same_line = 0.05;     ///< deviation of walls in a line
+  double max_gap = 4;          ///< of a bay, drawn to its pane
   double min_side = 0.4;       ///< length of a wall
   double max_depth = 0.6;      ///< of a wall: Priors::max_wall
   double shallow = 0.3;        ///< of a wall without a known face behind it

@@ -10,12 +10,12 @@
 
 namespace pcl::sedr {
 
-/** @brief One side of a wall, as one room has it: walls of the room that lie in a line,
- * and the gaps between them, such as bays that are drawn to their panes. */
+/** @brief One side of a wall, as one room has it, led on over bays at its ends that are
+ * drawn to their panes. */
 struct WallSide {
   std::size_t room = 0;                ///< index into Floorplan::rooms
   PlanElement line;                    ///< the room is to its left
-  std::vector<std::size_t> elements{}; ///< of the room's boundary, on the line
+  std::vector<std::size_t> elements{}; ///< of the room's boundary; none: a column
   double floor = 0;                    ///< minimum along it, metres
   double ceiling = 0;                  ///< maximum along it, metres
 
@@ -23,7 +23,7 @@ struct WallSide {
   double offset(const Eigen::Vector2d& p) const;
 };
 
-/** @brief Returns the sides of all walls of a plan. O(elements squared) of a room. */
+/** @brief Returns the sides of all walls of a plan. O(sides squared). */
 std::vector<WallSide> wallSides(const Floorplan& plan, const OpeningSizes& sizes);
 
 /** @brief What a side behind another one is. */
