@@ -2,6 +2,7 @@
 #include "surface_fit.h"
 
 #include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/weighted_quantile.h"
 
 #include <Eigen/Cholesky>
 
@@ -25,24 +26,8 @@ biweight(double share)
   return rest > 0 ? rest * rest : 0;
 }
 
-/** @brief Returns the smallest value with a share of the weight at or below it; 0 if
- * there is none. */
 double
-weightedQuantile(std::vector<std::pair<double, double>> values, double share)
-{
-  std::sort(values.begin(), values.end());
-  double total = 0;
-  for (const auto& value : values)
-    total += value.second;
-  double sum = 0;
-  for (const auto& value : values)
-    if ((sum += value.second) >= share * total)
-      return value.first;
-  return 0;
-}
-
-double
-weightedMedian(std::vector<std::pair<double, double>> values)
+weightedMedian(std::vector<Weighted> values)
 {
   return weightedQuantile(std::move(values), 0.5);
 }
@@ -50,7 +35,7 @@ weightedMedian(std::vector<std::pair<double, double>> values)
 /** @brief Returns the standard deviation of residuals, from the smallest quarter of
  * their magnitudes, as the others may be those of outliers. */
 double
-robustDeviation(std::vector<std::pair<double, double>> magnitudes)
+robustDeviation(std::vector<Weighted> magnitudes)
 {
   constexpr double eighth = 0.3186; // of the normal distribution, from its middle
   return weightedQuantile(std::move(magnitudes), 0.25) / eighth;
@@ -106,7 +91,7 @@ SurfaceFit::start(std::size_t number)
   constexpr double shrink = 0.7;
   Unknown& u = unknowns_.all[number];
   std::vector<PatchMean> patches;
-  std::vector<std::pair<double, double>> deviations;
+  std::vector<Weighted> deviations;
   std::vector<double> distances;
   const auto [first, last] = points_.patchesOf(number);
   for (std::size_t p = first; p < last; ++p) {
@@ -147,7 +132,7 @@ SurfaceFit::start(std::size_t number)
     if (!solve(patches, weights, unknowns_.prior(u), step))
       return;
   }
-  std::vector<std::pair<double, double>> residuals;
+  std::vector<Weighted> residuals;
   for (const PatchMean& patch : patches)
     residuals.emplace_back(std::abs(patch.distance - patch.row.dot(step)), patch.vote);
   u.spread = robustDeviation(std::move(residuals));
@@ -213,8 +198,8 @@ SurfaceFit::refine(std::size_t number)
                std::max(min_band, band_sigmas * std::hypot(u.noise, u.spread)));
   std::vector<PatchMean>& patches = patches_[number];
   patches.clear();
-  std::vector<std::pair<double, double>> variances;
-  std::vector<std::pair<double, double>> shares;
+  std::vector<Weighted> variances;
+  std::vector<Weighted> shares;
   const auto [first, last] = points_.patchesOf(number);
   for (std::size_t p = first; p < last; ++p) {
     PatchMean patch;
@@ -252,7 +237,7 @@ SurfaceFit::refine(std::size_t number)
   std::vector<double> weights(patches.size(), 0);
   Eigen::Vector3d step = Eigen::Vector3d::Zero();
   for (int turn = 0; turn < turns; ++turn) {
-    std::vector<std::pair<double, double>> sizes;
+    std::vector<Weighted> sizes;
     for (const PatchMean& patch : patches)
       sizes.emplace_back(std::abs(patch.distance - patch.row.dot(step)) /
                              deviationOf(patch, variance),
@@ -272,7 +257,7 @@ SurfaceFit::refine(std::size_t number)
   }
   u.information = unknowns_.prior(u);
   u.count = 0;
-  std::vector<std::pair<double, double>> residuals;
+  std::vector<Weighted> residuals;
   for (std::size_t i = 0; i < patches.size(); ++i) {
     PatchMean& patch = patches[i];
     u.information += weights[i] * patch.row * patch.row.transpose();
@@ -293,8 +278,8 @@ void
 SurfaceFit::estimateErrors()
 {
   constexpr std::size_t min_patches = 12; // of a surface that shows its waves
-  std::vector<std::pair<double, double>> noises;
-  std::vector<std::pair<double, double>> waves;
+  std::vector<Weighted> noises;
+  std::vector<Weighted> waves;
   double shared = 0;
   double own = 0;
   for (std::size_t number = 0; number < patches_.size(); ++number) {

@@ -55,10 +55,10 @@ public:
     }
   }
 
-  /** @brief Calls `visit(point)` for every point in the cells that overlap a box,
-   * including some outside it. */
+  /** @brief Calls `visit` with the index in all() of each point in the cells that
+   * overlap a box, including some outside it. */
   template <typename Visitor>
-  void forEachIn(const Eigen::AlignedBox2d& box, Visitor visit) const
+  void forEachIndexIn(const Eigen::AlignedBox2d& box, Visitor visit) const
   {
     if (points_.empty() || !grid_.holds(box.min().x(), box.min().y()) ||
         !grid_.holds(box.max().x(), box.max().y()))
@@ -69,7 +69,7 @@ public:
       for (std::size_t i = cells_.firstFrom({low.x, y});
            i < cells_.size() && cells_.keys()[i] <= keyOf({high.x, y}); ++i)
         for (std::size_t k = first_[i]; k < first_[i + 1]; ++k)
-          visit(points_[k]);
+          visit(k);
   }
 
 private:

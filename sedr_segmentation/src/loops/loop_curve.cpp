@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl::sedr {
 
@@ -107,33 +108,13 @@ meet(const PlanCurve& a,
     place = a.point + b.signedDistance(a.point) / turn * a.direction;
     return true;
   }
-  if (a.isCircle() && !b.isCircle())
-    return meet(b, a, near, place);
-  Eigen::Vector2d middle;
-  Eigen::Vector2d across;
-  double half = 0;
-  if (!a.isCircle()) {
-    const double d = a.signedDistance(b.point);
-    half = b.radius * b.radius - d * d;
-    middle = b.point - d * leftOf(a.direction);
-    across = a.direction;
-  }
-  else {
-    const Eigen::Vector2d e = b.point - a.point;
-    const double length = e.norm();
-    if (length < 1e-6)
-      return false;
-    const double u =
-        (length * length + a.radius * a.radius - b.radius * b.radius) / (2 * length);
-    half = a.radius * a.radius - u * u;
-    middle = a.point + u / length * e;
-    across = leftOf(e / length);
-  }
-  if (half < 0)
-    return false;
-  half = std::sqrt(half);
-  place = middle + (across.dot(near - middle) < 0 ? -half : half) * across;
-  return true;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector2d& p : intersections(a, b))
+    if ((p - near).norm() < nearest) {
+      nearest = (p - near).norm();
+      place = p;
+    }
+  return std::isfinite(nearest);
 }
 
 } // namespace pcl::sedr

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "weighted_values.h"
-
 #include "cell_fill.h"
+
+#include "sedr_filters/src/base/weighted_quantile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,9 +73,9 @@ double
 cellSizeFor(const std::vector<CellSet>& ceilings, double size, const Priors& priors)
 {
   const std::vector<Weighted> shares = sharesOf(ceilings);
-  if (shares.empty() || quantileOf(shares, 0.5) >= fill_enough)
+  if (shares.empty() || weightedQuantile(shares, 0.5) >= fill_enough)
     return size;
-  const double fill = std::max(quantileOf(shares, 0.1), 0.01);
+  const double fill = std::max(weightedQuantile(shares, 0.1), 0.01);
   const double enlargement =
       std::sqrt(std::log(1 - priors.cell_fill) / std::log(1 - fill));
   const double wanted = size * std::clamp(enlargement, 1.0, priors.max_enlargement);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tilted_faces.h"
 
+#include "../curves/plan_points.h"
 #include "patch_normals.h"
 
-#include <pcl/sedr_filters/cell_grid.h>
 #include <pcl/sedr_filters/priors.h>
 
 #include <Eigen/Eigenvalues>
@@ -15,7 +15,6 @@
 #include <map>
 #include <numeric>
 #include <optional>
-#include <unordered_map>
 
 namespace pcl::sedr {
 
@@ -218,42 +217,40 @@ private:
   std::size_t round_ = 0;
 };
 
-/** @brief The finite points by cells of the plan: which lie in a part of it. */
+/** @brief The finite points of a scan by where they are in plan. */
 class PointsInPlan {
 public:
   PointsInPlan(const PointView& points, const std::vector<int>& indices)
-  {
-    for (const int i : indices) {
-      const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
-      if (p.allFinite() && grid_.holds(p.x(), p.y())) {
-        cells_[keyOf(grid_.at(p.x(), p.y()))].emplace_back(places_.size());
-        places_.emplace_back(p.cast<double>());
-      }
-    }
-  }
+      : points_(points)
+      , indices_(indices)
+      , plan_(placesInPlan(), 1)
+  {}
 
-  /** @brief Returns the points of the cells that meet a box, in their order. */
-  std::vector<Eigen::Vector3d> around(const Eigen::AlignedBox2d& box) const
+  /** @brief Calls `see(point)` for the points around a box. */
+  template <typename See>
+  void forEachAround(const Eigen::AlignedBox2d& box, See see) const
   {
-    const Cell low = grid_.at(box.min().x(), box.min().y());
-    const Cell high = grid_.at(box.max().x(), box.max().y());
-    std::vector<std::size_t> found;
-    for (std::int32_t y = low.y; y <= high.y; ++y)
-      for (std::int32_t x = low.x; x <= high.x; ++x)
-        if (const auto cell = cells_.find(keyOf({x, y})); cell != cells_.end())
-          found.insert(found.end(), cell->second.begin(), cell->second.end());
-    std::sort(found.begin(), found.end());
-    std::vector<Eigen::Vector3d> places;
-    places.reserve(found.size());
-    for (const std::size_t k : found)
-      places.push_back(places_[k]);
-    return places;
+    plan_.forEachIndexIn(box, [&](std::size_t k) { see(place(plan_.given(k))); });
   }
 
 private:
-  CellGrid grid_{1}; // metres
-  std::vector<Eigen::Vector3d> places_;
-  std::unordered_map<CellKey, std::vector<std::size_t>> cells_;
+  Eigen::Vector3d place(std::size_t k) const
+  {
+    return points_[static_cast<std::size_t>(indices_[k])].cast<double>();
+  }
+
+  std::vector<Eigen::Vector2d> placesInPlan() const
+  {
+    std::vector<Eigen::Vector2d> places;
+    places.reserve(indices_.size());
+    for (std::size_t k = 0; k < indices_.size(); ++k)
+      places.emplace_back(place(k).head<2>());
+    return places;
+  }
+
+  const PointView& points_;
+  const std::vector<int>& indices_;
+  PlanPoints plan_;
 };
 
 double
@@ -287,13 +284,15 @@ faceOf(const WallPatches& patches,
   const Eigen::AlignedBox2d around(
       box.min().head<2>() - Eigen::Vector2d::Constant(beside),
       box.max().head<2>() + Eigen::Vector2d::Constant(beside));
-  for (const Eigen::Vector3d& p : points.around(around)) {
+  points.forEachAround(around, [&](const Eigen::Vector3d& p) {
+    if (!p.allFinite())
+      return;
     if (box.contains(p) && std::abs(plane.distance(p)) < reach)
       near.push_back(p);
     if (around.contains(p.head<2>().eval()) && p.z() < box.min().z() + 2 * cube_size &&
         p.z() > box.min().z() - 2 * max_above_floor)
       below.push_back(p.z());
-  }
+  });
   for (const double share : {1.0, 0.6}) {
     PlaneSums better;
     for (const Eigen::Vector3d& p : near)
