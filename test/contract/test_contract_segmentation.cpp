@@ -40,14 +40,13 @@ private:
 class WallGrowingAdaptor
     : public SlabAdaptor<pcl::CeilingBoundaryWallGrowing<pcl::PointXYZ>> {
 public:
-  explicit WallGrowingAdaptor(double support = 0)
+  WallGrowingAdaptor()
   {
     parameter([this](double v) { stage_.setNumberOfNeighbors(static_cast<int>(v)); },
               200, {2});
     parameter([this](double v) { stage_.setAngleThreshold(static_cast<float>(v)); },
               M_PI / 3, {0, -1, 7, nan});
     parameter([this](double v) { stage_.setDistanceThreshold(v); }, 0.1, {0, -1, nan});
-    parameter([this](double v) { stage_.setMinimumSupport(v); }, support, {-0.1, 1.1});
   }
 
   Outcome run()
@@ -70,11 +69,10 @@ public:
   }
 };
 
-/** With slice height and minimum support. */
+/** With slice height. */
 class SlicedWallGrowingAdaptor : public WallGrowingAdaptor {
 public:
   SlicedWallGrowingAdaptor()
-      : WallGrowingAdaptor(0.3)
   {
     stage_.setSliceHeight(1.25);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../profiles/cell_count.h"
-#include "../profiles/column_table.h"
+#include "sedr_filters/src/grids/cell_count.h"
+#include "column_table.h"
 #include "sedr_filters/src/base/plane_fit.h"
 
 #include <pcl/impl/instantiate.hpp>

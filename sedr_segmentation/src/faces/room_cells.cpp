@@ -3,6 +3,7 @@
 
 #include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/grids/place_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -349,33 +350,16 @@ findGlass(const PointView& scan,
   constexpr double frame = 0.2;       // metres below the ceiling
   constexpr double on_ceiling = 0.15; // metres
   std::vector<CellHits> hits(rooms.size());
-  // Each room reads the scan; a coarse table tells which rooms a point may be in.
-  constexpr double coarse = 2; // metres
-  const CellGrid table(coarse);
-  std::vector<std::pair<CellKey, std::uint32_t>> entries;
+  PlaceTable rooms_near(2); // metres
   for (std::size_t r = 0; r < rooms.size(); ++r) {
     hits[r].wall.assign(rooms[r].seen.values().size(), 0);
     hits[r].ceiling = hits[r].wall;
-    if (rooms[r].seen.count() == 0)
-      continue;
-    const Eigen::Vector2d low = grid.centre(rooms[r].seen.box().low);
-    const Eigen::Vector2d high = grid.centre(rooms[r].seen.box().high);
-    const Cell first = table.at(low.x(), low.y());
-    const Cell last = table.at(high.x(), high.y());
-    for (int y = first.y; y <= last.y; ++y)
-      for (int x = first.x; x <= last.x; ++x)
-        entries.push_back({keyOf({x, y}), static_cast<std::uint32_t>(r)});
+    if (rooms[r].seen.count() > 0)
+      rooms_near.addIn({grid.centre(rooms[r].seen.box().low),
+                        grid.centre(rooms[r].seen.box().high)},
+                       static_cast<std::uint32_t>(r));
   }
-  std::sort(entries.begin(), entries.end());
-  std::vector<CellKey> keys;
-  for (const auto& entry : entries)
-    keys.push_back(entry.first);
-  const CellSet places(keys);
-  std::vector<std::size_t> first(places.size() + 1, 0);
-  for (const auto& entry : entries)
-    ++first[places.find(cellOf(entry.first)) + 1];
-  for (std::size_t k = 1; k < first.size(); ++k)
-    first[k] += first[k - 1];
+  rooms_near.finish();
   std::vector<CellMask> near(rooms.size());
   parallelBlocks(rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {
     if (rooms[r].seen.count() > 0)
@@ -387,12 +371,8 @@ findGlass(const PointView& scan,
     const Eigen::Vector3f q = scan[i];
     if (!q.allFinite() || !grid.holds(q.x(), q.y()))
       continue;
-    const std::size_t place = places.find(table.at(q.x(), q.y()));
-    if (place == CellSet::npos)
-      continue;
     const Cell cell = grid.at(q.x(), q.y());
-    for (std::size_t e = first[place]; e < first[place + 1]; ++e) {
-      const std::size_t r = entries[e].second;
+    for (const std::uint32_t r : rooms_near.at(q.head<2>().cast<double>())) {
       if (!near[r].at(cell))
         continue;
       const std::size_t at = near[r].indexOf(cell);

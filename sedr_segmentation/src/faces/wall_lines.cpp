@@ -45,13 +45,14 @@ struct Line {
 /** @brief The places of surfaces with their normals, from which lines are taken. */
 class LineSearch {
 public:
-  LineSearch(std::vector<SurfacePlace> places, const WallLineParameters& p)
+  LineSearch(const std::vector<SurfacePlace>& places, const WallLineParameters& p)
       : p_(p)
-      , rooms_(roomsInOrder(places))
-      , places_(positions(places), index_cell)
-      , normals_(places.size(), Eigen::Vector2d::UnitX())
-      , is_left_(places.size(), 1)
+      , places_(positions(places), 0.5)
+      , normals_(places_.size(), Eigen::Vector2d::UnitX())
+      , is_left_(places_.size(), 1)
   {
+    for (std::size_t i = 0; i < size(); ++i)
+      rooms_.push_back(places[places_.given(i)].room);
     // Relative to the first place: far from the origin, squares lose their digits.
     for (std::size_t i = 0; i < size(); ++i) {
       PlaceSums sums;
@@ -96,7 +97,8 @@ public:
       Line line{normals_[seed], normals_[seed].dot(at(seed))};
       std::size_t on = 0;
       for (const double reach : {0.5, 1.0, 2.0, 5.0, 1e9, 1e9})
-        on = fitNear(seed, reach, line);
+        if (on = fitNear(seed, reach, line); on < 3 && reach > 2)
+          break; // few places are on it: all of the storey need not be asked
       if (on < least)
         continue;
       for (std::size_t k = 0; k < size(); ++k)
@@ -110,23 +112,6 @@ public:
   std::uint32_t room(std::size_t i) const { return rooms_[i]; }
 
 private:
-  static constexpr double index_cell = 0.5; // metres
-
-  /** @brief Sorts the places as the index does, and returns their rooms. */
-  static std::vector<std::uint32_t> roomsInOrder(std::vector<SurfacePlace>& places)
-  {
-    const CellGrid grid(index_cell);
-    std::stable_sort(places.begin(), places.end(),
-                     [&](const SurfacePlace& a, const SurfacePlace& b) {
-                       return keyOf(grid.at(a.at.x(), a.at.y())) <
-                              keyOf(grid.at(b.at.x(), b.at.y()));
-                     });
-    std::vector<std::uint32_t> rooms;
-    for (const SurfacePlace& place : places)
-      rooms.push_back(place.room);
-    return rooms;
-  }
-
   static std::vector<Eigen::Vector2d> positions(const std::vector<SurfacePlace>& places)
   {
     std::vector<Eigen::Vector2d> all;
@@ -157,8 +142,8 @@ private:
   }
 
   const WallLineParameters& p_;
-  std::vector<std::uint32_t> rooms_; ///< of each place
   PlanPoints places_;
+  std::vector<std::uint32_t> rooms_; ///< of each place
   std::vector<Eigen::Vector2d> normals_;
   std::vector<std::uint8_t> is_left_;
 };

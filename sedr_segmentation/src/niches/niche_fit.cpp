@@ -5,7 +5,7 @@
 
 #include "../curves/loop_difference.h"
 #include "../curves/plan_segment.h"
-#include "../profiles/cell_count.h"
+#include "sedr_filters/src/grids/cell_count.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/base/plane_fit.h"
 #include "sedr_filters/src/grids/cell_mask.h"

@@ -6,6 +6,7 @@
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/grids/place_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,6 +52,11 @@ public:
                          cell_);
     return {none, none};
   }
+
+  const PlanElement& mouth() const { return mouth_; }
+
+  /** @brief Returns how far from the mouth points may count, metres. */
+  double reach() const { return around_ + depth_ + reach_; }
 
   /** @brief Counts a point, if it is on the back or on the wall around the mouth. */
   void count(const Eigen::Vector3f& point, Counts& counts) const
@@ -119,8 +125,13 @@ countsOf(const std::vector<NicheView>& views,
          unsigned threads)
 {
   std::vector<NicheView::Counts> sums;
-  for (const NicheView& view : views)
+  PlaceTable views_near(0.5); // metres
+  for (const NicheView& view : views) {
+    views_near.addAlong(view.mouth(), view.reach(),
+                        static_cast<std::uint32_t>(sums.size()));
     sums.push_back(view.noCounts());
+  }
+  views_near.finish();
   const std::size_t all = indices.empty() ? raw.size() : indices.size();
   const std::size_t step = rawStep(all, max_points);
   std::mutex adding;
@@ -133,7 +144,7 @@ countsOf(const std::vector<NicheView>& views,
           const std::size_t i = k * step;
           const Eigen::Vector3f p =
               raw[indices.empty() ? i : static_cast<std::size_t>(indices[i])];
-          for (std::size_t v = 0; v < views.size(); ++v)
+          for (const std::uint32_t v : views_near.at(p.head<2>().cast<double>()))
             views[v].count(p, counts[v]);
         }
         const std::lock_guard<std::mutex> lock(adding);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wall_recess.h"
 
-#include "../profiles/cell_count.h"
+#include "sedr_filters/src/grids/cell_count.h"
 #include "sedr_filters/src/base/middle_value.h"
 
 #include <algorithm>

@@ -62,7 +62,6 @@ MeasuredOpening
 OpeningMeasures::measure(const std::vector<Crossing>& crossings, RoomLabels& rooms)
 {
   MeasuredOpening m;
-  m.crossing = crossings.front();
   Eigen::Vector2d through = Eigen::Vector2d::Zero();
   double beside_top = 0;
   for (const Crossing& c : crossings) {
@@ -84,8 +83,6 @@ OpeningMeasures::measure(const std::vector<Crossing>& crossings, RoomLabels& roo
   m.direction = directionOf(crossings, through);
   const Ends ends = endsOf(crossings, m.direction);
   const Eigen::Vector2d across(-m.direction.y(), m.direction.x());
-  const Ends sides = endsOf(crossings, across);
-  m.depth = across.dot(placeOf(sides[1].from) - placeOf(sides[0].from));
   m.width =
       std::max(m.direction.dot(placeOf(ends[1].from) - placeOf(ends[0].from)) + cell_,
                n / std::sqrt(2.0) * cell_);

@@ -40,10 +40,8 @@ std::vector<std::vector<Crossing>> openingsOf(const AirGaps& air,
 
 /** @brief An opening with what is needed to judge it; lengths in metres. */
 struct MeasuredOpening : RoomOpening {
-  Crossing crossing;      ///< one of those in it
   double floor_a = 0;     ///< z of the floor near it, of its first room
   double floor_b = 0;     ///< the same of the second
-  double depth = 0;       ///< across its width: one around a corner is deep
   double open_height = 0; ///< of the opening over that of the air beside it
   bool has_ends = false;  ///< whether walls stand at both of its ends
   double jamb_a = 0;      ///< how far the first room goes on beside one of its ends

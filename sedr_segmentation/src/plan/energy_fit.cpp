@@ -67,6 +67,9 @@ fitLoops(const Storey& storey,
   constexpr double near = 3; // cells: farther points are no evidence of the walls
   const LoopEnergy energy = energyOf(parameters);
   std::vector<LoopContour> contours;
+  std::vector<CellMask> seen(cells.size()); // of each room's region
+  for (const std::size_t r : storey.rooms)
+    seen[r] = intersect(regions[r].cells, cells[r].seen);
   for (const std::size_t r : storey.rooms) {
     const CellMask& region = regions[r].cells;
     const CellMask rim = dilated(region, near);
@@ -74,12 +77,13 @@ fitLoops(const Storey& storey,
     for (const Eigen::Vector2d& p : cells[r].wall_points)
       if (rim.at(grid.at(p.x(), p.y())))
         places.push_back(p);
-    const PlanPoints walls(std::move(places), 0.2);
+    const PlanPoints walls(places, 0.2);
     CellMask others(region.box()); // their air, with a wall around it
     CellMask unseen(region.box());
     for (const std::size_t q : storey.rooms)
-      if (q != r && cells[q].sharesHeights(cells[r])) {
-        addCells(intersect(regions[q].cells, cells[q].seen), others);
+      if (q != r && cells[q].sharesHeights(cells[r]) &&
+          overlapOf(region.box(), regions[q].cells.box()).count() > 0) {
+        addCells(seen[q], others);
         addCells(regions[q].cells, unseen);
       }
     others = subtract(unite(dilated(others, 1), unseen), region);
@@ -219,6 +223,7 @@ fitPlanByEnergy(const PointView& points,
     NicheParameters of_niches;
     of_niches.threads = 1;
     of_niches.priors = priors;
+    of_niches.cell_size = parameters.cell_size;
     room.niches = fitNiches(points, beside, room, of_niches);
   });
   for (std::size_t r = 0; r < rooms.size(); ++r) {

@@ -40,23 +40,27 @@ sharesOf(const std::vector<int>& indices,
   return shares;
 }
 
-/** @brief Returns the height range of each room; empty if a room has no floor points.
- */
+/** @brief Returns the height range of each room; one without floor points is as high as
+ * usual below the lowest of its ceiling. */
 std::vector<RoomHeights>
 heightsOfRooms(const PointView& points,
                const std::vector<std::vector<int>>& floors,
                const std::vector<std::vector<int>>& ceilings,
                const std::vector<std::vector<int>>& details)
 {
+  constexpr double usual_height = 2.4; // metres
   std::vector<RoomHeights> heights;
   for (std::size_t r = 0; r < floors.size(); ++r) {
-    if (floors[r].empty())
-      return {};
     std::vector<float> above;
     for (const auto* part : {&ceilings[r], &details[r]})
       for (const int i : *part)
         above.push_back(points[static_cast<std::size_t>(i)].z());
-    heights.push_back(heightsFrom(floorLevel(points, floors[r]), std::move(above)));
+    double floor = 0;
+    if (!floors[r].empty())
+      floor = floorLevel(points, floors[r]);
+    else if (!above.empty())
+      floor = *std::min_element(above.begin(), above.end()) - usual_height;
+    heights.push_back(heightsFrom(floor, std::move(above)));
   }
   return heights;
 }

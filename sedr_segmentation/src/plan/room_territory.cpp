@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_territory.h"
 
-#include "../profiles/box_clusters.h"
-#include "../profiles/cell_count.h"
+#include "box_clusters.h"
+#include "sedr_filters/src/grids/cell_count.h"
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel_for.h"
 

@@ -76,23 +76,6 @@ public:
     leaveOutWalls(all);
   }
 
-  HeightHistogram histogram() const
-  {
-    HeightHistogram histogram;
-    histogram.bin_height = p_.tolerance / 2;
-    std::vector<std::size_t> last(cells_.size(), 0); // bin of each cell, from 1
-    for (const Candidate& c : candidates_) {
-      const double low = std::floor(c.z / histogram.bin_height) * histogram.bin_height;
-      if (histogram.bins.empty() || low > histogram.bins.back().low)
-        histogram.bins.push_back({low, 0});
-      if (last[c.cell] == histogram.bins.size())
-        continue;
-      last[c.cell] = histogram.bins.size();
-      ++histogram.bins.back().cells;
-    }
-    return histogram;
-  }
-
   std::vector<Level> run()
   {
     const double cell_area = grid_.size() * grid_.size();
@@ -280,8 +263,7 @@ std::string
 detectHorizontalPlanes(const PointView& points,
                        const pcl::Indices& indices,
                        const LevelParameters& parameters,
-                       std::vector<pcl::HorizontalPlane>& planes,
-                       HeightHistogram& histogram)
+                       std::vector<pcl::HorizontalPlane>& planes)
 {
   std::string problem = indicesProblem(indices, points.size());
   if (problem.empty())
@@ -289,7 +271,6 @@ detectHorizontalPlanes(const PointView& points,
   if (!problem.empty())
     return problem;
   LevelSearch search(points, indices, parameters);
-  histogram = search.histogram();
   for (Level& level : search.run()) {
     pcl::HorizontalPlane plane;
     plane.inliers.indices = std::move(level.inliers);

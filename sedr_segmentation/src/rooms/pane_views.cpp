@@ -44,9 +44,9 @@ viewsThroughPanes(const std::vector<BuildingRoom>& parts,
   std::vector<std::size_t> all(parts.size(), 0);
   std::vector<std::size_t> through(parts.size(), 0);
   for (std::size_t i = 0; i < std::min(points.size(), behind.size()); ++i) {
-    if (!points.isFinite(i))
-      continue;
     const Eigen::Vector3f p = points[i];
+    if (!p.allFinite() || !grid.holds(p.x(), p.y()))
+      continue;
     const auto key = static_cast<std::uint64_t>(keyOf(grid.at(p.x(), p.y())));
     auto at = std::lower_bound(
         columns.begin(), columns.end(), key,

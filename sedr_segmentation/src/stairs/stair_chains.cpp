@@ -118,12 +118,15 @@ StairChains::addStep(std::size_t a, std::size_t b, int steps)
                   from.z + k * step.rise)
             .room != 0)
       return;
-  for (const Eigen::Vector2d& p : from.cells)
+  for (const Eigen::Vector2d& p : from.cells) {
+    if (to.box.exteriorDistance(p) > reach)
+      continue;
     for (const Eigen::Vector2d& q : to.cells)
       if ((p - q).squaredNorm() <= reach * reach) {
         steps_.push_back(step);
         return;
       }
+  }
 }
 
 double

@@ -21,17 +21,6 @@ problemOf(const WallInput& input)
   return problem;
 }
 
-pcl::Indices
-boundaryOf(const pcl::Indices& slab,
-           const WallInput& input,
-           const BoundaryOptions& options)
-{
-  if (!input.search)
-    return boundaryPoints(input.points, slab, Nearness::Space, options);
-  input.setSlab(slab);
-  return boundaryPoints(input.points, slab, input.search, options);
-}
-
 /** @brief Finds the boundaries and takes their points as seeds. */
 WallSeeds
 findSeeds(const WallInput& input,
@@ -40,12 +29,15 @@ findSeeds(const WallInput& input,
           bool has_slice,
           GrownWalls& result)
 {
-  result.ceiling_boundary = boundaryOf(parts.ceiling, input, options);
+  const auto boundaryOf = [&](const pcl::Indices& slab, Nearness nearness) {
+    return boundaryPoints(input.points, slab, nearness, options);
+  };
+  result.ceiling_boundary = boundaryOf(parts.ceiling, Nearness::Space);
   if (!has_slice)
     return {result.ceiling_boundary, {}};
-  result.floor_boundary = boundaryOf(parts.floor, input, options);
-  result.scope_boundary = boundaryPoints(
-      input.points, unite(parts.ceiling, parts.details), Nearness::Plan, options);
+  result.floor_boundary = boundaryOf(parts.floor, Nearness::Space);
+  result.scope_boundary =
+      boundaryOf(unite(parts.ceiling, parts.details), Nearness::Plan);
   return {unite(result.ceiling_boundary, result.scope_boundary), result.floor_boundary};
 }
 
@@ -70,8 +62,7 @@ growWalls(const WallInput& input,
   if (!problem.empty())
     return problem;
   const WallSeeds seeds = findSeeds(input, parts, boundary, growing.hasSlice(), result);
-  result.seeds = seedsWithSupport(input.points, parts, seeds, growing);
-  result.walls = growWalls(input.points, parts, result.seeds, growing);
+  result.walls = growWalls(input.points, parts, seeds, growing);
   result.with_details = unite(result.walls, parts.details);
   return {};
 }

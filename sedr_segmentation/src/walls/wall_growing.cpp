@@ -2,9 +2,7 @@
 #include "wall_growing.h"
 
 #include "../curves/plan_points.h"
-#include "../profiles/rim_support.h"
 #include "boundary_points.h"
-#include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/base/parallel.h"
 
@@ -43,20 +41,6 @@ plan(const PointView& points, const pcl::Indices& indices)
   return places;
 }
 
-/** @brief Median height of the floor, unless one was given. */
-double
-floorHeight(const PointView& points,
-            const pcl::Indices& floor,
-            const WallGrowingOptions& options)
-{
-  if (!std::isnan(options.floor_height))
-    return options.floor_height;
-  std::vector<double> heights;
-  for (const auto i : floor)
-    heights.push_back(at(points, i).z());
-  return middleValue(std::move(heights));
-}
-
 } // namespace
 
 std::string
@@ -67,12 +51,8 @@ problemOf(const WallGrowingOptions& options)
   };
   if (!(options.distance > 0) || !std::isfinite(options.distance))
     return mustBe("the distance threshold", "above 0 m", options.distance);
-  if (!(options.minimum_support >= 0 && options.minimum_support <= 1))
-    return mustBe("the minimum support", "within 0 and 1", options.minimum_support);
   if (std::isinf(options.slice_height))
     return mustBe("the slice height", "finite", options.slice_height);
-  if (std::isinf(options.floor_height))
-    return mustBe("the floor height", "finite", options.floor_height);
   return {};
 }
 
@@ -106,10 +86,6 @@ problemOf(const WallParts& parts, const WallGrowingOptions& options)
   if (options.hasSlice() && parts.floor.empty())
     return "below the slice at " + numberText(options.slice_height) +
            " m the boundary of the floor seeds the walls, but no floor points were set";
-  if (options.minimum_support > 0 && !options.hasSlice() && parts.floor.empty() &&
-      std::isnan(options.floor_height))
-    return "the minimum support needs the height of the floor: set it or the floor "
-           "points";
   return {};
 }
 
@@ -122,32 +98,14 @@ unite(const pcl::Indices& a, const pcl::Indices& b)
   return all;
 }
 
-WallSeeds
-seedsWithSupport(const PointView& points,
-                 const WallParts& parts,
-                 const WallSeeds& seeds,
-                 const WallGrowingOptions& options)
-{
-  if (options.minimum_support <= 0)
-    return seeds;
-  const CellGrid grid = gridOver(points, parts, options.distance);
-  const ColumnOccupancy occupancy(points, grid, unite(parts.candidates, parts.details));
-  const double end = options.hasSlice() ? options.slice_height
-                                        : floorHeight(points, parts.floor, options);
-  const double share = options.minimum_support;
-  return {supportedSeeds(points, seeds.above, occupancy, end, share),
-          supportedSeeds(points, seeds.below, occupancy, end, share)};
-}
-
 pcl::Indices
 growWalls(const PointView& points,
           const WallParts& parts,
           const WallSeeds& seeds,
           const WallGrowingOptions& options)
 {
-  const CellGrid grid = gridOver(points, parts, options.distance);
-  const PlanPoints above(plan(points, seeds.above), grid.size());
-  const PlanPoints below(plan(points, seeds.below), grid.size());
+  const PlanPoints above(plan(points, seeds.above), options.distance);
+  const PlanPoints below(plan(points, seeds.below), options.distance);
 
   const pcl::Indices& candidates = parts.candidates;
   std::vector<std::uint8_t> is_wall(candidates.size());
@@ -167,17 +125,6 @@ growWalls(const PointView& points,
     if (is_wall[i])
       walls.push_back(candidates[i]);
   return walls;
-}
-
-CellGrid
-gridOver(const PointView& points, const WallParts& parts, double size)
-{
-  double reach = 0;
-  for (const pcl::Indices* part :
-       {&parts.candidates, &parts.ceiling, &parts.floor, &parts.details})
-    for (const auto i : *part)
-      reach = std::max(reach, at(points, i).head<2>().cwiseAbs().maxCoeff());
-  return CellGrid(std::max(size, reach / 1e9));
 }
 
 } // namespace pcl::sedr

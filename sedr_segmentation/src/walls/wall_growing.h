@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/cell_grid.h>
 #include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_segmentation/ceiling_boundary_wall_growing.h>
 #include <pcl/types.h>
 
-#include <Eigen/Core>
-
-#include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -42,12 +37,11 @@ std::string problemOf(const WallParts& parts, const WallGrowingOptions& options)
 /** @brief The elements of two ascending lists, each once. */
 pcl::Indices unite(const pcl::Indices& a, const pcl::Indices& b);
 
-/** @brief The seeds that are left when those of rims with less than the minimum support
- * have gone. */
-WallSeeds seedsWithSupport(const PointView& points,
-                           const WallParts& parts,
-                           const WallSeeds& seeds,
-                           const WallGrowingOptions& options);
+/** @brief Seeds of walls: indices of finite points, increasing. */
+struct WallSeeds {
+  pcl::Indices above; ///< all seeds if there is no slice height
+  pcl::Indices below;
+};
 
 /** @brief The candidates that are near a seed in plan. O((n + s) log s) for n
  * candidates and s seeds. */
@@ -55,10 +49,5 @@ pcl::Indices growWalls(const PointView& points,
                        const WallParts& parts,
                        const WallSeeds& seeds,
                        const WallGrowingOptions& options);
-
-/** @brief The grid of cells of `size` or, where coordinates are too large for 32-bit
- * cells of that size, of the least size above it whose cells reach all points of the
- * parts. O(n). */
-CellGrid gridOver(const PointView& points, const WallParts& parts, double size);
 
 } // namespace pcl::sedr

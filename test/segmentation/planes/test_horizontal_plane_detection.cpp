@@ -77,31 +77,6 @@ TEST(HorizontalPlaneDetection, GivesTheSamePlanesOnAnyNumberOfThreads)
   }
 }
 
-TEST(HorizontalPlaneDetection, ShowsInHowManyCellsEachHeightIsSeen)
-{
-  RoomPoints points;
-  points.slab(rectangle(0, 0, 4, 3), 0.01);
-  points.slab(rectangle(1, 1, 2.5, 2), 0.75);
-  points.slab(rectangle(0, 0, 4, 3), 2.51);
-  Detection detection;
-  detection.setInputCloud(points.cloud());
-  std::vector<pcl::HorizontalPlane> planes;
-  ASSERT_TRUE(detection.segment(planes)) << detection.getErrorMessage();
-  const HeightHistogram& histogram = detection.getHeightHistogram();
-  EXPECT_NEAR(histogram.bin_height, detection.getDistanceThreshold() / 2, 1e-12);
-  ASSERT_EQ(histogram.bins.size(), 3u);
-  const double heights[] = {0.01, 0.75, 2.51};
-  const std::size_t cells[] = {80 * 60, 30 * 20, 80 * 60};
-  for (std::size_t k = 0; k < 3; ++k) {
-    EXPECT_LE(histogram.bins[k].low, heights[k]);
-    EXPECT_GT(histogram.bins[k].low + histogram.bin_height, heights[k]);
-    EXPECT_EQ(histogram.bins[k].cells, cells[k]);
-  }
-  detection.setGridSize(0);
-  EXPECT_FALSE(detection.segment(planes));
-  EXPECT_TRUE(detection.getHeightHistogram().bins.empty());
-}
-
 TEST(HorizontalPlaneDetection, SaysWhatItLookedForWhereThereIsNone)
 {
   RoomPoints points;

@@ -111,19 +111,4 @@ TEST(CeilingBoundaryWallGrowing, RimOfAHoleIsBoundary)
   EXPECT_EQ(rim, 48u); // 13 x 13 points around 11 x 11 missing ones
 }
 
-TEST(CeilingBoundaryWallGrowing, AnotherSearchGivesTheSameBoundary)
-{
-  const Scene scene = irregularCeiling(11);
-  pcl::Indices ceiling;
-  for (std::size_t i = 0; i < scene.cloud->size(); ++i)
-    if (i % 5 != 0)
-      ceiling.push_back(static_cast<pcl::index_t>(i));
-  Growing growing = growingOn(scene, ceiling);
-  wallsOf(growing);
-  const auto boundary = growing.getBoundaryIndices();
-  growing.setSearchMethod(pcl::make_shared<pcl::search::KdTree<pcl::PointXYZ>>());
-  wallsOf(growing);
-  EXPECT_EQ(growing.getBoundaryIndices(), boundary);
-}
-
 } // namespace

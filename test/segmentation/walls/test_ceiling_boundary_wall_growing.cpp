@@ -79,9 +79,6 @@ TEST(CeilingBoundaryWallGrowing, SliceDividesSeedsOfCeilingAndScopeFromThoseOfTh
     EXPECT_TRUE(p.x == 0 || p.x == 4 || p.y == 0 || p.y == 3) << p;
   }
   EXPECT_GE(growing.getScopeBoundaryIndices().size(), 2u * 48u + 2u * 64u);
-  EXPECT_EQ(growing.getSeeds().above,
-            united(growing.getBoundaryIndices(), growing.getScopeBoundaryIndices()));
-  EXPECT_EQ(growing.getSeeds().below, growing.getFloorBoundaryIndices());
 }
 
 TEST(CeilingBoundaryWallGrowing, WithoutSliceTheCeilingAloneSeedsAndDetailsHaveNoEffect)
@@ -106,57 +103,10 @@ TEST(CeilingBoundaryWallGrowing, DetailsJoinTheWallsThoughTheyAreNoCandidates)
   EXPECT_EQ(wallsOf(growing), united(room.wall_below, room.soffit));
 }
 
-TEST(CeilingBoundaryWallGrowing, SupportTellsLampsFromColumnsAndSparesDoors)
-{
-  const FurnishedRoom room;
-  Growing growing = room.growing();
-  const auto without = wallsOf(growing);
-  EXPECT_EQ(commonOf(without, room.lamp), room.lamp);
-  EXPECT_EQ(growing.getSeeds().above, growing.getBoundaryIndices());
-
-  growing.setMinimumSupport(0.5);
-  const auto walls = wallsOf(growing);
-  EXPECT_LT(growing.getSeeds().above.size(), growing.getBoundaryIndices().size());
-  EXPECT_EQ(commonOf(growing.getSeeds().above, growing.getBoundaryIndices()),
-            growing.getSeeds().above);
-  EXPECT_TRUE(commonOf(walls, room.lamp).empty());
-  EXPECT_EQ(commonOf(walls, room.column), commonOf(without, room.column));
-  EXPECT_FALSE(commonOf(walls, room.column).empty());
-  EXPECT_EQ(commonOf(walls, room.walls), room.walls);
-  EXPECT_FALSE(room.lintel.empty());
-}
-
-TEST(CeilingBoundaryWallGrowing, SupportTakesTheFloorHeightThatIsSet)
-{
-  const FurnishedRoom room;
-  Growing growing = room.growing();
-  growing.setMinimumSupport(0.5);
-  growing.setFloorHeight(2.0); // the lamp extends down to this height
-  EXPECT_EQ(commonOf(wallsOf(growing), room.lamp), room.lamp);
-  growing.setFloorHeight(0.0);
-  EXPECT_TRUE(commonOf(wallsOf(growing), room.lamp).empty());
-}
-
-TEST(CeilingBoundaryWallGrowing, DetailsSupportTheRimAboveThem)
-{
-  SoffitRoom room;
-  Growing growing = room.growing();
-  growing.setMinimumSupport(0.2); // the riser is a quarter of the ceiling's rim
-  EXPECT_EQ(wallsOf(growing), room.soffit);
-
-  pcl::Indices details = room.soffit;
-  for (float y = 0; y <= 3; y += step)
-    details = united(details, room.pole(3, y, 1.5625f, 2.4375f));
-  growing.setDetailIndices(indexList(details));
-  growing.setInputCloud(room.cloud);
-  EXPECT_EQ(commonOf(wallsOf(growing), room.by_riser_above), room.by_riser_above);
-}
-
 TEST(CeilingBoundaryWallGrowing, ResultIsTheSameForAnyNumberOfThreads)
 {
   const FurnishedRoom room;
   Growing growing = room.growing();
-  growing.setMinimumSupport(0.4);
   growing.setNumberOfThreads(1);
   const auto walls = wallsOf(growing);
   const auto boundary = growing.getBoundaryIndices();
@@ -271,12 +221,7 @@ TEST(CeilingBoundaryWallGrowing, BadInputIsRefusedWithAReasonAndClearsTheResult)
   refusesWith([](Growing& g) { g.setAngleThreshold(not_a_number); }, "angle");
   refusesWith([](Growing& g) { g.setDistanceThreshold(0); }, "distance");
   refusesWith([](Growing& g) { g.setDistanceThreshold(not_a_number); }, "distance");
-  refusesWith([](Growing& g) { g.setMinimumSupport(1.5); }, "support");
   refusesWith([](Growing& g) { g.setSliceHeight(HUGE_VAL); }, "slice");
-
-  Growing no_floor = growingOn(room, room.ceiling);
-  no_floor.setMinimumSupport(0.5);
-  refuses(no_floor, "floor");
 }
 
 TEST(CeilingBoundaryWallGrowing, IsReusableAfterAFailureAndWithAnotherCloud)

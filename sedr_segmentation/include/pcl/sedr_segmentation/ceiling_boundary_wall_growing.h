@@ -5,7 +5,6 @@
 
 #include <pcl/PointIndices.h>
 #include <pcl/pcl_base.h>
-#include <pcl/search/search.h>
 
 #include <cmath>
 #include <limits>
@@ -28,18 +27,9 @@ struct WallGrowingOptions {
   double distance = 0.15; ///< maximum, in plan, seed to wall point, metres
   /** Height that separates upper and lower seeds, metres; NaN: no division. */
   double slice_height = std::numeric_limits<double>::quiet_NaN();
-  /** Floor height for the support, metres; NaN: the median of the floor points. */
-  double floor_height = std::numeric_limits<double>::quiet_NaN();
-  double minimum_support = 0; ///< of a rim, share 0 to 1; 0: no minimum
   unsigned int threads = 0;   ///< 0: all processors
 
   bool hasSlice() const { return !std::isnan(slice_height); }
-};
-
-/** @brief Seeds of walls: indices of finite points, increasing. */
-struct WallSeeds {
-  pcl::Indices above; ///< all seeds if there is no slice height
-  pcl::Indices below;
 };
 
 /** @brief Result of CeilingBoundaryWallGrowing: indices, increasing. */
@@ -50,7 +40,6 @@ struct GrownWalls {
   pcl::Indices
       scope_boundary; ///< boundary points of ceiling and details together, in plan
   pcl::Indices floor_boundary;
-  WallSeeds seeds; ///< seeds of the rims with the minimum support
 };
 
 } // namespace sedr
@@ -83,7 +72,6 @@ class CeilingBoundaryWallGrowing : public PCLBase<PointT>, public sedr::StageErr
 public:
   using Ptr = shared_ptr<CeilingBoundaryWallGrowing<PointT>>;
   using ConstPtr = shared_ptr<const CeilingBoundaryWallGrowing<PointT>>;
-  using SearchPtr = typename pcl::search::Search<PointT>::Ptr;
 
   /** @brief Sets the points of the ceiling; at least 3 must be finite. The indices of
    * setIndices() are the candidates for walls, by default all points. */
@@ -122,33 +110,12 @@ public:
   void setDistanceThreshold(double distance) { growing_.distance = distance; }
   double getDistanceThreshold() const { return growing_.distance; }
 
-  /** @brief Sets the minimum support of a rim, share from 0 to 1. Default 0: none.
-   *
-   * A rim is a connected set of seeds on a grid of the distance threshold. A profile of
-   * 3 x 3 cells extends from every seed cell down to the floor, or to the slice if
-   * there is one. The support is the share of its height cells with candidate or detail
-   * points, averaged over the rim. Rims below the minimum seed no wall: lamps end above
-   * the floor, columns and walls with doors and windows do not. Requires
-   * setFloorHeight() or floor indices. */
-  void setMinimumSupport(double share) { growing_.minimum_support = share; }
-  double getMinimumSupport() const { return growing_.minimum_support; }
-
-  /** @brief Sets the height of the floor for the support, metres. Default NaN: the
-   * median height of the floor points. */
-  void setFloorHeight(double z) { growing_.floor_height = z; }
-  double getFloorHeight() const { return growing_.floor_height; }
-
   /** @brief Sets the number of threads, 0 (default) for all processors. */
   void setNumberOfThreads(unsigned int threads)
   {
     boundary_.threads = growing_.threads = threads;
   }
   unsigned int getNumberOfThreads() const { return boundary_.threads; }
-
-  /** @brief Sets the neighbour search on ceiling and floor; it must allow concurrent
-   * queries. Default, and for nullptr: a k-d tree. */
-  void setSearchMethod(const SearchPtr& search) { search_ = search; }
-  SearchPtr getSearchMethod() const { return search_; }
 
   /** @brief Finds the wall points.
    * @param[out] walls wall and detail points, increasing; cleared first
@@ -169,11 +136,6 @@ public:
   /** @brief Returns the boundary points of the floor; empty without a slice height. */
   const pcl::Indices& getFloorBoundaryIndices() const { return result_.floor_boundary; }
 
-  /** @brief Returns the seeds of the last run, above and below the slice height:
-   * boundary points of rims with the minimum support. Without a slice height all are
-   * above. */
-  const sedr::WallSeeds& getSeeds() const { return result_.seeds; }
-
 private:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;
@@ -181,7 +143,6 @@ private:
   IndicesConstPtr ceiling_;
   IndicesConstPtr floor_;
   IndicesConstPtr details_;
-  SearchPtr search_;
   sedr::BoundaryOptions boundary_;
   sedr::WallGrowingOptions growing_;
 

@@ -32,18 +32,6 @@ struct LevelParameters {
   unsigned threads = 0; ///< 0: all processors
 };
 
-/** @brief Number of occupied cells at each height; levels are sought at its maxima. */
-struct HeightHistogram {
-  /** @brief A height interval that contains points. */
-  struct Bin {
-    double low = 0;        ///< lower end, metres
-    std::size_t cells = 0; ///< grid cells with a point in the interval, without walls
-  };
-
-  double bin_height = 0; ///< metres
-  std::vector<Bin> bins; ///< non-empty ones, by increasing height
-};
-
 } // namespace sedr
 
 /** @brief A horizontal plane found by HorizontalPlaneDetection. */
@@ -61,8 +49,8 @@ struct HorizontalPlane {
 };
 
 /** @brief Finds the horizontal planes of a scan and classifies them as ceiling, floor
- * or other (paper, section 2.3.1). Maxima of the height histogram of occupied grid
- * cells give the candidates; RANSAC with a tilt limit fits each plane. Frame: z up.
+ * or other (paper, section 2.3.1). The heights at which most grid cells are
+ * occupied give the candidates; RANSAC with a tilt limit fits each plane. Frame: z up.
  * Non-finite points are never inliers.
  *
  * A scan may contain several ceilings and floors at different heights; a table top is
@@ -128,16 +116,11 @@ public:
    * if no plane has the minimum area */
   bool segment(std::vector<HorizontalPlane>& planes);
 
-  /** @brief Returns the height histogram of the last run: occupied cells per height,
-   * without walls. Empty after bad input or parameters. */
-  const sedr::HeightHistogram& getHeightHistogram() const { return histogram_; }
-
 private:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;
 
   sedr::LevelParameters parameters_;
-  sedr::HeightHistogram histogram_;
 };
 
 } // namespace pcl

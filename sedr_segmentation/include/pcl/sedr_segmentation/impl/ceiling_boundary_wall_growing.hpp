@@ -6,7 +6,6 @@
 
 #include <pcl/impl/pcl_base.hpp>
 
-#include <functional>
 #include <vector>
 
 namespace pcl {
@@ -19,10 +18,6 @@ struct WallInput {
   const pcl::IndicesConstPtr& ceiling;
   const pcl::IndicesConstPtr& floor;
   const pcl::IndicesConstPtr& details;
-  /** Finds the `k` points nearest to one, including itself, after `setSlab` was called
-   * with the points to look at; both null: the library's own search. */
-  std::function<void(const pcl::Indices& slab)> setSlab;
-  std::function<void(pcl::index_t index, unsigned int k, pcl::Indices& nearest)> search;
 };
 
 /** @brief Runs CeilingBoundaryWallGrowing on the coordinates of a cloud.
@@ -44,23 +39,8 @@ CeilingBoundaryWallGrowing<PointT>::segment(pcl::PointIndices& walls)
   if (!input_ || !this->initCompute())
     return this->fail("CeilingBoundaryWallGrowing", "no input cloud was set");
   walls.header = input_->header;
-  sedr::WallInput input{sedr::PointView(*input_),
-                        *indices_,
-                        ceiling_,
-                        floor_,
-                        details_,
-                        nullptr,
-                        nullptr};
-  if (search_) {
-    input.setSlab = [this](const pcl::Indices& slab) {
-      search_->setInputCloud(input_, pcl::make_shared<const pcl::Indices>(slab));
-    };
-    input.search = [this](pcl::index_t index, unsigned int k, pcl::Indices& nearest) {
-      std::vector<float> square_distances;
-      search_->nearestKSearch((*input_)[static_cast<std::size_t>(index)],
-                              static_cast<int>(k), nearest, square_distances);
-    };
-  }
+  const sedr::WallInput input{sedr::PointView(*input_), *indices_, ceiling_, floor_,
+                              details_};
   const std::string problem = sedr::growWalls(input, boundary_, growing_, result_);
   walls.indices = result_.with_details;
   this->deinitCompute();

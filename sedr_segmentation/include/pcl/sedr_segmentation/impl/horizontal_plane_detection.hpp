@@ -16,8 +16,7 @@ namespace sedr {
 std::string detectHorizontalPlanes(const PointView& points,
                                    const pcl::Indices& indices,
                                    const LevelParameters& parameters,
-                                   std::vector<pcl::HorizontalPlane>& planes,
-                                   HeightHistogram& histogram);
+                                   std::vector<pcl::HorizontalPlane>& planes);
 
 } // namespace sedr
 
@@ -26,12 +25,11 @@ bool
 HorizontalPlaneDetection<PointT>::segment(std::vector<HorizontalPlane>& planes)
 {
   planes.clear();
-  histogram_ = sedr::HeightHistogram();
   this->clearError();
   if (!this->initCompute())
     return this->fail("HorizontalPlaneDetection", "no input cloud was set");
   const std::string problem = sedr::detectHorizontalPlanes(
-      sedr::PointView(*input_), *indices_, parameters_, planes, histogram_);
+      sedr::PointView(*input_), *indices_, parameters_, planes);
   for (HorizontalPlane& plane : planes)
     plane.inliers.header = plane.coefficients.header = input_->header;
   this->deinitCompute();

@@ -1,27 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "box_clusters.h"
 
-#include <algorithm>
-
 namespace pcl::sedr {
-
-namespace {
-
-bool
-overlap(const CellBox& a, const CellBox& b)
-{
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y &&
-         b.low.y <= a.high.y;
-}
-
-CellBox
-hull(const CellBox& a, const CellBox& b)
-{
-  return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
-          {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
-}
-
-} // namespace
 
 std::vector<CellBox>
 clusterBoxes(const std::vector<CellBox>& boxes, int margin)
@@ -32,11 +12,11 @@ clusterBoxes(const std::vector<CellBox>& boxes, int margin)
       continue;
     CellBox joined = grown(box, margin);
     for (std::size_t i = 0; i < clusters.size();) {
-      if (!overlap(joined, clusters[i])) {
+      if (overlapOf(joined, clusters[i]).count() == 0) {
         ++i;
         continue;
       }
-      joined = hull(joined, clusters[i]); // may overlap clusters tested before
+      joined = around(joined, clusters[i]); // may overlap clusters tested before
       clusters.erase(clusters.begin() + static_cast<std::ptrdiff_t>(i));
       i = 0;
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_points.h"
 
-#include "sedr_segmentation/src/profiles/box_clusters.h"
-#include "sedr_segmentation/src/profiles/cell_count.h"
-#include "sedr_segmentation/src/profiles/column_table.h"
+#include "sedr_segmentation/src/plan/box_clusters.h"
+#include "sedr_filters/src/grids/cell_count.h"
+#include "sedr_segmentation/src/details/column_table.h"
 
 #include <gtest/gtest.h>
 
