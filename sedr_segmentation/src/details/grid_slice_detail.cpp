@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sedr_filters/src/grids/cell_count.h"
 #include "column_table.h"
 #include "sedr_filters/src/base/plane_fit.h"
+#include "sedr_filters/src/grids/cell_count.h"
 
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/sedr_filters/point_types.h>
@@ -96,13 +96,12 @@ sliceMask(const SliceScene& scene, double fraction)
   return slice;
 }
 
-/** @brief Accepts zero-valued regions of the minimum size with points between slice and
- * ceiling in at least half of their cells, and rejects the others. */
-void
-judgeRegions(const SliceScene& scene,
-             const CellMask& enclosed,
-             double lowest_fraction,
-             SliceTrial& trial)
+/** @brief Returns the zero-valued regions of the minimum size with points between slice
+ * and ceiling in at least half of their cells. */
+std::vector<CellSet>
+acceptedRegions(const SliceScene& scene,
+                const CellMask& enclosed,
+                double lowest_fraction)
 {
   const MaskRegions regions = labelRegions(enclosed, true);
   std::vector<std::vector<CellKey>> cells(regions.sizes.size());
@@ -119,75 +118,55 @@ judgeRegions(const SliceScene& scene,
             ? 1
             : 0;
   }
-  for (std::size_t r = 0; r < cells.size(); ++r) {
-    const bool is_accepted = cells[r].size() >= scene.parameters.minimum_cells &&
-                             2 * seen[r] >= cells[r].size();
-    (is_accepted ? trial.accepted : trial.rejected)
-        .push_back(CellSet::fromSorted(std::move(cells[r])));
-  }
+  std::vector<CellSet> accepted;
+  for (std::size_t r = 0; r < cells.size(); ++r)
+    if (cells[r].size() >= scene.parameters.minimum_cells &&
+        2 * seen[r] >= cells[r].size())
+      accepted.push_back(CellSet::fromSorted(std::move(cells[r])));
+  return accepted;
 }
 
-/** @brief Returns the zero-valued cells enclosed by slices and ceiling but not by the
- * ceiling alone, and which of their regions may be detail. */
-SliceTrial
-makeTrial(const SliceScene& scene,
-          int number,
-          const std::vector<double>& fractions,
-          const CellMask& enclosed_by_ceiling,
-          Cell middle)
-{
-  SliceTrial trial;
-  trial.number = number;
-  trial.fractions = fractions;
-  CellMask slices(scene.ceiling.box());
-  for (const double fraction : fractions) {
-    // Dilation by one cell closes the pinholes of a sparse wall.
-    slices = unite(slices, dilated(sliceMask(scene, fraction), 1));
-    trial.heights.push_back(scene.sliceAt(middle, fraction));
-  }
-  const CellMask enclosed =
-      subtract(enclosedCells(unite(scene.ceiling, slices)), enclosed_by_ceiling);
-  trial.slice = slices.toSet();
-  trial.enclosed = enclosed.toSet();
-  judgeRegions(scene, enclosed, fractions.back(), trial);
-  return trial;
-}
-
-/** @brief Runs trials until the slices of one enclose a detail. */
-void
-runTrials(const SliceScene& scene, SliceDetails& details)
+/** @brief Runs trials until the slices of one enclose a detail: zero-valued cells that
+ * slices and ceiling enclose together, but not the ceiling alone.
+ * @return the regions of the details */
+std::vector<CellSet>
+runTrials(const SliceScene& scene, int& trial)
 {
   const std::vector<std::vector<double>> fractions{{1.0 / 4},
                                                    {1.0 / 2},
                                                    {1.0 / 8, 3.0 / 8}};
-  const Cell middle = details.ceiling[details.ceiling.size() / 2];
   const CellMask by_ceiling = enclosedCells(scene.ceiling);
   for (int number = 1; number <= scene.parameters.trials; ++number) {
-    details.trials.push_back(makeTrial(scene, number,
-                                       fractions[static_cast<std::size_t>(number - 1)],
-                                       by_ceiling, middle));
-    if (details.trials.back().accepted.empty())
+    const std::vector<double>& of_trial =
+        fractions[static_cast<std::size_t>(number - 1)];
+    CellMask slices(scene.ceiling.box());
+    for (const double fraction : of_trial)
+      // Dilation by one cell closes the pinholes of a sparse wall.
+      slices = unite(slices, dilated(sliceMask(scene, fraction), 1));
+    const CellMask enclosed =
+        subtract(enclosedCells(unite(scene.ceiling, slices)), by_ceiling);
+    std::vector<CellSet> regions = acceptedRegions(scene, enclosed, of_trial.back());
+    if (regions.empty())
       continue;
-    details.trial = number;
-    return;
+    trial = number;
+    return regions;
   }
+  return {};
 }
 
 /** @brief Collects the points of the details: the uppermost run of each profile if it
  * starts above half the room's height. This leaves out walls, which rise from below. */
 void
-collectPoints(const SliceScene& scene, SliceDetails& details)
+collectPoints(const SliceScene& scene,
+              std::vector<CellSet> regions,
+              SliceDetails& details)
 {
-  if (details.trial == 0)
-    return;
-  std::vector<CellSet> regions = details.trials.back().accepted;
   std::stable_sort(regions.begin(), regions.end(),
                    [](const auto& a, const auto& b) { return a.size() > b.size(); });
   std::vector<std::pair<int, std::size_t>> found;
   double lowest = std::numeric_limits<double>::infinity();
   for (std::size_t r = 0; r < regions.size(); ++r) {
     details.sizes.push_back(regions[r].size());
-    details.cells = unite(details.cells, regions[r]);
     for (std::size_t k = 0; k < regions[r].size(); ++k) {
       const Cell cell = regions[r][k];
       const std::vector<ColumnRun> runs =
@@ -252,9 +231,7 @@ analyseSlices(const SliceInput& input,
       parameters,           slab,
       floor_height,         grid,
       CellMask(cells, box), ColumnTable(grid, box, input.points, input.indices)};
-  details.ceiling = cells;
-  runTrials(scene, details);
-  collectPoints(scene, details);
+  collectPoints(scene, runTrials(scene, details.trial), details);
   return {};
 }
 

@@ -355,9 +355,9 @@ findGlass(const PointView& scan,
     hits[r].wall.assign(rooms[r].seen.values().size(), 0);
     hits[r].ceiling = hits[r].wall;
     if (rooms[r].seen.count() > 0)
-      rooms_near.addIn({grid.centre(rooms[r].seen.box().low),
-                        grid.centre(rooms[r].seen.box().high)},
-                       static_cast<std::uint32_t>(r));
+      rooms_near.addIn(
+          {grid.centre(rooms[r].seen.box().low), grid.centre(rooms[r].seen.box().high)},
+          static_cast<std::uint32_t>(r));
   }
   rooms_near.finish();
   std::vector<CellMask> near(rooms.size());

@@ -2,11 +2,11 @@
 #include "niche_panes.h"
 
 #include "../scan/scan_excerpt.h"
-#include "wall_cells.h"
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/grids/place_table.h"
+#include "wall_cells.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wall_recess.h"
 
-#include "sedr_filters/src/grids/cell_count.h"
 #include "sedr_filters/src/base/middle_value.h"
+#include "sedr_filters/src/grids/cell_count.h"
 
 #include <algorithm>
 #include <cmath>

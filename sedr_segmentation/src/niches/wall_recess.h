@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "wall_cells.h"
 #include "niche_fit.h"
 #include "sedr_filters/src/grids/cell_mask.h"
+#include "wall_cells.h"
 #include <pcl/sedr_filters/floorplan.h>
 
 #include <vector>

@@ -2,9 +2,9 @@
 #include "room_territory.h"
 
 #include "box_clusters.h"
-#include "sedr_filters/src/grids/cell_count.h"
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel_for.h"
+#include "sedr_filters/src/grids/cell_count.h"
 
 #include <algorithm>
 #include <cmath>

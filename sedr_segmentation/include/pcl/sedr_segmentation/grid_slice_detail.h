@@ -28,30 +28,14 @@ struct SliceParameters {
   unsigned threads = 0; ///< 0: all processors
 };
 
-/** @brief Result of one trial (paper, Figure 4b). */
-struct SliceTrial {
-  int number = 0; ///< 1, 2 or 3
-  std::vector<double>
-      fractions; ///< depth of each slice below the ceiling, share of the room height
-  std::vector<double> heights;   ///< z of the slices at the centre of the ceiling
-  CellSet slice;                 ///< cells of the slices, dilated by one cell
-  CellSet enclosed;              ///< zero-valued cells enclosed by slices and ceiling
-  std::vector<CellSet> accepted; ///< enclosed regions that may be detail
-  std::vector<CellSet> rejected; ///< enclosed regions too small or without points
-};
-
 /** @brief The structural details of one room's ceiling. */
 struct SliceDetails {
   std::vector<int> indices;        ///< of the points of details, increasing
   std::vector<std::size_t> region; ///< region of each index, 0 is the largest
   std::vector<std::size_t> sizes;  ///< of the regions in cells, decreasing
-  CellSet cells;                   ///< cells of all regions
   double slice_height =
       std::numeric_limits<double>::quiet_NaN(); ///< z above which all details lie
   int trial = 0; ///< trial whose slice encloses a detail, 0 if none does
-
-  CellSet ceiling;                ///< cells of the main ceiling
-  std::vector<SliceTrial> trials; ///< trials made; the last one decided
 };
 
 } // namespace sedr
@@ -148,10 +132,6 @@ public:
   /** @brief Returns the trial whose slice encloses a detail, 1 to 3; 0 if none does,
    * e.g. if an opening interrupts the outline of every slice. */
   int getTrial() const { return result_.trial; }
-
-  /** @brief Returns the full analysis of the last run: the ceiling's cells, the trials,
-   * the cells of the details and the refused undersides. */
-  const sedr::SliceDetails& getAnalysis() const { return result_; }
 
 private:
   using PCLBase<PointT>::input_;
