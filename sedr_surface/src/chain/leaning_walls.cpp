@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "chain_run.h"
 
-#include "sedr_filters/src/grids/place_table.h"
-#include "sedr_filters/src/plan/plan_surfaces.h"
+#include "sedr_filters/src/plan/room_lookup.h"
+#include "sedr_segmentation/src/openings/wall_map.h"
+#include "sedr_segmentation/src/openings/wall_sides.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace pcl::sedr {
 
@@ -39,37 +42,23 @@ struct Tile {
   }
 };
 
+/** @brief What was seen of a side of a wall. */
 class WallTiles {
 public:
-  explicit WallTiles(const VerticalSurface& wall)
-      : wall_(wall)
-      , columns_(static_cast<std::size_t>(wall.element->length() / tile) + 1)
+  /** @param points beside it, without those of floor and ceiling */
+  WallTiles(const WallSide& side, const std::vector<SidePoint>& points)
+      : low_(side.floor)
+      , high_(side.ceiling)
   {
-    for (std::size_t c = 0; c < columns_; ++c) {
-      const double s = (static_cast<double>(c) + 0.5) * tile;
-      spans_.push_back(wall.spanAt(std::min(s, wall.element->length())));
-      low_ = c == 0 ? spans_[c].low : std::min(low_, spans_[c].low);
-      high_ = c == 0 ? spans_[c].high : std::max(high_, spans_[c].high);
+    std::map<std::pair<int, int>, Tile> tiles;
+    for (const SidePoint& p : points) {
+      const auto row = static_cast<int>((p.height - low_) / tile);
+      Tile& seen = tiles[{row, static_cast<int>(p.along / tile)}];
+      seen.z = low_ + (row + 0.5) * tile;
+      seen.offsets.push_back(p.offset);
     }
-    tiles_.resize(columns_ *
-                  (static_cast<std::size_t>(std::max(high_ - low_, 0.0) / tile) + 1));
-    for (std::size_t i = 0; i < tiles_.size(); ++i)
-      tiles_[i].z = low_ + (static_cast<double>(i / columns_) + 0.5) * tile;
-  }
-
-  void add(const Eigen::Vector3d& p)
-  {
-    const double s = wall_.element->project(p.head<2>());
-    const auto column = static_cast<std::size_t>(s / tile);
-    const VerticalSpan& span = spans_[column];
-    if (s <= 0 || s >= wall_.element->length() || p.z() < span.low + off_wall ||
-        p.z() > span.high - off_wall)
-      return;
-    const Eigen::Vector2d off = p.head<2>() - wall_.element->pointAt(s);
-    const double offset = off.dot(wall_.normalAt(s).head<2>());
-    if (std::abs(offset) <= reach)
-      tiles_[static_cast<std::size_t>((p.z() - low_) / tile) * columns_ + column]
-          .offsets.push_back(static_cast<float>(offset));
+    for (auto& [place, seen] : tiles)
+      tiles_.push_back(std::move(seen));
   }
 
   /** @brief Returns the warning about a plane that holds what the wall holds and
@@ -110,8 +99,6 @@ private:
   {
     Held held;
     for (const Tile& seen : tiles_) {
-      if (seen.offsets.empty())
-        continue;
       const double offset = lean * (seen.z - z);
       const double on_wall = seen.fit(0);
       const double more = seen.fit(offset) - on_wall;
@@ -122,12 +109,9 @@ private:
     return held;
   }
 
-  const VerticalSurface& wall_;
-  std::size_t columns_;
-  std::vector<VerticalSpan> spans_; ///< of each column
-  double low_ = 0;
-  double high_ = 0;
-  std::vector<Tile> tiles_; ///< row by row
+  double low_;
+  double high_;
+  std::vector<Tile> tiles_; ///< in which something was seen
 };
 
 } // namespace
@@ -135,36 +119,27 @@ private:
 std::vector<PlanWarning>
 leaningWalls(const PointView& points, const Floorplan& plan)
 {
-  std::vector<std::vector<VerticalSurface>> surfaces;
-  std::vector<WallTiles> walls;
-  std::vector<std::pair<std::uint32_t, std::size_t>> numbers; // of room and wall
-  PlaceTable near(0.5);
-  for (const PlanRoom& room : plan.rooms) {
-    surfaces.push_back(verticalSurfaces(room));
-    for (const VerticalSurface& surface : surfaces.back()) {
-      if (surface.label != StructureLabel::Wall)
-        continue;
-      near.addAlong(*surface.element, reach, static_cast<std::uint32_t>(walls.size()));
-      walls.emplace_back(surface);
-      numbers.emplace_back(
-          room.id,
-          static_cast<std::size_t>(surface.element - room.boundary.elements.data()));
-    }
-  }
-  near.finish();
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (points.isFinite(i)) {
-      const Eigen::Vector3d p = points[i].cast<double>();
-      for (const std::uint32_t wall : near.at(p.head<2>()))
-        walls[wall].add(p);
-    }
+  const std::vector<WallSide> sides = wallSides(plan, {});
+  std::vector<std::vector<SidePoint>> beside =
+      pointsBeside(sides, points, nullptr, reach, reach);
   std::vector<PlanWarning> warnings;
-  for (std::size_t w = 0; w < walls.size(); ++w)
-    if (PlanWarning warning = walls[w].doubt(); warning.kind == WarningKind::WallOff) {
-      warning.room = numbers[w].first;
-      warning.wall = numbers[w].second + 1;
-      warnings.push_back(std::move(warning));
-    }
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    const PlanRoom& room = plan.rooms[sides[k].room];
+    const RoomLookup model(room);
+    const auto isOfSlab = [&](const SidePoint& p) {
+      const Eigen::Vector2d place = sides[k].line.pointAt(p.along);
+      return p.height < model.floorAt(place) + off_wall ||
+             p.height > model.ceilingAt(place) - off_wall;
+    };
+    beside[k].erase(std::remove_if(beside[k].begin(), beside[k].end(), isOfSlab),
+                    beside[k].end());
+    PlanWarning warning = WallTiles(sides[k], beside[k]).doubt();
+    if (warning.kind != WarningKind::WallOff)
+      continue;
+    warning.room = room.id;
+    warning.wall = sides[k].elements.front() + 1;
+    warnings.push_back(std::move(warning));
+  }
   return warnings;
 }
 
