@@ -144,7 +144,6 @@ TEST_F(SedrTool, APoseInACornerOfTheRoomChangesNothing)
   const ProgramRun result =
       onFile(scanOf().pcd(false), {"--no-mesh", "--positions", in("pose.txt")});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_NE(result.err.find("they lie on a surface"), std::string::npos) << result.err;
   const auto report = nlohmann::json::parse(bytesOf(in("model/report.json")));
   EXPECT_NEAR(report.at("rooms")[0].at("area").get<double>(), 12, 0.05);
 }
