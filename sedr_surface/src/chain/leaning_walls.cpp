@@ -124,6 +124,8 @@ leaningWalls(const PointView& points, const Floorplan& plan)
       pointsBeside(sides, points, nullptr, reach, reach);
   std::vector<PlanWarning> warnings;
   for (std::size_t k = 0; k < sides.size(); ++k) {
+    if (sides[k].elements.empty())
+      continue; // of a column
     const PlanRoom& room = plan.rooms[sides[k].room];
     const RoomLookup model(room);
     const auto isOfSlab = [&](const SidePoint& p) {
