@@ -34,7 +34,7 @@ const std::vector<Prior> table = {
     {"max_wall", &Priors::max_wall, "walls", "m", 0.1, 3,
      "walls of stone with facing; castles have more"},
     {"min_niche_depth", &Priors::min_niche_depth, "walls", "m", 0.02, 0.5,
-     "niches built 0.1 m deep, as measured"},
+     "wainscots and wall panels, five centimetres deep"},
     {"max_niche_depth", &Priors::max_niche_depth, "walls", "m", 0.2, 3,
      "building practice"},
     {"max_door_recess", &Priors::max_door_recess, "walls", "m", 0, 1,

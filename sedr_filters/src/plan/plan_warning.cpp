@@ -21,7 +21,7 @@ struct Words {
 };
 
 /** In the order of WarningKind. */
-constexpr std::array<Words, 36> words{{
+constexpr std::array<Words, 37> words{{
     {"coverage", "", "",
      "{0.0} of the {1.0} m2 of floor that was seen are in the model, {2.0} %; the "
      "largest part that is missing has {3.0} m2{at}, z {4.1} to {5.1} m: {reason}"},
@@ -67,9 +67,11 @@ constexpr std::array<Words, 36> words{{
     {"floor_off", "rooms have floors more than 10 cm off the model", "m2",
      "{0.1} m2 of its floor, at {1.2} to {2.2} m from its main floor, are more than 10 "
      "cm off the model"},
-    {"wall_off", "walls lean away from the model", "m2",
-     "{0.1} m2 of what was seen of it lie on a plane that leans by {1.1} degrees, more "
-     "than 5 cm off the model"},
+    {"wall_off", "walls are off what was seen", "m2",
+     "{0.1} m2 of what was seen there lie {1.0} cm before it"},
+    {"standing", "rooms hold more than walls and columns up to the ceiling", "m2",
+     "{0.1} m2 of what was seen within it reach up to the ceiling and are no wall or "
+     "column of the plan"},
     {"tilted", "walls are tilted", "", "it is tilted by {0.2} degrees into the room"},
     {"not_adjusted", "", "",
      "the plan is only as exact as thinned points are, it could not be fitted to the "
@@ -153,6 +155,10 @@ sentenceOf(const PlanWarning& warning)
   std::string words = wordsOf(warning.kind).sentence;
   if (warning.kind == WarningKind::Tilted && warning.values.front() < 0)
     words = "it is tilted by {0.2} degrees out of the room";
+  const bool is_behind =
+      warning.kind == WarningKind::WallOff && warning.values.back() < 0;
+  if (is_behind)
+    words = "{0.1} m2 of what was seen there lie {1.0} cm behind it";
   if (warning.kind == WarningKind::Crossing &&
       static_cast<std::uint32_t>(firstOf(warning)) == warning.room)
     words = "its solid meets itself";
@@ -161,6 +167,8 @@ sentenceOf(const PlanWarning& warning)
   PlanWarning shown = warning;
   if (warning.kind == WarningKind::Tilted || warning.kind == WarningKind::Height)
     shown.values.front() = firstOf(warning);
+  if (is_behind)
+    shown.values.back() *= -1;
   for (std::size_t at = 0; at < words.size();) {
     const std::size_t open = std::min(words.find('{', at), words.size());
     text.append(words, at, open - at);

@@ -56,6 +56,7 @@ struct FloorPiece {
   double area = 0;
   double above_main = 0; ///< mean height, metres
   double hides = 0;      ///< share of its cells off the rim with floor below
+  double upright = 0;    ///< share of its cells off the rim with headroom above
   double walls = 0;      ///< length of its rim beside walls
   double rim = 0;
   std::map<std::size_t, Border> borders;
@@ -68,6 +69,7 @@ public:
   FloorPieces(const FacetSheet& surface,
               const RiserBins& risers,
               const std::vector<std::uint8_t>& floor_seen,
+              const std::vector<double>& highest,
               const PlanSlab& main,
               const Priors& priors)
       : priors_(priors)
@@ -110,7 +112,7 @@ public:
         border.rise += other - height;
         const auto& [low, high] = std::minmax(height, other);
         border.closed +=
-            high - low < priors.min_floor_step + 0.04 ||
+            high - low < RiserBins::min_step ||
                     risers.share(cell, next, low, high) >= priors.share_half
                 ? 1
                 : 0;
@@ -119,11 +121,13 @@ public:
         continue;
       within[static_cast<std::size_t>(piece_of_[cell])] += 1;
       piece.hides += floor_seen[cell] && over > priors.min_floor_step ? 1 : 0;
+      piece.upright += highest[cell] - height >= priors.min_headroom ? 1 : 0;
     }
     for (std::size_t k = 0; k < pieces_.size(); ++k)
       if (cells[k] > 0) {
         pieces_[k].above_main /= cells[k];
         pieces_[k].hides /= std::max(1.0, within[k]);
+        pieces_[k].upright /= std::max(1.0, within[k]);
         pieces_[k].is_floor = std::abs(pieces_[k].above_main) < priors.min_floor_step;
       }
     for (bool has_grown = true; has_grown;) {
@@ -146,13 +150,14 @@ public:
 private:
   bool isFloor(const FloorPiece& piece) const
   {
-    constexpr double highest = 1.5; // of a stage or a pit, metres from the main floor
     constexpr double seen_below = 0.05;
     constexpr double steepest = radians(15); // of a ramp
     constexpr double min_tread = 0.25;       // square metres
     const bool is_large = piece.area > priors_.max_furniture_area;
+    const bool is_low = std::abs(piece.above_main) <= priors_.max_platform_height;
+    const bool may_be_stage = is_large && piece.upright >= priors_.share_half;
     if (piece.hides > seen_below || piece.slab->plane[2] < std::cos(steepest) ||
-        std::abs(piece.above_main) > (is_large ? highest : priors_.max_platform_height))
+        !(is_low || may_be_stage))
       return false;
     double closed = piece.walls;
     double held = piece.walls; // by what furniture has not beside it
@@ -169,7 +174,6 @@ private:
       is_below_floor = is_below_floor || (is_known && rise > priors_.min_floor_step);
     }
     // A group of desks is as large as a stage, and its sides are not all closed.
-    const bool is_low = std::abs(piece.above_main) <= priors_.max_platform_height;
     const double min_closed = is_low ? priors_.share_closed : 0.9;
     const double least = is_below_floor ? min_tread : priors_.min_platform_area;
     return piece.area >= least && is_reached && closed >= min_closed * piece.rim &&
@@ -208,16 +212,18 @@ floorPoints(const PointView& points,
     surface = fitSheet(places, grid, domain, {}, parameters, all);
     if (!surface.facets.empty()) {
       std::vector<std::uint8_t> floor_seen(grid.count(), 0);
+      std::vector<double> highest(grid.count(), -1e9);
       for (const Eigen::Vector3d& p : all)
-        if (const std::size_t cell = grid.at(p.head<2>());
-            cell < floor_seen.size() &&
-            std::abs(distanceAbove(main, p.cast<float>())) <= tolerance / 2)
-          floor_seen[cell] = 1;
+        if (const std::size_t cell = grid.at(p.head<2>()); cell < floor_seen.size()) {
+          highest[cell] = std::max(highest[cell], p.z());
+          if (std::abs(distanceAbove(main, p.cast<float>())) <= tolerance / 2)
+            floor_seen[cell] = 1;
+        }
       const auto [low, high] = std::minmax_element(
           places.begin(), places.end(),
           [](const auto& a, const auto& b) { return a.z() < b.z(); });
       const FloorPieces pieces(surface, RiserBins(grid, all, low->z(), high->z()),
-                               floor_seen, main, priors);
+                               floor_seen, highest, main, priors);
       for (const int i : ends) {
         const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
         const std::size_t cell =

@@ -21,25 +21,33 @@ allIndices(std::size_t n)
   return indices;
 }
 
-/** @brief Returns what of the floors and ceilings that were seen the plan does not
- * explain: connected places of 0.25 m2 and more that lie more than 10 cm off the model,
- * if they make up 2 % of a room; one warning a room for its floor and one for its
- * ceiling. What is above a floor may be furniture and is not told. Places within two
- * cells of a wall or column do not count, nor do those outside of the plan, which
- * coverageOf() tells of. Rooms of both have the same ids. O(columns of the building).
- */
-std::vector<PlanWarning> unexplainedSurfaces(const Building& building,
-                                             const Floorplan& plan);
+/** @brief Returns what was seen and the plan does not explain, in connected places of
+ * 0.25 m2 and more.
+ *
+ * Floors and ceilings: columns of air that end more than 10 cm off the model, and off
+ * its noise; one warning a room for each if they make up 2 % of it. Things of up to
+ * Priors::max_furniture_area on a floor, or without headroom above, are furniture.
+ * Places within two cells of a wall or column do not count, nor do those with points on
+ * the model, nor those outside of the plan, which coverageOf() tells of.
+ *
+ * Walls and sides of columns: places with nothing on them and something seen behind,
+ * not before, which is in no other room, and ceilings that go on behind, if they make
+ * up 1 % of all surfaces of the room; and what lies 5 to 15 cm before them, if it makes
+ * up 2 %. Openings and their reveals do not count. Things that reach up to the ceiling,
+ * as walls do, and are none: one warning a room.
+ *
+ * O(points + columns of the building).
+ * @param points thinned
+ * @param building its rooms have the ids of those of the plan */
+std::vector<PlanWarning> unexplainedSurfaces(const PointView& points,
+                                             const Building& building,
+                                             const Floorplan& plan,
+                                             const Priors& priors = {});
 
-/** @brief Returns the walls that lean where the plan has them vertical: a plane that
- * leans by up to 15 degrees and meets the wall between floor and ceiling holds at least
- * 0.25 m2 and a tenth more of what was seen of it. One warning a wall. O(points + tiles
- * of 10 cm times planes). */
-std::vector<PlanWarning> leaningWalls(const PointView& points, const Floorplan& plan);
-
-/** @brief Returns a doubt whether the scan is upside down: things stand on floors, so
- * most of what is in rooms, off their walls, lies in their lower half. A doubt needs at
- * least 2 m2 of surfaces, three quarters of them in the upper half.
+/** @brief Returns a doubt whether the scan is upside down: doors and things stand on
+ * floors, so most of what is in rooms, off their walls, lies in their lower half. A
+ * doubt needs that no door was found, at least 2 m2 of surfaces, three quarters of them
+ * in the upper half.
  * @param points thinned
  * @param voxel distance of neighbouring points, at most; metres
  *

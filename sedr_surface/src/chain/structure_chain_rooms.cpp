@@ -153,15 +153,6 @@ ChainRun::fitPlan(StageReport& report)
                          chain_.floorplan_fitting.getWarnings().begin(),
                          chain_.floorplan_fitting.getWarnings().end());
   giveStoreys(chain_.getBuilding(), *chain_.plan);
-  for (PlanWarning& warning : unexplainedSurfaces(chain_.getBuilding(), *chain_.plan))
-    warn(std::move(warning));
-  for (PlanWarning& warning : leaningWalls(PointView(*chain_.cloud), *chain_.plan))
-    warn(std::move(warning));
-  const double voxel = chain_.enlarged_from_ > 0 ? chain_.enlarged_from_
-                                                 : chain_.plane_detection.getGridSize();
-  if (const auto doubt = upsideDownDoubt(PointView(*chain_.cloud), voxel, *chain_.plan);
-      doubt && !chain_.trust_up)
-    warn(*doubt);
   if (!chain_.unit_is_known)
     chain_.unit_doubt = footProblem(
         *chain_.plan, sight_ ? sight_->places() : std::vector<Eigen::Vector3f>(),
@@ -189,6 +180,16 @@ ChainRun::findOpenings(StageReport& report)
           points, has_raw ? chain_.floorplan_fitting.getRawIndices() : nullptr,
           *chain_.straight_plan_))
     return fail(chain_.opening_detection.getErrorMessage());
+  for (PlanWarning& warning :
+       unexplainedSurfaces(PointView(*chain_.cloud), chain_.getBuilding(),
+                           *chain_.straight_plan_, chain_.priors_))
+    warn(std::move(warning));
+  const double voxel = chain_.enlarged_from_ > 0 ? chain_.enlarged_from_
+                                                 : chain_.plane_detection.getGridSize();
+  if (const auto doubt =
+          upsideDownDoubt(PointView(*chain_.cloud), voxel, *chain_.straight_plan_);
+      doubt && !chain_.trust_up)
+    warn(*doubt);
   chain_.plan->openings = chain_.straight_plan_->openings;
   report.points_out = chain_.plan->openings.size();
   return true;

@@ -1,129 +1,161 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "chain_run.h"
+#include "seen_surfaces.h"
 
 #include "sedr_filters/src/plan/plan_bounds.h"
-#include "sedr_filters/src/plan/room_lookup.h"
-
-#include <pcl/sedr_filters/cell_grid.h>
-#include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_filters/plan_warning.h>
-#include <pcl/sedr_segmentation/building.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <optional>
-#include <vector>
 
 namespace pcl::sedr {
+
 namespace {
 
-constexpr double off = 0.1;         // metres from the model
-constexpr double min_patch = 0.25;  // square metres
-constexpr double told_share = 0.02; // of the area of a room
-
-using HeightAt = std::function<double(const Eigen::Vector2d&)>;
-
-/** @brief The range of the model's heights around a place, wide on a slope and at a
- * step. */
-struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-};
-
-Range
-rangeAt(const HeightAt& model, const Eigen::Vector2d& place, double size)
-{
-  Range range;
-  for (const double x : {-1.0, 0.0, 1.0})
-    for (const double y : {-1.0, 0.0, 1.0}) {
-      const double height = model(place + size * Eigen::Vector2d(x, y));
-      range.low = std::min(range.low, height);
-      range.high = std::max(range.high, height);
-    }
-  return range;
-}
-
-/** @brief A surface of a room: what was seen of it, and its model. */
-struct Surface {
+/** @brief A floor or ceiling of a room: what was seen of it, and its model. */
+struct SlabSurface {
   WarningKind kind;
   bool RoomColumn::*is_seen;
   float RoomColumn::*height;
-  HeightAt model;
+  std::function<double(const Eigen::Vector2d&)> model;
+  std::function<bool(CellKey)> isOnModel;
 };
 
-void
-addUnexplained(const Surface& surface,
-               const BuildingRoom& room,
-               const CellGrid& grid,
-               const PlanRoom& plan,
-               std::vector<PlanWarning>& warnings)
+/** @brief Removes connected cells up to an area, square metres. */
+CellSet
+largeOf(std::vector<CellKey> keys, double size, double area)
 {
-  std::vector<CellKey> keys;
-  std::vector<float> heights;
-  for (const RoomColumn& column : room.columns) {
+  const CellSet cells(std::move(keys));
+  const CellRegions regions = labelRegions(cells);
+  std::vector<CellKey> large;
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    if (static_cast<double>(regions.sizes[regions.label[k]]) * size * size > area)
+      large.push_back(keyOf(cells[k]));
+  return CellSet(std::move(large));
+}
+
+void
+addSlab(const SlabSurface& surface,
+        const BuildingRoom& seen,
+        const CellGrid& grid,
+        const PlanRoom& room,
+        const Priors& priors,
+        std::vector<PlanWarning>& warnings)
+{
+  constexpr double told_share = 0.02; // of the area of a room
+  const bool is_floor = surface.kind == WarningKind::FloorOff;
+  const double floor = room.floorAt(room.boundary.elements.front().start);
+  std::vector<CellKey> keys; // increasing, as the columns
+  std::vector<double> heights;
+  std::vector<CellKey> above;
+  for (const RoomColumn& column : seen.columns) {
     const Eigen::Vector2d at = grid.centre(column.cell);
+    const auto isBeside = [&](const PlanLoop& loop) {
+      return loop.distance(at) < 2 * grid.size();
+    };
+    if (!(column.*surface.is_seen) || isBeside(room.boundary) || !room.contains(at) ||
+        std::any_of(room.columns.begin(), room.columns.end(), isBeside) ||
+        surface.isOnModel(keyOf(column.cell)))
+      continue;
     const double z = column.*surface.height;
-    const bool is_beside = plan.boundary.distance(at) < 2 * grid.size() ||
-                           std::any_of(plan.columns.begin(), plan.columns.end(),
-                                       [&](const PlanLoop& loop) {
-                                         return loop.distance(at) < 2 * grid.size();
-                                       });
-    if (!(column.*surface.is_seen) || is_beside || !plan.contains(at))
+    // Of the model, wide on a slope and at a step.
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const double x : {-1.0, 0.0, 1.0})
+      for (const double y : {-1.0, 0.0, 1.0}) {
+        const double height = surface.model(at + grid.size() * Eigen::Vector2d(x, y));
+        low = std::min(low, height - off_slab);
+        high = std::max(high, height + off_slab);
+      }
+    const bool is_on_it = z > high && is_floor;
+    if ((z >= low && z <= high) ||
+        (is_on_it && column.ceiling - z < priors.min_headroom))
       continue;
-    const Range range = rangeAt(surface.model, at, grid.size());
-    const bool may_be_furniture = surface.kind == WarningKind::FloorOff;
-    if (z >= range.low - off && (may_be_furniture || z <= range.high + off))
-      continue;
-    keys.push_back(keyOf(column.cell)); // increasing, as the columns
-    heights.push_back(static_cast<float>(z));
+    keys.push_back(keyOf(column.cell));
+    heights.push_back(z - floor);
+    if (is_on_it)
+      above.push_back(keys.back());
   }
-  const CellSet cells(keys);
-  const CellRegions patches = labelRegions(cells);
-  const double cell = grid.size() * grid.size();
-  const double floor = plan.floorAt(plan.boundary.elements.front().start);
-  std::size_t count = 0;
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-  for (std::size_t k = 0; k < cells.size(); ++k) {
-    const std::size_t patch = patches.label[k];
-    const auto size = static_cast<double>(patches.sizes[patch]);
-    if (size * cell < min_patch)
-      continue;
-    ++count;
-    low = std::min<double>(low, heights[k] - floor);
-    high = std::max<double>(high, heights[k] - floor);
-    if (patch == 0) // the largest
-      middle += grid.centre(cells[k]) / size;
+  // What stands on a floor is furniture, unless it is larger than that.
+  const CellSet all(above);
+  const CellSet stages =
+      largeOf(std::move(above), grid.size(), priors.max_furniture_area);
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < keys.size(); ++k)
+    if (!all.contains(cellOf(keys[k])) || stages.contains(cellOf(keys[k]))) {
+      keys[kept] = keys[k];
+      heights[kept++] = heights[k];
+    }
+  keys.resize(kept);
+  heights.resize(kept);
+  const Patches found(std::move(keys), heights, grid.size());
+  if (found.count > 0 && found.area >= told_share * room.area())
+    warnings.push_back({surface.kind,
+                        {found.area, found.low, found.high},
+                        room.id,
+                        0,
+                        {},
+                        found.middle});
+}
+
+/** @brief Tells of what is too small for a room, or was measured so, beyond a door. */
+void
+addLeftOut(const Building& building,
+           const Floorplan& plan,
+           std::vector<PlanWarning>& warnings)
+{
+  constexpr double reach = 0.5;         // metres, from the rim of what was left out
+  constexpr double worth_telling = 0.5; // square metres
+  for (const LeftOut& thing : building.left_out) {
+    const bool is_beyond_door = std::any_of(
+        plan.openings.begin(), plan.openings.end(), [&](const PlanOpening& opening) {
+          return opening.kind != OpeningKind::Window &&
+                 (opening.rooms[0] == 0 || opening.rooms[1] == 0) &&
+                 opening.bottom < thing.ceiling && opening.top > thing.floor &&
+                 ((opening.start + opening.end) / 2 - thing.at).norm() <
+                     std::sqrt(thing.area) + reach;
+        });
+    if (thing.kind == LeftOutKind::Low && is_beyond_door && thing.area >= worth_telling)
+      warnings.push_back(
+          {WarningKind::LeftOut, {thing.area}, 0, 0, thing.reason, thing.at});
   }
-  const double area = static_cast<double>(count) * cell;
-  if (count > 0 && area >= told_share * plan.area())
-    warnings.push_back({surface.kind, {area, low, high}, plan.id, 0, {}, middle});
 }
 
 } // namespace
 
 std::vector<PlanWarning>
-unexplainedSurfaces(const Building& building, const Floorplan& plan)
+unexplainedSurfaces(const PointView& points,
+                    const Building& building,
+                    const Floorplan& plan,
+                    const Priors& priors)
 {
+  SeenSurfaces surfaces(plan, building.grid, priors);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points.isFinite(i))
+      surfaces.add(points[i].cast<double>());
   std::vector<PlanWarning> warnings;
-  for (const PlanRoom& room : plan.rooms) {
-    const auto found =
-        std::find_if(building.rooms.begin(), building.rooms.end(),
-                     [&](const BuildingRoom& r) { return r.id == room.id; });
-    if (found == building.rooms.end() || room.boundary.elements.empty())
+  for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
+    const PlanRoom& room = plan.rooms[r];
+    const auto seen = std::find_if(building.rooms.begin(), building.rooms.end(),
+                                   [&](const auto& b) { return b.id == room.id; });
+    if (seen == building.rooms.end() || room.boundary.elements.empty())
       continue;
     const RoomLookup model(room);
-    for (const Surface& surface :
-         {Surface{WarningKind::CeilingOff, &RoomColumn::ceiling_seen,
-                  &RoomColumn::ceiling,
-                  [&](const Eigen::Vector2d& p) { return model.ceilingAt(p); }},
-          Surface{WarningKind::FloorOff, &RoomColumn::floor_seen, &RoomColumn::floor,
-                  [&](const Eigen::Vector2d& p) { return model.floorAt(p); }}})
-      addUnexplained(surface, *found, building.grid, room, warnings);
+    for (const bool is_floor : {false, true})
+      addSlab({is_floor ? WarningKind::FloorOff : WarningKind::CeilingOff,
+               is_floor ? &RoomColumn::floor_seen : &RoomColumn::ceiling_seen,
+               is_floor ? &RoomColumn::floor : &RoomColumn::ceiling,
+               [&](const Eigen::Vector2d& p) {
+                 return is_floor ? model.floorAt(p) : model.ceilingAt(p);
+               },
+               [&](CellKey cell) { return surfaces.isOnSlab(r, cell, is_floor); }},
+              *seen, building.grid, room, priors, warnings);
   }
+  surfaces.tell(warnings);
+  addLeftOut(building, plan, warnings);
   return warnings;
 }
 
@@ -134,6 +166,10 @@ upsideDownDoubt(const PointView& points, double voxel, const Floorplan& plan)
   constexpr double off_slabs = 0.15; // metres
   constexpr double min_area = 2;     // square metres
   constexpr double doubtful = 0.75;  // share in the upper half
+  if (std::any_of(plan.openings.begin(), plan.openings.end(), [](const auto& opening) {
+        return opening.kind == OpeningKind::Door;
+      }))
+    return std::nullopt; // it stands on the floor
   std::vector<RoomLookup> rooms;
   std::vector<Eigen::AlignedBox2d> boxes;
   for (const PlanRoom& room : plan.rooms) {

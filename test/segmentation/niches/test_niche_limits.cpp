@@ -37,8 +37,8 @@ nichesFor(const PlanRoom& room)
 
 TEST(NicheLimits, DepthAndSizeAreThoseOfTheParameters)
 {
-  EXPECT_EQ(nichesFor(recessed(1, 2.2, 0.9, 2.1, 0.085)), 0u) << "a panel";
-  EXPECT_EQ(nichesFor(recessed(1, 2.2, 0.9, 2.1, 0.115)), 1u);
+  EXPECT_EQ(nichesFor(recessed(1, 2.2, 0.9, 2.1, 0.045)), 0u) << "unevenness";
+  EXPECT_EQ(nichesFor(recessed(1, 2.2, 0.9, 2.1, 0.06)), 1u) << "a panel";
   EXPECT_EQ(nichesFor(recessed(1, 2.2, 0.9, 2.1, 1.06)), 0u) << "a hatch";
   EXPECT_EQ(nichesFor(recessed(1, 1.26, 0.5, 2.1, 0.2)), 0u) << "a slot";
   EXPECT_EQ(nichesFor(recessed(1, 2.2, 0.9, 1.16, 0.2)), 0u) << "a slot";
@@ -61,6 +61,12 @@ TEST(NicheLimits, WhatReachesFromFloorToCeilingIsAPartOfTheRoom)
   EXPECT_EQ(nichesFor(recessed(1, 2.2, 0.9, 2.6, 0.3)), 1u);
   EXPECT_EQ(nichesFor(recessed(1, 2.2, 0, 2.1, 0.3)), 1u);
   EXPECT_EQ(nichesFor(recessed(1, 2.2, 0, 2.6, 0.3)), 0u);
+}
+
+TEST(NicheLimits, AShallowOneThatBeginsAtTheFloorMayBeAClosedDoor)
+{
+  EXPECT_EQ(nichesFor(recessed(1, 1.9, 0, 2.1, 0.12)), 0u);
+  EXPECT_EQ(nichesFor(recessed(1, 2.9, 0, 2.1, 0.12)), 1u) << "no door is so wide";
 }
 
 TEST(NicheLimits, ABackThatThingsHideIsNotClosed)

@@ -87,8 +87,11 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         FloorShape{"platform", {detailOf(rectangle(5.01, 0.01, 8.01, 6.01), 0.3)}},
         FloorShape{"step", {detailOf(rectangle(5.01, 0.01, 8.01, 6.01), 0.1)}},
+        FloorShape{"step of 5 cm", {detailOf(rectangle(5.01, 0.01, 8.01, 6.01), 0.05)}},
         FloorShape{"stage", {detailOf(rectangle(5.01, 0.01, 8.01, 6.01), 1.2)}},
+        FloorShape{"high stage", {detailOf(rectangle(5.01, 0.01, 8.01, 6.01), 1.57)}},
         FloorShape{"pit", {detailOf(rectangle(2.01, 1.01, 5.01, 4.01), -0.6)}},
+        FloorShape{"deep pit", {detailOf(rectangle(2.01, 1.01, 5.01, 4.01), -2.2)}},
         FloorShape{"ramp of 6 degrees", {ramp(6), platformAfter(ramp(6))}},
         FloorShape{"ramp of 10 degrees", {ramp(10), platformAfter(ramp(10))}},
         FloorShape{"sloping hall", {}, std::tan(5 * M_PI / 180)}));
@@ -104,6 +107,7 @@ TEST(FloorPoints, OfFurnitureAreNone)
   for (const Piece& piece :
        {Piece{"table", rectangle(3.01, 2.01, 5.01, 3.01), 0.75, false},
         Piece{"bed", rectangle(3.01, 0.01, 5.01, 2.01), 0.5, true},
+        Piece{"row of wardrobes", rectangle(0.01, 5.21, 8.01, 6.01), 2, true},
         Piece{"chest", rectangle(6.01, 2.01, 7.01, 2.81), 0.45, true}}) {
     RoomPoints points(0.05, 0.005);
     const PlanRoom room = roomWith({"plain", {}});
@@ -112,13 +116,15 @@ TEST(FloorPoints, OfFurnitureAreNone)
       return !(has_sides && piece.outline.contains({x, y}));
     });
     const std::size_t floor = ends.size();
+    points.slab(room.boundary, 3.4);
     for (const int i : points.slab(piece.outline, piece.height))
       ends.push_back(i);
     for (const PlanElement& side : piece.outline.elements)
       if (has_sides)
         points.wall(side, 0.05, piece.height);
-    EXPECT_EQ(floorPoints(points.view(), ends, points.all(), slabAt(0), 0.07, {}).size(),
-              floor)
+    EXPECT_EQ(
+        floorPoints(points.view(), ends, points.all(), slabAt(0), 0.07, {}).size(),
+        floor)
         << piece.name;
   }
 }

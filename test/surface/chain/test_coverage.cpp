@@ -3,6 +3,8 @@
 
 #include "sedr_surface/src/chain/chain_run.h"
 
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
 #include <pcl/sedr_surface/coverage.h>
 
 #include <gtest/gtest.h>
@@ -118,20 +120,25 @@ TEST(Coverage, ARoomSeenInPartCounts)
   EXPECT_NE(coverageWarning(coverage)->reason.find("seen in part"), std::string::npos);
 }
 
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
 TEST(UnexplainedSurfaces, ArePlacesThatLieOffTheModel)
 {
   Building building = buildingOfTwoRooms();
   const Floorplan plan{{planned(1, 0, 4), planned(2, 5, 7)}};
-  EXPECT_TRUE(unexplainedSurfaces(building, plan).empty());
-  // A pit of 1 m x 1 m, 0.4 m deep; a lamp of 10 cm.
+  const Cloud none;
+  EXPECT_TRUE(unexplainedSurfaces(PointView(none), building, plan).empty());
+  // A pit of 1 m x 1 m, 0.4 m deep; a table of 3 m x 1 m; a lamp of 10 cm.
   for (RoomColumn& column : building.rooms[0].columns) {
     const Eigen::Vector2d at = building.grid.centre(column.cell);
     if ((at - Eigen::Vector2d(2, 1.5)).lpNorm<Eigen::Infinity>() < 0.5)
       column.floor = -0.4F;
+    if (at.y() > 2 && at.x() < 3.5)
+      column.floor = 0.7F;
     if ((at - Eigen::Vector2d(1.05, 1.05)).norm() < 0.01)
       column.ceiling = 2;
   }
-  const auto found = unexplainedSurfaces(building, plan);
+  auto found = unexplainedSurfaces(PointView(none), building, plan);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].kind, WarningKind::FloorOff);
   EXPECT_NEAR(found[0].values[0], 1, 1e-9);
@@ -139,50 +146,169 @@ TEST(UnexplainedSurfaces, ArePlacesThatLieOffTheModel)
   EXPECT_EQ(sentenceOf(found[0]),
             "room 1: 1.0 m2 of its floor, at -0.40 to -0.40 m from "
             "its main floor, are more than 10 cm off the model");
+  // What is larger than a table is a stage.
+  for (RoomColumn& column : building.rooms[0].columns)
+    column.floor = building.grid.centre(column.cell).y() > 1.2 ? 0.7F : 0;
+  found = unexplainedSurfaces(PointView(none), building, plan);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].values[0], 3.6 * 1.6, 0.5) << "but for the edge";
+}
+
+/** @brief Points every 5 cm on a rectangle from `corner` along `u` and `v`. */
+void
+addRectangle(const Eigen::Vector3f& corner,
+             const Eigen::Vector3f& u,
+             const Eigen::Vector3f& v,
+             Cloud& cloud)
+{
+  for (float a = 0.025F; a < u.norm(); a += 0.05F)
+    for (float b = 0.025F; b < v.norm(); b += 0.05F) {
+      const Eigen::Vector3f p = corner + a * u.normalized() + b * v.normalized();
+      cloud.push_back({p.x(), p.y(), p.z()});
+    }
+}
+
+std::vector<PlanWarning>
+unexplained(const Cloud& cloud, const Floorplan& plan)
+{
+  return unexplainedSurfaces(PointView(cloud), buildingOfTwoRooms(), plan);
+}
+
+/** @brief Returns the walls of planned(1, 0, 4), 3 m deep: what of that at x = 0 has y
+ * from 1 to 2 m and z from 0.5 to 2 m lies at x = `back`. */
+Cloud
+recessedRoom(float back)
+{
+  Cloud cloud;
+  addRectangle({0, 0, 0}, {4, 0, 0}, {0, 0, 2.5F}, cloud);
+  addRectangle({0, 3, 0}, {4, 0, 0}, {0, 0, 2.5F}, cloud);
+  addRectangle({4, 0, 0}, {0, 3, 0}, {0, 0, 2.5F}, cloud);
+  addRectangle({0, 0, 0}, {0, 1, 0}, {0, 0, 2.5F}, cloud);
+  addRectangle({0, 2, 0}, {0, 1, 0}, {0, 0, 2.5F}, cloud);
+  addRectangle({0, 1, 0}, {0, 1, 0}, {0, 0, 0.5F}, cloud);
+  addRectangle({0, 1, 2}, {0, 1, 0}, {0, 0, 0.5F}, cloud);
+  addRectangle({back, 1, 0.5F}, {0, 1, 0}, {0, 0, 1.5F}, cloud);
+  return cloud;
+}
+
+TEST(UnexplainedSurfaces, AreSeenBehindAWall)
+{
+  Floorplan plan{{planned(1, 0, 4)}};
+  EXPECT_TRUE(unexplained(recessedRoom(0.04F), plan).empty()) << "noise";
+  for (const float back : {-0.07F, -0.5F}) {
+    const auto found = unexplained(recessedRoom(back), plan);
+    ASSERT_EQ(found.size(), 1u) << back;
+    EXPECT_EQ(found[0].kind, WarningKind::WallOff);
+    EXPECT_EQ(found[0].room, 1u);
+    EXPECT_EQ(found[0].wall, 4u);
+    EXPECT_NEAR(found[0].values[0], 1.5, 1e-6);
+    EXPECT_NEAR(found[0].values[1], 100 * back, 1e-3);
+    EXPECT_NEAR((found[0].at - Eigen::Vector2d(0, 1.5)).norm(), 0, 1e-6);
+  }
+  EXPECT_EQ(sentenceOf(unexplained(recessedRoom(-0.07F), plan)[0]),
+            "wall 1.4: 1.5 m2 of what was seen there lie 7 cm behind it");
+  plan.openings.resize(1);
+  plan.openings[0].walls = {{1, 3}};
+  plan.openings[0].start = {0, 1};
+  plan.openings[0].end = {0, 2};
+  plan.openings[0].bottom = 0.5;
+  plan.openings[0].top = 2;
+  EXPECT_TRUE(unexplained(recessedRoom(-0.5F), plan).empty()) << "in a window";
+  plan.openings.clear();
+  plan.rooms.push_back(planned(2, -2, -0.15));
+  EXPECT_TRUE(unexplained(recessedRoom(-0.5F), plan).empty()) << "in another room";
+}
+
+TEST(UnexplainedSurfaces, AreBeforeAWallIfTheyAreMuchAndNoFurniture)
+{
+  const Floorplan plan{{planned(1, 0, 4)}};
+  const auto found = unexplained(recessedRoom(0.08F), plan);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].values[0], 1.5, 1e-6) << "2.5 % of all surfaces";
+  EXPECT_NEAR(found[0].values[1], 8, 1e-3);
+  EXPECT_TRUE(unexplained(recessedRoom(0.3F), plan).empty()) << "a cupboard";
+}
+
+TEST(UnexplainedSurfaces, AreCeilingsThatGoOnBehindAWall)
+{
+  const Floorplan plan{{planned(1, 0, 4)}};
+  Cloud cloud = recessedRoom(0);
+  addRectangle({-0.03F, 0, 2.5F}, {4, 0, 0}, {0, 3, 0}, cloud);
+  EXPECT_TRUE(unexplained(cloud, plan).empty());
+  addRectangle({-0.3F, 0, 2.48F}, {0.3F, 0, 0}, {0, 3, 0}, cloud);
+  const auto found = unexplained(cloud, plan);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].wall, 4u) << "it is a cupboard up to the ceiling";
+  EXPECT_NEAR(found[0].values[0], 3 * 0.25, 0.2);
+  EXPECT_LT(found[0].values[1], 0);
+}
+
+TEST(UnexplainedSurfaces, AreThingsThatReachUpToTheCeiling)
+{
+  const Floorplan plan{{planned(1, 0, 4)}};
+  for (const float top : {1.9F, 2.5F}) {
+    Cloud cloud = recessedRoom(0);
+    addRectangle({1, 1, 0}, {0.4F, 0, 0}, {0, 0, top}, cloud);
+    addRectangle({1, 1.4F, 0}, {0.4F, 0, 0}, {0, 0, top}, cloud);
+    addRectangle({1, 1, 0}, {0, 0.4F, 0}, {0, 0, top}, cloud);
+    const auto found = unexplained(cloud, plan);
+    ASSERT_EQ(found.size(), top < 2 ? 0u : 1u);
+    if (!found.empty()) {
+      EXPECT_EQ(found[0].kind, WarningKind::Standing);
+      EXPECT_NEAR(found[0].values[0], 3 * 0.4 * 2.5, 0.7);
+      EXPECT_NEAR((found[0].at - Eigen::Vector2d(1.15, 1.2)).norm(), 0, 0.1);
+    }
+  }
 }
 
 /** @brief Points every 5 cm on the four walls of planned(1, 0, 4), 3 m deep, which the
  * wall at x = 0 leaves by `lean` metres a metre of height, and on a cupboard before it.
  */
-pcl::PointCloud<pcl::PointXYZ>
-leaningRoom(double lean)
+Cloud
+leaningRoom(float lean)
 {
-  pcl::PointCloud<pcl::PointXYZ> cloud;
-  const auto add = [&](double x, double y, double z) {
-    cloud.push_back(
-        {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)});
-  };
-  for (double z = 0.025; z < 2.5; z += 0.05) {
-    for (double y = 0.025; y < 3; y += 0.05) {
-      add(lean * z, y, z);
-      add(4, y, z);
-      if (y > 1 && y < 2 && z < 1.8)
-        add(0.25 + lean * z, y, z); // the front of a cupboard
-    }
-    for (double x = 0.025; x < 4; x += 0.05) {
-      add(x, 0, z);
-      add(x, 3, z);
-    }
-    for (double x = 0; x < 0.25; x += 0.05) // its sides
-      if (z < 1.8)
-        add(x, 1, z), add(x, 2, z);
-  }
+  Cloud cloud;
+  const Eigen::Vector3f up(2.5F * lean, 0, 2.5F);
+  addRectangle({0, 0, 0}, {0, 3, 0}, up, cloud);
+  addRectangle({4, 0, 0}, {0, 3, 0}, {0, 0, 2.5F}, cloud);
+  addRectangle({0, 0, 0}, {4, 0, 0}, {0, 0, 2.5F}, cloud);
+  addRectangle({0, 3, 0}, {4, 0, 0}, {0, 0, 2.5F}, cloud);
+  addRectangle({0.25F, 1, 0}, {0, 1, 0}, 0.7F * up, cloud);
+  addRectangle({0, 1, 0}, {0.25F, 0, 0}, 0.7F * up, cloud);
+  addRectangle({0, 2, 0}, {0.25F, 0, 0}, 0.7F * up, cloud);
   return cloud;
 }
 
 TEST(UnexplainedSurfaces, AreWallsThatLeanAwayFromThePlan)
 {
   const Floorplan plan{{planned(1, 0, 4)}};
-  const auto upright = leaningRoom(0);
-  EXPECT_TRUE(leaningWalls(PointView(upright), plan).empty());
-  const auto leaning = leaningRoom(0.05); // 2.9 degrees: 12 cm at the top
-  const auto found = leaningWalls(PointView(leaning), plan);
+  EXPECT_TRUE(unexplained(leaningRoom(0), plan).empty());
+  for (const float lean : {0.05F, -0.05F}) { // 2.9 degrees: 12 cm at the top
+    const auto found = unexplained(leaningRoom(lean), plan);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].kind, WarningKind::WallOff);
+    EXPECT_EQ(found[0].wall, 4u);
+    EXPECT_NEAR(found[0].values[0], 3 * 1.5, 0.9) << "more than 5 cm off above 1 m";
+    EXPECT_NEAR(found[0].values[1], 9 * (lean > 0 ? 1 : -1), 1);
+  }
+}
+
+TEST(UnexplainedSurfaces, AreClosetsBeyondADoor)
+{
+  Floorplan plan{{planned(1, 0, 4)}};
+  plan.openings.resize(1);
+  plan.openings[0].kind = OpeningKind::Door;
+  plan.openings[0].rooms = {1, 0};
+  plan.openings[0].start = {4.05, 1};
+  plan.openings[0].end = {4.05, 1.8};
+  plan.openings[0].top = 2;
+  Building building = buildingOfTwoRooms();
+  building.left_out = {{LeftOutKind::Low, "small", 0.8, 0, 2.5, {4.6, 1.4}},
+                       {LeftOutKind::Low, "far", 0.8, 0, 2.5, {9, 1.4}}};
+  const auto found = unexplainedSurfaces(PointView(Cloud()), building, plan);
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].kind, WarningKind::WallOff);
-  EXPECT_EQ(found[0].room, 1u);
-  EXPECT_EQ(found[0].wall, 4u);
-  EXPECT_NEAR(found[0].values[0], 3 * 1.5, 0.9) << "more than 5 cm off above 1 m";
-  EXPECT_NEAR(found[0].values[1], std::atan(0.05) * 180 / M_PI, 0.6);
+  EXPECT_EQ(found[0].kind, WarningKind::LeftOut);
+  EXPECT_EQ(found[0].reason, "small");
 }
 
 } // namespace

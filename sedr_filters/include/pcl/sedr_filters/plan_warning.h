@@ -32,7 +32,8 @@ enum class WarningKind {
   CeilingApart,  ///< m2
   CeilingOff,    ///< m2 off the model, from, to m above the floor
   FloorOff,      ///< likewise
-  WallOff,       ///< m2 off the model, degrees, positive into the room
+  WallOff,       ///< m2 off the model, mean cm, positive into the room
+  Standing,      ///< m2 of what reaches up to the ceiling and is not in the plan
   Tilted,        ///< degrees, positive into the room
   NotAdjusted,   ///< reason
   Crossing,      ///< the other room; the room itself if both meet

@@ -38,7 +38,7 @@ struct Priors {
   // Walls and what is in them.
   double min_wall = 0.04;        ///< minimum thickness of a partition: a pane of glass
   double max_wall = 0.6;         ///< maximum thickness of a wall, with its niches
-  double min_niche_depth = 0.09; ///< measured depth of niches built 0.1 deep
+  double min_niche_depth = 0.05; ///< shallower recesses are unevenness
   double max_niche_depth = 1;    ///< deeper recesses are parts of the room
   double max_door_recess = 0.2;  ///< maximum depth of a closed door in its wall
   double max_door_width = 1.6;   ///< maximum width of a door or window with a head
@@ -50,8 +50,8 @@ struct Priors {
   double max_platform_height = 0.6; ///< above a room's floor; also of steps below it
   double max_step_height = 0.35;    ///< higher steps lead onto a bench or a bed
   double min_platform_area = 1.2;   ///< minimum area of a platform
-  double max_soffit_reach = 5;  ///< maximum distance of a soffit from the main ceiling
-  double min_floor_step = 0.06; ///< smaller steps are a rug or a ceiling panel
+  double max_soffit_reach = 5;   ///< maximum distance of a soffit from the main ceiling
+  double min_floor_step = 0.045; ///< smaller steps are a rug or a ceiling panel
   double min_slab_area = 1; ///< minimum area of a floor part or a shallow ceiling step
   double min_recess = 0.3;  ///< minimum width of a ceiling recess; narrower: ribs
 
@@ -87,7 +87,7 @@ struct Priors {
   double corridor_ratio = 4;   ///< ratio of a corridor's wall area to its floor area
 
   // Directions: small angles, in radians or as sines.
-  double same_axis = 0.026;     ///< parallel or square to the scan's axes: 1.5 degrees
+  double same_axis = 0.026; ///< parallel or square to the scan's axes: 1.5 degrees
 };
 
 /** @brief Name, range and source of one member of Priors. */

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "seen_surfaces.h"
+
+#include "sedr_filters/src/plan/plan_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::sedr {
+
+namespace {
+
+constexpr double wall_tile = 0.1; // metres
+// Told shares of all surfaces of a room: what is close before walls may be furniture.
+constexpr double told_behind = 0.01;
+constexpr double told_before = 0.02;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+double
+heightOf(const PlanRoom& room)
+{
+  const Eigen::Vector2d at = room.boundary.elements.front().start;
+  return room.ceiling.heightAt(at) - room.floor.heightAt(at);
+}
+
+/** @brief Returns the area of all surfaces of a room, square metres. */
+double
+surfacesOf(const PlanRoom& room)
+{
+  return 2 * room.area() + room.perimeter() * heightOf(room);
+}
+
+/** @brief Returns the number of a wall in its room, from 1; 0 for a column. */
+std::size_t
+numberOf(const VerticalSurface& wall)
+{
+  const std::vector<PlanElement>& walls = wall.room->boundary.elements;
+  const auto k = wall.element - walls.data();
+  return k >= 0 && k < static_cast<std::ptrdiff_t>(walls.size())
+             ? static_cast<std::size_t>(k) + 1
+             : 0;
+}
+
+/** @brief Checks whether something takes up a wall from end to end and is no door. */
+bool
+isAsLongAs(const PlanElement& wall, double width, const Priors& priors)
+{
+  constexpr double whole = 0.9;
+  return width > priors.max_door_width && width >= whole * wall.length();
+}
+
+} // namespace
+
+Patches::Patches(std::vector<CellKey> keys,
+                 const std::vector<double>& values,
+                 double size)
+{
+  const CellGrid grid(size);
+  const CellSet cells(std::move(keys));
+  const CellRegions regions = labelRegions(cells);
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const auto n = static_cast<double>(regions.sizes[regions.label[k]]);
+    if (n * size * size < min_patch)
+      continue;
+    ++count;
+    low = std::min(low, values[k]);
+    high = std::max(high, values[k]);
+    mean += values[k];
+    if (regions.label[k] == 0)
+      middle += grid.centre(cells[k]) / n;
+  }
+  mean /= std::max<double>(1, static_cast<double>(count));
+  area = static_cast<double>(count) * size * size;
+}
+
+WallTiles::WallTiles(const VerticalSurface& surface)
+    : surface_(surface)
+    , tolerance_(std::max(off_wall, sigmas * surface.element->residual))
+{
+  double high = -infinite;
+  low_ = infinite;
+  for (double s = wall_tile / 2; s < surface.element->length(); s += wall_tile) {
+    spans_.push_back(surface.spanAt(s));
+    low_ = std::min(low_, spans_.back().low);
+    high = std::max(high, spans_.back().high);
+  }
+  if (!(high > low_))
+    return;
+  rows_ = static_cast<std::size_t>((high - low_) / wall_tile) + 1;
+  tiles_.resize(spans_.size() *
+                (rows_ + static_cast<std::size_t>(reach / wall_tile) + 1));
+}
+
+double
+WallTiles::middleOf(std::size_t row) const
+{
+  return low_ + (static_cast<double>(row) + 0.5) * wall_tile;
+}
+
+void
+WallTiles::leaveOut(const PlanOpening& opening, const Priors& priors)
+{
+  constexpr double rim = 0.15; // metres
+  if (isAsLongAs(*surface_.element, opening.width(), priors))
+    return;
+  const double a = surface_.element->project(opening.start);
+  const double b = surface_.element->project(opening.end);
+  for (std::size_t i = 0; i < tiles_.size(); ++i) {
+    const double s = (static_cast<double>(i % spans_.size()) + 0.5) * wall_tile;
+    const double z = middleOf(std::min(i / spans_.size(), rows_ - 1));
+    tiles_[i].is_on |= s > std::min(a, b) - rim && s < std::max(a, b) + rim &&
+                       z > opening.bottom - rim && z < opening.top + rim;
+  }
+}
+
+double
+WallTiles::offsetOf(const Eigen::Vector3d& p) const
+{
+  const double s = surface_.element->project(p.head<2>());
+  const auto column = static_cast<std::size_t>(s / wall_tile);
+  if (rows_ == 0 || s <= 0 || column >= spans_.size() ||
+      p.z() < spans_[column].low + off_wall || p.z() > spans_[column].high + off_wall)
+    return infinite;
+  const Eigen::Vector2d off = p.head<2>() - surface_.element->pointAt(s);
+  return off.dot(surface_.normalAt(s).head<2>());
+}
+
+void
+WallTiles::add(const Eigen::Vector3d& p, double offset)
+{
+  const auto column =
+      static_cast<std::size_t>(surface_.element->project(p.head<2>()) / wall_tile);
+  const bool is_at_ceiling = p.z() > spans_[column].high - off_wall;
+  const bool is_behind = offset < -tolerance_;
+  if (is_at_ceiling && !is_behind)
+    return;
+  const std::size_t row = is_at_ceiling
+                              ? rows_ + static_cast<std::size_t>(-offset / wall_tile)
+                              : static_cast<std::size_t>((p.z() - low_) / wall_tile);
+  Tile& tile = tiles_[row * spans_.size() + column];
+  if (is_behind)
+    tile.behind = std::max(tile.behind, offset);
+  else if (isOn(offset))
+    tile.is_on = true;
+  else
+    tile.before = std::min(tile.before, offset);
+}
+
+Patches
+WallTiles::patches(bool is_behind) const
+{
+  std::vector<CellKey> keys;
+  std::vector<double> offsets;
+  for (std::size_t i = 0; i < tiles_.size(); ++i) {
+    const Tile& tile = tiles_[i];
+    const double off = tile.before < infinite ? tile.before : tile.behind;
+    if (tile.is_on || (off < 0) != is_behind || off < -reach || off > relief)
+      continue;
+    keys.push_back(keyOf({static_cast<std::int32_t>(i % spans_.size()),
+                          static_cast<std::int32_t>(i / spans_.size())}));
+    offsets.push_back(100 * off);
+  }
+  return {std::move(keys), offsets, wall_tile};
+}
+
+SeenSurfaces::SeenSurfaces(const Floorplan& plan,
+                           const CellGrid& grid,
+                           const Priors& priors)
+    : priors_(priors)
+    , grid_(grid)
+    , on_slab_(2 * plan.rooms.size())
+    , rooms_near_(0.5)
+    , walls_near_(0.5)
+    , standing_(plan.rooms.size())
+{
+  for (const PlanRoom& room : plan.rooms) {
+    rooms_near_.addIn(boundsOf(room.boundary),
+                      static_cast<std::uint32_t>(rooms_.size()));
+    for (const VerticalSurface& surface : verticalSurfaces(room)) {
+      walls_near_.addAlong(*surface.element, WallTiles::reach,
+                           static_cast<std::uint32_t>(walls_.size()));
+      walls_.emplace_back(surface);
+      room_of_.push_back(rooms_.size());
+    }
+    rooms_.emplace_back(room);
+  }
+  rooms_near_.finish();
+  walls_near_.finish();
+  for (const PlanOpening& opening : plan.openings)
+    for (const OpeningWall& of : opening.walls)
+      for (WallTiles& wall : walls_)
+        if (wall.surface().room->id == of.room &&
+            numberOf(wall.surface()) == of.element + 1)
+          wall.leaveOut(opening, priors);
+}
+
+int
+SeenSurfaces::ownerOf(const Eigen::Vector3d& p) const
+{
+  const Eigen::Vector2d place = p.head<2>();
+  for (const std::uint32_t r : rooms_near_.at(place)) {
+    const RoomLookup& room = rooms_[r];
+    if (room.nicheAt(place) >= 0 ||
+        (room.contains(place) && p.z() > room.floorAt(place) - off_slab &&
+         p.z() < room.ceilingAt(place) + off_slab))
+      return static_cast<int>(r);
+  }
+  return -1;
+}
+
+void
+SeenSurfaces::add(const Eigen::Vector3d& p)
+{
+  beside_.clear();
+  bool is_on = false;
+  bool is_close = false;
+  for (const std::uint32_t w : walls_near_.at(p.head<2>()))
+    if (const double offset = walls_[w].offsetOf(p);
+        std::abs(offset) < WallTiles::reach) {
+      beside_.emplace_back(w, offset);
+      is_on |= walls_[w].isOn(offset);
+      is_close |= std::abs(offset) < WallTiles::relief;
+    }
+  const int owner = is_on ? -1 : ownerOf(p);
+  for (const auto& [w, offset] : beside_)
+    if (is_on ? walls_[w].isOn(offset) : offset > 0 || owner < 0)
+      walls_[w].add(p, offset);
+  if (owner < 0)
+    return;
+  const auto r = static_cast<std::size_t>(owner);
+  const double floor = rooms_[r].floorAt(p.head<2>());
+  const double ceiling = rooms_[r].ceilingAt(p.head<2>());
+  for (const std::size_t k : {0, 1})
+    if (std::abs(p.z() - (k == 0 ? floor : ceiling)) < off_slab)
+      on_slab_[2 * r + k].insert(keyOf(grid_.at(p.x(), p.y())));
+  if (!is_close)
+    addStanding(p, r);
+}
+
+void
+SeenSurfaces::addStanding(const Eigen::Vector3d& p, std::size_t room)
+{
+  const double below = rooms_[room].ceilingAt(p.head<2>()) - p.z();
+  if (below > wall_tile && below < 64 * wall_tile)
+    standing_[room][keyOf(CellGrid(wall_tile).at(p.x(), p.y()))] |=
+        std::uint64_t{1} << static_cast<unsigned>(below / wall_tile);
+}
+
+void
+SeenSurfaces::tellStanding(std::size_t room, std::vector<PlanWarning>& warnings) const
+{
+  // What is seen in most steps of the band in which walls are looked for.
+  constexpr unsigned first = 1;
+  constexpr unsigned last = 5;
+  constexpr unsigned least = 4;
+  constexpr double shortest = 0.5; // metres
+  std::vector<CellKey> keys;
+  std::vector<int> steps;
+  for (const auto& [key, seen] : standing_[room]) {
+    unsigned in_band = 0;
+    for (unsigned k = first; k <= last; ++k)
+      in_band += seen >> k & 1;
+    if (in_band < least)
+      continue;
+    keys.push_back(key);
+    steps.push_back(__builtin_popcountll(seen));
+  }
+  const CellSet cells(std::move(keys));
+  const CellRegions regions = labelRegions(cells);
+  double area = 0;
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const auto n = static_cast<double>(regions.sizes[regions.label[k]]);
+    if (n * wall_tile < shortest)
+      continue;
+    area += steps[k] * wall_tile * wall_tile;
+    if (regions.label[k] == 0)
+      middle += CellGrid(wall_tile).centre(cells[k]) / n;
+  }
+  const PlanRoom& plan = rooms_[room].room();
+  if (area > min_patch && area >= told_behind * surfacesOf(plan))
+    warnings.push_back({WarningKind::Standing, {area}, plan.id, 0, {}, middle});
+}
+
+void
+SeenSurfaces::tell(std::vector<PlanWarning>& warnings) const
+{
+  std::vector<double> before(rooms_.size(), 0); // square metres
+  std::vector<double> behind(rooms_.size(), 0);
+  std::vector<std::pair<std::size_t, Patches>> patches;
+  for (std::size_t w = 0; w < walls_.size(); ++w)
+    for (const bool is_behind : {true, false})
+      if (Patches found = walls_[w].patches(is_behind);
+          found.count > 0 && walls_[w].surface().label != StructureLabel::Detail) {
+        (is_behind ? behind : before)[room_of_[w]] += found.area;
+        patches.emplace_back(w, std::move(found));
+      }
+  const auto tellOf = [&](std::uint32_t room, std::size_t wall,
+                          const Eigen::Vector2d& at, double area, double off) {
+    warnings.push_back({WarningKind::WallOff, {area, off}, room, wall, {}, at});
+  };
+  for (const auto& [w, found] : patches) {
+    const VerticalSurface& wall = walls_[w].surface();
+    const double surfaces = surfacesOf(*wall.room);
+    if (found.mean < 0 ? behind[room_of_[w]] >= told_behind * surfaces
+                       : before[room_of_[w]] >= told_before * surfaces)
+      tellOf(wall.room->id, numberOf(wall), wall.element->pointAt(found.middle.x()),
+             found.area, found.mean);
+  }
+  for (const RoomLookup& lookup : rooms_)
+    for (const PlanNiche& niche : lookup.room().niches) {
+      const PlanElement& mouth = niche.boundary.elements.back();
+      const Eigen::Vector2d at = (mouth.start + mouth.end) / 2;
+      const PlanLoop& walls = lookup.room().boundary;
+      const std::size_t w = walls.nearest(at);
+      if (isAsLongAs(walls.elements[w], mouth.length(), priors_))
+        tellOf(lookup.room().id, w + 1, at,
+               mouth.length() * (niche.top.heightAt(at) - niche.bottom.heightAt(at)),
+               -100 * niche.boundary.elements.front().length());
+    }
+  for (std::size_t r = 0; r < rooms_.size(); ++r)
+    tellStanding(r, warnings);
+}
+
+} // namespace pcl::sedr

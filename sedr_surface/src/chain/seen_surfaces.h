@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "sedr_filters/src/grids/place_table.h"
+#include "sedr_filters/src/plan/plan_surfaces.h"
+#include "sedr_filters/src/plan/room_lookup.h"
+
+#include <pcl/sedr_filters/cell_grid.h>
+#include <pcl/sedr_filters/plan_warning.h>
+#include <pcl/sedr_filters/priors.h>
+
+#include <cstdint>
+#include <deque>
+#include <limits>
+#include <map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace pcl::sedr {
+
+constexpr double min_patch = 0.25; ///< of what is told, square metres
+constexpr double off_wall = 0.05;  ///< metres from the model
+constexpr double off_slab = 0.1;   ///< metres; columns of air end on voxels
+constexpr double sigmas = 3;       ///< of noise, off a surface
+
+/** @brief Connected cells of `min_patch` and more. */
+struct Patches {
+  std::size_t count = 0; ///< of cells
+  double area = 0;
+  double low = std::numeric_limits<double>::infinity(); ///< of the values of the cells
+  double high = -std::numeric_limits<double>::infinity();
+  double mean = 0;
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero(); ///< of the largest patch
+
+  /** @param keys of cells, increasing
+   * @param values one a cell */
+  Patches(std::vector<CellKey> keys, const std::vector<double>& values, double size);
+};
+
+/** @brief What was seen in each tile of a wall, the side of a column or a riser. */
+class WallTiles {
+public:
+  explicit WallTiles(const VerticalSurface& surface);
+
+  const VerticalSurface& surface() const { return surface_; }
+
+  /** @brief Nothing is looked for where an opening is, or its reveals. One as long as
+   * its wall may be what is seen of the wall behind cupboards. */
+  void leaveOut(const PlanOpening& opening, const Priors& priors);
+
+  /** @brief Returns how far a point is before the wall; infinite if it is not beside
+   * it. */
+  double offsetOf(const Eigen::Vector3d& p) const;
+
+  bool isOn(double offset) const { return std::abs(offset) <= tolerance_; }
+
+  void add(const Eigen::Vector3d& p, double offset);
+
+  /** @brief Returns the patches of tiles with nothing on the wall: with something close
+   * before them, or only with something behind, as a ceiling that goes on there. */
+  Patches patches(bool is_behind) const;
+
+  static constexpr double reach = 0.9;   ///< before and behind a wall, metres
+  static constexpr double relief = 0.15; ///< metres; furniture is deeper
+
+private:
+  struct Tile {
+    bool is_on = false;
+    double before = std::numeric_limits<double>::infinity();
+    double behind = -std::numeric_limits<double>::infinity();
+  };
+
+  double middleOf(std::size_t row) const;
+
+  VerticalSurface surface_;
+  double tolerance_;
+  std::vector<VerticalSpan> spans_; ///< of each column of tiles
+  double low_ = 0;
+  std::size_t rows_ = 0;
+  std::vector<Tile> tiles_; ///< row by row; then the ceiling behind, from the wall on
+};
+
+/** @brief What was seen of the surfaces of a plan and about them. */
+class SeenSurfaces {
+public:
+  /** @param grid of the cells of floors and ceilings */
+  SeenSurfaces(const Floorplan& plan, const CellGrid& grid, const Priors& priors);
+
+  /** @brief Counts a point for the walls that it lies on, else for those that it lies
+   * before, or behind unless a room has it; for the floor or ceiling that it lies on,
+   * and for what stands up to a ceiling. */
+  void add(const Eigen::Vector3d& p);
+
+  /** @brief Checks whether a cell shows points on the floor or ceiling of the r-th room
+   * of the plan. */
+  bool isOnSlab(std::size_t r, CellKey cell, bool is_floor) const
+  {
+    return on_slab_[2 * r + (is_floor ? 0 : 1)].count(cell) > 0;
+  }
+
+  /** @brief Appends a warning for each wall and each room of which much was not
+   * explained. */
+  void tell(std::vector<PlanWarning>& warnings) const;
+
+private:
+  /** @brief Returns the room in which a point lies, or a niche of which; -1: none. */
+  int ownerOf(const Eigen::Vector3d& p) const;
+
+  void addStanding(const Eigen::Vector3d& p, std::size_t room);
+  void tellStanding(std::size_t room, std::vector<PlanWarning>& warnings) const;
+
+  Priors priors_;
+  CellGrid grid_;
+  std::vector<std::unordered_set<CellKey>> on_slab_; ///< floor and ceiling of each room
+  std::deque<RoomLookup> rooms_;
+  PlaceTable rooms_near_;
+  std::vector<WallTiles> walls_;
+  std::vector<std::size_t> room_of_; ///< of each wall
+  PlaceTable walls_near_;
+  std::vector<std::pair<std::uint32_t, double>> beside_;
+  /** Of each room, heights in steps of a cell below the ceiling at which something is,
+   * by cell. */
+  std::vector<std::map<CellKey, std::uint64_t>> standing_;
+};
+
+} // namespace pcl::sedr
