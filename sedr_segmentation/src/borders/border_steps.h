@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../sheets/cell_points.h"
+#include "../surface/cell_points.h"
 #include "border_part.h"
 #include "sheet_cracks.h"
 
@@ -59,5 +59,11 @@ private:
   const CellPoints& risers_;
   const std::vector<double>& directions_;
 };
+
+/** @brief The parts of a chain, as far as it is in the room: where its two facets meet,
+ * the line of one height with a sample a vertex, elsewhere straight steps. None beside
+ * the grid. O(vertices and points near steps). */
+std::vector<BorderPart>
+partsOf(const CrackChain& chain, const SheetCracks& cracks, const BorderSteps& steps);
 
 } // namespace pcl::sedr

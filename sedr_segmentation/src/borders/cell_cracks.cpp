@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cell_cracks.h"
 
-#include "../sheets/cell_pieces.h"
+#include "../surface/cell_pieces.h"
 
 #include <algorithm>
 #include <array>
@@ -147,7 +147,6 @@ cracksOf(const SheetGrid& grid, const std::vector<std::int32_t>& label)
     for (const std::size_t cell : cells)
       cracks.piece[cell] = static_cast<std::int32_t>(cracks.first_cell.size());
     cracks.first_cell.push_back(cells.front());
-    cracks.cell_count.push_back(cells.size());
   }
   CrackTracer(grid, cracks).run();
   return cracks;

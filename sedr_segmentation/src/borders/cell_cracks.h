@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../sheets/sheet_fit.h"
+#include "../surface/sheet_grid.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -36,7 +36,6 @@ struct ChainUse {
 struct CellCracks {
   std::vector<std::int32_t> piece;     ///< of each cell
   std::vector<std::size_t> first_cell; ///< of each piece
-  std::vector<std::size_t> cell_count; ///< of each piece
   std::vector<CrackChain> chains;
   std::vector<std::vector<std::vector<ChainUse>>> loops; ///< of each piece, which is on
                                                          ///< the left of them

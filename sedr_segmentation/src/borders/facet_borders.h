@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "../sheets/sheet_fit.h"
 #include "cell_cracks.h"
 
 #include <Eigen/Core>

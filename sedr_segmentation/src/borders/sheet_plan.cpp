@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "sheet_plan.h"
+
 #include "facet_borders.h"
 
 #include "../curves/loop_difference.h"
 #include "../curves/plan_curve.h"
-#include "../sheets/sheet_fit.h"
 #include "sedr_filters/src/base/exactness.h"
 
 #include <algorithm>
@@ -72,68 +73,21 @@ within(const PlanLoop& loop, const PlanLoop& boundary)
   return inside;
 }
 
-/** @brief Share of a piece's cells in the room of which nothing was seen. */
-double
-shareInferred(const FacetSheet& sheet, const CellCracks& cracks, std::size_t piece)
+/** @brief How many cells of each piece are in the room, and how many were seen. */
+std::vector<std::pair<std::size_t, std::size_t>>
+cellsInside(const FacetSheet& sheet, const CellCracks& cracks)
 {
-  std::size_t inside = 0;
-  std::size_t seen = 0;
-  for (std::size_t cell = 0; cell < cracks.piece.size(); ++cell) {
-    if (cracks.piece[cell] != static_cast<std::int32_t>(piece) ||
-        !sheet.is_inside[cell])
-      continue;
-    ++inside;
-    seen += sheet.is_seen[cell];
-  }
-  return inside == 0 ? 0 : 1 - static_cast<double>(seen) / static_cast<double>(inside);
-}
-
-double
-areaInside(const FacetSheet& sheet, const CellCracks& cracks, std::size_t piece)
-{
-  std::size_t inside = 0;
+  std::vector<std::pair<std::size_t, std::size_t>> cells(cracks.first_cell.size());
   for (std::size_t cell = 0; cell < cracks.piece.size(); ++cell)
-    inside +=
-        cracks.piece[cell] == static_cast<std::int32_t>(piece) && sheet.is_inside[cell]
-            ? 1
-            : 0;
-  return static_cast<double>(inside) * sheet.grid.size * sheet.grid.size;
+    if (sheet.is_inside[cell]) {
+      auto& [inside, seen] = cells[static_cast<std::size_t>(cracks.piece[cell])];
+      ++inside;
+      seen += sheet.is_seen[cell];
+    }
+  return cells;
 }
 
 } // namespace
-
-std::vector<double>
-wallDirections(const PlanLoop& boundary)
-{
-  constexpr double same = 0.035; // radians
-  constexpr std::size_t most = 4;
-  std::vector<std::pair<double, double>> weights; // direction, length
-  for (const PlanElement& element : boundary.elements) {
-    if (element.isArc())
-      continue;
-    const Eigen::Vector2d way = element.end - element.start;
-    double direction = std::atan2(way.y(), way.x());
-    direction -= M_PI / 2 * std::floor(direction / (M_PI / 2));
-    const auto known =
-        std::find_if(weights.begin(), weights.end(), [&](const auto& other) {
-          const double off = std::abs(other.first - direction);
-          return std::min(off, M_PI / 2 - off) < same;
-        });
-    if (known != weights.end())
-      known->second += way.norm();
-    else
-      weights.emplace_back(direction, way.norm());
-  }
-  std::stable_sort(weights.begin(), weights.end(),
-                   [](const auto& a, const auto& b) { return a.second > b.second; });
-  std::vector<double> directions;
-  for (const auto& [direction, length] : weights)
-    if (directions.size() < most) {
-      directions.push_back(direction);
-      directions.push_back(direction + M_PI / 2);
-    }
-  return directions;
-}
 
 void
 giveCeiling(const FacetSheet& sheet,
@@ -145,26 +99,28 @@ giveCeiling(const FacetSheet& sheet,
   const CellCracks cracks = cracksOf(sheet.grid, sheet.label);
   const auto borders =
       bordersOf(sheet, cracks, points, risers, wallDirections(room.boundary));
-  std::vector<std::pair<double, std::size_t>> pieces; // by area
-  for (std::size_t piece = 0; piece < cracks.first_cell.size(); ++piece) {
-    const double area = areaInside(sheet, cracks, piece);
-    if (area > 0)
-      pieces.emplace_back(-area, piece);
-  }
-  std::sort(pieces.begin(), pieces.end());
+  const auto cells = cellsInside(sheet, cracks);
+  std::vector<std::size_t> pieces;
+  for (std::size_t piece = 0; piece < cells.size(); ++piece)
+    if (cells[piece].first > 0)
+      pieces.push_back(piece);
+  std::stable_sort(pieces.begin(), pieces.end(), [&](std::size_t a, std::size_t b) {
+    return cells[a].first > cells[b].first;
+  });
   std::vector<PlanDetail>& details = is_floor ? room.floor_details : room.details;
   details.clear();
   const bool slopes = hasSlope(sheet);
-  for (const auto& [negative, piece] : pieces) {
+  for (const std::size_t piece : pieces) {
     PlanDetail facet;
     const std::size_t cell = cracks.first_cell[piece];
     facet.slab = sheet.facets[static_cast<std::size_t>(sheet.label[cell])];
-    facet.slab.inferred = shareInferred(sheet, cracks, piece);
-    if (piece == pieces.front().second)
+    facet.slab.inferred = 1 - static_cast<double>(cells[piece].second) /
+                                  static_cast<double>(cells[piece].first);
+    if (piece == pieces.front())
       (is_floor ? room.floor : room.ceiling) = facet.slab;
     if (sheet.label[cell] ==
-        sheet.label[cracks.first_cell[pieces.front().second]]) // the main one, or beyond
-      continue;                                                // what parts it
+        sheet.label[cracks.first_cell[pieces.front()]]) // the main one, or beyond
+      continue;                                         // what parts it
     facet.is_facet = slopes && !is_floor;
     std::vector<PlanLoop> outer;
     std::vector<PlanLoop> holes;

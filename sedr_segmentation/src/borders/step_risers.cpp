@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "step_risers.h"
-
-#include "../sheets/sheet_fit.h"
 #include "sheet_cracks.h"
+#include "sheet_plan.h"
 
 #include <algorithm>
 #include <cmath>

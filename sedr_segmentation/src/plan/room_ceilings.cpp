@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_ceilings.h"
 
-#include "../borders/step_risers.h"
+#include "../borders/sheet_plan.h"
 #include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>

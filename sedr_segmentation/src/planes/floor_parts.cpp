@@ -2,8 +2,8 @@
 #include "floor_parts.h"
 
 #include "../borders/cell_cracks.h"
-#include "../sheets/riser_bins.h"
 #include "../sheets/sheet_fit.h"
+#include "../surface/riser_bins.h"
 #include "sedr_filters/src/base/plane_fit.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "reveal_search.h"
 
-#include "../sheets/minimum_cut.h"
+#include "../labelling/minimum_cut.h"
 #include "sedr_filters/src/base/parallel.h"
 
 #include <algorithm>

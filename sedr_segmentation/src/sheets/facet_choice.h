@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "facet_labels.h"
+#include "../labelling/facet_labels.h"
 #include "shape_proposals.h"
 
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "facet_evidence.h"
-#include "shape_fit.h"
+#include "../labelling/facet_evidence.h"
+#include "../shapes/shape_fit.h"
 
 #include <cstddef>
 #include <vector>

@@ -122,17 +122,6 @@ takeFacets(const CellPoints& cells,
 
 } // namespace
 
-SheetParameters
-SheetParameters::of(const Priors& priors, bool is_floor)
-{
-  SheetParameters parameters;
-  parameters.min_step = is_floor ? priors.min_floor_step : priors.min_ceiling_step;
-  parameters.min_clear_step = priors.min_floor_step;
-  parameters.min_free_area = priors.min_slab_area;
-  parameters.is_floor = is_floor;
-  return parameters;
-}
-
 double
 FacetSheet::heightAt(const Eigen::Vector2d& p) const
 {
@@ -141,48 +130,6 @@ FacetSheet::heightAt(const Eigen::Vector2d& p) const
       std::clamp(static_cast<int>(std::floor(place.x())), 0, grid.columns - 1);
   const int y = std::clamp(static_cast<int>(std::floor(place.y())), 0, grid.rows - 1);
   return facets[static_cast<std::size_t>(label[grid.indexOf(x, y)])].heightAt(p);
-}
-
-SheetGrid
-sheetGrid(const Eigen::AlignedBox2d& box,
-          const SheetParameters& parameters,
-          double direction)
-{
-  constexpr int spare = 3;
-  SheetGrid grid;
-  const double fitting =
-      std::sqrt(box.volume() / static_cast<double>(parameters.max_cells));
-  grid.size = std::max(parameters.cell_size, fitting);
-  const Eigen::Rotation2Dd turn(direction);
-  grid.axis = turn * Eigen::Vector2d::UnitX();
-  grid.origin = turn * (box.min() - Eigen::Vector2d::Constant(spare * grid.size));
-  const Eigen::Vector2d extent = box.sizes() / grid.size;
-  grid.columns = static_cast<int>(std::ceil(extent.x())) + 2 * spare;
-  grid.rows = static_cast<int>(std::ceil(extent.y())) + 2 * spare;
-  return grid;
-}
-
-SheetGrid
-gridWithin(const PlanLoop& loop, const SheetParameters& parameters)
-{
-  const std::vector<double> directions = wallDirections(loop);
-  const double direction = directions.empty() ? 0 : directions.front();
-  const Eigen::Rotation2Dd turn(-direction);
-  Eigen::AlignedBox2d box;
-  for (const Eigen::Vector2d& place : loop.polygon(parameters.cell_size))
-    box.extend(turn * place);
-  return sheetGrid(box, parameters, direction);
-}
-
-std::vector<std::uint8_t>
-cellsWithin(const SheetGrid& grid, const PlanLoop& loop)
-{
-  std::vector<std::uint8_t> cells(grid.count(), 0);
-  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-    const Eigen::Vector2d p = grid.centre(cell);
-    cells[cell] = loop.contains(p) || loop.distance(p) <= grid.size / 2 ? 1 : 0;
-  }
-  return cells;
 }
 
 FacetSheet
@@ -225,8 +172,6 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
   sheet.label = choice.label;
   fillNearest(grid, sheet.label);
 
-  std::size_t with_points = 0;
-  std::size_t seen = 0;
   sheet.is_seen.assign(grid.count(), 0);
   for (std::size_t cell = 0; cell < grid.count(); ++cell) {
     if (!domain[cell] || cells.isEmpty(cell))
@@ -234,10 +179,7 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
     const auto facet = static_cast<std::size_t>(sheet.label[cell]);
     sheet.is_seen[cell] =
         choice.costs[facet].cost[cell] < unexplained * evidence.outlier() ? 1 : 0;
-    ++with_points;
-    seen += sheet.is_seen[cell];
   }
-  sheet.explained = static_cast<double>(seen) / static_cast<double>(with_points);
   takeFacets(CellPoints(sheet.grid, sheet.is_inside, points), std::move(choice),
              deviation, parameters, sheet);
   return sheet;

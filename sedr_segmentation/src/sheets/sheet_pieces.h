@@ -2,6 +2,7 @@
 #pragma once
 
 #include "facet_choice.h"
+#include "sheet_fit.h"
 
 namespace pcl::sedr {
 

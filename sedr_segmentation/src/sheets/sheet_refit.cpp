@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cell_points.h"
+#include "../surface/cell_points.h"
 #include "shape_proposals.h"
 
 #include "sedr_filters/src/base/middle_value.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sheet_relief.h"
 
-#include "cell_pieces.h"
+#include "../surface/cell_pieces.h"
 
 #include "sedr_filters/src/base/middle_value.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "sedr_segmentation/src/sheets/sheet_fit.h"
+#include "sedr_segmentation/src/borders/sheet_plan.h"
 
 #include "plan_loops.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/plan/room_evidence.h"
 
-#include "sedr_segmentation/src/borders/step_risers.h"
+#include "sedr_segmentation/src/borders/sheet_plan.h"
 #include "sedr_segmentation/src/plan/room_shares.h"
 #include "sedr_segmentation/src/sheets/sheet_fit.h"
 

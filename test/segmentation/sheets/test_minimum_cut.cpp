@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sedr_segmentation/src/sheets/minimum_cut.h"
+#include "sedr_segmentation/src/labelling/minimum_cut.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sedr_segmentation/src/sheets/shape_distance.h"
-#include "sedr_segmentation/src/sheets/shape_fit.h"
+#include "sedr_segmentation/src/shapes/shape_distance.h"
+#include "sedr_segmentation/src/shapes/shape_fit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sheet_scenes.h"
 
-#include "sedr_segmentation/src/borders/step_risers.h"
+#include "sedr_segmentation/src/borders/sheet_plan.h"
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "cell_points.h"
-#include "riser_bins.h"
+#include "../surface/cell_points.h"
+#include "../surface/riser_bins.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "shape_distance.h"
-#include "sheet_fit.h"
+#include "../shapes/shape_distance.h"
+#include "sheet_grid.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cell_points.h"
 
-#include "shape_fit.h"
+#include "../shapes/shape_fit.h"
 
 #include <algorithm>
 #include <cmath>

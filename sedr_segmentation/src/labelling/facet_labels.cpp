@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "facet_labels.h"
 
+#include "../shapes/shape_fit.h"
 #include "minimum_cut.h"
-#include "shape_fit.h"
 
 #include <algorithm>
 #include <cmath>

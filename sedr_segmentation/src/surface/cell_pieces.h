@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "sheet_fit.h"
+#include "sheet_grid.h"
 
 #include <cstddef>
 #include <cstdint>
