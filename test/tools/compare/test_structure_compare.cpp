@@ -52,7 +52,7 @@ TEST_F(CompareTool, WritesJson)
 TEST_F(CompareTool, CountsBothModelsFromOneOrigin)
 {
   const Eigen::Vector3d far(5000, 4000, 100);
-  writeFile(in("b.json"), floorplanToJson(twoRooms(), nullptr, {far}));
+  writeFile(in("b.json"), documentToJson({twoRooms(), Origin{far}}));
   const ProgramRun result =
       run(STRUCTURE_COMPARE,
           {plan("a.json", pcl::sedr::tools::shifted(twoRooms(), far)), in("b.json")});
