@@ -166,4 +166,31 @@ RoomTerritory::roomsAt(const PointView& points, unsigned threads) const
   return rooms;
 }
 
+CellSet
+RoomTerritory::frontier() const
+{
+  std::vector<CellKey> keys;
+  for (const Layer& layer : layers_)
+    for (const auto& quarter : layer) {
+      const auto meets = [&](std::int32_t room, Cell near) {
+        const std::int32_t other = quarter.frame.isInside(near)
+                                       ? quarter.room[quarter.frame.indexOf(near)]
+                                       : -1;
+        return other >= 0 && other != room;
+      };
+      for (std::size_t i = 0; i < quarter.room.size(); ++i) {
+        if (quarter.room[i] < 0)
+          continue;
+        const Cell cell = quarter.frame.cellAt(i);
+        for (const Cell d : {Cell{1, -1}, Cell{1, 0}, Cell{1, 1}, Cell{0, 1}})
+          if (const Cell near{cell.x + d.x, cell.y + d.y};
+              meets(quarter.room[i], near)) {
+            keys.push_back(keyOf(cell));
+            keys.push_back(keyOf(near));
+          }
+      }
+    }
+  return CellSet(std::move(keys));
+}
+
 } // namespace pcl::sedr

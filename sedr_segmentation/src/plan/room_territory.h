@@ -54,6 +54,10 @@ public:
 
   const CellGrid& grid() const { return grid_; }
 
+  /** @brief Returns the cells that touch a cell of another room, at an edge or corner.
+   */
+  CellSet frontier() const;
+
 private:
   /** @brief The grid of a group of nearby rooms. */
   struct Quarter {

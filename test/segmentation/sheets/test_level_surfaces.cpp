@@ -220,7 +220,7 @@ TEST(LevelSurface, AFloorsPartsAreOfASquareMetreAndNoRugs)
     bool is_part;
   };
   for (const Piece& piece : {Piece{0.5, 0.3, false}, Piece{0.7, 0.3, true},
-                             Piece{0.7, 0.05, false}, Piece{0.7, 0.08, true}}) {
+                             Piece{0.7, 0.04, false}, Piece{0.7, 0.05, true}}) {
     PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
     room.floor_details = {
         detailOf(rectangle(2.01, 1.01, 2.01 + piece.width, 1.01 + 3 * piece.width),
@@ -230,11 +230,11 @@ TEST(LevelSurface, AFloorsPartsAreOfASquareMetreAndNoRugs)
   }
 }
 
-TEST(LevelSurface, ACeilingsPartsOfFiveCentimetresAreOfASquareMetre)
+TEST(LevelSurface, ACeilingsPartsOfFourCentimetresAreOfASquareMetre)
 {
   for (const double width : {0.8, 1.4}) { // 0.8 and 1.4 m2
     PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
-    room.details = {detailOf(rectangle(0.01, 3.01, 0.01 + width, 4.01), 2.45)};
+    room.details = {detailOf(rectangle(0.01, 3.01, 0.01 + width, 4.01), 2.46)};
     EXPECT_EQ(detailsOf(room).size(), width > 1 ? 1u : 0u) << width;
   }
 }
