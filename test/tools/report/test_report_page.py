@@ -319,13 +319,13 @@ class ReportInABrowser(ReportCase):
         self.assertIn("12.1 m² of 60.5 m² of floor that was seen are in the plan, 20 %", self.words(browser, "#coverage"))
 
     def test_openings_tell_their_walls_and_their_place(self):
-        door = {"kind": "door", "rooms": [1, 2], "walls": [{"room": 1, "element": 11}, {"room": 2, "element": 3}],
+        door = {"kind": "door", "rooms": [1, 2], "walls": [{"room": 1, "element": 1}, {"room": 2, "element": 3}],
                 "start": [4.1, 1], "end": [4.1, 2], "bottom": 0, "top": 2, "depth": 0.2, "hinge": "unknown", "state": "closed",
                 "confidence": 0.9, "residual": 0.01}
         self.write("floorplan.json", {**sample_plan(), "openings": [door]})
         self.make()
         row = self.row(self.open(), "openings", "door")
-        self.assertEqual((row["walls"], row["at x, y, m"]), ("1.12, 2.4", "4.1, 1.5"))
+        self.assertEqual((row["walls"], row["at x, y, m"]), ("1.2, 2.4", "4.1, 1.5"))
 
     def test_walls_show_what_was_seen_of_them(self):
         wall = {"room": 1, "walls": [2, 3], "length": 4, "base": 0, "cell": 1, "columns": 4, "rows": 2, "cells": "4s2h1e1w",
