@@ -55,6 +55,26 @@ TEST_F(SedrTool, FoldersThatCannotBeWrittenAreRefusedBeforeTheWork)
   expectFailure(run(SEDR, {in("input.pcd"), in("model")}), 1, "mesh.ply");
 }
 
+TEST_F(SedrTool, MemoryThatDoesNotSufficeIsToldWhereverItEnds)
+{
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer needs terabytes of addresses";
+#endif
+  writeFile(in("input.pcd"), scanOf().pcd(false));
+  int told = 0;
+  for (int megabytes = 110; megabytes <= 250; megabytes += 10) {
+    const auto limited = run(
+        "/bin/sh", {"-c", "ulimit -v $0; exec \"$@\"", std::to_string(1024 * megabytes),
+                    SEDR, in("input.pcd"), in("model"), "--no-mesh", "--partial"});
+    EXPECT_LT(limited.exit_code, 128) << megabytes << ": " << limited.err;
+    EXPECT_EQ(limited.exit_code == 0, std::filesystem::exists(in("model")))
+        << megabytes;
+    told += limited.err.find("memory does not suffice") != std::string::npos ? 1 : 0;
+    std::filesystem::remove_all(in("model"));
+  }
+  EXPECT_GT(told, 3);
+}
+
 TEST_F(SedrTool, AScanIsNotWrittenOver)
 {
   std::filesystem::create_directory(in("same"));

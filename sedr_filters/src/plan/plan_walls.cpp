@@ -2,6 +2,9 @@
 #include "plan_walls.h"
 
 #include "face_pairs.h"
+#include "plan_bounds.h"
+
+#include "../grids/place_table.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_filters/wall_shares.h>
@@ -21,7 +24,13 @@ public:
   WallFinder(const Floorplan& plan, const WallParameters& parameters)
       : plan_(plan)
       , parameters_(parameters)
-  {}
+      , rooms_near_(room_size)
+  {
+    for (std::size_t r = 0; r < plan.rooms.size(); ++r)
+      rooms_near_.addIn(boundsOf(plan.rooms[r].boundary),
+                        static_cast<std::uint32_t>(r));
+    rooms_near_.finish();
+  }
 
   std::vector<PlanWall> find()
   {
@@ -38,6 +47,8 @@ public:
   }
 
 private:
+  static constexpr double room_size = 4; // metres
+
   /** @brief Extends a wall of two faces over a short remainder of one of them. */
   bool continueWall(const PlanWall& free)
   {
@@ -88,8 +99,8 @@ private:
           faceAt(elementOf(plan_, free.face),
                  free.stretch.from + free.stretch.length() * (i + 0.5) / samples);
       const Eigen::Vector2d behind = place - thickness * inward;
-      for (const PlanRoom& room : plan_.rooms)
-        if (shareHeights(room, own) && room.contains(behind))
+      for (const std::uint32_t r : rooms_near_.at(behind))
+        if (plan_.rooms[r].contains(behind) && shareHeights(plan_.rooms[r], own))
           return true;
     }
     return false;
@@ -168,6 +179,7 @@ private:
 
   const Floorplan& plan_;
   WallParameters parameters_;
+  PlaceTable rooms_near_;
   std::vector<PlanWall> walls_;
 };
 

@@ -157,7 +157,8 @@ public:
       , leaving_(shard_count * Shard::most_at_once)
   {}
 
-  ~NearSums()
+  /** @brief Moves all to the shards, for which memory may not suffice. */
+  void finish()
   {
     for (const VoxelSum& slot : slots_)
       if (slot.count > 0)
@@ -237,6 +238,7 @@ VoxelSums::add(const PointView& points,
           sums.add(frame_.sumOf(point));
       }
     }
+    sums.finish();
   });
 }
 
