@@ -34,7 +34,6 @@ floorplan_fitting             hls_hall floorplan_fitting
 floorplan_fitting             syn_flat floorplan_fitting_flat
 structure_refinement          hls_hall structure_refinement
 vertical_hole_repair          syn_flat vertical_hole_repair
-structural_poisson            hls_hall structural_poisson
 "
 
 # stage NAME SCENE FILES...: runs a stage, with its picture if a page shows it.
@@ -57,9 +56,6 @@ for scene in bls_room hls_hall syn_flat; do
   stage floorplan_fitting             $scene "$d/walls.pcd"   "$d/plan.json" --building "$d/building.json"
   stage structure_refinement          $scene "$d/walls.pcd"   "$d/plan.json" "$d/refined.pcd"
   stage vertical_hole_repair          $scene "$d/refined.pcd" "$d/plan.json" "$d/repaired.pcd"
-  if grep -q "structural_poisson *$scene" <<<"$shown"; then
-    stage structural_poisson $scene "$d/repaired.pcd" "$d/mesh.ply"
-  fi
 done
 
 # What the chain does not go through: planes of a whole scan, and regions of its ceilings.
@@ -98,6 +94,8 @@ if command -v xvfb-run >/dev/null && [ -x "$bin/pcl_sedr_viewer" ]; then
   look distance  bls_room/model --layers scan --colour distance
   look solid     syn_flat/model --layers solid --colour room
   look stage     hls_hall/walls.pcd --colour label
+  look mesh      hls_hall/model --layers mesh
+  mv "$output/sedr_viewer_mesh.png" "$output/structural_poisson.png"
 else
   echo "The viewer's pictures stay as they are: they need the Debian packages xvfb and xauth."
 fi

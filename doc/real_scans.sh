@@ -20,8 +20,8 @@ for scan in synth1 office_labelled stepped_room apartment vaulted_studio; do
   "$bin/pcl_mesh_evaluation" "$out/$scan/mesh.ply" --cloud "$SEDR_DATA/$scan.pcd"
   "$bin/pcl_mesh_evaluation" "$out/$scan/solid.ply" --self-intersections | grep -E 'closed|triangles|intersect' || true
   cp "$out/$scan/floorplan.svg" "$images/real_${scan}_drawing.svg"
-  cp "$out/$scan/pictures/"*_floorplan_fitting.png "$images/real_${scan}_plan.png"
-  cp "$out/$scan/pictures/"*_structural_poisson.png "$images/real_${scan}_mesh.png"
+  cp "$out/$scan/pictures/floorplan_fitting.png" "$images/real_${scan}_plan.png"
+  xvfb-run -a "$bin/pcl_sedr_viewer" "$out/$scan" --layers mesh --screenshot "$images/real_${scan}_mesh.png"
 done
 
 echo "== synth1: wall points within 5 cm of the reference walls, from the model and from these walls"

@@ -82,7 +82,7 @@ apply(const Settings& settings, const Recovered& result, ToolCloud& cloud)
   }
   cloud.label.resize(stays.size(), static_cast<std::uint32_t>(StructureLabel::Floor));
   cloud.room.insert(cloud.room.end(), result.rooms.begin(), result.rooms.end());
-  appendRows(cloud.blob, pcl::PCLPointCloud2(cloud.blob), result.sources);
+  cloud.blob += selectRows(cloud.blob, result.sources);
   setCoordinates(cloud.blob, before, result.points);
   setField(cloud.blob, "label", cloud.label);
   setField(cloud.blob, "room", cloud.room);

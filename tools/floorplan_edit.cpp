@@ -7,67 +7,14 @@
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_filters/plan_editor.h>
 
-#include <algorithm>
-#include <charconv>
+#include <cstdio>
+#include <sstream>
 #include <string>
-#include <utility>
-#include <vector>
 
 using namespace pcl::sedr::tools;
 using pcl::sedr::PlanEditor;
 
 namespace {
-
-/** @brief Returns the parts of a text between separators. */
-std::vector<std::string>
-partsOf(const std::string& text, char separator)
-{
-  std::vector<std::string> parts;
-  for (std::size_t at = 0; !text.empty() && at <= text.size();) {
-    const std::size_t end = std::min(text.find(separator, at), text.size());
-    parts.push_back(text.substr(at, end - at));
-    at = end + 1;
-  }
-  return parts;
-}
-
-/** @brief Returns a number; throws ToolError with what was asked for. */
-template <typename Number>
-Number
-numberOf(const std::string& text, const std::string& wanted)
-{
-  Number number{};
-  const auto end = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (end.ec != std::errc() || end.ptr != text.data() + text.size())
-    throw ToolError("'" + text + "' is no number; " + wanted);
-  return number;
-}
-
-/** @brief Returns numbers between separators. */
-template <typename Number>
-std::vector<Number>
-numbersOf(const std::string& text,
-          char separator,
-          std::size_t count,
-          const std::string& wanted)
-{
-  std::vector<Number> numbers;
-  for (const std::string& part : partsOf(text, separator))
-    numbers.push_back(numberOf<Number>(part, wanted));
-  if (numbers.size() != count)
-    throw ToolError("'" + text + "' has " + std::to_string(numbers.size()) +
-                    " numbers; " + wanted);
-  return numbers;
-}
-
-std::pair<std::string, std::string>
-halvesOf(const std::string& text, const std::string& wanted)
-{
-  const std::size_t at = text.find('=');
-  if (at == std::string::npos)
-    throw ToolError("'" + text + "' has no =; " + wanted);
-  return {text.substr(0, at), text.substr(at + 1)};
-}
 
 struct Edits {
   std::string move;
@@ -78,44 +25,68 @@ struct Edits {
   std::string name;
 };
 
+/** @brief Calls `read` for each edit of an option, which applies it; throws ToolError
+ * unless it has read the whole text. */
+template <typename Read>
+void
+forEachEdit(const std::string& edits, const std::string& wanted, const Read& read)
+{
+  std::istringstream list(edits);
+  for (std::string edit; std::getline(list, edit, ';');) {
+    int end = 0; // of what was read
+    if (!read(edit, end) || static_cast<std::size_t>(end) != edit.size())
+      throw ToolError("'" + edit + "': " + wanted);
+  }
+}
+
 /** @brief Applies all edits; throws ToolError with the first that fails. */
 void
 apply(const Edits& edits, PlanEditor& editor)
 {
+  unsigned a = 0;
+  unsigned b = 0;
+  double x[4];
   const auto done = [&](bool is_done, const std::string& edit) {
     if (!is_done)
       throw ToolError(edit + ": " + editor.getErrorMessage());
+    return true;
   };
-  for (const std::string& edit : partsOf(edits.move, ';')) {
-    const std::string wanted = "--move-wall wants ROOM.WALL=METRES, such as 3.12=0.05";
-    const auto [wall, distance] = halvesOf(edit, wanted);
-    const auto numbers = numbersOf<std::uint32_t>(wall, '.', 2, wanted);
-    done(editor.moveWall(numbers[0], numbers[1], numberOf<double>(distance, wanted)),
-         "--move-wall " + edit);
-  }
-  for (const std::string& edit : partsOf(edits.square, ';'))
-    done(editor.square(numberOf<std::uint32_t>(edit, "--square wants a room")),
-         "--square " + edit);
-  for (const std::string& edit : partsOf(edits.split, ';')) {
-    const std::string wanted = "--split wants ROOM,X1,Y1,X2,Y2";
-    const std::size_t comma = std::min(edit.find(','), edit.size() - 1);
-    const auto n = numbersOf<double>(edit.substr(comma + 1), ',', 4, wanted);
-    done(editor.split(numberOf<std::uint32_t>(edit.substr(0, comma), wanted),
-                      {n[0], n[1]}, {n[2], n[3]}),
-         "--split " + edit);
-  }
-  for (const std::string& edit : partsOf(edits.merge, ';')) {
-    const auto n = numbersOf<std::uint32_t>(edit, ',', 2, "--merge wants ROOM,ROOM");
-    done(editor.merge(n[0], n[1]), "--merge " + edit);
-  }
-  for (const std::string& edit : partsOf(edits.drop, ';'))
-    done(editor.drop(numberOf<std::uint32_t>(edit, "--drop wants a room")),
-         "--drop " + edit);
-  for (const std::string& edit : partsOf(edits.name, ';')) {
-    const std::string wanted = "--name wants ROOM=TEXT, such as 3=Kitchen";
-    const auto [room, text] = halvesOf(edit, wanted);
-    done(editor.name(numberOf<std::uint32_t>(room, wanted), text), "--name " + edit);
-  }
+  const auto readsRoom = [&a](const std::string& edit, int& end) {
+    return std::sscanf(edit.c_str(), "%u%n", &a, &end) == 1;
+  };
+  forEachEdit(edits.move, "--move-wall wants ROOM.WALL=METRES, such as 3.12=0.05",
+              [&](const std::string& edit, int& end) {
+                return std::sscanf(edit.c_str(), "%u.%u=%lf%n", &a, &b, x, &end) == 3 &&
+                       done(editor.moveWall(a, b, x[0]), "--move-wall " + edit);
+              });
+  forEachEdit(
+      edits.square, "--square wants a room", [&](const std::string& edit, int& end) {
+        return readsRoom(edit, end) && done(editor.square(a), "--square " + edit);
+      });
+  forEachEdit(edits.split, "--split wants ROOM,X1,Y1,X2,Y2",
+              [&](const std::string& edit, int& end) {
+                return std::sscanf(edit.c_str(), "%u,%lf,%lf,%lf,%lf%n", &a, x, x + 1,
+                                   x + 2, x + 3, &end) == 5 &&
+                       done(editor.split(a, {x[0], x[1]}, {x[2], x[3]}),
+                            "--split " + edit);
+              });
+  forEachEdit(edits.merge, "--merge wants ROOM,ROOM",
+              [&](const std::string& edit, int& end) {
+                return std::sscanf(edit.c_str(), "%u,%u%n", &a, &b, &end) == 2 &&
+                       done(editor.merge(a, b), "--merge " + edit);
+              });
+  forEachEdit(edits.drop, "--drop wants a room",
+              [&](const std::string& edit, int& end) {
+                return readsRoom(edit, end) && done(editor.drop(a), "--drop " + edit);
+              });
+  forEachEdit(edits.name, "--name wants ROOM=TEXT, such as 3=Kitchen",
+              [&](const std::string& edit, int& end) {
+                const int read = std::sscanf(edit.c_str(), "%u=%n", &a, &end);
+                const std::string text = edit.substr(static_cast<std::size_t>(end));
+                const bool is_read = read == 1 && end > 0;
+                end = static_cast<int>(edit.size());
+                return is_read && done(editor.name(a, text), "--name " + edit);
+              });
 }
 
 } // namespace

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/solid_files.h"
-#include "picture_file.h"
 #include "plan_file.h"
 #include "run_tool.h"
-#include "stage_pictures.h"
+#include "tool_cloud.h"
 #include "tool_error.h"
 
 #include <pcl/sedr_surface/floorplan_extrusion.h>
@@ -21,7 +20,6 @@ struct Settings {
   std::string plan;
   std::string output;
   std::string openings = "closed";
-  PictureFile picture;
 };
 
 void
@@ -39,7 +37,6 @@ int
 run(const Settings& settings, Extrusion& extrusion)
 {
   checkSolidOutput(settings.output);
-  settings.picture.check();
   const pcl::sedr::PlanDocument file = loadPlan(settings.plan);
   extrusion.setFloorplan(file.plan);
   extrusion.setCutOpenings(settings.openings == "cut");
@@ -51,11 +48,6 @@ run(const Settings& settings, Extrusion& extrusion)
     throw ToolError(extrusion.getErrorMessage(), NothingFound);
   saveSolid(settings.output, extrusion.getMesh(), extrusion.getElements(), file.plan,
             file.origin);
-  settings.picture.write([&] {
-    pcl::sedr::TriangleMesh solid = extrusion.getMesh();
-    solid.flip(); // its triangles face outwards
-    return drawMesh(solid);
-  });
   for (const auto& line : summaryOf(extrusion.getWarnings()))
     warn(line);
   if (!extrusion.getErrorMessage().empty())
@@ -83,6 +75,5 @@ main(int argc, char** argv)
   options.text("openings", settings.openings,
                "doors and windows in the solid: closed, or cut with their reveals",
                {"closed", "cut"});
-  settings.picture.declare(options);
   return runTool(options, argc, argv, [&] { return run(settings, extrusion); });
 }

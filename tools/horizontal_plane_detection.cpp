@@ -48,7 +48,8 @@ addHiddenCeiling(const pcl::sedr::Building& building,
        hiddenCeiling(known.columns, building.grid, grid, seen, plane))
     places.push_back(hidden.at);
   const std::size_t before = cloud.size();
-  appendRows(cloud.blob, cloud.blob, pcl::Indices(places.size(), room.ceiling.front()));
+  cloud.blob +=
+      selectRows(cloud.blob, pcl::Indices(places.size(), room.ceiling.front()));
   setCoordinates(cloud.blob, before, places);
   for (const auto& place : places)
     cloud.points->push_back({place.x(), place.y(), place.z()});

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
-#include <numeric>
 #include <sstream>
 
 using namespace pcl::sedr::tools;
@@ -77,68 +76,43 @@ parseLabels(const std::string& list)
   return labels;
 }
 
-/** @brief Returns the points with one of the labels of a list. */
-pcl::Indices
-withLabels(const ToolCloud& cloud, const std::string& list)
-{
-  if (!cloud.has_label)
-    throw ToolError(cloud.path + " has no field 'label', which --labels asks for");
-  const std::vector<std::uint32_t> labels = parseLabels(list);
-  pcl::Indices indices;
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    if (std::find(labels.begin(), labels.end(), cloud.label[i]) != labels.end())
-      indices.push_back(static_cast<pcl::index_t>(i));
-  if (indices.empty())
-    throw ToolError("none of the " + std::to_string(cloud.size()) + " points of " +
-                        cloud.path + " has one of the labels " + list,
-                    NothingFound);
-  return indices;
-}
-
-/** @brief Returns those of `indices` within a distance of a mesh. */
-pcl::Indices
-nearMesh(const Settings& settings, const ToolCloud& cloud, const pcl::Indices& indices)
-{
-  const auto reference = loadFrom(originOfModel(settings.model), settings.near);
-  const std::string problem = reference->problem();
-  if (!problem.empty() || reference->triangles.empty())
-    throw ToolError(settings.near + " cannot be measured from: " +
-                    (problem.empty() ? "it has no triangles" : problem));
-  pcl::Indices finite;
-  std::vector<Eigen::Vector3d> points;
-  for (const auto i : indices) {
-    const pcl::PointXYZ& p = (*cloud.points)[static_cast<std::size_t>(i)];
-    if (!pcl::isFinite(p))
-      continue;
-    finite.push_back(i);
-    points.push_back(p.getVector3fMap().cast<double>());
-  }
-  const std::vector<double> distances =
-      pcl::sedr::MeshDistance(*reference).distances(points);
-  pcl::Indices near;
-  for (std::size_t k = 0; k < finite.size(); ++k)
-    if (distances[k] <= settings.near_distance)
-      near.push_back(finite[k]);
-  if (near.empty())
-    throw ToolError("none of " + std::to_string(indices.size()) + " points of " +
-                        cloud.path + " lies within " +
-                        std::to_string(settings.near_distance) + " m of " +
-                        settings.near,
-                    NothingFound);
-  return near;
-}
-
-/** @brief Returns the points to measure. */
+/** @brief Returns the finite points with one of the labels, near the other mesh, as far
+ * as these are asked for. */
 pcl::IndicesPtr
 select(const Settings& settings, const ToolCloud& cloud)
 {
-  auto indices = std::make_shared<pcl::Indices>(cloud.size());
-  std::iota(indices->begin(), indices->end(), 0);
-  if (!settings.labels.empty())
-    *indices = withLabels(cloud, settings.labels);
-  if (!settings.near.empty())
-    *indices = nearMesh(settings, cloud, *indices);
-  return indices;
+  if (!settings.labels.empty() && !cloud.has_label)
+    throw ToolError(cloud.path + " has no field 'label', which --labels asks for");
+  const std::vector<std::uint32_t> labels = parseLabels(settings.labels);
+  auto selected = std::make_shared<pcl::Indices>();
+  std::vector<Eigen::Vector3d> points;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const pcl::PointXYZ& p = (*cloud.points)[i];
+    if (!pcl::isFinite(p) ||
+        (!labels.empty() &&
+         std::find(labels.begin(), labels.end(), cloud.label[i]) == labels.end()))
+      continue;
+    selected->push_back(static_cast<pcl::index_t>(i));
+    points.push_back(p.getVector3fMap().cast<double>());
+  }
+  if (!settings.near.empty()) {
+    const auto reference = loadFrom(originOfModel(settings.model), settings.near);
+    const std::string problem = reference->problem();
+    if (!problem.empty() || reference->triangles.empty())
+      throw ToolError(settings.near + " cannot be measured from: " +
+                      (problem.empty() ? "it has no triangles" : problem));
+    const auto distances = pcl::sedr::MeshDistance(*reference).distances(points);
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < distances.size(); ++k)
+      if (distances[k] <= settings.near_distance)
+        (*selected)[kept++] = (*selected)[k];
+    selected->resize(kept);
+  }
+  if (selected->empty())
+    throw ToolError("none of the " + std::to_string(cloud.size()) + " points of " +
+                        cloud.path + " is what --labels and --near ask for",
+                    NothingFound);
+  return selected;
 }
 
 void
@@ -192,10 +166,9 @@ run(const Settings& settings, pcl::MeshEvaluation& evaluation)
 {
   if (!settings.json.empty())
     checkWritable(settings.json);
-  if (!settings.labels.empty() && settings.cloud.empty())
-    throw ToolError("--labels chooses points of a cloud, but there is no --cloud");
-  if (!settings.near.empty() && settings.cloud.empty())
-    throw ToolError("--near chooses points of a cloud, but there is no --cloud");
+  if (settings.cloud.empty() && !(settings.labels + settings.near).empty())
+    throw ToolError("--labels and --near choose points of a cloud, but there is no "
+                    "--cloud");
   evaluation.setInputMesh(load(settings.model));
   ScanSettings reading = settings.reading;
   reading.origin = originOfModel(settings.model);

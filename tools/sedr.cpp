@@ -28,7 +28,7 @@ main(int argc, char** argv)
                "folder for the results, made if missing");
   addModelOptions(options, settings, chain);
   options.flag("pictures", settings.pictures,
-               "write pictures of the rooms, the fitted plan and the mesh to "
+               "write pictures of the rooms and the fitted plan to "
                "OUTPUT_DIR/pictures");
   return runTool(options, argc, argv, [&] {
     apply(settings, chain);

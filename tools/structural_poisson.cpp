@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bytes/whole_file.h"
 #include "model/solid_files.h"
-#include "picture_file.h"
 #include "progress.h"
 #include "run_tool.h"
 #include "scan_options.h"
-#include "stage_pictures.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
 
+#include <pcl/conversions.h>
 #include <pcl/sedr_surface/mesh_io.h>
 #include <pcl/sedr_surface/structural_poisson.h>
 
@@ -23,7 +22,6 @@ namespace {
 struct Settings {
   std::string input;
   std::string output;
-  PictureFile picture;
 };
 
 using Poisson = pcl::StructuralPoisson<pcl::PointStructure>;
@@ -32,24 +30,17 @@ pcl::PointCloud<pcl::PointStructure>::Ptr
 load(const Settings& settings)
 {
   const ToolCloud cloud = loadCloud(settings.input);
-  const std::vector<float> normals[3] = {floatField(cloud.blob, "normal_x"),
-                                         floatField(cloud.blob, "normal_y"),
-                                         floatField(cloud.blob, "normal_z")};
-  for (const auto& component : normals)
-    if (component.size() != cloud.size())
+  for (const char* name : {"normal_x", "normal_y", "normal_z"})
+    if (!findField(cloud.blob, name))
       throw ToolError(settings.input +
                           " has no normals (normal_x, normal_y, normal_z): refine " +
                           "the structure first",
                       NothingFound);
   auto points = std::make_shared<pcl::PointCloud<pcl::PointStructure>>();
-  points->resize(cloud.size());
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    pcl::PointStructure& point = (*points)[i];
-    point.getVector3fMap() = (*cloud.points)[i].getVector3fMap();
-    for (int k = 0; k < 3; ++k)
-      point.normal[k] = normals[k][i];
-    point.label = cloud.label[i];
-    point.room = cloud.room[i];
+  pcl::fromPCLPointCloud2(cloud.blob, *points);
+  for (std::size_t i = 0; i < cloud.size(); ++i) { // whatever their types are
+    (*points)[i].label = cloud.label[i];
+    (*points)[i].room = cloud.room[i];
   }
   return points;
 }
@@ -73,7 +64,6 @@ int
 run(const Settings& settings, Poisson& poisson)
 {
   checkOutput(settings.output, "a mesh", {".ply"});
-  settings.picture.check();
   poisson.setInputCloud(load(settings));
   pcl::PolygonMesh mesh;
   {
@@ -88,7 +78,6 @@ run(const Settings& settings, Poisson& poisson)
     stream << pcl::sedr::meshToPly(poisson.getMesh(),
                                    originComments(originOfModel(settings.input)));
   });
-  settings.picture.write([&] { return drawMesh(poisson.getMesh()); });
   if (!poisson.getErrorMessage().empty())
     std::cerr << "pcl_structural_poisson: " << poisson.getErrorMessage() << std::endl;
   return Done;
@@ -112,6 +101,5 @@ main(int argc, char** argv)
                "mesh to write, faces with room and label");
   options.parameter("depth", poisson, &Poisson::getDepth, &Poisson::setDepth, "",
                     "largest depth of the octree", Range::between(3, 14));
-  settings.picture.declare(options);
   return runTool(options, argc, argv, [&] { return run(settings, poisson); });
 }

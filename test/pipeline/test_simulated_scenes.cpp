@@ -10,7 +10,6 @@
 
 #include <cstdint>
 #include <cstring>
-#include <map>
 #include <memory>
 #include <string>
 
@@ -27,17 +26,6 @@ cloudOf(const std::string& scene, const sim::ScanOptions& options = {})
   for (const auto& p : sim::scan(sim::sceneNamed(scene), options).points)
     cloud->emplace_back(p.x, p.y, p.z);
   return cloud;
-}
-
-/** @brief Returns the scan of a scene, simulated once for all tests. */
-pcl::PointCloud<pcl::PointXYZ>::ConstPtr
-scanOf(const std::string& scene)
-{
-  static std::map<std::string, pcl::PointCloud<pcl::PointXYZ>::ConstPtr> scans;
-  auto& scan = scans[scene];
-  if (!scan)
-    scan = cloudOf(scene);
-  return scan;
 }
 
 /** @brief Returns the closed structural mesh of a scene, in the frame of its scan. */
@@ -69,49 +57,69 @@ operator<<(std::ostream& stream, const Expected& e)
 
 class SimulatedScene : public testing::TestWithParam<Expected> {
 protected:
-  void SetUp() override { chain_.setInputCloud(scanOf(GetParam().scene)); }
+  void expectPlan() const
+  {
+    const auto plan = chain_.getFloorplan();
+    std::size_t walls = 0;
+    std::size_t columns = 0;
+    std::size_t details = 0;
+    double area = 0;
+    for (const auto& room : plan->rooms) {
+      walls += room.boundary.elements.size();
+      columns += room.columns.size();
+      details += room.details.size();
+      area += room.area();
+    }
+    EXPECT_EQ(plan->rooms.size(), GetParam().rooms);
+    EXPECT_EQ(walls, GetParam().walls);
+    EXPECT_EQ(columns, GetParam().columns);
+    EXPECT_EQ(details, GetParam().details);
+    EXPECT_NEAR(area, GetParam().area, 0.002 * GetParam().area);
+  }
+
+  /** @brief Expects unit normals into the room at all points of the structure. */
+  void expectStructure() const
+  {
+    for (const auto& p : *chain_.getStructure()) {
+      const Eigen::Vector3d normal = p.getNormalVector3fMap().cast<double>();
+      EXPECT_NEAR(normal.norm(), 1, 1e-5);
+      EXPECT_NE(p.label, 0u);
+      ASSERT_TRUE(p.room >= 1 && p.room <= GetParam().rooms) << p.room;
+      const auto& room = chain_.getFloorplan()->rooms[p.room - 1];
+      const Eigen::Vector3d inside = p.getVector3fMap().cast<double>() + 0.05 * normal;
+      EXPECT_TRUE(room.boundary.distance(inside.head<2>()) < 0.06 ||
+                  room.contains(inside.head<2>()));
+      EXPECT_GT(inside.z(), room.floor.heightAt(inside.head<2>()) - 0.01);
+    }
+  }
+
+  void expectMesh() const
+  {
+    pcl::MeshEvaluation evaluation;
+    evaluation.setInputMesh(std::make_shared<const pcl::sedr::TriangleMesh>(
+        chain_.getChain().poisson.getMesh()));
+    evaluation.setTruth(truthOf(GetParam().scene));
+    pcl::sedr::MeshEvaluationResult figures;
+    ASSERT_TRUE(evaluation.compute(figures)) << evaluation.getErrorMessage();
+    EXPECT_TRUE(figures.mesh.closed);
+    EXPECT_EQ(figures.mesh.topology.components.size(), GetParam().rooms);
+    EXPECT_GE(figures.truth_to_mesh->within_5cm, 0.97);
+    EXPECT_LE(figures.truth_to_mesh->mean, GetParam().worst_mean);
+    EXPECT_GE(figures.mesh_to_truth->within_5cm, 0.98);
+  }
 
   Reconstruction chain_;
 };
 
-TEST_P(SimulatedScene, has_the_rooms_walls_columns_and_details_that_were_scanned)
+TEST_P(SimulatedScene, has_the_plan_the_structure_and_the_closed_mesh_that_were_scanned)
 {
-  ASSERT_TRUE(chain_.findStructure()) << chain_.getErrorMessage();
-  const auto plan = chain_.getFloorplan();
-  std::size_t walls = 0;
-  std::size_t columns = 0;
-  std::size_t details = 0;
-  double area = 0;
-  for (const auto& room : plan->rooms) {
-    walls += room.boundary.elements.size();
-    columns += room.columns.size();
-    details += room.details.size();
-    area += room.area();
-  }
-  EXPECT_EQ(plan->rooms.size(), GetParam().rooms);
-  EXPECT_EQ(walls, GetParam().walls);
-  EXPECT_EQ(columns, GetParam().columns);
-  EXPECT_EQ(details, GetParam().details);
-  EXPECT_NEAR(area, GetParam().area, 0.002 * GetParam().area);
-}
-
-TEST_P(SimulatedScene, becomes_a_closed_manifold_mesh_near_the_truth)
-{
+  chain_.setInputCloud(cloudOf(GetParam().scene));
   pcl::PolygonMesh output;
   chain_.reconstruct(output);
   ASSERT_FALSE(output.polygons.empty()) << chain_.getErrorMessage();
-
-  pcl::MeshEvaluation evaluation;
-  evaluation.setInputMesh(std::make_shared<const pcl::sedr::TriangleMesh>(
-      chain_.getChain().poisson.getMesh()));
-  evaluation.setTruth(truthOf(GetParam().scene));
-  pcl::sedr::MeshEvaluationResult figures;
-  ASSERT_TRUE(evaluation.compute(figures)) << evaluation.getErrorMessage();
-  EXPECT_TRUE(figures.mesh.closed);
-  EXPECT_EQ(figures.mesh.topology.components.size(), GetParam().rooms);
-  EXPECT_GE(figures.truth_to_mesh->within_5cm, 0.97);
-  EXPECT_LE(figures.truth_to_mesh->mean, GetParam().worst_mean);
-  EXPECT_GE(figures.mesh_to_truth->within_5cm, 0.98);
+  expectPlan();
+  expectStructure();
+  expectMesh();
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -161,11 +169,12 @@ TEST(Chain, finds_all_corners_of_soffit_and_recess)
 
 TEST(Chain, gives_the_same_bytes_for_any_number_of_threads)
 {
+  const auto scan = cloudOf("syn_flat");
   std::string plans[2];
   pcl::PointCloud<pcl::PointStructure> structures[2];
   for (const unsigned threads : {1u, 2u}) {
     Reconstruction chain;
-    chain.setInputCloud(scanOf("syn_flat"));
+    chain.setInputCloud(scan);
     chain.setNumberOfThreads(threads);
     ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
     plans[threads - 1] = pcl::sedr::floorplanToJson(*chain.getFloorplan());
@@ -176,24 +185,6 @@ TEST(Chain, gives_the_same_bytes_for_any_number_of_threads)
   EXPECT_EQ(std::memcmp(structures[0].data(), structures[1].data(),
                         structures[0].size() * sizeof(pcl::PointStructure)),
             0);
-}
-
-TEST(Chain, covers_the_structure_evenly_with_unit_normals_into_the_room)
-{
-  Reconstruction chain;
-  chain.setInputCloud(scanOf("bls_room"));
-  ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
-  const auto& room = chain.getFloorplan()->rooms.at(0);
-  for (const auto& p : *chain.getStructure()) {
-    const Eigen::Vector3d normal = p.getNormalVector3fMap().cast<double>();
-    EXPECT_NEAR(normal.norm(), 1, 1e-5);
-    const Eigen::Vector3d inside = p.getVector3fMap().cast<double>() + 0.05 * normal;
-    EXPECT_TRUE(room.boundary.distance(inside.head<2>()) < 0.06 ||
-                room.contains(inside.head<2>()));
-    EXPECT_GT(inside.z(), room.floor.heightAt(inside.head<2>()) - 0.01);
-    EXPECT_EQ(p.room, 1u);
-    EXPECT_NE(p.label, 0u);
-  }
 }
 
 TEST(Chain, names_the_stage_that_found_nothing)

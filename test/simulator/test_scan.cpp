@@ -2,7 +2,7 @@
 // What rays find: distances, labels and shares known in closed form.
 #include "sample_scenes.h"
 #include "simulator/scan/ray_caster.h"
-#include "simulator/scan/scan_files.h"
+#include "simulator/scan/scan.h"
 #include "simulator/temporary_folder.h"
 
 #include <gtest/gtest.h>

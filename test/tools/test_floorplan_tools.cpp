@@ -241,4 +241,36 @@ TEST_F(StoreyDrawings, PointsAreOfTheRoomAtTheirHeight)
   EXPECT_EQ(cloud.room, (std::vector<std::uint32_t>{1, 1, 3, 3, 2, 4}));
 }
 
+TEST(FloorplanEditTool, AppliesEveryEditOrWritesNothing)
+{
+  const TemporaryFolder folder;
+  const std::string plan = (folder.path() / "plan.json").string();
+  const std::string output = (folder.path() / "edited.json").string();
+  writeFile(plan, pcl::sedr::floorplanToJson({{roomOf(rectangle(0, 0, 5, 4), 2.5)}}));
+  const ProgramRun result =
+      run(FLOORPLAN_EDIT, {plan, output, "--move-wall", "1.2=-0.5", "--split",
+                           "1,2,-1,2,5", "--name", "1=Kitchen;2=a=b, c"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  std::string problem;
+  const auto edited = pcl::sedr::floorplanFromJson(bytesOf(output), problem);
+  ASSERT_EQ(edited.rooms.size(), 2U) << problem;
+  EXPECT_NEAR(edited.rooms[0].area() + edited.rooms[1].area(), 4.5 * 4, 1e-9);
+  EXPECT_EQ(edited.rooms[0].name + "|" + edited.rooms[1].name, "Kitchen|a=b, c");
+  std::filesystem::remove(output);
+  for (const Strings& edit : {Strings{"--move-wall", "1.2"},
+                              {"--move-wall", "1.2=0.1m"},
+                              {"--split", "1.7"},
+                              {"--drop", "one"},
+                              {"--merge", "1"},
+                              {"--name", "Kitchen"},
+                              {"--square", "1,"},
+                              {"--merge", "1,9"}}) {
+    const ProgramRun refused = run(FLOORPLAN_EDIT, {plan, output, edit[0], edit[1]});
+    EXPECT_EQ(refused.exit_code, 1) << edit[1];
+    EXPECT_TRUE(refused.failsInOneSentence()) << refused.err;
+    EXPECT_NE(refused.err.find(edit[0]), std::string::npos) << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(output));
+  }
+}
+
 } // namespace

@@ -2,7 +2,7 @@
 #include "bytes/whole_file.h"
 #include "progress.h"
 #include "run_tool.h"
-#include "simulator/scan/scan_files.h"
+#include "simulator/scan/scan.h"
 #include "simulator/scene/scenes.h"
 #include "simulator/truth/truth.h"
 #include "tool_error.h"
@@ -64,6 +64,37 @@ printScenes()
   }
 }
 
+/** @brief Writes binary x y z (float32), label room (uint32). */
+void
+writePcd(const std::string& path, const std::vector<sim::ScanPoint>& points)
+{
+  static_assert(sizeof(sim::ScanPoint) == 20,
+                "a point is written as it lies in memory");
+  writeWhole(path, [&](std::ostream& file) {
+    file << "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n"
+         << "FIELDS x y z label room\nSIZE 4 4 4 4 4\nTYPE F F F U U\nCOUNT 1 1 "
+            "1 1 1\n"
+         << "WIDTH " << points.size() << "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\n"
+         << "POINTS " << points.size() << "\nDATA binary\n";
+    file.write(reinterpret_cast<const char*>(points.data()),
+               static_cast<std::streamsize>(points.size() * sizeof(sim::ScanPoint)));
+  });
+}
+
+/** @brief Writes a line for each position: x y z in metres and its number of points,
+ * which are in the same order in the scan. */
+void
+writePositions(const std::string& path, const std::vector<sim::ScanPosition>& positions)
+{
+  writeWhole(path, [&](std::ostream& file) {
+    file.precision(10);
+    file << "# x y z points\n";
+    for (const sim::ScanPosition& position : positions)
+      file << position.place.x() << ' ' << position.place.y() << ' '
+           << position.place.z() << ' ' << position.points << '\n';
+  });
+}
+
 void
 simulate(const Settings& settings)
 {
@@ -79,8 +110,8 @@ simulate(const Settings& settings)
     scan = sim::scan(scene, mesh, settings.scan);
   }
   const std::size_t triangles = sim::writeTruth(folder, scene, mesh);
-  sim::writePcd(folder / "scan.pcd", scan.points);
-  sim::writePositions(folder / "positions.txt", scan.positions);
+  writePcd((folder / "scan.pcd").string(), scan.points);
+  writePositions((folder / "positions.txt").string(), scan.positions);
   std::cout << scene.name << ": " << scan.points.size() << " points of " << scan.rays
             << " rays, truth of " << triangles << " triangles\n";
 }

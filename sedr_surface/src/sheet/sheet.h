@@ -42,12 +42,6 @@ struct SheetBoxes {
   std::vector<Eigen::AlignedBox2d> boxes;
 };
 
-/** @brief A filled triangle without seams to its neighbours. */
-struct SheetTriangle {
-  SheetColour fill = ink;
-  std::array<Eigen::Vector2d, 3> corners;
-};
-
 enum class TextAnchor { Start, Middle, End };
 
 /** @brief A line of text. */
@@ -76,8 +70,7 @@ struct SheetClip {
  * to the right from the left edge, y upwards. The unit is a millimetre of paper
  * for SVG and PDF; for PNG it is a pixel. */
 struct Sheet {
-  using Item = std::
-      variant<SheetPath, SheetBoxes, SheetTriangle, SheetText, SheetGroup, SheetClip>;
+  using Item = std::variant<SheetPath, SheetBoxes, SheetText, SheetGroup, SheetClip>;
 
   Eigen::Vector2d size = Eigen::Vector2d::Zero();
   double bottom = 0; ///< y of the lower edge

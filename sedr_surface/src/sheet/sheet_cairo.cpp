@@ -104,16 +104,6 @@ public:
     cairo_set_antialias(cairo_.get(), CAIRO_ANTIALIAS_DEFAULT);
   }
 
-  void operator()(const SheetTriangle& triangle)
-  {
-    setColour(triangle.fill);
-    cairo_set_antialias(cairo_.get(), CAIRO_ANTIALIAS_NONE);
-    for (const Eigen::Vector2d& corner : triangle.corners)
-      lineTo(corner);
-    cairo_fill(cairo_.get());
-    cairo_set_antialias(cairo_.get(), CAIRO_ANTIALIAS_DEFAULT);
-  }
-
   void operator()(const SheetText& text)
   {
     cairo_save(cairo_.get());

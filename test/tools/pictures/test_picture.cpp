@@ -57,17 +57,6 @@ TEST(Panel, DrawsSegmentsAndArcsOfALoopEachInItsColour)
   EXPECT_EQ(colourAt(panel, {0, 0.5}), colours::paper);
 }
 
-TEST(Panel, ViewsEveryShapeWithAMargin)
-{
-  Panel panel("");
-  EXPECT_TRUE((panel.view().sizes().array() > 0).all()) << "of nothing too";
-  panel.addPoints({Vector2d(-3, 5)}, red);
-  EXPECT_TRUE((panel.view().sizes().array() > 0).all()) << "of one point too";
-  panel.addPath({Vector2d(4, 1), Vector2d(2, 2)}, red, 1.5);
-  EXPECT_TRUE(panel.view().contains(Box(Vector2d(-3.01, 0.99), Vector2d(4.01, 5.01))));
-  EXPECT_LT(panel.view().sizes().x(), 8);
-}
-
 TEST(ViewOf, StrayCellsFarAwayDoNotMakeTheRestSmall)
 {
   const auto room = block(0, 99, 0, 79);
@@ -92,7 +81,6 @@ TEST(Picture, IsTheSameEveryTimeAndShowsItsPanels)
   picture.addMaps({map, map, map});
   picture.addMaps({other, map});
   picture.addLegend("ceiling", colours::ceiling);
-  picture.addNote("a note");
   EXPECT_EQ(picture.png(), picture.png());
   const Image image = imageOf(picture.png());
   EXPECT_LE(image.width, 1200);

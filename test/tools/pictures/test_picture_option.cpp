@@ -94,32 +94,4 @@ INSTANTIATE_TEST_SUITE_P(
                       Stage{STRUCTURE_REFINEMENT, "output.pcd", true},
                       Stage{VERTICAL_HOLE_REPAIR, "output.pcd", true}));
 
-/** The pictures of meshes, which need no display. */
-TEST(MeshPictureOption, IsDrawnOfTheMeshAndOfTheSolid)
-{
-  const TemporaryFolder folder;
-  const auto in = [&](const std::string& name) {
-    return (folder.path() / name).string();
-  };
-  ASSERT_EQ(unsetenv("DISPLAY"), 0);
-  writeFile(in("input.pcd"), scanOf().pcd(true));
-  writeFile(in("plan.json"), pcl::sedr::floorplanToJson({{planOf(BoxRoom())}}));
-  const std::vector<std::pair<std::string, std::vector<std::string>>> steps{
-      {STRUCTURE_REFINEMENT, {in("input.pcd"), in("plan.json"), in("refined.pcd")}},
-      {VERTICAL_HOLE_REPAIR, {in("refined.pcd"), in("plan.json"), in("repaired.pcd")}},
-      {STRUCTURAL_POISSON,
-       {in("repaired.pcd"), in("mesh.ply"), "--depth", "6", "--picture", in("m.png")}},
-      {FLOORPLAN_EXTRUSION,
-       {in("plan.json"), in("solid.ply"), "--picture", in("s.png")}}};
-  for (const auto& [program, arguments] : steps)
-    ASSERT_EQ(run(program, arguments).exit_code, 0) << program;
-  for (const char* picture : {"m.png", "s.png"})
-    EXPECT_GT(imageOf(bytesOf(in(picture))).width, 400) << picture;
-  const ProgramRun refused =
-      run(STRUCTURAL_POISSON, {in("repaired.pcd"), in("other.ply"), "--picture",
-                               in("missing/picture.png")});
-  EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_FALSE(std::filesystem::exists(in("other.ply"))) << "before the work";
-}
-
 } // namespace

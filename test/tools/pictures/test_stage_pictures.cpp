@@ -157,25 +157,4 @@ TEST(PlanPicture, TellsBoundaryPointsOnAWallFromOthers)
   EXPECT_EQ(colourAt(picture, 1, {3, 1}), colours::paper);
 }
 
-TEST(MeshPicture, ShowsTheSidesThatFaceTheViewer)
-{
-  // An upward floor and a downward ceiling.
-  TriangleMesh mesh;
-  for (const double z : {0.0, 2.5})
-    for (const auto& p :
-         {Vector2d(0, 0), Vector2d(4, 0), Vector2d(4, 4), Vector2d(0, 4)})
-      mesh.vertices.emplace_back(p.x(), p.y(), z);
-  mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 6, 5}, {4, 7, 6}};
-  const auto floor = static_cast<std::uint32_t>(StructureLabel::Floor);
-  const auto ceiling = static_cast<std::uint32_t>(StructureLabel::Ceiling);
-  mesh.labels = {floor, floor, ceiling, ceiling};
-  const Picture picture = drawMesh(mesh);
-  for (std::size_t panel = 0; panel < 2; ++panel) {
-    const Box view = panelOf(picture, panel).view();
-    const Colour middle = colourAt(picture, panel, view.center());
-    EXPECT_EQ(middle.blue > middle.red, panel == 0)
-        << "the floor is seen from above, the ceiling from below";
-  }
-}
-
 } // namespace

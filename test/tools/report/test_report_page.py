@@ -230,13 +230,20 @@ class ReportPage(ReportCase):
 
 @unittest.skipUnless(chromium.program(), "there is no Chromium")
 class ReportInABrowser(ReportCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = chromium.Browser()  # for all tests, as it takes a second to start
+        cls.addClassCleanup(cls.browser.close)
+
     def setUp(self):
         super().setUp()
         self.make("--scan", self.scan)
 
     def open(self, width=1000, height=1200, model=True):
-        browser = self.browser = chromium.Browser(width, height)
-        self.addCleanup(browser.close)
+        browser = self.browser
+        browser.resize(width, height)
+        browser.messages.clear()
+        browser.requests.clear()
         browser.open(self.file("report.html"))
         if model:
             self.wait(browser)
@@ -493,6 +500,7 @@ class ReportInABrowser(ReportCase):
     def test_fits_a_sheet_of_paper(self):
         browser = self.open(700, 1000)
         browser.ask("Emulation.setEmulatedMedia", media="print")
+        self.addCleanup(browser.ask, "Emulation.setEmulatedMedia", media="")
         widest = browser.run("Math.max(...[...document.querySelectorAll('body *')].filter(e => !e.closest('svg'))"
                              ".map(e => e.getBoundingClientRect().right))")
         self.assertLessEqual(widest, 700)

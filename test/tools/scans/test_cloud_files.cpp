@@ -65,11 +65,11 @@ TEST_F(CloudFiles, RowsAreSelectedAppendedAndGivenFields)
 {
   auto blob = manyFields();
   auto selected = selectRows(blob, {2, 0});
-  appendRows(selected, blob, {1, 1});
+  selected += selectRows(blob, {1, 1});
   setCoordinates(selected, 3, {{7, 8, 9}});
   EXPECT_EQ(floatField(selected, "ring"), (std::vector<float>{52, 50, 51, 51}));
   EXPECT_EQ(floatField(selected, "y"), (std::vector<float>{22.25F, 20.25F, 21.25F, 8}));
-  appendRows(selected, selected, {0});
+  selected += selectRows(selected, {0});
   EXPECT_EQ(floatField(selected, "ring"), (std::vector<float>{52, 50, 51, 51, 52}));
 
   setField(blob, "label", std::vector<std::uint32_t>{1, 2, 100000}); // was 16 bits

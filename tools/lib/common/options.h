@@ -91,7 +91,7 @@ public:
               Range range = Range())
   {
     addNumber<NumberT>(name, unit, help, range, textOf(static_cast<double>(value)),
-                       [&value](NumberT v) { value = v; });
+                       [&value](double v) { value = static_cast<NumberT>(v); });
   }
 
   /** @brief Declares a number that a stage holds: `get` returns the default, `set`
@@ -109,10 +109,8 @@ public:
     using NumberT = std::decay_t<decltype((stage.*get)())>;
     addNumber<NumberT>(name, unit, help, range,
                        textOf(static_cast<double>((stage.*get)()) / scale),
-                       [&stage, set, scale](NumberT v) {
-                         if constexpr (std::is_floating_point<NumberT>::value)
-                           v = static_cast<NumberT>(v * scale);
-                         (stage.*set)(v);
+                       [&stage, set, scale](double v) {
+                         (stage.*set)(static_cast<NumberT>(v * scale));
                        });
   }
 
@@ -127,7 +125,7 @@ public:
                       Range range = Range())
   {
     addNumber<NumberT>(name, unit, help, range, otherwise,
-                       [&value](NumberT v) { value = v; });
+                       [&value](double v) { value = static_cast<NumberT>(v); });
   }
 
   /** @brief Declares a text, `--name text`; one of `choices` unless that is empty. */
@@ -165,17 +163,17 @@ private:
                  const std::string& help,
                  Range range,
                  const std::string& default_text,
-                 const std::function<void(NumberT)>& store)
+                 const std::function<void(double)>& store)
   {
-    constexpr bool is_whole = std::is_integral<NumberT>::value;
-    if (is_whole) { // up to 2^53, doubles represent all integers
+    if (std::is_integral<NumberT>::value) { // up to 2^53, doubles represent all
+                                            // integers
       constexpr double most = 9007199254740992.0;
       using Limits = std::numeric_limits<NumberT>;
-      range.low = std::max(range.low, std::max(-most, double(Limits::lowest())));
-      range.high = std::min(range.high, std::min(most, double(Limits::max())));
+      range.low = std::max({range.low, -most, double(Limits::lowest())});
+      range.high = std::min({range.high, most, double(Limits::max())});
     }
-    addNumber(name, unit, help, range, is_whole, default_text,
-              [store](double v) { store(static_cast<NumberT>(v)); });
+    addNumber(name, unit, help, range, std::is_integral<NumberT>::value, default_text,
+              store);
   }
 
   void addNumber(const std::string& name,

@@ -35,7 +35,6 @@ namespace {
 
 constexpr const char* rooms_picture = "pictures/room_segmentation.png";
 constexpr const char* plan_picture = "pictures/floorplan_fitting.png";
-constexpr const char* mesh_picture = "pictures/structural_poisson.png";
 
 /** @brief Returns the names of the files that a run writes, without those of several
  * storeys. */
@@ -51,7 +50,7 @@ outputNames(const ModelSettings& settings)
   if (settings.report)
     names.push_back("report.html");
   if (settings.pictures)
-    names.insert(names.end(), {rooms_picture, plan_picture, mesh_picture});
+    names.insert(names.end(), {rooms_picture, plan_picture});
   return names;
 }
 
@@ -213,7 +212,6 @@ writePictures(const OutputFolder& folder, const Reconstruction& chain)
   savePicture(folder.file(rooms_picture), drawRooms(c.getBuilding()));
   savePicture(folder.file(plan_picture),
               drawPlan(*c.plan, c.floorplan_fitting.getBoundaries()));
-  savePicture(folder.file(mesh_picture), drawMesh(c.poisson.getMesh()));
 }
 
 /** @brief Writes report.html from the model's files, which must exist.
@@ -246,9 +244,8 @@ makeModel(const ModelSettings& settings,
           Reconstruction& chain,
           const std::function<std::size_t()>& open)
 {
-  if (settings.no_mesh && (settings.pictures || settings.report))
-    throw ToolError(
-        "--pictures and --report show the mesh, which --no-mesh leaves out");
+  if (settings.no_mesh && settings.report)
+    throw ToolError("--report shows the mesh, which --no-mesh leaves out");
   OutputFolder folder(settings.folder, settings.inputs);
   folder.check(outputNames(settings));
   RunRecord record;

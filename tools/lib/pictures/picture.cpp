@@ -57,12 +57,6 @@ struct Frame {
     boxes.boxes = std::move(drawn);
   }
 
-  void place(SheetTriangle& triangle) const
-  {
-    for (Eigen::Vector2d& corner : triangle.corners)
-      corner = (*this)(corner);
-  }
-
   /** @brief Moves texts near the edge inside. */
   void place(SheetText& text) const
   {
@@ -199,21 +193,6 @@ Panel::addPoints(const Places& points, Colour colour, double size)
 }
 
 void
-Panel::addPath(const Places& points, Colour colour, double pixels)
-{
-  SheetPath path;
-  path.look.stroke = colour.number();
-  path.look.width = pixels;
-  path.chains.emplace_back();
-  for (std::size_t k = 1; k < points.size(); ++k) {
-    path.chains.back().elements.emplace_back();
-    path.chains.back().elements.back().start = points[k - 1];
-    path.chains.back().elements.back().end = points[k];
-  }
-  add(std::move(path), points);
-}
-
-void
 Panel::addLoop(const PlanLoop& loop, Colour segments, Colour arcs, double pixels)
 {
   SheetPath straight{{no_colour, segments.number(), pixels}, {}};
@@ -222,13 +201,6 @@ Panel::addLoop(const PlanLoop& loop, Colour segments, Colour arcs, double pixels
     (e.isArc() ? bent : straight).chains.push_back({{e}});
   add(std::move(straight), loop.polygon(0.01));
   add(std::move(bent), {});
-}
-
-void
-Panel::addTriangles(const std::vector<SheetTriangle>& triangles)
-{
-  for (const SheetTriangle& triangle : triangles)
-    add(triangle, {triangle.corners.begin(), triangle.corners.end()});
 }
 
 void
@@ -307,9 +279,7 @@ Picture::draw() const
   sheet.title = title_;
   constexpr double title_font = 19;
   addText(sheet, title_, {margin, -title_height / 2 - 2}, title_font);
-  double widest = std::max(narrowest, title_font * textWidth(title_, true));
-  for (const std::string& note : notes_)
-    widest = std::max(widest, font * textWidth(note));
+  const double widest = std::max(narrowest, title_font * textWidth(title_, true));
   sheet.size.x() = std::min(width, std::ceil(widest + 2 * margin));
   double y = -title_height;
   for (const std::vector<Panel>& row : rows_)
@@ -328,10 +298,6 @@ Picture::draw() const
     x += across;
   }
   y -= legend_.empty() ? 0 : line_height;
-  for (const std::string& note : notes_) {
-    addText(sheet, note, {margin, y});
-    y -= line_height;
-  }
   sheet.size.y() = std::ceil(margin / 2 - y - line_height / 2);
   sheet.bottom = -sheet.size.y();
   return sheet;

@@ -29,14 +29,8 @@ public:
   /** @brief Adds points as squares of `size` metres. */
   void addPoints(const Places& points, Colour colour, double size = 0.04);
 
-  /** @brief Adds a polyline. */
-  void addPath(const Places& points, Colour colour, double pixels);
-
   /** @brief Adds the elements of a loop: segments in one colour, arcs in another. */
   void addLoop(const PlanLoop& loop, Colour segments, Colour arcs, double pixels);
-
-  /** @brief Adds triangles, the farthest first. */
-  void addTriangles(const std::vector<SheetTriangle>& triangles);
 
   /** @brief Adds a text at a place, unless it overlaps an earlier one of the panel. */
   void addLabel(const Eigen::Vector2d& place, const std::string& text);
@@ -85,9 +79,6 @@ public:
     legend_.emplace_back(meaning, colour);
   }
 
-  /** @brief Adds a line of text below the maps. */
-  void addNote(const std::string& note) { notes_.push_back(note); }
-
   const std::vector<std::vector<Panel>>& rows() const { return rows_; }
 
   /** @brief Returns the picture as a sheet whose unit is a pixel. */
@@ -99,7 +90,6 @@ private:
   std::string title_;
   std::vector<std::vector<Panel>> rows_;
   std::vector<std::pair<std::string, Colour>> legend_;
-  std::vector<std::string> notes_;
 };
 
 /** @brief Formats a count: "1 room", "3 rooms". */

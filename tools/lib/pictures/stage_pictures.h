@@ -6,7 +6,6 @@
 #include <pcl/sedr_filters/structure_label.h>
 #include <pcl/sedr_segmentation/building.h>
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
-#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <map>
 #include <string>
@@ -38,10 +37,5 @@ Picture drawRooms(const Building& building);
 /** @brief Draws the result of FloorplanFitting (paper, Figure 7a): boundary points,
  * fitted lines and arcs, corners and rooms. */
 Picture drawPlan(const Floorplan& plan, const std::vector<FittedBoundary>& boundaries);
-
-/** @brief Draws a mesh of rooms, whose triangles face into them, from above and from
- * below. Back faces, such as ceilings and nearer walls, are omitted. Labels of
- * triangles give the colours. */
-Picture drawMesh(const TriangleMesh& mesh);
 
 } // namespace pcl::sedr::tools

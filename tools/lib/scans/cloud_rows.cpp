@@ -95,20 +95,6 @@ selectRows(const pcl::PCLPointCloud2& blob, const pcl::Indices& indices)
 }
 
 void
-appendRows(pcl::PCLPointCloud2& to,
-           const pcl::PCLPointCloud2& from,
-           const pcl::Indices& indices)
-{
-  const std::size_t step = to.point_step;
-  const std::size_t old_rows = rowsOf(to);
-  to.data.resize((old_rows + indices.size()) * step);
-  for (std::size_t i = 0; i < indices.size(); ++i)
-    std::memcpy(to.data.data() + (old_rows + i) * step,
-                from.data.data() + static_cast<std::size_t>(indices[i]) * step, step);
-  setRows(to, old_rows + indices.size());
-}
-
-void
 appendZeroRows(pcl::PCLPointCloud2& blob, std::size_t count)
 {
   const std::size_t rows = rowsOf(blob) + count;

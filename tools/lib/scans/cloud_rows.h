@@ -29,12 +29,6 @@ const pcl::PCLPointField* findField(const pcl::PCLPointCloud2& blob,
 pcl::PCLPointCloud2 selectRows(const pcl::PCLPointCloud2& blob,
                                const pcl::Indices& indices);
 
-/** @brief Appends copies of the rows `indices` of `from`, which has the same fields, to
- * `to`; `from` may be `to`. */
-void appendRows(pcl::PCLPointCloud2& to,
-                const pcl::PCLPointCloud2& from,
-                const pcl::Indices& indices);
-
 /** @brief Appends `count` rows of zeros. */
 void appendZeroRows(pcl::PCLPointCloud2& blob, std::size_t count);
 

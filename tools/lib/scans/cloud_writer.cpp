@@ -11,7 +11,6 @@
 #include <array>
 #include <cstring>
 #include <limits>
-#include <locale>
 #include <sstream>
 
 namespace pcl::sedr::tools {
@@ -58,24 +57,6 @@ struct Frame {
   }
 };
 
-/** @brief Returns whether PCL's writers, which print six digits, keep an origin in
- * VIEWPOINT. */
-bool
-isKeptByPcl(const Origin& origin)
-{
-  const auto isKept = [](double length) {
-    std::ostringstream text; // six digits
-    text.imbue(std::locale::classic());
-    text << length;
-    const std::string digits = text.str();
-    double kept = 0;
-    readNumber(digits.data(), digits.data() + digits.size(), kept);
-    return kept == length;
-  };
-  return isKept(origin.place.x()) && isKept(origin.place.y()) &&
-         isKept(origin.place.z());
-}
-
 /** @brief Returns the header of a PCD. Comments have origin and viewpoint of the scan.
  * VIEWPOINT is the viewpoint if there is no origin, and else the origin if PCL keeps
  * it. */
@@ -99,9 +80,9 @@ pcdHeader(const Fields& fields, std::size_t rows, const Frame& frame)
   header << "VERSION 0.7\nFIELDS" << names.str() << "\nSIZE" << sizes.str() << "\nTYPE"
          << types.str() << "\nCOUNT" << counts.str() << "\nWIDTH " << rows
          << "\nHEIGHT 1\nVIEWPOINT "
-         << (!has_origin                 ? frame.viewpointText()
-             : isKeptByPcl(frame.origin) ? frame.origin.text() + " 1 0 0 0"
-                                         : "0 0 0 1 0 0 0")
+         << (!has_origin                       ? frame.viewpointText()
+             : isKeptByPcl(frame.origin.place) ? frame.origin.text() + " 1 0 0 0"
+                                               : "0 0 0 1 0 0 0")
          << "\nPOINTS " << rows << "\nDATA binary\n";
   return header.str();
 }

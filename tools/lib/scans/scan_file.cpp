@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_file.h"
 
-#include "formats/scan_formats.h"
 #include "plain_text.h"
-#include "row_plan.h"
 #include "run_tool.h"
 #include "tool_error.h"
 
@@ -40,17 +38,17 @@ ScanFile::ScanFile(const std::string& path, const ScanSettings& settings)
     , positions_(settings.positions)
     , unit_(settings.unit)
     , piece_bytes_(settings.piece_bytes)
-    , content_(std::make_shared<ScanContent>(openScan(path, settings)))
+    , content_(openScan(path, settings))
 {
   checkCoordinates();
   settleOrigin(settings);
-  plan_ = std::make_shared<RowPlan>(content_->points->row(), unit_, shift_);
+  plan_.emplace(content_.points->row(), unit_, shift_);
 }
 
 void
 ScanFile::checkCoordinates() const
 {
-  const auto& fields = content_->points->row().fields;
+  const auto& fields = content_.points->row().fields;
   std::string names;
   for (const auto& field : fields)
     names += " " + quotedWord(field.name);
@@ -68,39 +66,9 @@ Eigen::Vector4f
 ScanFile::viewpoint() const
 {
   Eigen::Vector4f viewpoint = Eigen::Vector4f::Zero();
-  if (content_->viewpoint)
-    viewpoint.head<3>() = inMetres(*content_->viewpoint);
+  if (content_.viewpoint)
+    viewpoint.head<3>() = inMetres(*content_.viewpoint);
   return viewpoint;
-}
-
-bool
-ScanFile::knowsViewpoint() const
-{
-  return content_->viewpoint.has_value();
-}
-
-const Eigen::Quaternionf&
-ScanFile::orientation() const
-{
-  return content_->orientation;
-}
-
-const std::vector<pcl::PCLPointField>&
-ScanFile::fields() const
-{
-  return plan_->fields();
-}
-
-std::size_t
-ScanFile::rowSize() const
-{
-  return plan_->rowSize();
-}
-
-std::size_t
-ScanFile::size() const
-{
-  return content_->points->size();
 }
 
 void
@@ -110,15 +78,15 @@ ScanFile::forEachPiece(std::size_t begin,
 {
   constexpr std::size_t rows_at_once = std::size_t{1} << 14;
   if (begin == 0)
-    warnOfMesh(path_, *content_);
-  const std::size_t stored_size = content_->points->row().size;
+    warnOfMesh(path_, content_);
+  const std::size_t stored_size = content_.points->row().size;
   const std::size_t rows_a_piece =
       std::max<std::size_t>(1, piece_bytes_ / std::max(stored_size, rowSize()));
   std::vector<std::uint8_t> rows;
   Chunk chunk;
   chunk.first = begin;
   for (bool goes_on = true; goes_on && begin < end; begin += chunk.size) {
-    content_->points->next(chunk, std::min(rows_a_piece, end - begin));
+    content_.points->next(chunk, std::min(rows_a_piece, end - begin));
     Piece piece{chunk.rows.data(), chunk.first, chunk.size};
     if (!plan_->isPlain()) {
       rows.resize(chunk.size * rowSize());

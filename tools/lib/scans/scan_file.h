@@ -1,24 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "formats/scan_formats.h"
+#include "row_plan.h"
 #include "scan_settings.h"
 
 #include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_filters/scan_frame.h>
 
 #include <array>
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace pcl::sedr::tools {
 
-struct ScanContent;
-class RowPlan;
-
 /** @brief Returns whether the points of a file are vertices of faces. Throws ToolError
  * if it is no scan. */
 bool isMesh(const std::string& path);
+
+/** @brief Returns whether PCL's writers, which print six digits, keep a place of whole
+ * metres in VIEWPOINT. */
+bool isKeptByPcl(const Eigen::Vector3d& place);
 
 /** @brief x, y and z, metres, of some finite points of a scan. */
 using ScanPlaces = std::array<std::vector<double>, 3>;
@@ -51,9 +54,12 @@ public:
 
   const std::string& path() const { return path_; }
 
-  const std::vector<pcl::PCLPointField>& fields() const override;
-  std::size_t rowSize() const override;
-  std::size_t size() const override;
+  const std::vector<pcl::PCLPointField>& fields() const override
+  {
+    return plan_->fields();
+  }
+  std::size_t rowSize() const override { return plan_->rowSize(); }
+  std::size_t size() const override { return content_.points->size(); }
   void forEachPiece(const std::function<bool(const Piece&)>& see) const override
   {
     forEachPiece(0, size(), see);
@@ -69,8 +75,8 @@ public:
 
   /** @brief Returns the viewpoint of the scan, metres; 0, 0, 0 if it is unknown. */
   Eigen::Vector4f viewpoint() const;
-  bool knowsViewpoint() const;
-  const Eigen::Quaternionf& orientation() const;
+  bool knowsViewpoint() const { return content_.viewpoint.has_value(); }
+  const Eigen::Quaternionf& orientation() const { return content_.orientation; }
 
   /** @brief Returns the scanner position of each row, metres, in the rows' frame: from
    * the settings' file, else from the scan, possibly none. Throws ToolError if the file
@@ -106,10 +112,10 @@ private:
   std::string positions_; ///< file of positions, may be empty
   double unit_;
   std::size_t piece_bytes_;
-  std::shared_ptr<ScanContent> content_;
+  ScanContent content_;
   Eigen::Vector3d shift_ = Eigen::Vector3d::Zero(); ///< subtracted at reading, metres
-  Origin origin_;                       ///< shift_ plus what was subtracted before
-  std::shared_ptr<const RowPlan> plan_; ///< conversion to output rows
+  Origin origin_;               ///< shift_ plus what was subtracted before
+  std::optional<RowPlan> plan_; ///< conversion to output rows
 };
 
 } // namespace pcl::sedr::tools

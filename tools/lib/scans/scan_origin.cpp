@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "formats/scan_formats.h"
 #include "run_tool.h"
 #include "scan_file.h"
 #include "tool_error.h"
@@ -20,6 +19,17 @@ constexpr double far_away = 1000;              // metres, where floats are 0.1 m
 constexpr double farthest_grid = 1e8;          // metres, beyond all map grids
 constexpr std::size_t sample_size = 20000;
 
+/** @brief Returns a length with six significant digits at most, which PCL's writers
+ * keep of VIEWPOINT, but no finer than whole metres. */
+double
+inSixDigits(double length)
+{
+  double step = 1;
+  while (std::abs(length) >= 1e6 * step)
+    step *= 10;
+  return std::round(length / step) * step;
+}
+
 /** @brief Returns the median of the largest coordinate of each point, relative to
  * `shift`. */
 double
@@ -31,17 +41,6 @@ farthestFrom(const Eigen::Vector3d& shift, const ScanPlaces& places)
                               std::abs(places[1][i] - shift.y()),
                               std::abs(places[2][i] - shift.z())}));
   return middleValue(sizes);
-}
-
-/** @brief Returns a length with six significant digits at most, which PCL's writers
- * keep of VIEWPOINT, but no finer than whole metres. */
-double
-inSixDigits(double length)
-{
-  double step = 1;
-  while (std::abs(length) >= 1e6 * step)
-    step *= 10;
-  return std::round(length / step) * step;
 }
 
 /** @brief Returns the median of the points, rounded, on axes where it is far away. */
@@ -75,16 +74,22 @@ refuseTooLarge(const std::string& path, double farthest, const ScanPlaces& place
 
 } // namespace
 
+bool
+isKeptByPcl(const Eigen::Vector3d& place)
+{
+  return place == place.unaryExpr(&inSixDigits);
+}
+
 void
 ScanFile::addPlaces(std::size_t first, std::size_t size, ScanPlaces& places) const
 {
-  const StoredRow& row = content_->points->row();
+  const StoredRow& row = content_.points->row();
   const std::array<const StoredField*, 3> xyz{row.find("x"), row.find("y"),
                                               row.find("z")};
   Chunk chunk;
   chunk.first = first;
   for (std::size_t done = 0; done < size; done += chunk.size) {
-    content_->points->next(chunk, size - done);
+    content_.points->next(chunk, size - done);
     for (std::size_t i = 0; i < chunk.size; ++i) {
       Eigen::Vector3d p;
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -122,17 +127,16 @@ ScanFile::samplePlaces() const
 bool
 ScanFile::takeOriginFromViewpoint(const ScanPlaces& places)
 {
-  if (!content_->may_be_local || !content_->viewpoint)
+  if (!content_.may_be_local || !content_.viewpoint)
     return false;
-  const Eigen::Vector3d place = *content_->viewpoint;
+  const Eigen::Vector3d place = *content_.viewpoint;
   const double size = place.lpNorm<Eigen::Infinity>();
   const bool is_origin = size < farthest_grid &&
-                         size * std::min(1.0, unit_) > far_away &&
-                         place == place.unaryExpr(&inSixDigits) &&
+                         size * std::min(1.0, unit_) > far_away && isKeptByPcl(place) &&
                          farthestFrom(Eigen::Vector3d::Zero(), places) < far_away;
   if (is_origin) {
-    content_->counted_from.place = place;
-    content_->viewpoint.reset();
+    content_.counted_from.place = place;
+    content_.viewpoint.reset();
   }
   return is_origin;
 }
@@ -142,7 +146,7 @@ ScanFile::settleOrigin(const ScanSettings& settings)
 {
   const ScanPlaces places = samplePlaces();
   const auto isFloat = [&](const char* name) {
-    return content_->points->row().find(name)->datatype == pcl::PCLPointField::FLOAT32;
+    return content_.points->row().find(name)->datatype == pcl::PCLPointField::FLOAT32;
   };
   const bool are_floats = isFloat("x") && isFloat("y") && isFloat("z");
   const bool takes_viewpoint = takeOriginFromViewpoint(places);
@@ -150,7 +154,7 @@ ScanFile::settleOrigin(const ScanSettings& settings)
   const bool finds_shift = settings.shifts && !settings.origin && !are_floats;
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
   if (settings.origin)
-    shift = settings.origin->place - content_->counted_from.place;
+    shift = settings.origin->place - content_.counted_from.place;
   else if (finds_shift)
     shift = roundPlaceNear(places);
   // An origin cannot restore the precision that floats have lost.
@@ -159,7 +163,7 @@ ScanFile::settleOrigin(const ScanSettings& settings)
   if (farthest * float_step > coarsest)
     refuseTooLarge(path_, farthest, places);
   shift_ = shift;
-  origin_ = {content_->counted_from.place + shift};
+  origin_ = {content_.counted_from.place + shift};
   if ((finds_shift && !shift.isZero(0)) || (takes_viewpoint && !settings.origin))
     tellOnce("'" + path_ + "' lies far from 0: its coordinates are counted from (" +
              origin_.text(", ") + ") m, which every result tells as its origin");

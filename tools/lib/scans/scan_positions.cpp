@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "formats/scan_formats.h"
 #include "scan_file.h"
 #include "tool_error.h"
 
@@ -69,10 +68,10 @@ ScanFile::positions() const
   if (!positions_.empty())
     return positionsIn(positions_, size());
   ScanPositions positions;
-  for (const ScanStation& station : content_->points->stations())
+  for (const ScanStation& station : content_.points->stations())
     positions.push_back({station.first_row, inMetres(station.position)});
-  if (positions.empty() && content_->viewpoint)
-    positions.push_back({0, inMetres(*content_->viewpoint)});
+  if (positions.empty() && content_.viewpoint)
+    positions.push_back({0, inMetres(*content_.viewpoint)});
   return positions;
 }
 

@@ -45,16 +45,6 @@ circleLoop(const Vec2& centre, double radius)
            elementBetween(centre + reach, centre - reach, 1.0)}};
 }
 
-Box2
-boundsOf(const Loop& loop)
-{
-  Box2 bounds;
-  for (const Element& element : loop.elements)
-    for (const double s : chordEnds(element))
-      bounds.extend(element.pointAt(s));
-  return bounds;
-}
-
 Vec2
 pointBeside(const Element& element, double s, double distance)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/floorplan.h>
+#include "sedr_filters/src/plan/plan_bounds.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -83,9 +83,6 @@ Loop rectangleLoop(const Vec2& min, const Vec2& max);
 
 /** @brief Returns a circle of two half circles. */
 Loop circleLoop(const Vec2& centre, double radius);
-
-/** @brief Returns the bounds of the loop, within kCurveTolerance. */
-Box2 boundsOf(const Loop& loop);
 
 /** @brief Returns the point @p s along an element, @p distance to its right; beyond its
  * ends on the line or circle of the element. */

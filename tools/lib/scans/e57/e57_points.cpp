@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "e57_points.h"
+#include "e57_reader.h"
 
 #include "tool_error.h"
 
@@ -30,10 +30,9 @@ colourByte(double value, const std::pair<double, double>& limits)
                         : std::uint8_t{0};
 }
 
-} // namespace
-
+/** @brief Returns the number of each role's field, -1 for none. */
 std::vector<int>
-E57Points::fieldsOf(const E57Scan& scan)
+fieldsOf(const E57Scan& scan)
 {
   const auto find = [&](const std::string& name) {
     const int field = scan.find(name);
@@ -52,11 +51,11 @@ E57Points::fieldsOf(const E57Scan& scan)
   };
   const char* kind = "cartesian";
   std::vector<int> fields = findAll(kind, {"X", "Y", "Z"});
-  if (fields[X] < 0) {
+  if (fields[E57Points::X] < 0) {
     kind = "spherical";
     fields = findAll(kind, {"Range", "Azimuth", "Elevation"});
   }
-  if (fields[X] < 0)
+  if (fields[E57Points::X] < 0)
     throw ToolError("its points have neither cartesian nor spherical coordinates");
   fields.push_back(find(std::string(kind) + "InvalidState"));
   fields.push_back(find("intensity"));
@@ -65,85 +64,92 @@ E57Points::fieldsOf(const E57Scan& scan)
   return fields;
 }
 
-E57Points::E57Points(const E57Pages& pages, const E57Scan& scan, std::size_t first_row)
-    : scan_(scan)
-    , first_row_(first_row)
-    , fields_(fieldsOf(scan))
-    , streams_(pages, scan_, fields_)
-{}
-
 void
-E57Points::read(std::size_t first,
-                std::size_t size,
-                const E57Row& row,
-                std::uint8_t* rows) const
-{
-  const std::vector<E57Values> values = streams_.read(first, first + size);
-  constexpr std::size_t rows_at_once = 16 * batch;
-  parallelBlocks(size, rows_at_once, 0, [&](std::size_t begin, std::size_t end) {
-    Column intensity;
-    for (; begin < end; begin += batch) {
-      const std::size_t n = std::min(batch, end - begin);
-      std::uint8_t* const to = rows + begin * row.size;
-      placePoints(values, begin, n, row.size, to);
-      if (hasColour() && row.colour > 0)
-        placeColours(values, begin, n, row.size, to + row.colour);
-      if (!hasIntensity() || row.intensity == 0)
-        continue;
-      values[Intensity].read(begin, n, intensity.data());
-      for (std::size_t i = 0; i < n; ++i) {
-        const auto value = static_cast<float>(intensity[i]);
-        std::memcpy(to + row.intensity + i * row.size, &value, sizeof value);
-      }
-    }
-  });
-}
-
-void
-E57Points::placePoints(const std::vector<E57Values>& values,
-                       std::size_t first,
-                       std::size_t n,
-                       std::size_t row_size,
-                       std::uint8_t* rows) const
+placePoints(const E57Scan& scan,
+            const std::vector<E57Values>& values,
+            std::size_t first,
+            std::size_t n,
+            std::size_t row_size,
+            std::uint8_t* rows)
 {
   std::array<Column, 3> xyz;
   for (std::size_t axis = 0; axis < 3; ++axis)
     values[axis].read(first, n, xyz[axis].data());
   Column invalid;
-  if (values[Invalid].field)
-    values[Invalid].read(first, n, invalid.data());
-  const bool is_spherical = values[X].field->name == "sphericalRange";
-  const Eigen::Matrix3d turn = scan_.rotation.toRotationMatrix();
+  if (values[E57Points::Invalid].field)
+    values[E57Points::Invalid].read(first, n, invalid.data());
+  const bool is_spherical = values[E57Points::X].field->name == "sphericalRange";
+  const Eigen::Matrix3d turn = scan.rotation.toRotationMatrix();
   for (std::size_t i = 0; i < n; ++i) {
     Eigen::Vector3d p(xyz[0][i], xyz[1][i], xyz[2][i]);
     if (is_spherical) {
       const double in_plan = p[0] * std::cos(p[2]);
       p = {in_plan * std::cos(p[1]), in_plan * std::sin(p[1]), p[0] * std::sin(p[2])};
     }
-    if (scan_.has_pose)
-      p = turn * p + scan_.translation;
-    if (values[Invalid].field && invalid[i] != 0)
+    if (scan.has_pose)
+      p = turn * p + scan.translation;
+    if (values[E57Points::Invalid].field && invalid[i] != 0)
       p.setConstant(std::numeric_limits<double>::quiet_NaN());
     std::memcpy(rows + i * row_size, p.data(), sizeof p);
   }
 }
 
 void
-E57Points::placeColours(const std::vector<E57Values>& values,
-                        std::size_t first,
-                        std::size_t n,
-                        std::size_t row_size,
-                        std::uint8_t* rows) const
+placeColours(const E57Scan& scan,
+             const std::vector<E57Values>& values,
+             std::size_t first,
+             std::size_t n,
+             std::size_t row_size,
+             std::uint8_t* rows)
 {
   Column part;
   for (std::size_t k = 0; k < 3; ++k) {
-    values[Blue + k].read(first, n, part.data());
-    const auto& limits = scan_.colour_limits[2 - k]; // red first
+    values[E57Points::Blue + k].read(first, n, part.data());
+    const auto& limits = scan.colour_limits[2 - k]; // red first
     for (std::size_t i = 0; i < n; ++i)
       rows[i * row_size + k] = colourByte(part[i], limits);
   }
   for (std::size_t i = 0; i < n; ++i)
     rows[i * row_size + 3] = 0xff;
+}
+
+} // namespace
+
+E57Points::E57Points(const E57Pages& pages, const E57Scan& of, std::size_t first_row)
+    : scan(of)
+    , begin(first_row)
+    , end(first_row + of.points)
+    , fields(fieldsOf(of))
+    , streams(pages, scan, fields)
+{}
+
+void
+E57Points::read(std::size_t first,
+                std::size_t size,
+                const StoredRow& row,
+                std::uint8_t* rows) const
+{
+  const StoredField* const intensity = has(Intensity) ? row.find("intensity") : nullptr;
+  const StoredField* const colour = has(Blue) ? row.find("rgb") : nullptr;
+  const std::vector<E57Values> values = streams.read(first, first + size);
+  constexpr std::size_t rows_at_once = 16 * batch;
+  parallelBlocks(size, rows_at_once, 0, [&](std::size_t from, std::size_t past) {
+    Column column;
+    for (; from < past; from += batch) {
+      const std::size_t n = std::min(batch, past - from);
+      std::uint8_t* const to = rows + from * row.size;
+      placePoints(scan, values, from, n, row.size, to);
+      if (colour)
+        placeColours(scan, values, from, n, row.size, to + colour->offset);
+      if (!intensity)
+        continue;
+      values[Intensity].read(from, n, column.data());
+      for (std::size_t i = 0; i < n; ++i) {
+        const auto value = static_cast<float>(column[i]);
+        std::memcpy(to + intensity->offset + i * row.size, &value, sizeof value);
+      }
+    }
+  });
 }
 
 } // namespace pcl::sedr::tools

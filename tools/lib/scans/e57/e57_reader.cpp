@@ -64,7 +64,13 @@ E57Reader::E57Reader(const InputFilePtr& file, const ScanSettings& settings)
     if (settings.scan == 0 && !scans_.empty() && entry.problem.empty() &&
         entry.scan.points == 0)
       warnOnce(entry.scan.title() + " of '" + path_ + "' has 0 points");
-  layRow();
+  for (const char* axis : {"x", "y", "z"})
+    row_.add(axis, pcl::PCLPointField::FLOAT64);
+  for (const auto& [role, name] :
+       {std::pair(E57Points::Intensity, "intensity"), {E57Points::Blue, "rgb"}})
+    if (std::any_of(scans_.begin(), scans_.end(),
+                    [role = role](const auto& scan) { return scan->has(role); }))
+      row_.add(name, pcl::PCLPointField::FLOAT32);
 }
 
 void
@@ -82,8 +88,8 @@ E57Reader::open(const E57Entry& entry, bool skip_broken)
                       " cannot be indexed");
     auto scan = std::make_unique<const E57Points>(*pages_, entry.scan, size_);
     if (skip_broken)
-      scan->streams().check();
-    size_ = scan->end();
+      scan->streams.check();
+    size_ = scan->end;
     scans_.push_back(std::move(scan));
   }
   catch (const ToolError& error) {
@@ -95,37 +101,18 @@ E57Reader::open(const E57Entry& entry, bool skip_broken)
 }
 
 void
-E57Reader::layRow()
-{
-  for (const char* axis : {"x", "y", "z"})
-    row_.add(axis, pcl::PCLPointField::FLOAT64);
-  const auto any = [&](bool (E57Points::*has)() const) {
-    return std::any_of(scans_.begin(), scans_.end(),
-                       [&](const auto& scan) { return ((*scan).*has)(); });
-  };
-  if (any(&E57Points::hasIntensity))
-    places_.intensity = row_.add("intensity", pcl::PCLPointField::FLOAT32).offset;
-  if (any(&E57Points::hasColour))
-    places_.colour = row_.add("rgb", pcl::PCLPointField::FLOAT32).offset;
-  places_.size = row_.size;
-}
-
-void
 E57Reader::read(Chunk& chunk) const
 {
   const auto& scan = *std::find_if(scans_.begin(), scans_.end(), [&](const auto& one) {
-    return chunk.first < one->end();
+    return chunk.first < one->end;
   });
-  chunk.size = std::min(chunk.size, scan->end() - chunk.first);
-  chunk.rows.resize(chunk.size * row_.size);
-  if ((places_.intensity > 0 && !scan->hasIntensity()) ||
-      (places_.colour > 0 && !scan->hasColour()))
-    std::fill(chunk.rows.begin(), chunk.rows.end(), std::uint8_t{0});
+  chunk.size = std::min(chunk.size, scan->end - chunk.first);
+  chunk.rows.assign(chunk.size * row_.size, 0); // where the scan lacks a field
   try {
-    scan->read(chunk.first - scan->begin(), chunk.size, places_, chunk.rows.data());
+    scan->read(chunk.first - scan->begin, chunk.size, row_, chunk.rows.data());
   }
   catch (const ToolError& error) {
-    refuseE57(path_, scan->head().title() + ": " + error.what());
+    refuseE57(path_, scan->scan.title() + ": " + error.what());
   }
 }
 
@@ -134,10 +121,9 @@ E57Reader::stations() const
 {
   std::vector<ScanStation> stations;
   for (const auto& scan : scans_) {
-    const E57Scan& head = scan->head();
-    if (!head.has_pose)
+    if (!scan->scan.has_pose)
       return {};
-    stations.push_back({scan->begin(), head.translation, head.rotation});
+    stations.push_back({scan->begin, scan->scan.translation, scan->scan.rotation});
   }
   return stations;
 }
