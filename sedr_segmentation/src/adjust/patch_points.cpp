@@ -207,8 +207,14 @@ PatchPoints::tabulate()
     const Eigen::Vector2d extent = site.is_slab
                                        ? Eigen::Vector2d::Constant(site.half - inside)
                                        : Eigen::Vector2d(along.array() + farthest_);
-    near_.addIn({site.centre - extent, site.centre + extent},
-                static_cast<std::uint32_t>(s));
+    Eigen::AlignedBox2d box(site.centre - extent, site.centre + extent);
+    if (const Unknown& u = unknowns_.all[site.unknown]; u.run != 0)
+      for (const double z : {site.low, site.high}) {
+        const Eigen::Vector2d off = u.run * (z - u.height) * leftOf(u.direction);
+        box.extend(site.centre - extent + off);
+        box.extend(site.centre + extent + off);
+      }
+    near_.addIn(box, static_cast<std::uint32_t>(s));
   }
   return near_.finish();
 }

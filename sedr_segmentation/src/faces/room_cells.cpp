@@ -198,7 +198,7 @@ gatherWalls(const PointView& points,
             return;
           if (q.z() < cells.top[at] + p.rim)
             highest[at] = std::max(highest[at], q.z());
-          if (const double above = q.z() - cells.floor; above > p.rim && above < p.sill)
+          if (const double above = q.z() - cells.floor; above > p.rim)
             bins_of_base[at] |= std::uint64_t{1}
                                 << std::min(63, static_cast<int>(above / p.bin));
           const bool is_below_low = isBelow(cells.low[at]);
@@ -221,6 +221,8 @@ gatherWalls(const PointView& points,
   cells.glass = cells.riser = cells.pillar = cells.base = cells.solid;
   spread(cells.seen, 1, std::greater<>(), highest);
   const CellMask below_ceiling = eroded(dilated(cells.seen, 1), 3);
+  const std::uint64_t below_sill =
+      (std::uint64_t{1} << static_cast<unsigned>(p.sill / p.bin)) - 1;
   const auto endsBelow = [&](std::size_t i) {
     return below_ceiling.values()[i] && highest[i] < cells.low[i] - p.below;
   };
@@ -233,9 +235,10 @@ gatherWalls(const PointView& points,
     cells.riser.values()[i] = below_top >= needed && !goes_on;
     cells.pillar.values()[i] =
         below_top < needed && below_low >= needed && !endsBelow(i);
-    const bool is_tall = highest[i] > cells.floor + p.sill; // for what is below a sill
+    const std::uint64_t above_sill = bins_of_base[i] & ~below_sill;
+    const bool is_tall = __builtin_popcountll(above_sill) >= p.filled;
     cells.base.values()[i] =
-        __builtin_popcountll(bins_of_base[i]) >= p.filled_of_wall &&
+        __builtin_popcountll(bins_of_base[i] & below_sill) >= p.filled_of_wall &&
         !(is_tall && highest[i] < cells.low[i] - p.below);
   }
   const CellMask near_solid = dilated(cells.solid, 1);

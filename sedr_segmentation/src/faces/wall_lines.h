@@ -71,7 +71,7 @@ struct SurfacePlace {
 /** @brief Finds the lines on which the places of surfaces lie. O(places x lines).
  * Deterministic.
  * @param places on surfaces up to the ceiling
- * @param lower centres of cells with surfaces that end below it */
+ * @param lower centres of cells with surfaces below any sill */
 std::vector<WallLine> wallLines(std::vector<SurfacePlace> places,
                                 const std::vector<Eigen::Vector2d>& lower,
                                 const WallLineParameters& parameters = {});

@@ -2,6 +2,7 @@
 #include "loop_assembly.h"
 
 #include "loop_curve.h"
+#include "loop_proposals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,21 +23,14 @@ struct Run {
 std::vector<Run>
 runsOf(const LoopSolver& solver, std::size_t c)
 {
-  const std::vector<std::size_t>& labels = solver.labels(c);
   const LoopContour& contour = solver.contour(c);
-  const std::size_t n = labels.size();
+  const std::size_t n = contour.samples.size();
   std::vector<Run> runs;
-  for (std::size_t i = 0; i < n; ++i)
-    if (labels[i] != labels[(i + n - 1) % n]) {
-      Run run;
-      run.label = labels[i];
-      run.first = i;
-      runs.push_back(run);
-    }
+  for (const auto& [first, length] : labelRuns(solver.labels(c)))
+    runs.push_back({solver.labels(c)[first], first, length});
   for (std::size_t r = 0; r < runs.size(); ++r) {
     Run& run = runs[r];
     Run& next = runs[(r + 1) % runs.size()];
-    run.length = (next.first + n - run.first - 1) % n + 1;
     const Eigen::Vector2d near = (contour.samples[(next.first + n - 1) % n].place +
                                   contour.samples[next.first].place) /
                                  2;
@@ -243,7 +237,7 @@ assembleLoop(LoopSolver& solver, std::size_t c)
   const double length = spacing * static_cast<double>(n);
   for (int attempt = 0; attempt < max_tries; ++attempt) {
     const std::vector<Run> runs = runsOf(solver, c);
-    if (runs.empty()) {
+    if (runs.size() == 1) {
       const PlanCurve& curve = solver.candidate(solver.labels(c).front()).curve();
       const bool is_around =
           curve.isCircle() && std::abs(2 * M_PI * curve.radius - length) < length / 2;

@@ -10,17 +10,14 @@ namespace pcl::sedr {
 
 namespace {
 
-/** @brief The seen anchors and the unseen places of consecutive samples. */
+/** @brief The seen ones of consecutive samples. */
 struct Window {
-  std::vector<std::size_t> samples; ///< numbers of the seen ones
-  std::vector<Eigen::Vector2d> seen;
-  std::vector<Eigen::Vector2d> unseen;
+  std::vector<std::size_t> samples;
+  std::vector<Eigen::Vector2d> anchors;
 };
 
 /** @brief Takes proposals as long as they explain what none before them does. */
 class ProposalSearch {
-  static constexpr double unseen_spacing = 0.025; // metres, of lines that nobody saw
-
 public:
   ProposalSearch(const std::vector<LoopContour>& contours, CandidateMaker& maker)
       : contours_(contours)
@@ -28,13 +25,9 @@ public:
       , samples_(maker.samples())
   {}
 
-  std::vector<LoopCandidate> find(const std::vector<WallLine>& lines,
-                                  const std::vector<SeededCurve>& known)
+  std::vector<LoopCandidate> find(const std::vector<WallLine>& lines)
   {
     startAgain();
-    std::vector<LoopCandidate> candidates;
-    for (const SeededCurve& path : known)
-      candidates.push_back(takeKnown(path));
     for (const WallLine& line : lines)
       takeParts(line);
     takeWindows(false);
@@ -49,6 +42,7 @@ public:
     for (std::size_t k = 0; k < seen; ++k)
       for (const SeededCurve& turned : maker_.snapped(curves_[k]))
         curves_.push_back(turned);
+    std::vector<LoopCandidate> candidates;
     for (const SeededCurve& curve : curves_)
       candidates.push_back(maker_.candidate(curve));
     for (LoopCandidate& line : maker_.distinct(std::move(unseen_), unseen_spacing))
@@ -57,6 +51,8 @@ public:
   }
 
 private:
+  static constexpr double unseen_spacing = 0.025; // metres, of lines that nobody saw
+
   /** @brief Forgets what is explained: circles do not compete with lines. */
   void startAgain()
   {
@@ -81,18 +77,6 @@ private:
     for (const auto& [i, cost] : costs)
       left_[i] = std::min(left_[i], cost);
     curves_.push_back(path);
-  }
-
-  /** @brief Takes a curve that costs nothing. */
-  LoopCandidate takeKnown(const SeededCurve& path)
-  {
-    LoopCandidate candidate;
-    candidate.path = path;
-    for (const auto& [i, s] : maker_.support(path, maker_.search().beyond))
-      left_[i] = std::min(left_[i], maker_.costOf(i, candidate));
-    if (!path.curve.isCircle())
-      known_.push_back(path);
-    return maker_.candidate(std::move(candidate));
   }
 
   /** @brief Takes the parts of a wall's line on which a surface was seen. */
@@ -121,10 +105,8 @@ private:
       const std::size_t i = samples_.firstOf(c) + (from + k) % n;
       if (samples_[i].isSeen()) {
         window.samples.push_back(i);
-        window.seen.push_back(samples_[i].anchor);
+        window.anchors.push_back(samples_[i].anchor);
       }
-      else
-        window.unseen.push_back(samples_[i].place);
     }
     return window;
   }
@@ -139,10 +121,10 @@ private:
         const std::size_t n = contours_[c].samples.size();
         for (std::size_t s = 0; s < n; s += std::max<std::size_t>(2, length / 4)) {
           const Window window = windowAt(c, s, length);
-          if (static_cast<double>(window.seen.size()) >=
+          if (static_cast<double>(window.anchors.size()) >=
                   maker_.search().min_seen * static_cast<double>(std::min(length, n)) &&
-              window.seen.size() > 3 && isLeft(window))
-            takeThrough(window.seen, is_circle);
+              window.anchors.size() > 3 && isLeft(window))
+            takeThrough(window.anchors, is_circle);
         }
       }
     if (!is_circle)
@@ -150,8 +132,8 @@ private:
     for (std::size_t c = 0; c < contours_.size(); ++c)
       if (contours_[c].is_hole) {
         const Window whole = windowAt(c, 0, contours_[c].samples.size());
-        if (whole.seen.size() > 6)
-          takeThrough(whole.seen, true);
+        if (whole.anchors.size() > 6)
+          takeThrough(whole.anchors, true);
       }
   }
 
@@ -194,9 +176,7 @@ private:
   {
     std::vector<double> angles;
     std::vector<double> weights;
-    std::vector<SeededCurve> lines = known_;
-    lines.insert(lines.end(), curves_.begin(), curves_.end());
-    for (const SeededCurve& path : lines) {
+    for (const SeededCurve& path : curves_) {
       const auto on =
           static_cast<double>(maker_.support(path, maker_.search().beyond).size());
       angles.push_back(std::atan2(path.curve.direction.y(), path.curve.direction.x()));
@@ -267,10 +247,8 @@ private:
     for (std::size_t i = 0; i < n; ++i)
       seen[i] = contours_[c].samples[i].isSeen() ? 1 : 0;
     for (const auto& [first, length] : labelRuns(seen))
-      if (!seen[first]) {
+      if (!seen[first])
         addAligned(c, first, length);
-        addThrough(c, first, length);
-      }
   }
 
   /** @brief Adds lines in the main directions through an unseen stretch: through its
@@ -305,24 +283,11 @@ private:
       }
   }
 
-  /** @brief Adds lines through windows of an unseen stretch. */
-  void addThrough(std::size_t c, std::size_t first, std::size_t length)
-  {
-    for (const std::size_t window : {24, 12, 6})
-      for (std::size_t k = 0; k + window <= length; k += window / 2) {
-        const Window places = windowAt(c, first + k, window);
-        const PlanCurve line = fitCurve(false, places.unseen, unseen_spacing);
-        unseen_.push_back(
-            maker_.candidate(SeededCurve{line, places.unseen[window / 2]}));
-      }
-  }
-
   const std::vector<LoopContour>& contours_;
   CandidateMaker& maker_;
   const StoreySamples& samples_;
   std::vector<double> left_; ///< nats of each sample that nothing explains yet
   std::vector<SeededCurve> curves_;
-  std::vector<SeededCurve> known_;    ///< lines
   std::vector<LoopCandidate> unseen_; ///< lines where nothing was seen
 };
 
@@ -348,10 +313,9 @@ labelRuns(const std::vector<std::size_t>& labels)
 std::vector<LoopCandidate>
 proposedCurves(const std::vector<LoopContour>& contours,
                const std::vector<WallLine>& lines,
-               const std::vector<SeededCurve>& known,
                CandidateMaker& maker)
 {
-  return ProposalSearch(contours, maker).find(lines, known);
+  return ProposalSearch(contours, maker).find(lines);
 }
 
 } // namespace pcl::sedr

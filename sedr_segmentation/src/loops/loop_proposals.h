@@ -18,11 +18,9 @@ labelRuns(const std::vector<std::size_t>& labels);
  * lines and circles through windows of samples that these do not explain, each grown
  * along its support; lines in main directions where nothing was seen; all of them also
  * turned into a main direction. Sets the main directions.
- * @param lines on which the regions were cut
- * @param known curves, which cost nothing */
+ * @param lines on which the regions were cut */
 std::vector<LoopCandidate> proposedCurves(const std::vector<LoopContour>& contours,
                                           const std::vector<WallLine>& lines,
-                                          const std::vector<SeededCurve>& known,
                                           CandidateMaker& maker);
 
 } // namespace pcl::sedr

@@ -198,9 +198,10 @@ LoopSolver::renew(std::vector<LoopCandidate> more)
 }
 
 void
-LoopSolver::solve(int rounds)
+LoopSolver::solve()
 {
-  renew(proposedCurves(contours_, lines_, known_, maker_));
+  constexpr int rounds = 8;
+  renew(proposedCurves(contours_, lines_, maker_));
   descend(); // each loop by itself,
   descend(); // then with the curves of all
   prune();

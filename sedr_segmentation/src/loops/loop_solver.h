@@ -38,12 +38,8 @@ public:
              const WallNoise& noise,
              unsigned threads);
 
-  /** @brief Sets curves that are known already, such as the walls around a detail: they
-   * cost nothing. */
-  void setKnown(std::vector<SeededCurve> known) { known_ = std::move(known); }
-
-  /** @brief Minimises the energy, at most `rounds` times. */
-  void solve(int rounds = 8);
+  /** @brief Minimises the energy. */
+  void solve();
 
   /** @brief Forbids a curve at samples of a contour, and solves it again. */
   void block(std::size_t contour,
@@ -104,7 +100,6 @@ private:
 
   const std::vector<LoopContour>& contours_;
   const std::vector<WallLine>& lines_;
-  std::vector<SeededCurve> known_;
   StoreySamples samples_;
   CandidateMaker maker_;
   unsigned threads_;

@@ -56,7 +56,9 @@ public:
   static constexpr double step = 0.5; ///< metres: curves are followed in steps
 
   /** @brief Numbers the places as they are given. */
-  explicit NumberedPlaces(const std::vector<Eigen::Vector2d>& places);
+  explicit NumberedPlaces(const std::vector<Eigen::Vector2d>& places)
+      : points_(places, step)
+  {}
 
   /** @brief Follows a curve both ways from its seed as long as there is evidence of it.
    * @param reach metres; places farther from the curve are left out
@@ -76,7 +78,8 @@ public:
               const Eigen::Vector2d& p = points_.all()[i];
               const double s = curve.along(p);
               if (std::lround(s / step) == side * k &&
-                  curve.curve.distance(p) < reach && visit(numbers_[i], s))
+                  curve.curve.distance(p) < reach &&
+                  visit(static_cast<std::uint32_t>(points_.given(i)), s))
                 last = std::max(last, std::abs(s));
             });
     }
@@ -84,7 +87,6 @@ public:
 
 private:
   PlanPoints points_;
-  std::vector<std::uint32_t> numbers_; ///< of the points
 };
 
 /** @brief The samples of all contours of a storey, numbered through. */

@@ -2,16 +2,15 @@
 #include "niche_panes.h"
 
 #include "../scan/scan_excerpt.h"
-#include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/middle_value.h"
-#include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/grids/place_table.h"
-#include "wall_cells.h"
+#include "wall_recess.h"
+#include <pcl/sedr_filters/cell_grid.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <mutex>
+#include <map>
 #include <numeric>
 
 namespace pcl::sedr {
@@ -21,15 +20,10 @@ namespace {
 /** @brief Of a larger scan, every so-manieth point is taken. */
 constexpr std::size_t max_points = 2000000;
 
-/** @brief A niche, the wall around its mouth, and their cells along and up the wall. */
+/** @brief A niche, the wall around its mouth, and how often their cells along and up
+ * the wall were hit. */
 class NicheView {
 public:
-  /** @brief What was seen of its back, and of the wall around its mouth. */
-  struct Counts {
-    WallCells back;
-    WallCells wall;
-  };
-
   NicheView(const PlanNiche& niche, const Priors& priors)
       : cell_(priors.evidence_cell)
       , around_(priors.min_recess)
@@ -46,53 +40,55 @@ public:
     depth_ = mouth_.distance(sides[1].start);
   }
 
-  Counts noCounts() const
-  {
-    const WallCells none(-around_, width_ + around_, -around_, height_ + around_,
-                         cell_);
-    return {none, none};
-  }
-
   const PlanElement& mouth() const { return mouth_; }
 
   /** @brief Returns how far from the mouth points may count, metres. */
   double reach() const { return around_ + depth_ + reach_; }
 
   /** @brief Counts a point, if it is on the back or on the wall around the mouth. */
-  void count(const Eigen::Vector3f& point, Counts& counts) const
+  void count(const Eigen::Vector3f& point)
   {
     const WallPoint p = seenFrom(mouth_, bottom_, point);
     const double near = std::min(reach_, depth_ / 3);
     // How far it is from the edges of the mouth, inside.
     const double inside = std::min({p.along, width_ - p.along, p.up, height_ - p.up});
     if (std::abs(p.behind - depth_) <= near && inside >= reach_)
-      counts.back.add(p.along, p.up);
-    else if (std::abs(p.behind) <= near && inside <= -reach_)
-      counts.wall.add(p.along, p.up);
+      ++back_[cellAt(p)];
+    else if (std::abs(p.behind) <= near && inside <= -reach_ && inside >= -around_)
+      ++wall_[cellAt(p)];
   }
 
   /** @brief Whether the back is hit far less often than the wall. */
-  bool isPane(const Counts& counts) const
+  bool isPane() const
   {
-    std::vector<double> wall;
-    for (const std::size_t points : counts.wall.counts())
-      if (points > 0)
-        wall.push_back(static_cast<double>(points));
-    if (static_cast<double>(wall.size()) < 2 * priors_.min_points)
+    if (static_cast<double>(wall_.size()) < 2 * priors_.min_points)
       return false;
-    std::vector<std::size_t> back = counts.back.counts();
+    std::vector<double> back = countsOf(back_);
     std::sort(back.begin(), back.end(), std::greater<>());
     const double cells =
-        std::max(1.0, priors_.share_half / 2 * std::floor(width_ / cell_) *
-                          std::floor(height_ / cell_));
-    const auto best =
-        std::accumulate(back.begin(), back.begin() + static_cast<std::ptrdiff_t>(cells),
-                        std::size_t{0});
-    return static_cast<double>(best) <
-           priors_.share_part * std::floor(cells) * middleValue(std::move(wall));
+        std::max(1.0, std::floor(priors_.share_half / 2 * std::floor(width_ / cell_) *
+                                 std::floor(height_ / cell_)));
+    back.resize(static_cast<std::size_t>(cells), 0);
+    return std::accumulate(back.begin(), back.end(), 0.0) <
+           priors_.share_part * cells * middleValue(countsOf(wall_));
   }
 
 private:
+  using Counts = std::map<CellKey, double>;
+
+  CellKey cellAt(const WallPoint& p) const
+  {
+    return keyOf(CellGrid(cell_).at(p.along, p.up));
+  }
+
+  static std::vector<double> countsOf(const Counts& cells)
+  {
+    std::vector<double> counts;
+    for (const auto& entry : cells)
+      counts.push_back(entry.second);
+    return counts;
+  }
+
   double cell_;   ///< along the wall and up, metres
   double around_; ///< the mouth, where the wall is looked at, metres
   double reach_;  ///< of the points of wall and back; of sides, from the edges
@@ -102,6 +98,8 @@ private:
   double width_ = 0;
   double height_ = 0;
   double depth_ = 0;
+  Counts back_;
+  Counts wall_;
 };
 
 /** @brief Whether a niche is no deeper than half of its mouth's width and height:
@@ -117,43 +115,25 @@ isAsked(const PlanNiche& niche)
   return 2 * sides[0].length() <= std::min(height, sides[3].length());
 }
 
-/** @brief The counts of each niche. */
-std::vector<NicheView::Counts>
-countsOf(const std::vector<NicheView>& views,
-         const PointView& raw,
-         const std::vector<int>& indices,
-         unsigned threads)
+/** @brief Counts the points of a scan on and around the niches. */
+void
+countHits(const PointView& raw,
+          const std::vector<int>& indices,
+          std::vector<NicheView>& views)
 {
-  std::vector<NicheView::Counts> sums;
   PlaceTable views_near(0.5); // metres
-  for (const NicheView& view : views) {
-    views_near.addAlong(view.mouth(), view.reach(),
-                        static_cast<std::uint32_t>(sums.size()));
-    sums.push_back(view.noCounts());
-  }
+  for (std::size_t v = 0; v < views.size(); ++v)
+    views_near.addAlong(views[v].mouth(), views[v].reach(),
+                        static_cast<std::uint32_t>(v));
   views_near.finish();
   const std::size_t all = indices.empty() ? raw.size() : indices.size();
   const std::size_t step = rawStep(all, max_points);
-  std::mutex adding;
-  parallelBlocks(
-      all / step, points_a_block, threads, [&](std::size_t begin, std::size_t end) {
-        std::vector<NicheView::Counts> counts;
-        for (const NicheView& view : views)
-          counts.push_back(view.noCounts());
-        for (std::size_t k = begin; k < end; ++k) {
-          const std::size_t i = k * step;
-          const Eigen::Vector3f p =
-              raw[indices.empty() ? i : static_cast<std::size_t>(indices[i])];
-          for (const std::uint32_t v : views_near.at(p.head<2>().cast<double>()))
-            views[v].count(p, counts[v]);
-        }
-        const std::lock_guard<std::mutex> lock(adding);
-        for (std::size_t v = 0; v < views.size(); ++v) {
-          sums[v].back.add(counts[v].back);
-          sums[v].wall.add(counts[v].wall);
-        }
-      });
-  return sums;
+  for (std::size_t k = 0; k < all; k += step) {
+    const Eigen::Vector3f p =
+        raw[indices.empty() ? k : static_cast<std::size_t>(indices[k])];
+    for (const std::uint32_t v : views_near.at(p.head<2>().cast<double>()))
+      views[v].count(p);
+  }
 }
 
 } // namespace
@@ -162,7 +142,6 @@ std::size_t
 leaveOutPanes(Floorplan& plan,
               const PointView& raw,
               const std::vector<int>& indices,
-              unsigned threads,
               const Priors& priors)
 {
   std::vector<NicheView> views;
@@ -172,13 +151,13 @@ leaveOutPanes(Floorplan& plan,
         views.emplace_back(niche, priors);
   if (views.empty())
     return 0;
-  const std::vector<NicheView::Counts> counts = countsOf(views, raw, indices, threads);
+  countHits(raw, indices, views);
   std::size_t asked = 0;
   std::size_t taken_out = 0;
   for (PlanRoom& room : plan.rooms) {
     std::vector<PlanNiche> kept;
     for (PlanNiche& niche : room.niches) {
-      const bool is_pane = isAsked(niche) && views[asked].isPane(counts[asked]);
+      const bool is_pane = isAsked(niche) && views[asked].isPane();
       asked += isAsked(niche) ? 1 : 0;
       if (is_pane)
         ++taken_out;

@@ -20,15 +20,12 @@ namespace pcl::sedr {
  * also stays if too little of that wall was seen or it is deeper than half its mouth.
  *
  * O(n) for n points if there are niches; of more than two million, every k-th is used.
- * The result does not depend on the number of threads.
  * @param raw the scan, not thinned
  * @param indices the points to use; empty: all
- * @param threads 0: all processors
  * @return the number of removed niches */
 std::size_t leaveOutPanes(Floorplan& plan,
                           const PointView& raw,
                           const std::vector<int>& indices = {},
-                          unsigned threads = 0,
                           const Priors& priors = {});
 
 } // namespace pcl::sedr

@@ -3,12 +3,29 @@
 
 #include "niche_fit.h"
 #include "sedr_filters/src/grids/cell_mask.h"
-#include "wall_cells.h"
 #include <pcl/sedr_filters/floorplan.h>
 
 #include <vector>
 
 namespace pcl::sedr {
+
+/** @brief A point as seen from a wall: metres along it, above its floor, behind it. */
+struct WallPoint {
+  double along;
+  double up;
+  double behind;
+};
+
+/** @brief How a straight wall that stands on a floor sees a point. */
+inline WallPoint
+seenFrom(const PlanElement& wall, const PlanSlab& floor, const Eigen::Vector3f& point)
+{
+  const Eigen::Vector3d p = point.cast<double>();
+  const Eigen::Vector2d way = (wall.end - wall.start).normalized();
+  const Eigen::Vector2d to = p.head<2>() - wall.start;
+  return {way.dot(to), p.z() - floor.heightAt(p.head<2>()),
+          way.y() * to.x() - way.x() * to.y()};
+}
 
 /** @brief A straight wall of a room, unrolled. */
 struct UnrolledWall {

@@ -72,10 +72,11 @@ fitLoops(const Storey& storey,
     seen[r] = intersect(regions[r].cells, cells[r].seen);
   for (const std::size_t r : storey.rooms) {
     const CellMask& region = regions[r].cells;
-    const CellMask rim = dilated(region, near);
+    // Panes and leaves stand in openings of a wall: they are none.
+    const CellMask evidence = subtract(dilated(region, near), regions[r].beyond);
     std::vector<Eigen::Vector2d> places;
     for (const Eigen::Vector2d& p : cells[r].wall_points)
-      if (rim.at(grid.at(p.x(), p.y())))
+      if (evidence.at(grid.at(p.x(), p.y())))
         places.push_back(p);
     const PlanPoints walls(places, 0.2);
     CellMask others(region.box()); // their air, with a wall around it

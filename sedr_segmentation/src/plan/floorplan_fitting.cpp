@@ -95,7 +95,7 @@ fitToRaw(const PointView& raw,
          const RoomFitParameters& parameters,
          Floorplan& plan)
 {
-  leaveOutPanes(plan, raw, indices, parameters.threads, parameters.priors);
+  leaveOutPanes(plan, raw, indices, parameters.priors);
   AdjustmentParameters adjustment;
   adjustment.threads = parameters.threads;
   return adjustPlan(plan, raw, indices, adjustment).problem;

@@ -3,7 +3,6 @@
 
 #include "../niches/niche_fit.h"
 #include "../rooms/room_planes.h"
-#include "frontier_points.h"
 #include "room_territory.h"
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel_for.h"
@@ -173,7 +172,7 @@ shareOut(const PointView& points,
   if (!problem.empty())
     return {};
   const std::vector<std::int32_t> room_of =
-      roomsOfPoints(points, territory, parameters.threads);
+      territory.roomsAt(points, parameters.threads);
   const auto nearest = [&](int i) { return room_of[static_cast<std::size_t>(i)]; };
   auto floors = shareBy(evidence.floor, [&](int i) {
     const std::int32_t room = labelled(i);

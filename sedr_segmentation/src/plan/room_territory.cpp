@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -102,16 +103,17 @@ RoomTerritory::addLayer(const std::vector<CellSet>& scopes,
     problem_ = maskProblem(box);
     if (!problem_.empty())
       return false;
-    Quarter quarter{inverted(CellMask(box)), {}};
-    quarter.room.assign(quarter.frame.values().size(), -1);
+    Quarter quarter{CellMask(box), {}};
+    quarter.room.assign(quarter.seen.values().size(), -1);
     for (const std::size_t r : rooms)
       for (std::size_t i = 0; i < scopes[r].size(); ++i) {
-        if (!quarter.frame.isInside(scopes[r][i]))
+        if (!quarter.seen.isInside(scopes[r][i]))
           break; // a room lies completely in one quarter
-        auto& room = quarter.room[quarter.frame.indexOf(scopes[r][i])];
+        quarter.seen.set(scopes[r][i], 1);
+        auto& room = quarter.room[quarter.seen.indexOf(scopes[r][i])];
         room = room < 0 ? static_cast<std::int32_t>(r) : room;
       }
-    growLabels(quarter.frame, steps, quarter.room);
+    growLabels(inverted(CellMask(box)), steps, quarter.room);
     layer.push_back(std::move(quarter));
   }
   layers_.push_back(std::move(layer));
@@ -119,12 +121,29 @@ RoomTerritory::addLayer(const std::vector<CellSet>& scopes,
 }
 
 std::int32_t
-RoomTerritory::roomIn(const Layer& layer, Cell cell) const
+RoomTerritory::roomIn(const Layer& layer, Cell cell, const Eigen::Vector2d& p) const
 {
-  for (const auto& quarter : layer)
-    if (quarter.frame.isInside(cell))
-      return quarter.room[quarter.frame.indexOf(cell)];
-  return -1;
+  constexpr int near = 2; // cells: a thin partition
+  const auto quarter = std::find_if(layer.begin(), layer.end(), [&](const Quarter& q) {
+    return q.seen.isInside(cell);
+  });
+  if (quarter == layer.end())
+    return -1;
+  std::int32_t room = quarter->room[quarter->seen.indexOf(cell)];
+  if (room < 0 || quarter->seen.at(cell))
+    return room;
+  // Cells are too coarse beside a thin partition.
+  double least = std::numeric_limits<double>::infinity();
+  for (int y = cell.y - near; y <= cell.y + near; ++y)
+    for (int x = cell.x - near; x <= cell.x + near; ++x)
+      if (quarter->seen.at({x, y})) {
+        const double d = (grid_.centre({x, y}) - p).squaredNorm();
+        if (d < least) {
+          least = d;
+          room = quarter->room[quarter->seen.indexOf({x, y})];
+        }
+      }
+  return room;
 }
 
 std::int32_t
@@ -133,8 +152,9 @@ RoomTerritory::roomAt(const Eigen::Vector3f& p) const
   if (!std::isfinite(p.z()) || !grid_.holds(p.x(), p.y()))
     return -1;
   const Cell cell = grid_.at(p.x(), p.y());
+  const Eigen::Vector2d at = p.head<2>().cast<double>();
   if (layers_.size() == 1) {
-    const std::int32_t room = roomIn(layers_.front(), cell);
+    const std::int32_t room = roomIn(layers_.front(), cell, at);
     const bool is_below =
         room >= 0 && !heights_.empty() &&
         p.z() < heights_[static_cast<std::size_t>(room)].low - deepest_;
@@ -143,7 +163,7 @@ RoomTerritory::roomAt(const Eigen::Vector3f& p) const
   std::int32_t best = -1;
   double least = reach_ + outside_;
   for (const Layer& layer : layers_) {
-    const std::int32_t room = roomIn(layer, cell);
+    const std::int32_t room = roomIn(layer, cell, at);
     if (room < 0)
       continue;
     const auto r = static_cast<std::size_t>(room);
@@ -164,33 +184,6 @@ RoomTerritory::roomsAt(const PointView& points, unsigned threads) const
   parallelFor(points.size(), points_a_block, threads,
               [&](std::size_t i) { rooms[i] = roomAt(points[i]); });
   return rooms;
-}
-
-CellSet
-RoomTerritory::frontier() const
-{
-  std::vector<CellKey> keys;
-  for (const Layer& layer : layers_)
-    for (const auto& quarter : layer) {
-      const auto meets = [&](std::int32_t room, Cell near) {
-        const std::int32_t other = quarter.frame.isInside(near)
-                                       ? quarter.room[quarter.frame.indexOf(near)]
-                                       : -1;
-        return other >= 0 && other != room;
-      };
-      for (std::size_t i = 0; i < quarter.room.size(); ++i) {
-        if (quarter.room[i] < 0)
-          continue;
-        const Cell cell = quarter.frame.cellAt(i);
-        for (const Cell d : {Cell{1, -1}, Cell{1, 0}, Cell{1, 1}, Cell{0, 1}})
-          if (const Cell near{cell.x + d.x, cell.y + d.y};
-              meets(quarter.room[i], near)) {
-            keys.push_back(keyOf(cell));
-            keys.push_back(keyOf(near));
-          }
-      }
-    }
-  return CellSet(std::move(keys));
 }
 
 } // namespace pcl::sedr

@@ -27,9 +27,10 @@ wallReach(const Priors& priors = {})
 }
 
 /** @brief Assigns positions to rooms. Rooms grow outwards from their ceiling cells
- * until they meet or reach the maximum distance of walls, so each face of a thin
- * partition lies in its own room. Rooms above each other grow in separate layers,
- * selected by height. O(cells of the box around all rooms). */
+ * until they meet or reach the maximum distance of walls; within two cells of a ceiling
+ * the nearest one decides. So each face of a thin partition lies in the room where its
+ * air is, whether its other face was seen or not. Rooms above each other grow in
+ * separate layers, selected by height. O(cells of the box around all rooms). */
 class RoomTerritory {
 public:
   /** @param scopes the cells of each room
@@ -54,15 +55,11 @@ public:
 
   const CellGrid& grid() const { return grid_; }
 
-  /** @brief Returns the cells that touch a cell of another room, at an edge or corner.
-   */
-  CellSet frontier() const;
-
 private:
   /** @brief The grid of a group of nearby rooms. */
   struct Quarter {
-    CellMask frame;
-    std::vector<std::int32_t> room; ///< room of each cell of the frame
+    CellMask seen;                  ///< cells of the rooms' ceilings
+    std::vector<std::int32_t> room; ///< room of each cell of the box
   };
 
   /** @brief A set of rooms that do not lie above each other. */
@@ -72,7 +69,7 @@ private:
                 const std::vector<std::size_t>& rooms,
                 int steps);
 
-  std::int32_t roomIn(const Layer& layer, Cell cell) const;
+  std::int32_t roomIn(const Layer& layer, Cell cell, const Eigen::Vector2d& p) const;
 
   CellGrid grid_;
   double reach_;   ///< maximum distance outside a room's heights, half a slab, metres

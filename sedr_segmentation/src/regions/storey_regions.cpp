@@ -272,16 +272,15 @@ storeysOf(const std::vector<RoomCells>& rooms,
       if (!rooms[r].sharesHeights(rooms[seeds[s]]) && r != seeds[s])
         continue;
       std::size_t k = 0;
-      for (std::size_t i = 0; i < rooms[r].solid.values().size(); ++i)
-        if (!rooms[r].solid.values()[i]) {
-          if (rooms[r].base.values()[i])
-            lower.push_back(grid.centre(rooms[r].base.cellAt(i)));
-        }
-        else {
-          if (!rooms[r].glass.values()[i])
-            places.push_back({rooms[r].centres[k], static_cast<std::uint32_t>(r)});
-          ++k;
-        }
+      for (std::size_t i = 0; i < rooms[r].solid.values().size(); ++i) {
+        if (rooms[r].base.values()[i])
+          lower.push_back(grid.centre(rooms[r].base.cellAt(i)));
+        if (!rooms[r].solid.values()[i])
+          continue;
+        if (!rooms[r].glass.values()[i])
+          places.push_back({rooms[r].centres[k], static_cast<std::uint32_t>(r)});
+        ++k;
+      }
     }
     storeys[s].lines = wallLines(std::move(places), lower, parameters);
   });
@@ -352,6 +351,8 @@ roomRegions(const std::vector<RoomCells>& rooms,
       if (q < r && regions[q].cells.count() > 0)
         addCells(regions[q].cells, own.others);
     regions[r] = RegionCut(rooms[r], own, behind.found(), grid, energy).region();
+    regions[r].beyond = subtract(unite(behind.found().reveal, behind.found().back),
+                                 dilated(regions[r].cells, 1));
     own = {};
   };
   // A room waits for those before it that lie beside it.

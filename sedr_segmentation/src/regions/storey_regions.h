@@ -35,6 +35,7 @@ struct RegionEnergy {
 /** @brief The region of a room in plan. */
 struct RoomRegion {
   CellMask cells;
+  CellMask beyond;   ///< reveals that it leaves out, up to what closes them
   double lost = 0;   ///< seen ceiling left out, without reveals, square metres
   double unseen = 0; ///< taken in, though nobody saw it, square metres
 };

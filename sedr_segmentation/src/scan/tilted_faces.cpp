@@ -217,42 +217,6 @@ private:
   std::size_t round_ = 0;
 };
 
-/** @brief The finite points of a scan by where they are in plan. */
-class PointsInPlan {
-public:
-  PointsInPlan(const PointView& points, const std::vector<int>& indices)
-      : points_(points)
-      , indices_(indices)
-      , plan_(placesInPlan(), 1)
-  {}
-
-  /** @brief Calls `see(point)` for the points around a box. */
-  template <typename See>
-  void forEachAround(const Eigen::AlignedBox2d& box, See see) const
-  {
-    plan_.forEachIndexIn(box, [&](std::size_t k) { see(place(plan_.given(k))); });
-  }
-
-private:
-  Eigen::Vector3d place(std::size_t k) const
-  {
-    return points_[static_cast<std::size_t>(indices_[k])].cast<double>();
-  }
-
-  std::vector<Eigen::Vector2d> placesInPlan() const
-  {
-    std::vector<Eigen::Vector2d> places;
-    places.reserve(indices_.size());
-    for (std::size_t k = 0; k < indices_.size(); ++k)
-      places.emplace_back(place(k).head<2>());
-    return places;
-  }
-
-  const PointView& points_;
-  const std::vector<int>& indices_;
-  PlanPoints plan_;
-};
-
 double
 quantile(std::vector<double> values, double share)
 {
@@ -267,7 +231,8 @@ quantile(std::vector<double> values, double share)
 std::optional<TiltedFace>
 faceOf(const WallPatches& patches,
        const std::vector<std::size_t>& members,
-       const PointsInPlan& points,
+       const std::vector<Eigen::Vector3d>& points,
+       const PlanPoints& in_plan,
        bool is_tilted)
 {
   constexpr double reach = 0.06; // of points from the plane of patches
@@ -284,7 +249,8 @@ faceOf(const WallPatches& patches,
   const Eigen::AlignedBox2d around(
       box.min().head<2>() - Eigen::Vector2d::Constant(beside),
       box.max().head<2>() + Eigen::Vector2d::Constant(beside));
-  points.forEachAround(around, [&](const Eigen::Vector3d& p) {
+  in_plan.forEachIndexIn(around, [&](std::size_t k) {
+    const Eigen::Vector3d& p = points[in_plan.given(k)];
     if (!p.allFinite())
       return;
     if (box.contains(p) && std::abs(plane.distance(p)) < reach)
@@ -356,22 +322,31 @@ tiltedFaces(const PointView& points, const std::vector<int>& indices, unsigned t
       std::min(max_drift, drift_sigmas * quantile(tilts, 1.0 / 3) / 0.43);
   const double sigma = std::max(min_sigma, quantile(scatters, 0.5));
   std::vector<TiltedFace> faces;
-  std::optional<const PointsInPlan> in_plan; // used only if some wall may be tilted
-  std::vector<std::size_t> others;           // used only if some wall is tilted
+  std::vector<Eigen::Vector3d> all_points; // used only if some wall may be tilted,
+  std::optional<const PlanPoints> in_plan; // and these
+  std::vector<std::size_t> others;         // used only if some wall is tilted
   for (std::size_t f = 0; f < all.size(); ++f) {
     const bool may_tilt = tilts[f] > std::max(min_tilt, drift) &&
                           patches.gainOf(all[f], sigma) > min_gain;
-    if (may_tilt && !in_plan)
-      in_plan.emplace(points, indices);
-    const auto face = may_tilt ? faceOf(patches, all[f], *in_plan, true) : std::nullopt;
+    if (may_tilt && !in_plan) {
+      std::vector<Eigen::Vector2d> places;
+      for (const int i : indices) {
+        all_points.push_back(points[static_cast<std::size_t>(i)].cast<double>());
+        places.emplace_back(all_points.back().head<2>());
+      }
+      in_plan.emplace(places, 1);
+    }
+    const auto face =
+        may_tilt ? faceOf(patches, all[f], all_points, *in_plan, true) : std::nullopt;
     if (face)
       faces.push_back(*face);
     else
       others.push_back(f);
   }
   for (const std::size_t f : others)
-    if (const auto face =
-            faces.empty() ? std::nullopt : faceOf(patches, all[f], *in_plan, false))
+    if (const auto face = faces.empty()
+                              ? std::nullopt
+                              : faceOf(patches, all[f], all_points, *in_plan, false))
       faces.push_back(*face);
   return faces;
 }

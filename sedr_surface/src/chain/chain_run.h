@@ -100,7 +100,7 @@ private:
 
   /** @brief Fits the ceilings of rooms with tilted walls again, to points where they
    * were scanned: with straightened walls a sloping plane is none. */
-  void fitCeilingsAsScanned(const PointView& raw, const pcl::Indices& indices);
+  void fitCeilingsAsScanned(const PointView& scanned, const pcl::Indices& indices);
 
   /** @brief Moves the structure to the frame of the scan; the mesh is made in the other
    * frame. */

@@ -4,6 +4,7 @@
 
 #include "../mesh/mesh_repair.h"
 #include "sedr_filters/src/rays/sight_lines.h"
+#include "sedr_segmentation/src/adjust/plan_adjustment.h"
 #include "sedr_segmentation/src/plan/room_ceilings.h"
 #include "sedr_segmentation/src/scan/scan_tilt.h"
 #include "sedr_segmentation/src/scan/tilted_faces.h"
@@ -79,11 +80,19 @@ ChainRun::tiltPlan()
     return;
   const pcl::IndicesConstPtr indices = chain_.floorplan_fitting.getRawIndices();
   const PointView raw = chain_.floorplan_fitting.getRawPoints();
-  fitTilts(chain_.straightening, tilted_faces_,
-           raw.size() > 0 ? raw : PointView(*chain_.cloud),
-           indices ? *indices : pcl::Indices(), *chain_.plan);
+  const PointView points = raw.size() > 0 ? raw : PointView(*chain_.cloud);
+  std::vector<Eigen::Vector3f> scanned;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    scanned.push_back(
+        chain_.straightening.back(points[i].cast<double>()).cast<float>());
+  const PointView as_scanned(scanned.data(), sizeof(Eigen::Vector3f), scanned.size());
+  const pcl::Indices used = indices && raw.size() > 0 ? *indices : pcl::Indices();
+  tiltWalls(chain_.straightening, tilted_faces_, *chain_.plan);
+  AdjustmentParameters adjustment;
+  adjustment.threads = chain_.room_segmentation.getNumberOfThreads();
+  adjustPlan(*chain_.plan, as_scanned, used, adjustment);
   chain_.straight_plan_ = std::make_shared<Floorplan>(straightened(*chain_.plan));
-  fitCeilingsAsScanned(raw, indices ? *indices : pcl::Indices());
+  fitCeilingsAsScanned(as_scanned, used);
   const Straightening fitted(tiltedFaces(*chain_.plan));
   for (auto& p : *chain_.cloud) {
     const Eigen::Vector3d scanned =
@@ -98,11 +107,8 @@ ChainRun::tiltPlan()
 }
 
 void
-ChainRun::fitCeilingsAsScanned(const PointView& raw, const pcl::Indices& indices)
+ChainRun::fitCeilingsAsScanned(const PointView& scanned, const pcl::Indices& indices)
 {
-  const auto scanned = [this](const PointView& points, std::size_t i) {
-    return chain_.straightening.back(points[i].cast<double>());
-  };
   std::vector<RoomSheet> sheets;
   for (const PlanRoom& room : chain_.plan->rooms)
     if (isTilted(room))
@@ -114,12 +120,10 @@ ChainRun::fitCeilingsAsScanned(const PointView& raw, const pcl::Indices& indices
     for (RoomSheet& sheet : sheets)
       if (sheet.room == chain_.rooms[static_cast<std::size_t>(i)])
         sheet.points.push_back(
-            scanned(PointView(*chain_.cloud), static_cast<std::size_t>(i)));
-  std::vector<Eigen::Vector3f> all;
-  for (std::size_t i = 0; i < raw.size(); ++i)
-    all.push_back(scanned(raw, i).cast<float>());
-  const PointView of_all(all.data(), sizeof(Eigen::Vector3f), all.size());
-  giveCeilings(std::move(sheets), of_all, indices,
+            chain_.straightening.back((*chain_.cloud)[static_cast<std::size_t>(i)]
+                                          .getVector3fMap()
+                                          .cast<double>()));
+  giveCeilings(std::move(sheets), scanned, indices,
                chain_.room_segmentation.getNumberOfThreads(), *chain_.plan);
 }
 

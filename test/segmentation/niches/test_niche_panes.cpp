@@ -13,7 +13,7 @@ using namespace sedr_test;
 /** Returns the number of niches that remain of a plan with one of 1.2 x 1 m, when
  * `share` of the wall points are on its back. */
 std::size_t
-leftOf(double depth, double share, double spacing = 0.01, unsigned threads = 0)
+leftOf(double depth, double share, double spacing = 0.01)
 {
   const PlanRoom room = recessed(1.4, 2.6, 0.9, 1.9, depth);
   Floorplan plan;
@@ -30,7 +30,7 @@ leftOf(double depth, double share, double spacing = 0.01, unsigned threads = 0)
     hits -= is_hit ? 1 : 0;
     return is_hit;
   });
-  const std::size_t taken_out = leaveOutPanes(plan, points.view(), {}, threads);
+  const std::size_t taken_out = leaveOutPanes(plan, points.view());
   EXPECT_EQ(taken_out + plan.rooms[0].niches.size(), 1u);
   return plan.rooms[0].niches.size();
 }
@@ -57,12 +57,6 @@ TEST(NichePanes, ADeepNicheStaysAsItsSidesHideItsBack)
 TEST(NichePanes, WhereTheWallWasNotSeenNothingIsTakenOut)
 {
   EXPECT_EQ(leftOf(0.1, 0.05, 0.7), 1u);
-}
-
-TEST(NichePanes, TheSameIsTakenOutForAnyNumberOfThreads)
-{
-  for (const unsigned threads : {1u, 3u})
-    EXPECT_EQ(leftOf(0.1, 0.1, 0.01, threads), 0u);
 }
 
 TEST(NichePanes, APlanWithoutNichesOrPointsStays)

@@ -93,6 +93,40 @@ TEST(Recesses, NextToACornerAndBehindFurnitureNeither)
   }
 }
 
+TEST(Recesses, BesidePilastersNeither)
+{
+  const PlanLoop walls = polygon({{0, 0},
+                                  {6, 0},
+                                  {6, 3.66},
+                                  {4.4, 3.66},
+                                  {4.4, 4},
+                                  {1.2, 4},
+                                  {1.2, 3.66},
+                                  {0, 3.66}});
+  RoomPoints points(0.07, 0.003);
+  RoomParts parts;
+  parts.floor = points.slab(walls, 0);
+  parts.ceiling = points.slab(walls, 2.6);
+  for (std::size_t i = 0; i < walls.elements.size(); ++i)
+    parts.walls = joined(
+        parts.walls, points.wall(walls.elements[i], 0, 2.6, [&](double s, double z) {
+          return i != 4 || z < 0.9 || (s > 1.1 && s < 2.1);
+        }));
+  for (const double left : {1.2, 3.3}) { // windows, with blinds in them
+    const PlanLoop bay = rectangle(left, 4, left + 1.1, 4.25);
+    parts.ceiling = joined(parts.ceiling, points.slab(bay, 2.6));
+    for (const std::size_t side : {1, 2, 3})
+      parts.walls = joined(parts.walls, points.wall(bay.elements[side], 0.9, 2.6));
+  }
+  Fitting fitting;
+  setEvidence(points, evidenceOf(points, parts), fitting);
+  fitting.setGridSize(0.08);
+  Floorplan plan;
+  ASSERT_TRUE(fitting.segment(plan)) << fitting.getErrorMessage();
+  EXPECT_EQ(plan.rooms.front().boundary.elements.size(), 8u);
+  EXPECT_LT(cornerError(plan.rooms.front().boundary, walls), 0.01);
+}
+
 TEST(Recesses, AWindowOfWhichTheFrameIsSeenIsNone)
 {
   const PlanRoom room = fittedAbove(0.45, 0.25, [](double s, double z) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sedr_segmentation/src/plan/frontier_points.h"
+#include "sedr_segmentation/src/plan/room_territory.h"
 
 #include "room_points.h"
 
@@ -32,12 +32,11 @@ public:
   void addLowerFace(double from) { face(0, from, lower_); }
 
   /** Returns the rooms of the points of the upper and of the lower face. */
-  std::pair<std::vector<std::int32_t>, std::vector<std::int32_t>>
-  rooms(unsigned threads) const
+  std::pair<std::vector<std::int32_t>, std::vector<std::int32_t>> rooms() const
   {
     const RoomTerritory territory(CellGrid(0.05), scopes_);
     EXPECT_EQ(territory.problem(), "");
-    const auto rooms = roomsOfPoints(points_.view(), territory, threads);
+    const auto rooms = territory.roomsAt(points_.view(), 1);
     const auto of = [&](const std::vector<int>& indices) {
       std::vector<std::int32_t> found;
       for (const int i : indices)
@@ -96,58 +95,22 @@ shareOf(std::int32_t room, const std::vector<std::int32_t>& rooms)
          static_cast<double>(rooms.size());
 }
 
-TEST(RoomsOfPoints, AFaceWhoseOtherSideWasNotSeenIsOfOneRoomHoweverItIsTurned)
+TEST(ThinPartition, AFaceWhoseOtherSideWasNotSeenIsOfOneRoomHoweverItIsTurned)
 {
   for (double degrees = 0; degrees < 180; degrees += 7.3)
-    EXPECT_GT(shareOf(1, Partition(degrees).rooms(1).first), 0.9) << degrees;
+    EXPECT_GT(shareOf(1, Partition(degrees).rooms().first), 0.9) << degrees;
 }
 
-TEST(RoomsOfPoints, BothFacesOfAThinPartitionStayApart)
+TEST(ThinPartition, BothFacesOfAThinPartitionStayApart)
 {
   for (const double from : {0.0, 2.0}) // a wardrobe hides the lower part
     for (double degrees = 0; degrees < 180; degrees += 7.3) {
       Partition partition(degrees);
       partition.addLowerFace(from);
-      const auto [upper, lower] = partition.rooms(1);
+      const auto [upper, lower] = partition.rooms();
       EXPECT_GT(shareOf(1, upper), 0.9) << degrees;
       EXPECT_GT(shareOf(0, lower), 0.9) << degrees;
     }
-}
-
-/** Of two rooms that meet at x = 0, returns that of a point `from` cells before it,
- * with `others` points at the same height `away` cells farther on. */
-std::int32_t
-roomBeside(double from, double away, std::size_t others)
-{
-  constexpr double cell = 0.05;
-  std::vector<CellKey> left;
-  std::vector<CellKey> right;
-  for (std::int32_t x = 0; x < 10; ++x)
-    for (std::int32_t y = 0; y < 10; ++y) {
-      left.push_back(keyOf({-1 - x, y}));
-      right.push_back(keyOf({x, y}));
-    }
-  const RoomTerritory territory(CellGrid(cell),
-                                {CellSet(std::move(left)), CellSet(std::move(right))});
-  RoomPoints points;
-  points.point(-from * cell, 4.5 * cell, 1);
-  for (std::size_t k = 0; k < others; ++k)
-    points.point((away - from) * cell, 4.5 * cell, 1);
-  return roomsOfPoints(points.view(), territory, 1)[0];
-}
-
-TEST(RoomsOfPoints, MostOfThoseWithinACellAndAHalfDecideAlongAFrontier)
-{
-  EXPECT_EQ(roomBeside(0.1, 1.4, 2), 1) << "two cells farther on";
-  EXPECT_EQ(roomBeside(0.1, 1.6, 2), 0) << "too far away";
-  EXPECT_EQ(roomBeside(0.1, 1.4, 1), 0) << "as many: it stays";
-  EXPECT_EQ(roomBeside(1.1, 1.4, 2), 0) << "not along the frontier";
-}
-
-TEST(RoomsOfPoints, DoNotDependOnTheThreads)
-{
-  const Partition partition(33);
-  EXPECT_EQ(partition.rooms(1), partition.rooms(3));
 }
 
 } // namespace
