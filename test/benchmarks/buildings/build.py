@@ -49,9 +49,9 @@ def attempt_to_build(rng, kind, name):
         if not walls.connect(rng, building.on_storey(storey), style, doors):
             raise Unfit
     for room in tall:
-        walls.add_galleries(rng, room, building.rooms)
+        walls.add_galleries(rng, room, building.rooms, style.galleries)
     fill(rng, building, style, lines.outer)
-    return scan(rng, building)
+    return scan(rng, building, style)
 
 
 def storey_heights(rng, style, count):
@@ -77,7 +77,7 @@ def add_rooms(building, storey, spaces, lines, heights):
             raise Unfit
         step = rng.uniform(0.08, 0.18) if space.role == "room" and rng.random() < 0.03 else 0.0
         name = f"{space.role} {storey + 1}.{k + 1}"
-        building.rooms.append(Room(name, space.role, outline, round(floor + step, 3), ceiling, storey + 1))
+        building.rooms.append(Room(name, space.role, outline, round(floor + space.lift + step, 3), ceiling, storey + 1))
 
 
 def raise_halls(rng, building, heights, kind):
@@ -160,7 +160,7 @@ def fill(rng, building, style, thickness):
         furnish.furnish(rng, room)
 
 
-def scan(rng, building):
+def scan(rng, building, style):
     """Stations in every room but some closets and one room in thirty, which are seen through their doors."""
     for room in building.rooms:
         is_seen_by_door = rng.random() < {"closet": 0.35, "room": 0.03}.get(room.role, 0.0)
@@ -169,6 +169,8 @@ def scan(rng, building):
         room.stations += furnish.stations(rng, room)
         if not room.stations:
             raise Unfit
+        if room.role == "corridor" and style.seen_from_end and rng.random() < style.seen_from_end:
+            room.stations = [min(room.stations)]
     for room in building.rooms:
         if room.role in ("corridor", "open", "hall") and rng.random() < 0.5:
             near_a_door(rng, room)

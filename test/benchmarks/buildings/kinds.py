@@ -19,6 +19,8 @@ class Kind:
         self.attic = more.get("attic", 0.0)           # share of buildings with sloped ceilings on top
         self.is_fitted = more.get("is_fitted", False)  # cubicles, leaves and cupboards in corridors
         self.vaults = more.get("vaults", 0.0)         # share of rectangular rooms below a barrel vault
+        self.galleries = more.get("galleries", 0.0)   # share of the openings of storeys to a hall that are as wide as the wall
+        self.seen_from_end = more.get("seen_from_end", 0.0)  # share of corridors that were scanned from one end only
         self.is_for_all_seeds = more.get("is_for_all_seeds", True)  # else only when asked for: seeds keep their building
 
 
@@ -31,12 +33,14 @@ KINDS = {
     "hall": Kind((1, 2), (2.5, 3.0), (0.25, 0.4), ribs=0.8, glass=0.2, passages=0.3),
     "fitted": Kind((1, 1, 2), (2.4, 3.0), (0.25, 0.4), suspended=0.3, glass=0.4, full_doors=0.15, is_fitted=True, is_for_all_seeds=False),
     "cellar": Kind((1,), (2.9, 4.0), (0.4, 0.6), soffits=0.0, glass=0.0, passages=0.1, full_doors=0.0, vaults=0.9, is_for_all_seeds=False),
+    "atrium": Kind((2, 2, 3), (2.8, 3.4), (0.3, 0.4), suspended=0.3, glass=0.8, galleries=0.7, seen_from_end=0.5, is_fitted=True, is_for_all_seeds=False),
+    "halflevel": Kind((1,), (3.7, 4.3), (0.3, 0.4), glass=0.3, is_for_all_seeds=False),
 }
 
 PARTITIONS = {"flat": (0.08, 0.1, 0.12, 0.15, 0.24), "house": (0.1, 0.12, 0.15, 0.2, 0.3),
               "office": (0.08, 0.1, 0.12, 0.15), "openplan": (0.1, 0.12, 0.2, 0.25),
               "school": (0.12, 0.2, 0.25, 0.3), "hall": (0.15, 0.2, 0.3, 0.4), "fitted": (0.08, 0.1, 0.12, 0.15),
-              "cellar": (0.5, 0.6, 0.7, 0.75)}
+              "cellar": (0.5, 0.6, 0.7, 0.75), "atrium": (0.08, 0.1, 0.12, 0.15), "halflevel": (0.1, 0.12, 0.15, 0.2)}
 
 
 def lines_for(rng, kind):
@@ -193,5 +197,38 @@ def cellar(rng, _storeys, _flight):
     return [spaces], lines
 
 
+def atrium(rng, storeys, flight):
+    """Storeys of rooms along corridors that open to a hall as high as the building."""
+    length, width = snapped(rng.uniform(16, 28)), snapped(rng.uniform(1.8, 2.8))
+    near, deep = snapped(rng.uniform(4, 6)), snapped(rng.uniform(6, 10))
+    lines = lines_for(rng, "atrium")
+    wide = snapped(max(flight[1] + 0.8, 3.2))
+    stairs = (length, 0.0, round(length + wide, 2), max(round(near + width, 2), snapped(flight[0] + 2.4)))
+    edge = round(near + width, 2)
+    hall = (0.0, edge, length, round(edge + deep, 2))
+    lines.enclose((0.0, 0.0, stairs[2], hall[3]))
+    lines.set(0, length, 0.24)
+    plans = []
+    for k in range(storeys):
+        spaces = closets(rng, corridor_plan(rng, (0.0, 0.0, stairs[2], edge), width, near, 0, 2.6, 6.0, stairs), 0.3)
+        plans.append(spaces + [Space("hall" if k == 0 else HIDDEN, hall)])
+    return plans, lines
+
+
+def halflevel(rng, _storeys, _flight):
+    """A row of rooms on the ground and another half a storey up, with a corridor each; a flight joins these."""
+    w, d = snapped(rng.uniform(9, 16)), snapped(rng.uniform(13, 16))
+    lines = lines_for(rng, "halflevel")
+    lines.enclose((0.0, 0.0, w, d))
+    wide, upper = snapped(rng.uniform(3.2, 4.0)), snapped(rng.uniform(1.3, 2.0))
+    near = snapped(rng.uniform(0.4, 0.6) * (d - wide - upper))
+    low = corridor_plan(rng, (0.0, 0.0, w, d), wide, near, 0, 2.6, 6.0)
+    high = corridor_plan(rng, (0.0, round(near + wide, 2), w, d), upper, 0, d - near - wide - upper, 2.6, 6.0)
+    lift = rng.uniform(1.2, 1.5)
+    for space in high:
+        space.lift = lift
+    return [closets(rng, low, 0.3) + high], lines
+
+
 PLANS = {"flat": flat, "house": house, "office": office, "openplan": openplan, "school": school, "hall": hall,
-         "cellar": cellar, "fitted": fitted}
+         "cellar": cellar, "fitted": fitted, "atrium": atrium, "halflevel": halflevel}

@@ -8,6 +8,7 @@ class Space:
 
     def __init__(self, role, *rects):
         self.role, self.rects = role, [tuple(round(v, 2) for v in r) for r in rects]
+        self.lift = 0.0  # metres, of its floor above that of the storey
 
     @property
     def area(self):

@@ -27,6 +27,10 @@ class Room:
     def area(self):
         return g.area(self.outline)
 
+    def length(self):
+        x0, y0, x1, y1 = g.bounds(self.outline)
+        return max(x1 - x0, y1 - y0)
+
     @property
     def edges(self):
         return g.edges(self.outline)

@@ -64,6 +64,8 @@ def reserve(a, b, spot, depth_a, depth_b):
 
 def add_door(rng, a, b, style, passages):
     """A door or passage between two rooms; True if there was a place for it."""
+    if abs(a.floor - b.floor) > 0.3:
+        return add_raised_door(rng, *sorted((a, b), key=lambda r: r.floor))
     sill = max(a.floor, b.floor)
     top = min(a.lowest_ceiling(), b.lowest_ceiling())
     wide = rng.uniform(2.0, 4.0)
@@ -106,6 +108,35 @@ def add_door(rng, a, b, style, passages):
     return True
 
 
+def add_raised_door(rng, lower, upper):
+    """A door half a storey up in the wall of a corridor, with a flight of stairs before it."""
+    climb = upper.floor - lower.floor
+    steps = math.ceil(climb / 0.18) - 1
+    rise, run, width = climb / (steps + 1), 0.27 * steps, round(rng.uniform(0.9, 1.2), 2)
+    if "corridor" not in (lower.role, upper.role) or lower.role == "room" or upper.role == "room":
+        return False
+    for _ in range(10):
+        spot = place(rng, upper, lower, width, 0.2, upper.floor + 2.05)
+        if not spot:
+            return False
+        a, u, n, _ = g.frame(upper.edges[spot[0]])  # n points down the stairs, out of the upper room
+        top = g.along(g.along(a, u, (spot[2] + spot[3]) / 2), n, spot[4] + 0.01)
+        foot = g.along(top, n, run)
+        body = [g.along(p, u, s * width / 2) for p, s in ((top, -1), (top, 1), (foot, 1), (foot, -1))]
+        whole = body[:2] + [g.along(p, n, 0.8) for p in body[2:]]
+        if all(g.inside(lower.outline, p) for p in whole) and not any(g.meet(whole, t) for t in lower.taken):
+            break
+    else:
+        return False
+    lower.furniture.append({"stairs": {"at": [round(v, 4) for v in foot], "yaw": round(math.degrees(math.atan2(n[0], -n[1])), 3),
+                                       "width": width, "rise": rise, "going": 0.27, "steps": steps}})
+    lower.taken.append(whole)
+    lower.obstacles.append(body)
+    reserve(upper, lower, spot, 1.05, 0.0)
+    upper.openings.append(opening(spot, upper.floor, upper.floor + 2.05, lower.name))
+    return True
+
+
 def leaf_outline(room, door):
     a, u, n, _ = g.frame(room.edges[door["wall"]])
     width, angle = door["to"] - door["from"], math.radians(door["leaf"]["angle"])
@@ -145,12 +176,14 @@ def connect(rng, rooms, kind, style):
     return not alone
 
 
-def add_galleries(rng, tall, rooms):
-    """Openings of upper rooms to a tall one beside them, above a parapet."""
+def add_galleries(rng, tall, rooms, wide=0.0):
+    """Openings of upper rooms to a tall one beside them, above a parapet; a share `wide` of those of corridors along the wall."""
     for room in rooms:
         spot = None
         if room.floor > tall.floor + 1.5 and room.role != "closet" and rng.random() < 0.4:
             spot = place(rng, room, tall, round(rng.uniform(1.5, 3.0), 2), 0.3)
+        if wide and room.floor > tall.floor + 1.5 and room.role == "corridor" and rng.random() < wide:
+            spot = next((s for share in (0.95, 0.7, 0.4, 0.2) for s in [place(rng, room, tall, round(share * room.length(), 2), 0.1)] if s), spot)
         if spot:
             sill = room.floor + rng.uniform(0.9, 1.1)
             head = min(room.lowest_ceiling() - 0.2, tall.lowest_ceiling() - 0.2, sill + 1.4)
