@@ -68,12 +68,14 @@ def leaf_is_right(true, found):
         return False
     # The truth runs along the wall of the room it swings into; that room is to the left.
     same = (true["b"] - true["a"]) @ (found["b"] - found["a"]) > 0
+    if "both" in (found["hinge"], leaf["hinge"]):
+        return found["hinge"] == leaf["hinge"] and (found["swing"] == found["rooms"][0]) == same
     return (found["hinge"] == leaf["hinge"]) == same and (found["swing"] == found["rooms"][0]) == same
 
 
 def grade(folder, plan, is_listed):
     """Counts and errors of one folder."""
-    true, found = true_openings(folder), found_openings(plan)
+    true, found = true_openings(folder), found_openings(plan) if plan else []
     sums = {"errors": [], "confused": 0, "leaves": 0, "leaves_right": 0, "leaves_told": 0}
     matched = pairs(true, found)
     for i, j in matched:
@@ -103,23 +105,42 @@ def grade(folder, plan, is_listed):
     return sums
 
 
+def columns(sums):
+    """Columns of a table: true, found and right openings of each kind, errors of edges in cm, leaves."""
+    row = {f"{kind}s_{what}": int(n) for kind in ("door", "window") for what, n in zip(("right", "found", "true"), sums[kind])}
+    row.update({f"openings_{what}": int(n) for what, n in zip(("right", "found", "true"), sums["any"])})
+    errors = 100 * np.array(sums["errors"] or [0])
+    row.update({f"edges_{name}_cm": round(float(e), 2) for name, e in (("median", np.median(errors)), ("95", np.percentile(errors, 95)))})
+    row["wrong_kind"] = sums["confused"]
+    row.update({k: int(sums[k]) for k in ("leaves", "leaves_told", "leaves_right")})
+    return row
+
+
+def summary(rows):
+    """Lines on all rows. Errors of edges are means over rows, weighted by their openings."""
+    def total(key):
+        return sum(r[key] for r in rows)
+    lines = []
+    for kind in ("doors", "windows", "openings"):
+        right, found, true = (total(f"{kind}_{what}") for what in ("right", "found", "true"))
+        lines.append(f"{kind}: {true} true, {found} found, {right} right: precision {right / max(found, 1):.3f}, "
+                     f"recall {right / max(true, 1):.3f}, F1 {2 * right / max(found + true, 1):.3f}")
+    many = max(total("openings_right"), 1)
+    median, most = (sum(r[f"edges_{k}_cm"] * r["openings_right"] for r in rows) / many for k in ("median", "95"))
+    lines.append(f"edges: median {median:.1f} cm, 95 % within {most:.1f} cm; {total('wrong_kind')} of the wrong kind")
+    lines.append(f"open leaves: {total('leaves')} true, {total('leaves_told')} told, {total('leaves_right')} right")
+    return lines
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folders", nargs="+", type=pathlib.Path)
     parser.add_argument("--plan", default="out/floorplan.json", help="below each folder")
     parser.add_argument("--list", action="store_true", help="openings that are wrong")
     options = parser.parse_args()
-    all_sums = [grade(f, f / options.plan, options.list) for f in options.folders]
-    for kind in ("door", "window", "any"):
-        right, found, true = sum(s[kind] for s in all_sums)
-        p, r = right / max(found, 1), right / max(true, 1)
-        print(f"{kind}: {true} true, {found} found, {right} right: precision {p:.3f}, recall {r:.3f}, F1 {2 * p * r / max(p + r, 1e-9):.3f}")
-    errors = np.array([e for s in all_sums for e in s["errors"]])
-    if len(errors):
-        print(f"edges: median {100 * np.median(errors):.1f} cm, 95 % within {100 * np.percentile(errors, 95):.1f} cm; "
-              f"{sum(s['confused'] for s in all_sums)} of {len(errors) // 4} of the wrong kind")
-    print("open leaves: " + ", ".join(f"{sum(s[k] for s in all_sums)} {t}" for k, t in
-                                      (("leaves", "true"), ("leaves_told", "told"), ("leaves_right", "right"))))
+    grades = [grade(f, f / options.plan, options.list) for f in options.folders]
+    pooled = {k: sum((g[k] for g in grades[1:]), grades[0][k]) for k in grades[0]}
+    print("\n".join(summary([columns(pooled)])))
 
 
 if __name__ == "__main__":

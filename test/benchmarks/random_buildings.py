@@ -15,6 +15,7 @@ from buildings.build import build
 from buildings.kinds import KINDS
 
 try:
+    import opening_grades
     from buildings import grades, instrument, pictures
 except ImportError as error:
     sys.exit(f"random_buildings.py: the Python package {error.name} is missing; on Debian: "
@@ -28,6 +29,8 @@ def one_building(seed, folder, options):
     row.update(figures)
     figures, graded = grades.grade(folder, folder / "out")
     row.update(figures)
+    plan = folder / "out/floorplan.json"
+    row.update(opening_grades.columns(opening_grades.grade(folder, plan if plan.exists() else None, False)))
     row["message"] = message
     kept = runs.keep(folder, row, options)
     if kept:
@@ -49,6 +52,7 @@ def summary(rows):
              "; " + ", ".join(f"{total(k)} {k}" for k in ("missed", "merged", "split", "shape", "extra")),
              f"flights of stairs: {total('stairs')} true, {total('stairs_found')} found, {total('stairs_exact')} with all steps, "
              f"{total('stairs_invented')} invented",
+             *opening_grades.summary(rows),
              f"seconds of pcl_sedr: {total('seconds') / len(rows):.1f} on average, {max(r['seconds'] for r in rows):.1f} at most"]
     codes = sorted({r["exit"] for r in rows})
     lines.append("exit codes: " + ", ".join(f"{c}: {sum(r['exit'] == c for r in rows)}" for c in codes))

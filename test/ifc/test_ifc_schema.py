@@ -13,7 +13,7 @@ import unittest
 
 import step_reader
 from express_schema import Check, Schema
-from ifc_samples import house, house_with_doors, write
+from ifc_samples import house, house_with_doors, opening, write
 from plan_samples import rectangle, room, slab
 
 TOOL = sys.argv[1]
@@ -65,6 +65,24 @@ class IfcSchema(unittest.TestCase):
                 place = parent
             if swing:
                 self.assertAlmostEqual(turn.real, -1 if swing == 1 else 1)  # the y axis is x, turned left
+
+    def test_a_blind_before_a_window_is_no_recess(self):
+        plan = house_with_doors()
+        plan["rooms"][0]["niches"] = [{"bottom": slab(1), "top": slab(2.12), "boundary": rectangle(2, -0.11, 2.99, 0)},
+                                      {"bottom": slab(1), "top": slab(2.3), "boundary": rectangle(0.5, -0.11, 1.5, 0)}]
+        instances = step_reader.read(write(TOOL, plan, self.folder))
+        self.assertEqual(self.problems(instances), [])
+        names = [v[2] for name, v in instances.values() if name == "IFCOPENINGELEMENT" and v[2].startswith("room_1")]
+        self.assertEqual(names, ["room_1_niche_2"])
+
+    def test_a_door_where_two_rooms_meet_without_a_wall(self):
+        plan = {"format": "sedr-floorplan", "version": 1, "unit": "m",
+                "rooms": [room(1, rectangle(0, 0, 4, 3), slab(0), slab(2.5)),
+                          room(2, rectangle(4, 0, 8, 3), slab(0), slab(2.5))],
+                "openings": [opening("door", [1, 2], [4, 1], [4, 1.9])]}
+        instances = step_reader.read(write(TOOL, plan, self.folder))
+        self.assertEqual(self.problems(instances), [])
+        self.assertEqual([v[2] for name, v in instances.values() if name == "IFCVIRTUALELEMENT"], ["opening_1"])
 
     def test_one_room_without_an_origin(self):
         plan = {"format": "sedr-floorplan", "version": 1, "unit": "m",

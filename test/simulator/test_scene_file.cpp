@@ -94,6 +94,33 @@ TEST(SceneFile, placesObjectsByPointWallRowAndGroup)
   expect(5, {3.1, 0.5, 0}, {3.9, 1.4, 0.6});
 }
 
+TEST(SceneFile, openingsHaveArchesBlindsAndPairsOfLeaves)
+{
+  const Scene scene = read(with(boxFile(), R"({"/rooms/0/openings": [
+      {"wall": 0, "from": 1, "to": 3, "sill": 0, "head": 2.2, "depth": 0.2, "rise": 0.5,
+       "leaf": {"hinge": "both", "angle": 90}},
+      {"wall": 2, "from": 1, "to": 2, "sill": 0.9, "head": 2.1, "depth": 0.2,
+       "glazing": {}, "blind": 0.25}]})"));
+  ASSERT_EQ(scene.furniture.size(), 2U);
+  for (const Object& leaf : scene.furniture)
+    EXPECT_NEAR(boundsOf(leaf).max().y(), 1.03, 1e-9); // half of 2 m, 3 cm off the wall
+  EXPECT_NEAR(boundsOf(scene.furniture[0]).center().x(), 0.97, 1e-9);
+  EXPECT_NEAR(boundsOf(scene.furniture[1]).center().x(), 3.03, 1e-9);
+  Eigen::AlignedBox3d arch, blind;
+  double above = 0; // the arch, square metres
+  for (const Object& object : scene.outside) {
+    const Eigen::AlignedBox3d bounds = boundsOf(object);
+    (object.name == "arch" ? arch : blind).extend(bounds);
+    if (object.name == "arch")
+      above += bounds.sizes().x() * bounds.sizes().z();
+  }
+  EXPECT_LT((arch.min() - Vec3(1, -0.2, 1.7)).norm(), 0.1);
+  EXPECT_LT((arch.max() - Vec3(3, 0, 2.2)).norm(), 1e-9);
+  EXPECT_NEAR(above, (1 - pi / 4) * 2 * 0.5, 0.003);
+  EXPECT_NEAR(blind.min().z(), 1.8, 1e-9);
+  EXPECT_LT((blind.max() - Vec3(4, 4.07, 2.1)).norm(), 1e-9);
+}
+
 TEST(SceneFile, walksFollowTheFloorBelowThem)
 {
   json file = with(twoStoreyFile(), R"({"/scanners": [{"walk":

@@ -133,6 +133,13 @@ TEST(Truth, openingsHaveTheirPlaceAndTheirLeaf)
   EXPECT_EQ(window["kind"], "window");
   EXPECT_EQ(window["glazed"], true);
   EXPECT_FALSE(window.contains("leaf"));
+  const json wide = opening(R"({"/rooms/0/openings/0/to": 2.6,
+      "/rooms/0/openings/0/rise": 0.4, "/rooms/0/openings/0/blind": 0.5,
+      "/rooms/0/openings/0/leaf": {"hinge": "both", "angle": 45}})");
+  EXPECT_EQ(wide["kind"], "door") << "what has leaves is no passage";
+  EXPECT_EQ(wide["leaf"]["hinge"], "both");
+  EXPECT_NEAR(wide["rise"], 0.4, 1e-9);
+  EXPECT_NEAR(wide["blind"], 0.5, 1e-9);
 }
 
 } // namespace

@@ -96,6 +96,21 @@ bestRectangles(const CellGains& g)
   return best;
 }
 
+std::vector<CellRectangle>
+allRectangles(CellGains g)
+{
+  constexpr double taken = -1e6; // nats
+  std::vector<CellRectangle> all;
+  for (auto best = bestRectangles(g); !best.empty(); best = bestRectangles(g))
+    for (const CellRectangle& r : best) {
+      all.push_back(r);
+      for (std::size_t c = r.first_column; c < r.last_column; ++c)
+        for (std::size_t k = r.first_row; k < r.last_row; ++k)
+          g.inside[c * g.rows + k] = taken;
+    }
+  return all;
+}
+
 CellArch
 bestArch(const CellGains& g, const CellRectangle& at, double cost)
 {

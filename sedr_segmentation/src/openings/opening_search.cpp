@@ -161,7 +161,7 @@ private:
     };
     std::vector<FoundOpening> found;
     const CellGains gains = gainsOn(side);
-    for (const CellRectangle& cells : bestRectangles(gains)) {
+    for (const CellRectangle& cells : allRectangles(gains)) {
       WallRectangle rectangle{along(cells.first_column), along(cells.last_column),
                               map.heightOf(cells.first_row),
                               map.heightOf(cells.last_row)};
@@ -181,8 +181,12 @@ private:
       describe(candidate);
       const PlanOpening& o = candidate.opening;
       if (o.rooms[0] == o.rooms[1] &&
-          plan_.rooms[search_.sides[side].room].contains((o.start + o.end) / 2))
-        continue; // the room goes on from face to face: no wall is between them
+          (candidate.behind == search_.sides.size() ||
+           plan_.rooms[search_.sides[side].room].contains((o.start + o.end) / 2)))
+        continue; // no wall with two faces is between a room and itself
+      if (o.bottom - highestFloor(plan_, o) > sizes_.on_floor &&
+          closedShare(candidate) > opening_numbers.max_closed)
+        continue; // a niche; a leaf may be flush with the other face
       found.push_back(candidate);
     }
     return found;
@@ -209,6 +213,22 @@ private:
                                                   sides[bay].line.project(place)));
     }
     return openingGains(map, behind, is_wall, parameters_.weights, sizes_);
+  }
+
+  /** @brief Returns the share of an opening in which one face of its wall was seen, of
+   * that face of which more was. */
+  double closedShare(const FoundOpening& found) const
+  {
+    const double here = seenInside(found);
+    if (found.behind == search_.sides.size())
+      return here;
+    const PlanElement& line = search_.sides[found.side].line;
+    const PlanElement& back = search_.sides[found.behind].line;
+    const WallRectangle& at = found.rectangle;
+    const auto [from, to] = std::minmax(
+        {back.project(line.pointAt(at.from)), back.project(line.pointAt(at.to))});
+    return std::max(here, search_.maps[found.behind].shareOf(WallCell::Seen, from, to,
+                                                             at.bottom, at.top));
   }
 
   /** @brief Returns the share of jambs and head beside which a face was seen, on either

@@ -65,6 +65,7 @@ struct OpeningNumbers {
   double usual_wall = 0.1;     ///< thickness of a wall with a usual door, metres
   double min_confidence = 0.5; ///< of a kind that is told
   double leaf_cell = 0.1;      ///< of a leaf, metres
+  double max_closed = 0.5;     ///< share of a window in which a face was seen
   double back_step =
       0.05; ///< between places where the side behind is looked up, metres
   double same_direction = 0.26; ///< sine between two sides of one opening: 15 degrees

@@ -194,22 +194,22 @@ WallMap::follow(const WallSide& side,
                 std::vector<std::uint32_t>& through,
                 std::vector<std::uint32_t>& before) const
 {
-  const Eigen::Vector2d from = ray.from.head<2>().cast<double>();
-  const Eigen::Vector2d way = ray.to.head<2>().cast<double>() - from;
+  const Eigen::Vector3d from = ray.from.cast<double>();
+  const Eigen::Vector3d way = ray.to.cast<double>() - from;
   const double start = side.offset(from);
-  const double end = side.offset(from + way);
+  const double end = side.offset(Eigen::Vector3d(from + way));
   if (std::min(std::abs(start), std::abs(end)) < opening_numbers.clear ||
       (start > 0) == (end > start))
     return; // it leads away from the face, or touches it
   double share = start / (start - end);
   for (int k = 0; k < 3 && side.line.isArc(); ++k)
-    share *= start / (start - side.offset(from + share * way));
-  const Eigen::Vector2d place = from + share * way;
+    share *= start / (start - side.offset(Eigen::Vector3d(from + share * way)));
+  const Eigen::Vector3d hit = from + share * way;
+  const Eigen::Vector2d place = hit.head<2>();
   if (!side.line.isBeside(place))
     return;
-  const double height = ray.from.z() + share * (ray.to.z() - ray.from.z());
   if (const std::size_t i = indexOf({static_cast<float>(side.line.project(place)),
-                                     static_cast<float>(height), 0});
+                                     static_cast<float>(hit.z()), 0});
       i != none)
     ++(share < 1 ? through : before)[i];
 }
@@ -303,11 +303,13 @@ pointsBeside(const std::vector<WallSide>& sides,
   const double reach = std::max(before, behind);
   std::vector<std::pair<Box, std::size_t>> boxes;
   for (std::size_t s = 0; s < sides.size(); ++s) {
-    const Eigen::AlignedBox2d box = boxAround(sides[s].line);
-    boxes.push_back(
-        {{{box.min().x() - reach, box.min().y() - reach, sides[s].floor - 0.1},
-          {box.max().x() + reach, box.max().y() + reach, sides[s].ceiling + 0.1}},
-         s});
+    const WallSide& side = sides[s];
+    const Eigen::AlignedBox2d box = boxAround(side.line);
+    const double far =
+        reach + (side.ceiling - side.floor) * std::abs(std::tan(side.line.tilt));
+    boxes.push_back({{{box.min().x() - far, box.min().y() - far, side.floor - 0.1},
+                      {box.max().x() + far, box.max().y() + far, side.ceiling + 0.1}},
+                     s});
   }
   const bg::index::rtree<std::pair<Box, std::size_t>, bg::index::quadratic<16>> tree(
       boxes);
@@ -320,7 +322,8 @@ pointsBeside(const std::vector<WallSide>& sides,
     const Eigen::Vector2d place = p.head<2>().cast<double>();
     const auto add = [&](const std::pair<Box, std::size_t>& near) {
       const PlanElement& line = sides[near.second].line;
-      const double offset = sides[near.second].offset(place);
+      const double offset =
+          sides[near.second].offset(Eigen::Vector3d(p.cast<double>()));
       if (offset <= before && offset >= -behind && line.isBeside(place))
         beside[near.second].push_back({static_cast<float>(line.project(place)), p.z(),
                                        static_cast<float>(offset)});

@@ -23,6 +23,7 @@ addHeights(const PlanRoom& room, WallSide& side)
 {
   side.floor = std::numeric_limits<double>::infinity();
   side.ceiling = -side.floor;
+  side.foot = room.floor.heightAt(side.line.pointAt(side.line.length() / 2));
   const auto steps =
       static_cast<std::size_t>(side.line.length() / opening_numbers.height_step) + 2;
   for (std::size_t k = 0; k <= steps; ++k) {

@@ -5,6 +5,7 @@
 
 #include <pcl/sedr_filters/floorplan.h>
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -18,9 +19,17 @@ struct WallSide {
   std::vector<std::size_t> elements{}; ///< of the room's boundary; none: a column
   double floor = 0;                    ///< minimum along it, metres
   double ceiling = 0;                  ///< maximum along it, metres
+  double foot = 0;                     ///< height at which its line lies, metres
 
-  /** @brief Returns the distance of a place before (above 0) or behind the side. */
+  /** @brief Returns the distance of a place before (above 0) or behind its line. */
   double offset(const Eigen::Vector2d& p) const;
+
+  /** @brief Returns the level distance of a point before or behind the side, which may
+   * be tilted. */
+  double offset(const Eigen::Vector3d& p) const
+  {
+    return offset(Eigen::Vector2d(p.head<2>())) - (p.z() - foot) * std::tan(line.tilt);
+  }
 };
 
 /** @brief Returns the sides of all walls of a plan. O(sides squared). */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ifc_parts.h"
-#include "level_slab.h"
+#include "sedr_filters/src/plan/plan_bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,13 +11,6 @@ namespace {
 
 constexpr double overshoot = 0.1; ///< of an opening beyond both faces, metres
 constexpr double beside = 0.15;   ///< of a wall, where a doorway in it may lie, metres
-
-/** @brief A box in the frame of a wall, with z from the wall's bottom. */
-struct OpeningBox {
-  Eigen::AlignedBox2d plan;
-  double bottom = 0;
-  double top = 0;
-};
 
 /** @brief Returns the extent of a wall behind its face (negative y) and in front of it,
  * in its frame. The chord of a curved wall is on the x axis. */
@@ -110,25 +103,6 @@ isBetween(const Floorplan& plan, const PlanWall& wall, const PlanDoorway& doorwa
          (!wall.other || leads_outside || isOf(plan, *wall.other, doorway));
 }
 
-StepRef
-writeOpening(IfcDocument& document,
-             const WrittenWall& wall,
-             const std::string& name,
-             StepRef item,
-             const char* kind,
-             const char* type = "SweptSolid")
-{
-  const StepRef frame = document.shapes.axes(Eigen::Vector3d::Zero());
-  const StepRef place = document.step.add("IFCLOCALPLACEMENT", {wall.placement, frame});
-  const StepRef shape = document.shapeOf(item, type, "opening");
-  const StepRef opening =
-      document.step.add("IFCOPENINGELEMENT", {document.guid(name), none, name, none,
-                                              none, place, shape, none, symbol(kind)});
-  document.relate("IFCRELVOIDSELEMENT", name + " in " + wall.name, wall.ref, opening);
-  ++document.model.openings;
-  return opening;
-}
-
 PlanLoop
 loopAround(const Eigen::AlignedBox2d& box)
 {
@@ -137,13 +111,6 @@ loopAround(const Eigen::AlignedBox2d& box)
                  box.max(),
                  {box.min().x(), box.max().y()}});
 }
-
-/** @brief A gap in a wall that was written. */
-struct WrittenGap {
-  const WrittenWall* wall = nullptr;
-  StepRef opening;
-  OpeningBox box;
-};
 
 /** @brief Adds a doorway to the walls that it passes through.
  * @return the gap in each */
@@ -271,65 +238,26 @@ writePassage(IfcDocument& document, const PlanDoorway& doorway, const std::strin
   }
 }
 
-/** @brief Returns what is between bottom and top of a niche that is not level, in the
- * frame of a wall, with z from its bottom. */
-TriangleMesh
-meshOf(const PlanNiche& niche, const PlanLoop& loop, const WallFrame& frame, double z)
-{
-  TriangleMesh foot = triangulated({loop}, {});
-  const auto heightAt = [&](const PlanSlab& slab, const Eigen::Vector3d& p) {
-    return slab.heightAt(frame.toPlan(p.head<2>())) - z;
-  };
-  for (Eigen::Vector3d& p : foot.vertices)
-    p.z() = heightAt(niche.bottom, p);
-  constexpr double min_height = 0.001;
-  return prismOn(foot, allTriangles(foot), [&](const Eigen::Vector3d& p) {
-    return std::max(heightAt(niche.top, p), p.z() + min_height);
-  });
-}
-
-void
-writeNiches(IfcDocument& document, const std::vector<WrittenWall>& walls)
-{
-  for (std::size_t r = 0; r < document.plan.rooms.size(); ++r) {
-    const PlanRoom& room = document.plan.rooms[r];
-    for (std::size_t n = 0; n < room.niches.size(); ++n) {
-      const PlanNiche& niche = room.niches[n];
-      const std::string name = nameIn(room, "niche_" + std::to_string(n + 1));
-      const Eigen::Vector2d middle = boundsOf(niche.boundary).center();
-      const double bottom = niche.bottom.heightAt(middle);
-      const double height = niche.top.heightAt(middle) - bottom;
-      const bool is_level = levelOf(niche.bottom, boundsOf(niche.boundary)) &&
-                            levelOf(niche.top, boundsOf(niche.boundary));
-      // A solid leaves out a niche without height or depth.
-      const IfcRoom& written = document.rooms[r];
-      const bool is_built =
-          written.solid.empty() ||
-          !trianglesOn(written, {name + "_bottom", name + "_top"}).empty();
-      std::size_t count = 0;
-      for (const WrittenWall& wall : walls) {
-        const WallFrame frame = frameOf(document.plan, wall.wall);
-        const PlanLoop loop = inFrame(niche.boundary, frame);
-        if (!is_built || height <= 0 || bottom >= wall.top ||
-            bottom + height <= wall.bottom ||
-            commonArea(wall.profile, {loop}) <= no_area)
-          continue;
-        const std::string part = count == 0 ? "" : "_part_" + std::to_string(count + 1);
-        const StepRef body =
-            is_level ? document.shapes.extrusion(loop, {}, bottom - wall.bottom, height)
-                     : document.shapes.faceSet(meshOf(niche, loop, frame, wall.bottom));
-        writeOpening(document, wall, name + part, body, "RECESS",
-                     is_level ? "SweptSolid" : "Tessellation");
-        ++count;
-      }
-      if (count == 0)
-        document.model.warnings.push_back(
-            warningOf(WarningKind::IfcLoss, name + " is in no wall of the IFC"));
-    }
-  }
-}
-
 } // namespace
+
+StepRef
+writeOpening(IfcDocument& document,
+             const WrittenWall& wall,
+             const std::string& name,
+             StepRef item,
+             const char* kind,
+             const char* type)
+{
+  const StepRef frame = document.shapes.axes(Eigen::Vector3d::Zero());
+  const StepRef place = document.step.add("IFCLOCALPLACEMENT", {wall.placement, frame});
+  const StepRef shape = document.shapeOf(item, type, "opening");
+  const StepRef opening =
+      document.step.add("IFCOPENINGELEMENT", {document.guid(name), none, name, none,
+                                              none, place, shape, none, symbol(kind)});
+  document.relate("IFCRELVOIDSELEMENT", name + " in " + wall.name, wall.ref, opening);
+  ++document.model.openings;
+  return opening;
+}
 
 bool
 isWhollyOpen(const Floorplan& plan, const WrittenWall& wall)
@@ -351,17 +279,21 @@ void
 writeOpenings(IfcDocument& document, const std::vector<WrittenWall>& walls)
 {
   const Floorplan& plan = document.plan;
+  std::vector<WrittenGap> all;
   std::vector<std::string> outside; // numbers of openings in no wall
   for (std::size_t k = 0; k < plan.openings.size(); ++k) {
     const PlanOpening& opening = plan.openings[k];
     const std::string number = std::to_string(k + 1);
     const std::vector<WrittenGap> gaps =
         writeDoorway(document, walls, doorwayOf(opening), "opening_" + number);
-    if (gaps.empty())
-      outside.push_back(number);
-    else
+    all.insert(all.end(), gaps.begin(), gaps.end());
+    if (!gaps.empty())
       writeFilling(document, opening, gaps.front(),
                    nameOf(opening.kind) + ("_" + number));
+    else if (joinsRooms(plan, doorwayOf(opening)))
+      writePassage(document, doorwayOf(opening), "opening_" + number);
+    else
+      outside.push_back(number);
   }
   if (!outside.empty()) {
     std::string numbers;
@@ -387,7 +319,7 @@ writeOpenings(IfcDocument& document, const std::vector<WrittenWall>& walls)
                         " and " + std::to_string(doorway.rooms[1]) +
                         " is no opening in the IFC: no wall stands there"));
   }
-  writeNiches(document, walls);
+  writeNiches(document, walls, all);
 }
 
 } // namespace pcl::sedr::ifc

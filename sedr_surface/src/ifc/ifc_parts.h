@@ -54,8 +54,35 @@ std::vector<WrittenWall> writeWalls(IfcDocument& document);
  * takes it from bottom to top. */
 bool isWhollyOpen(const Floorplan& plan, const WrittenWall& wall);
 
+/** @brief A box in the frame of a wall, with z from the wall's bottom. */
+struct OpeningBox {
+  Eigen::AlignedBox2d plan;
+  double bottom = 0;
+  double top = 0;
+};
+
+/** @brief A gap in a wall that was written. */
+struct WrittenGap {
+  const WrittenWall* wall = nullptr;
+  StepRef opening;
+  OpeningBox box;
+};
+
+/** @brief Adds an opening of a body to a wall. */
+StepRef writeOpening(IfcDocument& document,
+                     const WrittenWall& wall,
+                     const std::string& name,
+                     StepRef item,
+                     const char* kind,
+                     const char* type = "SweptSolid");
+
 /** @brief Adds openings for doorways and recesses for niches. */
 void writeOpenings(IfcDocument& document, const std::vector<WrittenWall>& walls);
+
+/** @brief Adds recesses for niches, but for those within gaps of openings. */
+void writeNiches(IfcDocument& document,
+                 const std::vector<WrittenWall>& walls,
+                 const std::vector<WrittenGap>& gaps);
 
 /** @brief Adds slabs for floors, and for ceilings without a room above. */
 void writeSlabs(IfcDocument& document);

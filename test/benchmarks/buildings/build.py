@@ -176,7 +176,7 @@ def scan(rng, building, style):
             near_a_door(rng, room)
     number = sum(len(r.stations) for r in building.rooms)
     rays = min(MOST_RAYS, max(FEWEST_RAYS, rng.uniform(*RAYS) / number), LARGEST_SCAN / number)
-    noise = round(rng.choice((rng.uniform(0.002, 0.006), rng.uniform(0.002, 0.015))), 4)
+    noise = round(rng.choice((rng.uniform(0.001, 0.006), rng.uniform(0.002, 0.02))), 4)
     placement = {"yaw": round(rng.uniform(-180, 180), 2) if rng.random() < 0.75 else 0.0,
                  "shift": [round(rng.uniform(*span), 3) for span in ((-50, 50), (-50, 50), (-5, 100))]}
     return building.to_json(int(rays), noise, placement)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Doors, passages, galleries and windows in the walls between rooms and to the outside."""
 import math
+import random
 
 from . import geometry as g
 
@@ -68,7 +69,7 @@ def add_door(rng, a, b, style, passages):
         return add_raised_door(rng, *sorted((a, b), key=lambda r: r.floor))
     sill = max(a.floor, b.floor)
     top = min(a.lowest_ceiling(), b.lowest_ceiling())
-    wide = rng.uniform(2.0, 4.0)
+    wide = rng.uniform(1.4, 4.0)
     is_large = min(a.area, b.area) > 7 and "closet" not in (a.role, b.role) and a.area + b.area > 25
     if is_large and rng.random() < passages and top - sill > 2.4:
         spot = place(rng, a, b, round(wide, 2), 0.3)
@@ -77,7 +78,7 @@ def add_door(rng, a, b, style, passages):
             head = min(top - rng.uniform(0.2, 0.6), sill + 3.0)
             if rng.random() < 0.15 and not (a.facets or b.facets) and abs(a.lowest_ceiling() - b.lowest_ceiling()) < 1e-9:
                 head = top  # no lintel: one room and two are both right
-            a.openings.append(opening(spot, sill, head, b.name))
+            a.openings.append(dressed(a, opening(spot, sill, head, b.name), top))
             return True
     width = round(rng.uniform(0.75, 0.85) if "closet" in (a.role, b.role) else rng.uniform(0.8, 1.2), 2)
     spot = place(rng, a, b, width, MARGIN, sill + 1.95) or place(rng, a, b, 0.75, 0.11, sill + 1.95)
@@ -93,18 +94,18 @@ def add_door(rng, a, b, style, passages):
     kind = rng.random()
     if kind < 0.12 and a.role != "closet" and a.wants_station and b.wants_station:
         door["leaf"] = {"hinge": "from", "angle": 0}
-    elif kind < 0.55 and style != "full" and not a.facets:
-        width = spot[3] - spot[2]
+    elif kind < 0.8 and style != "full" and not a.facets:
         size = g.length(g.sub(*a.edges[spot[0]]))
-        if spot[2] > 0.12 and spot[3] < size - 0.12:
-            door["leaf"] = {"hinge": rng.choice(("from", "to")), "angle": rng.choice((70, 80, 90, 90))}
+        for _ in range(6 if spot[2] > 0.12 and spot[3] < size - 0.12 else 0):
+            door["leaf"] = {"hinge": rng.choice(("from", "to")), "angle": rng.choice((30, 45, 60, 75, 90, 90, 110))}
             outline = leaf_outline(a, door)
             if all(g.inside(a.outline, p) for p in outline[1:3]) and a.is_clear_of_walls(outline):
                 a.obstacles.append(outline)
-            else:
-                del door["leaf"]
+                a.taken.append(outline)
+                break
+            del door["leaf"]
     reserve(a, b, spot, 1.05, 0.8)
-    a.openings.append(door)
+    a.openings.append(dressed(a, door, top) if not (a.facets or b.facets) else door)
     return True
 
 
@@ -135,6 +136,25 @@ def add_raised_door(rng, lower, upper):
     reserve(upper, lower, spot, 1.05, 0.0)
     upper.openings.append(opening(spot, upper.floor, upper.floor + 2.05, lower.name))
     return True
+
+
+def dressed(room, hole, top):
+    """Gives one opening in ten an arched head, passages up to 2.6 m wide a pair of leaves, one window in four a blind. The
+    choice is the place's own, so that the building stays as it is without."""
+    rng = random.Random(f"{room.name} {hole['wall']} {hole['from']}")
+    width, height = hole["to"] - hole["from"], hole["head"] - hole["sill"]
+    if rng.random() < 0.1 and hole["head"] < top and hole.get("leaf", {}).get("angle") != 0:
+        rise = rng.choice((0.5, 0.5, 0.25)) * width
+        hole["head"] = round(min(hole["head"] + rise, top - 0.05), 4) if "leads_to" in hole else hole["head"]
+        hole["rise"] = round(min(rise, 0.4 * height), 4)
+    if 1.2 < width < 2.6 and hole["head"] < top and height < 2.6 and "leads_to" in hole:
+        hole["leaf"] = {"hinge": "both", "angle": rng.choice((45, 80, 90, 90))}
+        middle = (hole["from"] + hole["to"]) / 2
+        for end, far in (("from", "to"), ("to", "from")):
+            room.obstacles.append(leaf_outline(room, {**hole, far: middle, "leaf": dict(hole["leaf"], hinge=end)}))
+    if "glazing" in hole and rng.random() < 0.25 and room.wants_station:
+        hole["blind"] = rng.choice((0.3, 0.6, 1.0, 1.0))
+    return hole
 
 
 def leaf_outline(room, door):
@@ -240,4 +260,21 @@ def add_windows(rng, room, rooms, kind, thickness):
                 room.use(i, a, b)
                 window = opening((i, 0, a, b, round(thickness, 3)), sill, head)
                 window["glazing"] = {}
-                room.openings.append(window)
+                room.openings.append(dressed(room, window, top))
+    for i, bulge in room.bulges.items():
+        add_curved_windows(room, i, bulge, thickness)
+
+
+def add_curved_windows(room, wall, bulge, thickness):
+    """Windows side by side in a curved wall, measured along its arc."""
+    rng = random.Random(f"{room.name} {wall} {bulge}")
+    turn = 4 * math.atan(abs(bulge))
+    chord = g.length(g.sub(*room.edges[wall]))
+    size = turn * chord / (2 * math.sin(turn / 2))
+    count = rng.randint(1, max(1, int(size / 2)))
+    width = rng.uniform(0.8, min(1.8, size / count - 0.5))
+    sill, head = room.floor + rng.uniform(0.7, 1.0), min(room.floor + rng.uniform(1.9, 2.3), room.lowest_ceiling())
+    for k in range(count):
+        middle = (k + 0.5) * size / count
+        window = opening((wall, 0, round(middle - width / 2, 3), round(middle + width / 2, 3), round(thickness, 3)), sill, head)
+        room.openings.append(dict(window, glazing={}))

@@ -93,6 +93,14 @@ public:
     elements.insert(elements.begin(), {pane, side});
   }
 
+  /** Tilts the outer wall with all that was scanned of it, about its foot. */
+  void tiltOuterWall(double radians)
+  {
+    plan.rooms[0].boundary.elements[0].tilt = radians;
+    for (pcl::PointXYZ& p : *cloud)
+      p.y += p.z * static_cast<float>(std::tan(radians));
+  }
+
   /** Scans a sheet parallel to the walls, one in `every` of its points. */
   void scanSheet(const Cut& at, double y, int every = 1)
   {

@@ -307,6 +307,32 @@ TEST(OpeningDetection, SeveralInOneWall)
   EXPECT_EQ(openingsOf(scene).size(), 3u);
 }
 
+TEST(OpeningDetection, AboveEachOtherInOneWall)
+{
+  TwoRooms scene(0.005);
+  const Cut light{1.5, 2.4, 1.95, 2.45};
+  scene.scanOuterWall({{1.5, 2.4, 0, 1.8}, light, {3, 4, 0.4, 1}, {3, 4, 1.3, 2.1}});
+  const auto found = openingsOf(scene);
+  ASSERT_EQ(found.size(), 4u);
+  const auto highest = std::max_element(
+      found.begin(), found.end(),
+      [](const PlanOpening& a, const PlanOpening& b) { return a.bottom < b.bottom; });
+  expectEdges(*highest, light, -0.15, 0.02);
+}
+
+TEST(OpeningDetection, WindowInATiltedWall)
+{
+  for (const double degrees : {-15.0, 4.0, 20.0}) {
+    TwoRooms scene(0.005);
+    scene.scanOuterWall({window});
+    scene.tiltOuterWall(degrees * M_PI / 180);
+    const auto found = openingsOf(scene);
+    ASSERT_EQ(found.size(), 1u) << degrees;
+    EXPECT_EQ(found[0].kind, OpeningKind::Window);
+    expectEdges(found[0], window, -0.15, 0.015);
+  }
+}
+
 TEST(OpeningDetection, WindowInACurvedWall)
 {
   constexpr double radius = 3;

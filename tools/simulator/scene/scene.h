@@ -75,9 +75,9 @@ struct Glazing {
   double mirror_share = 0.01; ///< share that is reflected and yields a mirrored point
 };
 
-/** @brief The leaf of a door, as large as its opening. */
+/** @brief The leaf of a door, as large as its opening, or two of half its width. */
 struct Leaf {
-  bool hinge_at_start = true; ///< otherwise at the opening's end, along the wall
+  std::string hinge = "from"; ///< end of the opening it hangs at: from, to, or both
   double angle = 0.0;         ///< radians into the room; 0: shut
 };
 
@@ -89,6 +89,8 @@ struct Opening : WallGap {
   std::optional<std::size_t> leads_to = std::nullopt;
   std::optional<Glazing> glazing = std::nullopt;
   std::optional<Leaf> leaf = std::nullopt;
+  double rise = 0.0;  ///< of an arched head, half of an ellipse; 0: flat
+  double blind = 0.0; ///< share of its height that a blind covers, from the head down
   std::uint32_t number = 0; ///< in the scene, from 1: see openingsByRoom()
 
   /** @brief Returns true if a leaf shuts it. */

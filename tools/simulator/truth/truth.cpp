@@ -37,7 +37,9 @@ placeBefore(const Room& room, const Opening& opening)
 Json
 leafToJson(const Leaf& leaf, std::size_t room)
 {
-  return {{"hinge", leaf.hinge_at_start ? "start" : "end"},
+  return {{"hinge", leaf.hinge == "from" ? "start"
+                    : leaf.hinge == "to" ? "end"
+                                         : "both"},
           {"swing", room + 1},
           {"angle", leaf.angle * 180.0 / pi},
           {"state", leaf.angle == 0.0     ? "closed"
@@ -60,9 +62,9 @@ openingToJson(const Scene& scene, std::size_t room, std::size_t index)
   }
   const Element face = faceOf(here, near);
   const double width = near.to - near.from;
-  Json json{{"kind", near.sill >= floor + kWindowSill ? "window"
-                     : width <= kDoorWidth            ? "door"
-                                                      : "passage"},
+  Json json{{"kind", near.sill >= floor + kWindowSill   ? "window"
+                     : near.leaf || width <= kDoorWidth ? "door"
+                                                        : "passage"},
             {"rooms", {room + 1, near.leads_to ? *near.leads_to + 1 : 0}},
             {"bottom", near.sill + scene.placement.shift.z()},
             {"top", near.head + scene.placement.shift.z()},
@@ -72,7 +74,9 @@ openingToJson(const Scene& scene, std::size_t room, std::size_t index)
             {"depth", near.depth},
             {"lintel", ceiling - near.head},
             {"shut", near.isShut() || near.glazing.has_value()},
-            {"glazed", near.glazing.has_value()}};
+            {"glazed", near.glazing.has_value()},
+            {"rise", near.rise},
+            {"blind", near.blind}};
   if (near.leaf)
     json["leaf"] = leafToJson(*near.leaf, room);
   return json;

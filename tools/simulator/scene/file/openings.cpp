@@ -13,30 +13,68 @@ namespace {
 
 constexpr double kLeafStandOff = 0.03; ///< metres from an open leaf's axis to the wall
 
-/** @brief Makes the leaf of a door: shut in the middle of the reveal, otherwise beside
- * the opening, turned into the room about its hinge. */
-Object
-makeLeaf(const Element& wall, const Opening& opening)
+/** @brief Adds a plate within the reveal, parallel to the wall.
+ * @param middle along the wall
+ * @param behind the wall's face, of its middle plane */
+void
+addPlate(const Element& wall,
+         double middle,
+         double behind,
+         const Vec3& size,
+         double bottom,
+         const std::string& name,
+         std::vector<Object>& objects)
 {
-  constexpr double half = 0.02; // of its thickness
+  Assembly plate(name, {pointBeside(wall, middle, behind),
+                        directionOf(-leftOf(wall.normalAt(middle))), bottom});
+  plate.addBox({-0.5 * size.x(), -0.5 * size.y(), 0.0},
+               {0.5 * size.x(), 0.5 * size.y(), size.z()});
+  objects.push_back(plate.object);
+}
+
+/** @brief Adds the leaves of a door: shut in the middle of the reveal, otherwise beside
+ * the opening, turned into the room about their hinges. */
+void
+addLeaves(const Element& wall, const Opening& opening, Scene& scene)
+{
+  constexpr double half = 0.02; // of their thickness
   const double width = opening.to - opening.from;
   const double height = opening.head - opening.sill;
-  if (opening.isShut()) {
-    const double middle = 0.5 * (opening.from + opening.to);
+  if (opening.isShut())
+    return addPlate(wall, 0.5 * (opening.from + opening.to), 0.5 * opening.depth,
+                    {width, 2 * half, height}, opening.sill, "door leaf",
+                    scene.outside);
+  for (const char* hinge : {"from", "to"}) {
+    const bool is_double = opening.leaf->hinge == "both";
+    if (!is_double && opening.leaf->hinge != hinge)
+      continue;
+    const bool at_start = hinge == std::string("from");
+    const double s =
+        at_start ? opening.from - kLeafStandOff : opening.to + kLeafStandOff;
+    const double along = directionOf(-leftOf(wall.normalAt(s))); // of the wall
+    const double yaw =
+        at_start ? along + opening.leaf->angle : along + pi - opening.leaf->angle;
     Assembly leaf("door leaf",
-                  {pointBeside(wall, middle, 0.5 * opening.depth),
-                   directionOf(-leftOf(wall.normalAt(middle))), opening.sill});
-    leaf.addBox({-0.5 * width, -half, 0.0}, {0.5 * width, half, height});
-    return leaf.object;
+                  {pointBeside(wall, s, -kLeafStandOff), yaw, opening.sill});
+    leaf.addBox({0.0, -half, 0.01}, {is_double ? width / 2 : width, half, height});
+    scene.furniture.push_back(leaf.object);
   }
-  const bool at_start = opening.leaf->hinge_at_start;
-  const double s = at_start ? opening.from - kLeafStandOff : opening.to + kLeafStandOff;
-  const double along = directionOf(-leftOf(wall.normalAt(s))); // of the wall
-  const double yaw =
-      at_start ? along + opening.leaf->angle : along + pi - opening.leaf->angle;
-  Assembly leaf("door leaf", {pointBeside(wall, s, -kLeafStandOff), yaw, opening.sill});
-  leaf.addBox({0.0, -half, 0.01}, {width, half, height});
-  return leaf.object;
+}
+
+/** @brief Fills the corners above an arched head, in steps of 2.5 cm. */
+void
+addSpandrels(const Element& wall, const Opening& opening, Scene& scene)
+{
+  constexpr double step = 0.025;
+  const double half = 0.5 * (opening.to - opening.from);
+  const double count = std::ceil(2 * half / step);
+  for (double k = 0; k < count; ++k) {
+    const double x = (2 * k + 1) / count - 1; // -1 and 1 at the jambs
+    const double drop = opening.rise * (1 - std::sqrt(1 - x * x));
+    addPlate(wall, opening.from + (1 + x) * half, 0.5 * opening.depth,
+             {2 * half / count, opening.depth, drop}, opening.head - drop, "arch",
+             scene.outside);
+  }
 }
 
 /** @brief Returns how far the wall's outer face recedes at the ends of the opening. */
@@ -106,9 +144,10 @@ readLeaf(const JsonView& view)
 {
   Leaf leaf;
   const JsonView hinge = view.at("hinge");
-  if (hinge.text() != "from" && hinge.text() != "to")
-    hinge.fail("must be \"from\" or \"to\", the end of the opening it hangs at");
-  leaf.hinge_at_start = hinge.text() == "from";
+  leaf.hinge = hinge.text();
+  if (leaf.hinge != "from" && leaf.hinge != "to" && leaf.hinge != "both")
+    hinge.fail("must be \"from\", \"to\", the end of the opening it hangs at, or "
+               "\"both\"");
   leaf.angle = view.at("angle").angle(0.0, 180.0);
   return leaf;
 }
@@ -147,13 +186,22 @@ readOpening(const JsonView& view, std::size_t room_index, Scene& scene)
     opening.leads_to = roomNamed(*target, scene);
   if (const auto glazing = view.find("glazing"))
     opening.glazing = readGlazing(*glazing);
+  const Element& wall = room.outline.elements[opening.wall];
+  const double height = opening.head - opening.sill;
   if (const auto leaf = view.find("leaf")) {
     opening.leaf = readLeaf(*leaf);
-    const Element& wall = room.outline.elements[opening.wall];
-    if (opening.isShut())
-      scene.outside.push_back(makeLeaf(wall, opening));
-    else
-      scene.furniture.push_back(makeLeaf(wall, opening));
+    addLeaves(wall, opening, scene);
+  }
+  if (const auto rise = view.find("rise")) {
+    opening.rise = rise->number(0.0, height);
+    addSpandrels(wall, opening, scene);
+  }
+  if (const auto blind = view.find("blind")) {
+    opening.blind = blind->number(0.0, 1.0);
+    const double drop = opening.blind * height;
+    addPlate(wall, 0.5 * (opening.from + opening.to), 0.3 * opening.depth,
+             {opening.to - opening.from, 0.02, drop}, opening.head - drop, "blind",
+             scene.outside);
   }
   room.openings.push_back(opening);
   if (const auto lobby = view.find("lobby"))
