@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cell_cracks.h"
 
+#include "../curves/contour.h"
 #include "../surface/cell_pieces.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -12,10 +13,7 @@ namespace pcl::sedr {
 
 namespace {
 
-/** @brief The four ways along the sides of cells, counter-clockwise from that of x. */
-constexpr std::array<CrackVertex, 4> ways{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
-
-/** @brief Walks along the sides of cells between pieces. */
+/** @brief Cuts the contours of pieces into chains, each known to both its pieces. */
 class CrackTracer {
 public:
   CrackTracer(const SheetGrid& grid, CellCracks& cracks)
@@ -23,117 +21,81 @@ public:
       , cracks_(cracks)
   {}
 
-  void run()
+  void trace(std::int32_t own, const std::vector<std::size_t>& cells)
   {
-    cracks_.loops.resize(cracks_.first_cell.size());
-    for (int y = 0; y <= grid_.rows; ++y)
-      for (int x = 0; x <= grid_.columns; ++x)
-        for (std::size_t way = 0; way < ways.size(); ++way)
-          if (isCrack({x, y}, way) && leftOf({x, y}, way) >= 0 &&
-              !isWalked({x, y}, way))
-            walk({x, y}, way);
+    const auto cellOf = [&](std::size_t cell) {
+      return Cell{grid_.columnOf(cell), grid_.rowOf(cell)};
+    };
+    CellBox box{cellOf(cells.front()), cellOf(cells.front())};
+    for (const std::size_t cell : cells)
+      box = around(box, {cellOf(cell), cellOf(cell)});
+    CellMask mask(grown(box, 1));
+    for (const std::size_t cell : cells)
+      mask.set(cellOf(cell), 1);
+    for (const Contour& contour : traceContours(mask, 1)) {
+      std::vector<CrackVertex> v;
+      for (const Eigen::Vector2d& p : contour)
+        v.push_back({static_cast<int>(p.x()), static_cast<int>(p.y())});
+      // From a node on, or from the same place as the piece beyond.
+      const auto node = std::find_if(v.begin(), v.end(),
+                                     [&](const CrackVertex& at) { return isNode(at); });
+      std::rotate(v.begin(),
+                  node != v.end() ? node : std::min_element(v.begin(), v.end()),
+                  v.end());
+      v.push_back(v.front());
+      std::vector<ChainUse> loop;
+      for (std::size_t first = 0; first + 1 < v.size();) {
+        std::size_t last = first + 1;
+        while (last + 1 < v.size() && !isNode(v[last]))
+          ++last;
+        loop.push_back(use(own, {v.begin() + static_cast<std::ptrdiff_t>(first),
+                                 v.begin() + static_cast<std::ptrdiff_t>(last) + 1}));
+        first = last;
+      }
+      cracks_.loops[static_cast<std::size_t>(own)].push_back(std::move(loop));
+    }
   }
 
 private:
-  using Step = std::pair<CrackVertex, std::size_t>; ///< a vertex and the way from it
+  using Side = std::pair<CrackVertex, CrackVertex>;
 
   std::int32_t pieceAt(int x, int y) const
   {
     return grid_.holds(x, y) ? cracks_.piece[grid_.indexOf(x, y)] : -1;
   }
 
-  std::int32_t leftOf(const CrackVertex& v, std::size_t way) const
-  {
-    constexpr std::array<CrackVertex, 4> left{{{0, 0}, {-1, 0}, {-1, -1}, {0, -1}}};
-    return pieceAt(v.x + left[way].x, v.y + left[way].y);
-  }
-
-  std::int32_t rightOf(const CrackVertex& v, std::size_t way) const
-  {
-    return leftOf(v, (way + 3) % 4);
-  }
-
-  bool isCrack(const CrackVertex& v, std::size_t way) const
-  {
-    return leftOf(v, way) != rightOf(v, way);
-  }
-
-  bool isWalked(const CrackVertex& v, std::size_t way) const
-  {
-    return walked_.count({v, way}) > 0;
-  }
-
+  /** @brief Whether other than two sides between pieces end at a corner. */
   bool isNode(const CrackVertex& v) const
   {
-    int cracks = 0;
-    for (std::size_t way = 0; way < ways.size(); ++way)
-      cracks += isCrack(v, way) ? 1 : 0;
-    return cracks != 2;
+    const std::int32_t about[] = {pieceAt(v.x - 1, v.y - 1), pieceAt(v.x, v.y - 1),
+                                  pieceAt(v.x, v.y), pieceAt(v.x - 1, v.y)};
+    int sides = 0;
+    for (int k = 0; k < 4; ++k)
+      sides += about[k] != about[(k + 1) % 4] ? 1 : 0;
+    return sides != 2;
   }
 
-  /** @brief Goes once round a piece, which is on the left: at a corner of two pieces
-   * that touch there only, it stays with its own. */
-  void walk(CrackVertex v, std::size_t way)
+  /** @brief The chain along some corners with a piece on its left: that of the piece
+   * beyond, or a new one. */
+  ChainUse use(std::int32_t own, std::vector<CrackVertex> v)
   {
-    const std::int32_t own = leftOf(v, way);
-    std::vector<Step> steps;
-    while (!isWalked(v, way)) {
-      walked_[{v, way}] = true;
-      steps.emplace_back(v, way);
-      v = {v.x + ways[way].x, v.y + ways[way].y};
-      for (const std::size_t turn : {1U, 0U, 3U}) {
-        const std::size_t next = (way + turn) % 4;
-        if (leftOf(v, next) == own && isCrack(v, next)) {
-          way = next;
-          break;
-        }
-      }
-    }
-    // From a node on, if there is one.
-    const auto node = std::find_if(steps.begin(), steps.end(), [&](const Step& step) {
-      return isNode(step.first);
-    });
-    if (node != steps.end())
-      std::rotate(steps.begin(), node, steps.end());
-    std::vector<ChainUse> loop;
-    for (std::size_t first = 0; first < steps.size();) {
-      std::size_t last = first + 1;
-      while (last < steps.size() && !isNode(steps[last].first))
-        ++last;
-      loop.push_back(useOf(steps, first, last));
-      first = last;
-    }
-    cracks_.loops[static_cast<std::size_t>(own)].push_back(std::move(loop));
-  }
-
-  /** @brief The chain of some steps, which is new or that of the piece beyond. */
-  ChainUse useOf(const std::vector<Step>& steps, std::size_t first, std::size_t last)
-  {
-    CrackChain chain;
-    for (std::size_t k = first; k < last; ++k) {
-      chain.vertices.push_back(steps[k].first);
-      // The same side of cells, walked from its other end.
-      const CrackVertex end{steps[k].first.x + ways[steps[k].second].x,
-                            steps[k].first.y + ways[steps[k].second].y};
-      const auto known = chain_of_.find({end, (steps[k].second + 2) % 4});
-      if (known != chain_of_.end())
-        return {known->second, false};
-    }
-    const Step& final = steps[last - 1];
-    chain.vertices.push_back(
-        {final.first.x + ways[final.second].x, final.first.y + ways[final.second].y});
-    chain.left = leftOf(steps[first].first, steps[first].second);
-    chain.right = rightOf(steps[first].first, steps[first].second);
-    for (std::size_t k = first; k < last; ++k)
-      chain_of_[steps[k]] = cracks_.chains.size();
-    cracks_.chains.push_back(std::move(chain));
-    return {cracks_.chains.size() - 1, true};
+    const std::size_t n = v.size();
+    const Side key =
+        std::min(Side(std::minmax(v[0], v[1])), Side(std::minmax(v[n - 2], v[n - 1])));
+    const auto [known, is_new] = chain_of_.emplace(key, cracks_.chains.size());
+    if (!is_new)
+      return {known->second, false};
+    const CrackVertex way{v[1].x - v[0].x, v[1].y - v[0].y};
+    // The cell on the right: that north-east of the corner, moved back or down.
+    const std::int32_t right = pieceAt(v[0].x - (way.x < 0 || way.y < 0 ? 1 : 0),
+                                       v[0].y - (way.x > 0 || way.y < 0 ? 1 : 0));
+    cracks_.chains.push_back({std::move(v), own, right});
+    return {known->second, true};
   }
 
   const SheetGrid& grid_;
   CellCracks& cracks_;
-  std::map<Step, bool> walked_;
-  std::map<Step, std::size_t> chain_of_;
+  std::map<Side, std::size_t> chain_of_; ///< by one of its sides at an end
 };
 
 } // namespace
@@ -143,12 +105,16 @@ cracksOf(const SheetGrid& grid, const std::vector<std::int32_t>& label)
 {
   CellCracks cracks;
   cracks.piece.assign(grid.count(), -1);
-  for (const std::vector<std::size_t>& cells : piecesOf(grid, label)) {
-    for (const std::size_t cell : cells)
-      cracks.piece[cell] = static_cast<std::int32_t>(cracks.first_cell.size());
-    cracks.first_cell.push_back(cells.front());
+  const std::vector<std::vector<std::size_t>> pieces = piecesOf(grid, label);
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    for (const std::size_t cell : pieces[k])
+      cracks.piece[cell] = static_cast<std::int32_t>(k);
+    cracks.first_cell.push_back(pieces[k].front());
   }
-  CrackTracer(grid, cracks).run();
+  cracks.loops.resize(pieces.size());
+  CrackTracer tracer(grid, cracks);
+  for (std::size_t k = 0; k < pieces.size(); ++k)
+    tracer.trace(static_cast<std::int32_t>(k), pieces[k]);
   return cracks;
 }
 

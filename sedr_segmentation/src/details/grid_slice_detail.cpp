@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "column_table.h"
 #include "sedr_filters/src/base/plane_fit.h"
 #include "sedr_filters/src/grids/cell_count.h"
+#include "sedr_filters/src/grids/cell_mask.h"
 
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/sedr_filters/point_types.h>
@@ -62,6 +62,23 @@ finiteOf(const PointView& points, const pcl::Indices& indices)
   return kept;
 }
 
+/** @brief The points of each cell of a box, by height. */
+std::vector<std::vector<std::pair<float, int>>>
+profilesOf(const SliceInput& input, const CellGrid& grid, const CellMask& frame)
+{
+  std::vector<std::vector<std::pair<float, int>>> profiles(frame.values().size());
+  for (const int i : input.indices) {
+    const Eigen::Vector3f p = input.points[static_cast<std::size_t>(i)];
+    if (!std::isfinite(p.z()) || !grid.holds(p.x(), p.y()))
+      continue;
+    if (const Cell cell = grid.at(p.x(), p.y()); frame.isInside(cell))
+      profiles[frame.indexOf(cell)].emplace_back(p.z(), i);
+  }
+  for (auto& profile : profiles)
+    std::sort(profile.begin(), profile.end());
+  return profiles;
+}
+
 /** @brief A room on the grid. */
 struct SliceScene {
   const SliceParameters& parameters;
@@ -69,7 +86,16 @@ struct SliceScene {
   double floor_height;
   CellGrid grid;
   CellMask ceiling;
-  ColumnTable columns;
+  std::vector<std::vector<std::pair<float, int>>> profiles; ///< height, index
+
+  /** @brief Returns whether a point of the cell lies within [low, high]. */
+  bool hasWithin(Cell cell, double low, double high) const
+  {
+    const auto& profile = profiles[ceiling.indexOf(cell)];
+    return std::any_of(profile.begin(), profile.end(), [&](const auto& point) {
+      return point.first >= low && point.first <= high;
+    });
+  }
 
   double ceilingAt(Cell cell) const { return slab.heightAt(grid.centre(cell)); }
 
@@ -91,7 +117,7 @@ sliceMask(const SliceScene& scene, double fraction)
   for (std::size_t i = 0; i < slice.values().size(); ++i) {
     const Cell cell = slice.cellAt(i);
     const double z = scene.sliceAt(cell, fraction);
-    slice.values()[i] = scene.columns.hasWithin(cell, z - half, z + half) ? 1 : 0;
+    slice.values()[i] = scene.hasWithin(cell, z - half, z + half) ? 1 : 0;
   }
   return slice;
 }
@@ -112,11 +138,10 @@ acceptedRegions(const SliceScene& scene,
     const auto r = static_cast<std::size_t>(regions.label[i]);
     const Cell cell = enclosed.cellAt(i);
     cells[r].push_back(keyOf(cell));
-    seen[r] +=
-        scene.columns.hasWithin(cell, scene.sliceAt(cell, lowest_fraction),
-                                scene.ceilingAt(cell) + scene.parameters.tolerance)
-            ? 1
-            : 0;
+    seen[r] += scene.hasWithin(cell, scene.sliceAt(cell, lowest_fraction),
+                               scene.ceilingAt(cell) + scene.parameters.tolerance)
+                   ? 1
+                   : 0;
   }
   std::vector<CellSet> accepted;
   for (std::size_t r = 0; r < cells.size(); ++r)
@@ -169,14 +194,16 @@ collectPoints(const SliceScene& scene,
     details.sizes.push_back(regions[r].size());
     for (std::size_t k = 0; k < regions[r].size(); ++k) {
       const Cell cell = regions[r][k];
-      const std::vector<ColumnRun> runs =
-          scene.columns.runs(cell, scene.parameters.priors.run_gap);
-      if (runs.empty() || runs.back().low <= scene.sliceAt(cell, 0.5))
+      const auto& profile = scene.profiles[scene.ceiling.indexOf(cell)];
+      std::size_t first = profile.empty() ? 0 : profile.size() - 1;
+      while (first > 0 && profile[first].first - profile[first - 1].first <=
+                              scene.parameters.priors.run_gap)
+        --first;
+      if (profile.empty() || profile[first].first <= scene.sliceAt(cell, 0.5))
         continue;
-      lowest = std::min<double>(lowest, runs.back().low);
-      for (auto* e = scene.columns.begin(cell); e != scene.columns.end(cell); ++e)
-        if (e->z >= runs.back().low)
-          found.emplace_back(e->index, r);
+      lowest = std::min<double>(lowest, profile[first].first);
+      for (; first < profile.size(); ++first)
+        found.emplace_back(profile[first].second, r);
     }
   }
   std::sort(found.begin(), found.end());
@@ -227,10 +254,9 @@ analyseSlices(const SliceInput& input,
   problem = maskProblem(box);
   if (!problem.empty())
     return problem;
-  const SliceScene scene{
-      parameters,           slab,
-      floor_height,         grid,
-      CellMask(cells, box), ColumnTable(grid, box, input.points, input.indices)};
+  const CellMask mask(cells, box);
+  const SliceScene scene{parameters, slab, floor_height,
+                         grid,       mask, profilesOf(input, grid, mask)};
   collectPoints(scene, runTrials(scene, details.trial), details);
   return {};
 }

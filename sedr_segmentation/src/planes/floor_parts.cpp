@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "floor_parts.h"
 
-#include "../borders/cell_cracks.h"
 #include "../sheets/sheet_fit.h"
+#include "../surface/cell_pieces.h"
 #include "../surface/riser_bins.h"
 #include "sedr_filters/src/base/plane_fit.h"
 
@@ -79,57 +79,54 @@ public:
     for (std::size_t cell = 0; cell < label.size(); ++cell)
       if (!surface.is_inside[cell])
         label[cell] = FacetSheet::none;
-    CellCracks cracks = cracksOf(grid, label);
-    piece_of_ = std::move(cracks.piece);
-    pieces_.resize(cracks.first_cell.size());
-    std::vector<double> cells(pieces_.size(), 0);
-    std::vector<double> within(pieces_.size(), 0); // cells off the rim
-    for (std::size_t cell = 0; cell < label.size(); ++cell) {
-      if (label[cell] == FacetSheet::none)
+    const std::vector<std::vector<std::size_t>> cells_of = piecesOf(grid, label);
+    piece_of_.resize(label.size());
+    for (std::size_t k = 0; k < cells_of.size(); ++k)
+      for (const std::size_t cell : cells_of[k])
+        piece_of_[cell] = k;
+    for (const std::vector<std::size_t>& cells : cells_of) {
+      FloorPiece& piece = pieces_.emplace_back();
+      if (label[cells.front()] == FacetSheet::none)
         continue;
-      FloorPiece& piece = pieces_[static_cast<std::size_t>(piece_of_[cell])];
-      piece.slab = &surface.facets[static_cast<std::size_t>(label[cell])];
-      const Eigen::Vector2d place = grid.centre(cell);
-      const double height = piece.slab->heightAt(place);
-      const double over = height - main.heightAt(place);
-      cells[static_cast<std::size_t>(piece_of_[cell])] += 1;
-      piece.area += surface.is_seen[cell] ? grid.size * grid.size : 0;
-      piece.above_main += over;
-      const double rim_before = piece.rim;
-      grid.forAllSides(cell, [&](std::size_t next) {
-        if (label[next] == label[cell])
-          return;
-        piece.rim += 1;
-        if (label[next] == FacetSheet::none) {
-          piece.walls += 1;
-          return;
-        }
-        const double other =
-            surface.facets[static_cast<std::size_t>(label[next])].heightAt(place);
-        FloorPiece::Border& border =
-            piece.borders[static_cast<std::size_t>(piece_of_[next])];
-        border.length += 1;
-        border.rise += other - height;
-        const auto& [low, high] = std::minmax(height, other);
-        border.closed +=
-            high - low < RiserBins::min_step ||
-                    risers.share(cell, next, low, high) >= priors.share_half
-                ? 1
-                : 0;
-      });
-      if (piece.rim > rim_before)
-        continue;
-      within[static_cast<std::size_t>(piece_of_[cell])] += 1;
-      piece.hides += floor_seen[cell] && over > priors.min_floor_step ? 1 : 0;
-      piece.upright += highest[cell] - height >= priors.min_headroom ? 1 : 0;
-    }
-    for (std::size_t k = 0; k < pieces_.size(); ++k)
-      if (cells[k] > 0) {
-        pieces_[k].above_main /= cells[k];
-        pieces_[k].hides /= std::max(1.0, within[k]);
-        pieces_[k].upright /= std::max(1.0, within[k]);
-        pieces_[k].is_floor = std::abs(pieces_[k].above_main) < priors.min_floor_step;
+      piece.slab = &surface.facets[static_cast<std::size_t>(label[cells.front()])];
+      double within = 0; // cells off the rim
+      for (const std::size_t cell : cells) {
+        const Eigen::Vector2d place = grid.centre(cell);
+        const double height = piece.slab->heightAt(place);
+        const double over = height - main.heightAt(place);
+        piece.area += surface.is_seen[cell] ? grid.size * grid.size : 0;
+        piece.above_main += over / static_cast<double>(cells.size());
+        const double rim_before = piece.rim;
+        grid.forAllSides(cell, [&](std::size_t next) {
+          if (label[next] == label[cell])
+            return;
+          piece.rim += 1;
+          if (label[next] == FacetSheet::none) {
+            piece.walls += 1;
+            return;
+          }
+          const double other =
+              surface.facets[static_cast<std::size_t>(label[next])].heightAt(place);
+          FloorPiece::Border& border = piece.borders[piece_of_[next]];
+          border.length += 1;
+          border.rise += other - height;
+          const auto& [low, high] = std::minmax(height, other);
+          border.closed +=
+              high - low < RiserBins::min_step ||
+                      risers.share(cell, next, low, high) >= priors.share_half
+                  ? 1
+                  : 0;
+        });
+        if (piece.rim > rim_before)
+          continue;
+        within += 1;
+        piece.hides += floor_seen[cell] && over > priors.min_floor_step ? 1 : 0;
+        piece.upright += highest[cell] - height >= priors.min_headroom ? 1 : 0;
       }
+      piece.hides /= std::max(1.0, within);
+      piece.upright /= std::max(1.0, within);
+      piece.is_floor = std::abs(piece.above_main) < priors.min_floor_step;
+    }
     for (bool has_grown = true; has_grown;) {
       has_grown = false;
       for (FloorPiece& piece : pieces_)
@@ -143,7 +140,7 @@ public:
   /** @brief Returns the slab of the floor in a cell; null where it is none. */
   const PlanSlab* slabIn(std::size_t cell) const
   {
-    const FloorPiece& piece = pieces_[static_cast<std::size_t>(piece_of_[cell])];
+    const FloorPiece& piece = pieces_[piece_of_[cell]];
     return piece.is_floor ? piece.slab : nullptr;
   }
 
@@ -181,7 +178,7 @@ private:
   }
 
   const Priors& priors_;
-  std::vector<std::int32_t> piece_of_;
+  std::vector<std::size_t> piece_of_; ///< of each cell
   std::vector<FloorPiece> pieces_;
 };
 
@@ -195,47 +192,45 @@ floorPoints(const PointView& points,
             double tolerance,
             const Priors& priors)
 {
-  const auto onMain = [&](int i) {
-    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
-    return std::abs(distanceAbove(main, p)) <= tolerance;
+  const auto isOn = [&](int i, const PlanSlab& slab) {
+    return std::abs(distanceAbove(slab, points[static_cast<std::size_t>(i)])) <=
+           tolerance;
   };
   std::vector<int> floor;
+  std::copy_if(ends.begin(), ends.end(), std::back_inserter(floor),
+               [&](int i) { return isOn(i, main); });
   const std::vector<Eigen::Vector3d> places = placesAt(points, ends);
+  if (places.size() == floor.size())
+    return floor;
   const SheetParameters parameters = SheetParameters::of(priors, true);
   std::vector<std::uint8_t> domain;
-  FacetSheet surface;
-  if (!places.empty() && std::any_of(ends.begin(), ends.end(), [&](int i) {
-        return points.isFinite(static_cast<std::size_t>(i)) && !onMain(i);
-      })) {
-    const SheetGrid grid = gridOver(places, parameters, domain);
-    const std::vector<Eigen::Vector3d> all = placesAt(points, around);
-    surface = fitSheet(places, grid, domain, {}, parameters, all);
-    if (!surface.facets.empty()) {
-      std::vector<std::uint8_t> floor_seen(grid.count(), 0);
-      std::vector<double> highest(grid.count(), -1e9);
-      for (const Eigen::Vector3d& p : all)
-        if (const std::size_t cell = grid.at(p.head<2>()); cell < floor_seen.size()) {
-          highest[cell] = std::max(highest[cell], p.z());
-          if (std::abs(distanceAbove(main, p.cast<float>())) <= tolerance / 2)
-            floor_seen[cell] = 1;
-        }
-      const auto [low, high] = std::minmax_element(
-          places.begin(), places.end(),
-          [](const auto& a, const auto& b) { return a.z() < b.z(); });
-      const FloorPieces pieces(surface, RiserBins(grid, all, low->z(), high->z()),
-                               floor_seen, highest, main, priors);
-      for (const int i : ends) {
-        const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
-        const std::size_t cell =
-            p.allFinite() ? grid.at(p.head<2>().cast<double>()) : grid.count();
-        const PlanSlab* slab = cell < grid.count() ? pieces.slabIn(cell) : nullptr;
-        if ((slab && std::abs(distanceAbove(*slab, p)) <= tolerance) || onMain(i))
-          floor.push_back(i);
-      }
-      return floor;
+  const SheetGrid grid = gridOver(places, parameters, domain);
+  const std::vector<Eigen::Vector3d> all = placesAt(points, around);
+  const FacetSheet surface = fitSheet(places, grid, domain, {}, parameters, all);
+  if (surface.facets.empty())
+    return floor;
+  std::vector<std::uint8_t> floor_seen(grid.count(), 0);
+  std::vector<double> highest(grid.count(), -1e9);
+  for (const Eigen::Vector3d& p : all)
+    if (const std::size_t cell = grid.at(p.head<2>()); cell < floor_seen.size()) {
+      highest[cell] = std::max(highest[cell], p.z());
+      if (std::abs(distanceAbove(main, p.cast<float>())) <= tolerance / 2)
+        floor_seen[cell] = 1;
     }
+  const auto [low, high] =
+      std::minmax_element(places.begin(), places.end(),
+                          [](const auto& a, const auto& b) { return a.z() < b.z(); });
+  const FloorPieces pieces(surface, RiserBins(grid, all, low->z(), high->z()),
+                           floor_seen, highest, main, priors);
+  floor.clear();
+  for (const int i : ends) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    const std::size_t cell =
+        p.allFinite() ? grid.at(p.head<2>().cast<double>()) : grid.count();
+    const PlanSlab* slab = cell < grid.count() ? pieces.slabIn(cell) : nullptr;
+    if (isOn(i, main) || (slab && isOn(i, *slab)))
+      floor.push_back(i);
   }
-  std::copy_if(ends.begin(), ends.end(), std::back_inserter(floor), onMain);
   return floor;
 }
 

@@ -26,15 +26,13 @@ struct PlanePair {
 /** @brief Returns the largest pair of levels between `nearest` and `farthest` metres
  * apart along the third row of `axes`. Levels are slabs of 0.1 m, measured in occupied
  * cells. O(n), plus the pairs of slabs that may be the best.
- * @param min_cells pairs with fewer cells may be skipped
- * @param threads 0: all processors; the result does not depend on it */
+ * @param min_cells pairs with fewer cells may be skipped */
 PlanePair bestPair(const PointView& points,
                    const std::vector<int>& indices,
                    const Eigen::Matrix3d& axes,
                    double nearest,
                    double farthest,
-                   std::size_t min_cells = 0,
-                   unsigned threads = 1);
+                   std::size_t min_cells = 0);
 
 /** @brief A pair of planes normal to x or y, a room's height apart. */
 struct SidePair : PlanePair {
@@ -47,12 +45,11 @@ struct SidePair : PlanePair {
 
 /** @brief Returns the largest pair normal to x or y, for those perpendicular to the
  * unit vector `up`. Its area must be at least two square metres and more than `least`.
- * Axes whose extent is too small for that are skipped. */
+ */
 SidePair bestSidePair(const PointView& points,
                       const std::vector<int>& indices,
                       const Eigen::Vector3d& up,
                       double least,
-                      unsigned threads = 1,
                       const Priors& priors = {});
 
 /** @brief Returns a message that the axis of `side` seems to be up instead of `up`, the

@@ -163,19 +163,16 @@ upProblem(const PointView& points,
           const std::vector<int>& indices,
           RoomsAlongZ rooms,
           double found_area,
-          unsigned threads,
           const Priors& priors)
 {
   const double times = priors.vertical_ratio;
   const double times_of_rooms = priors.corridor_ratio;
   const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
   if (rooms == RoomsAlongZ::Found &&
-      !bestSidePair(points, indices, z, times_of_rooms * found_area, threads, priors)
-           .axis)
+      !bestSidePair(points, indices, z, times_of_rooms * found_area, priors).axis)
     return {}; // the usual case, whatever lies along z
-  const PlanePair up =
-      bestPair(points, indices, Eigen::Matrix3d::Identity(), priors.min_headroom,
-               priors.max_room_height, 0, threads);
+  const PlanePair up = bestPair(points, indices, Eigen::Matrix3d::Identity(),
+                                priors.min_headroom, priors.max_room_height);
   const bool is_usual = up.cells == 0 || up.distance <= priors.usual_room_height;
   if (rooms == RoomsAlongZ::NotLookedFor && is_usual)
     return {};
@@ -183,7 +180,7 @@ upProblem(const PointView& points,
                            ? std::max(times_of_rooms * std::max(up.area(), found_area),
                                       times * std::max(up.largestArea(), found_area))
                            : times * up.area();
-  const SidePair side = bestSidePair(points, indices, z, least, threads, priors);
+  const SidePair side = bestSidePair(points, indices, z, least, priors);
   return side.axis ? sideProblem(side, z, up, priors) : std::string();
 }
 

@@ -90,13 +90,11 @@ enum class RoomsAlongZ {
  * rooms or rooms higher than 4.5 m. If there are rooms along z, it must be four times
  * as large as the pair along z and 1.5 times as large as any level. For thinned points.
  * @param found_area area of the rooms found along z, the minimum of all floors and all
- * ceilings, square metres; they may be tilted
- * @param threads 0: all processors; the result does not depend on it */
+ * ceilings, square metres; they may be tilted */
 std::string upProblem(const PointView& points,
                       const std::vector<int>& indices,
                       RoomsAlongZ rooms = RoomsAlongZ::NotLookedFor,
                       double found_area = 0,
-                      unsigned threads = 1,
                       const Priors& priors = {});
 
 /** @brief Returns a sentence if the unit of a plan may be the foot, else an empty one.

@@ -137,7 +137,7 @@ inclinationProblem(const PointView& points,
   const PlanePair pair =
       bestPair(points, indices, turn, priors.min_headroom, priors.max_room_height);
   const SidePair side =
-      bestSidePair(points, indices, inclination.up, pair.area() / times, 1, priors);
+      bestSidePair(points, indices, inclination.up, pair.area() / times, priors);
   const Eigen::Vector3d axis =
       inclination.up.cross(Eigen::Vector3d::UnitZ()).normalized();
   const double degrees = inclination.angle * 180 / M_PI;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shape_distance.h"
 
-#include <algorithm>
-
 namespace pcl::sedr {
 
 namespace {
@@ -33,41 +31,17 @@ rowsOf(const std::vector<Eigen::Vector3d>& points)
 void
 distancesOf(const PlanSlab& slab, const PointRow& points, ShapeValues& distance)
 {
+  if (!slab.curve || slab.curve->kind != CurveKind::Relief) {
+    const bool is_flat = !slab.curve;
+    ShapeDistance(is_flat ? ShapeKind::Plane : ShapeKind::Ellipsoid, slab,
+                  Eigen::Vector3d::Zero())
+        .of(points, distance);
+    return;
+  }
   const auto& [x, y, z] = points.at;
-  const Eigen::Vector4d& plane = slab.plane;
-  if (!slab.curve) {
-    distance = plane[0] * x + plane[1] * y + plane[2] * z + plane[3];
-    return;
-  }
-  const SlabCurve& c = *slab.curve;
   distance.resize(points.size());
-  if (c.kind == CurveKind::Relief) {
-    for (Eigen::Index i = 0; i < points.size(); ++i)
-      distance[i] = c.distanceAbove({x[i], y[i], z[i]});
-    return;
-  }
-  const ShapeValues off_x = x - c.centre.x();
-  const ShapeValues off_y = y - c.centre.y();
-  const ShapeValues v = (c.axis.x() * off_y - c.axis.y() * off_x) / c.across;
-  const ShapeValues w = (z - c.base) / c.up;
-  const ShapeValues by_v = v / c.across;
-  const ShapeValues by_w = w / c.up;
-  ShapeValues out;
-  ShapeValues growth;
-  if (c.kind == CurveKind::Ellipsoid) {
-    const ShapeValues u = (c.axis.x() * off_x + c.axis.y() * off_y) / c.along;
-    const ShapeValues by_u = u / c.along;
-    out = (u * u + v * v + w * w).sqrt();
-    growth = (by_u * by_u + by_v * by_v + by_w * by_w).sqrt();
-  }
-  else {
-    out = (v * v + w * w).sqrt();
-    growth = (by_v * by_v + by_w * by_w).sqrt();
-  }
-  distance = (out - 1) * out / growth;
   for (Eigen::Index i = 0; i < points.size(); ++i)
-    if (out[i] < at_axis)
-      distance[i] = -std::min(c.across, c.up);
+    distance[i] = slab.curve->distanceAbove({x[i], y[i], z[i]});
 }
 
 ShapeDistance::ShapeDistance(ShapeKind kind,

@@ -33,7 +33,7 @@ ChainRun::checkScan()
   const pcl::IndicesPtr all = allIndices(chain_.cloud->size());
   const unsigned threads = chain_.room_segmentation.getNumberOfThreads();
   std::string reason =
-      upProblem(points, *all, RoomsAlongZ::NotLookedFor, 0, threads, chain_.priors_);
+      upProblem(points, *all, RoomsAlongZ::NotLookedFor, 0, chain_.priors_);
   if (reason.empty())
     reason = inclinationProblem(points, *all, threads, chain_.priors_);
   return reason.empty() || fail(reason);
@@ -65,8 +65,7 @@ ChainRun::partRooms(StageReport& report)
     return chain_.trust_up
                ? std::string()
                : upProblem(PointView(*chain_.cloud), *allIndices(chain_.cloud->size()),
-                           known, area, chain_.room_segmentation.getNumberOfThreads(),
-                           chain_.priors_);
+                           known, area, chain_.priors_);
   };
   if (!chain_.room_segmentation.segment(unused)) {
     const std::string hint = turned(RoomsAlongZ::None, 0);

@@ -139,7 +139,7 @@ checkScan(const ToolCloud& cloud,
   if (rooms == RoomsAlongZ::NotLookedFor)
     doubt = scanProblem(points, all);
   if (doubt.empty() && !trust_up) {
-    doubt = upProblem(points, all, rooms, found_area, 0);
+    doubt = upProblem(points, all, rooms, found_area);
     if (doubt.empty() && rooms != RoomsAlongZ::Found)
       doubt = inclinationProblem(points, all, 0);
     if (!doubt.empty())
