@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace pcl::sedr {
@@ -16,37 +16,6 @@ namespace pcl::sedr {
 namespace {
 
 using Place = Eigen::Vector2d;
-
-/** @brief The place that has most votes on its left, those on its right taken away: 0
- * where all are alike. In the middle of a gap without votes, but where a lower part of
- * a ceiling hides what is in it, at the end of that part.
- * @param lower -1: it lies on the right, 1: on the left
- * @param wide metres: narrower gaps hide nothing */
-double
-placeOfBest(const std::vector<std::pair<double, double>>& votes, int lower, double wide)
-{
-  constexpr double to_edge = 0.0125; // metres: of a voxel that an edge cuts
-  std::vector<double> sums{0};
-  for (const auto& vote : votes)
-    sums.front() += vote.second;
-  for (const auto& vote : votes)
-    sums.push_back(sums.back() - 2 * vote.second);
-  const double best = *std::max_element(sums.begin(), sums.end()) - 1e-9;
-  std::size_t first = 0;
-  while (sums[first] < best)
-    ++first;
-  std::size_t last = first;
-  while (last + 1 < sums.size() && sums[last + 1] >= best)
-    ++last;
-  const double endless = std::numeric_limits<double>::infinity();
-  const double right = first == 0 ? -endless : votes[first - 1].first;
-  const double left = last + 1 == sums.size() ? endless : votes[last].first;
-  if (lower != 0 && left - right > wide) {
-    const double end = lower > 0 ? left - to_edge : right + to_edge;
-    return std::isfinite(end) ? end : 0;
-  }
-  return std::isfinite(left - right) ? (right + left) / 2 : 0; // points on both sides
-}
 
 } // namespace
 
@@ -145,102 +114,112 @@ BorderSteps::alongWalls(const Place& way) const
   return way;
 }
 
-/** @brief Calls `use(point, across)` for the points beside a part, as far as its line
- * may be off. */
-template <typename Use>
-void
-BorderSteps::forAllNear(const CellPoints& cells,
-                        const BorderPart& part,
-                        double length,
-                        double reach,
-                        Use use) const
+/** @brief What speaks for a step at the edges of bins across it, from the right to the
+ * left: each cell of points counts once. */
+struct BorderSteps::Profile {
+  static constexpr double bin = 0.0025; ///< metres
+
+  double rightmost;             ///< edge, metres to the left of the cells' border
+  std::vector<double> votes{};  ///< for the left facet, of what is on the right
+  std::vector<double> risers{}; ///< of what is on the right
+  std::vector<double> places{}; ///< across, of the points of risers
+
+  double placeAt(std::size_t k) const
+  {
+    return rightmost + bin * static_cast<double>(k);
+  }
+};
+
+BorderSteps::Profile
+BorderSteps::profileAcross(const BorderPart& part,
+                           double length,
+                           double deviation,
+                           const CrackChain& chain) const
 {
+  constexpr double misfits = 4; // of a point that is of the other facet
   const SheetGrid& grid = cracks_.sheet.grid;
-  const Place along(part.normal.y(), -part.normal.x());
+  Profile profile{-SheetCracks::riser_reach * grid.size};
+  const auto bins = static_cast<std::size_t>(-2 * profile.rightmost / Profile::bin) + 1;
+  profile.votes.assign(bins + 1, 0);
+  profile.risers.assign(bins + 1, 0);
   const std::size_t middle = grid.at(part.through);
   if (middle >= grid.count())
-    return;
+    return profile;
+  const Place along(part.normal.y(), -part.normal.x());
   const auto cell_reach = static_cast<int>(length / grid.size) + 4;
-  for (const std::size_t cell : cells.window(middle, cell_reach))
-    for (const Eigen::Vector3d* p = cells.begin(cell); p != cells.end(cell); ++p) {
-      const Place off = p->head<2>() - part.through;
-      const double across = off.dot(part.normal);
-      if (std::abs(off.dot(along)) <= length / 2 &&
-          std::abs(across) <= reach * grid.size)
-        use(*p, across);
-    }
+  const auto forAllNear = [&](const CellPoints& cells, double reach, auto use) {
+    for (const std::size_t cell : cells.window(middle, cell_reach))
+      for (const Eigen::Vector3d* p = cells.begin(cell); p != cells.end(cell); ++p) {
+        const Place off = p->head<2>() - part.through;
+        const double across = off.dot(part.normal);
+        if (std::abs(off.dot(along)) <= length / 2 &&
+            std::abs(across) < reach * grid.size)
+          use(*p, across,
+              static_cast<std::size_t>((across - profile.rightmost) / Profile::bin) + 1,
+              1.0 / static_cast<double>(cells.end(cell) - cells.begin(cell)));
+      }
+  };
+  forAllNear(cells_, SheetCracks::reach,
+             [&](const Eigen::Vector3d& p, double, std::size_t at, double weight) {
+               const auto misfit = [&](std::int32_t piece) {
+                 const double share = distanceOf(cracks_.facetOf(piece), p) / deviation;
+                 return std::min(share * share, misfits);
+               };
+               profile.votes[at] += weight * (misfit(chain.right) - misfit(chain.left));
+             });
+  forAllNear(
+      risers_, SheetCracks::riser_reach,
+      [&](const Eigen::Vector3d& p, double across, std::size_t at, double weight) {
+        if (!isBetween(p, chain))
+          return;
+        profile.risers[at] += misfits * weight;
+        profile.places.push_back(across);
+      });
+  for (auto* sums : {&profile.votes, &profile.risers})
+    std::partial_sum(sums->begin(), sums->end(), sums->begin());
+  return profile;
 }
 
-/** @brief How far a step lies to the left of where its cells say: where its riser was
- * seen, else such that most points lie on the side of their facet. */
+/** @brief How far to the left of where its cells say a step lies: where most of its
+ * riser is seen and most of both facets is on its own side. In the middle of what
+ * nobody saw; but there a lower part of a ceiling hides the higher one, and ends where
+ * it does. */
 double
 BorderSteps::bestShift(const BorderPart& part,
                        double length,
                        const CrackChain& chain) const
 {
-  if (const auto shift = shiftToRiser(part, length, chain))
-    return *shift;
+  constexpr double to_edge = 0.0125; // metres: of a voxel that an edge cuts
+  constexpr std::ptrdiff_t min_points = 30;
   const double deviation = std::max(0.003, 2 * cracks_.sheet.noise);
-  std::vector<std::pair<double, double>> votes; // place across, for the left facet
-  forAllNear(cells_, part, length, SheetCracks::reach,
-             [&](const Eigen::Vector3d& p, double across) {
-               const auto misfit = [&](std::int32_t piece) {
-                 const double share = distanceOf(cracks_.facetOf(piece), p) / deviation;
-                 return std::min(share * share, 4.0);
-               };
-               votes.emplace_back(across, misfit(chain.right) - misfit(chain.left));
-             });
-  std::sort(votes.begin(), votes.end());
-  const double left = cracks_.facetOf(chain.left).heightAt(part.through);
-  const double right = cracks_.facetOf(chain.right).heightAt(part.through);
-  return placeOfBest(votes, left < right ? 1 : -1, cracks_.cellSize());
-}
-
-/** @brief How far to the left the vertical face between the two facets lies, if one was
- * seen: where most of what lies between their heights is. */
-std::optional<double>
-BorderSteps::shiftToRiser(const BorderPart& part,
-                          double length,
-                          const CrackChain& chain) const
-{
-  constexpr std::size_t min_points = 30;
-  constexpr double min_share = 0.4; // else it is no one face
-  const double deviation = std::max(0.003, 2 * cracks_.sheet.noise);
-  std::vector<double> places;
-  forAllNear(risers_, part, length, SheetCracks::riser_reach,
-             [&](const Eigen::Vector3d& p, double across) {
-               if (isBetween(p, chain))
-                 places.push_back(across);
-             });
-  if (places.size() < min_points)
-    return std::nullopt;
-  std::sort(places.begin(), places.end());
-  const double width = 4 * deviation;
-  std::vector<std::size_t> counts; // of the places within a width before each
-  for (std::size_t low = 0, high = 0; high < places.size(); ++high) {
-    while (places[high] - places[low] > width)
-      ++low;
-    counts.push_back(high - low + 1);
-  }
-  // Of several faces the nearest: that of the other side of a beam may be as large.
-  const std::size_t enough = *std::max_element(counts.begin(), counts.end()) / 2;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < places.size(); ++k)
-    if (counts[k] >= enough && std::abs(places[k] - width / 2) < std::abs(nearest))
-      nearest = places[k] - width / 2;
-  std::size_t first = 0;
-  std::size_t most = 0;
-  for (std::size_t k = 0; k < places.size(); ++k)
-    if (counts[k] > most && std::abs(places[k] - width / 2 - nearest) < 1.5 * width) {
-      most = counts[k];
-      first = k + 1 - counts[k];
-    }
-  if (static_cast<double>(most) < min_share * static_cast<double>(places.size()))
-    return std::nullopt;
-  double sum = 0;
-  for (std::size_t k = first; k < first + most; ++k)
-    sum += places[k];
-  return sum / static_cast<double>(most);
+  Profile profile = profileAcross(part, length, deviation, chain);
+  const std::size_t bins = profile.votes.size() - 1;
+  const auto width = static_cast<std::size_t>(2 * deviation / Profile::bin) + 1;
+  const auto gainAt = [&](std::size_t k) {
+    return profile.risers[std::min(bins, k + width)] -
+           profile.risers[k > width ? k - width : 0] - 2 * profile.votes[k];
+  };
+  std::size_t first = 0; // of the best places, and the last of them
+  for (std::size_t k = 1; k <= bins; ++k)
+    if (gainAt(k) > gainAt(first) + 1e-9)
+      first = k;
+  std::size_t last = first;
+  while (last < bins && gainAt(last + 1) > gainAt(first) - 1e-9)
+    ++last;
+  const double low = profile.placeAt(first);
+  const double high = profile.placeAt(last);
+  const double middle = (low + high) / 2;
+  const auto begin = profile.places.begin();
+  const auto end = std::partition(begin, profile.places.end(), [&](double across) {
+    return std::abs(across - middle) < 2 * deviation;
+  });
+  if (end - begin >= min_points)
+    return std::accumulate(begin, end, 0.0) / static_cast<double>(end - begin);
+  const bool is_left_lower = cracks_.facetOf(chain.left).heightAt(part.through) <
+                             cracks_.facetOf(chain.right).heightAt(part.through);
+  if (high - low > cracks_.cellSize() && (is_left_lower ? last < bins : first > 0))
+    return is_left_lower ? high - to_edge : low + to_edge;
+  return first > 0 && last < bins ? middle : 0; // else points of one side only
 }
 
 namespace {

@@ -7,7 +7,6 @@
 
 #include <Eigen/Core>
 
-#include <optional>
 #include <vector>
 
 namespace pcl::sedr {
@@ -43,16 +42,13 @@ public:
 private:
   bool isBetween(const Eigen::Vector3d& p, const CrackChain& chain) const;
   Eigen::Vector2d alongWalls(const Eigen::Vector2d& way) const;
+  struct Profile;
+  Profile profileAcross(const BorderPart& part,
+                        double length,
+                        double deviation,
+                        const CrackChain& chain) const;
   double
   bestShift(const BorderPart& part, double length, const CrackChain& chain) const;
-  std::optional<double>
-  shiftToRiser(const BorderPart& part, double length, const CrackChain& chain) const;
-  template <typename Use>
-  void forAllNear(const CellPoints& cells,
-                  const BorderPart& part,
-                  double length,
-                  double reach,
-                  Use use) const;
 
   const SheetCracks& cracks_;
   const CellPoints& cells_;
