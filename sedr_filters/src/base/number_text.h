@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <charconv>
 #include <sstream>
 #include <string>
 
@@ -14,6 +15,32 @@ numberText(double value)
   std::ostringstream text;
   text << value;
   return text.str();
+}
+
+/** @brief Formats a number with fixed decimals, independent of the locale. */
+inline std::string
+decimalText(double value, int decimals)
+{
+  char text[400]; // the largest double has 309 digits before its point
+  const auto end = std::to_chars(text, text + sizeof text, value,
+                                 std::chars_format::fixed, decimals);
+  std::string result(text, end.ptr);
+  return result.find_first_not_of("-0.") == std::string::npos && result[0] == '-'
+             ? result.substr(1)
+             : result;
+}
+
+/** @brief As above, without trailing zeros. */
+inline std::string
+shortDecimalText(double value, int decimals)
+{
+  std::string text = decimalText(value, decimals);
+  if (text.find('.') == std::string::npos)
+    return text;
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.')
+    text.pop_back();
+  return text;
 }
 
 } // namespace pcl::sedr

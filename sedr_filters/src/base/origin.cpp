@@ -1,51 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_filters/scan_frame.h>
 
-#include <charconv>
-#include <cmath>
-#include <cstdio>
+#include "number_text.h"
+
+#include <algorithm>
 
 namespace pcl::sedr {
 
 std::string
 Origin::text(const std::string& separator) const
 {
-  std::string all;
-  for (int axis = 0; axis < 3; ++axis) {
-    char number[400]; // the largest double has 309 digits
-    std::snprintf(number, sizeof number, "%.6f", place[axis]);
-    std::string digits = number;
-    digits.erase(digits.find_last_not_of('0') + 1);
-    if (digits.back() == '.')
-      digits.pop_back();
-    all += (axis > 0 ? separator : "") + (digits == "-0" ? "0" : digits);
-  }
-  return all;
+  return shortDecimalText(place.x(), 6) + separator + shortDecimalText(place.y(), 6) +
+         separator + shortDecimalText(place.z(), 6);
 }
 
 bool
 Origin::fromText(const std::string& text, Origin& origin)
 {
-  Origin read;
-  const char* c = text.data();
-  const char* const end = c + text.size();
-  const auto skip = [&] {
-    while (c != end && (*c == ' ' || *c == ',' || *c == '\t' || *c == '\r'))
-      ++c;
-  };
-  for (int axis = 0; axis < 3; ++axis) {
-    skip();
-    const auto result = std::from_chars(c, end, read.place[axis]);
-    if (result.ec != std::errc() || !std::isfinite(read.place[axis]))
-      return false;
-    c = result.ptr;
-    if (c != end && *c != ' ' && *c != ',' && *c != '\t' && *c != '\r')
-      return false;
-  }
-  skip();
-  if (c != end)
+  std::string numbers = text;
+  std::replace(numbers.begin(), numbers.end(), ',', ' ');
+  std::istringstream stream(numbers);
+  Eigen::Vector3d read;
+  if (!(stream >> read.x() >> read.y() >> read.z()) || !(stream >> std::ws).eof())
     return false;
-  origin = read;
+  origin.place = read;
   return true;
 }
 

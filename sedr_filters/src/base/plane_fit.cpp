@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <random>
 #include <utility>
 
@@ -177,6 +178,9 @@ fitSlabRobustly(const Positions& points, const PlanSlab& start, double band)
   return slab;
 }
 
+namespace {
+
+/** @brief Fits a plane as fitSlabRobustly(), with the normal of `direction`. */
 PlanSlab
 fitParallel(const Positions& points,
             const PlanSlab& direction,
@@ -209,6 +213,8 @@ fitParallel(const Positions& points,
   }
   return slab;
 }
+
+} // namespace
 
 PlanSlab
 findSlab(const Positions& points,
@@ -252,17 +258,6 @@ findSlab(const Positions& points,
 }
 
 namespace {
-
-/** @brief Returns the points inside a band around a slab, or those outside. */
-Positions
-inBand(const Positions& points, const PlanSlab& slab, double band, bool is_inside)
-{
-  Positions chosen;
-  for (const auto& p : points)
-    if ((std::abs(distanceAbove(slab, p)) <= band) == is_inside)
-      chosen.push_back(p);
-  return chosen;
-}
 
 /** @brief Returns the 10 cm cells in plan that hold points. */
 CellSet
@@ -311,16 +306,23 @@ findLargerSlab(const Positions& points,
     return min_contrast * slab.residual <= wide.residual;
   };
   const PlanSlab larger = findThin(points);
-  const Positions rest = inBand(points, larger, thickness, false);
+  Positions rest;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(rest),
+               [&](const Eigen::Vector3f& p) {
+                 return std::abs(distanceAbove(larger, p)) > thickness;
+               });
   if (!isThin(larger) || rest.size() < 3)
     return wide;
   const PlanSlab smaller = findThin(rest);
   const bool are_parallel =
       larger.plane.head<3>().cross(smaller.plane.head<3>()).norm() <= max_turned;
   const bool are_all = 10 * (larger.inliers + smaller.inliers) >= 9 * wide.inliers;
+  Positions on_larger;
+  Positions on_smaller;
+  keepWithinBand(points, larger, thickness, on_larger);
+  keepWithinBand(rest, smaller, thickness, on_smaller);
   return isThin(smaller) && are_parallel && are_all &&
-                 areSideBySide(inBand(points, larger, thickness, true),
-                               inBand(rest, smaller, thickness, true))
+                 areSideBySide(on_larger, on_smaller)
              ? larger
              : wide;
 }

@@ -22,12 +22,6 @@ Positions positionsOf(const PointView& points, const std::vector<int>& indices);
  * times. Points on one line give the horizontal plane through their mean height. */
 PlanSlab fitSlabRobustly(const Positions& points, const PlanSlab& start, double band);
 
-/** @brief Fits a plane as fitSlabRobustly(), with the normal of `direction`. */
-PlanSlab fitParallel(const Positions& points,
-                     const PlanSlab& direction,
-                     const PlanSlab& start,
-                     double band);
-
 /** @brief Finds a plane by RANSAC, tilted at most `maximum_tilt` radians from the
  * horizontal, with inliers within `tolerance` metres, and refines it by
  * fitSlabRobustly(). Deterministic for a `seed` and any number of threads; 0 for all

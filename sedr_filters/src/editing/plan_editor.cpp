@@ -151,9 +151,9 @@ PlanEditor::merge(std::uint32_t room, std::uint32_t other)
     // Around the first room, through the wall, around the second one, and back.
     std::vector<PlanElement> loop;
     appendAround(first.boundary, shared.element, shared.to, shared.from, loop);
-    loop.push_back(straight(near.pointAt(shared.from), far.pointAt(there)));
+    loop.push_back(segment(near.pointAt(shared.from), far.pointAt(there)));
     appendAround(second->boundary, shared.other, there, back, loop);
-    loop.push_back(straight(far.pointAt(back), near.pointAt(shared.to)));
+    loop.push_back(segment(far.pointAt(back), near.pointAt(shared.to)));
     first.boundary.elements = std::move(loop);
     simplify(first.boundary);
     const auto append = [](auto& to, const auto& from) {
@@ -175,7 +175,7 @@ PlanEditor::split(std::uint32_t room,
                   const Eigen::Vector2d& to)
 {
   return apply(room, [&](Floorplan& plan, PlanRoom& first) -> std::string {
-    const PlanElement line = straight(from, to);
+    const PlanElement line = segment(from, to);
     // Where the line crosses the outline: element, distance along it.
     std::vector<std::pair<std::size_t, double>> cuts;
     for (std::size_t e = 0; e < first.boundary.elements.size(); ++e) {
@@ -198,7 +198,7 @@ PlanEditor::split(std::uint32_t room,
       for (std::size_t i = (e + 1) % all.size(); i != last; i = (i + 1) % all.size())
         part.push_back(all[i]);
       part.push_back(all[last].part(0, t));
-      part.push_back(straight(part.back().end, part.front().start));
+      part.push_back(segment(part.back().end, part.front().start));
     }
     const bool is_first_left = cross(to - from, loops[0].elements[0].end - from) > 0;
     PlanRoom second = first;
@@ -231,22 +231,9 @@ PlanEditor::split(std::uint32_t room,
       return second.boundary.distance(place) < first.boundary.distance(place);
     };
     const std::uint32_t id = second.id;
-    const auto giveTo = [&](std::uint32_t& of, const Eigen::Vector2d& place) {
+    forEachReference(plan, [&](std::uint32_t& of, const Eigen::Vector2d& place) {
       of = of == room && isSecond(place) ? id : of;
-    };
-    for (PlanOpening& opening : plan.openings) {
-      const Eigen::Vector2d middle = (opening.start + opening.end) / 2;
-      for (std::uint32_t* of : {&opening.rooms[0], &opening.rooms[1], &opening.swing})
-        giveTo(*of, middle);
-      for (OpeningWall& wall : opening.walls)
-        giveTo(wall.room, middle);
-    }
-    for (PlanDoorway& doorway : plan.doorways)
-      for (std::uint32_t& of : doorway.rooms)
-        giveTo(of, (doorway.start + doorway.end) / 2);
-    for (PlanStair& stair : plan.stairs)
-      for (std::uint32_t& of : stair.rooms)
-        giveTo(of, stair.at);
+    });
     for (PlanStorey& storey : plan.storeys)
       if (std::count(storey.rooms.begin(), storey.rooms.end(), room) > 0)
         storey.rooms.push_back(id); // the largest number yet

@@ -81,7 +81,7 @@ outlineProblem(const PlanLoop& loop)
   const std::vector<Eigen::Vector2d> corners = loop.polygon(chord);
   const std::size_t n = corners.size();
   const auto chordAt = [&](std::size_t k) {
-    return straight(corners[k], corners[(k + 1) % n]);
+    return segment(corners[k], corners[(k + 1) % n]);
   };
   namespace bg = boost::geometry;
   using Point = bg::model::d2::point_xy<double>;

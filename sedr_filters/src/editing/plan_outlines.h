@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "../plan/plan_arcs.h"
+#include "../plan/plan_segment.h"
+
 #include <pcl/sedr_filters/floorplan.h>
 
 #include <optional>
@@ -10,22 +13,6 @@
 namespace pcl::sedr {
 
 constexpr double touching = 1e-6; ///< metres; places within this distance coincide
-
-/** @brief Returns the straight element from `start` to `end`. */
-inline PlanElement
-straight(const Eigen::Vector2d& start, const Eigen::Vector2d& end)
-{
-  PlanElement element;
-  element.start = start;
-  element.end = end;
-  return element;
-}
-
-inline double
-cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 /** @brief Returns where two segments cross or touch. */
 std::optional<Eigen::Vector2d> crossing(const PlanElement& a, const PlanElement& b);

@@ -10,25 +10,37 @@
 namespace pcl::sedr {
 
 void
+forEachReference(Floorplan& plan,
+                 const std::function<void(std::uint32_t&, const Eigen::Vector2d&)>& see)
+{
+  for (PlanOpening& opening : plan.openings) {
+    const Eigen::Vector2d middle = (opening.start + opening.end) / 2;
+    for (std::uint32_t* of : {&opening.rooms[0], &opening.rooms[1], &opening.swing})
+      see(*of, middle);
+    for (OpeningWall& wall : opening.walls)
+      see(wall.room, middle);
+  }
+  for (PlanDoorway& doorway : plan.doorways)
+    for (std::uint32_t& of : doorway.rooms)
+      see(of, (doorway.start + doorway.end) / 2);
+  for (PlanStair& stair : plan.stairs)
+    for (std::uint32_t& of : stair.rooms)
+      see(of, stair.at);
+}
+
+void
 renumber(Floorplan& plan, std::uint32_t from, std::uint32_t to)
 {
-  const auto replace = [&](auto& rooms) {
-    std::replace(rooms.begin(), rooms.end(), from, to);
-    return rooms[0] == rooms[1];
-  };
-  const auto leadsNowhere = [&](auto& link) {
-    replace(link.rooms);
-    return !link.leadsSomewhere();
-  };
+  forEachReference(plan, [&](std::uint32_t& room, const Eigen::Vector2d&) {
+    room = room == from ? to : room;
+  });
   const auto removeIf = [](auto& list, const auto& goes) {
     list.erase(std::remove_if(list.begin(), list.end(), goes), list.end());
   };
+  const auto leadsNowhere = [](const auto& link) { return !link.leadsSomewhere(); };
   removeIf(plan.openings, [&](PlanOpening& opening) {
-    for (OpeningWall& wall : opening.walls)
-      wall.room = wall.room == from ? to : wall.room;
     removeIf(opening.walls, [](const OpeningWall& wall) { return wall.room == 0; });
-    opening.swing = opening.swing == from ? to : opening.swing;
-    return replace(opening.rooms) || opening.walls.empty();
+    return opening.rooms[0] == opening.rooms[1] || opening.walls.empty();
   });
   removeIf(plan.doorways, leadsNowhere);
   removeIf(plan.stairs, leadsNowhere);

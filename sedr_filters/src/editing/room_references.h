@@ -4,8 +4,15 @@
 #include <pcl/sedr_filters/floorplan.h>
 
 #include <cstdint>
+#include <functional>
 
 namespace pcl::sedr {
+
+/** @brief Calls `see(room, place)` with the number of every room that openings,
+ * doorways and stairs name, and where they are. */
+void forEachReference(
+    Floorplan& plan,
+    const std::function<void(std::uint32_t&, const Eigen::Vector2d&)>& see);
 
 /** @brief Replaces a room's number in all that refers to rooms; 0: outside. What is
  * then on both sides of itself, or of no room, goes. */

@@ -138,17 +138,4 @@ labelRegions(const CellSet& cells)
   return regions;
 }
 
-std::vector<CellSet>
-connectedRegions(const CellSet& cells)
-{
-  const CellRegions regions = labelRegions(cells);
-  std::vector<std::vector<CellKey>> keys(regions.sizes.size());
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    keys[regions.label[i]].push_back(cells.keys()[i]);
-  std::vector<CellSet> result;
-  for (auto& own : keys)
-    result.push_back(CellSet::fromSorted(std::move(own)));
-  return result;
-}
-
 } // namespace pcl::sedr

@@ -185,23 +185,10 @@ CellMask
 combined(const CellMask& a, const CellMask& b, Op op)
 {
   CellMask result(a.box());
-  const auto combine = [&](Cell first, std::size_t cells, auto in_b) {
-    const std::uint8_t* const of_a = a.values().data() + a.indexOf(first);
-    std::uint8_t* const of_result = result.values().data() + a.indexOf(first);
-    for (std::size_t k = 0; k < cells; ++k)
-      of_result[k] = op(of_a[k] != 0, in_b(k)) ? 1 : 0;
-  };
-  if (a.box().count() > 0)
-    combine(a.box().low, a.values().size(), [](std::size_t) { return false; });
-  const CellBox both = overlapOf(a.box(), b.box());
-  if (both.count() == 0)
-    return result;
-  const auto width = static_cast<std::size_t>(both.high.x - both.low.x + 1);
-  for (std::int32_t y = both.low.y; y <= both.high.y; ++y) {
-    const Cell first{both.low.x, y};
-    const std::uint8_t* const of_b = b.values().data() + b.indexOf(first);
-    combine(first, width, [&](std::size_t k) { return of_b[k] != 0; });
-  }
+  std::size_t i = 0;
+  for (std::int32_t y = a.box().low.y; y <= a.box().high.y; ++y)
+    for (std::int32_t x = a.box().low.x; x <= a.box().high.x; ++x, ++i)
+      result.values()[i] = op(a.values()[i] != 0, b.at({x, y}) != 0) ? 1 : 0;
   return result;
 }
 

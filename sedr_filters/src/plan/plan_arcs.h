@@ -38,11 +38,25 @@ windingOf(const PlanElement& e, const Eigen::Vector2d& p)
   // On the chord, the side on which the chord's own winding has put the point.
   const Eigen::Vector2d chord = e.end - e.start;
   const bool is_right =
-      side < 0 ||
-      (side == 0 && (chord.y() > 0 || (chord.y() == 0 && chord.x() < 0)));
+      side < 0 || (side == 0 && (chord.y() > 0 || (chord.y() == 0 && chord.x() < 0)));
   if (isWhole(e) || is_right == e.counter_clockwise)
     winding += e.counter_clockwise ? 1 : -1;
   return winding;
+}
+
+/** @brief Returns the signed distance of a place from an element's line or circle,
+ * positive to its left; `way` is the gradient. */
+inline double
+offLine(const PlanElement& element, const Eigen::Vector2d& p, Eigen::Vector2d& way)
+{
+  if (!element.isArc()) {
+    way = element.normalAt(0);
+    return (p - element.start).dot(way);
+  }
+  const double sign = element.counter_clockwise ? -1 : 1;
+  const Eigen::Vector2d from = p - element.centre;
+  way = sign * from.normalized();
+  return sign * (from.norm() - element.radius);
 }
 
 } // namespace pcl::sedr

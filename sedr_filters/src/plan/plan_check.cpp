@@ -31,6 +31,20 @@ require(bool is_valid, const std::string& problem)
     throw std::invalid_argument(problem);
 }
 
+/** @param what with its article
+ * @param unit with a blank before it */
+void
+checkRange(double value,
+           double low,
+           double high,
+           const std::string& what,
+           const char* unit = " m")
+{
+  require(value >= low && value <= high, what + " must lie from " + numberText(low) +
+                                             " to " + numberText(high) + unit +
+                                             ", it is " + numberText(value));
+}
+
 void
 checkLength(double value, const std::string& what, double most = max_coordinate)
 {
@@ -53,20 +67,12 @@ checkElement(const PlanElement& e)
   for (const auto& [name, share] : {std::make_pair("seen", e.evidence.seen),
                                     std::make_pair("hidden", e.evidence.hidden),
                                     std::make_pair("opening", e.evidence.opening)})
-    require(share >= 0 && share <= 1, std::string("the share ") + name +
-                                          " of an element lies from 0 to 1, it is " +
-                                          numberText(share));
-  constexpr double max_tilt = 45; // degrees
-  const double tilt = e.tilt * 180 / M_PI;
-  require(std::abs(tilt) <= max_tilt, "the tilt of a wall lies within " +
-                                          numberText(max_tilt) + " degrees, it is " +
-                                          numberText(tilt));
+    checkRange(share, 0, 1, std::string("the share ") + name + " of an element", "");
+  checkRange(e.tilt * 180 / M_PI, -45, 45, "the tilt of a wall", " degrees");
   if (e.radius == 0)
     return;
   checkPlace(e.centre);
-  require(e.radius > 0 && e.radius <= max_radius,
-          "the radius of an arc must be above 0 m and at most " +
-              numberText(max_radius) + " m, it is " + numberText(e.radius));
+  checkRange(e.radius, 0, max_radius, "the radius of an arc");
   for (const Eigen::Vector2d& end : {e.start, e.end}) {
     const double gap = std::abs((end - e.centre).norm() - e.radius);
     require(gap <= max_gap_of_arc, "an end of an arc must lie on its circle, it is " +
@@ -153,6 +159,13 @@ checkRoom(const PlanRoom& room)
 using Ids = std::set<std::uint32_t>;
 
 void
+checkRoomId(std::uint32_t id, const std::string& what, const Ids& ids)
+{
+  require(ids.count(id) > 0, what + " names room " + std::to_string(id) +
+                                 ", which the plan does not have");
+}
+
+void
 checkStoreys(const std::vector<PlanStorey>& storeys, const Ids& ids)
 {
   Ids placed;
@@ -163,8 +176,7 @@ checkStoreys(const std::vector<PlanStorey>& storeys, const Ids& ids)
     require(numbers.insert(storey.number).second,
             "two storeys have the number " + std::to_string(storey.number));
     for (const std::uint32_t id : storey.rooms) {
-      require(ids.count(id) > 0, "a storey names room " + std::to_string(id) +
-                                     ", which the plan does not have");
+      checkRoomId(id, "a storey", ids);
       require(placed.insert(id).second,
               "room " + std::to_string(id) + " is listed twice in the storeys");
     }
@@ -177,8 +189,8 @@ void
 checkLink(const Link& link, const std::string& what, const Ids& ids)
 {
   for (const std::uint32_t id : link.rooms)
-    require(id == 0 || ids.count(id) > 0, what + " names room " + std::to_string(id) +
-                                              ", which the plan does not have");
+    if (id != 0)
+      checkRoomId(id, what, ids);
   require(link.leadsSomewhere(),
           what + " leads from room " + std::to_string(link.rooms[0]) + " to itself");
   checkLength(link.bottom, what + "'s bottom");
@@ -209,9 +221,8 @@ void
 checkOpening(const PlanOpening& opening, const Floorplan& plan, const Ids& ids)
 {
   for (const std::uint32_t id : {opening.rooms[0], opening.rooms[1], opening.swing})
-    require(id == 0 || ids.count(id) > 0, "an opening names room " +
-                                              std::to_string(id) +
-                                              ", which the plan does not have");
+    if (id != 0)
+      checkRoomId(id, "an opening", ids);
   require(opening.walls.size() <= 2, "an opening is in at most 2 walls, not " +
                                          std::to_string(opening.walls.size()));
   for (const OpeningWall& wall : opening.walls)
@@ -226,15 +237,10 @@ checkOpening(const PlanOpening& opening, const Floorplan& plan, const Ids& ids)
   require(opening.width() > 0, "an opening has a width above 0 m");
   require(opening.height() > 0, "an opening's top must be above its bottom, it is " +
                                     numberText(opening.height()) + " m above");
-  require(opening.rise >= 0 && opening.rise <= opening.height(),
-          "the rise of an opening's head lies from 0 m to its height, it is " +
-              numberText(opening.rise));
-  require(opening.depth >= 0 && opening.residual >= 0,
-          "depth and residual of an opening must not be below 0 m, they are " +
-              numberText(opening.depth) + " and " + numberText(opening.residual));
-  require(opening.confidence >= 0 && opening.confidence <= 1,
-          "the confidence of an opening lies from 0 to 1, it is " +
-              numberText(opening.confidence));
+  checkRange(opening.rise, 0, opening.height(), "the rise of an opening's head");
+  checkRange(opening.depth, 0, max_coordinate, "the depth of an opening");
+  checkRange(opening.residual, 0, max_coordinate, "the residual of an opening");
+  checkRange(opening.confidence, 0, 1, "the confidence of an opening", "");
 }
 
 } // namespace

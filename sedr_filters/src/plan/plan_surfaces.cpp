@@ -7,147 +7,49 @@
 
 namespace pcl::sedr {
 
-namespace {
-
-/** @brief Distance from an element at which its two sides are examined, metres. */
-constexpr double inside_step = 0.01;
-
-/** @brief A place on an element, and places on its two sides. */
-struct Sides {
-  Eigen::Vector2d place;
-  Eigen::Vector2d left;
-  Eigen::Vector2d right;
-};
-
-Sides
-sidesOf(const PlanElement& element, double s)
-{
-  const Eigen::Vector2d p = element.pointAt(s);
-  const Eigen::Vector2d across = inside_step * element.normalAt(s);
-  return {p, p + across, p - across};
-}
-
-/** @brief Returns the heights of a wall or column face: floor and ceiling in front. */
-VerticalSpan
-wallSpan(const RoomLookup& room, const Sides& at)
-{
-  const double floor =
-      room.room().floorSlab(room.floorDetailAt(at.left)).heightAt(at.place);
-  return {floor, room.ceilingAt(at.left), true};
-}
-
-/** @brief Returns the part of a wall below a niche, or above it, if there is one. */
-VerticalSpan
-wallBesideNiche(const RoomLookup& room, const Sides& at, bool is_above)
-{
-  VerticalSpan span = wallSpan(room, at);
-  const int n = room.nicheAt(at.right);
-  if (n < 0)
-    return is_above ? VerticalSpan{} : span;
-  const PlanNiche& niche = room.room().niches[static_cast<std::size_t>(n)];
-  if (is_above)
-    span.low = std::max(span.low, niche.top.heightAt(at.place));
-  else
-    span.high = std::min(span.high, niche.bottom.heightAt(at.place));
-  return span;
-}
-
-/** @brief Returns the heights of a ceiling riser: between the ceilings on the two sides
- * of its edge. An edge between two details belongs to the later one; an edge on a wall
- * is not a riser. */
-VerticalSpan
-ceilingRiserSpan(const RoomLookup& room, const Sides& at, int detail)
-{
-  if (!room.contains(at.left) || !room.contains(at.right) ||
-      std::max(room.detailAt(at.left), room.detailAt(at.right)) != detail)
-    return {};
-  const double a = room.ceilingAt(at.left);
-  const double b = room.ceilingAt(at.right);
-  return {std::min(a, b), std::max(a, b), a > b};
-}
-
-/** @brief Likewise returns the heights of a floor riser, which faces the lower side. */
-VerticalSpan
-floorRiserSpan(const RoomLookup& room, const Sides& at, int detail)
-{
-  if (!room.contains(at.left) || !room.contains(at.right) ||
-      std::max(room.floorDetailAt(at.left), room.floorDetailAt(at.right)) != detail)
-    return {};
-  const double a = room.floorAt(at.left);
-  const double b = room.floorAt(at.right);
-  return {std::min(a, b), std::max(a, b), a < b};
-}
-
-/** @brief Returns the heights of a niche side; none where it is open to the room. */
-VerticalSpan
-nicheSpan(const RoomLookup& room, const Sides& at, int part)
-{
-  if (room.isWithinBoundary(at.right))
-    return {};
-  const PlanNiche& niche = room.room().niches[static_cast<std::size_t>(part)];
-  return {niche.bottom.heightAt(at.place), niche.top.heightAt(at.place), true};
-}
-
-double
-clampedTo(const VerticalSpan& span, double z)
-{
-  return std::min(std::max(z, span.low), std::max(span.low, span.high));
-}
-
-/** @brief Finds the nearest point of a vertical surface.
- * @return its distance; infinity if it is not below `least` */
-double
-nearestOn(const VerticalSurface& surface,
-          const Eigen::Vector3d& p,
-          double least,
-          SurfacePoint& nearest)
-{
-  const Eigen::Vector2d place = p.head<2>();
-  if (surface.element->distance(place) >= least)
-    return std::numeric_limits<double>::infinity();
-  const double s = surface.element->project(place);
-  const VerticalSpan span = surface.spanAt(s);
-  if (!(span.high > span.low))
-    return std::numeric_limits<double>::infinity();
-  const Eigen::Vector2d foot = surface.element->pointAt(s);
-  const double z = clampedTo(span, p.z());
-  nearest.position << foot, z;
-  nearest.normal = surface.normalAt(s);
-  nearest.label = surface.label;
-  nearest.room = surface.room->id;
-  return std::hypot((foot - place).norm(), p.z() - z);
-}
-
-/** @brief Checks whether a point with a label may belong to a vertical surface. */
-bool
-mayBelong(StructureLabel label, StructureLabel surface)
-{
-  if (label == StructureLabel::Detail)
-    return surface == StructureLabel::Detail;
-  return surface == StructureLabel::Wall || surface == StructureLabel::Column;
-}
-
-} // namespace
-
 VerticalSpan
 VerticalSurface::spanAt(double s) const
 {
-  const Sides at = sidesOf(*element, s);
-  switch (kind) {
-  case VerticalKind::Wall:
-    return wallBesideNiche(*lookup, at, false);
-  case VerticalKind::WallAboveNiche:
-    return wallBesideNiche(*lookup, at, true);
-  case VerticalKind::ColumnFace:
-    return wallSpan(*lookup, at);
-  case VerticalKind::CeilingRiser:
-    return ceilingRiserSpan(*lookup, at, part);
-  case VerticalKind::FloorRiser:
-    return floorRiserSpan(*lookup, at, part);
-  case VerticalKind::NicheSide:
-    return nicheSpan(*lookup, at, part);
+  constexpr double beside = 0.01; // of the element, where its two sides are, metres
+  const RoomLookup& plan = *lookup;
+  const Eigen::Vector2d place = element->pointAt(s);
+  const Eigen::Vector2d across = beside * element->normalAt(s);
+  const Eigen::Vector2d left = place + across;
+  const Eigen::Vector2d right = place - across;
+  if (kind == VerticalKind::NicheSide) {
+    if (plan.isWithinBoundary(right))
+      return {}; // open to the room
+    const PlanNiche& niche = room->niches[static_cast<std::size_t>(part)];
+    return {niche.bottom.heightAt(place), niche.top.heightAt(place), true};
   }
-  return {};
+  if (kind == VerticalKind::CeilingRiser || kind == VerticalKind::FloorRiser) {
+    // An edge between two details belongs to the later one; an edge on a wall is no
+    // riser. That of a floor faces the lower side, that of a ceiling the higher one.
+    const bool is_floor = kind == VerticalKind::FloorRiser;
+    const auto detailAt = [&](const Eigen::Vector2d& p) {
+      return is_floor ? plan.floorDetailAt(p) : plan.detailAt(p);
+    };
+    if (!plan.contains(left) || !plan.contains(right) ||
+        std::max(detailAt(left), detailAt(right)) != part)
+      return {};
+    const double a = is_floor ? plan.floorAt(left) : plan.ceilingAt(left);
+    const double b = is_floor ? plan.floorAt(right) : plan.ceilingAt(right);
+    return {std::min(a, b), std::max(a, b), is_floor ? a < b : a > b};
+  }
+  VerticalSpan span{room->floorSlab(plan.floorDetailAt(left)).heightAt(place),
+                    plan.ceilingAt(left), true};
+  if (kind == VerticalKind::ColumnFace)
+    return span;
+  const bool is_above = kind == VerticalKind::WallAboveNiche;
+  const int n = plan.nicheAt(right);
+  if (n < 0)
+    return is_above ? VerticalSpan{} : span;
+  const PlanNiche& niche = room->niches[static_cast<std::size_t>(n)];
+  if (is_above)
+    span.low = std::max(span.low, niche.top.heightAt(place));
+  else
+    span.high = std::min(span.high, niche.bottom.heightAt(place));
+  return span;
 }
 
 Eigen::Vector3d
@@ -253,78 +155,6 @@ nichePointAt(const PlanRoom& room,
                  StructureLabel::Detail, room.id);
 }
 
-namespace {
-
-/** @brief Finds the nearer of bottom and top of the niche around a place.
- * @return the distance; infinity if there is no niche */
-double
-nearestInNiche(const RoomLookup& lookup,
-               const Eigen::Vector3d& p,
-               SurfacePoint& nearest)
-{
-  const PlanRoom& room = lookup.room();
-  const int n = lookup.nicheAt(p.head<2>());
-  if (n < 0)
-    return std::numeric_limits<double>::infinity();
-  const PlanNiche& niche = room.niches[static_cast<std::size_t>(n)];
-  const SurfacePoint bottom = nichePointAt(room, niche, p.head<2>(), true);
-  const SurfacePoint top = nichePointAt(room, niche, p.head<2>(), false);
-  const double to_bottom = std::abs(p.z() - bottom.position.z());
-  const double to_top = std::abs(p.z() - top.position.z());
-  nearest = to_bottom < to_top ? bottom : top;
-  return std::min(to_bottom, to_top);
-}
-
-/** @brief Projects a point onto the structure; `near` lists the only vertical surfaces
- * that can be nearest. */
-bool
-snapTo(const RoomLookup& room,
-       const std::vector<VerticalSurface>& verticals,
-       const PlaceTable::Numbers& near,
-       const Eigen::Vector3d& position,
-       StructureLabel label,
-       double farthest,
-       SurfacePoint& snapped)
-{
-  double least = std::numeric_limits<double>::infinity();
-  const bool is_slab = label == StructureLabel::Ceiling ||
-                       label == StructureLabel::Floor ||
-                       label == StructureLabel::Detail;
-  if (is_slab && room.contains(position.head<2>())) {
-    const auto takeNearer = [&](bool is_floor) {
-      const SurfacePoint candidate = slabPointAt(room, position.head<2>(), is_floor);
-      double d = std::abs(position.z() - candidate.position.z());
-      if (!is_floor && room.room().hasFacets())
-        d *= candidate.normal.cwiseAbs().z(); // the distance to a slope is shorter
-      if (d < least)
-        snapped = candidate;
-      least = std::min(least, d);
-    };
-    takeNearer(label == StructureLabel::Floor);
-    if (label == StructureLabel::Detail && room.floorDetailAt(position.head<2>()) >= 0)
-      takeNearer(true);
-  }
-  else if (label == StructureLabel::Detail)
-    least = nearestInNiche(room, position, snapped);
-  if (label == StructureLabel::Wall || label == StructureLabel::Column ||
-      label == StructureLabel::Detail)
-    for (const std::uint32_t i : near) {
-      const VerticalSurface& surface = verticals[i];
-      SurfacePoint candidate;
-      if (!mayBelong(label, surface.label))
-        continue;
-      const double d =
-          nearestOn(surface, position, std::min(least, 2 * farthest), candidate);
-      if (d >= least)
-        continue;
-      least = d;
-      snapped = candidate;
-    }
-  return least <= farthest;
-}
-
-} // namespace
-
 RoomSurfaces::RoomSurfaces(const PlanRoom& room, double farthest)
     : lookup_(room)
     , verticals_(verticalSurfaces(room))
@@ -341,8 +171,53 @@ RoomSurfaces::snap(const Eigen::Vector3d& position,
                    StructureLabel label,
                    SurfacePoint& snapped) const
 {
-  return snapTo(lookup_, verticals_, near_.at(position.head<2>()), position, label,
-                farthest_, snapped);
+  const PlanRoom& room = lookup_.room();
+  const Eigen::Vector2d place = position.head<2>();
+  const bool is_detail = label == StructureLabel::Detail;
+  double least = std::numeric_limits<double>::infinity();
+  const auto takeNearer = [&](const SurfacePoint& candidate, double distance) {
+    if (distance < least)
+      snapped = candidate;
+    least = std::min(least, distance);
+  };
+  const auto takeSlab = [&](bool is_floor) {
+    const SurfacePoint candidate = slabPointAt(lookup_, place, is_floor);
+    double d = std::abs(position.z() - candidate.position.z());
+    if (!is_floor && room.hasFacets())
+      d *= candidate.normal.cwiseAbs().z(); // the distance to a slope is shorter
+    takeNearer(candidate, d);
+  };
+  const bool is_slab =
+      label == StructureLabel::Ceiling || label == StructureLabel::Floor;
+  if ((is_slab || is_detail) && lookup_.contains(place)) {
+    takeSlab(label == StructureLabel::Floor);
+    if (is_detail && lookup_.floorDetailAt(place) >= 0)
+      takeSlab(true);
+  }
+  else if (const int n = lookup_.nicheAt(place); is_detail && n >= 0)
+    for (const bool is_bottom : {false, true}) {
+      const SurfacePoint candidate = nichePointAt(
+          room, room.niches[static_cast<std::size_t>(n)], place, is_bottom);
+      takeNearer(candidate, std::abs(position.z() - candidate.position.z()));
+    }
+  if (label != StructureLabel::Wall && label != StructureLabel::Column && !is_detail)
+    return least <= farthest_;
+  for (const std::uint32_t i : near_.at(place)) {
+    const VerticalSurface& surface = verticals_[i];
+    if ((surface.label == StructureLabel::Detail) != is_detail ||
+        surface.element->distance(place) >= std::min(least, 2 * farthest_))
+      continue;
+    const double s = surface.element->project(place);
+    const VerticalSpan span = surface.spanAt(s);
+    if (!(span.high > span.low))
+      continue;
+    const Eigen::Vector2d foot = surface.element->pointAt(s);
+    SurfacePoint candidate{{}, surface.normalAt(s), surface.label, room.id};
+    candidate.position << foot, std::clamp(position.z(), span.low, span.high);
+    takeNearer(candidate, std::hypot((foot - place).norm(),
+                                     position.z() - candidate.position.z()));
+  }
+  return least <= farthest_;
 }
 
 } // namespace pcl::sedr

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/sedr_filters/plan_warning.h>
 
+#include "../base/number_text.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 namespace pcl::sedr {
@@ -18,6 +19,7 @@ struct Words {
   const char* several;  ///< what several of them are called
   const char* unit;     ///< of the first values, which add up unless it is %; or empty
   const char* sentence; ///< about one
+  const char* opposite = nullptr; ///< the sentence if the last value is below 0
 };
 
 /** In the order of WarningKind. */
@@ -68,11 +70,13 @@ constexpr std::array<Words, 37> words{{
      "{0.1} m2 of its floor, at {1.2} to {2.2} m from its main floor, are more than 10 "
      "cm off the model"},
     {"wall_off", "walls are off what was seen", "m2",
-     "{0.1} m2 of what was seen there lie {1.0} cm before it"},
+     "{0.1} m2 of what was seen there lie {1.0} cm before it",
+     "{0.1} m2 of what was seen there lie {1.0} cm behind it"},
     {"standing", "rooms hold more than walls and columns up to the ceiling", "m2",
      "{0.1} m2 of what was seen within it reach up to the ceiling and are no wall or "
      "column of the plan"},
-    {"tilted", "walls are tilted", "", "it is tilted by {0.2} degrees into the room"},
+    {"tilted", "walls are tilted", "", "it is tilted by {0.2} degrees into the room",
+     "it is tilted by {0.2} degrees out of the room"},
     {"not_adjusted", "", "",
      "the plan is only as exact as thinned points are, it could not be fitted to the "
      "scan: {reason}"},
@@ -93,7 +97,8 @@ constexpr std::array<Words, 37> words{{
     {"narrow_door", "doors are narrow", "", "a door of {0.2} m"},
     {"small_room", "rooms are small", "", "a room of {0.1} m2"},
     {"narrow_room", "rooms are narrow", "", "nowhere wider than {0.2} m"},
-    {"height", "rooms have unusual heights", "", "{0.2} m high"},
+    {"height", "rooms have unusual heights", "", "{0.2} m high",
+     "its ceiling lies {0.2} m below its floor{at}"},
     {"ragged", "rooms have many walls", "", "{0.1} walls in 10 m of its outline"},
     {"flat_arc", "arcs are so flat that they may be straight", "",
      "an arc that rises only {0.1} cm above its chord, of {1.1} m radius: it may be "
@@ -105,14 +110,6 @@ const Words&
 wordsOf(WarningKind kind)
 {
   return words[static_cast<std::size_t>(kind)];
-}
-
-std::string
-decimals(double value, int digits)
-{
-  std::array<char, 400> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", digits, value);
-  return text.data();
 }
 
 double
@@ -128,11 +125,12 @@ filledIn(const std::string& name, const PlanWarning& warning)
   if (name == "reason")
     return warning.reason;
   if (name == "at")
-    return warning.at.allFinite() ? " around (" + decimals(warning.at.x(), 1) + ", " +
-                                        decimals(warning.at.y(), 1) + ")"
+    return warning.at.allFinite() ? " around (" + decimalText(warning.at.x(), 1) +
+                                        ", " + decimalText(warning.at.y(), 1) + ")"
                                   : "";
   const auto k = static_cast<std::size_t>(name[0] - '0');
-  return k < warning.values.size() ? decimals(warning.values[k], name[2] - '0') : "?";
+  return k < warning.values.size() ? decimalText(warning.values[k], name[2] - '0')
+                                   : "?";
 }
 
 } // namespace
@@ -152,23 +150,14 @@ sentenceOf(const PlanWarning& warning)
            ": ";
   else if (warning.room > 0)
     text = "room " + std::to_string(warning.room) + ": ";
-  std::string words = wordsOf(warning.kind).sentence;
-  if (warning.kind == WarningKind::Tilted && warning.values.front() < 0)
-    words = "it is tilted by {0.2} degrees out of the room";
-  const bool is_behind =
-      warning.kind == WarningKind::WallOff && warning.values.back() < 0;
-  if (is_behind)
-    words = "{0.1} m2 of what was seen there lie {1.0} cm behind it";
-  if (warning.kind == WarningKind::Crossing &&
-      static_cast<std::uint32_t>(firstOf(warning)) == warning.room)
-    words = "its solid meets itself";
-  if (warning.kind == WarningKind::Height && warning.values.front() < 0)
-    words = "its ceiling lies {0.2} m below its floor{at}";
+  const Words& of_kind = wordsOf(warning.kind);
+  const bool is_opposite = of_kind.opposite && warning.values.back() < 0;
+  std::string words = is_opposite ? of_kind.opposite : of_kind.sentence;
   PlanWarning shown = warning;
-  if (warning.kind == WarningKind::Tilted || warning.kind == WarningKind::Height)
-    shown.values.front() = firstOf(warning);
-  if (is_behind)
+  if (is_opposite)
     shown.values.back() *= -1;
+  if (warning.kind == WarningKind::Crossing && warning.values.front() == warning.room)
+    words = "its solid meets itself";
   for (std::size_t at = 0; at < words.size();) {
     const std::size_t open = std::min(words.find('{', at), words.size());
     text.append(words, at, open - at);
@@ -212,7 +201,7 @@ summaryOf(const std::vector<PlanWarning>& warnings, std::size_t most)
       sum += firstOf(*warning);
     std::string line = std::to_string(all.size()) + " " + of_kind.several;
     if (!unit.empty() && unit != "%")
-      line += ", " + decimals(sum, 1) + " " + unit + " in all";
+      line += ", " + decimalText(sum, 1) + " " + unit + " in all";
     lines.push_back(line + (unit.empty() ? "; first: " : "; most: ") +
                     sentenceOf(unit.empty() ? *all.front() : worst));
   }

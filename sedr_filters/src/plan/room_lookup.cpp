@@ -49,16 +49,31 @@ LoopLookup::contains(const Eigen::Vector2d& p) const
 
 namespace {
 
-constexpr double table_cell = 0.5; // cell size of the tables, metres
-
+/** @brief Fills a table with the places of things that have a boundary or are loops. */
+template <typename Things, typename LoopOf>
 void
-addTo(PlaceTable& places, const PlanLoop& loop, std::size_t number)
+fill(PlaceTable& places, const Things& things, LoopOf loopOf)
 {
-  Eigen::AlignedBox2d box;
-  for (const auto& e : loop.elements)
-    box.extend(boxAround(e));
-  if (!box.isEmpty())
-    places.addIn(box, static_cast<std::uint32_t>(number));
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    Eigen::AlignedBox2d box;
+    for (const PlanElement& e : loopOf(things[i]).elements)
+      box.extend(boxAround(e));
+    if (!box.isEmpty())
+      places.addIn(box, static_cast<std::uint32_t>(i));
+  }
+  places.finish();
+}
+
+int
+lastAround(const std::vector<PlanDetail>& details,
+           const PlaceTable& places,
+           const Eigen::Vector2d& p)
+{
+  const PlaceTable::Numbers near = places.at(p);
+  for (const std::uint32_t* i = near.end(); i != near.begin();)
+    if (details[*--i].contains(p))
+      return static_cast<int>(*i);
+  return -1;
 }
 
 } // namespace
@@ -66,21 +81,14 @@ addTo(PlaceTable& places, const PlanLoop& loop, std::size_t number)
 RoomLookup::RoomLookup(const PlanRoom& room)
     : room_(&room)
     , boundary_(room.boundary)
-    , columns_(table_cell)
-    , details_(table_cell)
-    , floor_details_(table_cell)
-    , niches_(table_cell)
 {
-  for (std::size_t i = 0; i < room.columns.size(); ++i)
-    addTo(columns_, room.columns[i], i);
-  for (std::size_t i = 0; i < room.details.size(); ++i)
-    addTo(details_, room.details[i].boundary, i);
-  for (std::size_t i = 0; i < room.floor_details.size(); ++i)
-    addTo(floor_details_, room.floor_details[i].boundary, i);
-  for (std::size_t i = 0; i < room.niches.size(); ++i)
-    addTo(niches_, room.niches[i].boundary, i);
-  for (PlaceTable* places : {&columns_, &details_, &floor_details_, &niches_})
-    places->finish();
+  const auto boundaryOf = [](const auto& part) -> const PlanLoop& {
+    return part.boundary;
+  };
+  fill(columns_, room.columns, [](const PlanLoop& c) -> const PlanLoop& { return c; });
+  fill(details_, room.details, boundaryOf);
+  fill(floor_details_, room.floor_details, boundaryOf);
+  fill(niches_, room.niches, boundaryOf);
 }
 
 bool
@@ -91,18 +99,6 @@ RoomLookup::contains(const Eigen::Vector2d& p) const
   const PlaceTable::Numbers near = columns_.at(p);
   return std::none_of(near.begin(), near.end(),
                       [&](std::uint32_t c) { return room_->columns[c].contains(p); });
-}
-
-int
-RoomLookup::lastAround(const std::vector<PlanDetail>& details,
-                       const PlaceTable& places,
-                       const Eigen::Vector2d& p)
-{
-  const PlaceTable::Numbers near = places.at(p);
-  for (const std::uint32_t* i = near.end(); i != near.begin();)
-    if (details[*--i].contains(p))
-      return static_cast<int>(*i);
-  return -1;
 }
 
 int

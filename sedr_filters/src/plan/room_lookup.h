@@ -60,16 +60,14 @@ public:
   }
 
 private:
-  static int lastAround(const std::vector<PlanDetail>& details,
-                        const PlaceTable& places,
-                        const Eigen::Vector2d& p);
+  static constexpr double table_cell = 0.5; ///< of the tables, metres
 
   const PlanRoom* room_;
   LoopLookup boundary_;
-  PlaceTable columns_;
-  PlaceTable details_;
-  PlaceTable floor_details_;
-  PlaceTable niches_;
+  PlaceTable columns_{table_cell};
+  PlaceTable details_{table_cell};
+  PlaceTable floor_details_{table_cell};
+  PlaceTable niches_{table_cell};
 };
 
 } // namespace pcl::sedr

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "plan_arcs.h"
+
 #include <pcl/sedr_filters/straightening.h>
 
 #include <Eigen/LU>
@@ -22,21 +24,6 @@ shifted(PlanElement element, double shift)
   if (element.isArc())
     element.radius += element.counter_clockwise ? -shift : shift;
   return element;
-}
-
-/** @brief Returns the signed distance of a place from an element's line or circle,
- * positive to its left; `way` is the gradient. */
-double
-offLine(const PlanElement& element, const Eigen::Vector2d& p, Eigen::Vector2d& way)
-{
-  if (!element.isArc()) {
-    way = element.normalAt(0);
-    return (p - element.start).dot(way);
-  }
-  const double sign = element.counter_clockwise ? -1 : 1;
-  const Eigen::Vector2d from = p - element.centre;
-  way = sign * from.normalized();
-  return sign * (from.norm() - element.radius);
 }
 
 /** @brief Returns the intersection of two elements that met in `corner`, by Newton's

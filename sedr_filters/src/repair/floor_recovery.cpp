@@ -8,34 +8,6 @@
 
 namespace pcl::sedr {
 
-namespace {
-
-using CellPoint = std::pair<CellKey, pcl::index_t>;
-
-/** @brief Returns the points of `indices` in `cells`, with their cells, sorted. */
-std::vector<CellPoint>
-pointsByCell(const CellSet& cells,
-             const CellGrid& grid,
-             const PointView& points,
-             const pcl::Indices& indices)
-{
-  std::vector<CellPoint> found;
-  for (const auto index : indices) {
-    const auto i = static_cast<std::size_t>(index);
-    const Eigen::Vector3f p = points[i];
-    if (!points.isFinite(i) || !grid.holds(p.x(), p.y()))
-      continue;
-    const Cell cell = grid.at(p.x(), p.y());
-    if (cells.contains(cell))
-      found.emplace_back(keyOf(cell), index);
-  }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  return found;
-}
-
-} // namespace
-
 FloorRecovery
 recoverFloor(const CellGrid& grid,
              const PointView& points,
@@ -55,13 +27,21 @@ recoverFloor(const CellGrid& grid,
   }
 
   const CellSet missing = subtract(scope, CellSet(grid, points, result.kept));
-  auto sources = pointsByCell(missing, grid, points, ceiling);
-  const auto details =
-      pointsByCell(subtract(missing, under_ceiling), grid, points, detail);
-  const auto ceilings = static_cast<std::ptrdiff_t>(sources.size());
-  sources.insert(sources.end(), details.begin(), details.end());
-  std::inplace_merge(sources.begin(), sources.begin() + ceilings, sources.end());
-  result.sources.reserve(sources.size());
+  std::vector<std::pair<CellKey, pcl::index_t>> sources;
+  const auto addFrom = [&](const pcl::Indices& indices, const CellSet& cells) {
+    for (const auto index : indices) {
+      const auto i = static_cast<std::size_t>(index);
+      const Eigen::Vector3f p = points[i];
+      if (!points.isFinite(i) || !grid.holds(p.x(), p.y()))
+        continue;
+      if (const Cell cell = grid.at(p.x(), p.y()); cells.contains(cell))
+        sources.emplace_back(keyOf(cell), index);
+    }
+  };
+  addFrom(ceiling, missing);
+  addFrom(detail, subtract(missing, under_ceiling));
+  std::sort(sources.begin(), sources.end());
+  sources.erase(std::unique(sources.begin(), sources.end()), sources.end());
   for (const auto& source : sources)
     result.sources.push_back(source.second);
   return result;

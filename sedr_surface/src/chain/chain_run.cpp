@@ -12,17 +12,6 @@
 
 namespace pcl::sedr {
 
-namespace {
-
-double
-secondsSince(std::chrono::steady_clock::time_point start)
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
-      .count();
-}
-
-} // namespace
-
 template <typename Step>
 bool
 ChainRun::runStage(const std::string& name, std::size_t points_in, Step step)
@@ -37,7 +26,8 @@ ChainRun::runStage(const std::string& name, std::size_t points_in, Step step)
   }
   const auto start = std::chrono::steady_clock::now();
   const bool is_done = step(report);
-  report.seconds = secondsSince(start);
+  report.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   chain_.reports.push_back(report);
   if (is_done)
     chain_.failed_stage.clear();

@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_surface/structure_chain.h>
 
+#include "sedr_filters/src/base/labels.h"
 #include "sedr_segmentation/src/plan/room_territory.h"
 
 #include <limits>
@@ -36,6 +37,11 @@ allIndices(std::size_t n)
  * up 2 %. Openings and their reveals do not count. Things that reach up to the ceiling,
  * as walls do, and are none: one warning a room.
  *
+ * Doors and things stand on floors, so most of what is in rooms, off their walls, lies
+ * in their lower half; else a warning doubts that the scan is upside down. It needs
+ * that no door was found, at least 2 m2 of surfaces, three quarters of them in the
+ * upper half.
+ *
  * O(points + columns of the building).
  * @param points thinned
  * @param building its rooms have the ids of those of the plan */
@@ -43,17 +49,6 @@ std::vector<PlanWarning> unexplainedSurfaces(const PointView& points,
                                              const Building& building,
                                              const Floorplan& plan,
                                              const Priors& priors = {});
-
-/** @brief Returns a doubt whether the scan is upside down: doors and things stand on
- * floors, so most of what is in rooms, off their walls, lies in their lower half. A
- * doubt needs that no door was found, at least 2 m2 of surfaces, three quarters of them
- * in the upper half.
- * @param points thinned
- * @param voxel distance of neighbouring points, at most; metres
- *
- * O(points times rooms whose boxes contain them). */
-std::optional<PlanWarning>
-upsideDownDoubt(const PointView& points, double voxel, const Floorplan& plan);
 
 /** @brief A run of a StructureChain: what the stages leave each other beside the
  * results that the chain keeps. */
@@ -107,17 +102,9 @@ private:
   void tiltStructure();
   bool partRooms(StageReport& report);
   bool findPlanes(StageReport& report);
-  double cellSizeThatFills() const;
-
-  /** @brief Restricts the floors of the rooms to what is no furniture. */
-  void findFloors();
-
   /** @brief Adds points where a room's ceiling is hidden, using the air below it.
    * @return number of points */
   std::size_t addHiddenCeiling(std::size_t room);
-
-  /** @brief Returns the scanned points of a room's ceiling. */
-  pcl::Indices seenCeiling(std::size_t region) const;
 
   /** @brief Returns the scanned points of all ceilings, increasing. */
   pcl::IndicesPtr sheetPoints() const;
@@ -132,15 +119,18 @@ private:
   /** @brief Returns the labelled points of a room, the input of refinement. */
   StructureCloud::Ptr labelledCloud(std::uint32_t room) const;
 
-  /** @brief Labels the unlabelled points of a room's walls.
-   * @return number of points */
-  std::size_t labelWalls(std::uint32_t room, const pcl::Indices& walls);
-
   /** @brief Removes the labels of every room that has no plan. */
   void giveUpRoomsWithoutPlan();
 
   void warnOfGuesses();
   bool extrude(StageReport& report);
+
+  /** @brief Gives a point a label and a room. */
+  void give(int point, StructureLabel label, std::size_t room)
+  {
+    chain_.labels[static_cast<std::size_t>(point)] = valueOf(label);
+    chain_.rooms[static_cast<std::size_t>(point)] = static_cast<std::uint32_t>(room);
+  }
 
   /** @brief Returns the points with a label. */
   pcl::IndicesPtr labelled(StructureLabel label) const;
@@ -152,22 +142,12 @@ private:
   /** @brief Updates the list of points of every room. */
   void shareOut();
 
-  /** @brief Returns the cells of each room. */
-  std::vector<CellSet> scopes() const;
-
   /** @brief Returns the territory of each room, up to `reach` metres from its
    * ceiling. */
   RoomTerritory territory(double reach) const;
 
-  /** @brief As above, up to the maximum distance of walls. */
-  RoomTerritory territory() const;
-
   /** @brief Returns the points in each room's territory. */
   std::vector<pcl::IndicesPtr> territories(const RoomTerritory& of_rooms) const;
-
-  /** @brief Returns the columns of a room below level parts of its ceiling, on the
-   * building's grid. */
-  CellSet levelColumns(std::size_t room) const;
 
   /** @brief Labels the points of a room's ceiling off its main plane: as details below
    * level parts of the ceiling, else as ceiling.

@@ -12,20 +12,6 @@ namespace {
 /** @brief Smaller areas are edges of rooms, square metres. */
 constexpr double worth_telling = 0.5;
 
-const PlanRoom*
-planOf(const BuildingRoom& room, const Floorplan& plan)
-{
-  const auto found = std::find_if(plan.rooms.begin(), plan.rooms.end(),
-                                  [&](const PlanRoom& p) { return p.id == room.id; });
-  return found == plan.rooms.end() ? nullptr : &*found;
-}
-
-Eigen::Vector2d
-middleOf(const std::vector<Eigen::Vector2d>& places)
-{
-  return places.empty() ? Eigen::Vector2d(0, 0) : places[places.size() / 2];
-}
-
 /** @brief Returns the seen columns of a room that lie outside its plan by more than
  * noise and cells explain; all of them if it has none. */
 std::vector<Eigen::Vector2d>
@@ -51,7 +37,7 @@ addRoom(const BuildingRoom& room,
         Coverage& coverage)
 {
   const CellGrid& grid = building.grid;
-  const PlanRoom* const own = planOf(room, plan);
+  const PlanRoom* const own = findRoom(plan, room.id);
   const std::vector<Eigen::Vector2d> places = placesLeftOut(room, own, grid);
   const double area = static_cast<double>(places.size()) * grid.size() * grid.size();
   if (own && area < worth_telling)
@@ -59,7 +45,8 @@ addRoom(const BuildingRoom& room,
   const std::string name = "room " + std::to_string(room.id) + ": ";
   coverage.left_out.push_back(
       {name + (own ? "its plan does not reach as far" : "no plan could be fitted"),
-       area, room.floor, room.ceiling, middleOf(places), true});
+       area, room.floor, room.ceiling,
+       places.empty() ? Eigen::Vector2d(0, 0) : places[places.size() / 2], true});
 }
 
 } // namespace

@@ -53,14 +53,15 @@ isAsLongAs(const PlanElement& wall, double width, const Priors& priors)
 
 Patches::Patches(std::vector<CellKey> keys,
                  const std::vector<double>& values,
-                 double size)
+                 double size,
+                 double least)
 {
   const CellGrid grid(size);
   const CellSet cells(std::move(keys));
   const CellRegions regions = labelRegions(cells);
   for (std::size_t k = 0; k < cells.size(); ++k) {
     const auto n = static_cast<double>(regions.sizes[regions.label[k]]);
-    if (n * size * size < min_patch)
+    if (n * size * size < least)
       continue;
     ++count;
     low = std::min(low, values[k]);
@@ -186,12 +187,14 @@ SeenSurfaces::SeenSurfaces(const Floorplan& plan,
   }
   rooms_near_.finish();
   walls_near_.finish();
-  for (const PlanOpening& opening : plan.openings)
+  for (const PlanOpening& opening : plan.openings) {
+    has_door_ = has_door_ || opening.kind == OpeningKind::Door;
     for (const OpeningWall& of : opening.walls)
       for (WallTiles& wall : walls_)
         if (wall.surface().room->id == of.room &&
             numberOf(wall.surface()) == of.element + 1)
           wall.leaveOut(opening, priors);
+  }
 }
 
 int
@@ -211,15 +214,17 @@ SeenSurfaces::ownerOf(const Eigen::Vector3d& p) const
 void
 SeenSurfaces::add(const Eigen::Vector3d& p)
 {
+  constexpr double off_walls = 0.3; // metres
+  constexpr double inside = 0.15;   // off floor and ceiling, metres
   beside_.clear();
   bool is_on = false;
-  bool is_close = false;
+  double nearest = infinite; // of the walls
   for (const std::uint32_t w : walls_near_.at(p.head<2>()))
     if (const double offset = walls_[w].offsetOf(p);
         std::abs(offset) < WallTiles::reach) {
       beside_.emplace_back(w, offset);
       is_on |= walls_[w].isOn(offset);
-      is_close |= std::abs(offset) < WallTiles::relief;
+      nearest = std::min(nearest, std::abs(offset));
     }
   const int owner = is_on ? -1 : ownerOf(p);
   for (const auto& [w, offset] : beside_)
@@ -233,8 +238,10 @@ SeenSurfaces::add(const Eigen::Vector3d& p)
   for (const std::size_t k : {0, 1})
     if (std::abs(p.z() - (k == 0 ? floor : ceiling)) < off_slab)
       on_slab_[2 * r + k].insert(keyOf(grid_.at(p.x(), p.y())));
-  if (!is_close)
+  if (nearest >= WallTiles::relief)
     addStanding(p, r);
+  if (nearest >= off_walls && p.z() > floor + inside && p.z() < ceiling - inside)
+    ++halves_[p.z() > (floor + ceiling) / 2 ? 1 : 0];
 }
 
 void
@@ -253,9 +260,9 @@ SeenSurfaces::tellStanding(std::size_t room, std::vector<PlanWarning>& warnings)
   constexpr unsigned first = 1;
   constexpr unsigned last = 5;
   constexpr unsigned least = 4;
-  constexpr double shortest = 0.5; // metres
+  constexpr double shortest = 0.5; // metres of a cell's width
   std::vector<CellKey> keys;
-  std::vector<int> steps;
+  std::vector<double> steps;
   for (const auto& [key, seen] : standing_[room]) {
     unsigned in_band = 0;
     for (unsigned k = first; k <= last; ++k)
@@ -265,21 +272,11 @@ SeenSurfaces::tellStanding(std::size_t room, std::vector<PlanWarning>& warnings)
     keys.push_back(key);
     steps.push_back(__builtin_popcountll(seen));
   }
-  const CellSet cells(std::move(keys));
-  const CellRegions regions = labelRegions(cells);
-  double area = 0;
-  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-  for (std::size_t k = 0; k < cells.size(); ++k) {
-    const auto n = static_cast<double>(regions.sizes[regions.label[k]]);
-    if (n * wall_tile < shortest)
-      continue;
-    area += steps[k] * wall_tile * wall_tile;
-    if (regions.label[k] == 0)
-      middle += CellGrid(wall_tile).centre(cells[k]) / n;
-  }
+  const Patches found(std::move(keys), steps, wall_tile, shortest * wall_tile);
+  const double area = found.mean * found.area; // of the steps
   const PlanRoom& plan = rooms_[room].room();
   if (area > min_patch && area >= told_behind * surfacesOf(plan))
-    warnings.push_back({WarningKind::Standing, {area}, plan.id, 0, {}, middle});
+    warnings.push_back({WarningKind::Standing, {area}, plan.id, 0, {}, found.middle});
 }
 
 void
@@ -320,6 +317,19 @@ SeenSurfaces::tell(std::vector<PlanWarning>& warnings) const
     }
   for (std::size_t r = 0; r < rooms_.size(); ++r)
     tellStanding(r, warnings);
+  tellUpsideDown(warnings);
+}
+
+void
+SeenSurfaces::tellUpsideDown(std::vector<PlanWarning>& warnings) const
+{
+  constexpr double min_area = 2;    // square metres
+  constexpr double doubtful = 0.75; // share in the upper half
+  const auto all = static_cast<double>(halves_[0] + halves_[1]);
+  const double area = all * grid_.size() * grid_.size(); // one point a cell
+  const double upper = static_cast<double>(halves_[1]) / std::max(all, 1.0);
+  if (!has_door_ && area >= min_area && upper >= doubtful) // a door stands on the floor
+    warnings.push_back({WarningKind::UpsideDown, {100 * upper, area}});
 }
 
 } // namespace pcl::sedr

@@ -9,6 +9,7 @@
 #include <pcl/sedr_filters/plan_warning.h>
 #include <pcl/sedr_filters/priors.h>
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <limits>
@@ -24,7 +25,7 @@ constexpr double off_wall = 0.05;  ///< metres from the model
 constexpr double off_slab = 0.1;   ///< metres; columns of air end on voxels
 constexpr double sigmas = 3;       ///< of noise, off a surface
 
-/** @brief Connected cells of `min_patch` and more. */
+/** @brief Connected cells, of `least` square metres and more. */
 struct Patches {
   std::size_t count = 0; ///< of cells
   double area = 0;
@@ -35,7 +36,10 @@ struct Patches {
 
   /** @param keys of cells, increasing
    * @param values one a cell */
-  Patches(std::vector<CellKey> keys, const std::vector<double>& values, double size);
+  Patches(std::vector<CellKey> keys,
+          const std::vector<double>& values,
+          double size,
+          double least = min_patch);
 };
 
 /** @brief What was seen in each tile of a wall, the side of a column or a riser. */
@@ -100,7 +104,7 @@ public:
   }
 
   /** @brief Appends a warning for each wall and each room of which much was not
-   * explained. */
+   * explained, and one if what stands in rooms hangs from their ceilings. */
   void tell(std::vector<PlanWarning>& warnings) const;
 
 private:
@@ -110,8 +114,12 @@ private:
   void addStanding(const Eigen::Vector3d& p, std::size_t room);
   void tellStanding(std::size_t room, std::vector<PlanWarning>& warnings) const;
 
+  void tellUpsideDown(std::vector<PlanWarning>& warnings) const;
+
   Priors priors_;
   CellGrid grid_;
+  bool has_door_ = false;
+  std::array<std::size_t, 2> halves_{}; ///< points in rooms, in lower and upper halves
   std::vector<std::unordered_set<CellKey>> on_slab_; ///< floor and ceiling of each room
   std::deque<RoomLookup> rooms_;
   PlaceTable rooms_near_;

@@ -13,34 +13,27 @@
 
 namespace pcl::sedr {
 
-CellSet
-ChainRun::levelColumns(std::size_t region) const
-{
-  std::vector<CellKey> keys;
-  for (const RoomColumn& column : chain_.getBuilding().rooms[region].columns)
-    if (column.is_level)
-      keys.push_back(keyOf(column.cell));
-  return CellSet(std::move(keys));
-}
-
 std::size_t
 ChainRun::labelLowerCeilings(std::size_t region)
 {
   const PointView points(*chain_.cloud);
   const CellGrid& columns = chain_.getBuilding().grid;
-  const CellSet level = levelColumns(region);
+  std::vector<CellKey> level_keys;
+  for (const RoomColumn& column : chain_.getBuilding().rooms[region].columns)
+    if (column.is_level)
+      level_keys.push_back(keyOf(column.cell));
+  const CellSet level(std::move(level_keys));
   std::size_t found = 0;
   double lowest = std::numeric_limits<double>::infinity();
   for (const int i : regions_[region].ceiling) {
     const auto at = static_cast<std::size_t>(i);
     if (chain_.labels[at] != 0)
       continue;
-    chain_.rooms[at] = static_cast<std::uint32_t>(region + 1);
     if (!level.contains(columns.at(points[at].x(), points[at].y()))) {
-      chain_.labels[at] = valueOf(StructureLabel::Ceiling); // vault or roof
+      give(i, StructureLabel::Ceiling, region + 1); // vault or roof
       continue;
     }
-    chain_.labels[at] = valueOf(StructureLabel::Detail);
+    give(i, StructureLabel::Detail, region + 1);
     ++found;
     lowest = std::min<double>(lowest, points[at].z());
   }
@@ -92,22 +85,8 @@ ChainRun::labelRisers(std::size_t region)
   }
   for (const auto& [cell, own] : risers)
     if (walls.count(cell) == 0)
-      for (const int i : own) {
-        chain_.labels[static_cast<std::size_t>(i)] = valueOf(StructureLabel::Detail);
-        chain_.rooms[static_cast<std::size_t>(i)] =
-            static_cast<std::uint32_t>(region + 1);
-      }
-}
-
-pcl::Indices
-ChainRun::seenCeiling(std::size_t region) const
-{
-  pcl::Indices seen;
-  for (const int i : regions_[region].ceiling)
-    if (static_cast<std::size_t>(i) <
-        chain_.scanned_points_) // others fill hidden ceilings
-      seen.push_back(i);
-  return seen;
+      for (const int i : own)
+        give(i, StructureLabel::Detail, region + 1);
 }
 
 pcl::IndicesPtr
@@ -115,9 +94,10 @@ ChainRun::sheetPoints() const
 {
   pcl::IndicesPtr sheets(new pcl::Indices);
   for (std::size_t r = 0; r < regions_.size(); ++r)
-    for (const int i : seenCeiling(r))
-      if (chain_.rooms[static_cast<std::size_t>(i)] ==
-          r + 1) // else floor of the one above
+    for (const int i : regions_[r].ceiling)
+      if (const auto at = static_cast<std::size_t>(i);
+          at < chain_.scanned_points_ && // others fill hidden ceilings
+          chain_.rooms[at] == r + 1)     // else floor of the one above
         sheets->push_back(i);
   std::sort(sheets->begin(), sheets->end());
   return sheets;

@@ -97,17 +97,6 @@ ChainRun::partRooms(StageReport& report)
   return true;
 }
 
-double
-ChainRun::cellSizeThatFills() const
-{
-  const double size = chain_.plane_detection.getGridSize();
-  const CellGrid grid(size);
-  std::vector<CellSet> ceilings;
-  for (const ChainRoom& room : regions_)
-    ceilings.emplace_back(grid, PointView(*chain_.cloud), room.ceiling);
-  return cellSizeFor(ceilings, size, chain_.priors_);
-}
-
 bool
 ChainRun::findPlanes(StageReport& report)
 {
@@ -120,7 +109,10 @@ ChainRun::findPlanes(StageReport& report)
     return fail("the maximum tilt must be within 0 and pi/4 radians, it is " +
                 std::to_string(tilt));
   const double size = chain_.plane_detection.getGridSize();
-  const double wanted = cellSizeThatFills();
+  std::vector<CellSet> ceilings;
+  for (const ChainRoom& room : regions_)
+    ceilings.emplace_back(CellGrid(size), PointView(*chain_.cloud), room.ceiling);
+  const double wanted = cellSizeFor(ceilings, size, chain_.priors_);
   if (wanted > size) {
     chain_.enlargeCells(wanted);
     warn({WarningKind::Sparse, {size, wanted}});
@@ -138,27 +130,28 @@ ChainRun::findPlanes(StageReport& report)
         room.ceiling_slab = mainPlane(points, room.ceiling, found.ceiling, parameters);
         room.floor_slab = mainPlane(points, room.floor, found.floor, parameters);
       });
-  for (std::size_t r = 0; r < regions_.size(); ++r) {
-    ChainRoom& room = regions_[r];
-    for (const int i :
-         pointsOn(points, room.ceiling, room.ceiling_slab, parameters.tolerance)) {
-      const auto at = static_cast<std::size_t>(i);
-      chain_.labels[at] = valueOf(StructureLabel::Ceiling);
-      chain_.rooms[at] = static_cast<std::uint32_t>(r + 1);
-      ++report.points_out;
-    }
-  }
   const CellGrid grid(chain_.plane_detection.getGridSize());
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     ChainRoom& room = regions_[r];
-    report.points_out += addHiddenCeiling(r);
+    const pcl::Indices on_slab =
+        pointsOn(PointView(*chain_.cloud), room.ceiling, room.ceiling_slab, tolerance);
+    for (const int i : on_slab)
+      give(i, StructureLabel::Ceiling, r + 1);
+    report.points_out += on_slab.size() + addHiddenCeiling(r);
     room.scope = CellSet(grid, PointView(*chain_.cloud), room.ceiling);
   }
-  const RoomTerritory of_rooms = territory();
+  const RoomTerritory of_rooms = territory(wallReach(chain_.priors_));
   if (!of_rooms.problem().empty())
     return fail(of_rooms.problem());
   territory_ = territories(of_rooms);
-  findFloors();
+  parallelBlocks(
+      regions_.size(), 1, parameters.threads, [&](std::size_t r, std::size_t) {
+        const PointView all(*chain_.cloud);
+        ChainRoom& room = regions_[r]; // restricted to what is no furniture
+        room.floor =
+            floorPoints(all, seenPoints(all, grid, room.floor, true), *territory_[r],
+                        room.floor_slab, tolerance, chain_.priors_);
+      });
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     report.points_out += regions_[r].floor.size();
     slice_height_.push_back(std::numeric_limits<double>::quiet_NaN());
@@ -168,21 +161,6 @@ ChainRun::findPlanes(StageReport& report)
     report.points_out += labelLowerCeilings(r);
   }
   return true;
-}
-
-void
-ChainRun::findFloors()
-{
-  const PointView points(*chain_.cloud);
-  const CellGrid grid(chain_.plane_detection.getGridSize());
-  parallelBlocks(regions_.size(), 1, chain_.room_segmentation.getNumberOfThreads(),
-                 [&](std::size_t r, std::size_t) {
-                   ChainRoom& room = regions_[r];
-                   room.floor = floorPoints(
-                       points, seenPoints(points, grid, room.floor, true),
-                       *territory_[r], room.floor_slab,
-                       chain_.plane_detection.getDistanceThreshold(), chain_.priors_);
-                 });
 }
 
 std::size_t
@@ -203,33 +181,21 @@ ChainRun::addHiddenCeiling(std::size_t r)
   return hidden.size();
 }
 
-std::vector<CellSet>
-ChainRun::scopes() const
-{
-  std::vector<CellSet> scopes;
-  for (const ChainRoom& room : regions_)
-    scopes.push_back(room.scope);
-  return scopes;
-}
-
-RoomTerritory
-ChainRun::territory() const
-{
-  return territory(wallReach(chain_.priors_));
-}
-
 RoomTerritory
 ChainRun::territory(double reach) const
 {
   std::vector<RoomHeights> heights;
+  std::vector<CellSet> scopes;
+  for (const ChainRoom& room : regions_)
+    scopes.push_back(room.scope);
   for (const BuildingRoom& room : chain_.getBuilding().rooms) {
     std::vector<float> ceilings;
     for (const RoomColumn& column : room.columns)
       ceilings.push_back(column.ceiling);
     heights.push_back(heightsFrom(room.floor, std::move(ceilings), chain_.priors_));
   }
-  return RoomTerritory(CellGrid(chain_.plane_detection.getGridSize()), scopes(),
-                       heights, reach, chain_.priors_);
+  return RoomTerritory(CellGrid(chain_.plane_detection.getGridSize()), scopes, heights,
+                       reach, chain_.priors_);
 }
 
 std::vector<pcl::IndicesPtr>

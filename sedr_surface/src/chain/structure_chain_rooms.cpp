@@ -83,8 +83,7 @@ ChainRun::recoverFloors(StageReport& report)
         chain_.labels.push_back(0);
         chain_.rooms.push_back(0);
       }
-      chain_.labels[at] = valueOf(StructureLabel::Floor);
-      chain_.rooms[at] = room;
+      give(static_cast<int>(at), StructureLabel::Floor, room);
     }
     report.points_out += whole.size();
   }
@@ -108,27 +107,16 @@ ChainRun::growWalls(StageReport& report)
       warn(room, chain_.wall_growing.getErrorMessage());
       continue;
     }
-    report.points_out += labelWalls(room, chain_.wall_growing.getWallIndices());
+    for (const int i : chain_.wall_growing.getWallIndices())
+      if (chain_.labels[static_cast<std::size_t>(i)] == 0) {
+        give(i, StructureLabel::Wall, room);
+        ++report.points_out;
+      }
   }
   return report.points_out > 0 ||
          fail("no point lies within " +
               std::to_string(chain_.wall_growing.getDistanceThreshold()) +
               " m in plan of the boundary of the ceilings");
-}
-
-std::size_t
-ChainRun::labelWalls(std::uint32_t room, const pcl::Indices& walls)
-{
-  std::size_t labelled = 0;
-  for (const int i : walls) {
-    const auto at = static_cast<std::size_t>(i);
-    if (chain_.labels[at] != 0)
-      continue;
-    chain_.labels[at] = valueOf(StructureLabel::Wall);
-    chain_.rooms[at] = room;
-    ++labelled;
-  }
-  return labelled;
 }
 
 bool
@@ -183,13 +171,8 @@ ChainRun::findOpenings(StageReport& report)
   for (PlanWarning& warning :
        unexplainedSurfaces(PointView(*chain_.cloud), chain_.getBuilding(),
                            *chain_.straight_plan_, chain_.priors_))
-    warn(std::move(warning));
-  const double voxel = chain_.enlarged_from_ > 0 ? chain_.enlarged_from_
-                                                 : chain_.plane_detection.getGridSize();
-  if (const auto doubt =
-          upsideDownDoubt(PointView(*chain_.cloud), voxel, *chain_.straight_plan_);
-      doubt && !chain_.trust_up)
-    warn(*doubt);
+    if (warning.kind != WarningKind::UpsideDown || !chain_.trust_up)
+      warn(std::move(warning));
   chain_.plan->openings = chain_.straight_plan_->openings;
   report.points_out = chain_.plan->openings.size();
   return true;
@@ -236,10 +219,8 @@ ChainRun::labelNiches()
     SurfacePoint snapped;
     if (room.nicheAt(p.head<2>()) >= 0 && !room.boundary.contains(p.head<2>()) &&
         surfaces[static_cast<std::size_t>(region)]->snap(p, StructureLabel::Detail,
-                                                         snapped)) {
-      chain_.labels[at] = valueOf(StructureLabel::Detail);
-      chain_.rooms[at] = room.id;
-    }
+                                                         snapped))
+      give(static_cast<int>(at), StructureLabel::Detail, room.id);
   }
 }
 

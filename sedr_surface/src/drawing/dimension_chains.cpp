@@ -25,9 +25,8 @@ struct Sight {
  * into the plan. */
 class SideView {
 public:
-  SideView(const std::vector<PlanElement>& walls, DrawingSide side)
+  SideView(const std::vector<PlanElement>& walls, const Eigen::Vector2d& off)
   {
-    const Eigen::Vector2d off = wayOff(side);
     frame_.turn = -M_PI / 2 - std::atan2(off.y(), off.x());
     for (const PlanElement& wall : walls)
       walls_.push_back(frame_(wall));
@@ -154,7 +153,7 @@ thinOut(DimensionChain& chain, double room)
  * lies behind a gap that is no wider than a wall does not count. */
 DimensionChain
 chainAlong(const std::vector<PlanElement>& walls,
-           DrawingSide side,
+           const Eigen::Vector2d& side,
            double max_wall,
            double least)
 {
@@ -195,27 +194,6 @@ chainAlong(const std::vector<PlanElement>& walls,
 
 } // namespace
 
-Eigen::Vector2d
-wayAlong(DrawingSide side)
-{
-  return wayOff(side).cwiseAbs().reverse();
-}
-
-Eigen::Vector2d
-wayOff(DrawingSide side)
-{
-  switch (side) {
-  case DrawingSide::Bottom:
-    return {0, -1};
-  case DrawingSide::Left:
-    return {-1, 0};
-  case DrawingSide::Top:
-    return {0, 1};
-  default:
-    return {1, 0};
-  }
-}
-
 std::vector<DimensionChain>
 wallChains(const std::vector<PlanElement>& walls,
            double max_wall,
@@ -223,11 +201,9 @@ wallChains(const std::vector<PlanElement>& walls,
            double room)
 {
   std::vector<DimensionChain> chains;
-  for (const auto& [side, opposite] :
-       {std::make_pair(DrawingSide::Bottom, DrawingSide::Top),
-        std::make_pair(DrawingSide::Left, DrawingSide::Right)}) {
+  for (const Eigen::Vector2d& side : {Eigen::Vector2d(0, -1), Eigen::Vector2d(-1, 0)}) {
     DimensionChain first = chainAlong(walls, side, max_wall, least);
-    DimensionChain second = chainAlong(walls, opposite, max_wall, least);
+    DimensionChain second = chainAlong(walls, -side, max_wall, least);
     thinOut(first, room);
     thinOut(second, room);
     if (first.places.size() > 2)

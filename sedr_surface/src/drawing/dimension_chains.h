@@ -10,18 +10,18 @@
 
 namespace pcl::sedr {
 
-/** @brief A side of a drawing. */
-enum class DrawingSide { Bottom, Left, Top, Right };
-
-/** @brief Returns the direction along a side, to the right or upwards; wayOff() the
- * direction away from the plan. */
-Eigen::Vector2d wayAlong(DrawingSide side);
-Eigen::Vector2d wayOff(DrawingSide side);
+/** @brief Returns the direction along a side of a drawing, to the right or upwards.
+ * @param side unit vector away from the plan */
+inline Eigen::Vector2d
+wayAlong(const Eigen::Vector2d& side)
+{
+  return side.cwiseAbs().reverse();
+}
 
 /** @brief A row of dimensions beside a plan, between places that are visible from that
  * side without a wall in front. Metres, in the frame of the walls. */
 struct DimensionChain {
-  DrawingSide side = DrawingSide::Bottom;
+  Eigen::Vector2d side = {0, -1};      ///< unit vector away from the plan
   std::vector<Eigen::Vector2d> places; ///< corners, in order along the side
 
   double along(std::size_t place) const { return places[place].dot(wayAlong(side)); }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dimension_rows.h"
 
-#include "../formats/decimal_text.h"
 #include "plan_layers.h"
+#include "sedr_filters/src/base/number_text.h"
 
 #include <pcl/sedr_filters/wall_shares.h>
 
@@ -49,7 +49,7 @@ dimensionsOf(const DimensionRow& row, const PlanFrame& frame)
   const DimensionChain& chain = row.chain;
   const Eigen::Vector2d along = wayAlong(chain.side);
   const auto onLine = [&](const Eigen::Vector2d& p) -> Eigen::Vector2d {
-    return p.dot(along) * along + row.line * wayOff(chain.side);
+    return p.dot(along) * along + row.line * chain.side;
   };
   std::vector<SheetDimension> dimensions;
   for (std::size_t k = 0; k + 1 < chain.places.size(); ++k) {
@@ -64,7 +64,7 @@ dimensionsOf(const DimensionRow& row, const PlanFrame& frame)
 /** @brief Returns candidate boxes for the text of a dimension, the best first: on its
  * line, else beyond or beside it. */
 std::vector<TextBox>
-boxesFor(const SheetDimension& d, const std::string& text, DrawingSide side)
+boxesFor(const SheetDimension& d, const std::string& text, const Eigen::Vector2d& side)
 {
   constexpr double rise = 2.1; // of the text above its line
   const Eigen::Vector2d along = wayAlong(side);
@@ -78,11 +78,11 @@ boxesFor(const SheetDimension& d, const std::string& text, DrawingSide side)
         {(d.start + d.end) / 2 + shift * along + off, half, along.x() > 0 ? 0. : 90.});
   };
   add(0, rise * up);
-  add(0, below * wayOff(side));
+  add(0, below * side);
   for (const double shift : {half.x(), 2 * half.x(), 3 * half.x()})
     for (const double sign : {1.0, -1.0}) {
       add(sign * (stretch / 2 + shift), rise * up);
-      add(sign * shift, below * wayOff(side));
+      add(sign * shift, below * side);
     }
   return boxes;
 }
@@ -90,7 +90,9 @@ boxesFor(const SheetDimension& d, const std::string& text, DrawingSide side)
 /** @brief Places the texts of a row, longer ones first, in the better places.
  * @return the first dimension whose text has no place, or their number */
 std::size_t
-placeTexts(TextPlaces& places, DrawingSide side, std::vector<SheetDimension>& row)
+placeTexts(TextPlaces& places,
+           const Eigen::Vector2d& side,
+           std::vector<SheetDimension>& row)
 {
   std::vector<std::size_t> order(row.size());
   std::iota(order.begin(), order.end(), 0);
@@ -143,17 +145,15 @@ rowsAround(const Floorplan& plan, const PlanFrame& frame, double max_wall)
   const double text = 2 * small_font * halfSizeOf({"0.00"}).x();
   std::vector<DimensionChain> chains =
       wallChains(walls, max_wall, min_dimension / frame.scale, text / frame.scale);
-  chains.push_back(
-      {DrawingSide::Bottom, {whole.min(), {whole.max().x(), whole.min().y()}}});
-  chains.push_back(
-      {DrawingSide::Left, {whole.min(), {whole.min().x(), whole.max().y()}}});
+  chains.push_back({{0, -1}, {whole.min(), {whole.max().x(), whole.min().y()}}});
+  chains.push_back({{-1, 0}, {whole.min(), {whole.min().x(), whole.max().y()}}});
   std::vector<DimensionRow> rows;
   for (const DimensionChain& chain : chains) {
     const auto inside =
         std::count_if(rows.begin(), rows.end(), [&](const DimensionRow& other) {
           return other.chain.side == chain.side;
         });
-    const Eigen::Vector2d way = wayOff(chain.side);
+    const Eigen::Vector2d way = chain.side;
     rows.push_back({chain, std::max(bounds.min().dot(way), bounds.max().dot(way)) +
                                first_row + static_cast<double>(inside) * next_row});
   }
@@ -167,7 +167,7 @@ spaceOf(const std::vector<DimensionRow>& rows, const Eigen::AlignedBox2d& plan)
   Eigen::AlignedBox2d space(Eigen::Vector2d::Constant(without_row),
                             Eigen::Vector2d::Constant(without_row));
   for (const DimensionRow& row : rows) {
-    const Eigen::Vector2d way = wayOff(row.chain.side);
+    const Eigen::Vector2d way = row.chain.side;
     const double off =
         row.line + last_row - std::max(plan.min().dot(way), plan.max().dot(way));
     (way.sum() < 0 ? space.min() : space.max()).array() =

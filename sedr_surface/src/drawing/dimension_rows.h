@@ -28,7 +28,7 @@ struct SheetDimension {
 /** @brief A row of dimensions beside a plan. */
 struct DimensionRow {
   DimensionChain chain; ///< metres, in the frame of the walls
-  double line = 0; ///< distance from the sheet's origin along wayOff(), millimetres
+  double line = 0; ///< distance from the sheet's origin along the side, millimetres
 };
 
 /** @brief Returns the rows around a plan: by wall where that says more than the overall

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_drawing.h"
 
-#include "../formats/decimal_text.h"
 #include "plan_layers.h"
+#include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/plan/plan_walls.h"
 
 #include <pcl/sedr_filters/plan_measures.h>

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_lines.h"
 
-#include "../formats/decimal_text.h"
 #include "../overhead/ceiling_lines.h"
+#include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/plan/plan_walls.h"
-#include "stair_lines.h"
 
-#include "sedr_segmentation/src/curves/plan_segment.h"
+#include "sedr_filters/src/plan/plan_segment.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_filters/wall_shares.h>
@@ -248,18 +247,13 @@ gapOf(const Floorplan& plan, const PlanOpening& opening)
     gap.sill = opening.bottom -
                room->floorAt((gap.corners[0] + gap.corners[1]) / 2 + 0.05 * left);
   for (const OpeningLeaf& door : leavesOf(opening)) {
-    PlanElement leaf;
-    leaf.start = door.hinge;
-    leaf.end = door.open;
-    PlanElement swing;
-    swing.start = door.open;
-    swing.end = door.shut;
+    PlanElement swing = segment(door.open, door.shut);
     swing.centre = door.hinge;
     swing.radius = (door.open - door.hinge).norm();
     const Eigen::Vector2d to_shut = door.shut - door.hinge;
     const Eigen::Vector2d to_open = door.open - door.hinge;
     swing.counter_clockwise = to_open.x() * to_shut.y() > to_open.y() * to_shut.x();
-    gap.leaf.insert(gap.leaf.end(), {leaf, swing});
+    gap.leaf.insert(gap.leaf.end(), {segment(door.hinge, door.open), swing});
   }
   return gap;
 }
@@ -306,13 +300,12 @@ wallBodies(const Floorplan& plan, double max_wall)
     PlanLoop body;
     if (!face.isArc()) {
       const WallFrame frame = frameOf(plan, wall);
-      std::array<Eigen::Vector2d, 4> corners;
-      for (std::size_t k = 0; k < 4; ++k)
-        corners[k] = frame.toPlan(wall.outline[k]);
+      std::vector<Eigen::Vector2d> corners;
+      for (const Eigen::Vector2d& corner : wall.outline)
+        corners.push_back(frame.toPlan(corner));
       cutOff(plan, face, other, corners[0], corners[3]);
       cutOff(plan, face, other, corners[1], corners[2]);
-      for (std::size_t k = 0; k < 4; ++k)
-        body.elements.push_back(segment(corners[k], corners[(k + 1) % 4]));
+      body = loopOf(corners);
     }
     else if (face.start == face.end && other.isArc() && other.start == other.end) {
       bodies.push_back({{{face}}, {{other}}});

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_texts.h"
 
-#include "../formats/decimal_text.h"
 #include "../overhead/ceiling_lines.h"
+#include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/plan/plan_walls.h"
 #include "text_spot.h"
 
@@ -196,10 +196,7 @@ public:
         boxes.push_back({drawn.pointAt(s) + beside_line * font * normal, half,
                          readableAngle({normal.y(), -normal.x()})});
     }
-    const auto box = places_.takeFirst(boxes);
-    if (box)
-      add(layer, *box, font, text);
-    return box;
+    return addFirst(layer, boxes, font, text);
   }
 
   void writeColumn(const PlanLoop& column)
@@ -223,8 +220,7 @@ public:
                                {-1, -1}})
       boxes.push_back(
           {around.center() + reach.cwiseProduct(Eigen::Vector2d(x, y)), half, 0});
-    if (const auto box = places_.takeFirst(boxes))
-      add(PlanLayer::Dimension, *box, detail_font, text);
+    addFirst(PlanLayer::Dimension, boxes, detail_font, text);
   }
 
   void writeDoorway(const DoorwayGap& doorway)
@@ -248,8 +244,7 @@ public:
         boxes.push_back(
             {(a + b) / 2 + rows * detail_font * off, half, readableAngle(way)});
     }
-    if (const auto box = places_.takeFirst(boxes))
-      add(PlanLayer::Dimension, *box, detail_font, text);
+    addFirst(PlanLayer::Dimension, boxes, detail_font, text);
   }
 
   /** @brief Writes the length of a segment, as a dimension, or the radius of an arc. */
@@ -270,6 +265,18 @@ public:
   PlanTexts found;
 
 private:
+  /** @brief Writes a text in the first box that has space. */
+  std::optional<TextBox> addFirst(PlanLayer layer,
+                                  const std::vector<TextBox>& boxes,
+                                  double font,
+                                  const std::string& text)
+  {
+    const auto box = places_.takeFirst(boxes);
+    if (box)
+      add(layer, *box, font, text);
+    return box;
+  }
+
   void add(PlanLayer layer, const TextBox& box, double font, const std::string& text)
   {
     found.texts.push_back(

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "stair_lines.h"
+#include "plan_lines.h"
 
-#include "sedr_segmentation/src/curves/plan_segment.h"
+#include "sedr_filters/src/plan/plan_segment.h"
 
 #include <algorithm>
 #include <array>
@@ -22,11 +22,7 @@ struct ShownFlight {
   {
     PlanFlight part = *flight;
     part.risers.resize(std::min(below + 1, flight->steps()));
-    const std::vector<Eigen::Vector2d> corners = part.outline();
-    PlanLoop loop;
-    for (std::size_t k = 0; k < corners.size(); ++k)
-      loop.elements.push_back(segment(corners[k], corners[(k + 1) % corners.size()]));
-    return loop;
+    return loopOf(part.outline());
   }
 };
 

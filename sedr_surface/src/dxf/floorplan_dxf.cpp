@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../drawing/plan_drawing.h"
-#include "../formats/decimal_text.h"
+#include "sedr_filters/src/base/number_text.h"
 
 #include <pcl/sedr_surface/floorplan_drawing.h>
 

@@ -188,10 +188,7 @@ parseObj(const std::string& content, TriangleMesh& mesh)
       }
       if (polygon.size() < 3)
         return "has a face with fewer than three vertices" + inLine(number);
-      if (std::string reason =
-              triangulatePolygon(mesh.vertices, polygon, mesh.triangles);
-          !reason.empty())
-        return reason + inLine(number);
+      triangulatePolygon(mesh.vertices, polygon, mesh.triangles);
     }
   }
   return {};

@@ -160,9 +160,7 @@ readFaces(RowReader& reader, const PlyElement& element, TriangleMesh& mesh)
                std::to_string(mesh.vertices.size()) + " vertices";
       polygon.push_back(static_cast<std::uint32_t>(index));
     }
-    if (std::string reason = triangulatePolygon(mesh.vertices, polygon, mesh.triangles);
-        !reason.empty())
-      return reason;
+    triangulatePolygon(mesh.vertices, polygon, mesh.triangles);
     const auto attributes = mesh.attributes();
     for (std::size_t k = 0; k < attributes.size(); ++k) {
       if (columns[k] < 0)

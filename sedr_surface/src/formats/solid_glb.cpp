@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstring>
+#include <array>
 #include <iterator>
 #include <map>
 
@@ -15,22 +15,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/** @brief Appends the bytes of a value: glTF is little-endian, like all platforms of
+ * PCL. */
+template <typename T>
 void
-appendNumber(std::string& bytes, std::uint32_t value)
+append(std::string& bytes, const T& value)
 {
-  char raw[4];
-  std::memcpy(raw, &value, 4); // glTF is little-endian, like all platforms of PCL
-  bytes.append(raw, 4);
-}
-
-void
-appendFloats(std::string& bytes, const Eigen::Vector3d& p)
-{
-  const float values[3] = {static_cast<float>(p.x()), static_cast<float>(p.y()),
-                           static_cast<float>(p.z())};
-  char raw[12];
-  std::memcpy(raw, values, 12);
-  bytes.append(raw, 12);
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
 /** @brief Rotates z up to y up. */
@@ -138,12 +129,12 @@ private:
       for (const std::uint32_t vertex : mesh_.triangles[t]) {
         const auto number = static_cast<std::uint32_t>(number_of.size());
         const auto [entry, is_new] = number_of.emplace(vertex, number);
-        appendNumber(corners, entry->second);
+        append(corners, entry->second);
         if (!is_new)
           continue;
-        const Eigen::Vector3d p = turned(mesh_.vertices[vertex]);
-        box.extend(p.cast<float>());
-        appendFloats(bytes_, p);
+        const Eigen::Vector3f p = turned(mesh_.vertices[vertex]).cast<float>();
+        box.extend(p);
+        append(bytes_, std::array<float, 3>{p.x(), p.y(), p.z()});
       }
     const std::size_t place = addAccessor(start, number_of.size(), vertices);
     json_["accessors"][place]["min"] = {box.min().x(), box.min().y(), box.min().z()};
@@ -189,16 +180,16 @@ private:
     text.resize((text.size() + 3) / 4 * 4, ' ');
     const std::size_t binary = bytes_.empty() ? 0 : 8 + bytes_.size();
     std::string glb;
-    appendNumber(glb, magic);
-    appendNumber(glb, 2);
-    appendNumber(glb, static_cast<std::uint32_t>(12 + 8 + text.size() + binary));
-    appendNumber(glb, static_cast<std::uint32_t>(text.size()));
-    appendNumber(glb, json_chunk);
+    append(glb, magic);
+    append(glb, std::uint32_t{2});
+    append(glb, static_cast<std::uint32_t>(12 + 8 + text.size() + binary));
+    append(glb, static_cast<std::uint32_t>(text.size()));
+    append(glb, json_chunk);
     glb += text;
     if (bytes_.empty())
       return glb;
-    appendNumber(glb, static_cast<std::uint32_t>(bytes_.size())); // multiple of four
-    appendNumber(glb, binary_chunk);
+    append(glb, static_cast<std::uint32_t>(bytes_.size())); // multiple of four
+    append(glb, binary_chunk);
     return glb + bytes_;
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "decimal_text.h"
 #include "sedr_filters/src/base/labels.h"
+#include "sedr_filters/src/base/number_text.h"
 
 #include <pcl/sedr_surface/mesh_io.h>
 

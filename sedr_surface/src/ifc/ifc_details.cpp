@@ -88,9 +88,9 @@ writeColumn(IfcDocument& document, std::size_t r, std::size_t c)
     residual = std::max(residual, face.residual);
     points += face.inliers;
   }
-  document.addProperties(
-      ref, name, "Pset_SEDR",
-      {{"Residual", lengthProperty(residual)}, {"Points", countProperty(points)}});
+  document.addProperties(ref, name, "Pset_SEDR",
+                         {{"Residual", typed("IFCLENGTHMEASURE", residual)},
+                          {"Points", typed("IFCINTEGER", integer(points))}});
   writeBoundary(document, r, name, ref);
   ++document.model.columns;
 }

@@ -235,33 +235,9 @@ IfcDocument::finish()
 }
 
 StepValue
-lengthProperty(double metres)
-{
-  return typed("IFCLENGTHMEASURE", metres);
-}
-
-StepValue
 shareProperty(double share)
 {
   return typed("IFCNORMALISEDRATIOMEASURE", std::clamp(share, 0.0, 1.0));
-}
-
-StepValue
-countProperty(std::size_t count)
-{
-  return typed("IFCINTEGER", integer(count));
-}
-
-StepValue
-textProperty(const std::string& text)
-{
-  return typed("IFCTEXT", text);
-}
-
-StepValue
-booleanProperty(bool value)
-{
-  return typed("IFCBOOLEAN", logical(value));
 }
 
 } // namespace pcl::sedr::ifc

@@ -106,11 +106,7 @@ private:
   void addRooms();
 };
 
-/** @brief Returns the measures of Pset_SEDR as property values. */
-StepValue lengthProperty(double metres);
+/** @brief Returns a share as the value of a property. */
 StepValue shareProperty(double share);
-StepValue countProperty(std::size_t count);
-StepValue textProperty(const std::string& text);
-StepValue booleanProperty(bool value);
 
 } // namespace pcl::sedr::ifc

@@ -57,13 +57,7 @@ constexpr Colour colours[] = {
 } // namespace
 
 StepRef
-IfcShapes::point(const Eigen::Vector3d& p)
-{
-  return step_.add("IFCCARTESIANPOINT", {numbers(p)});
-}
-
-StepRef
-IfcShapes::point(const Eigen::Vector2d& p)
+IfcShapes::point(const Eigen::VectorXd& p)
 {
   return step_.add("IFCCARTESIANPOINT", {numbers(p)});
 }
@@ -226,19 +220,6 @@ inFrame(PlanLoop loop, const WallFrame& frame)
   for (PlanElement& e : loop.elements)
     for (Eigen::Vector2d* p : {&e.start, &e.end, &e.centre})
       *p = frame.toLocal(*p);
-  return loop;
-}
-
-PlanLoop
-loopOf(const std::vector<Eigen::Vector2d>& corners)
-{
-  PlanLoop loop;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    PlanElement e;
-    e.start = corners[i];
-    e.end = corners[(i + 1) % corners.size()];
-    loop.elements.push_back(e);
-  }
   return loop;
 }
 

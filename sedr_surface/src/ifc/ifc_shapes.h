@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "sedr_filters/src/plan/plan_segment.h"
 #include "sedr_filters/src/plan/plan_walls.h"
 #include "step_file.h"
 
@@ -21,8 +22,8 @@ public:
       , arcs_(arcs)
   {}
 
-  StepRef point(const Eigen::Vector3d& p);
-  StepRef point(const Eigen::Vector2d& p);
+  /** @param p in space or in plan */
+  StepRef point(const Eigen::VectorXd& p);
   StepRef direction(const Eigen::Vector3d& way);
 
   /** @brief Adds an IfcAxis2Placement3D. */
@@ -75,8 +76,5 @@ private:
 
 /** @brief Returns a loop in the frame of a wall. */
 PlanLoop inFrame(PlanLoop loop, const WallFrame& frame);
-
-/** @brief Returns a loop of straight segments. */
-PlanLoop loopOf(const std::vector<Eigen::Vector2d>& corners);
 
 } // namespace pcl::sedr::ifc

@@ -105,10 +105,11 @@ private:
     document_.addQuantities(slab, name, "Qto_SlabBaseQuantities",
                             {{"LENGTH", "Width", std::abs(thickness)},
                              {"AREA", "GrossArea", std::abs(room.boundary.area())}});
-    document_.addProperties(slab, name, "Pset_SEDR",
-                            {{"ThicknessAssumed", booleanProperty(is_assumed)},
-                             {"Residual", lengthProperty(face.residual)},
-                             {"Points", countProperty(face.inliers)}});
+    document_.addProperties(
+        slab, name, "Pset_SEDR",
+        {{"ThicknessAssumed", typed("IFCBOOLEAN", logical(is_assumed))},
+         {"Residual", typed("IFCLENGTHMEASURE", face.residual)},
+         {"Points", typed("IFCINTEGER", integer(face.inliers))}});
     ++document_.model.slabs;
     writeBoundary(document_, r, name, slab,
                   {"PHYSICAL", is_assumed ? "NOTDEFINED" : "INTERNAL"});

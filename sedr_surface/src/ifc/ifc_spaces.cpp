@@ -82,12 +82,12 @@ describe(IfcDocument& document, const IfcRoom& written, const std::string& name)
        {"AREA", "NetFloorArea", std::max(room.area(), 0.0)},
        {"VOLUME", "NetVolume", volume}});
   std::vector<Property> properties{
-      {"Room", countProperty(room.id)},
-      {"FloorResidual", lengthProperty(room.floor.residual)},
-      {"FloorPoints", countProperty(room.floor.inliers)},
-      {"CeilingResidual", lengthProperty(room.ceiling.residual)},
-      {"CeilingPoints", countProperty(room.ceiling.inliers)},
-      {"BodyClosed", booleanProperty(written.report.closed)}};
+      {"Room", typed("IFCINTEGER", integer(room.id))},
+      {"FloorResidual", typed("IFCLENGTHMEASURE", room.floor.residual)},
+      {"FloorPoints", typed("IFCINTEGER", integer(room.floor.inliers))},
+      {"CeilingResidual", typed("IFCLENGTHMEASURE", room.ceiling.residual)},
+      {"CeilingPoints", typed("IFCINTEGER", integer(room.ceiling.inliers))},
+      {"BodyClosed", typed("IFCBOOLEAN", logical(written.report.closed))}};
   const WallShares walls = wallShares(document.plan, room);
   if (walls.area > 0) {
     properties.emplace_back("WallsMeasuredShare", shareProperty(walls.measured));

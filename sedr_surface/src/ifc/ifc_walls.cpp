@@ -40,24 +40,24 @@ describe(IfcDocument& document, const WrittenWall& written)
                           {"LENGTH", "Height", written.top - written.bottom}});
   if (wall.other)
     document.addProperties(written.ref, written.name, "Pset_WallCommon",
-                           {{"IsExternal", booleanProperty(false)}});
+                           {{"IsExternal", typed("IFCBOOLEAN", logical(false))}});
   std::vector<Property> properties{
-      {"ThicknessAssumed", booleanProperty(wall.isAssumed())},
-      {"Face", textProperty(faceName(document.plan, wall.face))},
-      {"Residual", lengthProperty(face.residual)},
-      {"Points", countProperty(face.inliers)}};
+      {"ThicknessAssumed", typed("IFCBOOLEAN", logical(wall.isAssumed()))},
+      {"Face", typed("IFCTEXT", faceName(document.plan, wall.face))},
+      {"Residual", typed("IFCLENGTHMEASURE", face.residual)},
+      {"Points", typed("IFCINTEGER", integer(face.inliers))}};
   double confidence = confidenceOf(face);
   if (wall.other) {
     properties.emplace_back("OtherFace",
-                            textProperty(faceName(document.plan, *wall.other)));
+                            typed("IFCTEXT", faceName(document.plan, *wall.other)));
     confidence =
         std::min(confidence, confidenceOf(elementOf(document.plan, *wall.other)));
   }
   if (confidence >= 0)
     properties.emplace_back("Confidence", shareProperty(confidence));
   if (face.evidence.isKnown()) {
-    properties.emplace_back("Guess",
-                            booleanProperty(isGuess(document.plan, wall.face)));
+    properties.emplace_back(
+        "Guess", typed("IFCBOOLEAN", logical(isGuess(document.plan, wall.face))));
     properties.emplace_back("SeenShare", shareProperty(face.evidence.seen));
     properties.emplace_back("HiddenShare", shareProperty(face.evidence.hidden));
     properties.emplace_back("OpeningShare", shareProperty(face.evidence.opening));
@@ -174,7 +174,7 @@ writeWalls(IfcDocument& document)
     added.bottom = heights.bottom;
     added.top = heights.highest();
     added.runs = runsOf(plan, wall);
-    added.profile = profileOf(plan, wall, roomsIn(plan, wall));
+    added.profile = profileOf(plan, wall);
     endAtBodies(document, added);
     if (isWhollyOpen(plan, added))
       continue;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step_file.h"
 
-#include "../formats/decimal_text.h"
+#include "sedr_filters/src/base/number_text.h"
 
 #include <boost/locale/encoding_utf.hpp>
 

@@ -4,7 +4,7 @@
 #include "level_slab.h"
 
 #include "sedr_filters/src/plan/plan_bounds.h"
-#include "sedr_segmentation/src/curves/plan_segment.h"
+#include "sedr_filters/src/plan/plan_segment.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
 
@@ -77,15 +77,6 @@ simplified(const std::vector<WallHeights::Top>& tops)
   return kept;
 }
 
-PlanElement
-arcPart(const PlanElement& arc, const Stretch& stretch)
-{
-  return stretch.from <= 0 && stretch.to >= arc.length()
-             ? arc
-             : arc.part(std::max(stretch.from, 0.0),
-                        std::min(stretch.to, arc.length()));
-}
-
 /** @brief Returns the arc with the same centre and another radius. */
 PlanElement
 withRadius(PlanElement arc, double radius)
@@ -94,14 +85,6 @@ withRadius(PlanElement arc, double radius)
     *p = arc.centre + (*p - arc.centre) * (radius / arc.radius);
   arc.radius = radius;
   return arc;
-}
-
-double
-farRadius(const PlanElement& arc, double thickness)
-{
-  constexpr double least = 0.01;
-  return arc.counter_clockwise ? arc.radius + thickness
-                               : std::max(arc.radius - thickness, least);
 }
 
 /** @brief What is between the face of a wall and its far side, in the wall's frame. */
@@ -114,8 +97,16 @@ bandOf(const Floorplan& plan, const PlanWall& wall)
     return {loopOf({o[0], o[3], o[2], o[1]}), {}};
   }
   const WallFrame frame = frameOf(plan, wall);
-  const PlanElement near = arcPart(element, wall.stretch);
-  const PlanElement far = withRadius(near, farRadius(near, wall.thickness));
+  constexpr double min_radius = 0.01;
+  const bool is_whole = wall.stretch.from <= 0 && wall.stretch.to >= element.length();
+  const PlanElement near =
+      is_whole ? element
+               : element.part(std::max(wall.stretch.from, 0.0),
+                              std::min(wall.stretch.to, element.length()));
+  const PlanElement far =
+      withRadius(near, element.counter_clockwise
+                           ? element.radius + wall.thickness
+                           : std::max(element.radius - wall.thickness, min_radius));
   PlanLoop close{{near}};
   PlanLoop behind{{far}};
   if (std::abs(near.sweep()) > 2 * M_PI - 1e-6) {
@@ -255,18 +246,6 @@ openHeight(const Floorplan& plan, const WallFace& face, const Eigen::Vector2d& p
   return plan.rooms[face.room].ceilingAt(place + before * inward) - slab_edge;
 }
 
-std::vector<const PlanRoom*>
-roomsIn(const Floorplan& plan, const PlanWall& wall)
-{
-  std::vector<const PlanRoom*> rooms = roomsInPlan(plan, wall);
-  const PlanRoom& own = plan.rooms[wall.face.room];
-  rooms.erase(
-      std::remove_if(rooms.begin(), rooms.end(),
-                     [&](const PlanRoom* room) { return !shareHeights(*room, own); }),
-      rooms.end());
-  return rooms;
-}
-
 void
 endAtStoreys(const Floorplan& plan, const PlanWall& wall, WallHeights& heights)
 {
@@ -289,13 +268,12 @@ endAtStoreys(const Floorplan& plan, const PlanWall& wall, WallHeights& heights)
 }
 
 PlanArea
-profileOf(const Floorplan& plan,
-          const PlanWall& wall,
-          const std::vector<const PlanRoom*>& rooms)
+profileOf(const Floorplan& plan, const PlanWall& wall)
 {
   std::vector<PlanArea> areas;
-  for (const PlanRoom* room : rooms)
-    areas.push_back(areaOf(*room, frameOf(plan, wall)));
+  for (const PlanRoom* room : roomsInPlan(plan, wall))
+    if (shareHeights(*room, plan.rooms[wall.face.room]))
+      areas.push_back(areaOf(*room, frameOf(plan, wall)));
   const PlanArea band = bandOf(plan, wall);
   return areas.empty() ? band : largestPartOutside(band, areas);
 }

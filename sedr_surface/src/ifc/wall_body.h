@@ -52,10 +52,6 @@ constexpr double no_area =
     0.001; ///< smaller openings and walls are none, square metres
 constexpr double min_wall_height = 0.01; ///< lower walls are none, metres
 
-/** @brief Returns the rooms at the heights of a wall that reach behind its face: beside
- * a niche or at a mitre. */
-std::vector<const PlanRoom*> roomsIn(const Floorplan& plan, const PlanWall& wall);
-
 /** @brief Returns the height from which on a room below, at a place behind a face, is
  * open to the ceiling before the face. */
 double
@@ -66,12 +62,10 @@ openHeight(const Floorplan& plan, const WallFace& face, const Eigen::Vector2d& p
  * the storey of another room. */
 void endAtStoreys(const Floorplan& plan, const PlanWall& wall, WallHeights& heights);
 
-/** @brief Returns the plan of a wall in its frame, counter-clockwise. A wall that
- * surrounds a room has a hole. Empty if nothing is left.
- * @param rooms from roomsIn(): the wall ends at them */
-PlanArea profileOf(const Floorplan& plan,
-                   const PlanWall& wall,
-                   const std::vector<const PlanRoom*>& rooms);
+/** @brief Returns the plan of a wall in its frame, counter-clockwise, without the rooms
+ * at its heights that reach behind its face: beside a niche or at a mitre. A wall that
+ * surrounds a room has a hole. Empty if nothing is left. */
+PlanArea profileOf(const Floorplan& plan, const PlanWall& wall);
 
 /** @brief Returns a wall whose top is not level, or with sides of different runs, as a
  * mesh in its frame, with z from its bottom.

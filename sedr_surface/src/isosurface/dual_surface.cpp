@@ -25,18 +25,16 @@ struct CellEdge {
   int corner;
   int axis;
 };
-constexpr std::array<CellEdge, 12> cell_edges = {{{0, 0},
-                                                  {2, 0},
-                                                  {4, 0},
-                                                  {6, 0},
-                                                  {0, 1},
-                                                  {1, 1},
-                                                  {4, 1},
-                                                  {5, 1},
-                                                  {0, 2},
-                                                  {1, 2},
-                                                  {2, 2},
-                                                  {3, 2}}};
+constexpr std::array<CellEdge, 12> cell_edges = [] {
+  std::array<CellEdge, 12> edges{};
+  for (int k = 0; k < 12; ++k) {
+    const int axis = k / 4;
+    const int u = axis == 0 ? 1 : 0; // the other axes
+    const int v = axis == 2 ? 1 : 2;
+    edges[static_cast<std::size_t>(k)] = {(k & 1) << u | (k >> 1 & 1) << v, axis};
+  }
+  return edges;
+}();
 
 // Returns the mean normal, counting each face once, however many planes it has.
 Eigen::Vector3f

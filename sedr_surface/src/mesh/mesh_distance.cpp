@@ -61,36 +61,28 @@ public:
 
   double distance(const Eigen::Vector3d& point) const
   {
-    struct Step {
-      int box;
-      double least; ///< minimum squared distance of its content
-    };
-    constexpr std::size_t deepest = 64;
-    std::array<Step, deepest> steps; // at most one more per level
-    std::size_t count = 0;
-    steps[count++] = {tree_.getRootIndex(), 0};
-    double best = std::numeric_limits<double>::infinity();
-    while (count > 0) {
-      const Step step = steps[--count];
-      if (step.least >= best)
-        continue;
-      Tree::VolumeIterator box = nullptr, last_box = nullptr;
-      Tree::ObjectIterator t = nullptr, last_t = nullptr;
-      tree_.getChildren(step.box, box, last_box, t, last_t);
-      for (; t != last_t; ++t)
-        best = std::min(best, squaredToTriangle(mesh_.corner(*t, 0) - point,
-                                                mesh_.corner(*t, 1) - point,
-                                                mesh_.corner(*t, 2) - point));
-      const std::size_t first = count;
-      for (; box != last_box; ++box)
-        steps[count++] = {*box, tree_.getVolume(*box).squaredExteriorDistance(point)};
-      if (count - first == 2 && steps[first].least < steps[first + 1].least)
-        std::swap(steps[first], steps[first + 1]); // the nearer one first
-    }
-    return std::sqrt(best);
+    const Nearest nearest{mesh_, point};
+    return std::sqrt(Eigen::BVMinimize(tree_, nearest));
   }
 
 private:
+  /** @brief What Eigen::BVMinimize() minimises: squared distances from a point. */
+  struct Nearest {
+    using Scalar = double;
+    const TriangleMesh& mesh;
+    const Eigen::Vector3d& point;
+
+    double minimumOnVolume(const Eigen::AlignedBox3d& box) const
+    {
+      return box.squaredExteriorDistance(point);
+    }
+    double minimumOnObject(std::uint32_t t) const
+    {
+      return squaredToTriangle(mesh.corner(t, 0) - point, mesh.corner(t, 1) - point,
+                               mesh.corner(t, 2) - point);
+    }
+  };
+
   using Tree = Eigen::KdBVH<double, 3, std::uint32_t>;
 
   const TriangleMesh& mesh_;

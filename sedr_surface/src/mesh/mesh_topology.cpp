@@ -20,37 +20,23 @@ struct EdgeUse {
 };
 
 /** @brief Returns the sides of all triangles, sorted by edge, then by triangle. Sides
- * between a vertex and itself are omitted. O(n). */
+ * between a vertex and itself are omitted. O(n log n). */
 std::vector<EdgeUse>
 collectEdges(const std::vector<Triangle>& triangles)
 {
-  std::uint32_t vertices = 0;
-  for (const Triangle& triangle : triangles)
-    for (const auto v : triangle)
-      vertices = std::max(vertices, v + 1);
-  // Bucketed by the lower vertex, which has few edges.
-  std::vector<std::size_t> ends(vertices + std::size_t(1), 0);
-  const auto forEachSide = [&triangles](auto visit) {
-    for (std::uint32_t t = 0; t < triangles.size(); ++t)
-      for (std::uint8_t side = 0; side < 3; ++side) {
-        const std::uint32_t from = triangles[t][side];
-        const std::uint32_t to = triangles[t][(side + 1u) % 3u];
-        if (from != to)
-          visit(EdgeUse{std::min(from, to), std::max(from, to), t, side, from < to});
-      }
-  };
-  forEachSide([&ends](const EdgeUse& use) { ++ends[use.low + 1]; });
-  std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  std::vector<EdgeUse> uses(ends.back());
-  forEachSide([&](const EdgeUse& use) { uses[ends[use.low]++] = use; });
-  for (auto first = uses.begin(); first != uses.end();) {
-    const auto last = uses.begin() + static_cast<std::ptrdiff_t>(ends[first->low]);
-    std::sort(first, last, [](const EdgeUse& a, const EdgeUse& b) {
-      return std::tie(a.high, a.triangle, a.side) <
-             std::tie(b.high, b.triangle, b.side);
-    });
-    first = last;
-  }
+  std::vector<EdgeUse> uses;
+  uses.reserve(3 * triangles.size());
+  for (std::uint32_t t = 0; t < triangles.size(); ++t)
+    for (std::uint8_t side = 0; side < 3; ++side) {
+      const std::uint32_t from = triangles[t][side];
+      const std::uint32_t to = triangles[t][(side + 1u) % 3u];
+      if (from != to)
+        uses.push_back({std::min(from, to), std::max(from, to), t, side, from < to});
+    }
+  std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
+    return std::tie(a.low, a.high, a.triangle, a.side) <
+           std::tie(b.low, b.high, b.triangle, b.side);
+  });
   return uses;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../triangulation/constrained_triangulation.h"
 #include "sedr_filters/src/base/field_access.h"
 #include <pcl/PolygonMesh.h>
 #include <pcl/common/io.h>
@@ -6,56 +7,13 @@
 #include <pcl/point_types.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
 namespace pcl::sedr {
 namespace {
-
-// Newell's normal, which is also correct for concave polygons.
-Eigen::Vector3d
-polygonNormal(const std::vector<Eigen::Vector3d>& vertices,
-              const std::vector<std::uint32_t>& polygon)
-{
-  const Eigen::Vector3d& origin = vertices[polygon[0]];
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Eigen::Vector3d a = vertices[polygon[i]] - origin;
-    const Eigen::Vector3d b = vertices[polygon[(i + 1) % polygon.size()]] - origin;
-    normal += a.cross(b);
-  }
-  return normal;
-}
-
-// Returns whether corner i of the remaining polygon can be clipped: it is convex and no
-// other corner lies inside.
-bool
-isEar(const std::vector<Eigen::Vector3d>& vertices,
-      const std::vector<std::uint32_t>& polygon,
-      std::size_t i,
-      const Eigen::Vector3d& normal)
-{
-  const std::size_t n = polygon.size();
-  const std::uint32_t ia = polygon[(i + n - 1) % n];
-  const std::uint32_t ib = polygon[i];
-  const std::uint32_t ic = polygon[(i + 1) % n];
-  const Eigen::Vector3d& a = vertices[ia];
-  const Eigen::Vector3d& b = vertices[ib];
-  const Eigen::Vector3d& c = vertices[ic];
-  const auto side = [&normal](const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                              const Eigen::Vector3d& p) {
-    return normal.dot((to - from).cross(p - from));
-  };
-  if (side(a, b, c) <= 0)
-    return false;
-  for (const auto other : polygon) {
-    if (other == ia || other == ib || other == ic)
-      continue;
-    const Eigen::Vector3d& p = vertices[other];
-    if (p == a || p == b || p == c)
-      continue; // a bridge from a hole to the outline visits its ends twice
-    if (side(a, b, p) >= 0 && side(b, c, p) >= 0 && side(c, a, p) >= 0)
-      return false;
-  }
-  return true;
-}
 
 /** @brief Reads x, y and z of a cloud.
  * @return why they cannot be read, or an empty string */
@@ -87,32 +45,61 @@ readVertices(const pcl::PCLPointCloud2& cloud, std::vector<Eigen::Vector3d>& ver
 
 } // namespace
 
-std::string
+void
 triangulatePolygon(const std::vector<Eigen::Vector3d>& vertices,
                    const std::vector<std::uint32_t>& polygon,
                    std::vector<Triangle>& triangles)
 {
-  constexpr std::size_t most = 1000;
-  std::vector<std::uint32_t> rest = polygon;
-  if (rest.size() > most)
-    return "has a face of " + std::to_string(rest.size()) + " corners, more than " +
-           std::to_string(most);
-  if (rest.size() > 3) {
-    const Eigen::Vector3d normal = polygonNormal(vertices, polygon);
-    for (std::size_t i = 0; rest.size() > 3 && i < rest.size();) {
-      if (!isEar(vertices, rest, i, normal)) {
-        ++i;
-        continue;
+  const std::size_t n = polygon.size();
+  const auto at = [&](std::size_t i) -> const Eigen::Vector3d& {
+    return vertices[polygon[i % n]];
+  };
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero(); // Newell's
+  for (std::size_t i = 0; i < n; ++i)
+    normal += (at(i) - at(0)).cross(at(i + 1) - at(0));
+  bool is_convex = n > 2;
+  for (std::size_t i = 0; i < n; ++i)
+    is_convex =
+        is_convex && normal.dot((at(i + 1) - at(i)).cross(at(i + 2) - at(i + 1))) > 0;
+  std::optional<PlanTriangles> inside;
+  std::vector<std::uint32_t> corners; // of the polygon, each place once
+  if (!is_convex && normal.norm() > 0) {
+    Eigen::Matrix<double, 3, 2> frame;
+    frame.col(0) = normal.unitOrthogonal();
+    frame.col(1) = normal.normalized().cross(frame.col(0));
+    Eigen::AlignedBox2d box;
+    for (std::size_t i = 0; i < n; ++i)
+      box.extend(Eigen::Vector2d(frame.transpose() * (at(i) - at(0))));
+    const PlanGrid grid(box);
+    std::vector<GridPoint> points;
+    std::map<GridPoint, std::uint32_t> known;
+    const auto numberOf = [&](std::size_t i) {
+      const GridPoint p = grid.toGrid(frame.transpose() * (at(i) - at(0)));
+      const auto [entry, is_new] =
+          known.emplace(p, static_cast<std::uint32_t>(points.size()));
+      if (is_new) {
+        points.push_back(p);
+        corners.push_back(polygon[i % n]);
       }
-      const std::size_t n = rest.size();
-      triangles.push_back({rest[(i + n - 1) % n], rest[i], rest[(i + 1) % n]});
-      rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
-      i = 0;
+      return entry->second;
+    };
+    // A bridge from a hole to the outline is passed twice: it is no part of the rim.
+    std::set<std::pair<std::uint32_t, std::uint32_t>> rim;
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::pair<std::uint32_t, std::uint32_t> edge =
+          std::minmax({numberOf(i), numberOf(i + 1)});
+      if (edge.first != edge.second && !rim.insert(edge).second)
+        rim.erase(edge);
     }
+    inside =
+        trianglesWithin(points, {rim.begin(), rim.end()}, {rim.begin(), rim.end()});
   }
-  for (std::size_t i = 1; i + 1 < rest.size(); ++i)
-    triangles.push_back({rest[0], rest[i], rest[i + 1]});
-  return {};
+  if (inside && !inside->empty())
+    for (const auto& t : *inside)
+      triangles.push_back({corners[t[0]], corners[t[1]], corners[t[2]]});
+  else
+    for (std::size_t i = 1; i + 1 < n; ++i)
+      triangles.push_back({polygon[0], polygon[i], polygon[i + 1]});
 }
 
 std::string
@@ -134,9 +121,7 @@ fromPolygonMesh(const pcl::PolygonMesh& polygon_mesh, TriangleMesh& mesh)
                std::to_string(vertices.size()) + " vertices";
       polygon.push_back(static_cast<std::uint32_t>(index));
     }
-    reason = triangulatePolygon(vertices, polygon, triangles);
-    if (!reason.empty())
-      return "the mesh " + reason;
+    triangulatePolygon(vertices, polygon, triangles);
   }
   mesh.vertices = std::move(vertices);
   mesh.triangles = std::move(triangles);

@@ -4,25 +4,7 @@
 #include <limits>
 
 namespace pcl::sedr {
-namespace {
-
 using Attribute = std::vector<std::uint32_t>;
-
-// Appends attributes of another mesh; missing ones count as zeros.
-void
-appendAttribute(Attribute& own,
-                std::size_t own_triangles,
-                const Attribute& other,
-                std::size_t other_triangles)
-{
-  if (own.empty() && other.empty())
-    return;
-  own.resize(own_triangles, 0);
-  own.insert(own.end(), other.begin(), other.end());
-  own.resize(own_triangles + other_triangles, 0);
-}
-
-} // namespace
 
 double
 TriangleMesh::area() const
@@ -70,9 +52,13 @@ TriangleMesh::append(const TriangleMesh& other)
   const auto shift = static_cast<std::uint32_t>(vertices.size());
   const std::size_t before = triangles.size();
   const std::size_t added = other.triangles.size();
-  appendAttribute(labels, before, other.labels, added);
-  appendAttribute(rooms, before, other.rooms, added);
-  appendAttribute(elements, before, other.elements, added);
+  for (Attribute TriangleMesh::*const of :
+       {&TriangleMesh::labels, &TriangleMesh::rooms, &TriangleMesh::elements})
+    if (!(this->*of).empty() || !(other.*of).empty()) {
+      (this->*of).resize(before, 0);
+      (this->*of).insert((this->*of).end(), (other.*of).begin(), (other.*of).end());
+      (this->*of).resize(before + added, 0);
+    }
   vertices.insert(vertices.end(), other.vertices.begin(), other.vertices.end());
   for (std::size_t t = 0; t < added; ++t) {
     const Triangle& triangle = other.triangles[t];

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ceiling_lines.h"
 
-#include "../formats/decimal_text.h"
+#include "sedr_filters/src/base/number_text.h"
 
 #include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_filters/src/plan/plan_segment.h"
 #include "sedr_filters/src/plan/room_lookup.h"
 #include "sedr_segmentation/src/curves/contour.h"
-#include "sedr_segmentation/src/curves/plan_segment.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,14 +5,13 @@
 #include "../solver/surface_samples.h"
 #include "screened_poisson.h"
 
+#include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/base/parallel.h"
 #include <pcl/kdtree/kdtree_flann.h>
 #include <pcl/point_types.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 namespace pcl::sedr {
 namespace {
@@ -34,14 +33,6 @@ constexpr std::size_t min_points = 100;
 
 // Surface farther from all points is inferred, metres; at least four spacings.
 constexpr double support_distance = 0.3;
-
-std::string
-shortNumber(double value)
-{
-  std::ostringstream text;
-  text << std::setprecision(3) << value;
-  return text.str();
-}
 
 std::string
 percent(double share)
@@ -103,15 +94,15 @@ solve(const std::vector<OrientedPoint>& local,
   report.spacing = measureSpacing(local);
   if (!(report.spacing > 0) || !(extent > 4 * report.spacing)) {
     report.problem = "the " + std::to_string(local.size()) + " points extend over " +
-                     shortNumber(extent) + " m only";
+                     shortDecimalText(extent, 3) + " m only";
     return false;
   }
   const double wanted = report.spacing * cell_ratio;
   const auto depth =
       static_cast<int>(std::ceil(std::log2(margin * extent / wanted) - 1e-9));
   if (depth > max_depth) {
-    report.problem = "its points are " + shortNumber(report.spacing) +
-                     " m apart, but extend over " + shortNumber(extent) +
+    report.problem = "its points are " + shortDecimalText(report.spacing, 3) +
+                     " m apart, but extend over " + shortDecimalText(extent, 3) +
                      " m: remove those that are far from the others "
                      "(pcl_grid_region_outlier_removal)";
     return false;
@@ -128,9 +119,9 @@ solve(const std::vector<OrientedPoint>& local,
   if (!report.problem.empty())
     return false;
   if (report.cell > 1.001 * coarsest || report.cell > coarse * wanted)
-    report.warning = "its cells are " + shortNumber(report.cell) + " m instead of " +
-                     shortNumber(wanted) + " m, for it extends over " +
-                     shortNumber(extent) + " m";
+    report.warning = "its cells are " + shortDecimalText(report.cell, 3) +
+                     " m instead of " + shortDecimalText(wanted, 3) +
+                     " m, for it extends over " + shortDecimalText(extent, 3) + " m";
   move(mesh, centre);
   const RemovedComponents removed = keepLargestComponent(mesh);
   report.removed_components = removed.components;
@@ -205,13 +196,13 @@ judge(double far_area, double support, RoomPoissonReport& report)
     report.closed = false;
     report.problem =
         "the points enclose nothing: " + percent(report.unsupported_share) +
-        " of its surface lies further than " + shortNumber(support) +
+        " of its surface lies further than " + shortDecimalText(support, 3) +
         " m from all of them";
   }
   else if (report.unsupported_share > much_unsupported)
     report.warning = percent(report.unsupported_share) +
                      " of its surface is a guess, further than " +
-                     shortNumber(support) + " m from all points";
+                     shortDecimalText(support, 3) + " m from all points";
   const auto left_out = static_cast<double>(report.removed_triangles);
   const double share =
       left_out /
@@ -225,16 +216,15 @@ judge(double far_area, double support, RoomPoissonReport& report)
 }
 
 // Orients the surface like the points' normals and measures its area, volume and
-// unsupported share.
-void
+// unsupported share. Returns for each triangle the point nearest to its centre.
+std::vector<std::uint32_t>
 compareWithPoints(const std::vector<OrientedPoint>& points,
                   const RoomPoissonParameters& parameters,
                   TriangleMesh& mesh,
-                  std::vector<std::uint32_t>& nearest,
                   RoomPoissonReport& report)
 {
   const NearestPoints tree(points);
-  nearest.resize(mesh.triangles.size());
+  std::vector<std::uint32_t> nearest(mesh.triangles.size());
   std::vector<float> distance(mesh.triangles.size());
   parallelBlocks(nearest.size(), 4096, parameters.threads,
                  [&](std::size_t begin, std::size_t end) {
@@ -255,25 +245,27 @@ compareWithPoints(const std::vector<OrientedPoint>& points,
   report.area = mesh.area();
   report.volume = std::abs(mesh.signedVolume());
   judge(far_area, support, report);
+  return nearest;
 }
 
 } // namespace
 
-bool
-reconstructRoom(const std::vector<OrientedPoint>& points,
-                const RoomPoissonParameters& parameters,
-                TriangleMesh& mesh,
-                std::vector<std::uint32_t>& nearest,
-                RoomPoissonReport& report)
+RoomSurface
+surfaceOf(const RoomSamples& samples, const RoomPoissonParameters& parameters)
 {
-  mesh = TriangleMesh();
-  nearest.clear();
+  RoomSurface surface;
+  TriangleMesh& mesh = surface.mesh;
+  RoomPoissonReport& report = surface.report;
+  const std::vector<OrientedPoint>& points = samples.points;
+  report.room = samples.room;
   report.points = points.size();
+  report.skipped_points = samples.skipped;
+  report.scaled_normals = samples.scaled;
   if (points.size() < min_points) {
     report.problem = std::to_string(min_points) +
                      " points with normals are needed, there are " +
                      std::to_string(points.size());
-    return false;
+    return surface;
   }
   // Solved near the origin, where floats have precision to spare.
   const Eigen::Vector3d centre = centroidOf(points);
@@ -281,29 +273,12 @@ reconstructRoom(const std::vector<OrientedPoint>& points,
   for (OrientedPoint& p : local)
     p.position = (p.position.cast<double>() - centre).cast<float>();
   if (!solve(local, centre, parameters, mesh, report))
-    return false;
-  compareWithPoints(points, parameters, mesh, nearest, report);
-  return true;
-}
-
-RoomSurface
-surfaceOf(const RoomSamples& samples, const RoomPoissonParameters& parameters)
-{
-  RoomSurface surface;
-  RoomPoissonReport& report = surface.report;
-  report.room = samples.room;
-  report.skipped_points = samples.skipped;
-  report.scaled_normals = samples.scaled;
-  TriangleMesh& mesh = surface.mesh;
-  std::vector<std::uint32_t> nearest;
-  if (reconstructRoom(samples.points, parameters, mesh, nearest, report)) {
-    mesh.rooms.assign(mesh.triangles.size(), samples.room);
-    if (!samples.labels.empty())
-      for (const auto i : nearest)
-        mesh.labels.push_back(samples.labels[i]);
-  }
-  else
-    mesh = TriangleMesh();
+    return surface;
+  const auto nearest = compareWithPoints(points, parameters, mesh, report);
+  mesh.rooms.assign(mesh.triangles.size(), samples.room);
+  if (!samples.labels.empty())
+    for (const auto i : nearest)
+      mesh.labels.push_back(samples.labels[i]);
   return surface;
 }
 

@@ -10,23 +10,11 @@
 
 namespace pcl::sedr {
 
-/** @brief Reconstructs the surface of one room by screened Poisson. It is solved near
- * the origin and reduced to its largest component.
- *
- * @param points finite, with unit normals into the room
+/** @brief Makes the surface of a room by screened Poisson: solved near the origin,
+ * reduced to its largest component, with the label of the nearest point.
+ * @param samples finite, with unit normals, on whose side those of the mesh are
  * @param parameters in range
- * @param mesh the surface, its normals on the side of those of the points; empty if
- * there is none
- * @param nearest for each triangle the index of the point nearest to its centre
- * @param report results; `room`, `skipped_points` and `scaled_normals` are not changed
- * @return true if there is a surface; it is closed if report.closed */
-bool reconstructRoom(const std::vector<OrientedPoint>& points,
-                     const RoomPoissonParameters& parameters,
-                     TriangleMesh& mesh,
-                     std::vector<std::uint32_t>& nearest,
-                     RoomPoissonReport& report);
-
-/** @brief Makes the surface of a room from its samples; parameters in range. */
+ * @return an empty mesh if there is no surface; it is closed if the report says so */
 RoomSurface surfaceOf(const RoomSamples& samples,
                       const RoomPoissonParameters& parameters);
 

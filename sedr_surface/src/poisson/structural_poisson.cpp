@@ -52,7 +52,8 @@ void
 makeSurfaces(std::map<std::uint32_t, RoomSamples>& rooms,
              const RoomPoissonParameters& parameters,
              const RoomSharing& sharing,
-             RoomMeshes meshes)
+             TriangleMesh& mesh,
+             std::vector<RoomPoissonReport>& reports)
 {
   std::vector<RoomSamples*> all;
   std::vector<std::size_t> mine;
@@ -69,8 +70,8 @@ makeSurfaces(std::map<std::uint32_t, RoomSamples>& rooms,
   std::size_t next = 0;
   const auto addMade = [&] { // frees each
     for (; next < all.size() && is_made[next] != 0; ++next) {
-      meshes.mesh.append(surfaces[next].mesh);
-      meshes.reports.push_back(surfaces[next].report);
+      mesh.append(surfaces[next].mesh);
+      reports.push_back(surfaces[next].report);
       surfaces[next] = {};
     }
   };

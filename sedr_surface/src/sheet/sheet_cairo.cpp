@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../formats/decimal_text.h"
+#include "sedr_filters/src/base/number_text.h"
+#include "sedr_filters/src/plan/plan_segment.h"
 #include "sheet.h"
 
 #include <cairo-pdf.h>
@@ -259,11 +260,8 @@ Sheet::addLine(const SheetLook& look,
                bool is_closed)
 {
   PlanLoop chain;
-  for (std::size_t k = 0; k + 1 < places.size(); ++k) {
-    chain.elements.emplace_back();
-    chain.elements.back().start = places[k];
-    chain.elements.back().end = places[k + 1];
-  }
+  for (std::size_t k = 0; k + 1 < places.size(); ++k)
+    chain.elements.push_back(segment(places[k], places[k + 1]));
   add(SheetPath{look, {chain}, is_closed});
 }
 

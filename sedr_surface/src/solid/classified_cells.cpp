@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "classified_cells.h"
+#include "plan_cells.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "subdivision_mending.h"
+#include "plan_subdivision.h"
 
 #include "vertex_levels.h"
 

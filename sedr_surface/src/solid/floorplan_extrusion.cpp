@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../mesh/mesh_repair.h"
 #include "opening_reveals.h"
+#include "sedr_filters/src/base/number_text.h"
 
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/sedr_filters/point_types.h>
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <utility>
 
 namespace pcl::sedr {
@@ -17,14 +17,12 @@ namespace pcl::sedr {
 namespace {
 
 std::string
-toleranceProblem(double value, double low, double high, const char* name)
+toleranceProblem(double value, double low, double high, const std::string& name)
 {
-  if (value >= low && value <= high)
-    return {};
-  std::ostringstream text;
-  text << "the " << name << " tolerance must lie from " << low << " to " << high
-       << " m, it is " << value << " m";
-  return text.str();
+  return value >= low && value <= high
+             ? ""
+             : "the " + name + " tolerance must lie from " + numberText(low) + " to " +
+                   numberText(high) + " m, it is " + numberText(value) + " m";
 }
 
 /** @brief Adds a warning for each pair of rooms that overlap. */

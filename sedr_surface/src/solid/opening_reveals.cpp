@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "opening_reveals.h"
 
+#include "sedr_filters/src/base/plane_fit.h"
+#include "sedr_filters/src/plan/plan_segment.h"
+
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
@@ -15,14 +18,6 @@ constexpr double step = 0.01;       ///< of the search for a room's boundary, me
 constexpr double most_beside = 0.4; ///< from a face of the wall to that boundary
 constexpr double min_depth = 0.02;  ///< of a reveal, metres
 constexpr double on_slab = 0.06;    ///< distance from floor or ceiling of one on it
-
-PlanSlab
-levelSlab(double z)
-{
-  PlanSlab slab;
-  slab.plane = Eigen::Vector4d(0, 0, 1, -z);
-  return slab;
-}
 
 /** @brief An opening seen from a room: places along its wall and across it, from the
  * middle of the wall towards the room. */
@@ -61,9 +56,7 @@ public:
   /** @brief Returns the line along the wall at a distance from its middle. */
   PlanElement along(double off) const
   {
-    PlanElement line;
-    line.start = at(0, off);
-    line.end = at(1, off);
+    PlanElement line = segment(at(0, off), at(1, off));
     if (centre_) {
       const Eigen::Vector2d a = line.start - *centre_;
       const Eigen::Vector2d b = line.end - *centre_;
@@ -78,18 +71,10 @@ public:
    * element is the far end. */
   PlanLoop between(double far, double near) const
   {
-    PlanLoop loop;
-    loop.elements.push_back(along(far));
-    const PlanLoop back = reversed({{along(near)}});
-    PlanElement side;
-    side.start = loop.elements.front().end;
-    side.end = back.elements.front().start;
-    loop.elements.push_back(side);
-    loop.elements.push_back(back.elements.front());
-    side.start = back.elements.front().end;
-    side.end = loop.elements.front().start;
-    loop.elements.push_back(side);
-    return loop;
+    const PlanElement there = along(far);
+    const PlanElement here = reversed({{along(near)}}).elements.front();
+    return {
+        {there, segment(there.end, here.start), here, segment(here.end, there.start)}};
   }
 
 private:
@@ -135,7 +120,7 @@ bottomOf(const Floorplan& plan,
          const PlanOpening& opening,
          const std::vector<RoomBeside>& beside)
 {
-  PlanSlab bottom = levelSlab(opening.bottom);
+  PlanSlab bottom = horizontalSlab(opening.bottom);
   double highest = opening.bottom - on_slab;
   for (const RoomBeside& side : beside) {
     const PlanRoom& room = plan.rooms[side.room];
@@ -157,7 +142,7 @@ topOf(const Floorplan& plan,
       const OpeningFrame& frame,
       const std::vector<RoomBeside>& beside)
 {
-  PlanSlab top = levelSlab(opening.top);
+  PlanSlab top = horizontalSlab(opening.top);
   if (opening.rise > 0) {
     const double half = opening.width() / 2;
     const auto arch = std::make_shared<SlabCurve>();
@@ -181,7 +166,7 @@ topOf(const Floorplan& plan,
     if (height > lowest)
       continue;
     lowest = height;
-    top = ceiling.curve ? levelSlab(height) : ceiling;
+    top = ceiling.curve ? horizontalSlab(height) : ceiling;
   }
   return top;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_cells.h"
 
-#include "classified_cells.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

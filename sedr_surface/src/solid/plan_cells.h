@@ -21,6 +21,50 @@ struct SegmentSource {
   std::size_t element = 0; ///< of RoomLayers::elements; for a crease, its slab's
 };
 
+/** @brief A triangulated room plan with the region of each triangle. What it is made of
+ * must outlive it. */
+class ClassifiedCells {
+public:
+  /** @brief Finds the regions by the loops around each triangle. */
+  ClassifiedCells(const RoomLayers& layers,
+                  const PlanGrid& grid,
+                  const Arrangement& arrangement,
+                  const PlanTriangulation& triangulation,
+                  const std::vector<SegmentSource>& sources);
+
+protected:
+  static constexpr std::uint32_t none = PlanTriangulation::none;
+
+  /** @brief Returns the region beyond a side of a triangle. */
+  PlanRegion across(std::uint32_t t, std::size_t side) const;
+
+  /** @brief Returns the edge on a triangle's side, or null. */
+  const Arrangement::Edge* edgeAt(std::uint32_t t, std::size_t side) const;
+
+  std::uint32_t corner(std::uint32_t t, std::size_t i) const
+  {
+    return triangulation_.triangles[t][i % 3];
+  }
+
+  double areaOf(std::uint32_t t) const;
+
+  double heightOf(int slab, std::uint32_t vertex) const;
+
+  /** @brief Returns the minimum distance of ceiling and floor: a millimetre, more only
+   * on a coarse grid. */
+  double minClearance() const { return 20 * solidSeparation(grid_); }
+
+  const RoomLayers& layers_;
+  const PlanGrid& grid_;
+  const Arrangement& arrangement_;
+  const PlanTriangulation& triangulation_;
+  const std::vector<SegmentSource>& sources_;
+  std::vector<PlanRegion> region_; ///< per triangle
+
+private:
+  void classify();
+};
+
 /** @brief Divides a triangulated room plan into regions, and replaces those that cannot
  * be built: slivers go to neighbours; details and niches, then other regions, that
  * leave no height between floor and ceiling or would touch a neighbour are removed, and

@@ -64,7 +64,7 @@ public:
     corners = ledThroughCorners(corners);
     dropShort(corners);
     for (std::size_t i = 0; i < corners.size(); ++i)
-      stand({corners[i], corners[(i + 1) % corners.size()].place});
+      stand(corners[i], corners[(i + 1) % corners.size()].place);
     return corners;
   }
 
@@ -72,36 +72,26 @@ private:
   struct Facet {
     Corner from;
     Eigen::Vector2d to;
+    Eigen::AlignedBox2d reach;
   };
 
-  /** @brief Consecutive facets, with a box around their reach. */
-  struct Group {
-    std::vector<Facet> facets;
-    Eigen::AlignedBox2d box;
-  };
-
-  void stand(const Facet& facet)
+  void stand(const Corner& from, const Eigen::Vector2d& to)
   {
-    constexpr std::size_t most = 32;
-    if (groups_.empty() || groups_.back().facets.size() == most)
-      groups_.emplace_back();
-    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(
-        std::max(facet.from.tolerance, facet.from.edge_tolerance));
-    for (const Eigen::Vector2d& end : {facet.from.place, facet.to}) {
-      groups_.back().box.extend(end + margin);
-      groups_.back().box.extend(end - margin);
-    }
-    groups_.back().facets.push_back(facet);
+    const Eigen::Vector2d margin =
+        Eigen::Vector2d::Constant(std::max(from.tolerance, from.edge_tolerance));
+    facets_.push_back(
+        {from,
+         to,
+         {from.place.cwiseMin(to) - margin, from.place.cwiseMax(to) + margin}});
   }
 
   /** @brief Calls `visit` for the facets that may be near a box. */
   template <typename Visit>
   void visitNear(const Eigen::AlignedBox2d& box, Visit visit) const
   {
-    for (const Group& group : groups_)
-      if (group.box.intersects(box))
-        for (const Facet& facet : group.facets)
-          visit(facet);
+    for (const Facet& facet : facets_)
+      if (facet.reach.intersects(box))
+        visit(facet);
   }
 
   static Eigen::AlignedBox2d reachOf(const Corner& corner)
@@ -221,7 +211,7 @@ private:
       corners.clear();
   }
 
-  std::vector<Group> groups_;
+  std::vector<Facet> facets_;
 };
 
 } // namespace

@@ -27,7 +27,7 @@ double snapTolerance(const PlanElement& element, double fixed);
  * to the previous ones, so that walls stay in place. A corner snaps to a corner within
  * tolerance, else to an edge; an edge is led through corners beside it. The tolerance
  * is the larger one of the two elements. A chain that shrinks below three corners
- * becomes empty. O(n) in the facets except near ones, O(n^2 / 32) at worst. */
+ * becomes empty. O(n^2) in the facets, a box each unless near. */
 std::vector<FacetChain>
 facetLoops(const RoomLayers& layers, double chord_tolerance, double snap_tolerance);
 

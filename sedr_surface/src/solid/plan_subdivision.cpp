@@ -2,7 +2,6 @@
 #include "plan_cells.h"
 #include "plan_facets.h"
 #include "room_layers.h"
-#include "subdivision_mending.h"
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_surface/room_solid.h>

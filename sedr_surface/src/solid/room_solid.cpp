@@ -90,18 +90,16 @@ private:
         folds.push_back(std::minmax(a, b));
       }
     std::sort(folds.begin(), folds.end());
-    PlanTriangulation faces;
     // A corner that was cut off may lie on a crease; then the curve has no creases.
-    if (!triangulateConstrained(points, folds, faces) &&
-        !triangulateConstrained(points, rim, faces))
+    auto faces = trianglesWithin(points, folds, rim);
+    if (!faces)
+      faces = trianglesWithin(points, rim, rim);
+    if (!faces)
       return false;
-    const std::vector<bool> is_inside = insideOf(faces, rim);
-    for (std::size_t t = 0; t < faces.triangles.size(); ++t) {
-      if (!is_inside[t])
-        continue;
+    for (const auto& face : *faces) {
       std::array<Corner, 3> corners;
       for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t v = vertices[faces.triangles[t][faces_up ? i : 2 - i]];
+        const std::uint32_t v = vertices[face[faces_up ? i : 2 - i]];
         corners[i] = {v, levelOf(slab, v)};
       }
       addTriangle(corners, layers_.slabs[static_cast<std::size_t>(slab)].element);

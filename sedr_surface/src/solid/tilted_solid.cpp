@@ -3,6 +3,7 @@
 
 #include "../triangulation/constrained_triangulation.h"
 #include "../triangulation/plan_grid.h"
+#include "sedr_filters/src/plan/plan_arcs.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/QR>
@@ -34,17 +35,7 @@ struct Surface {
       return (p.z() - slab->heightAt(p.head<2>())) * normal.z() - off;
     }
     Eigen::Vector2d across;
-    double out = 0;
-    if (element->isArc()) {
-      const double sign = element->counter_clockwise ? -1 : 1;
-      const Eigen::Vector2d from = p.head<2>() - element->centre;
-      across = sign * from.normalized();
-      out = sign * (from.norm() - element->radius);
-    }
-    else {
-      across = element->normalAt(0);
-      out = (p.head<2>() - element->start).dot(across);
-    }
+    const double out = offLine(*element, p.head<2>(), across);
     way << across, -run;
     return out - run * (p.z() - head) - off;
   }
@@ -178,27 +169,17 @@ private:
     std::vector<Edge> edges;
     for (const Edge& edge : rim)
       edges.push_back(std::minmax(number[edge.first], number[edge.second]));
-    PlanTriangulation faces;
-    if (!triangulateConstrained(points, edges, faces))
-      return false;
-    const std::vector<bool> is_inside = insideOf(faces, edges);
-    std::vector<Triangle> inside;
-    for (std::size_t f = 0; f < faces.triangles.size(); ++f) {
-      if (!is_inside[f])
-        continue;
-      Triangle triangle;
-      for (std::size_t i = 0; i < 3; ++i)
-        triangle[i] = vertices[faces.triangles[f][faces_up ? i : 2 - i]];
-      inside.push_back(triangle);
-    }
+    const auto faces = trianglesWithin(points, edges, edges);
     std::size_t next = 0;
-    for (std::size_t t = 0; t < solid_.triangles.size(); ++t)
+    for (std::size_t t = 0; faces && t < solid_.triangles.size(); ++t)
       if (solid_.elements[t] == element) {
-        if (next == inside.size())
+        if (next == faces->size())
           return false; // only if the rim crosses itself
-        solid_.triangles[t] = inside[next++];
+        for (std::size_t i = 0; i < 3; ++i)
+          solid_.triangles[t][i] = vertices[(*faces)[next][faces_up ? i : 2 - i]];
+        ++next;
       }
-    return next == inside.size();
+    return faces && next == faces->size();
   }
 
   const RoomLayers& layers_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vertex_levels.h"
 
+#include "sedr_filters/src/grids/disjoint_sets.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -94,31 +96,24 @@ namespace {
 std::size_t
 piecesOf(const std::vector<bool>& above, const std::vector<bool>& below, bool kind)
 {
-  const std::size_t n = above.size();
-  std::vector<bool> is_seen(2 * n, false);
-  const auto isOfKind = [&](std::size_t cell) {
+  const auto n = static_cast<std::uint32_t>(above.size());
+  const auto isOfKind = [&](std::uint32_t cell) {
     return (cell < n ? above[cell] : below[cell - n]) == kind;
   };
-  std::size_t pieces = 0;
-  for (std::size_t first = 0; first < 2 * n; ++first) {
-    if (is_seen[first] || !isOfKind(first))
-      continue;
-    ++pieces;
-    std::vector<std::size_t> waiting{first};
-    is_seen[first] = true;
-    while (!waiting.empty()) {
-      const std::size_t cell = waiting.back();
-      waiting.pop_back();
-      const std::size_t layer = cell < n ? 0 : n;
-      const std::size_t sector = cell - layer;
-      for (const std::size_t next :
-           {layer + (sector + 1) % n, layer + (sector + n - 1) % n, n - layer + sector})
-        if (!is_seen[next] && isOfKind(next)) {
-          is_seen[next] = true;
-          waiting.push_back(next);
-        }
-    }
+  DisjointSets<> sets(2 * above.size());
+  const auto join = [&](std::uint32_t a, std::uint32_t b) {
+    if (isOfKind(a) && isOfKind(b))
+      sets.join(a, b);
+  };
+  for (std::uint32_t sector = 0; sector < n; ++sector) {
+    const std::uint32_t next = (sector + 1) % n;
+    join(sector, next);
+    join(n + sector, n + next);
+    join(sector, n + sector);
   }
+  std::size_t pieces = 0;
+  for (std::uint32_t cell = 0; cell < 2 * n; ++cell)
+    pieces += isOfKind(cell) && sets.find(cell) == cell ? 1 : 0;
   return pieces;
 }
 

@@ -375,4 +375,20 @@ insideOf(const PlanTriangulation& mesh,
   return is_inside;
 }
 
+std::optional<PlanTriangles>
+trianglesWithin(const std::vector<GridPoint>& points,
+                const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges,
+                const std::vector<std::pair<std::uint32_t, std::uint32_t>>& rim)
+{
+  PlanTriangulation all;
+  if (!triangulateConstrained(points, edges, all))
+    return std::nullopt;
+  const std::vector<bool> is_inside = insideOf(all, rim);
+  PlanTriangles inside;
+  for (std::size_t t = 0; t < is_inside.size(); ++t)
+    if (is_inside[t])
+      inside.push_back(all.triangles[t]);
+  return inside;
+}
+
 } // namespace pcl::sedr

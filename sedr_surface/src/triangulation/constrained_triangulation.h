@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "delaunay.h"
 #include "plan_grid.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -43,5 +45,14 @@ bool triangulateConstrained(
  * @param edges sides of triangles, indices of two points each, all distinct */
 std::vector<bool> insideOf(const PlanTriangulation& triangulation,
                            std::vector<std::pair<std::uint32_t, std::uint32_t>> edges);
+
+/** @brief Triangulates the area that a rim encloses.
+ * @param edges sides of triangles as for triangulateConstrained(), among them the rim
+ * @param rim as for insideOf()
+ * @return nothing if an edge crosses another or passes through a point */
+std::optional<PlanTriangles>
+trianglesWithin(const std::vector<GridPoint>& points,
+                const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges,
+                const std::vector<std::pair<std::uint32_t, std::uint32_t>>& rim);
 
 } // namespace pcl::sedr

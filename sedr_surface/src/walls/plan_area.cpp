@@ -5,8 +5,8 @@
 #include "../triangulation/plan_grid.h"
 #include "../triangulation/segment_arrangement.h"
 #include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_filters/src/plan/plan_segment.h"
 #include "sedr_segmentation/src/curves/contour.h"
-#include "sedr_segmentation/src/curves/plan_segment.h"
 
 #include <boost/polygon/polygon.hpp>
 
@@ -61,15 +61,12 @@ setOf(const PlanArea& area, const PlanGrid& grid)
 /** @brief A loop of grid points without the corners that are on a line. */
 template <typename Points>
 PlanLoop
-loopOf(const Points& points, const PlanGrid& grid, bool is_hole)
+outlineOf(const Points& points, const PlanGrid& grid, bool is_hole)
 {
   std::vector<Eigen::Vector2d> corners;
   for (const auto& p : points)
     corners.push_back(grid.toPlan({p.x(), p.y()}));
-  corners = simplified(corners, off_line);
-  PlanLoop loop;
-  for (std::size_t k = 0; k < corners.size(); ++k)
-    loop.elements.push_back(segment(corners[k], corners[(k + 1) % corners.size()]));
+  const PlanLoop loop = loopOf(simplified(corners, off_line));
   return (loop.area() < 0) == is_hole ? loop : reversed(loop);
 }
 
@@ -99,9 +96,9 @@ largestPartOutside(const PlanArea& area, const std::vector<PlanArea>& others)
       std::max_element(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
         return bp::area(a) < bp::area(b);
       });
-  PlanArea part{loopOf(*largest, grid, false)};
+  PlanArea part{outlineOf(*largest, grid, false)};
   for (auto hole = largest->begin_holes(); hole != largest->end_holes(); ++hole)
-    part.holes.push_back(loopOf(*hole, grid, true));
+    part.holes.push_back(outlineOf(*hole, grid, true));
   return part;
 }
 
@@ -128,7 +125,6 @@ triangulated(const PlanArea& area,
 
   constexpr double separation = 1e-5; // metres
   Arrangement arrangement;
-  PlanTriangulation triangulation;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   arrangeSegments(segments, separation / grid.unit(), arrangement);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> rim;
@@ -141,16 +137,14 @@ triangulated(const PlanArea& area,
       rim.emplace_back(edge.a, edge.b);
   }
   TriangleMesh mesh;
-  if (!triangulateConstrained(arrangement.vertices, edges, triangulation))
+  const auto triangles = trianglesWithin(arrangement.vertices, edges, rim);
+  if (!triangles)
     return mesh;
   for (const GridPoint& p : arrangement.vertices) {
     const Eigen::Vector2d place = grid.toPlan(p);
     mesh.vertices.emplace_back(place.x(), place.y(), 0);
   }
-  const std::vector<bool> is_inside = insideOf(triangulation, rim);
-  for (std::size_t t = 0; t < is_inside.size(); ++t)
-    if (is_inside[t])
-      mesh.triangles.push_back(triangulation.triangles[t]);
+  mesh.triangles = *triangles;
   return mesh;
 }
 

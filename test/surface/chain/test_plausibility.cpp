@@ -86,10 +86,17 @@ TEST(UpsideDownDoubt, IsOfTablesThatHangFromTheCeiling)
       for (float y = 1; y < 2.2F; y += 0.05F)
         points.emplace_back(x, y, static_cast<float>(height));
     const PointView view(points.data(), sizeof(Eigen::Vector3f), points.size());
-    const auto doubt = upsideDownDoubt(view, 0.05, plan);
-    EXPECT_EQ(doubt.has_value(), height > 1) << height;
-    EXPECT_FALSE(upsideDownDoubt(view, 0.03, plan)) << "it is too small";
-    EXPECT_FALSE(upsideDownDoubt(view, 0.05, with_door)) << "doors stand on floors";
+    const auto isDoubted = [&](double voxel, const Floorplan& of_plan) {
+      Building building;
+      building.grid = CellGrid(voxel);
+      const auto warnings = unexplainedSurfaces(view, building, of_plan);
+      return std::any_of(warnings.begin(), warnings.end(), [](const auto& warning) {
+        return warning.kind == WarningKind::UpsideDown;
+      });
+    };
+    EXPECT_EQ(isDoubted(0.05, plan), height > 1) << height;
+    EXPECT_FALSE(isDoubted(0.03, plan)) << "it is too small";
+    EXPECT_FALSE(isDoubted(0.05, with_door)) << "doors stand on floors";
   }
 }
 

@@ -54,17 +54,16 @@ TEST(RoomPoisson, rooms_of_perfect_points_come_back)
                         {"column", columnRoom().placed(8, {0, 0, -1}), 0}};
   for (const Case& c : cases) {
     SCOPED_TRACE(c.name);
-    TriangleMesh mesh;
-    std::vector<std::uint32_t> nearest;
-    RoomPoissonReport report;
     const auto points = c.room.points(1. / 12); // coarser than the default to save time
-    ASSERT_TRUE(reconstructRoom(points, {}, mesh, nearest, report)) << report.problem;
+    auto [mesh, report] =
+        surfaceOf({0, points, std::vector<std::uint32_t>(points.size(), 3)}, {});
+    ASSERT_FALSE(mesh.empty()) << report.problem;
     expectGood(c.room, mesh, report, c.euler);
     EXPECT_EQ(report.points, points.size());
     EXPECT_NEAR(report.spacing, 1. / 12, 0.006);
     EXPECT_NEAR(report.cell, 0.8 * report.spacing, 0.15 * report.spacing);
     EXPECT_EQ(report.unsupported_share, 0);
-    EXPECT_EQ(nearest.size(), mesh.triangles.size());
+    EXPECT_EQ(mesh.labels, std::vector<std::uint32_t>(mesh.triangles.size(), 3));
   }
 }
 
@@ -83,11 +82,9 @@ TEST(RoomPoisson, sheets_that_meet_in_one_vertical_edge_stay_apart)
        {LatticeRoom(6, 6, 5, pillars), LatticeRoom(6, 6, 5, crossed)})
     for (const double degrees : {0.0, 8.0, 17.0, 45.0}) {
       SCOPED_TRACE(degrees);
-      TriangleMesh mesh;
-      std::vector<std::uint32_t> nearest;
-      RoomPoissonReport report;
       const auto points = LatticeRoom(room).placed(degrees, {0.1, 0.03, 0}).points(0.1);
-      ASSERT_TRUE(reconstructRoom(points, {}, mesh, nearest, report)) << report.problem;
+      auto [mesh, report] = surfaceOf({0, points}, {});
+      ASSERT_FALSE(mesh.empty()) << report.problem;
       EXPECT_TRUE(report.closed) << report.problem;
       EXPECT_EQ(weldVertices(mesh), 0u);
       EXPECT_TRUE(checkTopology(mesh).isClosedManifold());
@@ -101,10 +98,8 @@ TEST(RoomPoisson, large_coordinates_cost_no_more_than_their_own_digits)
 {
   // A float resolves 8 mm there.
   const LatticeRoom room = boxRoom().placed(17, {100000, -60000, 250});
-  TriangleMesh mesh;
-  std::vector<std::uint32_t> nearest;
-  RoomPoissonReport report;
-  ASSERT_TRUE(reconstructRoom(room.points(0.125), {}, mesh, nearest, report));
+  auto [mesh, report] = surfaceOf({0, room.points(0.125)}, {});
+  ASSERT_FALSE(mesh.empty()) << report.problem;
   EXPECT_TRUE(report.closed) << report.problem;
   EXPECT_NEAR(report.volume, 90, 1);
   std::size_t off_float = 0;
@@ -120,10 +115,7 @@ TEST(RoomPoisson, points_that_enclose_nothing_do_not_pass_as_a_room)
   for (const auto& p : boxRoom().points(0.125))
     if (p.normal.z() > 0.5)
       floor.push_back(p);
-  TriangleMesh mesh;
-  std::vector<std::uint32_t> nearest;
-  RoomPoissonReport report;
-  reconstructRoom(floor, {}, mesh, nearest, report);
+  const RoomPoissonReport report = surfaceOf({0, floor}, {}).report;
   EXPECT_FALSE(report.closed);
   EXPECT_FALSE(report.problem.empty());
 }
@@ -134,10 +126,8 @@ TEST(RoomPoisson, a_room_without_a_floor_comes_with_a_warning)
   for (const auto& p : boxRoom().points(0.125))
     if (p.normal.z() < 0.5)
       points.push_back(p);
-  TriangleMesh mesh;
-  std::vector<std::uint32_t> nearest;
-  RoomPoissonReport report;
-  ASSERT_TRUE(reconstructRoom(points, {}, mesh, nearest, report));
+  auto [mesh, report] = surfaceOf({0, points}, {});
+  ASSERT_FALSE(mesh.empty()) << report.problem;
   EXPECT_GT(report.unsupported_share, 0.2);
   EXPECT_NE(report.warning.find("% of its surface is a guess"), std::string::npos);
 }
@@ -145,18 +135,14 @@ TEST(RoomPoisson, a_room_without_a_floor_comes_with_a_warning)
 TEST(RoomPoisson, of_two_rooms_that_are_apart_one_is_told_to_be_missing)
 {
   auto points = LatticeRoom(6, 5, 5).points(0.125);
-  TriangleMesh mesh;
-  std::vector<std::uint32_t> nearest;
-  RoomPoissonReport report;
-  ASSERT_TRUE(reconstructRoom(points, {}, mesh, nearest, report));
-  EXPECT_TRUE(report.warning.empty()) << report.warning;
+  const std::string warning = surfaceOf({0, points}, {}).report.warning;
+  EXPECT_TRUE(warning.empty()) << warning;
   const std::size_t half = points.size();
   for (std::size_t i = 0; i < half; ++i) {
     points.push_back(points[i]);
     points.back().position.x() += 5;
   }
-  report = {};
-  ASSERT_TRUE(reconstructRoom(points, {}, mesh, nearest, report));
+  const RoomPoissonReport report = surfaceOf({0, points}, {}).report;
   EXPECT_NE(report.warning.find("2 surfaces"), std::string::npos) << report.warning;
   EXPECT_NE(report.warning.find("50 %"), std::string::npos) << report.warning;
 }

@@ -3,7 +3,7 @@
 
 #include "element_changes.h"
 
-#include "sedr_surface/src/formats/decimal_text.h"
+#include "sedr_filters/src/base/number_text.h"
 
 #include <boost/algorithm/string/join.hpp>
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 #include "stage_pictures.h"
 
 #include "sedr_filters/src/base/field_access.h"
-#include "sedr_surface/src/formats/decimal_text.h"
+#include "sedr_filters/src/base/number_text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "picture.h"
 
-#include "sedr_surface/src/formats/decimal_text.h"
+#include "sedr_filters/src/base/number_text.h"
 #include "sedr_surface/src/sheet/text_places.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stage_pictures.h"
 
+#include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/plan/plan_bounds.h"
 #include "sedr_surface/src/drawing/text_spot.h"
-#include "sedr_surface/src/formats/decimal_text.h"
 
 #include <algorithm>
 #include <array>

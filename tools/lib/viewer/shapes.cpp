@@ -3,7 +3,7 @@
 
 #include "progress.h"
 
-#include "sedr_surface/src/formats/decimal_text.h"
+#include "sedr_filters/src/base/number_text.h"
 #include <pcl/sedr_filters/wall_shares.h>
 #include <pcl/sedr_surface/mesh_distance.h>
 

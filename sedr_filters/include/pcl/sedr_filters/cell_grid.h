@@ -231,7 +231,4 @@ struct CellRegions {
  * log n). */
 CellRegions labelRegions(const CellSet& cells);
 
-/** @brief Returns the cells of each region, largest first: labelRegions() and O(n). */
-std::vector<CellSet> connectedRegions(const CellSet& cells);
-
 } // namespace pcl::sedr

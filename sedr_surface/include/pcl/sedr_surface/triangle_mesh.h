@@ -105,17 +105,15 @@ struct TriangleMesh {
   std::string problem() const;
 };
 
-/** @brief Splits a polygon into triangles by ear clipping. Concave polygons are handled
- * if planar; polygons that cannot be clipped (self-intersecting, flat) become a fan.
+/** @brief Splits a polygon into triangles. Concave polygons are handled if planar;
+ * polygons that cross themselves or are flat become a fan. O(n log n).
  *
  * @param vertices coordinates that the polygon's indices refer to
  * @param polygon three or more indices; fewer give nothing
- * @param triangles polygon.size() - 2 triangles are appended
- * @return an empty string, or why it is refused: more than 1,000 corners take too long
- */
-std::string triangulatePolygon(const std::vector<Eigen::Vector3d>& vertices,
-                               const std::vector<std::uint32_t>& polygon,
-                               std::vector<Triangle>& triangles);
+ * @param triangles get those of the polygon */
+void triangulatePolygon(const std::vector<Eigen::Vector3d>& vertices,
+                        const std::vector<std::uint32_t>& polygon,
+                        std::vector<Triangle>& triangles);
 
 /** @brief Converts a PCL mesh: x, y and z (float or double) of the cloud, polygons cut
  * into triangles.

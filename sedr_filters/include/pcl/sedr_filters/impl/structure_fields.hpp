@@ -18,18 +18,6 @@ namespace pcl::sedr {
 template <typename PointT>
 constexpr bool has_room = pcl::traits::has_field<PointT, pcl::fields::room>::value;
 
-/** @brief Returns the field `label` of a cloud; empty if the type has none. */
-template <typename PointT>
-std::vector<std::uint32_t>
-labelsOf(const pcl::PointCloud<PointT>& cloud)
-{
-  std::vector<std::uint32_t> labels;
-  if constexpr (pcl::traits::has_label<PointT>::value)
-    for (const auto& p : cloud)
-      labels.push_back(p.label);
-  return labels;
-}
-
 /** @brief Returns the field `room` of a cloud; empty if the type has none. */
 template <typename PointT>
 std::vector<std::uint32_t>
@@ -59,8 +47,10 @@ structureProblem(const Floorplan* plan,
   std::string problem = indicesProblem(indices, cloud.size());
   if (!problem.empty())
     return problem;
-  if (labels.empty())
-    labels = labelsOf(cloud);
+  if constexpr (pcl::traits::has_label<PointT>::value)
+    if (labels.empty())
+      for (const PointT& p : cloud)
+        labels.push_back(p.label);
   if (rooms.empty())
     rooms = roomsOf(cloud);
   if (labels.size() != cloud.size() || rooms.size() != cloud.size())

@@ -18,8 +18,8 @@ struct OrientedPoint {
 /** @brief Samples of the surface of a room. */
 struct RoomSamples {
   std::uint32_t room = 0;
-  std::vector<OrientedPoint> points; ///< finite, with unit normals into the room
-  std::vector<std::uint32_t> labels; ///< of each point, or empty
+  std::vector<OrientedPoint> points{}; ///< finite, with unit normals into the room
+  std::vector<std::uint32_t> labels{}; ///< of each point, or empty
   std::size_t skipped = 0; ///< points left out: not finite, or without a normal
   std::size_t scaled = 0;  ///< normals rescaled to unit length
 };

@@ -11,21 +11,15 @@
 namespace pcl {
 namespace sedr {
 
-/** @brief Result of a run of StructuralPoisson: the surfaces and reports of all
- * rooms. */
-struct RoomMeshes {
-  TriangleMesh& mesh;
-  std::vector<RoomPoissonReport>& reports;
-};
-
 /** @brief Returns which parameter is out of range, a sentence; empty if none is. */
 std::string problemOf(const RoomPoissonParameters& parameters);
 
-/** @brief Makes the surfaces of rooms; consumes their samples. */
+/** @brief Appends the surfaces of rooms and their reports; consumes their samples. */
 void makeSurfaces(std::map<std::uint32_t, RoomSamples>& rooms,
                   const RoomPoissonParameters& parameters,
                   const RoomSharing& sharing,
-                  RoomMeshes meshes);
+                  TriangleMesh& mesh,
+                  std::vector<RoomPoissonReport>& reports);
 
 /** @brief Returns a warning about points left out and rooms without a closed surface,
  * with reasons; empty if all are closed. */
@@ -97,7 +91,7 @@ StructuralPoisson<PointNT>::makeSurfaces()
     }
     if (rooms.size() > 1)
       rooms.erase(0); // points outside all rooms
-    sedr::makeSurfaces(rooms, parameters_, sharing_, {mesh_, reports_});
+    sedr::makeSurfaces(rooms, parameters_, sharing_, mesh_, reports_);
   }
   deinitCompute();
   return problem;
