@@ -23,7 +23,7 @@ struct Words {
 };
 
 /** In the order of WarningKind. */
-constexpr std::array<Words, 37> words{{
+constexpr std::array<Words, 38> words{{
     {"coverage", "", "",
      "{0.0} of the {1.0} m2 of floor that was seen are in the model, {2.0} %; the "
      "largest part that is missing has {3.0} m2{at}, z {4.1} to {5.1} m: {reason}"},
@@ -35,6 +35,10 @@ constexpr std::array<Words, 37> words{{
     {"strays", "", "",
      "single points are scattered all over the air of the scan: voxels of fewer than "
      "{0.0} points were left out"},
+    {"positions", "", "",
+     "{0.0} of {1.0} positions of the scanner are not where the points were taken "
+     "from: they lie on a surface, or rays from there go through walls that were seen; "
+     "they were left out"},
     {"mirrors", "", "",
      "{0.0} mirroring surfaces, such as panes, were found by the scanner's positions; "
      "{1.0} thinned points seen in them were left out"},

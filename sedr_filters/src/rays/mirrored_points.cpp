@@ -4,6 +4,7 @@
 #include "../base/parallel.h"
 #include "../base/parallel_for.h"
 #include "panes.h"
+#include "true_places.h"
 
 #include <Eigen/Geometry>
 
@@ -173,12 +174,15 @@ raysOf(const PointView& points,
   return rays;
 }
 
-/** @brief Rays, and what each goes through first. */
-struct PaneRays {
-  std::vector<ScanRay> rays;
-  std::vector<Pane> panes;
-  std::vector<std::size_t> before; ///< pane of each ray, panes.size() for none
-};
+/** @brief Returns positions of which some places are not known. */
+ScanPositions
+without(const std::vector<Eigen::Vector3f>& places, ScanPositions positions)
+{
+  for (ScanPosition& position : positions)
+    if (std::find(places.begin(), places.end(), position.place) != places.end())
+      position.place.setConstant(std::numeric_limits<float>::quiet_NaN());
+  return positions;
+}
 
 /** @brief Finds the panes that rays go through, and the first one of each ray. */
 PaneRays
@@ -351,8 +355,12 @@ findMirroredPoints(const PointView& thinned,
       filled.add(filled.at(thinned[i].cast<double>()));
   const PiercedSurfaces surfaces(thinned);
   MirroredPoints found;
-  const PaneRays through =
+  PaneRays through =
       throughPanes(raysOf(rows, step, positions, filled), surfaces, threads);
+  found.untrue = untruePlaces(surfaces, through, rows, step, positions, threads);
+  if (!found.untrue.empty()) // again: they must not count among those of a cube
+    through = throughPanes(raysOf(rows, step, without(found.untrue, positions), filled),
+                           surfaces, threads);
   const auto& rays = through.rays;
   const auto& panes = through.panes;
   const auto& before = through.before;

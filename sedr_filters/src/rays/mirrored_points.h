@@ -23,8 +23,11 @@ struct MirroredPoints {
                                         ///< all rays went through panes
   std::vector<SightLine> lines; ///< the rays that met no reflection; those through a
                                 ///< pane end 0.3 m behind it
-  std::size_t rays = 0;         ///< that were followed
-  std::size_t mirrors = 0;      ///< how many surfaces mirror
+  std::vector<Eigen::Vector3f>
+      untrue;              ///< places that no points were taken from, as the scan
+                           ///< shows, see untruePlaces(); none of their rays count
+  std::size_t rays = 0;    ///< that were followed
+  std::size_t mirrors = 0; ///< how many surfaces mirror
 };
 
 /** @brief Finds what a scanner saw in mirrors, by its rays: those that go through a

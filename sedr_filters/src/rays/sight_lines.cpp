@@ -80,10 +80,12 @@ SightLines::levelled(const Levelling& levelling) const
   return SightLines(all);
 }
 
-bool
-SightLines::pierce(const Eigen::Vector3d& place,
-                   const Eigen::Vector3d& normal,
-                   double radius) const
+template <typename Use>
+void
+SightLines::forAllAcross(const Eigen::Vector3d& place,
+                         const Eigen::Vector3d& normal,
+                         double radius,
+                         Use use) const
 {
   constexpr double clear = 0.15; // metres
   for (const auto& station : stations_) {
@@ -107,13 +109,38 @@ SightLines::pierce(const Eigen::Vector3d& place,
       const Eigen::Vector3d ray =
           station->ends[static_cast<std::size_t>(i)].cast<double>() - from;
       const double end = start + ray.dot(normal);
-      if ((start > 0) == (end > 0) || std::abs(end) <= clear)
-        continue; // ends on or before it, or leads away
-      if ((start / (start - end) * ray - whole).squaredNorm() <= radius * radius)
-        return true;
+      const bool is_on = std::abs(end) <= clear;
+      if ((start > 0) == (end > 0) && !is_on)
+        continue; // ends before it, or leads away
+      if ((start / (start - end) * ray - whole).squaredNorm() <= radius * radius &&
+          !use(is_on))
+        return;
     }
   }
-  return false;
+}
+
+bool
+SightLines::pierce(const Eigen::Vector3d& place,
+                   const Eigen::Vector3d& normal,
+                   double radius) const
+{
+  bool is_pierced = false;
+  forAllAcross(place, normal, radius,
+               [&](bool is_on) { return !(is_pierced = !is_on); });
+  return is_pierced;
+}
+
+SightLines::Crossings
+SightLines::across(const Eigen::Vector3d& place,
+                   const Eigen::Vector3d& normal,
+                   double radius) const
+{
+  Crossings crossings;
+  forAllAcross(place, normal, radius, [&](bool is_on) {
+    ++(is_on ? crossings.on : crossings.through);
+    return true;
+  });
+  return crossings;
 }
 
 } // namespace pcl::sedr

@@ -46,8 +46,28 @@ public:
               const Eigen::Vector3d& normal,
               double radius) const;
 
+  /** @brief Numbers of rays that cross a place of a surface. */
+  struct Crossings {
+    std::size_t on = 0;      ///< rays that end within 15 cm of the surface
+    std::size_t through = 0; ///< rays that continue behind it
+  };
+
+  /** @brief Counts the rays that end on a surface, or cross it, within `radius` metres
+   * of a place. Rays that begin within 15 cm of the surface are not counted. */
+  Crossings across(const Eigen::Vector3d& place,
+                   const Eigen::Vector3d& normal,
+                   double radius) const;
+
 private:
   struct Station; ///< the rays of one scanner position
+
+  /** @brief Calls use(ray ends on the surface) for all rays that end on a surface or
+   * behind it, until that returns false. */
+  template <typename Use>
+  void forAllAcross(const Eigen::Vector3d& place,
+                    const Eigen::Vector3d& normal,
+                    double radius,
+                    Use use) const;
 
   std::vector<std::shared_ptr<const Station>> stations_;
 };

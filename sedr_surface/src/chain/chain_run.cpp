@@ -70,6 +70,10 @@ ChainRun::findStructure()
   if (chain_.stray_limit > 0)
     warn({WarningKind::Strays, {static_cast<double>(chain_.stray_limit)}});
   const MirrorFigures& mirrored = chain_.mirrored;
+  if (mirrored.untrue > 0)
+    warn({WarningKind::Positions,
+          {static_cast<double>(mirrored.untrue),
+           static_cast<double>(mirrored.positions)}});
   if (mirrored.points > 0)
     warn({WarningKind::Mirrors,
           {static_cast<double>(mirrored.mirrors),

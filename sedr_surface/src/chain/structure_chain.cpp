@@ -124,6 +124,11 @@ StructureChain::leaveOutMirrored(const ScanPositions& positions,
   mirrored.positions = static_cast<std::size_t>(
       std::count_if(positions.begin(), positions.end(),
                     [](const ScanPosition& position) { return position.isKnown(); }));
+  mirrored.untrue = static_cast<std::size_t>(std::count_if(
+      positions.begin(), positions.end(), [&](const ScanPosition& position) {
+        return std::find(found.untrue.begin(), found.untrue.end(), position.place) !=
+               found.untrue.end();
+      }));
   mirrored.rays = found.rays;
   mirrored.mirrors = found.mirrors;
   mirrored.lines =

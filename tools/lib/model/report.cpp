@@ -96,6 +96,7 @@ positionsOf(const MirrorFigures& mirrored)
   if (mirrored.positions == 0)
     return nullptr;
   return {{"known", mirrored.positions},
+          {"untrue", mirrored.untrue},
           {"rays", mirrored.rays},
           {"mirrors", mirrored.mirrors},
           {"mirrored_points", mirrored.points}};

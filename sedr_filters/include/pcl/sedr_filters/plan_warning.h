@@ -19,6 +19,7 @@ enum class WarningKind {
   UpsideDown,    ///< % of things in upper halves of rooms, m2 of their surfaces
   LostPoints,    ///< %
   Strays,        ///< points of a voxel that was kept
+  Positions,     ///< of the scanner, untrue, all
   Mirrors,       ///< surfaces, thinned points
   Levelled,      ///< degrees, direction; reason
   Sparse,        ///< cell wanted, used

@@ -39,6 +39,7 @@ struct StageReport {
 /** @brief Results of using the scanner positions. */
 struct MirrorFigures {
   std::size_t positions = 0;               ///< known positions
+  std::size_t untrue = 0;                  ///< of these, that the scan contradicts
   std::size_t rays = 0;                    ///< rays traced
   std::size_t mirrors = 0;                 ///< surfaces that reflect rooms
   std::size_t points = 0;                  ///< thinned points that were removed

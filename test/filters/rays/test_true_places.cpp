@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Positions of a scanner that the scan contradicts.
+#include "sedr_filters/src/rays/mirrored_points.h"
+#include "sedr_filters/src/rays/panes.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+using pcl::sedr::findMirroredPoints;
+using pcl::sedr::MirroredPoints;
+using pcl::sedr::PiercedSurfaces;
+using pcl::sedr::PointView;
+using pcl::sedr::ScanPositions;
+
+/** Two rooms side by side, with a pane of 3.4 x 2 m between them, or
+ * none, and a scanner in the middle of each. */
+class TwoRooms {
+public:
+  /** @param returned share of the rays that the pane returns; 1: a wall
+   * @param untrue number of scans of both rooms before these that are told to be taken
+   * from places outside */
+  explicit TwoRooms(double returned, int untrue = 0)
+      : returned_(returned)
+  {
+    for (int k = 0; k <= untrue; ++k)
+      for (const double x : {3., 9.2}) {
+        scanFrom({x, 2.4, 1.5});
+        if (k < untrue)
+          positions.back().place = Vector3f(static_cast<float>(3 * k), -20, 1.5F);
+      }
+  }
+
+  /** @param voxel edge of those that are thinned to one point; 0: all points */
+  MirroredPoints found(const ScanPositions& from, double voxel = 0) const
+  {
+    const PointView view(rows_.data(), sizeof(Vector3f), rows_.size());
+    const std::vector<Vector3f> thinned = voxel > 0 ? thinnedTo(voxel) : rows_;
+    return findMirroredPoints({thinned.data(), sizeof(Vector3f), thinned.size()}, view,
+                              1, from, 2);
+  }
+
+  ScanPositions positions;
+
+private:
+  std::vector<Vector3f> thinnedTo(double voxel) const
+  {
+    std::map<std::array<int, 3>, std::pair<Vector3d, int>> sums;
+    for (const Vector3f& p : rows_) {
+      std::array<int, 3> cube{};
+      for (int axis = 0; axis < 3; ++axis)
+        cube[static_cast<std::size_t>(axis)] =
+            static_cast<int>(std::floor(p[axis] / voxel));
+      auto& [sum, count] =
+          sums.emplace(cube, std::make_pair(Vector3d(0, 0, 0), 0)).first->second;
+      sum += p.cast<double>();
+      ++count;
+    }
+    std::vector<Vector3f> thinned;
+    for (const auto& [cube, sum] : sums)
+      thinned.push_back((sum.first / sum.second).cast<float>());
+    return thinned;
+  }
+
+  void scanFrom(const Vector3d& place)
+  {
+    positions.push_back({rows_.size(), place.cast<float>()});
+    for (int i = 0; i < 100000; ++i) {
+      const double up = 2 * uniform_(random_) - 1;
+      const double around = 2 * M_PI * uniform_(random_);
+      const double level = std::sqrt(1 - up * up);
+      see(place, {level * std::cos(around), level * std::sin(around), up});
+    }
+  }
+
+  void see(Vector3d from, const Vector3d& direction)
+  {
+    bool is_first = from.x() < middle;
+    Vector3d hit = from + exitFrom(roomOf(is_first), from, direction) * direction;
+    const bool is_pane = std::abs(hit.x() - middle) < 0.11 && hit.y() > 0.8 &&
+                         hit.y() < 4.2 && hit.z() > 0.4 && hit.z() < 2.4;
+    if (is_pane && uniform_(random_) >= returned_) {
+      is_first = !is_first;
+      from = hit + 0.2 / std::abs(direction.x()) * direction;
+      hit = from + exitFrom(roomOf(is_first), from, direction) * direction;
+    }
+    rows_.push_back(hit.cast<float>());
+  }
+
+  static Eigen::AlignedBox3d roomOf(bool is_first)
+  {
+    return is_first ? Eigen::AlignedBox3d(Vector3d(0, 0, 0), Vector3d(6, 5, 2.6))
+                    : Eigen::AlignedBox3d(Vector3d(6.2, -2, 0), Vector3d(14, 5, 3.1));
+  }
+
+  static double exitFrom(const Eigen::AlignedBox3d& box,
+                         const Vector3d& from,
+                         const Vector3d& direction)
+  {
+    double exit = 100;
+    for (int axis = 0; axis < 3; ++axis)
+      if (direction[axis] != 0)
+        exit =
+            std::min(exit, ((direction[axis] > 0 ? box.max()[axis] : box.min()[axis]) -
+                            from[axis]) /
+                               direction[axis]);
+    return exit;
+  }
+
+  static constexpr double middle = 6.1;
+  double returned_;
+  std::vector<Vector3f> rows_;
+  std::mt19937 random_{1};
+  std::uniform_real_distribution<double> uniform_{0, 1};
+};
+
+TEST(TruePlaces, WhereTheScannerStoodIsTrueAlsoBesideGlass)
+{
+  for (const double returned : {0.05, 0.2, 1.}) {
+    const TwoRooms rooms(returned);
+    const MirroredPoints found = rooms.found(rooms.positions);
+    EXPECT_TRUE(found.untrue.empty()) << returned;
+    EXPECT_GT(found.rays, 1000u);
+  }
+}
+
+TEST(TruePlaces, OnePlaceForTheScansOfTwoIsUntrueAndItsRaysTellNothing)
+{
+  const TwoRooms rooms(1);
+  const MirroredPoints found = rooms.found({rooms.positions[0]});
+  ASSERT_EQ(found.untrue.size(), 1u);
+  EXPECT_EQ(found.untrue[0], rooms.positions[0].place);
+  EXPECT_EQ(found.rays, 0u);
+  EXPECT_TRUE(found.lines.empty());
+}
+
+TEST(TruePlaces, TheCornerOfARoomIsNone)
+{
+  constexpr double voxel = 0.05;
+  const TwoRooms rooms(1);
+  for (const Vector3f& corner : {Vector3f(0, 0, 0), Vector3f(0.04F, 0.05F, 0)}) {
+    ScanPositions positions = rooms.positions;
+    positions[0].place = corner;
+    const MirroredPoints found = rooms.found(positions, voxel);
+    ASSERT_EQ(found.untrue.size(), 1u);
+    EXPECT_EQ(found.untrue[0], corner);
+  }
+}
+
+TEST(TruePlaces, AreToldFromOthersInVoxelsOfOneDecimetreToo)
+{
+  constexpr double voxel = 0.1;
+  for (const double returned : {0.05, 0.2, 1.})
+    EXPECT_TRUE(
+        TwoRooms(returned).found(TwoRooms(returned).positions, voxel).untrue.empty())
+        << returned;
+  const TwoRooms rooms(1);
+  EXPECT_EQ(rooms.found({rooms.positions[0]}, voxel).untrue.size(), 1u);
+}
+
+TEST(TruePlaces, UntrueOnesDoNotTakeTheRaysOfTrueOnesThatFollow)
+{
+  // As many as count in a cube of 10 cm.
+  const TwoRooms rooms(1, 4);
+  const MirroredPoints found = rooms.found(rooms.positions);
+  EXPECT_EQ(found.untrue.size(), 4u);
+  const TwoRooms alone(1);
+  const std::size_t expected = alone.found(alone.positions).rays;
+  EXPECT_GT(found.rays, expected * 9 / 10);
+}
+
+TEST(TruePlaces, ThoseOfOtherScansAndThoseOutsideAreUntrueOneByOne)
+{
+  const TwoRooms rooms(1);
+  ScanPositions swapped = rooms.positions;
+  std::swap(swapped[0].place, swapped[1].place);
+  EXPECT_EQ(rooms.found(swapped).untrue.size(), 2u);
+  ScanPositions outside = rooms.positions;
+  outside[1].place = Vector3f(9, -20, 1.5F);
+  const MirroredPoints found = rooms.found(outside);
+  ASSERT_EQ(found.untrue.size(), 1u);
+  EXPECT_EQ(found.untrue[0], outside[1].place);
+  EXPECT_GT(found.rays, 1000u); // those of the other
+}
+
+TEST(TruePlaces, RaysFromFarAwayAreFollowedFromTheBoxOfThePointsOn)
+{
+  std::vector<Vector3f> points;
+  for (int i = 0; i < 50; ++i)
+    points.emplace_back(0.1F * static_cast<float>(i), 3, 1);
+  const PiercedSurfaces surfaces({points.data(), sizeof(Vector3f), points.size()});
+  const Vector3f far(1e5F, 1e5F, 1.6F);
+  const float entry = surfaces.entryOf({far, points[0]});
+  EXPECT_NEAR(entry, (far - points[0]).norm(), 1);
+  EXPECT_EQ(surfaces.entryOf({points[40], points[0]}), 0) << "inside";
+  EXPECT_EQ(surfaces.firstPierced({far, points[0]}), pcl::sedr::CubeTable::none);
+}
+
+TEST(TruePlaces, OnesFarAwayAreUntrue)
+{
+  const TwoRooms rooms(1);
+  for (const Vector3f& place :
+       {Vector3f(1e5F, 1e5F, 1.6F), Vector3f(691600, 5336000, 500)}) {
+    const MirroredPoints found = rooms.found({{0, place}}, 0.05);
+    EXPECT_EQ(found.untrue.size(), 1u) << place.transpose();
+    EXPECT_TRUE(found.lines.empty());
+  }
+}
+
+} // namespace
