@@ -8,36 +8,51 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace pcl::sedr {
 namespace {
 
-/** @brief Returns the volume of a room with tilted walls, by samples. */
+/** @brief Returns the volume of a room with tilted walls, by a million samples: columns
+ * of air between floor and ceiling, cut by the sections of the walls at 100 heights. */
 double
 volumeBetweenTiltedWalls(const PlanRoom& room)
 {
-  constexpr double step = 0.05;
-  const auto [low, high] = heightsOf(room);
+  constexpr std::size_t sections = 100;
+  constexpr double max_columns = 1e4;
+  const RoomLookup lookup(room);
   Eigen::AlignedBox2d box = boundsOf(room.boundary);
-  box.extend(boundsOf(boundaryAt(room, std::max(high, headOf(room)))));
+  box.extend(boundsOf(boundaryAt(room, std::max(heightsOf(room).high, headOf(room)))));
+  const double step = std::sqrt(box.volume() / max_columns);
+  struct Column {
+    Eigen::Vector2d at;
+    double floor;
+    double ceiling;
+  };
+  std::vector<Column> columns;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (double y = box.min().y() + step / 2; y < box.max().y(); y += step)
+    for (double x = box.min().x() + step / 2; x < box.max().x(); x += step) {
+      const Eigen::Vector2d p(x, y);
+      if (std::any_of(room.columns.begin(), room.columns.end(),
+                      [&](const PlanLoop& c) { return c.contains(p); }))
+        continue;
+      columns.push_back({p, lookup.floorAt(p), lookup.ceilingAt(p)});
+      low = std::min(low, columns.back().floor);
+      high = std::max(high, columns.back().ceiling);
+    }
+  const double height = (high - low) / sections;
   std::size_t count = 0;
-  for (double z = low + step / 2;; z += step) {
+  for (std::size_t k = 0; k < sections; ++k) {
+    const double z = low + (static_cast<double>(k) + 0.5) * height;
     const PlanLoop section = boundaryAt(room, z);
-    const LoopLookup lookup(section);
-    const std::size_t before = count;
-    for (double y = box.min().y() + step / 2; y < box.max().y(); y += step)
-      for (double x = box.min().x() + step / 2; x < box.max().x(); x += step) {
-        const Eigen::Vector2d p(x, y);
-        const bool is_air =
-            lookup.contains(p) && z < room.ceilingAt(p) && z > room.floorAt(p) &&
-            std::none_of(room.columns.begin(), room.columns.end(),
-                         [&](const PlanLoop& c) { return c.contains(p); });
-        count += is_air ? 1 : 0;
-      }
-    if (count == before)
-      return static_cast<double>(count) * step * step * step;
+    const LoopLookup walls(section);
+    for (const Column& column : columns)
+      count += z > column.floor && z < column.ceiling && walls.contains(column.at);
   }
+  return static_cast<double>(count) * step * step * height;
 }
 
 } // namespace
