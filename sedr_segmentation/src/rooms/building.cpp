@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mirror_images.h"
-#include "pane_views.h"
+#include "reflections.h"
 #include "room_description.h"
 #include "room_points.h"
 #include "storey_levels.h"
