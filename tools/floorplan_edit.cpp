@@ -52,11 +52,11 @@ apply(const Edits& edits, PlanEditor& editor)
     return true;
   };
   const auto readsRoom = [&a](const std::string& edit, int& end) {
-    return std::sscanf(edit.c_str(), "%u%n", &a, &end) == 1;
+    return std::sscanf(edit.c_str(), "%9u%n", &a, &end) == 1;
   };
   forEachEdit(edits.move, "--move-wall wants ROOM.WALL=METRES, such as 3.12=0.05",
               [&](const std::string& edit, int& end) {
-                return std::sscanf(edit.c_str(), "%u.%u=%lf%n", &a, &b, x, &end) == 3 &&
+                return std::sscanf(edit.c_str(), "%9u.%9u=%lf%n", &a, &b, x, &end) == 3 &&
                        done(editor.moveWall(a, b, x[0]), "--move-wall " + edit);
               });
   forEachEdit(
@@ -65,14 +65,14 @@ apply(const Edits& edits, PlanEditor& editor)
       });
   forEachEdit(edits.split, "--split wants ROOM,X1,Y1,X2,Y2",
               [&](const std::string& edit, int& end) {
-                return std::sscanf(edit.c_str(), "%u,%lf,%lf,%lf,%lf%n", &a, x, x + 1,
+                return std::sscanf(edit.c_str(), "%9u,%lf,%lf,%lf,%lf%n", &a, x, x + 1,
                                    x + 2, x + 3, &end) == 5 &&
                        done(editor.split(a, {x[0], x[1]}, {x[2], x[3]}),
                             "--split " + edit);
               });
   forEachEdit(edits.merge, "--merge wants ROOM,ROOM",
               [&](const std::string& edit, int& end) {
-                return std::sscanf(edit.c_str(), "%u,%u%n", &a, &b, &end) == 2 &&
+                return std::sscanf(edit.c_str(), "%9u,%9u%n", &a, &b, &end) == 2 &&
                        done(editor.merge(a, b), "--merge " + edit);
               });
   forEachEdit(edits.drop, "--drop wants a room",
@@ -81,7 +81,7 @@ apply(const Edits& edits, PlanEditor& editor)
               });
   forEachEdit(edits.name, "--name wants ROOM=TEXT, such as 3=Kitchen",
               [&](const std::string& edit, int& end) {
-                const int read = std::sscanf(edit.c_str(), "%u=%n", &a, &end);
+                const int read = std::sscanf(edit.c_str(), "%9u=%n", &a, &end);
                 const std::string text = edit.substr(static_cast<std::size_t>(end));
                 const bool is_read = read == 1 && end > 0;
                 end = static_cast<int>(edit.size());

@@ -5,8 +5,8 @@
 For every seed from FIRST to LAST one room is made, or two, with one thing that is easily taken for another: cupboards up to the
 ceiling, stages, pits, steps of a few centimetres, sloping floors, walls that tilt slightly, glass partitions, acute corners, low
 beams, pilasters, closets, ... The solid of pcl_sedr is compared with the truth. A scene is right if it has the rooms that were
-made, and at least 98 % of each is within 5 cm of the other; else it is told if a warning says so with a room or a place, or if
-nothing was written; else it is wrong without a word. Needs numpy, scipy and shapely.
+made, and at least 98 % of each is within 5 cm of the other; else it is told if there is a warning of what was not explained, not
+seen or guessed, or if nothing was written; else it is wrong without a word. Needs numpy, scipy and shapely.
 Exit code 0: all were graded, however well; 1: not all were.
 """
 import json

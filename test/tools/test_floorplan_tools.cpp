@@ -261,6 +261,7 @@ TEST(FloorplanEditTool, AppliesEveryEditOrWritesNothing)
                               {"--move-wall", "1.2=0.1m"},
                               {"--split", "1.7"},
                               {"--drop", "one"},
+                              {"--drop", "4294967297"},
                               {"--merge", "1"},
                               {"--name", "Kitchen"},
                               {"--square", "1,"},

@@ -8,8 +8,7 @@ namespace pcl::sedr {
 
 namespace {
 
-// Group, unit, range, source and the source folders that use the value; a test compares
-// these with the code.
+// Group, unit, range and source; a test compares the page with these.
 const std::vector<Prior> table = {
     {"min_headroom", &Priors::min_headroom, "rooms", "m", 1.2, 3,
      "building codes ask 2.0 to 2.4 m; less for cellars and attics"},

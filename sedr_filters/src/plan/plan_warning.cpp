@@ -155,12 +155,13 @@ sentenceOf(const PlanWarning& warning)
   else if (warning.room > 0)
     text = "room " + std::to_string(warning.room) + ": ";
   const Words& of_kind = wordsOf(warning.kind);
-  const bool is_opposite = of_kind.opposite && warning.values.back() < 0;
+  const bool is_opposite =
+      of_kind.opposite && !warning.values.empty() && warning.values.back() < 0;
   std::string words = is_opposite ? of_kind.opposite : of_kind.sentence;
   PlanWarning shown = warning;
   if (is_opposite)
     shown.values.back() *= -1;
-  if (warning.kind == WarningKind::Crossing && warning.values.front() == warning.room)
+  if (warning.kind == WarningKind::Crossing && firstOf(warning) == warning.room)
     words = "its solid meets itself";
   for (std::size_t at = 0; at < words.size();) {
     const std::size_t open = std::min(words.find('{', at), words.size());

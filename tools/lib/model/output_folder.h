@@ -10,11 +10,10 @@
 namespace pcl::sedr::tools {
 
 /** @brief A result folder whose files are exchanged as a set: they are written into a
- * hidden folder within it and moved at the end, while interrupts are ignored. An
- * interrupted run removes the hidden folder and says so, what a run that was killed has
- * left of it goes with the next one. Only one
- * run at a time; a second one is refused. Throws ToolError if the folder cannot be
- * written. */
+ * hidden folder within it and moved at the end, while interrupts wait. An interrupted
+ * run removes the hidden folder and says so; the next run removes what a run that was
+ * killed has left of it. Only one run at a time; a second one is refused. Throws
+ * ToolError if the folder cannot be written. */
 class OutputFolder {
 public:
   /** @param path may be missing, including parent folders; removed again if nothing is
