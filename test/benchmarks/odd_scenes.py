@@ -44,8 +44,9 @@ class Scene:
     def furnish(self):
         for _ in range(self.rng.randrange(4)):
             size = [self.between(0.4, 1.2), self.between(0.4, 0.8), self.between(0.4, 1.9)]
-            self.room["furniture"].append({"block": {"name": "chest", "at": [self.between(0.8, self.x - 0.8), self.between(0.6, self.y - 0.6)],
-                                                     "yaw": self.between(0, 90), "size": size}})
+            at = [self.between(0.8, self.x - 0.8), self.between(0.6, self.y - 0.6)]
+            if all(math.dist(at, station[:2]) > 1 for station in self.stations):
+                self.room["furniture"].append({"block": {"name": "chest", "at": at, "yaw": self.between(0, 90), "size": size}})
 
     def neighbour(self, thickness, height):
         left = self.x + thickness
@@ -68,6 +69,7 @@ def cupboard(s):
 def stage(s):
     rise = s.rng.choice((s.between(0.05, 0.15), s.between(0.15, 0.6), s.between(0.6, 1.6)))
     s.room["floor_details"] = [{"loop": rectangle(s.x * 0.55, 0, s.x, s.y), "rise": rise}]
+    del s.room["openings"][1]
     s.room["ceiling"] = s.height = max(s.height, round(rise + 2.3, 2))
     s.stations[1] = [s.x * 0.78, s.y * 0.6, rise + 1.4]
 

@@ -156,12 +156,14 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
   const FacetEvidence evidence{cells, directions, deviation, parameters,
                                risers ? &*risers : nullptr};
   FacetChoice choice = chooseFacets(evidence, proposeFacets(evidence));
+  if (choice.facets.empty())
+    return sheet;
   for (std::size_t cell = 0; cell < choice.label.size(); ++cell)
     if (!domain[cell])
       choice.label[cell] = FacetSheet::none;
   dropPieces(evidence, choice);
   fillNearest(grid, choice.label);
-  if (!parameters.is_floor && !choice.facets.empty())
+  if (!parameters.is_floor)
     extendBeams(evidence, choice);
   for (std::size_t cell = 0; cell < choice.label.size(); ++cell)
     if (!domain[cell])

@@ -73,6 +73,18 @@ TEST(FitSheet, ALevelCeilingIsOnePlane)
   EXPECT_NEAR(sheet.facets[0].heightAt({3, 2}), 2.5, 0.001);
 }
 
+TEST(FitSheet, AFloorOfPointsAtAnyHeightHasNoFacet)
+{
+  const Scene scene = sceneOf(2, 2, [](double x, double y) {
+    const double mixed =
+        43758.5453 * std::sin(12.9898 * std::floor(5 * x) + 78.233 * std::floor(5 * y));
+    return 30 * (mixed - std::floor(mixed)); // in squares of 20 cm
+  });
+  const FacetSheet sheet = fitted(scene, SheetParameters::of({}, true));
+  EXPECT_TRUE(sheet.facets.empty());
+  EXPECT_TRUE(sheet.label.empty());
+}
+
 TEST(FitSheet, AShedRoofIsOnePlane)
 {
   const Scene scene =
