@@ -389,7 +389,8 @@ class ReportInABrowser(ReportCase):
 
     def test_nothing_amiss_is_told_too(self):
         report = sample_report()
-        report["warnings"], report["unlikely"], report["rooms"] = [], [], report["rooms"][1:]
+        report["warnings"], report["unlikely"] = [], []
+        report["rooms"][0] = {**report["rooms"][1], "id": 1, "area": 11.75}
         self.write("report.json", report)
         self.make("--scan", self.scan)
         self.assertIn("Nothing stands out", self.words(self.open(), "#check"))
@@ -413,6 +414,15 @@ class ReportInABrowser(ReportCase):
             }})()""")
             self.assertGreater(share, 0.2, picture)
         self.assertTrue(browser.run("[...document.querySelectorAll('.plans img')].every(i => i.naturalWidth > 100)"))
+
+    def test_figures_of_another_plan_are_left_out_and_the_page_says_so(self):
+        report = sample_report()
+        report["rooms"][0]["area"] += 1
+        self.write("report.json", report)
+        self.make()
+        browser = self.open()
+        self.assertIn("is not the plan that report.json tells of", self.words(browser, "#check"))
+        self.assertNotIn(str(report["rooms"][0]["area"]), self.words(browser, "#rooms"))
 
     def test_without_report_scan_and_models_the_plan_is_shown(self):
         for name in ("solid.ply", "mesh.ply", "report.json", "model.glb"):

@@ -15,6 +15,7 @@
 #include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 #include <vector>
@@ -108,6 +109,24 @@ modelOf(const std::string& glb, std::size_t triangles, std::size_t shown)
           {"glb", base64(glb.data(), glb.size())}};
 }
 
+/** @brief Checks whether a report tells of the rooms of a plan, by number and area: a
+ * plan that was edited has others. */
+bool
+tellsOf(const Json& report, const Floorplan& plan)
+{
+  constexpr double same_area = 0.005; // square metres
+  const auto rooms = report.find("rooms");
+  if (rooms == report.end())
+    return true;
+  return rooms->size() == plan.rooms.size() &&
+         std::equal(plan.rooms.begin(), plan.rooms.end(), rooms->begin(),
+                    [&](const PlanRoom& room, const Json& told) {
+                      return told.value("id", 0U) == room.id &&
+                             std::abs(told.value("area", 0.0) - room.area()) <=
+                                 same_area;
+                    });
+}
+
 /** @brief Returns everything the page shows. */
 Json
 pageData(const std::string& path, const PageSettings& settings)
@@ -129,6 +148,12 @@ pageData(const std::string& path, const PageSettings& settings)
     plan = file.plan;
     json["plan"] = Json::parse(textOfFile(folder.file("floorplan.json")));
     json["drawings"] = drawings(file);
+    if (!tellsOf(folder.report(), plan)) {
+      const char* const text =
+          "floorplan.json is not the plan that report.json tells of: the report's "
+          "figures are left out, and solid, mesh and points may be of the earlier plan";
+      json["report"] = {{"warnings", {{{"kind", "other_plan"}, {"text", text}}}}};
+    }
   }
   const TriangleMesh mesh = folder.mesh("mesh.ply"); // triangles face into the rooms
   const TriangleMesh solid = folder.mesh("solid.ply");
