@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "air_gaps.h"
 
-#include "air_holes.h"
+#include "hidden_air.h"
 #include "low_air.h"
 #include "slab_faces.h"
 #include "slab_holes.h"
@@ -42,7 +42,7 @@ AirGaps::AirGaps(const VoxelColumns& columns,
   }
   followCeilings(seen);
   closeSlabs();
-  sortGaps(enclosedHolesOf(*this));
+  sortGaps(hiddenAirOf(*this));
   linkGaps();
   gaps_ = withBothFaces(*this);
   linkGaps();

@@ -28,12 +28,9 @@ struct AirParameters {
   double highest_step = 1.2;  ///< floors farther apart are those of different levels
   double same_surface = 0.2;  ///< a surface goes on where it is no farther off
   double walled_share = 0.25; ///< of a gap's height that is occupied: a wall
-  double min_known = 0.15;    ///< of the rim of a hole that is filled: known air
-  double max_open = 0.2;      ///< of its rim: neither air nor wall
-  double largest_blank = 1.5; ///< square metres that a scanner sees neither below nor
-                              ///< above itself
-  double largest_hole = 1.5;  ///< square metres, of a slab; a larger one is a void
-  double min_air = 0.1;       ///< of the rim of low gaps that are air: tall ones
+  double widest_unseen = 1.4; ///< of what a scanner sees neither below nor above itself
+  double largest_blank = 0.18; ///< likewise, its area over its edge, see AirLabelling
+  double largest_hole = 0.35;  ///< the same of a slab; a larger one is a void
   double veil = 0.6;  ///< of the points of a surface: a layer before it that has fewer
                       ///< is none, see withoutVeils()
   int veil_reach = 2; ///< columns around one, where points are counted for that

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sedr_segmentation/src/rooms/mirror_images.h"
+#include "sedr_segmentation/src/rooms/reflections.h"
 
 #include <gtest/gtest.h>
 
