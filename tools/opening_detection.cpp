@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bytes/whole_file.h"
+#include "opening_picture.h"
+#include "picture_file.h"
 #include "plan_file.h"
 #include "progress.h"
 #include "run_tool.h"
@@ -21,12 +23,14 @@ struct Settings {
   std::string scan;
   std::string plan;
   std::string output;
+  PictureFile picture;
 };
 
 int
 run(const Settings& settings, Detection& detection)
 {
   checkOutput(settings.output, "a floor plan", {".json"});
+  settings.picture.check();
   pcl::sedr::PlanDocument file = loadPlan(settings.plan);
   pcl::sedr::Floorplan& plan = file.plan;
   ScanSettings in_same_frame;
@@ -42,6 +46,7 @@ run(const Settings& settings, Detection& detection)
   }
   writeWhole(settings.output,
              [&](std::ostream& stream) { stream << documentToJson(file); });
+  settings.picture.write([&] { return drawOpenings(plan, *detection.getSearch()); });
   for (const pcl::sedr::PlanOpening& opening : plan.openings) {
     char text[160];
     std::snprintf(text, sizeof text,
@@ -67,5 +72,6 @@ main(int argc, char** argv)
   options.file("PLAN.json", settings.plan,
                "floor plan, as pcl_floorplan_fitting writes it");
   options.file("OUTPUT.json", settings.output, "floor plan to write");
+  settings.picture.declare(options);
   return runTool(options, argc, argv, [&] { return run(settings, detection); });
 }

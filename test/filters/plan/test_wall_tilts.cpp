@@ -77,6 +77,14 @@ TEST(WallTilts, TakeTheirPartOfTheVolume)
               0.005 * volume);
 }
 
+TEST(WallTilts, TakeNothingOfAPitsVolume)
+{
+  PlanRoom room = tilted(raisedRoom(), 1, ten_degrees); // floor at 1, ceiling at 3.5
+  room.floor_details = {detailOf(rectangle(1, 1, 3, 3), 0.2)};
+  const double volume = 4 * (6 - std::tan(ten_degrees) * 2.5 / 2) * 2.5 + 2 * 2 * 0.8;
+  EXPECT_NEAR(volumeOf(room, 2.5), volume, 0.01 * volume);
+}
+
 TEST(WallTilts, AreWrittenInDegreesAndRead)
 {
   const PlanRoom room = tilted(tilted(raisedRoom(), 1, ten_degrees), 3, -ten_degrees);

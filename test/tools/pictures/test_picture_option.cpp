@@ -80,6 +80,25 @@ TEST_P(PictureOption, IsRefusedBeforeTheWorkWhereItCannotBeWritten)
   EXPECT_FALSE(std::filesystem::exists(in(GetParam().output)));
 }
 
+TEST(OpeningPictureOption, IsDrawnOrRefusedBeforeTheWork)
+{
+  const TemporaryFolder folder;
+  const auto in = [&](const std::string& name) {
+    return (folder.path() / name).string();
+  };
+  writeFile(in("scan.pcd"), scanOf().pcd(true));
+  writeFile(in("plan.json"), pcl::sedr::floorplanToJson({{planOf(BoxRoom())}}));
+  const auto draw = [&](const std::string& output, const std::string& picture) {
+    return run(OPENING_DETECTION,
+               {in("scan.pcd"), in("plan.json"), in(output), "--picture", in(picture)});
+  };
+  const ProgramRun drawn = draw("found.json", "maps.png");
+  ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+  EXPECT_GT(imageOf(bytesOf(in("maps.png"))).width, 100);
+  EXPECT_EQ(draw("other.json", "missing/maps.png").exit_code, 1);
+  EXPECT_FALSE(std::filesystem::exists(in("other.json")));
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Stages,
     PictureOption,

@@ -193,6 +193,21 @@ Panel::addPoints(const Places& points, Colour colour, double size)
 }
 
 void
+Panel::addPath(const Places& points, Colour colour, double pixels)
+{
+  SheetPath path;
+  path.look.stroke = colour.number();
+  path.look.width = pixels;
+  path.chains.emplace_back();
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    path.chains.back().elements.emplace_back();
+    path.chains.back().elements.back().start = points[k - 1];
+    path.chains.back().elements.back().end = points[k];
+  }
+  add(std::move(path), points);
+}
+
+void
 Panel::addLoop(const PlanLoop& loop, Colour segments, Colour arcs, double pixels)
 {
   SheetPath straight{{no_colour, segments.number(), pixels}, {}};

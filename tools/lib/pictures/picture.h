@@ -29,6 +29,9 @@ public:
   /** @brief Adds points as squares of `size` metres. */
   void addPoints(const Places& points, Colour colour, double size = 0.04);
 
+  /** @brief Adds a polyline. */
+  void addPath(const Places& points, Colour colour, double pixels);
+
   /** @brief Adds the elements of a loop: segments in one colour, arcs in another. */
   void addLoop(const PlanLoop& loop, Colour segments, Colour arcs, double pixels);
 
