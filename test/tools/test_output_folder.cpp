@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <sys/resource.h>
 #include <sys/types.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -24,6 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace programs;
+using pcl::sedr::tools::InterruptGuard;
 using pcl::sedr::tools::OutputFolder;
 using pcl::sedr::tools::ToolError;
 using Strings = std::vector<std::string>;
@@ -59,6 +61,23 @@ protected:
 
   TemporaryFolder folder_;
 };
+
+TEST(InterruptGuard, WithoutAFreeDescriptorInterruptsEndTheProcess)
+{
+  const pid_t child = fork();
+  if (child == 0) {
+    const rlimit none{0, 0};
+    setrlimit(RLIMIT_NOFILE, &none);
+    alarm(10); // if it hangs
+    InterruptGuard guard;
+    guard.watch([] { _exit(1); });
+    raise(SIGTERM);
+    _exit(2);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGTERM) << status;
+}
 
 TEST_F(ResultSet, ReplacesTheOneOfAnEarlierRunAndNothingElse)
 {

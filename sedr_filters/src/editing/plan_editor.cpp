@@ -71,13 +71,12 @@ appendAround(const PlanLoop& loop,
   elements.push_back(all[k].part(0, t));
 }
 
-/** @brief Shifts a loop. */
+/** @brief Shifts and turns an element. */
 void
-shift(PlanLoop& loop, const Eigen::Vector2d& by)
+move(PlanElement& element, const Eigen::Affine2d& to)
 {
-  for (PlanElement& element : loop.elements)
-    for (Eigen::Vector2d* place : {&element.start, &element.end, &element.centre})
-      *place += by;
+  for (Eigen::Vector2d* place : {&element.start, &element.end, &element.centre})
+    *place = to * *place;
 }
 
 /** @brief Returns the wall that a niche is in: the one nearest to its open side. */
@@ -146,14 +145,21 @@ PlanEditor::merge(std::uint32_t room, std::uint32_t other)
              " have no straight wall between them";
     const PlanElement& near = first.boundary.elements[shared.element];
     const PlanElement& far = second->boundary.elements[shared.other];
-    const double back = far.project(near.pointAt(shared.to));
-    const double there = far.project(near.pointAt(shared.from));
+    // What is left of a wall is no shorter than walls are exact.
+    const auto endOrPlace = [](const PlanElement& wall, double s) {
+      constexpr double least = 0.02; // metres
+      return s < least ? 0 : s > wall.length() - least ? wall.length() : s;
+    };
+    const double back = endOrPlace(far, far.project(near.pointAt(shared.to)));
+    const double there = endOrPlace(far, far.project(near.pointAt(shared.from)));
+    const double from = endOrPlace(near, shared.from);
+    const double to = endOrPlace(near, shared.to);
     // Around the first room, through the wall, around the second one, and back.
     std::vector<PlanElement> loop;
-    appendAround(first.boundary, shared.element, shared.to, shared.from, loop);
-    loop.push_back(segment(near.pointAt(shared.from), far.pointAt(there)));
+    appendAround(first.boundary, shared.element, to, from, loop);
+    loop.push_back(segment(near.pointAt(from), far.pointAt(there)));
     appendAround(second->boundary, shared.other, there, back, loop);
-    loop.push_back(segment(far.pointAt(back), near.pointAt(shared.to)));
+    loop.push_back(segment(far.pointAt(back), near.pointAt(to)));
     first.boundary.elements = std::move(loop);
     simplify(first.boundary);
     const auto append = [](auto& to, const auto& from) {
@@ -268,14 +274,23 @@ PlanEditor::square(std::uint32_t room)
       return std::atan2(e.end.y() - e.start.y(), e.end.x() - e.start.x());
     };
     const double axis = angleOf(*longest);
-    for (PlanElement& line : lines) {
+    std::vector<std::size_t> walls; // that the niches are in
+    for (const PlanNiche& niche : changed.niches)
+      walls.push_back(wallOf(changed, niche));
+    for (std::size_t w = 0; w < lines.size(); ++w) {
+      PlanElement& line = lines[w];
       const double off = std::remainder(angleOf(line) - axis, M_PI / 2);
       if (line.isArc() || std::abs(off) > most)
         continue;
       const Eigen::Vector2d middle = (line.start + line.end) / 2;
-      const Eigen::Rotation2Dd turn(-off);
-      line.start = middle + turn * (line.start - middle);
-      line.end = middle + turn * (line.end - middle);
+      const Eigen::Affine2d turn = Eigen::Translation2d(middle) *
+                                   Eigen::Rotation2Dd(-off) *
+                                   Eigen::Translation2d(-middle);
+      move(line, turn);
+      for (std::size_t n = 0; n < walls.size(); ++n)
+        for (PlanElement& side : changed.niches[n].boundary.elements)
+          if (walls[n] == w)
+            move(side, turn);
     }
     const PlanLoop before = changed.boundary;
     const std::string problem = meetAgain(lines, changed.boundary);
@@ -298,8 +313,8 @@ PlanEditor::moveWall(std::uint32_t room, std::size_t wall, double distance)
     if (line.isArc())
       return "wall " + name + " is an arc, only straight walls can be moved";
     const Eigen::Vector2d off = -distance * line.normalAt(0);
-    line.start += off;
-    line.end += off;
+    const Eigen::Affine2d away(Eigen::Translation2d{off});
+    move(line, away);
     for (PlanOpening& opening : plan.openings)
       for (const OpeningWall& in : opening.walls)
         if (in.room == room && in.element + 1 == wall) {
@@ -310,7 +325,8 @@ PlanEditor::moveWall(std::uint32_t room, std::size_t wall, double distance)
         }
     for (PlanNiche& niche : changed.niches)
       if (wallOf(changed, niche) + 1 == wall)
-        shift(niche.boundary, off);
+        for (PlanElement& side : niche.boundary.elements)
+          move(side, away);
     const PlanLoop before = changed.boundary;
     const std::string problem = meetAgain(lines, changed.boundary);
     return problem.empty() ? overlapProblem(plan, before, changed) : problem;

@@ -194,18 +194,6 @@ doorwayOf(const PlanOpening& opening)
   return {opening.rooms, opening.start, opening.end, opening.bottom, opening.top};
 }
 
-/** @brief Returns all gaps of walls: openings, then other doorways. */
-std::vector<PlanDoorway>
-gapsOf(const Floorplan& plan)
-{
-  std::vector<PlanDoorway> gaps;
-  for (const PlanOpening& opening : plan.openings)
-    gaps.push_back(doorwayOf(opening));
-  const std::vector<PlanDoorway> others = otherDoorways(plan);
-  gaps.insert(gaps.end(), others.begin(), others.end());
-  return gaps;
-}
-
 /** @brief Returns whether the doorway is at the boundary of both of its rooms. */
 bool
 joinsRooms(const Floorplan& plan, const PlanDoorway& doorway)
@@ -259,14 +247,26 @@ writeOpening(IfcDocument& document,
   return opening;
 }
 
+std::vector<PlanDoorway>
+gapsOf(const Floorplan& plan)
+{
+  std::vector<PlanDoorway> gaps;
+  for (const PlanOpening& opening : plan.openings)
+    gaps.push_back(doorwayOf(opening));
+  const std::vector<PlanDoorway> others = otherDoorways(plan);
+  gaps.insert(gaps.end(), others.begin(), others.end());
+  return gaps;
+}
+
 bool
-isWhollyOpen(const Floorplan& plan, const WrittenWall& wall)
+isWhollyOpen(const Floorplan& plan,
+             const WrittenWall& wall,
+             const std::vector<PlanDoorway>& gaps)
 {
   const PlanLoop& profile = wall.profile.boundary;
   if (profile.elements.empty() || std::abs(profile.area()) < no_area)
     return true;
   const Eigen::AlignedBox2d plan_box = boundsOf(profile);
-  const std::vector<PlanDoorway> gaps = gapsOf(plan);
   return std::any_of(gaps.begin(), gaps.end(), [&](const PlanDoorway& doorway) {
     OpeningBox box;
     return isBetween(plan, wall.wall, doorway) &&

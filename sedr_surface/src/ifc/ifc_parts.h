@@ -50,9 +50,14 @@ void writeSpaces(IfcDocument& document);
 /** @brief Adds the walls and the space boundaries on them. */
 std::vector<WrittenWall> writeWalls(IfcDocument& document);
 
-/** @brief Returns whether nothing of a wall is left: rooms cover its plan, or a doorway
+/** @brief Returns all gaps of walls: openings, then other doorways. */
+std::vector<PlanDoorway> gapsOf(const Floorplan& plan);
+
+/** @brief Returns whether nothing of a wall is left: rooms cover its plan, or a gap
  * takes it from bottom to top. */
-bool isWhollyOpen(const Floorplan& plan, const WrittenWall& wall);
+bool isWhollyOpen(const Floorplan& plan,
+                  const WrittenWall& wall,
+                  const std::vector<PlanDoorway>& gaps);
 
 /** @brief A box in the frame of a wall, with z from the wall's bottom. */
 struct OpeningBox {

@@ -113,24 +113,23 @@ isWithin(const Floorplan& plan,
  * posts and slits that are narrower than the walls around them are known. A face that
  * no solid has is that of no wall. */
 void
-endAtBodies(const IfcDocument& document, WrittenWall& written)
+endAtBodies(const IfcDocument& document, const WallSite& site, WrittenWall& written)
 {
   const Floorplan& plan = document.plan;
-  const WallFrame frame = frameOf(plan, written.wall);
   const Eigen::AlignedBox2d box = boundsOf(written.profile.boundary);
   std::vector<PlanArea> bodies;
   double common = 0;
   const auto isOpen = [&](const Eigen::Vector3d& p) {
     return p.z() > openHeight(plan, written.wall.face, p.head<2>());
   };
-  for (const IfcRoom& room : document.rooms) {
+  for (const std::size_t r : site.near) {
+    const IfcRoom& room = document.rooms[r];
     const bool is_beside = shareHeights(*room.room, plan.rooms[written.wall.face.room]);
-    if ((!is_beside && heightsOf(*room.room).low > written.bottom) ||
-        !boundsOf(inFrame(room.room->boundary, frame)).intersects(box))
+    if (!is_beside && heightsOf(*room.room).low > written.bottom)
       continue;
     for (const PlanLoop& part :
          is_beside ? floorTriangles(room) : topTriangles(room, isOpen)) {
-      const PlanArea area{inFrame(part, frame)};
+      const PlanArea area{inFrame(part, site.frame)};
       if (!boundsOf(area.boundary).intersects(box))
         continue;
       common += commonArea(written.profile, area);
@@ -159,11 +158,16 @@ writeWalls(IfcDocument& document)
   const Floorplan& plan = document.plan;
   WallParameters parameters{document.settings.max_wall};
   parameters.assumed_thickness = document.settings.assumed_thickness;
+  std::vector<Eigen::AlignedBox2d> boxes;
+  for (const PlanRoom& room : plan.rooms)
+    boxes.push_back(boundsOf(room.boundary));
+  const std::vector<PlanDoorway> gaps = gapsOf(plan);
   std::map<std::string, int> parts;
   std::vector<WrittenWall> written;
   for (const PlanWall& wall : findWalls(plan, parameters)) {
+    const WallSite site(plan, wall, boxes);
     WallHeights heights = heightsOf(plan, wall);
-    endAtStoreys(plan, wall, heights);
+    endAtStoreys(site, heights);
     if (heights.highest() - heights.bottom < min_wall_height)
       continue;
     WrittenWall added{wall, faceName(plan, wall.face),
@@ -174,16 +178,15 @@ writeWalls(IfcDocument& document)
     added.bottom = heights.bottom;
     added.top = heights.highest();
     added.runs = runsOf(plan, wall);
-    added.profile = profileOf(plan, wall);
-    endAtBodies(document, added);
-    if (isWhollyOpen(plan, added))
+    added.profile = profileOf(site);
+    endAtBodies(document, site, added);
+    if (isWhollyOpen(plan, added, gaps))
       continue;
     const IfcStorey& storey = document.storeys[added.storey];
-    const WallFrame frame = frameOf(plan, wall);
+    const Eigen::Vector2d& origin = site.frame.origin;
     added.placement = document.shapes.placement(
         storey.placement,
-        {frame.origin.x(), frame.origin.y(), heights.bottom - storey.storey.floor},
-        frame.way);
+        {origin.x(), origin.y(), heights.bottom - storey.storey.floor}, site.frame.way);
     std::vector<StepRef> shapes{bodyOf(document, added, heights)};
     if (!elementOf(plan, wall.face).isArc())
       shapes.push_back(

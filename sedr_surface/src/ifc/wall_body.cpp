@@ -136,22 +136,6 @@ areaOf(const PlanRoom& room, const WallFrame& frame)
   return area;
 }
 
-/** @brief Returns the rooms above or below which something of a wall is. */
-std::vector<const PlanRoom*>
-roomsInPlan(const Floorplan& plan, const PlanWall& wall)
-{
-  const PlanArea band = bandOf(plan, wall);
-  const Eigen::AlignedBox2d box = boundsOf(band.boundary);
-  std::vector<const PlanRoom*> rooms;
-  for (const PlanRoom& room : plan.rooms) {
-    const PlanArea area = areaOf(room, frameOf(plan, wall));
-    constexpr double rounding = 1e-5; // square metres
-    if (boundsOf(area.boundary).intersects(box) && commonArea(band, area) > rounding)
-      rooms.push_back(&room);
-  }
-  return rooms;
-}
-
 /** @brief Returns the median height of a room's ceiling along the middle of a wall;
  * infinite where that is open to the ceiling of the wall's own room. */
 double
@@ -246,21 +230,40 @@ openHeight(const Floorplan& plan, const WallFace& face, const Eigen::Vector2d& p
   return plan.rooms[face.room].ceilingAt(place + before * inward) - slab_edge;
 }
 
-void
-endAtStoreys(const Floorplan& plan, const PlanWall& wall, WallHeights& heights)
+WallSite::WallSite(const Floorplan& of_plan,
+                   const PlanWall& of_wall,
+                   const std::vector<Eigen::AlignedBox2d>& boxes)
+    : plan(of_plan)
+    , wall(of_wall)
+    , frame(frameOf(of_plan, of_wall))
+    , band(bandOf(of_plan, of_wall))
 {
-  const PlanRoom& own = plan.rooms[wall.face.room];
+  const Eigen::AlignedBox2d local = boundsOf(band.boundary);
+  Eigen::AlignedBox2d box;
+  for (const auto corner :
+       {local.BottomLeft, local.BottomRight, local.TopLeft, local.TopRight})
+    box.extend(frame.toPlan(local.corner(corner)));
+  for (std::size_t r = 0; r < boxes.size(); ++r)
+    if (boxes[r].intersects(box))
+      near.push_back(r);
+}
+
+void
+endAtStoreys(const WallSite& site, WallHeights& heights)
+{
+  const PlanRoom& own = site.plan.rooms[site.wall.face.room];
   const RoomHeights own_heights = pcl::sedr::heightsOf(own);
   const double middle = (own_heights.low + own_heights.high) / 2;
-  const PlanArea band = bandOf(plan, wall);
-  const double half = band.boundary.area() / 2; // the room may be below a corner only
-  for (const PlanRoom* room : roomsInPlan(plan, wall)) {
-    const RoomHeights others = pcl::sedr::heightsOf(*room);
-    if (shareHeights(*room, own) ||
-        commonArea(band, areaOf(*room, frameOf(plan, wall))) < half)
+  const double half = site.band.boundary.area() / 2; // else only at a corner
+  for (const std::size_t r : site.near) {
+    const PlanRoom& room = site.plan.rooms[r];
+    const RoomHeights others = pcl::sedr::heightsOf(room);
+    if (shareHeights(room, own) ||
+        commonArea(site.band, areaOf(room, site.frame)) < half)
       continue;
     if (others.low < own_heights.low)
-      heights.bottom = std::max(heights.bottom, ceilingInside(plan, wall, *room));
+      heights.bottom =
+          std::max(heights.bottom, ceilingInside(site.plan, site.wall, room));
     if (others.low > middle)
       for (WallHeights::Top& top : heights.tops)
         top.height = std::min(top.height, others.low);
@@ -268,14 +271,18 @@ endAtStoreys(const Floorplan& plan, const PlanWall& wall, WallHeights& heights)
 }
 
 PlanArea
-profileOf(const Floorplan& plan, const PlanWall& wall)
+profileOf(const WallSite& site)
 {
+  constexpr double rounding = 1e-5; // square metres
   std::vector<PlanArea> areas;
-  for (const PlanRoom* room : roomsInPlan(plan, wall))
-    if (shareHeights(*room, plan.rooms[wall.face.room]))
-      areas.push_back(areaOf(*room, frameOf(plan, wall)));
-  const PlanArea band = bandOf(plan, wall);
-  return areas.empty() ? band : largestPartOutside(band, areas);
+  for (const std::size_t r : site.near) {
+    const PlanRoom& room = site.plan.rooms[r];
+    const PlanArea area = areaOf(room, site.frame);
+    if (shareHeights(room, site.plan.rooms[site.wall.face.room]) &&
+        commonArea(site.band, area) > rounding)
+      areas.push_back(area);
+  }
+  return areas.empty() ? site.band : largestPartOutside(site.band, areas);
 }
 
 WallRuns

@@ -8,6 +8,7 @@
 #include <pcl/sedr_filters/straightening.h>
 
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace pcl::sedr::ifc {
@@ -57,15 +58,29 @@ constexpr double min_wall_height = 0.01; ///< lower walls are none, metres
 double
 openHeight(const Floorplan& plan, const WallFace& face, const Eigen::Vector2d& p);
 
+/** @brief A wall and what is around it in plan. */
+struct WallSite {
+  const Floorplan& plan;
+  const PlanWall& wall;
+  WallFrame frame;
+  PlanArea band;                 ///< between its face and its far side, in the frame
+  std::vector<std::size_t> near; ///< rooms whose boxes meet that of the band
+
+  /** @param boxes of the rooms */
+  WallSite(const Floorplan& plan,
+           const PlanWall& wall,
+           const std::vector<Eigen::AlignedBox2d>& boxes);
+};
+
 /** @brief Cuts a wall off at the ceilings of rooms below most of it and at the floors
  * of rooms above. One of its own rooms may reach into
  * the storey of another room. */
-void endAtStoreys(const Floorplan& plan, const PlanWall& wall, WallHeights& heights);
+void endAtStoreys(const WallSite& site, WallHeights& heights);
 
 /** @brief Returns the plan of a wall in its frame, counter-clockwise, without the rooms
  * at its heights that reach behind its face: beside a niche or at a mitre. A wall that
  * surrounds a room has a hole. Empty if nothing is left. */
-PlanArea profileOf(const Floorplan& plan, const PlanWall& wall);
+PlanArea profileOf(const WallSite& site);
 
 /** @brief Returns a wall whose top is not level, or with sides of different runs, as a
  * mesh in its frame, with z from its bottom.

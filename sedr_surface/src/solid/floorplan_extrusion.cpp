@@ -25,13 +25,20 @@ toleranceProblem(double value, double low, double high, const std::string& name)
                    numberText(high) + " m, it is " + numberText(value) + " m";
 }
 
-/** @brief Adds a warning for each pair of rooms that overlap. */
+/** @brief Adds a warning for each pair of rooms that overlap. Rooms without a wall
+ * between them, as of one that was split, lie back to back. */
 void
 warnOfCrossings(const TriangleMesh& mesh, std::vector<PlanWarning>& warnings)
 {
   std::set<std::pair<std::uint32_t, std::uint32_t>> crossing;
+  const auto areBackToBack = [&](std::uint32_t t, std::uint32_t u) {
+    return mesh.rooms[t] != mesh.rooms[u] &&
+           mesh.scaledNormal(t).normalized().dot(mesh.scaledNormal(u).normalized()) <
+               -1 + 1e-9;
+  };
   for (const auto& [t, u] : findSelfIntersections(mesh))
-    crossing.insert({mesh.rooms[t], mesh.rooms[u]});
+    if (!areBackToBack(t, u))
+      crossing.insert({mesh.rooms[t], mesh.rooms[u]});
   for (const auto& [room, other] : crossing)
     warnings.push_back({WarningKind::Crossing, {static_cast<double>(other)}, room});
 }

@@ -108,6 +108,29 @@ public:
                     {pieces[1].area}));
   }
 
+  /** @brief Gives a square the region that most of it has. */
+  void unify(const PlanSquare& square)
+  {
+    const double reach = square.half + 2 * solidSeparation(grid_) / grid_.unit();
+    const auto isIn = [&](std::uint32_t v) {
+      const GridPoint& p = arrangement_.vertices[v];
+      return std::max(std::abs(static_cast<double>(p.x) - square.middle.x),
+                      std::abs(static_cast<double>(p.y) - square.middle.y)) <= reach;
+    };
+    Part part;
+    std::map<PlanRegion, double> areas;
+    for (std::uint32_t t = 0; t < region_.size(); ++t)
+      if (isIn(corner(t, 0)) && isIn(corner(t, 1)) && isIn(corner(t, 2))) {
+        part.triangles.push_back(t);
+        areas[region_[t]] += areaOf(t);
+      }
+    if (!areas.empty())
+      assign(part, std::max_element(
+                       areas.begin(), areas.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; })
+                       ->first);
+  }
+
   /** @brief Returns the edges between different regions. */
   std::vector<SubdivisionEdge> edges() const
   {
@@ -340,6 +363,7 @@ findRegions(const RoomLayers& layers,
             const PlanTriangulation& triangulation,
             const std::vector<SegmentSource>& sources,
             const std::vector<double>& tolerance,
+            const std::vector<PlanSquare>& squares,
             PlanSubdivision& subdivision,
             std::vector<PlanWarning>& warnings)
 {
@@ -348,6 +372,8 @@ findRegions(const RoomLayers& layers,
   cells.mergeSlivers();
   cells.dropUnbuildable(warnings);
   cells.checkPieces(warnings);
+  for (const PlanSquare& square : squares)
+    cells.unify(square);
   subdivision.vertices = arrangement.vertices;
   subdivision.edges = cells.edges();
   subdivision.creases = cells.creases();

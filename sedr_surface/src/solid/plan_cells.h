@@ -17,8 +17,14 @@ namespace pcl::sedr {
 struct SegmentSource {
   static constexpr std::size_t no_loop = static_cast<std::size_t>(-1);
 
-  std::size_t loop = 0;    ///< index of RoomLayers::loops; no_loop for a crease
+  std::size_t loop = 0;    ///< index of RoomLayers::loops; no_loop for others
   std::size_t element = 0; ///< of RoomLayers::elements; for a crease, its slab's
+};
+
+/** @brief A square in plan, grid units, whose sides are segments of the arrangement. */
+struct PlanSquare {
+  GridPoint middle;
+  std::int32_t half = 0; ///< of a side
 };
 
 /** @brief A triangulated room plan with the region of each triangle. What it is made of
@@ -69,6 +75,7 @@ private:
  * be built: slivers go to neighbours; details and niches, then other regions, that
  * leave no height between floor and ceiling or would touch a neighbour are removed, and
  * so are small pieces cut off by columns or crossing walls.
+ * @param squares each gets the region that most of it has
  * @param tolerance of each SolidElement, metres: parts narrower than that of the
  * elements around them are slivers
  * @param[in,out] subdivision its grid is known; gets vertices, edges and creases
@@ -78,6 +85,7 @@ void findRegions(const RoomLayers& layers,
                  const PlanTriangulation& triangulation,
                  const std::vector<SegmentSource>& sources,
                  const std::vector<double>& tolerance,
+                 const std::vector<PlanSquare>& squares,
                  PlanSubdivision& subdivision,
                  std::vector<PlanWarning>& warnings);
 

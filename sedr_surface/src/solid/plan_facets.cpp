@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace pcl::sedr {
@@ -56,6 +57,11 @@ nearestOn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vecto
 /** @brief Fits loops one by one to the previous ones. */
 class LoopFitter {
 public:
+  /** @param farthest maximum tolerance of an element, metres */
+  explicit LoopFitter(double farthest)
+      : farthest_(farthest)
+  {}
+
   std::vector<Corner> fit(std::vector<Corner> corners)
   {
     for (Corner& corner : corners)
@@ -63,8 +69,10 @@ public:
     dropShort(corners);
     corners = ledThroughCorners(corners);
     dropShort(corners);
-    for (std::size_t i = 0; i < corners.size(); ++i)
-      stand(corners[i], corners[(i + 1) % corners.size()].place);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Eigen::Vector2d& to = corners[(i + 1) % corners.size()].place;
+      facets_.push_back({corners[i], to, boxAround(corners[i].place, to)});
+    }
     return corners;
   }
 
@@ -75,128 +83,83 @@ private:
     Eigen::AlignedBox2d reach;
   };
 
-  void stand(const Corner& from, const Eigen::Vector2d& to)
+  Eigen::AlignedBox2d boxAround(const Eigen::Vector2d& a,
+                                const Eigen::Vector2d& b) const
   {
-    const Eigen::Vector2d margin =
-        Eigen::Vector2d::Constant(std::max(from.tolerance, from.edge_tolerance));
-    facets_.push_back(
-        {from,
-         to,
-         {from.place.cwiseMin(to) - margin, from.place.cwiseMax(to) + margin}});
+    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(farthest_);
+    return {a.cwiseMin(b) - margin, a.cwiseMax(b) + margin};
   }
 
-  /** @brief Calls `visit` for the facets that may be near a box. */
-  template <typename Visit>
-  void visitNear(const Eigen::AlignedBox2d& box, Visit visit) const
+  /** @brief Returns the nearest place on a facet, else that of the corner itself.
+   * @param placeOn returns a place on a facet, and how far from it corners may be */
+  template <typename PlaceOn>
+  Eigen::Vector2d nearestPlace(const Corner& corner, PlaceOn placeOn) const
   {
-    for (const Facet& facet : facets_)
-      if (facet.reach.intersects(box))
-        visit(facet);
-  }
-
-  static Eigen::AlignedBox2d reachOf(const Corner& corner)
-  {
-    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(corner.tolerance);
-    return {corner.place - margin, corner.place + margin};
-  }
-
-  /** @brief The nearest of several places within reach of a corner. */
-  struct Nearest {
-    explicit Nearest(const Corner& corner)
-        : from(corner.place)
-        , place(corner.place)
-        , tolerance(corner.tolerance)
-    {}
-
-    void consider(const Eigen::Vector2d& there, double its_tolerance)
-    {
-      const double d = (there - from).norm();
-      if (d > std::max(tolerance, its_tolerance) || d >= least)
-        return;
-      least = d;
-      place = there;
-    }
-
-    Eigen::Vector2d from;
-    Eigen::Vector2d place;
-    double tolerance;
+    Eigen::Vector2d nearest = corner.place;
     double least = std::numeric_limits<double>::infinity();
-  };
+    for (const Facet& facet : facets_) {
+      if (!facet.reach.contains(corner.place))
+        continue;
+      const auto [place, tolerance] = placeOn(facet);
+      const double distance = (place - corner.place).norm();
+      if (distance > tolerance || distance >= least)
+        continue;
+      least = distance;
+      nearest = place;
+    }
+    return nearest;
+  }
 
   /** @brief Returns the place for a corner: a fixed corner, else a point of an edge. A
    * corner already on an edge keeps its place along it. */
   Eigen::Vector2d placeOf(const Corner& corner) const
   {
-    const Eigen::Vector2d on_edge = nearestOnEdges(corner);
-    const bool is_put = (on_edge - corner.place).norm() < 1e-6;
+    const Eigen::Vector2d on_edge = nearestPlace(corner, [&](const Facet& facet) {
+      return std::make_pair(nearestOn(facet.from.place, facet.to, corner.place),
+                            std::max(corner.tolerance, facet.from.edge_tolerance));
+    });
     if (!corner.is_joint)
       return on_edge;
-    const Eigen::Vector2d joint = nearestJoint(corner, is_put ? min_snap : max_snap);
+    const bool is_put = (on_edge - corner.place).norm() < 1e-6;
+    const Eigen::Vector2d joint = nearestPlace(corner, [&](const Facet& facet) {
+      const double tolerance =
+          std::min(is_put ? min_snap : max_snap,
+                   std::max(corner.tolerance, facet.from.tolerance));
+      return std::make_pair(facet.from.place, facet.from.is_joint ? tolerance : -1);
+    });
     return joint != corner.place ? joint : on_edge;
   }
 
-  /** @brief Returns the nearest fixed joint within reach, else the corner itself. */
-  Eigen::Vector2d nearestJoint(const Corner& corner, double most) const
-  {
-    Nearest nearest(corner);
-    nearest.tolerance = std::min(most, corner.tolerance);
-    visitNear(reachOf(corner), [&](const Facet& facet) {
-      if (facet.from.is_joint)
-        nearest.consider(facet.from.place, std::min(most, facet.from.tolerance));
-    });
-    return nearest.place;
-  }
-
-  Eigen::Vector2d nearestOnEdges(const Corner& corner) const
-  {
-    Nearest nearest(corner);
-    visitNear(reachOf(corner), [&](const Facet& facet) {
-      nearest.consider(nearestOn(facet.from.place, facet.to, corner.place),
-                       facet.from.edge_tolerance);
-    });
-    return nearest.place;
-  }
-
+  /** @brief Adds to a loop the fixed corners beside its facets, except those near their
+   * ends. */
   std::vector<Corner> ledThroughCorners(const std::vector<Corner>& corners) const
   {
     std::vector<Corner> led;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      led.push_back(corners[i]);
+      const Corner& from = corners[i];
       const Eigen::Vector2d& end = corners[(i + 1) % corners.size()].place;
-      for (const Eigen::Vector2d& place : cornersBeside(corners[i], end)) {
-        led.push_back(corners[i]);
+      const double length = (end - from.place).norm();
+      const Eigen::Vector2d way = (end - from.place) / length;
+      const Eigen::AlignedBox2d box = boxAround(from.place, end);
+      std::multimap<double, Eigen::Vector2d> beside;
+      for (const Facet& facet : facets_) {
+        if (!facet.reach.intersects(box))
+          continue;
+        const double tolerance = std::max(from.edge_tolerance, facet.from.tolerance);
+        const Eigen::Vector2d offset = facet.from.place - from.place;
+        const double along = offset.dot(way);
+        if (along > tolerance && along < length - tolerance &&
+            (offset - along * way).norm() <= tolerance)
+          beside.emplace(along, facet.from.place);
+      }
+      led.push_back(from);
+      for (const auto& [along, place] : beside) {
+        led.push_back(from);
         led.back().place = place;
         led.back().is_joint = false;
       }
     }
     return led;
-  }
-
-  /** @brief Returns the fixed corners beside the facet from `from` to `end`, in order,
-   * except those near its ends. */
-  std::vector<Eigen::Vector2d> cornersBeside(const Corner& from,
-                                             const Eigen::Vector2d& end) const
-  {
-    const double length = (end - from.place).norm();
-    const Eigen::Vector2d way = (end - from.place) / length;
-    std::vector<std::pair<double, Eigen::Vector2d>> beside;
-    Eigen::AlignedBox2d box = reachOf(from);
-    box.extend(end + Eigen::Vector2d::Constant(from.tolerance));
-    box.extend(end - Eigen::Vector2d::Constant(from.tolerance));
-    visitNear(box, [&](const Facet& facet) {
-      const double tolerance = std::max(from.edge_tolerance, facet.from.tolerance);
-      const Eigen::Vector2d offset = facet.from.place - from.place;
-      const double along = offset.dot(way);
-      if (along > tolerance && along < length - tolerance &&
-          (offset - along * way).norm() <= tolerance)
-        beside.emplace_back(along, facet.from.place);
-    });
-    std::sort(beside.begin(), beside.end(),
-              [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<Eigen::Vector2d> places;
-    for (const auto& b : beside)
-      places.push_back(b.second);
-    return places;
   }
 
   /** @brief Removes facets of zero length. */
@@ -211,6 +174,7 @@ private:
       corners.clear();
   }
 
+  double farthest_;
   std::vector<Facet> facets_;
 };
 
@@ -226,7 +190,7 @@ std::vector<FacetChain>
 facetLoops(const RoomLayers& layers, double chord_tolerance, double snap_tolerance)
 {
   std::vector<FacetChain> chains;
-  LoopFitter fitter;
+  LoopFitter fitter(snap_tolerance > 0 ? snap_tolerance : max_snap);
   for (const auto& loop : layers.loops) {
     FacetChain chain;
     for (const Corner& corner :

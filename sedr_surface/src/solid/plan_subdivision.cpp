@@ -2,6 +2,7 @@
 #include "plan_cells.h"
 #include "plan_facets.h"
 #include "room_layers.h"
+#include "vertex_levels.h"
 
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_surface/room_solid.h>
@@ -10,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -244,6 +246,54 @@ tolerancesOf(const RoomLayers& layers, double fixed)
   return tolerances;
 }
 
+/** @brief Adds the sides of a square. */
+void
+addSquare(const PlanSquare& square,
+          std::vector<GridSegment>& segments,
+          std::vector<SegmentSource>& sources)
+{
+  const auto corner = [&](std::int32_t x, std::int32_t y) -> GridPoint {
+    return {square.middle.x + x * square.half, square.middle.y + y * square.half};
+  };
+  const std::array<GridPoint, 4> corners{corner(-1, -1), corner(1, -1), corner(1, 1),
+                                         corner(-1, 1)};
+  for (std::size_t k = 0; k < 4; ++k) {
+    segments.push_back({corners[k], corners[(k + 1) % 4]});
+    sources.push_back({SegmentSource::no_loop, 0});
+  }
+}
+
+/** @brief Divides a plan along segments; see subdivideRoom(). */
+std::string
+divide(const RoomLayers& layers,
+       const std::vector<GridSegment>& segments,
+       const std::vector<SegmentSource>& sources,
+       const std::vector<double>& tolerances,
+       const std::vector<PlanSquare>& squares,
+       const FacetCorners& corners,
+       PlanSubdivision& subdivision,
+       std::vector<PlanWarning>& warnings)
+{
+  subdivision.crossings.clear();
+  Arrangement arrangement;
+  arrangeSegments(segments, solidSeparation(subdivision.grid) / subdivision.grid.unit(),
+                  arrangement);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
+  for (const auto& edge : arrangement.edges)
+    ends.emplace_back(edge.a, edge.b);
+  PlanTriangulation triangulation;
+  if (!triangulateConstrained(arrangement.vertices, ends, triangulation))
+    return "its plan of " + std::to_string(ends.size()) +
+           " edges could not be triangulated";
+  findRegions(layers, arrangement, triangulation, sources, tolerances, squares,
+              subdivision, warnings);
+  if (subdivision.edges.empty())
+    return "its plan encloses no room";
+  dropNeedlessVertices(corners, subdivision);
+  splitWhereHeightsCross(layers, subdivision);
+  return {};
+}
+
 /** @brief Returns whether a direction lies in the half plane from east to just before
  * west. */
 bool
@@ -316,33 +366,34 @@ subdivideRoom(const RoomLayers& layers,
   collectCreases(layers, chains, parameters.chord_tolerance, subdivision.grid, segments,
                  sources);
 
-  Arrangement arrangement;
-  arrangeSegments(segments, solidSeparation(subdivision.grid) / subdivision.grid.unit(),
-                  arrangement);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
-  for (const auto& edge : arrangement.edges)
-    ends.emplace_back(edge.a, edge.b);
-  PlanTriangulation triangulation;
-  if (!triangulateConstrained(arrangement.vertices, ends, triangulation))
-    return "its plan of " + std::to_string(ends.size()) +
-           " edges could not be triangulated";
-
-  findRegions(layers, arrangement, triangulation, sources,
-              tolerancesOf(layers, parameters.snap_tolerance), subdivision, warnings);
-  if (subdivision.edges.empty())
-    return "its plan encloses no room";
-
-  dropNeedlessVertices(cornersOf(segments, sources), subdivision);
-  splitWhereHeightsCross(layers, subdivision);
-  const std::size_t cuts = cutTouchingCorners(layers, subdivision);
-  // Cutting corners may change heights that coincided.
-  if (cuts > 0)
-    splitWhereHeightsCross(layers, subdivision);
-  if (cuts > 0)
-    warnings.push_back(
-        warningOf(WarningKind::Contradiction,
-                  std::to_string(cuts) +
-                      (cuts == 1 ? " corner that touches another is cut off by 1 mm"
+  const FacetCorners corners = cornersOf(segments, sources);
+  const std::vector<double> tolerances =
+      tolerancesOf(layers, parameters.snap_tolerance);
+  std::vector<PlanSquare> squares; // where the solid would touch itself
+  for (int round = 0;; ++round) {
+    std::vector<PlanWarning> found;
+    const std::string problem = divide(layers, segments, sources, tolerances, squares,
+                                       corners, subdivision, found);
+    if (!problem.empty())
+      return problem;
+    const auto touching = touchingVertices(layers, subdivision);
+    if (touching.empty() || round == 8) {
+      warnings.insert(warnings.end(), found.begin(), found.end());
+      break;
+    }
+    // About a millimetre; more where the angle is so sharp that its sides would merge.
+    const auto half = static_cast<std::int32_t>(std::ldexp(
+        20 * solidSeparation(subdivision.grid) / subdivision.grid.unit(), round));
+    for (const GridPoint& middle : touching) {
+      squares.push_back({middle, half});
+      addSquare(squares.back(), segments, sources);
+    }
+  }
+  if (!squares.empty())
+    warnings.push_back(warningOf(
+        WarningKind::Contradiction,
+        std::to_string(squares.size()) +
+            (squares.size() == 1 ? " corner that touches another is cut off by 1 mm"
                                  : " corners that touch others are cut off by 1 mm")));
   return {};
 }

@@ -89,6 +89,8 @@ double solidSeparation(const PlanGrid& grid);
  *   neighbours.
  * - Left out are details with less than 1 mm between floor and ceiling, niches closed
  *   to the room, and both where their floor meets a neighbour's ceiling.
+ * - Where the solid would touch itself along a vertical line, such as at two details
+ *   that meet in a corner, a square of 2 mm gets one region.
  *
  * @param layers of a room with finite coordinates
  * @param parameters in range
@@ -111,11 +113,5 @@ void dropNeedlessVertices(const FacetCorners& corners, PlanSubdivision& subdivis
 /** @brief Splits edges where the slabs of their two sides cross: the riser faces one
  * way before and the other way behind. */
 void splitWhereHeightsCross(const RoomLayers& layers, PlanSubdivision& subdivision);
-
-/** @brief Cuts off corners of regions, about a millimetre in size, where the solid
- * would touch itself along a vertical line. Examples: two details that meet in a
- * corner, a column that touches a wall.
- * @return the number of corners cut off */
-std::size_t cutTouchingCorners(const RoomLayers& layers, PlanSubdivision& subdivision);
 
 } // namespace pcl::sedr

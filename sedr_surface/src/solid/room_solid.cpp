@@ -254,11 +254,13 @@ measure(const TriangleMesh& solid,
         std::uint32_t first,
         RoomSolidReport& report)
 {
+  std::size_t flat = 0;
   for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
     const Eigen::Vector3d normal = solid.scaledNormal(t);
     const double area = normal.norm() / 2;
     const auto label = static_cast<StructureLabel>(solid.labels[t]);
     report.area += area;
+    flat += area > 0 ? 0 : 1;
     if (label == StructureLabel::Wall || label == StructureLabel::Column ||
         layers.roleOf(solid.elements[t] - first) == LoopRole::NicheSide)
       report.wall_area += area;
@@ -270,9 +272,11 @@ measure(const TriangleMesh& solid,
   report.triangles = solid.triangles.size();
   report.volume = solid.signedVolume();
   report.topology = checkTopology(solid);
-  report.closed = report.topology.isClosedManifold();
-  if (!report.closed)
+  report.closed = report.topology.isClosedManifold() && flat == 0;
+  if (!report.topology.isClosedManifold())
     report.problem = "its solid is not closed: " + report.topology.problem();
+  else if (flat > 0)
+    report.problem = "its solid has triangles without area: " + std::to_string(flat);
 }
 
 } // namespace

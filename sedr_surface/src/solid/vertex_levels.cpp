@@ -91,6 +91,12 @@ VertexLevels::levelOf(int slab) const
 
 namespace {
 
+/** @brief Height range of the solid above a sector of a vertex. */
+struct SolidSpan {
+  std::int64_t low = 0;
+  std::int64_t high = 0; ///< equal to low outside the room
+};
+
 /** @brief Returns the number of connected pieces of cells of one kind: cells above and
  * below a level, sector by sector around a line. */
 std::size_t
@@ -117,8 +123,7 @@ piecesOf(const std::vector<bool>& above, const std::vector<bool>& below, bool ki
   return pieces;
 }
 
-} // namespace
-
+/** @param sectors counter-clockwise */
 bool
 touchesItself(const std::vector<SolidSpan>& sectors)
 {
@@ -134,6 +139,29 @@ touchesItself(const std::vector<SolidSpan>& sectors)
         return true;
     }
   return false;
+}
+
+} // namespace
+
+std::vector<GridPoint>
+touchingVertices(const RoomLayers& layers, const PlanSubdivision& plan)
+{
+  std::vector<GridPoint> touching;
+  const auto spokes = spokesOf(plan);
+  for (std::uint32_t v = 0; v < spokes.size(); ++v) {
+    if (spokes[v].size() <= 2)
+      continue;
+    const VertexLevels levels(layers, plan, v, spokes[v]);
+    std::vector<SolidSpan> spans;
+    for (const Spoke& spoke : spokes[v])
+      spans.push_back(spoke.left.isRoom()
+                          ? SolidSpan{levels.levelOf(spoke.left.floor),
+                                      levels.levelOf(spoke.left.ceiling)}
+                          : SolidSpan());
+    if (touchesItself(spans))
+      touching.push_back(plan.vertices[v]);
+  }
+  return touching;
 }
 
 } // namespace pcl::sedr

@@ -40,14 +40,9 @@ private:
   std::vector<std::int64_t> levels_;
 };
 
-/** @brief Height range of the solid above a sector of a vertex. */
-struct SolidSpan {
-  std::int64_t low = 0;
-  std::int64_t high = 0; ///< equal to low outside the room
-};
-
-/** @brief Returns whether the solid touches itself along a vertical line, that is, its
- * surface is not manifold there. Sectors are counter-clockwise. */
-bool touchesItself(const std::vector<SolidSpan>& sectors);
+/** @brief Returns the vertices at which the solid touches itself along a vertical line:
+ * its surface is not manifold there. */
+std::vector<GridPoint> touchingVertices(const RoomLayers& layers,
+                                        const PlanSubdivision& subdivision);
 
 } // namespace pcl::sedr

@@ -170,6 +170,39 @@ TEST(PlanEditor, TiltsStay)
             1);
 }
 
+TEST(PlanEditor, WhatIsLeftOfAWallIsNoWallOfMillimetres)
+{
+  Floorplan plan = twoRooms(); // faces that were fitted by themselves
+  plan.rooms[1].boundary = rectangle(4.2, 0.0038, 6.2, 2.995);
+  PlanEditor editor(plan);
+  ASSERT_TRUE(editor.merge(1, 2)) << editor.getErrorMessage();
+  expectValid(editor);
+  for (const PlanElement& wall : editor.getFloorplan().rooms[0].boundary.elements)
+    EXPECT_GT(wall.length(), 0.1);
+  EXPECT_NEAR(editor.getFloorplan().rooms[0].area(), 6.2 * 3, 0.02);
+}
+
+TEST(PlanEditor, ANicheTurnsWithItsWall)
+{
+  Floorplan plan;
+  const Eigen::Rotation2Dd turn(0.05);
+  PlanLoop room = sedr_test::polygon({{0, 0}, {5, 0}, turn * Eigen::Vector2d(5, 3),
+                                      turn * Eigen::Vector2d(0, 3)});
+  plan.rooms = {roomOf(room, 2.5, 4)};
+  PlanNiche niche{rectangle(2, 3, 3, 3.2), plan.rooms[0].floor, plan.rooms[0].floor};
+  for (PlanElement& side : niche.boundary.elements)
+    for (Eigen::Vector2d* end : {&side.start, &side.end})
+      *end = turn * *end;
+  plan.rooms[0].niches = {niche};
+  PlanEditor editor(plan);
+  ASSERT_TRUE(editor.square(4)) << editor.getErrorMessage();
+  const PlanRoom& squared = editor.getFloorplan().rooms[0];
+  for (const PlanElement& side : squared.niches[0].boundary.elements) {
+    const double off = squared.boundary.elements[2].distance(side.start);
+    EXPECT_LT(std::min(off, std::abs(off - 0.2)), 1e-9) << "on its wall or 20 cm behind";
+  }
+}
+
 TEST(PlanEditor, NearlySquareCornersBecomeSquare)
 {
   Floorplan plan;

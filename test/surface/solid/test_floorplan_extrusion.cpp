@@ -46,6 +46,19 @@ TEST(FloorplanExtrusion, OneClosedSolidARoom)
   EXPECT_EQ(output.cloud.width, extrusion.getMesh().vertices.size());
 }
 
+TEST(FloorplanExtrusion, RoomsWithoutAWallBetweenThemDoNotCross)
+{
+  const auto plan = twoRooms();
+  Extrusion extrusion;
+  extrusion.setFloorplan(plan);
+  pcl::PolygonMesh output;
+  for (const auto& [begin, warnings] : {std::make_pair(4.0, 0u), {3.9, 1u}}) {
+    plan->rooms[1].boundary = rectangle(begin, 0, 9, 5);
+    extrusion.reconstruct(output);
+    EXPECT_EQ(extrusion.getWarnings().size(), warnings);
+  }
+}
+
 TEST(FloorplanExtrusion, TrianglesKnowTheirElement)
 {
   Extrusion extrusion;

@@ -31,11 +31,13 @@ void
 InterruptGuard::watch(std::function<void()> clean)
 {
   try {
-    thread_ = std::thread([this, clean = std::move(clean)] { wait(clean); });
+    if (interrupts_ >= 0 && stopped_ >= 0)
+      thread_ = std::thread([this, clean = std::move(clean)] { wait(clean); });
   }
-  catch (const std::system_error&) { // no thread is left: interrupts end the process
+  catch (const std::system_error&) {
+  }
+  if (!thread_.joinable()) // no thread or file is left: interrupts end the process
     pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-  }
 }
 
 void

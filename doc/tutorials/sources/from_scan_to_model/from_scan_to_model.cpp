@@ -36,6 +36,7 @@ main(int argc, char** argv)
   // A pcl::PolygonMesh has no place for the label and room of a face: save the mesh
   // that has.
   std::ofstream file("mesh.ply", std::ios::binary);
-  file << pcl::sedr::meshToPly(reconstruction.getChain().poisson.getMesh());
+  file << pcl::sedr::meshToPly(reconstruction.getChain().poisson.getMesh())
+       << std::flush;
   return file ? 0 : 1;
 }

@@ -23,8 +23,11 @@ main(int argc, char** argv)
   std::string problem = pcl::sedr::loadMesh(argv[1], mesh);
   for (auto& vertex : mesh.vertices)
     vertex = origin.toGiven(vertex);
-  if (problem.empty()) // far from 0 it is written in double precision
-    std::ofstream(argv[2], std::ios::binary) << pcl::sedr::meshToPly(mesh);
+  if (problem.empty()) { // far from 0 it is written in double precision
+    std::ofstream moved(argv[2], std::ios::binary);
+    if (!(moved << pcl::sedr::meshToPly(mesh) << std::flush))
+      problem = std::string(argv[2]) + " cannot be written";
+  }
   std::cerr << problem;
   return problem.empty() ? 0 : 1;
 }

@@ -66,7 +66,7 @@ reconstruct(const Cloud::ConstPtr& scan, double floor, double ceiling)
     std::cout << "room " << room.id << ": " << room.area() << " m2, "
               << pcl::sedr::clearHeight(room).mean << " m high\n";
   std::ofstream file("mesh.ply", std::ios::binary);
-  return !!(file << pcl::sedr::meshToPly(chain.poisson.getMesh()));
+  return !!(file << pcl::sedr::meshToPly(chain.poisson.getMesh()) << std::flush);
 }
 // [use]
 

@@ -89,7 +89,8 @@ main(int argc, char** argv)
   pcl::PolygonMesh solid;
   extrusion.reconstruct(solid);
   // [solid]
-  std::ofstream("rooms.json") << pcl::sedr::floorplanToJson(*plan);
+  std::ofstream json("rooms.json");
+  json << pcl::sedr::floorplanToJson(*plan) << std::flush;
   double area = 0;
   for (const auto& room : plan->rooms)
     area += room.area();
@@ -97,6 +98,6 @@ main(int argc, char** argv)
             << plan->doorways.size() << " doorways, solid "
             << (extrusion.isClosed() ? "closed" : "open") << '\n';
   std::ofstream file("rooms.ply", std::ios::binary);
-  file << pcl::sedr::meshToPly(extrusion.getMesh());
-  return file ? 0 : 2;
+  file << pcl::sedr::meshToPly(extrusion.getMesh()) << std::flush;
+  return json && file ? 0 : 2;
 }

@@ -263,6 +263,16 @@ repair(const StructureCloud::ConstPtr& refined,
 }
 // [repair]
 
+void
+save(const char* path, const std::string& bytes)
+{
+  std::ofstream file(path, std::ios::binary);
+  if (file << bytes << std::flush)
+    return;
+  std::cerr << path << " cannot be written\n";
+  std::exit(2);
+}
+
 // [poisson]
 void
 makeMesh(const StructureCloud::ConstPtr& structure)
@@ -273,8 +283,7 @@ makeMesh(const StructureCloud::ConstPtr& structure)
   poisson.reconstruct(mesh);
   if (!poisson.isClosed())
     giveUp(poisson);
-  std::ofstream("mesh.ply", std::ios::binary)
-      << pcl::sedr::meshToPly(poisson.getMesh());
+  save("mesh.ply", pcl::sedr::meshToPly(poisson.getMesh()));
   std::cout << "mesh: closed, " << mesh.polygons.size() << " triangles\n";
 }
 // [poisson]
@@ -289,8 +298,7 @@ makeSolid(const std::shared_ptr<const pcl::sedr::Floorplan>& plan)
   extrusion.reconstruct(solid);
   if (!extrusion.isClosed())
     giveUp(extrusion);
-  std::ofstream("solid.ply", std::ios::binary)
-      << pcl::sedr::meshToPly(extrusion.getMesh());
+  save("solid.ply", pcl::sedr::meshToPly(extrusion.getMesh()));
   std::cout << "solid: closed, " << solid.polygons.size() << " triangles\n";
 }
 // [solid]
@@ -307,10 +315,10 @@ run(const Cloud::ConstPtr& scan)
   recoverFloor(parts);
   growWalls(parts);
   const auto plan = fitPlan(parts, scan);
-  std::ofstream("floorplan.json") << pcl::sedr::floorplanToJson(*plan);
+  save("floorplan.json", pcl::sedr::floorplanToJson(*plan));
 
   const auto structure = repair(refine(labelled(parts), plan), plan);
-  pcl::io::savePCDFileBinary("structure.pcd", *structure);
+  pcl::io::savePCDFileBinary("structure.pcd", *structure); // throws if it cannot
   makeSolid(plan);
   makeMesh(structure);
 }

@@ -26,7 +26,8 @@ struct RoomSolidReport {
   std::uint32_t room = 0; ///< PlanRoom::id
   std::size_t triangles = 0;
   MeshTopology topology;
-  bool closed = false;     ///< closed, manifold at edges and vertices, oriented
+  bool closed = false;     ///< closed, manifold at edges and vertices, oriented, and
+                           ///< no triangle without area
   double area = 0;         ///< of the whole surface, square metres
   double floor_area = 0;   ///< at all its heights, square metres, as the next three
   double ceiling_area = 0; ///< with the undersides of details
