@@ -3,9 +3,9 @@
 
 #include "middle_value.h"
 #include "parallel_for.h"
+#include "symmetric_eigen.h"
 #include <pcl/sedr_filters/cell_grid.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -136,9 +136,9 @@ bestSlab(const Positions& points)
   }
   PlanSlab slab = horizontalSlab(mean.z());
   slab.inliers = points.size();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
-  const Eigen::Vector3d normal = solver.eigenvectors().col(0);
-  const bool is_flat = solver.eigenvalues()[1] > 1e-6 * solver.eigenvalues()[2];
+  const SymmetricEigen<3> eigen = symmetricEigen(scatter);
+  const Eigen::Vector3d normal = eigen.vectors.col(0);
+  const bool is_flat = eigen.values[1] > 1e-6 * eigen.values[2];
   if (points.size() >= 3 && is_flat && std::abs(normal.z()) > 0.5) {
     const Eigen::Vector3d up = normal.z() < 0 ? Eigen::Vector3d(-normal) : normal;
     slab.plane << up, -up.dot(mean);

@@ -2,6 +2,5 @@
 #include <pcl/sedr_filters/impl/structure_refinement.hpp>
 
 #include <pcl/impl/instantiate.hpp>
-#include <pcl/impl/pcl_base.hpp>
 
 PCL_INSTANTIATE(StructureRefinement, SEDR_POINT_TYPES)

@@ -2,6 +2,5 @@
 #include <pcl/sedr_filters/impl/vertical_hole_repair.hpp>
 
 #include <pcl/impl/instantiate.hpp>
-#include <pcl/impl/pcl_base.hpp>
 
 PCL_INSTANTIATE(VerticalHoleRepair, SEDR_POINT_TYPES)

@@ -4,8 +4,6 @@
 #include "../curves/plan_points.h"
 #include <pcl/sedr_filters/priors.h>
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>

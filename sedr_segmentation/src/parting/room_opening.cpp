@@ -2,11 +2,9 @@
 #include "room_opening.h"
 
 #include "../air/height_counts.h"
-#include "wall_beside.h"
-
+#include "sedr_filters/src/base/symmetric_eigen.h"
 #include "sedr_filters/src/grids/disjoint_sets.h"
-
-#include <Eigen/Eigenvalues>
+#include "wall_beside.h"
 
 #include <algorithm>
 #include <cmath>
@@ -120,10 +118,8 @@ OpeningMeasures::directionOf(const std::vector<Crossing>& crossings,
     mean += at / n;
     squares += at * at.transpose() / n;
   }
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(squares -
-                                                        mean * mean.transpose())
-      .eigenvectors()
-      .col(1);
+  return symmetricEigen(Eigen::Matrix2d(squares - mean * mean.transpose()))
+      .vectors.col(1);
 }
 
 /** @brief The crossings at the two ends of an opening along its direction. */

@@ -2,8 +2,7 @@
 #include "patch_normals.h"
 
 #include "sedr_filters/src/base/parallel_for.h"
-
-#include <Eigen/Eigenvalues>
+#include "sedr_filters/src/base/symmetric_eigen.h"
 
 #include <cstdint>
 #include <map>
@@ -104,12 +103,12 @@ planeOf(const PatchMoments& patch, const Eigen::Vector3d& corner)
   if (patch.count < fewest)
     return {};
   const Eigen::Vector3d mean = patch.sum / patch.count;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
-      patch.squares / patch.count - mean * mean.transpose());
-  if (solver.eigenvalues()[0] > max_scatter * max_scatter ||
-      solver.eigenvalues()[1] < min_spread * min_spread)
+  const SymmetricEigen<3> eigen = symmetricEigen(
+      Eigen::Matrix3d(patch.squares / patch.count - mean * mean.transpose()));
+  if (eigen.values[0] > max_scatter * max_scatter ||
+      eigen.values[1] < min_spread * min_spread)
     return {};
-  const Eigen::Vector3d normal = solver.eigenvectors().col(0);
+  const Eigen::Vector3d normal = eigen.vectors.col(0);
   return PlanePatch{mean + corner, normal.z() < 0 ? Eigen::Vector3d(-normal) : normal,
                     patch.count};
 }

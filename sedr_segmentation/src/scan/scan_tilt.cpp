@@ -2,8 +2,8 @@
 #include "patch_normals.h"
 
 #include "scan_tilt.h"
+#include "sedr_filters/src/base/symmetric_eigen.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -44,11 +44,11 @@ upOfWalls(const std::vector<Eigen::Vector3d>& normals, const Priors& priors)
         squares.noalias() += n * n.transpose();
         ++count;
       }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(squares);
+    const SymmetricEigen<3> eigen = symmetricEigen(squares);
     if (count < fewestPatches(priors) ||
-        solver.eigenvalues()[1] < min_share * static_cast<double>(count))
+        eigen.values[1] < min_share * static_cast<double>(count))
       return Eigen::Vector3d::UnitZ();
-    up = solver.eigenvectors().col(0);
+    up = eigen.vectors.col(0);
     up *= up.z() < 0 ? -1 : 1;
   }
   return up;

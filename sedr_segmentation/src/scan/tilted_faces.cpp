@@ -3,10 +3,9 @@
 
 #include "../curves/plan_points.h"
 #include "patch_normals.h"
+#include "sedr_filters/src/base/symmetric_eigen.h"
 
 #include <pcl/sedr_filters/priors.h>
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>
@@ -59,10 +58,10 @@ public:
   Plane plane(const Eigen::Vector3d& like) const
   {
     const Eigen::Vector3d mean = sum_ / weight_;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
-        squares_ / weight_ - mean * mean.transpose());
     Plane plane;
-    plane.normal = solver.eigenvectors().col(0);
+    plane.normal =
+        symmetricEigen(Eigen::Matrix3d(squares_ / weight_ - mean * mean.transpose()))
+            .vectors.col(0);
     plane.normal *= plane.normal.dot(like) < 0 ? -1 : 1;
     plane.offset = plane.normal.dot(about_ + mean);
     return plane;

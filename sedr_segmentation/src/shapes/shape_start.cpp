@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shape_fit.h"
 
+#include "sedr_filters/src/base/symmetric_eigen.h"
+
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <cmath>
@@ -57,22 +58,22 @@ double
 directionOfAxis(const std::vector<Eigen::Vector3d>& points)
 {
   const Eigen::Vector3d mean = meanOf(points);
-  Eigen::MatrixXd rows(points.size(), 6);
-  Eigen::VectorXd heights(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3d p = points[i] - mean;
-    rows.row(static_cast<Eigen::Index>(i)) << 1, p.x(), p.y(), p.x() * p.x(),
-        p.x() * p.y(), p.y() * p.y();
-    heights[static_cast<Eigen::Index>(i)] = p.z();
+  using Terms = Eigen::Matrix<double, 6, 1>;
+  Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
+  Terms right = Terms::Zero();
+  for (const Eigen::Vector3d& point : points) {
+    const Eigen::Vector3d p = point - mean;
+    Terms row;
+    row << 1, p.x(), p.y(), p.x() * p.x(), p.x() * p.y(), p.y() * p.y();
+    normal.noalias() += row * row.transpose();
+    right += p.z() * row;
   }
-  const Eigen::VectorXd c =
-      (rows.transpose() * rows).ldlt().solve(rows.transpose() * heights);
+  const Terms c = normal.ldlt().solve(right);
   Eigen::Matrix2d bend;
   bend << 2 * c[3], c[4], c[4], 2 * c[5];
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(bend);
-  const int flat =
-      std::abs(solver.eigenvalues()[0]) < std::abs(solver.eigenvalues()[1]) ? 0 : 1;
-  const Eigen::Vector2d axis = solver.eigenvectors().col(flat);
+  const SymmetricEigen<2> eigen = symmetricEigen(bend);
+  const int flat = std::abs(eigen.values[0]) < std::abs(eigen.values[1]) ? 0 : 1;
+  const Eigen::Vector2d axis = eigen.vectors.col(flat);
   return std::atan2(axis.y(), axis.x());
 }
 

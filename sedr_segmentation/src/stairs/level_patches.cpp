@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "level_patches.h"
 
+#include "sedr_filters/src/base/symmetric_eigen.h"
 #include "sedr_filters/src/grids/disjoint_sets.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cstdint>
@@ -162,9 +161,7 @@ private:
     if (squares > stair_priors.flatness * stair_priors.flatness)
       return; // a ramp, cushions
     patch.edge /= std::max(1.0, static_cast<double>(patch.edge_cells));
-    const double depth = std::sqrt(
-        12 / n *
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(patch.scatter).eigenvalues()[0]);
+    const double depth = std::sqrt(12 / n * symmetricEigen(patch.scatter).values[0]);
     patch.is_tread = depth <= stair_priors.deepest;
     patches.push_back(std::move(patch));
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stair_chains.h"
 
-#include <Eigen/Eigenvalues>
+#include "sedr_filters/src/base/symmetric_eigen.h"
 
 #include <algorithm>
 #include <cmath>
@@ -146,8 +146,7 @@ StairChains::floorGain(const StairStep& step, bool is_foot) const
 Eigen::Vector2d
 acrossTreads(const Eigen::Matrix2d& scatter, const Eigen::Vector2d& forwards)
 {
-  const Eigen::Vector2d way =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(scatter).eigenvectors().col(0);
+  const Eigen::Vector2d way = symmetricEigen(scatter).vectors.col(0);
   return way.dot(forwards) < 0 ? -way : way;
 }
 

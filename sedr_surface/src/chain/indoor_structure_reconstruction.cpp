@@ -5,9 +5,6 @@
 #include <pcl/sedr_surface/impl/indoor_structure_reconstruction.hpp>
 
 #include <pcl/impl/instantiate.hpp>
-#include <pcl/impl/pcl_base.hpp>
-#include <pcl/search/impl/search.hpp>
-#include <pcl/surface/impl/reconstruction.hpp>
 
 namespace pcl::sedr {
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <pcl/common/io.h>
-#include <pcl/impl/pcl_base.hpp>
 #include <pcl/sedr_filters/floor_projection_recovery.h>
 #include <pcl/sedr_filters/impl/floor_recovery.h>
+#include <pcl/sedr_filters/impl/pcl_bases.hpp>
 #include <pcl/sedr_filters/point_types.h>
 
 #include <cmath>

@@ -2,10 +2,9 @@
 #pragma once
 
 #include <pcl/common/io.h>
-#include <pcl/filters/impl/filter_indices.hpp>
-#include <pcl/impl/pcl_base.hpp>
 #include <pcl/point_types.h>
 #include <pcl/sedr_filters/grid_region_outlier_removal.h>
+#include <pcl/sedr_filters/impl/pcl_bases.hpp>
 
 #include <algorithm>
 #include <string>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <pcl/common/io.h>
-#include <pcl/impl/pcl_base.hpp>
+#include <pcl/sedr_filters/impl/pcl_bases.hpp>
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
 #include <pcl/sedr_filters/point_types.h>
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/impl/pcl_bases.hpp>
 #include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_segmentation/ceiling_boundary_wall_growing.h>
-
-#include <pcl/impl/pcl_base.hpp>
 
 #include <vector>
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/impl/pcl_bases.hpp>
 #include <pcl/sedr_filters/impl/structure_fields.hpp>
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
-
-#include <pcl/impl/pcl_base.hpp>
 
 #include <string>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/impl/pcl_bases.hpp>
 #include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_segmentation/grid_slice_detail.h>
 
-#include <pcl/impl/pcl_base.hpp>
 #include <pcl/sedr_filters/priors.h>
 
 #include <string>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/sedr_filters/impl/pcl_bases.hpp>
 #include <pcl/sedr_segmentation/room_segmentation.h>
-
-#include <pcl/impl/pcl_base.hpp>
 
 #include <string>
 

@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/impl/pcl_base.hpp>
+#include <pcl/sedr_filters/impl/pcl_bases.hpp>
+#include <pcl/sedr_surface/mesh_reconstruction.h>
+
 #include <pcl/kdtree/impl/kdtree_flann.hpp>
 #include <pcl/search/impl/kdtree.hpp>
 #include <pcl/search/impl/organized.hpp>
 #include <pcl/search/impl/search.hpp>
-#include <pcl/sedr_surface/mesh_reconstruction.h>
+
+// Searches that are compiled already, as the base classes are.
+#define PCL_INSTANTIATE_CompiledSearches(T)                                            \
+  extern template class pcl::KdTreeFLANN<T>;                                           \
+  extern template class pcl::search::Search<T>;                                        \
+  extern template class pcl::search::KdTree<T>;                                        \
+  extern template class pcl::search::OrganizedNeighbor<T>;
+PCL_INSTANTIATE(CompiledSearches, SEDR_POINT_TYPES)
 
 namespace pcl::sedr {
 
