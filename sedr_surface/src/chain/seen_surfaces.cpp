@@ -247,30 +247,43 @@ SeenSurfaces::add(const Eigen::Vector3d& p)
 void
 SeenSurfaces::addStanding(const Eigen::Vector3d& p, std::size_t room)
 {
-  const double below = rooms_[room].ceilingAt(p.head<2>()) - p.z();
+  const CellGrid tiles(wall_tile);
+  const Cell cell = tiles.at(p.x(), p.y());
+  const auto [found, is_new] = standing_[room].try_emplace(keyOf(cell));
+  Standing& standing = found->second;
+  if (is_new) {
+    standing.ceiling = infinite;
+    for (const double x : {-1, 0, 1})
+      for (const double y : {-1, 0, 1})
+        standing.ceiling =
+            std::min(standing.ceiling,
+                     rooms_[room].ceilingAt(tiles.centre(cell) +
+                                            wall_tile * Eigen::Vector2d(x, y)));
+  }
+  const double below = standing.ceiling - p.z();
   if (below > wall_tile && below < 64 * wall_tile)
-    standing_[room][keyOf(CellGrid(wall_tile).at(p.x(), p.y()))] |=
-        std::uint64_t{1} << static_cast<unsigned>(below / wall_tile);
+    standing.heights |= std::uint64_t{1} << static_cast<unsigned>(below / wall_tile);
 }
 
 void
 SeenSurfaces::tellStanding(std::size_t room, std::vector<PlanWarning>& warnings) const
 {
-  // What is seen in most steps of the band in which walls are looked for.
+  // What is seen in the highest step of the band in which walls are looked for, and in
+  // most of it.
   constexpr unsigned first = 1;
   constexpr unsigned last = 5;
   constexpr unsigned least = 4;
   constexpr double shortest = 0.5; // metres of a cell's width
   std::vector<CellKey> keys;
   std::vector<double> steps;
-  for (const auto& [key, seen] : standing_[room]) {
+  for (const auto& [key, standing] : standing_[room]) {
     unsigned in_band = 0;
     for (unsigned k = first; k <= last; ++k)
-      in_band += seen >> k & 1;
-    if (in_band < least)
+      in_band += standing.heights >> k & 1;
+    if (in_band < least || !(standing.heights >> first & 1))
       continue;
     keys.push_back(key);
-    steps.push_back(__builtin_popcountll(seen));
+    steps.push_back(__builtin_popcountll(standing.heights));
   }
   const Patches found(std::move(keys), steps, wall_tile, shortest * wall_tile);
   const double area = found.mean * found.area; // of the steps

@@ -127,9 +127,12 @@ private:
   std::vector<std::size_t> room_of_; ///< of each wall
   PlaceTable walls_near_;
   std::vector<std::pair<std::uint32_t, double>> beside_;
-  /** Of each room, heights in steps of a cell below the ceiling at which something is,
-   * by cell. */
-  std::vector<std::map<CellKey, std::uint64_t>> standing_;
+  /** @brief What is seen below the ceiling in one cell of a room. */
+  struct Standing {
+    double ceiling = 0;        ///< the lowest in the cell: none of its steps stands out
+    std::uint64_t heights = 0; ///< in steps of a cell below it, a bit each
+  };
+  std::vector<std::map<CellKey, Standing>> standing_; ///< of each room
 };
 
 } // namespace pcl::sedr

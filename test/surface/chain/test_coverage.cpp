@@ -261,6 +261,18 @@ TEST(UnexplainedSurfaces, AreThingsThatReachUpToTheCeiling)
   }
 }
 
+TEST(UnexplainedSurfaces, AreNoCupboardsThatEndBelowASoffit)
+{
+  Floorplan plan{{planned(1, 0, 4)}};
+  plan.rooms[0].details = {sedr_test::detailOf(rectangle(0, 2, 4, 3), 2.15)};
+  Cloud cloud;
+  addRectangle({0, 1.99F, 2.15F}, {4, 0, 0}, {0, 0, 0.35F}, cloud);
+  addRectangle({1, 2.02F, 0}, {1, 0, 0}, {0, 0, 1.9F}, cloud);
+  addRectangle({1, 2.02F, 0}, {0, 0.7F, 0}, {0, 0, 1.9F}, cloud);
+  for (const PlanWarning& warning : unexplained(cloud, plan))
+    EXPECT_NE(warning.kind, WarningKind::Standing);
+}
+
 /** @brief Points every 5 cm on the four walls of planned(1, 0, 4), 3 m deep, which the
  * wall at x = 0 leaves by `lean` metres a metre of height, and on a cupboard before it.
  */
