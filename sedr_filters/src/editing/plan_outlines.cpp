@@ -6,6 +6,7 @@
 
 #include <pcl/sedr_filters/plan_editor.h>
 #include <pcl/sedr_filters/plan_measures.h>
+#include <pcl/sedr_filters/straightening.h>
 
 #define BOOST_ALLOW_DEPRECATED_HEADERS // Boost.Geometry includes one
 #include <boost/geometry/geometries/box.hpp>
@@ -143,34 +144,23 @@ simplify(PlanLoop& loop)
 std::string
 meetAgain(const std::vector<PlanElement>& lines, PlanLoop& loop)
 {
-  const std::size_t n = lines.size();
-  std::vector<Eigen::Vector2d> corners(n); // at the start of each
-  for (std::size_t k = 0; k < n; ++k) {
-    const PlanElement& before = lines[(k + n - 1) % n];
-    const PlanElement& after = lines[k];
-    corners[k] = loop.elements[k].start;
-    if (before.isArc() || after.isArc()) {
-      if (before.distance(corners[k]) > touching ||
-          after.distance(corners[k]) > touching)
-        return "a wall beside an arc cannot be moved";
-      continue;
-    }
-    const Eigen::Vector2d u = after.end - after.start;
-    const Eigen::Vector2d v = before.end - before.start;
-    const double area = cross(u, v);
-    if (std::abs(area) > 1e-3 * u.norm() * v.norm())
-      corners[k] = after.start + cross(before.start - after.start, v) / area * u;
-    else if (std::abs(cross(u.normalized(), before.end - after.start)) > touching)
+  PlanLoop moved{lines};
+  std::vector<bool> is_moved;
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    is_moved.push_back(lines[k].start != loop.elements[k].start ||
+                       lines[k].end != loop.elements[k].end);
+  rejoin(moved, is_moved);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const PlanElement& wall = moved.elements[k];
+    Eigen::Vector2d way;
+    if (std::abs(offLine(lines[k], wall.start, way)) > touching ||
+        std::abs(offLine(lines[k], wall.end, way)) > touching)
       return "it would no longer meet the wall beside it, which is parallel";
-  }
-  for (std::size_t k = 0; k < n; ++k) {
-    PlanElement& element = loop.elements[k];
-    const Eigen::Vector2d end = corners[(k + 1) % n];
-    if (!element.isArc() && (end - corners[k]).dot(lines[k].end - lines[k].start) <= 0)
+    if (!wall.isArc() &&
+        (wall.end - wall.start).dot(lines[k].end - lines[k].start) <= 0)
       return "wall " + std::to_string(k + 1) + " would vanish";
-    element.start = corners[k];
-    element.end = end;
   }
+  loop = std::move(moved);
   return {};
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../grids/disjoint_sets.h"
+
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <Eigen/Geometry>
@@ -7,6 +9,8 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <utility>
 
 namespace pcl::sedr {
 namespace {
@@ -42,37 +46,25 @@ complete(PlanStorey& storey,
   std::sort(storey.rooms.begin(), storey.rooms.end());
 }
 
-/** @brief Collects and marks the rooms connected to a first one by shared heights. */
-PlanStorey
-storeyAround(std::size_t first,
-             const Floorplan& plan,
-             const std::vector<RoomHeights>& heights,
-             std::vector<bool>& is_placed)
-{
-  constexpr double beside = 0.5;
-  std::vector<std::size_t> members{first};
-  is_placed[first] = true;
-  for (std::size_t m = 0; m < members.size(); ++m)
-    for (std::size_t r = 0; r < heights.size(); ++r)
-      if (!is_placed[r] && commonShare(heights[members[m]], heights[r]) > beside) {
-        is_placed[r] = true;
-        members.push_back(r);
-      }
-  PlanStorey storey;
-  for (const std::size_t r : members)
-    storey.rooms.push_back(plan.rooms[r].id);
-  complete(storey, plan, heights);
-  return storey;
-}
-
+/** @brief Returns the rooms connected by shared heights as storeys. */
 std::vector<PlanStorey>
 storeysByHeight(const Floorplan& plan, const std::vector<RoomHeights>& heights)
 {
+  constexpr double beside = 0.5;
+  const auto n = static_cast<std::uint32_t>(heights.size());
+  DisjointSets<> sets(n);
+  for (std::uint32_t a = 0; a < n; ++a)
+    for (std::uint32_t b = a + 1; b < n; ++b)
+      if (commonShare(heights[a], heights[b]) > beside)
+        sets.join(a, b);
+  std::map<std::uint32_t, PlanStorey> of_set;
+  for (std::uint32_t r = 0; r < n; ++r)
+    of_set[sets.find(r)].rooms.push_back(plan.rooms[r].id);
   std::vector<PlanStorey> storeys;
-  std::vector<bool> is_placed(heights.size(), false);
-  for (std::size_t first = 0; first < heights.size(); ++first)
-    if (!is_placed[first])
-      storeys.push_back(storeyAround(first, plan, heights, is_placed));
+  for (auto& [set, storey] : of_set) {
+    complete(storey, plan, heights);
+    storeys.push_back(std::move(storey));
+  }
   std::stable_sort(
       storeys.begin(), storeys.end(),
       [](const PlanStorey& a, const PlanStorey& b) { return a.floor < b.floor; });

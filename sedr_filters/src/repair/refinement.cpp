@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../base/number_text.h"
 #include "../base/parallel_for.h"
-#include "../grids/place_table.h"
 #include "../plan/plan_surfaces.h"
 #include "../plan/room_lookup.h"
+#include "../rays/cube_points.h"
 
 #include <pcl/sedr_filters/impl/refinement.h>
 
@@ -93,57 +93,77 @@ public:
       : room_(room)
       , lookup_(room)
       , size_(size)
-      , near_(std::max(0.25, size))
+      , cubes_(size)
   {
     for (const auto& surface : verticalSurfaces(room_))
       addStrip(surface);
-    for (std::size_t i = 0; i < strips_.size(); ++i)
-      near_.addAlong(strips_[i].element, size_, static_cast<std::uint32_t>(i));
-    near_.finish();
     addSlabs();
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      const std::uint32_t cube = cubes_.add(cubes_.at(placeOf(cells_[i].centre)));
+      in_cube_.resize(cubes_.size());
+      in_cube_[cube].push_back(i);
+    }
   }
 
   /** @brief Assigns point `source` of the scan, already on the structure, to its cell
-   * if the room has such a surface. */
+   * if the room has such a surface: the nearest. */
   void occupy(const SurfacePoint& point, std::size_t source)
   {
-    // Undersides and risers of details share a label: the normal distinguishes them.
-    const bool is_slab = point.label == StructureLabel::Ceiling ||
-                         point.label == StructureLabel::Floor ||
-                         std::abs(point.normal.z()) > 0.5;
-    const std::size_t index = is_slab ? findLevel(point) : findVertical(point);
-    if (index == none)
+    constexpr double alike = 0.5; // cosine; undersides and risers share a label
+    constexpr double weight = 4;  // off its plane a point is on another surface
+    const Eigen::Vector3d place = placeOf(point);
+    double nearest = size_;
+    SurfaceCell* found = nullptr;
+    cubes_.anyAround(cubes_.at(place), [&](std::uint32_t cube) {
+      for (const std::size_t i : in_cube_[cube]) {
+        const SurfacePoint& centre = cells_[i].centre;
+        const Eigen::Vector3d off = place - placeOf(centre);
+        double distance = off.norm();
+        if (!isLevel(point)) {
+          if (centre.label != point.label || centre.normal.dot(point.normal) < alike)
+            continue;
+          distance += weight * std::abs(off.dot(centre.normal));
+        }
+        if (distance >= nearest)
+          continue;
+        nearest = distance;
+        found = &cells_[i];
+      }
+      return false;
+    });
+    if (!found)
       return;
-    SurfaceCell& cell = cells_[index];
-    const double distance = (point.position - cell.centre.position).norm();
-    if (cell.is_occupied && cell.distance <= distance)
+    const double distance = (point.position - found->centre.position).norm();
+    if (found->is_occupied && found->distance <= distance)
       return;
-    cell.is_occupied = true;
-    cell.source = source;
-    cell.distance = distance;
+    found->is_occupied = true;
+    found->source = source;
+    found->distance = distance;
   }
 
   /** @brief Returns all cells: vertical surfaces, then floor, ceiling and niches. */
   const std::vector<SurfaceCell>& cells() const { return cells_; }
 
 private:
-  /** @brief A vertical surface, unrolled: columns of cells of equal width. */
-  struct Strip {
-    struct Column {
-      double low = 0;        ///< z, metres
-      double high = 0;       ///< not above `low` if there are no cells
-      std::size_t first = 0; ///< its lowest cell
-      std::size_t cells = 0;
-    };
+  static bool isLevel(const SurfacePoint& point)
+  {
+    return point.label == StructureLabel::Ceiling ||
+           point.label == StructureLabel::Floor || std::abs(point.normal.z()) > 0.5;
+  }
 
-    StructureLabel label = StructureLabel::Wall; ///< Wall, Column or Detail
-    PlanElement element;
-    std::vector<Column> columns;
-  };
+  /** @brief Returns where to look for the cell of a point: of floors and ceilings, in
+   * plan, apart from each other. */
+  static Eigen::Vector3d placeOf(const SurfacePoint& point)
+  {
+    constexpr double apart = 1e4; // metres
+    Eigen::Vector3d place = point.position;
+    if (isLevel(point))
+      place.z() = point.normal.z() > 0 ? -apart : apart;
+    return place;
+  }
 
   void addStrip(const VerticalSurface& surface)
   {
-    Strip strip{surface.label, *surface.element, {}};
     const double length = surface.element->length();
     const std::size_t columns = partsOf(length, size_);
     for (std::size_t c = 0; c < columns; ++c) {
@@ -152,7 +172,6 @@ private:
       const VerticalSpan span = surface.spanAt(s);
       const double height = span.high - span.low;
       const std::size_t rows = height > min_riser ? partsOf(height, size_) : 0;
-      strip.columns.push_back({span.low, span.high, cells_.size(), rows});
       SurfaceCell cell{{{}, surface.normalAt(s), surface.label, room_.id}};
       for (std::size_t r = 0; r < rows; ++r) {
         cell.centre.position << surface.element->pointAt(s),
@@ -161,57 +180,36 @@ private:
         cells_.push_back(cell);
       }
     }
-    strips_.push_back(std::move(strip));
   }
 
-  /** @brief The cells of a floor, ceiling or niche: a grid in plan, finer where steep.
-   */
-  struct Sheet {
-    Eigen::Vector2d origin;
-    std::size_t width = 0;
-    std::size_t height = 0;
-    std::vector<std::uint8_t> parts; ///< parts of each grid cell in x and in y
-    std::vector<std::size_t> first;  ///< first entry of each grid cell in `cell`
-    std::vector<std::size_t> cell;   ///< cell of each part, row by row, or `none`
-  };
-
-  /** @brief Appends the cells of a sheet inside `loop`. `pointAt(place, point)` gives
-   * the surface point at a place, or returns false if there is none. */
+  /** @brief Appends the cells of a floor, ceiling or niche inside `loop`: a grid in
+   * plan, finer where steep. `pointAt(place, point)` gives the surface point at a
+   * place, or returns false if there is none. */
   template <typename PointAt>
   void addSheet(const PlanLoop& loop, PointAt pointAt)
   {
-    Sheet sheet;
     const Eigen::AlignedBox2d box = boxOf(loop, size_ / 10);
-    if (!box.isEmpty()) {
-      sheet.origin = box.min();
-      const Eigen::Vector2d extent = box.sizes() / size_;
-      sheet.width = static_cast<std::size_t>(extent.x()) + 1;
-      sheet.height = static_cast<std::size_t>(extent.y()) + 1;
-    }
-    for (std::size_t i = 0; i < sheet.width * sheet.height; ++i) {
+    if (box.isEmpty())
+      return;
+    const Eigen::Vector2d extent = box.sizes() / size_;
+    const auto width = static_cast<std::size_t>(extent.x()) + 1;
+    const auto height = static_cast<std::size_t>(extent.y()) + 1;
+    for (std::size_t i = 0; i < width * height; ++i) {
       const auto placeOf = [&](std::size_t part, std::size_t parts) -> Eigen::Vector2d {
         const auto middle = [parts](std::size_t cell, std::size_t k) {
           return static_cast<double>(cell) +
                  (static_cast<double>(k) + 0.5) / static_cast<double>(parts);
         };
-        return sheet.origin +
-               size_ * Eigen::Vector2d(middle(i % sheet.width, part % parts),
-                                       middle(i / sheet.width, part / parts));
+        return box.min() + size_ * Eigen::Vector2d(middle(i % width, part % parts),
+                                                   middle(i / width, part / parts));
       };
       SurfaceCell cell;
       const bool is_there = pointAt(placeOf(0, 1), cell.centre);
       const std::size_t parts = is_there ? partsOf(cell.centre.normal) : 1;
-      sheet.parts.push_back(static_cast<std::uint8_t>(parts));
-      sheet.first.push_back(sheet.cell.size());
-      for (std::size_t part = 0; part < parts * parts; ++part) {
-        const bool is_part =
-            parts == 1 ? is_there : pointAt(placeOf(part, parts), cell.centre);
-        sheet.cell.push_back(is_part ? cells_.size() : none);
-        if (is_part)
+      for (std::size_t part = 0; part < parts * parts; ++part)
+        if (parts == 1 ? is_there : pointAt(placeOf(part, parts), cell.centre))
           cells_.push_back(cell);
-      }
     }
-    sheets_.push_back(std::move(sheet));
   }
 
   void addSlabs()
@@ -232,74 +230,12 @@ private:
             });
   }
 
-  /** @brief Returns the cell of a sheet at a place, or `none`. */
-  std::size_t cellOf(const Sheet& sheet, const Eigen::Vector2d& place) const
-  {
-    const Eigen::Vector2d exact = (place - sheet.origin) / size_;
-    const Eigen::Vector2d at = exact.array().floor();
-    if (!(at.x() >= 0 && at.y() >= 0 && at.x() < static_cast<double>(sheet.width) &&
-          at.y() < static_cast<double>(sheet.height)))
-      return none;
-    const std::size_t i = static_cast<std::size_t>(at.y()) * sheet.width +
-                          static_cast<std::size_t>(at.x());
-    const std::size_t parts = sheet.parts[i];
-    const auto partOf = [parts](double share) {
-      return std::min(parts - 1,
-                      static_cast<std::size_t>(share * static_cast<double>(parts)));
-    };
-    return sheet.cell[sheet.first[i] + partOf(exact.y() - at.y()) * parts +
-                      partOf(exact.x() - at.x())];
-  }
-
-  std::size_t findLevel(const SurfacePoint& point) const
-  {
-    const Eigen::Vector2d place = point.position.head<2>();
-    const bool faces_up = point.normal.z() > 0;
-    const int n = lookup_.nicheAt(place);
-    if (n >= 0 && !lookup_.isWithinBoundary(place))
-      return cellOf(sheets_[2 + 2 * static_cast<std::size_t>(n) + (faces_up ? 0 : 1)],
-                    place);
-    return cellOf(sheets_[faces_up ? 0 : 1], place);
-  }
-
-  std::size_t findVertical(const SurfacePoint& point) const
-  {
-    const Eigen::Vector2d place = point.position.head<2>();
-    std::size_t best = none;
-    double least = size_;
-    for (const std::uint32_t i : near_.at(place)) {
-      const Strip& strip = strips_[i];
-      if (strip.label != point.label)
-        continue;
-      const double s = strip.element.project(place);
-      const double d = (strip.element.pointAt(s) - place).norm();
-      if (d >= least)
-        continue;
-      const std::size_t columns = strip.columns.size();
-      const auto c =
-          std::min(columns - 1, static_cast<std::size_t>(s / strip.element.length() *
-                                                         static_cast<double>(columns)));
-      const Strip::Column& column = strip.columns[c];
-      const double t = (point.position.z() - column.low) / (column.high - column.low);
-      if (column.cells == 0 || !(t >= 0 && t <= 1))
-        continue;
-      least = d;
-      best = column.first +
-             std::min(column.cells - 1,
-                      static_cast<std::size_t>(t * static_cast<double>(column.cells)));
-    }
-    return best;
-  }
-
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
-
   const PlanRoom& room_;
   RoomLookup lookup_;
   double size_;
-  PlaceTable near_; ///< strips within one cell size
-  std::vector<Strip> strips_;
   std::vector<SurfaceCell> cells_;
-  std::vector<Sheet> sheets_; ///< floor, ceiling, then bottom and top of each niche
+  CubeTable cubes_; ///< that hold centres of cells
+  std::vector<std::vector<std::size_t>> in_cube_;
 };
 
 } // namespace

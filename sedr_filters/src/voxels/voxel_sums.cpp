@@ -132,74 +132,9 @@ private:
 
 /** @brief The voxels of some hashes, and a lock for threads that add to them. */
 struct alignas(64) VoxelSums::Shard {
-  static constexpr std::size_t most_at_once = 64;
-
   VoxelTable table;
   std::vector<std::uint32_t> places; ///< of each voxel in the order plus one; 0: none
   std::mutex mutex;
-
-  void add(const VoxelSum* sums, std::size_t n)
-  {
-    const std::lock_guard<std::mutex> lock(mutex);
-    for (std::size_t i = 0; i < n; ++i)
-      table.add(sums[i]);
-  }
-};
-
-/** @brief The sums of a thread: a table with one slot for each hash, from which a voxel
- * moves to the shards when another needs its slot. In the order of a scan nearly all
- * points meet their voxel there. */
-class VoxelSums::NearSums {
-public:
-  explicit NearSums(Shard* shards)
-      : shards_(shards)
-      , slots_(slot_count)
-      , leaving_(shard_count * Shard::most_at_once)
-  {}
-
-  /** @brief Moves all to the shards, for which memory may not suffice. */
-  void finish()
-  {
-    for (const VoxelSum& slot : slots_)
-      if (slot.count > 0)
-        leave(slot);
-    for (std::size_t shard = 0; shard < shard_count; ++shard)
-      flush(shard);
-  }
-
-  void add(const VoxelSum& sum)
-  {
-    VoxelSum& slot = slots_[hashOf(sum.code) >> 40 & (slot_count - 1)];
-    if (slot.count > 0 && isSame(slot.code, sum.code)) {
-      slot += sum;
-      return;
-    }
-    if (slot.count > 0)
-      leave(slot);
-    slot = sum;
-  }
-
-private:
-  static constexpr std::size_t slot_count = 4096; // 160 kB
-
-  void leave(const VoxelSum& sum)
-  {
-    const std::size_t shard = shardOf(sum.code);
-    leaving_[shard * Shard::most_at_once + counts_[shard]++] = sum;
-    if (counts_[shard] == Shard::most_at_once)
-      flush(shard);
-  }
-
-  void flush(std::size_t shard)
-  {
-    shards_[shard].add(&leaving_[shard * Shard::most_at_once], counts_[shard]);
-    counts_[shard] = 0;
-  }
-
-  Shard* shards_;
-  std::vector<VoxelSum> slots_;
-  std::vector<VoxelSum> leaving_; ///< for each shard
-  std::array<std::size_t, shard_count> counts_{};
 };
 
 VoxelSums::VoxelSums(const Eigen::Array3f& inverse_leaf)
@@ -222,23 +157,27 @@ VoxelSums::add(const PointView& points,
                const pcl::Indices* indices,
                const RowSource::SeeRun& beside)
 {
-  constexpr std::size_t points_a_block = std::size_t{1} << 18;
-  constexpr std::size_t points_a_run = std::size_t{1} << 14; // stay in the cache
+  // In the order of a scan, those of a run are in few voxels, which stay in the cache.
+  constexpr std::size_t points_a_run = std::size_t{1} << 16;
   const std::size_t n = indices ? indices->size() : points.size();
-  parallelBlocks(n, points_a_block, threads, [&](std::size_t begin, std::size_t end) {
-    NearSums sums(shards_.get());
-    for (; begin < end; begin += points_a_run) {
-      const std::size_t run_end = std::min(begin + points_a_run, end);
-      if (beside)
-        beside(begin, run_end);
-      for (std::size_t k = begin; k < run_end; ++k) {
-        const Eigen::Vector3f point =
-            points[indices ? static_cast<std::size_t>((*indices)[k]) : k];
-        if (frame_.holds(point))
-          sums.add(frame_.sumOf(point));
-      }
+  parallelBlocks(n, points_a_run, threads, [&](std::size_t begin, std::size_t end) {
+    if (beside)
+      beside(begin, end);
+    VoxelTable sums;
+    for (std::size_t k = begin; k < end; ++k) {
+      const Eigen::Vector3f point =
+          points[indices ? static_cast<std::size_t>((*indices)[k]) : k];
+      if (frame_.holds(point))
+        sums.add(frame_.sumOf(point));
     }
-    sums.finish();
+    std::array<std::vector<std::size_t>, shard_count> of_shard;
+    for (std::size_t v = 0; v < sums.size(); ++v)
+      of_shard[shardOf(sums[v].code)].push_back(v);
+    for (std::size_t s = 0; s < shard_count; ++s) {
+      const std::lock_guard<std::mutex> lock(shards_[s].mutex);
+      for (const std::size_t v : of_shard[s])
+        shards_[s].table.add(sums[v]);
+    }
   });
 }
 
@@ -347,7 +286,7 @@ VoxelSums::visit(const PointView& points,
                  const See& see) const
 {
   constexpr std::size_t max_at_once = std::size_t{1} << 20;
-  constexpr std::size_t points_a_block = std::size_t{1} << 14;
+  constexpr std::size_t points_a_block = std::size_t{1} << 16;
   const std::size_t n = indices ? indices->size() : points.size();
   const auto at = [&](std::size_t k) {
     return indices ? static_cast<std::size_t>((*indices)[k]) : k;

@@ -20,7 +20,7 @@ namespace pcl::sedr {
  * the points, any pieces, and any number of threads or machines. They lie in hash
  * tables, so memory depends on the number of voxels and not on their extent: O(n) for n
  * points; 60 to 120 bytes a voxel. Each thread first sums up what comes in succession
- * in a table of its own that fits in its cache.
+ * in a table of its own.
  * @code
  * VoxelSums sums(Eigen::Array3f::Constant(20));
  * for (const PointView& piece : pieces)
@@ -93,8 +93,6 @@ public:
 private:
   struct Shard;
   static constexpr std::size_t shard_count = 64;
-
-  class NearSums;
 
   static std::size_t shardOf(const VoxelCode& code);
 

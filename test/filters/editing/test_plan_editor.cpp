@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace pcl::sedr;
 using sedr_test::rectangle;
@@ -121,6 +122,24 @@ TEST(PlanEditor, AMovedWallTakesItsCornersAndHalfOfTheDoorAlong)
   EXPECT_NEAR(editor.getFloorplan().rooms[0].area(), 4.05 * 3, 1e-9);
 }
 
+TEST(PlanEditor, AWallMovesAlongTheArcBesideIt)
+{
+  const PlanLoop apse{{sedr_test::segment({0, 0}, {4, 0}),
+                       sedr_test::segment({4, 0}, {4, 3}),
+                       sedr_test::arc({2, 1.5}, 2.5, std::atan2(1.5, 2) * 180 / M_PI,
+                                      std::atan2(1.5, -2) * 180 / M_PI),
+                       sedr_test::segment({0, 3}, {0, 0})}};
+  Floorplan plan;
+  plan.rooms = {roomOf(apse, 2.5, 1)};
+  PlanEditor editor(plan);
+  ASSERT_TRUE(editor.moveWall(1, 2, 0.1)) << editor.getErrorMessage();
+  const auto& walls = editor.getFloorplan().rooms[0].boundary.elements;
+  const Eigen::Vector2d corner(4.1, 1.5 + std::sqrt(2.5 * 2.5 - 2.1 * 2.1));
+  EXPECT_NEAR((walls[1].end - corner).norm(), 0, 1e-9);
+  EXPECT_EQ(walls[2].start, walls[1].end);
+  EXPECT_FALSE(editor.moveWall(1, 2, 0.5)) << "beyond the circle";
+}
+
 TEST(PlanEditor, RoomsAboveEachOtherAreNotMerged)
 {
   Floorplan plan = twoRooms();
@@ -186,8 +205,8 @@ TEST(PlanEditor, ANicheTurnsWithItsWall)
 {
   Floorplan plan;
   const Eigen::Rotation2Dd turn(0.05);
-  PlanLoop room = sedr_test::polygon({{0, 0}, {5, 0}, turn * Eigen::Vector2d(5, 3),
-                                      turn * Eigen::Vector2d(0, 3)});
+  PlanLoop room = sedr_test::polygon(
+      {{0, 0}, {5, 0}, turn * Eigen::Vector2d(5, 3), turn * Eigen::Vector2d(0, 3)});
   plan.rooms = {roomOf(room, 2.5, 4)};
   PlanNiche niche{rectangle(2, 3, 3, 3.2), plan.rooms[0].floor, plan.rooms[0].floor};
   for (PlanElement& side : niche.boundary.elements)
@@ -199,7 +218,8 @@ TEST(PlanEditor, ANicheTurnsWithItsWall)
   const PlanRoom& squared = editor.getFloorplan().rooms[0];
   for (const PlanElement& side : squared.niches[0].boundary.elements) {
     const double off = squared.boundary.elements[2].distance(side.start);
-    EXPECT_LT(std::min(off, std::abs(off - 0.2)), 1e-9) << "on its wall or 20 cm behind";
+    EXPECT_LT(std::min(off, std::abs(off - 0.2)), 1e-9)
+        << "on its wall or 20 cm behind";
   }
 }
 

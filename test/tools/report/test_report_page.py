@@ -506,6 +506,8 @@ class ReportInABrowser(ReportCase):
     def test_fits_a_phone(self):
         browser = self.open(390, 844)
         self.assertLessEqual(browser.run("document.documentElement.scrollWidth"), 390)
+        self.assertEqual(browser.run("[...document.querySelectorAll('.wide')].filter(e => e.scrollWidth > e.clientWidth)"
+                                     ".length"), 0, "no table is cut off")
 
     def test_fits_a_sheet_of_paper(self):
         browser = self.open(700, 1000)

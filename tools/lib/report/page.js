@@ -35,10 +35,10 @@
     return element;
   }
 
-  // A table of rows; each column is [heading, text of a row, 'text' for words].
+  // A table of rows; each column is [heading, text of a row, 'text' for words]. On a phone, each cell has its heading.
   function table(columns, rows) {
     const cells = (tag, textOf) => columns.map(column =>
-      make(tag, column[2] ? { class: column[2] } : {}, textOf(column)));
+      make(tag, { 'data-heading': column[0], ...column[2] && { class: column[2] } }, textOf(column)));
     const row = item => make('tr', {}, ...cells('td', column => column[1](item)));
     return make('div', { class: 'wide' }, make('table', {},
       make('thead', {}, make('tr', {}, ...cells('th', column => column[0]))), make('tbody', {}, ...rows.map(row))));
