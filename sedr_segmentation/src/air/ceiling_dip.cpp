@@ -85,26 +85,4 @@ dipOfCeiling(const AirGaps& air, int reach)
   return dip;
 }
 
-void
-dropSpecks(const AirGaps& air, double lintel, int smallest, std::vector<float>& dip)
-{
-  std::vector<std::uint8_t> is_met(air.size(), 0);
-  for (std::uint32_t start = 0; start < air.size(); ++start) {
-    if (dip[start] < lintel || is_met[start] != 0)
-      continue;
-    std::vector<std::uint32_t> speck{start};
-    is_met[start] = 1;
-    for (std::size_t k = 0; k < speck.size(); ++k)
-      for (int d = 0; d < 4; ++d)
-        for (const std::uint32_t o : {air.link(speck[k], d), air.diagonal(speck[k], d)})
-          if (o != AirGaps::none && dip[o] >= lintel && is_met[o] == 0) {
-            is_met[o] = 1;
-            speck.push_back(o);
-          }
-    if (speck.size() < static_cast<std::size_t>(smallest))
-      for (const std::uint32_t g : speck)
-        dip[g] = 0;
-  }
-}
-
 } // namespace pcl::sedr

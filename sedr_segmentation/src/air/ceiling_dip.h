@@ -18,9 +18,4 @@ std::vector<float> closedCeiling(const AirGaps& air, int reach);
  * opening). O(gaps reach). */
 std::vector<float> dipOfCeiling(const AirGaps& air, int reach);
 
-/** @brief Sets dips of at least `lintel` metres to 0 where fewer than `smallest` gaps
- * with one hang together: points in the air below a ceiling. O(gaps). */
-void
-dropSpecks(const AirGaps& air, double lintel, int smallest, std::vector<float>& dip);
-
 } // namespace pcl::sedr

@@ -7,7 +7,6 @@ namespace pcl::sedr {
 struct PartingParameters {
   double lintel = 0.12;       ///< a ceiling that dips by more may part what is beside
   double lintel_reach = 0.45; ///< half of the longest way below a lintel: of a wall
-  int smallest_lintel = 5;    ///< columns; fewer are points in the air below a ceiling
   double same_basin = 0.75;   ///< a neck this much as wide as the narrower side is none
   double thickest_wall = 0.6; ///< of a door without a lintel
   double min_way = 0.5;       ///< narrower openings nobody walks through

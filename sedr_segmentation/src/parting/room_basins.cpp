@@ -18,17 +18,6 @@ namespace {
 
 constexpr std::int32_t no_room = RoomLabels::no_room;
 
-/** @brief Whether the floors below two gaps in which one can stand are those of
- * different levels. */
-bool
-isLevelApart(const AirGaps& air, std::uint32_t g, std::uint32_t o)
-{
-  const double headroom = air.parameters().headroom;
-  return air.height(g) >= headroom && air.height(o) >= headroom &&
-         std::abs(air[g].low - air[o].low) * air.columns().voxelHeight() >
-             air.parameters().highest_step;
-}
-
 /** @brief Basins of the distance from the rim, from their middles outwards, which end
  * at jamb lines. */
 std::vector<std::int32_t>
@@ -54,7 +43,7 @@ basinsOf(const AirGaps& air,
     for (int d = 0; d < 4; ++d)
       for (const std::uint32_t o :
            {air.isDrop(g, d) ? AirGaps::none : air.link(g, d), air.diagonal(g, d)})
-        if (o != AirGaps::none && basin[o] != no_room && !isLevelApart(air, g, o)) {
+        if (o != AirGaps::none && basin[o] != no_room) {
           met.push_back(sets.find(static_cast<std::uint32_t>(basin[o])));
           if (uphill == AirGaps::none || distance[o] > distance[uphill])
             uphill = o;

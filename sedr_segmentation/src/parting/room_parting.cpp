@@ -82,18 +82,12 @@ private:
     bool are_plain = true; // no wider than one door
     bool have_lintels = true;
     double beside = 0; // of an opening with how far the wider room goes on beside it
-    const std::vector<MeasuredOpening> openings = openingsIn(border);
-    const bool has_way =
-        std::any_of(openings.begin(), openings.end(),
-                    [&](const MeasuredOpening& m) { return isWay(m); });
-    for (const MeasuredOpening& m : openings) {
+    for (const MeasuredOpening& m : openingsIn(border)) {
       const bool is_step = floorStep(pair, m) > parameters_.same_floor &&
                            isLarge(pair.first) && isLarge(pair.second);
       const bool is_above_furniture = is_step && !areLevels(pair);
       length += m.width;
       open += m.width * (is_above_furniture ? 1 : m.open_height);
-      if (has_way && !isWay(m))
-        continue; // a gap in what was seen of a wall
       are_doors = are_doors && isDoor(m, parameters_);
       beside = std::max(beside, m.width * m.open_height + m.beside);
       have_lintels = have_lintels && m.dip >= parameters_.min_lintel;
@@ -114,12 +108,6 @@ private:
                          smaller >= parameters_.smallest_room && isPlace(pair.first) &&
                          isPlace(pair.second);
     return openness;
-  }
-
-  /** @brief Whether an opening is as wide as someone who walks through it. */
-  bool isWay(const MeasuredOpening& opening) const
-  {
-    return opening.width >= parameters_.min_way;
   }
 
   /** @brief The openings of a border: doors one by one, but a wide opening as one that
@@ -208,17 +196,6 @@ private:
   std::set<std::pair<Turn, RoomPair>> to_join_;
 };
 
-/** @brief How far the ceiling dips over each gap, without specks. */
-std::vector<float>
-dipsOf(const AirGaps& air, const PartingParameters& parameters)
-{
-  std::vector<float> dip =
-      dipOfCeiling(air, static_cast<int>(std::lround(parameters.lintel_reach /
-                                                     air.columns().cellSize())));
-  dropSpecks(air, parameters.lintel, parameters.smallest_lintel, dip);
-  return dip;
-}
-
 /** @brief Of the gaps of a column that are of one room the tallest stays: others are
  * below its stairs or above its furniture. */
 void
@@ -252,7 +229,9 @@ openingsBetween(const AirGaps& air,
 PartedAir
 partIntoRooms(const AirGaps& air, const PartingParameters& parameters)
 {
-  const std::vector<float> dip = dipsOf(air, parameters);
+  const std::vector<float> dip =
+      dipOfCeiling(air, static_cast<int>(std::lround(parameters.lintel_reach /
+                                                     air.columns().cellSize())));
   RoomLabels labels(roomBasins(air, dip, parameters));
   RoomJoining(air, dip, parameters, labels).joinAll();
   std::vector<std::int32_t> room = labels.joined();
