@@ -84,7 +84,7 @@ isWalkable(const RoomOpening& opening)
   return opening.width >= min_width && opening.top - opening.bottom >= min_height;
 }
 
-/** @brief Which parts of the air one walks into from another, and the largest: 1. */
+/** @brief Which parts of the air one walks into from another, 2, and the largest: 1. */
 std::vector<std::uint8_t>
 reachedParts(const std::vector<BuildingRoom>& parts,
              const std::vector<RoomOpening>& openings)
@@ -94,7 +94,7 @@ reachedParts(const std::vector<BuildingRoom>& parts,
     is_reached[0] = 1; // parts are by size
   for (const RoomOpening& opening : openings)
     if (isWalkable(opening))
-      is_reached[opening.a] = is_reached[opening.b] = 1;
+      is_reached[opening.a] = is_reached[opening.b] = 2;
   return is_reached;
 }
 
@@ -125,7 +125,7 @@ judge(const std::vector<BuildingRoom>& parts,
                  LeftOutKind::Mirror};
     else
       verdict.reason = noRoomBecause(parts[p], cell_size, is_reached[p] != 0,
-                                     parameters, verdict.kind);
+                                     is_reached[p] == 2, parameters, verdict.kind);
     if (verdict.reason.empty() && parts[p].area >= smallest_level)
       floors.push_back(parts[p].floor);
   }

@@ -155,6 +155,7 @@ std::string
 noRoomBecause(const BuildingRoom& room,
               double cell_size,
               bool is_reached,
+              bool is_entered,
               const BuildingParameters& parameters,
               LeftOutKind& kind)
 {
@@ -198,12 +199,12 @@ noRoomBecause(const BuildingRoom& room,
   constexpr double not_glazed = 0.5; // likewise
   const double least = area < too_small ? closed : is_reached ? 0 : not_glazed;
   if (room.enclosure < std::max(least, parameters.minimum_enclosure)) {
-    kind = LeftOutKind::Open;
-    std::snprintf(
-        text, sizeof text,
-        "walls along %.0f %% of its outline only: seen through an opening, or "
-        "outdoors",
-        100 * room.enclosure);
+    const bool is_part = is_entered && area >= too_small;
+    kind = is_part ? LeftOutKind::Partial : LeftOutKind::Open;
+    std::snprintf(text, sizeof text, "walls along %.0f %% of its outline only: %s",
+                  100 * room.enclosure,
+                  is_part ? "a room seen in part, or a roof without walls"
+                          : "seen through an opening, or outdoors");
     return text;
   }
   return "";

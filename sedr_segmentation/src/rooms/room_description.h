@@ -16,10 +16,12 @@ std::vector<BuildingRoom> describeRooms(const AirGaps& air, const PartedAir& par
 /** @brief Why a part of the air is no room, for people; empty if it is one.
  * @param is_reached whether one walks into it from another, or it is the largest: into
  * what is closed a scanner may look through glass
+ * @param is_entered whether one walks into it: then it is not outdoors
  * @param[out] kind what it is instead */
 std::string noRoomBecause(const BuildingRoom& room,
                           double cell_size,
                           bool is_reached,
+                          bool is_entered,
                           const BuildingParameters& parameters,
                           LeftOutKind& kind);
 

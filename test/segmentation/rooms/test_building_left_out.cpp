@@ -142,6 +142,25 @@ TEST(FindBuilding, SoIsANarrowerOneFromFartherAway)
   }
 }
 
+TEST(FindBuilding, AHallOneWalksIntoIsSeenInPartThoughFewWallsOfItWere)
+{
+  AirScene scene;
+  for (const double z : {0.01, 2.51}) {
+    scene.slab(0.05, 0.05, 4.05, 3.05, z);
+    scene.slab(4.15, -5.05, 24.15, 8.05, z); // without walls but for the door's
+  }
+  for (const double y : {0.05, 3.05})
+    scene.wall(0.05, y, 4.05, y, 0.01, 2.51);
+  scene.wall(0.05, 0.05, 0.05, 3.05, 0.01, 2.51);
+  scene.partition(4.05, 0.05, 3.05, 0.01, 2.51, {1.05, 1.95, 2.11});
+  const Found found(scene);
+  ASSERT_EQ(found.building.rooms.size(), 1u);
+  ASSERT_FALSE(found.building.left_out.empty());
+  EXPECT_EQ(found.building.left_out[0].kind, LeftOutKind::Partial);
+  EXPECT_NEAR(found.building.left_out[0].area, 20 * 13, 10);
+  EXPECT_NE(found.building.left_out[0].reason.find("seen in part"), std::string::npos);
+}
+
 /** A hall of 10 m x 8 m with a door to a room of 6 m x 5 m whose other three sides are
  * glass, of which no point was seen. */
 TEST(FindBuilding, ARoomWithGlassOnThreeSidesBesideALargerOneIsARoom)

@@ -39,14 +39,14 @@ std::string
 reasonOf(const BuildingRoom& room)
 {
   LeftOutKind kind = LeftOutKind::Void;
-  return noRoomBecause(room, 0.1, true, BuildingParameters(), kind);
+  return noRoomBecause(room, 0.1, true, false, BuildingParameters(), kind);
 }
 
 LeftOutKind
 kindOf(const BuildingRoom& room)
 {
   LeftOutKind kind = LeftOutKind::Void;
-  EXPECT_NE(noRoomBecause(room, 0.1, true, BuildingParameters(), kind), "");
+  EXPECT_NE(noRoomBecause(room, 0.1, true, false, BuildingParameters(), kind), "");
   return kind;
 }
 
