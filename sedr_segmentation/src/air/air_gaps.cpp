@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "air_gaps.h"
 
-#include "air_holes.h"
+#include "hidden_air.h"
 #include "low_air.h"
 #include "slab_faces.h"
 #include "slab_holes.h"
@@ -42,7 +42,7 @@ AirGaps::AirGaps(const VoxelColumns& columns,
   }
   followCeilings(seen);
   closeSlabs();
-  sortGaps(enclosedHolesOf(*this));
+  sortGaps(hiddenAirOf(*this));
   linkGaps();
   gaps_ = withBothFaces(*this);
   linkGaps();
@@ -220,12 +220,12 @@ std::uint32_t
 AirGaps::diagonal(std::size_t g, int d) const
 {
   const int e = (d + 1) % 4;
-  const std::uint32_t a = link(g, d);
-  const std::uint32_t b = link(g, e);
+  const std::uint32_t a = next(g, d);
+  const std::uint32_t b = next(g, e);
   if (a == none || b == none)
     return none;
-  const std::uint32_t corner = link(a, e);
-  return corner == link(b, d) ? corner : none;
+  const std::uint32_t corner = next(a, e);
+  return corner == next(b, d) ? corner : none;
 }
 
 void

@@ -21,19 +21,16 @@ struct AirGap {
 
 /** @brief What is believed of air in buildings; lengths in metres. */
 struct AirParameters {
-  double thinnest = 0.15;     ///< lower gaps are noise between two surfaces
-  double thinnest_slab = 0.2; ///< of what is thinner one face was seen
-  double headroom = 1.8;      ///< gaps as high as this are air
-  double same_ceiling = 0.15; ///< a ceiling goes on where it rises by less a cell
-  double highest_step = 1.2;  ///< floors farther apart are those of different levels
-  double same_surface = 0.2;  ///< a surface goes on where it is no farther off
-  double walled_share = 0.25; ///< of a gap's height that is occupied: a wall
-  double min_known = 0.15;    ///< of the rim of a hole that is filled: known air
-  double max_open = 0.2;      ///< of its rim: neither air nor wall
-  double largest_blank = 1.5; ///< square metres that a scanner sees neither below nor
-                              ///< above itself
-  double largest_hole = 1.5;  ///< square metres, of a slab; a larger one is a void
-  double min_air = 0.1;       ///< of the rim of low gaps that are air: tall ones
+  double thinnest = 0.15;       ///< lower gaps are noise between two surfaces
+  double thinnest_slab = 0.2;   ///< of what is thinner one face was seen
+  double headroom = 1.8;        ///< gaps as high as this are air
+  double same_ceiling = 0.15;   ///< a ceiling goes on where it rises by less a cell
+  double highest_step = 1.2;    ///< floors farther apart are those of different levels
+  double same_surface = 0.2;    ///< a surface goes on where it is no farther off
+  double walled_share = 0.25;   ///< of a gap's height that is occupied: a wall
+  double largest_unseen = 0.25; ///< area over length of edge, of what a scanner sees
+                                ///< neither below nor above itself, and of a hole in a
+                                ///< slab; a larger one is a void
   double veil = 0.6;  ///< of the points of a surface: a layer before it that has fewer
                       ///< is none, see withoutVeils()
   int veil_reach = 2; ///< columns around one, where points are counted for that
@@ -82,11 +79,17 @@ public:
    * a gallery. */
   bool isDrop(std::size_t g, int d) const;
 
+  /** @brief The gap into which one walks in direction d: the link but for drops. */
+  std::uint32_t next(std::size_t g, int d) const
+  {
+    return isDrop(g, d) ? none : link(g, d);
+  }
+
   /** @brief Returns the gap over stairs that one enters from gap g, below a slab, in
    * direction d, and that goes on above the slab; `none` if there is none. */
   std::uint32_t climb(std::size_t g, int d) const;
 
-  /** @brief The gap that goes on at the corner between directions d and d + 1: reached
+  /** @brief The gap into which one walks at the corner between directions d and d + 1:
    * both ways round, or `none`. */
   std::uint32_t diagonal(std::size_t g, int d) const;
 

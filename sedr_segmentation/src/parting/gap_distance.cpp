@@ -28,7 +28,7 @@ distanceToRim(const AirGaps& air, const std::vector<std::uint8_t>& inside)
     if (!inside[g])
       continue;
     for (int d = 0; d < 4; ++d)
-      if (!isInside(air.link(g, d)) || air.isDrop(g, d)) {
+      if (!isInside(air.next(g, d))) {
         reach(g, to_rim);
         break;
       }
@@ -42,11 +42,9 @@ distanceToRim(const AirGaps& air, const std::vector<std::uint8_t>& inside)
       if (steps[g] != at)
         continue;
       for (int d = 0; d < 4; ++d) {
-        const std::uint32_t side = air.link(g, d);
-        if (isInside(side) && !air.isDrop(g, d))
+        if (const std::uint32_t side = air.next(g, d); isInside(side))
           reach(side, at + to_side);
-        const std::uint32_t corner = air.diagonal(g, d);
-        if (isInside(corner))
+        if (const std::uint32_t corner = air.diagonal(g, d); isInside(corner))
           reach(corner, at + to_corner);
       }
     }

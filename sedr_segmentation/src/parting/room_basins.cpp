@@ -41,8 +41,7 @@ basinsOf(const AirGaps& air,
     std::uint32_t uphill =
         AirGaps::none; // towards its own middle, not into what is larger
     for (int d = 0; d < 4; ++d)
-      for (const std::uint32_t o :
-           {air.isDrop(g, d) ? AirGaps::none : air.link(g, d), air.diagonal(g, d)})
+      for (const std::uint32_t o : {air.next(g, d), air.diagonal(g, d)})
         if (o != AirGaps::none && basin[o] != no_room) {
           met.push_back(sets.find(static_cast<std::uint32_t>(basin[o])));
           if (uphill == AirGaps::none || distance[o] > distance[uphill])
@@ -80,9 +79,8 @@ growLabels(const AirGaps& air,
     std::vector<std::uint32_t> next;
     for (const std::uint32_t g : front)
       for (int d = 0; d < 4; ++d) {
-        const std::uint32_t o = air.link(g, d);
-        if (o != AirGaps::none && label[o] == no_room && is_left_out[o] == 0 &&
-            !air.isDrop(g, d)) {
+        const std::uint32_t o = air.next(g, d);
+        if (o != AirGaps::none && label[o] == no_room && is_left_out[o] == 0) {
           label[o] = label[g];
           next.push_back(o);
         }

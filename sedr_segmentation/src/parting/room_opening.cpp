@@ -156,8 +156,8 @@ OpeningMeasures::floorBeside(const std::vector<Crossing>& crossings,
     for (const std::uint32_t g : front) {
       lows.add(air_.columns().heightOf(air_[g].low));
       for (int d = 0; d < 4; ++d) {
-        const std::uint32_t o = air_.link(g, d);
-        if (o != AirGaps::none && !air_.isDrop(g, d) && rooms.hasRoom(o) &&
+        const std::uint32_t o = air_.next(g, d);
+        if (o != AirGaps::none && rooms.hasRoom(o) &&
             rooms.roomOf(o) == rooms.roomOf(g) && isNew(o))
           next.push_back(o);
       }

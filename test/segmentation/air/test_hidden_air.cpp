@@ -145,11 +145,11 @@ TEST(AirGaps, BesideAVoidGoOnInItsLowerStorey)
 
 /** Two rooms above each other; in what was seen of the slab between them is a hole. */
 AirScene
-storeysWithHole(double edge_length)
+storeysWithHole(double x0, double y0, double x1, double y1)
 {
   AirScene scene;
   const auto isSeen = [&](double x, double y) {
-    return x < 2 || x > 2 + edge_length || y < 1 || y > 1 + edge_length;
+    return x < x0 || x > x1 || y < y0 || y > y1;
   };
   scene.slab(0.05, 0.05, 6.05, 4.05, 0.01);
   scene.points.slab(scene.loop(0.05, 0.05, 6.05, 4.05), 2.51, isSeen);
@@ -161,7 +161,7 @@ storeysWithHole(double edge_length)
 
 TEST(AirGaps, ASlabGoesOnAcrossAHoleInWhatWasSeenOfIt)
 {
-  const AirScene scene = storeysWithHole(0.9);
+  const AirScene scene = storeysWithHole(2, 1, 2.9, 1.9);
   const SceneAir air(scene);
   ASSERT_EQ(air.gaps.size(), std::size_t{2} * 59 * 39);
   const AirGap& lower = air.gaps[air.at(2.45, 1.45, 1)];
@@ -176,12 +176,21 @@ TEST(AirGaps, ASlabGoesOnAcrossAHoleInWhatWasSeenOfIt)
 
 TEST(AirGaps, AVoidOverTwoStoreysStaysOpen)
 {
-  const AirScene scene = storeysWithHole(1.9);
+  const AirScene scene = storeysWithHole(2, 1, 3.9, 2.9);
   const SceneAir air(scene);
   const AirGap& through = air.gaps[air.at(2.95, 1.95, 1)];
   EXPECT_EQ(through.low, 1);
   EXPECT_EQ(through.high, 106);
   EXPECT_EQ(air.at(2.95, 1.95, 1), air.at(2.95, 1.95, 4));
+}
+
+TEST(AirGaps, ASlabGoesOnAcrossAHoleInACornerButAStairwellAlongTheWallStaysOpen)
+{
+  for (const double length : {1.0, 3.0}) {
+    const AirScene scene = storeysWithHole(0, 0, 0.9, length);
+    const SceneAir air(scene);
+    EXPECT_EQ(air.gaps[air.at(0.45, 0.45, 1)].high, length < 2 ? 50 : 106) << length;
+  }
 }
 
 TEST(AirGaps, TheVoidOfASlabIsNoAirThoughItsLowerSideHasAHole)
