@@ -154,10 +154,7 @@ nichesIn(const UnrolledWall& wall,
                     parameters, recess))
       continue;
     const bool is_at_floor = recess.low < priors.run_gap && !recess.has_bottom;
-    const bool may_be_door = recess.depth < priors.max_door_recess &&
-                             recess.right - recess.left <= priors.max_door_width;
-    if (is_at_floor &&
-        (may_be_door || recess.high == wall.height)) // a part of the room
+    if (is_at_floor && recess.high == wall.height) // a part of the room
       continue;
     if (is_at_floor)
       recess.low = 0;

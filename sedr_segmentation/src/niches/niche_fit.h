@@ -38,11 +38,12 @@ nicheReach(const NicheParameters& parameters = {})
  * Each wall is unrolled into a grid along and up. A niche is a region of cells without
  * wall points, with most points behind it at one depth and hardly any farther away.
  * Windows and open doors show points farther away; furniture before the wall shows
- * none. A shallow recess from the floor is a closed door; one from floor to ceiling is
- * part of the room. The top of a recess that reaches the ceiling is the ceiling. There
- * is no niche where another wing of the room lies behind the wall. Of niches above each
- * other, only the one with the largest mouth is kept, as a plan has one floor and one
- * ceiling per position. Sides, bottom and top fit their points. O(n) per wall.
+ * none. A shallow recess is a closed door or a window with its blind down; one from
+ * floor to ceiling is part of the room. The top of a recess that reaches the ceiling is
+ * the ceiling. There is no niche where another wing of the room lies behind the wall.
+ * Of niches above each other, only the one with the largest mouth is kept, as a plan
+ * has one floor and one ceiling per position. Sides, bottom and top fit their points.
+ * O(n) per wall.
  * @param room with boundary, floor and ceiling
  * @param around indices of all points of the room and up to nicheReach() from it */
 std::vector<PlanNiche> fitNiches(const PointView& points,

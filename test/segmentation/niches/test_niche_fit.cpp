@@ -28,7 +28,7 @@ TEST(Niches, AreFoundUnderNoise)
 
 TEST(Niches, AreFoundUpToAMetreDeep)
 {
-  for (const double depth : {0.1, 0.5, 0.7, 0.95}) {
+  for (const double depth : {0.2, 0.5, 0.7, 0.95}) {
     SCOPED_TRACE(depth);
     const PlanRoom room = recessed(1, 2.6, 0.5, 2.0, depth + 0.01);
     RoomPoints points(0.03);
