@@ -33,8 +33,8 @@ struct SurfaceVertex {
 };
 
 /** @brief Removes folds (triangles that face against the normals of their vertices) and
- * slivers from a closed manifold surface by edge collapses and flips. The
- * surface stays closed and manifold. In a collapse, the sharper vertex stays in place.
+ * slivers from a closed manifold surface by edge collapses, in which the sharper vertex
+ * stays in place. The surface stays closed and manifold.
  *
  * @param vertices properties of each vertex of the mesh
  * @param min_height slivers are triangles of less height

@@ -48,8 +48,8 @@ public:
 
   bool isBad(std::uint32_t t) const { return alive_[t] && cost(t) > 0; }
 
-  // Improves the surroundings of triangle t by the best collapse, else by an edge flip.
-  // Appends the triangles that changed.
+  // Improves the surroundings of triangle t by the best collapse. Appends the triangles
+  // that changed.
   bool mend(std::uint32_t t, double longest, std::vector<std::uint32_t>& changed)
   {
     Step best;
@@ -59,7 +59,7 @@ public:
       consider(triangle[(i + 1) % 3], triangle[i], longest, best);
     }
     if (best.gain <= 0)
-      return turnEdge(t, changed);
+      return false;
     collapse(best.kept, best.gone);
     const auto& ring = around(best.kept);
     changed.insert(changed.end(), ring.begin(), ring.end());
@@ -178,45 +178,6 @@ private:
         !keepsTopology(kept, gone))
       return;
     best = {gain, length, kept, gone};
-  }
-
-  // Flips an edge of the triangle.
-  bool turnEdge(std::uint32_t t, std::vector<std::uint32_t>& changed)
-  {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t a = mesh_.triangles[t][i];
-      const std::uint32_t b = mesh_.triangles[t][(i + 1) % 3];
-      const std::uint32_t c = mesh_.triangles[t][(i + 2) % 3];
-      for (const auto other : around(a)) {
-        if (other == t || !uses(other, b))
-          continue;
-        std::uint32_t d = a;
-        for (const auto v : mesh_.triangles[other])
-          if (v != a && v != b)
-            d = v;
-        const auto of_c = neighbours(c);
-        if (around(a).size() < 4 || around(b).size() < 4 ||
-            std::binary_search(of_c.begin(), of_c.end(), d))
-          break;
-        const Triangle old[2] = {mesh_.triangles[t], mesh_.triangles[other]};
-        const int before = cost(t) + cost(other);
-        mesh_.triangles[t] = {c, a, d};
-        mesh_.triangles[other] = {c, d, b};
-        if (cost(t) + cost(other) >= before) {
-          mesh_.triangles[t] = old[0];
-          mesh_.triangles[other] = old[1];
-          break;
-        }
-        remove(around(a), other);
-        remove(around(b), t);
-        around(c).push_back(other);
-        around(d).push_back(t);
-        changed.push_back(t);
-        changed.push_back(other);
-        return true;
-      }
-    }
-    return false;
   }
 
   void collapse(std::uint32_t kept, std::uint32_t gone)

@@ -17,7 +17,7 @@ constexpr double band_blocks = 2.5;
 
 // For slivers and edge collapses, in cells.
 constexpr double min_height = 0.02;
-constexpr double longest_collapse = 1;
+constexpr double longest_collapse = 1.5;
 
 // Returns the origin of the grid, less than a cell below `low`. It maximises the
 // distance of nodes from faces normal to each axis, where values are near zero and of

@@ -327,8 +327,8 @@ spokesOf(const PlanSubdivision& plan)
   std::vector<std::vector<Spoke>> spokes(plan.vertices.size());
   for (std::uint32_t e = 0; e < plan.edges.size(); ++e) {
     const SubdivisionEdge& edge = plan.edges[e];
-    spokes[edge.a].push_back({e, true, edge.b, edge.left, edge.right});
-    spokes[edge.b].push_back({e, false, edge.a, edge.right, edge.left});
+    spokes[edge.a].push_back({e, edge.b, edge.left, edge.right});
+    spokes[edge.b].push_back({e, edge.a, edge.right, edge.left});
   }
   for (std::uint32_t v = 0; v < spokes.size(); ++v) {
     const GridPoint& centre = plan.vertices[v];

@@ -66,7 +66,6 @@ struct PlanSubdivision {
 /** @brief An edge of a subdivision, seen from one of its vertices. */
 struct Spoke {
   std::uint32_t edge = 0;
-  bool forward = true; ///< whether that vertex is the edge's a
   std::uint32_t end = 0;
   PlanRegion left; ///< the sector from this spoke to the next, counter-clockwise
   PlanRegion right;

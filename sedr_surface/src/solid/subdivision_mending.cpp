@@ -61,7 +61,6 @@ dropNeedlessVertices(const FacetCorners& corners, PlanSubdivision& plan)
       for (Spoke& spoke : spokes[vertex])
         if (spoke.edge == in.edge || spoke.edge == out.edge) {
           spoke.edge = in.edge;
-          spoke.forward = vertex == in.end;
           spoke.end = other;
         }
   }
