@@ -199,9 +199,7 @@ bool
 AirGaps::isDrop(std::size_t g, int d) const
 {
   const std::uint32_t o = link(g, d);
-  const int tall = voxels(parameters_.headroom);
-  return o != none && gaps_[g].high - gaps_[g].low >= tall &&
-         gaps_[o].high - gaps_[o].low >= tall &&
+  return o != none && isTall(gaps_[g]) && isTall(gaps_[o]) &&
          std::abs(gaps_[g].low - gaps_[o].low) > voxels(parameters_.highest_step);
 }
 
@@ -209,7 +207,7 @@ std::uint32_t
 AirGaps::climb(std::size_t g, int d) const
 {
   const AirGap& gap = gaps_[g];
-  if (link(g, d) != none || gap.high - gap.low < voxels(parameters_.headroom))
+  if (link(g, d) != none || !isTall(gap))
     return none;
   const std::uint32_t next = goingOnFrom(gap, columns_.neighbour(gap.column, d));
   const std::uint32_t above = next == none ? none : link(next, (d + 2) % 4);

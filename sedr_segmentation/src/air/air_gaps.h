@@ -96,6 +96,15 @@ public:
   /** @brief The gaps of a column are those from first(column) to first(column + 1). */
   std::size_t first(std::uint32_t column) const { return first_[column]; }
 
+  /** @brief Whether one can stand between two heights, in voxels. */
+  bool hasHeadroom(std::int32_t low, std::int32_t high) const
+  {
+    return high - low >= voxels(parameters_.headroom);
+  }
+
+  /** @brief Whether one can stand in a gap. */
+  bool isTall(const AirGap& gap) const { return hasHeadroom(gap.low, gap.high); }
+
   /** @brief Height of a gap, metres. */
   double height(std::size_t g) const
   {

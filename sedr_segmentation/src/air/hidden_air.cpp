@@ -85,7 +85,7 @@ public:
   {
     std::vector<Front> front;
     for (std::size_t g = 0; g < air.size(); ++g)
-      if (isTall(air[g]))
+      if (air.isTall(air[g]))
         front.push_back({air[g], 0});
     grow(std::move(front));
   }
@@ -130,11 +130,6 @@ private:
     int unseen;
   };
 
-  bool isTall(const AirGap& gap) const
-  {
-    return gap.high - gap.low >= air_.voxels(air_.parameters().headroom);
-  }
-
   /** @brief The place in a column that overlaps a gap by half of the lower, or -1. */
   std::ptrdiff_t placeIn(std::uint32_t column, const AirGap& like) const
   {
@@ -177,7 +172,7 @@ private:
               withSeenEnds(air_, {column, gap.low, gap.high, false, false});
           const AirGap place = belowHanging(air_, seen);
           const int so_far = isSeen(place) ? 0 : unseen + 1;
-          if (!isTall(place) || so_far > farthest)
+          if (!air_.isTall(place) || so_far > farthest)
             continue;
           add(place);
           next.push_back({seen, so_far});

@@ -11,13 +11,12 @@ namespace pcl::sedr {
 std::vector<std::uint8_t>
 airOf(const AirGaps& gaps)
 {
-  const std::int32_t tall = gaps.voxels(gaps.parameters().headroom);
   const std::int32_t step = gaps.voxels(gaps.parameters().same_ceiling);
   std::vector<std::uint8_t> is_air(gaps.size(), 1);
   std::vector<std::size_t> place(gaps.size(), 0); // of a low gap
   std::vector<std::uint32_t> low;
   for (std::uint32_t g = 0; g < gaps.size(); ++g)
-    if (gaps[g].high - gaps[g].low < tall) {
+    if (!gaps.isTall(gaps[g])) {
       place[g] = low.size();
       low.push_back(g);
       is_air[g] = 0;

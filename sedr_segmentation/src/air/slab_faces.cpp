@@ -27,7 +27,6 @@ class SlabFaces {
 public:
   explicit SlabFaces(const AirGaps& air)
       : air_(air)
-      , tall_(air.voxels(air.parameters().headroom))
       , above_(air.size(), AirGaps::none)
       , is_met_(air.size(), 0)
       , ceiling_(closedCeiling(air, ribReach(air)))
@@ -35,7 +34,7 @@ public:
     std::uint32_t below = AirGaps::none;
     for (std::uint32_t g = 0; g < air.size(); ++g) {
       gaps_.push_back(air[g]);
-      if (air[g].high - air[g].low < tall_)
+      if (!air.isTall(air[g]))
         continue;
       if (below != AirGaps::none && air[below].column == air[g].column)
         above_[below] = g;
@@ -107,11 +106,11 @@ private:
   {
     const std::int32_t low = std::max(upper.low, other);
     const std::int32_t high = std::min(lower.high, other);
-    if (is_ceiling && upper.high - low >= tall_) {
+    if (is_ceiling && air_.hasHeadroom(low, upper.high)) {
       upper.low = low;
       upper.floor_seen = false;
     }
-    if (!is_ceiling && high - lower.low >= tall_) {
+    if (!is_ceiling && air_.hasHeadroom(lower.low, high)) {
       lower.high = high;
       lower.ceiling_seen = false;
     }
@@ -155,7 +154,6 @@ private:
   }
 
   const AirGaps& air_;
-  std::int32_t tall_;                ///< voxels of headroom
   std::vector<std::uint32_t> above_; ///< of a tall gap: the next in its column
   std::vector<std::uint8_t> is_met_;
   std::vector<float> ceiling_; ///< above a gap, beside ribs and beams

@@ -21,7 +21,6 @@ class SlabHoles {
 public:
   explicit SlabHoles(const AirGaps& air)
       : air_(air)
-      , tall_(air.voxels(air.parameters().headroom))
       , slab_(air.size())
       , place_(air.size(), AirGaps::none)
   {
@@ -66,7 +65,8 @@ private:
   /** @brief Whether a gap reaches through a slab, with headroom on both sides. */
   bool reachesThrough(std::uint32_t g, const Slab& slab) const
   {
-    return slab.ceiling - air_[g].low >= tall_ && air_[g].high - slab.floor >= tall_;
+    return air_.hasHeadroom(air_[g].low, slab.ceiling) &&
+           air_.hasHeadroom(slab.floor, air_[g].high);
   }
 
   bool findSlabBeside(std::uint32_t g, int d, Slab& slab) const
@@ -76,7 +76,7 @@ private:
       return false;
     bool has_lower = false;
     for (std::size_t o = air_.first(column); o < air_.first(column + 1); ++o) {
-      if (air_[o].high - air_[o].low < tall_)
+      if (!air_.isTall(air_[o]))
         continue;
       slab.floor = air_[o].low;
       if (has_lower && reachesThrough(g, slab))
@@ -121,7 +121,6 @@ private:
   }
 
   const AirGaps& air_;
-  std::int32_t tall_;
   std::vector<Slab> slab_;            ///< of each gap that reaches through one
   std::vector<std::uint32_t> place_;  ///< of each gap that does, its number
   std::vector<std::uint32_t> places_; ///< those gaps

@@ -38,10 +38,7 @@ private:
     return other < air_.size() && air_[g].column == air_[other].column;
   }
 
-  bool isLow(std::size_t g) const
-  {
-    return air_[g].high - air_[g].low < air_.voxels(air_.parameters().headroom);
-  }
+  bool isLow(std::size_t g) const { return !air_.isTall(air_[g]); }
 
   /** @brief Whether a low gap lies between the faces of a slab: there is the air of a
    * storey beyond the layer to test, and beyond a thin one on its other side. */
