@@ -29,8 +29,8 @@ struct AirParameters {
   double same_surface = 0.2;    ///< a surface goes on where it is no farther off
   double walled_share = 0.25;   ///< of a gap's height that is occupied: a wall
   double largest_unseen = 0.25; ///< area over length of edge, of what a scanner sees
-                                ///< neither below nor above itself, and of a hole in a
-                                ///< slab; a larger one is a void
+                                ///< neither below nor above itself
+  double largest_hole = 1.5;    ///< square metres, of a slab; a larger one is a void
   double veil = 0.6;  ///< of the points of a surface: a layer before it that has fewer
                       ///< is none, see withoutVeils()
   int veil_reach = 2; ///< columns around one, where points are counted for that

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slab_holes.h"
 
-#include "air_labelling.h"
-
 #include <cstddef>
 #include <cstdint>
 
@@ -16,26 +14,20 @@ struct Slab {
   std::int32_t floor = 0;   ///< of the upper, AirGap::low
 };
 
-/** @brief Gaps that reach through slabs, outwards from these. */
 class SlabHoles {
 public:
   explicit SlabHoles(const AirGaps& air)
       : air_(air)
+      , tall_(air.voxels(air.parameters().headroom))
       , slab_(air.size())
-      , place_(air.size(), AirGaps::none)
+      , is_through_(air.size(), 0)
   {
     for (std::uint32_t g = 0; g < air.size(); ++g)
-      for (int d = 0; d < 4 && place_[g] == AirGaps::none; ++d)
-        if (findSlabBeside(g, d, slab_[g]))
-          add(g);
-    for (std::size_t k = 0; k < places_.size(); ++k)
       for (int d = 0; d < 4; ++d)
-        forEachBeside(places_[k], d, [&](std::uint32_t o) {
-          if (place_[o] == AirGaps::none) {
-            slab_[o] = slab_[places_[k]];
-            add(o);
-          }
-        });
+        if (is_through_[g] == 0 && findSlabBeside(g, d))
+          front_.push_back(g);
+    for (std::size_t k = 0; k < front_.size(); ++k)
+      goOnFrom(front_[k]);
   }
 
   std::vector<AirGap> closed()
@@ -43,87 +35,105 @@ public:
     std::vector<AirGap> gaps;
     const std::vector<std::uint8_t> is_hole = holes();
     for (std::uint32_t g = 0; g < air_.size(); ++g) {
-      gaps.push_back(air_[g]);
-      if (place_[g] == AirGaps::none || is_hole[place_[g]] == 0)
+      if (is_hole[g] == 0) {
+        gaps.push_back(air_[g]);
         continue;
-      gaps.back().high = slab_[g].ceiling;
-      gaps.back().ceiling_seen = false;
-      gaps.push_back(air_[g]);
-      gaps.back().low = slab_[g].floor;
-      gaps.back().floor_seen = false;
+      }
+      AirGap below = air_[g];
+      AirGap above = air_[g];
+      below.high = slab_[g].ceiling;
+      above.low = slab_[g].floor;
+      below.ceiling_seen = above.floor_seen = false;
+      gaps.push_back(below);
+      gaps.push_back(above);
     }
     return gaps;
   }
 
 private:
-  void add(std::uint32_t g)
-  {
-    place_[g] = static_cast<std::uint32_t>(places_.size());
-    places_.push_back(g);
-  }
-
   /** @brief Whether a gap reaches through a slab, with headroom on both sides. */
   bool reachesThrough(std::uint32_t g, const Slab& slab) const
   {
-    return air_.hasHeadroom(air_[g].low, slab.ceiling) &&
-           air_.hasHeadroom(slab.floor, air_[g].high);
+    return slab.ceiling - air_[g].low >= tall_ && air_[g].high - slab.floor >= tall_;
   }
 
-  bool findSlabBeside(std::uint32_t g, int d, Slab& slab) const
+  bool findSlabBeside(std::uint32_t g, int d)
   {
     const std::uint32_t column = air_.columns().neighbour(air_[g].column, d);
     if (column == VoxelColumns::none)
       return false;
     bool has_lower = false;
+    Slab slab;
     for (std::size_t o = air_.first(column); o < air_.first(column + 1); ++o) {
-      if (!air_.isTall(air_[o]))
+      if (air_[o].high - air_[o].low < tall_)
         continue;
       slab.floor = air_[o].low;
-      if (has_lower && reachesThrough(g, slab))
+      if (has_lower && reachesThrough(g, slab)) {
+        slab_[g] = slab;
+        is_through_[g] = 1;
         return true;
+      }
       has_lower = true;
       slab.ceiling = air_[o].high;
     }
     return false;
   }
 
-  /** @brief Visits the gaps that reach through the slab of a gap in direction d. */
   template <typename Visitor>
-  void forEachBeside(std::uint32_t g, int d, Visitor visit) const
+  void forEachBeside(std::uint32_t g, Visitor visit) const
   {
-    const std::uint32_t column = air_.columns().neighbour(air_[g].column, d);
-    if (column == VoxelColumns::none)
-      return;
-    for (auto o = static_cast<std::uint32_t>(air_.first(column));
-         o < air_.first(column + 1); ++o)
-      if (reachesThrough(o, slab_[g]))
-        visit(o);
+    for (int d = 0; d < 4; ++d) {
+      const std::uint32_t column = air_.columns().neighbour(air_[g].column, d);
+      if (column == VoxelColumns::none)
+        continue;
+      for (std::size_t o = air_.first(column); o < air_.first(column + 1); ++o)
+        if (reachesThrough(static_cast<std::uint32_t>(o), slab_[g]))
+          visit(static_cast<std::uint32_t>(o));
+    }
   }
 
-  /** @brief Of each place whether it is a hole in what was seen of the slab, which ends
-   * it on all sides: at walls, too. */
+  void goOnFrom(std::uint32_t g)
+  {
+    forEachBeside(g, [&](std::uint32_t o) {
+      if (is_through_[o] != 0)
+        return;
+      slab_[o] = slab_[g];
+      is_through_[o] = 1;
+      front_.push_back(o);
+    });
+  }
+
+  /** @brief The gaps of holes that are small enough: 1 for each. */
   std::vector<std::uint8_t> holes() const
   {
-    AirLabelling labelling(places_.size(), air_);
-    for (std::size_t k = 0; k < places_.size(); ++k) {
-      labelling.addUnseen(k);
-      for (int d = 0; d < 4; ++d) {
-        bool goes_on = false;
-        forEachBeside(places_[k], d, [&](std::uint32_t o) {
-          labelling.addOther(k, place_[o]);
-          goes_on = true;
+    const double cell = air_.columns().cellSize();
+    const double largest = air_.parameters().largest_hole / (cell * cell);
+    std::vector<std::uint8_t> is_met(air_.size(), 0);
+    std::vector<std::uint8_t> is_hole(air_.size(), 0);
+    for (const std::uint32_t start : front_) {
+      if (is_met[start] != 0)
+        continue;
+      std::vector<std::uint32_t> hole{start};
+      is_met[start] = 1;
+      for (std::size_t k = 0; k < hole.size(); ++k)
+        forEachBeside(hole[k], [&](std::uint32_t o) {
+          if (is_through_[o] != 0 && is_met[o] == 0) {
+            is_met[o] = 1;
+            hole.push_back(o);
+          }
         });
-        if (!goes_on)
-          labelling.addKnown(k);
-      }
+      if (static_cast<double>(hole.size()) <= largest)
+        for (const std::uint32_t g : hole)
+          is_hole[g] = 1;
     }
-    return labelling.solve();
+    return is_hole;
   }
 
   const AirGaps& air_;
-  std::vector<Slab> slab_;            ///< of each gap that reaches through one
-  std::vector<std::uint32_t> place_;  ///< of each gap that does, its number
-  std::vector<std::uint32_t> places_; ///< those gaps
+  std::int32_t tall_;
+  std::vector<Slab> slab_;               ///< of each gap that reaches through one
+  std::vector<std::uint8_t> is_through_; ///< whether it does
+  std::vector<std::uint32_t> front_;     ///< those, outwards from the slabs
 };
 
 } // namespace
