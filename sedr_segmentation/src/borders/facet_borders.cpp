@@ -40,19 +40,18 @@ nearestCrossing(const Ends& parts, int steps, const Place& near, double farthest
   return best;
 }
 
+/** @brief Where parts cross that come together near a place; where none do, on the
+ * first one there is. Where facets meet counts more than where they step. */
 Place
-junctionOf(const CrackVertex& vertex, const Ends& parts, const SheetCracks& cracks)
+meetingOf(const Ends& parts, const Place& near, double farthest)
 {
-  const Place raw = cracks.placeOf(vertex);
-  const double farthest = 2 * cracks.reachAt(vertex);
-  // Where facets meet counts more than where they step.
   for (const int steps : {0, 1, 2})
-    if (const auto place = nearestCrossing(parts, steps, raw, farthest))
+    if (const auto place = nearestCrossing(parts, steps, near, farthest))
       return *place;
   for (const BorderPart* part : parts)
-    if (const auto place = part->project(raw, farthest))
+    if (const auto place = part->project(near, farthest))
       return *place;
-  return raw;
+  return near;
 }
 
 /** @brief The junctions in the room: where the parts that end at a vertex cross, lines
@@ -74,7 +73,8 @@ junctionsOf(const SheetCracks& cracks,
   }
   BorderJunctions junctions;
   for (const auto& [vertex, ending] : ends)
-    junctions[vertex] = junctionOf(vertex, ending, cracks);
+    junctions[vertex] =
+        meetingOf(ending, cracks.placeOf(vertex), 2 * cracks.reachAt(vertex));
   return junctions;
 }
 
@@ -82,11 +82,9 @@ junctionsOf(const SheetCracks& cracks,
 Place
 jointOf(const BorderPart& before, const BorderPart& after, const SheetCracks& cracks)
 {
-  const Place raw = (before.samples.back() + after.samples.front()) / 2;
-  const double farthest = 2 * SheetCracks::reach * cracks.cellSize();
-  if (const auto place = crossing(before, after, raw, farthest))
-    return *place;
-  return after.project(raw, farthest).value_or(raw);
+  return meetingOf({&after, &before},
+                   (before.samples.back() + after.samples.front()) / 2,
+                   2 * SheetCracks::reach * cracks.cellSize());
 }
 
 /** @brief Adds the places of a curved border from one to another. */

@@ -21,6 +21,24 @@ wholeBox(const SheetGrid& grid)
   return {Eigen::Vector2i(0, 0), Eigen::Vector2i(grid.columns - 1, grid.rows - 1)};
 }
 
+/** @brief Calls `use(cell)` for the cells of a box, row by row. */
+template <typename Use>
+void
+forAllIn(const SheetGrid& grid, const CellBox& box, Use use)
+{
+  for (int y = box.min().y(); y <= box.max().y(); ++y)
+    for (int x = box.min().x(); x <= box.max().x(); ++x)
+      use(grid.indexOf(x, y));
+}
+
+CellBox
+grown(const SheetGrid& grid, CellBox box, int margin)
+{
+  box.min().array() -= margin;
+  box.max().array() += margin;
+  return box.intersection(wholeBox(grid));
+}
+
 /** @brief The borders between cells of the domain, and what they cost. */
 class Borders {
 public:
@@ -191,10 +209,10 @@ energyWithin(const CellBox& box,
              const std::vector<std::int32_t>& label)
 {
   double energy = 0;
-  for (int y = box.min().y(); y <= box.max().y(); ++y)
-    for (int x = box.min().x(); x <= box.max().x(); ++x)
-      if (const std::size_t cell = cells.grid().indexOf(x, y); cells.isInside(cell))
-        energy += facets[static_cast<std::size_t>(label[cell])].cost[cell];
+  forAllIn(cells.grid(), box, [&](std::size_t cell) {
+    if (cells.isInside(cell))
+      energy += facets[static_cast<std::size_t>(label[cell])].cost[cell];
+  });
   borders.forAll(box, [&](std::size_t a, std::size_t b) {
     energy += borders.costOf(a, b, label[a], label[b]);
   });
@@ -233,10 +251,7 @@ reachOf(std::int32_t facet,
       box.extend(Eigen::Vector2i(grid.columnOf(cell), grid.rowOf(cell)));
   if (box.isEmpty())
     return box;
-  const auto margin = static_cast<int>(std::ceil(beyond / grid.size));
-  box.min().array() -= margin;
-  box.max().array() += margin;
-  return box.intersection(wholeBox(grid));
+  return grown(grid, box, static_cast<int>(std::ceil(beyond / grid.size)));
 }
 
 /** @brief The cells that one facet takes from others as it gains by them: of all such
@@ -250,16 +265,14 @@ takenBy(std::int32_t own,
         const std::vector<std::int32_t>& label)
 {
   constexpr std::uint32_t fixed = std::numeric_limits<std::uint32_t>::max();
-  const SheetGrid& grid = cells.grid();
   std::vector<std::uint32_t> number(label.size(), fixed); // of the cells of others
   std::vector<std::size_t> others;
-  for (int y = box.min().y(); y <= box.max().y(); ++y)
-    for (int x = box.min().x(); x <= box.max().x(); ++x)
-      if (const std::size_t cell = grid.indexOf(x, y);
-          cells.isInside(cell) && label[cell] != own) {
-        number[cell] = static_cast<std::uint32_t>(others.size());
-        others.push_back(cell);
-      }
+  forAllIn(cells.grid(), box, [&](std::size_t cell) {
+    if (!cells.isInside(cell) || label[cell] == own)
+      return;
+    number[cell] = static_cast<std::uint32_t>(others.size());
+    others.push_back(cell);
+  });
   BinaryEnergy expansion(others.size());
   const std::vector<float>& if_yes = facets[static_cast<std::size_t>(own)].cost;
   for (const std::size_t cell : others)
@@ -304,13 +317,11 @@ hasChanged(const SheetGrid& grid,
            const std::vector<std::int32_t>& changed,
            std::int32_t last)
 {
-  for (int y = std::max(0, box.min().y() - 1);
-       y <= std::min(grid.rows - 1, box.max().y() + 1); ++y)
-    for (int x = std::max(0, box.min().x() - 1);
-         x <= std::min(grid.columns - 1, box.max().x() + 1); ++x)
-      if (changed[grid.indexOf(x, y)] > last)
-        return true;
-  return false;
+  bool has_changed = false;
+  forAllIn(grid, grown(grid, box, 1), [&](std::size_t cell) {
+    has_changed = has_changed || changed[cell] > last;
+  });
+  return has_changed;
 }
 
 } // namespace

@@ -135,6 +135,12 @@ public:
           has_grown = true;
         }
     }
+    // Beds and desks of one height are alike: two side by side are no platform.
+    std::map<const PlanSlab*, double> floor_more;
+    for (const FloorPiece& piece : pieces_)
+      floor_more[piece.slab] += piece.is_floor ? piece.area : -piece.area;
+    for (FloorPiece& piece : pieces_)
+      piece.is_floor = piece.is_floor && floor_more[piece.slab] > 0;
   }
 
   /** @brief Returns the slab of the floor in a cell; null where it is none. */

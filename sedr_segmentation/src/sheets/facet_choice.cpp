@@ -252,15 +252,12 @@ private:
   neighbours(const FacetChoice& choice) const
   {
     std::set<std::pair<std::size_t, std::size_t>> pairs;
-    const auto facetOf = [&](std::size_t cell) {
-      return static_cast<std::size_t>(choice.label[cell]);
-    };
-    for (std::size_t cell = 0; cell + 1 < choice.label.size(); ++cell)
-      for (const std::size_t next :
-           {cell + 1, cell + static_cast<std::size_t>(cells_.grid().columns)})
-        if (next < choice.label.size() && cells_.isInside(cell) &&
-            cells_.isInside(next) && facetOf(cell) != facetOf(next))
-          pairs.insert(std::minmax(facetOf(cell), facetOf(next)));
+    for (std::size_t cell = 0; cell < choice.label.size(); ++cell)
+      cells_.grid().forAllSides(cell, [&](std::size_t next) {
+        if (choice.label[cell] < choice.label[next] && cells_.isInside(cell) &&
+            cells_.isInside(next))
+          pairs.emplace(choice.label[cell], choice.label[next]);
+      });
     return pairs;
   }
 

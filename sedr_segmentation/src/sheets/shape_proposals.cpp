@@ -64,48 +64,37 @@ grownCells(const PlanSlab& slab,
   return grown;
 }
 
-/** @brief Grows shapes from one window. */
-class Grower {
-public:
-  explicit Grower(const FacetEvidence& evidence)
-      : evidence_(evidence)
-      , cells_(evidence.cells)
-      , deviation_(evidence.deviation)
-  {}
-
-  /** @brief Appends the shape that is found, if any. */
-  void grow(ShapeKind kind,
-            std::size_t seed,
-            int reach,
-            std::vector<FacetProposal>& found) const
-  {
-    constexpr double min_share = 0.6;
-    constexpr int rounds = 3;
-    std::vector<std::size_t> window = cells_.window(seed, reach);
-    // Half of it may lie beside the room.
-    if (2 * window.size() < static_cast<std::size_t>((2 * reach + 1) * (2 * reach + 1)))
+/** @brief Appends the shape that grows from one window, if any does. */
+void
+growFrom(std::size_t seed,
+         ShapeKind kind,
+         int reach,
+         const FacetEvidence& evidence,
+         std::vector<FacetProposal>& found)
+{
+  constexpr double min_share = 0.6;
+  constexpr int rounds = 3;
+  const CellPoints& cells = evidence.cells;
+  const std::vector<std::size_t> window = cells.window(seed, reach);
+  // Half of it may lie beside the room.
+  if (2 * window.size() < static_cast<std::size_t>((2 * reach + 1) * (2 * reach + 1)))
+    return;
+  FacetProposal facet = fitFacet(kind, evidence, window, few_points);
+  for (int round = 0; round < rounds; ++round) {
+    if (!isBuilt(facet, evidence.parameters) ||
+        shareExplained(facet, evidence, window) < min_share)
       return;
-    FacetProposal facet = fitFacet(kind, evidence_, window, few_points);
-    for (int round = 0; round < rounds; ++round) {
-      if (!isBuilt(facet, evidence_.parameters) ||
-          shareExplained(facet, evidence_, window) < min_share)
-        return;
-      std::vector<std::size_t> grown = grownCells(facet.slab, cells_, seed, deviation_);
-      const bool has_settled = grown == facet.cells;
-      facet.cells = std::move(grown);
-      if (has_settled)
-        break;
-      refineShape(kind, cells_.pointsOf(facet.cells, max_points), deviation_,
-                  facet.slab);
-    }
-    found.push_back(std::move(facet));
+    std::vector<std::size_t> grown =
+        grownCells(facet.slab, cells, seed, evidence.deviation);
+    const bool has_settled = grown == facet.cells;
+    facet.cells = std::move(grown);
+    if (has_settled)
+      break;
+    refineShape(kind, cells.pointsOf(facet.cells, max_points), evidence.deviation,
+                facet.slab);
   }
-
-private:
-  const FacetEvidence& evidence_;
-  const CellPoints& cells_;
-  double deviation_;
-};
+  found.push_back(std::move(facet));
+}
 
 /** @brief Grows shapes from windows all over the plan, but where there are some. Some
  * windows are looked at side by side: what one of them finds counts unless one before
@@ -122,7 +111,6 @@ growFromSeeds(const FacetEvidence& evidence,
   const int stride = std::min(
       reach + 1, std::max(4, static_cast<int>(std::sqrt(
                                  static_cast<double>(grid.count()) / max_seeds))));
-  const Grower grower(evidence);
   std::vector<std::uint8_t> is_covered(grid.count(), 0);
   const auto cover = [&](const FacetProposal& facet) {
     for (const std::size_t cell : facet.cells)
@@ -135,7 +123,7 @@ growFromSeeds(const FacetEvidence& evidence,
     std::vector<std::vector<FacetProposal>> grown(seeds.size());
     parallelBlocks(seeds.size(), 1, evidence.parameters.threads,
                    [&](std::size_t k, std::size_t) {
-                     grower.grow(kind, seeds[k], reach, grown[k]);
+                     growFrom(seeds[k], kind, reach, evidence, grown[k]);
                    });
     for (std::size_t k = 0; k < seeds.size(); ++k)
       if (!is_covered[seeds[k]] && !grown[k].empty()) {

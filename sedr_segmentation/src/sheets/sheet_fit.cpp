@@ -125,11 +125,13 @@ takeFacets(const CellPoints& cells,
 double
 FacetSheet::heightAt(const Eigen::Vector2d& p) const
 {
-  const Eigen::Vector2d place = grid.cellsTo(p);
-  const int x =
-      std::clamp(static_cast<int>(std::floor(place.x())), 0, grid.columns - 1);
-  const int y = std::clamp(static_cast<int>(std::floor(place.y())), 0, grid.rows - 1);
-  return facets[static_cast<std::size_t>(label[grid.indexOf(x, y)])].heightAt(p);
+  // Beside the grid facets are not known: a slope would go on below the floor.
+  const Eigen::Vector2d place =
+      grid.cellsTo(p).cwiseMax(0).cwiseMin(Eigen::Vector2d(grid.columns, grid.rows));
+  const int x = std::min(static_cast<int>(place.x()), grid.columns - 1);
+  const int y = std::min(static_cast<int>(place.y()), grid.rows - 1);
+  return facets[static_cast<std::size_t>(label[grid.indexOf(x, y)])].heightAt(
+      grid.placeOf(place.x(), place.y()));
 }
 
 FacetSheet

@@ -24,7 +24,8 @@ struct FacetSheet {
   std::vector<PlanSlab> facets; ///< the largest first; inliers and residual known
   double noise = 0;             ///< standard deviation of the points, metres
 
-  /** @brief z of the facet above a place; beside the grid that of the nearest cell. */
+  /** @brief z of the facet above a place; beside the grid that of the nearest
+   * place on it. */
   double heightAt(const Eigen::Vector2d& p) const;
 };
 

@@ -226,115 +226,38 @@ dropPieces(const FacetEvidence& evidence, FacetChoice& choice)
   Pieces(evidence, choice).run();
 }
 
-namespace {
-
-/** @brief The beams of a ceiling, over cells along the walls. */
-class Beams {
-public:
-  Beams(const CellPoints& cells, FacetChoice& choice)
-      : cells_(cells)
-      , grid_(cells.grid())
-      , choice_(choice)
-  {}
-
-  void run()
-  {
-    std::vector<std::size_t> sizes(choice_.facets.size(), 0);
-    for (const std::size_t cell : cells_.seen())
-      ++sizes[static_cast<std::size_t>(choice_.label[cell])];
-    main_ = static_cast<std::int32_t>(std::max_element(sizes.begin(), sizes.end()) -
-                                      sizes.begin());
-    for (std::size_t k = 0; k < sizes.size(); ++k) {
-      const auto facet = static_cast<std::int32_t>(k);
-      if (sizes[k] == 0 || facet == main_ || !isLevelFacet(choice_, facet))
-        continue;
-      std::vector<std::uint8_t> is_seen(grid_.count(), 0);
-      for (const std::size_t cell : cells_.seen())
-        is_seen[cell] = choice_.label[cell] == facet ? 1 : 0;
-      for (const std::vector<std::size_t>& piece : piecesOf(grid_, is_seen))
-        extend(facet, piece);
-    }
-  }
-
-private:
-  /** @brief Cells across a beam that show nothing, the main facet, or its end. */
-  enum class Across { Unseen, Main, End };
-
-  void extend(std::int32_t facet, const std::vector<std::size_t>& piece)
-  {
-    Eigen::AlignedBox2i box;
-    for (const std::size_t cell : piece)
-      box.extend(Eigen::Vector2i(grid_.columnOf(cell), grid_.rowOf(cell)));
-    const Eigen::Vector2i extent = box.sizes() + Eigen::Vector2i::Ones();
-    const int along = extent.x() > extent.y() ? 0 : 1;
-    const int length = extent[along];
-    if (length < 2 * extent[1 - along] ||
-        4 * piece.size() < 3 * static_cast<std::size_t>(extent.prod()))
-      return;
-    for (const int way : {-1, 1}) {
-      const int last = way > 0 ? box.max()[along] : box.min()[along];
-      for (int gap = 1; 2 * gap <= length; ++gap) {
-        const Across across = lookAcross(box, along, last + way * gap);
-        if (across == Across::Unseen)
-          continue;
-        // An end that is seen in part is oblique: a shadow's, no beam's.
-        for (int k = -extent[1 - along]; across == Across::End && k < gap; ++k)
-          claim(facet, box, along, last + way * k);
-        break;
-      }
-    }
-  }
-
-  template <typename Use>
-  void forAllAcross(const Eigen::AlignedBox2i& box, int along, int at, int rim, Use use)
-  {
-    for (int k = box.min()[1 - along] + rim; k <= box.max()[1 - along] - rim; ++k) {
-      const int x = along == 0 ? at : k;
-      const int y = along == 0 ? k : at;
-      const bool is_inside = grid_.holds(x, y) && cells_.isInside(grid_.indexOf(x, y));
-      use(is_inside ? grid_.indexOf(x, y) : grid_.count());
-    }
-  }
-
-  Across lookAcross(const Eigen::AlignedBox2i& box, int along, int at)
-  {
-    const int rim = box.sizes()[1 - along] > 1 ? 1 : 0; // its edges are in these cells
-    int count = 0;
-    int main = 0;
-    int end = 0;
-    forAllAcross(box, along, at, rim, [&](std::size_t cell) {
-      const bool is_wall = cell == grid_.count();
-      const bool is_main =
-          !is_wall && !cells_.isEmpty(cell) && choice_.label[cell] == main_;
-      ++count;
-      main += is_main ? 1 : 0;
-      end += is_wall || (!is_main && !cells_.isEmpty(cell)) ? 1 : 0;
-    });
-    if (5 * main > count)
-      return Across::Main;
-    return 2 * end >= count ? Across::End : Across::Unseen;
-  }
-
-  void claim(std::int32_t facet, const Eigen::AlignedBox2i& box, int along, int at)
-  {
-    forAllAcross(box, along, at, 0, [&](std::size_t cell) {
-      if (cell < grid_.count() && cells_.isEmpty(cell))
-        choice_.label[cell] = facet;
-    });
-  }
-
-  const CellPoints& cells_;
-  const SheetGrid& grid_;
-  FacetChoice& choice_;
-  std::int32_t main_ = FacetSheet::none; ///< the largest facet
-};
-
-} // namespace
-
 void
 extendBeams(const FacetEvidence& evidence, FacetChoice& choice)
 {
-  Beams(evidence.cells, choice).run();
+  const CellPoints& cells = evidence.cells;
+  const auto row = static_cast<std::size_t>(cells.grid().columns);
+  std::vector<std::size_t> sizes(choice.facets.size(), 0);
+  for (const std::size_t cell : cells.seen())
+    ++sizes[static_cast<std::size_t>(choice.label[cell])];
+  const auto main = static_cast<std::int32_t>(
+      std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+  const auto isHidden = [&](std::size_t cell) {
+    return cells.isInside(cell) && cells.isEmpty(cell);
+  };
+  std::vector<std::int32_t> extended = choice.label;
+  for (const std::size_t stride : {std::size_t{1}, -std::size_t{1}, row, -row})
+    for (const std::size_t last : cells.seen()) {
+      const std::int32_t facet = choice.label[last];
+      if (facet == main || !isLevelFacet(choice, facet) || !isHidden(last + stride))
+        continue;
+      std::size_t length = 0;
+      for (std::size_t cell = last; cells.isInside(cell) && choice.label[cell] == facet;
+           cell -= stride)
+        ++length;
+      std::size_t gap = 0;
+      std::size_t next = last + stride;
+      for (; isHidden(next); next += stride)
+        ++gap;
+      if (2 * gap <= length && (!cells.isInside(next) || choice.label[next] != main))
+        for (std::size_t cell = last + stride; cell != next; cell += stride)
+          extended[cell] = facet;
+    }
+  choice.label = std::move(extended);
 }
 
 } // namespace pcl::sedr

@@ -13,10 +13,10 @@ namespace pcl::sedr {
  * O(cells), with risers seen. */
 void dropPieces(const FacetEvidence& evidence, FacetChoice& choice);
 
-/** @brief Proposes that beams go on where nothing was seen: cells without points in
- * line with a level strip, up to the wall or what is seen next, are of its facet if the
- * main one is not seen among them and they are no more than half as long as it.
- * O(facets times cells). */
+/** @brief Proposes that beams and soffits go on where nothing was seen: along a row or
+ * column, cells without points up to the wall or what is seen next are of the level
+ * facet before them, if that is not the main one and they are no more than half as long
+ * as it. O(cells times columns). */
 void extendBeams(const FacetEvidence& evidence, FacetChoice& choice);
 
 } // namespace pcl::sedr

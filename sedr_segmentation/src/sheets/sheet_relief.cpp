@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pcl::sedr {
 
@@ -18,32 +19,26 @@ namespace {
 void
 spread(SlabCurve& relief)
 {
-  const auto columns = static_cast<std::ptrdiff_t>(relief.columns);
-  const auto rows = static_cast<std::ptrdiff_t>(relief.rows());
+  SheetGrid grid;
+  grid.columns = static_cast<int>(relief.columns);
+  grid.rows = static_cast<int>(relief.rows());
   for (bool has_changed = true; has_changed;) {
     has_changed = false;
     std::vector<double> next = relief.heights;
-    for (std::ptrdiff_t y = 0; y < rows; ++y)
-      for (std::ptrdiff_t x = 0; x < columns; ++x) {
-        if (std::isfinite(relief.heights[static_cast<std::size_t>(y * columns + x)]))
-          continue;
-        double sum = 0;
-        int count = 0;
-        for (std::ptrdiff_t v = std::max<std::ptrdiff_t>(0, y - 1);
-             v <= std::min(rows - 1, y + 1); ++v)
-          for (std::ptrdiff_t u = std::max<std::ptrdiff_t>(0, x - 1);
-               u <= std::min(columns - 1, x + 1); ++u) {
-            const double z = relief.heights[static_cast<std::size_t>(v * columns + u)];
-            if (!std::isfinite(z))
-              continue;
-            sum += z;
-            ++count;
-          }
-        if (count == 0)
-          continue;
-        next[static_cast<std::size_t>(y * columns + x)] = sum / count;
-        has_changed = true;
-      }
+    for (std::size_t place = 0; place < next.size(); ++place) {
+      double sum = 0;
+      int count = 0;
+      grid.forAllWithin(place, 1, [&](std::size_t near) {
+        if (!std::isfinite(relief.heights[near]))
+          return;
+        sum += relief.heights[near];
+        ++count;
+      });
+      if (count == 0 || std::isfinite(relief.heights[place]))
+        continue;
+      next[place] = sum / count;
+      has_changed = true;
+    }
     relief.heights = std::move(next);
   }
 }

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 
@@ -96,36 +97,55 @@ INSTANTIATE_TEST_SUITE_P(
         FloorShape{"ramp of 10 degrees", {ramp(10), platformAfter(ramp(10))}},
         FloorShape{"sloping hall", {}, std::tan(5 * M_PI / 180)}));
 
+/** Things of one height on the floor, with the floor hidden in a part. */
+struct Furniture {
+  const char* name;
+  std::vector<PlanLoop> outlines;
+  double height;
+  bool has_sides = true;
+  PlanLoop hidden{};
+};
+
 TEST(FloorPoints, OfFurnitureAreNone)
 {
-  struct Piece {
-    const char* name;
-    PlanLoop outline;
-    double height;
-    bool has_sides;
-  };
-  for (const Piece& piece :
-       {Piece{"table", rectangle(3.01, 2.01, 5.01, 3.01), 0.75, false},
-        Piece{"bed", rectangle(3.01, 0.01, 5.01, 2.01), 0.5, true},
-        Piece{"row of wardrobes", rectangle(0.01, 5.21, 8.01, 6.01), 2, true},
-        Piece{"chest", rectangle(6.01, 2.01, 7.01, 2.81), 0.45, true}}) {
+  for (const Furniture& things :
+       {Furniture{"table", {rectangle(3.01, 2.01, 5.01, 3.01)}, 0.75, false},
+        Furniture{"bed", {rectangle(3.01, 0.01, 5.01, 2.01)}, 0.5},
+        Furniture{"row of wardrobes", {rectangle(0.01, 5.21, 8.01, 6.01)}, 2},
+        Furniture{"chest", {rectangle(6.01, 2.01, 7.01, 2.81)}, 0.45},
+        Furniture{"beds, two of them side by side",
+                  {rectangle(0.01, 0.01, 2.51, 2.21), rectangle(4.01, 0.01, 5.61, 2.01),
+                   rectangle(6.21, 0.01, 7.81, 2.01)},
+                  0.5},
+        Furniture{
+            "beds that hide the floor between them",
+            {rectangle(2.01, 0.01, 3.41, 2.01), rectangle(4.61, 0.01, 6.01, 2.01)},
+            0.5,
+            true,
+            rectangle(3.41, 0.01, 4.61, 2.01)}}) {
     RoomPoints points(0.05, 0.005);
     const PlanRoom room = roomWith({"plain", {}});
-    const bool has_sides = piece.has_sides;
     std::vector<int> ends = points.slab(room.boundary, 0, [&](double x, double y) {
-      return !(has_sides && piece.outline.contains({x, y}));
+      const auto isIn = [&](const PlanLoop& loop) { return loop.contains({x, y}); };
+      return !isIn(things.hidden) &&
+             !(things.has_sides &&
+               std::any_of(things.outlines.begin(), things.outlines.end(), isIn));
     });
     const std::size_t floor = ends.size();
     points.slab(room.boundary, 3.4);
-    for (const int i : points.slab(piece.outline, piece.height))
-      ends.push_back(i);
-    for (const PlanElement& side : piece.outline.elements)
-      if (has_sides)
-        points.wall(side, 0.05, piece.height);
+    for (const PlanLoop& outline : things.outlines) {
+      for (const int i : points.slab(outline, things.height))
+        ends.push_back(i);
+      for (const PlanElement& side : outline.elements)
+        if (things.has_sides &&
+            (things.hidden.elements.empty() ||
+             things.hidden.distance((side.start + side.end) / 2) > 0.01))
+          points.wall(side, 0.05, things.height);
+    }
     EXPECT_EQ(
         floorPoints(points.view(), ends, points.all(), slabAt(0), 0.07, {}).size(),
         floor)
-        << piece.name;
+        << things.name;
   }
 }
 
