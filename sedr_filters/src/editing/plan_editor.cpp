@@ -283,14 +283,25 @@ PlanEditor::square(std::uint32_t room)
       if (line.isArc() || std::abs(off) > most)
         continue;
       const Eigen::Vector2d middle = (line.start + line.end) / 2;
-      const Eigen::Affine2d turn = Eigen::Translation2d(middle) *
-                                   Eigen::Rotation2Dd(-off) *
-                                   Eigen::Translation2d(-middle);
+      const auto turnBy = [&](double angle) {
+        return Eigen::Affine2d(Eigen::Translation2d(middle) *
+                               Eigen::Rotation2Dd(angle) *
+                               Eigen::Translation2d(-middle));
+      };
+      const Eigen::Affine2d turn = turnBy(-off);
       move(line, turn);
       for (std::size_t n = 0; n < walls.size(); ++n)
         for (PlanElement& side : changed.niches[n].boundary.elements)
           if (walls[n] == w)
             move(side, turn);
+      for (PlanOpening& opening : plan.openings)
+        for (const OpeningWall& in : opening.walls)
+          if (in.room == room && in.element == w) {
+            const bool has_other = opening.walls.size() > 1; // it stays
+            const Eigen::Affine2d turned = has_other ? turnBy(-off / 2) : turn;
+            opening.start = turned * opening.start;
+            opening.end = turned * opening.end;
+          }
     }
     const PlanLoop before = changed.boundary;
     const std::string problem = meetAgain(lines, changed.boundary);

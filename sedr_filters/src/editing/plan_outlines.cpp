@@ -155,7 +155,7 @@ meetAgain(const std::vector<PlanElement>& lines, PlanLoop& loop)
     Eigen::Vector2d way;
     if (std::abs(offLine(lines[k], wall.start, way)) > touching ||
         std::abs(offLine(lines[k], wall.end, way)) > touching)
-      return "it would no longer meet the wall beside it, which is parallel";
+      return "it would no longer meet the wall beside it";
     if (!wall.isArc() &&
         (wall.end - wall.start).dot(lines[k].end - lines[k].start) <= 0)
       return "wall " + std::to_string(k + 1) + " would vanish";

@@ -20,7 +20,7 @@ std::optional<Eigen::Vector2d> crossing(const PlanElement& a, const PlanElement&
 /** @brief Joins collinear neighbours and drops elements without a length. */
 void simplify(PlanLoop& loop);
 
-/** @brief Meets straight neighbours again after some of them were moved: `lines` are
+/** @brief Makes neighbours meet again after some of them were moved: `lines` are
  * the elements' new lines.
  * @return why that is not possible, or an empty text */
 std::string meetAgain(const std::vector<PlanElement>& lines, PlanLoop& loop);

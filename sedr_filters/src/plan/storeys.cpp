@@ -124,7 +124,9 @@ heightsOf(const PlanRoom& room)
   }
   const Eigen::Vector2d middle =
       box.isEmpty() ? Eigen::Vector2d(0, 0) : Eigen::Vector2d(box.center());
-  return {room.floor.heightAt(middle), room.ceiling.heightAt(middle)};
+  // A vault ends at its side lines: beside it is another facet.
+  return {room.floor.heightAt(middle),
+          room.ceiling.curve ? room.ceilingAt(middle) : room.ceiling.heightAt(middle)};
 }
 
 std::vector<RoomHeights>

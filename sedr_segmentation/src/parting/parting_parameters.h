@@ -9,7 +9,7 @@ struct PartingParameters {
   double lintel_reach = 0.45; ///< half of the longest way below a lintel: of a wall
   double same_basin = 0.75;   ///< a neck this much as wide as the narrower side is none
   double thickest_wall = 0.6; ///< of a door without a lintel
-  double min_way = 0.5;       ///< narrower openings nobody walks through
+  double min_way = 0.5;       ///< what is not half as deep is a ledge, no place
   double widest_door = 1.6;
   double widest_leaf = 0.8; ///< of that: a door without a lintel, which one leaf closes
   double min_lintel = 0.15; ///< mean dip of what is a door's

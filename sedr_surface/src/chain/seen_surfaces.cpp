@@ -333,6 +333,13 @@ SeenSurfaces::tell(std::vector<PlanWarning>& warnings) const
   tellUpsideDown(warnings);
 }
 
+/** @brief Whether a ceiling or floor slopes by 8 degrees or is curved. */
+bool
+isSlope(const PlanSlab& slab)
+{
+  return slab.curve || slab.plane.z() < 0.99;
+}
+
 void
 SeenSurfaces::tellUpsideDown(std::vector<PlanWarning>& warnings) const
 {
@@ -341,7 +348,17 @@ SeenSurfaces::tellUpsideDown(std::vector<PlanWarning>& warnings) const
   const auto all = static_cast<double>(halves_[0] + halves_[1]);
   const double area = all * grid_.size() * grid_.size(); // one point a cell
   const double upper = static_cast<double>(halves_[1]) / std::max(all, 1.0);
-  if (!has_door_ && area >= min_area && upper >= doubtful) // a door stands on the floor
+  // A door stands on the floor, and a roof or vault above a level floor tells as much.
+  const bool is_upright =
+      has_door_ ||
+      std::any_of(rooms_.begin(), rooms_.end(), [](const RoomLookup& lookup) {
+        const PlanRoom& room = lookup.room();
+        return !isSlope(room.floor) &&
+               (isSlope(room.ceiling) ||
+                std::any_of(room.details.begin(), room.details.end(),
+                            [](const PlanDetail& d) { return isSlope(d.slab); }));
+      });
+  if (!is_upright && area >= min_area && upper >= doubtful)
     warnings.push_back({WarningKind::UpsideDown, {100 * upper, area}});
 }
 

@@ -129,7 +129,7 @@ private:
   std::vector<std::pair<std::uint32_t, double>> beside_;
   /** @brief What is seen below the ceiling in one cell of a room. */
   struct Standing {
-    double ceiling = 0;        ///< the lowest in the cell: none of its steps stands out
+    double ceiling = 0; ///< the lowest in and beside the cell: no step stands out
     std::uint64_t heights = 0; ///< in steps of a cell below it, a bit each
   };
   std::vector<std::map<CellKey, Standing>> standing_; ///< of each room

@@ -2,12 +2,12 @@
 #include "ifc_parts.h"
 #include "level_slab.h"
 
-#include "../drawing/text_spot.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace pcl::sedr::ifc {
 namespace {
@@ -15,26 +15,48 @@ namespace {
 constexpr double thinnest_slab = 0.05; ///< between two storeys, metres
 constexpr double thickest_slab = 1.0;
 
-/** @brief The slab between a room's floor and the room below. */
+/** @brief The slab between a room's floor and the rooms below. */
 struct SlabBelow {
-  std::size_t room = 0; ///< index of the room below
-  double thickness = 0;
+  std::vector<std::pair<std::size_t, double>> rooms; ///< and the areas below it
+  double thickness = std::numeric_limits<double>::infinity(); ///< where it is thinnest
 };
 
-std::optional<SlabBelow>
-slabBelow(const Floorplan& plan, std::size_t room, const Eigen::Vector2d& spot)
+/** @brief Looks below the floor of a room at places all over it. */
+SlabBelow
+slabBelow(const Floorplan& plan,
+          const std::vector<Eigen::AlignedBox2d>& boxes,
+          std::size_t room)
 {
-  std::optional<SlabBelow> nearest;
-  const double floor = plan.rooms[room].floorAt(spot);
+  constexpr int places = 16;           // a side of the room's box
+  constexpr double least_share = 0.02; // of them: less is a wall's thickness
+  SlabBelow below;
+  const PlanRoom& above = plan.rooms[room];
+  const auto spotOf = [&](int k) {
+    const Eigen::Vector2d part((k % places + 0.5) / places,
+                               (k / places + 0.5) / places);
+    return Eigen::Vector2d(boxes[room].min() + boxes[room].sizes().cwiseProduct(part));
+  };
   for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
-    if (r == room || !plan.rooms[r].boundary.contains(spot))
+    if (r == room || !boxes[r].intersects(boxes[room]))
       continue;
-    const double gap = floor - plan.rooms[r].ceilingAt(spot);
-    if (gap >= thinnest_slab && gap <= thickest_slab &&
-        (!nearest || gap < nearest->thickness))
-      nearest = SlabBelow{r, gap};
+    int met = 0;
+    double thickness = thickest_slab;
+    for (int k = 0; k < places * places; ++k) {
+      const Eigen::Vector2d spot = spotOf(k);
+      if (!above.contains(spot) || !plan.rooms[r].contains(spot))
+        continue;
+      const double gap = above.floorAt(spot) - plan.rooms[r].ceilingAt(spot);
+      if (gap < thinnest_slab || gap > thickest_slab)
+        continue;
+      thickness = std::min(thickness, gap);
+      ++met;
+    }
+    if (met <= least_share * places * places)
+      continue;
+    below.rooms.push_back({r, boxes[room].volume() * met / (places * places)});
+    below.thickness = std::min(below.thickness, thickness);
   }
-  return nearest;
+  return below;
 }
 
 /** @brief Writes slabs and the space boundaries on them. */
@@ -43,18 +65,22 @@ public:
   explicit SlabWriter(IfcDocument& document)
       : document_(document)
       , slab_above_(document.rooms.size())
-  {}
+      , covered_(document.rooms.size(), 0)
+  {
+    for (const PlanRoom& room : document.plan.rooms)
+      boxes_.push_back(boundsOf(room.boundary));
+  }
 
   void write()
   {
     for (std::size_t r = 0; r < document_.rooms.size(); ++r)
       writeFloor(r);
-    for (std::size_t r = 0; r < document_.rooms.size(); ++r)
-      if (slab_above_[r].empty())
+    for (std::size_t r = 0; r < document_.rooms.size(); ++r) {
+      if (covered_[r] < document_.rooms[r].room->area() / 2)
         writeCeiling(r);
-      else
-        for (const auto& [name, slab] : slab_above_[r])
-          writeBoundary(document_, r, name, slab);
+      for (const auto& [name, slab] : slab_above_[r])
+        writeBoundary(document_, r, name, slab);
+    }
   }
 
 private:
@@ -120,19 +146,22 @@ private:
   {
     const IfcRoom& written = document_.rooms[r];
     const PlanRoom& room = *written.room;
-    const Eigen::Vector2d spot = textSpotIn(room.boundary, room.columns).place;
-    const auto below = slabBelow(document_.plan, r, spot);
+    const SlabBelow below = slabBelow(document_.plan, boxes_, r);
+    const bool is_assumed = below.rooms.empty();
     std::vector<std::string> parts{nameIn(room, "floor")};
     for (std::size_t d = 0; d < room.floor_details.size(); ++d)
       if (sideOf(room.floor_details[d], room.floor) < 0)
         parts.push_back(nameIn(room, "floor_detail_" + std::to_string(d + 1)));
     const auto slab =
         add(r, "floor_slab", room.floor,
-            -(below ? below->thickness : document_.settings.assumed_thickness), !below,
-            parts.size() == 1, parts, "slab",
-            written.storey == 0 && !below ? "BASESLAB" : "FLOOR");
-    if (slab && below)
-      slab_above_[below->room].push_back(*slab);
+            -(is_assumed ? document_.settings.assumed_thickness : below.thickness),
+            is_assumed, parts.size() == 1, parts, "slab",
+            written.storey == 0 && is_assumed ? "BASESLAB" : "FLOOR");
+    for (const auto& [room_below, area] : below.rooms)
+      if (slab) {
+        slab_above_[room_below].push_back(*slab);
+        covered_[room_below] += area;
+      }
   }
 
   void writeCeiling(std::size_t r)
@@ -181,7 +210,9 @@ private:
   }
 
   IfcDocument& document_;
+  std::vector<Eigen::AlignedBox2d> boxes_;    ///< of the rooms
   std::vector<std::vector<Slab>> slab_above_; ///< floors above each room
+  std::vector<double> covered_;               ///< area below them
 };
 
 } // namespace

@@ -103,4 +103,8 @@ std::string sheetPng(const Sheet& sheet, double pixels = 1);
 /** @brief Returns the width of a line of text over its font size. */
 double textWidth(const std::string& utf8, bool is_bold = false);
 
+/** @brief Loads the fonts, which crashes in fontconfig where memory ends: before the
+ * points of a scan take it. */
+void loadFonts();
+
 } // namespace pcl::sedr

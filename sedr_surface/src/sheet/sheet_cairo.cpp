@@ -286,6 +286,13 @@ textWidth(const std::string& utf8, bool is_bold)
   return extents.x_advance / size;
 }
 
+void
+loadFonts()
+{
+  textWidth("0", false);
+  textWidth("0", true);
+}
+
 std::string
 sheetSvg(const Sheet& sheet)
 {

@@ -344,7 +344,8 @@ private:
       return {};
     const double height = clearance(part);
     if (height < minClearance())
-      return textOf("comes down to %.3f m above what is below it", height);
+      return height < 0 ? textOf("reaches %.3f m below what is below it", -height)
+                        : textOf("comes down to %.3f m above what is below it", height);
     if (layers_.isNiche(part.region) && !isOpen(part))
       return "is not open to the room";
     if (part.region != layers_.plainRegions(part.region).front() && touchesBeside(part))

@@ -4,6 +4,8 @@
 #include "room_layers.h"
 #include "vertex_levels.h"
 
+#include "sedr_filters/src/base/number_text.h"
+
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_surface/room_solid.h>
 
@@ -370,6 +372,8 @@ subdivideRoom(const RoomLayers& layers,
   const std::vector<double> tolerances =
       tolerancesOf(layers, parameters.snap_tolerance);
   std::vector<PlanSquare> squares; // where the solid would touch itself
+  std::size_t corners_cut = 0;
+  double widest = 0; // metres from a corner
   for (int round = 0;; ++round) {
     std::vector<PlanWarning> found;
     const std::string problem = divide(layers, segments, sources, tolerances, squares,
@@ -384,6 +388,8 @@ subdivideRoom(const RoomLayers& layers,
     // About a millimetre; more where the angle is so sharp that its sides would merge.
     const auto half = static_cast<std::int32_t>(std::ldexp(
         20 * solidSeparation(subdivision.grid) / subdivision.grid.unit(), round));
+    corners_cut = std::max(corners_cut, touching.size());
+    widest = half * subdivision.grid.unit();
     for (const GridPoint& middle : touching) {
       squares.push_back({middle, half});
       addSquare(squares.back(), segments, sources);
@@ -392,9 +398,10 @@ subdivideRoom(const RoomLayers& layers,
   if (!squares.empty())
     warnings.push_back(warningOf(
         WarningKind::Contradiction,
-        std::to_string(squares.size()) +
-            (squares.size() == 1 ? " corner that touches another is cut off by 1 mm"
-                                 : " corners that touch others are cut off by 1 mm")));
+        std::to_string(corners_cut) +
+            (corners_cut == 1 ? " corner that touches another is cut off by up to "
+                              : " corners that touch others are cut off by up to ") +
+            numberText(std::ceil(1e3 * widest)) + " mm"));
   return {};
 }
 

@@ -89,7 +89,8 @@ double solidSeparation(const PlanGrid& grid);
  * - Left out are details with less than 1 mm between floor and ceiling, niches closed
  *   to the room, and both where their floor meets a neighbour's ceiling.
  * - Where the solid would touch itself along a vertical line, such as at two details
- *   that meet in a corner, a square of 2 mm gets one region.
+ *   that meet in a corner, a square of 2 mm gets one region, a larger one if its angle
+ * is sharp.
  *
  * @param layers of a room with finite coordinates
  * @param parameters in range

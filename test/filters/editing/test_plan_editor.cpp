@@ -201,7 +201,7 @@ TEST(PlanEditor, WhatIsLeftOfAWallIsNoWallOfMillimetres)
   EXPECT_NEAR(editor.getFloorplan().rooms[0].area(), 6.2 * 3, 0.02);
 }
 
-TEST(PlanEditor, ANicheTurnsWithItsWall)
+TEST(PlanEditor, NichesAndOpeningsTurnWithTheirWall)
 {
   Floorplan plan;
   const Eigen::Rotation2Dd turn(0.05);
@@ -213,6 +213,13 @@ TEST(PlanEditor, ANicheTurnsWithItsWall)
     for (Eigen::Vector2d* end : {&side.start, &side.end})
       *end = turn * *end;
   plan.rooms[0].niches = {niche};
+  PlanOpening window;
+  window.walls = {{4, 2}};
+  window.start = turn * Eigen::Vector2d(0.3, 3);
+  window.end = turn * Eigen::Vector2d(1.3, 3);
+  window.bottom = 1;
+  window.top = 2;
+  plan.openings = {window};
   PlanEditor editor(plan);
   ASSERT_TRUE(editor.square(4)) << editor.getErrorMessage();
   const PlanRoom& squared = editor.getFloorplan().rooms[0];
@@ -221,6 +228,9 @@ TEST(PlanEditor, ANicheTurnsWithItsWall)
     EXPECT_LT(std::min(off, std::abs(off - 0.2)), 1e-9)
         << "on its wall or 20 cm behind";
   }
+  const PlanOpening& turned = editor.getFloorplan().openings.at(0);
+  for (const Eigen::Vector2d& jamb : {turned.start, turned.end})
+    EXPECT_LT(squared.boundary.elements[2].distance(jamb), 1e-9);
 }
 
 TEST(PlanEditor, NearlySquareCornersBecomeSquare)

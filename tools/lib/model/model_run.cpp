@@ -16,6 +16,7 @@
 #include "tool_error.h"
 
 #include "sedr_filters/src/base/parallel.h"
+#include "sedr_surface/src/sheet/sheet.h"
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_surface/floorplan_ifc.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>
@@ -248,6 +249,7 @@ makeModel(const ModelSettings& settings,
     throw ToolError("--report shows the mesh, which --no-mesh leaves out");
   OutputFolder folder(settings.folder, settings.inputs);
   folder.check(outputNames(settings));
+  loadFonts();
   RunRecord record;
   record.path = settings.input;
   record.reading = settings.scan.settings;

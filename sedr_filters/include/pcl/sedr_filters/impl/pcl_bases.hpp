@@ -9,7 +9,9 @@
 
 // Base classes that PCL, or sedr_filters for PointStructure, has compiled: only those
 // of other point types are made where they are used.
+#ifndef PCL_ONLY_CORE_POINT_TYPES
 #define PCL_INSTANTIATE_CompiledBases(T)                                               \
   extern template class pcl::PCLBase<T>;                                               \
   extern template class pcl::FilterIndices<T>;
 PCL_INSTANTIATE(CompiledBases, SEDR_POINT_TYPES)
+#endif

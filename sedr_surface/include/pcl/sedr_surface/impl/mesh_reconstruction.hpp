@@ -10,12 +10,14 @@
 #include <pcl/search/impl/search.hpp>
 
 // Searches that are compiled already, as the base classes are.
+#ifndef PCL_ONLY_CORE_POINT_TYPES
 #define PCL_INSTANTIATE_CompiledSearches(T)                                            \
   extern template class pcl::KdTreeFLANN<T>;                                           \
   extern template class pcl::search::Search<T>;                                        \
   extern template class pcl::search::KdTree<T>;                                        \
   extern template class pcl::search::OrganizedNeighbor<T>;
 PCL_INSTANTIATE(CompiledSearches, SEDR_POINT_TYPES)
+#endif
 
 namespace pcl::sedr {
 
