@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Builds everything with sanitizers and runs the tests, then looks at all sources with clang-tidy:
 #   test/sanitizers.sh [asan-ubsan|tsan|tidy ...] (all three; an hour each on two cores)
+# With the address sanitizer Eigen would allocate otherwise than in PCL's own libraries, if the preset did not
+# tell it that malloc aligns.
 # SEDR_TESTS is a regular expression of the tests to run (all), SEDR_JOBS how many compilers and tests at a time.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
