@@ -12,6 +12,7 @@
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_segmentation/impl/floorplan_fitting.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -87,6 +88,26 @@ joinWalls(Floorplan& plan)
   }
 }
 
+/** @brief Drops parts of floors that are less than a step off them, since both were
+ * moved to their final heights. */
+void
+dropEvenParts(Floorplan& plan, double min_step)
+{
+  constexpr double moved = 0.01; // metres, at most: a step may lose as much
+  for (PlanRoom& room : plan.rooms) {
+    const auto isEven = [&](const PlanDetail& part) {
+      const auto& rim = part.boundary.elements;
+      return !part.slab.curve && !room.floor.curve &&
+             std::all_of(rim.begin(), rim.end(), [&](const PlanElement& e) {
+               return std::abs(part.slab.heightAt(e.start) -
+                               room.floor.heightAt(e.start)) < min_step - moved;
+             });
+    };
+    auto& parts = room.floor_details;
+    parts.erase(std::remove_if(parts.begin(), parts.end(), isEven), parts.end());
+  }
+}
+
 /** @brief Moves the plan to the points of the raw scan.
  * @return why it was not moved, a sentence; else empty */
 std::string
@@ -146,6 +167,7 @@ fitFloorplan(const PlanInput& input,
   dropSharedNiches(plan);
   giveCeilings(std::move(sheets), has_raw ? input.raw : input.points,
                has_raw ? raw_indices : input.indices, parameters.threads, plan);
+  dropEvenParts(plan, priors.min_floor_step);
   endBelowRoomsAbove(plan, priors);
   measureEvidence(plan, input.points, input.indices, priors.wall_band,
                   parameters.threads);
