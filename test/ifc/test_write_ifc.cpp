@@ -79,6 +79,22 @@ TEST(WriteIfc, AFaceTowardsTheRoofOfTheRoomBelowIsOfNoWall)
   EXPECT_EQ(writeIfc(plan).walls, walls - 1);
 }
 
+TEST(WriteIfc, AFloorOverTwoRoomsIsAsThickAsTheGapThoughItsMiddleIsAboveAWall)
+{
+  Floorplan plan{{roomOf(rectangle(0, 0, 4, 3), 2.5),
+                  roomOf(rectangle(4.1, 0, 8.1, 3), 2.5, 2),
+                  roomOf(rectangle(0, 0, 8.1, 3), 5.2, 3)}};
+  plan.rooms[2].floor = slabAt(2.65);
+  const IfcModel model = writeIfc(plan);
+  EXPECT_EQ(model.slabs, 4u) << "three floors and one roof";
+  EXPECT_EQ(count(model.text, ".ROOF.)"), 1u);
+  EXPECT_EQ(count(model.text, "IFCPROPERTYSINGLEVALUE('ThicknessAssumed',$,"
+                              "IFCBOOLEAN(.F.),$)"),
+            2u)
+      << "of the upper floor and of the partition";
+  EXPECT_EQ(count(model.text, "=IFCRELSPACEBOUNDARY1STLEVEL("), 3u * 4 + 3 + 3);
+}
+
 TEST(WriteIfc, AWallAboveALowerRoofStandsOnIt)
 {
   Floorplan plan{

@@ -32,6 +32,20 @@ TEST(Storeys, RoomsAboveEachOtherAreOfSeveral)
   EXPECT_NEAR(storeys[1].ceiling, 5.3, 1e-9);
 }
 
+TEST(Storeys, AVaultBesideTheMiddleOfItsRoomIsNoHeightThere)
+{
+  PlanRoom room = roomOf(rectangle(0, 0, 4, 3), 2.5, 1);
+  SlabCurve vault;
+  vault.centre = {0.5, 1.5};
+  vault.across = vault.up = 0.5;
+  vault.base = 1;
+  room.ceiling.curve = std::make_shared<SlabCurve>(vault);
+  room.details = {detailOf(rectangle(1, 0, 4, 3), 3)};
+  const auto storeys = storeysOf(Floorplan{{room}});
+  ASSERT_EQ(storeys.size(), 1u);
+  EXPECT_NEAR(storeys[0].ceiling, 3, 1e-9);
+}
+
 TEST(Storeys, ThoseOfThePlanStandWhateverTheHeightsOfTheirRooms)
 {
   Floorplan plan = twoStoreys();

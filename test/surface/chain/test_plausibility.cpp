@@ -80,6 +80,8 @@ TEST(UpsideDownDoubt, IsOfTablesThatHangFromTheCeiling)
   const Floorplan with_door = plainRoom();
   Floorplan plan = with_door;
   plan.openings.clear();
+  Floorplan below_roof = plan;
+  below_roof.rooms[0].ceiling.plane.head<3>() = Eigen::Vector3d(0.3, 0, 1).normalized();
   for (const double height : {0.7, 1.8}) { // of a table of 2 m x 1.2 m
     std::vector<Eigen::Vector3f> points;
     for (float x = 1; x < 3; x += 0.05F)
@@ -97,6 +99,7 @@ TEST(UpsideDownDoubt, IsOfTablesThatHangFromTheCeiling)
     EXPECT_EQ(isDoubted(0.05, plan), height > 1) << height;
     EXPECT_FALSE(isDoubted(0.03, plan)) << "it is too small";
     EXPECT_FALSE(isDoubted(0.05, with_door)) << "doors stand on floors";
+    EXPECT_FALSE(isDoubted(0.05, below_roof)) << "floors are level, roofs are not";
   }
 }
 

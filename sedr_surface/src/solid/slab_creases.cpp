@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slab_creases.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace pcl::sedr {
+namespace {
+
+constexpr double margin = 0.01;      ///< metres: beyond bounds, off springing lines
+constexpr double max_creases = 2000; ///< of a cylinder, or rays of a dome
+
+/** @brief Returns the angle between two creases of a circle of this radius, radians. */
+double
+stepOf(double radius, double tolerance)
+{
+  const double step = 2 * std::acos(std::max(0.0, 1 - tolerance / radius));
+  return std::max(step, M_PI / max_creases);
+}
+
+/** @brief Returns the bounding box of `bounds` in the frame of a curve. */
+Eigen::AlignedBox2d
+localBounds(const SlabCurve& curve, const Eigen::AlignedBox2d& bounds)
+{
+  Eigen::AlignedBox2d local;
+  for (const double x : {bounds.min().x(), bounds.max().x()})
+    for (const double y : {bounds.min().y(), bounds.max().y()})
+      local.extend(Eigen::Rotation2Dd(-curve.direction()) *
+                   (Eigen::Vector2d(x, y) - curve.centre));
+  local.extend(local.min() - Eigen::Vector2d::Constant(margin));
+  local.extend(local.max() + Eigen::Vector2d::Constant(margin));
+  return local;
+}
+
+std::vector<Crease>
+cylinderCreases(const SlabCurve& curve,
+                const Eigen::AlignedBox2d& bounds,
+                double tolerance)
+{
+  const Eigen::AlignedBox2d local = localBounds(curve, bounds);
+  const double step = stepOf(std::max(curve.across, curve.up), tolerance);
+  const auto count = static_cast<int>(std::ceil(M_PI / step));
+  std::vector<Crease> creases;
+  for (int k = 0; k <= count; ++k) {
+    const double offset = curve.across * std::sin(M_PI * k / count - M_PI / 2);
+    // A crease on the springing line would form a sliver along the wall.
+    const double reach = k == 0 || k == count ? 2 * margin : 0;
+    if (offset - reach > local.min().y() && offset + reach < local.max().y())
+      creases.emplace_back(Eigen::Vector2d(local.min().x(), offset),
+                           Eigen::Vector2d(local.max().x(), offset));
+  }
+  return creases;
+}
+
+/** @brief Returns rings around the top with rays between them, fewer towards the
+ * top. */
+std::vector<Crease>
+domeCreases(const SlabCurve& curve, const Eigen::AlignedBox2d& bounds, double tolerance)
+{
+  const double radius = std::max({curve.across, curve.along, curve.up});
+  const double step = stepOf(radius, tolerance);
+  const auto rings = static_cast<int>(std::ceil(M_PI / 2 / step));
+  const double most = std::min(2 * M_PI / step, max_creases);
+  const auto raysAt = [&](int ring) {
+    const double wanted = most * std::sin(M_PI / 2 * ring / rings);
+    int rays = 8;
+    while (rays < wanted)
+      rays *= 2;
+    return rays;
+  };
+  const auto placeOf = [&](int ring, int ray, int rays) -> Eigen::Vector2d {
+    const double out = std::sin(M_PI / 2 * ring / rings);
+    const double angle = 2 * M_PI * ray / rays;
+    return {curve.along * out * std::cos(angle), curve.across * out * std::sin(angle)};
+  };
+  const Eigen::AlignedBox2d local = localBounds(curve, bounds);
+  std::vector<Crease> creases;
+  const auto add = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+    if (local.intersects(Eigen::AlignedBox2d(from.cwiseMin(to), from.cwiseMax(to))))
+      creases.emplace_back(from, to);
+  };
+  for (int ring = 1; ring <= rings; ++ring) {
+    const int rays = raysAt(ring);
+    for (int ray = 0; ray < rays; ++ray)
+      add(placeOf(ring, ray, rays), placeOf(ring, ray + 1, rays));
+    const int inner = raysAt(ring - 1);
+    for (int ray = 0; ray < inner; ++ray)
+      add(placeOf(ring - 1, ray, inner), placeOf(ring, ray, inner));
+  }
+  return creases;
+}
+
+std::vector<Crease>
+reliefCreases(const SlabCurve& curve, const Eigen::AlignedBox2d& bounds)
+{
+  const Eigen::AlignedBox2d local = localBounds(curve, bounds);
+  std::vector<Crease> creases;
+  for (std::size_t k = 0; k < std::max(curve.columns, curve.rows()); ++k) {
+    const double at = curve.spacing * static_cast<double>(k);
+    if (k < curve.columns && at > local.min().x() && at < local.max().x())
+      creases.emplace_back(Eigen::Vector2d(at, local.min().y()),
+                           Eigen::Vector2d(at, local.max().y()));
+    if (k < curve.rows() && at > local.min().y() && at < local.max().y())
+      creases.emplace_back(Eigen::Vector2d(local.min().x(), at),
+                           Eigen::Vector2d(local.max().x(), at));
+  }
+  return creases;
+}
+
+/** @brief Clips a crease to a box.
+ * @return whether anything is left */
+bool
+clip(const Eigen::AlignedBox2d& box, Crease& crease)
+{
+  const Eigen::Vector2d way = crease.second - crease.first;
+  double from = 0;
+  double to = 1;
+  for (int k = 0; k < 2; ++k) {
+    const double low = box.min()[k] - crease.first[k];
+    const double high = box.max()[k] - crease.first[k];
+    if (way[k] == 0) {
+      if (low > 0 || high < 0)
+        return false;
+      continue;
+    }
+    from = std::max(from, std::min(low / way[k], high / way[k]));
+    to = std::min(to, std::max(low / way[k], high / way[k]));
+  }
+  const Eigen::Vector2d start = crease.first;
+  crease = {start + from * way, start + to * way};
+  return from < to;
+}
+
+} // namespace
+
+std::vector<Crease>
+creasesOf(const SlabCurve& curve, const Eigen::AlignedBox2d& bounds, double tolerance)
+{
+  std::vector<Crease> creases =
+      curve.kind == CurveKind::Relief     ? reliefCreases(curve, bounds)
+      : curve.kind == CurveKind::Cylinder ? cylinderCreases(curve, bounds, tolerance)
+                                          : domeCreases(curve, bounds, tolerance);
+  const Eigen::Rotation2Dd turn(curve.direction());
+  const Eigen::AlignedBox2d box(bounds.min() - Eigen::Vector2d::Constant(margin),
+                                bounds.max() + Eigen::Vector2d::Constant(margin));
+  std::vector<Crease> inside;
+  for (const auto& [from, to] : creases) {
+    Crease crease(curve.centre + turn * from, curve.centre + turn * to);
+    if (clip(box, crease))
+      inside.push_back(crease);
+  }
+  return inside;
+}
+
+} // namespace pcl::sedr
