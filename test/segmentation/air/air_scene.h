@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 
 namespace sedr_test {
 
@@ -110,6 +111,21 @@ addTwoRooms(AirScene& scene, Hole hole)
   for (const double x : {0.05, 7.15})
     scene.wall(x, 0.05, x, 3.05, 0.01, 2.51);
   scene.partition(4.05, 0.05, 3.05, 0.01, 2.51, hole);
+}
+
+using Seen = std::function<bool(double x, double y)>;
+
+/** Two rooms above each other, and the scanned parts of the slab between them. */
+inline AirScene
+storeysWithSlab(const Seen& ceiling, const Seen& floor)
+{
+  AirScene scene;
+  scene.slab(0.05, 0.05, 6.05, 4.05, 0.01);
+  scene.points.slab(scene.loop(0.05, 0.05, 6.05, 4.05), 2.51, ceiling);
+  scene.points.slab(scene.loop(0.05, 0.05, 6.05, 4.05), 2.81, floor);
+  scene.slab(0.05, 0.05, 6.05, 4.05, 5.31);
+  scene.sides(0.05, 0.05, 6.05, 4.05, 0.01, 5.31);
+  return scene;
 }
 
 /** The air of a scene, with queries by places of the scene. */

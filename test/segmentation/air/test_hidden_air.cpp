@@ -147,16 +147,10 @@ TEST(AirGaps, BesideAVoidGoOnInItsLowerStorey)
 AirScene
 storeysWithHole(double x0, double y0, double x1, double y1)
 {
-  AirScene scene;
   const auto isSeen = [&](double x, double y) {
     return x < x0 || x > x1 || y < y0 || y > y1;
   };
-  scene.slab(0.05, 0.05, 6.05, 4.05, 0.01);
-  scene.points.slab(scene.loop(0.05, 0.05, 6.05, 4.05), 2.51, isSeen);
-  scene.points.slab(scene.loop(0.05, 0.05, 6.05, 4.05), 2.81, isSeen);
-  scene.slab(0.05, 0.05, 6.05, 4.05, 5.31);
-  scene.sides(0.05, 0.05, 6.05, 4.05, 0.01, 5.31);
-  return scene;
+  return storeysWithSlab(isSeen, isSeen);
 }
 
 TEST(AirGaps, ASlabGoesOnAcrossAHoleInWhatWasSeenOfIt)

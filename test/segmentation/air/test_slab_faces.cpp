@@ -3,14 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-
 namespace {
 
 using namespace pcl::sedr;
 using namespace sedr_test;
-
-using Seen = std::function<bool(double x, double y)>;
 
 bool
 isAside(double x, double y)
@@ -24,22 +20,9 @@ always(double /*x*/, double /*y*/)
   return true;
 }
 
-/** Two rooms above each other, and the scanned parts of the slab between them. */
-AirScene
-storeys(const Seen& ceiling, const Seen& floor)
-{
-  AirScene scene;
-  scene.slab(0.05, 0.05, 6.05, 4.05, 0.01);
-  scene.points.slab(scene.loop(0.05, 0.05, 6.05, 4.05), 2.51, ceiling);
-  scene.points.slab(scene.loop(0.05, 0.05, 6.05, 4.05), 2.81, floor);
-  scene.slab(0.05, 0.05, 6.05, 4.05, 5.31);
-  scene.sides(0.05, 0.05, 6.05, 4.05, 0.01, 5.31);
-  return scene;
-}
-
 TEST(SlabFaces, AFloorThatWasNotSeenIsNotTheCeilingBelowIt)
 {
-  const AirScene scene = storeys(always, isAside);
+  const AirScene scene = storeysWithSlab(always, isAside);
   const SceneAir air(scene);
   const AirGap& upper = air.gaps[air.at(3, 2, 4)];
   EXPECT_EQ(upper.low, 57);
@@ -53,7 +36,7 @@ TEST(SlabFaces, AFloorThatWasNotSeenIsNotTheCeilingBelowIt)
 
 TEST(SlabFaces, ACeilingThatWasNotSeenIsNotTheFloorAboveIt)
 {
-  const AirScene scene = storeys(isAside, always);
+  const AirScene scene = storeysWithSlab(isAside, always);
   const SceneAir air(scene);
   const AirGap& lower = air.gaps[air.at(3, 2, 1)];
   EXPECT_EQ(lower.high, 50);
@@ -79,7 +62,7 @@ TEST(SlabFaces, AFloorIsFoundThoughThatOfTheStoreyBelowWasHiddenAtTheSamePlace)
 
 TEST(SlabFaces, FurnitureAlongTheRimIsNotTakenForTheFloor)
 {
-  AirScene scene = storeys(always, isAside);
+  AirScene scene = storeysWithSlab(always, isAside);
   // A sideboard along three sides of the area that it hides.
   scene.slab(1.55, 0.55, 2.05, 3.45, 3.71);
   scene.slab(2.05, 0.55, 4.05, 1.05, 3.71);
@@ -90,7 +73,7 @@ TEST(SlabFaces, FurnitureAlongTheRimIsNotTakenForTheFloor)
 
 TEST(SlabFaces, ABeamBelowTheSurfaceDoesNotMakeAFloorOfIt)
 {
-  AirScene scene = storeys(always, isAside);
+  AirScene scene = storeysWithSlab(always, isAside);
   scene.slab(2.05, 1.05, 2.35, 3.05, 2.21);
   const SceneAir air(scene);
   EXPECT_EQ(air.gaps[air.at(3, 2, 4)].low, 57);
@@ -98,7 +81,7 @@ TEST(SlabFaces, ABeamBelowTheSurfaceDoesNotMakeAFloorOfIt)
 
 TEST(SlabFaces, AFloorThatWasNotSeenIsFoundAboveARibbedCeiling)
 {
-  AirScene scene = storeys(always, isAside);
+  AirScene scene = storeysWithSlab(always, isAside);
   for (double y = 0.55; y < 4; y += 0.6)
     scene.hanging(0.05, y, 6.05, y + 0.2, 2.21, 2.51);
   const SceneAir air(scene);

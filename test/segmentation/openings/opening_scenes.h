@@ -2,9 +2,12 @@
 #pragma once
 
 #include <pcl/sedr_filters/floorplan.h>
+#include <pcl/sedr_segmentation/opening_detection.h>
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -170,5 +173,29 @@ private:
   std::mt19937 random_{1};
   std::normal_distribution<double> noise_;
 };
+
+inline const Cut door{1.5, 2.4, 0, 2.05};
+inline const Cut window{1, 2.5, 0.9, 2.1};
+
+inline std::vector<PlanOpening>
+openingsOf(const TwoRooms& scene)
+{
+  pcl::OpeningDetection<pcl::PointXYZ> detection;
+  detection.setInputCloud(scene.cloud);
+  Floorplan plan = scene.plan;
+  EXPECT_TRUE(detection.segment(plan)) << detection.getErrorMessage();
+  return plan.openings;
+}
+
+inline void
+expectEdges(const PlanOpening& found, const Cut& cut, double y, double tolerance)
+{
+  EXPECT_NEAR(std::min(found.start.x(), found.end.x()), cut.from, tolerance);
+  EXPECT_NEAR(std::max(found.start.x(), found.end.x()), cut.to, tolerance);
+  EXPECT_NEAR(found.bottom, cut.bottom, tolerance);
+  EXPECT_NEAR(found.top, cut.top, tolerance);
+  EXPECT_NEAR(found.start.y(), y, 0.01);
+  EXPECT_NEAR(found.end.y(), y, 0.01);
+}
 
 } // namespace pcl::sedr

@@ -18,30 +18,6 @@
 namespace pcl::sedr {
 namespace {
 
-const Cut door{1.5, 2.4, 0, 2.05};
-const Cut window{1, 2.5, 0.9, 2.1};
-
-std::vector<PlanOpening>
-openingsOf(const TwoRooms& scene)
-{
-  pcl::OpeningDetection<pcl::PointXYZ> detection;
-  detection.setInputCloud(scene.cloud);
-  Floorplan plan = scene.plan;
-  EXPECT_TRUE(detection.segment(plan)) << detection.getErrorMessage();
-  return plan.openings;
-}
-
-void
-expectEdges(const PlanOpening& found, const Cut& cut, double y, double tolerance)
-{
-  EXPECT_NEAR(std::min(found.start.x(), found.end.x()), cut.from, tolerance);
-  EXPECT_NEAR(std::max(found.start.x(), found.end.x()), cut.to, tolerance);
-  EXPECT_NEAR(found.bottom, cut.bottom, tolerance);
-  EXPECT_NEAR(found.top, cut.top, tolerance);
-  EXPECT_NEAR(found.start.y(), y, 0.01);
-  EXPECT_NEAR(found.end.y(), y, 0.01);
-}
-
 class OpeningsInNoise : public ::testing::TestWithParam<double> {};
 
 INSTANTIATE_TEST_SUITE_P(Metres,
@@ -176,71 +152,6 @@ TEST(OpeningDetection, WidePassage)
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].kind, OpeningKind::Passage);
   expectEdges(found[0], passage, 4.06, 0.01);
-}
-
-TEST(OpeningDetection, OpenLeafTellsHingeAndSwing)
-{
-  for (const bool is_at_from : {true, false})
-    for (const double degrees : {50.0, 85.0}) {
-      TwoRooms scene(0.003);
-      scene.scanMiddleWall({door});
-      // It opens into the first room, towards smaller y.
-      if (is_at_from)
-        scene.scanLeaf(door.from, TwoRooms::face, -degrees, 0.88, 2);
-      else
-        scene.scanLeaf(door.to, TwoRooms::face, 180 + degrees, 0.88, 2);
-      const auto found = openingsOf(scene);
-      ASSERT_EQ(found.size(), 1u);
-      EXPECT_EQ(found[0].swing, 1u) << degrees;
-      const Eigen::Vector2d hinge =
-          found[0].hinge == OpeningHinge::Start ? found[0].start : found[0].end;
-      EXPECT_NE(found[0].hinge, OpeningHinge::Unknown);
-      EXPECT_NEAR(hinge.x(), is_at_from ? door.from : door.to, 0.02) << degrees;
-      EXPECT_EQ(found[0].state, degrees > 60 ? OpeningState::Open : OpeningState::Ajar);
-    }
-}
-
-TEST(OpeningDetection, LeafOpensToTheOutside)
-{
-  TwoRooms scene(0.003);
-  scene.scanOuterWall({door});
-  scene.scanLeaf(door.to, -0.2, 260, 0.88, 2);
-  const auto found = openingsOf(scene);
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].kind, OpeningKind::Door);
-  EXPECT_EQ(found[0].swing, 0u);
-  EXPECT_EQ(found[0].rooms[0], 0u) << "it opens to the left of the direction";
-  EXPECT_GT(found[0].start.x(), found[0].end.x());
-  EXPECT_EQ(found[0].hinge, OpeningHinge::Start);
-}
-
-TEST(OpeningDetection, TwoLeavesHangAtBothJambs)
-{
-  TwoRooms scene(0.003);
-  const Cut wide{1.5, 3.1, 0, 2.05};
-  scene.scanMiddleWall({wide});
-  scene.scanLeaf(wide.from, TwoRooms::back, 100, 0.78, 2);
-  scene.scanLeaf(wide.to, TwoRooms::back, 100, 0.78, 2);
-  const auto found = openingsOf(scene);
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].kind, OpeningKind::Door);
-  EXPECT_EQ(found[0].hinge, OpeningHinge::Both);
-  EXPECT_EQ(found[0].swing, 2u);
-  EXPECT_EQ(found[0].state, OpeningState::Open);
-}
-
-TEST(OpeningDetection, WallsBesideAJambAreNoLeaves)
-{
-  for (const double head : {2.05, 2.5}) {
-    TwoRooms scene(0.003);
-    scene.scanMiddleWall({{1.5, 2.4, 0, head}});
-    for (const double x : {1.2, 1.3})
-      scene.scanLeaf(x, TwoRooms::face, -90, 1.4, 2.5);
-    scene.scanLeaf(1.5, TwoRooms::back, 90, 1.4, 2.5);
-    const auto found = openingsOf(scene);
-    ASSERT_EQ(found.size(), 1u);
-    EXPECT_EQ(found[0].hinge, OpeningHinge::Unknown) << head;
-  }
 }
 
 TEST(OpeningDetection, ShadowOfAWardrobeIsNoOpening)

@@ -81,8 +81,9 @@ TEST(UpsideDownDoubt, IsOfTablesThatHangFromTheCeiling)
   Floorplan plan = with_door;
   plan.openings.clear();
   Floorplan below_roof = plan;
-  below_roof.rooms[0].ceiling.plane.head<3>() = Eigen::Vector3d(0.3, 0, 1).normalized();
-  for (const double height : {0.7, 1.8}) { // of a table of 2 m x 1.2 m
+  below_roof.rooms[0].ceiling.plane = Eigen::Vector4d(0.3, 0, 1, -3.3) /
+                                      std::hypot(0.3, 1); // 2.4 to 3 m above the table
+  for (const double height : {0.7, 1.8}) {                // of a table of 2 m x 1.2 m
     std::vector<Eigen::Vector3f> points;
     for (float x = 1; x < 3; x += 0.05F)
       for (float y = 1; y < 2.2F; y += 0.05F)
