@@ -115,6 +115,17 @@ costOfPoints(std::size_t cell, const FacetEvidence& evidence, DistanceAt distanc
   return static_cast<float>(evidence.weight() * sum / static_cast<double>(end - begin));
 }
 
+/** @brief What a floor costs in a cell that shows none of it: it lies below what was
+ * seen there. */
+float
+costOfUnseen(std::size_t cell, double height, const FacetEvidence& evidence)
+{
+  return evidence.parameters.is_floor && evidence.risers &&
+                 evidence.risers->isBelow(cell, height)
+             ? evidence.outlier()
+             : 0;
+}
+
 /** @brief The distance from the middle of a cell's points beyond which all of them are
  * outliers of a facet. */
 double
@@ -173,7 +184,7 @@ costIn(std::size_t cell, const PlanSlab& facet, const FacetEvidence& evidence)
 {
   const CellPoints& cells = evidence.cells;
   if (cells.isEmpty(cell))
-    return 0;
+    return costOfUnseen(cell, facet.heightAt(cells.grid().centre(cell)), evidence);
   if (std::abs(distanceOf(facet, cells.ball(cell).centre)) > farFrom(cell, evidence))
     return evidence.outlier();
   const Eigen::Vector3d* const points = cells.begin(cell);
@@ -191,8 +202,11 @@ costsOf(const PlanSlab& facet, const FacetEvidence& evidence)
   costs.cost.assign(grid.count(), 0);
   costs.height.assign(grid.count(), 0);
   for (std::size_t cell = 0; cell < grid.count(); ++cell)
-    if (cells.isInside(cell))
+    if (cells.isInside(cell)) {
       costs.height[cell] = static_cast<float>(facet.heightAt(grid.centre(cell)));
+      if (cells.isEmpty(cell))
+        costs.cost[cell] = costOfUnseen(cell, costs.height[cell], evidence);
+    }
   forAllSeen(facet, evidence,
              [&](std::size_t cell, float cost) { costs.cost[cell] = cost; });
   return costs;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_shares.h"
 
+#include "../air/height_counts.h"
 #include "../niches/niche_fit.h"
-#include "../rooms/room_planes.h"
 #include "room_territory.h"
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel_for.h"
@@ -40,10 +40,12 @@ sharesOf(const std::vector<int>& indices,
   return shares;
 }
 
-/** @brief Returns the height range of each room; one without floor points is as high as
- * usual below the lowest of its ceiling. */
+/** @brief Returns the height range of each room, pits included; one without floor
+ * points is as high as usual below the lowest of its ceiling.
+ * @param least number of points of a pit */
 std::vector<RoomHeights>
 heightsOfRooms(const PointView& points,
+               double least,
                const std::vector<std::vector<int>>& floors,
                const std::vector<std::vector<int>>& ceilings,
                const std::vector<std::vector<int>>& details)
@@ -56,8 +58,12 @@ heightsOfRooms(const PointView& points,
       for (const int i : *part)
         above.push_back(points[static_cast<std::size_t>(i)].z());
     double floor = 0;
-    if (!floors[r].empty())
-      floor = floorLevel(points, floors[r]);
+    HeightCounts lows;
+    for (const int i : floors[r])
+      if (points.isFinite(static_cast<std::size_t>(i)))
+        lows.add(points[static_cast<std::size_t>(i)].z());
+    if (!lows.empty())
+      floor = lows.lowestOf(least / static_cast<double>(floors[r].size()));
     else if (!above.empty())
       floor = *std::min_element(above.begin(), above.end()) - usual_height;
     heights.push_back(heightsFrom(floor, std::move(above)));
@@ -157,8 +163,9 @@ shareOut(const PointView& points,
   for (std::size_t r = 0; r < numbers.size(); ++r)
     scopes.push_back(
         unite(CellSet(grid, points, ceilings[r]), CellSet(grid, points, details[r])));
-  const std::vector<RoomHeights> heights =
-      heightsOfRooms(points, shareBy(evidence.floor, labelled), ceilings, details);
+  const std::vector<RoomHeights> heights = heightsOfRooms(
+      points, parameters.minimum_detail_area / (grid.size() * grid.size()),
+      shareBy(evidence.floor, labelled), ceilings, details);
   std::array<std::unique_ptr<const RoomTerritory>, 2> territories;
   parallelBlocks(territories.size(), 1, parameters.threads,
                  [&](std::size_t k, std::size_t) {

@@ -156,7 +156,8 @@ private:
     constexpr double seen_below = 0.05;
     constexpr double steepest = radians(15); // of a ramp
     constexpr double min_tread = 0.25;       // square metres
-    const bool is_large = piece.area > priors_.max_furniture_area;
+    const bool is_large = // for furniture, which stands on the floor
+        piece.area > priors_.max_furniture_area || piece.above_main < 0;
     const bool is_low = std::abs(piece.above_main) <= priors_.max_platform_height;
     const bool may_be_stage = is_large && piece.upright >= priors_.share_half;
     if (piece.hides > seen_below || piece.slab->plane[2] < std::cos(steepest) ||

@@ -15,14 +15,14 @@ RiserBins::RiserBins(const SheetGrid& grid,
 {
   constexpr double bins = 64;
   bin_ = std::max(bin_, (high - low) / (bins - 1));
-  std::vector<std::uint64_t> own(grid.count(), 0);
+  own_.assign(grid.count(), 0);
   for (const Eigen::Vector3d& p : points)
     if (const std::size_t cell = grid.at(p.head<2>());
-        cell < own.size() && p.z() >= low && p.z() <= high)
-      own[cell] |= std::uint64_t{1} << static_cast<int>((p.z() - bottom_) / bin_);
-  seen_ = own;
-  for (std::size_t cell = 0; cell < own.size(); ++cell)
-    grid.forAllSides(cell, [&](std::size_t next) { seen_[cell] |= own[next]; });
+        cell < own_.size() && p.z() >= low && p.z() <= high)
+      own_[cell] |= std::uint64_t{1} << static_cast<int>((p.z() - bottom_) / bin_);
+  seen_ = own_;
+  for (std::size_t cell = 0; cell < own_.size(); ++cell)
+    grid.forAllSides(cell, [&](std::size_t next) { seen_[cell] |= own_[next]; });
 }
 
 double
@@ -41,6 +41,14 @@ RiserBins::share(std::size_t cell, std::size_t next, double low, double high) co
   return static_cast<double>(
              __builtin_popcountll((seen_[cell] | seen_[next]) & between)) /
          count;
+}
+
+bool
+RiserBins::isBelow(std::size_t cell, double height) const
+{
+  const double end = std::floor((height - min_step - bottom_) / bin_);
+  const auto bins = static_cast<int>(std::clamp(end, 0.0, 64.0));
+  return bins > 0 && (own_[cell] & (~std::uint64_t{0} >> (64 - bins))) != 0;
 }
 
 } // namespace pcl::sedr

@@ -30,10 +30,14 @@ public:
    * too low to tell. */
   double share(std::size_t cell, std::size_t next, double low, double high) const;
 
+  /** @brief Checks whether points were seen in a cell a step or more below a height. */
+  bool isBelow(std::size_t cell, double height) const;
+
 private:
   double bottom_ = 0;
   double bin_ = 0.05; ///< metres
-  std::vector<std::uint64_t> seen_;
+  std::vector<std::uint64_t> own_;  ///< of each cell, from the bottom up
+  std::vector<std::uint64_t> seen_; ///< in and beside it
 };
 
 } // namespace pcl::sedr

@@ -147,6 +147,17 @@ WallTiles::add(const Eigen::Vector3d& p, double offset)
     tile.before = std::min(tile.before, offset);
 }
 
+double
+WallTiles::areaPassedUnder() const
+{
+  double area = 0;
+  for (std::size_t column = 0; rows_ > 0 && column < spans_.size(); ++column)
+    if (const Tile& ceiling = tiles_[rows_ * spans_.size() + column];
+        !ceiling.is_on && ceiling.behind > -infinite)
+      area += wall_tile * (spans_[column].high - spans_[column].low);
+  return area;
+}
+
 Patches
 WallTiles::patches(bool is_behind) const
 {
@@ -302,7 +313,8 @@ SeenSurfaces::tell(std::vector<PlanWarning>& warnings) const
     for (const bool is_behind : {true, false})
       if (Patches found = walls_[w].patches(is_behind);
           found.count > 0 && walls_[w].surface().label != StructureLabel::Detail) {
-        (is_behind ? behind : before)[room_of_[w]] += found.area;
+        (is_behind ? behind : before)[room_of_[w]] +=
+            std::max(found.area, is_behind ? walls_[w].areaPassedUnder() : 0);
         patches.emplace_back(w, std::move(found));
       }
   const auto tellOf = [&](std::uint32_t room, std::size_t wall,

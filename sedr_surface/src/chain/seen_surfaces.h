@@ -65,6 +65,10 @@ public:
    * before them, or only with something behind, as a ceiling that goes on there. */
   Patches patches(bool is_behind) const;
 
+  /** @brief Returns how much of the wall, floor to ceiling, the ceiling goes on behind,
+   * square metres: there it is none, whatever was seen below. */
+  double areaPassedUnder() const;
+
   static constexpr double reach = 0.9;   ///< before and behind a wall, metres
   static constexpr double relief = 0.15; ///< metres; furniture is deeper
 

@@ -124,7 +124,13 @@ ChainRun::fitPlan(StageReport& report)
 {
   chain_.floorplan_fitting.setInputCloud(chain_.cloud);
   chain_.floorplan_fitting.setCeilingIndices(labelled(StructureLabel::Ceiling));
-  chain_.floorplan_fitting.setFloorIndices(labelled(StructureLabel::Floor));
+  // What was added to the scan shows nothing.
+  const pcl::IndicesPtr scanned = allIndices(chain_.scanned_points_);
+  pcl::IndicesPtr floor = labelled(StructureLabel::Floor); // increasing
+  floor->erase(std::upper_bound(floor->begin(), floor->end(), scanned->back()),
+               floor->end());
+  chain_.floorplan_fitting.setIndices(scanned);
+  chain_.floorplan_fitting.setFloorIndices(floor);
   chain_.floorplan_fitting.setDetailIndices(labelled(StructureLabel::Detail));
   chain_.floorplan_fitting.setWallIndices(labelled(StructureLabel::Wall));
   chain_.floorplan_fitting.setSheetIndices(sheetPoints());

@@ -93,6 +93,7 @@ INSTANTIATE_TEST_SUITE_P(
         FloorShape{"high stage", {detailOf(rectangle(5.01, 0.01, 8.01, 6.01), 1.57)}},
         FloorShape{"pit", {detailOf(rectangle(2.01, 1.01, 5.01, 4.01), -0.6)}},
         FloorShape{"deep pit", {detailOf(rectangle(2.01, 1.01, 5.01, 4.01), -2.2)}},
+        FloorShape{"small pit", {detailOf(rectangle(2.01, 1.01, 4.01, 2.21), -1)}},
         FloorShape{"ramp of 6 degrees", {ramp(6), platformAfter(ramp(6))}},
         FloorShape{"ramp of 10 degrees", {ramp(10), platformAfter(ramp(10))}},
         FloorShape{"sloping hall", {}, std::tan(5 * M_PI / 180)}));

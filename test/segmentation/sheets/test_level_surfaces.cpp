@@ -212,6 +212,32 @@ TEST(LevelSurface, OfAFloorAreItsSteps)
   EXPECT_NEAR(details[0].slab.heightAt({4, 2}), 0.3, 0.001);
 }
 
+TEST(LevelSurface, NoFloorLiesAboveWhatWasSeen)
+{
+  // A chest before half of a stage hides the floor, and all but the upper edge of its
+  // riser.
+  const PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 3.5);
+  const PlanLoop stage = rectangle(3.01, 0.01, 5.01, 4.01);
+  const PlanLoop chest = rectangle(1.81, 0.01, 3.01, 2.01);
+  RoomPoints points(0.05, 0);
+  std::vector<int> floor = points.slab(room.boundary, 0, [&](double x, double y) {
+    return !stage.contains({x, y}) && !chest.contains({x, y});
+  });
+  for (const int i : points.slab(stage, 1.4))
+    floor.push_back(i);
+  points.slab(chest, 1.2);
+  points.wall(chest.elements[3], 0, 1.2);
+  points.wall(chest.elements[2], 0, 1.2);
+  points.wall(segment({3.01, 4.01}, {3.01, 2.01}), 0, 1.4);
+  points.wall(chest.elements[1], 1.2, 1.4);
+  const FacetSheet surface = surfaceWithin(
+      room.boundary, placesOf(points.view(), floor), SheetParameters::of({}, true),
+      placesOf(points.view(), points.all()));
+  for (const double x : {1.5, 1.95, 2.5, 2.9})
+    EXPECT_NEAR(surface.heightAt({x, 1}), 0, 0.01) << x;
+  EXPECT_NEAR(surface.heightAt({3.15, 1}), 1.4, 0.01);
+}
+
 TEST(LevelSurface, AFloorsPartsAreOfASquareMetreAndNoRugs)
 {
   struct Piece {

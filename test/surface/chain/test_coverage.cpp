@@ -243,6 +243,20 @@ TEST(UnexplainedSurfaces, AreCeilingsThatGoOnBehindAWall)
   EXPECT_LT(found[0].values[1], 0);
 }
 
+TEST(UnexplainedSurfaces, AreCeilingsOfWhichAGapAboveCupboardsShowsLittle)
+{
+  const Floorplan plan{{planned(1, 0, 4)}};
+  for (const float length : {3.0F, 0.4F}) {
+    Cloud cloud = recessedRoom(0);
+    addRectangle({-0.08F, 0, 2.48F}, {0.08F, 0, 0}, {0, length, 0}, cloud);
+    const auto found = unexplained(cloud, plan);
+    ASSERT_EQ(found.size(), length > 1 ? 1u : 0u);
+    if (!found.empty()) {
+      EXPECT_EQ(found[0].wall, 4u) << "it is none, all the way down";
+    }
+  }
+}
+
 TEST(UnexplainedSurfaces, AreThingsThatReachUpToTheCeiling)
 {
   const Floorplan plan{{planned(1, 0, 4)}};
