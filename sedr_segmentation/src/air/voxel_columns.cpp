@@ -105,48 +105,22 @@ VoxelColumns::VoxelColumns(const PointView& points,
       cubes.add(block[c]);
   makeTiles(heightsOf(cubes, std::max(bytes_of_any_scan, n * bytes_a_point)));
 
-  // The points of each tile, so that each is filled by one thread.
-  std::vector<std::size_t> counts(met.size() * tiles_.size() + 1, 0);
-  const auto forEachPlaced = [&](std::size_t begin, std::size_t end, auto visit) {
+  parallelBlocks(n, points_a_block, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const PlacedPoint p = pointAt(k);
       const std::uint32_t column = p.is_valid ? columnAt(p.cell) : none;
       if (column == none)
         continue;
-      const auto tile = static_cast<std::uint32_t>(column / tile_columns);
-      const std::int32_t height = p.voxel - tiles_[tile].low;
-      if (height >= 0 && height < 64 * tiles_[tile].words)
-        visit(tile, p);
-    }
-  };
-  parallelBlocks(n, points_a_block, threads, [&](std::size_t begin, std::size_t end) {
-    const std::size_t block = begin / points_a_block;
-    forEachPlaced(begin, end, [&](std::uint32_t tile, const PlacedPoint&) {
-      ++counts[tile * met.size() + block + 1];
-    });
-  });
-  for (std::size_t k = 1; k < counts.size(); ++k)
-    counts[k] += counts[k - 1];
-  std::vector<std::size_t> first(tiles_.size() + 1, counts.back());
-  for (std::size_t t = 0; t < tiles_.size(); ++t)
-    first[t] = counts[t * met.size()];
-  struct Voxel {
-    std::uint32_t column;
-    std::int32_t voxel;
-  };
-  std::vector<Voxel> sorted(counts.back());
-  parallelBlocks(n, points_a_block, threads, [&](std::size_t begin, std::size_t end) {
-    const std::size_t block = begin / points_a_block;
-    forEachPlaced(begin, end, [&](std::uint32_t tile, const PlacedPoint& p) {
-      sorted[counts[tile * met.size() + block]++] = {withinTile(p.cell), p.voxel};
-    });
-  });
-  parallelBlocks(tiles_.size(), 1, threads, [&](std::size_t t, std::size_t) {
-    const Tile& tile = tiles_[t];
-    for (std::size_t k = first[t]; k < first[t + 1]; ++k) {
-      const auto at = static_cast<std::uint32_t>(sorted[k].voxel - tile.low);
-      bits_[tile.first + sorted[k].column * static_cast<std::size_t>(tile.words) +
-            at / 64] |= std::uint64_t{1} << (at % 64);
+      const Tile& tile = tiles_[column / tile_columns];
+      const std::int32_t height = p.voxel - tile.low;
+      if (height < 0 || height >= 64 * tile.words)
+        continue;
+      const std::size_t word =
+          static_cast<std::size_t>(wordsOf(column) - bits_.data()) +
+          static_cast<std::size_t>(height / 64);
+      // Several threads may fill a word; in which order they do makes no difference.
+      __atomic_fetch_or(&bits_[word], std::uint64_t{1} << (height % 64),
+                        __ATOMIC_RELAXED);
     }
   });
 }

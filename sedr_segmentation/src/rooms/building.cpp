@@ -84,86 +84,17 @@ isWalkable(const RoomOpening& opening)
   return opening.width >= min_width && opening.top - opening.bottom >= min_height;
 }
 
-/** @brief Which parts of the air one walks into from another, 2, and the largest: 1. */
-std::vector<std::uint8_t>
-reachedParts(const std::vector<BuildingRoom>& parts,
-             const std::vector<RoomOpening>& openings)
+/** @brief How one gets to each part of the air. */
+std::vector<Access>
+accessTo(const PartedAir& parted)
 {
-  std::vector<std::uint8_t> is_reached(parts.size(), 0);
-  if (!parts.empty())
-    is_reached[0] = 1; // parts are by size
-  for (const RoomOpening& opening : openings)
+  std::vector<Access> access(parted.rooms, Access::Unknown);
+  if (!access.empty())
+    access[0] = Access::Largest; // parts are by size
+  for (const RoomOpening& opening : parted.openings)
     if (isWalkable(opening))
-      is_reached[opening.a] = is_reached[opening.b] = 2;
-  return is_reached;
-}
-
-/** @brief Why a part of the air is no room; no reason for rooms. */
-struct Verdict {
-  std::string reason;
-  LeftOutKind kind = LeftOutKind::Low;
-};
-
-std::vector<Verdict>
-judge(const std::vector<BuildingRoom>& parts,
-      const std::vector<std::uint8_t>& is_reached,
-      const std::vector<std::uint8_t>& is_view,
-      const BuildingParameters& parameters,
-      double smallest_level,
-      double cell_size)
-{
-  constexpr double surface = 0.1; // metres, of one that noise thickens
-  const std::vector<std::uint8_t> is_image = mirrorImages(parts, surface);
-  std::vector<Verdict> verdicts(parts.size());
-  std::vector<double> floors; // of rooms that are large enough to make a level
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    Verdict& verdict = verdicts[p];
-    if (is_image[p] != 0)
-      verdict = {"what a floor mirrors of the room above it", LeftOutKind::Mirror};
-    else if (is_view[p] != 0)
-      verdict = {"seen only through panes of glass, or in mirrors",
-                 LeftOutKind::Mirror};
-    else
-      verdict.reason = noRoomBecause(parts[p], cell_size, is_reached[p] != 0,
-                                     is_reached[p] == 2, parameters, verdict.kind);
-    if (verdict.reason.empty() && parts[p].area >= smallest_level)
-      floors.push_back(parts[p].floor);
-  }
-  const auto isOnLevel = [&](const BuildingRoom& room) {
-    return floors.empty() ||
-           std::any_of(floors.begin(), floors.end(), [&](double floor) {
-             return std::abs(floor - room.floor) < parameters.storey_step / 2;
-           });
-  };
-  for (std::size_t p = 0; p < parts.size(); ++p)
-    if (verdicts[p].reason.empty() && !isOnLevel(parts[p]))
-      verdicts[p] = {
-          "a landing of stairs, or above furniture: on the floor of no storey",
-          LeftOutKind::Landing};
-  return verdicts;
-}
-
-/** @brief Whether one walks into a part from a larger one that is a room, or of which
- * a part of one was seen: a view from there may be all that shows it. */
-bool
-isBesideRoom(std::uint32_t part,
-             const std::vector<RoomOpening>& openings,
-             const std::vector<Verdict>& verdicts)
-{
-  return std::any_of(openings.begin(), openings.end(), [&](const RoomOpening& o) {
-    return std::max(o.a, o.b) == part && isWalkable(o) && // parts are by size
-           verdicts[std::min(o.a, o.b)].reason.empty();
-  });
-}
-
-/** @brief Area of the columns of a part that were seen, square metres. */
-double
-seenArea(const BuildingRoom& part, double cell_size)
-{
-  const auto seen =
-      std::count_if(part.columns.begin(), part.columns.end(),
-                    [](const RoomColumn& c) { return c.floor_seen || c.ceiling_seen; });
-  return static_cast<double>(seen) * cell_size * cell_size;
+      access[opening.a] = access[opening.b] = Access::Entered;
+  return access;
 }
 
 /** @brief Area of the smallest rectangle around the columns of a part, square metres.
@@ -183,32 +114,65 @@ rectangleAround(const BuildingRoom& part, const CellGrid& grid)
   return smallest;
 }
 
+/** @brief What each part of the air is.
+ * @param is_view 1 for parts that were seen only through panes */
+std::vector<Verdict>
+judge(const AirGaps& air,
+      const PartedAir& parted,
+      const std::vector<BuildingRoom>& parts,
+      const std::vector<std::uint8_t>& is_view,
+      const BuildingParameters& parameters)
+{
+  const CellGrid& grid = air.columns().grid();
+  std::vector<double> floors;
+  for (const BuildingRoom& part : parts)
+    floors.push_back(part.floor);
+  const std::vector<std::uint8_t> is_image = mirrorImages(air, parted, floors);
+  const std::vector<Access> access = accessTo(parted);
+  std::vector<Verdict> verdicts(parts.size());
+  std::vector<double> levels; // floors of rooms that are large enough to make one
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    if (is_image[p] != 0)
+      verdicts[p] = {"what a floor mirrors of the room above it", LeftOutKind::Mirror};
+    else if (is_view[p] != 0)
+      verdicts[p] = {"seen only through panes of glass, or in mirrors",
+                     LeftOutKind::Mirror};
+    else
+      verdicts[p] = noRoomBecause(parts[p], grid.size(), access[p], parameters);
+    if (verdicts[p].isRoom() && parts[p].area >= PartingParameters().smallest_level)
+      levels.push_back(parts[p].floor);
+  }
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    if (verdicts[p].isRoom() && !levels.empty() &&
+        std::none_of(levels.begin(), levels.end(), [&](double level) {
+          return std::abs(level - parts[p].floor) < parameters.storey_step / 2;
+        }))
+      verdicts[p] = {
+          "a landing of stairs, or above furniture: on the floor of no storey",
+          LeftOutKind::Landing};
+  // A view from a larger room that one walks into it from may be all that shows a part.
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    for (const RoomOpening& way : parted.openings)
+      if (way.b == p && isWalkable(way) && verdicts[way.a].isRoom() &&
+          verdicts[p].isRoom() && parameters.minimum_enclosure > 0)
+        verdicts[p] = seenInPart(parts[p], rectangleAround(parts[p], grid));
+  return verdicts;
+}
+
 /** @brief Keeps what is a room, numbered anew, and tells the rest with reasons.
  * @return number of each part of the air among the rooms, 0 for those left out */
 std::vector<std::uint32_t>
-keepRooms(const PartedAir& parted,
-          const PartingParameters& of_parting,
-          std::vector<BuildingRoom> parts,
-          const std::vector<std::uint8_t>& is_reached,
-          const std::vector<std::uint8_t>& is_view,
-          const BuildingParameters& parameters,
+keepRooms(std::vector<BuildingRoom> parts,
+          const std::vector<Verdict>& verdicts,
           Building& building)
 {
   constexpr double worth_telling = 0.25; // square metres
-  std::vector<Verdict> verdicts =
-      judge(parts, is_reached, is_view, parameters, of_parting.smallest_level,
-            building.grid.size());
-  for (std::uint32_t p = 0; p < parts.size(); ++p)
-    if (verdicts[p].reason.empty() && parameters.minimum_enclosure > 0 &&
-        isBesideRoom(p, parted.openings, verdicts))
-      verdicts[p] = {seenInPart(parts[p], rectangleAround(parts[p], building.grid)),
-                     LeftOutKind::Partial};
   std::vector<std::size_t> rooms;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const BuildingRoom& part = parts[p];
-    const double seen = seenArea(part, building.grid.size());
+    const double seen = part.area - part.inferred;
     building.seen_area += seen;
-    if (verdicts[p].reason.empty())
+    if (verdicts[p].isRoom())
       rooms.push_back(p);
     else if (seen >= worth_telling)
       building.left_out.push_back(
@@ -256,6 +220,30 @@ tellOpenings(const std::vector<RoomOpening>& openings,
   }
 }
 
+/** @brief What was looked for where no room was found, and what was found instead. */
+std::string
+problemOf(const Building& building,
+          const BuildingParameters& parameters,
+          std::size_t points)
+{
+  char text[240];
+  std::snprintf(
+      text, sizeof text,
+      "no air of at least %.1f square metres with a headroom of %.1f m between "
+      "a floor and a ceiling, and walls along %.0f %% of its outline, in %zu "
+      "points",
+      parameters.minimum_area, parameters.headroom, 100 * parameters.minimum_enclosure,
+      points);
+  std::string problem = text;
+  if (!building.left_out.empty()) {
+    const LeftOut& most = building.left_out.front();
+    std::snprintf(text, sizeof text, "; the largest part, %.2f m2 without its rim: %s",
+                  most.area, most.reason.c_str());
+    problem += text;
+  }
+  return problem;
+}
+
 /** @brief Describes the rooms of a scan. */
 Building
 describe(const AirGaps& air,
@@ -264,19 +252,15 @@ describe(const AirGaps& air,
          const PointView& points,
          const std::vector<int>& indices,
          const BuildingParameters& parameters,
-         const PartingParameters& of_parting,
-         std::string& problem,
          const std::vector<std::uint8_t>& behind)
 {
-  const VoxelColumns& columns = air.columns();
   Building building;
-  building.grid = columns.grid();
+  building.grid = air.columns().grid();
   std::vector<BuildingRoom> parts = describeRooms(air, parted);
-  const std::vector<std::uint8_t> is_view =
-      viewsThroughPanes(parts, columns.grid(), points, behind);
-  const std::vector<std::uint8_t> is_reached = reachedParts(parts, parted.openings);
-  const std::vector<std::uint32_t> number = keepRooms(
-      parted, of_parting, std::move(parts), is_reached, is_view, parameters, building);
+  const std::vector<Verdict> verdicts = judge(
+      air, parted, parts, viewsThroughPanes(air, parted, points, behind), parameters);
+  const std::vector<std::uint32_t> number =
+      keepRooms(std::move(parts), verdicts, building);
   building.storeys = findStoreys(building.rooms, parameters.storey_step);
   tellOpenings(parted.openings, number, building);
   addFlights(points, indices, fine, building);
@@ -287,27 +271,9 @@ describe(const AirGaps& air,
                                  "voids lower than a room: within slabs, below "
                                  "furniture",
                                  air.voidArea(), 0, 0, Eigen::Vector2d::Zero()});
-  if (building.rooms.empty()) {
-    char text[240];
-    std::snprintf(
-        text, sizeof text,
-        "no air of at least %.1f square metres with a headroom of %.1f m between "
-        "a floor and a ceiling, and walls along %.0f %% of its outline, in %zu "
-        "points",
-        parameters.minimum_area, parameters.headroom,
-        100 * parameters.minimum_enclosure,
-        indices.empty() ? points.size() : indices.size());
-    problem = text;
-    if (!building.left_out.empty()) {
-      const LeftOut& most = building.left_out.front();
-      std::snprintf(text, sizeof text,
-                    "; the largest part, %.2f m2 without its rim: %s", most.area,
-                    most.reason.c_str());
-      problem += text;
-    }
+  if (building.rooms.empty())
     return building;
-  }
-  labelSheets(points, indices, fine, columns, parameters.threads, building);
+  labelSheets(points, indices, fine, air.columns(), parameters.threads, building);
   return building;
 }
 
@@ -333,8 +299,12 @@ findBuilding(const PointView& points,
       withoutStrays(half.halved(parameters.threads), is_dense, parameters.threads);
   const VoxelColumns columns = withHolesClosed(seen, parameters.threads);
   const AirGaps air(columns, seen, airParameters(parameters), &half);
-  return describe(air, partIntoRooms(air, of_parting), fine, points, indices,
-                  parameters, of_parting, problem, behind);
+  Building building = describe(air, partIntoRooms(air, of_parting), fine, points,
+                               indices, parameters, behind);
+  if (building.rooms.empty())
+    problem = problemOf(building, parameters,
+                        indices.empty() ? points.size() : indices.size());
+  return building;
 }
 
 } // namespace pcl::sedr

@@ -4,99 +4,92 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <tuple>
 
 namespace pcl::sedr {
 
 namespace {
 
-struct ColumnOfPart {
-  CellKey key{};
-  const RoomColumn* column = nullptr;
-  std::size_t part = 0;
+/** @brief How much of each part of the air is of some kind. */
+class Shares {
+public:
+  Shares(const PartedAir& parted)
+      : some_(parted.rooms, 0)
+      , all_(parted.rooms, 0)
+  {}
+
+  void add(std::int32_t part, bool is_some)
+  {
+    if (part == PartedAir::no_room)
+      return;
+    ++all_[static_cast<std::size_t>(part)];
+    some_[static_cast<std::size_t>(part)] += is_some ? 1 : 0;
+  }
+
+  /** @brief Returns 1 for each part of which a share is more than `most`. */
+  std::vector<std::uint8_t> above(double most) const
+  {
+    std::vector<std::uint8_t> is_above(all_.size());
+    for (std::size_t p = 0; p < all_.size(); ++p)
+      is_above[p] = static_cast<double>(some_[p]) > most * static_cast<double>(all_[p]);
+    return is_above;
+  }
+
+private:
+  std::vector<std::size_t> some_;
+  std::vector<std::size_t> all_;
 };
-
-/** @brief The columns of all parts, those above each other together, from below. */
-std::vector<ColumnOfPart>
-stackedColumns(const std::vector<BuildingRoom>& parts)
-{
-  std::vector<ColumnOfPart> all;
-  for (std::size_t p = 0; p < parts.size(); ++p)
-    for (const RoomColumn& column : parts[p].columns)
-      all.push_back({keyOf(column.cell), &column, p});
-  std::sort(all.begin(), all.end(), [](const ColumnOfPart& a, const ColumnOfPart& b) {
-    return std::tuple(a.key, a.column->floor, a.part) <
-           std::tuple(b.key, b.column->floor, b.part);
-  });
-  return all;
-}
-
-/** @brief Returns 1 for each part of which a share is more than `most`. */
-std::vector<std::uint8_t>
-whereMore(const std::vector<std::size_t>& some,
-          const std::vector<std::size_t>& all,
-          double most)
-{
-  std::vector<std::uint8_t> is_more(all.size());
-  for (std::size_t p = 0; p < all.size(); ++p)
-    is_more[p] = static_cast<double>(some[p]) > most * static_cast<double>(all[p]);
-  return is_more;
-}
 
 } // namespace
 
 std::vector<std::uint8_t>
-mirrorImages(const std::vector<BuildingRoom>& parts, double surface)
+mirrorImages(const AirGaps& air,
+             const PartedAir& parted,
+             const std::vector<double>& floors)
 {
-  constexpr double same_height = 0.1; // metres
-  constexpr double most = 0.8;        // of its columns
-  std::vector<std::size_t> mirrored(parts.size(), 0);
-  std::vector<std::size_t> columns;
-  for (const BuildingRoom& part : parts)
-    columns.push_back(part.columns.size());
-  const std::vector<ColumnOfPart> all = stackedColumns(parts);
-  for (std::size_t k = 0; k + 1 < all.size(); ++k) {
-    const RoomColumn& image = *all[k].column;
-    const RoomColumn& above = *all[k + 1].column;
-    const double floor = parts[all[k + 1].part].floor;
-    const bool is_mirrored =
-        all[k].key == all[k + 1].key && all[k].part != all[k + 1].part &&
-        std::abs(floor - (image.ceiling + above.floor) / 2) <= surface / 2 &&
-        std::abs((above.ceiling - above.floor) - (image.ceiling - image.floor)) <=
-            same_height;
-    mirrored[all[k].part] += is_mirrored ? 1 : 0;
+  constexpr double surface =
+      0.08; // metres, of one that noise thickens; slabs are thicker
+  constexpr double same_height = 0.1;
+  constexpr double most = 0.8; // of its columns
+  Shares shares(parted);
+  for (std::size_t g = 0; g < air.size(); ++g) {
+    const std::size_t above = g + 1;
+    const auto isMirrored = [&] {
+      const double plane = air.columns().heightOf(air[g].high + air[above].low) / 2;
+      return std::abs(floors[static_cast<std::size_t>(parted.room[above])] - plane) <=
+                 surface / 2 &&
+             std::abs(air.height(above) - air.height(g)) <= same_height;
+    };
+    shares.add(parted.room[g],
+               above < air.size() && air[above].column == air[g].column &&
+                   parted.room[above] != PartedAir::no_room &&
+                   parted.room[above] != parted.room[g] && isMirrored());
   }
-  return whereMore(mirrored, columns, most);
+  return shares.above(most);
 }
 
 std::vector<std::uint8_t>
-viewsThroughPanes(const std::vector<BuildingRoom>& parts,
-                  const CellGrid& grid,
+viewsThroughPanes(const AirGaps& air,
+                  const PartedAir& parted,
                   const PointView& points,
                   const std::vector<std::uint8_t>& behind)
 {
-  constexpr float beside = 0.1F; // metres, of floor and ceiling
+  constexpr double beside = 0.1; // metres, of floor and ceiling
   constexpr double most = 0.9;   // of the points
-  std::vector<std::size_t> all(parts.size(), 0);
-  std::vector<std::size_t> through(parts.size(), 0);
-  if (std::find(behind.begin(), behind.end(), 1) == behind.end())
-    return whereMore(through, all, most);
-  const std::vector<ColumnOfPart> columns = stackedColumns(parts);
+  Shares shares(parted);
+  const VoxelColumns& columns = air.columns();
   for (std::size_t i = 0; i < std::min(points.size(), behind.size()); ++i) {
     const Eigen::Vector3f p = points[i];
-    if (!p.allFinite() || !grid.holds(p.x(), p.y()))
+    if (!p.allFinite() || !columns.grid().holds(p.x(), p.y()))
       continue;
-    const CellKey key = keyOf(grid.at(p.x(), p.y()));
-    auto at = std::lower_bound(
-        columns.begin(), columns.end(), key,
-        [](const ColumnOfPart& column, CellKey k) { return column.key < k; });
-    for (; at != columns.end() && at->key == key; ++at)
-      if (p.z() > at->column->floor - beside && p.z() < at->column->ceiling + beside) {
-        ++all[at->part];
-        through[at->part] += behind[i];
-      }
+    const std::uint32_t column = columns.columnAt(columns.grid().at(p.x(), p.y()));
+    if (column == VoxelColumns::none)
+      continue;
+    for (std::size_t g = air.first(column); g < air.first(column + 1); ++g)
+      if (p.z() > columns.heightOf(air[g].low) - beside &&
+          p.z() < columns.heightOf(air[g].high) + beside)
+        shares.add(parted.room[g], behind[i] != 0);
   }
-  return whereMore(through, all, most);
+  return shares.above(most);
 }
 
 } // namespace pcl::sedr

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/sedr_filters/cell_grid.h>
+#include "../parting/room_parting.h"
+
 #include <pcl/sedr_filters/point_view.h>
-#include <pcl/sedr_segmentation/building.h>
 
 #include <cstdint>
 #include <vector>
@@ -11,21 +11,19 @@
 namespace pcl::sedr {
 
 /** @brief Which parts of the air are what a floor mirrors of the room above it: below
- * most of their columns, as high as the air above, and no slab between. O(columns log
- * columns).
- * @param surface thickest that one surface may be, metres
+ * most of their columns, as high as the air above, and no slab between. O(gaps).
+ * @param floors main floor of each part, metres
  * @return 1 for each such part */
-std::vector<std::uint8_t> mirrorImages(const std::vector<BuildingRoom>& parts,
-                                       double surface);
+std::vector<std::uint8_t> mirrorImages(const AirGaps& air,
+                                       const PartedAir& parted,
+                                       const std::vector<double>& floors);
 
 /** @brief Which parts of the air were seen only through panes of glass or in mirrors:
- * those whose points in their columns are nine tenths of that kind. O(n log n) for n
- * points and columns.
- * @param grid of the columns
+ * those whose points in their columns are nine tenths of that kind. O(n) for n points.
  * @param behind 1 for each point that was seen only through panes; empty: not known
  * @return 1 for each such part */
-std::vector<std::uint8_t> viewsThroughPanes(const std::vector<BuildingRoom>& parts,
-                                            const CellGrid& grid,
+std::vector<std::uint8_t> viewsThroughPanes(const AirGaps& air,
+                                            const PartedAir& parted,
                                             const PointView& points,
                                             const std::vector<std::uint8_t>& behind);
 

@@ -151,79 +151,71 @@ describeRooms(const AirGaps& air, const PartedAir& parted)
   return rooms;
 }
 
-std::string
+Verdict
 noRoomBecause(const BuildingRoom& room,
               double cell_size,
-              bool is_reached,
-              bool is_entered,
-              const BuildingParameters& parameters,
-              LeftOutKind& kind)
+              Access access,
+              const BuildingParameters& parameters)
 {
-  std::size_t tall = 0;
-  for (const RoomColumn& column : room.columns)
-    tall += column.ceiling - std::max<double>(column.floor, room.floor) >=
-                        parameters.headroom ||
-                    column.ceiling - room.floor >= parameters.headroom
-                ? 1
-                : 0;
-  const double area = static_cast<double>(tall) * cell_size * cell_size;
-  constexpr double min_tall = 0.3; // of its columns; else it is a void
+  constexpr double min_tall = 0.3;   // of its columns; else it is a void
+  constexpr double min_seen = 0.2;   // of its floor and of its ceiling
+  constexpr double too_small = 5;    // square metres: a scanner stood in front of it
+  constexpr double closed = 0.6;     // of its outline
+  constexpr double not_glazed = 0.5; // likewise
+  const auto shareOf = [&](const auto& is) {
+    return static_cast<double>(
+               std::count_if(room.columns.begin(), room.columns.end(), is)) /
+           static_cast<double>(room.columns.size());
+  };
   char text[120];
-  if (area < parameters.minimum_area ||
-      static_cast<double>(tall) < min_tall * static_cast<double>(room.columns.size())) {
-    kind = LeftOutKind::Low;
+  const double tall = shareOf([&](const RoomColumn& column) {
+    return column.ceiling - room.floor >= parameters.headroom;
+  });
+  const double area =
+      tall * static_cast<double>(room.columns.size()) * cell_size * cell_size;
+  if (area < parameters.minimum_area || tall < min_tall) {
     std::snprintf(text, sizeof text,
                   "less than %.1f square metres with a headroom of %.1f m",
                   parameters.minimum_area, parameters.headroom);
-    return text;
+    return {text, LeftOutKind::Low};
   }
-  constexpr double min_seen = 0.2; // of its floor and of its ceiling
-  std::size_t floor_seen = 0;
-  std::size_t ceiling_seen = 0;
-  for (const RoomColumn& column : room.columns) {
-    floor_seen += column.floor_seen ? 1 : 0;
-    ceiling_seen += column.ceiling_seen ? 1 : 0;
-  }
-  const std::size_t seen = std::min(floor_seen, ceiling_seen);
-  if (static_cast<double>(seen) < min_seen * static_cast<double>(room.columns.size())) {
-    kind = LeftOutKind::Open;
+  const double floor = shareOf([](const RoomColumn& c) { return c.floor_seen; });
+  const double ceiling = shareOf([](const RoomColumn& c) { return c.ceiling_seen; });
+  if (std::min(floor, ceiling) < min_seen) {
     std::snprintf(text, sizeof text, "only %.0f %% of its %s was seen",
-                  100 * static_cast<double>(seen) /
-                      static_cast<double>(room.columns.size()),
-                  seen == floor_seen ? "floor" : "ceiling");
-    return text;
+                  100 * std::min(floor, ceiling),
+                  floor <= ceiling ? "floor" : "ceiling");
+    return {text, LeftOutKind::Open};
   }
-  // Of a place too small for a scanner only what an opening shows may be seen.
-  constexpr double too_small = 5;    // square metres
-  constexpr double closed = 0.6;     // of its outline
-  constexpr double not_glazed = 0.5; // likewise
-  const double least = area < too_small ? closed : is_reached ? 0 : not_glazed;
-  if (room.enclosure < std::max(least, parameters.minimum_enclosure)) {
-    const bool is_part = is_entered && area >= too_small;
-    kind = is_part ? LeftOutKind::Partial : LeftOutKind::Open;
-    std::snprintf(text, sizeof text, "walls along %.0f %% of its outline only: %s",
-                  100 * room.enclosure,
-                  is_part ? "a room seen in part, or a roof without walls"
-                          : "seen through an opening, or outdoors");
-    return text;
-  }
-  return "";
+  // Of a place too small for a scanner only what an opening shows may be seen, and
+  // into what one does not enter it may look through glass.
+  const double least = area < too_small            ? closed
+                       : access == Access::Unknown ? not_glazed
+                                                   : 0;
+  if (room.enclosure >= std::max(least, parameters.minimum_enclosure))
+    return {};
+  const bool is_part = access == Access::Entered && area >= too_small;
+  std::snprintf(text, sizeof text, "walls along %.0f %% of its outline only: %s",
+                100 * room.enclosure,
+                is_part ? "a room seen in part, or a roof without walls"
+                        : "seen through an opening, or outdoors");
+  return {text, is_part ? LeftOutKind::Partial : LeftOutKind::Open};
 }
 
-std::string
+Verdict
 seenInPart(const BuildingRoom& room, double box)
 {
+  constexpr double min_walled = 0.4; // of its outline; a glazed room may have no more
   constexpr double min_filled = 0.8; // of the rectangle: a cone of sight fills less
-  // Walls along two fifths of the outline: a glazed room may have no more.
-  if (room.enclosure >= 0.4 || room.area >= min_filled * box)
-    return "";
+  if (room.enclosure >= min_walled || room.area >= min_filled * box)
+    return {};
   char text[120];
   std::snprintf(
       text, sizeof text,
       "a room seen in part: walls along %.0f %% of its outline, nothing along "
       "%.1f m",
       100 * room.enclosure, room.unseen_outline);
-  return text;
+  return {text, LeftOutKind::Partial};
 }
 
 } // namespace pcl::sedr

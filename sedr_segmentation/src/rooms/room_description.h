@@ -5,6 +5,7 @@
 
 #include <pcl/sedr_segmentation/building.h>
 
+#include <string>
 #include <vector>
 
 namespace pcl::sedr {
@@ -13,21 +14,31 @@ namespace pcl::sedr {
  * enclosure, whether it is one or not; in their order, ids from 1. O(gaps). */
 std::vector<BuildingRoom> describeRooms(const AirGaps& air, const PartedAir& parted);
 
-/** @brief Why a part of the air is no room, for people; empty if it is one.
- * @param is_reached whether one walks into it from another, or it is the largest: into
- * what is closed a scanner may look through glass
- * @param is_entered whether one walks into it: then it is not outdoors
- * @param[out] kind what it is instead */
-std::string noRoomBecause(const BuildingRoom& room,
-                          double cell_size,
-                          bool is_reached,
-                          bool is_entered,
-                          const BuildingParameters& parameters,
-                          LeftOutKind& kind);
+/** @brief What a part of the air is. */
+struct Verdict {
+  std::string reason; ///< why it is no room, for people; empty: it is one
+  LeftOutKind kind = LeftOutKind::Low; ///< what it is instead
 
-/** @brief Why a room that one walks into is none: most of its outline is where the view
- * ended, and not along its walls, as panes are. Empty if it is one.
+  bool isRoom() const { return reason.empty(); }
+};
+
+/** @brief How one gets to a part of the air. */
+enum class Access {
+  Unknown, ///< a scanner may have looked into it through glass
+  Largest, ///< it is the largest
+  Entered  ///< one walks into it from another: it is not outdoors
+};
+
+/** @brief Whether a part of the air has what a room has: height, floor and ceiling, and
+ * walls. */
+Verdict noRoomBecause(const BuildingRoom& room,
+                      double cell_size,
+                      Access access,
+                      const BuildingParameters& parameters);
+
+/** @brief Whether of a room that one walks into only a part was seen: most of its
+ * outline is where the view ended, and not along its walls, as panes are.
  * @param box area of the smallest rectangle around it */
-std::string seenInPart(const BuildingRoom& room, double box);
+Verdict seenInPart(const BuildingRoom& room, double box);
 
 } // namespace pcl::sedr

@@ -1,61 +1,61 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sedr_segmentation/src/rooms/reflections.h"
+#include "sedr_segmentation/src/rooms/room_description.h"
 
-#include <gtest/gtest.h>
+#include "building_scene.h"
+
+#include "segmentation/parting/parted_scenes.h"
 
 namespace {
 
 using namespace pcl::sedr;
+using namespace sedr_test;
 
-constexpr double surface = 0.1;
-
-/** A part of a room with 10 x 10 profiles. */
-BuildingRoom
-part(float floor, float ceiling)
+/** Whether the air between two heights below a room of 2.5 m is its mirror image. */
+bool
+isImage(double low, double high)
 {
-  BuildingRoom room;
-  room.floor = floor;
-  for (int x = 0; x < 10; ++x)
-    for (int y = 0; y < 10; ++y)
-      room.columns.push_back({{x, y}, floor, ceiling, true, true, true});
-  return room;
+  AirScene scene;
+  scene.room(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
+  scene.room(0.05, 0.05, 4.05, 3.05, low, high);
+  const Parted air(scene);
+  std::vector<double> floors;
+  for (const BuildingRoom& room : describeRooms(air.gaps, air.parted))
+    floors.push_back(room.floor);
+  const auto is_image = mirrorImages(air.gaps, air.parted, floors);
+  EXPECT_EQ(is_image.at(static_cast<std::size_t>(air.roomAt(2, 1.5, 1))), 0);
+  return is_image.at(static_cast<std::size_t>(air.roomAt(2, 1.5, -1))) != 0;
 }
 
 TEST(MirrorImages, AreWhatIsAsHighAsTheRoomAboveBelowASingleSurface)
 {
-  EXPECT_EQ(mirrorImages({part(0, 2.5F), part(-2.55F, -0.05F)}, surface),
-            (std::vector<std::uint8_t>{0, 1}));
-  EXPECT_EQ(mirrorImages({part(-2.55F, -0.05F), part(0, 2.5F)}, surface),
-            (std::vector<std::uint8_t>{1, 0}))
-      << "in whatever order";
+  EXPECT_TRUE(isImage(-2.49, 0.01));
 }
 
 TEST(MirrorImages, AreNotTheRoomsBelowASlab)
 {
-  EXPECT_EQ(mirrorImages({part(0, 2.5F), part(-2.7F, -0.2F)}, surface),
-            (std::vector<std::uint8_t>{0, 0}));
+  EXPECT_FALSE(isImage(-2.69, -0.19));
 }
 
 TEST(MirrorImages, AreNotRoomsOfAnotherHeight)
 {
-  EXPECT_EQ(mirrorImages({part(0, 2.5F), part(-2.85F, -0.05F)}, surface),
-            (std::vector<std::uint8_t>{0, 0}));
+  EXPECT_FALSE(isImage(-2.79, 0.01));
 }
 
 TEST(MirrorImages, MayHaveTheirFurnitureUpsideDown)
 {
-  BuildingRoom room = part(0, 2.5F);
-  BuildingRoom image = part(-2.55F, -0.05F);
-  for (std::size_t k = 0; k < 15; ++k) { // a desk
-    room.columns[k].floor = 0.7F;
-    image.columns[k].ceiling = -0.75F;
-  }
-  EXPECT_EQ(mirrorImages({room, image}, surface), (std::vector<std::uint8_t>{0, 1}));
-}
-
-TEST(MirrorImages, OfNothingAreNone)
-{
-  EXPECT_TRUE(mirrorImages({}, surface).empty());
+  AirScene scene;
+  scene.points.slab(scene.loop(0.05, 0.05, 4.05, 3.05), 0.01,
+                    [](double x, double y) { return x > 1 || y > 2; }); // beside a desk
+  for (const double z : {-2.49, 2.51})
+    scene.slab(0.05, 0.05, 4.05, 3.05, z);
+  for (const double z : {-0.69, 0.71})
+    scene.slab(0.05, 0.05, 1.05, 2.05, z);
+  scene.sides(0.05, 0.05, 4.05, 3.05, -2.49, 2.51);
+  const Found found(scene);
+  ASSERT_EQ(found.building.rooms.size(), 1u);
+  EXPECT_NEAR(found.building.rooms[0].floor, 0.01, 0.06);
+  EXPECT_EQ(found.building.left_out.at(0).kind, LeftOutKind::Mirror);
 }
 
 } // namespace

@@ -38,16 +38,16 @@ addColumns(BuildingRoom& room, int n, float floor, float ceiling)
 std::string
 reasonOf(const BuildingRoom& room)
 {
-  LeftOutKind kind = LeftOutKind::Void;
-  return noRoomBecause(room, 0.1, true, false, BuildingParameters(), kind);
+  return noRoomBecause(room, 0.1, Access::Largest, BuildingParameters()).reason;
 }
 
 LeftOutKind
 kindOf(const BuildingRoom& room)
 {
-  LeftOutKind kind = LeftOutKind::Void;
-  EXPECT_NE(noRoomBecause(room, 0.1, true, false, BuildingParameters(), kind), "");
-  return kind;
+  const Verdict verdict =
+      noRoomBecause(room, 0.1, Access::Largest, BuildingParameters());
+  EXPECT_FALSE(verdict.isRoom());
+  return verdict.kind;
 }
 
 TEST(DescribeRooms, TellsHeightsAreaAndWhatIsWalled)
@@ -202,7 +202,7 @@ roomWithWallsAlong(double share, double area)
 
 TEST(SeenInPart, IsWhatHasWallsAlongLessThanTwoFifthsOfItsOutlineAndIsNoRectangle)
 {
-  const std::string reason = seenInPart(roomWithWallsAlong(0.39, 15), 20);
+  const std::string reason = seenInPart(roomWithWallsAlong(0.39, 15), 20).reason;
   EXPECT_NE(reason.find("seen in part"), std::string::npos) << reason;
   EXPECT_NE(reason.find("39 %"), std::string::npos) << reason;
   EXPECT_NE(reason.find("7.0 m"), std::string::npos) << reason;
@@ -211,14 +211,14 @@ TEST(SeenInPart, IsWhatHasWallsAlongLessThanTwoFifthsOfItsOutlineAndIsNoRectangl
 TEST(SeenInPart, IsNoRoomWithWallsAlongTwoFifthsOfItsOutlineWhateverItsShape)
 {
   for (const double area : {2.0, 10.0, 15.0})
-    EXPECT_EQ(seenInPart(roomWithWallsAlong(0.41, area), 20), "") << area;
+    EXPECT_TRUE(seenInPart(roomWithWallsAlong(0.41, area), 20).isRoom()) << area;
 }
 
 TEST(SeenInPart, IsNoRoomThatFillsFourFifthsOfItsRectangleHoweverMuchIsGlass)
 {
   for (const double share : {0.16, 0.3, 0.39}) {
-    EXPECT_EQ(seenInPart(roomWithWallsAlong(share, 16.2), 20), "") << share;
-    EXPECT_NE(seenInPart(roomWithWallsAlong(share, 15.8), 20), "") << share;
+    EXPECT_TRUE(seenInPart(roomWithWallsAlong(share, 16.2), 20).isRoom()) << share;
+    EXPECT_FALSE(seenInPart(roomWithWallsAlong(share, 15.8), 20).isRoom()) << share;
   }
 }
 
