@@ -5,6 +5,7 @@
 
 #include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/base/parallel.h"
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
 #include <array>
@@ -249,8 +250,7 @@ footProblem(const Floorplan& plan,
     if (room.boundary.elements.empty() || room.area() < sliver * largest_area)
       continue;
     ++rooms;
-    const Eigen::Vector2d& corner = room.boundary.elements.front().start;
-    const double height = room.ceiling.heightAt(corner) - room.floor.heightAt(corner);
+    const double height = clearHeight(room).usual;
     whole_area += room.area();
     if (height * foot < priors.min_home_height)
       continue;

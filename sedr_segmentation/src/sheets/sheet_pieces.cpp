@@ -135,6 +135,17 @@ private:
             evidence_.risers->share(cell, next, high - below, high) > 0);
   }
 
+  /** @brief Whether two facets meet between the middles of two cells. */
+  bool isCrease(std::size_t cell,
+                std::size_t next,
+                std::int32_t own,
+                std::int32_t other) const
+  {
+    return (heightOf(own, cell) - heightOf(other, cell)) *
+               (heightOf(own, next) - heightOf(other, next)) <=
+           0;
+  }
+
   Piece describe(std::vector<std::size_t> cells) const
   {
     Piece piece;
@@ -152,7 +163,8 @@ private:
              !isLevelFacet(choice_, main_) || height < heightOf(main_, cell)))
           return;
         const double beside = heightOf(is_wall ? main_ : other, cell);
-        const bool is_closed = isClosed(cell, next, height, beside);
+        const bool is_closed = isClosed(cell, next, height, beside) ||
+                               (!is_wall && isCrease(cell, next, own, other));
         if (!is_wall) {
           piece.beside.emplace(other, 0);
           piece.step += beside - height;

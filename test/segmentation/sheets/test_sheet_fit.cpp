@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace {
 
@@ -110,6 +111,20 @@ TEST(FitSheet, AGableHasTwoSlopesThatMeetInTheRidge)
       ++on_ridge;
   EXPECT_EQ(on_ridge, 1);
   EXPECT_NEAR(room.ceilingAt({3, 2}), 1 + 2 * tangent(40), 0.005);
+}
+
+TEST(FitSheet, ASteepGableNeedsNoRiserAtItsRidge)
+{
+  for (const double ridge : {2.3, 2.32, 2.35, 2.38}) {
+    const Scene gable = sceneOf(
+        9, 4.6, [&](double, double y) { return 3 + ridge - std::abs(y - ridge); });
+    std::vector<Eigen::Vector3d> around; // the ridge is higher than most of the room
+    std::copy_if(gable.points.begin(), gable.points.end(), std::back_inserter(around),
+                 [](const auto& p) { return p.z() < 4.5; });
+    const FacetSheet sheet =
+        surfaceWithin(gable.room.boundary, gable.points, {}, around);
+    EXPECT_EQ(sheet.facets.size(), 2u) << ridge;
+  }
 }
 
 TEST(FitSheet, AHipRoofHasFourSlopes)
