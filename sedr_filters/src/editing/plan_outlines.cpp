@@ -6,7 +6,7 @@
 
 #include <pcl/sedr_filters/plan_editor.h>
 #include <pcl/sedr_filters/plan_measures.h>
-#include <pcl/sedr_filters/straightening.h>
+#include <pcl/sedr_filters/tilted_walls.h>
 
 #define BOOST_ALLOW_DEPRECATED_HEADERS // Boost.Geometry includes one
 #include <boost/geometry/geometries/box.hpp>

@@ -5,7 +5,7 @@
 #include "plan_check.h"
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_filters/plan_measures.h>
-#include <pcl/sedr_filters/straightening.h>
+#include <pcl/sedr_filters/tilted_walls.h>
 
 #include <algorithm>
 #include <charconv>

@@ -66,16 +66,14 @@ public:
       const VerticalSpan span = surface.spanAt(s);
       if (!(span.high > span.low))
         continue;
-      const Eigen::Vector2d place = surface.element->pointAt(s);
       const auto rows = partsOf(span.high - span.low);
       const Eigen::Vector3d normal = surface.normalAt(s);
-      const double floor = room_.floorAt(place);
+      const double floor = room_.floorAt(surface.element->pointAt(s));
       for (std::size_t r = 0; r < rows; ++r) {
-        Cell cell{{}, normal, floor, span};
-        cell.middle << place, span.low + (span.high - span.low) *
-                                             (static_cast<double>(r) + 0.5) /
-                                             static_cast<double>(rows);
-        add(cell, count);
+        const double z = span.low + (span.high - span.low) *
+                                        (static_cast<double>(r) + 0.5) /
+                                        static_cast<double>(rows);
+        add({surface.pointAt(s, z), normal, floor, span}, count);
       }
     }
     return count;
@@ -116,7 +114,7 @@ private:
   {
     for (double d = tolerance_ + fill_reach; d < reach_before; d += cell_size) {
       const Eigen::Vector3d before = cell.middle + d * cell.normal;
-      if (!room_.contains(before.head<2>()))
+      if (!room_.holds(before))
         break;
       if (points_.anyNear(before, [&](const Eigen::Vector3d& p) {
             return (p - before).norm() <= fill_reach && p.z() > cell.floor + off_slab &&

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_surfaces.h"
 
+#include <pcl/sedr_filters/tilted_walls.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +13,7 @@ VerticalSpan
 VerticalSurface::spanAt(double s) const
 {
   constexpr double beside = 0.01; // of the element, where its two sides are, metres
+  constexpr int max_rounds = 30;  // until the top of a tilted wall is at the ceiling
   const RoomLookup& plan = *lookup;
   const Eigen::Vector2d place = element->pointAt(s);
   const Eigen::Vector2d across = beside * element->normalAt(s);
@@ -38,6 +41,12 @@ VerticalSurface::spanAt(double s) const
   }
   VerticalSpan span{room->floorSlab(plan.floorDetailAt(left)).heightAt(place),
                     plan.ceilingAt(left), true};
+  for (int round = 0; round < max_rounds && moves(); ++round) {
+    const double high = span.high;
+    span.high = plan.ceilingAt(pointAt(s, high).head<2>() + across);
+    if (std::abs(span.high - high) < 1e-9)
+      break;
+  }
   if (kind == VerticalKind::ColumnFace)
     return span;
   const bool is_above = kind == VerticalKind::WallAboveNiche;
@@ -59,7 +68,38 @@ VerticalSurface::normalAt(double s) const
   const bool is_riser =
       kind == VerticalKind::CeilingRiser || kind == VerticalKind::FloorRiser;
   const double sign = !is_riser || spanAt(s).faces_left ? 1 : -1;
-  return {sign * n.x(), sign * n.y(), 0};
+  const Eigen::Vector3d normal(sign * n.x(), sign * n.y(), -std::tan(element->tilt));
+  return element->tilt == 0 ? normal : normal.normalized();
+}
+
+PlanElement
+VerticalSurface::at(double z) const
+{
+  const auto wall = element - room->boundary.elements.data();
+  return wallAt(*room, static_cast<std::size_t>(wall), z);
+}
+
+Eigen::Vector3d
+VerticalSurface::pointAt(double s, double z) const
+{
+  Eigen::Vector3d point;
+  if (moves()) {
+    const PlanElement wall = at(z);
+    point << wall.pointAt(s * wall.length() / element->length()), z;
+  }
+  else
+    point << element->pointAt(s), z;
+  return point;
+}
+
+double
+VerticalSurface::project(const Eigen::Vector3d& p) const
+{
+  const Eigen::Vector2d place = p.head<2>();
+  if (!moves())
+    return element->project(place);
+  const PlanElement wall = at(p.z());
+  return wall.project(place) * element->length() / std::max(1e-9, wall.length());
 }
 
 namespace {
@@ -162,7 +202,8 @@ RoomSurfaces::RoomSurfaces(const PlanRoom& room, double farthest)
     , near_(std::max(0.25, farthest))
 {
   for (std::size_t i = 0; i < verticals_.size(); ++i)
-    near_.addAlong(*verticals_[i].element, 2 * farthest, static_cast<std::uint32_t>(i));
+    near_.addAlong(*verticals_[i].element, 2 * farthest + tiltReach(room),
+                   static_cast<std::uint32_t>(i));
   near_.finish();
 }
 
@@ -189,7 +230,7 @@ RoomSurfaces::snap(const Eigen::Vector3d& position,
   };
   const bool is_slab =
       label == StructureLabel::Ceiling || label == StructureLabel::Floor;
-  if ((is_slab || is_detail) && lookup_.contains(place)) {
+  if ((is_slab || is_detail) && lookup_.holds(position)) {
     takeSlab(label == StructureLabel::Floor);
     if (is_detail && lookup_.floorDetailAt(place) >= 0)
       takeSlab(true);
@@ -204,18 +245,19 @@ RoomSurfaces::snap(const Eigen::Vector3d& position,
     return least <= farthest_;
   for (const std::uint32_t i : near_.at(place)) {
     const VerticalSurface& surface = verticals_[i];
-    if ((surface.label == StructureLabel::Detail) != is_detail ||
-        surface.element->distance(place) >= std::min(least, 2 * farthest_))
+    if ((surface.label == StructureLabel::Detail) != is_detail)
       continue;
-    const double s = surface.element->project(place);
+    const double s = surface.project(position);
+    if ((surface.pointAt(s, position.z()) - position).norm() >=
+        std::min(least, 2 * farthest_))
+      continue;
     const VerticalSpan span = surface.spanAt(s);
     if (!(span.high > span.low))
       continue;
-    const Eigen::Vector2d foot = surface.element->pointAt(s);
-    SurfacePoint candidate{{}, surface.normalAt(s), surface.label, room.id};
-    candidate.position << foot, std::clamp(position.z(), span.low, span.high);
-    takeNearer(candidate, std::hypot((foot - place).norm(),
-                                     position.z() - candidate.position.z()));
+    const double z = std::clamp(position.z(), span.low, span.high);
+    const SurfacePoint candidate{surface.pointAt(s, z), surface.normalAt(s),
+                                 surface.label, room.id};
+    takeNearer(candidate, (candidate.position - position).norm());
   }
   return least <= farthest_;
 }

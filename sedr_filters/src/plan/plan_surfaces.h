@@ -18,7 +18,7 @@ struct VerticalSpan {
 };
 
 /** @brief A vertical surface: an element of a room's plan between two heights. It is a
- * wall, a column face, a riser of a detail or a niche side. */
+ * wall, which may be tilted, a column face, a riser of a detail or a niche side. */
 struct VerticalSurface {
   const PlanRoom* room = nullptr;
   const PlanElement* element = nullptr;
@@ -32,6 +32,21 @@ struct VerticalSurface {
 
   /** @brief Returns the unit normal into the room at distance `s`. */
   Eigen::Vector3d normalAt(double s) const;
+
+  /** @brief Returns the point at height `z` above distance `s`; of a wall whose length
+   * differs at that height, above the same share of it. */
+  Eigen::Vector3d pointAt(double s, double z) const;
+
+  /** @brief Returns the distance along the element of the point at height p.z() that is
+   * nearest to `p`. */
+  double project(const Eigen::Vector3d& p) const;
+
+private:
+  /** @brief Returns whether it has another place in plan at another height. */
+  bool moves() const { return label == StructureLabel::Wall && lookup->isTilted(); }
+
+  /** @brief Returns the wall at a height. */
+  PlanElement at(double z) const;
 };
 
 /** @brief Returns the vertical surfaces of a room: walls, then columns, risers of

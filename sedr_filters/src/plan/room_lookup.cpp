@@ -2,6 +2,7 @@
 #include "room_lookup.h"
 
 #include "plan_arcs.h"
+#include <pcl/sedr_filters/tilted_walls.h>
 
 #include <algorithm>
 #include <cmath>
@@ -80,6 +81,7 @@ lastAround(const std::vector<PlanDetail>& details,
 
 RoomLookup::RoomLookup(const PlanRoom& room)
     : room_(&room)
+    , is_tilted_(sedr::isTilted(room))
     , boundary_(room.boundary)
 {
   const auto boundaryOf = [](const auto& part) -> const PlanLoop& {
@@ -92,13 +94,25 @@ RoomLookup::RoomLookup(const PlanRoom& room)
 }
 
 bool
+RoomLookup::isInColumn(const Eigen::Vector2d& p) const
+{
+  const PlaceTable::Numbers near = columns_.at(p);
+  return std::any_of(near.begin(), near.end(),
+                     [&](std::uint32_t c) { return room_->columns[c].contains(p); });
+}
+
+bool
 RoomLookup::contains(const Eigen::Vector2d& p) const
 {
-  if (!boundary_.contains(p))
-    return false;
-  const PlaceTable::Numbers near = columns_.at(p);
-  return std::none_of(near.begin(), near.end(),
-                      [&](std::uint32_t c) { return room_->columns[c].contains(p); });
+  return boundary_.contains(p) && !isInColumn(p);
+}
+
+bool
+RoomLookup::holds(const Eigen::Vector3d& p) const
+{
+  const Eigen::Vector2d place = p.head<2>();
+  return is_tilted_ ? boundaryAt(*room_, p.z()).contains(place) && !isInColumn(place)
+                    : contains(place);
 }
 
 int

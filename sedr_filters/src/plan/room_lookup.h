@@ -40,6 +40,13 @@ public:
 
   bool contains(const Eigen::Vector2d& p) const;
 
+  /** @brief Checks whether a point lies between the walls at its height, and outside
+   * every column. */
+  bool holds(const Eigen::Vector3d& p) const;
+
+  /** @brief Returns whether any wall is tilted. */
+  bool isTilted() const { return is_tilted_; }
+
   bool isWithinBoundary(const Eigen::Vector2d& p) const
   {
     return boundary_.contains(p);
@@ -62,7 +69,10 @@ public:
 private:
   static constexpr double table_cell = 0.5; ///< of the tables, metres
 
+  bool isInColumn(const Eigen::Vector2d& p) const;
+
   const PlanRoom* room_;
+  bool is_tilted_;
   LoopLookup boundary_;
   PlaceTable columns_{table_cell};
   PlaceTable details_{table_cell};

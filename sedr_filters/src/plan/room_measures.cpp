@@ -2,7 +2,7 @@
 #include "plan_bounds.h"
 #include "room_lookup.h"
 #include <pcl/sedr_filters/plan_measures.h>
-#include <pcl/sedr_filters/straightening.h>
+#include <pcl/sedr_filters/tilted_walls.h>
 
 #include <Eigen/Geometry>
 
@@ -22,8 +22,7 @@ volumeBetweenTiltedWalls(const PlanRoom& room)
   constexpr std::size_t sections = 100;
   constexpr double max_columns = 1e4;
   const RoomLookup lookup(room);
-  Eigen::AlignedBox2d box = boundsOf(room.boundary);
-  box.extend(boundsOf(boundaryAt(room, std::max(heightsOf(room).high, headOf(room)))));
+  const Eigen::AlignedBox2d box = boundsOf(outermostBoundary(room));
   const double step = std::sqrt(box.volume() / max_columns);
   struct Column {
     Eigen::Vector2d at;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_arcs.h"
 
-#include <pcl/sedr_filters/straightening.h>
+#include <pcl/sedr_filters/tilted_walls.h>
 
 #include <Eigen/LU>
 
@@ -62,15 +62,6 @@ footOf(const PlanRoom& room, const PlanElement& wall)
 
 } // namespace
 
-std::vector<double>
-wallRuns(const PlanRoom& room)
-{
-  std::vector<double> runs;
-  for (const PlanElement& wall : room.boundary.elements)
-    runs.push_back(std::tan(wall.tilt));
-  return runs;
-}
-
 bool
 isTilted(const PlanRoom& room)
 {
@@ -101,19 +92,32 @@ rejoin(PlanLoop& loop, const std::vector<bool>& is_moved)
   }
 }
 
+PlanElement
+wallAt(const PlanRoom& room, std::size_t wall, double z)
+{
+  const std::vector<PlanElement>& walls = room.boundary.elements;
+  const auto placed = [&](std::size_t i) {
+    const PlanElement& foot = walls[i % walls.size()];
+    const double run = std::tan(foot.tilt);
+    return run != 0 ? shifted(foot, run * (z - footOf(room, foot))) : foot;
+  };
+  const PlanElement own = placed(wall);
+  PlanElement cut = own;
+  const PlanElement before = placed(wall + walls.size() - 1);
+  const PlanElement after = placed(wall + 1);
+  if (walls.size() > 1 && (own.tilt != 0 || before.tilt != 0))
+    cut.start = meetingOf(before, own);
+  if (walls.size() > 1 && (own.tilt != 0 || after.tilt != 0))
+    cut.end = meetingOf(own, after);
+  return cut;
+}
+
 PlanLoop
 boundaryAt(const PlanRoom& room, double z)
 {
-  PlanLoop loop = room.boundary;
-  const std::vector<double> runs = wallRuns(room);
-  std::vector<bool> is_moved;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    PlanElement& wall = loop.elements[i];
-    is_moved.push_back(runs[i] != 0);
-    if (is_moved.back())
-      wall = shifted(wall, runs[i] * (z - footOf(room, wall)));
-  }
-  rejoin(loop, is_moved);
+  PlanLoop loop;
+  for (std::size_t i = 0; i < room.boundary.elements.size(); ++i)
+    loop.elements.push_back(wallAt(room, i, z));
   return loop;
 }
 
@@ -122,84 +126,39 @@ headOf(const PlanRoom& room)
 {
   constexpr int steps = 16;
   constexpr double inside = 0.01; // metres
-  const std::vector<double> runs = wallRuns(room);
   double head = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const PlanElement& wall = room.boundary.elements[i];
-    if (runs[i] == 0)
-      continue;
-    for (int k = 0; k <= steps; ++k) {
+  for (const PlanElement& wall : room.boundary.elements) {
+    const double run = std::tan(wall.tilt);
+    const double foot = footOf(room, wall);
+    for (int k = 0; k <= steps && run != 0; ++k) {
       const double s = wall.length() * (k + 0.5) / (steps + 1);
-      const auto at = [&](double height) -> Eigen::Vector2d {
-        const double out = runs[i] * (height - footOf(room, wall)) + inside;
-        return wall.pointAt(s) + out * wall.normalAt(s);
+      const auto ceilingOver = [&](double height) {
+        const double out = run * (height - foot) + inside;
+        return room.ceilingAt(wall.pointAt(s) + out * wall.normalAt(s));
       };
-      const double guess = room.ceilingAt(at(footOf(room, wall)));
-      head = std::max(head, room.ceilingAt(at(guess)));
+      head = std::max(head, ceilingOver(ceilingOver(foot)));
     }
   }
   return std::isfinite(head) ? head : room.ceiling.heightAt({0, 0});
 }
 
-Floorplan
-straightened(const Floorplan& plan)
+PlanLoop
+outermostBoundary(PlanRoom room)
 {
-  const Straightening map(tiltedFaces(plan));
-  Floorplan straight = plan;
-  for (PlanRoom& room : straight.rooms) {
-    if (!isTilted(room))
-      continue;
-    const auto move = [&](PlanLoop& loop, const PlanSlab& slab) {
-      for (PlanElement& element : loop.elements)
-        for (Eigen::Vector2d* end : {&element.start, &element.end})
-          if (!element.isArc()) {
-            const Eigen::Vector3d p(end->x(), end->y(), slab.heightAt(*end));
-            *end = map.straighten(p).head<2>();
-          }
-    };
-    for (auto* const details : {&room.details, &room.floor_details})
-      for (PlanDetail& detail : *details) {
-        move(detail.boundary, detail.slab);
-        for (PlanLoop& hole : detail.holes)
-          move(hole, detail.slab);
-      }
-    room.boundary = boundaryAt(room, headOf(room));
-    room = withVerticalWalls(std::move(room));
-  }
-  return straight;
+  for (PlanElement& wall : room.boundary.elements)
+    wall.tilt = std::min(wall.tilt, 0.0);
+  return isTilted(room) ? boundaryAt(room, headOf(room)) : std::move(room.boundary);
 }
 
-std::vector<TiltedFace>
-tiltedFaces(const Floorplan& plan)
+double
+tiltReach(const PlanRoom& room)
 {
-  constexpr double beside = 0.1; // margin at floor and ceiling, metres
-  std::vector<TiltedFace> faces;
-  bool any = false;
-  for (const PlanRoom& room : plan.rooms) {
-    const std::vector<double> runs = wallRuns(room);
-    const bool has_tilts = isTilted(room);
-    any = any || has_tilts;
-    const double head = has_tilts ? headOf(room) : room.ceiling.heightAt({0, 0});
-    const PlanLoop top = has_tilts ? boundaryAt(room, head) : room.boundary;
-    const auto& foot = room.boundary.elements;
-    for (std::size_t i = 0; i < top.elements.size(); ++i) {
-      const PlanElement& wall = top.elements[i];
-      if (wall.isArc() || !(wall.length() > 0))
-        continue;
-      TiltedFace face;
-      face.start = wall.start;
-      face.end = wall.end;
-      face.run = runs[i];
-      const Eigen::Vector2d middle = wall.pointAt(wall.length() / 2);
-      face.low = room.floor.heightAt(middle) - beside;
-      face.head = has_tilts ? head : room.ceilingAt(middle) + beside;
-      const Eigen::Vector2d way = (wall.end - wall.start).normalized();
-      face.before_start += std::max(0.0, (wall.start - foot[i].start).dot(way));
-      face.beyond_end += std::max(0.0, (foot[i].end - wall.end).dot(way));
-      faces.push_back(face);
-    }
-  }
-  return any ? faces : std::vector<TiltedFace>();
+  double reach = 0;
+  for (const PlanElement& wall : room.boundary.elements)
+    if (wall.tilt != 0)
+      reach = std::max(
+          reach, std::abs(std::tan(wall.tilt) * (headOf(room) - footOf(room, wall))));
+  return reach;
 }
 
 } // namespace pcl::sedr

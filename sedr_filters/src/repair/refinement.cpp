@@ -6,6 +6,7 @@
 #include "../rays/cube_points.h"
 
 #include <pcl/sedr_filters/impl/refinement.h>
+#include <pcl/sedr_filters/tilted_walls.h>
 
 #include <Eigen/Geometry>
 
@@ -174,9 +175,9 @@ private:
       const std::size_t rows = height > min_riser ? partsOf(height, size_) : 0;
       SurfaceCell cell{{{}, surface.normalAt(s), surface.label, room_.id}};
       for (std::size_t r = 0; r < rows; ++r) {
-        cell.centre.position << surface.element->pointAt(s),
-            span.low +
-                height * (static_cast<double>(r) + 0.5) / static_cast<double>(rows);
+        cell.centre.position =
+            surface.pointAt(s, span.low + height * (static_cast<double>(r) + 0.5) /
+                                              static_cast<double>(rows));
         cells_.push_back(cell);
       }
     }
@@ -215,12 +216,11 @@ private:
   void addSlabs()
   {
     for (const bool is_floor : {true, false})
-      addSheet(room_.boundary, [&](const Eigen::Vector2d& place, SurfacePoint& point) {
-        if (!lookup_.contains(place))
-          return false;
-        point = slabPointAt(lookup_, place, is_floor);
-        return true;
-      });
+      addSheet(outermostBoundary(room_),
+               [&](const Eigen::Vector2d& place, SurfacePoint& point) {
+                 point = slabPointAt(lookup_, place, is_floor);
+                 return lookup_.holds(point.position);
+               });
     for (const PlanNiche& niche : room_.niches)
       for (const bool is_bottom : {true, false})
         addSheet(

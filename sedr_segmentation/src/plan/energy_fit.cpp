@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "energy_fit.h"
 
-#include "../adjust/plan_adjustment.h"
 #include "../faces/room_cells.h"
 #include "../loops/loop_assembly.h"
 #include "../niches/niche_fit.h"
@@ -157,6 +156,7 @@ fitSurface(const PointView& points,
   SheetParameters of_surface = SheetParameters::of(priors, is_floor);
   of_surface.min_closed_area = parameters.minimum_detail_area;
   sheet.points = placesOf(points, indices);
+  sheet.indices = indices;
   sheet.sheet = surfaceWithin(room.boundary, sheet.points, of_surface, around);
   if (sheet.sheet.facets.size() > 1 || hasSlope(sheet.sheet))
     main = reliefOf(sheet.sheet, sheet.sheet.grid.size / 2);
@@ -262,11 +262,6 @@ fitPlanByEnergy(const PointView& points,
       if (boundaries)
         boundaries->push_back(std::move(boundary));
     }
-  if (scan.size() == 0) {
-    AdjustmentParameters adjustment;
-    adjustment.threads = threads;
-    adjustPlan(plan, points, evidence.all, adjustment);
-  }
   if (plan.rooms.empty())
     problem = warnings.empty() ? "no ceiling point belongs to a room"
                                : sentenceOf(warnings.front());

@@ -4,6 +4,7 @@
 #include "../niches/niche_fit.h"
 #include "../niches/niche_panes.h"
 #include "../scan/scan_excerpt.h"
+#include "../scan/upright_walls.h"
 #include "energy_fit.h"
 #include "rooms_above.h"
 
@@ -108,18 +109,20 @@ dropEvenParts(Floorplan& plan, double min_step)
   }
 }
 
-/** @brief Moves the plan to the points of the raw scan.
- * @return why it was not moved, a sentence; else empty */
-std::string
-fitToRaw(const PointView& raw,
-         const pcl::Indices& indices,
-         const RoomFitParameters& parameters,
+/** @brief Fits the walls of a plan of upright() points as they were scanned. */
+void
+setTilts(const PlanInput& input,
+         const PointView& scanned,
+         std::vector<RoomSheet>& sheets,
          Floorplan& plan)
 {
-  leaveOutPanes(plan, raw, indices, parameters.priors);
-  AdjustmentParameters adjustment;
-  adjustment.threads = parameters.threads;
-  return adjustPlan(plan, raw, indices, adjustment).problem;
+  tiltWalls(input.faces, plan);
+  for (const PlanRoom& room : plan.rooms)
+    for (RoomSheet& sheet : sheets)
+      if (sheet.room == room.id && isTilted(room)) {
+        sheet.points = placesOf(scanned, sheet.indices);
+        sheet.sheet = {};
+      }
 }
 
 } // namespace
@@ -153,24 +156,40 @@ fitFloorplan(const PlanInput& input,
   const Priors& priors = parameters.priors;
   const pcl::Indices& raw_indices =
       has_raw && input.raw_indices ? *input.raw_indices : all;
-  plan =
-      fitPlanByEnergy(input.points, evidence, has_raw ? input.raw : PointView(),
-                      raw_indices, parameters, problem, warnings, &boundaries, sheets);
+  PointView upright_raw = has_raw ? input.raw : PointView();
+  std::shared_ptr<const std::vector<Eigen::Vector3f>> moved;
+  if (has_raw && !input.faces.empty()) {
+    moved = movedPoints(input.raw, input.raw_indices, [&](const Eigen::Vector3d& p) {
+      return upright(input.faces, p);
+    });
+    upright_raw = PointView(moved->data(), sizeof(Eigen::Vector3f), moved->size());
+  }
+  plan = fitPlanByEnergy(input.points, evidence, upright_raw, moved ? all : raw_indices,
+                         parameters, problem, warnings, &boundaries, sheets);
   if (!problem.empty())
     return problem;
   joinWalls(plan); // an element without length has no direction to keep
+  const PointView scanned = input.scanned.size() > 0 ? input.scanned : input.points;
+  const PointView scan = has_raw ? input.raw : scanned;
+  const pcl::Indices& of_scan = has_raw ? raw_indices : input.indices;
+  setTilts(input, scanned, sheets, plan);
   if (has_raw)
-    problem = fitToRaw(input.raw, raw_indices, parameters, plan);
+    leaveOutPanes(plan, input.raw, raw_indices, priors);
+  AdjustmentParameters adjustment;
+  adjustment.threads = parameters.threads;
+  problem = adjustPlan(plan, scan, of_scan, adjustment).problem;
   if (!problem.empty())
     warnings.push_back({WarningKind::NotAdjusted, {}, 0, 0, problem});
   joinWalls(plan);
   dropSharedNiches(plan);
-  giveCeilings(std::move(sheets), has_raw ? input.raw : input.points,
-               has_raw ? raw_indices : input.indices, parameters.threads, plan);
+  giveCeilings(std::move(sheets), scan, of_scan, parameters.threads, plan);
   dropEvenParts(plan, priors.min_floor_step);
   endBelowRoomsAbove(plan, priors);
-  measureEvidence(plan, input.points, input.indices, priors.wall_band,
-                  parameters.threads);
+  measureEvidence(plan, scanned, input.indices, priors.wall_band, parameters.threads);
+  for (const PlanRoom& room : plan.rooms)
+    for (std::size_t e = 0; e < room.boundary.elements.size(); ++e)
+      if (const double tilt = room.boundary.elements[e].tilt; tilt != 0)
+        warnings.push_back({WarningKind::Tilted, {tilt * 180 / M_PI}, room.id, e + 1});
   return {};
 }
 

@@ -3,25 +3,12 @@
 
 #include "../borders/sheet_plan.h"
 #include "sedr_filters/src/base/parallel.h"
+#include <pcl/sedr_filters/tilted_walls.h>
 
 #include <algorithm>
 #include <utility>
 
 namespace pcl::sedr {
-
-namespace {
-
-/** @brief Returns the boundary of a room with walls that tilt out of it at their heads
- * and all others at their feet: no ceiling reaches farther. */
-PlanLoop
-outermostBoundary(PlanRoom room)
-{
-  for (PlanElement& wall : room.boundary.elements)
-    wall.tilt = std::min(wall.tilt, 0.0);
-  return isTilted(room) ? boundaryAt(room, headOf(room)) : room.boundary;
-}
-
-} // namespace
 
 void
 giveCeilings(std::vector<RoomSheet> sheets,

@@ -4,7 +4,6 @@
 #include "../sheets/sheet_fit.h"
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_view.h>
-#include <pcl/sedr_filters/straightening.h>
 
 #include <cstdint>
 #include <vector>
@@ -17,6 +16,7 @@ struct RoomSheet {
   std::vector<Eigen::Vector3d> points;
   FacetSheet sheet{}; ///< fitted to them; without facets: not yet
   bool is_floor = false;
+  std::vector<int> indices{}; ///< of the points in the cloud
 };
 
 /** @brief Sets the facets of ceilings and floors.

@@ -241,8 +241,10 @@ faceOf(const WallPatches& patches,
   for (const std::size_t i : members)
     box.extend(patches[i].middle);
   Plane plane = patches.planeOf(members);
-  const Eigen::Vector3d border = Eigen::Vector3d::Constant(cube_size);
-  box = Eigen::AlignedBox3d(box.min() - border, box.max() + border);
+  // Cubes at its rim have points of other surfaces and are no patches.
+  const Eigen::Vector3d border = Eigen::Vector3d::Constant(2 * cube_size);
+  box = Eigen::AlignedBox3d(box.min() - border + cube_size * Eigen::Vector3d::UnitZ(),
+                            box.max() + border);
   std::vector<Eigen::Vector3d> near;
   std::vector<double> below;
   const Eigen::AlignedBox2d around(

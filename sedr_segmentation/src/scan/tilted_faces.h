@@ -2,7 +2,7 @@
 #pragma once
 
 #include <pcl/sedr_filters/point_view.h>
-#include <pcl/sedr_filters/straightening.h>
+#include <pcl/sedr_filters/tilted_walls.h>
 
 #include <vector>
 

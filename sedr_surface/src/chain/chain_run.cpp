@@ -81,7 +81,7 @@ ChainRun::findStructure()
   if (!checkScan())
     return false;
   levelScan();
-  straightenScan();
+  makeWallsUpright();
   const std::size_t n = chain_.cloud->size();
   return runStage("RoomSegmentation", n, [&](auto& r) { return partRooms(r); }) &&
          runStage("HorizontalPlaneDetection", n,
@@ -121,7 +121,7 @@ ChainRun::makeMesh()
 {
   return runStage("StructuralPoisson", chain_.structure->size(),
                   [&](StageReport& report) {
-                    chain_.poisson.setInputCloud(chain_.straight_structure_);
+                    chain_.poisson.setInputCloud(chain_.structure);
                     const bool is_made = chain_.poisson.makeMesh();
                     giveFreedMemoryBack();
                     report.points_out = chain_.poisson.getMesh().vertices.size();

@@ -86,20 +86,8 @@ private:
   /** @brief Levels the cloud and the raw points of the fit if the scan is tilted. */
   void levelScan();
 
-  /** @brief Makes tilted walls vertical. */
-  void straightenScan();
-
-  /** @brief Applies the tilts to the walls of the plan, and keeps the plan with
-   * vertical walls for the following stages. */
-  void tiltPlan();
-
-  /** @brief Fits the ceilings of rooms with tilted walls again, to points where they
-   * were scanned: with straightened walls a sloping plane is none. */
-  void fitCeilingsAsScanned(const PointView& scanned, const pcl::Indices& indices);
-
-  /** @brief Moves the structure to the frame of the scan; the mesh is made in the other
-   * frame. */
-  void tiltStructure();
+  /** @brief Makes tilted walls vertical, until the plan is fitted. */
+  void makeWallsUpright();
   bool partRooms(StageReport& report);
   bool findPlanes(StageReport& report);
   /** @brief Adds points where a room's ceiling is hidden, using the air below it.
@@ -172,7 +160,8 @@ private:
 
   StructureChain& chain_;
   std::shared_ptr<const SightLines> sight_; ///< rays, in the frame of the cloud
-  std::vector<TiltedFace> tilted_faces_;
+  std::vector<TiltedFace> faces_;           ///< if any wall is tilted
+  Cloud::Ptr scanned_;                      ///< then the cloud with tilted walls
   std::vector<ChainRoom> regions_;
   std::vector<pcl::IndicesPtr> territory_; ///< of each room, indices of thinned points
   std::vector<pcl::Indices> shares_; ///< points of each room, starting with room 0

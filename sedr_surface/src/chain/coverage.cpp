@@ -2,6 +2,7 @@
 #include <pcl/sedr_surface/coverage.h>
 
 #include <pcl/sedr_filters/cell_grid.h>
+#include <pcl/sedr_filters/tilted_walls.h>
 
 #include <algorithm>
 
@@ -18,13 +19,14 @@ std::vector<Eigen::Vector2d>
 placesLeftOut(const BuildingRoom& room, const PlanRoom* plan, const CellGrid& grid)
 {
   const double edge = 2 * grid.size();
+  const PlanLoop walls = plan ? outermostBoundary(*plan) : PlanLoop();
   std::vector<Eigen::Vector2d> places;
   for (const RoomColumn& column : room.columns) {
     if (!column.floor_seen && !column.ceiling_seen)
       continue;
     const Eigen::Vector2d at = grid.centre(column.cell);
-    if (!plan || (!plan->boundary.contains(at) && plan->nicheAt(at) < 0 &&
-                  plan->boundary.distance(at) > edge))
+    if (!plan ||
+        (!walls.contains(at) && plan->nicheAt(at) < 0 && walls.distance(at) > edge))
       places.push_back(at);
   }
   return places;

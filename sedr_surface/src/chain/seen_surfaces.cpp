@@ -2,6 +2,7 @@
 #include "seen_surfaces.h"
 
 #include "sedr_filters/src/plan/plan_bounds.h"
+#include <pcl/sedr_filters/tilted_walls.h>
 
 #include <algorithm>
 #include <cmath>
@@ -117,20 +118,18 @@ WallTiles::leaveOut(const PlanOpening& opening, const Priors& priors)
 double
 WallTiles::offsetOf(const Eigen::Vector3d& p) const
 {
-  const double s = surface_.element->project(p.head<2>());
+  const double s = surface_.project(p);
   const auto column = static_cast<std::size_t>(s / wall_tile);
   if (rows_ == 0 || s <= 0 || column >= spans_.size() ||
       p.z() < spans_[column].low + off_wall || p.z() > spans_[column].high + off_wall)
     return infinite;
-  const Eigen::Vector2d off = p.head<2>() - surface_.element->pointAt(s);
-  return off.dot(surface_.normalAt(s).head<2>());
+  return (p - surface_.pointAt(s, p.z())).dot(surface_.normalAt(s));
 }
 
 void
 WallTiles::add(const Eigen::Vector3d& p, double offset)
 {
-  const auto column =
-      static_cast<std::size_t>(surface_.element->project(p.head<2>()) / wall_tile);
+  const auto column = static_cast<std::size_t>(surface_.project(p) / wall_tile);
   const bool is_at_ceiling = p.z() > spans_[column].high - off_wall;
   const bool is_behind = offset < -tolerance_;
   if (is_at_ceiling && !is_behind)
@@ -186,10 +185,10 @@ SeenSurfaces::SeenSurfaces(const Floorplan& plan,
     , standing_(plan.rooms.size())
 {
   for (const PlanRoom& room : plan.rooms) {
-    rooms_near_.addIn(boundsOf(room.boundary),
+    rooms_near_.addIn(boundsOf(outermostBoundary(room)),
                       static_cast<std::uint32_t>(rooms_.size()));
     for (const VerticalSurface& surface : verticalSurfaces(room)) {
-      walls_near_.addAlong(*surface.element, WallTiles::reach,
+      walls_near_.addAlong(*surface.element, WallTiles::reach + tiltReach(room),
                            static_cast<std::uint32_t>(walls_.size()));
       walls_.emplace_back(surface);
       room_of_.push_back(rooms_.size());
@@ -215,7 +214,7 @@ SeenSurfaces::ownerOf(const Eigen::Vector3d& p) const
   for (const std::uint32_t r : rooms_near_.at(place)) {
     const RoomLookup& room = rooms_[r];
     if (room.nicheAt(place) >= 0 ||
-        (room.contains(place) && p.z() > room.floorAt(place) - off_slab &&
+        (room.holds(p) && p.z() > room.floorAt(place) - off_slab &&
          p.z() < room.ceilingAt(place) + off_slab))
       return static_cast<int>(r);
   }

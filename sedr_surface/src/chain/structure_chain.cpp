@@ -85,9 +85,6 @@ StructureChain::reset(const Cloud::ConstPtr& thinned)
   plan = std::make_shared<Floorplan>();
   structure.reset(new StructureCloud);
   levelling.reset();
-  straightening = Straightening();
-  straight_plan_ = plan;
-  straight_structure_ = structure;
   reports.clear();
   warnings.clear();
   unit_doubt.clear();

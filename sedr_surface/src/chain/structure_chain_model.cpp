@@ -39,7 +39,7 @@ bool
 ChainRun::refine(StageReport& report)
 {
   shareOut();
-  for (const PlanRoom& room : chain_.straight_plan_->rooms) {
+  for (const PlanRoom& room : chain_.plan->rooms) {
     refined_.emplace_back(new StructureCloud);
     chain_.refinement.setInputCloud(labelledCloud(room.id));
     chain_.refinement.setFloorplan(planOf(room));
@@ -48,7 +48,7 @@ ChainRun::refine(StageReport& report)
       return fail(chain_.refinement.getErrorMessage());
     report.points_out += refined_.back()->size();
   }
-  chain_.refinement.setFloorplan(chain_.straight_plan_);
+  chain_.refinement.setFloorplan(chain_.plan);
   return report.points_out > 0 || fail("no labelled point lies on the floor plan");
 }
 
@@ -56,12 +56,11 @@ bool
 ChainRun::repair(StageReport& report)
 {
   const double size = chain_.hole_repair.getGridSize();
-  const std::string excess =
-      size > 0 ? surfaceCellsProblem(*chain_.straight_plan_, size) : "";
+  const std::string excess = size > 0 ? surfaceCellsProblem(*chain_.plan, size) : "";
   if (!excess.empty())
     return fail(excess);
   for (std::size_t r = 0; r < refined_.size(); ++r) {
-    const PlanRoom& room = chain_.straight_plan_->rooms[r];
+    const PlanRoom& room = chain_.plan->rooms[r];
     StructureCloud whole;
     chain_.hole_repair.setInputCloud(refined_[r]);
     chain_.hole_repair.setFloorplan(planOf(room));
@@ -71,9 +70,8 @@ ChainRun::repair(StageReport& report)
       return fail(chain_.hole_repair.getErrorMessage());
     *chain_.structure += whole;
   }
-  chain_.hole_repair.setFloorplan(chain_.straight_plan_);
+  chain_.hole_repair.setFloorplan(chain_.plan);
   report.points_out = chain_.structure->size();
-  tiltStructure();
   warnOfGuesses();
   return true;
 }

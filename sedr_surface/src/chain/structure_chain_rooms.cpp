@@ -135,8 +135,16 @@ ChainRun::fitPlan(StageReport& report)
   chain_.floorplan_fitting.setWallIndices(labelled(StructureLabel::Wall));
   chain_.floorplan_fitting.setSheetIndices(sheetPoints());
   chain_.floorplan_fitting.setRooms(chain_.rooms);
+  if (scanned_)
+    scanned_->insert(scanned_->end(),
+                     chain_.cloud->begin() +
+                         static_cast<std::ptrdiff_t>(scanned_->size()),
+                     chain_.cloud->end());
+  chain_.floorplan_fitting.setTiltedWalls(faces_, scanned_);
   if (!chain_.floorplan_fitting.segment(*chain_.plan))
     return fail(chain_.floorplan_fitting.getErrorMessage());
+  if (scanned_)
+    chain_.cloud = scanned_;
   if (sight_) {                        // rays prove openings
     constexpr double tolerance = 0.05; // metres; points within lie on a wall
     measureEvidence(*chain_.plan, PointView(*chain_.cloud),
@@ -157,7 +165,6 @@ ChainRun::fitPlan(StageReport& report)
     for (const auto& element : room.boundary.elements)
       report.points_out += element.inliers;
   giveUpRoomsWithoutPlan();
-  tiltPlan();
   labelNiches();
   return true;
 }
@@ -172,14 +179,13 @@ ChainRun::findOpenings(StageReport& report)
   chain_.opening_detection.setSightLines(sight_);
   if (!chain_.opening_detection.segment(
           points, has_raw ? chain_.floorplan_fitting.getRawIndices() : nullptr,
-          *chain_.straight_plan_))
+          *chain_.plan))
     return fail(chain_.opening_detection.getErrorMessage());
   for (PlanWarning& warning :
-       unexplainedSurfaces(PointView(*chain_.cloud), chain_.getBuilding(),
-                           *chain_.straight_plan_, chain_.priors_))
+       unexplainedSurfaces(PointView(*chain_.cloud), chain_.getBuilding(), *chain_.plan,
+                           chain_.priors_))
     if (warning.kind != WarningKind::UpsideDown || !chain_.trust_up)
       warn(std::move(warning));
-  chain_.plan->openings = chain_.straight_plan_->openings;
   report.points_out = chain_.plan->openings.size();
   return true;
 }
@@ -206,7 +212,7 @@ ChainRun::labelNiches()
   const double reach = chain_.refinement.getMaximumDistance();
   std::vector<const PlanRoom*> recessed(regions_.size(), nullptr);
   std::vector<std::optional<RoomSurfaces>> surfaces(regions_.size());
-  for (const PlanRoom& room : chain_.straight_plan_->rooms)
+  for (const PlanRoom& room : chain_.plan->rooms)
     if (!room.niches.empty()) {
       recessed[room.id - 1] = &room;
       surfaces[room.id - 1].emplace(room, reach);

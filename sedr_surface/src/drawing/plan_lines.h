@@ -5,7 +5,7 @@
 #include "plan_layers.h"
 
 #include <pcl/sedr_filters/floorplan.h>
-#include <pcl/sedr_filters/straightening.h>
+#include <pcl/sedr_filters/tilted_walls.h>
 
 #include <array>
 #include <cstdint>

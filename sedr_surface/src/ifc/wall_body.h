@@ -5,7 +5,7 @@
 #include "ifc_shapes.h"
 #include "sedr_filters/src/plan/plan_walls.h"
 
-#include <pcl/sedr_filters/straightening.h>
+#include <pcl/sedr_filters/tilted_walls.h>
 
 #include <cmath>
 #include <cstddef>

@@ -6,7 +6,7 @@
 #include "tilted_solid.h"
 #include "vertex_levels.h"
 
-#include <pcl/sedr_filters/straightening.h>
+#include <pcl/sedr_filters/tilted_walls.h>
 #include <pcl/sedr_surface/room_solid.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 
@@ -294,15 +294,14 @@ extrudeRoom(const PlanRoom& room,
   if (!report.problem.empty())
     return report;
   const bool is_tilted = isTilted(room);
-  const PlanRoom straight =
-      is_tilted ? straightened(Floorplan{{room}}).rooms.front() : PlanRoom();
+  const PlanRoom straight = is_tilted ? uprightRoom(room) : PlanRoom();
   const RoomLayers layers(is_tilted ? straight : room);
   PlanSubdivision subdivision;
   report.problem = subdivideRoom(layers, parameters, subdivision, report.warnings);
   if (report.problem.empty())
     report.problem = SolidBuilder(layers, subdivision).build(solid);
   if (report.problem.empty() && is_tilted) {
-    const std::string folded = tiltWalls(layers, wallRuns(room), headOf(room), solid);
+    const std::string folded = tiltWalls(layers, room, solid);
     if (!folded.empty()) {
       report = extrudeRoom(withVerticalWalls(room), parameters, solid, elements);
       report.warnings.push_back(

@@ -4,15 +4,19 @@
 #include "../triangulation/constrained_triangulation.h"
 #include "../triangulation/plan_grid.h"
 #include "sedr_filters/src/plan/plan_arcs.h"
+#include <pcl/sedr_filters/tilted_walls.h>
 
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <set>
 #include <utility>
+#include <vector>
 
 namespace pcl::sedr {
 namespace {
@@ -43,13 +47,10 @@ struct Surface {
 
 class TiltedSolid {
 public:
-  TiltedSolid(const RoomLayers& layers,
-              const std::vector<double>& runs,
-              double head,
-              TriangleMesh& solid)
+  TiltedSolid(const RoomLayers& layers, const PlanRoom& room, TriangleMesh& solid)
       : layers_(layers)
-      , runs_(runs)
-      , head_(head)
+      , room_(room)
+      , head_(headOf(room))
       , solid_(solid)
   {}
 
@@ -77,7 +78,8 @@ private:
         continue;
       const std::size_t i = element - loop.first_element;
       const bool is_wall = &loop == &layers_.loops.front();
-      return {nullptr, &loop.loop->elements[i], is_wall ? runs_[i] : 0};
+      return {nullptr, &loop.loop->elements[i],
+              is_wall ? std::tan(room_.boundary.elements[i].tilt) : 0};
     }
     return {};
   }
@@ -183,20 +185,81 @@ private:
   }
 
   const RoomLayers& layers_;
-  const std::vector<double>& runs_;
+  const PlanRoom& room_;
   const double head_;
   TriangleMesh& solid_;
 };
 
+/** @brief Returns the corners of a loop, and points between those of arcs. */
+std::vector<Eigen::Vector2d>
+cornersOf(const PlanLoop& loop)
+{
+  std::vector<Eigen::Vector2d> corners;
+  for (const PlanElement& e : loop.elements)
+    for (int k = 0, parts = e.isArc() ? 32 : 1; k < parts; ++k)
+      corners.push_back(e.pointAt(e.length() * k / parts));
+  return corners;
+}
+
+/** @brief Moves a place with the corners of a polygon, by mean value coordinates
+ * (Hormann and Floater 2006): what is on an edge stays on it. */
+Eigen::Vector2d
+movedWith(const std::vector<Eigen::Vector2d>& from,
+          const std::vector<Eigen::Vector2d>& to,
+          const Eigen::Vector2d& p)
+{
+  const std::size_t n = from.size();
+  std::vector<double> weights(n, 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t j = (i + 1) % n;
+    const Eigen::Vector2d a = from[i] - p;
+    const Eigen::Vector2d b = from[j] - p;
+    const double dot = a.norm() * b.norm() + a.dot(b);
+    const double area = cross(a, b);
+    if (dot < 1e-9 || a.norm() < 1e-9) // on the edge or its start
+      return to[i] + a.norm() / std::max(1e-9, a.norm() + b.norm()) * (to[j] - to[i]);
+    const double half = area / dot; // tangent of half of the angle
+    weights[i] += half / a.norm();
+    weights[j] += half / b.norm();
+  }
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  double all = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    sum += weights[i] * to[i];
+    all += weights[i];
+  }
+  return sum / all;
+}
+
 } // namespace
 
-std::string
-tiltWalls(const RoomLayers& layers,
-          const std::vector<double>& runs,
-          double head,
-          TriangleMesh& solid)
+PlanRoom
+uprightRoom(const PlanRoom& room)
 {
-  return TiltedSolid(layers, runs, head, solid).run();
+  PlanRoom straight = room;
+  straight.boundary = boundaryAt(room, headOf(room));
+  straight = withVerticalWalls(std::move(straight));
+  const std::vector<Eigen::Vector2d> head = cornersOf(straight.boundary);
+  const auto move = [&](PlanLoop& loop, const PlanSlab& slab) {
+    for (PlanElement& element : loop.elements)
+      for (Eigen::Vector2d* end : {&element.start, &element.end})
+        if (!element.isArc())
+          *end =
+              movedWith(cornersOf(boundaryAt(room, slab.heightAt(*end))), head, *end);
+  };
+  for (auto* const details : {&straight.details, &straight.floor_details})
+    for (PlanDetail& detail : *details) {
+      move(detail.boundary, detail.slab);
+      for (PlanLoop& hole : detail.holes)
+        move(hole, detail.slab);
+    }
+  return straight;
+}
+
+std::string
+tiltWalls(const RoomLayers& layers, const PlanRoom& room, TriangleMesh& solid)
+{
+  return TiltedSolid(layers, room, solid).run();
 }
 
 } // namespace pcl::sedr

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/sedr_filters/straightening.h>
+#include <pcl/sedr_filters/tilted_walls.h>
 
 #include "plan_loops.h"
 
@@ -33,12 +33,22 @@ tilted(PlanRoom room, std::size_t wall, double tilt)
   return room;
 }
 
-TEST(WallTilts, ARunIsTheTangentOfTheTilt)
+TEST(WallTilts, AWallEndsWhereItMeetsThoseBesideItAtThatHeight)
 {
-  const PlanRoom room = tilted(raisedRoom(), 1, ten_degrees);
-  EXPECT_EQ(wallRuns(room), (std::vector<double>{0, std::tan(ten_degrees), 0, 0}));
+  PlanRoom room = roomOf(polygon({{0, 0}, {6, 0}, {4, 2}, {0, 2}}), 2.5);
+  EXPECT_FALSE(isTilted(room));
+  room = tilted(tilted(room, 1, ten_degrees), 2, -ten_degrees); // y = 2, out of it
   EXPECT_TRUE(isTilted(room));
   EXPECT_FALSE(isTilted(withVerticalWalls(room)));
+  const double z = 1.5;
+  const double shift = z * std::tan(ten_degrees);
+  const double x = 6 - std::sqrt(2) * shift; // of the slanted wall at y = 0
+  const PlanElement wall = wallAt(room, 1, z);
+  EXPECT_NEAR((wall.start - Eigen::Vector2d(x, 0)).norm(), 0, 1e-9);
+  EXPECT_NEAR((wall.end - Eigen::Vector2d(x - 2 - shift, 2 + shift)).norm(), 0, 1e-9);
+  EXPECT_NEAR(tiltReach(room), 2.5 * std::tan(ten_degrees), 1e-9);
+  EXPECT_NEAR(outermostBoundary(room).area(),
+              boundaryAt(tilted(room, 1, 0), 2.5).area(), 1e-9);
 }
 
 TEST(WallTilts, TheBoundaryOfARoomMovesWithTheHeightAboveItsFloor)

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -158,6 +159,51 @@ struct Repaired {
     EXPECT_EQ(repair.getErrorMessage(), "");
   }
 };
+
+/** The room with its wall at x = 4 tilted by 12 degrees, half of it unseen. */
+TEST(VerticalHoleRepair, OfATiltedWallLiesOnItsPlane)
+{
+  constexpr double step = 0.05;
+  const double tilt = 12 * M_PI / 180;
+  const auto wallAt = [&](double z) { return 4 - z * std::tan(tilt); };
+  for (const double sign : {1.0, -1.0}) {
+    const auto xAt = [&](double z) { return sign > 0 ? wallAt(z) : 8 - wallAt(z); };
+    FurnishedRoom room;
+    auto plan =
+        std::make_shared<Floorplan>(Floorplan{{roomOf(rectangle(0, 0, 4, 3), 2.5)}});
+    plan->rooms[0].boundary.elements[1].tilt = sign * tilt;
+    room.plan = plan;
+    RoomPoints points(step, 0.01);
+    const auto floor = points.slab(rectangle(0, 0, 4, 3), 0);
+    const auto ceiling = points.slab(rectangle(0, 0, xAt(2.5), 3), 2.5);
+    std::vector<int> wall;
+    for (double z = step / 2; z < 2.5; z += step)
+      for (double y = step / 2; y < 1.5; y += step)
+        wall.push_back(points.point(xAt(z) + (y < 1 ? 0.02 : -0.02), y, z));
+    room.cloud = points.cloud<pcl::PointStructure>();
+    label(*room.cloud, floor, StructureLabel::Floor);
+    label(*room.cloud, ceiling, StructureLabel::Ceiling);
+    label(*room.cloud, wall, StructureLabel::Wall);
+    const Repaired result(room);
+    EXPECT_EQ(result.refined->size(), points.size());
+    const Eigen::Vector3d normal(-std::cos(tilt), 0, -sign * std::sin(tilt));
+    std::size_t on_wall = 0;
+    std::map<std::uint32_t, std::size_t> count;
+    for (const auto& p : result.whole) {
+      ++count[p.label];
+      EXPECT_GE(p.x, -1e-6f);
+      EXPECT_LE(p.x, xAt(p.z) + 1e-6);
+      if (p.label != 3 || p.getNormalVector3fMap().x() > -0.5f)
+        continue;
+      ++on_wall;
+      EXPECT_NEAR(p.x, xAt(p.z), 1e-6);
+      EXPECT_NEAR((p.getNormalVector3fMap().cast<double>() - normal).norm(), 0, 1e-6);
+    }
+    EXPECT_EQ(on_wall, 60u * 50u);
+    EXPECT_NEAR(static_cast<double>(count[1]), xAt(2.5) * 3 / (step * step), 60);
+    EXPECT_EQ(count[2], 80u * 60u);
+  }
+}
 
 TEST(VerticalHoleRepair, FillsADoorExactlyWhereItIs)
 {

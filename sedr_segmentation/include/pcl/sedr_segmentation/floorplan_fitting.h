@@ -7,6 +7,7 @@
 #include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/scan_frame.h>
 #include <pcl/sedr_filters/stage_error.h>
+#include <pcl/sedr_filters/tilted_walls.h>
 
 #include <pcl/pcl_base.h>
 
@@ -156,6 +157,16 @@ public:
   /** @brief Returns the indices of the raw points to use; null: all. */
   IndicesConstPtr getRawIndices() const { return raw_indices_; }
 
+  /** @brief Sets the walls of a scan with tilted ones. The input cloud then has them
+   * vertical, and `scanned` has its points where they were scanned; so has the raw
+   * cloud. Default: no wall is tilted. */
+  void setTiltedWalls(std::vector<sedr::TiltedFace> faces,
+                      typename pcl::PointCloud<PointT>::ConstPtr scanned)
+  {
+    faces_ = std::move(faces);
+    scanned_ = std::move(scanned);
+  }
+
   /** @brief Sets the number of threads; 0 (default): all processors. */
   void setNumberOfThreads(unsigned threads) { parameters_.threads = threads; }
   unsigned getNumberOfThreads() const { return parameters_.threads; }
@@ -218,6 +229,8 @@ private:
   std::vector<std::uint32_t> rooms_;
   std::function<sedr::PointView()> raw_; ///< returns the current raw cloud
   IndicesConstPtr raw_indices_;
+  std::vector<sedr::TiltedFace> faces_;
+  typename pcl::PointCloud<PointT>::ConstPtr scanned_;
   sedr::RoomFitParameters parameters_;
   std::vector<sedr::PlanWarning> warnings_;
   std::vector<sedr::FittedBoundary> boundaries_;

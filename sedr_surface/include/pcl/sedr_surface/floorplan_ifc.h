@@ -6,7 +6,7 @@
 #include <pcl/sedr_filters/plan_warning.h>
 #include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/scan_frame.h>
-#include <pcl/sedr_filters/straightening.h>
+#include <pcl/sedr_filters/tilted_walls.h>
 
 #include <cstddef>
 #include <string>

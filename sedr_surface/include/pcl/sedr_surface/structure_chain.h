@@ -5,7 +5,6 @@
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/priors.h>
 #include <pcl/sedr_filters/scan_frame.h>
-#include <pcl/sedr_filters/straightening.h>
 #include <pcl/sedr_filters/structure_refinement.h>
 #include <pcl/sedr_filters/vertical_hole_repair.h>
 #include <pcl/sedr_segmentation/ceiling_boundary_wall_growing.h>
@@ -131,10 +130,6 @@ public:
   /** @brief The rotation that levelled a scan tilted by 0.3 to 3 degrees; empty
    * otherwise. All results of the chain are in the level frame. */
   std::optional<Levelling> levelling;
-  /** @brief The map that made tilted walls vertical for all stages but the solid; the
-   * identity without tilted walls. `cloud` and the mesh are in that frame; plan,
-   * structure and solid are in the frame of the scan. */
-  Straightening straightening;
   Cloud::Ptr cloud; ///< thinned points, then recovered points of ceilings and floors
   std::vector<std::uint32_t> labels; ///< StructureLabel of each point
   std::vector<std::uint32_t> rooms;  ///< room of each point, 0 none
@@ -157,10 +152,7 @@ public:
   TriangleMesh meshInScanFrame() const;
 
   /** @brief Returns whether the frame of the mesh differs from that of the scan. */
-  bool isMeshMoved() const
-  {
-    return !straightening.isIdentity() || (levelling && !keep_levelled);
-  }
+  bool isMeshMoved() const { return levelling && !keep_levelled; }
 
   /** @brief Returns the refined and repaired points in the frame of the scan. */
   StructureCloud::Ptr structureInScanFrame() const;
@@ -178,8 +170,6 @@ private:
 
   Priors priors_;
   double enlarged_from_ = 0; ///< cell size before it was enlarged; 0: not enlarged
-  std::shared_ptr<Floorplan> straight_plan_; ///< `plan` before tilts are applied
-  StructureCloud::Ptr straight_structure_;   ///< `structure` before tilts are applied
   std::size_t scanned_points_ = 0;
 };
 

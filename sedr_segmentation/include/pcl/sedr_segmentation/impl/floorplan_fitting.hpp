@@ -22,6 +22,8 @@ struct PlanInput {
   std::vector<std::uint32_t> rooms;        ///< of each point; empty: one room
   PointView raw;                           ///< points before thinning, or empty
   const pcl::IndicesConstPtr& raw_indices; ///< null: all
+  const std::vector<TiltedFace>& faces;    ///< of tilted walls, and vertical ones
+  PointView scanned; ///< the points with tilted walls, or empty without
 };
 
 /** @brief Runs FloorplanFitting on the coordinates of a cloud.
@@ -68,7 +70,8 @@ FloorplanFitting<PointT>::segment(sedr::Floorplan& plan)
   const std::string problem = sedr::fitFloorplan(
       {sedr::PointView(*input_), *indices_, ceiling_, floor_, details_, walls_, sheets_,
        rooms_.empty() ? sedr::roomsOf(*input_) : rooms_,
-       raw_ ? raw_() : sedr::PointView(), raw_indices_},
+       raw_ ? raw_() : sedr::PointView(), raw_indices_, faces_,
+       scanned_ ? sedr::PointView(*scanned_) : sedr::PointView()},
       parameters_, plan, warnings_, boundaries_);
   this->deinitCompute();
   return problem.empty() || fail("FloorplanFitting", problem);

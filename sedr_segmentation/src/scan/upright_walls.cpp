@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wall_tilt_fit.h"
+#include "upright_walls.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,29 +41,48 @@ faceBehind(const PlanElement& wall, const std::vector<TiltedFace>& faces, double
   return behind;
 }
 
-void
-moveDetails(const Straightening& map, PlanRoom& room)
-{
-  const auto move = [&](PlanLoop& loop, const PlanSlab& slab) {
-    for (PlanElement& element : loop.elements)
-      for (Eigen::Vector2d* end : {&element.start, &element.end})
-        if (!element.isArc())
-          *end = map.back({end->x(), end->y(), slab.heightAt(*end)}).head<2>();
-  };
-  for (auto* const details : {&room.details, &room.floor_details})
-    for (PlanDetail& detail : *details) {
-      move(detail.boundary, detail.slab);
-      for (PlanLoop& hole : detail.holes)
-        move(hole, detail.slab);
-    }
-}
+/** @brief A face near a point and how strongly the point follows it. */
+struct Pull {
+  double weight = 0;
+  double shift = 0; ///< metres to the left
+  Eigen::Vector2d left = Eigen::Vector2d::Zero();
+};
 
 } // namespace
 
+Eigen::Vector3d
+upright(const std::vector<TiltedFace>& faces, const Eigen::Vector3d& p)
+{
+  constexpr double beside = 0.4; // of a face, whose ends are known to a patch, metres
+  constexpr double reach = 1;    // metres
+  std::vector<Pull> pulls;
+  for (const TiltedFace& face : faces) {
+    const Eigen::Vector2d way = (face.end - face.start).normalized();
+    const Eigen::Vector2d left(-way.y(), way.x());
+    const Eigen::Vector2d from = p.head<2>() - face.start;
+    const double along = from.dot(way);
+    if (p.z() < face.low || p.z() > face.head || along < -beside ||
+        along > (face.end - face.start).norm() + beside)
+      continue;
+    const double shift = face.run * (face.head - p.z());
+    const double width = reach + std::abs(face.run) * (face.head - face.low);
+    const double weight = 1 - std::abs(from.dot(left) + shift) / width;
+    if (weight > 0)
+      pulls.push_back({weight, shift, left});
+  }
+  // The nearest face comes last, so what is on it stays on it.
+  std::sort(pulls.begin(), pulls.end(),
+            [](const Pull& a, const Pull& b) { return a.weight < b.weight; });
+  Eigen::Vector3d moved = p;
+  for (const Pull& pull : pulls) {
+    const double so_far = (moved - p).head<2>().dot(pull.left);
+    moved.head<2>() += pull.weight * (pull.shift - so_far) * pull.left;
+  }
+  return moved;
+}
+
 void
-tiltWalls(const Straightening& map,
-          const std::vector<TiltedFace>& faces,
-          Floorplan& plan)
+tiltWalls(const std::vector<TiltedFace>& faces, Floorplan& plan)
 {
   for (PlanRoom& room : plan.rooms) {
     auto& walls = room.boundary.elements;
@@ -82,9 +101,6 @@ tiltWalls(const Straightening& map,
       is_moved[i] = true;
       wall.tilt = std::atan(sign * face->run);
     }
-    if (std::find(is_moved.begin(), is_moved.end(), true) == is_moved.end())
-      continue;
-    moveDetails(map, room);
     rejoin(room.boundary, is_moved);
   }
 }
