@@ -95,6 +95,7 @@ wallNoise(const std::vector<LoopContour>& contours,
       noise.correlation = std::clamp(spacing * sum / variance, energy.min_correlation,
                                      energy.max_correlation);
       noise.spread = noise.sigma;
+      noise.stretches = stretches.size();
     }
     else
       noise.spread = std::clamp(

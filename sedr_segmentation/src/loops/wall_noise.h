@@ -2,18 +2,11 @@
 #pragma once
 
 #include "loop_samples.h"
+#include <pcl/sedr_segmentation/floorplan_fitting.h>
 
 #include <vector>
 
 namespace pcl::sedr {
-
-/** @brief Noise of the places of walls, measured along straight stretches; metres. */
-struct WallNoise {
-  double sigma = 0.01;      ///< standard deviation of a place from a metre of its wall
-  double correlation = 0.1; ///< so long a piece of wall is one independent observation
-  double spread = 0.01; ///< standard deviation of such an observation from metres of
-                        ///< its wall, which waves: at least sigma
-};
 
 /** @brief Measures the noise of walls: the scatter about lines of 1.2 m, how far
  * deviations from them are correlated (their autocorrelation, summed), and the same of

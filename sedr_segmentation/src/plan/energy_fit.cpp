@@ -61,7 +61,8 @@ fitLoops(const Storey& storey,
          const CellGrid& grid,
          const RoomFitParameters& parameters,
          std::vector<PlanRoom>& rooms,
-         std::vector<FittedBoundary>& boundaries)
+         std::vector<FittedBoundary>& boundaries,
+         WallNoise& noise)
 {
   constexpr double near = 3; // cells: farther points are no evidence of the walls
   const LoopEnergy energy = energyOf(parameters);
@@ -93,8 +94,9 @@ fitLoops(const Storey& storey,
     }
   }
   findSurfaces(contours, energy, grid.size());
-  LoopSolver solver(contours, storey.lines, energy, grid.size(),
-                    wallNoise(contours, energy, grid.size()), parameters.threads);
+  noise = wallNoise(contours, energy, grid.size());
+  LoopSolver solver(contours, storey.lines, energy, grid.size(), noise,
+                    parameters.threads);
   solver.solve();
   for (std::size_t c = 0; c < contours.size(); ++c) {
     PlanLoop loop = assembleLoop(solver, c);
@@ -175,7 +177,8 @@ fitPlanByEnergy(const PointView& points,
                 const RoomFitParameters& parameters,
                 std::string& problem,
                 std::vector<PlanWarning>& warnings,
-                std::vector<FittedBoundary>* boundaries,
+                std::vector<FittedBoundary>& boundaries,
+                std::vector<WallNoise>& noise,
                 std::vector<RoomSheet>& sheets)
 {
   Floorplan plan;
@@ -201,8 +204,11 @@ fitPlanByEnergy(const PointView& points,
       roomRegions(cells, storeys, grid, {}, threads);
   std::vector<PlanRoom> rooms(numbers.size());
   std::vector<std::vector<FittedBoundary>> fitted(storeys.size());
+  noise.resize(storeys.size());
   parallelBlocks(storeys.size(), 1, threads, [&](std::size_t s, std::size_t) {
-    fitLoops(storeys[s], cells, regions, grid, parameters, rooms, fitted[s]);
+    fitLoops(storeys[s], cells, regions, grid, parameters, rooms, fitted[s], noise[s]);
+    for (const std::size_t r : storeys[s].rooms)
+      noise[s].rooms.push_back(numbers[r]);
   });
   std::vector<std::vector<RoomSheet>> of_rooms(numbers.size());
   parallelBlocks(rooms.size(), 1, threads, [&](std::size_t r, std::size_t) {
@@ -259,8 +265,7 @@ fitPlanByEnergy(const PointView& points,
   for (auto& of_storey : fitted)
     for (FittedBoundary& boundary : of_storey) {
       boundary.room = numbers[boundary.room];
-      if (boundaries)
-        boundaries->push_back(std::move(boundary));
+      boundaries.push_back(std::move(boundary));
     }
   if (plan.rooms.empty())
     problem = warnings.empty() ? "no ceiling point belongs to a room"

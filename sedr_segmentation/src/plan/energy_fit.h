@@ -17,7 +17,8 @@ namespace pcl::sedr {
  * @param scan_indices the points of it to use; empty: all
  * @param[out] problem the reason if there is no room, a sentence; else empty
  * @param[out] warnings rooms that could not be fitted
- * @param[out] boundaries the boundary points of walls and columns; optional
+ * @param[out] boundaries the boundary points of walls and columns
+ * @param[out] noise of the walls of each storey
  * @param[out] sheets the ceilings and floors that are more than a plane. giveCeilings()
  * makes their facets when the walls are final; until then they are reliefs */
 Floorplan fitPlanByEnergy(const PointView& points,
@@ -27,7 +28,8 @@ Floorplan fitPlanByEnergy(const PointView& points,
                           const RoomFitParameters& parameters,
                           std::string& problem,
                           std::vector<PlanWarning>& warnings,
-                          std::vector<FittedBoundary>* boundaries,
+                          std::vector<FittedBoundary>& boundaries,
+                          std::vector<WallNoise>& noise,
                           std::vector<RoomSheet>& sheets);
 
 } // namespace pcl::sedr

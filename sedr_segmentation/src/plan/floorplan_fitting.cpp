@@ -132,7 +132,8 @@ fitFloorplan(const PlanInput& input,
              const RoomFitParameters& parameters,
              Floorplan& plan,
              std::vector<PlanWarning>& warnings,
-             std::vector<FittedBoundary>& boundaries)
+             std::vector<FittedBoundary>& boundaries,
+             std::vector<WallNoise>& noise)
 {
   std::string problem = problemOf(parameters);
   if (problem.empty())
@@ -165,7 +166,7 @@ fitFloorplan(const PlanInput& input,
     upright_raw = PointView(moved->data(), sizeof(Eigen::Vector3f), moved->size());
   }
   plan = fitPlanByEnergy(input.points, evidence, upright_raw, moved ? all : raw_indices,
-                         parameters, problem, warnings, &boundaries, sheets);
+                         parameters, problem, warnings, boundaries, noise, sheets);
   if (!problem.empty())
     return problem;
   joinWalls(plan); // an element without length has no direction to keep

@@ -3,6 +3,8 @@
 
 #include <pcl/sedr_filters/point_types.h>
 
+#include <cmath>
+
 namespace {
 
 using namespace pcl::sedr;
@@ -142,6 +144,44 @@ TEST(FloorplanFitting, TellsTheBoundaryPointsOfWallsAndColumns)
   fitting.setGridSize(0);
   EXPECT_FALSE(fitting.segment(plan));
   EXPECT_TRUE(fitting.getBoundaries().empty());
+}
+
+/** The noise of the walls of a box whose walls wave by an amplitude every metre. */
+WallNoise
+noiseOf(double noise, double amplitude)
+{
+  const PlanLoop box = rectangle(0.01, 0.01, 9.01, 7.01);
+  RoomPoints points(0.05, noise);
+  const RoomParts parts = points.room(box, 0, 2.5);
+  const PlanEvidence evidence = evidenceOf(points, parts);
+  Fitting fitting;
+  setEvidence(points, evidence, fitting);
+  const auto cloud = points.cloud();
+  for (const int i : parts.walls) {
+    pcl::PointXYZ& p = (*cloud)[static_cast<std::size_t>(i)];
+    const bool is_along_x = p.y < 0.1F || p.y > 6.9F;
+    float& off = is_along_x ? p.y : p.x;
+    off +=
+        static_cast<float>(amplitude * std::sin(2 * M_PI * (is_along_x ? p.x : p.y)));
+  }
+  fitting.setInputCloud(cloud);
+  Floorplan plan;
+  EXPECT_TRUE(fitting.segment(plan)) << fitting.getErrorMessage();
+  EXPECT_EQ(fitting.getWallNoise().size(), 1u);
+  return fitting.getWallNoise().empty() ? WallNoise() : fitting.getWallNoise()[0];
+}
+
+TEST(FloorplanFitting, TellsTheNoiseOfWallsAndHowFarItIsAlike)
+{
+  const WallNoise white = noiseOf(0.01, 0);
+  EXPECT_EQ(white.rooms, std::vector<std::uint32_t>{1});
+  EXPECT_GT(white.stretches, 20u);
+  EXPECT_LT(white.sigma, 0.01); // ten points of a wall are seen at a place
+  EXPECT_LT(white.correlation, 0.1);
+  // Of a sine of 1.5 cm, three quarters are within 1.39 cm: 1.2 sigma.
+  const WallNoise wave = noiseOf(0.002, 0.015);
+  EXPECT_NEAR(wave.sigma, 0.012, 0.003);
+  EXPECT_GT(wave.correlation, 0.1);
 }
 
 TEST(FloorplanFitting, TakesTheRoomsOfThePointType)

@@ -185,6 +185,20 @@ roomsOf(const Reconstruction& chain)
   return rooms;
 }
 
+/** @brief Returns the noise of the walls of each storey, metres. */
+Json
+noiseOf(const std::vector<WallNoise>& storeys)
+{
+  Json all = Json::array();
+  for (const WallNoise& noise : storeys)
+    all.push_back({{"rooms", noise.rooms},
+                   {"sigma", noise.sigma},
+                   {"correlation", noise.correlation},
+                   {"spread", noise.spread},
+                   {"stretches", noise.stretches}});
+  return all;
+}
+
 Json
 storeysOf(const Reconstruction& chain)
 {
@@ -312,6 +326,7 @@ makeReport(const RunRecord& run, const Reconstruction& chain)
             {"origin", nullptr}, // reserves its position here
             {"levelling", levelling ? levellingToJson(*levelling) : Json()},
             {"positions", positionsOf(chain.getChain().mirrored)},
+            {"noise", noiseOf(chain.getChain().floorplan_fitting.getWallNoise())},
             {"support", supportOf(wallShares(*chain.getFloorplan()))},
             {"rooms", roomsOf(chain)},
             {"openings", openingsOf(*chain.getFloorplan())},

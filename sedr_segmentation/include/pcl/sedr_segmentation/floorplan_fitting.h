@@ -54,6 +54,17 @@ struct FittedBoundary {
   std::vector<ContourSample> samples;          ///< around the loop
 };
 
+/** @brief Noise of the walls of rooms that share heights, measured along straight
+ * stretches of them; metres. It decides how many corners a plan has. */
+struct WallNoise {
+  double sigma = 0.01;       ///< standard deviation of a place from a metre of its wall
+  double correlation = 0.1;  ///< so long a piece of wall is one independent observation
+  double spread = 0.01;      ///< standard deviation of such an observation from metres
+                             ///< of its wall, which waves: at least sigma
+  std::size_t stretches = 0; ///< in which it was measured; 0: too few, it is assumed
+  std::vector<std::uint32_t> rooms; ///< their numbers
+};
+
 } // namespace sedr
 
 /** @brief Fits the floor plan of the rooms (paper, section 2.4 and Figure 7). Frame: z
@@ -217,6 +228,9 @@ public:
    * including those of rooms that could not be fitted. */
   const std::vector<sedr::FittedBoundary>& getBoundaries() const { return boundaries_; }
 
+  /** @brief Returns the noise of the walls in the last run, storey by storey. */
+  const std::vector<sedr::WallNoise>& getWallNoise() const { return noise_; }
+
 private:
   using PCLBase<PointT>::input_;
   using PCLBase<PointT>::indices_;
@@ -234,6 +248,7 @@ private:
   sedr::RoomFitParameters parameters_;
   std::vector<sedr::PlanWarning> warnings_;
   std::vector<sedr::FittedBoundary> boundaries_;
+  std::vector<sedr::WallNoise> noise_;
 };
 
 } // namespace pcl

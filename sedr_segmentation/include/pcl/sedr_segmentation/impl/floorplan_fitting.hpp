@@ -32,7 +32,8 @@ std::string fitFloorplan(const PlanInput& input,
                          const RoomFitParameters& parameters,
                          Floorplan& plan,
                          std::vector<PlanWarning>& warnings,
-                         std::vector<FittedBoundary>& boundaries);
+                         std::vector<FittedBoundary>& boundaries,
+                         std::vector<WallNoise>& noise);
 
 /** @brief Returns the raw points that the fit uses, transformed by the map. */
 std::shared_ptr<const std::vector<Eigen::Vector3f>>
@@ -58,6 +59,7 @@ FloorplanFitting<PointT>::segment(sedr::Floorplan& plan)
   plan.rooms.clear();
   warnings_.clear();
   boundaries_.clear();
+  noise_.clear();
   this->clearError();
   if (!this->initCompute())
     return fail("FloorplanFitting", "no input cloud was set");
@@ -72,7 +74,7 @@ FloorplanFitting<PointT>::segment(sedr::Floorplan& plan)
        rooms_.empty() ? sedr::roomsOf(*input_) : rooms_,
        raw_ ? raw_() : sedr::PointView(), raw_indices_, faces_,
        scanned_ ? sedr::PointView(*scanned_) : sedr::PointView()},
-      parameters_, plan, warnings_, boundaries_);
+      parameters_, plan, warnings_, boundaries_, noise_);
   this->deinitCompute();
   return problem.empty() || fail("FloorplanFitting", problem);
 }
