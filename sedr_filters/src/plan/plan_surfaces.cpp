@@ -68,8 +68,10 @@ VerticalSurface::normalAt(double s) const
   const bool is_riser =
       kind == VerticalKind::CeilingRiser || kind == VerticalKind::FloorRiser;
   const double sign = !is_riser || spanAt(s).faces_left ? 1 : -1;
-  const Eigen::Vector3d normal(sign * n.x(), sign * n.y(), -std::tan(element->tilt));
-  return element->tilt == 0 ? normal : normal.normalized();
+  if (element->tilt == 0)
+    return {sign * n.x(), sign * n.y(), 0};
+  return Eigen::Vector3d(sign * n.x(), sign * n.y(), -std::tan(element->tilt))
+      .normalized();
 }
 
 PlanElement

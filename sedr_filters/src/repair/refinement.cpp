@@ -291,6 +291,25 @@ refineToPlan(const PointView& points,
   return result;
 }
 
+namespace {
+
+/** @brief How far the wall of an opening is from its foot at a height, in plan. */
+Eigen::Vector2d
+tiltAt(const Floorplan& plan, const PlanOpening& opening, double z)
+{
+  for (const OpeningWall& of : opening.walls)
+    for (const PlanRoom& room : plan.rooms)
+      if (room.id == of.room && of.element < room.boundary.elements.size()) {
+        const PlanElement& wall = room.boundary.elements[of.element];
+        const double s = wall.project((opening.start + opening.end) / 2);
+        const double above = z - room.floor.heightAt(wall.pointAt(s));
+        return std::tan(wall.tilt) * above * wall.normalAt(s);
+      }
+  return Eigen::Vector2d::Zero();
+}
+
+} // namespace
+
 bool
 isInOpening(const Floorplan& plan, const Eigen::Vector3d& place)
 {
@@ -299,7 +318,8 @@ isInOpening(const Floorplan& plan, const Eigen::Vector3d& place)
       plan.openings.begin(), plan.openings.end(), [&](const PlanOpening& o) {
         const double half = o.width() / 2;
         const Eigen::Vector2d way = (o.end - o.start) / (2 * half);
-        const Eigen::Vector2d off = place.head<2>() - (o.start + o.end) / 2;
+        const Eigen::Vector2d off =
+            place.head<2>() - tiltAt(plan, o, place.z()) - (o.start + o.end) / 2;
         const double along = off.dot(way) / half; // -1 to 1
         if (!(std::abs(along) < 1) || place.z() <= o.bottom ||
             std::abs(way.x() * off.y() - way.y() * off.x()) > o.depth / 2 + beside)

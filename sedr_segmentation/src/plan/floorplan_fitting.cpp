@@ -55,6 +55,10 @@ problemOf(const PlanInput& input)
   std::string problem = indicesProblem(input.indices, size);
   if (problem.empty())
     problem = indicesProblem("raw cloud:", input.raw_indices, input.raw.size());
+  if (problem.empty() && !input.faces.empty() && input.scanned.size() != size)
+    problem = "the cloud has " + std::to_string(size) +
+              " points, that with the tilted walls " +
+              std::to_string(input.scanned.size());
   if (problem.empty() && (!input.ceiling || input.ceiling->empty()))
     problem = "no ceiling points were set";
   if (problem.empty())
@@ -109,7 +113,8 @@ dropEvenParts(Floorplan& plan, double min_step)
   }
 }
 
-/** @brief Fits the walls of a plan of upright() points as they were scanned. */
+/** @brief Tilts the walls of a plan of upright() points; the ceilings of their rooms
+ * will be fitted again, where they were scanned: upright, a slope is none. */
 void
 setTilts(const PlanInput& input,
          const PointView& scanned,
@@ -119,7 +124,7 @@ setTilts(const PlanInput& input,
   tiltWalls(input.faces, plan);
   for (const PlanRoom& room : plan.rooms)
     for (RoomSheet& sheet : sheets)
-      if (sheet.room == room.id && isTilted(room)) {
+      if (sheet.room == room.id && !sheet.is_floor && isTilted(room)) {
         sheet.points = placesOf(scanned, sheet.indices);
         sheet.sheet = {};
       }
@@ -170,7 +175,7 @@ fitFloorplan(const PlanInput& input,
   if (!problem.empty())
     return problem;
   joinWalls(plan); // an element without length has no direction to keep
-  const PointView scanned = input.scanned.size() > 0 ? input.scanned : input.points;
+  const PointView scanned = input.faces.empty() ? input.points : input.scanned;
   const PointView scan = has_raw ? input.raw : scanned;
   const pcl::Indices& of_scan = has_raw ? raw_indices : input.indices;
   setTilts(input, scanned, sheets, plan);

@@ -42,10 +42,11 @@ sharesOf(const std::vector<int>& indices,
 
 /** @brief Returns the height range of each room, pits included; one without floor
  * points is as high as usual below the lowest of its ceiling.
- * @param least number of points of a pit */
+ * @param pit least area of one, square metres */
 std::vector<RoomHeights>
 heightsOfRooms(const PointView& points,
-               double least,
+               const CellGrid& grid,
+               double pit,
                const std::vector<std::vector<int>>& floors,
                const std::vector<std::vector<int>>& ceilings,
                const std::vector<std::vector<int>>& details)
@@ -63,7 +64,9 @@ heightsOfRooms(const PointView& points,
       if (points.isFinite(static_cast<std::size_t>(i)))
         lows.add(points[static_cast<std::size_t>(i)].z());
     if (!lows.empty())
-      floor = lows.lowestOf(least / static_cast<double>(floors[r].size()));
+      floor = lows.lowestOf(
+          pit / (static_cast<double>(CellSet(grid, points, floors[r]).size()) *
+                 grid.size() * grid.size()));
     else if (!above.empty())
       floor = *std::min_element(above.begin(), above.end()) - usual_height;
     heights.push_back(heightsFrom(floor, std::move(above)));
@@ -163,9 +166,9 @@ shareOut(const PointView& points,
   for (std::size_t r = 0; r < numbers.size(); ++r)
     scopes.push_back(
         unite(CellSet(grid, points, ceilings[r]), CellSet(grid, points, details[r])));
-  const std::vector<RoomHeights> heights = heightsOfRooms(
-      points, parameters.minimum_detail_area / (grid.size() * grid.size()),
-      shareBy(evidence.floor, labelled), ceilings, details);
+  const std::vector<RoomHeights> heights =
+      heightsOfRooms(points, grid, parameters.minimum_detail_area,
+                     shareBy(evidence.floor, labelled), ceilings, details);
   std::array<std::unique_ptr<const RoomTerritory>, 2> territories;
   parallelBlocks(territories.size(), 1, parameters.threads,
                  [&](std::size_t k, std::size_t) {

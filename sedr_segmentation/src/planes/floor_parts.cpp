@@ -156,16 +156,16 @@ private:
     constexpr double seen_below = 0.05;
     constexpr double steepest = radians(15); // of a ramp
     constexpr double min_tread = 0.25;       // square metres
-    const bool is_large = // for furniture, which stands on the floor
+    const bool is_no_furniture =             // larger, or below the floor
         piece.area > priors_.max_furniture_area || piece.above_main < 0;
     const bool is_low = std::abs(piece.above_main) <= priors_.max_platform_height;
-    const bool may_be_stage = is_large && piece.upright >= priors_.share_half;
+    const bool may_be_stage = is_no_furniture && piece.upright >= priors_.share_half;
     if (piece.hides > seen_below || piece.slab->plane[2] < std::cos(steepest) ||
         !(is_low || may_be_stage))
       return false;
     double closed = piece.walls;
     double held = piece.walls; // by what furniture has not beside it
-    bool is_reached = is_large;
+    bool is_reached = is_no_furniture;
     bool is_below_floor = false;
     for (const auto& [other, border] : piece.borders) {
       const double rise = border.rise / border.length;
@@ -181,7 +181,7 @@ private:
     const double min_closed = is_low ? priors_.share_closed : 0.9;
     const double least = is_below_floor ? min_tread : priors_.min_platform_area;
     return piece.area >= least && is_reached && closed >= min_closed * piece.rim &&
-           (is_large || held >= priors_.share_little * piece.rim);
+           (is_no_furniture || held >= priors_.share_little * piece.rim);
   }
 
   const Priors& priors_;

@@ -165,7 +165,7 @@ noRoomBecause(const BuildingRoom& room,
   const auto shareOf = [&](const auto& is) {
     return static_cast<double>(
                std::count_if(room.columns.begin(), room.columns.end(), is)) /
-           static_cast<double>(room.columns.size());
+           std::max(1.0, static_cast<double>(room.columns.size()));
   };
   char text[120];
   const double tall = shareOf([&](const RoomColumn& column) {

@@ -41,13 +41,6 @@ faceBehind(const PlanElement& wall, const std::vector<TiltedFace>& faces, double
   return behind;
 }
 
-/** @brief A face near a point and how strongly the point follows it. */
-struct Pull {
-  double weight = 0;
-  double shift = 0; ///< metres to the left
-  Eigen::Vector2d left = Eigen::Vector2d::Zero();
-};
-
 } // namespace
 
 Eigen::Vector3d
@@ -55,7 +48,10 @@ upright(const std::vector<TiltedFace>& faces, const Eigen::Vector3d& p)
 {
   constexpr double beside = 0.4; // of a face, whose ends are known to a patch, metres
   constexpr double reach = 1;    // metres
-  std::vector<Pull> pulls;
+  constexpr double on_face = 1e6; // weight there: it follows the face alone
+  // Each face asks for its shift along its normal, the point for none: least squares.
+  Eigen::Matrix2d asked = Eigen::Matrix2d::Identity();
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (const TiltedFace& face : faces) {
     const Eigen::Vector2d way = (face.end - face.start).normalized();
     const Eigen::Vector2d left(-way.y(), way.x());
@@ -66,18 +62,15 @@ upright(const std::vector<TiltedFace>& faces, const Eigen::Vector3d& p)
       continue;
     const double shift = face.run * (face.head - p.z());
     const double width = reach + std::abs(face.run) * (face.head - face.low);
-    const double weight = 1 - std::abs(from.dot(left) + shift) / width;
-    if (weight > 0)
-      pulls.push_back({weight, shift, left});
+    const double near = 1 - std::abs(from.dot(left) + shift) / width;
+    if (near <= 0)
+      continue;
+    const double weight = std::min(near / (1 - near), on_face);
+    asked += weight * left * left.transpose();
+    sum += weight * shift * left;
   }
-  // The nearest face comes last, so what is on it stays on it.
-  std::sort(pulls.begin(), pulls.end(),
-            [](const Pull& a, const Pull& b) { return a.weight < b.weight; });
   Eigen::Vector3d moved = p;
-  for (const Pull& pull : pulls) {
-    const double so_far = (moved - p).head<2>().dot(pull.left);
-    moved.head<2>() += pull.weight * (pull.shift - so_far) * pull.left;
-  }
+  moved.head<2>() += asked.inverse() * sum;
   return moved;
 }
 
@@ -87,6 +80,11 @@ tiltWalls(const std::vector<TiltedFace>& faces, Floorplan& plan)
   for (PlanRoom& room : plan.rooms) {
     auto& walls = room.boundary.elements;
     std::vector<bool> is_moved(walls.size(), false);
+    std::vector<std::size_t> wall_of; // of each niche
+    for (const PlanNiche& niche : room.niches) {
+      const PlanElement& mouth = niche.boundary.elements.back();
+      wall_of.push_back(room.boundary.nearest((mouth.start + mouth.end) / 2));
+    }
     for (std::size_t i = 0; i < walls.size(); ++i) {
       PlanElement& wall = walls[i];
       double sign = 1;
@@ -98,6 +96,12 @@ tiltWalls(const std::vector<TiltedFace>& faces, Floorplan& plan)
       const Eigen::Vector2d foot = sign * face->run * (face->head - floor) * out;
       wall.start += foot;
       wall.end += foot;
+      for (std::size_t k = 0; k < wall_of.size(); ++k)
+        for (PlanElement& side : room.niches[k].boundary.elements)
+          if (wall_of[k] == i) {
+            side.start += foot;
+            side.end += foot;
+          }
       is_moved[i] = true;
       wall.tilt = std::atan(sign * face->run);
     }

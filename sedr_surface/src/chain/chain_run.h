@@ -161,7 +161,7 @@ private:
   StructureChain& chain_;
   std::shared_ptr<const SightLines> sight_; ///< rays, in the frame of the cloud
   std::vector<TiltedFace> faces_;           ///< if any wall is tilted
-  Cloud::Ptr scanned_;                      ///< then the cloud with tilted walls
+  Cloud::Ptr scanned_;                      ///< then the cloud as scanned
   std::vector<ChainRoom> regions_;
   std::vector<pcl::IndicesPtr> territory_; ///< of each room, indices of thinned points
   std::vector<pcl::Indices> shares_; ///< points of each room, starting with room 0

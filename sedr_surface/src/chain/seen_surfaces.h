@@ -65,8 +65,8 @@ public:
    * before them, or only with something behind, as a ceiling that goes on there. */
   Patches patches(bool is_behind) const;
 
-  /** @brief Returns how much of the wall, floor to ceiling, the ceiling goes on behind,
-   * square metres: there it is none, whatever was seen below. */
+  /** @brief Returns the area of the parts of the wall behind which the ceiling goes on,
+   * from floor to ceiling: no wall can be there. */
   double areaPassedUnder() const;
 
   static constexpr double reach = 0.9;   ///< before and behind a wall, metres

@@ -124,12 +124,22 @@ ChainRun::fitPlan(StageReport& report)
 {
   chain_.floorplan_fitting.setInputCloud(chain_.cloud);
   chain_.floorplan_fitting.setCeilingIndices(labelled(StructureLabel::Ceiling));
-  // What was added to the scan shows nothing.
-  const pcl::IndicesPtr scanned = allIndices(chain_.scanned_points_);
-  pcl::IndicesPtr floor = labelled(StructureLabel::Floor); // increasing
-  floor->erase(std::upper_bound(floor->begin(), floor->end(), scanned->back()),
+  chain_.floorplan_fitting.setIndices(allIndices(chain_.scanned_points_));
+  const pcl::IndicesPtr floor = labelled(StructureLabel::Floor);
+  // Floor below furniture was recovered, not seen: the fit needs none where some was.
+  constexpr std::size_t of_plane = 3;
+  const auto isScanned = [&](int i) {
+    return static_cast<std::size_t>(i) < chain_.scanned_points_;
+  };
+  const auto roomOf = [&](int i) { return chain_.rooms[static_cast<std::size_t>(i)]; };
+  std::vector<std::size_t> scanned(regions_.size() + 1, 0);
+  for (const int i : *floor)
+    scanned[roomOf(i)] += isScanned(i) ? 1 : 0;
+  floor->erase(std::remove_if(floor->begin(), floor->end(),
+                              [&](int i) {
+                                return !isScanned(i) && scanned[roomOf(i)] >= of_plane;
+                              }),
                floor->end());
-  chain_.floorplan_fitting.setIndices(scanned);
   chain_.floorplan_fitting.setFloorIndices(floor);
   chain_.floorplan_fitting.setDetailIndices(labelled(StructureLabel::Detail));
   chain_.floorplan_fitting.setWallIndices(labelled(StructureLabel::Wall));
@@ -141,10 +151,11 @@ ChainRun::fitPlan(StageReport& report)
                          static_cast<std::ptrdiff_t>(scanned_->size()),
                      chain_.cloud->end());
   chain_.floorplan_fitting.setTiltedWalls(faces_, scanned_);
-  if (!chain_.floorplan_fitting.segment(*chain_.plan))
-    return fail(chain_.floorplan_fitting.getErrorMessage());
+  const bool is_fitted = chain_.floorplan_fitting.segment(*chain_.plan);
   if (scanned_)
     chain_.cloud = scanned_;
+  if (!is_fitted)
+    return fail(chain_.floorplan_fitting.getErrorMessage());
   if (sight_) {                        // rays prove openings
     constexpr double tolerance = 0.05; // metres; points within lie on a wall
     measureEvidence(*chain_.plan, PointView(*chain_.cloud),

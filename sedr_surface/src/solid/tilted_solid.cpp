@@ -228,7 +228,7 @@ movedWith(const std::vector<Eigen::Vector2d>& from,
     sum += weights[i] * to[i];
     all += weights[i];
   }
-  return sum / all;
+  return std::abs(all) > 1e-12 ? Eigen::Vector2d(sum / all) : p;
 }
 
 } // namespace
@@ -243,9 +243,11 @@ uprightRoom(const PlanRoom& room)
   const auto move = [&](PlanLoop& loop, const PlanSlab& slab) {
     for (PlanElement& element : loop.elements)
       for (Eigen::Vector2d* end : {&element.start, &element.end})
-        if (!element.isArc())
-          *end =
-              movedWith(cornersOf(boundaryAt(room, slab.heightAt(*end))), head, *end);
+        if (!element.isArc()) {
+          const auto corners = cornersOf(boundaryAt(room, slab.heightAt(*end)));
+          if (corners.size() == head.size()) // no cone ends below it
+            *end = movedWith(corners, head, *end);
+        }
   };
   for (auto* const details : {&straight.details, &straight.floor_details})
     for (PlanDetail& detail : *details) {

@@ -2,6 +2,7 @@
 #include "room_points.h"
 
 #include <pcl/sedr_filters/point_types.h>
+#include <pcl/sedr_filters/impl/refinement.h>
 #include <pcl/sedr_filters/structure_refinement.h>
 #include <pcl/sedr_filters/vertical_hole_repair.h>
 
@@ -202,6 +203,26 @@ TEST(VerticalHoleRepair, OfATiltedWallLiesOnItsPlane)
     EXPECT_EQ(on_wall, 60u * 50u);
     EXPECT_NEAR(static_cast<double>(count[1]), xAt(2.5) * 3 / (step * step), 60);
     EXPECT_EQ(count[2], 80u * 60u);
+  }
+}
+
+TEST(VerticalHoleRepair, KeepsAnOpeningOfATiltedWall)
+{
+  Floorplan plan{{roomOf(rectangle(0, 0, 4, 3), 2.5)}};
+  plan.rooms[0].id = 1;
+  plan.rooms[0].boundary.elements[1].tilt = 12 * M_PI / 180;
+  plan.openings.resize(1);
+  plan.openings[0].walls = {{1, 1}};
+  plan.openings[0].start = {4, 1};
+  plan.openings[0].end = {4, 2};
+  plan.openings[0].depth = 0.1;
+  plan.openings[0].bottom = 1;
+  plan.openings[0].top = 2.2;
+  for (const double z : {1.1, 2.1}) {
+    const double x = 4 - z * std::tan(12 * M_PI / 180);
+    EXPECT_TRUE(isInOpening(plan, {x, 1.5, z})) << z;
+    EXPECT_FALSE(isInOpening(plan, {x, 0.9, z})) << z;
+    EXPECT_FALSE(isInOpening(plan, {4, 1.5, z})) << z;
   }
 }
 

@@ -214,6 +214,12 @@ TEST(FloorplanFitting, RoomsOfAnotherNumberOfPointsAreRefusedWithBothNumbers)
             std::string::npos)
       << fitting.getErrorMessage();
   EXPECT_TRUE(plan.rooms.empty());
+  fitting.setRooms({});
+  fitting.setTiltedWalls({{{0, 0}, {1, 0}, 0.1, 0, 2}}, nullptr);
+  EXPECT_FALSE(fitting.segment(plan));
+  EXPECT_NE(fitting.getErrorMessage().find("with the tilted walls 0"),
+            std::string::npos)
+      << fitting.getErrorMessage();
 }
 
 TEST(FloorplanFitting, ARadiusBeyondTheLimitsIsNoArc)

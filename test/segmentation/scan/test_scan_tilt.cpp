@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sedr_segmentation/src/scan/scan_tilt.h"
+#include "sedr_segmentation/src/scan/upright_walls.h"
 
 #include "turned_room.h"
 #include <pcl/sedr_filters/scan_frame.h>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace {
 
@@ -84,6 +87,27 @@ TEST(ScanTilt, IsTheSameForAnyNumberOfThreads)
   const ScanTilt one = tiltOf(points.view(), points.all(), 1);
   EXPECT_GT(one.angle, 0);
   EXPECT_EQ(one.up, tiltOf(points.view(), points.all(), 3).up);
+}
+
+TEST(Upright, AFaceGoesToItsLineAtTheHeadAndNothingBetweenFacesIsTorn)
+{
+  // Walls along x that are 3 m apart at their heads and tilt by 20 degrees out.
+  const double run = std::tan(20 * degree);
+  const std::vector<TiltedFace> faces = {{{6, 0}, {0, 0}, run, 0, 2.5},
+                                         {{0, 3}, {6, 3}, run, 0, 2.5}};
+  for (const double z : {0.0, 1.0, 2.5}) {
+    const double out = run * (2.5 - z);
+    for (const double sign : {-1.0, 1.0}) {
+      const Eigen::Vector3d on_face(2, 1.5 + sign * (1.5 - out), z);
+      EXPECT_NEAR(upright(faces, on_face).y(), 1.5 + sign * 1.5, 1e-5) << z;
+    }
+    double before = upright(faces, {2, -0.5, z}).y();
+    for (double y = -0.49; y < 3.5; y += 0.01) {
+      const double moved = upright(faces, {2, y, z}).y();
+      EXPECT_LT(std::abs(moved - before), 0.05) << y << ' ' << z;
+      before = moved;
+    }
+  }
 }
 
 } // namespace
