@@ -224,6 +224,15 @@ boundsOf(const Floorplan& plan, const PlanFrame& frame)
     for (const PlanLoop& column : room.columns)
       box.extend(boundsOf(frame(column)));
   }
+  for (const PlanOpening& opening : plan.openings) {
+    const Eigen::Vector2d way = (opening.end - opening.start).normalized();
+    const Eigen::Vector2d reveal =
+        opening.depth / 2 * Eigen::Vector2d(-way.y(), way.x());
+    for (const Eigen::Vector2d& end : {opening.start, opening.end}) {
+      box.extend(frame(Eigen::Vector2d(end + reveal)));
+      box.extend(frame(Eigen::Vector2d(end - reveal)));
+    }
+  }
   return box;
 }
 

@@ -75,11 +75,14 @@ private:
     const PlanSlab& a = room_.ceilingSlab(sides.left);
     const PlanSlab& b = room_.ceilingSlab(sides.right);
     const double step = std::abs(a.heightAt(place) - b.heightAt(place));
-    const double cosine = a.normalAt(place).dot(b.normalAt(place));
-    const double angle = std::acos(std::clamp(cosine, -1.0, 1.0));
+    const Eigen::Vector3d up = a.normalAt(place);
+    const Eigen::Vector3d other = b.normalAt(place);
+    const double angle = std::acos(std::clamp(up.dot(other), -1.0, 1.0));
+    // How fast the two part beside the line in which they meet.
+    const Eigen::Vector2d slopes = up.head<2>() / up.z() - other.head<2>() / other.z();
     sides.is_drawn = step > min_step || angle > min_angle;
     sides.is_crease =
-        angle > min_angle && step < min_step + border_error * std::tan(angle);
+        angle > min_angle && step < min_step + border_error * slopes.norm();
     return sides;
   }
 

@@ -144,6 +144,17 @@ TEST(FloorplanDrawing, TheOverallDimensionIsOfTheRoomsWithoutTheirNiches)
   EXPECT_NEAR(longest, 6, 1e-9);
 }
 
+TEST(FloorplanDrawing, TheSheetHoldsTheRevealsOfOpenings)
+{
+  Floorplan plan = planOf(rectangle(0, 0, 4, 3));
+  PlanOpening window;
+  window.start = {4.2, 1};
+  window.end = {4.2, 2};
+  window.depth = 0.4;
+  plan.openings = {window};
+  EXPECT_NEAR((boundsOf(plan).max() - Eigen::Vector2d(4.4, 3)).norm(), 0, 1e-9);
+}
+
 TEST(FloorplanDrawing, AHeightBelowTheFloorIsNotPrinted)
 {
   Floorplan plan = planOf(rectangle(0, 0, 6, 4));

@@ -102,6 +102,23 @@ TEST(CeilingLines, TwoPlanesMeetInTheirIntersection)
   EXPECT_NEAR(lines[0].element.length(), 4, 0.01);
 }
 
+TEST(CeilingLines, SlopesOfMoreThan45DegreesMeetInARidge)
+{
+  for (const double slope : {0.9, 1.1, 2.0}) {
+    const double ridge = 1 + 2 * slope;
+    const auto lines =
+        ceilingLines(roomWith({{rectangle(0, 0, 8, 2.01), slabAt(1, 0, slope)},
+                               {rectangle(0, 2.01, 8, 4),
+                                slabAt(ridge + 2 * slope, 0, -slope)}}),
+                     at_1_50)
+            .lines;
+    ASSERT_EQ(lines.size(), 1u) << slope;
+    EXPECT_TRUE(lines[0].is_crease) << slope;
+    EXPECT_NEAR(lines[0].element.start.y(), 2, 1e-6) << slope;
+    EXPECT_EQ(lines[0].text.substr(0, 6), "ridge ") << slope;
+  }
+}
+
 TEST(CeilingLines, AStepStaysWhereItIs)
 {
   // A riser of 20 cm, then a slope of 30 degrees: they would meet elsewhere.
