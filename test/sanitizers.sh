@@ -8,6 +8,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
+export LSAN_OPTIONS="suppressions=$PWD/test/fuzz/leaks.txt:print_suppressions=0" # of other libraries
 jobs=${SEDR_JOBS:-$(nproc)}
 kinds=("$@")
 [ ${#kinds[@]} -gt 0 ] || kinds=(asan-ubsan tsan tidy)

@@ -8,6 +8,7 @@ more than 60 seconds, with a word of a sanitizer, or with code 1 or 2 and not a 
 preset asan-ubsan. Prints a line a program; what broke one stays in the folder that the last line names. Exit code 1 if there is anything.
 """
 import json
+import os
 import pathlib
 import random
 import re
@@ -72,6 +73,8 @@ def runs_of(b, files, out):
 def main():
     b, seconds = pathlib.Path(sys.argv[1]).resolve(), float(sys.argv[2])
     rng = random.Random(int(sys.argv[3]) if len(sys.argv) > 3 else 1)
+    known = pathlib.Path(__file__).resolve().parent / "leaks.txt"  # of other libraries
+    os.environ.setdefault("LSAN_OPTIONS", f"suppressions={known}:print_suppressions=0")
     root = pathlib.Path(tempfile.mkdtemp(prefix="mutated_"))
     seeds, found = root / "seeds", root / "found"
     found.mkdir()
