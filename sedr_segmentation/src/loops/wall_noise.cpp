@@ -91,7 +91,8 @@ wallNoise(const std::vector<LoopContour>& contours,
       // The quartile of a normal distribution is 1.15 sigma.
       const auto rank = off.begin() + static_cast<std::ptrdiff_t>(off.size() * 3 / 4);
       std::nth_element(off.begin(), rank, off.end());
-      noise.sigma = std::clamp(*rank / 1.15, energy.min_sigma, energy.max_sigma);
+      noise.measured = *rank / 1.15;
+      noise.sigma = std::clamp(noise.measured, energy.min_sigma, energy.max_sigma);
       noise.correlation = std::clamp(spacing * sum / variance, energy.min_correlation,
                                      energy.max_correlation);
       noise.spread = noise.sigma;

@@ -56,7 +56,7 @@ def sample_report():
                        {"stage": "StructuralPoisson", "points_in": 4800, "points_out": 9000, "seconds": 1.5}],
             "rooms": rooms, "evaluation": {"mesh": {"triangles": 64}, "cloud_to_mesh": distances},
             "support": {"measured": 0.59, "inferred": 0.33, "unseen": 0.08},
-            "noise": [{"rooms": [1, 2], "sigma": 0.0082, "correlation": 0.12, "spread": 0.01, "stretches": 9}],
+            "noise": [{"rooms": [1, 2], "measured": 0.0052, "sigma": 0.007, "correlation": 0.12, "spread": 0.01, "stretches": 9}],
             "warnings": [{"kind": "stage", "room": 1, "wall": 0, "at": [1, 2], "values": [], "text": "room 1: <b>a part</b>"},
                          {"kind": "stage", "room": 2, "wall": 3, "at": [5, 1], "values": [], "text": "wall 2.3: second"}],
             "unlikely": [{"kind": "no_door", "room": 1, "wall": 0, "at": None, "values": [12], "text": "room 1: no door"}]}
@@ -373,7 +373,7 @@ class ReportInABrowser(ReportCase):
         self.assertIn("59\u00a0%", self.open().run("document.getElementById('figures').textContent"))
 
     def test_the_noise_of_walls_is_told_with_its_length(self):
-        self.assertIn("noise of walls, alike over 12.0\u00a0cm0.82\u00a0cm", self.open().run("document.getElementById('figures').textContent"))
+        self.assertIn("noise of walls, correlated over 12.0\u00a0cm0.52\u00a0cm", self.open().run("document.getElementById('figures').textContent"))
 
     def test_warnings_have_numbers_on_the_plan_that_lies_over_the_scan(self):
         browser = self.open()

@@ -192,6 +192,7 @@ noiseOf(const std::vector<WallNoise>& storeys)
   Json all = Json::array();
   for (const WallNoise& noise : storeys)
     all.push_back({{"rooms", noise.rooms},
+                   {"measured", noise.measured},
                    {"sigma", noise.sigma},
                    {"correlation", noise.correlation},
                    {"spread", noise.spread},

@@ -68,8 +68,8 @@
     }
     if (report.support) figures.push(['of the walls measured', percent(report.support.measured)],
       ['inferred', percent(report.support.inferred)], ['seen by nobody', percent(report.support.unseen)]);
-    for (const noise of (report.noise || []).filter(storey => storey.stretches).sort((a, b) => b.sigma - a.sigma).slice(0, 1))
-      figures.push([`noise of walls, alike over ${centimetres(noise.correlation)}`, centimetres(noise.sigma)]);
+    for (const noise of (report.noise || []).filter(storey => storey.stretches).sort((a, b) => b.measured - a.measured).slice(0, 1))
+      figures.push([`noise of walls, correlated over ${centimetres(noise.correlation)}`, centimetres(noise.measured)]);
     if (distances && distances.count) figures.push(['half the points within', centimetres(distances.median)],
       ['within 5\u00a0cm', percent(distances.within_5cm)]);
     byId('figures').append(...figures.map(([name, value]) =>

@@ -57,7 +57,8 @@ struct FittedBoundary {
 /** @brief Noise of the walls of rooms that share heights, measured along straight
  * stretches of them; metres. It decides how many corners a plan has. */
 struct WallNoise {
-  double sigma = 0.01;       ///< standard deviation of a place from a metre of its wall
+  double measured = 0;       ///< standard deviation of a place from a metre of its wall
+  double sigma = 0.01;       ///< that which the fit takes: within what it is made for
   double correlation = 0.1;  ///< so long a piece of wall is one independent observation
   double spread = 0.01;      ///< standard deviation of such an observation from metres
                              ///< of its wall, which waves: at least sigma
