@@ -218,7 +218,7 @@ TEST(LevelSurface, NoFloorLiesAboveWhatWasSeen)
   // riser.
   const PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 3.5);
   const PlanLoop stage = rectangle(3.01, 0.01, 5.01, 4.01);
-  const PlanLoop chest = rectangle(1.81, 0.01, 3.01, 2.01);
+  const PlanLoop chest = rectangle(2.21, 0.01, 3.01, 2.01);
   RoomPoints points(0.05, 0);
   std::vector<int> floor = points.slab(room.boundary, 0, [&](double x, double y) {
     return !stage.contains({x, y}) && !chest.contains({x, y});
@@ -233,7 +233,7 @@ TEST(LevelSurface, NoFloorLiesAboveWhatWasSeen)
   const FacetSheet surface = surfaceWithin(
       room.boundary, placesOf(points.view(), floor), SheetParameters::of({}, true),
       placesOf(points.view(), points.all()));
-  for (const double x : {1.5, 1.95, 2.5, 2.9})
+  for (const double x : {1.95, 2.35, 2.6, 2.85})
     EXPECT_NEAR(surface.heightAt({x, 1}), 0, 0.01) << x;
   EXPECT_NEAR(surface.heightAt({3.15, 1}), 1.4, 0.01);
 }
