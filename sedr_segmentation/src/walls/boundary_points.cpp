@@ -19,20 +19,85 @@ namespace pcl::sedr {
 
 namespace {
 
-/** @brief Returns the widest angle, radians, between successive directions, which are
- * sorted: pi on a straight rim, 3/2 pi on a protruding corner, 2 pi where there is no
- * direction at all. */
-float
-widestGap(std::vector<float>& directions)
-{
-  if (directions.empty())
-    return full_turn;
-  std::sort(directions.begin(), directions.end());
-  float widest = full_turn - directions.back() + directions.front();
-  for (std::size_t i = 1; i < directions.size(); ++i)
-    widest = std::max(widest, directions[i] - directions[i - 1]);
-  return widest;
-}
+/** @brief Directions around a place. Sectors tell of most gaps between them whether
+ * they are wide, so only few directions are sorted. */
+class Directions {
+public:
+  void clear()
+  {
+    ways_.clear();
+    taken_ = 0;
+  }
+
+  bool empty() const { return ways_.empty(); }
+
+  void add(const Eigen::Vector2f& way)
+  {
+    ways_.push_back(way);
+    const float part = way.y() / (std::abs(way.x()) + std::abs(way.y()));
+    const float turn = way.x() < 0 ? 3 - part : 1 + part; // of 4, from -y
+    taken_ |= std::uint64_t(1) << (static_cast<unsigned>(turn * sectors / 4) % sectors);
+  }
+
+  /** @brief Tells whether a gap between successive directions is wider than an angle,
+   * radians: it is pi on a straight rim, 3/2 pi on a protruding corner, 2 pi where
+   * there is no direction at all. */
+  bool haveGap(float angle) const
+  {
+    if (ways_.empty())
+      return full_turn > angle;
+    static const std::vector<float> bounds = boundsOfSectors();
+    float surely = 0;
+    float perhaps = 0;
+    const unsigned first = nextFrom(0);
+    for (unsigned i = first, k; i < first + sectors; i = k) {
+      k = nextFrom(i + 1);
+      surely = std::max(surely, bounds[k] - bounds[i + 1]);
+      perhaps = std::max(perhaps, bounds[k + 1] - bounds[i]);
+    }
+    return surely > angle || (perhaps > angle && widestGap() > angle);
+  }
+
+private:
+  static constexpr unsigned sectors = 64; // bits
+
+  /** @brief Returns the angles at which the sectors of two turns begin. */
+  static std::vector<float> boundsOfSectors()
+  {
+    std::vector<float> bounds;
+    for (unsigned i = 0; i <= 2 * sectors; ++i) {
+      const float turn = 4.f * static_cast<float>(i % sectors) / sectors;
+      const float part = turn < 2 ? turn - 1 : 3 - turn;
+      const float angle = std::atan2(part, 1 - std::abs(part));
+      bounds.push_back((turn < 2 ? angle : full_turn / 2 - angle) +
+                       full_turn * static_cast<float>(i / sectors));
+    }
+    return bounds;
+  }
+
+  /** @brief Returns the first taken sector from one on, counted on over full turns. */
+  unsigned nextFrom(unsigned i) const
+  {
+    while (!(taken_ >> (i % sectors) & 1))
+      ++i;
+    return i;
+  }
+
+  float widestGap() const
+  {
+    std::vector<float> angles;
+    for (const Eigen::Vector2f& way : ways_)
+      angles.push_back(std::atan2(way.y(), way.x()));
+    std::sort(angles.begin(), angles.end());
+    float widest = full_turn - angles.back() + angles.front();
+    for (std::size_t i = 1; i < angles.size(); ++i)
+      widest = std::max(widest, angles[i] - angles[i - 1]);
+    return widest;
+  }
+
+  std::vector<Eigen::Vector2f> ways_;
+  std::uint64_t taken_ = 0;
+};
 
 /** @brief The boundary test of some places. */
 class BoundaryTest {
@@ -56,12 +121,12 @@ public:
    * where one is among more: circles tell of most places, the tree of the others. */
   bool isBoundary(std::size_t i) const
   {
-    thread_local std::vector<float> directions;
+    thread_local Directions directions;
     const Eigen::Vector3f place = places_[i].getVector3fMap();
     const auto see = [&](std::size_t k) {
       const Eigen::Vector3f way = places_[k].getVector3fMap() - place;
       if (way.x() != 0 || way.y() != 0)
-        directions.push_back(std::atan2(way.y(), way.x()));
+        directions.add(way.head<2>());
     };
     std::size_t count = 0;
     for (double reach = usual_; count < options_.neighbours && reach < 5 * usual_;
@@ -76,7 +141,7 @@ public:
             ++count;
             see(other);
           });
-      const bool is_wide = widestGap(directions) > options_.angle;
+      const bool is_wide = directions.haveGap(static_cast<float>(options_.angle));
       if (is_wide ? count >= options_.neighbours && !directions.empty()
                   : count <= options_.neighbours)
         return is_wide;
@@ -84,8 +149,8 @@ public:
     const std::vector<std::size_t> nearest = nearestTo(i, options_.neighbours);
     directions.clear();
     std::for_each(nearest.begin(), nearest.end(), see);
-    return widestGap(directions) > options_.angle && nearest.size() >= 3 &&
-           !directions.empty();
+    return directions.haveGap(static_cast<float>(options_.angle)) &&
+           nearest.size() >= 3 && !directions.empty();
   }
 
 private:
