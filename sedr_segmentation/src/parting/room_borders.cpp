@@ -83,6 +83,7 @@ RoomBorders::RoomBorders(const AirGaps& air,
                          const PartingParameters& parameters,
                          RoomLabels& labels)
     : labels_(labels)
+    , column_area_(air.columns().cellSize() * air.columns().cellSize())
     , rooms_(labels.sizes().size())
 {
   measureRooms(air);
@@ -104,6 +105,16 @@ RoomBorders::openShare(std::uint32_t room) const
     open += between(pairOf(room, other)).crossings.size();
   return static_cast<double>(open) /
          static_cast<double>(std::max<std::size_t>(1, open + rooms_[room].ends));
+}
+
+bool
+RoomBorders::areStacked(const RoomPair& pair) const
+{
+  const auto [a, b] = pair;
+  const auto shared = rooms_[a].stacked.find(b);
+  return shared != rooms_[a].stacked.end() &&
+         2 * static_cast<double>(shared->second) * column_area_ >
+             std::min(rooms_[a].area, rooms_[b].area);
 }
 
 void
@@ -135,6 +146,15 @@ RoomBorders::join(const RoomPair& pair)
     into.beside.insert(other);
   }
   joined.beside.clear();
+  into.stacked.erase(b);
+  for (const auto& [other, columns] : joined.stacked) {
+    rooms_[other].stacked.erase(b);
+    if (other == a)
+      continue;
+    into.stacked[other] += columns;
+    rooms_[other].stacked[a] += columns;
+  }
+  joined.stacked.clear();
 }
 
 void
@@ -142,7 +162,7 @@ RoomBorders::measureRooms(const AirGaps& air)
 {
   const double cell = air.columns().cellSize();
   for (std::size_t r = 0; r < rooms_.size(); ++r)
-    rooms_[r].area = static_cast<double>(labels_.sizes()[r]) * cell * cell;
+    rooms_[r].area = static_cast<double>(labels_.sizes()[r]) * column_area_;
   const std::vector<float> free =
       distanceToRim(air, std::vector<std::uint8_t>(air.size(), 1));
   for (std::uint32_t g = 0; g < air.size(); ++g)
@@ -150,9 +170,14 @@ RoomBorders::measureRooms(const AirGaps& air)
       RoomExtent& own = rooms_[labels_.roomOf(g)];
       own.depth = std::max<double>(own.depth, free[g] * cell);
       own.floors.add(air.columns().heightOf(air[g].low));
-      for (std::size_t o = air.first(air[g].column); o < g; ++o)
+      for (std::uint32_t o = air.first(air[g].column); o < g; ++o) {
         if (air.height(o) >= air.parameters().headroom)
           own.roofs.add(air.columns().heightOf(air[o].high));
+        if (labels_.hasRoom(o) && !labels_.isSameRoom(o, g)) {
+          ++own.stacked[labels_.roomOf(o)];
+          ++rooms_[labels_.roomOf(o)].stacked[labels_.roomOf(g)];
+        }
+      }
     }
 }
 

@@ -43,6 +43,7 @@ struct RoomExtent {
   HeightCounts floors;            ///< of its gaps
   HeightCounts roofs;             ///< of the air below them in which one can stand
   std::set<std::uint32_t> beside; ///< rooms with which it has a border
+  std::map<std::uint32_t, std::size_t> stacked; ///< columns shared with other rooms
 };
 
 /** @brief The rooms of a building and the borders between them, which are joined. */
@@ -61,6 +62,9 @@ public:
   /** @brief Share of a room's outline at which it goes on into others. */
   double openShare(std::uint32_t room) const;
 
+  /** @brief Whether most of the smaller of two rooms lies above or below the other. */
+  bool areStacked(const RoomPair& pair) const;
+
   /** @brief Joins the second of two rooms to the first, and its borders. */
   void join(const RoomPair& pair);
 
@@ -69,6 +73,7 @@ private:
   void countWalls(const AirGaps& air, int reach);
 
   RoomLabels& labels_;
+  double column_area_; ///< square metres
   std::vector<RoomExtent> rooms_;
   std::map<RoomPair, RoomBorder> borders_;
 };

@@ -64,7 +64,8 @@ private:
   {
     forget(pair);
     const Openness openness = opennessOf(pair);
-    if (openness.is_other_level || !isOneSpace(pair, openness))
+    if (openness.is_other_level || rooms_.areStacked(pair) ||
+        !isOneSpace(pair, openness))
       return;
     turn_[pair] = {openness.are_doors, -openness.share};
     to_join_.insert({turn_[pair], pair});

@@ -178,6 +178,35 @@ TEST(PartRooms, TwoStoreysAreTwo)
   });
 }
 
+TEST(PartRooms, ASmallClosetIsNotOfTheRoomAboveItIntoWhichAShaftLeads)
+{
+  forBothTurns([](AirScene& scene) {
+    scene.slab(0.05, 0.05, 1.05, 0.85, 0.01);
+    scene.slab(0.05, 0.05, 1.05, 0.85, 2.01);
+    for (const double x : {0.05, 1.05})
+      scene.wall(x, 0.05, x, 0.85, 0.01, 2.01);
+    scene.wall(0.05, 0.05, 1.05, 0.05, 0.01, 2.01);
+    scene.wall(0.05, 0.85, 0.35, 0.85, 0.01, 2.01);
+    scene.wall(0.75, 0.85, 1.05, 0.85, 0.01, 2.01);
+    scene.slab(0.35, 0.85, 0.75, 1.15, 0.01);
+    for (const double x : {0.35, 0.75})
+      scene.wall(x, 0.85, x, 1.15, 0.01, 2.81);
+    scene.wall(0.35, 1.15, 0.75, 1.15, 0.01, 2.81);
+    scene.slab(0.35, 0.85, 0.75, 1.15, 4.51);
+    scene.slab(0.05, 0.05, 6.05, 0.85, 2.81);
+    scene.slab(0.05, 0.85, 0.35, 1.15, 2.81);
+    scene.slab(0.75, 0.85, 6.05, 1.15, 2.81);
+    scene.slab(0.05, 1.15, 6.05, 5.05, 2.81);
+    scene.slab(0.05, 0.05, 6.05, 5.05, 5.31);
+    scene.sides(0.05, 0.05, 6.05, 5.05, 2.81, 5.31);
+    const Parted air(scene);
+    const int upper = air.roomAt(4, 3, 4);
+    EXPECT_EQ(air.roomAt(0.5, 0.5, 4), upper) << "above the closet";
+    EXPECT_NE(air.roomAt(0.5, 0.5, 1), upper);
+    EXPECT_NE(air.roomAt(0.5, 0.5, 1), -1) << "nor lost";
+  });
+}
+
 TEST(PartRooms, FromLargestToSmallestEachOfItsOwnNumber)
 {
   AirScene scene;
