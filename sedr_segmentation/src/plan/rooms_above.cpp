@@ -7,6 +7,7 @@
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -44,6 +45,26 @@ appendFloors(const PlanRoom& room, double gap, std::vector<Floor>& floors)
   for (const PlanDetail& part : room.floor_details)
     floors.push_back({lowered(part.slab),
                       joined(intersection(joined(part.holes, part.boundary), plan))});
+}
+
+/** @brief Lowers the heights of a relief over and beside floors below these. */
+void
+lowerRelief(const std::vector<Floor>& floors, PlanSlab& ceiling)
+{
+  if (!ceiling.curve || ceiling.curve->kind != CurveKind::Relief)
+    return;
+  SlabCurve relief = *ceiling.curve;
+  const double reach = M_SQRT2 * relief.spacing; // to the corners of a cell
+  for (std::size_t k = 0; k < relief.heights.size(); ++k) {
+    const Eigen::Vector2d place =
+        relief.centre +
+        relief.spacing * Eigen::Vector2d(static_cast<double>(k % relief.columns),
+                                         static_cast<double>(k / relief.columns));
+    for (const Floor& floor : floors)
+      if (floor.region.contains(place) || floor.region.distance(place) < reach)
+        relief.heights[k] = std::min(relief.heights[k], floor.slab.heightAt(place));
+  }
+  ceiling.curve = std::make_shared<const SlabCurve>(std::move(relief));
 }
 
 /** @brief Returns a square on the side of a line where one plane is above another one,
@@ -171,6 +192,9 @@ endBelowRoomsAbove(Floorplan& plan, const Priors& priors)
     std::stable_sort(floors.begin(), floors.end(), [&](const Floor& a, const Floor& b) {
       return a.slab.heightAt(box.center()) > b.slab.heightAt(box.center());
     });
+    lowerRelief(floors, room.ceiling);
+    for (PlanDetail& detail : room.details)
+      lowerRelief(floors, detail.slab);
     std::vector<PlanDetail> details;
     appendParts(room.ceiling, room.boundary, room.hasFacets(), floors, priors, details);
     for (const PlanDetail& detail : room.details) {

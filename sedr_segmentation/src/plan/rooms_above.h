@@ -11,8 +11,8 @@ namespace pcl::sedr {
  * floor, the lowest one if there are several, of which nothing was seen. Shafts of the
  * room above (its columns) stay the lower room's, and no ceiling is raised. The parts
  * follow what they replace in PlanRoom::details; a detail of which only strips are left
- * goes. Left as they are: rooms that share
- * heights (shareHeights()), curved ceilings that are partly lower, and strips narrower
+ * goes. The heights of a relief are lowered. Left as they are: rooms that share heights
+ * (shareHeights()), other curved ceilings that are partly lower, and strips narrower
  * than Priors::min_wall. O(rooms squared), and for rooms that overlap in plan O(n m) of
  * the elements of their ceilings and floors. */
 void endBelowRoomsAbove(Floorplan& plan, const Priors& priors);

@@ -125,6 +125,24 @@ TEST(RoomsAboveRooms, NothingStaysOfAFacetBelowOneOfThem)
   EXPECT_NEAR(plan.rooms[0].ceilingAt({5, 2}), 2.69, 1e-9);
 }
 
+TEST(RoomsAboveRooms, AReliefThatRisesThroughThemEndsAtThem)
+{
+  // A relief that rises from 2 m at x = 0 to 3 m at x = 6.
+  Floorplan plan = hallBelowGallery();
+  SlabCurve relief;
+  relief.kind = CurveKind::Relief;
+  relief.spacing = 0.5;
+  relief.columns = 13;
+  for (int k = 0; k < 9 * 13; ++k)
+    relief.heights.push_back(2 + k % 13 / 12.0);
+  plan.rooms[0].details[0].slab.curve = std::make_shared<const SlabCurve>(relief);
+  endBelowRoomsAbove(plan, Priors());
+  ASSERT_EQ(plan.rooms[0].details.size(), 1u);
+  EXPECT_NEAR(plan.rooms[0].ceilingAt({4, 3.5}), 2 + 4 / 6.0, 1e-9);
+  EXPECT_NEAR(plan.rooms[0].ceilingAt({4.9, 3}), 2.69, 1e-9) << "open to the gallery";
+  EXPECT_NEAR(plan.rooms[0].ceilingAt({5.99, 1}), 3, 0.01) << "beside it";
+}
+
 TEST(RoomsAboveRooms, AFacetInOneOfTheirShaftsStays)
 {
   // The shaft is the facet but for 5 cm all around.
