@@ -23,7 +23,7 @@ struct Words {
 };
 
 /** In the order of WarningKind. */
-constexpr std::array<Words, 38> words{{
+constexpr std::array<Words, 39> words{{
     {"coverage", "", "",
      "{0.0} of the {1.0} m2 of floor that was seen are in the model, {2.0} %; the "
      "largest part that is missing has {3.0} m2{at}, z {4.1} to {5.1} m: {reason}"},
@@ -97,6 +97,8 @@ constexpr std::array<Words, 38> words{{
      "number {reason} of floorplan.json"},
     {"ifc_loss", "things are not in the IFC", "", "{reason}"},
     {"mesh", "meshes are not closed, or closed by a guess", "", "{reason}"},
+    {"mesh_volume", "rooms have meshes and solids of different volumes", "",
+     "its mesh holds {0.1} m3, but its solid {1.1} m3"},
     {"no_door", "rooms have no door", "m2", "no door, passage or stair leads into it"},
     {"narrow_door", "doors are narrow", "", "a door of {0.2} m"},
     {"small_room", "rooms are small", "", "a room of {0.1} m2"},

@@ -4,7 +4,9 @@
 #include "sedr_filters/src/rays/sight_lines.h"
 #include "sedr_segmentation/src/scan/unit_check.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -116,6 +118,20 @@ giveFreedMemoryBack()
 
 } // namespace
 
+void
+ChainRun::compareVolumes()
+{
+  constexpr double same = 0.01; // of the larger; holes and edges of a mesh are less
+  if (chain_.extrusion.getCutOpenings())
+    return; // the mesh has none
+  for (const RoomPoissonReport& mesh : chain_.poisson.getReports())
+    for (const RoomSolidReport& solid : chain_.extrusion.getReports())
+      if (mesh.room == solid.room && mesh.closed && solid.closed &&
+          std::abs(mesh.volume - solid.volume) >
+              same * std::max(mesh.volume, solid.volume))
+        warn({WarningKind::MeshVolume, {mesh.volume, solid.volume}, mesh.room});
+}
+
 bool
 ChainRun::makeMesh()
 {
@@ -131,6 +147,7 @@ ChainRun::makeMesh()
                       for (const std::string* reason : {&mesh.problem, &mesh.warning})
                         if (!reason->empty())
                           warn({WarningKind::Mesh, {}, mesh.room, 0, *reason});
+                    compareVolumes();
                     return true;
                   });
 }

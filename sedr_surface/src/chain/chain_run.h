@@ -111,6 +111,7 @@ private:
   void giveUpRoomsWithoutPlan();
 
   void warnOfGuesses();
+  void compareVolumes();
   bool extrude(StageReport& report);
 
   /** @brief Gives a point a label and a room. */

@@ -77,10 +77,15 @@ public:
         const int slab = is_floor ? region.floor : region.ceiling;
         const std::size_t element =
             layers_.slabs[static_cast<std::size_t>(slab)].element;
-        warnings.push_back(warningOf(WarningKind::Contradiction,
-                                     layers_.elements[element].name + " " + problem +
-                                         textOf(": %.2f m2 are left out", part.area),
-                                     {part.area}));
+        const Eigen::Vector2d at = middleOf(part);
+        warnings.push_back(
+            warningOf(WarningKind::Contradiction,
+                      wordsOf(layers_.elements[element]) +
+                          textOf(" around (%.1f, %.1f), %.2f m2, is left out: ", at.x(),
+                                 at.y(), part.area) +
+                          problem,
+                      {part.area}));
+        warnings.back().at = at;
         assign(part, part.region);
         is_changed = true;
         break;
@@ -282,6 +287,16 @@ private:
       region_[t] = region;
   }
 
+  /** @brief Returns the mean of the corners of a part's triangles, in plan. */
+  Eigen::Vector2d middleOf(const Part& part) const
+  {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (const std::uint32_t t : part.triangles)
+      for (std::size_t i = 0; i < 3; ++i)
+        sum += grid_.toPlan(arrangement_.vertices[corner(t, i)]);
+    return sum / (3 * static_cast<double>(part.triangles.size()));
+  }
+
   /** @brief Returns the minimum height of a part's ceiling above its floor, metres. */
   double clearance(const Part& part) const
   {
@@ -344,12 +359,12 @@ private:
       return {};
     const double height = clearance(part);
     if (height < minClearance())
-      return height < 0 ? textOf("reaches %.3f m below what is below it", -height)
-                        : textOf("comes down to %.3f m above what is below it", height);
+      return textOf("the ceiling there would lie %.3f m %s the floor", std::abs(height),
+                    height < 0 ? "below" : "above");
     if (layers_.isNiche(part.region) && !isOpen(part))
-      return "is not open to the room";
+      return "it is not open to the room";
     if (part.region != layers_.plainRegions(part.region).front() && touchesBeside(part))
-      return "is where the ceiling beside it is";
+      return "floor and ceiling would meet beside it";
     return {};
   }
 

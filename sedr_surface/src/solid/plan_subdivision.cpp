@@ -208,8 +208,8 @@ subdivideRoom(const RoomLayers& layers,
     if (chains[l].corners.empty())
       warnings.push_back(
           warningOf(WarningKind::Contradiction,
-                    layers.elements[layers.loops[l].first_element].name +
-                        " and the rest of its loop are too small and left out"));
+                    wordsOf(layers.elements[layers.loops[l].first_element]) +
+                        " is too small and left out"));
   subdivision.grid = gridOf(chains);
   std::vector<GridSegment> segments;
   std::vector<SegmentSource> sources;

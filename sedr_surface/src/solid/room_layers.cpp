@@ -2,6 +2,7 @@
 #include "room_layers.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pcl::sedr {
 
@@ -24,6 +25,22 @@ labelOf(LoopRole role)
 }
 
 } // namespace
+
+std::string
+wordsOf(const SolidElement& element)
+{
+  constexpr std::pair<const char*, const char*> words[] = {
+      {"_floor_detail", "a part of its floor"},
+      {"_detail", "a part of its ceiling"},
+      {"_niche", "a niche"},
+      {"_column", "a column"},
+      {"_floor", "its floor"},
+      {"_ceiling", "its ceiling"}};
+  for (const auto& [name, text] : words)
+    if (element.name.find(name) != std::string::npos)
+      return text;
+  return "its outline";
+}
 
 RoomLayers::RoomLayers(const PlanRoom& room)
     : room_(room.id)

@@ -32,6 +32,9 @@ struct PlanRegion {
   }
 };
 
+/** @brief Returns what an element belongs to, in words: "a part of its ceiling". */
+std::string wordsOf(const SolidElement& element);
+
 /** @brief The vertical surface above the elements of a loop. */
 enum class LoopRole { Wall, ColumnFace, NicheSide, CeilingRiser, FloorRiser };
 

@@ -119,6 +119,20 @@ TEST(StructureChain, WarnsOfRoomsOfWhichMuchWasNotSeen)
   EXPECT_TRUE(chain.warnings.empty());
 }
 
+TEST(StructureChain, WarnsOfAMeshOfAnotherVolumeThanItsSolid)
+{
+  StructureChain chain;
+  ASSERT_TRUE(chain.findStructure(roomScannedEvery(0.04))) << chain.problem;
+  ASSERT_TRUE(chain.makeMesh()) << chain.problem;
+  EXPECT_TRUE(chain.warnings.empty());
+  for (auto& point : *chain.structure)
+    point.z *= 0.98F;
+  ASSERT_TRUE(chain.makeMesh()) << chain.problem;
+  ASSERT_EQ(chain.warnings.size(), 1u);
+  EXPECT_EQ(sentenceOf(chain.warnings[0]),
+            "room 1: its mesh holds 29.4 m3, but its solid 30.0 m3");
+}
+
 TEST(StructureChain, ARoomThatWasLookedIntoThroughADoorIsARoom)
 {
   // A hall behind a door; the hall's side of the wall with the door was not scanned.

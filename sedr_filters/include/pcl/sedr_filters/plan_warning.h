@@ -44,6 +44,7 @@ enum class WarningKind {
   NotInIfc,      ///< openings in no wall, all; reason: numbers
   IfcLoss,       ///< reason
   Mesh,          ///< reason
+  MeshVolume,    ///< m3 of the mesh, of the solid
   NoDoor,        ///< m2
   NarrowDoor,    ///< m
   SmallRoom,     ///< m2
