@@ -67,8 +67,8 @@ std::vector<DoorwayGap> doorwayGaps(const Floorplan& plan);
 std::vector<std::vector<PlanLoop>> wallBodies(const Floorplan& plan, double max_wall);
 
 /** @brief Adds the flights of all stairs: up to 1.2 m above the lower room's floor on a
- * plan with that room, whole on one that has the upper room only. What lies below a
- * flight that is drawn is hidden. */
+ * plan with that room, whole on one that has the upper room only. Treads below those of
+ * a flight that is drawn are hidden, with all before them. */
 void addStairs(const Floorplan& plan, std::vector<PlanLine>& lines);
 
 } // namespace pcl::sedr

@@ -288,16 +288,32 @@ private:
   TextPlaces& places_;
 };
 
+/** @brief Where one stands before a stair, at its foot or at its head. */
+Eigen::Vector2d
+entryOf(const PlanStair& stair, bool is_foot)
+{
+  constexpr double before = 0.5; // metres
+  if (stair.flights.empty())
+    return stair.at;
+  const PlanFlight& flight = is_foot ? stair.flights.front() : stair.flights.back();
+  const std::size_t last = flight.steps() - 1;
+  const Eigen::Vector2d at = flight.middle(is_foot ? 0 : last);
+  const std::size_t one = std::min<std::size_t>(1, last);
+  const Eigen::Vector2d next = flight.middle(is_foot ? one : last - one);
+  return at + before * (at - next).normalized();
+}
+
 /** @brief Writes where the stairs of a plan, or of a part of it, lead. */
 void
 writeStairs(const Floorplan& plan, TextWriter& writer)
 {
+  constexpr double reach = 1; // metres from there
   for (const PlanStair& stair : plan.stairs) {
     const bool is_up = findRoom(plan, stair.rooms[0]);
     if (!is_up && !findRoom(plan, stair.rooms[1]))
       continue;
     const std::uint32_t other = stair.rooms[is_up ? 1 : 0];
-    writer.writeAt(PlanLayer::Note, {stair.at, 0},
+    writer.writeAt(PlanLayer::Note, {entryOf(stair, is_up), reach},
                    {std::string(is_up ? "up" : "down") +
                     (other == 0 ? "" : " to room " + std::to_string(other))},
                    small_font);

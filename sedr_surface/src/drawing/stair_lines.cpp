@@ -16,6 +16,7 @@ struct ShownFlight {
   const PlanFlight* flight = nullptr;
   std::uint32_t room = 0;
   std::size_t below = 0; ///< number of its risers below the cut
+  std::size_t first = 0; ///< number of those that a higher flight hides
 
   /** @brief Returns the outline of its treads below the cut. */
   PlanLoop outline() const
@@ -24,49 +25,65 @@ struct ShownFlight {
     part.risers.resize(std::min(below + 1, flight->steps()));
     return loopOf(part.outline());
   }
+
+  /** @brief Hides the treads up to the last one below another flight. */
+  void hideBelow(const PlanLoop& above)
+  {
+    for (std::size_t k = first; k + 1 < below; ++k)
+      if (above.contains((flight->middle(k) + flight->middle(k + 1)) / 2))
+        first = k + 1;
+  }
 };
 
-/** @brief Adds the lines of a flight: its treads, and an arrow up. It ends in a break
- * line where the plan cuts it. */
+/** @brief Adds the lines of a flight: its treads, and the line on which one walks, from
+ * a dot at its foot to an arrow. It ends in two break lines where the plan cuts it. */
 void
 addFlight(const ShownFlight& shown, std::vector<PlanLine>& lines)
 {
   constexpr double head = 0.15; // of the arrow, metres
+  constexpr double dot = 0.04;  // its radius, metres
   const PlanFlight& flight = *shown.flight;
-  const auto add = [&](const std::vector<Eigen::Vector2d>& places) {
-    for (std::size_t p = 0; p + 1 < places.size(); ++p)
-      lines.push_back(
-          {segment(places[p], places[p + 1]), PlanLayer::Stair, shown.room});
+  const auto addElement = [&](const PlanElement& element) {
+    lines.push_back({element, PlanLayer::Stair, shown.room});
+  };
+  const auto add = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+    addElement(segment(from, to));
   };
   const auto& risers = flight.risers;
-  const std::size_t below = shown.below;
-  const bool is_cut = below < flight.steps();
-  const std::size_t last = below - 1;
-  for (std::size_t k = 0; k <= last; ++k)
-    add({risers[k][0], risers[k][1]});
-  for (std::size_t k = 0; k < last; ++k) {
-    add({risers[k][0], risers[k + 1][0]});
-    add({risers[k][1], risers[k + 1][1]});
-    add({flight.middle(k), flight.middle(k + 1)});
+  const std::size_t last = shown.below - 1;
+  for (std::size_t k = shown.first; k <= last; ++k)
+    add(risers[k][0], risers[k][1]);
+  for (std::size_t k = shown.first; k < last; ++k) {
+    add(risers[k][0], risers[k + 1][0]);
+    add(risers[k][1], risers[k + 1][1]);
+    add(flight.middle(k), flight.middle(k + 1));
   }
-  if (last > 0) {
+  if (shown.first == 0) {
+    PlanElement foot = segment(flight.middle(0) + Eigen::Vector2d(dot, 0),
+                               flight.middle(0) + Eigen::Vector2d(dot, 0));
+    foot.centre = flight.middle(0);
+    foot.radius = dot;
+    addElement(foot);
+  }
+  if (last > shown.first) {
     const Eigen::Vector2d way =
         head * (flight.middle(last) - flight.middle(last - 1)).normalized();
     const Eigen::Vector2d left(-way.y() / 2, way.x() / 2);
-    add({flight.middle(last) - way + left, flight.middle(last),
-         flight.middle(last) - way - left});
+    add(flight.middle(last) - way + left, flight.middle(last));
+    add(flight.middle(last), flight.middle(last) - way - left);
   }
-  if (!is_cut)
+  if (shown.below == flight.steps())
     return;
-  // Across the tread at the cut: straight, up, down, straight.
-  const auto across = [&](double share, double up) -> Eigen::Vector2d {
-    const auto on = [&](const PlanFlight::Riser& riser) -> Eigen::Vector2d {
-      return riser[0] + share * (riser[1] - riser[0]);
-    };
-    return on(risers[below - 1]) + up * (on(risers[below]) - on(risers[below - 1]));
+  const Eigen::Vector2d across = (risers[last][1] - risers[last][0]).normalized();
+  const Eigen::Vector2d onwards =
+      flight.going() * Eigen::Vector2d(-across.y(), across.x());
+  const auto along = [&](std::size_t side, double up) -> Eigen::Vector2d {
+    return risers[last][side] + up * onwards;
   };
-  add({across(0, 0.3), across(0.4, 0.5), across(0.45, 1), across(0.55, 0),
-       across(0.6, 0.5), across(1, 0.7)});
+  for (const double up : {0.15, 0.4})
+    add(along(0, up), along(1, up + 0.45));
+  add(risers[last][0], along(0, 0.4));
+  add(risers[last][1], along(1, 0.85));
 }
 
 } // namespace
@@ -94,18 +111,12 @@ addStairs(const Floorplan& plan, std::vector<PlanLine>& lines)
                      return a.flight->bottom > b.flight->bottom;
                    });
   std::vector<PlanLoop> drawn;
-  for (const ShownFlight& flight : shown) {
-    const auto covers = [&](const PlanLoop& above) {
-      for (std::size_t k = 0; k + 1 < flight.below; ++k)
-        if (above.contains((flight.flight->middle(k) + flight.flight->middle(k + 1)) /
-                           2))
-          return true;
-      return false;
-    };
-    if (std::any_of(drawn.begin(), drawn.end(), covers))
-      continue;
+  for (ShownFlight& flight : shown) {
+    for (const PlanLoop& above : drawn)
+      flight.hideBelow(above);
     drawn.push_back(flight.outline());
-    addFlight(flight, lines);
+    if (flight.first + 1 < flight.below)
+      addFlight(flight, lines);
   }
 }
 
