@@ -3,8 +3,7 @@
 
 #include "hidden_air.h"
 #include "low_air.h"
-#include "slab_faces.h"
-#include "slab_holes.h"
+#include "slabs.h"
 #include "veils.h"
 
 #include "sedr_filters/src/base/parallel.h"
@@ -109,10 +108,9 @@ AirGaps::followCeilings(const VoxelColumns& seen)
 void
 AirGaps::closeSlabs()
 {
-  while (true) { // once for each storey that a hole reaches through
-    std::vector<AirGap> closed = withSlabsClosed(*this);
-    if (closed.size() == gaps_.size())
-      return;
+  for (std::size_t before = 0; before < gaps_.size();) { // once for each storey
+    before = gaps_.size();
+    std::vector<AirGap> closed = withHolesClosed(*this);
     gaps_.clear();
     sortGaps(std::move(closed));
   }
