@@ -7,6 +7,7 @@
 #include "../scan/upright_walls.h"
 #include "energy_fit.h"
 #include "rooms_above.h"
+#include <pcl/sedr_segmentation/tilted_faces.h>
 
 #include "sedr_filters/src/plan/plan_evidence.h"
 #include <pcl/impl/instantiate.hpp>

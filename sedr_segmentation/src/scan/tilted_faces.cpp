@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tilted_faces.h"
+#include <pcl/sedr_segmentation/tilted_faces.h>
 
 #include "../curves/plan_points.h"
 #include "patch_normals.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "upright_walls.h"
 
+#include <pcl/sedr_segmentation/tilted_faces.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -5,8 +5,7 @@
 #include "../mesh/mesh_repair.h"
 #include "sedr_filters/src/rays/sight_lines.h"
 #include "sedr_segmentation/src/scan/scan_tilt.h"
-#include "sedr_segmentation/src/scan/tilted_faces.h"
-#include "sedr_segmentation/src/scan/upright_walls.h"
+#include <pcl/sedr_segmentation/tilted_faces.h>
 
 #include <cmath>
 

@@ -301,7 +301,7 @@ extrudeRoom(const PlanRoom& room,
   if (report.problem.empty())
     report.problem = SolidBuilder(layers, subdivision).build(solid);
   if (report.problem.empty() && is_tilted) {
-    const std::string folded = tiltWalls(layers, room, solid);
+    const std::string folded = tiltSolid(layers, room, solid);
     if (!folded.empty()) {
       report = extrudeRoom(withVerticalWalls(room), parameters, solid, elements);
       report.warnings.push_back(

@@ -259,7 +259,7 @@ uprightRoom(const PlanRoom& room)
 }
 
 std::string
-tiltWalls(const RoomLayers& layers, const PlanRoom& room, TriangleMesh& solid)
+tiltSolid(const RoomLayers& layers, const PlanRoom& room, TriangleMesh& solid)
 {
   return TiltedSolid(layers, room, solid).run();
 }

@@ -22,6 +22,6 @@ PlanRoom uprightRoom(const PlanRoom& room);
  * @param[in,out] solid with indices into layers.elements
  * @return an empty string, or what cannot be built, as the end of a sentence */
 std::string
-tiltWalls(const RoomLayers& layers, const PlanRoom& room, TriangleMesh& solid);
+tiltSolid(const RoomLayers& layers, const PlanRoom& room, TriangleMesh& solid);
 
 } // namespace pcl::sedr

@@ -2,7 +2,9 @@
 #include "two_rooms.h"
 
 #include <pcl/sedr_filters/point_types.h>
+#include <pcl/sedr_segmentation/tilted_faces.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace {
@@ -221,6 +223,48 @@ TEST(FloorplanFitting, RoomsOfAnotherNumberOfPointsAreRefusedWithBothNumbers)
   EXPECT_NE(fitting.getErrorMessage().find("with the tilted walls 0"),
             std::string::npos)
       << fitting.getErrorMessage();
+}
+
+TEST(FloorplanFitting, FitsTiltedWallsToPointsThatWereMovedUpright)
+{
+  // The wall at x = 4 m tilts into the room by 5 degrees.
+  const double run = std::tan(5 * M_PI / 180);
+  RoomPoints points;
+  RoomParts parts = points.room(rectangle(0, 0, 4, 3), 0, 2.5);
+  const auto scanned = points.cloud();
+  for (auto& p : *scanned)
+    if (p.x > 3.98F && p.z > 0.01F && p.z < 2.49F)
+      p.x -= static_cast<float>(run) * p.z;
+  const auto isBehind = [&](int i) {
+    return (*scanned)[static_cast<std::size_t>(i)].x > 4 - 2.5 * run;
+  };
+  parts.ceiling.erase(
+      std::remove_if(parts.ceiling.begin(), parts.ceiling.end(), isBehind),
+      parts.ceiling.end());
+  std::vector<int> all = parts.ceiling;
+  for (const auto* part : {&parts.floor, &parts.walls})
+    all.insert(all.end(), part->begin(), part->end());
+  const std::vector<TiltedFace> faces = tiltedFaces(PointView(*scanned), all);
+  ASSERT_FALSE(faces.empty());
+  const pcl::PointCloud<pcl::PointXYZ>::Ptr moved(
+      new pcl::PointCloud<pcl::PointXYZ>(*scanned));
+  for (auto& p : *moved)
+    p.getVector3fMap() =
+        upright(faces, p.getVector3fMap().cast<double>()).cast<float>();
+  Fitting fitting;
+  fitting.setInputCloud(moved);
+  fitting.setCeilingIndices(shared(parts.ceiling));
+  fitting.setFloorIndices(shared(parts.floor));
+  fitting.setWallIndices(shared(parts.walls));
+  fitting.setTiltedWalls(faces, scanned);
+  Floorplan plan;
+  ASSERT_TRUE(fitting.segment(plan)) << fitting.getErrorMessage();
+  const PlanLoop& boundary = plan.rooms.at(0).boundary;
+  EXPECT_LT(cornerError(boundary, rectangle(0, 0, 4, 3)), 0.01);
+  double most = 0;
+  for (const PlanElement& wall : boundary.elements)
+    most = std::max(most, wall.tilt);
+  EXPECT_NEAR(most, 5 * M_PI / 180, 0.002);
 }
 
 TEST(FloorplanFitting, ARadiusBeyondTheLimitsIsNoArc)

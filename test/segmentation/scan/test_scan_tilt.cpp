@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sedr_segmentation/src/scan/scan_tilt.h"
-#include "sedr_segmentation/src/scan/upright_walls.h"
+#include <pcl/sedr_segmentation/tilted_faces.h>
 
 #include "turned_room.h"
 #include <pcl/sedr_filters/scan_frame.h>

@@ -8,6 +8,7 @@
 #include <pcl/sedr_filters/scan_frame.h>
 #include <pcl/sedr_filters/stage_error.h>
 #include <pcl/sedr_filters/tilted_walls.h>
+#include <pcl/sedr_segmentation/wall_noise.h>
 
 #include <pcl/pcl_base.h>
 
@@ -52,18 +53,6 @@ struct FittedBoundary {
   std::uint32_t room = 0;                      ///< number of the room
   StructureLabel label = StructureLabel::Wall; ///< Wall, or Column for an inner loop
   std::vector<ContourSample> samples;          ///< around the loop
-};
-
-/** @brief Noise of the walls of rooms that share heights, measured along straight
- * stretches of them; metres. It decides how many corners a plan has. */
-struct WallNoise {
-  double measured = 0;       ///< standard deviation of a place from a metre of its wall
-  double sigma = 0.01;       ///< that which the fit takes: within what it is made for
-  double correlation = 0.1;  ///< so long a piece of wall is one independent observation
-  double spread = 0.01;      ///< standard deviation of such an observation from metres
-                             ///< of its wall, which waves: at least sigma
-  std::size_t stretches = 0; ///< in which it was measured; 0: too few, it is assumed
-  std::vector<std::uint32_t> rooms; ///< their numbers
 };
 
 } // namespace sedr
@@ -169,9 +158,10 @@ public:
   /** @brief Returns the indices of the raw points to use; null: all. */
   IndicesConstPtr getRawIndices() const { return raw_indices_; }
 
-  /** @brief Sets the walls of a scan with tilted ones. The input cloud then has them
-   * vertical, and `scanned` has its points where they were scanned; so has the raw
-   * cloud. Default: no wall is tilted. */
+  /** @brief Sets the walls of a scan with tilted ones, from tiltedFaces(). The input
+   * cloud then has them vertical, each point moved by upright(), and `scanned` has its
+   * points where they were scanned; so has the raw cloud. Default: no wall is tilted.
+   */
   void setTiltedWalls(std::vector<sedr::TiltedFace> faces,
                       typename pcl::PointCloud<PointT>::ConstPtr scanned)
   {
