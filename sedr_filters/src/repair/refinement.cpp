@@ -311,7 +311,7 @@ tiltAt(const Floorplan& plan, const PlanOpening& opening, double z)
 } // namespace
 
 bool
-isInOpening(const Floorplan& plan, const Eigen::Vector3d& place)
+isInOpening(const Floorplan& plan, const Eigen::Vector3d& place, double margin)
 {
   constexpr double beside = 0.1; // the bulge of a curved wall, metres
   return std::any_of(
@@ -320,11 +320,11 @@ isInOpening(const Floorplan& plan, const Eigen::Vector3d& place)
         const Eigen::Vector2d way = (o.end - o.start) / (2 * half);
         const Eigen::Vector2d off =
             place.head<2>() - tiltAt(plan, o, place.z()) - (o.start + o.end) / 2;
-        const double along = off.dot(way) / half; // -1 to 1
-        if (!(std::abs(along) < 1) || place.z() <= o.bottom ||
+        const double along = off.dot(way) / (half + margin); // -1 to 1
+        if (!(std::abs(along) < 1) || place.z() <= o.bottom - margin ||
             std::abs(way.x() * off.y() - way.y() * off.x()) > o.depth / 2 + beside)
           return false;
-        return place.z() < o.top - o.rise * (1 - std::sqrt(1 - along * along));
+        return place.z() < o.top + margin - o.rise * (1 - std::sqrt(1 - along * along));
       });
 }
 

@@ -123,14 +123,14 @@ public:
           (number_[i] >= 0 && answer_[static_cast<std::size_t>(number_[i])]);
     region.cells = markedRegions(region.cells, core_, false);
     fillSeenHoles(region.cells);
-    for (std::size_t i = 0; i < number_.size(); ++i)
-      if (seen_.values()[i] && !reveal_.values()[i] && !region.cells.values()[i])
-        region.lost += size_ * size_;
-    // The ceiling beside walls is rarely seen.
-    const CellMask unseen = subtract(subtract(region.cells, seen_), wall_);
-    region.unseen =
-        static_cast<double>(dilated(eroded(unseen, core_depth), core_depth).count()) *
-        size_ * size_;
+    // The ceiling beside walls is rarely seen, and points of it lie in their cells.
+    const auto areaOff = [&](const CellMask& cells, const CellMask& walls, int rim) {
+      const CellMask off = subtract(cells, walls);
+      return static_cast<double>(dilated(eroded(off, rim), rim).count()) * size_ *
+             size_;
+    };
+    region.lost = areaOff(subtract(seen_, region.cells), reveal_, 1);
+    region.unseen = areaOff(subtract(region.cells, seen_), wall_, core_depth);
     return region;
   }
 

@@ -151,11 +151,10 @@ judge(const AirGaps& air,
           "a landing of stairs, or above furniture: on the floor of no storey",
           LeftOutKind::Landing};
   // A view from a larger room that one walks into it from may be all that shows a part.
-  for (std::size_t p = 0; p < parts.size(); ++p)
-    for (const RoomOpening& way : parted.openings)
-      if (way.b == p && isWalkable(way) && verdicts[way.a].isRoom() &&
-          verdicts[p].isRoom() && parameters.minimum_enclosure > 0)
-        verdicts[p] = seenInPart(parts[p], rectangleAround(parts[p], grid));
+  if (parameters.minimum_enclosure > 0)
+    for (const RoomOpening& way : parted.openings) // a is the larger one, in order
+      if (isWalkable(way) && verdicts[way.a].isRoom() && verdicts[way.b].isRoom())
+        verdicts[way.b] = seenInPart(parts[way.b], rectangleAround(parts[way.b], grid));
   return verdicts;
 }
 

@@ -222,6 +222,7 @@ TEST(VerticalHoleRepair, KeepsAnOpeningOfATiltedWall)
     const double x = 4 - z * std::tan(12 * M_PI / 180);
     EXPECT_TRUE(isInOpening(plan, {x, 1.5, z})) << z;
     EXPECT_FALSE(isInOpening(plan, {x, 0.9, z})) << z;
+    EXPECT_TRUE(isInOpening(plan, {x, 0.97, z}, 0.05)) << "on its reveal";
     EXPECT_FALSE(isInOpening(plan, {4, 1.5, z})) << z;
   }
 }

@@ -34,17 +34,15 @@ shaken(PlanLoop loop, double most, unsigned seed)
   if (loop.elements.size() == 1) {
     const Vector2d shift(off(random), off(random));
     PlanElement& e = loop.elements[0];
-    e.centre += shift;
-    e.start += shift;
-    e.end += shift;
+    for (Vector2d* place : {&e.centre, &e.start, &e.end})
+      *place += shift;
     return loop;
   }
-  for (std::size_t i = 0; i < loop.elements.size(); ++i) {
-    PlanElement& e = loop.elements[i];
-    PlanElement& before =
-        loop.elements[(i + loop.elements.size() - 1) % loop.elements.size()];
+  PlanElement* before = &loop.elements.back();
+  for (PlanElement& e : loop.elements) {
     e.start += Vector2d(off(random), off(random));
-    before.end = e.start;
+    before->end = e.start;
+    before = &e;
   }
   for (PlanElement& e : loop.elements)
     if (e.isArc()) { // the centre is on the bisector of the chord
@@ -74,9 +72,7 @@ offPlan(PlanRoom room, double most = 0.02, unsigned seed = 1)
   room.boundary = shaken(room.boundary, most, seed);
   room.floor = slabAt(most / 2);
   room.ceiling = slabAt(room.ceiling.heightAt({0, 0}) - most / 2);
-  Floorplan plan;
-  plan.rooms.push_back(std::move(room));
-  return plan;
+  return {{std::move(room)}};
 }
 
 PlanRoom

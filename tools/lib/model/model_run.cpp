@@ -18,6 +18,7 @@
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_surface/src/sheet/sheet.h"
 #include <pcl/sedr_filters/floorplan_io.h>
+#include <pcl/sedr_filters/impl/refinement.h>
 #include <pcl/sedr_surface/floorplan_ifc.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>
 #include <pcl/sedr_surface/mesh_io.h>
@@ -123,15 +124,18 @@ reconstruct(const ModelSettings& settings, Reconstruction& chain, RunRecord& rec
 }
 
 /** @brief Measures distances of the labelled scan points, before refinement, from the
- * mesh. */
+ * mesh; not those in openings and on their reveals, for the mesh closes openings. */
 MeshEvaluationResult
 evaluate(const Reconstruction& chain, unsigned threads, StageReport& report)
 {
   const auto& result = chain.getChain();
+  constexpr double reveal = 0.05; // metres: what noise makes of its points
   const std::size_t scanned = result.scannedPoints();
   pcl::IndicesPtr structure(new pcl::Indices);
   for (std::size_t i = 0; i < scanned; ++i)
-    if (result.labels[i] != 0)
+    if (result.labels[i] != 0 &&
+        !isInOpening(*chain.getFloorplan(),
+                     (*result.cloud)[i].getVector3fMap().cast<double>(), reveal))
       structure->push_back(static_cast<int>(i));
   pcl::MeshEvaluation evaluation;
   const std::shared_ptr<const TriangleMesh> mesh(

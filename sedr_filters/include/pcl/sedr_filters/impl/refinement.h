@@ -29,9 +29,10 @@ Refinement refineToPlan(const PointView& points,
                         double farthest,
                         unsigned threads);
 
-/** @brief Checks whether a place is in an opening, or on its plane in a face of the
- * wall. O(openings). */
-bool isInOpening(const Floorplan& plan, const Eigen::Vector3d& place);
+/** @brief Checks whether a place is in an opening or at most `margin` metres beside it,
+ * or on its plane in a face of the wall. O(openings). */
+bool
+isInOpening(const Floorplan& plan, const Eigen::Vector3d& place, double margin = 0);
 
 /** @brief A point of a room after hole repair. */
 struct RepairedPoint {
