@@ -90,7 +90,14 @@ solve(const std::vector<OrientedPoint>& local,
   Eigen::AlignedBox3f box;
   for (const OrientedPoint& p : local)
     box.extend(p.position);
-  const double extent = box.sizes().maxCoeff();
+  constexpr double max_extent = 1e6; // metres, as that of plans
+  const double extent = box.sizes().cast<double>().maxCoeff();
+  if (!(extent <= max_extent)) {
+    report.problem = "its points extend over more than " +
+                     shortDecimalText(max_extent, 0) +
+                     " m: remove those that are far from the others";
+    return false;
+  }
   report.spacing = measureSpacing(local);
   if (!(report.spacing > 0) || !(extent > 4 * report.spacing)) {
     report.problem = "the " + std::to_string(local.size()) + " points extend over " +

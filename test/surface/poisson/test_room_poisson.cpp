@@ -120,6 +120,19 @@ TEST(RoomPoisson, points_that_enclose_nothing_do_not_pass_as_a_room)
   EXPECT_FALSE(report.problem.empty());
 }
 
+TEST(RoomPoisson, points_as_far_away_as_numbers_go_are_refused)
+{
+  for (const float far : {1e7F, 1e20F, 3e38F}) {
+    auto points = boxRoom().points(0.125);
+    points[7].position.x() = far;
+    points[8].position.y() = -far;
+    const auto [mesh, report] = surfaceOf({0, points}, {});
+    EXPECT_TRUE(mesh.empty()) << far;
+    EXPECT_EQ(report.problem, "its points extend over more than 1000000 m: remove "
+                              "those that are far from the others");
+  }
+}
+
 TEST(RoomPoisson, a_room_without_a_floor_comes_with_a_warning)
 {
   std::vector<OrientedPoint> points;
