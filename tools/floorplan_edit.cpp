@@ -26,7 +26,7 @@ struct Edits {
 };
 
 /** @brief Calls `read` for each edit of an option, which applies it; throws ToolError
- * unless it has read the whole text. */
+ * unless the edit begins with the number of a room and is read to its end. */
 template <typename Read>
 void
 forEachEdit(const std::string& edits, const std::string& wanted, const Read& read)
@@ -34,7 +34,8 @@ forEachEdit(const std::string& edits, const std::string& wanted, const Read& rea
   std::istringstream list(edits);
   for (std::string edit; std::getline(list, edit, ';');) {
     int end = 0; // of what was read
-    if (!read(edit, end) || static_cast<std::size_t>(end) != edit.size())
+    if (edit.empty() || edit[0] < '0' || edit[0] > '9' || !read(edit, end) ||
+        static_cast<std::size_t>(end) != edit.size())
       throw ToolError("'" + edit + "': " + wanted);
   }
 }
@@ -56,7 +57,8 @@ apply(const Edits& edits, PlanEditor& editor)
   };
   forEachEdit(edits.move, "--move-wall wants ROOM.WALL=METRES, such as 3.12=0.05",
               [&](const std::string& edit, int& end) {
-                return std::sscanf(edit.c_str(), "%9u.%9u=%lf%n", &a, &b, x, &end) == 3 &&
+                return std::sscanf(edit.c_str(), "%9u.%9u=%lf%n", &a, &b, x, &end) ==
+                           3 &&
                        done(editor.moveWall(a, b, x[0]), "--move-wall " + edit);
               });
   forEachEdit(
@@ -73,6 +75,7 @@ apply(const Edits& edits, PlanEditor& editor)
   forEachEdit(edits.merge, "--merge wants ROOM,ROOM",
               [&](const std::string& edit, int& end) {
                 return std::sscanf(edit.c_str(), "%9u,%9u%n", &a, &b, &end) == 2 &&
+                       edit.find('-') == std::string::npos &&
                        done(editor.merge(a, b), "--merge " + edit);
               });
   forEachEdit(edits.drop, "--drop wants a room",

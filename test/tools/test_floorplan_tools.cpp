@@ -266,6 +266,8 @@ TEST(FloorplanEditTool, AppliesEveryEditOrWritesNothing)
                               {"--merge", "1"},
                               {"--name", "Kitchen"},
                               {"--square", "1,"},
+                              {"--merge", "-1,2"},
+                              {"--merge", ""},
                               {"--merge", "1,9"}}) {
     const ProgramRun refused = run(FLOORPLAN_EDIT, {plan, output, edit[0], edit[1]});
     EXPECT_EQ(refused.exit_code, 1) << edit[1];

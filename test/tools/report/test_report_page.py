@@ -373,7 +373,7 @@ class ReportInABrowser(ReportCase):
         self.assertIn("59\u00a0%", self.open().run("document.getElementById('figures').textContent"))
 
     def test_the_noise_of_walls_is_told_with_its_length(self):
-        self.assertIn("noise of walls, correlated over 12.0\u00a0cm0.52\u00a0cm", self.open().run("document.getElementById('figures').textContent"))
+        self.assertIn("scatter of points about their walls, alike over 12.0\u00a0cm0.52\u00a0cm", self.open().run("document.getElementById('figures').textContent"))
 
     def test_warnings_have_numbers_on_the_plan_that_lies_over_the_scan(self):
         browser = self.open()

@@ -105,8 +105,9 @@ void
 addScanOptions(Options& options, ScanOptions& scan)
 {
   options.optionalNumber("unit", scan.unit, "m",
-                         "length of one unit of the scan: 0.001 for millimetres", "1",
-                         Range::between(1e-6, 1e6));
+                         "length of one unit of the scan: 0.001 for millimetres, "
+                         "0.3048 for feet",
+                         "1", Range::between(1e-6, 1e6));
   options.text("origin", scan.origin,
                "x,y,z in m that coordinates are counted from, or a model whose origin "
                "is taken; whole metres in the middle of scans that lie more than 1 km "

@@ -69,7 +69,7 @@
     if (report.support) figures.push(['of the walls measured', percent(report.support.measured)],
       ['inferred', percent(report.support.inferred)], ['seen by nobody', percent(report.support.unseen)]);
     for (const noise of (report.noise || []).filter(storey => storey.stretches).sort((a, b) => b.measured - a.measured).slice(0, 1))
-      figures.push([`noise of walls, correlated over ${centimetres(noise.correlation)}`, centimetres(noise.measured)]);
+      figures.push([`scatter of points about their walls, alike over ${centimetres(noise.correlation)}`, centimetres(noise.measured)]);
     if (distances && distances.count) figures.push(['half the points within', centimetres(distances.median)],
       ['within 5\u00a0cm', percent(distances.within_5cm)]);
     byId('figures').append(...figures.map(([name, value]) =>
@@ -94,8 +94,8 @@
       .map(name => '--' + name.replace('_', '-') + ' 0.1').join(' and ');
     if (distances.median > 0.02)
       yield [`Half of the structure's points lie more than ${distance(distances.median)} off the model.`,
-        options ? `A scan so noisy needs ${options}; one in other units --unit.`
-          : 'That is its noise, which the tolerances of this run take in; a scan in other units needs --unit.'];
+        options ? `A scan so noisy needs ${options}; one in millimetres --unit 0.001, in feet --unit 0.3048.`
+          : 'That is its noise, which the tolerances of this run take in; a scan in millimetres needs --unit 0.001, in feet --unit 0.3048.'];
     else if (distances.within_5cm < 0.85)
       yield [`${percent(1 - distances.within_5cm)} of the structure's points lie more than 5 cm off the model.`,
         'Often that is furniture at the walls: see where it is in the picture of distances.'];
