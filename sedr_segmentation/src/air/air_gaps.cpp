@@ -34,14 +34,13 @@ AirGaps::AirGaps(const VoxelColumns& columns,
     , parameters_(parameters)
 {
   findGaps();
-  if (fine != nullptr) {
-    std::vector<AirGap> gaps = withoutVeils(*this, *fine);
-    gaps_.clear();
-    sortGaps(std::move(gaps));
-  }
+  if (fine != nullptr)
+    setGaps(withoutVeils(*this, *fine));
   followCeilings(seen);
   closeSlabs();
-  sortGaps(hiddenAirOf(*this));
+  std::vector<AirGap> all = hiddenAirOf(*this);
+  all.insert(all.begin(), gaps_.begin(), gaps_.end());
+  setGaps(std::move(all));
   linkGaps();
   gaps_ = withBothFaces(*this);
   linkGaps();
@@ -67,9 +66,10 @@ AirGaps::findGaps()
       });
     }
   });
+  std::vector<AirGap> gaps;
   for (auto& of_tile : found)
-    gaps_.insert(gaps_.end(), of_tile.begin(), of_tile.end());
-  sortGaps({});
+    gaps.insert(gaps.end(), of_tile.begin(), of_tile.end());
+  setGaps(std::move(gaps));
 }
 
 /** @brief Raises the gaps that end below a closed hole to the ceiling that was seen
@@ -110,22 +110,17 @@ AirGaps::closeSlabs()
 {
   for (std::size_t before = 0; before < gaps_.size();) { // once for each storey
     before = gaps_.size();
-    std::vector<AirGap> closed = withHolesClosed(*this);
-    gaps_.clear();
-    sortGaps(std::move(closed));
+    setGaps(withHolesClosed(*this));
   }
 }
 
 void
-AirGaps::sortGaps(std::vector<AirGap>&& added)
+AirGaps::setGaps(std::vector<AirGap> gaps)
 {
-  const auto isBefore = [](const AirGap& a, const AirGap& b) {
+  gaps_ = std::move(gaps);
+  std::stable_sort(gaps_.begin(), gaps_.end(), [](const AirGap& a, const AirGap& b) {
     return std::pair(a.column, a.low) < std::pair(b.column, b.low);
-  };
-  std::sort(added.begin(), added.end(), isBefore);
-  const auto middle = static_cast<std::ptrdiff_t>(gaps_.size());
-  gaps_.insert(gaps_.end(), added.begin(), added.end());
-  std::inplace_merge(gaps_.begin(), gaps_.begin() + middle, gaps_.end(), isBefore);
+  });
   first_.assign(columns_.size() + 1, 0);
   for (const AirGap& gap : gaps_)
     ++first_[gap.column + 1];
@@ -234,8 +229,7 @@ AirGaps::keepAir()
       kept.push_back(gaps_[g]);
   void_area_ = static_cast<double>(gaps_.size() - kept.size()) * columns_.cellSize() *
                columns_.cellSize();
-  gaps_.clear();
-  sortGaps(std::move(kept));
+  setGaps(std::move(kept));
   linkGaps();
 }
 

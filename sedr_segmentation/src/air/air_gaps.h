@@ -3,6 +3,8 @@
 
 #include "voxel_columns.h"
 
+#include <Eigen/Core>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -116,6 +118,23 @@ public:
    * can walk upright on the same floor, else that which does so most. */
   std::uint32_t goingOnFrom(const AirGap& gap, std::uint32_t column) const;
 
+  /** @brief The middle of a gap in plan. */
+  Eigen::Vector2d placeOf(std::uint32_t g) const
+  {
+    return columns_.grid().centre(columns_.cellOf(gaps_[g].column));
+  }
+
+  std::uint32_t columnAt(const Eigen::Vector2d& place) const
+  {
+    return columns_.columnAt(columns_.grid().at(place.x(), place.y()));
+  }
+
+  /** @brief The gap at a place in which another goes on, `none` for none. */
+  std::uint32_t gapAt(const Eigen::Vector2d& place, const AirGap& like) const
+  {
+    return goingOnFrom(like, columnAt(place));
+  }
+
   /** @brief Share of the heights [low, high) of a column at which something is. Heights
    * are counted in voxels, in taller steps where the columns are larger because the
    * scan is sparse. 0 for no heights. */
@@ -134,7 +153,7 @@ private:
   void findGaps();
   void followCeilings(const VoxelColumns& seen);
   void closeSlabs();
-  void sortGaps(std::vector<AirGap>&& added);
+  void setGaps(std::vector<AirGap> gaps);
   void linkGaps();
   void keepAir();
 

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <utility>
 
 namespace pcl::sedr {
@@ -37,17 +38,8 @@ spread(const AirGaps& air, std::vector<float> values, int reach, Better better)
   return values;
 }
 
-bool
-higher(float a, float b)
-{
-  return a > b;
-}
-
-bool
-lower(float a, float b)
-{
-  return a < b;
-}
+constexpr std::greater<float> higher;
+constexpr std::less<float> lower;
 
 std::vector<float>
 ceilingOf(const AirGaps& air)

@@ -21,8 +21,10 @@ public:
 
   bool empty() const { return bins_.empty(); }
 
-  /** @brief The lowest height around which at least `share` of all lie, metres. */
-  double lowestOf(double share) const
+  /** @brief The lowest height around which at least `share` of all lie, metres: of a
+   * floor that of a tenth, what is smaller is a hole in it, and higher is what stands
+   * on it. */
+  double lowestOf(double share = 0.1) const
   {
     for (const auto& entry : bins_)
       if (static_cast<double>(around(entry.first)) >= share * total())

@@ -90,8 +90,8 @@ private:
   /** @brief Whether a gap reaches through a slab, with headroom on both sides. */
   bool reachesThrough(std::uint32_t g, const Slab& slab) const
   {
-    return air_.hasHeadroom(air_[g].low, voxelOf(slab[0])) &&
-           air_.hasHeadroom(voxelOf(slab[1]), air_[g].high);
+    return air_.hasHeadroom(air_[g].low, air_.voxels(slab[0])) &&
+           air_.hasHeadroom(air_.voxels(slab[1]), air_[g].high);
   }
 
   bool isThrough(std::uint32_t g) const { return above_[g] == g; }
@@ -108,7 +108,7 @@ private:
   {
     AirGap below = air_[g];
     if (isThrough(g))
-      below.high = voxelOf(slab_[g][0]);
+      below.high = air_.voxels(slab_[g][0]);
     return air_.goingOnFrom(below, air_.columns().neighbour(below.column, d));
   }
 
@@ -148,7 +148,6 @@ private:
   void completeFace(const std::vector<std::uint32_t>& region,
                     const std::vector<Slab>& rim)
   {
-    constexpr double share_of_floor = 0.2; // of a rim; the rest may be furniture
     std::array<HeightCounts, 2> heights;
     for (const std::uint32_t g : region)
       for (std::size_t side = 0; side < 2; ++side)
@@ -165,8 +164,7 @@ private:
     if (goes_on[0] + goes_on[1] == 0)
       return;
     const bool is_ceiling = goes_on[0] >= goes_on[1];
-    const double other =
-        is_ceiling ? others[0].lowestOf(share_of_floor) : others[1].highestCount();
+    const double other = is_ceiling ? others[0].lowestOf() : others[1].highestCount();
     for (const std::uint32_t g : region)
       if (std::abs(slab_[g][0] - seen[0]) <=
           air_.parameters().same_surface) // else a tread of stairs
@@ -180,9 +178,9 @@ private:
     AirGap lower = air_[g];
     AirGap upper = air_[above_[g]];
     if (is_unseen[0])
-      lower.high = std::min(lower.high, voxelOf(slab[0]));
+      lower.high = std::min(lower.high, air_.voxels(slab[0]));
     if (is_unseen[1])
-      upper.low = std::max(upper.low, voxelOf(slab[1]));
+      upper.low = std::max(upper.low, air_.voxels(slab[1]));
     if (!air_.isTall(lower) || !air_.isTall(upper))
       return;
     lower.ceiling_seen = lower.ceiling_seen && !is_unseen[0];
@@ -192,11 +190,6 @@ private:
       gaps_.push_back(upper);
     else
       gaps_[above_[g]] = upper;
-  }
-
-  std::int32_t voxelOf(double height) const
-  {
-    return air_.columns().voxelAt(height + air_.columns().voxelHeight() / 2);
   }
 
   const AirGaps& air_;

@@ -14,7 +14,7 @@ distanceToRim(const AirGaps& air, const std::vector<std::uint8_t>& inside)
   constexpr int to_rim = 3;
   constexpr std::uint32_t unreached = static_cast<std::uint32_t>(-1);
   const auto isInside = [&](std::uint32_t g) {
-    return g != AirGaps::none && inside[g] != 0;
+    return g != AirGaps::none && (inside.empty() || inside[g] != 0);
   };
   std::vector<std::uint32_t> steps(air.size(), unreached);
   std::vector<std::vector<std::uint32_t>> bucket(8);
@@ -25,7 +25,7 @@ distanceToRim(const AirGaps& air, const std::vector<std::uint8_t>& inside)
     }
   };
   for (std::uint32_t g = 0; g < air.size(); ++g) {
-    if (!inside[g])
+    if (!isInside(g))
       continue;
     for (int d = 0; d < 4; ++d)
       if (!isInside(air.next(g, d))) {

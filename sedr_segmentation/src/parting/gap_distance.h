@@ -8,10 +8,10 @@
 
 namespace pcl::sedr {
 
-/** @brief For each gap that is `inside`, how far it is along the air from the nearest
- * place where the air ends or is not inside, in cells (chamfer distance: 8 % off at
- * most); 0 for the others. O(gaps). */
+/** @brief For each gap that is `inside` (none told: all), how far it is along the air
+ * from the nearest place where the air ends or is not inside, in cells (chamfer
+ * distance: 8 % off at most); 0 for the others. O(gaps). */
 std::vector<float> distanceToRim(const AirGaps& air,
-                                 const std::vector<std::uint8_t>& inside);
+                                 const std::vector<std::uint8_t>& inside = {});
 
 } // namespace pcl::sedr

@@ -55,22 +55,6 @@ private:
     return {cell_ * std::cos(angle), cell_ * std::sin(angle)};
   }
 
-  Eigen::Vector2d placeOf(std::uint32_t g) const
-  {
-    return air_.columns().grid().centre(air_.columns().cellOf(air_[g].column));
-  }
-
-  std::uint32_t columnAt(const Eigen::Vector2d& place) const
-  {
-    return air_.columns().columnAt(air_.columns().grid().at(place.x(), place.y()));
-  }
-
-  /** @brief The gap at a place that goes on from another, `none` for none. */
-  std::uint32_t gapAt(const Eigen::Vector2d& place, std::uint32_t like) const
-  {
-    return air_.goingOnFrom(air_[like], columnAt(place));
-  }
-
   /** @brief How many steps one goes from a place until the air ends, at most `most`. */
   int stepsFrom(const Eigen::Vector2d& place,
                 const Eigen::Vector2d& step,
@@ -78,7 +62,7 @@ private:
                 std::uint32_t like) const
   {
     int n = 0;
-    while (n < most && gapAt(place + (n + 1) * step, like) != AirGaps::none)
+    while (n < most && air_.gapAt(place + (n + 1) * step, air_[like]) != AirGaps::none)
       ++n;
     return n;
   }
@@ -90,7 +74,7 @@ private:
     const double half = distance_[g];
     if (half <= 0 || 2 * half > longest_ + 1)
       return -1;
-    const Eigen::Vector2d place = placeOf(g);
+    const Eigen::Vector2d place = air_.placeOf(g);
     const int reach = static_cast<int>(std::ceil(half)) + 1;
     const int longest = static_cast<int>(longest_);
     std::array<int, directions> steps{};
@@ -111,10 +95,10 @@ private:
 
   bool isFromWallToWall(std::uint32_t g, const Eigen::Vector2d& step) const
   {
-    const Eigen::Vector2d place = placeOf(g);
+    const Eigen::Vector2d place = air_.placeOf(g);
     const auto isWallBehind = [&](const Eigen::Vector2d& way) {
       const int n = stepsFrom(place, way, static_cast<int>(longest_), g);
-      return isWallAt(air_, columnAt(place + (n + 1) * way), air_[g]);
+      return isWallAt(air_, air_.columnAt(place + (n + 1) * way), air_[g]);
     };
     return isWallBehind(step) && isWallBehind(-step);
   }
@@ -137,8 +121,8 @@ private:
   {
     const int wide = length + thickness_ + 1;
     for (int away = 1; away <= thickness_ + 1; ++away) {
-      const Eigen::Vector2d place = placeOf(g) + away * across;
-      if (gapAt(place, g) == AirGaps::none)
+      const Eigen::Vector2d place = air_.placeOf(g) + away * across;
+      if (air_.gapAt(place, air_[g]) == AirGaps::none)
         break;
       if (stepsFrom(place, step, wide, g) + stepsFrom(place, -step, wide, g) >= wide)
         return away;
@@ -153,9 +137,9 @@ private:
             std::vector<std::uint8_t>& is_on_line) const
   {
     constexpr int parts = 4; // of a step: a line without gaps at its corners
-    const Eigen::Vector2d place = placeOf(g);
+    const Eigen::Vector2d place = air_.placeOf(g);
     for (int k = 0;; ++k) {
-      const std::uint32_t o = gapAt(place + k * step / parts, g);
+      const std::uint32_t o = air_.gapAt(place + k * step / parts, air_[g]);
       if (o == AirGaps::none)
         return;
       is_on_line[o] = 1;

@@ -5,20 +5,20 @@ namespace pcl::sedr {
 
 /** @brief What is believed of what parts rooms; lengths in metres. */
 struct PartingParameters {
-  double lintel = 0.12;       ///< a ceiling that dips by more may part what is beside
+  double lintel = 0.12;       ///< a ceiling that dips by more may part what is beside,
+                              ///< and is, in the mean, that of a door
   double lintel_reach = 0.45; ///< half of the longest way below a lintel: of a wall
   double same_basin = 0.75;   ///< a neck this much as wide as the narrower side is none
-  double thickest_wall = 0.6; ///< of a door without a lintel
+  double thickest_wall = 0.6; ///< of a door without a lintel; openings with a pier or
+                              ///< column between them that is no wider are one
   double min_way = 0.5;       ///< what is not half as deep is a ledge, no place
   double widest_door = 1.6;
   double widest_leaf = 0.8; ///< of that: a door without a lintel, which one leaf closes
-  double min_lintel = 0.15; ///< mean dip of what is a door's
   double widest_passage = 4; ///< of one below a deep lintel
   double deep_lintel = 0.2;
-  double widest_pier = 0.6;  ///< a pier or column makes two openings of one no more
-  double jamb = 0.25;        ///< a room goes on beside a door by so much
+  double jamb = 0.25; ///< a room goes on beside a door by so much, and there is a wall
+                      ///< this far from the end of an opening
   double jamb_reach = 2;     ///< as far as it is followed there
-  double end_reach = 0.25;   ///< from the end of an opening to the wall there
   double floor_reach = 1;    ///< the floor near an opening is that within
   double same_floor = 1.0;   ///< floors of one room differ by less at an opening
   double min_over_air = 0.1; ///< share of a gallery; less is on furniture

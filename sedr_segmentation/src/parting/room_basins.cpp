@@ -99,8 +99,8 @@ roomBasins(const AirGaps& air,
   std::vector<std::uint8_t> is_level(air.size());
   for (std::size_t g = 0; g < air.size(); ++g)
     is_level[g] = dip[g] < parameters.lintel ? 1 : 0;
-  const std::vector<std::uint8_t> is_jamb_line = jambLines(
-      air, distanceToRim(air, std::vector<std::uint8_t>(air.size(), 1)), parameters);
+  const std::vector<std::uint8_t> is_jamb_line =
+      jambLines(air, distanceToRim(air), parameters);
   std::vector<std::int32_t> label =
       basinsOf(air, distanceToRim(air, is_level), is_jamb_line, parameters.same_basin);
   growLabels(air, is_jamb_line, label); // rooms meet in doorways

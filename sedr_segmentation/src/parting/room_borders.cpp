@@ -163,8 +163,7 @@ RoomBorders::measureRooms(const AirGaps& air)
   const double cell = air.columns().cellSize();
   for (std::size_t r = 0; r < rooms_.size(); ++r)
     rooms_[r].area = static_cast<double>(labels_.sizes()[r]) * column_area_;
-  const std::vector<float> free =
-      distanceToRim(air, std::vector<std::uint8_t>(air.size(), 1));
+  const std::vector<float> free = distanceToRim(air);
   for (std::uint32_t g = 0; g < air.size(); ++g)
     if (labels_.hasRoom(g)) {
       RoomExtent& own = rooms_[labels_.roomOf(g)];

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 namespace pcl::sedr {
@@ -53,11 +54,11 @@ OpeningMeasures::OpeningMeasures(const AirGaps& air,
     , dip_(dip)
     , parameters_(parameters)
     , cell_(air.columns().cellSize())
-    , visited_(air.size(), 0)
 {}
 
 MeasuredOpening
-OpeningMeasures::measure(const std::vector<Crossing>& crossings, RoomLabels& rooms)
+OpeningMeasures::measure(const std::vector<Crossing>& crossings,
+                         RoomLabels& rooms) const
 {
   MeasuredOpening m;
   Eigen::Vector2d through = Eigen::Vector2d::Zero();
@@ -66,8 +67,8 @@ OpeningMeasures::measure(const std::vector<Crossing>& crossings, RoomLabels& roo
     const double dip = std::max(dip_[c.from], dip_[c.to]);
     const double high =
         air_.columns().heightOf(std::min(air_[c.from].high, air_[c.to].high));
-    through += placeOf(c.to) - placeOf(c.from);
-    m.middle += (placeOf(c.from) + placeOf(c.to)) / 2;
+    through += air_.placeOf(c.to) - air_.placeOf(c.from);
+    m.middle += (air_.placeOf(c.from) + air_.placeOf(c.to)) / 2;
     m.dip += dip;
     m.bottom += air_.columns().heightOf(std::max(air_[c.from].low, air_[c.to].low));
     m.top += high;
@@ -81,9 +82,9 @@ OpeningMeasures::measure(const std::vector<Crossing>& crossings, RoomLabels& roo
   m.direction = directionOf(crossings, through);
   const Ends ends = endsOf(crossings, m.direction);
   const Eigen::Vector2d across(-m.direction.y(), m.direction.x());
-  m.width =
-      std::max(m.direction.dot(placeOf(ends[1].from) - placeOf(ends[0].from)) + cell_,
-               n / std::sqrt(2.0) * cell_);
+  m.width = std::max(
+      m.direction.dot(air_.placeOf(ends[1].from) - air_.placeOf(ends[0].from)) + cell_,
+      n / std::sqrt(2.0) * cell_);
   m.floor_a = floorBeside(crossings, true, rooms);
   m.floor_b = floorBeside(crossings, false, rooms);
   const auto [lower, higher] = std::minmax(m.floor_a, m.floor_b);
@@ -114,7 +115,7 @@ OpeningMeasures::directionOf(const std::vector<Crossing>& crossings,
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
   for (const Crossing& c : crossings) {
-    const Eigen::Vector2d at = (placeOf(c.from) + placeOf(c.to)) / 2;
+    const Eigen::Vector2d at = (air_.placeOf(c.from) + air_.placeOf(c.to)) / 2;
     mean += at / n;
     squares += at * at.transpose() / n;
   }
@@ -129,7 +130,8 @@ OpeningMeasures::endsOf(const std::vector<Crossing>& crossings,
 {
   const auto [first, last] = std::minmax_element(
       crossings.begin(), crossings.end(), [&](const Crossing& a, const Crossing& b) {
-        return direction.dot(placeOf(a.from)) < direction.dot(placeOf(b.from));
+        return direction.dot(air_.placeOf(a.from)) <
+               direction.dot(air_.placeOf(b.from));
       });
   return {*first, *last};
 }
@@ -139,16 +141,13 @@ OpeningMeasures::endsOf(const std::vector<Crossing>& crossings,
 double
 OpeningMeasures::floorBeside(const std::vector<Crossing>& crossings,
                              bool of_first,
-                             RoomLabels& rooms)
+                             RoomLabels& rooms) const
 {
-  ++round_;
-  const auto isNew = [&](std::uint32_t g) {
-    return std::exchange(visited_[g], round_) != round_;
-  };
+  std::unordered_set<std::uint32_t> visited;
   std::vector<std::uint32_t> front;
   for (const Crossing& c : crossings)
-    if (isNew(of_first ? c.from : c.to))
-      front.push_back(of_first ? c.from : c.to);
+    if (const std::uint32_t g = of_first ? c.from : c.to; visited.insert(g).second)
+      front.push_back(g);
   HeightCounts lows;
   for (int step = 0; step <= parameters_.floor_reach / cell_ && !front.empty();
        ++step) {
@@ -157,8 +156,7 @@ OpeningMeasures::floorBeside(const std::vector<Crossing>& crossings,
       lows.add(air_.columns().heightOf(air_[g].low));
       for (int d = 0; d < 4; ++d) {
         const std::uint32_t o = air_.next(g, d);
-        if (o != AirGaps::none && rooms.hasRoom(o) &&
-            rooms.roomOf(o) == rooms.roomOf(g) && isNew(o))
+        if (o != AirGaps::none && rooms.isSameRoom(o, g) && visited.insert(o).second)
           next.push_back(o);
       }
     }
@@ -172,13 +170,14 @@ OpeningMeasures::floorBeside(const std::vector<Crossing>& crossings,
 bool
 OpeningMeasures::endsAtWalls(const Ends& ends, const Eigen::Vector2d& direction) const
 {
-  const int reach = static_cast<int>(std::lround(parameters_.end_reach / cell_)) + 2;
+  const int reach = static_cast<int>(std::lround(parameters_.jamb / cell_)) + 2;
   for (std::size_t end = 0; end < 2; ++end) {
     const Eigen::Vector2d outwards = (end == 0 ? -cell_ : cell_) * direction;
     bool is_wall = false;
     for (int step = 0; step <= reach && !is_wall; ++step)
-      is_wall = isWallAt(air_, columnAt(placeOf(ends[end].from) + step * outwards),
-                         air_[ends[end].from]);
+      is_wall =
+          isWallAt(air_, air_.columnAt(air_.placeOf(ends[end].from) + step * outwards),
+                   air_[ends[end].from]);
     if (!is_wall)
       return false;
   }
@@ -194,25 +193,22 @@ OpeningMeasures::besideOf(const Ends& ends,
                           bool of_first,
                           RoomLabels& rooms) const
 {
-  const auto gapAt = [&](const Eigen::Vector2d& place, const AirGap& like) {
-    return air_.goingOnFrom(like, columnAt(place));
-  };
   const int depth = static_cast<int>(std::ceil(parameters_.thickest_wall / cell_));
   const auto isInWall = [&](const Eigen::Vector2d& place, const AirGap& like) {
-    const std::uint32_t g = gapAt(place, like);
+    const std::uint32_t g = air_.gapAt(place, like);
     return g != AirGaps::none && dip_[g] >= parameters_.lintel;
   };
   std::array<double, 2> farthest{0, 0};
   for (std::size_t end = 0; end < 2; ++end) {
     const AirGap& like = air_[ends[end].from];
-    const std::uint32_t room = rooms.roomOf(of_first ? ends[end].from : ends[end].to);
+    const std::uint32_t own = of_first ? ends[end].from : ends[end].to;
     const auto isInRoom = [&](const Eigen::Vector2d& place) {
-      const std::uint32_t g = gapAt(place, like);
-      return g != AirGaps::none && rooms.hasRoom(g) && rooms.roomOf(g) == room;
+      const std::uint32_t g = air_.gapAt(place, like);
+      return g != AirGaps::none && rooms.isSameRoom(g, own);
     };
     for (int away = 1;; ++away) {
       const Eigen::Vector2d outwards = (end == 0 ? -cell_ : cell_) * direction;
-      Eigen::Vector2d place = placeOf(ends[end].from) + away * cell_ * into;
+      Eigen::Vector2d place = air_.placeOf(ends[end].from) + away * cell_ * into;
       if (away > depth && !isInWall(place - cell_ * into, like))
         break; // no lintel goes on above: a wall thicker than most ends here
       double length = -cell_; // the first step is the end itself
@@ -231,7 +227,7 @@ isDoor(const MeasuredOpening& opening, const PartingParameters& parameters)
 {
   if (!opening.has_ends)
     return false;
-  const bool has_lintel = opening.dip >= parameters.min_lintel;
+  const bool has_lintel = opening.dip >= parameters.lintel;
   const bool is_deep = opening.dip >= parameters.deep_lintel;
   const bool on_one = std::max(opening.jamb_a, opening.jamb_b) >= parameters.jamb;
   const bool on_both = std::min(opening.jamb_a, opening.jamb_b) >= parameters.jamb;

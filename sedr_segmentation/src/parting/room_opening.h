@@ -59,26 +59,19 @@ public:
 
   /** @brief Measures one; its jambs only where walls stand at its ends. Crossings must
    * not be empty. O(gaps within floor_reach of it). */
-  MeasuredOpening measure(const std::vector<Crossing>& crossings, RoomLabels& rooms);
+  MeasuredOpening measure(const std::vector<Crossing>& crossings,
+                          RoomLabels& rooms) const;
 
 private:
   using Ends = std::array<Crossing, 2>;
-
-  Eigen::Vector2d placeOf(std::uint32_t g) const
-  {
-    return air_.columns().grid().centre(air_.columns().cellOf(air_[g].column));
-  }
-  std::uint32_t columnAt(const Eigen::Vector2d& place) const
-  {
-    return air_.columns().columnAt(air_.columns().grid().at(place.x(), place.y()));
-  }
 
   Eigen::Vector2d directionOf(const std::vector<Crossing>& crossings,
                               const Eigen::Vector2d& through) const;
   Ends endsOf(const std::vector<Crossing>& crossings,
               const Eigen::Vector2d& direction) const;
-  double
-  floorBeside(const std::vector<Crossing>& crossings, bool of_first, RoomLabels& rooms);
+  double floorBeside(const std::vector<Crossing>& crossings,
+                     bool of_first,
+                     RoomLabels& rooms) const;
   bool endsAtWalls(const Ends& ends, const Eigen::Vector2d& direction) const;
   std::array<double, 2> besideOf(const Ends& ends,
                                  const Eigen::Vector2d& direction,
@@ -90,8 +83,6 @@ private:
   const std::vector<float>& dip_;
   const PartingParameters& parameters_;
   double cell_;
-  std::vector<std::uint32_t> visited_; ///< round in which a gap was visited last
-  std::uint32_t round_ = 0;
 };
 
 /** @brief Whether an opening is a door or a passage, with walls at both ends: as wide

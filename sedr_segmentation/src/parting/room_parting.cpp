@@ -91,23 +91,20 @@ private:
       open += m.width * (is_above_furniture ? 1 : m.open_height);
       are_doors = are_doors && isDoor(m, parameters_);
       beside = std::max(beside, m.width * m.open_height + m.beside);
-      have_lintels = have_lintels && m.dip >= parameters_.min_lintel;
+      have_lintels = have_lintels && m.dip >= parameters_.lintel;
       are_plain = are_plain && have_lintels && m.width <= parameters_.widest_door;
       openness.is_other_level =
           openness.is_other_level || (is_step && !is_above_furniture);
     }
     if (open <= 0)
       return openness;
-    const double smaller =
-        std::min(rooms_.room(pair.first).area, rooms_.room(pair.second).area);
     openness.share = open / length;
     const double of_width =
         have_lintels ? open / std::max(length, beside) : openness.share;
     openness.are_doors = are_doors;
     openness.has_doors = are_doors &&
                          (are_plain || of_width <= parameters_.widest_share) &&
-                         smaller >= parameters_.smallest_room && isPlace(pair.first) &&
-                         isPlace(pair.second);
+                         isPlace(pair.first) && isPlace(pair.second);
     return openness;
   }
 
@@ -116,7 +113,7 @@ private:
   std::vector<MeasuredOpening> openingsIn(const RoomBorder& border)
   {
     std::vector<MeasuredOpening> openings;
-    for (const double pier : {0.0, parameters_.widest_pier}) {
+    for (const double pier : {0.0, parameters_.thickest_wall}) {
       openings.clear();
       for (const auto& crossings : openingsOf(air_, border.crossings, pier))
         openings.push_back(measures_.measure(crossings, labels_));
@@ -137,11 +134,13 @@ private:
                              rooms_.room(pair.second).floors.highestCount()));
   }
 
-  /** @brief Whether a room has an outline of its own and takes someone in: what is open
-   * on most sides is a place between columns or furniture, what is narrower a ledge. */
+  /** @brief Whether a room is large enough, has an outline of its own and takes someone
+   * in: what is open on most sides is a place between columns or furniture, what is
+   * narrower a ledge. */
   bool isPlace(std::uint32_t room) const
   {
-    return rooms_.openShare(room) <= parameters_.max_open &&
+    return rooms_.room(room).area >= parameters_.smallest_room &&
+           rooms_.openShare(room) <= parameters_.max_open &&
            rooms_.room(room).depth >= parameters_.min_way / 2;
   }
 
@@ -169,13 +168,10 @@ private:
   /** @brief Whether no wall and no door is between two rooms. */
   bool isOneSpace(const RoomPair& pair, const Openness& openness) const
   {
-    const bool are_rooms =
-        std::min(rooms_.room(pair.first).area, rooms_.room(pair.second).area) >=
-            parameters_.smallest_room &&
-        isPlace(pair.first) && isPlace(pair.second);
     return !openness.has_doors &&
-           openness.share >
-               (are_rooms ? parameters_.min_open : parameters_.min_open_of_part);
+           openness.share > (isPlace(pair.first) && isPlace(pair.second)
+                                 ? parameters_.min_open
+                                 : parameters_.min_open_of_part);
   }
 
   /** @brief Joins two rooms and judges anew all borders of the joined one. */

@@ -22,8 +22,9 @@ isWallAt(const AirGaps& air, std::uint32_t column, const AirGap& gap)
 bool
 isWallBeside(const AirGaps& air, std::size_t g, int d)
 {
+  constexpr int depth = 3; // columns
   std::uint32_t column = air[g].column;
-  for (int step = 0; step < wall_depth && column != VoxelColumns::none; ++step) {
+  for (int step = 0; step < depth && column != VoxelColumns::none; ++step) {
     column = air.columns().neighbour(column, d);
     if (isWallAt(air, column, air[g]))
       return true;

@@ -8,9 +8,6 @@
 
 namespace pcl::sedr {
 
-/** @brief Columns from the end of the air within which a wall may stand. */
-constexpr int wall_depth = 3;
-
 /** @brief Whether a wall stands in a column or beside it at the heights of a gap: much
  * of the upper two thirds is occupied; furniture may hide the rest. */
 bool isWallAt(const AirGaps& air, std::uint32_t column, const AirGap& gap);

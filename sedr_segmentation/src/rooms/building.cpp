@@ -79,9 +79,9 @@ airParameters(const BuildingParameters& parameters)
 bool
 isWalkable(const RoomOpening& opening)
 {
-  constexpr double min_width = 0.5; // metres
-  constexpr double min_height = 1.5;
-  return opening.width >= min_width && opening.top - opening.bottom >= min_height;
+  constexpr double min_height = 1.5; // metres
+  return opening.width >= PartingParameters().min_way &&
+         opening.top - opening.bottom >= min_height;
 }
 
 /** @brief How one gets to each part of the air. */

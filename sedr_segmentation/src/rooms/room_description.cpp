@@ -95,7 +95,6 @@ holesIn(const AirGaps& air, const std::vector<std::uint32_t>& gaps)
 std::vector<BuildingRoom>
 describeRooms(const AirGaps& air, const PartedAir& parted)
 {
-  constexpr double share_of_floor = 0.1;       // of a room's columns
   constexpr double sides_to_length = M_PI / 4; // of cells, over all directions
   const VoxelColumns& columns = air.columns();
   std::vector<std::vector<std::uint32_t>> gaps(parted.rooms);
@@ -137,7 +136,7 @@ describeRooms(const AirGaps& air, const PartedAir& parted)
                   [](const RoomColumn& a, const RoomColumn& b) {
                     return keyOf(a.cell) < keyOf(b.cell);
                   });
-        room.floor = lows.lowestOf(share_of_floor);
+        room.floor = lows.lowestOf();
         room.ceiling = highs.highestCount();
         room.area = static_cast<double>(gaps[r].size()) * columns.cellSize() *
                     columns.cellSize();
@@ -157,9 +156,10 @@ noRoomBecause(const BuildingRoom& room,
               Access access,
               const BuildingParameters& parameters)
 {
-  constexpr double min_tall = 0.3;   // of its columns; else it is a void
-  constexpr double min_seen = 0.2;   // of its floor and of its ceiling
-  constexpr double too_small = 5;    // square metres: a scanner stood in front of it
+  constexpr double min_tall = 0.3; // of its columns; else it is a void
+  constexpr double min_seen = 0.2; // of its floor and of its ceiling
+  // A scanner stood in front of what is smaller.
+  const double too_small = PartingParameters().smallest_level;
   constexpr double closed = 0.6;     // of its outline
   constexpr double not_glazed = 0.5; // likewise
   const auto shareOf = [&](const auto& is) {

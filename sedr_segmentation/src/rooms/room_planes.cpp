@@ -34,8 +34,7 @@ ceilingLevel(const PointView& points, const std::vector<int>& sheet)
 double
 floorLevel(const PointView& points, const std::vector<int>& sheet)
 {
-  constexpr double share = 0.1; // of the floor: what is smaller is a hole in it
-  return heightsOf(points, sheet).lowestOf(share);
+  return heightsOf(points, sheet).lowestOf();
 }
 
 PlanSlab

@@ -34,11 +34,10 @@ goesOn(const VoxelColumns& columns,
        double z,
        StructureLabel label)
 {
-  constexpr double near = 0.1; // metres: the surface's own noise
-  constexpr double far = 0.4;
+  constexpr double far = 0.4;    // metres
   constexpr double walled = 0.6; // share of the voxels between
   const double sign = label == StructureLabel::Ceiling ? -1 : 1;
-  const std::int32_t a = columns.voxelAt(z + sign * near);
+  const std::int32_t a = columns.voxelAt(z + sign * within_air);
   const std::int32_t b = columns.voxelAt(z + sign * far);
   const std::int32_t from = std::min(a, b);
   const std::int32_t to = std::max(a, b);
@@ -151,10 +150,9 @@ private:
   /** @brief Whether a ceiling goes on to a column, above furniture. */
   bool goesOnTo(std::uint32_t c, double z) const
   {
-    constexpr double same_ceiling = 0.1; // metres
-    constexpr double tallest_gap = 1.8;  // between furniture and ceiling
-    return hasPointsBetween(c, z - same_ceiling, z + same_ceiling) &&
-           hasPointsBetween(c, z - tallest_gap, z - same_ceiling) &&
+    constexpr double tallest_gap = 1.8; // metres, between furniture and ceiling
+    return hasPointsBetween(c, z - within_air, z + within_air) &&
+           hasPointsBetween(c, z - tallest_gap, z - within_air) &&
            !goesOn(coarse_, c, z, StructureLabel::Ceiling);
   }
 
