@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "storey_regions.h"
 
+#include "part_ways.h"
 #include "reveal_search.h"
 
 #include "../labelling/minimum_cut.h"
@@ -10,8 +11,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
-#include <numeric>
 
 namespace pcl::sedr {
 
@@ -92,7 +91,36 @@ public:
         subtract(subtract(closed(room.seen, 1.5), reveal_), around.opaque);
     core_ = intersect(eroded(open, core_depth), room.seen);
     core_ = largestRegion(core_);
+    do
+      solve(around, behind.back);
+    while (joinParts(around));
+  }
+
+  RoomRegion region() const
+  {
+    RoomRegion region;
+    region.cells = markedRegions(chosen(), core_, false);
+    fillSeenHoles(region.cells);
+    // The ceiling beside walls is rarely seen, and points of it lie in their cells.
+    const auto areaOff = [&](const CellMask& cells, const CellMask& walls, int rim) {
+      const CellMask off = subtract(cells, walls);
+      return static_cast<double>(dilated(eroded(off, rim), rim).count()) * size_ *
+             size_;
+    };
+    region.lost = areaOff(subtract(seen_, region.cells), reveal_, 1);
+    region.unseen = areaOff(subtract(region.cells, seen_), wall_, core_depth);
+    return region;
+  }
+
+private:
+  static constexpr std::int32_t none = -1;  ///< fixed: not of the room
+  static constexpr std::int32_t room_ = -2; ///< fixed: of the room
+
+  /** @brief Finds the cells of least energy. */
+  void solve(const Surroundings& around, const CellMask& back)
+  {
     number_.assign(frame_.values().size(), none);
+    free_ = 0;
     for (std::size_t i = 0; i < number_.size(); ++i) {
       const Cell cell = frame_.cellAt(i);
       const bool is_rim = cell.x == frame_.box().low.x ||
@@ -109,34 +137,29 @@ public:
         addCell(i, cut);
     for (std::size_t i = 0; i < number_.size(); ++i)
       for (std::size_t k = 0; k < steps.size(); ++k)
-        addBorder(i, k, around, behind.back, cut);
+        addBorder(i, k, around, back, cut);
     answer_ = cut.minimise();
   }
 
-  RoomRegion region() const
+  CellMask chosen() const
   {
-    RoomRegion region;
-    region.cells = CellMask(frame_.box());
+    CellMask cells(frame_.box());
     for (std::size_t i = 0; i < number_.size(); ++i)
-      region.cells.values()[i] =
+      cells.values()[i] =
           number_[i] == room_ ||
           (number_[i] >= 0 && answer_[static_cast<std::size_t>(number_[i])]);
-    region.cells = markedRegions(region.cells, core_, false);
-    fillSeenHoles(region.cells);
-    // The ceiling beside walls is rarely seen, and points of it lie in their cells.
-    const auto areaOff = [&](const CellMask& cells, const CellMask& walls, int rim) {
-      const CellMask off = subtract(cells, walls);
-      return static_cast<double>(dilated(eroded(off, rim), rim).count()) * size_ *
-             size_;
-    };
-    region.lost = areaOff(subtract(seen_, region.cells), reveal_, 1);
-    region.unseen = areaOff(subtract(region.cells, seen_), wall_, core_depth);
-    return region;
+    return cells;
   }
 
-private:
-  static constexpr std::int32_t none = -1;  ///< fixed: not of the room
-  static constexpr std::int32_t room_ = -2; ///< fixed: of the room
+  /** @brief Fixes ways to parts that lie apart. Returns whether there is one. */
+  bool joinParts(const Surroundings& around)
+  {
+    const CellMask blocked = unite(around.opaque, around.others);
+    const CellMask ways = waysToParts(chosen(), core_, subtract(seen_, reveal_),
+                                      inverted(blocked), energy_.seen * size_);
+    core_ = unite(core_, ways);
+    return ways.count() > 0;
+  }
 
   /** @brief Fills the holes in most of which the ceiling was seen: what stands below it
    * is no column. */
@@ -234,57 +257,6 @@ addCells(const CellMask& mask, CellMask& sum)
     for (int x = shared.low.x; x <= shared.high.x; ++x)
       if (mask.at({x, y}))
         sum.set({x, y}, 1);
-}
-
-std::vector<Storey>
-storeysOf(const std::vector<RoomCells>& rooms,
-          const CellGrid& grid,
-          const WallLineParameters& parameters,
-          unsigned threads)
-{
-  std::vector<std::size_t> order;
-  for (std::size_t r = 0; r < rooms.size(); ++r)
-    if (rooms[r].seen.count() > 0)
-      order.push_back(r);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return rooms[a].ceiling < rooms[b].ceiling;
-  });
-  std::vector<Storey> storeys;
-  std::vector<std::size_t> seeds;
-  std::vector<std::uint8_t> is_placed(rooms.size(), 0);
-  for (const std::size_t seed : order) {
-    if (is_placed[seed])
-      continue;
-    Storey storey;
-    for (const std::size_t r : order)
-      if (!is_placed[r] && (r == seed || rooms[r].sharesHeights(rooms[seed]))) {
-        storey.rooms.push_back(r);
-        is_placed[r] = 1;
-      }
-    std::sort(storey.rooms.begin(), storey.rooms.end());
-    storeys.push_back(std::move(storey));
-    seeds.push_back(seed);
-  }
-  parallelBlocks(storeys.size(), 1, threads, [&](std::size_t s, std::size_t) {
-    std::vector<SurfacePlace> places;
-    std::vector<Eigen::Vector2d> lower;
-    for (const std::size_t r : order) {
-      if (!rooms[r].sharesHeights(rooms[seeds[s]]) && r != seeds[s])
-        continue;
-      std::size_t k = 0;
-      for (std::size_t i = 0; i < rooms[r].solid.values().size(); ++i) {
-        if (rooms[r].base.values()[i])
-          lower.push_back(grid.centre(rooms[r].base.cellAt(i)));
-        if (!rooms[r].solid.values()[i])
-          continue;
-        if (!rooms[r].glass.values()[i])
-          places.push_back({rooms[r].centres[k], static_cast<std::uint32_t>(r)});
-        ++k;
-      }
-    }
-    storeys[s].lines = wallLines(std::move(places), lower, parameters);
-  });
-  return storeys;
 }
 
 std::vector<RoomRegion>

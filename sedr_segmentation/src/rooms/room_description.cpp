@@ -126,7 +126,8 @@ describeRooms(const AirGaps& air, const PartedAir& parted)
           const Cell cell = columns.cellOf(gap.column);
           for (int d = 0; d < 4; ++d)
             if (const Cell by = plan_directions[static_cast<std::size_t>(d)];
-                air.link(g, d) == AirGaps::none &&
+                air.goingOnFrom(gap, columns.neighbour(gap.column, d)) ==
+                    AirGaps::none &&
                 !holes.at({cell.x + by.x, cell.y + by.y})) {
               ++ends;
               walled += isWallBeside(air, g, d) ? 1 : 0;

@@ -197,6 +197,39 @@ TEST(FitPlan, APartOfACeilingFarFromTheRestIsToldAndLeftOut)
   EXPECT_NE(told.find("m2 of ceiling lie apart from the rest"), told.npos);
 }
 
+/** A corridor between four rooms, whose partitions are on one line across it: there its
+ * ceiling was not seen over 0.5 m. */
+TEST(FitPlan, ACorridorGoesOnWhereItsCeilingWasHardlySeen)
+{
+  RoomPoints points(0.05, 0.003);
+  PlanEvidence evidence;
+  const auto add = [&](const RoomParts& parts, std::uint32_t number) {
+    evidence.room.resize(points.size(), number);
+    const PlanEvidence own = evidenceOf(points, parts);
+    evidence.ceiling = joined(evidence.ceiling, own.ceiling);
+    evidence.floor = joined(evidence.floor, own.floor);
+    evidence.walls = joined(evidence.walls, own.walls);
+  };
+  const PlanLoop corridor = rectangle(0.01, 0.01, 12.01, 1.91);
+  RoomParts parts;
+  parts.floor = points.slab(corridor, 0);
+  parts.ceiling = points.slab(corridor, 2.5, [](double x, double) {
+    return x < 5.76 || x > 6.26 || std::abs(x - 6.01) < 0.03;
+  });
+  for (const PlanElement& wall : corridor.elements)
+    parts.walls = joined(parts.walls, points.wall(wall, 0, 2.5));
+  add(parts, 1);
+  std::uint32_t number = 1;
+  for (const double y : {-3.09, 2.01})
+    for (const auto& [x0, x1] : {std::pair(0.01, 5.76), std::pair(6.26, 12.01)})
+      add(points.room(rectangle(x0, y, x1, y + 3), 0, 2.5), ++number);
+  evidence.all = points.all();
+  const Floorplan plan = planOf(points, evidence);
+  ASSERT_EQ(plan.rooms.size(), 5u);
+  EXPECT_LT(cornerError(plan.rooms[0].boundary, corridor), 0.01);
+  EXPECT_EQ(plan.rooms[0].boundary.elements.size(), 4u);
+}
+
 TEST(FitPlan, IsTheSameForAnyNumberOfThreads)
 {
   const TwoRooms scene;

@@ -182,6 +182,31 @@ TEST(FindBuilding, ARoomWithGlassOnThreeSidesBesideALargerOneIsARoom)
   }
 }
 
+/** Two storeys with a hole of 5 m x 1 m in the slab between them, at a wall: the upper
+ * one has a glazed front, and walls along 65 % of its outline. */
+TEST(FindBuilding, TheEdgeOfAHoleInAFloorIsNoOutline)
+{
+  AirScene scene;
+  for (const auto& [z, has_hole] : {std::pair(0.01, false), std::pair(2.51, true),
+                                    std::pair(2.81, true), std::pair(5.31, false)}) {
+    scene.slab(0.05, 1.05, 9.05, 3.05, z);
+    for (const auto& [from, to] : {std::pair(0.05, 2.05), std::pair(7.05, 9.05)})
+      scene.slab(from, 0.05, to, 1.05, z);
+    if (!has_hole)
+      scene.slab(2.05, 0.05, 7.05, 1.05, z);
+  }
+  scene.sides(0.05, 0.05, 9.05, 3.05, 0.01, 2.51);
+  for (const double x : {0.05, 9.05})
+    scene.wall(x, 0.05, x, 3.05, 2.81, 5.31);
+  scene.wall(0.05, 0.05, 9.05, 0.05, 2.51, 5.31);
+  for (const double x : {2.05, 7.05})
+    scene.wall(x, 0.05, x, 1.05, 2.51, 2.81);
+  scene.wall(2.05, 1.05, 7.05, 1.05, 2.51, 2.81);
+  const Found found(scene);
+  EXPECT_EQ(found.building.rooms.size(), 2u);
+  EXPECT_NE(found.roomAt(4, 2, 4), 0u);
+}
+
 TEST(FindBuilding, WithoutAMinimumEnclosureAConeOfSightIsARoom)
 {
   const AirScene scene = besideOpenDoor(false);

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "storey_regions.h"
+
+#include "sedr_filters/src/base/parallel.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace pcl::sedr {
+
+std::vector<Storey>
+storeysOf(const std::vector<RoomCells>& rooms,
+          const CellGrid& grid,
+          const WallLineParameters& parameters,
+          unsigned threads)
+{
+  std::vector<std::size_t> order;
+  for (std::size_t r = 0; r < rooms.size(); ++r)
+    if (rooms[r].seen.count() > 0)
+      order.push_back(r);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return rooms[a].ceiling < rooms[b].ceiling;
+  });
+  std::vector<Storey> storeys;
+  std::vector<std::size_t> seeds;
+  std::vector<std::uint8_t> is_placed(rooms.size(), 0);
+  for (const std::size_t seed : order) {
+    if (is_placed[seed])
+      continue;
+    Storey storey;
+    for (const std::size_t r : order)
+      if (!is_placed[r] && (r == seed || rooms[r].sharesHeights(rooms[seed]))) {
+        storey.rooms.push_back(r);
+        is_placed[r] = 1;
+      }
+    std::sort(storey.rooms.begin(), storey.rooms.end());
+    storeys.push_back(std::move(storey));
+    seeds.push_back(seed);
+  }
+  parallelBlocks(storeys.size(), 1, threads, [&](std::size_t s, std::size_t) {
+    std::vector<SurfacePlace> places;
+    std::vector<Eigen::Vector2d> lower;
+    for (const std::size_t r : order) {
+      if (!rooms[r].sharesHeights(rooms[seeds[s]]) && r != seeds[s])
+        continue;
+      std::size_t k = 0;
+      for (std::size_t i = 0; i < rooms[r].solid.values().size(); ++i) {
+        if (rooms[r].base.values()[i])
+          lower.push_back(grid.centre(rooms[r].base.cellAt(i)));
+        if (!rooms[r].solid.values()[i])
+          continue;
+        if (!rooms[r].glass.values()[i])
+          places.push_back({rooms[r].centres[k], static_cast<std::uint32_t>(r)});
+        ++k;
+      }
+    }
+    storeys[s].lines = wallLines(std::move(places), lower, parameters);
+  });
+  return storeys;
+}
+
+} // namespace pcl::sedr
