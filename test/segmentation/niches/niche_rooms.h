@@ -42,4 +42,19 @@ expectNiche(const PlanNiche& found, const PlanNiche& truth, double tolerance)
   EXPECT_NEAR(found.top.heightAt({5, 2}), truth.top.heightAt({5, 2}), tolerance);
 }
 
+/** Expects the niches of a room in its points, and no others. */
+inline void
+expectFound(const PlanRoom& room,
+            double tolerance,
+            double noise = 0,
+            double spacing = 0.03)
+{
+  RoomPoints points(spacing, noise);
+  points.room(room);
+  const auto niches = nichesOf(points, room, noise);
+  ASSERT_EQ(niches.size(), room.niches.size());
+  for (std::size_t k = 0; k < niches.size(); ++k)
+    expectNiche(niches[k], room.niches[k], tolerance);
+}
+
 } // namespace sedr_test

@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <vector>
 
 namespace sedr_test {
 
@@ -48,6 +50,22 @@ evidenceOf(const RoomPoints& points, const RoomParts& parts)
   return evidence;
 }
 
+/** Adds the evidence of a room whose points were added last. */
+inline void
+addRoom(const RoomPoints& points,
+        const RoomParts& parts,
+        std::uint32_t number,
+        PlanEvidence& evidence)
+{
+  const PlanEvidence own = evidenceOf(points, parts);
+  evidence.all = own.all;
+  evidence.ceiling = joined(evidence.ceiling, own.ceiling);
+  evidence.details = joined(evidence.details, own.details);
+  evidence.floor = joined(evidence.floor, own.floor);
+  evidence.walls = joined(evidence.walls, own.walls);
+  evidence.room.resize(points.size(), number);
+}
+
 using Fitting = pcl::FloorplanFitting<pcl::PointXYZ>;
 
 /** Gives a fit its input. */
@@ -66,12 +84,16 @@ setEvidence(const RoomPoints& points, const PlanEvidence& evidence, Fitting& fit
 
 /** Returns the plan of points, which must have one; empty otherwise. */
 inline Floorplan
-planOf(const RoomPoints& points, const PlanEvidence& evidence)
+planOf(const RoomPoints& points,
+       const PlanEvidence& evidence,
+       std::vector<PlanWarning>* warnings = nullptr)
 {
   Fitting fitting;
   setEvidence(points, evidence, fitting);
   Floorplan plan;
   EXPECT_TRUE(fitting.segment(plan)) << fitting.getErrorMessage();
+  if (warnings)
+    *warnings = fitting.getWarnings();
   return plan;
 }
 
@@ -88,6 +110,15 @@ inline PlanRoom
 fitted(const RoomPoints& points, const RoomParts& parts)
 {
   return fitted(points, evidenceOf(points, parts));
+}
+
+/** Returns the room fitted to points of a room, every 5 cm. */
+inline PlanRoom
+fitted(const PlanRoom& truth, double noise)
+{
+  RoomPoints points(0.05, noise);
+  const RoomParts parts = points.room(truth);
+  return fitted(points, parts);
 }
 
 /** Returns the maximum distance from an end in `truth` to the nearest in `loop`. */

@@ -17,11 +17,7 @@ TEST(FloorplanFitting, FitsTheRoomsThatAreSetOrOneForAll)
 {
   const TwoRooms scene;
   Fitting fitting;
-  fitting.setInputCloud(scene.points.cloud());
-  fitting.setCeilingIndices(shared(scene.evidence.ceiling));
-  fitting.setFloorIndices(shared(scene.evidence.floor));
-  fitting.setWallIndices(shared(scene.evidence.walls));
-  fitting.setRooms(scene.evidence.room);
+  setEvidence(scene.points, scene.evidence, fitting);
   Floorplan plan;
   plan.rooms.resize(5);
   ASSERT_TRUE(fitting.segment(plan)) << fitting.getErrorMessage();
@@ -32,6 +28,7 @@ TEST(FloorplanFitting, FitsTheRoomsThatAreSetOrOneForAll)
   RoomPoints points;
   const RoomParts parts = points.room(scene.left, 0, 2.5);
   fitting.setInputCloud(points.cloud());
+  fitting.setIndices(shared(points.all()));
   fitting.setCeilingIndices(shared(parts.ceiling));
   fitting.setFloorIndices(shared(parts.floor));
   fitting.setWallIndices(nullptr);
@@ -116,13 +113,9 @@ TEST(FloorplanFitting, TellsTheBoundaryPointsOfWallsAndColumns)
   PlanRoom truth = roomOf(rectangle(0.01, 0.01, 6.01, 5.01), 2.5);
   truth.columns = {reversed(circle({2, 2}, 0.3))};
   RoomPoints points;
-  const RoomParts parts = points.room(truth);
-  const PlanEvidence evidence = evidenceOf(points, parts);
+  const PlanEvidence evidence = evidenceOf(points, points.room(truth));
   Fitting fitting;
-  fitting.setInputCloud(points.cloud());
-  fitting.setCeilingIndices(shared(evidence.ceiling));
-  fitting.setFloorIndices(shared(evidence.floor));
-  fitting.setWallIndices(shared(evidence.walls));
+  setEvidence(points, evidence, fitting);
   Floorplan plan;
   ASSERT_TRUE(fitting.segment(plan)) << fitting.getErrorMessage();
   const std::vector<FittedBoundary>& boundaries = fitting.getBoundaries();
@@ -206,9 +199,7 @@ TEST(FloorplanFitting, RoomsOfAnotherNumberOfPointsAreRefusedWithBothNumbers)
 {
   const TwoRooms scene;
   Fitting fitting;
-  fitting.setInputCloud(scene.points.cloud());
-  fitting.setCeilingIndices(shared(scene.evidence.ceiling));
-  fitting.setFloorIndices(shared(scene.evidence.floor));
+  setEvidence(scene.points, scene.evidence, fitting);
   fitting.setRooms({1, 2, 3});
   Floorplan plan;
   EXPECT_FALSE(fitting.segment(plan));
@@ -271,11 +262,9 @@ TEST(FloorplanFitting, ARadiusBeyondTheLimitsIsNoArc)
 {
   const PlanLoop truth = placed(bittenRectangle(6, 4, 1.3), 0, {0.01, 0.01});
   RoomPoints points;
-  const RoomParts parts = points.room(truth, 0, 2.5);
+  const PlanEvidence evidence = evidenceOf(points, points.room(truth, 0, 2.5));
   Fitting fitting;
-  fitting.setInputCloud(points.cloud());
-  fitting.setCeilingIndices(shared(evidenceOf(points, parts).ceiling));
-  fitting.setFloorIndices(shared(parts.floor));
+  setEvidence(points, evidence, fitting);
   const auto arcs = [&] {
     Floorplan plan;
     EXPECT_TRUE(fitting.segment(plan)) << fitting.getErrorMessage();

@@ -33,9 +33,7 @@ TEST(FitRoom, ABoxIsExactToTheMillimetre)
 TEST(FitRoom, NoiseOfTwoCentimetresCostsMillimetres)
 {
   const PlanLoop truth = placed(rectangle(0, 0, 5, 4), 12, {0.013, 0.017});
-  RoomPoints points(0.05, 0.02);
-  const RoomParts parts = points.room(truth, 0, 2.5);
-  const PlanRoom room = fitted(points, parts);
+  const PlanRoom room = fitted(roomOf(truth, 2.5), 0.02);
   ASSERT_EQ(room.boundary.elements.size(), 4u);
   EXPECT_LT(cornerError(room.boundary, truth), 0.008);
   EXPECT_NEAR(room.ceiling.heightAt({2, 2}), 2.5, 0.002);
@@ -47,9 +45,7 @@ TEST(FitRoom, AFloorWithAStepOfATenthOfAMetreIsNotTilted)
 {
   PlanRoom truth = roomOf(rectangle(0.01, 0.01, 8.01, 5.01), 2.5);
   truth.floor_details = {detailOf(rectangle(4.5, 0.01, 8.01, 5.01), 0.1)};
-  RoomPoints points(0.05, 0.005);
-  const RoomParts parts = points.room(truth);
-  const PlanRoom room = fitted(points, parts);
+  const PlanRoom room = fitted(truth, 0.005);
   EXPECT_NEAR(room.floor.heightAt({1, 1}), 0, 0.002);
   EXPECT_NEAR(room.floor.heightAt({7, 1}), 0, 0.002);
   ASSERT_EQ(room.floor_details.size(), 1u);
@@ -67,61 +63,11 @@ TEST(FitRoom, FurnitureDoesNotMoveTheWallsBehindIt)
   EXPECT_LT(cornerError(fitted(points, parts).boundary, truth), 0.004);
 }
 
-TEST(FitRoom, APartitionOfEightCentimetresHasTwoFacesAndAnEnd)
-{
-  PlanLoop truth = rectangle(0.01, 0.01, 5.01, 4.01);
-  truth.elements = {
-      segment({0.01, 0.01}, {5.01, 0.01}), segment({5.01, 0.01}, {5.01, 4.01}),
-      segment({5.01, 4.01}, {2.6, 4.01}),  segment({2.6, 4.01}, {2.6, 1.51}),
-      segment({2.6, 1.51}, {2.52, 1.51}),  segment({2.52, 1.51}, {2.52, 4.01}),
-      segment({2.52, 4.01}, {0.01, 4.01}), segment({0.01, 4.01}, {0.01, 0.01})};
-  RoomPoints points(0.05, 0.005);
-  const RoomParts parts = points.room(truth, 0, 2.5);
-  const PlanRoom room = fitted(points, parts);
-  EXPECT_EQ(room.boundary.elements.size(), 8u);
-  EXPECT_LT(cornerError(room.boundary, truth), 0.01);
-}
-
-TEST(FitRoom, CurvedWallsAreArcs)
-{
-  const PlanLoop truth = placed(bittenRectangle(6, 4, 1.3), 0, {0.01, 0.01});
-  RoomPoints points(0.05, 0.003);
-  const RoomParts parts = points.room(truth, 0, 2.5);
-  const PlanRoom room = fitted(points, parts);
-  EXPECT_EQ(std::count_if(room.boundary.elements.begin(), room.boundary.elements.end(),
-                          [](const auto& e) { return e.isArc(); }),
-            1);
-  EXPECT_LT(outlineError(room.boundary, truth), 0.008);
-}
-
-TEST(FitRoom, ColumnsAreLoopsThatRunClockwise)
-{
-  PlanRoom truth = roomOf(rectangle(0.01, 0.01, 6.01, 5.01), 2.5);
-  truth.columns = {reversed(circle({2, 2}, 0.3)),
-                   reversed(placed(rectangle(-0.25, -0.25, 0.25, 0.25), 20, {4, 3}))};
-  RoomPoints points(0.05, 0.002);
-  const RoomParts parts = points.room(truth);
-  const PlanRoom room = fitted(points, parts);
-  ASSERT_EQ(room.columns.size(), 2u);
-  for (const auto& column : room.columns)
-    EXPECT_LT(column.area(), 0);
-  ASSERT_EQ(room.columns[0].elements.size(), 1u);
-  EXPECT_TRUE(room.columns[0].elements[0].isArc());
-  EXPECT_NEAR(room.columns[0].elements[0].radius, 0.3, 0.01);
-  EXPECT_NEAR((room.columns[0].elements[0].centre - Vector2d(2, 2)).norm(), 0, 0.01);
-  ASSERT_EQ(room.columns[1].elements.size(), 4u);
-  EXPECT_LT(cornerError(room.columns[1], truth.columns[1]), 0.02);
-  EXPECT_LT(cornerError(room.boundary, truth.boundary), 0.002);
-  EXPECT_NEAR(room.area(), truth.area(), 0.05);
-}
-
 TEST(FitRoom, ASoffitsEdgesLieOnTheWallsWhereItMeetsThem)
 {
   PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
   truth.details = {detailOf(rectangle(3.91, 0.01, 5.01, 4.01), 2.2)};
-  RoomPoints points(0.05, 0.002);
-  const RoomParts parts = points.room(truth);
-  const PlanRoom room = fitted(points, parts);
+  const PlanRoom room = fitted(truth, 0.002);
   ASSERT_EQ(room.details.size(), 1u);
   const PlanDetail& soffit = room.details[0];
   EXPECT_NEAR(soffit.slab.heightAt({4, 2}), 2.2, 0.002);
@@ -144,9 +90,7 @@ TEST(FitRoom, ASoffitOfFiveCentimetresIsADetail)
 {
   PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
   truth.details = {detailOf(rectangle(3.91, 0.01, 5.01, 4.01), 2.45)};
-  RoomPoints points(0.05, 0.002);
-  const RoomParts parts = points.room(truth);
-  const PlanRoom room = fitted(points, parts);
+  const PlanRoom room = fitted(truth, 0.002);
   ASSERT_EQ(room.details.size(), 1u);
   EXPECT_NEAR(room.details[0].slab.heightAt({4, 2}), 2.45, 0.002);
   EXPECT_NEAR(room.details[0].boundary.area(), 4.4, 0.1);
@@ -156,9 +100,7 @@ TEST(FitRoom, APanelOfFiveCentimetresIsNoDetail)
 {
   PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
   truth.details = {detailOf(rectangle(2.01, 2.01, 3.21, 2.31), 2.45)};
-  RoomPoints points(0.05, 0.002);
-  const RoomParts parts = points.room(truth);
-  EXPECT_TRUE(fitted(points, parts).details.empty());
+  EXPECT_TRUE(fitted(truth, 0.002).details.empty());
 }
 
 TEST(FitRoom, SmallCoffersOfThreeAndFiveCentimetresAreDetails)
@@ -166,9 +108,7 @@ TEST(FitRoom, SmallCoffersOfThreeAndFiveCentimetresAreDetails)
   PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
   truth.details = {detailOf(rectangle(1.01, 1.01, 1.61, 2.21), 2.53),
                    detailOf(rectangle(3.01, 1.01, 3.61, 2.21), 2.55)};
-  RoomPoints points(0.05, 0.002);
-  const RoomParts parts = points.room(truth);
-  const PlanRoom room = fitted(points, parts);
+  const PlanRoom room = fitted(truth, 0.002);
   EXPECT_EQ(room.details.size(), 2u);
   EXPECT_NEAR(room.ceilingAt({1.3, 1.6}), 2.53, 0.002);
   EXPECT_NEAR(room.ceilingAt({3.3, 1.6}), 2.55, 0.002);
@@ -180,9 +120,7 @@ TEST(FitRoom, ALampBelowTheCeilingIsNoDetailButWhatStartsFromAWallIs)
     PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
     truth.details = {detailOf(rectangle(2.01, 2.01, 3.21, 2.61), 2.5 - drop),
                      detailOf(rectangle(0.01, 3.01, 0.61, 4.01), 2.5 - drop)};
-    RoomPoints points(0.05, 0.002);
-    const RoomParts parts = points.room(truth);
-    const PlanRoom room = fitted(points, parts);
+    const PlanRoom room = fitted(truth, 0.002);
     ASSERT_EQ(room.details.size(), 1u) << drop;
     EXPECT_TRUE(room.details[0].contains({0.3, 3.5})) << drop;
   }
@@ -193,9 +131,7 @@ TEST(FitRoom, ASoffitAllAroundHasAHole)
   PlanRoom truth = roomOf(rectangle(0.01, 0.01, 6.01, 5.01), 2.6);
   truth.details = {detailOf(truth.boundary, 2.3)};
   truth.details[0].holes = {reversed(rectangle(0.61, 0.61, 5.41, 4.41))};
-  RoomPoints points(0.05, 0.002);
-  const RoomParts parts = points.room(truth);
-  const PlanRoom room = fitted(points, parts);
+  const PlanRoom room = fitted(truth, 0.002);
   ASSERT_EQ(room.details.size(), 1u);
   ASSERT_EQ(room.details[0].holes.size(), 1u);
   EXPECT_LT(room.details[0].holes[0].area(), 0);
@@ -208,9 +144,7 @@ TEST(FitRoom, ARecessIsADetailAboveTheCeiling)
 {
   PlanRoom truth = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
   truth.details = {detailOf(rectangle(1.51, 1.01, 3.51, 2.51), 2.75)};
-  RoomPoints points(0.05, 0.002);
-  const RoomParts parts = points.room(truth);
-  const PlanRoom room = fitted(points, parts);
+  const PlanRoom room = fitted(truth, 0.002);
   ASSERT_EQ(room.details.size(), 1u);
   EXPECT_NEAR(room.details[0].slab.heightAt({2, 2}), 2.75, 0.002);
   EXPECT_LT(cornerError(room.details[0].boundary, truth.details[0].boundary), 0.03);
@@ -239,9 +173,7 @@ TEST(FitRoom, TheRisersOfACofferAreItsOwnWhateverHeightsOthersHave)
 {
   for (const double noise : {0.002, 0.01}) {
     const PlanRoom truth = cofferedRoom();
-    RoomPoints points(0.05, noise);
-    const RoomParts parts = points.room(truth);
-    const PlanRoom room = fitted(points, parts);
+    const PlanRoom room = fitted(truth, noise);
     ASSERT_EQ(room.details.size(), truth.details.size());
     for (const PlanDetail& coffer : truth.details) {
       double least = 1e9;

@@ -23,16 +23,8 @@ fittedTo(const Floorplan& truth)
 {
   RoomPoints points(0.05);
   PlanEvidence evidence;
-  for (const PlanRoom& room : truth.rooms) {
-    const RoomParts parts = points.room(room);
-    evidence.room.resize(points.size(), room.id);
-    const PlanEvidence own = evidenceOf(points, parts);
-    evidence.ceiling = joined(evidence.ceiling, own.ceiling);
-    evidence.details = joined(evidence.details, own.details);
-    evidence.floor = joined(evidence.floor, own.floor);
-    evidence.walls = joined(evidence.walls, own.walls);
-  }
-  evidence.all = points.all();
+  for (const PlanRoom& room : truth.rooms)
+    addRoom(points, points.room(room), room.id, evidence);
   return planOf(points, evidence);
 }
 

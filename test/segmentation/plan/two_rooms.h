@@ -3,8 +3,6 @@
 
 #include "room_evidence.h"
 
-#include <cstdint>
-
 namespace sedr_test {
 
 /** Two rooms of different heights, with room numbers and a partition of 10 cm. */
@@ -16,20 +14,8 @@ struct TwoRooms {
 
   TwoRooms()
   {
-    add(left, 2.5, 7);
-    add(right, 2.8, 3);
-    evidence.all = points.all();
-  }
-
-private:
-  void add(const PlanLoop& loop, double height, std::uint32_t number)
-  {
-    const RoomParts parts = points.room(loop, 0, height);
-    evidence.room.resize(points.size(), number);
-    const PlanEvidence own = evidenceOf(points, parts);
-    evidence.ceiling = joined(evidence.ceiling, own.ceiling);
-    evidence.floor = joined(evidence.floor, own.floor);
-    evidence.walls = joined(evidence.walls, own.walls);
+    addRoom(points, points.room(left, 0, 2.5), 7, evidence);
+    addRoom(points, points.room(right, 0, 2.8), 3, evidence);
   }
 };
 
