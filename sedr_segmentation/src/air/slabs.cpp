@@ -175,8 +175,8 @@ private:
   void
   moveApart(std::uint32_t g, const Slab& slab, const std::array<bool, 2>& is_unseen)
   {
-    AirGap lower = air_[g];
-    AirGap upper = air_[above_[g]];
+    AirGap lower = gaps_[g];
+    AirGap upper = gaps_[above_[g]];
     if (is_unseen[0])
       lower.high = std::min(lower.high, air_.voxels(slab[0]));
     if (is_unseen[1])

@@ -60,6 +60,27 @@ TEST(SlabFaces, AFloorIsFoundThoughThatOfTheStoreyBelowWasHiddenAtTheSamePlace)
   EXPECT_EQ(air.gaps[air.at(3, 2, 1)].low, 1);
 }
 
+TEST(SlabFaces, FloorsThatWereHiddenAtTheSamePlaceOfTwoStoreysAreBothFound)
+{
+  AirScene scene;
+  scene.slab(0.05, 0.05, 6.05, 4.05, 0.01);
+  for (const double ceiling : {2.51, 5.31}) {
+    scene.slab(0.05, 0.05, 6.05, 4.05, ceiling);
+    scene.points.slab(scene.loop(0.05, 0.05, 6.05, 4.05), ceiling + 0.3, isAside);
+  }
+  scene.slab(0.05, 0.05, 6.05, 4.05, 8.11);
+  scene.sides(0.05, 0.05, 6.05, 4.05, 0.01, 8.11);
+  const SceneAir air(scene);
+  const AirGap& second = air.gaps[air.at(3, 2, 4)];
+  EXPECT_EQ(second.low, 57);
+  EXPECT_EQ(second.high, 106);
+  EXPECT_FALSE(second.floor_seen);
+  EXPECT_TRUE(second.ceiling_seen);
+  const AirGap& third = air.gaps[air.at(3, 2, 7)];
+  EXPECT_EQ(third.low, 113);
+  EXPECT_FALSE(third.floor_seen);
+}
+
 TEST(SlabFaces, FurnitureAlongTheRimIsNotTakenForTheFloor)
 {
   AirScene scene = storeysWithSlab(always, isAside);
