@@ -291,41 +291,42 @@ refineToPlan(const PointView& points,
   return result;
 }
 
-namespace {
-
-/** @brief How far the wall of an opening is from its foot at a height, in plan. */
-Eigen::Vector2d
-tiltAt(const Floorplan& plan, const PlanOpening& opening, double z)
+OpeningSpaces::OpeningSpaces(const Floorplan& plan)
 {
-  for (const OpeningWall& of : opening.walls)
-    for (const PlanRoom& room : plan.rooms)
-      if (room.id == of.room && of.element < room.boundary.elements.size()) {
-        const PlanElement& wall = room.boundary.elements[of.element];
-        const double s = wall.project((opening.start + opening.end) / 2);
-        const double above = z - room.floor.heightAt(wall.pointAt(s));
-        return std::tan(wall.tilt) * above * wall.normalAt(s);
-      }
-  return Eigen::Vector2d::Zero();
+  for (const PlanOpening& opening : plan.openings) {
+    spaces_.push_back({opening});
+    for (const OpeningWall& of : opening.walls) {
+      const auto room =
+          std::find_if(plan.rooms.begin(), plan.rooms.end(),
+                       [&](const PlanRoom& r) { return r.id == of.room; });
+      if (room == plan.rooms.end() || of.element >= room->boundary.elements.size())
+        continue;
+      const PlanElement& wall = room->boundary.elements[of.element];
+      const double s = wall.project((opening.start + opening.end) / 2);
+      spaces_.back().foot = room->floor.heightAt(wall.pointAt(s));
+      spaces_.back().run = std::tan(wall.tilt) * wall.normalAt(s);
+      break;
+    }
+  }
 }
 
-} // namespace
-
 bool
-isInOpening(const Floorplan& plan, const Eigen::Vector3d& place, double margin)
+OpeningSpaces::contains(const Eigen::Vector3d& place, double margin) const
 {
   constexpr double beside = 0.1; // the bulge of a curved wall, metres
-  return std::any_of(
-      plan.openings.begin(), plan.openings.end(), [&](const PlanOpening& o) {
-        const double half = o.width() / 2;
-        const Eigen::Vector2d way = (o.end - o.start) / (2 * half);
-        const Eigen::Vector2d off =
-            place.head<2>() - tiltAt(plan, o, place.z()) - (o.start + o.end) / 2;
-        const double along = off.dot(way) / (half + margin); // -1 to 1
-        if (!(std::abs(along) < 1) || place.z() <= o.bottom - margin ||
-            std::abs(way.x() * off.y() - way.y() * off.x()) > o.depth / 2 + beside)
-          return false;
-        return place.z() < o.top + margin - o.rise * (1 - std::sqrt(1 - along * along));
-      });
+  return std::any_of(spaces_.begin(), spaces_.end(), [&](const Space& space) {
+    const PlanOpening& o = space.opening;
+    if (place.z() <= o.bottom - margin || place.z() >= o.top + margin)
+      return false;
+    const double half = o.width() / 2;
+    const Eigen::Vector2d way = (o.end - o.start) / (2 * half);
+    const Eigen::Vector2d off =
+        place.head<2>() - (place.z() - space.foot) * space.run - (o.start + o.end) / 2;
+    const double along = off.dot(way) / (half + margin); // -1 to 1
+    return std::abs(along) < 1 &&
+           std::abs(way.x() * off.y() - way.y() * off.x()) <= o.depth / 2 + beside &&
+           place.z() < o.top + margin - o.rise * (1 - std::sqrt(1 - along * along));
+  });
 }
 
 std::vector<RepairedPoint>

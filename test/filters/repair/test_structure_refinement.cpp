@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_points.h"
 
-#include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_filters/impl/refinement.h>
+#include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_filters/structure_refinement.h>
 #include <pcl/sedr_filters/vertical_hole_repair.h>
 
@@ -218,12 +218,13 @@ TEST(VerticalHoleRepair, KeepsAnOpeningOfATiltedWall)
   plan.openings[0].depth = 0.1;
   plan.openings[0].bottom = 1;
   plan.openings[0].top = 2.2;
+  const OpeningSpaces openings(plan);
   for (const double z : {1.1, 2.1}) {
     const double x = 4 - z * std::tan(12 * M_PI / 180);
-    EXPECT_TRUE(isInOpening(plan, {x, 1.5, z})) << z;
-    EXPECT_FALSE(isInOpening(plan, {x, 0.9, z})) << z;
-    EXPECT_TRUE(isInOpening(plan, {x, 0.97, z}, 0.05)) << "on its reveal";
-    EXPECT_FALSE(isInOpening(plan, {4, 1.5, z})) << z;
+    EXPECT_TRUE(openings.contains({x, 1.5, z})) << z;
+    EXPECT_FALSE(openings.contains({x, 0.9, z})) << z;
+    EXPECT_TRUE(openings.contains({x, 0.97, z}, 0.05)) << "on its reveal";
+    EXPECT_FALSE(openings.contains({4, 1.5, z})) << z;
   }
 }
 

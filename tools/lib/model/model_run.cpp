@@ -15,7 +15,7 @@
 #include "tool_cloud.h"
 #include "tool_error.h"
 
-#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/parallel_for.h"
 #include "sedr_surface/src/sheet/sheet.h"
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_filters/impl/refinement.h>
@@ -131,11 +131,15 @@ evaluate(const Reconstruction& chain, unsigned threads, StageReport& report)
   const auto& result = chain.getChain();
   constexpr double reveal = 0.05; // metres: what noise makes of its points
   const std::size_t scanned = result.scannedPoints();
+  const OpeningSpaces openings(*chain.getFloorplan());
+  std::vector<std::uint8_t> is_structure(scanned);
+  parallelFor(scanned, 4096, threads, [&](std::size_t i) {
+    const Eigen::Vector3d place = (*result.cloud)[i].getVector3fMap().cast<double>();
+    is_structure[i] = result.labels[i] != 0 && !openings.contains(place, reveal);
+  });
   pcl::IndicesPtr structure(new pcl::Indices);
   for (std::size_t i = 0; i < scanned; ++i)
-    if (result.labels[i] != 0 &&
-        !isInOpening(*chain.getFloorplan(),
-                     (*result.cloud)[i].getVector3fMap().cast<double>(), reveal))
+    if (is_structure[i])
       structure->push_back(static_cast<int>(i));
   pcl::MeshEvaluation evaluation;
   const std::shared_ptr<const TriangleMesh> mesh(

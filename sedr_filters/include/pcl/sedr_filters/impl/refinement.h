@@ -29,10 +29,24 @@ Refinement refineToPlan(const PointView& points,
                         double farthest,
                         unsigned threads);
 
-/** @brief Checks whether a place is in an opening or at most `margin` metres beside it,
- * or on its plane in a face of the wall. O(openings). */
-bool
-isInOpening(const Floorplan& plan, const Eigen::Vector3d& place, double margin = 0);
+/** @brief The spaces that the openings of a plan take up in their walls. */
+class OpeningSpaces {
+public:
+  explicit OpeningSpaces(const Floorplan& plan);
+
+  /** @brief Checks whether a place is in an opening or at most `margin` metres beside
+   * it, or on its plane in a face of the wall. O(openings). */
+  bool contains(const Eigen::Vector3d& place, double margin = 0) const;
+
+private:
+  struct Space {
+    PlanOpening opening;
+    double foot = 0;                               ///< z of the foot of its wall
+    Eigen::Vector2d run = Eigen::Vector2d::Zero(); ///< of the wall, metres a metre up
+  };
+
+  std::vector<Space> spaces_;
+};
 
 /** @brief A point of a room after hole repair. */
 struct RepairedPoint {

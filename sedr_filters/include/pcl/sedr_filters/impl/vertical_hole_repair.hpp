@@ -39,10 +39,11 @@ VerticalHoleRepair<PointT>::applyFilter(PointCloud& output)
   const sedr::Refinement refined =
       sedr::refineToPlan(sedr::PointView(*input_), *indices_, labels, rooms, *plan_,
                          on_surface, this->threads_);
+  const sedr::OpeningSpaces openings(*plan_);
   std::vector<bool> is_used(refined.sources.size(), false);
   for (const auto& repaired : sedr::repairHoles(refined.points, *plan_, grid_size_)) {
     const bool is_new = repaired.source < 0;
-    if (is_new && keep_openings_ && sedr::isInOpening(*plan_, repaired.point.position))
+    if (is_new && keep_openings_ && openings.contains(repaired.point.position))
       continue;
     PointT p{};
     if (is_new)
