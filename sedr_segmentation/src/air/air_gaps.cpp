@@ -118,9 +118,11 @@ void
 AirGaps::setGaps(std::vector<AirGap> gaps)
 {
   gaps_ = std::move(gaps);
-  std::stable_sort(gaps_.begin(), gaps_.end(), [](const AirGap& a, const AirGap& b) {
+  const auto isBefore = [](const AirGap& a, const AirGap& b) {
     return std::pair(a.column, a.low) < std::pair(b.column, b.low);
-  });
+  };
+  if (!std::is_sorted(gaps_.begin(), gaps_.end(), isBefore))
+    std::stable_sort(gaps_.begin(), gaps_.end(), isBefore);
   first_.assign(columns_.size() + 1, 0);
   for (const AirGap& gap : gaps_)
     ++first_[gap.column + 1];

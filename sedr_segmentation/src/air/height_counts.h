@@ -11,6 +11,10 @@ namespace pcl::sedr {
 /** @brief Heights in bins of 5 cm: at which of them a room has a level. */
 class HeightCounts {
 public:
+  /** @brief Least share of a room's heights that makes its floor: what is less is a
+   * hole in it, what is higher stands on it. */
+  static constexpr double share_of_floor = 0.1;
+
   void add(double height) { ++bins_[std::lround(height / bin)]; }
 
   void add(const HeightCounts& other)
@@ -21,10 +25,8 @@ public:
 
   bool empty() const { return bins_.empty(); }
 
-  /** @brief The lowest height around which at least `share` of all lie, metres: of a
-   * floor that of a tenth, what is smaller is a hole in it, and higher is what stands
-   * on it. */
-  double lowestOf(double share = 0.1) const
+  /** @brief The lowest height around which at least `share` of all lie, metres. */
+  double lowestOf(double share) const
   {
     for (const auto& entry : bins_)
       if (static_cast<double>(around(entry.first)) >= share * total())

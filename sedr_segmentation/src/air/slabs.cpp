@@ -148,6 +148,7 @@ private:
   void completeFace(const std::vector<std::uint32_t>& region,
                     const std::vector<Slab>& rim)
   {
+    constexpr double share_of_floor = 0.2; // of a rim; the rest may be furniture
     std::array<HeightCounts, 2> heights;
     for (const std::uint32_t g : region)
       for (std::size_t side = 0; side < 2; ++side)
@@ -164,7 +165,8 @@ private:
     if (goes_on[0] + goes_on[1] == 0)
       return;
     const bool is_ceiling = goes_on[0] >= goes_on[1];
-    const double other = is_ceiling ? others[0].lowestOf() : others[1].highestCount();
+    const double other =
+        is_ceiling ? others[0].lowestOf(share_of_floor) : others[1].highestCount();
     for (const std::uint32_t g : region)
       if (std::abs(slab_[g][0] - seen[0]) <=
           air_.parameters().same_surface) // else a tread of stairs

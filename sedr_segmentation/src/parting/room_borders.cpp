@@ -110,11 +110,12 @@ RoomBorders::openShare(std::uint32_t room) const
 bool
 RoomBorders::areStacked(const RoomPair& pair) const
 {
+  constexpr double most = 0.5; // of the gaps of the smaller room
   const auto [a, b] = pair;
   const auto shared = rooms_[a].stacked.find(b);
   return shared != rooms_[a].stacked.end() &&
-         2 * static_cast<double>(shared->second) * column_area_ >
-             std::min(rooms_[a].area, rooms_[b].area);
+         static_cast<double>(shared->second) * column_area_ >
+             most * std::min(rooms_[a].area, rooms_[b].area);
 }
 
 void
@@ -147,12 +148,12 @@ RoomBorders::join(const RoomPair& pair)
   }
   joined.beside.clear();
   into.stacked.erase(b);
-  for (const auto& [other, columns] : joined.stacked) {
+  for (const auto& [other, pairs] : joined.stacked) {
     rooms_[other].stacked.erase(b);
     if (other == a)
       continue;
-    into.stacked[other] += columns;
-    rooms_[other].stacked[a] += columns;
+    into.stacked[other] += pairs;
+    rooms_[other].stacked[a] += pairs;
   }
   joined.stacked.clear();
 }

@@ -43,7 +43,8 @@ struct RoomExtent {
   HeightCounts floors;            ///< of its gaps
   HeightCounts roofs;             ///< of the air below them in which one can stand
   std::set<std::uint32_t> beside; ///< rooms with which it has a border
-  std::map<std::uint32_t, std::size_t> stacked; ///< columns shared with other rooms
+  std::map<std::uint32_t, std::size_t> stacked; ///< pairs of a gap and one of another
+                                                ///< room in the same column
 };
 
 /** @brief The rooms of a building and the borders between them, which are joined. */
@@ -62,7 +63,8 @@ public:
   /** @brief Share of a room's outline at which it goes on into others. */
   double openShare(std::uint32_t room) const;
 
-  /** @brief Whether most of the smaller of two rooms lies above or below the other. */
+  /** @brief Whether most of the smaller of two rooms lies above or below the other, by
+   * their pairs of gaps. */
   bool areStacked(const RoomPair& pair) const;
 
   /** @brief Joins the second of two rooms to the first, and its borders. */

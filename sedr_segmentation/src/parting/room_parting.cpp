@@ -63,9 +63,10 @@ private:
   void judge(const RoomPair& pair)
   {
     forget(pair);
+    if (rooms_.areStacked(pair))
+      return;
     const Openness openness = opennessOf(pair);
-    if (openness.is_other_level || rooms_.areStacked(pair) ||
-        !isOneSpace(pair, openness))
+    if (openness.is_other_level || !isOneSpace(pair, openness))
       return;
     turn_[pair] = {openness.are_doors, -openness.share};
     to_join_.insert({turn_[pair], pair});

@@ -77,22 +77,22 @@ airParameters(const BuildingParameters& parameters)
 
 /** @brief An opening that one walks through. */
 bool
-isWalkable(const RoomOpening& opening)
+isWalkable(const RoomOpening& opening, const PartingParameters& of_parting)
 {
   constexpr double min_height = 1.5; // metres
-  return opening.width >= PartingParameters().min_way &&
+  return opening.width >= of_parting.min_way &&
          opening.top - opening.bottom >= min_height;
 }
 
 /** @brief How one gets to each part of the air. */
 std::vector<Access>
-accessTo(const PartedAir& parted)
+accessTo(const PartedAir& parted, const PartingParameters& of_parting)
 {
   std::vector<Access> access(parted.rooms, Access::Unknown);
   if (!access.empty())
     access[0] = Access::Largest; // parts are by size
   for (const RoomOpening& opening : parted.openings)
-    if (isWalkable(opening))
+    if (isWalkable(opening, of_parting))
       access[opening.a] = access[opening.b] = Access::Entered;
   return access;
 }
@@ -121,14 +121,15 @@ judge(const AirGaps& air,
       const PartedAir& parted,
       const std::vector<BuildingRoom>& parts,
       const std::vector<std::uint8_t>& is_view,
-      const BuildingParameters& parameters)
+      const BuildingParameters& parameters,
+      const PartingParameters& of_parting)
 {
   const CellGrid& grid = air.columns().grid();
   std::vector<double> floors;
   for (const BuildingRoom& part : parts)
     floors.push_back(part.floor);
   const std::vector<std::uint8_t> is_image = mirrorImages(air, parted, floors);
-  const std::vector<Access> access = accessTo(parted);
+  const std::vector<Access> access = accessTo(parted, of_parting);
   std::vector<Verdict> verdicts(parts.size());
   std::vector<double> levels; // floors of rooms that are large enough to make one
   for (std::size_t p = 0; p < parts.size(); ++p) {
@@ -138,8 +139,9 @@ judge(const AirGaps& air,
       verdicts[p] = {"seen only through panes of glass, or in mirrors",
                      LeftOutKind::Mirror};
     else
-      verdicts[p] = noRoomBecause(parts[p], grid.size(), access[p], parameters);
-    if (verdicts[p].isRoom() && parts[p].area >= PartingParameters().smallest_level)
+      verdicts[p] =
+          noRoomBecause(parts[p], grid.size(), access[p], parameters, of_parting);
+    if (verdicts[p].isRoom() && parts[p].area >= of_parting.smallest_level)
       levels.push_back(parts[p].floor);
   }
   for (std::size_t p = 0; p < parts.size(); ++p)
@@ -153,7 +155,8 @@ judge(const AirGaps& air,
   // A view from a larger room that one walks into it from may be all that shows a part.
   if (parameters.minimum_enclosure > 0)
     for (const RoomOpening& way : parted.openings) // a is the larger one, in order
-      if (isWalkable(way) && verdicts[way.a].isRoom() && verdicts[way.b].isRoom())
+      if (isWalkable(way, of_parting) && verdicts[way.a].isRoom() &&
+          verdicts[way.b].isRoom())
         verdicts[way.b] = seenInPart(parts[way.b], rectangleAround(parts[way.b], grid));
   return verdicts;
 }
@@ -193,12 +196,13 @@ keepRooms(std::vector<BuildingRoom> parts,
 void
 tellOpenings(const std::vector<RoomOpening>& openings,
              const std::vector<std::uint32_t>& number,
+             const PartingParameters& of_parting,
              Building& building)
 {
   for (const RoomOpening& opening : openings) {
     const std::uint32_t a = number[opening.a];
     const std::uint32_t b = number[opening.b];
-    if (a == 0 || b == 0 || !isWalkable(opening))
+    if (a == 0 || b == 0 || !isWalkable(opening, of_parting))
       continue;
     const BuildingRoom& first = building.rooms[a - 1];
     const BuildingRoom& second = building.rooms[b - 1];
@@ -246,7 +250,7 @@ problemOf(const Building& building,
 /** @brief Describes the rooms of a scan. */
 Building
 describe(const AirGaps& air,
-         const PartedAir& parted,
+         const PartingParameters& of_parting,
          const VoxelColumns& fine,
          const PointView& points,
          const std::vector<int>& indices,
@@ -255,13 +259,15 @@ describe(const AirGaps& air,
 {
   Building building;
   building.grid = air.columns().grid();
+  const PartedAir parted = partIntoRooms(air, of_parting);
   std::vector<BuildingRoom> parts = describeRooms(air, parted);
-  const std::vector<Verdict> verdicts = judge(
-      air, parted, parts, viewsThroughPanes(air, parted, points, behind), parameters);
+  const std::vector<Verdict> verdicts =
+      judge(air, parted, parts, viewsThroughPanes(air, parted, points, behind),
+            parameters, of_parting);
   const std::vector<std::uint32_t> number =
       keepRooms(std::move(parts), verdicts, building);
   building.storeys = findStoreys(building.rooms, parameters.storey_step);
-  tellOpenings(parted.openings, number, building);
+  tellOpenings(parted.openings, number, of_parting, building);
   addFlights(points, indices, fine, building);
   std::stable_sort(building.left_out.begin(), building.left_out.end(),
                    [](const LeftOut& a, const LeftOut& b) { return a.area > b.area; });
@@ -298,8 +304,8 @@ findBuilding(const PointView& points,
       withoutStrays(half.halved(parameters.threads), is_dense, parameters.threads);
   const VoxelColumns columns = withHolesClosed(seen, parameters.threads);
   const AirGaps air(columns, seen, airParameters(parameters), &half);
-  Building building = describe(air, partIntoRooms(air, of_parting), fine, points,
-                               indices, parameters, behind);
+  Building building =
+      describe(air, of_parting, fine, points, indices, parameters, behind);
   if (building.rooms.empty())
     problem = problemOf(building, parameters,
                         indices.empty() ? points.size() : indices.size());

@@ -137,7 +137,7 @@ describeRooms(const AirGaps& air, const PartedAir& parted)
                   [](const RoomColumn& a, const RoomColumn& b) {
                     return keyOf(a.cell) < keyOf(b.cell);
                   });
-        room.floor = lows.lowestOf();
+        room.floor = lows.lowestOf(HeightCounts::share_of_floor);
         room.ceiling = highs.highestCount();
         room.area = static_cast<double>(gaps[r].size()) * columns.cellSize() *
                     columns.cellSize();
@@ -155,12 +155,11 @@ Verdict
 noRoomBecause(const BuildingRoom& room,
               double cell_size,
               Access access,
-              const BuildingParameters& parameters)
+              const BuildingParameters& parameters,
+              const PartingParameters& of_parting)
 {
-  constexpr double min_tall = 0.3; // of its columns; else it is a void
-  constexpr double min_seen = 0.2; // of its floor and of its ceiling
-  // A scanner stood in front of what is smaller.
-  const double too_small = PartingParameters().smallest_level;
+  constexpr double min_tall = 0.3;   // of its columns; else it is a void
+  constexpr double min_seen = 0.2;   // of its floor and of its ceiling
   constexpr double closed = 0.6;     // of its outline
   constexpr double not_glazed = 0.5; // likewise
   const auto shareOf = [&](const auto& is) {
@@ -190,12 +189,12 @@ noRoomBecause(const BuildingRoom& room,
   }
   // Of a place too small for a scanner only what an opening shows may be seen, and
   // into what one does not enter it may look through glass.
-  const double least = area < too_small            ? closed
-                       : access == Access::Unknown ? not_glazed
-                                                   : 0;
+  const double least = area < of_parting.smallest_level ? closed
+                       : access == Access::Unknown      ? not_glazed
+                                                        : 0;
   if (room.enclosure >= std::max(least, parameters.minimum_enclosure))
     return {};
-  const bool is_part = access == Access::Entered && area >= too_small;
+  const bool is_part = access == Access::Entered && area >= of_parting.smallest_level;
   std::snprintf(text, sizeof text, "walls along %.0f %% of its outline only: %s",
                 100 * room.enclosure,
                 is_part ? "a room seen in part, or a roof without walls"

@@ -34,7 +34,8 @@ enum class Access {
 Verdict noRoomBecause(const BuildingRoom& room,
                       double cell_size,
                       Access access,
-                      const BuildingParameters& parameters);
+                      const BuildingParameters& parameters,
+                      const PartingParameters& of_parting);
 
 /** @brief Whether of a room that one walks into only a part was seen: most of its
  * outline is where the view ended, and not along its walls, as panes are.

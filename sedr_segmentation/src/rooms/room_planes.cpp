@@ -34,7 +34,7 @@ ceilingLevel(const PointView& points, const std::vector<int>& sheet)
 double
 floorLevel(const PointView& points, const std::vector<int>& sheet)
 {
-  return heightsOf(points, sheet).lowestOf();
+  return heightsOf(points, sheet).lowestOf(HeightCounts::share_of_floor);
 }
 
 PlanSlab

@@ -81,6 +81,17 @@ TEST(PartRooms, BelowALintelItIsARoomOfItsOwn)
     });
 }
 
+TEST(PartRooms, ALintelOfThirteenCentimetresPartsRoomsAndOneOfElevenDoesNot)
+{
+  forBothTurns([](AirScene& scene) {
+    AirScene lower = scene;
+    addHallWithCorridor(scene, 1.4, 0.11);
+    EXPECT_EQ(Parted(scene).rooms(), 1u);
+    addHallWithCorridor(lower, 1.4, 0.13);
+    EXPECT_EQ(Parted(lower).rooms(), 2u);
+  });
+}
+
 TEST(PartRooms, ANookBelowABeamWithADoorToTheNextRoomIsOfTheHallItOpensTo)
 {
   forBothTurns([](AirScene& scene) {

@@ -38,14 +38,16 @@ addColumns(BuildingRoom& room, int n, float floor, float ceiling)
 std::string
 reasonOf(const BuildingRoom& room)
 {
-  return noRoomBecause(room, 0.1, Access::Largest, BuildingParameters()).reason;
+  return noRoomBecause(room, 0.1, Access::Largest, BuildingParameters(),
+                       PartingParameters())
+      .reason;
 }
 
 LeftOutKind
 kindOf(const BuildingRoom& room)
 {
-  const Verdict verdict =
-      noRoomBecause(room, 0.1, Access::Largest, BuildingParameters());
+  const Verdict verdict = noRoomBecause(room, 0.1, Access::Largest,
+                                        BuildingParameters(), PartingParameters());
   EXPECT_FALSE(verdict.isRoom());
   return verdict.kind;
 }
