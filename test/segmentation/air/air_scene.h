@@ -39,6 +39,13 @@ public:
     points.slab(loop(x0, y0, x1, y1), z);
   }
 
+  /** Adds floor and ceiling. */
+  void slabs(double x0, double y0, double x1, double y1, double low, double high)
+  {
+    slab(x0, y0, x1, y1, low);
+    slab(x0, y0, x1, y1, high);
+  }
+
   void wall(double x0, double y0, double x1, double y1, double low, double high)
   {
     points.wall(edge({x0, y0}, {x1, y1}), low, high);
@@ -47,8 +54,7 @@ public:
   /** Adds floor, ceiling and walls of a room without doors. */
   void room(double x0, double y0, double x1, double y1, double low, double high)
   {
-    slab(x0, y0, x1, y1, low);
-    slab(x0, y0, x1, y1, high);
+    slabs(x0, y0, x1, y1, low, high);
     sides(x0, y0, x1, y1, low, high);
   }
 
@@ -103,8 +109,7 @@ inline void
 addTwoRooms(AirScene& scene, Hole hole)
 {
   for (const auto& [x0, x1] : {std::pair(0.05, 4.05), std::pair(4.15, 7.15)}) {
-    scene.slab(x0, 0.05, x1, 3.05, 0.01);
-    scene.slab(x0, 0.05, x1, 3.05, 2.51);
+    scene.slabs(x0, 0.05, x1, 3.05, 0.01, 2.51);
     for (const double y : {0.05, 3.05})
       scene.wall(x0, y, x1, y, 0.01, 2.51);
   }

@@ -21,6 +21,29 @@ box()
   return scene;
 }
 
+/** A hall of 5.5 m, with a gallery from x = 4.05 m on. */
+AirScene
+hallWithGallery()
+{
+  AirScene scene;
+  scene.room(0.05, 0.05, 8.05, 4.05, 0.01, 5.51);
+  scene.slabs(4.05, 0.05, 8.05, 4.05, 2.51, 2.81);
+  return scene;
+}
+
+/** A scene without the points that are hidden. */
+AirScene
+without(const AirScene& scene, const RoomPoints::InSpace& isHidden)
+{
+  AirScene seen;
+  for (const int i : scene.points.all()) {
+    const Eigen::Vector3d p = scene.points[i].cast<double>();
+    if (!isHidden(p))
+      seen.points.point(p.x(), p.y(), p.z());
+  }
+  return seen;
+}
+
 TEST(AirGaps, OfARoomAreItsColumnsEachLinkedToThoseBesideIt)
 {
   const AirScene scene = box();
@@ -105,8 +128,8 @@ TEST(AirGaps, OfTwoStoreysAreNotLinkedAndTheSlabBetweenIsNoAir)
 TEST(AirGaps, AboveASuspendedCeilingAreNoneThoughATileIsMissing)
 {
   AirScene scene;
-  scene.slab(0.05, 0.05, 4.05, 3.05, 0.01);
-  scene.slab(0.05, 0.05, 4.05, 3.05, 3.31); // the slab above, seen through the hole
+  scene.slabs(0.05, 0.05, 4.05, 3.05, 0.01,
+              3.31); // the slab above, seen through the hole
   scene.sides(0.05, 0.05, 4.05, 3.05, 0.01, 3.31);
   scene.points.slab(scene.loop(0.05, 0.05, 4.05, 3.05), 2.51, [](double x, double y) {
     return x < 1.8 || x > 2.4 || y < 1.2 || y > 1.8;
@@ -126,13 +149,9 @@ TEST(AirGaps, LeaveAColumnOfTheBuildingEmptyThoughAirIsAroundIt)
   AirScene scene = box();
   scene.sides(2.05, 1.05, 2.35, 1.35, 0.01, 2.51);
   // Floor and ceiling under and over it were not seen.
-  AirScene seen;
-  for (const int i : scene.points.all()) {
-    const Eigen::Vector3f& p = scene.points[i];
-    const bool is_within = p.x() > 2.06 && p.x() < 2.34 && p.y() > 1.06 && p.y() < 1.34;
-    if (!is_within)
-      seen.points.point(p.x(), p.y(), p.z());
-  }
+  const AirScene seen = without(scene, [](const Eigen::Vector3d& p) {
+    return p.x() > 2.06 && p.x() < 2.34 && p.y() > 1.06 && p.y() < 1.34;
+  });
   const SceneAir air(seen);
   EXPECT_EQ(air.at(2.05, 1.2, 1), none);
   EXPECT_EQ(air.at(2.2, 1.2, 1), none);
@@ -141,14 +160,9 @@ TEST(AirGaps, LeaveAColumnOfTheBuildingEmptyThoughAirIsAroundIt)
 
 TEST(AirGaps, AreNoneOfATerraceThatWasSeenThroughADoor)
 {
-  AirScene scene;
-  scene.room(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
-  AirScene with_door;
-  for (const int i : scene.points.all()) {
-    const Eigen::Vector3f& p = scene.points[i];
-    if (!(p.y() > 3.04 && p.x() > 1.5 && p.x() < 2.4 && p.z() > 0.02 && p.z() < 2.1))
-      with_door.points.point(p.x(), p.y(), p.z());
-  }
+  AirScene with_door = without(box(), [](const Eigen::Vector3d& p) {
+    return p.y() > 3.04 && p.x() > 1.5 && p.x() < 2.4 && p.z() > 0.02 && p.z() < 2.1;
+  });
   with_door.slab(1.5, 3.05, 2.4, 3.15, 2.11); // the head of the door
   with_door.slab(0.5, 3.05, 3.5, 5.05, 0.01); // the ground outside
   const SceneAir air(with_door);
@@ -159,10 +173,7 @@ TEST(AirGaps, AreNoneOfATerraceThatWasSeenThroughADoor)
 
 TEST(AirGaps, OfAHallGoOnBelowAGallery)
 {
-  AirScene scene;
-  scene.room(0.05, 0.05, 8.05, 4.05, 0.01, 5.51);
-  scene.slab(4.05, 0.05, 8.05, 4.05, 2.51);
-  scene.slab(4.05, 0.05, 8.05, 4.05, 2.81);
+  const AirScene scene = hallWithGallery();
   const SceneAir air(scene);
   const std::uint32_t hall = air.at(3.95, 2, 4);
   EXPECT_EQ(hall, air.at(3.95, 2, 1));
@@ -202,10 +213,7 @@ TEST(AirGaps, OverStairsGoOnAboveTheSlabBelowWhichNobodyCanStandOnThem)
 TEST(AirGaps, AreLinkedMutually)
 {
   // A hall of 5.5 m overlaps both the room below a gallery and the air on it.
-  AirScene scene;
-  scene.room(0.05, 0.05, 8.05, 4.05, 0.01, 5.51);
-  scene.slab(4.05, 0.05, 8.05, 4.05, 2.51);
-  scene.slab(4.05, 0.05, 8.05, 4.05, 2.81);
+  const AirScene scene = hallWithGallery();
   const SceneAir air(scene);
   ASSERT_NE(air.at(6, 2, 1), air.at(6, 2, 4));
   std::size_t links = 0;
@@ -222,8 +230,7 @@ TEST(AirGaps, AreLinkedWhereTheyOverlapByHalfOfTheLower)
 {
   for (const double floor : {1.01, 2.01}) {
     AirScene scene;
-    scene.slab(0.05, 0.05, 4, 4.05, 0.01);
-    scene.slab(0.05, 0.05, 4, 4.05, 2.51);
+    scene.slabs(0.05, 0.05, 4, 4.05, 0.01, 2.51);
     scene.slab(4, 0.05, 8.05, 4.05, floor);
     scene.slab(4, 0.05, 8.05, 4.05, floor + 2.5);
     const SceneAir air(scene);

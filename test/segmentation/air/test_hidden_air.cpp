@@ -134,8 +134,7 @@ TEST(AirGaps, BesideAVoidGoOnInItsLowerStorey)
 {
   AirScene scene; // the upper storey beside the void is the higher
   scene.room(0.05, 0.05, 8.05, 6.05, 0.01, 6.01);
-  scene.slab(5.05, 0.05, 8.05, 6.05, 2.51);
-  scene.slab(5.05, 0.05, 8.05, 6.05, 2.81);
+  scene.slabs(5.05, 0.05, 8.05, 6.05, 2.51, 2.81);
   scene.wall(5.05, 0.05, 5.05, 6.05, 2.51, 2.81);
   const SceneAir air(scene);
   const std::uint32_t lower = air.at(6.5, 3, 1);

@@ -127,8 +127,7 @@ TEST(SlabFaces, StairsBesideASlabKeepTheirTreads)
 {
   AirScene scene;
   scene.room(0.05, 0.05, 8.05, 3.05, 0.01, 5.31);
-  scene.slab(4.05, 0.05, 8.05, 3.05, 2.51);
-  scene.slab(4.05, 0.05, 8.05, 3.05, 2.81);
+  scene.slabs(4.05, 0.05, 8.05, 3.05, 2.51, 2.81);
   for (int tread = 0; tread < 12; ++tread) // down from the slab, seen from both sides
     scene.slab(4.05 - 0.25 * (tread + 1), 0.05, 4.05 - 0.25 * tread, 3.05,
                2.66 - 0.18 * tread);

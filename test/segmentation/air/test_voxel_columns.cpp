@@ -260,51 +260,52 @@ TEST(VoxelColumns, AreTheSameForAnyNumberOfThreads)
               1u);
 }
 
-TEST(VoxelColumns, DotsNearerThanTheReachAreClosedAndWiderHolesAreNot)
+/** Closes gaps of a level surface of 6 m x 6 m: `closed` is then filled, `open` is not,
+ * and nothing that was there is lost.
+ * @return number of voxels that were filled */
+template <typename Close>
+std::size_t
+filledBy(Close close,
+         const RoomPoints::InPlan& isHidden,
+         const Voxel& closed,
+         const Voxel& open)
 {
   RoomPoints points(0.05);
-  const auto isSeen = [](double x, double y) {
-    const bool is_narrow = x > -1 && x < -0.6 && y > 0 && y < 2; // four profiles
-    const bool is_wide = x > 1 && x < 1.6 && y > 0 && y < 0.6;   // six by six
-    return !is_narrow && !is_wide;
+  points.slab(rectangle(-2.95, -2.95, 3.05, 3.05), 0.01,
+              [&](double x, double y) { return !isHidden(x, y); });
+  VoxelColumns columns = columnsOf(points);
+  const Voxels before = voxelsOf(columns);
+  EXPECT_EQ(before.count(closed) + before.count(open), 0u);
+  close(columns);
+  const Voxels after = voxelsOf(columns);
+  EXPECT_EQ(after.count(closed), 1u);
+  EXPECT_EQ(after.count(open), 0u);
+  EXPECT_TRUE(std::includes(after.begin(), after.end(), before.begin(), before.end()));
+  return after.size() - before.size();
+}
+
+TEST(VoxelColumns, DotsNearerThanTheReachAreClosedAndWiderHolesAreNot)
+{
+  const auto isHidden = [](double x, double y) {
+    return (x > -1 && x < -0.6 && y > 0 && y < 2) || // four profiles
+           (x > 1 && x < 1.6 && y > 0 && y < 0.6);   // six by six
   };
-  points.slab(rectangle(-2.95, -2.95, 3.05, 3.05), 0.01, isSeen);
-  for (const unsigned threads : {1u, 3u}) {
-    VoxelColumns columns = columnsOf(points);
-    const Voxels before = voxelsOf(columns);
-    ASSERT_EQ(before.count({-8, 10, 0}), 0u);
-    ASSERT_EQ(before.count({13, 3, 0}), 0u);
-    columns.closeDots(4, threads);
-    const Voxels after = voxelsOf(columns);
-    EXPECT_EQ(after.count({-8, 10, 0}), 1u);
-    EXPECT_EQ(after.count({13, 3, 0}), 0u);
-    EXPECT_EQ(after.size(), before.size() + 4u * 20u) << "nothing grows outwards";
-    for (const auto& voxel : before)
-      ASSERT_EQ(after.count(voxel), 1u);
-  }
+  for (const unsigned threads : {1u, 3u})
+    EXPECT_EQ(filledBy([=](VoxelColumns& columns) { columns.closeDots(4, threads); },
+                       isHidden, {-8, 10, 0}, {13, 3, 0}),
+              4u * 20u)
+        << "nothing grows outwards";
 }
 
 TEST(VoxelColumns, HolesAreClosedButNotTheStripBetweenTwoSurfaces)
 {
-  RoomPoints points(0.05);
-  const auto isSeen = [](double x, double y) {
-    const bool is_hole = x > -1 && x < -0.6 && y > 0 && y < 0.4; // four by four
-    const bool is_strip = x > 1 && x < 1.4;                      // four, all along y
-    return !is_hole && !is_strip;
+  const auto isHidden = [](double x, double y) {
+    return (x > -1 && x < -0.6 && y > 0 && y < 0.4) || // four by four
+           (x > 1 && x < 1.4);                         // four, all along y
   };
-  points.slab(rectangle(-2.95, -2.95, 3.05, 3.05), 0.01, isSeen);
-  for (const unsigned threads : {1u, 3u}) {
-    VoxelColumns columns = columnsOf(points);
-    const Voxels before = voxelsOf(columns);
-    ASSERT_EQ(before.count({-8, 2, 0}), 0u);
-    ASSERT_EQ(before.count({11, 2, 0}), 0u);
-    columns.closeHoles(4, threads);
-    const Voxels after = voxelsOf(columns);
-    EXPECT_EQ(after.count({-8, 2, 0}), 1u);
-    EXPECT_EQ(after.count({11, 2, 0}), 0u);
-    for (const auto& voxel : before)
-      ASSERT_EQ(after.count(voxel), 1u);
-  }
+  for (const unsigned threads : {1u, 3u})
+    filledBy([=](VoxelColumns& columns) { columns.closeHoles(4, threads); }, isHidden,
+             {-8, 2, 0}, {11, 2, 0});
 }
 
 } // namespace

@@ -187,6 +187,17 @@ openingsOf(const TwoRooms& scene)
   return plan.openings;
 }
 
+/** Returns the only opening of a scene, which must be of a kind. */
+inline PlanOpening
+openingOf(const TwoRooms& scene, OpeningKind kind)
+{
+  const auto found = openingsOf(scene);
+  EXPECT_EQ(found.size(), 1u);
+  const PlanOpening only = found.size() == 1 ? found[0] : PlanOpening();
+  EXPECT_EQ(only.kind, kind);
+  return only;
+}
+
 inline void
 expectEdges(const PlanOpening& found, const Cut& cut, double y, double tolerance)
 {

@@ -45,10 +45,8 @@ addHallWithCorridor(AirScene& scene, double width, double lintel)
 {
   const double low = 3.05 - width / 2;
   const double high = 3.05 + width / 2;
-  scene.slab(0.05, 0.05, 8.05, 6.05, 0.01);
-  scene.slab(0.05, 0.05, 8.05, 6.05, 2.81);
-  scene.slab(8.05, low, 14.05, high, 0.01);
-  scene.slab(8.05, low, 14.05, high, 2.81);
+  scene.slabs(0.05, 0.05, 8.05, 6.05, 0.01, 2.81);
+  scene.slabs(8.05, low, 14.05, high, 0.01, 2.81);
   for (const double y : {0.05, 6.05})
     scene.wall(0.05, y, 8.05, y, 0.01, 2.81);
   for (const double y : {low, high})
@@ -137,10 +135,8 @@ TEST(PartRooms, AStepInFloorOrCeilingPartsNothing)
 void
 addCorridor(AirScene& scene, double opening)
 {
-  scene.slab(0.05, 0.05, 1.05, 8.05, 0.01);
-  scene.slab(0.05, 0.05, 1.05, 8.05, 2.51);
-  scene.slab(1.15, 5.05, 4.15, 8.05, 0.01);
-  scene.slab(1.15, 5.05, 4.15, 8.05, 2.51);
+  scene.slabs(0.05, 0.05, 1.05, 8.05, 0.01, 2.51);
+  scene.slabs(1.15, 5.05, 4.15, 8.05, 0.01, 2.51);
   scene.wall(0.05, 0.05, 1.05, 0.05, 0.01, 2.51);
   scene.wall(0.05, 8.05, 4.15, 8.05, 0.01, 2.51);
   scene.wall(0.05, 0.05, 0.05, 8.05, 0.01, 2.51);

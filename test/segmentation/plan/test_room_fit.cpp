@@ -50,6 +50,9 @@ TEST(FitRoom, AFloorWithAStepOfATenthOfAMetreIsNotTilted)
   EXPECT_NEAR(room.floor.heightAt({7, 1}), 0, 0.002);
   ASSERT_EQ(room.floor_details.size(), 1u);
   EXPECT_NEAR(room.floor_details[0].slab.heightAt({6, 2}), 0.1, 0.002);
+  EXPECT_LT(
+      cornerError(room.floor_details[0].boundary, truth.floor_details[0].boundary),
+      0.005);
 }
 
 TEST(FitRoom, FurnitureDoesNotMoveTheWallsBehindIt)
@@ -135,7 +138,8 @@ TEST(FitRoom, ASoffitAllAroundHasAHole)
   ASSERT_EQ(room.details.size(), 1u);
   ASSERT_EQ(room.details[0].holes.size(), 1u);
   EXPECT_LT(room.details[0].holes[0].area(), 0);
-  EXPECT_LT(cornerError(room.details[0].holes[0], truth.details[0].holes[0]), 0.03);
+  EXPECT_LT(cornerError(room.details[0].holes[0], truth.details[0].holes[0]), 0.003);
+  EXPECT_LT(cornerError(room.details[0].boundary, truth.boundary), 0.003);
   EXPECT_NEAR(room.ceilingAt({3, 2}), 2.6, 0.002);
   EXPECT_NEAR(room.ceilingAt({0.3, 2}), 2.3, 0.002);
 }

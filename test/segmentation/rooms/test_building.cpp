@@ -290,7 +290,7 @@ TEST(FindBuilding, StraysFarOffChangeNothing)
 TEST(FindBuilding, GivesTheSameForAnyNumberOfThreads)
 {
   AirScene scene = flat(30);
-  scene.room(10, 10, 20, 22, 0.01, 3.01);
+  scene.room(8, 8, 24, 20, 0.01, 3.01); // several blocks
   BuildingParameters parameters;
   parameters.threads = 1;
   const Found one(scene, parameters);

@@ -156,20 +156,6 @@ TEST(LevelSurface, TheLargestComesFirst)
   EXPECT_NEAR(details[1].slab.heightAt({1, 3.6}), 2.2, 0.001);
 }
 
-TEST(LevelSurface, ASoffitAllAroundHasAHole)
-{
-  PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
-  room.details = {detailOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.2)};
-  const PlanLoop hole = rectangle(0.51, 0.51, 4.51, 3.51);
-  room.details[0].holes = {reversed(hole)};
-  const auto details = detailsOf(room);
-  ASSERT_EQ(details.size(), 1u);
-  ASSERT_EQ(details[0].holes.size(), 1u);
-  EXPECT_LT(details[0].holes[0].area(), 0) << "holes run clockwise";
-  EXPECT_LT(cornerError(details[0].holes[0], hole), 0.002);
-  EXPECT_LT(cornerError(details[0].boundary, room.boundary), 0.002);
-}
-
 TEST(LevelSurface, ASmallPieceBelowACeilingAwayFromTheWallsIsALamp)
 {
   struct Piece {
@@ -199,17 +185,6 @@ TEST(LevelSurface, APieceThatHangsAtABeamIsNoLamp)
   EXPECT_EQ(detailsOf(room).size(), 1u);
   room.details.push_back(detailOf(rectangle(2.31, 1.41, 2.81, 2.61), 2.4));
   EXPECT_EQ(detailsOf(room).size(), 2u);
-}
-
-TEST(LevelSurface, OfAFloorAreItsSteps)
-{
-  PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
-  room.floor_details = {detailOf(rectangle(3.01, 0.01, 5.01, 4.01), 0.3)};
-  room.details = {detailOf(rectangle(0.01, 3.21, 5.01, 4.01), 2.2)};
-  const auto details = detailsOf(room, true);
-  ASSERT_EQ(details.size(), 1u);
-  EXPECT_LT(cornerError(details[0].boundary, room.floor_details[0].boundary), 0.002);
-  EXPECT_NEAR(details[0].slab.heightAt({4, 2}), 0.3, 0.001);
 }
 
 TEST(LevelSurface, NoFloorLiesAboveWhatWasSeen)

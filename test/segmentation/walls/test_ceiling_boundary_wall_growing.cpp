@@ -103,20 +103,6 @@ TEST(CeilingBoundaryWallGrowing, DetailsJoinTheWallsThoughTheyAreNoCandidates)
   EXPECT_EQ(wallsOf(growing), united(room.wall_below, room.soffit));
 }
 
-TEST(CeilingBoundaryWallGrowing, ResultIsTheSameForAnyNumberOfThreads)
-{
-  const FurnishedRoom room;
-  Growing growing = room.growing();
-  growing.setNumberOfThreads(1);
-  const auto walls = wallsOf(growing);
-  const auto boundary = growing.getBoundaryIndices();
-  for (const unsigned int threads : {0u, 2u, 5u}) {
-    growing.setNumberOfThreads(threads);
-    EXPECT_EQ(wallsOf(growing), walls);
-    EXPECT_EQ(growing.getBoundaryIndices(), boundary);
-  }
-}
-
 TEST(CeilingBoundaryWallGrowing, SparseCandidatesGiveTheirShareOfTheWalls)
 {
   const FurnishedRoom room;
