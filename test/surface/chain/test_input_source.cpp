@@ -47,19 +47,27 @@ private:
   std::size_t piece_;
 };
 
-TEST(InputSource, GivesWhatTheCloudGives)
+using Reconstruction = pcl::IndoorStructureReconstruction<pcl::PointXYZ>;
+
+pcl::PointCloud<pcl::PointXYZ>::Ptr
+scannedRoom()
 {
   RoomPoints points;
   points.room(rectangle(0.01, 0.01, 4.01, 3.01), 0, 2.5);
-  const auto cloud = points.cloud();
-  pcl::IndoorStructureReconstruction<pcl::PointXYZ> reconstruction;
+  return points.cloud();
+}
+
+TEST(InputSource, GivesWhatTheCloudGives)
+{
+  const auto cloud = scannedRoom();
+  Reconstruction reconstruction;
   reconstruction.setInputCloud(cloud);
   ASSERT_TRUE(reconstruction.findStructure()) << reconstruction.getErrorMessage();
   const std::string expected =
       pcl::sedr::floorplanToJson(*reconstruction.getFloorplan());
   pcl::PointCloud<pcl::PointStructure> structure = *reconstruction.getStructure();
 
-  pcl::IndoorStructureReconstruction<pcl::PointXYZ> streamed;
+  Reconstruction streamed;
   streamed.setInputSource(std::make_shared<CloudInPieces>(*cloud, 3000));
   ASSERT_TRUE(streamed.findStructure()) << streamed.getErrorMessage();
   EXPECT_EQ(pcl::sedr::floorplanToJson(*streamed.getFloorplan()), expected);
@@ -72,14 +80,12 @@ TEST(InputSource, GivesWhatTheCloudGives)
 
 TEST(Thinning, ElsewhereGivesWhatThisObjectGives)
 {
-  RoomPoints points;
-  points.room(rectangle(0.01, 0.01, 4.01, 3.01), 0, 2.5);
-  const auto cloud = points.cloud();
-  pcl::IndoorStructureReconstruction<pcl::PointXYZ> reconstruction;
+  const auto cloud = scannedRoom();
+  Reconstruction reconstruction;
   reconstruction.setInputCloud(cloud);
   ASSERT_TRUE(reconstruction.findStructure()) << reconstruction.getErrorMessage();
 
-  pcl::IndoorStructureReconstruction<pcl::PointXYZ> other;
+  Reconstruction other;
   std::string problem;
   other.setThinning([&] {
     pcl::sedr::ThinnedScan scan;
@@ -151,16 +157,14 @@ TEST(RoomSharing, ProcessesThatMakeSomeOfTheRoomsGiveTheMeshOfOne)
 
 TEST(InputSource, IsRefusedWithTheSentenceOfTheCloud)
 {
-  RoomPoints points;
-  points.room(rectangle(0.01, 0.01, 4.01, 3.01), 0, 2.5);
   for (const float scale : {1000.f, 0.01f}) {
-    auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>(*points.cloud());
+    const auto cloud = scannedRoom();
     for (auto& p : *cloud)
       p.getVector3fMap() *= scale;
-    pcl::IndoorStructureReconstruction<pcl::PointXYZ> reconstruction;
+    Reconstruction reconstruction;
     reconstruction.setInputCloud(cloud);
     EXPECT_FALSE(reconstruction.findStructure());
-    pcl::IndoorStructureReconstruction<pcl::PointXYZ> streamed;
+    Reconstruction streamed;
     streamed.setInputSource(std::make_shared<CloudInPieces>(*cloud, 3000));
     EXPECT_FALSE(streamed.findStructure());
     EXPECT_EQ(streamed.getErrorMessage(), reconstruction.getErrorMessage());

@@ -257,17 +257,25 @@ TEST(FloorplanDrawing, SheetsOfStoreysLieOverEachOther)
   EXPECT_FALSE(holds(dxf, "Room 1\n"));
 }
 
-TEST(FloorplanDrawing, AFlightIsCutOnTheLowerStoreyOnly)
+/** Two storeys with a flight of 16 steps along x; the riser of 0.175 * 7 m is above the
+ * cut. */
+Floorplan
+storeysWithFlight()
 {
   Floorplan plan = twoStoreys(0);
   plan.storeys = {{1, "ground", 0, 0, {1, 2}}, {2, "attic", 0, 0, {3, 4}}};
-  plan.stairs = {{{2, 4}, {6, 0.5}, 0, 2.8}};
-  PlanFlight flight; // 16 steps along x; the riser of 0.175 * 7 m is above the cut
+  PlanFlight flight;
   flight.rise = 0.175;
   for (int k = 0; k < 16; ++k)
     flight.risers.push_back(
         {Eigen::Vector2d(4.5 + 0.25 * k, 1.5), Eigen::Vector2d(4.5 + 0.25 * k, 0.5)});
-  plan.stairs[0].flights = {flight};
+  plan.stairs = {{{2, 4}, {6, 0.5}, 0, 2.8, {flight}}};
+  return plan;
+}
+
+TEST(FloorplanDrawing, AFlightIsCutOnTheLowerStoreyOnly)
+{
+  const Floorplan plan = storeysWithFlight();
   const auto storeys = storeysOf(plan);
   for (std::size_t s = 0; s < 2; ++s) {
     const PlanDrawing drawing(plan, sheetOf(storeys[s]), 0);
@@ -288,14 +296,8 @@ TEST(FloorplanDrawing, AFlightIsCutOnTheLowerStoreyOnly)
 
 TEST(FloorplanDrawing, OfAFlightOnlyWhatLiesBesideTheOneAboveItIsShown)
 {
-  Floorplan plan = twoStoreys(0);
-  plan.storeys = {{1, "ground", 0, 0, {1, 2}}, {2, "attic", 0, 0, {3, 4}}};
-  PlanFlight flight;
-  flight.rise = 0.175;
-  for (int k = 0; k < 16; ++k)
-    flight.risers.push_back(
-        {Eigen::Vector2d(4.5 + 0.25 * k, 1.5), Eigen::Vector2d(4.5 + 0.25 * k, 0.5)});
-  plan.stairs = {{{2, 4}, {6, 0.5}, 0, 2.8, {flight}}};
+  Floorplan plan = storeysWithFlight();
+  PlanFlight flight = plan.stairs[0].flights[0];
   flight.bottom = 2.8;
   plan.stairs.push_back({{4, 0}, {6, 0.5}, 2.8, 5.6, {flight}}); // on to a third storey
   const auto storeys = storeysOf(plan);
