@@ -11,30 +11,21 @@ namespace programs {
 using Strings = std::vector<std::string>;
 
 /** Runs a tool that labels a scan or fits a plan to it, in a temporary folder. */
-class LabellingTools : public ::testing::Test {
+class LabellingTools : public InFolder<> {
 protected:
-  std::string in(const std::string& name) const
-  {
-    return (folder_.path() / name).string();
-  }
-
   ProgramRun runOn(const std::string& tool,
                    const std::string& bytes,
                    const std::string& output,
                    const Strings& options = {})
   {
     writeFile(in("input.pcd"), bytes);
-    Strings arguments{in("input.pcd"), in(output)};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return run(tool, arguments);
+    return run(tool, {in("input.pcd"), in(output)}, options);
   }
 
   /** Expects exit code 2, a sentence with `words`, and no output. */
   void expectNothingFound(const ProgramRun& result, const std::string& words) const
   {
-    EXPECT_EQ(result.exit_code, 2) << result.err;
-    EXPECT_TRUE(result.failsInOneSentence()) << result.out << result.err;
-    EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
+    expectSentence(result, 2, words);
     EXPECT_FALSE(std::filesystem::exists(in("output.pcd")));
     EXPECT_FALSE(std::filesystem::exists(in("output.json")));
   }
@@ -70,8 +61,6 @@ protected:
     EXPECT_EQ(problem, "");
     return result;
   }
-
-  TemporaryFolder folder_;
 };
 
 } // namespace programs

@@ -15,13 +15,8 @@ INSTANTIATE_TEST_SUITE_P(WallGrowing,
                          ToolContract,
                          ::testing::Values(CEILING_BOUNDARY_WALL_GROWING));
 
-class WallGrowingTool : public ::testing::Test {
+class WallGrowingTool : public InFolder<> {
 protected:
-  std::string in(const std::string& name) const
-  {
-    return (folder_.path() / name).string();
-  }
-
   void add(double x, double y, double z, int label, int room)
   {
     lines_ += std::to_string(x) + ' ' + std::to_string(y) + ' ' + std::to_string(z) +
@@ -37,13 +32,13 @@ protected:
       add(x + 0.1 * (i % 21), 0.1 * (i / 21), z, label, room);
   }
 
-  ProgramRun grow(std::vector<std::string> options = {})
+  ProgramRun grow(const std::vector<std::string>& options = {})
   {
     writeFile(in("input.pcd"), "FIELDS x y z label room intensity\nSIZE 4 4 4 1 2 8\n"
                                "TYPE F F F U U F\nWIDTH " +
                                    std::to_string(count_) + "\nDATA ascii\n" + lines_);
-    options.insert(options.begin(), {in("input.pcd"), in("output.pcd")});
-    return run(CEILING_BOUNDARY_WALL_GROWING, options);
+    return run(CEILING_BOUNDARY_WALL_GROWING, {in("input.pcd"), in("output.pcd")},
+               options);
   }
 
   /** @brief Returns the labels of the points from index `first` on. */
@@ -54,7 +49,6 @@ protected:
             cloud.label.end()};
   }
 
-  TemporaryFolder folder_;
   std::string lines_;
   std::size_t count_ = 0;
 };
@@ -104,15 +98,12 @@ TEST_F(WallGrowingTool, SaysWhatIsMissing)
 {
   addSlab(0, 0, 2, 0);
   const ProgramRun no_ceiling = grow();
-  EXPECT_EQ(no_ceiling.exit_code, 2);
-  EXPECT_TRUE(no_ceiling.failsInOneSentence()) << no_ceiling.err;
-  EXPECT_NE(no_ceiling.err.find("ceiling"), std::string::npos) << no_ceiling.err;
+  expectSentence(no_ceiling, 2, "ceiling");
 
   addSlab(0, 2.5, 1, 0);
   add(1, 1, 1, 0, 0);
   const ProgramRun no_wall = grow();
-  EXPECT_EQ(no_wall.exit_code, 2);
-  EXPECT_TRUE(no_wall.failsInOneSentence()) << no_wall.err;
+  expectSentence(no_wall, 2);
   EXPECT_FALSE(std::filesystem::exists(in("output.pcd")));
 }
 

@@ -17,13 +17,8 @@ INSTANTIATE_TEST_SUITE_P(FilterTools,
                                            GRID_REGION_OUTLIER_REMOVAL,
                                            FLOOR_PROJECTION_RECOVERY));
 
-class FilterTools : public ::testing::Test {
+class FilterTools : public InFolder<> {
 protected:
-  std::string in(const std::string& name) const
-  {
-    return (folder_.path() / name).string();
-  }
-
   ToolCloud output() const { return loadCloud(in("output.pcd")); }
 
   /** Runs a tool on an ASCII PCD with the fields x y z label room intensity. */
@@ -38,12 +33,8 @@ protected:
     for (const auto& line : lines)
       bytes += line + "\n";
     writeFile(in("input.pcd"), bytes);
-    std::vector<std::string> arguments{in("input.pcd"), in("output.pcd")};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return run(tool, arguments);
+    return run(tool, {in("input.pcd"), in("output.pcd")}, options);
   }
-
-  TemporaryFolder folder_;
 };
 
 using Numbers = std::vector<float>;
@@ -72,8 +63,7 @@ TEST_F(FilterTools, VoxelGridTakesItsOptions)
             0);
   EXPECT_EQ(floatField(output().blob, "intensity"), (Numbers{2}));
   const ProgramRun none = onPoints(PARALLEL_VOXEL_GRID, points, {"--min-points", "5"});
-  EXPECT_EQ(none.exit_code, 2);
-  EXPECT_TRUE(none.failsInOneSentence());
+  expectSentence(none, 2);
   EXPECT_EQ(onPoints(PARALLEL_VOXEL_GRID, points, {"--leaf", "0"}).exit_code, 1);
 }
 

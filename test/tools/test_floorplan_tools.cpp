@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "in_folder.h"
 #include "option_help.h"
 #include "plan_file.h"
-#include "run_program.h"
 #include "sample_files.h"
 #include "tool_error.h"
 #include "two_storeys.h"
@@ -23,15 +23,10 @@ using Strings = std::vector<std::string>;
 
 /** Both tools convert PLAN.json into one file. */
 class FloorplanTools
-    : public ::testing::TestWithParam<std::pair<std::string, std::string>> {
+    : public InFolder<::testing::TestWithParam<std::pair<std::string, std::string>>> {
 protected:
   const std::string& program() const { return GetParam().first; }
   const std::string& output() const { return GetParam().second; }
-
-  std::string in(const std::string& name) const
-  {
-    return (folder_.path() / name).string();
-  }
 
   std::string plan(const pcl::sedr::Floorplan& floorplan) const
   {
@@ -43,12 +38,9 @@ protected:
 
   void expectFailure(const ProgramRun& result, int exit_code) const
   {
-    EXPECT_EQ(result.exit_code, exit_code) << result.err;
-    EXPECT_TRUE(result.failsInOneSentence()) << result.out << result.err;
+    expectSentence(result, exit_code);
     EXPECT_FALSE(std::filesystem::exists(in(output())));
   }
-
-  TemporaryFolder folder_;
 };
 
 INSTANTIATE_TEST_SUITE_P(
@@ -149,24 +141,16 @@ TEST(FloorplanExtrusionTool, ARoomThatCannotBeBuiltIsTold)
   writeFile(file, pcl::sedr::floorplanToJson({{bad}}));
   std::filesystem::remove(solid);
   result = run(FLOORPLAN_EXTRUSION, {file, solid});
-  EXPECT_EQ(result.exit_code, 2);
-  EXPECT_TRUE(result.failsInOneSentence()) << result.err;
+  expectSentence(result, 2);
   EXPECT_FALSE(std::filesystem::exists(solid));
 }
 
 /** Runs pcl_floorplan_drawing on a plan of two storeys. */
-class StoreyDrawings : public ::testing::Test {
+class StoreyDrawings : public InFolder<> {
 protected:
-  std::string in(const std::string& name) const
-  {
-    return (folder_.path() / name).string();
-  }
-
   ProgramRun draw(const Strings& options) const
   {
-    Strings arguments{in("plan.json"), in("out.svg")};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return run(FLOORPLAN_DRAWING, arguments);
+    return run(FLOORPLAN_DRAWING, {in("plan.json"), in("out.svg")}, options);
   }
 
   bool has(const std::string& name) const { return std::filesystem::exists(in(name)); }
@@ -175,8 +159,6 @@ protected:
   {
     writeFile(in("plan.json"), pcl::sedr::floorplanToJson(twoStoreys()));
   }
-
-  TemporaryFolder folder_;
 };
 
 TEST_F(StoreyDrawings, AreOneAStoreyWithItsNumber)
@@ -270,9 +252,7 @@ TEST(FloorplanEditTool, AppliesEveryEditOrWritesNothing)
                               {"--merge", ""},
                               {"--merge", "1,9"}}) {
     const ProgramRun refused = run(FLOORPLAN_EDIT, {plan, output, edit[0], edit[1]});
-    EXPECT_EQ(refused.exit_code, 1) << edit[1];
-    EXPECT_TRUE(refused.failsInOneSentence()) << refused.err;
-    EXPECT_NE(refused.err.find(edit[0]), std::string::npos) << refused.err;
+    expectSentence(refused, 1, edit[0]);
     EXPECT_FALSE(std::filesystem::exists(output));
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "in_folder.h"
 #include "model/output_folder.h"
-#include "run_program.h"
 #include "sample_files.h"
 #include "tool_error.h"
 
@@ -30,13 +30,8 @@ using pcl::sedr::tools::OutputFolder;
 using pcl::sedr::tools::ToolError;
 using Strings = std::vector<std::string>;
 
-class ResultSet : public ::testing::Test {
+class ResultSet : public InFolder<> {
 protected:
-  std::string in(const std::string& name) const
-  {
-    return (folder_.path() / name).string();
-  }
-
   /** Writes set number k: ten files with that number in them, and one named by it. */
   void write(int k, const Strings& inputs = {}) const
   {
@@ -58,8 +53,6 @@ protected:
       names.insert(entry.path().lexically_relative(in("model")));
     return names;
   }
-
-  TemporaryFolder folder_;
 };
 
 TEST(InterruptGuard, WithoutAFreeDescriptorInterruptsEndTheProcess)

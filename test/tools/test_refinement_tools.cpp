@@ -23,13 +23,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(Tool(STRUCTURE_REFINEMENT, "output.pcd", true),
                       Tool(VERTICAL_HOLE_REPAIR, "output.pcd", true)));
 
-class RefinementTools : public ::testing::Test {
+class RefinementTools : public InFolder<> {
 protected:
-  std::string in(const std::string& name) const
-  {
-    return (folder_.path() / name).string();
-  }
-
   ProgramRun runOn(const std::string& tool,
                    const std::string& bytes,
                    const Strings& options = {},
@@ -38,17 +33,13 @@ protected:
     writeFile(in("input.pcd"), bytes);
     if (!std::filesystem::exists(in("plan.json")))
       writeFile(in("plan.json"), pcl::sedr::floorplanToJson({{planOf(BoxRoom())}}));
-    Strings arguments{in("input.pcd"), in("plan.json"), in(output)};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return run(tool, arguments);
+    return run(tool, {in("input.pcd"), in("plan.json"), in(output)}, options);
   }
 
   void
   expectFailure(const ProgramRun& result, int exit_code, const std::string& words) const
   {
-    EXPECT_EQ(result.exit_code, exit_code) << result.err;
-    EXPECT_TRUE(result.failsInOneSentence()) << result.out << result.err;
-    EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
+    expectSentence(result, exit_code, words);
     EXPECT_FALSE(std::filesystem::exists(in("output.pcd")));
   }
 
@@ -62,8 +53,6 @@ protected:
       normals.emplace_back(x[i], y[i], z[i]);
     return normals;
   }
-
-  TemporaryFolder folder_;
 };
 
 /** Returns the distance of a point from the surface of its label in the true room, and

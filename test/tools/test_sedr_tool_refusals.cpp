@@ -82,9 +82,7 @@ TEST_F(SedrTool, AScanIsNotWrittenOver)
   const std::string bytes = scanOf().pcd(false);
   writeFile(in("same/structure.pcd"), bytes);
   const ProgramRun result = run(SEDR, {in("same/structure.pcd"), in("same/../same")});
-  EXPECT_EQ(result.exit_code, 1);
-  EXPECT_TRUE(result.failsInOneSentence()) << result.out << result.err;
-  EXPECT_NE(result.err.find("would be written over"), std::string::npos) << result.err;
+  expectSentence(result, 1, "would be written over");
   EXPECT_TRUE(bytesOf(in("same/structure.pcd")) == bytes);
   EXPECT_FALSE(std::filesystem::exists(in("same/mesh.ply")));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "box_room.h"
+#include "in_folder.h"
 #include "option_help.h"
-#include "run_program.h"
 #include "sample_files.h"
 #include "tool_cloud.h"
 
@@ -37,13 +37,8 @@ twoRooms()
 }
 
 /** Runs the programs of the stages with their defaults. */
-class StageByStage : public ::testing::Test {
+class StageByStage : public InFolder<> {
 protected:
-  std::string in(const std::string& name) const
-  {
-    return (folder_.path() / name).string();
-  }
-
   void stage(const char* tool, const std::vector<std::string>& files)
   {
     std::vector<std::string> arguments;
@@ -76,8 +71,6 @@ protected:
     EXPECT_EQ(problem, "");
     return plan;
   }
-
-  TemporaryFolder folder_;
 };
 
 /** Expects each corner of a loop within a millimetre of one of the other. */

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "box_room.h"
+#include "in_folder.h"
 #include "option_help.h"
-#include "run_program.h"
 #include "sample_files.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
@@ -45,7 +45,7 @@ operator<<(std::ostream& stream, const Tool& tool)
   return stream << tool.program;
 }
 
-class ToolContract : public ::testing::TestWithParam<Tool> {
+class ToolContract : public InFolder<::testing::TestWithParam<Tool>> {
 protected:
   const std::string& program() const { return GetParam().program; }
 
@@ -58,11 +58,6 @@ protected:
     return run(program(), {input, in("input_plan.json"), output});
   }
 
-  std::string in(const std::string& name) const
-  {
-    return (folder_.path() / name).string();
-  }
-
   ProgramRun onFile(const std::string& bytes)
   {
     writeFile(in("input.pcd"), bytes);
@@ -72,14 +67,11 @@ protected:
   /** Expects the exit code, one sentence, and no new file. */
   void expectFailure(const ProgramRun& result, int exit_code) const
   {
-    EXPECT_EQ(result.exit_code, exit_code) << result.err;
-    EXPECT_TRUE(result.failsInOneSentence()) << result.out << result.err;
+    expectSentence(result, exit_code);
     for (const auto& entry : std::filesystem::directory_iterator(folder_.path()))
       EXPECT_EQ(entry.path().filename().string().compare(0, 5, "input"), 0)
           << entry.path() << " was left behind";
   }
-
-  TemporaryFolder folder_;
 };
 
 TEST_P(ToolContract, HelpTellsUsageAndEveryDefault)

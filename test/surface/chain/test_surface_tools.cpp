@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lattice_room.h"
 #include "surface/mesh/meshes.h"
-#include "tools/run_program.h"
+#include "tools/in_folder.h"
 #include "tools/sample_files.h"
 
 #include <pcl/sedr_surface/mesh_io.h>
@@ -40,24 +40,11 @@ structureBytes(const std::vector<pcl::sedr::OrientedPoint>& points, std::uint32_
   return bytes;
 }
 
-class SurfaceTools : public ::testing::Test {
+class SurfaceTools : public InFolder<> {
 protected:
-  std::string in(const std::string& name) const
-  {
-    return (folder_.path() / name).string();
-  }
-
   bool exists(const std::string& name) const
   {
     return std::filesystem::exists(in(name));
-  }
-
-  static void
-  expectFailure(const ProgramRun& result, int exit_code, const std::string& part)
-  {
-    EXPECT_EQ(result.exit_code, exit_code) << result.err;
-    EXPECT_TRUE(result.failsInOneSentence()) << result.out << result.err;
-    EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
   }
 
   void writeCloud(const std::vector<std::uint32_t>& labels = {})
@@ -65,8 +52,6 @@ protected:
     writeFile(in("cloud.pcd"),
               pcdBytes({{0.5f, 0.5f, 1.25f}, {0.5f, 0.5f, 1.03f}}, labels));
   }
-
-  TemporaryFolder folder_;
 };
 
 TEST_F(SurfaceTools, a_room_becomes_a_closed_mesh_with_rooms_and_labels)
@@ -92,20 +77,21 @@ TEST_F(SurfaceTools, a_room_becomes_a_closed_mesh_with_rooms_and_labels)
 
 TEST_F(SurfaceTools, poisson_refuses_what_it_cannot_use)
 {
-  expectFailure(run(STRUCTURAL_POISSON, {in("none.pcd"), in("mesh.ply")}), 1,
-                "none.pcd");
+  expectSentence(run(STRUCTURAL_POISSON, {in("none.pcd"), in("mesh.ply")}), 1,
+                 "none.pcd");
   writeCloud();
-  expectFailure(run(STRUCTURAL_POISSON, {in("cloud.pcd"), in("mesh.ply")}), 2,
-                "has no normals");
-  expectFailure(run(STRUCTURAL_POISSON, {in("cloud.pcd"), in("mesh.obj")}), 1, ".ply");
-  expectFailure(run(STRUCTURAL_POISSON, {in("cloud.pcd"), in("no/mesh.ply")}), 1, "no");
-  expectFailure(
+  expectSentence(run(STRUCTURAL_POISSON, {in("cloud.pcd"), in("mesh.ply")}), 2,
+                 "has no normals");
+  expectSentence(run(STRUCTURAL_POISSON, {in("cloud.pcd"), in("mesh.obj")}), 1, ".ply");
+  expectSentence(run(STRUCTURAL_POISSON, {in("cloud.pcd"), in("no/mesh.ply")}), 1,
+                 "no");
+  expectSentence(
       run(STRUCTURAL_POISSON, {in("cloud.pcd"), in("mesh.ply"), "--depth", "99"}), 1,
       "depth");
   writeFile(in("few.pcd"),
             structureBytes({{{0, 0, 0}, {0, 0, 1}}, {{1, 0, 0}, {0, 0, 1}}}, 1));
-  expectFailure(run(STRUCTURAL_POISSON, {in("few.pcd"), in("mesh.ply")}), 2,
-                "there are 2");
+  expectSentence(run(STRUCTURAL_POISSON, {in("few.pcd"), in("mesh.ply")}), 2,
+                 "there are 2");
   EXPECT_FALSE(exists("mesh.ply"));
 }
 
@@ -137,22 +123,23 @@ TEST_F(SurfaceTools, evaluation_refuses_what_it_cannot_use)
 {
   writeFile(in("cube.ply"), meshToPly(unitCube()));
   writeCloud({1, 3});
-  expectFailure(run(MESH_EVALUATION, {in("none.ply")}), 1, "cannot be opened");
-  expectFailure(run(MESH_EVALUATION, {in("cloud.pcd")}), 1, "neither a PLY nor an OBJ");
-  expectFailure(run(MESH_EVALUATION, {in("cube.ply"), "--truth", in("none.ply")}), 1,
-                "none.ply");
-  expectFailure(run(MESH_EVALUATION, {in("cube.ply"), "--cloud", in("none.pcd")}), 1,
-                "none.pcd");
-  expectFailure(run(MESH_EVALUATION, {in("cube.ply"), "--labels", "1"}), 1,
-                "no --cloud");
-  expectFailure(run(MESH_EVALUATION,
-                    {in("cube.ply"), "--cloud", in("cloud.pcd"), "--labels", "1,x"}),
-                1, "1,x");
-  expectFailure(run(MESH_EVALUATION,
-                    {in("cube.ply"), "--cloud", in("cloud.pcd"), "--labels", "7,8"}),
-                2, "none of the 2 points");
-  expectFailure(run(MESH_EVALUATION, {in("cube.ply"), "--json", in("no/f.json")}), 1,
-                "no");
+  expectSentence(run(MESH_EVALUATION, {in("none.ply")}), 1, "cannot be opened");
+  expectSentence(run(MESH_EVALUATION, {in("cloud.pcd")}), 1,
+                 "neither a PLY nor an OBJ");
+  expectSentence(run(MESH_EVALUATION, {in("cube.ply"), "--truth", in("none.ply")}), 1,
+                 "none.ply");
+  expectSentence(run(MESH_EVALUATION, {in("cube.ply"), "--cloud", in("none.pcd")}), 1,
+                 "none.pcd");
+  expectSentence(run(MESH_EVALUATION, {in("cube.ply"), "--labels", "1"}), 1,
+                 "no --cloud");
+  expectSentence(run(MESH_EVALUATION,
+                     {in("cube.ply"), "--cloud", in("cloud.pcd"), "--labels", "1,x"}),
+                 1, "1,x");
+  expectSentence(run(MESH_EVALUATION,
+                     {in("cube.ply"), "--cloud", in("cloud.pcd"), "--labels", "7,8"}),
+                 2, "none of the 2 points");
+  expectSentence(run(MESH_EVALUATION, {in("cube.ply"), "--json", in("no/f.json")}), 1,
+                 "no");
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compare_plans.h"
-#include "tools/run_program.h"
+#include "tools/in_folder.h"
 #include "tools/sample_files.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
@@ -19,20 +19,13 @@ using namespace pcl::sedr::tools;
 using namespace sedr_test;
 
 /** Runs the program on plans. */
-class CompareTool : public ::testing::Test {
+class CompareTool : public InFolder<> {
 protected:
-  std::string in(const std::string& name) const
-  {
-    return (folder_.path() / name).string();
-  }
-
   std::string plan(const std::string& name, const Floorplan& plan) const
   {
     writeFile(in(name), floorplanToJson(plan));
     return in(name);
   }
-
-  TemporaryFolder folder_;
 };
 
 TEST_F(CompareTool, WritesJson)
@@ -71,8 +64,7 @@ TEST_F(CompareTool, RefusesWhatIsNoModel)
       {good, good, "--picture", in("d.obj")}};
   for (const auto& arguments : refused) {
     const ProgramRun result = run(STRUCTURE_COMPARE, arguments);
-    EXPECT_EQ(result.exit_code, 1);
-    EXPECT_TRUE(result.failsInOneSentence()) << result.err;
+    expectSentence(result, 1);
   }
   const ProgramRun same = run(STRUCTURE_COMPARE, {good, good});
   EXPECT_EQ(same.exit_code, 0);

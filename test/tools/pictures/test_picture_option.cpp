@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pictures.h"
 #include "tools/box_room.h"
-#include "tools/run_program.h"
+#include "tools/in_folder.h"
 #include "tools/sample_files.h"
 
 #include <pcl/sedr_filters/floorplan_io.h>
@@ -28,13 +28,8 @@ operator<<(std::ostream& stream, const Stage& stage)
 }
 
 /** The requirements for --picture of every stage. */
-class PictureOption : public ::testing::TestWithParam<Stage> {
+class PictureOption : public InFolder<::testing::TestWithParam<Stage>> {
 protected:
-  std::string in(const std::string& name) const
-  {
-    return (folder_.path() / name).string();
-  }
-
   /** Runs the stage on the scan of a room, with labels, rooms and normals. */
   ProgramRun draw(const std::string& picture)
   {
@@ -47,8 +42,6 @@ protected:
     arguments.insert(arguments.end(), {in(GetParam().output), "--picture", picture});
     return run(GetParam().program, arguments);
   }
-
-  TemporaryFolder folder_;
 };
 
 TEST_P(PictureOption, WritesAPngThatIsTheSameEveryTime)
@@ -74,9 +67,7 @@ TEST_P(PictureOption, IsRefusedBeforeTheWorkWhereItCannotBeWritten)
 {
   const std::string path = in("missing/picture.png");
   const ProgramRun result = draw(path);
-  EXPECT_EQ(result.exit_code, 1);
-  EXPECT_TRUE(result.failsInOneSentence()) << result.out << result.err;
-  EXPECT_NE(result.err.find(path), std::string::npos) << result.err;
+  expectSentence(result, 1, path);
   EXPECT_FALSE(std::filesystem::exists(in(GetParam().output)));
 }
 

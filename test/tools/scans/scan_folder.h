@@ -5,7 +5,7 @@
 #include "las_writer.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
-#include "tools/run_program.h"
+#include "tools/in_folder.h"
 #include "tools/sample_files.h"
 
 #include <pcl/io/pcd_io.h>
@@ -27,13 +27,8 @@ saveCompressed(const std::string& path, const pcl::PCLPointCloud2& blob)
 }
 
 /** A folder for scans that a test writes and reads. */
-class ScanFolder : public ::testing::Test {
+class ScanFolder : public InFolder<> {
 protected:
-  std::string in(const std::string& name) const
-  {
-    return (folder_.path() / name).string();
-  }
-
   /** Writes a file and returns its path. */
   std::string write(const std::string& bytes, const std::string& name = "scan") const
   {
@@ -80,8 +75,6 @@ protected:
           << row.part << "\nis not in: " << sentence;
     }
   }
-
-  TemporaryFolder folder_;
 };
 
 /** Returns `bytes` with the first `from` replaced. */

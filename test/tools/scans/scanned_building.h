@@ -6,7 +6,7 @@
 #include "plan_file.h"
 #include "scan_file.h"
 #include "tool_cloud.h"
-#include "tools/run_program.h"
+#include "tools/in_folder.h"
 #include "tools/sample_files.h"
 
 #include <nlohmann/json.hpp>

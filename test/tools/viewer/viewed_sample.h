@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "tools/run_program.h"
+#include "tools/in_folder.h"
 #include "tools/sample_result.h"
 #include "viewer/viewed_result.h"
 
@@ -10,7 +10,7 @@
 namespace programs {
 
 /** The sample after writing and reading. */
-class ViewedSample : public ::testing::Test {
+class ViewedSample : public InFolder<> {
 protected:
   void SetUp() override
   {
@@ -18,7 +18,6 @@ protected:
     result_ = pcl::sedr::tools::readResult((folder_.path() / "model").string(), {});
   }
 
-  TemporaryFolder folder_;
   SampleResult sample_;
   pcl::sedr::tools::ViewedResult result_;
 };
