@@ -151,14 +151,16 @@ private:
     return cells;
   }
 
-  /** @brief Fixes ways to parts that lie apart. Returns whether there is one. */
+  /** @brief Fixes ways to parts that lie apart. Returns whether there is a new one. */
   bool joinParts(const Surroundings& around)
   {
-    const CellMask blocked = unite(around.opaque, around.others);
-    const CellMask ways = waysToParts(chosen(), core_, subtract(seen_, reveal_),
-                                      inverted(blocked), energy_.seen * size_);
-    core_ = unite(core_, ways);
-    return ways.count() > 0;
+    const CellMask free = inverted(unite(around.opaque, around.others));
+    std::vector<float> worth(frame_.values().size());
+    for (std::size_t i = 0; i < worth.size(); ++i)
+      worth[i] = static_cast<float>(worthOf(i));
+    const std::size_t before = core_.count();
+    core_ = unite(core_, waysToParts(chosen(), core_, free, worth, size_));
+    return core_.count() > before;
   }
 
   /** @brief Fills the holes in most of which the ceiling was seen: what stands below it
@@ -178,16 +180,22 @@ private:
         cells.values()[i] = 1;
   }
 
+  /** @brief Returns what leaving a cell out costs more than taking it in. */
+  double worthOf(std::size_t i) const
+  {
+    const bool is_air = seen_.values()[i] && !reveal_.values()[i];
+    return size_ * size_ *
+           (is_air              ? energy_.seen
+            : seen_.values()[i] ? -energy_.reveal
+            : wall_.values()[i] ? -energy_.wall
+                                : -energy_.unseen);
+  }
+
   void addCell(std::size_t i, BinaryEnergy& cut) const
   {
-    const double area = size_ * size_;
-    const bool is_air = seen_.values()[i] && !reveal_.values()[i];
-    const double without = is_air ? energy_.seen : 0;
-    const double with = is_air              ? 0
-                        : seen_.values()[i] ? energy_.reveal
-                        : wall_.values()[i] ? energy_.wall
-                                            : energy_.unseen;
-    cut.addTerm(static_cast<std::size_t>(number_[i]), area * without, area * with);
+    const double worth = worthOf(i);
+    cut.addTerm(static_cast<std::size_t>(number_[i]), std::max(0.0, worth),
+                std::max(0.0, -worth));
   }
 
   /** @brief Adds the border of a cell with a neighbour, its length by Crofton's formula

@@ -19,7 +19,8 @@ namespace pcl::sedr {
  *               + sum over cells taken in    `unseen` a square metre that nobody saw,
  *                     `wall` within a wall, `reveal` in a reveal
  *
- * Fixed are seen cells two cells inside, of this room and of others. */
+ * Fixed are seen cells two cells inside, of this room and of others. A region hangs
+ * together: a part joins where that costs less than the part is worth. */
 struct RegionEnergy {
   double line = 0.1;
   double glass = 0.5;
@@ -36,7 +37,8 @@ struct RegionEnergy {
 struct RoomRegion {
   CellMask cells;
   CellMask beyond;   ///< reveals that it leaves out, up to what closes them
-  double lost = 0;   ///< seen ceiling left out, without reveals, square metres
+  double lost = 0;   ///< seen ceiling left out more than two cells wide, without
+                     ///< reveals, square metres
   double unseen = 0; ///< taken in, though nobody saw it, square metres
 };
 
@@ -56,8 +58,9 @@ std::vector<Storey> storeysOf(const std::vector<RoomCells>& rooms,
                               const WallLineParameters& parameters,
                               unsigned threads);
 
-/** @brief Finds the region of every room by one minimum cut each. Regions do not
- * overlap where rooms share heights. O(cells near walls, x log) a room. */
+/** @brief Finds the region of every room by one minimum cut, and one more each time a
+ * part that lies apart is joined. Regions do not overlap where rooms share heights.
+ * O(cells near walls, x log) a cut. */
 std::vector<RoomRegion> roomRegions(const std::vector<RoomCells>& rooms,
                                     const std::vector<Storey>& storeys,
                                     const CellGrid& grid,

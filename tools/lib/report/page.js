@@ -432,4 +432,6 @@
     }
   });
   showModel(data);
+  // On paper nothing can be unfolded.
+  addEventListener('beforeprint', () => document.querySelectorAll('li details').forEach(folded => { folded.open = true; }));
 })();
