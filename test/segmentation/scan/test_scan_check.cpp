@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
+#include <utility>
 
 namespace {
 
@@ -56,21 +58,17 @@ TEST(ScanProblem, OfARoomInMetresIsNone)
       << "far from the origin";
 }
 
-TEST(ScanProblem, MillimetresAreNamedWithTheirExtent)
+TEST(ScanProblem, ScansInOtherUnitsAreNamedWithTheirExtent)
 {
-  const std::string problem =
-      scanProblemOf(changed([](auto p) -> Eigen::Vector3d { return p * 1000; }));
-  EXPECT_TRUE(mentions(problem, "millimetre")) << problem;
-  EXPECT_TRUE(mentions(problem, "0.001")) << problem;
-  EXPECT_TRUE(mentions(problem, " 24") || mentions(problem, " 25")) << problem;
-}
-
-TEST(ScanProblem, CentimetresAreNamedToo)
-{
-  const std::string problem =
-      scanProblemOf(changed([](auto p) -> Eigen::Vector3d { return p * 100; }));
-  EXPECT_TRUE(mentions(problem, "centimetre")) << problem;
-  EXPECT_TRUE(mentions(problem, "0.01")) << problem;
+  for (const auto& [scale, parts] :
+       {std::pair(1000.0, std::array{"millimetre", "0.001", "6000 x 4000 x 2500 m"}),
+        std::pair(100.0, std::array{"centimetre", "0.01", "600 x 400 x 250 m"}),
+        std::pair(0.001, std::array{"too small", "0.00", "0.00"})}) {
+    const std::string problem = scanProblemOf(
+        changed([&, by = scale](auto p) -> Eigen::Vector3d { return p * by; }));
+    for (const char* part : parts)
+      EXPECT_TRUE(mentions(problem, part)) << part << ": " << problem;
+  }
 }
 
 TEST(ScanProblem, AStrayPointKilometresAwayIsNoReason)
@@ -79,14 +77,6 @@ TEST(ScanProblem, AStrayPointKilometresAwayIsNoReason)
   points.point(9e4, 9e4, 9e4);
   points.point(-9e4, -9e4, -9e4);
   EXPECT_EQ(scanProblemOf(points), "");
-}
-
-TEST(ScanProblem, TooSmallForARoomIsNamed)
-{
-  const std::string problem =
-      scanProblemOf(changed([](auto p) -> Eigen::Vector3d { return p * 0.001; }));
-  EXPECT_TRUE(mentions(problem, "too small")) << problem;
-  EXPECT_TRUE(mentions(problem, "0.00")) << problem;
 }
 
 TEST(ScanProblem, TooFewFinitePointsAreCounted)
