@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool_cloud.h"
 #include "tools/box_room.h"
-#include "tools/run_program.h"
+#include "tools/in_folder.h"
 #include "tools/sample_files.h"
 #include "tools/scans/e57_writer.h"
 #include "tools/scans/las_writer.h"
@@ -26,13 +26,8 @@ using namespace programs;
 using Strings = std::vector<std::string>;
 namespace fs = std::filesystem;
 
-class SedrMpiTool : public ::testing::Test {
+class SedrMpiTool : public InFolder<> {
 protected:
-  std::string in(const std::string& name) const
-  {
-    return (folder_.path() / name).string();
-  }
-
   /** Returns whether a folder goes: what cleans up may outlive ranks that were ended.
    */
   bool isGone(const std::string& name) const
@@ -102,8 +97,6 @@ protected:
         said.push_back(line);
     return said;
   }
-
-  TemporaryFolder folder_;
 };
 
 /** Two rooms, 20 cm apart. */
@@ -123,9 +116,7 @@ twoRooms()
 TEST_F(SedrMpiTool, GivesTheBytesOfOneProcessForAnyNumberOfRanks)
 {
   writeFile(in("scan.pcd"), twoRooms().pcd(false));
-  const Strings options{"--threads", "1"};
-  Strings arguments{in("scan.pcd"), in("alone")};
-  arguments.insert(arguments.end(), options.begin(), options.end());
+  Strings arguments{in("scan.pcd"), in("alone"), "--threads", "1"};
   ASSERT_EQ(run(SEDR, arguments).exit_code, 0);
   for (const int ranks : {1, 2, 3, 4}) {
     arguments[1] = in("ranks_" + std::to_string(ranks));
@@ -210,9 +201,7 @@ TEST_F(SedrMpiTool, TakesAFolderAsOneScan)
             0);
   writeFile(in("scans/3.pcd"), part(2 * third, scan.points.size()).pcd(false));
   writeFile(in("scan.pcd"), scan.pcd(false));
-  const Strings options{"--no-mesh", "--threads", "1"};
-  Strings arguments{in("scan.pcd"), in("alone")};
-  arguments.insert(arguments.end(), options.begin(), options.end());
+  Strings arguments{in("scan.pcd"), in("alone"), "--no-mesh", "--threads", "1"};
   ASSERT_EQ(run(SEDR, arguments).exit_code, 0);
   arguments[0] = in("scans");
   for (const int ranks : {1, 2, 3, 4}) {

@@ -97,8 +97,7 @@ TEST_F(ScansAsTheyCome, PositionsTellWhatWindowsMirror)
   EXPECT_GE(positionsOf("known").at("mirrors"), 1);
   EXPECT_GT(positionsOf("known").at("mirrored_points"), 1000);
   const ProgramRun refused = model(scan, "no", {"--positions", scan});
-  EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_TRUE(refused.failsInOneSentence()) << refused.err;
+  expectSentence(refused, 1);
 }
 
 } // namespace

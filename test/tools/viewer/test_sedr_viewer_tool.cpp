@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "colour.h"
+#include "tools/in_folder.h"
 #include "tools/pictures/pictures.h"
-#include "tools/run_program.h"
 #include "tools/sample_files.h"
 #include "tools/sample_result.h"
 #include "virtual_screen.h"
@@ -17,7 +17,7 @@ namespace {
 using namespace programs;
 
 /** Runs the viewer with or without a display. */
-class ViewerTool : public ::testing::Test {
+class ViewerTool : public InFolder<> {
 protected:
   void SetUp() override
   {
@@ -34,11 +34,6 @@ protected:
         labels.push_back(label);
       }
     writeFile(in("stage.pcd"), pcdBytes(points, labels));
-  }
-
-  std::string in(const std::string& name) const
-  {
-    return (folder_.path() / name).string();
   }
 
   /** Returns a screenshot taken on a virtual screen. */
@@ -75,7 +70,6 @@ protected:
     return static_cast<double>(count) / static_cast<double>(image.pixels.size());
   }
 
-  TemporaryFolder folder_;
   SampleResult sample_;
   std::unique_ptr<VirtualScreen> screen_; ///< from the first screenshot on
 };
@@ -93,9 +87,7 @@ TEST_F(ViewerTool, WithoutADisplaySaysSoInOneSentence)
       std::vector<std::string> arguments{in("model")};
       arguments.insert(arguments.end(), more.begin(), more.end());
       const ProgramRun result = run(SEDR_VIEWER, arguments);
-      EXPECT_EQ(result.exit_code, 1);
-      EXPECT_TRUE(result.failsInOneSentence()) << result.err;
-      EXPECT_NE(result.err.find("xvfb-run"), std::string::npos) << "the remedy";
+      expectSentence(result, 1, "xvfb-run");
     }
   }
   EXPECT_FALSE(std::filesystem::exists(in("view.png")));
@@ -108,9 +100,7 @@ TEST_F(ViewerTool, BadCommandLinesAreRefusedBeforeADisplayIsAskedFor)
                            const char* word) {
     arguments.insert(arguments.begin(), in(input));
     const ProgramRun result = run(SEDR_VIEWER, arguments);
-    EXPECT_EQ(result.exit_code, 1);
-    EXPECT_TRUE(result.failsInOneSentence()) << result.err;
-    EXPECT_NE(result.err.find(word), std::string::npos) << result.err;
+    expectSentence(result, 1, word);
   };
   refuses("model", {"--layers", "walls"}, "walls");
   refuses("model", {"--colour", "pink"}, "pink");
