@@ -19,6 +19,7 @@ namespace {
 struct Floor {
   PlanSlab slab;
   PlanLoop region; ///< with its holes
+  Eigen::AlignedBox2d box = boundsOf(region);
 };
 
 PlanLoop
@@ -47,23 +48,34 @@ appendFloors(const PlanRoom& room, double gap, std::vector<Floor>& floors)
                       joined(intersection(joined(part.holes, part.boundary), plan))});
 }
 
-/** @brief Lowers the heights of a relief over and beside floors below these. */
+/** @brief Lowers the heights of a relief over and beside floors below these. In the
+ * region of the ceiling, they count as not seen. */
 void
-lowerRelief(const std::vector<Floor>& floors, PlanSlab& ceiling)
+lowerRelief(const std::vector<Floor>& floors, const PlanLoop& region, PlanSlab& ceiling)
 {
-  if (!ceiling.curve || ceiling.curve->kind != CurveKind::Relief)
+  if (floors.empty() || !ceiling.curve || ceiling.curve->kind != CurveKind::Relief)
     return;
   SlabCurve relief = *ceiling.curve;
   const double reach = M_SQRT2 * relief.spacing; // to the corners of a cell
+  double within = 0;
+  double lowered = 0;
   for (std::size_t k = 0; k < relief.heights.size(); ++k) {
     const Eigen::Vector2d place =
         relief.centre +
         relief.spacing * Eigen::Vector2d(static_cast<double>(k % relief.columns),
                                          static_cast<double>(k / relief.columns));
+    double height = relief.heights[k];
     for (const Floor& floor : floors)
-      if (floor.region.contains(place) || floor.region.distance(place) < reach)
-        relief.heights[k] = std::min(relief.heights[k], floor.slab.heightAt(place));
+      if (floor.box.exteriorDistance(place) < reach &&
+          (floor.region.contains(place) || floor.region.distance(place) < reach))
+        height = std::min(height, floor.slab.heightAt(place));
+    if (region.contains(place)) {
+      ++within;
+      lowered += height < relief.heights[k] ? 1 : 0;
+    }
+    relief.heights[k] = height;
   }
+  ceiling.inferred += (1 - ceiling.inferred) * lowered / std::max(1.0, within);
   ceiling.curve = std::make_shared<const SlabCurve>(std::move(relief));
 }
 
@@ -92,7 +104,7 @@ regionAbove(const PlanSlab& ceiling,
             const Floor& floor,
             const Priors& priors)
 {
-  if (!boundsOf(region).intersects(boundsOf(floor.region)))
+  if (!boundsOf(region).intersects(floor.box))
     return {};
   const std::vector<PlanLoop> loops = intersection(region, floor.region);
   const PlanLoop common = joined(loops);
@@ -192,9 +204,9 @@ endBelowRoomsAbove(Floorplan& plan, const Priors& priors)
     std::stable_sort(floors.begin(), floors.end(), [&](const Floor& a, const Floor& b) {
       return a.slab.heightAt(box.center()) > b.slab.heightAt(box.center());
     });
-    lowerRelief(floors, room.ceiling);
+    lowerRelief(floors, room.boundary, room.ceiling);
     for (PlanDetail& detail : room.details)
-      lowerRelief(floors, detail.slab);
+      lowerRelief(floors, joined(detail.holes, detail.boundary), detail.slab);
     std::vector<PlanDetail> details;
     appendParts(room.ceiling, room.boundary, room.hasFacets(), floors, priors, details);
     for (const PlanDetail& detail : room.details) {

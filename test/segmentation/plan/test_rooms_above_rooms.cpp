@@ -124,15 +124,18 @@ TEST(RoomsAboveRooms, AReliefThatRisesThroughThemEndsAtThem)
   SlabCurve relief;
   relief.kind = CurveKind::Relief;
   relief.spacing = 0.5;
+  relief.centre = {0.001, 0.001};
   relief.columns = 13;
   for (int k = 0; k < 9 * 13; ++k)
-    relief.heights.push_back(2 + k % 13 / 12.0);
+    relief.heights.push_back(2 + (0.001 + 0.5 * (k % 13)) / 6);
   plan.rooms[0].details[0].slab.curve = std::make_shared<const SlabCurve>(relief);
   endBelowRoomsAbove(plan, Priors());
   ASSERT_EQ(plan.rooms[0].details.size(), 1u);
   EXPECT_NEAR(plan.rooms[0].ceilingAt({4, 3.5}), 2 + 4 / 6.0, 1e-9);
   EXPECT_NEAR(plan.rooms[0].ceilingAt({4.9, 3}), 2.69, 1e-9) << "open to the gallery";
   EXPECT_NEAR(plan.rooms[0].ceilingAt({5.99, 1}), 3, 0.01) << "beside it";
+  // Of the heights at x = 4, 4.5, 5 and 5.5 all but the first are lowered.
+  EXPECT_NEAR(plan.rooms[0].details[0].slab.inferred, 0.75, 1e-9);
 }
 
 TEST(RoomsAboveRooms, AFacetInOneOfTheirShaftsStays)
