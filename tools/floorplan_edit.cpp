@@ -7,7 +7,9 @@
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_filters/plan_editor.h>
 
-#include <cstdio>
+#include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <sstream>
 #include <string>
 
@@ -16,28 +18,61 @@ using pcl::sedr::PlanEditor;
 
 namespace {
 
+constexpr const char* none = "none"; // an option that is not given
+
 struct Edits {
-  std::string move;
-  std::string square;
-  std::string split;
-  std::string merge;
-  std::string drop;
-  std::string name;
+  std::string move = none;
+  std::string square = none;
+  std::string split = none;
+  std::string merge = none;
+  std::string drop = none;
+  std::string name = none;
 };
 
+/** @brief Takes the number of a room or wall and what must follow it off the front of a
+ * text. */
+bool
+takeNumber(std::string& text, const std::string& following, unsigned& number)
+{
+  constexpr std::size_t most = 9; // digits
+  const std::size_t digits =
+      std::min(text.find_first_not_of("0123456789"), text.size());
+  if (digits == 0 || digits > most ||
+      text.compare(digits, following.size(), following) != 0)
+    return false;
+  number = static_cast<unsigned>(std::stoul(text.substr(0, digits)));
+  text.erase(0, digits + following.size());
+  return true;
+}
+
+/** @brief Reads a text that is a list of lengths. */
+template <std::size_t Count>
+bool
+readLengths(const std::string& text, std::array<double, Count>& lengths)
+{
+  const char* at = text.c_str();
+  for (std::size_t i = 0; i < Count; ++i) {
+    char* end = nullptr;
+    lengths[i] = std::strtod(at, &end);
+    if (end == at || *end != (i + 1 < Count ? ',' : '\0'))
+      return false;
+    at = end + 1;
+  }
+  return true;
+}
+
 /** @brief Calls `read` for each edit of an option, which applies it; throws ToolError
- * unless the edit begins with the number of a room and is read to its end. */
+ * if it is none. */
 template <typename Read>
 void
 forEachEdit(const std::string& edits, const std::string& wanted, const Read& read)
 {
-  std::istringstream list(edits);
-  for (std::string edit; std::getline(list, edit, ';');) {
-    int end = 0; // of what was read
-    if (edit.empty() || edit[0] < '0' || edit[0] > '9' || !read(edit, end) ||
-        static_cast<std::size_t>(end) != edit.size())
+  if (edits == none)
+    return;
+  std::istringstream list(edits.empty() ? ";" : edits);
+  for (std::string edit; std::getline(list, edit, ';');)
+    if (!read(edit))
       throw ToolError("'" + edit + "': " + wanted);
-  }
 }
 
 /** @brief Applies all edits; throws ToolError with the first that fails. */
@@ -46,49 +81,46 @@ apply(const Edits& edits, PlanEditor& editor)
 {
   unsigned a = 0;
   unsigned b = 0;
-  double x[4];
+  std::array<double, 1> out{};
+  std::array<double, 4> line{};
   const auto done = [&](bool is_done, const std::string& edit) {
     if (!is_done)
       throw ToolError(edit + ": " + editor.getErrorMessage());
     return true;
   };
-  const auto readsRoom = [&a](const std::string& edit, int& end) {
-    return std::sscanf(edit.c_str(), "%9u%n", &a, &end) == 1;
+  const auto readsRoom = [&a](std::string edit) {
+    return takeNumber(edit, "", a) && edit.empty();
   };
   forEachEdit(edits.move, "--move-wall wants ROOM.WALL=METRES, such as 3.12=0.05",
-              [&](const std::string& edit, int& end) {
-                return std::sscanf(edit.c_str(), "%9u.%9u=%lf%n", &a, &b, x, &end) ==
-                           3 &&
-                       done(editor.moveWall(a, b, x[0]), "--move-wall " + edit);
+              [&](const std::string& edit) {
+                std::string rest = edit;
+                return takeNumber(rest, ".", a) && takeNumber(rest, "=", b) &&
+                       readLengths(rest, out) &&
+                       done(editor.moveWall(a, b, out[0]), "--move-wall " + edit);
               });
-  forEachEdit(
-      edits.square, "--square wants a room", [&](const std::string& edit, int& end) {
-        return readsRoom(edit, end) && done(editor.square(a), "--square " + edit);
-      });
+  forEachEdit(edits.square, "--square wants a room", [&](const std::string& edit) {
+    return readsRoom(edit) && done(editor.square(a), "--square " + edit);
+  });
   forEachEdit(edits.split, "--split wants ROOM,X1,Y1,X2,Y2",
-              [&](const std::string& edit, int& end) {
-                return std::sscanf(edit.c_str(), "%9u,%lf,%lf,%lf,%lf%n", &a, x, x + 1,
-                                   x + 2, x + 3, &end) == 5 &&
-                       done(editor.split(a, {x[0], x[1]}, {x[2], x[3]}),
+              [&](const std::string& edit) {
+                std::string rest = edit;
+                return takeNumber(rest, ",", a) && readLengths(rest, line) &&
+                       done(editor.split(a, {line[0], line[1]}, {line[2], line[3]}),
                             "--split " + edit);
               });
-  forEachEdit(edits.merge, "--merge wants ROOM,ROOM",
-              [&](const std::string& edit, int& end) {
-                return std::sscanf(edit.c_str(), "%9u,%9u%n", &a, &b, &end) == 2 &&
-                       edit.find('-') == std::string::npos &&
-                       done(editor.merge(a, b), "--merge " + edit);
-              });
-  forEachEdit(edits.drop, "--drop wants a room",
-              [&](const std::string& edit, int& end) {
-                return readsRoom(edit, end) && done(editor.drop(a), "--drop " + edit);
-              });
+  forEachEdit(edits.merge, "--merge wants ROOM,ROOM", [&](const std::string& edit) {
+    std::string rest = edit;
+    return takeNumber(rest, ",", a) && takeNumber(rest, "", b) && rest.empty() &&
+           done(editor.merge(a, b), "--merge " + edit);
+  });
+  forEachEdit(edits.drop, "--drop wants a room", [&](const std::string& edit) {
+    return readsRoom(edit) && done(editor.drop(a), "--drop " + edit);
+  });
   forEachEdit(edits.name, "--name wants ROOM=TEXT, such as 3=Kitchen",
-              [&](const std::string& edit, int& end) {
-                const int read = std::sscanf(edit.c_str(), "%9u=%n", &a, &end);
-                const std::string text = edit.substr(static_cast<std::size_t>(end));
-                const bool is_read = read == 1 && end > 0;
-                end = static_cast<int>(edit.size());
-                return is_read && done(editor.name(a, text), "--name " + edit);
+              [&](const std::string& edit) {
+                std::string text = edit;
+                return takeNumber(text, "=", a) &&
+                       done(editor.name(a, text), "--name " + edit);
               });
 }
 

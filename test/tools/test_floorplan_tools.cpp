@@ -214,6 +214,12 @@ TEST_F(StoreyDrawings, OfARoomThatCrossesItselfAreDoubted)
       << result.err;
 }
 
+TEST_F(StoreyDrawings, MayHaveAnEmptyTitle)
+{
+  const ProgramRun result = draw({"--title", ""});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+}
+
 TEST_F(StoreyDrawings, PointsAreOfTheRoomAtTheirHeight)
 {
   const std::vector<std::vector<float>> points{
@@ -249,10 +255,13 @@ TEST(FloorplanEditTool, AppliesEveryEditOrWritesNothing)
                               {"--name", "Kitchen"},
                               {"--square", "1,"},
                               {"--merge", "-1,2"},
+                              {"--move-wall", "1.-2=0.05"},
+                              {"--split", "-1,2,-1,2,5"},
                               {"--merge", ""},
                               {"--merge", "1,9"}}) {
     const ProgramRun refused = run(FLOORPLAN_EDIT, {plan, output, edit[0], edit[1]});
     expectSentence(refused, 1, edit[0]);
+    EXPECT_EQ(refused.err.find(" wants ") == std::string::npos, edit[1] == "1,9");
     EXPECT_FALSE(std::filesystem::exists(output));
   }
 }

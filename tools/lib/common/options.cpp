@@ -104,8 +104,6 @@ Options::text(const std::string& name,
 {
   const std::string allowed = boost::join(choices, ", ");
   const auto read = [name, allowed, &value, choices](const std::string& given) {
-    if (given.empty())
-      throw ToolError("--" + name + " needs a value, it is empty");
     if (!choices.empty() &&
         std::find(choices.begin(), choices.end(), given) == choices.end())
       throw ToolError("--" + name + " is one of " + allowed + ", not '" + given + "'");
