@@ -14,9 +14,6 @@ namespace pcl::sedr {
 
 namespace {
 
-/** @brief The maximum coordinate, metres. No scanned room lies beyond it, and double
- * precision, grids and single precision files lose millimetres there. */
-constexpr double max_coordinate = 1e6;
 constexpr double max_radius = 1e5;           // metres
 constexpr double max_gap_of_arc = 1e-3;      // of its ends from its circle, metres
 constexpr double max_gap_of_loop = 1e-6;     // metres

@@ -98,7 +98,7 @@ constexpr std::array<Words, 39> words{{
     {"ifc_loss", "things are not in the IFC", "", "{reason}"},
     {"mesh", "meshes are not closed, or closed by a guess", "", "{reason}"},
     {"mesh_volume", "rooms have meshes and solids of different volumes", "",
-     "its mesh holds {0.1} m3, but its solid {1.1} m3"},
+     "its mesh holds {0.2} m3, but its solid {1.2} m3"},
     {"no_door", "rooms have no door", "m2", "no door, passage or stair leads into it"},
     {"narrow_door", "doors are narrow", "", "a door of {0.2} m"},
     {"small_room", "rooms are small", "", "a room of {0.1} m2"},

@@ -4,7 +4,7 @@
 #include "../niches/niche_fit.h"
 #include "../niches/niche_panes.h"
 #include "../scan/scan_excerpt.h"
-#include "../scan/upright_walls.h"
+#include "../scan/vertical_walls.h"
 #include "energy_fit.h"
 #include "rooms_above.h"
 #include <pcl/sedr_segmentation/tilted_faces.h>
@@ -114,8 +114,9 @@ dropEvenParts(Floorplan& plan, double min_step)
   }
 }
 
-/** @brief Tilts the walls of a plan of upright() points; the ceilings of their rooms
- * will be fitted again, where they were scanned: upright, a slope is none. */
+/** @brief Tilts the walls of a plan of withVerticalWalls() points; the ceilings of
+ * their rooms will be fitted again, where they were scanned: below vertical walls, a
+ * slope is none. */
 void
 setTilts(const PlanInput& input,
          const PointView& scanned,
@@ -163,16 +164,17 @@ fitFloorplan(const PlanInput& input,
   const Priors& priors = parameters.priors;
   const pcl::Indices& raw_indices =
       has_raw && input.raw_indices ? *input.raw_indices : all;
-  PointView upright_raw = has_raw ? input.raw : PointView();
+  PointView vertical_raw = has_raw ? input.raw : PointView();
   std::shared_ptr<const std::vector<Eigen::Vector3f>> moved;
   if (has_raw && !input.faces.empty()) {
     moved = movedPoints(input.raw, input.raw_indices, [&](const Eigen::Vector3d& p) {
-      return upright(input.faces, p);
+      return withVerticalWalls(input.faces, p);
     });
-    upright_raw = PointView(moved->data(), sizeof(Eigen::Vector3f), moved->size());
+    vertical_raw = PointView(moved->data(), sizeof(Eigen::Vector3f), moved->size());
   }
-  plan = fitPlanByEnergy(input.points, evidence, upright_raw, moved ? all : raw_indices,
-                         parameters, problem, warnings, boundaries, noise, sheets);
+  plan =
+      fitPlanByEnergy(input.points, evidence, vertical_raw, moved ? all : raw_indices,
+                      parameters, problem, warnings, boundaries, noise, sheets);
   if (!problem.empty())
     return problem;
   joinWalls(plan); // an element without length has no direction to keep

@@ -4,9 +4,9 @@
 #include "sedr_filters/src/rays/sight_lines.h"
 #include "sedr_segmentation/src/scan/unit_check.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -83,7 +83,7 @@ ChainRun::findStructure()
   if (!checkScan())
     return false;
   levelScan();
-  makeWallsUpright();
+  makeWallsVertical();
   const std::size_t n = chain_.cloud->size();
   return runStage("RoomSegmentation", n, [&](auto& r) { return partRooms(r); }) &&
          runStage("HorizontalPlaneDetection", n,
@@ -121,15 +121,20 @@ giveFreedMemoryBack()
 void
 ChainRun::compareVolumes()
 {
-  constexpr double same = 0.01; // of the larger; holes and edges of a mesh are less
+  constexpr double exact = 0.2; // of a cell: how exact the surface of a mesh is
   if (chain_.extrusion.getCutOpenings())
     return; // the mesh has none
-  for (const RoomPoissonReport& mesh : chain_.poisson.getReports())
-    for (const RoomSolidReport& solid : chain_.extrusion.getReports())
-      if (mesh.room == solid.room && mesh.closed && solid.closed &&
-          std::abs(mesh.volume - solid.volume) >
-              same * std::max(mesh.volume, solid.volume))
-        warn({WarningKind::MeshVolume, {mesh.volume, solid.volume}, mesh.room});
+
+  std::map<std::uint32_t, double> volumes; // of closed solids, by room
+  for (const RoomSolidReport& solid : chain_.extrusion.getReports())
+    if (solid.closed)
+      volumes[solid.room] = solid.volume;
+  for (const RoomPoissonReport& mesh : chain_.poisson.getReports()) {
+    const auto solid = volumes.find(mesh.room);
+    if (mesh.closed && solid != volumes.end() &&
+        std::abs(mesh.volume - solid->second) > exact * mesh.cell * mesh.area)
+      warn({WarningKind::MeshVolume, {mesh.volume, solid->second}, mesh.room});
+  }
 }
 
 bool

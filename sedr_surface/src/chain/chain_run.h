@@ -87,7 +87,7 @@ private:
   void levelScan();
 
   /** @brief Makes tilted walls vertical, until the plan is fitted. */
-  void makeWallsUpright();
+  void makeWallsVertical();
   bool partRooms(StageReport& report);
   bool findPlanes(StageReport& report);
   /** @brief Adds points where a room's ceiling is hidden, using the air below it.

@@ -52,7 +52,7 @@ ChainRun::levelScan()
 }
 
 void
-ChainRun::makeWallsUpright()
+ChainRun::makeWallsVertical()
 {
   faces_ = tiltedFaces(PointView(*chain_.cloud), *allIndices(chain_.cloud->size()),
                        chain_.room_segmentation.getNumberOfThreads());
@@ -61,7 +61,7 @@ ChainRun::makeWallsUpright()
   scanned_.reset(new Cloud(*chain_.cloud));
   for (auto& p : *chain_.cloud)
     p.getVector3fMap() =
-        upright(faces_, p.getVector3fMap().cast<double>()).cast<float>();
+        withVerticalWalls(faces_, p.getVector3fMap().cast<double>()).cast<float>();
 }
 
 TriangleMesh

@@ -7,6 +7,7 @@
 
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/plan/plan_check.h"
 #include <pcl/kdtree/kdtree_flann.h>
 #include <pcl/point_types.h>
 
@@ -90,11 +91,10 @@ solve(const std::vector<OrientedPoint>& local,
   Eigen::AlignedBox3f box;
   for (const OrientedPoint& p : local)
     box.extend(p.position);
-  constexpr double max_extent = 1e6; // metres, as that of plans
   const double extent = box.sizes().cast<double>().maxCoeff();
-  if (!(extent <= max_extent)) {
+  if (!(extent <= max_coordinate)) {
     report.problem = "its points extend over more than " +
-                     shortDecimalText(max_extent, 0) +
+                     shortDecimalText(max_coordinate, 0) +
                      " m: remove those that are far from the others";
     return false;
   }

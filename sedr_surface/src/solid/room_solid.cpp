@@ -294,7 +294,7 @@ extrudeRoom(const PlanRoom& room,
   if (!report.problem.empty())
     return report;
   const bool is_tilted = isTilted(room);
-  const PlanRoom straight = is_tilted ? uprightRoom(room) : PlanRoom();
+  const PlanRoom straight = is_tilted ? verticalAtHead(room) : PlanRoom();
   const RoomLayers layers(is_tilted ? straight : room);
   PlanSubdivision subdivision;
   report.problem = subdivideRoom(layers, parameters, subdivision, report.warnings);

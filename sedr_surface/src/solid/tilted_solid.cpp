@@ -234,7 +234,7 @@ movedWith(const std::vector<Eigen::Vector2d>& from,
 } // namespace
 
 PlanRoom
-uprightRoom(const PlanRoom& room)
+verticalAtHead(const PlanRoom& room)
 {
   PlanRoom straight = room;
   straight.boundary = boundaryAt(room, headOf(room));

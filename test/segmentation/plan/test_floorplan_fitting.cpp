@@ -216,7 +216,7 @@ TEST(FloorplanFitting, RoomsOfAnotherNumberOfPointsAreRefusedWithBothNumbers)
       << fitting.getErrorMessage();
 }
 
-TEST(FloorplanFitting, FitsTiltedWallsToPointsThatWereMovedUpright)
+TEST(FloorplanFitting, FitsTiltedWallsToPointsThatWereMovedToVerticalWalls)
 {
   // The wall at x = 4 m tilts into the room by 5 degrees.
   const double run = std::tan(5 * M_PI / 180);
@@ -241,7 +241,7 @@ TEST(FloorplanFitting, FitsTiltedWallsToPointsThatWereMovedUpright)
       new pcl::PointCloud<pcl::PointXYZ>(*scanned));
   for (auto& p : *moved)
     p.getVector3fMap() =
-        upright(faces, p.getVector3fMap().cast<double>()).cast<float>();
+        withVerticalWalls(faces, p.getVector3fMap().cast<double>()).cast<float>();
   Fitting fitting;
   fitting.setInputCloud(moved);
   fitting.setCeilingIndices(shared(parts.ceiling));

@@ -89,7 +89,7 @@ TEST(ScanTilt, IsTheSameForAnyNumberOfThreads)
   EXPECT_EQ(one.up, tiltOf(points.view(), points.all(), 3).up);
 }
 
-TEST(Upright, AFaceGoesToItsLineAtTheHeadAndNothingBetweenFacesIsTorn)
+TEST(VerticalWalls, AFaceGoesToItsLineAtTheHeadAndNothingBetweenFacesIsTorn)
 {
   // Walls along x that are 3 m apart at their heads and tilt by 20 degrees out.
   const double run = std::tan(20 * degree);
@@ -99,14 +99,20 @@ TEST(Upright, AFaceGoesToItsLineAtTheHeadAndNothingBetweenFacesIsTorn)
     const double out = run * (2.5 - z);
     for (const double sign : {-1.0, 1.0}) {
       const Eigen::Vector3d on_face(2, 1.5 + sign * (1.5 - out), z);
-      EXPECT_NEAR(upright(faces, on_face).y(), 1.5 + sign * 1.5, 1e-5) << z;
+      EXPECT_NEAR(withVerticalWalls(faces, on_face).y(), 1.5 + sign * 1.5, 1e-5) << z;
     }
-    double before = upright(faces, {2, -0.5, z}).y();
+    double before = withVerticalWalls(faces, {2, -0.5, z}).y();
     for (double y = -0.49; y < 3.5; y += 0.01) {
-      const double moved = upright(faces, {2, y, z}).y();
+      const double moved = withVerticalWalls(faces, {2, y, z}).y();
       EXPECT_LT(std::abs(moved - before), 0.05) << y << ' ' << z;
       before = moved;
     }
+  }
+  EXPECT_EQ(withVerticalWalls({}, {1, 2, 3}), Eigen::Vector3d(1, 2, 3));
+  for (int k = 0; k < 3; ++k) {
+    Eigen::Vector3d p(2, 0.1, 1);
+    p[k] = NAN;
+    EXPECT_FALSE(withVerticalWalls(faces, p).allFinite()) << k;
   }
 }
 

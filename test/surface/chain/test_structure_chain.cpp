@@ -17,12 +17,12 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-/** A room of 4 m x 3 m with a point every `spacing` metres. */
+/** A room of `length` x `width` metres with a point every `spacing` metres. */
 StructureChain::Cloud::Ptr
-roomScannedEvery(double spacing)
+roomScannedEvery(double spacing, double length = 4, double width = 3)
 {
   RoomPoints points(spacing);
-  points.room(rectangle(0.01, 0.01, 4.01, 3.01), 0, 2.5);
+  points.room(rectangle(0.01, 0.01, length + 0.01, width + 0.01), 0, 2.5);
   return points.cloud();
 }
 
@@ -130,7 +130,18 @@ TEST(StructureChain, WarnsOfAMeshOfAnotherVolumeThanItsSolid)
   ASSERT_TRUE(chain.makeMesh()) << chain.problem;
   ASSERT_EQ(chain.warnings.size(), 1u);
   EXPECT_EQ(sentenceOf(chain.warnings[0]),
-            "room 1: its mesh holds 29.4 m3, but its solid 30.0 m3");
+            "room 1: its mesh holds 29.40 m3, but its solid 30.00 m3");
+}
+
+TEST(StructureChain, RoundedEdgesOfASmallRoomAreNoOtherVolume)
+{
+  StructureChain chain;
+  ASSERT_TRUE(chain.findStructure(roomScannedEvery(0.04, 1.2, 1.1))) << chain.problem;
+  const std::size_t before = chain.warnings.size();
+  for (auto& point : *chain.structure)
+    point.z *= 0.985F;
+  ASSERT_TRUE(chain.makeMesh()) << chain.problem;
+  EXPECT_EQ(chain.warnings.size(), before) << sentenceOf(chain.warnings.back());
 }
 
 TEST(StructureChain, ARoomThatWasLookedIntoThroughADoorIsARoom)

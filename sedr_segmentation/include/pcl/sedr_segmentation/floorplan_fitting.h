@@ -159,8 +159,9 @@ public:
   IndicesConstPtr getRawIndices() const { return raw_indices_; }
 
   /** @brief Sets the walls of a scan with tilted ones, from tiltedFaces(). The input
-   * cloud then has them vertical, each point moved by upright(), and `scanned` has its
-   * points where they were scanned; so has the raw cloud. Default: no wall is tilted.
+   * cloud then has them vertical, each point moved by withVerticalWalls(), and
+   * `scanned` has its points where they were scanned; so has the raw cloud. Default: no
+   * wall is tilted.
    */
   void setTiltedWalls(std::vector<sedr::TiltedFace> faces,
                       typename pcl::PointCloud<PointT>::ConstPtr scanned)

@@ -22,13 +22,15 @@ std::vector<TiltedFace> tiltedFaces(const PointView& points,
                                     const std::vector<int>& indices,
                                     unsigned threads = 1);
 
-/** @brief Returns where a point would be if all walls stood vertical at their heads:
- * points of a cloud moved so are what the stages before FloorplanFitting work on, see
- * FloorplanFitting::setTiltedWalls().
+/** @brief Returns where a point would be if all walls were vertical, the plane of each
+ * turned about its upper edge: points of a cloud moved so are what the stages before
+ * FloorplanFitting work on, see FloorplanFitting::setTiltedWalls().
  *
- * At every height a point on a face moves with it to its line at the head. The space
+ * At every height a point on a face moves with it to its upper edge in plan. The space
  * beside a face moves with it, less with the distance, up to a metre more than the face
- * moves. Vertical faces stay and hold what is beside them. O(faces). */
-Eigen::Vector3d upright(const std::vector<TiltedFace>& faces, const Eigen::Vector3d& p);
+ * moves. Vertical faces stay and hold what is beside them. Without faces a point stays;
+ * one that is not finite stays so. O(faces). */
+Eigen::Vector3d withVerticalWalls(const std::vector<TiltedFace>& faces,
+                                  const Eigen::Vector3d& p);
 
 } // namespace pcl::sedr

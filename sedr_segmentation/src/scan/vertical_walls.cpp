@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "upright_walls.h"
+#include "vertical_walls.h"
 
 #include <pcl/sedr_segmentation/tilted_faces.h>
 
@@ -46,10 +46,10 @@ faceBehind(const PlanElement& wall, const std::vector<TiltedFace>& faces, double
 } // namespace
 
 Eigen::Vector3d
-upright(const std::vector<TiltedFace>& faces, const Eigen::Vector3d& p)
+withVerticalWalls(const std::vector<TiltedFace>& faces, const Eigen::Vector3d& p)
 {
-  constexpr double beside = 0.4; // of a face, whose ends are known to a patch, metres
-  constexpr double reach = 1;    // metres
+  constexpr double beside = 0.4;  // of a face, whose ends are known to a patch, metres
+  constexpr double reach = 1;     // metres
   constexpr double on_face = 1e6; // weight there: it follows the face alone
   // Each face asks for its shift along its normal, the point for none: least squares.
   Eigen::Matrix2d asked = Eigen::Matrix2d::Identity();
