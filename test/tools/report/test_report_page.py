@@ -372,7 +372,7 @@ class ReportInABrowser(ReportCase):
     def test_the_share_of_walls_that_was_measured_and_their_noise_head_the_page(self):
         figures = self.open().run("document.getElementById('figures').textContent")
         self.assertIn("59\u00a0%", figures)
-        self.assertIn("scatter of points about their walls, alike over 12.0\u00a0cm0.52\u00a0cm", figures)
+        self.assertIn("noise of walls0.52\u00a0cm (correlation length 12\u00a0cm)", figures)
 
     def test_warnings_have_numbers_on_the_plan_that_lies_over_the_scan(self):
         browser = self.open()

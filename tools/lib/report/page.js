@@ -69,7 +69,7 @@
     if (report.support) figures.push(['of the walls measured', percent(report.support.measured)],
       ['inferred', percent(report.support.inferred)], ['seen by nobody', percent(report.support.unseen)]);
     for (const noise of (report.noise || []).filter(storey => storey.stretches).sort((a, b) => b.measured - a.measured).slice(0, 1))
-      figures.push([`scatter of points about their walls, alike over ${centimetres(noise.correlation)}`, centimetres(noise.measured)]);
+      figures.push(['noise of walls', `${centimetres(noise.measured)} (correlation length ${number(100 * noise.correlation)}\u00a0cm)`]);
     if (distances && distances.count) figures.push(['half the points within', centimetres(distances.median)],
       ['within 5\u00a0cm', percent(distances.within_5cm)]);
     byId('figures').append(...figures.map(([name, value]) =>
