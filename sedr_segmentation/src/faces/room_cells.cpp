@@ -200,7 +200,7 @@ gatherWalls(const PointView& points,
             highest[at] = std::max(highest[at], q.z());
           if (const double above = q.z() - cells.floor; above > p.rim)
             bins_of_base[at] |= std::uint64_t{1}
-                                << std::min(63, static_cast<int>(above / p.bin));
+                                << static_cast<int>(std::min(63.0, above / p.bin));
           const bool is_below_low = isBelow(cells.low[at]);
           const bool is_below_top = isBelow(cells.top[at]);
           if (is_below_low)
