@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_segmentation/tilted_faces.h>
+#include <pcl/sedr_segmentation/wall_noise.h>
 
 #include <algorithm>
 #include <cmath>
