@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
-#include "sedr_filters/src/plan/plan_walls.h"
+#include "sedr_filters/src/walls/plan_walls.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include "rooms_above.h"
 #include <pcl/sedr_segmentation/tilted_faces.h>
 
-#include "sedr_filters/src/plan/plan_evidence.h"
+#include "sedr_filters/src/walls/plan_evidence.h"
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_segmentation/impl/floorplan_fitting.hpp>

@@ -3,7 +3,7 @@
 
 #include "../overhead/ceiling_lines.h"
 #include "sedr_filters/src/base/number_text.h"
-#include "sedr_filters/src/plan/plan_walls.h"
+#include "sedr_filters/src/walls/plan_walls.h"
 #include "text_spot.h"
 
 #include "sedr_filters/src/plan/level_planes.h"

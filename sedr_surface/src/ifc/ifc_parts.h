@@ -3,7 +3,7 @@
 
 #include "../walls/plan_area.h"
 #include "ifc_document.h"
-#include "sedr_filters/src/plan/plan_walls.h"
+#include "sedr_filters/src/walls/plan_walls.h"
 #include "wall_body.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sedr_filters/src/plan/plan_segment.h"
-#include "sedr_filters/src/plan/plan_walls.h"
+#include "sedr_filters/src/walls/plan_walls.h"
 #include "step_file.h"
 
 #include <pcl/sedr_surface/floorplan_ifc.h>

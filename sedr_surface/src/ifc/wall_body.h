@@ -3,7 +3,7 @@
 
 #include "../walls/plan_area.h"
 #include "ifc_shapes.h"
-#include "sedr_filters/src/plan/plan_walls.h"
+#include "sedr_filters/src/walls/plan_walls.h"
 
 #include <pcl/sedr_filters/tilted_walls.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_loops.h"
 
-#include "sedr_filters/src/plan/plan_evidence.h"
+#include "sedr_filters/src/walls/plan_evidence.h"
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 

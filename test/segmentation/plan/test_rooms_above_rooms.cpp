@@ -2,7 +2,7 @@
 #include "room_evidence.h"
 #include "two_storeys.h"
 
-#include "sedr_filters/src/plan/plan_evidence.h"
+#include "sedr_filters/src/walls/plan_evidence.h"
 #include "sedr_segmentation/src/niches/niche_fit.h"
 #include "sedr_segmentation/src/plan/rooms_above.h"
 #include <pcl/sedr_filters/floorplan_io.h>

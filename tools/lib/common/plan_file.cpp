@@ -7,7 +7,7 @@
 #include "run_tool.h"
 #include "tool_error.h"
 
-#include "sedr_filters/src/plan/floorplan_format.h"
+#include "sedr_filters/src/json/floorplan_format.h"
 #include "sedr_filters/src/plan/plan_bounds.h"
 #include "sedr_filters/src/plan/room_lookup.h"
 #include <pcl/sedr_filters/plan_editor.h>

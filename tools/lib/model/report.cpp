@@ -2,7 +2,7 @@
 #include "report.h"
 #include "wall_maps.h"
 
-#include "sedr_filters/src/plan/floorplan_format.h"
+#include "sedr_filters/src/json/floorplan_format.h"
 #include "sedr_surface/src/drawing/text_spot.h"
 
 #include <pcl/common/angles.h>

@@ -3,7 +3,7 @@
 
 #include "tool_error.h"
 
-#include "sedr_filters/src/plan/floorplan_format.h"
+#include "sedr_filters/src/json/floorplan_format.h"
 #include <pcl/sedr_surface/mesh_io.h>
 
 #include <algorithm>

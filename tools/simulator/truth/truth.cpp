@@ -2,7 +2,7 @@
 #include "truth.h"
 
 #include "bytes/whole_file.h"
-#include "sedr_filters/src/plan/floorplan_format.h"
+#include "sedr_filters/src/json/floorplan_format.h"
 #include "simulator/scene/file/furniture.h"
 #include "simulator/scene/queries.h"
 

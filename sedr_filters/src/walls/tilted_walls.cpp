@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plan_arcs.h"
+#include "../plan/plan_arcs.h"
 
 #include <pcl/sedr_filters/tilted_walls.h>
 

@@ -4,7 +4,7 @@
 #include "plan_evidence.h"
 
 #include "../base/parallel.h"
-#include "plan_surfaces.h"
+#include "../plan/plan_surfaces.h"
 
 #include <Eigen/Geometry>
 

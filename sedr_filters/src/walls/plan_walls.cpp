@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_walls.h"
 
+#include "../plan/plan_bounds.h"
 #include "face_pairs.h"
-#include "plan_bounds.h"
 
 #include "../grids/place_table.h"
 

@@ -2,7 +2,7 @@
 #include "floorplan_format.h"
 
 #include "../base/number_text.h"
-#include "plan_check.h"
+#include "../plan/plan_check.h"
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_filters/tilted_walls.h>
