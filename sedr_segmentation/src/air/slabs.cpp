@@ -121,7 +121,8 @@ private:
       if (!hasBothFaces(g) && isThrough(g) == is_through && is_met_[g] == 0) {
         std::vector<Slab> rim;
         const std::vector<std::uint32_t> region = regionFrom(g, rim);
-        visit(region, rim);
+        if (!rim.empty())
+          visit(region, rim);
       }
   }
 

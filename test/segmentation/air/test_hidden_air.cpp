@@ -186,6 +186,17 @@ TEST(AirGaps, ASlabGoesOnAcrossAHoleInACornerButAStairwellAlongTheWallStaysOpen)
   }
 }
 
+TEST(AirGaps, APlateInASmallRoomIsNoSlabWithAHoleAroundIt)
+{
+  AirScene scene; // a shelf, or what is seen at the edge of one thing before another
+  scene.room(0.05, 0.05, 1.25, 1.25, 0.01, 5.01);
+  scene.slab(0.5, 0.5, 0.8, 0.8, 2.51);
+  const SceneAir air(scene);
+  const AirGap& beside = air.gaps[air.at(0.3, 0.3, 1)];
+  EXPECT_EQ(beside.low, 1);
+  EXPECT_EQ(beside.high, 100);
+}
+
 TEST(AirGaps, TheVoidOfASlabIsNoAirThoughItsLowerSideHasAHole)
 {
   const auto isSeen = [](double x, double y) {
