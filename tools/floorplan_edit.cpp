@@ -10,8 +10,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <functional>
 #include <sstream>
 #include <string>
+#include <vector>
 
 using namespace pcl::sedr::tools;
 using pcl::sedr::PlanEditor;
@@ -20,13 +22,14 @@ namespace {
 
 constexpr const char* none = "none"; // an option that is not given
 
-struct Edits {
-  std::string move = none;
-  std::string square = none;
-  std::string split = none;
-  std::string merge = none;
-  std::string drop = none;
-  std::string name = none;
+/** @brief A kind of edit. */
+struct Kind {
+  const char* option;
+  const char* help;
+  const char* wanted;                            ///< form of an edit
+  std::function<bool(std::string&)> read;        ///< false: it has another form
+  std::function<bool(const std::string&)> apply; ///< what is left of its text
+  std::string given = none;                      ///< several, parted by semicolons
 };
 
 /** @brief Takes the number of a room or wall and what must follow it off the front of a
@@ -61,67 +64,19 @@ readLengths(const std::string& text, std::array<double, Count>& lengths)
   return true;
 }
 
-/** @brief Calls `read` for each edit of an option, which applies it; throws ToolError
- * if it is none. */
-template <typename Read>
+/** @brief Applies all edits of a kind; throws ToolError with the first that fails. */
 void
-forEachEdit(const std::string& edits, const std::string& wanted, const Read& read)
+apply(const Kind& kind, const PlanEditor& editor)
 {
-  if (edits == none)
-    return;
-  std::istringstream list(edits.empty() ? ";" : edits);
-  for (std::string edit; std::getline(list, edit, ';');)
-    if (!read(edit))
-      throw ToolError("'" + edit + "': " + wanted);
-}
-
-/** @brief Applies all edits; throws ToolError with the first that fails. */
-void
-apply(const Edits& edits, PlanEditor& editor)
-{
-  unsigned a = 0;
-  unsigned b = 0;
-  std::array<double, 1> out{};
-  std::array<double, 4> line{};
-  const auto done = [&](bool is_done, const std::string& edit) {
-    if (!is_done)
-      throw ToolError(edit + ": " + editor.getErrorMessage());
-    return true;
-  };
-  const auto readsRoom = [&a](std::string edit) {
-    return takeNumber(edit, "", a) && edit.empty();
-  };
-  forEachEdit(edits.move, "--move-wall wants ROOM.WALL=METRES, such as 3.12=0.05",
-              [&](const std::string& edit) {
-                std::string rest = edit;
-                return takeNumber(rest, ".", a) && takeNumber(rest, "=", b) &&
-                       readLengths(rest, out) &&
-                       done(editor.moveWall(a, b, out[0]), "--move-wall " + edit);
-              });
-  forEachEdit(edits.square, "--square wants a room", [&](const std::string& edit) {
-    return readsRoom(edit) && done(editor.square(a), "--square " + edit);
-  });
-  forEachEdit(edits.split, "--split wants ROOM,X1,Y1,X2,Y2",
-              [&](const std::string& edit) {
-                std::string rest = edit;
-                return takeNumber(rest, ",", a) && readLengths(rest, line) &&
-                       done(editor.split(a, {line[0], line[1]}, {line[2], line[3]}),
-                            "--split " + edit);
-              });
-  forEachEdit(edits.merge, "--merge wants ROOM,ROOM", [&](const std::string& edit) {
+  const std::string option = "--" + std::string(kind.option) + " ";
+  std::istringstream list(kind.given.empty() ? ";" : kind.given);
+  for (std::string edit; std::getline(list, edit, ';');) {
     std::string rest = edit;
-    return takeNumber(rest, ",", a) && takeNumber(rest, "", b) && rest.empty() &&
-           done(editor.merge(a, b), "--merge " + edit);
-  });
-  forEachEdit(edits.drop, "--drop wants a room", [&](const std::string& edit) {
-    return readsRoom(edit) && done(editor.drop(a), "--drop " + edit);
-  });
-  forEachEdit(edits.name, "--name wants ROOM=TEXT, such as 3=Kitchen",
-              [&](const std::string& edit) {
-                std::string text = edit;
-                return takeNumber(text, "=", a) &&
-                       done(editor.name(a, text), "--name " + edit);
-              });
+    if (!kind.read(rest))
+      throw ToolError("'" + edit + "': " + option + "wants " + kind.wanted);
+    if (!kind.apply(rest))
+      throw ToolError(option + edit + ": " + editor.getErrorMessage());
+  }
 }
 
 } // namespace
@@ -131,7 +86,41 @@ main(int argc, char** argv)
 {
   std::string plan;
   std::string output;
-  Edits edits;
+  PlanEditor editor{pcl::sedr::Floorplan()};
+  unsigned a = 0; // what an edit tells
+  unsigned b = 0;
+  std::array<double, 1> out{};
+  std::array<double, 4> line{};
+  const auto readRoom = [&](std::string& text) {
+    return takeNumber(text, "", a) && text.empty();
+  };
+  std::vector<Kind> kinds{
+      {"move-wall", "ROOM.WALL=METRES: move a straight wall outwards, inwards below 0",
+       "ROOM.WALL=METRES, such as 3.12=0.05",
+       [&](std::string& text) {
+         return takeNumber(text, ".", a) && takeNumber(text, "=", b) &&
+                readLengths(text, out);
+       },
+       [&](const std::string&) { return editor.moveWall(a, b, out[0]); }},
+      {"square", "ROOM: make its nearly square corners square", "a room", readRoom,
+       [&](const std::string&) { return editor.square(a); }},
+      {"split", "ROOM,X1,Y1,X2,Y2: part a room along a line", "ROOM,X1,Y1,X2,Y2",
+       [&](std::string& text) {
+         return takeNumber(text, ",", a) && readLengths(text, line);
+       },
+       [&](const std::string&) {
+         return editor.split(a, {line[0], line[1]}, {line[2], line[3]});
+       }},
+      {"merge", "ROOM,ROOM: take out the wall between two rooms", "ROOM,ROOM",
+       [&](std::string& text) {
+         return takeNumber(text, ",", a) && takeNumber(text, "", b) && text.empty();
+       },
+       [&](const std::string&) { return editor.merge(a, b); }},
+      {"drop", "ROOM: remove a room", "a room", readRoom,
+       [&](const std::string&) { return editor.drop(a); }},
+      {"name", "ROOM=TEXT: name a room", "ROOM=TEXT, such as 3=Kitchen",
+       [&](std::string& text) { return takeNumber(text, "=", a); },
+       [&](const std::string& text) { return editor.name(a, text); }}};
   Options options(
       "pcl_floorplan_edit",
       "Changes a floor plan by hand; drawings, solid and IFC are made from "
@@ -142,18 +131,21 @@ main(int argc, char** argv)
   options.file("PLAN.json", plan,
                "floor plan, as pcl_sedr and pcl_floorplan_fitting write it");
   options.file("OUTPUT.json", output, "changed floor plan to write");
-  options.text("move-wall", edits.move,
-               "ROOM.WALL=METRES: move a straight wall outwards, inwards below 0");
-  options.text("square", edits.square, "ROOM: make its nearly square corners square");
-  options.text("split", edits.split, "ROOM,X1,Y1,X2,Y2: part a room along a line");
-  options.text("merge", edits.merge, "ROOM,ROOM: take out the wall between two rooms");
-  options.text("drop", edits.drop, "ROOM: remove a room");
-  options.text("name", edits.name, "ROOM=TEXT: name a room");
+  for (Kind& kind : kinds)
+    options.text(kind.option, kind.given, kind.help);
   return runTool(options, argc, argv, [&] {
     checkOutput(output, "a floor plan", {".json"});
     pcl::sedr::PlanDocument document = loadPlan(plan);
-    PlanEditor editor(std::move(document.plan));
-    apply(edits, editor);
+    editor = PlanEditor(std::move(document.plan));
+    bool has_edit = false;
+    for (const Kind& kind : kinds)
+      if (kind.given != none) {
+        apply(kind, editor);
+        has_edit = true;
+      }
+    if (!has_edit)
+      throw ToolError("there is no edit to do, such as --name 3=Kitchen; "
+                      "pcl_floorplan_edit -h tells all");
     if (editor.getFloorplan().rooms.empty())
       throw ToolError("no room is left");
     document.plan = editor.getFloorplan();

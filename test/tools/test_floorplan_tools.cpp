@@ -264,6 +264,8 @@ TEST(FloorplanEditTool, AppliesEveryEditOrWritesNothing)
     EXPECT_EQ(refused.err.find(" wants ") == std::string::npos, edit[1] == "1,9");
     EXPECT_FALSE(std::filesystem::exists(output));
   }
+  expectSentence(run(FLOORPLAN_EDIT, {plan, output}), 1, "no edit");
+  EXPECT_FALSE(std::filesystem::exists(output));
 }
 
 } // namespace

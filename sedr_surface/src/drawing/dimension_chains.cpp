@@ -13,75 +13,98 @@ namespace pcl::sedr {
 namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::infinity();
+constexpr double min_step = 0.05; ///< metres; less has no dimension of its own
 
-/** @brief What is visible at a place along a side: a wall, null for none, and its depth
- * there. */
+/** @brief The wall that is visible at a place along a side, null for none, and its
+ * depth there. */
 struct Sight {
   const PlanElement* wall = nullptr;
   double depth = nowhere;
 };
 
+double
+depthAt(const PlanElement& e, double x)
+{
+  if (!e.isArc()) {
+    const double share = (x - e.start.x()) / (e.end.x() - e.start.x());
+    return share >= 0 && share <= 1 ? e.start.y() + share * (e.end.y() - e.start.y())
+                                    : nowhere;
+  }
+  const double half = e.radius * e.radius - (x - e.centre.x()) * (x - e.centre.x());
+  for (const double sign : {-1.0, 1.0}) {
+    const double y = e.centre.y() + sign * std::sqrt(std::max(half, 0.0));
+    if (half > 0 && e.distance({x, y}) < 1e-6 * e.radius)
+      return y;
+  }
+  return nowhere;
+}
+
 /** @brief Walls turned so that the side is at the bottom: x to the right along it, y
- * into the plan. */
+ * into the plan. Between the `ends` of walls, one of them is visible, or none. */
 class SideView {
 public:
   SideView(const std::vector<PlanElement>& walls, const Eigen::Vector2d& off)
   {
     frame_.turn = -M_PI / 2 - std::atan2(off.y(), off.x());
-    for (const PlanElement& wall : walls)
-      walls_.push_back(frame_(wall));
+    for (const PlanElement& wall : walls) {
+      const PlanElement turned = frame_(wall);
+      Eigen::AlignedBox2d box = boundsOf({{turned}}); // with the extremes of an arc
+      box.extend(turned.end);
+      walls_.push_back({turned, box.min().x(), box.max().x()});
+      for (const auto& place : {turned.start, turned.end, box.min(), box.max()})
+        ends.push_back(place.x());
+    }
+    std::sort(walls_.begin(), walls_.end(),
+              [](const Wall& a, const Wall& b) { return a.low < b.low; });
+    std::sort(ends.begin(), ends.end());
+    const auto is_same = [](double a, double b) { return b - a < 2 * hair; };
+    ends.erase(std::unique(ends.begin(), ends.end(), is_same), ends.end());
+    findSights();
   }
 
   Eigen::Vector2d toPlan(const Eigen::Vector2d& p) const { return frame_.toPlan(p); }
 
-  /** @brief Returns the ends of walls along the side, sorted. */
-  std::vector<double> ends() const
+  /** @brief Returns the depth of what is visible before or after an end. */
+  double depthBeside(std::size_t end, bool is_after) const
   {
-    std::vector<double> ends;
-    for (const PlanElement& e : walls_) {
-      ends.push_back(e.start.x());
-      ends.push_back(e.end.x());
-      // The extremes of an arc are two points of its circle.
-      for (const double sign : {-1.0, 1.0}) {
-        const Eigen::Vector2d place = e.centre + Eigen::Vector2d(sign * e.radius, 0);
-        if (e.isArc() && e.distance(place) < 1e-6 * e.radius)
-          ends.push_back(place.x());
-      }
-    }
-    std::sort(ends.begin(), ends.end());
-    return ends;
+    const PlanElement* wall = sights[is_after ? end + 1 : end].wall;
+    return wall ? depthAt(*wall, ends[end] + (is_after ? hair : -hair)) : nowhere;
   }
 
-  Sight sightAt(double x) const
-  {
-    Sight nearest;
-    for (const PlanElement& wall : walls_) {
-      const double depth = depthAt(wall, x);
-      if (depth < nearest.depth)
-        nearest = {&wall, depth};
-    }
-    return nearest;
-  }
+  std::vector<double> ends;      ///< along the side, increasing
+  std::vector<Sight> sights{{}}; ///< before, between and after them
 
 private:
-  static double depthAt(const PlanElement& e, double x)
+  static constexpr double hair = 1e-6; // metres
+
+  struct Wall {
+    PlanElement element;
+    double low; ///< its ends along the side
+    double high;
+  };
+
+  void findSights()
   {
-    if (!e.isArc()) {
-      const double share = (x - e.start.x()) / (e.end.x() - e.start.x());
-      return share >= 0 && share <= 1 ? e.start.y() + share * (e.end.y() - e.start.y())
-                                      : nowhere;
+    std::vector<const Wall*> here;
+    auto next = walls_.begin();
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+      const double x = (ends[k] + ends[k + 1]) / 2;
+      for (; next != walls_.end() && next->low < x; ++next)
+        here.push_back(&*next);
+      here.erase(std::remove_if(here.begin(), here.end(),
+                                [x](const Wall* wall) { return wall->high < x; }),
+                 here.end());
+      Sight nearest;
+      for (const Wall* wall : here)
+        if (const double depth = depthAt(wall->element, x); depth < nearest.depth)
+          nearest = {&wall->element, depth};
+      sights.push_back(nearest);
     }
-    const double half = e.radius * e.radius - (x - e.centre.x()) * (x - e.centre.x());
-    for (const double sign : {-1.0, 1.0}) {
-      const double y = e.centre.y() + sign * std::sqrt(std::max(half, 0.0));
-      if (half > 0 && e.distance({x, y}) < 1e-6 * e.radius)
-        return y;
-    }
-    return nowhere;
+    sights.emplace_back();
   }
 
   PlanFrame frame_;
-  std::vector<PlanElement> walls_;
+  std::vector<Wall> walls_;
 };
 
 /** @brief Returns whether one wall goes on as another, as a straight one in two parts.
@@ -100,53 +123,17 @@ goesOn(const Sight& before, const Sight& after)
          line.absDistance(after.wall->end) < off;
 }
 
-/** @brief Returns the ends with a minimum distance, including the first and last
- * one. */
-std::vector<double>
-placesOf(const std::vector<double>& ends, double least)
-{
-  std::vector<double> places;
-  for (const double x : ends)
-    if (places.empty() || x - places.back() >= least)
-      places.push_back(x);
-  if (places.size() > 1)
-    places.back() = ends.back();
-  return places;
-}
-
 /** @brief Returns whether two chains have the same dimensions. */
 bool
-areAlike(const DimensionChain& a, const DimensionChain& b, double least)
+areAlike(const DimensionChain& a, const DimensionChain& b)
 {
   if (a.places.size() != b.places.size())
     return false;
+  constexpr double same = 0.01; // metres
   for (std::size_t k = 0; k < a.places.size(); ++k)
-    if (std::abs(a.along(k) - b.along(k)) > least)
+    if (std::abs(a.along(k) - b.along(k)) > same)
       return false;
   return true;
-}
-
-/** @brief Removes places until no two neighbouring dimensions are both shorter than
- * `room`, as on ragged walls; the shortest pair first. A single short one, such as a
- * wall thickness, stays. */
-void
-thinOut(DimensionChain& chain, double room)
-{
-  while (true) {
-    std::size_t shortest = 0;
-    double least = nowhere;
-    for (std::size_t k = 1; k + 1 < chain.places.size(); ++k) {
-      const double before = chain.along(k) - chain.along(k - 1);
-      const double after = chain.along(k + 1) - chain.along(k);
-      if (std::max(before, after) < room && before + after < least) {
-        least = before + after;
-        shortest = k;
-      }
-    }
-    if (shortest == 0)
-      return;
-    chain.places.erase(chain.places.begin() + static_cast<std::ptrdiff_t>(shortest));
-  }
 }
 
 /** @brief Returns the corners of walls that are visible from a side, in order. What
@@ -154,61 +141,63 @@ thinOut(DimensionChain& chain, double room)
 DimensionChain
 chainAlong(const std::vector<PlanElement>& walls,
            const Eigen::Vector2d& side,
-           double max_wall,
-           double least)
+           double max_wall)
 {
-  const SideView view(walls, side);
-  const std::vector<double> places = placesOf(view.ends(), least);
-  std::vector<Sight> sights{{}}; // before, between and after the places
-  for (std::size_t k = 0; k + 1 < places.size(); ++k)
-    sights.push_back(view.sightAt((places[k] + places[k + 1]) / 2));
-  sights.emplace_back();
+  SideView view(walls, side);
+  auto& sights = view.sights;
   for (std::size_t first = 1; first + 1 < sights.size(); ++first) {
     const double rim = sights[first - 1].depth + max_wall;
     std::size_t last = first; // sights[first] to sights[last - 1] are in a gap
     while (last + 1 < sights.size() && sights[last].depth > rim)
       ++last;
     if (sights[last].wall && last > first &&
-        places[last - 1] - places[first - 1] <= max_wall)
+        view.ends[last - 1] - view.ends[first - 1] <= max_wall)
       std::fill(sights.begin() + static_cast<std::ptrdiff_t>(first),
                 sights.begin() + static_cast<std::ptrdiff_t>(last), Sight{});
   }
   DimensionChain chain{side, {}};
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    if (goesOn(sights[k], sights[k + 1]))
-      continue;
-    // Where walls meet, the nearer of their ends.
-    const double off = least / 4;
-    double depth = std::min(view.sightAt(places[k] - off).depth,
-                            view.sightAt(places[k] + off).depth);
-    if (depth == nowhere)
-      depth = std::min(sights[k].depth, sights[k + 1].depth);
-    chain.places.push_back(view.toPlan({places[k], depth}));
-  }
+  for (std::size_t k = 0; k < view.ends.size(); ++k)
+    if (!goesOn(sights[k], sights[k + 1])) // where walls meet, the nearer of their ends
+      chain.places.push_back(
+          view.toPlan({view.ends[k], std::min(view.depthBeside(k, false),
+                                              view.depthBeside(k, true))}));
   std::sort(chain.places.begin(), chain.places.end(),
             [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
               return a.dot(wayAlong(side)) < b.dot(wayAlong(side));
             });
+  dropSmallSteps(chain, min_step);
   return chain;
 }
 
 } // namespace
 
+void
+dropSmallSteps(DimensionChain& chain, double least)
+{
+  while (chain.places.size() > 2) {
+    std::size_t nearest = 0;
+    for (std::size_t k = 1; k + 1 < chain.places.size(); ++k)
+      if (chain.length(k) < chain.length(nearest))
+        nearest = k;
+    if (chain.length(nearest) >= least)
+      return;
+    const bool is_deeper = chain.places[nearest].dot(chain.side) <
+                           chain.places[nearest + 1].dot(chain.side);
+    chain.places.erase(chain.places.begin() +
+                       static_cast<std::ptrdiff_t>(nearest + (is_deeper ? 0 : 1)));
+  }
+}
+
 std::vector<DimensionChain>
-wallChains(const std::vector<PlanElement>& walls,
-           double max_wall,
-           double least,
-           double room)
+wallChains(const std::vector<PlanElement>& walls, double max_wall)
 {
   std::vector<DimensionChain> chains;
   for (const Eigen::Vector2d& side : {Eigen::Vector2d(0, -1), Eigen::Vector2d(-1, 0)}) {
-    DimensionChain first = chainAlong(walls, side, max_wall, least);
-    DimensionChain second = chainAlong(walls, -side, max_wall, least);
-    thinOut(first, room);
-    thinOut(second, room);
+    const DimensionChain first = chainAlong(walls, side, max_wall);
+    const DimensionChain second = chainAlong(walls, -side, max_wall);
     if (first.places.size() > 2)
       chains.push_back(first);
-    if (second.places.size() > 2 && !areAlike(first, second, least))
+    if (second.places.size() > 2 && !areAlike(first, second))
       chains.push_back(second);
   }
   return chains;

@@ -25,20 +25,22 @@ struct DimensionChain {
   std::vector<Eigen::Vector2d> places; ///< corners, in order along the side
 
   double along(std::size_t place) const { return places[place].dot(wayAlong(side)); }
+
+  /** @brief Returns a dimension: from a place to the next one. */
+  double length(std::size_t place) const { return along(place + 1) - along(place); }
 };
 
-/** @brief Returns the chains that a drawing needs: bottom and left, and the opposite
- * sides where they differ. Chains with only the overall dimension are omitted, and two
- * neighbouring dimensions that are both too short for their texts are one. Cost: walls
- * squared.
+/** @brief Returns the chains that a drawing needs, whatever its paper: bottom and left,
+ * and the opposite sides where they differ. Chains with only the overall dimension are
+ * omitted. Cost: walls times those that lie behind each other.
  * @param walls of all rooms, including arcs, metres
  * @param max_wall maximum thickness of a wall, metres: what is visible through a gap as
- * narrow is ignored
- * @param least corners nearer to each other are merged; metres, e.g. 0.03
- * @param room space for the text of a length along its chain, metres */
+ * narrow is ignored */
 std::vector<DimensionChain> wallChains(const std::vector<PlanElement>& walls,
-                                       double max_wall,
-                                       double least,
-                                       double room);
+                                       double max_wall);
+
+/** @brief Removes places until neighbours are `least` metres apart: of the two nearest
+ * to each other the one deeper in the plan. The others stay where they are. */
+void dropSmallSteps(DimensionChain& chain, double least);
 
 } // namespace pcl::sedr

@@ -18,7 +18,7 @@ constexpr double first_row = 9;       ///< from the plan to the first row
 constexpr double next_row = 8;        ///< from row to row
 constexpr double last_row = 5;        ///< what a row needs outwards
 constexpr double beyond = 1.5;        ///< overshoot of extension lines
-constexpr double min_dimension = 0.7; ///< nearer places are merged
+constexpr double min_dimension = 0.7; ///< of nearer places only one is drawn
 
 using Line = std::pair<Eigen::Vector2d, Eigen::Vector2d>;
 
@@ -44,19 +44,22 @@ linesOf(const SheetDimension& d)
 }
 
 std::vector<SheetDimension>
-dimensionsOf(const DimensionRow& row, const PlanFrame& frame)
+dimensionsOf(const DimensionRow& row,
+             const Eigen::AlignedBox2d& box,
+             const PlanFrame& frame)
 {
   const DimensionChain& chain = row.chain;
   const Eigen::Vector2d along = wayAlong(chain.side);
+  const double line =
+      std::max(box.min().dot(chain.side), box.max().dot(chain.side)) + row.off;
   const auto onLine = [&](const Eigen::Vector2d& p) -> Eigen::Vector2d {
-    return p.dot(along) * along + row.line * chain.side;
+    return p.dot(along) * along + line * chain.side;
   };
   std::vector<SheetDimension> dimensions;
   for (std::size_t k = 0; k + 1 < chain.places.size(); ++k) {
     const Eigen::Vector2d from = frame(chain.places[k]);
     const Eigen::Vector2d to = frame(chain.places[k + 1]);
-    dimensions.push_back(
-        {from, to, onLine(from), onLine(to), chain.along(k + 1) - chain.along(k)});
+    dimensions.push_back({from, to, onLine(from), onLine(to), chain.length(k)});
   }
   return dimensions;
 }
@@ -87,9 +90,8 @@ boxesFor(const SheetDimension& d, const std::string& text, const Eigen::Vector2d
   return boxes;
 }
 
-/** @brief Places the texts of a row, longer ones first, in the better places.
- * @return the first dimension whose text has no place, or their number */
-std::size_t
+/** @brief Places the texts of a row, longer ones first, in the better places. */
+void
 placeTexts(TextPlaces& places,
            const Eigen::Vector2d& side,
            std::vector<SheetDimension>& row)
@@ -99,52 +101,54 @@ placeTexts(TextPlaces& places,
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return row[a].length > row[b].length;
   });
-  std::size_t without = row.size();
   for (const std::size_t k : order) {
     const std::string text = decimalText(row[k].length, 2);
     if (const auto box = places.takeFirst(boxesFor(row[k], text, side)))
       row[k].text = SheetText{styleOf(PlanLayer::Dimension).text, box->middle,
                               small_font, text, box->degrees};
-    else
-      without = std::min(without, k);
   }
-  return without;
 }
 
-/** @brief Takes the place at one end of a dimension out of its chain, so that it is
- * joined with the shorter one of its neighbours. */
-void
-joinWithNeighbour(DimensionChain& chain, std::size_t dimension)
+/** @brief Joins each dimension of a row without a text with the shorter one of its
+ * neighbours.
+ * @return whether there was one */
+bool
+joinUnreadable(const std::vector<SheetDimension>& row, DimensionChain& chain)
 {
-  const std::size_t last = chain.places.size() - 1;
-  const auto length = [&](std::size_t k) {
-    return chain.along(k + 1) - chain.along(k);
-  };
-  const bool is_before =
-      dimension + 1 == last ||
-      (dimension > 0 && length(dimension - 1) < length(dimension + 1));
-  const std::size_t removed = is_before ? dimension : dimension + 1;
-  chain.places.erase(chain.places.begin() + static_cast<std::ptrdiff_t>(removed));
+  bool has_joined = false;
+  for (std::size_t k = row.size(); k-- > 0;) {
+    if (row[k].text)
+      continue;
+    has_joined = true;
+    const std::size_t last = chain.places.size() - 1;
+    if (last == 1) {
+      chain.places.clear();
+      break;
+    }
+    const bool is_before =
+        k + 1 == last || (k > 0 && chain.length(k - 1) < chain.length(k + 1));
+    chain.places.erase(chain.places.begin() +
+                       static_cast<std::ptrdiff_t>(is_before ? k : k + 1));
+    k -= is_before && k > 0 ? 1 : 0; // the one before is longer now
+  }
+  return has_joined;
 }
 
 } // namespace
 
 std::vector<DimensionRow>
-rowsAround(const Floorplan& plan, const PlanFrame& frame, double max_wall)
+rowsAround(const Floorplan& plan, double turn, double max_wall)
 {
   std::vector<PlanElement> walls;
   Eigen::AlignedBox2d whole; // without niches and reveals
-  const PlanFrame turned{frame.turn};
+  const PlanFrame turned{turn};
   for (const PlanRoom& room : plan.rooms) {
     whole.extend(boundsOf(turned(room.boundary)));
     for (std::size_t e = 0; e < room.boundary.elements.size(); ++e)
       if (!wallShares(plan, room, e).isGuess())
         walls.push_back(turned(room.boundary.elements[e]));
   }
-  const Eigen::AlignedBox2d bounds = boundsOf(plan, frame);
-  const double text = 2 * small_font * halfSizeOf({"0.00"}).x();
-  std::vector<DimensionChain> chains =
-      wallChains(walls, max_wall, min_dimension / frame.scale, text / frame.scale);
+  std::vector<DimensionChain> chains = wallChains(walls, max_wall);
   chains.push_back({{0, -1}, {whole.min(), {whole.max().x(), whole.min().y()}}});
   chains.push_back({{-1, 0}, {whole.min(), {whole.min().x(), whole.max().y()}}});
   std::vector<DimensionRow> rows;
@@ -153,54 +157,47 @@ rowsAround(const Floorplan& plan, const PlanFrame& frame, double max_wall)
         std::count_if(rows.begin(), rows.end(), [&](const DimensionRow& other) {
           return other.chain.side == chain.side;
         });
-    const Eigen::Vector2d way = chain.side;
-    rows.push_back({chain, std::max(bounds.min().dot(way), bounds.max().dot(way)) +
-                               first_row + static_cast<double>(inside) * next_row});
+    rows.push_back({chain, first_row + static_cast<double>(inside) * next_row});
   }
   return rows;
 }
 
 Eigen::AlignedBox2d
-spaceOf(const std::vector<DimensionRow>& rows, const Eigen::AlignedBox2d& plan)
+spaceOf(const std::vector<DimensionRow>& rows)
 {
   constexpr double without_row = 4;
   Eigen::AlignedBox2d space(Eigen::Vector2d::Constant(without_row),
                             Eigen::Vector2d::Constant(without_row));
   for (const DimensionRow& row : rows) {
-    const Eigen::Vector2d way = row.chain.side;
-    const double off =
-        row.line + last_row - std::max(plan.min().dot(way), plan.max().dot(way));
-    (way.sum() < 0 ? space.min() : space.max()).array() =
-        (way.sum() < 0 ? space.min() : space.max())
-            .cwiseMax(off * way.cwiseAbs())
-            .array();
+    const Eigen::Vector2d& side = row.chain.side;
+    Eigen::Vector2d& needed = side.sum() < 0 ? space.min() : space.max();
+    needed = needed.cwiseMax((row.off + last_row) * side.cwiseAbs()).eval();
   }
   return space;
 }
 
 std::vector<SheetDimension>
-placedRows(std::vector<DimensionRow> rows, const PlanFrame& frame, TextPlaces& places)
+placedRows(std::vector<DimensionRow> rows,
+           const Eigen::AlignedBox2d& box,
+           const PlanFrame& frame,
+           TextPlaces& places)
 {
   const PlanFrame of_walls{0, frame.scale, frame.shift};
-  for (bool is_complete = false; !is_complete;) {
+  for (DimensionRow& row : rows)
+    dropSmallSteps(row.chain, min_dimension / frame.scale);
+  while (true) {
     TextPlaces tried = places;
     std::vector<std::vector<SheetDimension>> placed;
     for (const DimensionRow& row : rows) {
-      placed.push_back(dimensionsOf(row, of_walls));
+      placed.push_back(dimensionsOf(row, box, of_walls));
       for (const SheetDimension& d : placed.back())
         for (const Line& line : linesOf(d))
           tried.keepOff(line.first, line.second);
     }
-    is_complete = true;
+    bool is_complete = true;
     for (std::size_t r = 0; r < rows.size(); ++r) {
-      const std::size_t without = placeTexts(tried, rows[r].chain.side, placed[r]);
-      if (without == placed[r].size())
-        continue;
-      is_complete = false;
-      if (placed[r].size() > 1)
-        joinWithNeighbour(rows[r].chain, without);
-      else
-        rows[r].chain.places.clear();
+      placeTexts(tried, rows[r].chain.side, placed[r]);
+      is_complete = !joinUnreadable(placed[r], rows[r].chain) && is_complete;
     }
     if (!is_complete)
       continue;
@@ -210,7 +207,6 @@ placedRows(std::vector<DimensionRow> rows, const PlanFrame& frame, TextPlaces& p
       all.insert(all.end(), row.begin(), row.end());
     return all;
   }
-  return {};
 }
 
 void

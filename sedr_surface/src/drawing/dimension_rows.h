@@ -28,25 +28,28 @@ struct SheetDimension {
 /** @brief A row of dimensions beside a plan. */
 struct DimensionRow {
   DimensionChain chain; ///< metres, in the frame of the walls
-  double line = 0; ///< distance from the sheet's origin along the side, millimetres
+  double off = 0;       ///< distance from the box of the plan, millimetres
 };
 
-/** @brief Returns the rows around a plan: by wall where that says more than the overall
- * dimension, and overall, farther out.
+/** @brief Returns the rows around a plan, on any paper: by wall where that says more
+ * than the overall dimension, and overall, farther out.
+ * @param turn of the plan on its sheet, radians
  * @param max_wall maximum thickness of a wall, metres */
 std::vector<DimensionRow>
-rowsAround(const Floorplan& plan, const PlanFrame& frame, double max_wall);
+rowsAround(const Floorplan& plan, double turn, double max_wall);
 
 /** @brief Returns the space that rows need around the box of the plan: below and to the
  * left, above and to the right; millimetres. */
-Eigen::AlignedBox2d spaceOf(const std::vector<DimensionRow>& rows,
-                            const Eigen::AlignedBox2d& plan);
+Eigen::AlignedBox2d spaceOf(const std::vector<DimensionRow>& rows);
 
 /** @brief Places the rows with their texts, which overlap neither lines nor each other.
  * A dimension whose text has no place is joined with the shorter one beside it, one
- * that is alone is left out: every one that is drawn can be read. */
-std::vector<SheetDimension>
-placedRows(std::vector<DimensionRow> rows, const PlanFrame& frame, TextPlaces& places);
+ * that is alone is left out: every one that is drawn can be read.
+ * @param box of the plan on its sheet */
+std::vector<SheetDimension> placedRows(std::vector<DimensionRow> rows,
+                                       const Eigen::AlignedBox2d& box,
+                                       const PlanFrame& frame,
+                                       TextPlaces& places);
 
 /** @brief Draws dimensions: a line with a tick at each end, extension lines to the
  * corners, and lengths. */

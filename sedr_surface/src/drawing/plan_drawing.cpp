@@ -274,7 +274,8 @@ PlanDrawing::PlanDrawing(const Floorplan& whole,
   lines = planLines(plan, ceilings);
   doorways = doorwayGaps(plan);
   TextPlaces places(layout.size);
-  dimensions = placedRows(rowsAround(plan, frame, settings.max_wall), frame, places);
+  dimensions = placedRows(rowsAround(plan, frame.turn, settings.max_wall),
+                          boundsOf(plan, frame), frame, places);
   for (const PlanLine& line : lines) {
     const bool is_solid = line.layer == PlanLayer::Wall ||
                           line.layer == PlanLayer::Guess ||

@@ -27,10 +27,14 @@ constexpr double on_wall = 0.03; ///< distance of what coincides with a wall, me
 /** @brief Collects the lines of a room. */
 class RoomLines {
 public:
-  RoomLines(const PlanRoom& room, std::vector<PlanLine>& lines)
+  RoomLines(const Floorplan& plan, const PlanRoom& room, std::vector<PlanLine>& lines)
       : room_(room)
       , lines_(lines)
-  {}
+  {
+    for (const PlanStair& stair : plan.stairs)
+      if (stair.rooms[0] == room.id)
+        stairs_.push_back(stairwellOf(stair));
+  }
 
   void add(const PlanElement& element, PlanLayer layer, const std::string& note = "")
   {
@@ -63,6 +67,22 @@ public:
     }
   }
 
+  /** @brief Adds a line of the ceiling, except below a stair, which the plan cuts
+   * lower. */
+  void addOverhead(const PlanElement& element, PlanLayer layer, std::string note)
+  {
+    const auto isFree = [&](double s) {
+      return std::none_of(stairs_.begin(), stairs_.end(),
+                          [p = element.pointAt(s)](const PlanLoop& stair) {
+                            return stair.contains(p);
+                          });
+    };
+    forEachPart(element, isFree, [&](const PlanElement& part, bool is_free) {
+      if (is_free)
+        add(part, layer, std::exchange(note, ""));
+    });
+  }
+
   /** @brief Adds the lines of headroom; the longest of each carries its height. */
   void addHeadroom()
   {
@@ -73,8 +93,8 @@ public:
             return a.length() < b.length();
           });
       for (auto line = found.begin(); line != found.end(); ++line)
-        add(*line, PlanLayer::Headroom,
-            line == longest ? "h " + decimalText(height, 2) : "");
+        addOverhead(*line, PlanLayer::Headroom,
+                    line == longest ? "h " + decimalText(height, 2) : "");
     }
   }
 
@@ -96,6 +116,7 @@ public:
 private:
   const PlanRoom& room_;
   std::vector<PlanLine>& lines_;
+  std::vector<PlanLoop> stairs_; ///< that lead up from it
 };
 
 /** @brief Returns the face of a room nearest to a doorway, within 0.5 m and 30 degrees;
@@ -172,7 +193,7 @@ planLines(const Floorplan& plan, const std::vector<CeilingLines>& ceilings)
   std::vector<PlanLine> all;
   for (std::size_t r = 0; r < plan.rooms.size(); ++r) {
     const PlanRoom& room = plan.rooms[r];
-    RoomLines lines(room, all);
+    RoomLines lines(plan, room, all);
     for (std::size_t e = 0; e < room.boundary.elements.size(); ++e)
       lines.add(room.boundary.elements[e], wallShares(plan, room, e).isGuess()
                                                ? PlanLayer::Guess
@@ -181,8 +202,9 @@ planLines(const Floorplan& plan, const std::vector<CeilingLines>& ceilings)
       lines.addLoop(column,
                     isIsland(room, column) ? PlanLayer::Wall : PlanLayer::Column);
     for (const CeilingLine& line : ceilings[r].lines)
-      lines.add(line.element, line.is_crease ? PlanLayer::Ridge : PlanLayer::Ceiling,
-                line.text);
+      lines.addOverhead(line.element,
+                        line.is_crease ? PlanLayer::Ridge : PlanLayer::Ceiling,
+                        line.text);
     for (const PlanDetail& detail : room.floor_details) {
       lines.addOffWalls(detail.boundary, PlanLayer::Floor, true);
       for (const PlanLoop& hole : detail.holes)

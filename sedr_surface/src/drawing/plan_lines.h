@@ -26,7 +26,8 @@ struct PlanLine {
 std::vector<CeilingLines> ceilingsOf(const Floorplan& plan, double finest);
 
 /** @brief Returns all lines and arcs of a plan. Edges of floor details and niches on a
- * wall or column are not repeated, nor is drawn what of them is outside of the room.
+ * wall or column are not repeated, nor is drawn what of them is outside of the room, or
+ * of the ceiling where it is the underside of a stair.
  * The head of a tilted wall has its tilt as note.
  * @param ceilings from ceilingsOf() */
 std::vector<PlanLine> planLines(const Floorplan& plan,
@@ -66,9 +67,12 @@ std::vector<DoorwayGap> doorwayGaps(const Floorplan& plan);
  * @param max_wall maximum thickness, metres */
 std::vector<std::vector<PlanLoop>> wallBodies(const Floorplan& plan, double max_wall);
 
+/** @brief Returns the convex outline of a stair's flights in plan. */
+PlanLoop stairwellOf(const PlanStair& stair);
+
 /** @brief Adds the flights of all stairs: up to 1.2 m above the lower room's floor on a
- * plan with that room, whole on one that has the upper room only. Treads below those of
- * a flight that is drawn are hidden, with all before them. */
+ * plan with that room, whole on one that has the upper room only, without what lies
+ * below another flight that is drawn. */
 void addStairs(const Floorplan& plan, std::vector<PlanLine>& lines);
 
 } // namespace pcl::sedr

@@ -102,11 +102,11 @@ public:
   {
     TextSpot spot = textSpotIn(room.boundary, room.columns);
     const std::vector<std::string> lines = roomTexts(room);
-    auto box = writeAt(PlanLayer::Room, spot, lines, large_font);
+    auto box = writeAt(PlanLayer::Room, room, spot, lines, large_font);
     if (!box)
-      box = writeAt(PlanLayer::Room, spot, {lines[0], lines[1]}, large_font);
+      box = writeAt(PlanLayer::Room, room, spot, {lines[0], lines[1]}, large_font);
     if (!box)
-      box = writeAt(PlanLayer::Room, spot, {std::to_string(room.id)}, large_font);
+      box = writeAt(PlanLayer::Room, room, spot, {std::to_string(room.id)}, large_font);
     spot.radius =
         box ? ((box->middle - frame_(spot.place)).norm() + box->half_size.norm()) /
                   frame_.scale
@@ -137,11 +137,14 @@ public:
     const double height =
         detail.slab.heightAt(spot.place) - room.floor.heightAt(spot.place);
     const bool has_sign = layer == PlanLayer::Floor && height > 0;
-    writeAt(layer, spot, {(has_sign ? "+" : "") + decimalText(height, 2)}, small_font);
+    writeAt(layer, room, spot, {(has_sign ? "+" : "") + decimalText(height, 2)},
+            small_font);
   }
 
-  /** @brief Writes lines about a place in the largest font that fits there. */
+  /** @brief Writes lines about a place in a room in the largest font that fits there.
+   */
   std::optional<TextBox> writeAt(PlanLayer layer,
+                                 const PlanRoom& room,
                                  const TextSpot& spot,
                                  const std::vector<std::string>& lines,
                                  double font)
@@ -158,7 +161,8 @@ public:
         for (int k = 0; k <= most_steps; ++k) {
           const double up = (k % 2 == 0 ? -step : step) * ((k + 1) / 2);
           const Eigen::Vector2d off(across * half.x(), up * line_height);
-          if (off.norm() <= spot.radius * frame_.scale)
+          if (off.norm() <= spot.radius * frame_.scale &&
+              room.boundary.contains(frame_.toPlan(place + off)))
             boxes.push_back({place + off, half, 0});
         }
       const auto box = places_.takeFirst(boxes);
@@ -288,9 +292,9 @@ private:
   TextPlaces& places_;
 };
 
-/** @brief Where one stands before a stair, at its foot or at its head. */
+/** @brief Where one stands in a room before a stair, at its foot or at its head. */
 Eigen::Vector2d
-entryOf(const PlanStair& stair, bool is_foot)
+entryOf(const PlanStair& stair, bool is_foot, const PlanRoom& room)
 {
   constexpr double before = 0.5; // metres
   if (stair.flights.empty())
@@ -300,7 +304,8 @@ entryOf(const PlanStair& stair, bool is_foot)
   const Eigen::Vector2d at = flight.middle(is_foot ? 0 : last);
   const std::size_t one = std::min<std::size_t>(1, last);
   const Eigen::Vector2d next = flight.middle(is_foot ? one : last - one);
-  return at + before * (at - next).normalized();
+  const Eigen::Vector2d entry = at + before * (at - next).normalized();
+  return room.contains(entry) ? entry : at;
 }
 
 /** @brief Writes where the stairs of a plan, or of a part of it, lead. */
@@ -309,14 +314,19 @@ writeStairs(const Floorplan& plan, TextWriter& writer)
 {
   constexpr double reach = 1; // metres from there
   for (const PlanStair& stair : plan.stairs) {
-    const bool is_up = findRoom(plan, stair.rooms[0]);
-    if (!is_up && !findRoom(plan, stair.rooms[1]))
+    const PlanRoom* room = findRoom(plan, stair.rooms[0]);
+    const bool is_up = room != nullptr;
+    if (!is_up)
+      room = findRoom(plan, stair.rooms[1]);
+    if (!room)
       continue;
+    const TextSpot spot{entryOf(stair, is_up, *room), reach};
+    const std::string way = is_up ? "up" : "down";
     const std::uint32_t other = stair.rooms[is_up ? 1 : 0];
-    writer.writeAt(PlanLayer::Note, {entryOf(stair, is_up), reach},
-                   {std::string(is_up ? "up" : "down") +
-                    (other == 0 ? "" : " to room " + std::to_string(other))},
-                   small_font);
+    if (other == 0 ||
+        !writer.writeAt(PlanLayer::Note, *room, spot,
+                        {way + " to room " + std::to_string(other)}, small_font))
+      writer.writeAt(PlanLayer::Note, *room, spot, {way}, small_font);
   }
 }
 

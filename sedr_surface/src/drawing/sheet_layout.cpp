@@ -100,12 +100,17 @@ public:
   LayoutFinder(const Floorplan& plan, const DrawingSettings& settings)
       : settings_(settings)
   {
-    for (const PlanStorey& storey : storeysOf(plan))
-      storeys_.push_back(partOf(plan, storey));
     layout_.frame.turn = -mainDirection(plan);
     bounds_ = boundsOf(plan, layout_.frame);
     if (bounds_.isEmpty() || !bounds_.sizes().allFinite())
       bounds_ = Eigen::AlignedBox2d(Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
+    space_ = spaceOf({});
+    for (const PlanStorey& storey : storeysOf(plan)) {
+      const Eigen::AlignedBox2d of_rows = spaceOf(
+          rowsAround(partOf(plan, storey), layout_.frame.turn, settings_.max_wall));
+      space_.min() = space_.min().cwiseMax(of_rows.min()).eval();
+      space_.max() = space_.max().cwiseMax(of_rows.max()).eval();
+    }
   }
 
   SheetLayout find()
@@ -122,7 +127,6 @@ public:
     for (std::size_t p = first; p < papers.size(); ++p)
       if (takePaper(papers[p]))
         return layout_;
-    findSpace();
     place(needed());
     return layout_;
   }
@@ -132,8 +136,6 @@ private:
   {
     layout_.scale = scale;
     layout_.frame.scale = 1000 / scale;
-    layout_.frame.shift = Eigen::Vector2d::Zero();
-    space_ = spaceOf({}, {});
   }
 
   Eigen::Vector2d needed() const
@@ -142,34 +144,13 @@ private:
            Eigen::Vector2d(margin_left + margin, 2 * margin + title_height);
   }
 
-  bool fits(const Eigen::Vector2d& paper) const
-  {
-    constexpr double hair = 1e-6;
-    return (needed().array() <= paper.array() + hair).all();
-  }
-
-  /** @brief Finds the space of the dimensions, which depends on the scale. */
-  void findSpace()
-  {
-    for (const Floorplan& storey : storeys_) {
-      const Eigen::AlignedBox2d of_rows =
-          spaceOf(rowsAround(storey, layout_.frame, settings_.max_wall),
-                  boundsOf(storey, layout_.frame));
-      space_.min() = space_.min().cwiseMax(of_rows.min());
-      space_.max() = space_.max().cwiseMax(of_rows.max());
-    }
-  }
-
   /** @brief Chooses the first orientation of a paper that the plan fits on. */
   bool takePaper(const Paper& paper)
   {
-    const Eigen::Vector2d sizes[] = {{paper.across, paper.up},
-                                     {paper.up, paper.across}};
-    if (!fits(sizes[0]) && !fits(sizes[1]))
-      return false; // even without dimensions
-    findSpace();
-    for (const Eigen::Vector2d& size : sizes)
-      if (fits(size)) {
+    constexpr double hair = 1e-6;
+    for (const Eigen::Vector2d& size : {Eigen::Vector2d(paper.across, paper.up),
+                                        Eigen::Vector2d(paper.up, paper.across)})
+      if ((needed().array() <= size.array() + hair).all()) {
         layout_.paper = paper.name;
         place(size);
         return true;
@@ -188,9 +169,8 @@ private:
   }
 
   const DrawingSettings& settings_;
-  std::vector<Floorplan> storeys_;
   Eigen::AlignedBox2d bounds_; ///< of all storeys, in the frame of the walls, metres
-  Eigen::AlignedBox2d space_;  ///< around it: left and below, right and above
+  Eigen::AlignedBox2d space_;  ///< around it, of dimensions: see spaceOf()
   SheetLayout layout_;
 };
 

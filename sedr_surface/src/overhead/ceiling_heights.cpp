@@ -83,6 +83,7 @@ std::vector<PlanElement>
 heightLines(const PlanRoom& room, double height)
 {
   constexpr double tolerance = 0.005;
+  constexpr double shortest = 0.5; // metres: less tells nobody anything
   std::vector<PlanElement> lines;
   if (!room.hasFacets() || room.boundary.elements.empty())
     return lines;
@@ -115,6 +116,11 @@ heightLines(const PlanRoom& room, double height)
           segments);
     }
   for (const std::vector<Eigen::Vector2d>& line : chained(segments)) {
+    Eigen::AlignedBox2d extent;
+    for (const Eigen::Vector2d& place : line)
+      extent.extend(place);
+    if (extent.diagonal().norm() < shortest)
+      continue;
     const std::vector<Eigen::Vector2d> places = simplifiedLine(line, tolerance);
     for (std::size_t k = 0; k + 1 < places.size(); ++k)
       lines.push_back(segment(places[k], places[k + 1]));

@@ -4,6 +4,7 @@
 #include "sedr_filters/src/base/number_text.h"
 
 #include "sedr_filters/src/grids/disjoint_sets.h"
+#include "sedr_filters/src/plan/plan_bounds.h"
 #include "sedr_filters/src/plan/plan_segment.h"
 #include "sedr_filters/src/plan/room_lookup.h"
 #include "sedr_segmentation/src/curves/contour.h"
@@ -21,20 +22,32 @@ constexpr double min_step = 0.03;       ///< metres
 constexpr double min_angle = M_PI / 30; ///< 6 degrees
 constexpr double beside = 0.05;         ///< where facets are asked for, metres
 constexpr double border_error = 0.1;    ///< of facets, by their cells, metres
-constexpr double shortest = 5;          ///< line, millimetres of paper
+constexpr double shortest = 8;          ///< line, millimetres of paper
 constexpr int outside = -2;             ///< of the room
 
 /** @brief What lies to the left and to the right of a place of a line: details of the
- * ceiling, -1 for the main one. */
+ * ceiling, -1 for the main one; and whether they differ there. */
 struct Sides {
   int left = outside;
   int right = outside;
-  bool is_drawn = false;
-  bool is_crease = false;
+  bool differ = false;
+  bool is_crease = false; ///< they meet there
 
-  auto key() const { return std::tie(left, right, is_drawn, is_crease); }
+  auto key() const { return std::tie(left, right, differ, is_crease); }
   bool operator==(const Sides& o) const { return key() == o.key(); }
-  bool operator<(const Sides& o) const { return key() < o.key(); }
+};
+
+/** @brief The border of two parts of a ceiling, drawn as a whole or not at all. */
+struct Border {
+  Sides sides;
+  double length = 0;
+  double different = 0; ///< length along which both sides differ
+  double crease = 0;    ///< length along which they meet
+  bool is_drawn = false;
+  std::vector<PlanElement> arcs{};
+  std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> segments{};
+
+  bool isCrease() const { return 2 * crease > length; }
 };
 
 /** @brief Finds the lines of a room's ceiling. */
@@ -53,9 +66,14 @@ public:
       for (const PlanLoop& hole : room_.details[d].holes)
         addLoop(d, hole);
     }
-    for (const auto& [sides, segments] : segments_)
-      for (const auto& line : chained(segments))
-        addLine(sides, line);
+    for (auto& [sides, border] : borders_) {
+      if (2 * border.different <= border.length)
+        continue;
+      for (const PlanElement& arc : border.arcs)
+        add({{arc}}, border);
+      for (const auto& line : chained(border.segments))
+        addLine(border, line);
+    }
     found_.part = parts();
     return std::move(found_);
   }
@@ -80,7 +98,7 @@ private:
     const double angle = std::acos(std::clamp(up.dot(other), -1.0, 1.0));
     // How fast the two part beside the line in which they meet.
     const Eigen::Vector2d slopes = up.head<2>() / up.z() - other.head<2>() / other.z();
-    sides.is_drawn = step > min_step || angle > min_angle;
+    sides.differ = step > min_step || angle > min_angle;
     sides.is_crease =
         angle > min_angle && step < min_step + border_error * slopes.norm();
     return sides;
@@ -95,39 +113,50 @@ private:
       forEachPart(edge, sidesAt, [&](const PlanElement& part, const Sides& sides) {
         if (sides.left == outside)
           return;
-        auto& lengths = borders_[std::minmax(sides.left, sides.right)];
-        (sides.is_drawn ? lengths.first : lengths.second) += part.length();
-        if (sides.is_drawn && part.isArc())
-          add({part, sides.is_crease});
-        else if (sides.is_drawn)
-          segments_[sides].emplace_back(part.start, part.end);
+        Border& border = borders_[std::minmax(sides.left, sides.right)];
+        border.sides = sides;
+        border.length += part.length();
+        border.different += sides.differ ? part.length() : 0;
+        border.crease += sides.is_crease ? part.length() : 0;
+        if (part.isArc())
+          border.arcs.push_back(part);
+        else
+          border.segments.emplace_back(part.start, part.end);
       });
     }
   }
 
-  void addLine(const Sides& sides, const std::vector<Eigen::Vector2d>& line)
+  void addLine(Border& border, const std::vector<Eigen::Vector2d>& line)
   {
     std::vector<Eigen::Vector2d> places =
         simplifiedLine(line, std::max(finest_, beside));
-    if (sides.is_crease)
-      places = onIntersection(sides, std::move(places));
-    const std::size_t first = found_.lines.size();
+    if (border.isCrease())
+      places = onIntersection(border.sides, std::move(places));
+    PlanLoop drawn;
     for (std::size_t k = 0; k + 1 < places.size(); ++k)
-      add({segment(places[k], places[k + 1]), sides.is_crease});
-    if (!sides.is_crease || found_.lines.size() == first)
-      return;
-    const auto longest = std::max_element(
-        found_.lines.begin() + static_cast<std::ptrdiff_t>(first), found_.lines.end(),
-        [](const CeilingLine& a, const CeilingLine& b) {
-          return a.element.length() < b.element.length();
-        });
-    longest->text = textOf(sides, longest->element);
+      drawn.elements.push_back(segment(places[k], places[k + 1]));
+    add(drawn, border);
   }
 
-  void add(const CeilingLine& line)
+  /** @brief Adds a line unless it is tiny on paper. Of a crease the longest element has
+   * its text. */
+  void add(const PlanLoop& line, Border& border)
   {
-    if (line.element.length() >= shortest * finest_)
-      found_.lines.push_back(line);
+    Eigen::AlignedBox2d box = boundsOf(line);
+    const PlanElement* longest = nullptr;
+    for (const PlanElement& element : line.elements) {
+      box.extend(element.end);
+      if (!longest || element.length() > longest->length())
+        longest = &element;
+    }
+    if (!longest || box.diagonal().norm() < shortest * finest_)
+      return;
+    border.is_drawn = true;
+    for (const PlanElement& element : line.elements)
+      found_.lines.push_back({element, border.isCrease(),
+                              border.isCrease() && &element == longest
+                                  ? textOf(border.sides, element)
+                                  : ""});
   }
 
   /** @brief Returns the line in which two planes meet instead of their border, which
@@ -175,12 +204,12 @@ private:
            decimalText(slab.heightAt(middle) - room_.floorAt(middle), 2);
   }
 
-  /** @brief Returns the parts: along most of a border within one nothing is drawn. */
+  /** @brief Returns the parts: between those of one no border is drawn. */
   std::vector<std::size_t> parts() const
   {
     DisjointSets<std::size_t> sets(room_.details.size() + 1);
-    for (const auto& [sides, lengths] : borders_)
-      if (lengths.first < lengths.second)
+    for (const auto& [sides, border] : borders_)
+      if (!border.is_drawn)
         sets.join(static_cast<std::size_t>(sides.first + 1),
                   static_cast<std::size_t>(sides.second + 1));
     std::vector<std::size_t> part;
@@ -193,9 +222,7 @@ private:
   RoomLookup lookup_;
   double finest_;
   CeilingLines found_;
-  std::map<Sides, std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>> segments_;
-  /** Length of border that is drawn, and that is not. */
-  std::map<std::pair<int, int>, std::pair<double, double>> borders_;
+  std::map<std::pair<int, int>, Border> borders_; ///< by both details, lower first
 };
 
 } // namespace

@@ -14,8 +14,8 @@ namespace pcl::sedr {
 
 /** @brief Returns the lines in plan along which the ceiling of a room is `height`
  * metres above its floor, as under a roof; exact for planes, to some millimetres below
- * vaults. They end at the borders of details and within 5 cm of walls. Empty if the
- * ceiling is level. */
+ * vaults. They end at the borders of details and within 5 cm of walls; those that
+ * extend over less than 0.5 m are left out. Empty if the ceiling is level. */
 std::vector<PlanElement> heightLines(const PlanRoom& room, double height);
 
 /** @brief Returns the minimum and maximum height of the ceiling above the floor,
@@ -82,14 +82,15 @@ struct CeilingLines {
   std::vector<std::size_t> part;
 };
 
-/** @brief Returns the lines of a room's ceiling: what lies beside them, the main
- * ceiling or details, differs by a step of 3 cm or an angle of 6 degrees.
+/** @brief Returns the lines of a room's ceiling: along most of each border of two
+ * parts, the main ceiling or details, they differ by a step of 3 cm or an angle of 6
+ * degrees.
  *
  * A line is where the upper one of both details in PlanRoom::details has its edge.
  * Segments are straightened; where two planes meet, the line is that of their
  * intersection. Arcs stay arcs.
  * @param finest metres that a millimetre of paper stands for: lines are straightened by
- * that much, and those below five of them are left out */
+ * that much, and those that extend over less than eight of them are left out */
 CeilingLines ceilingLines(const PlanRoom& room, double finest);
 
 } // namespace pcl::sedr

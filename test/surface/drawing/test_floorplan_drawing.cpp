@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <string>
 
@@ -178,6 +179,24 @@ TEST(FloorplanDrawing, RowsOfDimensionsTellEachWall)
   EXPECT_EQ(below, (std::vector<double>{4, 2, 6}));
 }
 
+TEST(FloorplanDrawing, ChainsMeasureTheWallsBesideThemOnAnyPaper)
+{
+  // The wall between the lower rooms and the upper one is 2 cm thinner on the right.
+  const Floorplan plan{{roomOf(rectangle(0, 0, 4, 3), 2.5),
+                        roomOf(rectangle(4.24, 0, 8, 3.02), 2.5, 2),
+                        roomOf(rectangle(0, 3.26, 8, 5), 2.5, 3)}};
+  for (const double scale : {20.0, 50.0, 100.0}) {
+    std::array<std::vector<double>, 2> sides; // left and right, from below
+    const PlanDrawing drawing(plan, scaled(scale), 0);
+    const double middle = drawing.layout.frame(Eigen::Vector2d(4, 0)).x();
+    for (const SheetDimension& d : drawing.dimensions)
+      if (d.start.x() == d.end.x() && d.length < 5)
+        sides[d.start.x() < middle ? 0 : 1].push_back(std::round(100 * d.length) / 100);
+    EXPECT_EQ(sides[0], (std::vector<double>{3, 0.26, 1.74})) << "1:" << scale;
+    EXPECT_EQ(sides[1], (std::vector<double>{3.02, 0.24, 1.74})) << "1:" << scale;
+  }
+}
+
 TEST(FloorplanDrawing, RoofsHaveRidgesEavesAndHeadroom)
 {
   // Slopes of 45 degrees from eaves of 1 m along both long walls to a ridge at 3 m.
@@ -314,6 +333,40 @@ TEST(FloorplanDrawing, OfAFlightOnlyWhatLiesBesideTheOneAboveItIsShown)
   EXPECT_EQ(count, 16u) << "no line lies over another one";
   const std::string sheet = floorplanToSvg(plan, sheetOf(storeys[1]));
   EXPECT_TRUE(holds(sheet, ">up<") && holds(sheet, ">down to room 2<"));
+}
+
+TEST(FloorplanDrawing, WhereAStairLeadsIsWrittenInItsRoom)
+{
+  // The ceiling has an edge before the foot of the stair, which texts avoid.
+  Floorplan plan = storeysWithFlight();
+  plan.rooms[1].details = {detailOf(rectangle(4.05, 0, 4.15, 3), 2.3)};
+  const auto storeys = storeysOf(plan);
+  const PlanDrawing drawing(plan, sheetOf(storeys[0]), 0);
+  std::size_t found = 0;
+  for (const PlanText& text : drawing.texts.texts)
+    if (text.layer == PlanLayer::Note) {
+      EXPECT_EQ(text.text.text, "up to room 4");
+      EXPECT_TRUE(plan.rooms[1].contains(drawing.layout.frame.toPlan(text.text.place)));
+      ++found;
+    }
+  EXPECT_EQ(found, 1u);
+}
+
+TEST(FloorplanDrawing, TheUndersideOfAStairIsNotDrawn)
+{
+  Floorplan plan = storeysWithFlight();
+  const PlanLoop beside_the_flight = rectangle(4.5, 2, 8, 2.5);
+  const PlanLoop above_the_flight = rectangle(5, 0.7, 8, 1.3);
+  plan.rooms[1].details = {detailOf(beside_the_flight, 2),
+                           detailOf(above_the_flight, 2)};
+  const auto storeys = storeysOf(plan);
+  std::size_t count = 0;
+  for (const PlanLine& line : PlanDrawing(plan, sheetOf(storeys[0]), 0).lines)
+    if (line.layer == PlanLayer::Ceiling) {
+      EXPECT_LT(beside_the_flight.distance(line.element.start), 0.01);
+      ++count;
+    }
+  EXPECT_EQ(count, 4u);
 }
 
 TEST(FloorplanDxf, HasArcsCirclesAndDetails)

@@ -50,14 +50,24 @@ TEST(CeilingLines, AreWhereThereIsAStepOrAnAngle)
   EXPECT_EQ(lineCount(withAngle(7)), 1u);
 }
 
-TEST(CeilingLines, ReachAsFarAsTheStep)
+TEST(CeilingLines, BordersAreDrawnWholeOrNotAtAll)
 {
-  // From 0 to 10 cm over 4 m: 3 cm and more on the last 2.8 m.
-  const auto found =
-      ceilingLines(roomWith({{rectangle(4, 0, 8, 4), slabAt(2.5, 0, 0.025)}}), at_1_50);
-  ASSERT_EQ(found.lines.size(), 1u);
-  EXPECT_NEAR(found.lines[0].element.length(), 2.8, 0.001);
-  EXPECT_NE(found.part[0], found.part[1]);
+  // From 0 to 10 cm over 4 m: 3 cm and more on the last 2.8 m; to 5 cm, on 1.6 m.
+  for (const double slope : {0.025, 0.0125}) {
+    const auto found = ceilingLines(
+        roomWith({{rectangle(4, 0, 8, 4), slabAt(2.5, 0, slope)}}), at_1_50);
+    ASSERT_EQ(found.lines.size(), slope > 0.02 ? 1u : 0u);
+    EXPECT_EQ(found.part[0] == found.part[1], found.lines.empty());
+    for (const CeilingLine& line : found.lines)
+      EXPECT_NEAR(line.element.length(), 4, 0.001);
+  }
+}
+
+TEST(CeilingLines, OfAThingThatIsTinyOnPaperAreNone)
+{
+  const PlanRoom room = roomWith({{rectangle(4, 1, 4.25, 1.25), slabAt(2.2)}});
+  EXPECT_EQ(ceilingLines(room, at_1_50).lines.size(), 0u);
+  EXPECT_EQ(ceilingLines(room, 0.02).lines.size(), 4u);
 }
 
 TEST(CeilingLines, FacetsWithoutALineAreOnePart)

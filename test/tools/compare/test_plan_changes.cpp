@@ -156,6 +156,18 @@ TEST(StructureCompare, ADoorThatIsBrickedUpAndOneThatIsCut)
   EXPECT_EQ(told(shifted(before, {7, 8, 9}), shifted(before, {7, 8, 9})), Lines{});
 }
 
+TEST(StructureCompare, ADoorMovesWithItsWall)
+{
+  Floorplan before = twoRooms();
+  before.openings = {doorAt(0.5)};
+  Floorplan after{{boxRoomOf(1, 0, 0, 5.6, 4.5), boxRoomOf(2, 5.7, 0, 9, 4.5)}};
+  after.openings = {doorAt(0.5)};
+  after.openings[0].start.x() = after.openings[0].end.x() = 5.65;
+  const Lines changes = told(before, after);
+  ASSERT_EQ(changes.size(), 1U);
+  EXPECT_EQ(changes[0].rfind("moved partition by 0.60 m", 0), 0U) << changes[0];
+}
+
 TEST(StructureCompare, OpeningsOfWallsThatAreGoneOrThatNobodyLookedForAreNoChanges)
 {
   Floorplan before = twoRooms();
