@@ -63,8 +63,8 @@ private:
   void judge(const RoomPair& pair)
   {
     forget(pair);
-    if (rooms_.areStacked(pair))
-      return;
+    if (rooms_.areStacked(pair) && isPlace(higherOf(pair)))
+      return; // else the air above a thing in the room
     const Openness openness = opennessOf(pair);
     if (openness.is_other_level || !isOneSpace(pair, openness))
       return;
@@ -131,8 +131,17 @@ private:
   double floorStep(const RoomPair& pair, const MeasuredOpening& opening) const
   {
     return std::min(std::abs(opening.floor_a - opening.floor_b),
-                    std::abs(rooms_.room(pair.first).floors.highestCount() -
-                             rooms_.room(pair.second).floors.highestCount()));
+                    std::abs(floorOf(pair.first) - floorOf(pair.second)));
+  }
+
+  double floorOf(std::uint32_t room) const
+  {
+    return rooms_.room(room).floors.highestCount();
+  }
+
+  std::uint32_t higherOf(const RoomPair& pair) const
+  {
+    return floorOf(pair.first) > floorOf(pair.second) ? pair.first : pair.second;
   }
 
   /** @brief Whether a room is large enough, has an outline of its own and takes someone
@@ -150,13 +159,11 @@ private:
    * air above furniture. */
   bool areLevels(const RoomPair& pair) const
   {
-    const double floor_a = rooms_.room(pair.first).floors.highestCount();
-    const double floor_b = rooms_.room(pair.second).floors.highestCount();
-    const RoomExtent& higher =
-        rooms_.room(floor_a > floor_b ? pair.first : pair.second);
+    const std::uint32_t high = higherOf(pair);
+    const RoomExtent& higher = rooms_.room(high);
+    const double floor = floorOf(high == pair.first ? pair.second : pair.first);
     const double cell = air_.columns().cellSize();
-    return static_cast<double>(higher.roofs.countAbove(std::min(floor_a, floor_b))) *
-               cell * cell >
+    return static_cast<double>(higher.roofs.countAbove(floor)) * cell * cell >
            parameters_.min_over_air * higher.area;
   }
 
