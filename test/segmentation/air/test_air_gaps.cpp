@@ -269,31 +269,4 @@ TEST(AirGaps, ReachASlopeUpToTheWallThoughWhatIsNarrowIsClosed)
   EXPECT_GE(raised, 29) << "columns along the wall";
 }
 
-TEST(AirGaps, AreTheSameForAnyNumberOfThreads)
-{
-  AirScene scene;
-  scene.room(-10.05, 0.05, 8.05, 12.05, 0.01, 2.51);
-  scene.slab(1, 1, 5, 5, 0.76);
-  scene.hanging(-5, 2, 3, 2.4, 2.21, 2.51);
-  const SceneAir one(scene, 1);
-  const SceneAir three(scene, 3);
-  ASSERT_GT(one.gaps.size(), 16384u) << "several blocks";
-  ASSERT_EQ(one.gaps.size(), three.gaps.size());
-  for (std::uint32_t g = 0; g < one.gaps.size(); ++g) {
-    ASSERT_EQ(one.gaps[g].column, three.gaps[g].column);
-    ASSERT_EQ(one.gaps[g].low, three.gaps[g].low);
-    ASSERT_EQ(one.gaps[g].high, three.gaps[g].high);
-    for (int d = 0; d < 4; ++d)
-      ASSERT_EQ(one.gaps.link(g, d), three.gaps.link(g, d));
-  }
-}
-
-TEST(AirGaps, AreNoneOfNothing)
-{
-  AirScene scene;
-  EXPECT_EQ(SceneAir(scene).gaps.size(), 0u);
-  scene.slab(0, 0, 4, 3, 0.01);
-  EXPECT_EQ(SceneAir(scene).gaps.size(), 0u) << "a floor without a ceiling";
-}
-
 } // namespace

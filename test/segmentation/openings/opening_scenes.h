@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "plan_loops.h"
+
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_segmentation/opening_detection.h>
 
@@ -48,7 +50,9 @@ public:
   explicit TwoRooms(double noise)
       : noise_(0, noise)
   {
-    plan.rooms = {room(1, 0, face), room(2, back, 8.12)};
+    using sedr_test::rectangle;
+    plan.rooms = {sedr_test::roomOf(rectangle(0, 0, 5, face), 2.5, 1),
+                  sedr_test::roomOf(rectangle(0, back, 5, 8.12), 2.5, 2)};
   }
 
   /** Scans the wall between the rooms with holes in both faces, and their reveals. */
@@ -128,21 +132,6 @@ public:
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud{new pcl::PointCloud<pcl::PointXYZ>};
 
 private:
-  static PlanRoom room(std::uint32_t id, double y0, double y1)
-  {
-    PlanRoom room;
-    room.id = id;
-    const std::vector<Eigen::Vector2d> corners{{0, y0}, {5, y0}, {5, y1}, {0, y1}};
-    for (std::size_t k = 0; k < 4; ++k) {
-      PlanElement e;
-      e.start = corners[k];
-      e.end = corners[(k + 1) % 4];
-      room.boundary.elements.push_back(e);
-    }
-    room.ceiling.plane = Eigen::Vector4d(0, 0, 1, -2.5);
-    return room;
-  }
-
   template <typename See>
   void sheet(double s0, double s1, double z0, double z1, const See& see)
   {

@@ -11,26 +11,6 @@ namespace {
 using namespace pcl::sedr;
 using namespace sedr_test;
 
-TEST(PartRooms, ADoorWithALintelPartsTwoRooms)
-{
-  forBothTurns([](AirScene& scene) {
-    addTwoRooms(scene, {1.05, 1.95, 2.11});
-    const Parted air(scene);
-    EXPECT_EQ(air.rooms(), 2u);
-    EXPECT_EQ(air.roomAt(2, 1.5), 0) << "the larger one is the first";
-    EXPECT_EQ(air.roomAt(5.5, 1.5), 1);
-    ASSERT_EQ(air.parted.openings.size(), 1u);
-    const RoomOpening& door = air.parted.openings.front();
-    EXPECT_EQ(door.a, 0u);
-    EXPECT_EQ(door.b, 1u);
-    EXPECT_NEAR((door.middle - scene.place(4.1, 1.5)).norm(), 0, 0.25);
-    EXPECT_NEAR(door.width, 0.9, 0.25);
-    EXPECT_NEAR(door.bottom, 0.03, 0.06);
-    EXPECT_NEAR(door.top, 2.1, 0.15);
-    EXPECT_GT(std::abs(door.direction.dot(scene.place(0, 1))), 0.9) << "along the wall";
-  });
-}
-
 /** Adds a hall and a chamber behind a wall of 80 cm, as in old buildings, with a door
  * of 1 m. */
 void
@@ -161,18 +141,6 @@ TEST(PartRooms, TheAirOnAGalleryIsNotThatBelowIt)
   });
 }
 
-TEST(PartRooms, TwoStoreysAreTwo)
-{
-  forBothTurns([](AirScene& scene) {
-    scene.room(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
-    scene.room(0.05, 0.05, 4.05, 3.05, 2.81, 5.31);
-    const Parted air(scene);
-    EXPECT_EQ(air.rooms(), 2u);
-    EXPECT_NE(air.roomAt(2, 1.5, 1), air.roomAt(2, 1.5, 4));
-    EXPECT_TRUE(air.parted.openings.empty());
-  });
-}
-
 TEST(PartRooms, ASmallClosetIsNotOfTheRoomAboveItIntoWhichAShaftLeads)
 {
   forBothTurns([](AirScene& scene) {
@@ -199,28 +167,6 @@ TEST(PartRooms, ASmallClosetIsNotOfTheRoomAboveItIntoWhichAShaftLeads)
     EXPECT_NE(air.roomAt(0.5, 0.5, 1), upper);
     EXPECT_NE(air.roomAt(0.5, 0.5, 1), -1) << "nor lost";
   });
-}
-
-TEST(PartRooms, FromLargestToSmallestEachOfItsOwnNumber)
-{
-  AirScene scene;
-  scene.room(0.05, 0.05, 2.05, 2.05, 0.01, 2.51);
-  scene.room(3.05, 0.05, 8.05, 4.05, 0.01, 2.51);
-  scene.room(9.05, 0.05, 12.05, 3.05, 0.01, 2.51);
-  const Parted air(scene);
-  EXPECT_EQ(air.parted.rooms, 3u);
-  EXPECT_EQ(air.roomAt(5, 2), 0);
-  EXPECT_EQ(air.roomAt(10, 2), 1);
-  EXPECT_EQ(air.roomAt(1, 1), 2);
-  EXPECT_EQ(air.roomAt(2.55, 1), -1);
-}
-
-TEST(PartRooms, OfNoAirThereAreNone)
-{
-  const AirScene scene;
-  const Parted air(scene);
-  EXPECT_EQ(air.parted.rooms, 0u);
-  EXPECT_TRUE(air.parted.room.empty());
 }
 
 TEST(PartRooms, AVoidOverTwoStoreysIsOfTheLower)

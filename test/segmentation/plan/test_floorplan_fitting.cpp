@@ -24,6 +24,8 @@ TEST(FloorplanFitting, FitsTheRoomsThatAreSetOrOneForAll)
   ASSERT_TRUE(fitting.segment(plan)) << fitting.getErrorMessage();
   ASSERT_EQ(plan.rooms.size(), 2u);
   EXPECT_LT(cornerError(plan.rooms[1].boundary, scene.left), 0.003);
+  ASSERT_EQ(fitting.getBoundaries().size(), 2u);
+  EXPECT_EQ(fitting.getBoundaries()[1].room, 7u);
 
   fitting.setRooms({});
   RoomPoints points;

@@ -121,21 +121,6 @@ TEST(FitPlan, WithoutAnyRoomThereIsAProblem)
   EXPECT_NE(fitting.getErrorMessage(), "");
 }
 
-TEST(FitPlan, TellsWhatEachRoomWasFittedTo)
-{
-  const TwoRooms scene;
-  Fitting fitting;
-  setEvidence(scene.points, scene.evidence, fitting);
-  Floorplan plan;
-  ASSERT_TRUE(fitting.segment(plan));
-  const std::vector<FittedBoundary>& boundaries = fitting.getBoundaries();
-  ASSERT_EQ(boundaries.size(), 2u);
-  EXPECT_EQ(boundaries[0].room, 3u);
-  EXPECT_EQ(boundaries[1].room, 7u);
-  for (const auto& sample : boundaries[1].samples)
-    EXPECT_LT(scene.left.distance(sample.place), 0.1);
-}
-
 TEST(FitPlan, APartOfACeilingFarFromTheRestIsToldAndLeftOut)
 {
   TwoRooms scene;
@@ -179,21 +164,6 @@ TEST(FitPlan, ACorridorGoesOnWhereItsCeilingWasHardlySeen)
   ASSERT_EQ(plan.rooms.size(), 5u);
   EXPECT_LT(cornerError(plan.rooms[0].boundary, corridor), 0.01);
   EXPECT_EQ(plan.rooms[0].boundary.elements.size(), 4u);
-}
-
-TEST(FitPlan, IsTheSameForAnyNumberOfThreads)
-{
-  const TwoRooms scene;
-  std::vector<std::string> plans;
-  for (const unsigned threads : {1u, 3u}) {
-    Fitting fitting;
-    setEvidence(scene.points, scene.evidence, fitting);
-    fitting.setNumberOfThreads(threads);
-    Floorplan plan;
-    EXPECT_TRUE(fitting.segment(plan));
-    plans.push_back(floorplanToJson(plan));
-  }
-  EXPECT_EQ(plans[0], plans[1]);
 }
 
 TEST(FitPlan, AWallHiddenAlongAMetreGoesOnInItsLine)

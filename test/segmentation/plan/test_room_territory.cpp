@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_points.h"
 
+#include "sedr_segmentation/src/plan/box_clusters.h"
 #include "sedr_segmentation/src/plan/room_territory.h"
 
 #include <gtest/gtest.h>
@@ -21,40 +22,6 @@ cellsOf(const PlanLoop& loop)
   RoomPoints points;
   points.slab(loop, 0);
   return CellSet(CellGrid(0.05), points.view(), points.all());
-}
-
-TEST(HeightsFrom, LeaveOutTheTwentiethThatWasSeenThroughAHole)
-{
-  std::vector<float> ceilings(97, 5.5F);
-  ceilings.insert(ceilings.end(), 3, 8.5F);
-  const RoomHeights heights = heightsFrom(3, ceilings);
-  EXPECT_EQ(heights.low, 3);
-  EXPECT_EQ(heights.high, 5.5);
-}
-
-TEST(HeightsFrom, HoldAVaultUpToItsCrown)
-{
-  std::vector<float> ceilings;
-  for (int k = 0; k <= 100; ++k)
-    ceilings.push_back(2.0F + 0.03F * static_cast<float>(k));
-  EXPECT_NEAR(heightsFrom(0, ceilings).high, 5, 0.2);
-}
-
-TEST(HeightsFrom, OfNoCeilingAreAnEmptyRange)
-{
-  const RoomHeights heights = heightsFrom(3, {});
-  EXPECT_EQ(heights.low, heights.high);
-}
-
-TEST(RoomTerritory, EachFaceOfAThinPartitionLiesInItsOwnRoom)
-{
-  const RoomTerritory territory(CellGrid(0.05), {cellsOf(rectangle(0, 0, 4, 3)),
-                                                 cellsOf(rectangle(4.1, 0, 7, 3))});
-  ASSERT_EQ(territory.problem(), "");
-  EXPECT_EQ(territory.roomAt({2, 1, 9}), 0);
-  EXPECT_EQ(territory.roomAt({5, 1, -9}), 1);
-  EXPECT_EQ(territory.roomAt({4.01f, 1, 1}), 0);
-  EXPECT_EQ(territory.roomAt({4.09f, 1, 1}), 1);
 }
 
 TEST(RoomTerritory, WhatIsFarBelowTheFloorOfAllRoomsIsOfNone)
@@ -101,32 +68,12 @@ TEST(RoomTerritory, ReachesAsFarAsAskedButNotIntoOthers)
   EXPECT_EQ(territory.roomAt({4.09f, 1, 1}), 1);
 }
 
-TEST(RoomTerritory, PointsThatAreNotFiniteAreInNone)
-{
-  const RoomTerritory territory(CellGrid(0.05), {cellsOf(rectangle(0, 0, 4, 3))});
-  constexpr float lost = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(territory.roomAt({1, 1, lost}), -1);
-  EXPECT_EQ(territory.roomAt({lost, 1, 1}), -1);
-  EXPECT_EQ(territory.roomAt({1, std::numeric_limits<float>::infinity(), 1}), -1);
-}
-
 TEST(RoomTerritory, SharedCellsGoToTheFirstRoom)
 {
   const RoomTerritory territory(
       CellGrid(0.05), {cellsOf(rectangle(0, 0, 4, 3)), cellsOf(rectangle(3, 0, 6, 3))});
   EXPECT_EQ(territory.roomAt({3.5f, 1, 1}), 0);
   EXPECT_EQ(territory.roomAt({4.5f, 1, 1}), 1);
-}
-
-TEST(RoomTerritory, RoomsTenKilometresApartAreNoBurden)
-{
-  const RoomTerritory territory(
-      CellGrid(0.05),
-      {cellsOf(rectangle(0, 0, 4, 3)), cellsOf(rectangle(8192, 8192, 8196, 8195))});
-  EXPECT_EQ(territory.problem(), "");
-  EXPECT_EQ(territory.roomAt({1, 1, 1}), 0);
-  EXPECT_EQ(territory.roomAt({8193, 8193, 1}), 1);
-  EXPECT_EQ(territory.roomAt({4000, 4000, 1}), -1);
 }
 
 TEST(RoomTerritory, IsAsWideInMetresForAnyCellSize)
@@ -139,20 +86,6 @@ TEST(RoomTerritory, IsAsWideInMetresForAnyCellSize)
     EXPECT_EQ(territory.roomAt({4.6f, 1.5f, 1}), 0) << size;
     EXPECT_EQ(territory.roomAt({4.8f, 1.5f, 1}), -1) << size;
   }
-}
-
-TEST(RoomTerritory, OfRoomsAboveEachOtherThePointTellsByItsHeight)
-{
-  const CellSet cells = cellsOf(rectangle(0, 0, 4, 3));
-  const RoomTerritory territory(CellGrid(0.05), {cells, cells}, {{2.8, 5.2}, {0, 2.5}});
-  EXPECT_EQ(territory.roomAt({2, 1, 1}), 1);
-  EXPECT_EQ(territory.roomAt({2, 1, 4}), 0);
-  EXPECT_EQ(territory.roomAt({2, 1, 2.52f}), 1) << "noise of its ceiling";
-  EXPECT_EQ(territory.roomAt({2, 1, 2.78f}), 0) << "of its floor";
-  EXPECT_EQ(territory.roomAt({2, 1, 5.6f}), -1);
-  EXPECT_EQ(territory.roomAt({2, 1, -0.4f}), -1);
-  EXPECT_EQ(territory.roomAt({4.5f, 1, 1}), 1) << "as far as walls can be";
-  EXPECT_EQ(territory.roomAt({4.5f, 1, 4}), 0);
 }
 
 TEST(RoomTerritory, AHallOfTwoStoreysEndsAtTheRoomsOfBoth)
@@ -190,6 +123,15 @@ TEST(RoomTerritory, WithoutRoomsOrOfOneTooLargeThereIsNone)
   const RoomTerritory territory(CellGrid(0.05), {far});
   EXPECT_NE(territory.problem(), "");
   EXPECT_EQ(territory.roomAt({0.01f, 0.01f, 0}), -1);
+}
+
+TEST(ClusterBoxes, OneThatGrowsIsJoinedWithThoseItThenMeets)
+{
+  // The third meets the second; both together surround the first.
+  const auto clusters =
+      clusterBoxes({{{2, 2}, {4, 4}}, {{10, 0}, {14, 20}}, {{0, 16}, {11, 20}}}, 0);
+  ASSERT_EQ(clusters.size(), 1u);
+  EXPECT_EQ(clusters[0].count(), 15u * 21u);
 }
 
 } // namespace

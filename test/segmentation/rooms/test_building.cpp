@@ -80,25 +80,6 @@ TEST(FindBuilding, LabelsThePointsOfCeilingsAndFloorsAndNoneOfWalls)
     }
 }
 
-TEST(FindBuilding, OfPointsWithoutAnIndexNothingIsTold)
-{
-  const AirScene scene = flat(0);
-  std::vector<int> left; // the points of the first room
-  for (const int i : scene.points.all())
-    if (scene.points[i].x() < 4.1f)
-      left.push_back(i);
-  std::string problem;
-  const Building building =
-      findBuilding(scene.points.view(), left, BuildingParameters(), problem);
-  EXPECT_EQ(problem, "");
-  EXPECT_EQ(building.rooms.size(), 1u);
-  ASSERT_EQ(building.room_of.size(), scene.points.size());
-  for (const int i : scene.points.all())
-    if (scene.points[i].x() > 4.1f) {
-      EXPECT_EQ(building.room_of[static_cast<std::size_t>(i)], 0u);
-    }
-}
-
 TEST(FindBuilding, RoomsAboveRoomsAreOfTwoStoreysAndAHallBesideThemOfTheLower)
 {
   AirScene scene;
@@ -279,6 +260,8 @@ TEST(FindBuilding, StraysFarOffChangeNothing)
     with.points.point(1, 1, sign * far);
   }
   with.points.point(std::nan(""), 1, 1);
+  with.points.point(1, -INFINITY, 1);
+  with.points.point(1, 1, 1e30);
   const Found found(with);
   ASSERT_EQ(found.building.rooms.size(), 2u);
   for (std::size_t r = 0; r < 2; ++r) {

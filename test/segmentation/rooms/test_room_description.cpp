@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 namespace {
 
 using namespace pcl::sedr;
@@ -52,38 +50,6 @@ kindOf(const BuildingRoom& room)
   return verdict.kind;
 }
 
-TEST(DescribeRooms, TellsHeightsAreaAndWhatIsWalled)
-{
-  AirScene scene(0);
-  scene.room(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
-  const BuildingRoom room = describe(scene);
-  EXPECT_EQ(room.id, 1u);
-  EXPECT_EQ(room.columns.size(), 39u * 29u);
-  EXPECT_NEAR(room.area, 3.9 * 2.9, 1e-9);
-  EXPECT_NEAR(room.floor, 0.01, 0.051) << "a voxel";
-  EXPECT_NEAR(room.ceiling, 2.51, 0.051);
-  EXPECT_EQ(room.enclosure, 1);
-  EXPECT_TRUE(std::is_sorted(room.columns.begin(), room.columns.end(),
-                             [](const RoomColumn& a, const RoomColumn& b) {
-                               return keyOf(a.cell) < keyOf(b.cell);
-                             }));
-}
-
-TEST(DescribeRooms, TellsWhatWasHidden)
-{
-  AirScene scene;
-  scene.points.slab(scene.loop(0.05, 0.05, 4.05, 3.05), 0.01,
-                    [](double x, double y) { return x < 1 || x > 3 || y > 1.5; });
-  scene.slab(0.05, 0.05, 4.05, 3.05, 2.51);
-  scene.sides(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
-  for (const RoomColumn& column : describe(scene).columns) {
-    const bool is_hidden =
-        column.cell.x >= 10 && column.cell.x < 30 && column.cell.y < 15;
-    EXPECT_EQ(column.floor_seen, !is_hidden) << column.cell.x << ' ' << column.cell.y;
-    EXPECT_TRUE(column.ceiling_seen);
-  }
-}
-
 TEST(DescribeRooms, TheFloorIsTheLowestThatATenthHas)
 {
   for (const double platform : {0.3, 0.7}) { // of the room
@@ -108,43 +74,6 @@ TEST(DescribeRooms, TheCeilingIsWhatMostOfItHas)
   scene.room(0.05, 0.05, 4.05, 3.05, 0.01, 2.91);
   scene.hanging(0.05, 0.05, 1.5, 3.05, 2.51, 2.91);
   EXPECT_NEAR(describe(scene).ceiling, 2.91, 0.051);
-}
-
-TEST(DescribeRooms, BelowARoofOnThreeWallsAsMuchIsOpenAsTheFourthIsLong)
-{
-  AirScene scene;
-  scene.slabs(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
-  scene.wall(0.05, 0.05, 0.05, 3.05, 0.01, 2.51);
-  scene.wall(0.05, 0.05, 4.05, 0.05, 0.01, 2.51);
-  scene.wall(0.05, 3.05, 4.05, 3.05, 0.01, 2.51);
-  const BuildingRoom room = describe(scene);
-  EXPECT_NEAR(room.enclosure, 11.0 / 14, 0.04);
-  EXPECT_EQ(reasonOf(room), "");
-}
-
-TEST(NoRoomBecause, OnlyPostsAreAroundIt)
-{
-  AirScene scene;
-  scene.slabs(0.05, 0.05, 16.05, 16.05, 0.01, 2.51);
-  for (const double x : {0.05, 15.85})
-    for (const double y : {0.05, 15.85})
-      scene.sides(x, y, x + 0.2, y + 0.2, 0.01, 2.51);
-  const BuildingRoom room = describe(scene);
-  EXPECT_LT(room.enclosure, 0.15);
-  EXPECT_NE(reasonOf(room).find("% of its outline"), std::string::npos)
-      << reasonOf(room);
-  EXPECT_EQ(kindOf(room), LeftOutKind::Open);
-}
-
-TEST(NoRoomBecause, ItIsSmallerThanASquareMetre)
-{
-  BuildingRoom room;
-  room.enclosure = 1;
-  addColumns(room, 99, 0, 2.5);
-  EXPECT_EQ(reasonOf(room), "less than 1.0 square metres with a headroom of 1.8 m");
-  EXPECT_EQ(kindOf(room), LeftOutKind::Low);
-  addColumns(room, 2, 0, 2.5);
-  EXPECT_EQ(reasonOf(room), "");
 }
 
 TEST(NoRoomBecause, ItIsNowhereHighEnough)

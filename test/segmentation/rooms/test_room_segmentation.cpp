@@ -180,23 +180,4 @@ TEST(RoomSegmentation, FindsWhatItsParametersAskFor)
   EXPECT_EQ(rooms.size(), 2u);
 }
 
-TEST(RoomSegmentation, IsCompiledForTheTypesPromised)
-{
-  const RoomPoints points = twoRooms();
-  std::vector<pcl::PointIndices> rooms;
-  const auto roomsOf = [&](auto segmentation, auto cloud) {
-    segmentation.setInputCloud(cloud);
-    return segmentation.segment(rooms) ? rooms.size() : 0;
-  };
-  EXPECT_EQ(
-      roomsOf(pcl::RoomSegmentation<pcl::PointXYZI>(), points.cloud<pcl::PointXYZI>()),
-      2u);
-  EXPECT_EQ(roomsOf(pcl::RoomSegmentation<pcl::PointNormal>(),
-                    points.cloud<pcl::PointNormal>()),
-            2u);
-  EXPECT_EQ(roomsOf(pcl::RoomSegmentation<pcl::PointStructure>(),
-                    points.cloud<pcl::PointStructure>()),
-            2u);
-}
-
 } // namespace

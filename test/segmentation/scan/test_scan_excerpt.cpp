@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "rows_in_pieces.h"
+
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_segmentation/src/scan/scan_excerpt.h"
+
+#include <pcl/point_types.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -20,6 +23,7 @@ using pcl::sedr::PointView;
 using pcl::sedr::RowSource;
 using pcl::sedr::ScanExcerpt;
 using pcl::sedr::ScanSample;
+using sedr_test::RowsInPieces;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
@@ -64,48 +68,22 @@ TEST(Excerpt, HasEveryKthPointWhateverThePiecesAndThreads)
     }
 }
 
-/** @brief Points of a room of 4 x 3 x 2.5 m, three floats per row, in pieces. */
-class RoomInPieces : public RowSource {
-public:
-  RoomInPieces()
-  {
-    for (const char* name : {"x", "y", "z"}) {
-      pcl::PCLPointField field;
-      field.name = name;
-      field.offset = static_cast<pcl::uindex_t>(4 * fields_.size());
-      field.datatype = pcl::PCLPointField::FLOAT32;
-      field.count = 1;
-      fields_.push_back(field);
-    }
-    for (std::size_t k = 0; k < 50000; ++k)
-      points_.emplace_back(static_cast<float>(k % 41) / 10,
-                           static_cast<float>(k % 31) / 10,
-                           static_cast<float>(k % 26) / 10);
-  }
-
-  const std::vector<pcl::PCLPointField>& fields() const override { return fields_; }
-  std::size_t rowSize() const override { return sizeof points_[0]; }
-  std::size_t size() const override { return points_.size(); }
-
-  void forEachPiece(const std::function<bool(const Piece&)>& see) const override
-  {
-    constexpr std::size_t rows = 7001;
-    for (std::size_t first = 0; first < size(); first += rows)
-      if (!see({reinterpret_cast<const std::uint8_t*>(points_[first].data()), first,
-                std::min(rows, size() - first)}))
-        return;
-  }
-
-  const std::vector<Eigen::Vector3f>& points() const { return points_; }
-
-private:
-  std::vector<pcl::PCLPointField> fields_;
-  std::vector<Eigen::Vector3f> points_;
-};
+/** @brief A lattice of points in 4 x 3 x 2.5 m. */
+pcl::PointCloud<pcl::PointXYZ>
+latticeRoom()
+{
+  pcl::PointCloud<pcl::PointXYZ> room;
+  for (int k = 0; k < 50000; ++k)
+    room.push_back({0.1F * static_cast<float>(k % 41),
+                    0.1F * static_cast<float>(k % 31),
+                    0.1F * static_cast<float>(k % 26)});
+  return room;
+}
 
 TEST(ScanExcerpt, IsTheSameWhetherItIsTakenBesideOrAfterwards)
 {
-  const RoomInPieces room;
+  const auto cloud = latticeRoom();
+  const RowsInPieces room(cloud, 7001);
   const auto callBeside = [](const RowSource::Piece& piece) {
     const std::size_t half = piece.size / 2;
     piece.beside(half, piece.size);
@@ -121,13 +99,13 @@ TEST(ScanExcerpt, IsTheSameWhetherItIsTakenBesideOrAfterwards)
     EXPECT_EQ(excerpt.problem(), "");
     ASSERT_EQ(excerpt.points()->size(), 10000u);
     for (std::size_t k = 0; k < 10000; ++k)
-      ASSERT_EQ((*excerpt.points())[k], room.points()[5 * k]) << k;
+      ASSERT_EQ((*excerpt.points())[k], cloud[5 * k].getVector3fMap()) << k;
   }
 }
 
 TEST(ScanExcerpt, OfAPieceAllRowsMustBeShownOrNone)
 {
-  const RoomInPieces room;
+  const RowsInPieces room(latticeRoom(), 7001);
   const ScanExcerpt excerpt(room, 10000, 2);
   const auto showMost = [](const RowSource::Piece& piece) {
     piece.beside(0, piece.size - 1);
@@ -138,7 +116,7 @@ TEST(ScanExcerpt, OfAPieceAllRowsMustBeShownOrNone)
 
 TEST(ScanExcerpt, GoesNoFartherThanItIsAskedTo)
 {
-  const RoomInPieces room;
+  const RowsInPieces room(latticeRoom(), 7001);
   const ScanExcerpt excerpt(room, 10000, 2);
   std::size_t pieces = 0;
   excerpt.forEachPiece([&](const RowSource::Piece&) { return ++pieces < 3; });

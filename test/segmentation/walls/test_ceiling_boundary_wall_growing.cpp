@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wall_growing_scenes.h"
 
-#include <pcl/sedr_filters/point_types.h>
-
 namespace {
 
 using namespace wall_growing;
@@ -103,41 +101,6 @@ TEST(CeilingBoundaryWallGrowing, DetailsJoinTheWallsThoughTheyAreNoCandidates)
   EXPECT_EQ(wallsOf(growing), united(room.wall_below, room.soffit));
 }
 
-TEST(CeilingBoundaryWallGrowing, SparseCandidatesGiveTheirShareOfTheWalls)
-{
-  const FurnishedRoom room;
-  Growing growing = room.growing();
-  const auto walls = wallsOf(growing);
-  pcl::Indices sparse;
-  for (std::size_t i = 0; i < room.cloud->size(); i += 7)
-    sparse.push_back(static_cast<pcl::index_t>(i));
-  const auto expected = commonOf(walls, sparse);
-  std::reverse(sparse.begin(), sparse.end());
-  sparse.insert(sparse.end(), expected.begin(), expected.end());
-  growing.setIndices(indexList(sparse));
-  EXPECT_EQ(wallsOf(growing), expected);
-  EXPECT_FALSE(expected.empty());
-}
-
-TEST(CeilingBoundaryWallGrowing, NonFinitePointsAreNeitherBoundaryNorWall)
-{
-  Scene scene;
-  auto ceiling = scene.slab(0, 2, 0, 2, 2.5f);
-  const auto wall = scene.pole(2.0625f, 1, 0, 2);
-  Growing growing = growingOn(scene, ceiling);
-  wallsOf(growing);
-  const auto boundary = growing.getBoundaryIndices();
-
-  ceiling.push_back(scene.add(not_a_number, 1, 2.5f));
-  ceiling.push_back(scene.add(1, 1, std::numeric_limits<float>::infinity()));
-  scene.add(2.0625f, not_a_number, 1);
-  scene.add(2.0625f, 1, not_a_number);
-  growing.setInputCloud(scene.cloud);
-  growing.setCeilingIndices(indexList(ceiling));
-  EXPECT_EQ(wallsOf(growing), wall);
-  EXPECT_EQ(growing.getBoundaryIndices(), boundary);
-}
-
 TEST(CeilingBoundaryWallGrowing, FarFromTheOriginTheRoomIsTheSame)
 {
   Scene near_by, far_away;
@@ -154,29 +117,12 @@ TEST(CeilingBoundaryWallGrowing, FarFromTheOriginTheRoomIsTheSame)
   EXPECT_EQ(wallsOf(growing), walls);
 }
 
-TEST(CeilingBoundaryWallGrowing, CustomPointTypeNeedsOnlyCoordinates)
-{
-  const SoffitRoom room;
-  const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointStructure>>();
-  for (const auto& p : *room.cloud) {
-    pcl::PointStructure point;
-    point.getVector3fMap() = p.getVector3fMap();
-    cloud->push_back(point);
-  }
-  pcl::CeilingBoundaryWallGrowing<pcl::PointStructure> growing;
-  growing.setInputCloud(cloud);
-  growing.setCeilingIndices(indexList(room.ceiling));
-  growing.setDistanceThreshold(0.1);
-  pcl::PointIndices walls;
-  ASSERT_TRUE(growing.segment(walls));
-  Growing reference = growingOn(room, room.ceiling);
-  EXPECT_EQ(walls.indices, wallsOf(reference));
-}
-
 TEST(CeilingBoundaryWallGrowing, BadInputIsRefusedWithAReasonAndClearsTheResult)
 {
   const SoffitRoom room;
-  const auto refuses = [](Growing growing, const char* word) {
+  const auto refusesWith = [&](auto change, const char* word) {
+    Growing growing = room.growing();
+    change(growing);
     pcl::PointIndices walls;
     walls.indices = {1, 2, 3};
     EXPECT_FALSE(growing.segment(walls)) << word;
@@ -185,15 +131,8 @@ TEST(CeilingBoundaryWallGrowing, BadInputIsRefusedWithAReasonAndClearsTheResult)
     EXPECT_NE(growing.getErrorMessage().find(word), std::string::npos)
         << growing.getErrorMessage();
   };
-  const auto refusesWith = [&](auto change, const char* word) {
-    Growing growing = room.growing();
-    change(growing);
-    refuses(growing, word);
-  };
-  refuses(Growing(), "no input cloud");
   refusesWith([](Growing& g) { g.setInputCloud(pcl::make_shared<Cloud>()); },
               "0 points");
-  refusesWith([](Growing& g) { g.setIndices(indexList({-1})); }, "index -1");
   refusesWith([](Growing& g) { g.setFloorIndices(indexList({99999})); }, "index 99999");
   refusesWith([](Growing& g) { g.setCeilingIndices(nullptr); }, "there are 0");
   refusesWith(
@@ -202,35 +141,7 @@ TEST(CeilingBoundaryWallGrowing, BadInputIsRefusedWithAReasonAndClearsTheResult)
       },
       "there are 2");
   refusesWith([](Growing& g) { g.setFloorIndices(indexList()); }, "floor");
-  refusesWith([](Growing& g) { g.setNumberOfNeighbors(2); }, "neighbors");
-  refusesWith([](Growing& g) { g.setAngleThreshold(0); }, "angle");
-  refusesWith([](Growing& g) { g.setAngleThreshold(not_a_number); }, "angle");
-  refusesWith([](Growing& g) { g.setDistanceThreshold(0); }, "distance");
-  refusesWith([](Growing& g) { g.setDistanceThreshold(not_a_number); }, "distance");
   refusesWith([](Growing& g) { g.setSliceHeight(HUGE_VAL); }, "slice");
-}
-
-TEST(CeilingBoundaryWallGrowing, IsReusableAfterAFailureAndWithAnotherCloud)
-{
-  const SoffitRoom room;
-  Growing growing = room.growing();
-  const auto walls = wallsOf(growing);
-  growing.setNumberOfNeighbors(0);
-  pcl::PointIndices none;
-  EXPECT_FALSE(growing.segment(none));
-  growing.setNumberOfNeighbors(200);
-  EXPECT_EQ(wallsOf(growing), walls);
-  EXPECT_TRUE(growing.getErrorMessage().empty());
-
-  Scene other;
-  const auto ceiling = other.slab(0, 1, 0, 1, 3.f);
-  const auto pole = other.pole(1.0625f, 0.5f, 0, 2);
-  growing.setInputCloud(other.cloud);
-  growing.setCeilingIndices(indexList(ceiling));
-  growing.setFloorIndices(nullptr);
-  growing.setDetailIndices(nullptr);
-  growing.setSliceHeight(not_a_number);
-  EXPECT_EQ(wallsOf(growing), pole);
 }
 
 } // namespace

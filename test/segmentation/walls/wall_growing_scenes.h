@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <random>
 
@@ -76,15 +75,6 @@ united(pcl::Indices a, const pcl::Indices& b)
   return a;
 }
 
-inline pcl::Indices
-commonOf(const pcl::Indices& a, const pcl::Indices& b)
-{
-  pcl::Indices both;
-  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(),
-                        std::back_inserter(both));
-  return both;
-}
-
 inline Growing
 growingOn(const Scene& scene, const pcl::Indices& ceiling)
 {
@@ -132,62 +122,6 @@ allOf(const Scene& scene)
     all[i] = static_cast<pcl::index_t>(i);
   return all;
 }
-
-/** @brief A room of 4 m x 3 m x 2.5 m: ceiling with two holes of 0.5 m, floor, four
- * walls with a door. A lamp 0.3 m high hangs in one hole, a column stands in the other.
- */
-struct FurnishedRoom : Scene {
-  pcl::Indices ceiling, floor, walls, lamp, column, lintel;
-
-  FurnishedRoom()
-  {
-    ceiling = slab(0, 4, 0, 3, 2.5f, [](float x, float y) {
-      return !inSquare(x, y, 1.25f) && !inSquare(x, y, 2.75f);
-    });
-    floor = slab(0, 4, 0, 3, 0.f);
-    for (float s = 0; s <= 4; s += step) {
-      const bool door = s > 1 && s < 2;
-      const auto front = pole(s, -step, door ? 2.f : step, 2.5f - step);
-      walls = united(walls, front);
-      if (door)
-        lintel = united(lintel, front);
-      walls = united(walls, pole(s, 3 + step, step, 2.5f - step));
-    }
-    for (float s = 0; s <= 3; s += step) {
-      walls = united(walls, pole(-step, s, step, 2.5f - step));
-      walls = united(walls, pole(4 + step, s, step, 2.5f - step));
-    }
-    lamp = squareRim(1.25f, 2.2f);
-    column = squareRim(2.75f, step);
-  }
-
-  Growing growing() const
-  {
-    Growing growing = growingOn(*this, ceiling);
-    growing.setFloorIndices(indexList(floor));
-    growing.setNumberOfNeighbors(50); // 200 would reach across holes of this size
-    return growing;
-  }
-
-private:
-  static bool inSquare(float x, float y, float centre_x)
-  {
-    return std::abs(x - centre_x) < 0.25f && std::abs(y - 1.5f) < 0.25f;
-  }
-
-  pcl::Indices squareRim(float centre_x, float bottom)
-  {
-    pcl::Indices indices;
-    const float half = 0.25f - step;
-    for (float s = -half; s <= half; s += step) {
-      indices = united(indices, pole(centre_x + s, 1.5f - half, bottom, 2.5f - step));
-      indices = united(indices, pole(centre_x + s, 1.5f + half, bottom, 2.5f - step));
-      indices = united(indices, pole(centre_x - half, 1.5f + s, bottom, 2.5f - step));
-      indices = united(indices, pole(centre_x + half, 1.5f + s, bottom, 2.5f - step));
-    }
-    return indices;
-  }
-};
 
 /** @brief A room of 4 m x 3 m x 2.5 m whose ceiling is 0.75 m lower for x > 3. The step
  * is larger than the neighbourhood of a ceiling point, so both parts are connected only
