@@ -41,7 +41,6 @@ writeDetail(IfcDocument& document,
   const std::vector<std::size_t> triangles = trianglesOn(written, {name});
   if (triangles.empty())
     return;
-  const double ground = document.storeys[written.storey].storey.floor;
   const bool is_up = slab.heightAt(written.solid.corner(triangles[0], 0).head<2>()) >
                      written.solid.corner(triangles[0], 0).z();
   const TriangleMesh body =
@@ -51,10 +50,9 @@ writeDetail(IfcDocument& document,
                         return is_up ? std::max(height, p.z() + thinnest)
                                      : std::min(height, p.z() - thinnest);
                       }),
-              ground);
+              document.groundOf(written.storey));
   const StepRef place = document.placeIn(written.storey);
-  const StepRef item = document.shapes.faceSet(body);
-  const StepRef shape = document.shapeOf(item, "Tessellation", "detail");
+  const StepRef shape = document.shapeOf(document.shapes.faceSet(body), "detail");
   document.addElement(type, name, written.storey, place, shape, {symbol(kind)});
 }
 
@@ -64,7 +62,6 @@ writeColumn(IfcDocument& document, std::size_t r, std::size_t c)
   const IfcRoom& written = document.rooms[r];
   const PlanRoom& room = *written.room;
   const PlanLoop& column = room.columns[c];
-  const double ground = document.storeys[written.storey].storey.floor;
   const Eigen::Vector2d middle = boundsOf(column).center();
   const double bottom = room.floor.heightAt(middle);
   const double height = (hasSlopingCeiling(room) ? room.ceilingAt(middle)
@@ -74,9 +71,10 @@ writeColumn(IfcDocument& document, std::size_t r, std::size_t c)
     return;
   const std::string name = nameIn(room, "column_" + std::to_string(c + 1));
   const StepRef place = document.placeIn(written.storey);
-  const StepRef item = document.shapes.extrusion(
-      column.area() < 0 ? reversed(column) : column, {}, bottom - ground, height);
-  const StepRef shape = document.shapeOf(item, "SweptSolid", "column");
+  const IfcBody body =
+      document.shapes.extrusion(column.area() < 0 ? reversed(column) : column, {},
+                                bottom - document.groundOf(written.storey), height);
+  const StepRef shape = document.shapeOf(body, "column");
   const StepRef ref = document.addElement("IFCCOLUMN", name, written.storey, place,
                                           shape, {symbol("COLUMN")});
   document.addQuantities(ref, name, "Qto_ColumnBaseQuantities",

@@ -215,10 +215,16 @@ IfcDocument::placeIn(std::size_t storey)
 }
 
 StepRef
-IfcDocument::shapeOf(StepRef item, const std::string& type, const std::string& colour)
+IfcDocument::bodyOf(const IfcBody& body, const std::string& colour)
 {
-  shapes.colour(item, colour);
-  return shapes.product({shapes.body(body_context, type, {item})});
+  shapes.colour(body.item, colour);
+  return shapes.body(body_context, body.type, {body.item});
+}
+
+StepRef
+IfcDocument::shapeOf(const IfcBody& body, const std::string& colour)
+{
+  return shapes.product({bodyOf(body, colour)});
 }
 
 void
@@ -254,7 +260,6 @@ pcl::sedr::writeIfc(const Floorplan& plan,
   ifc::writeDetails(document);
   ifc::writeStairs(document);
   document.finish();
-  document.model.text = document.step.text("ViewDefinition [ReferenceView_V1.2]",
-                                           settings.name + ".ifc", "IFC4");
+  document.model.text = document.step.text(settings.name + ".ifc");
   return std::move(document.model);
 }

@@ -89,11 +89,17 @@ public:
                  const StepValue& relating,
                  const StepValue& related);
 
+  /** @brief Returns the height of a storey, to which places in it refer. */
+  double groundOf(std::size_t storey) const { return storeys[storey].storey.floor; }
+
   /** @brief Adds a placement at the origin of a storey. */
   StepRef placeIn(std::size_t storey);
 
-  /** @brief Returns a body of swept solids or of a mesh as a shape. */
-  StepRef shapeOf(StepRef item, const std::string& type, const std::string& colour);
+  /** @brief Colours a body and returns its representation. */
+  StepRef bodyOf(const IfcBody& body, const std::string& colour);
+
+  /** @brief Returns a shape of one body. */
+  StepRef shapeOf(const IfcBody& body, const std::string& colour);
 
   /** @brief Adds the relations of spaces and elements to their storeys. */
   void finish();

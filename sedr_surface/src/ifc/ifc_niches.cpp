@@ -60,8 +60,7 @@ writeNiches(IfcDocument& document,
           !trianglesOn(written, {name + "_bottom", name + "_top"}).empty();
       std::size_t count = 0;
       for (const WrittenWall& wall : walls) {
-        const WallFrame frame = frameOf(document.plan, wall.wall);
-        const PlanLoop loop = inFrame(niche.boundary, frame);
+        const PlanLoop loop = inFrame(niche.boundary, wall.frame);
         if (!is_built || height <= 0 || bottom >= wall.top ||
             bottom + height <= wall.bottom ||
             commonArea(wall.profile, {loop}) <= no_area)
@@ -74,11 +73,11 @@ writeNiches(IfcDocument& document,
           continue;
         }
         const std::string part = count == 0 ? "" : "_part_" + std::to_string(count + 1);
-        const StepRef body =
-            is_level ? document.shapes.extrusion(loop, {}, low, height)
-                     : document.shapes.faceSet(meshOf(niche, loop, frame, wall.bottom));
-        writeOpening(document, wall, name + part, body, "RECESS",
-                     is_level ? "SweptSolid" : "Tessellation");
+        writeOpening(document, wall, name + part,
+                     is_level ? document.shapes.extrusion(loop, {}, low, height)
+                              : document.shapes.faceSet(
+                                    meshOf(niche, loop, wall.frame, wall.bottom)),
+                     "RECESS");
         ++count;
       }
       if (count == 0)

@@ -15,8 +15,9 @@ constexpr double beside = 0.15;   ///< of a wall, where a doorway in it may lie,
 /** @brief Returns the extent of a wall behind its face (negative y) and in front of it,
  * in its frame. The chord of a curved wall is on the x axis. */
 Eigen::AlignedBox2d
-boxOfWall(const Floorplan& plan, const PlanWall& wall)
+boxOfWall(const Floorplan& plan, const WrittenWall& written)
 {
+  const PlanWall& wall = written.wall;
   Eigen::AlignedBox2d box;
   const PlanElement& element = elementOf(plan, wall.face);
   if (!element.isArc()) {
@@ -25,12 +26,11 @@ boxOfWall(const Floorplan& plan, const PlanWall& wall)
     return box;
   }
   constexpr int samples = 16;
-  const WallFrame frame = frameOf(plan, wall);
   for (int i = 0; i <= samples; ++i) {
     const auto [place, inward] =
         faceAt(element, wall.stretch.from + wall.stretch.length() * i / samples);
-    box.extend(frame.toLocal(place));
-    box.extend(frame.toLocal(place - wall.thickness * inward));
+    box.extend(written.frame.toLocal(place));
+    box.extend(written.frame.toLocal(place - wall.thickness * inward));
   }
   return box;
 }
@@ -47,7 +47,7 @@ boxIn(const Floorplan& plan,
   constexpr double min_width = 0.05;
   constexpr double cosine = 0.86; // 30 degrees between doorway and wall
   const PlanElement& element = elementOf(plan, written.wall.face);
-  const WallFrame frame = frameOf(plan, written.wall);
+  const WallFrame& frame = written.frame;
   const Eigen::Vector2d middle = (doorway.start + doorway.end) / 2;
   const Eigen::Vector2d way = (doorway.end - doorway.start).normalized();
   const auto [place, inward] = faceAt(element, element.project(middle));
@@ -55,7 +55,7 @@ boxIn(const Floorplan& plan,
   if (behind < -reach || behind > written.wall.thickness + reach ||
       std::abs(way.dot(inward)) > std::sqrt(1 - cosine * cosine))
     return false;
-  const Eigen::AlignedBox2d wall = boxOfWall(plan, written.wall);
+  const Eigen::AlignedBox2d wall = boxOfWall(plan, written);
   const Eigen::Vector2d a = frame.toLocal(doorway.start);
   const Eigen::Vector2d b = frame.toLocal(doorway.end);
   const double from = std::min(a.x(), b.x());
@@ -131,10 +131,11 @@ writeDoorway(IfcDocument& document,
         continue;
       const std::string part =
           gaps.empty() ? "" : "_part_" + std::to_string(gaps.size() + 1);
-      const StepRef body = document.shapes.extrusion(
-          loopAround(box.plan), {}, box.bottom, box.top - box.bottom, wall.runs.near);
       const StepRef opening =
-          writeOpening(document, wall, name + part, body, "OPENING");
+          writeOpening(document, wall, name + part,
+                       document.shapes.extrusion(loopAround(box.plan), {}, box.bottom,
+                                                 box.top - box.bottom, wall.runs.near),
+                       "OPENING");
       document.addQuantities(opening, name + part, "Qto_OpeningElementBaseQuantities",
                              {{"LENGTH", "Width", doorway.width()},
                               {"LENGTH", "Height", doorway.top - doorway.bottom},
@@ -162,7 +163,7 @@ writeFilling(IfcDocument& document,
     return;
   const WrittenWall& wall = *gap.wall;
   const OpeningBox& box = gap.box;
-  const WallFrame frame = frameOf(document.plan, wall.wall);
+  const WallFrame& frame = wall.frame;
   const std::vector<OpeningLeaf> leaves = leavesOf(opening);
   const bool is_turned = !leaves.empty() && frame.toLocal(leaves[0].open).y() <
                                                 frame.toLocal(leaves[0].hinge).y();
@@ -177,12 +178,12 @@ writeFilling(IfcDocument& document,
   const Eigen::Vector2d half(box.plan.sizes().x() / 2, thickness / 2);
   const StepRef place =
       document.shapes.placement(wall.placement, {middle.x(), middle.y(), 0}, {sign, 0});
-  const StepRef body =
+  const IfcBody body =
       document.shapes.extrusion(loopAround({-half, half}), {}, box.bottom,
                                 box.top - box.bottom, sign * wall.runs.near);
   const StepRef filling = document.addElement(
       is_door ? "IFCDOOR" : "IFCWINDOW", name, wall.storey, place,
-      document.shapeOf(body, "SweptSolid", "opening"),
+      document.shapeOf(body, "opening"),
       {box.top - box.bottom, opening.width(), symbol(is_door ? "DOOR" : "WINDOW"),
        symbol(operation), none});
   document.relate("IFCRELFILLSELEMENT", name + " in its opening", gap.opening, filling);
@@ -209,10 +210,13 @@ joinsRooms(const Floorplan& plan, const PlanDoorway& doorway)
          }) == 2;
 }
 
-/** @brief Adds a virtual element between rooms that meet without a wall. */
-void
+/** @brief Adds a virtual element between rooms that meet without a wall.
+ * @return whether they do at the doorway */
+bool
 writePassage(IfcDocument& document, const PlanDoorway& doorway, const std::string& name)
 {
+  if (!joinsRooms(document.plan, doorway))
+    return false;
   StepRef element;
   for (std::size_t r = 0; r < document.rooms.size(); ++r) {
     const PlanRoom& room = *document.rooms[r].room;
@@ -222,8 +226,9 @@ writePassage(IfcDocument& document, const PlanDoorway& doorway, const std::strin
     if (element.isNone())
       element = document.addElement("IFCVIRTUALELEMENT", name, storey,
                                     document.placeIn(storey), {}, {});
-    writeBoundary(document, r, name, element, {"VIRTUAL", "INTERNAL"});
+    writeBoundary(document, r, name, element, "INTERNAL", "VIRTUAL");
   }
+  return true;
 }
 
 } // namespace
@@ -232,13 +237,12 @@ StepRef
 writeOpening(IfcDocument& document,
              const WrittenWall& wall,
              const std::string& name,
-             StepRef item,
-             const char* kind,
-             const char* type)
+             const IfcBody& body,
+             const char* kind)
 {
   const StepRef frame = document.shapes.axes(Eigen::Vector3d::Zero());
   const StepRef place = document.step.add("IFCLOCALPLACEMENT", {wall.placement, frame});
-  const StepRef shape = document.shapeOf(item, type, "opening");
+  const StepRef shape = document.shapeOf(body, "opening");
   const StepRef opening =
       document.step.add("IFCOPENINGELEMENT", {document.guid(name), none, name, none,
                                               none, place, shape, none, symbol(kind)});
@@ -280,7 +284,8 @@ writeOpenings(IfcDocument& document, const std::vector<WrittenWall>& walls)
 {
   const Floorplan& plan = document.plan;
   std::vector<WrittenGap> all;
-  std::vector<std::string> outside; // numbers of openings in no wall
+  std::string outside; // numbers of openings in no wall
+  double count = 0;    // of these
   for (std::size_t k = 0; k < plan.openings.size(); ++k) {
     const PlanOpening& opening = plan.openings[k];
     const std::string number = std::to_string(k + 1);
@@ -290,29 +295,21 @@ writeOpenings(IfcDocument& document, const std::vector<WrittenWall>& walls)
     if (!gaps.empty())
       writeFilling(document, opening, gaps.front(),
                    nameOf(opening.kind) + ("_" + number));
-    else if (joinsRooms(plan, doorwayOf(opening)))
-      writePassage(document, doorwayOf(opening), "opening_" + number);
-    else
-      outside.push_back(number);
+    else if (!writePassage(document, doorwayOf(opening), "opening_" + number)) {
+      outside += (outside.empty() ? "" : ", ") + number;
+      ++count;
+    }
   }
-  if (!outside.empty()) {
-    std::string numbers;
-    for (const std::string& number : outside)
-      numbers += (numbers.empty() ? "" : ", ") + number;
+  if (!outside.empty())
     document.model.warnings.push_back(
-        warningOf(WarningKind::NotInIfc, numbers,
-                  {static_cast<double>(outside.size()),
-                   static_cast<double>(plan.openings.size())}));
-  }
+        warningOf(WarningKind::NotInIfc, outside,
+                  {count, static_cast<double>(plan.openings.size())}));
   const std::vector<PlanDoorway> doorways = otherDoorways(plan);
   for (std::size_t d = 0; d < doorways.size(); ++d) {
     const PlanDoorway& doorway = doorways[d];
     const std::string name = "doorway_" + std::to_string(d + 1);
-    if (!writeDoorway(document, walls, doorway, name).empty())
-      continue;
-    if (joinsRooms(document.plan, doorway))
-      writePassage(document, doorway, name);
-    else
+    if (writeDoorway(document, walls, doorway, name).empty() &&
+        !writePassage(document, doorway, name))
       document.model.warnings.push_back(
           warningOf(WarningKind::IfcLoss,
                     name + " between rooms " + std::to_string(doorway.rooms[0]) +

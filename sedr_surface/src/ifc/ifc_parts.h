@@ -36,8 +36,9 @@ struct WrittenWall {
   PlanWall wall;
   std::string name;
   std::size_t storey = 0;
+  WallFrame frame{};
   StepRef ref{};
-  StepRef placement{}; ///< of the wall's frame, z from its bottom
+  StepRef placement{}; ///< of the frame, z from the wall's bottom
   double bottom = 0;   ///< metres
   double top = 0;
   WallRuns runs{};    ///< of a tilted wall
@@ -77,9 +78,8 @@ struct WrittenGap {
 StepRef writeOpening(IfcDocument& document,
                      const WrittenWall& wall,
                      const std::string& name,
-                     StepRef item,
-                     const char* kind,
-                     const char* type = "SweptSolid");
+                     const IfcBody& body,
+                     const char* kind);
 
 /** @brief Adds openings for doorways and recesses for niches. */
 void writeOpenings(IfcDocument& document, const std::vector<WrittenWall>& walls);
@@ -98,18 +98,15 @@ void writeDetails(IfcDocument& document);
 /** @brief Adds the stairs whose flights were seen. */
 void writeStairs(IfcDocument& document);
 
-/** @brief The kind of a space boundary. */
-struct BoundaryKind {
-  const char* element = "PHYSICAL"; ///< or "VIRTUAL" where nothing is built
-  const char* side = "INTERNAL";    ///< or "NOTDEFINED" if the other side was not seen
-};
-
-/** @brief Adds a first-level boundary of a space, without geometry. */
+/** @brief Adds a first-level boundary of a space, without geometry.
+ * @param side "INTERNAL", or "NOTDEFINED" if the other side was not seen
+ * @param kind "PHYSICAL", or "VIRTUAL" where nothing is built */
 void writeBoundary(IfcDocument& document,
                    std::size_t room,
                    const std::string& element_name,
                    StepRef element,
-                   const BoundaryKind& kind = {});
+                   const char* side = "INTERNAL",
+                   const char* kind = "PHYSICAL");
 
 /** @brief Returns the triangles of a room's solid that belong to some of its parts, by
  * the names of SolidElement. */

@@ -132,7 +132,7 @@ IfcShapes::closedCurve(const PlanLoop& loop)
              : polyline(loop.polygon(chord_tolerance), true);
 }
 
-StepRef
+IfcBody
 IfcShapes::extrusion(const PlanLoop& boundary,
                      const std::vector<PlanLoop>& holes,
                      double bottom,
@@ -151,10 +151,10 @@ IfcShapes::extrusion(const PlanLoop& boundary,
   const StepRef frame = axes({0, run * bottom, bottom});
   const Eigen::Vector3d way(0, run, 1);
   const StepRef up = direction(way.normalized());
-  return step_.add("IFCEXTRUDEDAREASOLID", {profile, frame, up, height * way.norm()});
+  return {step_.add("IFCEXTRUDEDAREASOLID", {profile, frame, up, height * way.norm()})};
 }
 
-StepRef
+IfcBody
 IfcShapes::faceSet(const TriangleMesh& mesh)
 {
   std::vector<StepValue> points;
@@ -165,8 +165,9 @@ IfcShapes::faceSet(const TriangleMesh& mesh)
     triangles.push_back(
         listOf({integer(t[0] + 1), integer(t[1] + 1), integer(t[2] + 1)}));
   const StepRef list = step_.add("IFCCARTESIANPOINTLIST3D", {listOf(points)});
-  return step_.add("IFCTRIANGULATEDFACESET",
-                   {list, none, logical(true), listOf(triangles), none});
+  return {step_.add("IFCTRIANGULATEDFACESET",
+                    {list, none, logical(true), listOf(triangles), none}),
+          "Tessellation"};
 }
 
 StepRef

@@ -14,6 +14,12 @@
 
 namespace pcl::sedr::ifc {
 
+/** @brief A body, and the type of the shapes that it is an item of. */
+struct IfcBody {
+  StepRef item{};
+  const char* type = "SweptSolid"; ///< or "Tessellation"
+};
+
 /** @brief Writes geometry to an IFC file: placements, profiles and bodies. */
 class IfcShapes {
 public:
@@ -42,14 +48,14 @@ public:
   /** @brief Adds the area inside a loop and outside its holes, swept upwards.
    * @param run of a tilted wall: metres along y for each metre up; the loops are where
    * z is 0 */
-  StepRef extrusion(const PlanLoop& boundary,
+  IfcBody extrusion(const PlanLoop& boundary,
                     const std::vector<PlanLoop>& holes,
                     double bottom,
                     double height,
                     double run = 0);
 
   /** @brief Adds a closed mesh as IfcTriangulatedFaceSet. */
-  StepRef faceSet(const TriangleMesh& mesh);
+  IfcBody faceSet(const TriangleMesh& mesh);
 
   /** @brief Gives a body the colour of a kind: "space", "wall", "slab", ... */
   void colour(StepRef body, const std::string& kind);
@@ -57,7 +63,7 @@ public:
   /** @brief Adds an IfcProductDefinitionShape of shapes such as body() and line(). */
   StepRef product(const std::vector<StepRef>& shapes);
 
-  /** @param type "SweptSolid" or "Tessellation" */
+  /** @param type see IfcBody */
   StepRef
   body(StepRef context, const std::string& type, const std::vector<StepRef>& items);
 

@@ -89,11 +89,6 @@ private:
     StepRef ref;
   };
 
-  double groundOf(std::size_t r) const
-  {
-    return document_.storeys[document_.rooms[r].storey].storey.floor;
-  }
-
   /** @brief Adds the slab behind a face of a room, downwards if its thickness is below
    * 0, and the space boundary on it. It is swept if the face is level and
    * `may_be_swept`, else a mesh on parts of the room. */
@@ -111,21 +106,20 @@ private:
     const PlanRoom& room = *written.room;
     const std::string name = nameIn(room, part);
     const auto level = levelOf(face, boundsOf(room.boundary));
-    const bool is_swept = level && may_be_swept;
-    StepRef item;
-    if (is_swept)
-      item = document_.shapes.extrusion(
-          room.boundary, {}, std::min(*level, *level + thickness) - groundOf(r),
-          std::abs(thickness));
+    IfcBody body;
+    if (level && may_be_swept)
+      body = document_.shapes.extrusion(room.boundary, {},
+                                        std::min(*level, *level + thickness) -
+                                            document_.groundOf(written.storey),
+                                        std::abs(thickness));
     else {
-      const TriangleMesh body = bodyOn(r, parts, thickness);
-      if (body.empty())
+      const TriangleMesh mesh = bodyOn(r, parts, thickness);
+      if (mesh.empty())
         return std::nullopt;
-      item = document_.shapes.faceSet(body);
+      body = document_.shapes.faceSet(mesh);
     }
     const StepRef place = document_.placeIn(written.storey);
-    const StepRef shape =
-        document_.shapeOf(item, is_swept ? "SweptSolid" : "Tessellation", colour);
+    const StepRef shape = document_.shapeOf(body, colour);
     const StepRef slab = document_.addElement("IFCSLAB", name, written.storey, place,
                                               shape, {symbol(kind)});
     document_.addQuantities(slab, name, "Qto_SlabBaseQuantities",
@@ -137,8 +131,7 @@ private:
          {"Residual", typed("IFCLENGTHMEASURE", face.residual)},
          {"Points", typed("IFCINTEGER", integer(face.inliers))}});
     ++document_.model.slabs;
-    writeBoundary(document_, r, name, slab,
-                  {"PHYSICAL", is_assumed ? "NOTDEFINED" : "INTERNAL"});
+    writeBoundary(document_, r, name, slab, is_assumed ? "NOTDEFINED" : "INTERNAL");
     return Slab{name, slab};
   }
 
@@ -206,7 +199,7 @@ private:
                              return has_slopes ? p.z() + thickness
                                                : sign * end + thickness;
                            }),
-                   groundOf(r));
+                   document_.groundOf(written.storey));
   }
 
   IfcDocument& document_;

@@ -56,6 +56,21 @@ prismOf(const IfcRoom& written)
   return Prism{*floor, *ceiling};
 }
 
+/** @brief Returns in plan the triangles that satisfy a condition and face up, or down
+ * for a `sign` of -1. */
+template <typename IsWanted>
+std::vector<PlanLoop>
+inPlan(const TriangleMesh& mesh, int sign, IsWanted isWanted)
+{
+  std::vector<PlanLoop> found;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (sign * mesh.scaledNormal(t).z() > 0 && isWanted(t))
+      found.push_back(
+          loopOf({mesh.corner(t, 1 - sign).head<2>(), mesh.corner(t, 1).head<2>(),
+                  mesh.corner(t, 1 + sign).head<2>()}));
+  return found;
+}
+
 /** @brief Returns the largest residual of floor, ceiling and walls, metres. */
 double
 largestResidual(const PlanRoom& room)
@@ -104,36 +119,23 @@ describe(IfcDocument& document, const IfcRoom& written, const std::string& name)
 std::vector<PlanLoop>
 floorTriangles(const IfcRoom& written)
 {
-  std::vector<PlanLoop> floors;
-  if (prismOf(written))
-    return floors;
   const std::string floor = nameIn(*written.room, "floor");
-  for (std::size_t t = 0; t < written.solid.triangles.size(); ++t) {
+  if (prismOf(written))
+    return {};
+  return inPlan(written.solid, -1, [&](std::size_t t) {
     const std::uint32_t e = written.solid.elements[t];
-    if (e == 0 || written.elements[e - 1].name.compare(0, floor.size(), floor) != 0 ||
-        written.solid.scaledNormal(t).z() >= 0)
-      continue;
-    std::vector<Eigen::Vector2d> corners;
-    for (int k = 2; k >= 0; --k) // they face down
-      corners.emplace_back(written.solid.corner(t, k).head<2>());
-    floors.push_back(loopOf(corners));
-  }
-  return floors;
+    return e > 0 && written.elements[e - 1].name.compare(0, floor.size(), floor) == 0;
+  });
 }
 
 std::vector<PlanLoop>
 topTriangles(const IfcRoom& written,
              const std::function<bool(const Eigen::Vector3d&)>& isTop)
 {
-  std::vector<PlanLoop> tops;
-  for (std::size_t t = 0; t < written.solid.triangles.size(); ++t) {
-    const auto corner = [&](int k) { return written.solid.corner(t, k); };
-    if (written.solid.scaledNormal(t).z() > 0 && isTop(corner(0)) && isTop(corner(1)) &&
-        isTop(corner(2)))
-      tops.push_back(
-          loopOf({corner(0).head<2>(), corner(1).head<2>(), corner(2).head<2>()}));
-  }
-  return tops;
+  return inPlan(written.solid, 1, [&](std::size_t t) {
+    return isTop(written.solid.corner(t, 0)) && isTop(written.solid.corner(t, 1)) &&
+           isTop(written.solid.corner(t, 2));
+  });
 }
 
 void
@@ -142,17 +144,17 @@ writeSpaces(IfcDocument& document)
   for (IfcRoom& written : document.rooms) {
     const PlanRoom& room = *written.room;
     IfcStorey& storey = document.storeys[written.storey];
-    const double ground = storey.storey.floor;
+    const double ground = document.groundOf(written.storey);
     const std::string name = nameIn(room, "space");
     StepRef shape;
     if (const auto prism = prismOf(written))
       shape = document.shapeOf(document.shapes.extrusion(room.boundary, room.columns,
                                                          prism->floor - ground,
                                                          prism->ceiling - prism->floor),
-                               "SweptSolid", "space");
+                               "space");
     else if (!written.solid.empty())
       shape = document.shapeOf(document.shapes.faceSet(lowered(written.solid, ground)),
-                               "Tessellation", "space");
+                               "space");
     const StepRef place = document.placeIn(written.storey);
     const std::string number = std::to_string(room.id);
     written.space = document.step.add(
@@ -170,14 +172,15 @@ writeBoundary(IfcDocument& document,
               std::size_t room,
               const std::string& element_name,
               StepRef element,
-              const BoundaryKind& kind)
+              const char* side,
+              const char* kind)
 {
   const std::string name =
       nameIn(*document.rooms[room].room, "boundary") + " at " + element_name;
   document.step.add("IFCRELSPACEBOUNDARY1STLEVEL",
                     {document.guid(name), none, "1stLevel", none,
-                     document.rooms[room].space, element, none, symbol(kind.element),
-                     symbol(kind.side), none});
+                     document.rooms[room].space, element, none, symbol(kind),
+                     symbol(side), none});
 }
 
 std::string

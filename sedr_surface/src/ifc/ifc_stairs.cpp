@@ -32,9 +32,10 @@ treadsOf(IfcDocument& document, const PlanFlight& flight, double ground)
     const auto& back = flight.risers[k + 1];
     const double top = flight.bottom + flight.rise * static_cast<double>(k + 1);
     const double bottom = std::max(flight.bottom, top - 2 * flight.rise);
-    treads.push_back(
-        document.shapes.extrusion(loopOf({front[1], back[1], back[0], front[0]}), {},
-                                  bottom - ground, top - bottom));
+    treads.push_back(document.shapes
+                         .extrusion(loopOf({front[1], back[1], back[0], front[0]}), {},
+                                    bottom - ground, top - bottom)
+                         .item);
     document.shapes.colour(treads.back(), "detail");
   }
   return document.shapes.product(
@@ -69,8 +70,8 @@ writeStairs(IfcDocument& document)
       flights.push_back(document.step.add(
           "IFCSTAIRFLIGHT",
           {document.guid(part), none, part, none, none, place,
-           treadsOf(document, flight, document.storeys[room->storey].storey.floor),
-           none, integer(flight.steps()), integer(flight.steps() - 1), flight.rise,
+           treadsOf(document, flight, document.groundOf(room->storey)), none,
+           integer(flight.steps()), integer(flight.steps() - 1), flight.rise,
            flight.going(),
            symbol(turn < straight           ? "STRAIGHT"
                   : turn < 2 * M_PI * 3 / 4 ? "WINDER"

@@ -22,11 +22,10 @@ void
 writeBoundaries(IfcDocument& document, const WrittenWall& written)
 {
   const PlanWall& wall = written.wall;
-  const BoundaryKind kind{"PHYSICAL", wall.other ? "INTERNAL" : "NOTDEFINED"};
-  writeBoundary(document, wall.face.room, written.name, written.ref, kind);
+  writeBoundary(document, wall.face.room, written.name, written.ref,
+                wall.other ? "INTERNAL" : "NOTDEFINED");
   if (wall.other)
-    writeBoundary(document, wall.other->room, written.name + " back", written.ref,
-                  kind);
+    writeBoundary(document, wall.other->room, written.name + " back", written.ref);
 }
 
 void
@@ -76,32 +75,27 @@ bodyOf(IfcDocument& document, const WrittenWall& written, const WallHeights& hei
   if (!heights.isLevel() || !written.runs.areAlike())
     mesh = meshOf(document.plan, wall, heights, written.runs, profile);
   // A plan that cannot be triangulated is swept, too.
-  const bool is_swept = mesh.triangles.empty();
-  const StepRef item =
-      is_swept ? document.shapes.extrusion(profile.boundary, profile.holes, 0,
-                                           heights.highest() - heights.bottom,
-                                           written.runs.near)
-               : document.shapes.faceSet(mesh);
-  document.shapes.colour(item, "wall");
-  return document.shapes.body(document.body_context,
-                              is_swept ? "SweptSolid" : "Tessellation", {item});
+  return document.bodyOf(
+      mesh.empty() ? document.shapes.extrusion(profile.boundary, profile.holes, 0,
+                                               heights.highest() - heights.bottom,
+                                               written.runs.near)
+                   : document.shapes.faceSet(mesh),
+      "wall");
 }
 
 /** @brief Returns whether most of a wall's face is within an area: behind it, too. */
 bool
-isWithin(const Floorplan& plan,
-         const PlanWall& wall,
-         const std::vector<PlanArea>& areas)
+isWithin(const WallSite& site, const std::vector<PlanArea>& areas)
 {
   constexpr int samples = 9;
   constexpr double behind = 0.005;
-  const WallFrame frame = frameOf(plan, wall);
+  const PlanWall& wall = site.wall;
   int within = 0;
   for (int i = 0; i < samples; ++i) {
     const auto [place, inward] =
-        faceAt(elementOf(plan, wall.face),
+        faceAt(elementOf(site.plan, wall.face),
                wall.stretch.from + wall.stretch.length() * (i + 0.5) / samples);
-    const Eigen::Vector2d p = frame.toLocal(place - behind * inward);
+    const Eigen::Vector2d p = site.frame.toLocal(place - behind * inward);
     within += std::any_of(areas.begin(), areas.end(), [&](const PlanArea& area) {
       return area.boundary.contains(p);
     });
@@ -144,7 +138,7 @@ endAtBodies(const IfcDocument& document, const WallSite& site, WrittenWall& writ
                  (written.wall.other ? elementOf(plan, *written.wall.other).length()
                                      : 0))
           : 0;
-  if (isWithin(plan, written.wall, bodies))
+  if (isWithin(site, bodies))
     written.profile = {};
   else if (common > no_area + between)
     written.profile = largestPartOutside(written.profile, bodies);
@@ -171,7 +165,7 @@ writeWalls(IfcDocument& document)
     if (heights.highest() - heights.bottom < min_wall_height)
       continue;
     WrittenWall added{wall, faceName(plan, wall.face),
-                      document.rooms[wall.face.room].storey};
+                      document.rooms[wall.face.room].storey, site.frame};
     const int part = ++parts[added.name];
     if (part > 1)
       added.name += "_part_" + std::to_string(part);
@@ -182,11 +176,11 @@ writeWalls(IfcDocument& document)
     endAtBodies(document, site, added);
     if (isWhollyOpen(plan, added, gaps))
       continue;
-    const IfcStorey& storey = document.storeys[added.storey];
-    const Eigen::Vector2d& origin = site.frame.origin;
+    const Eigen::Vector2d& origin = added.frame.origin;
     added.placement = document.shapes.placement(
-        storey.placement,
-        {origin.x(), origin.y(), heights.bottom - storey.storey.floor}, site.frame.way);
+        document.storeys[added.storey].placement,
+        {origin.x(), origin.y(), heights.bottom - document.groundOf(added.storey)},
+        added.frame.way);
     std::vector<StepRef> shapes{bodyOf(document, added, heights)};
     if (!elementOf(plan, wall.face).isArc())
       shapes.push_back(

@@ -77,16 +77,16 @@ StepFile::add(const std::string& type, const std::vector<StepValue>& attributes)
 }
 
 std::string
-StepFile::text(const std::string& description,
-               const std::string& name,
-               const std::string& schema) const
+StepFile::text(const std::string& name) const
 {
   // No time stamp, so that the same plan gives the same bytes.
-  return "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((" + stepText(description) +
-         "),'2;1');\nFILE_NAME(" + stepText(name) +
-         ",'1970-01-01T00:00:00',(''),(''),'SEDR','SEDR','');\nFILE_SCHEMA((" +
-         stepText(schema) + "));\nENDSEC;\nDATA;\n" + data_ +
-         "ENDSEC;\nEND-ISO-10303-21;\n";
+  return "ISO-10303-21;\nHEADER;\n"
+         "FILE_DESCRIPTION(('ViewDefinition "
+         "[ReferenceView_V1.2]'),'2;1');\nFILE_NAME(" +
+         stepText(name) +
+         ",'1970-01-01T00:00:00',(''),(''),'SEDR','SEDR','');\n"
+         "FILE_SCHEMA(('IFC4'));\nENDSEC;\nDATA;\n" +
+         data_ + "ENDSEC;\nEND-ISO-10303-21;\n";
 }
 
 } // namespace pcl::sedr::ifc

@@ -98,15 +98,9 @@ public:
   /** @param type such as "IFCWALL" */
   StepRef add(const std::string& type, const std::vector<StepValue>& attributes);
 
-  std::size_t size() const { return count_; }
-
   /** @brief Returns the complete file.
-   * @param description for the header, such as the view definition
-   * @param name of the file, for the header
-   * @param schema such as "IFC4" */
-  std::string text(const std::string& description,
-                   const std::string& name,
-                   const std::string& schema) const;
+   * @param name of the file, for the header */
+  std::string text(const std::string& name) const;
 
 private:
   std::size_t count_ = 0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dual_surface.h"
 
-#include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/base/parallel_for.h"
 #include "surface_planes.h"
 
@@ -355,12 +354,10 @@ extractDualSurface(const BandGrid& grid,
                  });
   std::vector<std::vector<Triangle>> parts(
       (grid.size() + BandGrid::blocks_at_once - 1) / BandGrid::blocks_at_once);
-  parallelBlocks(grid.size(), BandGrid::blocks_at_once, threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t b = begin; b < end; ++b)
-                     addTriangles(grid, values, cells, b, mesh, vertices,
-                                  parts[begin / BandGrid::blocks_at_once]);
-                 });
+  parallelFor(grid.size(), BandGrid::blocks_at_once, threads, [&](std::size_t b) {
+    addTriangles(grid, values, cells, b, mesh, vertices,
+                 parts[b / BandGrid::blocks_at_once]);
+  });
   for (const auto& part : parts)
     mesh.triangles.insert(mesh.triangles.end(), part.begin(), part.end());
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dual_surface.h"
 
-#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/parallel_for.h"
 
 #include <algorithm>
 #include <array>
@@ -93,10 +93,9 @@ makeWellComposed(const BandGrid& grid, std::vector<float>& values, unsigned thre
   std::vector<bool> is_suspect(grid.size(), true);
   for (int round = 0;; ++round) {
     std::vector<std::vector<std::size_t>> flips((grid.size() + part - 1) / part);
-    parallelBlocks(grid.size(), part, threads, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t b = begin; b < end; ++b)
-        if (is_suspect[b])
-          findFlips(grid, values, b, round < gentle_rounds, flips[begin / part]);
+    parallelFor(grid.size(), part, threads, [&](std::size_t b) {
+      if (is_suspect[b])
+        findFlips(grid, values, b, round < gentle_rounds, flips[b / part]);
     });
     std::vector<std::size_t> all;
     for (const auto& list : flips)
@@ -109,12 +108,9 @@ makeWellComposed(const BandGrid& grid, std::vector<float>& values, unsigned thre
     for (const std::size_t place : all) {
       // Near zero, so that it may easily change again.
       values[place] = values[place] > 0 ? -1e-4f : 1e-4f;
-      for (int n = 0; n < 27; ++n) {
-        const std::size_t b = grid.neighbour(place / BandGrid::nodes, n % 3 - 1,
-                                             n / 3 % 3 - 1, n / 9 - 1);
+      for (const std::size_t b : grid.neighbours(place / BandGrid::nodes))
         if (b < grid.size())
           is_suspect[b] = true;
-      }
     }
   }
 }

@@ -18,19 +18,11 @@ public:
       , vertices_(vertices)
       , min_height_(min_height)
       , alive_(mesh.triangles.size(), true)
-      , first_(mesh.vertices.size() + 1, 0)
       , around_(mesh.vertices.size())
   {
-    for (const Triangle& triangle : mesh.triangles)
-      for (const auto v : triangle)
-        ++first_[v + 1];
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
-      first_[v + 1] += first_[v];
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    corners_.resize(3 * mesh.triangles.size());
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
       for (const auto v : mesh.triangles[t])
-        corners_[next[v]++] = t;
+        around_[v].push_back(t);
   }
 
   std::vector<std::uint32_t> collectBad() const
@@ -61,7 +53,7 @@ public:
     if (best.gain <= 0)
       return false;
     collapse(best.kept, best.gone);
-    const auto& ring = around(best.kept);
+    const auto& ring = around_[best.kept];
     changed.insert(changed.end(), ring.begin(), ring.end());
     return true;
   }
@@ -75,19 +67,6 @@ private:
     std::uint32_t kept = 0;
     std::uint32_t gone = 0;
   };
-
-  std::vector<std::uint32_t>& around(std::uint32_t v)
-  {
-    auto& list = around_[v];
-    if (list.empty())
-      list.assign(corners_.begin() + first_[v], corners_.begin() + first_[v + 1]);
-    return list;
-  }
-
-  static void remove(std::vector<std::uint32_t>& list, std::uint32_t t)
-  {
-    list.erase(std::remove(list.begin(), list.end(), t), list.end());
-  }
 
   bool uses(std::uint32_t t, std::uint32_t v) const
   {
@@ -123,10 +102,10 @@ private:
   }
 
   // Returns the other vertices of the triangles at a vertex, increasing.
-  std::vector<std::uint32_t> neighbours(std::uint32_t v)
+  std::vector<std::uint32_t> neighbours(std::uint32_t v) const
   {
     std::vector<std::uint32_t> found;
-    for (const auto t : around(v))
+    for (const auto t : around_[v])
       for (const auto other : mesh_.triangles[t])
         if (other != v)
           found.push_back(other);
@@ -137,15 +116,15 @@ private:
 
   // Returns whether an edge may collapse: its ends have just two common neighbours,
   // each with one neighbour to spare.
-  bool keepsTopology(std::uint32_t a, std::uint32_t b)
+  bool keepsTopology(std::uint32_t a, std::uint32_t b) const
   {
     const auto of_a = neighbours(a);
     const auto of_b = neighbours(b);
     std::vector<std::uint32_t> common;
     std::set_intersection(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
                           std::back_inserter(common));
-    return common.size() == 2 && around(common[0]).size() > 3 &&
-           around(common[1]).size() > 3;
+    return common.size() == 2 && around_[common[0]].size() > 3 &&
+           around_[common[1]].size() > 3;
   }
 
   // Returns whether `v` stays on its face or edge when it moves to `other`.
@@ -164,7 +143,8 @@ private:
   }
 
   // Considers collapsing `gone` into `kept`.
-  void consider(std::uint32_t kept, std::uint32_t gone, double longest, Step& best)
+  void
+  consider(std::uint32_t kept, std::uint32_t gone, double longest, Step& best) const
   {
     if (!mayGoTo(gone, kept))
       return;
@@ -172,7 +152,7 @@ private:
     if (length > longest)
       return;
     int gain = 0;
-    for (const auto t : around(gone))
+    for (const auto t : around_[gone])
       gain += cost(t) - (uses(t, kept) ? 0 : cost(t, gone, kept));
     if (gain <= 0 || gain < best.gain || (gain == best.gain && length >= best.length) ||
         !keepsTopology(kept, gone))
@@ -182,18 +162,18 @@ private:
 
   void collapse(std::uint32_t kept, std::uint32_t gone)
   {
-    const auto ring = around(gone);
+    const auto ring = around_[gone];
     for (const auto t : ring) {
       if (uses(t, kept)) {
         alive_[t] = false;
         for (const auto v : mesh_.triangles[t])
-          remove(around(v), t);
+          around_[v].erase(std::find(around_[v].begin(), around_[v].end(), t));
         continue;
       }
       for (auto& v : mesh_.triangles[t])
         if (v == gone)
           v = kept;
-      around(kept).push_back(t);
+      around_[kept].push_back(t);
     }
   }
 
@@ -201,9 +181,7 @@ private:
   std::vector<SurfaceVertex>& vertices_;
   double min_height_;
   std::vector<bool> alive_;
-  std::vector<std::uint32_t> first_; // index into corners_, per vertex
-  std::vector<std::uint32_t> corners_;
-  std::vector<std::vector<std::uint32_t>> around_; // filled on demand
+  std::vector<std::vector<std::uint32_t>> around_; // triangles, per vertex
   bool strict_ = true;
 };
 

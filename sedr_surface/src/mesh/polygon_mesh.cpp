@@ -91,8 +91,7 @@ triangulatePolygon(const std::vector<Eigen::Vector3d>& vertices,
       if (edge.first != edge.second && !rim.insert(edge).second)
         rim.erase(edge);
     }
-    inside =
-        trianglesWithin(points, {rim.begin(), rim.end()}, {rim.begin(), rim.end()});
+    inside = trianglesWithin(points, {rim.begin(), rim.end()});
   }
   if (inside && !inside->empty())
     for (const auto& t : *inside)

@@ -6,7 +6,7 @@
 #include "screened_poisson.h"
 
 #include "sedr_filters/src/base/number_text.h"
-#include "sedr_filters/src/base/parallel.h"
+#include "sedr_filters/src/base/parallel_for.h"
 #include "sedr_filters/src/plan/plan_check.h"
 #include <pcl/kdtree/kdtree_flann.h>
 #include <pcl/point_types.h>
@@ -233,11 +233,9 @@ compareWithPoints(const std::vector<OrientedPoint>& points,
   const NearestPoints tree(points);
   std::vector<std::uint32_t> nearest(mesh.triangles.size());
   std::vector<float> distance(mesh.triangles.size());
-  parallelBlocks(nearest.size(), 4096, parameters.threads,
-                 [&](std::size_t begin, std::size_t end) {
-                   for (std::size_t t = begin; t < end; ++t)
-                     nearest[t] = tree.find(mesh, t, mesh.scaledNormal(t), distance[t]);
-                 });
+  parallelFor(nearest.size(), 4096, parameters.threads, [&](std::size_t t) {
+    nearest[t] = tree.find(mesh, t, mesh.scaledNormal(t), distance[t]);
+  });
   const double support = std::max(support_distance, 4 * report.spacing);
   double agreement = 0;
   double far_area = 0;

@@ -113,8 +113,7 @@ screenedPoisson(const std::vector<OrientedPoint>& points,
     for (SurfaceSample& sample : samples)
       sample.normal = -sample.normal;
   PoissonSolution solution = solvePoisson(
-      samples, {parameters.point_weight, 2 * parameters.max_nodes / BandGrid::nodes,
-                parameters.threads});
+      samples, 2 * parameters.max_nodes / BandGrid::nodes, parameters.threads);
   if (!solution.problem.empty())
     return solution.problem;
   const BandGrid& grid = solution.level.grid();
@@ -125,10 +124,9 @@ screenedPoisson(const std::vector<OrientedPoint>& points,
     if (std::abs(values[i]) < 1e-4f)
       values[i] = values[i] > 0 ? 1e-4f : -1e-4f;
   }
-  const SortedSamples& placed = solution.level.samples();
   makeWellComposed(grid, values, parameters.threads);
   std::vector<SurfaceVertex> vertices;
-  extractDualSurface(grid, values, placed,
+  extractDualSurface(grid, values, solution.level.samples(),
                      static_cast<float>(1.5 * parameters.spacing / cell),
                      parameters.threads, mesh, vertices);
   mendSurface(mesh, vertices, min_height, longest_collapse);

@@ -12,9 +12,8 @@ namespace pcl::sedr {
 
 /** @brief Parameters of screenedPoisson(). */
 struct ScreenedPoissonParameters {
-  double cell = 0.04;      ///< edge of the finest cells, metres
-  double spacing = 0.05;   ///< typical distance between neighbouring points, metres
-  float point_weight = 10; ///< alpha of equation 4: weight of points against smoothness
+  double cell = 0.04;    ///< edge of the finest cells, metres
+  double spacing = 0.05; ///< typical distance between neighbouring points, metres
   std::size_t max_nodes = std::size_t(48) << 20; ///< per grid, about 40 bytes each
   unsigned threads = 1;                          ///< 0: all processors
 };

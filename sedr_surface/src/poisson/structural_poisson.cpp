@@ -98,13 +98,15 @@ makeSurfaces(std::map<std::uint32_t, RoomSamples>& rooms,
 std::string
 summaryOf(const std::vector<RoomPoissonReport>& reports)
 {
-  std::vector<std::string> sentences;
+  std::string sentences;
+  const auto add = [&](const std::string& sentence) {
+    sentences += (sentences.empty() ? "" : "; ") + sentence;
+  };
   for (const RoomPoissonReport& report : reports) {
     const std::size_t all = report.points + report.skipped_points;
     if (report.skipped_points > 0)
       PCL_WARN("[pcl::StructuralPoisson] room %u: %zu of %zu points are not finite or "
-               "have no "
-               "normal\n",
+               "have no normal\n",
                report.room, report.skipped_points, all);
     if (report.scaled_normals > 0)
       PCL_WARN("[pcl::StructuralPoisson] room %u: %zu of %zu normals were not of unit "
@@ -112,17 +114,13 @@ summaryOf(const std::vector<RoomPoissonReport>& reports)
                report.room, report.scaled_normals, all);
     const std::string room = "room " + std::to_string(report.room);
     if (!report.problem.empty())
-      sentences.push_back(
-          room +
+      add(room +
           (report.topology.triangles > 0 ? " is not closed: " : " has no surface: ") +
           report.problem);
     if (!report.warning.empty())
-      sentences.push_back(room + ": " + report.warning);
+      add(room + ": " + report.warning);
   }
-  std::string all;
-  for (const std::string& sentence : sentences)
-    all += (all.empty() ? "" : "; ") + sentence;
-  return all;
+  return sentences;
 }
 
 } // namespace pcl::sedr

@@ -6,17 +6,9 @@
 
 namespace pcl::sedr {
 
-ClassifiedCells::ClassifiedCells(const RoomLayers& layers,
-                                 const PlanGrid& grid,
-                                 const Arrangement& arrangement,
-                                 const PlanTriangulation& triangulation,
-                                 const std::vector<SegmentSource>& sources)
-    : layers_(layers)
-    , grid_(grid)
-    , arrangement_(arrangement)
-    , triangulation_(triangulation)
-    , sources_(sources)
-    , region_(triangulation.triangles.size())
+ClassifiedCells::ClassifiedCells(const TriangulatedPlan& plan)
+    : plan_(plan)
+    , region_(plan.triangulation.triangles.size())
 {
   classify();
 }
@@ -25,38 +17,38 @@ void
 ClassifiedCells::classify()
 {
   using Winding = std::vector<int>;
-  const Winding outside(layers_.loops.size(), 0);
+  const Winding outside(plan_.layers.loops.size(), 0);
   std::vector<Winding> winding(region_.size());
   // Winding numbers inside a triangle's side, given those beyond it.
   const auto inside = [&](std::uint32_t t, std::size_t side, Winding beyond) {
     if (const Arrangement::Edge* edge = edgeAt(t, side))
       for (const SegmentUse& use : edge->uses) {
-        if (sources_[use.segment].loop == SegmentSource::no_loop)
+        if (plan_.sources[use.segment].loop == SegmentSource::no_loop)
           continue;
         const bool is_left = use.forward == (corner(t, side) == edge->a);
-        beyond[sources_[use.segment].loop] += is_left ? 1 : -1;
+        beyond[plan_.sources[use.segment].loop] += is_left ? 1 : -1;
       }
     return beyond;
   };
   std::vector<std::uint32_t> waiting;
   const auto reach = [&](std::uint32_t t, Winding turns) {
-    region_[t] = layers_.regionOf(turns);
+    region_[t] = plan_.layers.regionOf(turns);
     winding[t] = std::move(turns);
     waiting.push_back(t);
   };
   for (std::uint32_t t = 0; t < region_.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i)
-      if (triangulation_.neighbours[t][i] == none && winding[t].empty())
+      if (plan_.triangulation.neighbours[t][i] == none && winding[t].empty())
         reach(t, inside(t, i, outside));
   while (!waiting.empty()) {
     const std::uint32_t t = waiting.back();
     waiting.pop_back();
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t n = triangulation_.neighbours[t][i];
+      const std::uint32_t n = plan_.triangulation.neighbours[t][i];
       if (n == none || !winding[n].empty())
         continue;
       std::size_t back = 0;
-      while (triangulation_.neighbours[n][back] != t)
+      while (plan_.triangulation.neighbours[n][back] != t)
         ++back;
       reach(n, inside(n, back, winding[t]));
     }
@@ -66,7 +58,7 @@ ClassifiedCells::classify()
 PlanRegion
 ClassifiedCells::across(std::uint32_t t, std::size_t side) const
 {
-  const std::uint32_t n = triangulation_.neighbours[t][side];
+  const std::uint32_t n = plan_.triangulation.neighbours[t][side];
   return n == none ? PlanRegion() : region_[n];
 }
 
@@ -76,11 +68,11 @@ ClassifiedCells::edgeAt(std::uint32_t t, std::size_t side) const
   const std::pair<std::uint32_t, std::uint32_t> ends =
       std::minmax(corner(t, side), corner(t, side + 1));
   const auto edge =
-      std::lower_bound(arrangement_.edges.begin(), arrangement_.edges.end(), ends,
-                       [](const Arrangement::Edge& e, const auto& wanted) {
+      std::lower_bound(plan_.arrangement.edges.begin(), plan_.arrangement.edges.end(),
+                       ends, [](const Arrangement::Edge& e, const auto& wanted) {
                          return std::make_pair(e.a, e.b) < wanted;
                        });
-  const bool is_edge = edge != arrangement_.edges.end() && edge->a == ends.first &&
+  const bool is_edge = edge != plan_.arrangement.edges.end() && edge->a == ends.first &&
                        edge->b == ends.second;
   return is_edge ? &*edge : nullptr;
 }
@@ -88,8 +80,8 @@ ClassifiedCells::edgeAt(std::uint32_t t, std::size_t side) const
 double
 ClassifiedCells::areaOf(std::uint32_t t) const
 {
-  const auto& points = arrangement_.vertices;
-  return 0.5 * grid_.unit() * grid_.unit() *
+  const auto& points = plan_.arrangement.vertices;
+  return 0.5 * plan_.grid.unit() * plan_.grid.unit() *
          static_cast<double>(
              turn(points[corner(t, 0)], points[corner(t, 1)], points[corner(t, 2)]));
 }
@@ -97,8 +89,8 @@ ClassifiedCells::areaOf(std::uint32_t t) const
 double
 ClassifiedCells::heightOf(int slab, std::uint32_t vertex) const
 {
-  return layers_.slabs[static_cast<std::size_t>(slab)].slab.heightAt(
-      grid_.toPlan(arrangement_.vertices[vertex]));
+  return plan_.layers.slabs[static_cast<std::size_t>(slab)].slab.heightAt(
+      plan_.grid.toPlan(plan_.arrangement.vertices[vertex]));
 }
 
 } // namespace pcl::sedr

@@ -77,13 +77,6 @@ extrudePlan(const Floorplan* plan, const SolidParameters& parameters, PlanSolids
   if (cut) {
     for (SolidElement& element : solids.elements)
       element.name = cut->named(element.name);
-    // One sentence tells of the openings.
-    solids.warnings.erase(std::remove_if(solids.warnings.begin(), solids.warnings.end(),
-                                         [&](const PlanWarning& warning) {
-                                           return cut->named(warning.reason) !=
-                                                  warning.reason;
-                                         }),
-                          solids.warnings.end());
     joinReveals(*cut, solids.elements, solids.mesh, solids.warnings);
   }
   warnOfCrossings(solids.mesh, solids.warnings);

@@ -27,12 +27,7 @@ textOf(const char* format, Values... values)
  * built are replaced. */
 class PlanCells : private ClassifiedCells {
 public:
-  /** @param tolerance of each SolidElement, metres: parts narrower than that of the
-   * elements around them are slivers */
-  PlanCells(ClassifiedCells cells, const std::vector<double>& tolerance)
-      : ClassifiedCells(std::move(cells))
-      , tolerance_(tolerance)
-  {}
+  using ClassifiedCells::ClassifiedCells;
 
   /** @brief Merges slivers into neighbouring parts. */
   void mergeSlivers()
@@ -68,7 +63,7 @@ public:
         if (problem.empty())
           continue;
         const PlanRegion region = part.region;
-        for (const PlanRegion& plain : layers_.plainRegions(region)) {
+        for (const PlanRegion& plain : plan_.layers.plainRegions(region)) {
           part.region = plain;
           if (plain != region && problemOf(part).empty())
             break;
@@ -76,11 +71,11 @@ public:
         const bool is_floor = part.region.isRoom() && part.region.floor != region.floor;
         const int slab = is_floor ? region.floor : region.ceiling;
         const std::size_t element =
-            layers_.slabs[static_cast<std::size_t>(slab)].element;
+            plan_.layers.slabs[static_cast<std::size_t>(slab)].element;
         const Eigen::Vector2d at = middleOf(part);
         warnings.push_back(
             warningOf(WarningKind::Contradiction,
-                      wordsOf(layers_.elements[element]) +
+                      wordsOf(plan_.layers.elements[element]) +
                           textOf(" around (%.1f, %.1f), %.2f m2, is left out: ", at.x(),
                                  at.y(), part.area) +
                           problem,
@@ -116,9 +111,10 @@ public:
   /** @brief Gives a square the region that most of it has. */
   void unify(const PlanSquare& square)
   {
-    const double reach = square.half + 2 * solidSeparation(grid_) / grid_.unit();
+    const double reach =
+        square.half + 2 * solidSeparation(plan_.grid) / plan_.grid.unit();
     const auto isIn = [&](std::uint32_t v) {
-      const GridPoint& p = arrangement_.vertices[v];
+      const GridPoint& p = plan_.arrangement.vertices[v];
       return std::max(std::abs(static_cast<double>(p.x) - square.middle.x),
                       std::abs(static_cast<double>(p.y) - square.middle.y)) <= reach;
     };
@@ -144,14 +140,14 @@ public:
       for (std::size_t i = 0; i < 3; ++i) {
         const PlanRegion beyond = across(t, i);
         const Arrangement::Edge* edge = edgeAt(t, i);
-        const bool is_first = triangulation_.neighbours[t][i] == none ||
-                              t < triangulation_.neighbours[t][i];
+        const bool is_first = plan_.triangulation.neighbours[t][i] == none ||
+                              t < plan_.triangulation.neighbours[t][i];
         if (edge == nullptr || beyond == region_[t] || !is_first)
           continue;
         SubdivisionEdge e{corner(t, i), corner(t, i + 1), region_[t], beyond, {}};
         for (const SegmentUse& use : edge->uses)
-          if (sources_[use.segment].loop != SegmentSource::no_loop)
-            e.elements.push_back(sources_[use.segment].element);
+          if (plan_.sources[use.segment].loop != SegmentSource::no_loop)
+            e.elements.push_back(plan_.sources[use.segment].element);
         std::sort(e.elements.begin(), e.elements.end());
         e.elements.erase(std::unique(e.elements.begin(), e.elements.end()),
                          e.elements.end());
@@ -166,19 +162,19 @@ public:
     std::vector<SubdivisionCrease> creases;
     for (std::uint32_t t = 0; t < region_.size(); ++t)
       for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t n = triangulation_.neighbours[t][i];
+        const std::uint32_t n = plan_.triangulation.neighbours[t][i];
         const int slab = region_[t].ceiling;
         const Arrangement::Edge* edge = edgeAt(t, i);
         if (n == none || n < t || edge == nullptr || slab == PlanRegion::nothing ||
             region_[n] != region_[t])
           continue;
         const std::size_t element =
-            layers_.slabs[static_cast<std::size_t>(slab)].element;
-        if (std::any_of(edge->uses.begin(), edge->uses.end(),
-                        [&](const SegmentUse& use) {
-                          return sources_[use.segment].loop == SegmentSource::no_loop &&
-                                 sources_[use.segment].element == element;
-                        }))
+            plan_.layers.slabs[static_cast<std::size_t>(slab)].element;
+        if (std::any_of(
+                edge->uses.begin(), edge->uses.end(), [&](const SegmentUse& use) {
+                  return plan_.sources[use.segment].loop == SegmentSource::no_loop &&
+                         plan_.sources[use.segment].element == element;
+                }))
           creases.push_back({corner(t, i), corner(t, i + 1), slab});
       }
     return creases;
@@ -213,7 +209,7 @@ private:
         const std::uint32_t t = part.triangles[k];
         part.area += areaOf(t);
         for (std::size_t i = 0; i < 3; ++i) {
-          const std::uint32_t n = triangulation_.neighbours[t][i];
+          const std::uint32_t n = plan_.triangulation.neighbours[t][i];
           if (n == none || !alike(region_[t], region_[n]))
             measure(part, t, i);
           else if (!is_taken[n]) {
@@ -247,16 +243,16 @@ private:
   void measure(Part& part, std::uint32_t t, std::size_t side) const
   {
     const double length =
-        grid_.unit() * distance(arrangement_.vertices[corner(t, side)],
-                                arrangement_.vertices[corner(t, side + 1)]);
+        plan_.grid.unit() * distance(plan_.arrangement.vertices[corner(t, side)],
+                                     plan_.arrangement.vertices[corner(t, side + 1)]);
     part.perimeter += length;
     part.beside[across(t, side)] += length;
-    if (triangulation_.neighbours[t][side] == none)
+    if (plan_.triangulation.neighbours[t][side] == none)
       part.is_outside = !part.region.isRoom();
     if (const Arrangement::Edge* edge = edgeAt(t, side))
       for (const SegmentUse& use : edge->uses)
-        part.tolerance =
-            std::max(part.tolerance, tolerance_[sources_[use.segment].element]);
+        part.tolerance = std::max(part.tolerance,
+                                  plan_.tolerance[plan_.sources[use.segment].element]);
   }
 
   /** @brief Returns the region that absorbs a sliver: the room region with the longest
@@ -293,7 +289,7 @@ private:
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     for (const std::uint32_t t : part.triangles)
       for (std::size_t i = 0; i < 3; ++i)
-        sum += grid_.toPlan(arrangement_.vertices[corner(t, i)]);
+        sum += plan_.grid.toPlan(plan_.arrangement.vertices[corner(t, i)]);
     return sum / (3 * static_cast<double>(part.triangles.size()));
   }
 
@@ -322,9 +318,9 @@ private:
           };
           return isNear(corner(t, i)) && isNear(corner(t, i + 1));
         };
-        if (other.isRoom() &&
-            (meet(part.region.floor, other.ceiling) ||
-             (layers_.isNiche(part.region) && meet(part.region.ceiling, other.floor))))
+        if (other.isRoom() && (meet(part.region.floor, other.ceiling) ||
+                               (plan_.layers.isNiche(part.region) &&
+                                meet(part.region.ceiling, other.floor))))
           return true;
       }
     return false;
@@ -338,7 +334,7 @@ private:
         const PlanRegion other = across(t, i);
         // An earlier niche is open itself, or is left out before the next round.
         if (!other.isRoom() ||
-            (layers_.isNiche(other) && other.floor >= part.region.floor))
+            (plan_.layers.isNiche(other) && other.floor >= part.region.floor))
           continue;
         const auto overlapAt = [&](std::uint32_t v) {
           return std::min(heightOf(part.region.ceiling, v),
@@ -361,36 +357,29 @@ private:
     if (height < minClearance())
       return textOf("the ceiling there would lie %.3f m %s the floor", std::abs(height),
                     height < 0 ? "below" : "above");
-    if (layers_.isNiche(part.region) && !isOpen(part))
+    if (plan_.layers.isNiche(part.region) && !isOpen(part))
       return "it is not open to the room";
-    if (part.region != layers_.plainRegions(part.region).front() && touchesBeside(part))
+    if (part.region != plan_.layers.plainRegions(part.region).front() &&
+        touchesBeside(part))
       return "floor and ceiling would meet beside it";
     return {};
   }
-
-  const std::vector<double>& tolerance_;
 };
 
 } // namespace
 
 void
-findRegions(const RoomLayers& layers,
-            const Arrangement& arrangement,
-            const PlanTriangulation& triangulation,
-            const std::vector<SegmentSource>& sources,
-            const std::vector<double>& tolerance,
-            const std::vector<PlanSquare>& squares,
+findRegions(const TriangulatedPlan& plan,
             PlanSubdivision& subdivision,
             std::vector<PlanWarning>& warnings)
 {
-  PlanCells cells({layers, subdivision.grid, arrangement, triangulation, sources},
-                  tolerance);
+  PlanCells cells(plan);
   cells.mergeSlivers();
   cells.dropUnbuildable(warnings);
   cells.checkPieces(warnings);
-  for (const PlanSquare& square : squares)
+  for (const PlanSquare& square : plan.squares)
     cells.unify(square);
-  subdivision.vertices = arrangement.vertices;
+  subdivision.vertices = plan.arrangement.vertices;
   subdivision.edges = cells.edges();
   subdivision.creases = cells.creases();
 }

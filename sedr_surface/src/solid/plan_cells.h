@@ -27,16 +27,23 @@ struct PlanSquare {
   std::int32_t half = 0; ///< of a side
 };
 
-/** @brief A triangulated room plan with the region of each triangle. What it is made of
- * must outlive it. */
+/** @brief A room's plan, divided along segments and triangulated. */
+struct TriangulatedPlan {
+  const RoomLayers& layers;
+  PlanGrid grid;
+  std::vector<double> tolerance; ///< of each SolidElement, metres: parts narrower
+                                 ///< than that of the elements around are slivers
+  std::vector<SegmentSource> sources{}; ///< of each segment
+  std::vector<PlanSquare> squares{};    ///< each gets the region that most of it has
+  Arrangement arrangement{};            ///< of the segments
+  PlanTriangulation triangulation{};    ///< its edges are sides of triangles
+};
+
+/** @brief The region of each triangle of a plan, which must outlive it. */
 class ClassifiedCells {
 public:
   /** @brief Finds the regions by the loops around each triangle. */
-  ClassifiedCells(const RoomLayers& layers,
-                  const PlanGrid& grid,
-                  const Arrangement& arrangement,
-                  const PlanTriangulation& triangulation,
-                  const std::vector<SegmentSource>& sources);
+  explicit ClassifiedCells(const TriangulatedPlan& plan);
 
 protected:
   static constexpr std::uint32_t none = PlanTriangulation::none;
@@ -49,7 +56,7 @@ protected:
 
   std::uint32_t corner(std::uint32_t t, std::size_t i) const
   {
-    return triangulation_.triangles[t][i % 3];
+    return plan_.triangulation.triangles[t][i % 3];
   }
 
   double areaOf(std::uint32_t t) const;
@@ -58,34 +65,22 @@ protected:
 
   /** @brief Returns the minimum distance of ceiling and floor: a millimetre, more only
    * on a coarse grid. */
-  double minClearance() const { return 20 * solidSeparation(grid_); }
+  double minClearance() const { return 20 * solidSeparation(plan_.grid); }
 
-  const RoomLayers& layers_;
-  const PlanGrid& grid_;
-  const Arrangement& arrangement_;
-  const PlanTriangulation& triangulation_;
-  const std::vector<SegmentSource>& sources_;
+  const TriangulatedPlan& plan_;
   std::vector<PlanRegion> region_; ///< per triangle
 
 private:
   void classify();
 };
 
-/** @brief Divides a triangulated room plan into regions, and replaces those that cannot
- * be built: slivers go to neighbours; details and niches, then other regions, that
- * leave no height between floor and ceiling or would touch a neighbour are removed, and
- * so are small pieces cut off by columns or crossing walls.
- * @param squares each gets the region that most of it has
- * @param tolerance of each SolidElement, metres: parts narrower than that of the
- * elements around them are slivers
- * @param[in,out] subdivision its grid is known; gets vertices, edges and creases
+/** @brief Divides a triangulated plan into regions, and replaces those that cannot be
+ * built: slivers go to neighbours; details and niches, then other regions, that leave
+ * no height between floor and ceiling or would touch a neighbour are removed, and so
+ * are small pieces cut off by columns or crossing walls.
+ * @param[out] subdivision gets vertices, edges and creases
  * @param[out] warnings of larger pieces and of details that are removed */
-void findRegions(const RoomLayers& layers,
-                 const Arrangement& arrangement,
-                 const PlanTriangulation& triangulation,
-                 const std::vector<SegmentSource>& sources,
-                 const std::vector<double>& tolerance,
-                 const std::vector<PlanSquare>& squares,
+void findRegions(const TriangulatedPlan& plan,
                  PlanSubdivision& subdivision,
                  std::vector<PlanWarning>& warnings);
 

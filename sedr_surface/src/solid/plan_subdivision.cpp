@@ -23,32 +23,6 @@
 namespace pcl::sedr {
 namespace {
 
-/** @brief Adds the creases of the curved slabs, also where another slab replaces them:
- * there they divide no region.
- * @param tolerance of the flat pieces, metres, above 0 */
-void
-collectCreases(const RoomLayers& layers,
-               const std::vector<FacetChain>& chains,
-               double tolerance,
-               const PlanGrid& grid,
-               std::vector<GridSegment>& segments,
-               std::vector<SegmentSource>& sources)
-{
-  for (const RoomLayers::Slab& slab : layers.slabs) {
-    Eigen::AlignedBox2d bounds;
-    for (std::size_t l = 0; slab.slab.curve && l < chains.size(); ++l)
-      if (layers.loops[l].loop == slab.loop)
-        for (const Eigen::Vector2d& corner : chains[l].corners)
-          bounds.extend(corner);
-    if (bounds.isEmpty())
-      continue;
-    for (const auto& [from, to] : creasesOf(*slab.slab.curve, bounds, tolerance)) {
-      segments.push_back({grid.toGrid(from), grid.toGrid(to)});
-      sources.push_back({SegmentSource::no_loop, slab.element});
-    }
-  }
-}
-
 PlanGrid
 gridOf(const std::vector<FacetChain>& chains)
 {
@@ -57,34 +31,6 @@ gridOf(const std::vector<FacetChain>& chains)
     for (const Eigen::Vector2d& corner : chain.corners)
       bounds.extend(corner);
   return bounds.isEmpty() ? PlanGrid() : PlanGrid(bounds);
-}
-
-void
-collectSegments(const std::vector<FacetChain>& chains,
-                const PlanGrid& grid,
-                std::vector<GridSegment>& segments,
-                std::vector<SegmentSource>& sources)
-{
-  for (std::size_t l = 0; l < chains.size(); ++l) {
-    const auto& corners = chains[l].corners;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      segments.push_back(
-          {grid.toGrid(corners[i]), grid.toGrid(corners[(i + 1) % corners.size()])});
-      sources.push_back({l, chains[l].elements[i]});
-    }
-  }
-}
-
-FacetCorners
-cornersOf(const std::vector<GridSegment>& segments,
-          const std::vector<SegmentSource>& sources)
-{
-  FacetCorners corners;
-  for (std::size_t i = 0; i < segments.size(); ++i)
-    for (const GridPoint& end : {segments[i].from, segments[i].to})
-      if (sources[i].loop != SegmentSource::no_loop)
-        corners.insert({sources[i].element, end});
-  return corners;
 }
 
 std::vector<double>
@@ -97,53 +43,94 @@ tolerancesOf(const RoomLayers& layers, double fixed)
   return tolerances;
 }
 
-/** @brief Adds the sides of a square. */
-void
-addSquare(const PlanSquare& square,
-          std::vector<GridSegment>& segments,
-          std::vector<SegmentSource>& sources)
-{
-  const auto corner = [&](std::int32_t x, std::int32_t y) -> GridPoint {
-    return {square.middle.x + x * square.half, square.middle.y + y * square.half};
-  };
-  const std::array<GridPoint, 4> corners{corner(-1, -1), corner(1, -1), corner(1, 1),
-                                         corner(-1, 1)};
-  for (std::size_t k = 0; k < 4; ++k) {
-    segments.push_back({corners[k], corners[(k + 1) % 4]});
-    sources.push_back({SegmentSource::no_loop, 0});
+/** @brief Divides a plan along its loops and the creases of its slabs, and around
+ * squares; see subdivideRoom(). */
+class PlanDivider {
+public:
+  PlanDivider(const RoomLayers& layers,
+              const SolidParameters& parameters,
+              const std::vector<FacetChain>& chains)
+      : plan_{layers, gridOf(chains), tolerancesOf(layers, parameters.snap_tolerance)}
+  {
+    for (std::size_t l = 0; l < chains.size(); ++l) {
+      const auto& corners = chains[l].corners;
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        const SegmentSource source{l, chains[l].elements[i]};
+        add(plan_.grid.toGrid(corners[i]),
+            plan_.grid.toGrid(corners[(i + 1) % corners.size()]), source);
+        corners_.insert({source.element, segments_.back().from});
+        corners_.insert({source.element, segments_.back().to});
+      }
+    }
+    for (const RoomLayers::Slab& slab : layers.slabs)
+      if (slab.slab.curve)
+        addCreases(slab, chains, parameters.chord_tolerance);
   }
-}
 
-/** @brief Divides a plan along segments; see subdivideRoom(). */
-std::string
-divide(const RoomLayers& layers,
-       const std::vector<GridSegment>& segments,
-       const std::vector<SegmentSource>& sources,
-       const std::vector<double>& tolerances,
-       const std::vector<PlanSquare>& squares,
-       const FacetCorners& corners,
-       PlanSubdivision& subdivision,
-       std::vector<PlanWarning>& warnings)
-{
-  subdivision.crossings.clear();
-  Arrangement arrangement;
-  arrangeSegments(segments, solidSeparation(subdivision.grid) / subdivision.grid.unit(),
-                  arrangement);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
-  for (const auto& edge : arrangement.edges)
-    ends.emplace_back(edge.a, edge.b);
-  PlanTriangulation triangulation;
-  if (!triangulateConstrained(arrangement.vertices, ends, triangulation))
-    return "its plan of " + std::to_string(ends.size()) +
-           " edges could not be triangulated";
-  findRegions(layers, arrangement, triangulation, sources, tolerances, squares,
-              subdivision, warnings);
-  if (subdivision.edges.empty())
-    return "its plan encloses no room";
-  dropNeedlessVertices(corners, subdivision);
-  splitWhereHeightsCross(layers, subdivision);
-  return {};
-}
+  /** @brief Gives a square in plan one region. */
+  void addSquare(const PlanSquare& square)
+  {
+    const auto corner = [&](std::int32_t x, std::int32_t y) -> GridPoint {
+      return {square.middle.x + x * square.half, square.middle.y + y * square.half};
+    };
+    const std::array<GridPoint, 4> corners{corner(-1, -1), corner(1, -1), corner(1, 1),
+                                           corner(-1, 1)};
+    for (std::size_t k = 0; k < 4; ++k)
+      add(corners[k], corners[(k + 1) % 4], {SegmentSource::no_loop, 0});
+    plan_.squares.push_back(square);
+  }
+
+  /** @return an empty string, or a sentence on why there is no result */
+  std::string divide(PlanSubdivision& subdivision, std::vector<PlanWarning>& warnings)
+  {
+    subdivision = PlanSubdivision();
+    subdivision.grid = plan_.grid;
+    arrangeSegments(segments_, solidSeparation(plan_.grid) / plan_.grid.unit(),
+                    plan_.arrangement);
+    PlanEdges ends;
+    for (const auto& edge : plan_.arrangement.edges)
+      ends.emplace_back(edge.a, edge.b);
+    if (!triangulateConstrained(plan_.arrangement.vertices, ends, plan_.triangulation))
+      return "its plan of " + std::to_string(ends.size()) +
+             " edges could not be triangulated";
+    findRegions(plan_, subdivision, warnings);
+    if (subdivision.edges.empty())
+      return "its plan encloses no room";
+    dropNeedlessVertices(corners_, subdivision);
+    splitWhereHeightsCross(plan_.layers, subdivision);
+    return {};
+  }
+
+private:
+  void add(const GridPoint& from, const GridPoint& to, const SegmentSource& source)
+  {
+    segments_.push_back({from, to});
+    plan_.sources.push_back(source);
+  }
+
+  /** @brief Adds the creases of a curved slab, also where another slab replaces it:
+   * there they divide no region.
+   * @param tolerance of the flat pieces, metres, above 0 */
+  void addCreases(const RoomLayers::Slab& slab,
+                  const std::vector<FacetChain>& chains,
+                  double tolerance)
+  {
+    Eigen::AlignedBox2d bounds;
+    for (std::size_t l = 0; l < chains.size(); ++l)
+      if (plan_.layers.loops[l].loop == slab.loop)
+        for (const Eigen::Vector2d& corner : chains[l].corners)
+          bounds.extend(corner);
+    if (bounds.isEmpty())
+      return;
+    for (const auto& [from, to] : creasesOf(*slab.slab.curve, bounds, tolerance))
+      add(plan_.grid.toGrid(from), plan_.grid.toGrid(to),
+          {SegmentSource::no_loop, slab.element});
+  }
+
+  TriangulatedPlan plan_;
+  std::vector<GridSegment> segments_;
+  FacetCorners corners_;
+};
 
 /** @brief Returns whether a direction lies in the half plane from east to just before
  * west. */
@@ -201,7 +188,6 @@ subdivideRoom(const RoomLayers& layers,
               PlanSubdivision& subdivision,
               std::vector<PlanWarning>& warnings)
 {
-  subdivision = PlanSubdivision();
   const auto chains =
       facetLoops(layers, parameters.chord_tolerance, parameters.snap_tolerance);
   for (std::size_t l = 0; l < chains.size(); ++l)
@@ -210,23 +196,12 @@ subdivideRoom(const RoomLayers& layers,
           warningOf(WarningKind::Contradiction,
                     wordsOf(layers.elements[layers.loops[l].first_element]) +
                         " is too small and left out"));
-  subdivision.grid = gridOf(chains);
-  std::vector<GridSegment> segments;
-  std::vector<SegmentSource> sources;
-  collectSegments(chains, subdivision.grid, segments, sources);
-  collectCreases(layers, chains, parameters.chord_tolerance, subdivision.grid, segments,
-                 sources);
-
-  const FacetCorners corners = cornersOf(segments, sources);
-  const std::vector<double> tolerances =
-      tolerancesOf(layers, parameters.snap_tolerance);
-  std::vector<PlanSquare> squares; // where the solid would touch itself
+  PlanDivider divider(layers, parameters, chains);
   std::size_t corners_cut = 0;
   double widest = 0; // metres from a corner
   for (int round = 0;; ++round) {
     std::vector<PlanWarning> found;
-    const std::string problem = divide(layers, segments, sources, tolerances, squares,
-                                       corners, subdivision, found);
+    const std::string problem = divider.divide(subdivision, found);
     if (!problem.empty())
       return problem;
     const auto touching = touchingVertices(layers, subdivision);
@@ -239,12 +214,10 @@ subdivideRoom(const RoomLayers& layers,
         20 * solidSeparation(subdivision.grid) / subdivision.grid.unit(), round));
     corners_cut = std::max(corners_cut, touching.size());
     widest = half * subdivision.grid.unit();
-    for (const GridPoint& middle : touching) {
-      squares.push_back({middle, half});
-      addSquare(squares.back(), segments, sources);
-    }
+    for (const GridPoint& middle : touching)
+      divider.addSquare({middle, half});
   }
-  if (!squares.empty())
+  if (corners_cut > 0)
     warnings.push_back(warningOf(
         WarningKind::Contradiction,
         std::to_string(corners_cut) +

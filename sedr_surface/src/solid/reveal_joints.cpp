@@ -122,8 +122,8 @@ joinReveals(const RevealedPlan& plan,
   const std::size_t openings = plan.is_open.size();
   std::vector<bool> is_cut = plan.is_open;
   const auto faceOf = [&](const OpeningReveal& reveal, const char* face) {
-    return number[plan.named("room_" + std::to_string(plan.rooms[reveal.room].id) +
-                             "_niche_" + std::to_string(reveal.niche + 1) + face)];
+    return number["room_" + std::to_string(plan.rooms[reveal.room].id) + "_opening_" +
+                  std::to_string(reveal.opening + 1) + face];
   };
   std::map<std::size_t, OpeningReveal> first; // of two that are joined
   for (const OpeningReveal& reveal : plan.reveals) {

@@ -31,11 +31,8 @@ public:
   SolidBuilder(const RoomLayers& layers, const PlanSubdivision& plan)
       : layers_(layers)
       , plan_(plan)
-  {
-    const auto spokes = spokesOf(plan);
-    for (std::uint32_t v = 0; v < spokes.size(); ++v)
-      levels_.emplace_back(layers, plan, v, spokes[v]);
-  }
+      , levels_(levelsOf(layers, plan))
+  {}
 
   /** @brief Fills `mesh` with triangles that have label and, from 0, element.
    * @return an empty string, or why there is no solid */
@@ -59,47 +56,26 @@ private:
    * @return false if it could not be triangulated */
   bool addSlab(int slab)
   {
-    // The rim of the slab's regions, with renumbered vertices.
-    std::vector<std::uint32_t> number(plan_.vertices.size(), PlanTriangulation::none);
-    std::vector<std::uint32_t> vertices;
-    std::vector<GridPoint> points;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> rim;
+    PlanEdges rim; // of the slab's regions
     bool faces_up = false;
-    const auto numberOf = [&](std::uint32_t v) {
-      if (number[v] == PlanTriangulation::none) {
-        number[v] = static_cast<std::uint32_t>(points.size());
-        points.push_back(plan_.vertices[v]);
-        vertices.push_back(v);
-      }
-      return number[v];
-    };
     for (const SubdivisionEdge& edge : plan_.edges) {
       if (edge.left.has(slab) == edge.right.has(slab))
         continue;
       faces_up = edge.left.ceiling == slab || edge.right.ceiling == slab;
-      const std::uint32_t a = numberOf(edge.a);
-      const std::uint32_t b = numberOf(edge.b);
-      rim.push_back(std::minmax(a, b));
+      rim.emplace_back(edge.a, edge.b);
     }
-    std::sort(rim.begin(), rim.end());
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> folds = rim;
+    PlanEdges folds;
     for (const SubdivisionCrease& crease : plan_.creases)
-      if (crease.slab == slab) {
-        const std::uint32_t a = numberOf(crease.a);
-        const std::uint32_t b = numberOf(crease.b);
-        folds.push_back(std::minmax(a, b));
-      }
-    std::sort(folds.begin(), folds.end());
+      if (crease.slab == slab)
+        folds.emplace_back(crease.a, crease.b);
     // A corner that was cut off may lie on a crease; then the curve has no creases.
-    auto faces = trianglesWithin(points, folds, rim);
-    if (!faces)
-      faces = trianglesWithin(points, rim, rim);
+    const auto faces = trianglesWithin(plan_.vertices, rim, folds);
     if (!faces)
       return false;
     for (const auto& face : *faces) {
       std::array<Corner, 3> corners;
       for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t v = vertices[face[faces_up ? i : 2 - i]];
+        const std::uint32_t v = face[faces_up ? i : 2 - i];
         corners[i] = {v, levelOf(slab, v)};
       }
       addTriangle(corners, layers_.slabs[static_cast<std::size_t>(slab)].element);
@@ -110,10 +86,9 @@ private:
   /** @brief Returns the level of a slab at a vertex, which may be inside the slab. */
   std::int64_t levelOf(int slab, std::uint32_t vertex) const
   {
-    if (levels_[vertex].has(slab))
-      return levels_[vertex].levelOf(slab);
     const PlanSlab& own = layers_.slabs[static_cast<std::size_t>(slab)].slab;
-    return std::llround(own.heightAt(plan_.placeOf(vertex)) / plan_.grid.unit());
+    return levels_[vertex].levelOf(
+        slab, std::llround(own.heightAt(plan_.placeOf(vertex)) / plan_.grid.unit()));
   }
 
   /** @brief Adds the vertical strips on an edge, where exactly one side is solid. */

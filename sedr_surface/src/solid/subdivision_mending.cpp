@@ -75,11 +75,8 @@ public:
   CrossingCutter(const RoomLayers& layers, PlanSubdivision& plan)
       : layers_(layers)
       , plan_(plan)
-  {
-    const auto spokes = spokesOf(plan);
-    for (std::uint32_t v = 0; v < spokes.size(); ++v)
-      levels_.emplace_back(layers, plan, v, spokes[v]);
-  }
+      , levels_(levelsOf(layers, plan))
+  {}
 
   void run()
   {

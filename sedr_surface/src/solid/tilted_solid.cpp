@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -160,25 +159,17 @@ private:
     for (const Edge& edge : rim)
       box.extend(solid_.vertices[edge.first].head<2>().eval());
     const PlanGrid grid(box);
-    std::map<std::uint32_t, std::uint32_t> number;
-    std::vector<std::uint32_t> vertices;
-    std::vector<GridPoint> points;
+    std::vector<GridPoint> points(solid_.vertices.size());
     for (const Edge& edge : rim)
-      if (number.emplace(edge.first, points.size()).second) {
-        vertices.push_back(edge.first);
-        points.push_back(grid.toGrid(solid_.vertices[edge.first].head<2>()));
-      }
-    std::vector<Edge> edges;
-    for (const Edge& edge : rim)
-      edges.push_back(std::minmax(number[edge.first], number[edge.second]));
-    const auto faces = trianglesWithin(points, edges, edges);
+      points[edge.first] = grid.toGrid(solid_.vertices[edge.first].head<2>());
+    const auto faces = trianglesWithin(points, {rim.begin(), rim.end()});
     std::size_t next = 0;
     for (std::size_t t = 0; faces && t < solid_.triangles.size(); ++t)
       if (solid_.elements[t] == element) {
         if (next == faces->size())
           return false; // only if the rim crosses itself
         for (std::size_t i = 0; i < 3; ++i)
-          solid_.triangles[t][i] = vertices[(*faces)[next][faces_up ? i : 2 - i]];
+          solid_.triangles[t][i] = (*faces)[next][faces_up ? i : 2 - i];
         ++next;
       }
     return faces && next == faces->size();

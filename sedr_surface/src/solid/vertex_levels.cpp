@@ -74,19 +74,22 @@ VertexLevels::join(int slab, int other)
       entry.second = low;
 }
 
-bool
-VertexLevels::has(int slab) const
-{
-  return std::any_of(of_slab_.begin(), of_slab_.end(),
-                     [slab](const auto& s) { return s.first == slab; });
-}
-
 std::int64_t
-VertexLevels::levelOf(int slab) const
+VertexLevels::levelOf(int slab, std::int64_t otherwise) const
 {
   const auto found = std::find_if(of_slab_.begin(), of_slab_.end(),
                                   [slab](const auto& s) { return s.first == slab; });
-  return found->second;
+  return found == of_slab_.end() ? otherwise : found->second;
+}
+
+std::vector<VertexLevels>
+levelsOf(const RoomLayers& layers, const PlanSubdivision& plan)
+{
+  const auto spokes = spokesOf(plan);
+  std::vector<VertexLevels> levels;
+  for (std::uint32_t v = 0; v < spokes.size(); ++v)
+    levels.emplace_back(layers, plan, v, spokes[v]);
+  return levels;
 }
 
 namespace {

@@ -15,19 +15,15 @@ namespace pcl::sedr {
  * merged. */
 class VertexLevels {
 public:
-  VertexLevels() = default;
-
   /** @param spokes of the vertex */
   VertexLevels(const RoomLayers& layers,
                const PlanSubdivision& subdivision,
                std::uint32_t vertex,
                const std::vector<Spoke>& spokes);
 
-  /** @brief Returns whether a region at the vertex has the slab. */
-  bool has(int slab) const;
-
-  /** @brief Returns the level of a slab of a region at the vertex. */
-  std::int64_t levelOf(int slab) const;
+  /** @brief Returns the level of a slab at the vertex; `otherwise` if no region there
+   * has the slab. */
+  std::int64_t levelOf(int slab, std::int64_t otherwise = 0) const;
 
   /** @brief Returns the distinct levels of slabs that end here, increasing. */
   const std::vector<std::int64_t>& levels() const { return levels_; }
@@ -39,6 +35,10 @@ private:
   std::vector<std::pair<int, std::int64_t>> of_slab_;
   std::vector<std::int64_t> levels_;
 };
+
+/** @brief Returns the levels at every vertex. */
+std::vector<VertexLevels> levelsOf(const RoomLayers& layers,
+                                   const PlanSubdivision& subdivision);
 
 /** @brief Returns the vertices at which the solid touches itself along a vertical line:
  * its surface is not manifold there. */

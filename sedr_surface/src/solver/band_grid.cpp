@@ -15,15 +15,12 @@ BandGrid::BandGrid(std::vector<Key> keys)
   at_rim_.assign(keys_.size(), false);
   for (std::size_t b = 0; b < keys_.size(); ++b) {
     const Block block = at(b);
-    std::size_t i = 0;
-    for (int dz = -1; dz <= 1; ++dz)
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx) {
-          const std::size_t other = find({block[0] + dx, block[1] + dy, block[2] + dz});
-          neighbours_[b][i++] = static_cast<std::uint32_t>(other);
-          if (other == keys_.size())
-            at_rim_[b] = true;
-        }
+    for (std::size_t n = 0; n < 27; ++n) {
+      const std::size_t other = find(around(block, n));
+      neighbours_[b][n] = static_cast<std::uint32_t>(other);
+      if (other == keys_.size())
+        at_rim_[b] = true;
+    }
   }
 }
 
@@ -32,6 +29,14 @@ BandGrid::keyOf(const Block& block)
 {
   const auto part = [](std::int64_t c) { return static_cast<Key>(c + reach); };
   return part(block[2]) << 42 | part(block[1]) << 21 | part(block[0]);
+}
+
+BandGrid::Block
+BandGrid::around(const Block& block, std::size_t n)
+{
+  const auto step = static_cast<std::int64_t>(n);
+  return {block[0] + step % 3 - 1, block[1] + step / 3 % 3 - 1,
+          block[2] + step / 9 - 1};
 }
 
 BandGrid::Block

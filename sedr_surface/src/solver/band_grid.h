@@ -36,6 +36,9 @@ public:
 
   static Block blockOf(Key key);
 
+  /** @brief Returns the n-th of the 27 blocks around a block, x fastest; 13: itself. */
+  static Block around(const Block& block, std::size_t n);
+
   /** @brief Returns the place of a node within its block. */
   static std::size_t nodeIndex(std::int64_t x, std::int64_t y, std::int64_t z)
   {
@@ -58,6 +61,12 @@ public:
 
   /** @brief Returns the index of a block, size() if it does not exist. O(log n). */
   std::size_t find(const Block& block) const;
+
+  /** @brief Returns the indices of the blocks around(), size() if they do not exist. */
+  const std::array<std::uint32_t, 27>& neighbours(std::size_t b) const
+  {
+    return neighbours_[b];
+  }
 
   /** @brief Returns the index of a neighbour of block `b`, each step -1, 0 or 1. */
   std::size_t neighbour(std::size_t b, int dx, int dy, int dz) const
@@ -134,13 +143,6 @@ isHaloCrossed(const float* halo, float iso)
 {
   const auto range = std::minmax_element(halo, halo + BandGrid::halo_nodes);
   return *range.first <= iso && *range.second > iso;
-}
-
-/** @brief Returns n / divisor, rounded down. */
-inline std::int64_t
-floorDivide(std::int64_t n, std::int64_t divisor)
-{
-  return n >= 0 ? n / divisor : -((-n + divisor - 1) / divisor);
 }
 
 } // namespace pcl::sedr

@@ -14,6 +14,7 @@ namespace pcl::sedr {
 namespace {
 
 constexpr float outside = -0.5f;
+constexpr float weight = 10; // of samples against smoothness: alpha of equation 4
 constexpr std::size_t min_for_threads = 8000; // samples
 
 // Nodes of the coarser grid that surround a halo, starting one node before the block.
@@ -57,8 +58,12 @@ makeUnique(std::vector<BandGrid::Key>& keys)
 /** @brief The grids, the finest first. */
 class PoissonHierarchy {
 public:
-  PoissonSolution solve(const std::vector<SurfaceSample>& samples,
-                        const PoissonOptions& options)
+  PoissonHierarchy(std::size_t max_blocks, unsigned threads)
+      : max_blocks_(max_blocks)
+      , threads_(threads)
+  {}
+
+  PoissonSolution solve(const std::vector<SurfaceSample>& samples)
   {
     constexpr double coarsest_cells = 20; // across all samples
     double extent = 0;
@@ -69,16 +74,13 @@ public:
     for (double cells = 2 * extent; cells > coarsest_cells; cells /= 2)
       merged.push_back(
           mergeSamples(merged.back(), std::ldexp(1., static_cast<int>(merged.size()))));
-    levels_.clear();
     levels_.resize(merged.size());
-    problem_.clear();
     for (std::size_t level = levels_.size(); level-- > 0 && problem_.empty();)
       solveLevel(
           level, merged[level],
           level + 1 == levels_.size()
               ? blocksOfBox(merged[level], std::ldexp(1., static_cast<int>(level)))
-              : blocksAtSurface(level + 1),
-          options);
+              : blocksAtSurface(level + 1));
     return {std::move(levels_.front()), mean_, problem_};
   }
 
@@ -88,14 +90,11 @@ private:
     if (level == levels_.size())
       return outside;
     const BandGrid& grid = levels_[level].grid();
-    const std::size_t b =
-        grid.find({floorDivide(x, BandGrid::edge), floorDivide(y, BandGrid::edge),
-                   floorDivide(z, BandGrid::edge)});
+    const std::size_t b = grid.find({x >> 3, y >> 3, z >> 3});
     if (b < grid.size())
       return levels_[level]
           .values[b * BandGrid::nodes + BandGrid::nodeIndex(x & 7, y & 7, z & 7)];
-    const std::int64_t lo[3] = {floorDivide(x, 2), floorDivide(y, 2),
-                                floorDivide(z, 2)};
+    const std::int64_t lo[3] = {x >> 1, y >> 1, z >> 1};
     const std::int64_t hi[3] = {lo[0] + (x & 1), lo[1] + (y & 1), lo[2] + (z & 1)};
     float sum = 0;
     for (int c = 0; c < 8; ++c)
@@ -112,31 +111,21 @@ private:
     }
     const PoissonLevel& coarser = levels_[level + 1];
     const BandGrid& grid = coarser.grid();
-    std::int64_t first[3];
+    // The block is an eighth of a coarser one, in which the patch has its place.
+    const BandGrid::Block whole = {block[0] >> 1, block[1] >> 1, block[2] >> 1};
+    const std::size_t own = grid.find(whole);
+    int first[3];
     for (std::size_t k = 0; k < 3; ++k)
-      first[k] = block[k] * (BandGrid::edge / 2) - 1;
-    // The patch lies in at most two blocks along each axis.
-    std::size_t blocks[8];
-    std::int64_t base[3];
-    for (int k = 0; k < 3; ++k)
-      base[k] = floorDivide(first[k], BandGrid::edge);
-    for (int c = 0; c < 8; ++c)
-      blocks[c] =
-          grid.find({base[0] + (c & 1), base[1] + (c >> 1 & 1), base[2] + (c >> 2)});
+      first[k] = static_cast<int>(block[k] & 1) * 4 - 1;
     float patch[patch_edge * patch_edge * patch_edge];
     float* value = patch;
-    for (std::int64_t z = first[2]; z < first[2] + 6; ++z)
-      for (std::int64_t y = first[1]; y < first[1] + 6; ++y)
-        for (std::int64_t x = first[0]; x < first[0] + 6; ++x) {
-          const bool up[3] = {x >= (base[0] + 1) * 8, y >= (base[1] + 1) * 8,
-                              z >= (base[2] + 1) * 8};
-          const std::size_t b =
-              blocks[(up[0] ? 1 : 0) + (up[1] ? 2 : 0) + (up[2] ? 4 : 0)];
-          *value++ = b < grid.size()
-                         ? coarser.values[b * BandGrid::nodes +
-                                          BandGrid::nodeIndex(x & 7, y & 7, z & 7)]
-                         : valueAt(level + 1, x, y, z);
-        }
+    for (int z = first[2]; z < first[2] + 6; ++z)
+      for (int y = first[1]; y < first[1] + 6; ++y)
+        for (int x = first[0]; x < first[0] + 6; ++x)
+          *value++ = own < grid.size() && grid.blockAt(own, x, y, z) < grid.size()
+                         ? coarser.values[grid.valueAt(own, x, y, z)]
+                         : valueAt(level + 1, 8 * whole[0] + x, 8 * whole[1] + y,
+                                   8 * whole[2] + z);
     float along_x[6 * 6 * 10];
     float along_y[6 * 10 * 10];
     for (std::size_t row = 0; row < 36; ++row)
@@ -168,18 +157,17 @@ private:
 
   void solveLevel(std::size_t level,
                   const std::vector<SurfaceSample>& samples,
-                  std::vector<BandGrid::Key> more,
-                  const PoissonOptions& options)
+                  std::vector<BandGrid::Key> more)
   {
     constexpr int max_rounds = 40;
     const double scale = std::ldexp(1., static_cast<int>(level));
     const bool coarsest = level + 1 == levels_.size();
     // Small grids are faster with one thread.
-    const unsigned threads = samples.size() < min_for_threads ? 1 : options.threads;
+    const unsigned threads = samples.size() < min_for_threads ? 1 : threads_;
     PoissonLevel before;
     int widened = -1;
     do {
-      levels_[level] = PoissonLevel(samples, scale, options.weight, more, threads);
+      levels_[level] = PoissonLevel(samples, scale, weight, more, threads);
       start(level, before, threads);
       levels_[level].solve(
           [this, level](std::size_t b, float* halo) { gather(level, b, halo); },
@@ -194,8 +182,7 @@ private:
         return;
       more.insert(more.end(), missing.begin(), missing.end());
       before = std::move(levels_[level]);
-    } while (widened < max_rounds &&
-             before.grid().size() + more.size() <= options.max_blocks);
+    } while (widened < max_rounds && before.grid().size() + more.size() <= max_blocks_);
     problem_ = "the surface runs out of the " + std::to_string(before.grid().size()) +
                " blocks of cells: the points enclose nothing";
     levels_[level] = std::move(before);
@@ -299,6 +286,8 @@ private:
     return keys;
   }
 
+  std::size_t max_blocks_;
+  unsigned threads_;
   std::vector<PoissonLevel> levels_;
   double mean_ = 0;
   std::string problem_;
@@ -307,9 +296,11 @@ private:
 } // namespace
 
 PoissonSolution
-solvePoisson(const std::vector<SurfaceSample>& samples, const PoissonOptions& options)
+solvePoisson(const std::vector<SurfaceSample>& samples,
+             std::size_t max_blocks,
+             unsigned threads)
 {
-  return PoissonHierarchy().solve(samples, options);
+  return PoissonHierarchy(max_blocks, threads).solve(samples);
 }
 
 } // namespace pcl::sedr

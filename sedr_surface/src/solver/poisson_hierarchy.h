@@ -8,13 +8,6 @@
 
 namespace pcl::sedr {
 
-/** @brief Options of solvePoisson(). */
-struct PoissonOptions {
-  float weight = 10;          ///< of the samples against smoothness
-  std::size_t max_blocks = 0; ///< per grid
-  unsigned threads = 1;
-};
-
 /** @brief The solution on cells along the surface. */
 struct PoissonSolution {
   PoissonLevel level;  ///< the finest grid
@@ -27,8 +20,10 @@ struct PoissonSolution {
  * grid starts from the solution of the next coarser one, which also gives the values
  * around its blocks. Blocks are placed around the samples, around the surface on the
  * coarser grid, and wherever the surface would leave them.
- * @param samples in cells of the finest grid, like the result */
+ * @param samples in cells of the finest grid, like the result
+ * @param max_blocks of a grid, in which the surface must be closed */
 PoissonSolution solvePoisson(const std::vector<SurfaceSample>& samples,
-                             const PoissonOptions& options);
+                             std::size_t max_blocks,
+                             unsigned threads);
 
 } // namespace pcl::sedr

@@ -77,11 +77,9 @@ PoissonLevel::addBlocks(const std::vector<BandGrid::Key>& more)
         if (side[0][n % 3] && side[1][n / 3 % 3] && side[2][n / 9])
           wanted[n] = true;
     }
-    const BandGrid::Block block = sorted_.grid.at(s);
-    for (std::int64_t n = 0; n < 27; ++n)
-      if (wanted[static_cast<std::size_t>(n)])
-        keys.push_back(BandGrid::keyOf(
-            {block[0] + n % 3 - 1, block[1] + n / 3 % 3 - 1, block[2] + n / 9 - 1}));
+    for (std::size_t n = 0; n < 27; ++n)
+      if (wanted[n])
+        keys.push_back(BandGrid::keyOf(BandGrid::around(sorted_.grid.at(s), n)));
   }
   grid_ = BandGrid(std::move(keys));
 }

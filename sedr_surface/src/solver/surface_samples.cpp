@@ -75,12 +75,9 @@ BandGrid
 widened(const BandGrid& grid)
 {
   std::vector<Key> keys;
-  for (std::size_t b = 0; b < grid.size(); ++b) {
-    const BandGrid::Block block = grid.at(b);
-    for (std::int64_t i = 0; i < 27; ++i)
-      keys.push_back(BandGrid::keyOf(
-          {block[0] + i % 3 - 1, block[1] + i / 3 % 3 - 1, block[2] + i / 9 - 1}));
-  }
+  for (std::size_t b = 0; b < grid.size(); ++b)
+    for (std::size_t n = 0; n < 27; ++n)
+      keys.push_back(BandGrid::keyOf(BandGrid::around(grid.at(b), n)));
   return BandGrid(std::move(keys));
 }
 
@@ -144,16 +141,15 @@ SortedSamples::gather(const BandGrid::Block& block,
                       float reach,
                       std::vector<BlockSample>& around) const
 {
-  for (int n = 0; n < 27; ++n) {
-    const int step[3] = {n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
-    const std::size_t s =
-        grid.find({block[0] + step[0], block[1] + step[1], block[2] + step[2]});
+  for (std::size_t n = 0; n < 27; ++n) {
+    const BandGrid::Block step = BandGrid::around({0, 0, 0}, n);
+    const std::size_t s = grid.find(BandGrid::around(block, n));
     for (std::size_t i = s < grid.size() ? starts[s] : 0;
          s < grid.size() && i < starts[s + 1]; ++i) {
       BlockSample sample = samples[i];
       bool is_near = true;
-      for (int k = 0; k < 3; ++k) {
-        sample.place[k] += static_cast<float>(8 * step[k]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        sample.place[k] += static_cast<float>(BandGrid::edge * step[k]);
         sample.normal[k] /= sample.area;
         is_near = is_near && sample.place[k] > -reach && sample.place[k] < 8 + reach;
       }

@@ -16,52 +16,49 @@
 namespace pcl::sedr {
 namespace {
 
+constexpr std::uint32_t none = PlanTriangulation::none;
+
 /** @brief A triangulation whose inner sides can be swapped for the other diagonal of
  * their two triangles. */
 class SwappableTriangulation {
 public:
-  static constexpr std::uint32_t none = PlanTriangulation::none;
-
   /** @param triangles counter-clockwise, covering the points' convex hull */
   SwappableTriangulation(const std::vector<GridPoint>& points,
                          std::vector<std::array<std::uint32_t, 3>> triangles)
       : points_(points)
-      , anchor_(points.size(), none)
-      , degree_(points.size(), 0)
+      , triangles_(std::move(triangles))
   {
-    mesh_.triangles = std::move(triangles);
-    connect();
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t)
+      enter(t);
   }
 
   /** @brief Swaps sides until one joins a and b, and fixes that side.
    * @return false if a point or a fixed side is in the way */
   bool insertEdge(std::uint32_t a, std::uint32_t b)
   {
-    const Ends wanted = std::minmax(a, b);
-    if (find(wanted).triangle == none) {
-      std::vector<Ends> crossed;
+    if (leftOf({a, b}) == none && leftOf({b, a}) == none) {
+      std::vector<Side> crossed;
       if (!crossedBy(a, b, crossed))
         return false;
-      for (const Ends& side : crossed)
+      for (const Side& side : crossed)
         if (fixed_.count(side) > 0)
           return false;
       // A side of a concave pair waits until others are swapped. Some pair is always
       // convex, so the loop terminates.
-      std::deque<Ends> waiting(crossed.begin(), crossed.end());
+      std::deque<Side> waiting(crossed.begin(), crossed.end());
       while (!waiting.empty()) {
-        const Side side = find(waiting.front());
+        const Side side = waiting.front();
+        waiting.pop_front();
         if (!isConvex(side)) {
-          waiting.push_back(waiting.front());
-          waiting.pop_front();
+          waiting.push_back(side);
           continue;
         }
-        waiting.pop_front();
-        const Ends diagonal = swap(side);
+        const Side diagonal = swap(side);
         if (crosses(diagonal, a, b))
           waiting.push_back(diagonal);
       }
     }
-    fixed_.insert(wanted);
+    fixed_.insert(std::minmax(a, b));
     return true;
   }
 
@@ -69,158 +66,106 @@ public:
   void improve()
   {
     struct Waiting {
-      Side side;
-      Ends ends; ///< of the side when it was queued
+      std::uint32_t triangle;
+      std::size_t number;
+      Side side; ///< when it was queued
     };
     std::vector<Waiting> waiting;
     const auto add = [&](std::uint32_t t) {
       for (std::size_t i = 0; i < 3; ++i)
-        if (neighbour({t, i}) != none)
-          waiting.push_back({{t, i}, std::minmax(corner(t, i), corner(t, i + 1))});
+        if (leftOf(reverse(sideOf(t, i))) != none)
+          waiting.push_back({t, i, sideOf(t, i)});
     };
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t)
       add(t);
     // Swaps towards the Delaunay triangulation cannot cycle.
     while (!waiting.empty()) {
-      const Side side = waiting.back().side;
-      const Ends ends = waiting.back().ends;
+      const auto [t, number, side] = waiting.back();
       waiting.pop_back();
       // The new sides of a triangle swapped since are already queued.
-      const Ends now = std::minmax(corner(side.triangle, side.number),
-                                   corner(side.triangle, side.number + 1));
-      if (now != ends || fixed_.count(ends) > 0 || !isConvex(side) || !isWorse(side))
+      if (sideOf(t, number) != side ||
+          fixed_.count(std::minmax(side.first, side.second)) > 0 || !isConvex(side) ||
+          !isWorse(side))
         continue;
-      const std::uint32_t other = neighbour(side);
+      const std::uint32_t other = leftOf(reverse(side));
       swap(side);
-      add(side.triangle);
+      add(t);
       add(other);
     }
   }
 
-  const PlanTriangulation& triangulation() const { return mesh_; }
+  PlanTriangulation triangulation() const
+  {
+    PlanTriangulation result{triangles_, {}};
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t)
+      result.neighbours.push_back({leftOf(reverse(sideOf(t, 0))),
+                                   leftOf(reverse(sideOf(t, 1))),
+                                   leftOf(reverse(sideOf(t, 2)))});
+    return result;
+  }
 
 private:
-  /** @brief Side `number` of a triangle: from that corner to the next. */
-  struct Side {
-    std::uint32_t triangle = none;
-    std::size_t number = 0;
-  };
-  using Ends = std::pair<std::uint32_t, std::uint32_t>; ///< lower index first
+  /** @brief A side of a triangle, with its inside on the left. */
+  using Side = std::pair<std::uint32_t, std::uint32_t>;
 
-  void connect()
+  static Side reverse(const Side& side) { return {side.second, side.first}; }
+
+  Side sideOf(std::uint32_t t, std::size_t number) const
   {
-    mesh_.neighbours.assign(mesh_.triangles.size(), {none, none, none});
-    std::map<std::pair<std::uint32_t, std::uint32_t>, Side> sides;
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
-      for (std::size_t i = 0; i < 3; ++i) {
-        anchor_[corner(t, i)] = t;
-        ++degree_[corner(t, i)];
-        sides[{corner(t, i), corner(t, i + 1)}] = {t, i};
-      }
-    for (const auto& [way, side] : sides) {
-      const auto twin = sides.find({way.second, way.first});
-      if (twin != sides.end())
-        mesh_.neighbours[side.triangle][side.number] = twin->second.triangle;
-    }
+    return {triangles_[t][number], triangles_[t][(number + 1) % 3]};
   }
 
-  std::uint32_t corner(std::uint32_t t, std::size_t i) const
+  void enter(std::uint32_t t)
   {
-    return mesh_.triangles[t][i % 3];
+    for (std::size_t i = 0; i < 3; ++i)
+      left_of_[sideOf(t, i)] = t;
   }
 
-  std::uint32_t neighbour(const Side& side) const
+  /** @brief Returns the triangle on the left of a side, or none. */
+  std::uint32_t leftOf(const Side& side) const
   {
-    return mesh_.neighbours[side.triangle][side.number % 3];
+    const auto found = left_of_.find(side);
+    return found == left_of_.end() ? none : found->second;
   }
 
-  /** @brief Returns the same side seen from the triangle across it, starting at the
-   * other end; the side must be inner. */
-  Side across(const Side& side) const
+  /** @brief Returns the corner of the triangle on the left that is not on the side. */
+  std::uint32_t apexOf(const Side& side) const
   {
-    const std::uint32_t other = neighbour(side);
-    // There the side has the opposite direction: it starts at this side's end.
-    return {other, numberOf(other, corner(side.triangle, side.number + 1))};
+    const auto& corners = triangles_[leftOf(side)];
+    return corners[0] != side.first && corners[0] != side.second   ? corners[0]
+           : corners[1] != side.first && corners[1] != side.second ? corners[1]
+                                                                   : corners[2];
   }
 
-  /** @brief Returns which corner of t is point p. */
-  std::size_t numberOf(std::uint32_t t, std::uint32_t p) const
-  {
-    return corner(t, 0) == p ? 0 : corner(t, 1) == p ? 1 : 2;
-  }
-
-  /** @brief Calls `visit(triangle, corner number)` for the triangles at a point until
-   * it returns true. */
-  template <typename Visit>
-  void visitAround(std::uint32_t point, Visit visit) const
-  {
-    const std::uint32_t first = anchor_[point];
-    if (first == none)
-      return;
-    std::uint32_t t = first;
-    do { // counter-clockwise, to the hull or once around
-      const std::size_t i = numberOf(t, point);
-      if (visit(t, i))
-        return;
-      t = neighbour({t, i + 2});
-    } while (t != none && t != first);
-    if (t == first)
-      return;
-    for (t = neighbour({first, numberOf(first, point)}); t != none;
-         t = neighbour({t, numberOf(t, point)}))
-      if (visit(t, numberOf(t, point)))
-        return;
-  }
-
-  /** @brief Returns the side that joins two points; its triangle is none if there is
-   * none. */
-  Side find(const Ends& ends) const
-  {
-    // Around the end with fewer triangles, as the other may have thousands.
-    const bool first_is_less = degree_[ends.first] <= degree_[ends.second];
-    const std::uint32_t here = first_is_less ? ends.first : ends.second;
-    const std::uint32_t there = first_is_less ? ends.second : ends.first;
-    Side found;
-    visitAround(here, [&](std::uint32_t t, std::size_t i) {
-      if (corner(t, i + 1) == there)
-        found = {t, i};
-      else if (corner(t, i + 2) == there)
-        found = {t, (i + 2) % 3};
-      return found.triangle != none;
-    });
-    return found;
-  }
-
-  /** @brief Finds the sides that the segment from a to b crosses, in order.
+  /** @brief Finds the sides that the segment from a to b crosses, in order; the lower
+   * index of each first.
    * @return false if a point lies on the segment */
-  bool crossedBy(std::uint32_t a, std::uint32_t b, std::vector<Ends>& crossed) const
+  bool crossedBy(std::uint32_t a, std::uint32_t b, std::vector<Side>& crossed) const
   {
     const GridPoint& pa = points_[a];
     const GridPoint& pb = points_[b];
-    Side side;
-    visitAround(a, [&](std::uint32_t t, std::size_t i) {
-      if (turn(pa, points_[corner(t, i + 1)], pb) > 0 &&
-          turn(pa, points_[corner(t, i + 2)], pb) < 0)
-        side = {t, (i + 1) % 3};
-      return side.triangle != none;
-    });
-    while (side.triangle != none && neighbour(side) != none) {
-      crossed.push_back(std::minmax(corner(side.triangle, side.number),
-                                    corner(side.triangle, side.number + 1)));
-      const Side twin = across(side);
-      const std::uint32_t apex = corner(twin.triangle, twin.number + 2);
+    Side side(none, none);
+    for (auto at = left_of_.lower_bound({a, 0});
+         at != left_of_.end() && at->first.first == a; ++at) {
+      const Side opposite(at->first.second, apexOf(at->first));
+      if (turn(pa, points_[opposite.first], pb) > 0 &&
+          turn(pa, points_[opposite.second], pb) < 0)
+        side = opposite;
+    }
+    while (leftOf(reverse(side)) != none) {
+      crossed.push_back(std::minmax(side.first, side.second));
+      const std::uint32_t apex = apexOf(reverse(side));
       if (apex == b)
         return true;
       const std::int64_t at = turn(pa, pb, points_[apex]);
       if (at == 0)
         return false;
-      // The twin runs from left to right of the direction.
-      side = {twin.triangle, (twin.number + (at > 0 ? 1 : 2)) % 3};
+      side = at > 0 ? Side(side.first, apex) : Side(apex, side.second);
     }
     return false;
   }
 
-  bool crosses(const Ends& side, std::uint32_t a, std::uint32_t b) const
+  bool crosses(const Side& side, std::uint32_t a, std::uint32_t b) const
   {
     if (side.first == a || side.first == b || side.second == a || side.second == b)
       return false;
@@ -231,25 +176,22 @@ private:
 
   bool isConvex(const Side& side) const
   {
-    const Side twin = across(side);
-    const GridPoint& a = points_[corner(side.triangle, side.number)];
-    const GridPoint& b = points_[corner(side.triangle, side.number + 1)];
-    const GridPoint& c = points_[corner(side.triangle, side.number + 2)];
-    const GridPoint& d = points_[corner(twin.triangle, twin.number + 2)];
-    return turn(a, d, c) > 0 && turn(d, b, c) > 0;
+    const GridPoint& c = points_[apexOf(side)];
+    const GridPoint& d = points_[apexOf(reverse(side))];
+    return turn(points_[side.first], d, c) > 0 && turn(d, points_[side.second], c) > 0;
   }
 
   /** @brief Returns whether the opposite corner lies within the triangle's
    * circumcircle. */
   bool isWorse(const Side& side) const
   {
-    const Side twin = across(side);
-    const GridPoint& d = points_[corner(twin.triangle, twin.number + 2)];
+    const GridPoint& d = points_[apexOf(reverse(side))];
+    const std::uint32_t corners[3] = {side.first, side.second, apexOf(side)};
     long double x[3];
     long double y[3];
     long double square[3];
     for (std::size_t i = 0; i < 3; ++i) {
-      const GridPoint& p = points_[corner(side.triangle, side.number + i)];
+      const GridPoint& p = points_[corners[i]];
       x[i] = static_cast<long double>(p.x) - d.x;
       y[i] = static_cast<long double>(p.y) - d.y;
       square[i] = x[i] * x[i] + y[i] * y[i];
@@ -267,60 +209,72 @@ private:
     return sum > 1e-13L * size;
   }
 
-  /** @brief Swaps a side for the other diagonal and returns the ends of that. */
-  Ends swap(const Side& side)
+  /** @brief Swaps a side for the other diagonal and returns that, the lower index
+   * first. */
+  Side swap(const Side& side)
   {
-    const std::uint32_t t = side.triangle;
-    const Side twin = across(side);
-    const std::uint32_t u = twin.triangle;
-    const std::uint32_t a = corner(t, side.number);
-    const std::uint32_t b = corner(t, side.number + 1);
-    const std::uint32_t c = corner(t, side.number + 2);
-    const std::uint32_t d = corner(u, twin.number + 2);
-    const std::uint32_t beyond_bc = neighbour({t, side.number + 1});
-    const std::uint32_t beyond_ca = neighbour({t, side.number + 2});
-    const std::uint32_t beyond_ad = neighbour({u, twin.number + 1});
-    const std::uint32_t beyond_db = neighbour({u, twin.number + 2});
-    mesh_.triangles[t] = {a, d, c};
-    mesh_.neighbours[t] = {beyond_ad, u, beyond_ca};
-    mesh_.triangles[u] = {d, b, c};
-    mesh_.neighbours[u] = {beyond_db, beyond_bc, t};
-    relink(beyond_ad, u, t);
-    relink(beyond_bc, t, u);
-    anchor_[a] = anchor_[c] = anchor_[d] = t;
-    anchor_[b] = u;
-    --degree_[a];
-    --degree_[b];
-    ++degree_[c];
-    ++degree_[d];
+    const auto [a, b] = side;
+    const std::uint32_t c = apexOf(side);
+    const std::uint32_t d = apexOf(reverse(side));
+    const std::uint32_t t = leftOf(side);
+    const std::uint32_t u = leftOf(reverse(side));
+    left_of_.erase(side);
+    left_of_.erase(reverse(side));
+    triangles_[t] = {a, d, c};
+    triangles_[u] = {d, b, c};
+    enter(t);
+    enter(u);
     return std::minmax(c, d);
   }
 
-  void relink(std::uint32_t triangle, std::uint32_t from, std::uint32_t to)
-  {
-    if (triangle == none)
-      return;
-    for (auto& n : mesh_.neighbours[triangle])
-      if (n == from) {
-        n = to;
-        return;
-      }
-  }
-
   const std::vector<GridPoint>& points_;
-  PlanTriangulation mesh_;
-  std::vector<std::uint32_t> anchor_; ///< a triangle at each point
-  std::vector<std::uint32_t> degree_; ///< triangles at each point
-  std::set<Ends> fixed_;
+  std::vector<std::array<std::uint32_t, 3>> triangles_;
+  std::map<Side, std::uint32_t> left_of_; ///< triangle on the left of each side
+  std::set<Side> fixed_;                  ///< the lower index first
 };
+
+/** @brief Returns which triangles lie inside the area enclosed by a rim: those that an
+ * odd number of its edges parts from the outside. O(n log n).
+ * @param rim sides of triangles, sorted, the lower index of each first */
+std::vector<bool>
+insideOf(const PlanTriangulation& mesh, const PlanEdges& rim)
+{
+  const auto isEdge = [&](std::uint32_t t, std::size_t i) {
+    const auto& corners = mesh.triangles[t];
+    const std::pair<std::uint32_t, std::uint32_t> ends =
+        std::minmax(corners[i], corners[(i + 1) % 3]);
+    return std::binary_search(rim.begin(), rim.end(), ends);
+  };
+  std::vector<bool> is_inside(mesh.triangles.size(), false);
+  std::vector<bool> is_known(mesh.triangles.size(), false);
+  std::vector<std::uint32_t> waiting;
+  const auto reach = [&](std::uint32_t t, bool inside) {
+    if (is_known[t])
+      return;
+    is_known[t] = true;
+    is_inside[t] = inside;
+    waiting.push_back(t);
+  };
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (mesh.neighbours[t][i] == none)
+        reach(t, isEdge(t, i));
+  while (!waiting.empty()) {
+    const std::uint32_t t = waiting.back();
+    waiting.pop_back();
+    for (std::size_t i = 0; i < 3; ++i)
+      if (mesh.neighbours[t][i] != none)
+        reach(mesh.neighbours[t][i], is_inside[t] != isEdge(t, i));
+  }
+  return is_inside;
+}
 
 } // namespace
 
 bool
-triangulateConstrained(
-    const std::vector<GridPoint>& points,
-    const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges,
-    PlanTriangulation& triangulation)
+triangulateConstrained(const std::vector<GridPoint>& points,
+                       const PlanEdges& edges,
+                       PlanTriangulation& triangulation)
 {
   triangulation = PlanTriangulation();
   PlanTriangles triangles;
@@ -337,57 +291,47 @@ triangulateConstrained(
   return true;
 }
 
-std::vector<bool>
-insideOf(const PlanTriangulation& mesh,
-         std::vector<std::pair<std::uint32_t, std::uint32_t>> edges)
-{
-  for (auto& edge : edges)
-    if (edge.first > edge.second)
-      std::swap(edge.first, edge.second);
-  std::sort(edges.begin(), edges.end());
-  const auto isEdge = [&](std::uint32_t t, std::size_t i) {
-    const auto& corners = mesh.triangles[t];
-    const std::pair<std::uint32_t, std::uint32_t> ends =
-        std::minmax(corners[i], corners[(i + 1) % 3]);
-    return std::binary_search(edges.begin(), edges.end(), ends);
-  };
-  std::vector<bool> is_inside(mesh.triangles.size(), false);
-  std::vector<bool> is_known(mesh.triangles.size(), false);
-  std::vector<std::uint32_t> waiting;
-  const auto reach = [&](std::uint32_t t, bool inside) {
-    if (is_known[t])
-      return;
-    is_known[t] = true;
-    is_inside[t] = inside;
-    waiting.push_back(t);
-  };
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i)
-      if (mesh.neighbours[t][i] == PlanTriangulation::none)
-        reach(t, isEdge(t, i));
-  while (!waiting.empty()) {
-    const std::uint32_t t = waiting.back();
-    waiting.pop_back();
-    for (std::size_t i = 0; i < 3; ++i)
-      if (mesh.neighbours[t][i] != PlanTriangulation::none)
-        reach(mesh.neighbours[t][i], is_inside[t] != isEdge(t, i));
-  }
-  return is_inside;
-}
-
 std::optional<PlanTriangles>
 trianglesWithin(const std::vector<GridPoint>& points,
-                const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges,
-                const std::vector<std::pair<std::uint32_t, std::uint32_t>>& rim)
+                const PlanEdges& rim,
+                const PlanEdges& folds)
 {
+  std::vector<std::uint32_t> number(points.size(), none); // of the points at edges
+  std::vector<std::uint32_t> used;
+  std::vector<GridPoint> places;
+  const auto numberOf = [&](std::uint32_t p) {
+    if (number[p] == none) {
+      number[p] = static_cast<std::uint32_t>(used.size());
+      used.push_back(p);
+      places.push_back(points[p]);
+    }
+    return number[p];
+  };
+  const auto renumbered = [&](const PlanEdges& edges) {
+    PlanEdges result;
+    for (const auto& [from, to] : edges) {
+      const std::uint32_t a = numberOf(from);
+      const std::uint32_t b = numberOf(to);
+      result.push_back(std::minmax(a, b));
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  };
+  const PlanEdges own_rim = renumbered(rim);
+  PlanEdges edges = renumbered(folds);
+  edges.insert(edges.end(), own_rim.begin(), own_rim.end());
+  std::sort(edges.begin(), edges.end());
   PlanTriangulation all;
-  if (!triangulateConstrained(points, edges, all))
+  if (!triangulateConstrained(places, edges, all) &&
+      !triangulateConstrained(places, own_rim, all))
     return std::nullopt;
-  const std::vector<bool> is_inside = insideOf(all, rim);
+  const std::vector<bool> is_inside = insideOf(all, own_rim);
   PlanTriangles inside;
   for (std::size_t t = 0; t < is_inside.size(); ++t)
-    if (is_inside[t])
-      inside.push_back(all.triangles[t]);
+    if (is_inside[t]) {
+      const auto& corners = all.triangles[t];
+      inside.push_back({used[corners[0]], used[corners[1]], used[corners[2]]});
+    }
   return inside;
 }
 

@@ -12,6 +12,8 @@
 
 namespace pcl::sedr {
 
+using PlanEdges = std::vector<std::pair<std::uint32_t, std::uint32_t>>; ///< of points
+
 /** @brief A triangulation of points in plan; triangles are counter-clockwise. */
 struct PlanTriangulation {
   static constexpr std::uint32_t none = 0xffffffff;
@@ -29,30 +31,23 @@ struct PlanTriangulation {
  * sides.
  *
  * @param points all distinct
- * @param edges indices of two points each; they may meet only at their ends and pass
- * through no other point
+ * @param edges they may meet only at their ends and pass through no other point
  * @param[out] triangulation the result; empty if all points are collinear
  * @return false if an edge crosses another or passes through a point
  *
  * Deterministic. O(n log n) plus the swaps. */
-bool triangulateConstrained(
-    const std::vector<GridPoint>& points,
-    const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges,
-    PlanTriangulation& triangulation);
+bool triangulateConstrained(const std::vector<GridPoint>& points,
+                            const PlanEdges& edges,
+                            PlanTriangulation& triangulation);
 
-/** @brief Returns which triangles lie inside the area enclosed by edges: those that an
- * odd number of them parts from the outside. O(n log n).
- * @param edges sides of triangles, indices of two points each, all distinct */
-std::vector<bool> insideOf(const PlanTriangulation& triangulation,
-                           std::vector<std::pair<std::uint32_t, std::uint32_t>> edges);
-
-/** @brief Triangulates the area that a rim encloses.
- * @param edges sides of triangles as for triangulateConstrained(), among them the rim
- * @param rim as for insideOf()
- * @return nothing if an edge crosses another or passes through a point */
-std::optional<PlanTriangles>
-trianglesWithin(const std::vector<GridPoint>& points,
-                const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges,
-                const std::vector<std::pair<std::uint32_t, std::uint32_t>>& rim);
+/** @brief Triangulates an area: what an odd number of edges of its rim parts from the
+ * outside. Points at which no edge ends are left out. O(n log n) plus the swaps.
+ * @param rim as the edges of triangulateConstrained(), all distinct
+ * @param folds further edges; none counts if one crosses another or passes through a
+ * point
+ * @return nothing if an edge of the rim does so */
+std::optional<PlanTriangles> trianglesWithin(const std::vector<GridPoint>& points,
+                                             const PlanEdges& rim,
+                                             const PlanEdges& folds = {});
 
 } // namespace pcl::sedr

@@ -99,30 +99,7 @@ verticesOf(const Pieces& pieces)
 /** @brief Ranks of vertices: of two that are too near, the lower rank stays. Ends of
  * early segments come first, then crossings in order of appearance. Vertices that
  * stayed once keep staying, so the rounds terminate. */
-class Ranks {
-public:
-  explicit Ranks(const std::vector<GridSegment>& segments)
-  {
-    for (const GridSegment& s : segments)
-      for (const GridPoint& end : {s.from, s.to})
-        rank_.emplace(end, rank_.size());
-  }
-
-  std::vector<GridPoint> inOrder(const std::vector<GridPoint>& vertices)
-  {
-    std::vector<std::pair<std::size_t, GridPoint>> ranked;
-    for (const GridPoint& v : vertices)
-      ranked.emplace_back(rank_.emplace(v, rank_.size()).first->second, v);
-    std::sort(ranked.begin(), ranked.end());
-    std::vector<GridPoint> result;
-    for (const auto& r : ranked)
-      result.push_back(r.second);
-    return result;
-  }
-
-private:
-  std::map<GridPoint, std::size_t> rank_;
-};
+using Ranks = std::map<GridPoint, std::size_t>;
 
 /** @brief Merges each vertex into one of lower rank that is nearer than `separation`.
  * @return whether any was merged */
@@ -132,11 +109,16 @@ weld(double separation, Ranks& ranks, Pieces& pieces)
   std::map<GridPoint, GridPoint> joins;
   std::set<GridPoint> kept;
   const auto reach = static_cast<std::int32_t>(std::ceil(separation));
-  for (const GridPoint& v : ranks.inOrder(verticesOf(pieces))) {
+  std::vector<std::pair<std::size_t, GridPoint>> ranked;
+  for (const GridPoint& v : verticesOf(pieces))
+    ranked.emplace_back(ranks.emplace(v, ranks.size()).first->second, v);
+  std::sort(ranked.begin(), ranked.end());
+  for (const auto& [rank, v] : ranked) {
     const auto first = kept.lower_bound({v.x - reach, lowest});
     const auto last = kept.upper_bound({v.x + reach, highest});
-    const auto near = std::find_if(
-        first, last, [&](const GridPoint& k) { return distance(k, v) < separation; });
+    const auto near = std::find_if(first, last, [&at = v, separation](GridPoint k) {
+      return distance(k, at) < separation;
+    });
     if (near == last)
       kept.insert(v);
     else
@@ -228,7 +210,7 @@ assemble(const Pieces& pieces)
 
 } // namespace
 
-bool
+void
 arrangeSegments(const std::vector<GridSegment>& segments,
                 double separation,
                 Arrangement& arrangement)
@@ -237,7 +219,10 @@ arrangeSegments(const std::vector<GridSegment>& segments,
   for (std::size_t i = 0; i < segments.size(); ++i)
     pieces.push_back({segments[i].from, segments[i].to, i});
   unfold(pieces);
-  Ranks ranks(segments);
+  Ranks ranks;
+  for (const GridSegment& s : segments)
+    for (const GridPoint& end : {s.from, s.to})
+      ranks.emplace(end, ranks.size());
   bool is_near = true;
   cutAtCrossings(pieces);
   for (int round = 0; round < 50 && is_near; ++round) {
@@ -248,7 +233,6 @@ arrangeSegments(const std::vector<GridSegment>& segments,
       cutAtCrossings(pieces);
   }
   arrangement = assemble(pieces);
-  return !is_near;
 }
 
 } // namespace pcl::sedr

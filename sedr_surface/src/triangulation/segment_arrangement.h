@@ -39,16 +39,15 @@ struct Arrangement {
  * than `separation` are merged; ends of early segments stay in place. An edge is led
  * through vertices beside it that are nearer than `separation`. So no edge is shorter
  * than `separation`, and no vertex is nearer to an edge whose ends it sees at more than
- * a right angle. Nothing moves much farther than that.
+ * a right angle. Nothing moves much farther than that. After 50 rounds the arrangement
+ * is valid, but not everything may be merged.
  *
  * @param segments coordinates within +-2^29; those of zero length are ignored
  * @param separation grid units, 0 or more
  * @param[out] arrangement the result
- * @return false if not everything too near was merged in 50 rounds; the arrangement is
- * valid nevertheless
  *
  * Deterministic. O(n log n) for n pieces that are well apart. */
-bool arrangeSegments(const std::vector<GridSegment>& segments,
+void arrangeSegments(const std::vector<GridSegment>& segments,
                      double separation,
                      Arrangement& arrangement);
 

@@ -125,19 +125,17 @@ triangulated(const PlanArea& area,
 
   constexpr double separation = 1e-5; // metres
   Arrangement arrangement;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   arrangeSegments(segments, separation / grid.unit(), arrangement);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> rim;
+  PlanEdges rim;
+  PlanEdges folds;
   for (const Arrangement::Edge& edge : arrangement.edges) {
-    edges.emplace_back(edge.a, edge.b);
     const auto uses =
         std::count_if(edge.uses.begin(), edge.uses.end(),
                       [&](const SegmentUse& use) { return use.segment < outline; });
-    if (uses % 2 == 1)
-      rim.emplace_back(edge.a, edge.b);
+    (uses % 2 == 1 ? rim : folds).emplace_back(edge.a, edge.b);
   }
   TriangleMesh mesh;
-  const auto triangles = trianglesWithin(arrangement.vertices, edges, rim);
+  const auto triangles = trianglesWithin(arrangement.vertices, rim, folds);
   if (!triangles)
     return mesh;
   for (const GridPoint& p : arrangement.vertices) {
