@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "plan_loops.h"
+
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/point_types.h>
 
@@ -197,21 +199,9 @@ scanOf(const BoxRoom& room = BoxRoom())
 inline pcl::sedr::PlanRoom
 planOf(const BoxRoom& room)
 {
-  pcl::sedr::PlanRoom plan;
-  plan.id = room.id;
-  const Eigen::Vector2d low(room.x, room.y);
-  const std::vector<Eigen::Vector2d> corners{
-      low, low + Eigen::Vector2d(room.width, 0),
-      low + Eigen::Vector2d(room.width, room.depth),
-      low + Eigen::Vector2d(0, room.depth)};
-  for (std::size_t i = 0; i < 4; ++i) {
-    pcl::sedr::PlanElement wall;
-    wall.start = corners[i];
-    wall.end = corners[(i + 1) % 4];
-    plan.boundary.elements.push_back(wall);
-  }
-  plan.ceiling.plane[3] = -room.height;
-  return plan;
+  return sedr_test::roomOf(
+      sedr_test::rectangle(room.x, room.y, room.x + room.width, room.y + room.depth),
+      room.height, room.id);
 }
 
 } // namespace programs

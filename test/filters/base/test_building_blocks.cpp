@@ -3,10 +3,8 @@
 
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_filters/plan_measures.h>
-#include <pcl/sedr_filters/plan_opening.h>
 #include <pcl/sedr_filters/stage_error.h>
 #include <pcl/sedr_filters/stage_filter.h>
-#include <pcl/sedr_filters/structure_label.h>
 #include <pcl/sedr_filters/voxel_grid_settings.h>
 
 #include <gtest/gtest.h>
@@ -165,28 +163,6 @@ TEST(StageFilter, TellsWhyItFailedAndRemovesAll)
   one->push_back({});
   filter.filter(output);
   EXPECT_EQ(filter.getErrorMessage(), "");
-}
-
-TEST(StructureLabel, NamesAreOfKnownValues)
-{
-  EXPECT_STREQ(toString(pcl::sedr::StructureLabel::Column), "column");
-  EXPECT_STREQ(toString(static_cast<pcl::sedr::StructureLabel>(6)), "other");
-}
-
-TEST(PlanOpening, BothLeavesOfADoorMeetInItsMiddle)
-{
-  pcl::sedr::PlanOpening door;
-  door.rooms = {1, 2};
-  door.end = {2, 0};
-  door.depth = 0.2;
-  door.hinge = pcl::sedr::OpeningHinge::Both;
-  door.swing = 1; // the room to the left
-  const std::vector<pcl::sedr::OpeningLeaf> leaves = leavesOf(door);
-  ASSERT_EQ(leaves.size(), 2u);
-  EXPECT_TRUE(leaves[0].shut.isApprox(Eigen::Vector2d(1, 0.1)));
-  EXPECT_TRUE(leaves[1].shut.isApprox(leaves[0].shut));
-  EXPECT_TRUE(leaves[0].open.isApprox(Eigen::Vector2d(0, 1.1)));
-  EXPECT_STREQ(nameOf(pcl::sedr::OpeningKind::Passage), "passage");
 }
 
 TEST(VoxelGridSettings, AreThoseOfPclsVoxelGrid)

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "plan_loops.h"
+
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_filters/plan_measures.h>
 
@@ -13,16 +15,7 @@ Floorplan
 planWithADoor()
 {
   Floorplan plan;
-  plan.rooms.emplace_back();
-  plan.rooms[0].id = 3;
-  plan.rooms[0].ceiling.plane = Eigen::Vector4d(0, 0, 1, -2.5);
-  const std::vector<Eigen::Vector2d> corners{{0, 0}, {4, 0}, {4, 3}, {0, 3}};
-  for (std::size_t k = 0; k < 4; ++k) {
-    PlanElement e;
-    e.start = corners[k];
-    e.end = corners[(k + 1) % 4];
-    plan.rooms[0].boundary.elements.push_back(e);
-  }
+  plan.rooms = {sedr_test::roomOf(sedr_test::rectangle(0, 0, 4, 3), 2.5, 3)};
   PlanOpening door;
   door.kind = OpeningKind::Door;
   door.rooms = {3, 0};

@@ -83,15 +83,6 @@ TYPED_TEST(StructureStage, AFailedRunRemovesAllIndicesThatTheCloudHas)
   EXPECT_TRUE(this->output.empty());
 }
 
-TYPED_TEST(StructureStage, LabelsOfAnotherNumberThanThePointsAreRefused)
-{
-  this->stage.setLabels({2, 2, 2});
-  this->run(floorPoints(), planOf(rectangle(0, 0, 4, 3)));
-  EXPECT_NE(this->stage.getErrorMessage().find("3 labels"), std::string::npos)
-      << this->stage.getErrorMessage();
-  EXPECT_EQ(this->stage.getRemovedIndices()->size(), 4u);
-}
-
 TEST(VerticalHoleRepair, TooManyCellsAreRefusedBeforeTheyAreMade)
 {
   pcl::VerticalHoleRepair<pcl::PointStructure> repair(true);

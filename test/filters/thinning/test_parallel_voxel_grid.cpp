@@ -201,30 +201,6 @@ TEST(ParallelVoxelGrid, StraysInTheAirOfADenseScanAreLeftOutIfAskedFor)
   EXPECT_TRUE(kept.empty()) << "the larger of both limits";
 }
 
-TEST(ParallelVoxelGrid, WrongParametersAreRefusedWithThem)
-{
-  struct Case {
-    float leaf;
-    int index;
-    const char* words;
-  };
-  const float infinite = std::numeric_limits<float>::infinity();
-  for (const Case& c :
-       {Case{0.f, 0, "it is 0.1"}, Case{-0.5f, 0, "-0.5"}, Case{nan, 0, "nan"},
-        Case{infinite, 0, "inf"}, Case{1e-45f, 0, "leaf"},
-        Case{0.1f, 10, "index 10 is out of range"}}) {
-    pcl::ParallelVoxelGrid<pcl::PointXYZ> grid;
-    grid.setInputCloud(randomCloud<pcl::PointXYZ>(10, 0, 1, 1));
-    grid.setIndices(pcl::IndicesPtr(new pcl::Indices{c.index}));
-    grid.setLeafSize(0.1f, 0.1f, c.leaf);
-    pcl::PointCloud<pcl::PointXYZ> output;
-    grid.filter(output);
-    EXPECT_TRUE(output.empty());
-    EXPECT_NE(grid.getErrorMessage().find(c.words), std::string::npos)
-        << grid.getErrorMessage();
-  }
-}
-
 TEST(ParallelVoxelGrid, StrayPointsFarAwayLeaveTheOtherVoxelsAsTheyAre)
 {
   const auto room = randomCloud<pcl::PointXYZ>(50000, -4, 4, 17);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "rows_in_pieces.h"
+
 #include "sedr_filters/src/base/field_access.h"
 #include <pcl/sedr_filters/parallel_voxel_grid.h>
 
-#include <pcl/conversions.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -59,34 +60,13 @@ valueOf(const pcl::PCLPointCloud2& blob,
                               f.datatype);
 }
 
-/** A cloud as a source of one piece. */
-class BlobRows : public pcl::sedr::RowSource {
-public:
-  explicit BlobRows(const pcl::PCLPointCloud2& blob)
-      : blob_(blob)
-  {}
-  const std::vector<pcl::PCLPointField>& fields() const override
-  {
-    return blob_.fields;
-  }
-  std::size_t rowSize() const override { return blob_.point_step; }
-  std::size_t size() const override { return blob_.width; }
-  void forEachPiece(const std::function<bool(const Piece&)>& see) const override
-  {
-    see({blob_.data.data(), 0, size()});
-  }
-
-private:
-  const pcl::PCLPointCloud2& blob_;
-};
-
 pcl::PCLPointCloud2
 thin(const pcl::PCLPointCloud2::ConstPtr& blob,
      pcl::ParallelVoxelGrid<pcl::PCLPointCloud2>& grid)
 {
   grid.setLeafSize(1, 1, 1);
   pcl::PCLPointCloud2 output;
-  grid.filter(BlobRows(*blob), output);
+  grid.filter(sedr_test::RowsInPieces(*blob), output);
   return output;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_points.h"
+#include "rows_in_pieces.h"
 
-#include <pcl/conversions.h>
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 #include <pcl/sedr_surface/mesh_distance.h>
@@ -9,43 +9,12 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <memory>
 #include <vector>
 
 namespace {
 
 using namespace sedr_test;
-using pcl::sedr::RowSource;
-
-/** A cloud that is read in pieces of some thousand points. */
-class CloudInPieces : public RowSource {
-public:
-  CloudInPieces(const pcl::PointCloud<pcl::PointXYZ>& cloud, std::size_t piece)
-      : piece_(piece)
-  {
-    pcl::toPCLPointCloud2(cloud, blob_);
-  }
-
-  const std::vector<pcl::PCLPointField>& fields() const override
-  {
-    return blob_.fields;
-  }
-  std::size_t rowSize() const override { return blob_.point_step; }
-  std::size_t size() const override { return blob_.width; }
-
-  void forEachPiece(const std::function<bool(const Piece&)>& see) const override
-  {
-    for (std::size_t first = 0; first < size(); first += piece_)
-      if (!see({&blob_.data[first * rowSize()], first,
-                std::min(piece_, size() - first)}))
-        return;
-  }
-
-private:
-  pcl::PCLPointCloud2 blob_;
-  std::size_t piece_;
-};
 
 using Reconstruction = pcl::IndoorStructureReconstruction<pcl::PointXYZ>;
 
@@ -68,7 +37,7 @@ TEST(InputSource, GivesWhatTheCloudGives)
   pcl::PointCloud<pcl::PointStructure> structure = *reconstruction.getStructure();
 
   Reconstruction streamed;
-  streamed.setInputSource(std::make_shared<CloudInPieces>(*cloud, 3000));
+  streamed.setInputSource(std::make_shared<RowsInPieces>(*cloud, 3000));
   ASSERT_TRUE(streamed.findStructure()) << streamed.getErrorMessage();
   EXPECT_EQ(pcl::sedr::floorplanToJson(*streamed.getFloorplan()), expected);
   ASSERT_EQ(streamed.getStructure()->size(), structure.size());
@@ -165,7 +134,7 @@ TEST(InputSource, IsRefusedWithTheSentenceOfTheCloud)
     reconstruction.setInputCloud(cloud);
     EXPECT_FALSE(reconstruction.findStructure());
     Reconstruction streamed;
-    streamed.setInputSource(std::make_shared<CloudInPieces>(*cloud, 3000));
+    streamed.setInputSource(std::make_shared<RowsInPieces>(*cloud, 3000));
     EXPECT_FALSE(streamed.findStructure());
     EXPECT_EQ(streamed.getErrorMessage(), reconstruction.getErrorMessage());
     EXPECT_EQ(streamed.getFailedStage(), "input");

@@ -185,10 +185,6 @@ TEST(StructuralPoisson, bad_input_leaves_nothing_but_a_reason)
   expectReason(poisson, "the input cloud is empty");
   const auto cloud = cloudOf<pcl::PointNormal>(smallRoom().points(0.25));
   poisson.setInputCloud(cloud);
-  poisson.setIndices(std::make_shared<pcl::Indices>(pcl::Indices{0, 1, 99999}));
-  expectReason(poisson, "index 99999 is out of range");
-  poisson.setIndices(std::make_shared<pcl::Indices>(pcl::Indices{0, -4}));
-  expectReason(poisson, "index -4 is out of range");
   poisson.setIndices(std::make_shared<pcl::Indices>(pcl::Indices{3}));
   expectReason(poisson, "there are 1");
   auto without = std::make_shared<pcl::PointCloud<pcl::PointNormal>>(*cloud);
@@ -197,19 +193,4 @@ TEST(StructuralPoisson, bad_input_leaves_nothing_but_a_reason)
   pcl::StructuralPoisson<pcl::PointNormal> other;
   other.setInputCloud(without);
   expectReason(other, "points with normals are needed, there are 0");
-}
-
-TEST(StructuralPoisson, parameters_out_of_range_are_refused)
-{
-  using Poisson = pcl::StructuralPoisson<pcl::PointNormal>;
-  const auto cloud = cloudOf<pcl::PointNormal>(smallRoom().points(0.25));
-  const auto refuses = [&cloud](const char* part,
-                                const std::function<void(Poisson&)>& set) {
-    Poisson poisson;
-    poisson.setInputCloud(cloud);
-    set(poisson);
-    expectReason(poisson, part);
-  };
-  refuses("depth must lie from 3 to 14, it is 2", [](Poisson& p) { p.setDepth(2); });
-  refuses("depth must lie from 3 to 14, it is 15", [](Poisson& p) { p.setDepth(15); });
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pictures.h"
 #include "plan_loops.h"
+#include "rows_in_pieces.h"
 #include "stage_pictures.h"
+
+#include <pcl/point_types.h>
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -57,37 +59,14 @@ TEST(LabelPicture, ShowsWhatCameAndWhatWent)
   EXPECT_EQ(colourAt(picture, 1, at(10, 30)), colours::wall) << "no wall was there";
 }
 
-/** Points with labels as rows. */
-class LabelledRows : public RowSource {
-public:
-  explicit LabelledRows(std::vector<std::array<float, 4>> rows)
-      : rows_(std::move(rows))
-  {
-    for (const char* name : {"x", "y", "z", "label"}) {
-      fields_.emplace_back();
-      fields_.back().name = name;
-      fields_.back().offset = static_cast<pcl::uindex_t>(4 * (fields_.size() - 1));
-      fields_.back().datatype = pcl::PCLPointField::FLOAT32;
-      fields_.back().count = 1;
-    }
-  }
-  const std::vector<pcl::PCLPointField>& fields() const override { return fields_; }
-  std::size_t rowSize() const override { return sizeof(rows_.front()); }
-  std::size_t size() const override { return rows_.size(); }
-  void forEachPiece(const std::function<bool(const Piece&)>& see) const override
-  {
-    see({reinterpret_cast<const std::uint8_t*>(rows_.data()), 0, rows_.size()});
-  }
-
-private:
-  std::vector<std::array<float, 4>> rows_;
-  std::vector<pcl::PCLPointField> fields_;
-};
-
 TEST(LabelPicture, CountsFinitePointsByLabelAndCell)
 {
-  LabelCounts counts = labelCountsOf(LabelledRows(
-      {{0.01f, 0.01f, 0, 2}, {0.02f, 0.02f, 3, 2}, {0.06f, 0, 0, 9}, {NAN, 0, 0, 2}}));
+  pcl::PointCloud<pcl::PointXYZL> cloud;
+  for (const auto& [x, label] :
+       {std::pair(0.01F, 2U), {0.02F, 2U}, {0.06F, 9U}, {NAN, 2U}}) {
+    cloud.push_back({x, 0.01F, 0, label});
+  }
+  LabelCounts counts = labelCountsOf(sedr_test::RowsInPieces(cloud));
   EXPECT_EQ(counts.size(), 2u);
   EXPECT_EQ(counts[StructureLabel::Floor][keyOf({0, 0})], 2u);
   EXPECT_EQ(counts[StructureLabel::Other][keyOf({1, 0})], 1u) << "no such label";
@@ -133,24 +112,14 @@ TEST(RoomPicture, ShowsRoomsByStoreyWhatWasHiddenOfThemAndTheirHeights)
       << "the lower ceiling is darker";
 }
 
-/** 4 m x 3 m x 2.5 m. */
-PlanRoom
-boxRoom()
-{
-  PlanRoom room;
-  room.id = 1;
-  room.boundary = sedr_test::rectangle(0, 0, 4, 3);
-  room.ceiling.plane[3] = -2.5;
-  return room;
-}
-
 TEST(PlanPicture, TellsBoundaryPointsOnAWallFromOthers)
 {
   FittedBoundary boundary;
   for (const double support : {1.0, 0.0})
     boundary.samples.push_back(
         {Vector2d(1 + support, 1), Vector2d(1 + support, 1), Vector2d(1, 0), support});
-  const Picture picture = drawPlan({{boxRoom()}}, {boundary});
+  const Picture picture = drawPlan(
+      {{sedr_test::roomOf(sedr_test::rectangle(0, 0, 4, 3), 2.5)}}, {boundary});
   EXPECT_EQ(colourAt(picture, 0, {2, 1}), colours::wall);
   EXPECT_EQ(colourAt(picture, 0, {1, 1}), colours::recovered);
   EXPECT_EQ(colourAt(picture, 1, {2, 0}), colours::ink) << "a segment";
