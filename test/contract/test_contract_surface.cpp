@@ -101,7 +101,8 @@ public:
 
   PoissonAdaptor()
   {
-    parameter([this](double v) { stage_.setDepth(static_cast<int>(v)); }, 9, {2, 15});
+    // Coarse cells, to save time.
+    parameter([this](double v) { stage_.setDepth(static_cast<int>(v)); }, 6, {2, 15});
   }
 
   void setInput(const Cloud::ConstPtr& cloud)

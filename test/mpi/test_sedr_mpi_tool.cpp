@@ -118,7 +118,7 @@ TEST_F(SedrMpiTool, GivesTheBytesOfOneProcessForAnyNumberOfRanks)
   writeFile(in("scan.pcd"), twoRooms().pcd(false));
   Strings arguments{in("scan.pcd"), in("alone"), "--threads", "1"};
   ASSERT_EQ(run(SEDR, arguments).exit_code, 0);
-  for (const int ranks : {1, 2, 3, 4}) {
+  for (const int ranks : {1, 2, 3}) {
     arguments[1] = in("ranks_" + std::to_string(ranks));
     const ProgramRun result = mpirun(ranks, arguments);
     ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -204,7 +204,7 @@ TEST_F(SedrMpiTool, TakesAFolderAsOneScan)
   Strings arguments{in("scan.pcd"), in("alone"), "--no-mesh", "--threads", "1"};
   ASSERT_EQ(run(SEDR, arguments).exit_code, 0);
   arguments[0] = in("scans");
-  for (const int ranks : {1, 2, 3, 4}) {
+  for (const int ranks : {1, 4}) { // fewer and more than files
     arguments[1] = in("ranks_" + std::to_string(ranks));
     const ProgramRun result = mpirun(ranks, arguments);
     ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -224,13 +224,13 @@ TEST_F(SedrMpiTool, TellsWhatIsWrongOnceAndNotOnceARank)
                                    {"scan.pcd", "out", "--no-such-option"},
                                    {"scan.pcd", "out", "--voxel-size", "0"},
                                    {in("missing.pcd"), in("out")}}) {
-    const ProgramRun result = mpirun(3, arguments);
+    const ProgramRun result = mpirun(2, arguments);
     EXPECT_EQ(result.exit_code, 1);
     EXPECT_EQ(saidIn(result.err).size(), 1u) << result.err;
     EXPECT_EQ(result.out, "");
   }
   EXPECT_TRUE(isGone("out"));
-  const ProgramRun help = mpirun(3, {"--help"});
+  const ProgramRun help = mpirun(2, {"--help"});
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_EQ(help.err, "");
   const std::size_t usage = help.out.find("Usage: pcl_sedr_mpi SCAN... OUTPUT_DIR");

@@ -2,14 +2,12 @@
 #include "simulator/scan/scan.h"
 #include "simulator/scene/scenes.h"
 
-#include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_surface/indoor_structure_reconstruction.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>
 
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <cstring>
 #include <memory>
 #include <string>
 
@@ -165,26 +163,6 @@ TEST(Chain, finds_all_corners_of_soffit_and_recess)
   ASSERT_EQ(details.size(), 2U);
   EXPECT_EQ(details[0].boundary.elements.size(), 6U);
   EXPECT_EQ(details[1].boundary.elements.size(), 4U);
-}
-
-TEST(Chain, gives_the_same_bytes_for_any_number_of_threads)
-{
-  const auto scan = cloudOf("syn_flat");
-  std::string plans[2];
-  pcl::PointCloud<pcl::PointStructure> structures[2];
-  for (const unsigned threads : {1u, 2u}) {
-    Reconstruction chain;
-    chain.setInputCloud(scan);
-    chain.setNumberOfThreads(threads);
-    ASSERT_TRUE(chain.findStructure()) << chain.getErrorMessage();
-    plans[threads - 1] = pcl::sedr::floorplanToJson(*chain.getFloorplan());
-    structures[threads - 1] = *chain.getStructure();
-  }
-  EXPECT_EQ(plans[0], plans[1]);
-  ASSERT_EQ(structures[0].size(), structures[1].size());
-  EXPECT_EQ(std::memcmp(structures[0].data(), structures[1].data(),
-                        structures[0].size() * sizeof(pcl::PointStructure)),
-            0);
 }
 
 TEST(Chain, names_the_stage_that_found_nothing)
