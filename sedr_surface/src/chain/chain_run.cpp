@@ -2,21 +2,22 @@
 #include "chain_run.h"
 
 #include "sedr_filters/src/rays/sight_lines.h"
+#include "sedr_segmentation/src/scan/scan_check.h"
+#include "sedr_segmentation/src/scan/scan_inclination.h"
+#include "sedr_segmentation/src/scan/scan_tilt.h"
 #include "sedr_segmentation/src/scan/unit_check.h"
+
+#include <pcl/sedr_segmentation/tilted_faces.h>
 
 #include <chrono>
 #include <cmath>
-#include <map>
-
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 namespace pcl::sedr {
 
-template <typename Step>
 bool
-ChainRun::runStage(const std::string& name, std::size_t points_in, Step step)
+ChainRun::runStage(const std::string& name,
+                   std::size_t points_in,
+                   bool (ChainRun::*step)(StageReport&))
 {
   if (chain_.on_stage)
     chain_.on_stage(name);
@@ -27,7 +28,7 @@ ChainRun::runStage(const std::string& name, std::size_t points_in, Step step)
     return false;
   }
   const auto start = std::chrono::steady_clock::now();
-  const bool is_done = step(report);
+  const bool is_done = (this->*step)(report);
   report.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   chain_.reports.push_back(report);
@@ -66,6 +67,77 @@ ChainRun::warnOfLostPoints()
 }
 
 bool
+ChainRun::checkScan()
+{
+  chain_.failed_stage = "input";
+  if (const std::string wrong = problemOf(chain_.priors_); !wrong.empty())
+    return fail(wrong);
+  if (chain_.trust_up)
+    return true;
+  const PointView points(*chain_.cloud);
+  const pcl::IndicesPtr all = allIndices(chain_.cloud->size());
+  const unsigned threads = chain_.room_segmentation.getNumberOfThreads();
+  std::string reason =
+      upProblem(points, *all, RoomsAlongZ::NotLookedFor, 0, chain_.priors_);
+  if (reason.empty())
+    reason = inclinationProblem(points, *all, threads, chain_.priors_);
+  return reason.empty() || fail(reason);
+}
+
+namespace {
+
+/** @brief Returns the centre of the bounding box of the finite points. */
+Eigen::Vector3d
+middleOf(const StructureChain::Cloud& cloud)
+{
+  Eigen::AlignedBox3d box;
+  for (const auto& p : cloud)
+    if (p.getVector3fMap().allFinite())
+      box.extend(p.getVector3fMap().cast<double>().eval());
+  return box.isEmpty() ? Eigen::Vector3d::Zero().eval() : box.center();
+}
+
+} // namespace
+
+void
+ChainRun::levelScan()
+{
+  if (chain_.trust_up)
+    return;
+  const ScanTilt tilt =
+      tiltOf(PointView(*chain_.cloud), *allIndices(chain_.cloud->size()),
+             chain_.room_segmentation.getNumberOfThreads(), chain_.priors_);
+  if (!(tilt.angle > 0))
+    return;
+  chain_.levelling = Levelling::of(tilt.up, middleOf(*chain_.cloud));
+  for (auto& p : *chain_.cloud)
+    p.getVector3fMap() =
+        chain_.levelling->level(p.getVector3fMap().cast<double>()).cast<float>();
+  chain_.floorplan_fitting.moveRawPoints(
+      [&](const Eigen::Vector3d& p) { return chain_.levelling->level(p); });
+  if (sight_)
+    sight_ = std::make_shared<SightLines>(sight_->levelled(*chain_.levelling));
+  warn(warningOf(WarningKind::Levelled,
+                 chain_.keep_levelled ? "points, mesh and solid stay level"
+                                      : "points, mesh and solid are turned back",
+                 {chain_.levelling->angle() * 180 / M_PI,
+                  chain_.levelling->direction() * 180 / M_PI}));
+}
+
+void
+ChainRun::makeWallsVertical()
+{
+  faces_ = tiltedFaces(PointView(*chain_.cloud), *allIndices(chain_.cloud->size()),
+                       chain_.room_segmentation.getNumberOfThreads());
+  if (faces_.empty())
+    return;
+  scanned_.reset(new Cloud(*chain_.cloud));
+  for (auto& p : *chain_.cloud)
+    p.getVector3fMap() =
+        withVerticalWalls(faces_, p.getVector3fMap().cast<double>()).cast<float>();
+}
+
+bool
 ChainRun::findStructure()
 {
   warnOfLostPoints();
@@ -85,76 +157,22 @@ ChainRun::findStructure()
   levelScan();
   makeWallsVertical();
   const std::size_t n = chain_.cloud->size();
-  return runStage("RoomSegmentation", n, [&](auto& r) { return partRooms(r); }) &&
-         runStage("HorizontalPlaneDetection", n,
-                  [&](auto& r) { return findPlanes(r); }) &&
-         runStage("FloorProjectionRecovery", n,
-                  [&](auto& r) { return recoverFloors(r); }) &&
-         runStage("CeilingBoundaryWallGrowing", n,
-                  [&](auto& r) { return growWalls(r); }) &&
-         runStage("FloorplanFitting", chain_.cloud->size(),
-                  [&](auto& r) { return fitPlan(r); }) &&
-         runStage("OpeningDetection", chain_.cloud->size(),
-                  [&](auto& r) { return findOpenings(r); }) &&
-         runStage("StructureRefinement", chain_.cloud->size(),
-                  [&](auto& r) { return refine(r); }) &&
+  return runStage("RoomSegmentation", n, &ChainRun::partRooms) &&
+         runStage("HorizontalPlaneDetection", n, &ChainRun::findPlanes) &&
+         runStage("FloorProjectionRecovery", n, &ChainRun::recoverFloors) &&
+         runStage("CeilingBoundaryWallGrowing", n, &ChainRun::growWalls) &&
+         runStage("FloorplanFitting", chain_.cloud->size(), &ChainRun::fitPlan) &&
+         runStage("OpeningDetection", chain_.cloud->size(), &ChainRun::findOpenings) &&
+         runStage("StructureRefinement", chain_.cloud->size(), &ChainRun::refine) &&
          runStage("VerticalHoleRepair", chain_.reports.back().points_out,
-                  [&](auto& r) { return repair(r); }) &&
-         runStage("FloorplanExtrusion", chain_.structure->size(),
-                  [&](auto& r) { return extrude(r); });
-}
-
-namespace {
-
-/** @brief Returns freed memory to the system. Each thread keeps its own, and other
- * threads run the next stage. */
-void
-giveFreedMemoryBack()
-{
-#ifdef __GLIBC__
-  malloc_trim(0);
-#endif
-}
-
-} // namespace
-
-void
-ChainRun::compareVolumes()
-{
-  constexpr double exact = 0.2; // of a cell: how exact the surface of a mesh is
-  if (chain_.extrusion.getCutOpenings())
-    return; // the mesh has none
-
-  std::map<std::uint32_t, double> volumes; // of closed solids, by room
-  for (const RoomSolidReport& solid : chain_.extrusion.getReports())
-    if (solid.closed)
-      volumes[solid.room] = solid.volume;
-  for (const RoomPoissonReport& mesh : chain_.poisson.getReports()) {
-    const auto solid = volumes.find(mesh.room);
-    if (mesh.closed && solid != volumes.end() &&
-        std::abs(mesh.volume - solid->second) > exact * mesh.cell * mesh.area)
-      warn({WarningKind::MeshVolume, {mesh.volume, solid->second}, mesh.room});
-  }
+                  &ChainRun::repair) &&
+         runStage("FloorplanExtrusion", chain_.structure->size(), &ChainRun::extrude);
 }
 
 bool
 ChainRun::makeMesh()
 {
-  return runStage("StructuralPoisson", chain_.structure->size(),
-                  [&](StageReport& report) {
-                    chain_.poisson.setInputCloud(chain_.structure);
-                    const bool is_made = chain_.poisson.makeMesh();
-                    giveFreedMemoryBack();
-                    report.points_out = chain_.poisson.getMesh().vertices.size();
-                    if (!is_made)
-                      return fail(chain_.poisson.getErrorMessage());
-                    for (const RoomPoissonReport& mesh : chain_.poisson.getReports())
-                      for (const std::string* reason : {&mesh.problem, &mesh.warning})
-                        if (!reason->empty())
-                          warn({WarningKind::Mesh, {}, mesh.room, 0, *reason});
-                    compareVolumes();
-                    return true;
-                  });
+  return runStage("StructuralPoisson", chain_.structure->size(), &ChainRun::mesh);
 }
 
 } // namespace pcl::sedr

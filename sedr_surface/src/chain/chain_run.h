@@ -6,9 +6,7 @@
 #include "sedr_filters/src/base/labels.h"
 #include "sedr_segmentation/src/plan/room_territory.h"
 
-#include <limits>
 #include <numeric>
-#include <optional>
 #include <vector>
 
 namespace pcl::sedr {
@@ -71,9 +69,10 @@ public:
   bool fail(const std::string& reason);
 
 private:
-  /** @brief Runs one stage, `step(report)`, and stores its report. */
-  template <typename Step>
-  bool runStage(const std::string& name, std::size_t points_in, Step step);
+  /** @brief Runs one stage and stores its report. */
+  bool runStage(const std::string& name,
+                std::size_t points_in,
+                bool (ChainRun::*step)(StageReport&));
 
   /** @brief Adds a warning that a stage failed for one room; the others continue. */
   void warn(std::uint32_t room, const std::string& reason);
@@ -113,6 +112,7 @@ private:
   void warnOfGuesses();
   void compareVolumes();
   bool extrude(StageReport& report);
+  bool mesh(StageReport& report);
 
   /** @brief Gives a point a label and a room. */
   void give(int point, StructureLabel label, std::size_t room)

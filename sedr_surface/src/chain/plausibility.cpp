@@ -5,7 +5,6 @@
 #include <pcl/sedr_surface/plausibility.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl::sedr {
 
@@ -46,8 +45,12 @@ void
 addRoom(const Floorplan& plan, const PlanRoom& room, std::vector<PlanWarning>& found)
 {
   const TextSpot spot = textSpotIn(room.boundary, room.columns);
+  const auto addAt = [&](const Eigen::Vector2d& place, std::size_t wall,
+                         WarningKind kind, std::vector<double> values) {
+    found.push_back({kind, std::move(values), room.id, wall, {}, place});
+  };
   const auto add = [&](WarningKind kind, double value) {
-    found.push_back({kind, {value}, room.id, 0, {}, spot.place});
+    addAt(spot.place, 0, kind, {value});
   };
   const std::vector<PlanElement>& walls = room.boundary.elements;
   if (!hasWayIn(plan, room.id))
@@ -58,8 +61,7 @@ addRoom(const Floorplan& plan, const PlanRoom& room, std::vector<PlanWarning>& f
     add(WarningKind::NarrowRoom, 2 * spot.radius);
   const ClearHeight height = clearHeight(room);
   if (height.least < 0)
-    found.push_back(
-        {WarningKind::Height, {height.least}, room.id, 0, {}, height.lowest});
+    addAt(height.lowest, 0, WarningKind::Height, {height.least});
   else if (height.usual < min_height || height.usual > max_height)
     add(WarningKind::Height, height.usual);
   const double density = 10 * static_cast<double>(walls.size()) / room.perimeter();
@@ -68,12 +70,8 @@ addRoom(const Floorplan& plan, const PlanRoom& room, std::vector<PlanWarning>& f
   for (std::size_t e = 0; e < walls.size(); ++e)
     if (walls[e].isArc() &&
         riseOf(walls[e]) < 2 * std::max(walls[e].residual, min_noise))
-      found.push_back({WarningKind::FlatArc,
-                       {100 * riseOf(walls[e]), walls[e].radius},
-                       room.id,
-                       e + 1,
-                       {},
-                       walls[e].pointAt(walls[e].length() / 2)});
+      addAt(walls[e].pointAt(walls[e].length() / 2), e + 1, WarningKind::FlatArc,
+            {100 * riseOf(walls[e]), walls[e].radius});
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "chain_run.h"
 
+#include "../mesh/mesh_repair.h"
 #include "sedr_filters/src/rays/mirrored_points.h"
 
 #include <algorithm>
@@ -142,6 +143,41 @@ StructureChain::leaveOutMirrored(const ScanPositions& positions,
   for (std::size_t k = 0; k < rows.size(); ++k)
     if (found.of_rows[k] != 0)
       rows[k].setConstant(std::numeric_limits<float>::quiet_NaN());
+}
+
+TriangleMesh
+StructureChain::inScanFrame(TriangleMesh mesh) const
+{
+  if (!levelling || keep_levelled)
+    return mesh;
+  for (Eigen::Vector3d& v : mesh.vertices)
+    v = levelling->back(v);
+  return mesh;
+}
+
+StructureChain::StructureCloud::Ptr
+StructureChain::structureInScanFrame() const
+{
+  if (!levelling || keep_levelled)
+    return structure;
+  const StructureCloud::Ptr turned(new StructureCloud(*structure));
+  const Eigen::Matrix3d back = levelling->rotation.transpose();
+  for (auto& p : *turned) {
+    p.getVector3fMap() =
+        levelling->back(p.getVector3fMap().cast<double>()).cast<float>();
+    p.getNormalVector3fMap() =
+        (back * p.getNormalVector3fMap().cast<double>()).cast<float>();
+  }
+  return turned;
+}
+
+TriangleMesh
+StructureChain::meshInScanFrame() const
+{
+  TriangleMesh mesh = inScanFrame(poisson.getMesh());
+  if (isMeshMoved())
+    partEqualPositions(mesh); // as floats, two rotated positions may coincide
+  return mesh;
 }
 
 } // namespace pcl::sedr

@@ -4,7 +4,12 @@
 #include <pcl/sedr_filters/impl/refinement.h>
 #include <pcl/sedr_filters/wall_shares.h>
 
-#include <algorithm>
+#include <cmath>
+#include <map>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace pcl::sedr {
 
@@ -114,6 +119,56 @@ ChainRun::extrude(StageReport& report)
   for (const RoomSolidReport& solid : chain_.extrusion.getReports())
     if (!solid.problem.empty())
       warn({WarningKind::NoSolid, {}, solid.room, 0, solid.problem});
+  return true;
+}
+
+namespace {
+
+/** @brief Returns freed memory to the system. Each thread keeps its own, and other
+ * threads run the next stage. */
+void
+giveFreedMemoryBack()
+{
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
+} // namespace
+
+void
+ChainRun::compareVolumes()
+{
+  constexpr double exact = 0.2; // of a cell: how exact the surface of a mesh is
+  if (chain_.extrusion.getCutOpenings())
+    return; // the mesh has none
+
+  std::map<std::uint32_t, double> volumes; // of closed solids, by room
+  for (const RoomSolidReport& solid : chain_.extrusion.getReports())
+    if (solid.closed)
+      volumes[solid.room] = solid.volume;
+  for (const RoomPoissonReport& mesh : chain_.poisson.getReports()) {
+    const auto solid = volumes.find(mesh.room);
+    if (mesh.closed && solid != volumes.end() &&
+        std::abs(mesh.volume - solid->second) > exact * mesh.cell * mesh.area)
+      warn({WarningKind::MeshVolume, {mesh.volume, solid->second}, mesh.room});
+  }
+}
+
+bool
+ChainRun::mesh(StageReport& report)
+{
+  chain_.poisson.setInputCloud(chain_.structure);
+  const bool is_made = chain_.poisson.makeMesh();
+  giveFreedMemoryBack();
+  report.points_out = chain_.poisson.getMesh().vertices.size();
+  if (!is_made)
+    return fail(chain_.poisson.getErrorMessage());
+  for (const RoomPoissonReport& room : chain_.poisson.getReports())
+    for (const std::string* reason : {&room.problem, &room.warning})
+      if (!reason->empty())
+        warn({WarningKind::Mesh, {}, room.room, 0, *reason});
+  compareVolumes();
   return true;
 }
 

@@ -3,7 +3,6 @@
 #include "sedr_segmentation/src/plan/room_shares.h"
 #include "sedr_segmentation/src/plan/room_territory.h"
 #include "sedr_segmentation/src/planes/floor_parts.h"
-#include "sedr_segmentation/src/walls/wall_growing.h"
 
 #include "chain_run.h"
 
@@ -12,32 +11,15 @@
 #include "sedr_segmentation/src/rooms/room_planes.h"
 #include "sedr_segmentation/src/scan/cell_fill.h"
 #include "sedr_segmentation/src/scan/scan_check.h"
-#include "sedr_segmentation/src/scan/scan_inclination.h"
 #include "sedr_segmentation/src/scan/unit_check.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <set>
 
 namespace pcl::sedr {
-
-bool
-ChainRun::checkScan()
-{
-  chain_.failed_stage = "input";
-  if (const std::string wrong = problemOf(chain_.priors_); !wrong.empty())
-    return fail(wrong);
-  if (chain_.trust_up)
-    return true;
-  const PointView points(*chain_.cloud);
-  const pcl::IndicesPtr all = allIndices(chain_.cloud->size());
-  const unsigned threads = chain_.room_segmentation.getNumberOfThreads();
-  std::string reason =
-      upProblem(points, *all, RoomsAlongZ::NotLookedFor, 0, chain_.priors_);
-  if (reason.empty())
-    reason = inclinationProblem(points, *all, threads, chain_.priors_);
-  return reason.empty() || fail(reason);
-}
 
 namespace {
 
@@ -101,9 +83,9 @@ bool
 ChainRun::findPlanes(StageReport& report)
 {
   const double tolerance = chain_.plane_detection.getDistanceThreshold();
-  if (!(tolerance > 0) || !std::isfinite(tolerance))
-    return fail("the distance threshold must be above 0 m, it is " +
-                std::to_string(tolerance));
+  if (const auto wrong = lengthProblem("the distance threshold", tolerance);
+      !wrong.empty())
+    return fail(wrong);
   const double tilt = chain_.plane_detection.getMaximumTilt();
   if (!(tilt >= 0 && tilt <= M_PI / 4))
     return fail("the maximum tilt must be within 0 and pi/4 radians, it is " +
@@ -211,6 +193,96 @@ ChainRun::territories(const RoomTerritory& of_rooms) const
     if (room[i] >= 0)
       result[static_cast<std::size_t>(room[i])]->push_back(static_cast<int>(i));
   return result;
+}
+
+std::size_t
+ChainRun::labelLowerCeilings(std::size_t region)
+{
+  const PointView points(*chain_.cloud);
+  const CellGrid& columns = chain_.getBuilding().grid;
+  std::vector<CellKey> level_keys;
+  for (const RoomColumn& column : chain_.getBuilding().rooms[region].columns)
+    if (column.is_level)
+      level_keys.push_back(keyOf(column.cell));
+  const CellSet level(std::move(level_keys));
+  std::size_t found = 0;
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const int i : regions_[region].ceiling) {
+    const auto at = static_cast<std::size_t>(i);
+    if (chain_.labels[at] != 0)
+      continue;
+    if (!level.contains(columns.at(points[at].x(), points[at].y()))) {
+      give(i, StructureLabel::Ceiling, region + 1); // vault or roof
+      continue;
+    }
+    give(i, StructureLabel::Detail, region + 1);
+    ++found;
+    lowest = std::min<double>(lowest, points[at].z());
+  }
+  labelRisers(region);
+  // Below a soffit, walls grow from the floor's boundary, as below any detail.
+  double& slice = slice_height_[region];
+  if (found > 0 && !(slice < lowest))
+    slice = lowest - chain_.plane_detection.getGridSize();
+  return found;
+}
+
+void
+ChainRun::labelRisers(std::size_t region)
+{
+  constexpr double below = 0.4; // metres: what goes on so far down is a wall
+  constexpr double rim = 0.1;   // metres, of noise
+  const PointView points(*chain_.cloud);
+  const CellGrid& grid = chain_.getBuilding().grid;
+  std::map<CellKey, float> lowest; // of the parts of the ceiling, near each cell
+  for (const int i : regions_[region].ceiling) {
+    const Eigen::Vector3f p = points[static_cast<std::size_t>(i)];
+    if (chain_.labels[static_cast<std::size_t>(i)] != valueOf(StructureLabel::Detail))
+      continue;
+    const Cell cell = grid.at(p.x(), p.y());
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx) {
+        const auto known =
+            lowest.emplace(keyOf({cell.x + dx, cell.y + dy}), p.z()).first;
+        known->second = std::min(known->second, p.z());
+      }
+  }
+  if (lowest.empty())
+    return;
+  std::map<CellKey, pcl::Indices> risers;
+  std::set<CellKey> walls;
+  for (const int i : *territory_[region]) {
+    const auto at = static_cast<std::size_t>(i);
+    const Eigen::Vector3f p = points[at];
+    if (chain_.labels[at] != 0)
+      continue;
+    const auto low = lowest.find(keyOf(grid.at(p.x(), p.y())));
+    if (low == lowest.end())
+      continue;
+    if (p.z() > low->second - rim &&
+        distanceAbove(regions_[region].ceiling_slab, p) < 0)
+      risers[low->first].push_back(i);
+    else if (p.z() < low->second - rim && p.z() > low->second - below)
+      walls.insert(low->first);
+  }
+  for (const auto& [cell, own] : risers)
+    if (walls.count(cell) == 0)
+      for (const int i : own)
+        give(i, StructureLabel::Detail, region + 1);
+}
+
+pcl::IndicesPtr
+ChainRun::sheetPoints() const
+{
+  pcl::IndicesPtr sheets(new pcl::Indices);
+  for (std::size_t r = 0; r < regions_.size(); ++r)
+    for (const int i : regions_[r].ceiling)
+      if (const auto at = static_cast<std::size_t>(i);
+          at < chain_.scanned_points_ && // others fill hidden ceilings
+          chain_.rooms[at] == r + 1)     // else floor of the one above
+        sheets->push_back(i);
+  std::sort(sheets->begin(), sheets->end());
+  return sheets;
 }
 
 } // namespace pcl::sedr

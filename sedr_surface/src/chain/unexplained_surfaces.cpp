@@ -2,27 +2,14 @@
 #include "chain_run.h"
 #include "seen_surfaces.h"
 
-#include "sedr_filters/src/plan/plan_bounds.h"
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <optional>
 
 namespace pcl::sedr {
 
 namespace {
-
-/** @brief A floor or ceiling of a room: what was seen of it, and its model. */
-struct SlabSurface {
-  WarningKind kind;
-  bool RoomColumn::*is_seen;
-  float RoomColumn::*height;
-  std::function<double(const Eigen::Vector2d&)> model;
-  std::function<bool(CellKey)> isOnModel;
-};
 
 /** @brief Removes connected cells up to an area, square metres. */
 CellSet
@@ -37,16 +24,19 @@ largeOf(std::vector<CellKey> keys, double size, double area)
   return CellSet(std::move(large));
 }
 
+/** @brief Warns of a floor or ceiling of a room if much of it was seen off its model.
+ */
 void
-addSlab(const SlabSurface& surface,
+addSlab(const RoomLookup& model,
+        bool is_floor,
+        const std::function<bool(CellKey)>& isOnModel,
         const BuildingRoom& seen,
         const CellGrid& grid,
-        const PlanRoom& room,
         const Priors& priors,
         std::vector<PlanWarning>& warnings)
 {
   constexpr double told_share = 0.02; // of the area of a room
-  const bool is_floor = surface.kind == WarningKind::FloorOff;
+  const PlanRoom& room = model.room();
   const double floor = room.floorAt(room.boundary.elements.front().start);
   std::vector<CellKey> keys; // increasing, as the columns
   std::vector<double> heights;
@@ -56,17 +46,19 @@ addSlab(const SlabSurface& surface,
     const auto isBeside = [&](const PlanLoop& loop) {
       return loop.distance(at) < 2 * grid.size();
     };
-    if (!(column.*surface.is_seen) || isBeside(room.boundary) || !room.contains(at) ||
+    const bool is_seen = is_floor ? column.floor_seen : column.ceiling_seen;
+    if (!is_seen || isBeside(room.boundary) || !room.contains(at) ||
         std::any_of(room.columns.begin(), room.columns.end(), isBeside) ||
-        surface.isOnModel(keyOf(column.cell)))
+        isOnModel(keyOf(column.cell)))
       continue;
-    const double z = column.*surface.height;
+    const double z = is_floor ? column.floor : column.ceiling;
     // Of the model, wide on a slope and at a step.
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     for (const double x : {-1.0, 0.0, 1.0})
       for (const double y : {-1.0, 0.0, 1.0}) {
-        const double height = surface.model(at + grid.size() * Eigen::Vector2d(x, y));
+        const Eigen::Vector2d place = at + grid.size() * Eigen::Vector2d(x, y);
+        const double height = is_floor ? model.floorAt(place) : model.ceilingAt(place);
         low = std::min(low, height - off_slab);
         high = std::max(high, height + off_slab);
       }
@@ -93,7 +85,7 @@ addSlab(const SlabSurface& surface,
   heights.resize(kept);
   const Patches found(std::move(keys), heights, grid.size());
   if (found.count > 0 && found.area >= told_share * room.area())
-    warnings.push_back({surface.kind,
+    warnings.push_back({is_floor ? WarningKind::FloorOff : WarningKind::CeilingOff,
                         {found.area, found.low, found.high},
                         room.id,
                         0,
@@ -145,14 +137,10 @@ unexplainedSurfaces(const PointView& points,
       continue;
     const RoomLookup model(room);
     for (const bool is_floor : {false, true})
-      addSlab({is_floor ? WarningKind::FloorOff : WarningKind::CeilingOff,
-               is_floor ? &RoomColumn::floor_seen : &RoomColumn::ceiling_seen,
-               is_floor ? &RoomColumn::floor : &RoomColumn::ceiling,
-               [&](const Eigen::Vector2d& p) {
-                 return is_floor ? model.floorAt(p) : model.ceilingAt(p);
-               },
-               [&](CellKey cell) { return surfaces.isOnSlab(r, cell, is_floor); }},
-              *seen, building.grid, room, priors, warnings);
+      addSlab(
+          model, is_floor,
+          [&](CellKey cell) { return surfaces.isOnSlab(r, cell, is_floor); }, *seen,
+          building.grid, priors, warnings);
   }
   surfaces.tell(warnings);
   addLeftOut(building, plan, warnings);

@@ -3,11 +3,9 @@
 #include "sedr_filters/src/base/labels.h"
 
 #include <pcl/sedr_surface/mesh_io.h>
-#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -15,7 +13,6 @@
 #include <sstream>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 namespace pcl::sedr {
 

@@ -3,15 +3,12 @@
 
 #include "ifc_parts.h"
 
-#include <pcl/sedr_surface/floorplan_ifc.h>
-
 #include <boost/uuid/name_generator_sha1.hpp>
 #include <boost/uuid/string_generator.hpp>
 #include <boost/uuid/uuid.hpp>
 
 #include <algorithm>
 #include <map>
-#include <utility>
 
 namespace pcl::sedr::ifc {
 namespace {

@@ -4,7 +4,6 @@
 #include "ifc_shapes.h"
 #include "step_file.h"
 
-#include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_surface/floorplan_ifc.h>
 #include <pcl/sedr_surface/room_solid.h>
 

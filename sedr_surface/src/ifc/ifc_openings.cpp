@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ifc_parts.h"
-#include "sedr_filters/src/plan/plan_bounds.h"
 
 #include <algorithm>
 #include <cmath>

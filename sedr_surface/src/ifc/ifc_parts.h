@@ -3,8 +3,12 @@
 
 #include "../walls/plan_area.h"
 #include "ifc_document.h"
+#include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_filters/src/plan/plan_segment.h"
 #include "sedr_filters/src/walls/plan_walls.h"
 #include "wall_body.h"
+
+#include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
 #include <functional>

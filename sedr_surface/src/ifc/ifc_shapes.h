@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "sedr_filters/src/plan/plan_segment.h"
 #include "sedr_filters/src/walls/plan_walls.h"
 #include "step_file.h"
 

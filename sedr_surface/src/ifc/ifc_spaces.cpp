@@ -2,7 +2,6 @@
 #include "ifc_parts.h"
 #include "level_slab.h"
 
-#include <pcl/sedr_filters/plan_measures.h>
 #include <pcl/sedr_filters/wall_shares.h>
 
 #include <algorithm>

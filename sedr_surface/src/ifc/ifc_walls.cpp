@@ -2,8 +2,6 @@
 #include "ifc_parts.h"
 #include "wall_body.h"
 
-#include "sedr_filters/src/plan/plan_bounds.h"
-
 #include <algorithm>
 #include <map>
 

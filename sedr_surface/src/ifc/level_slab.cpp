@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "level_slab.h"
 
+#include "../mesh/mesh_repair.h"
+#include "sedr_filters/src/plan/plan_bounds.h"
+
 #include <algorithm>
 #include <map>
 #include <numeric>
-#include <set>
-#include <utility>
 
 namespace pcl::sedr::ifc {
 namespace {
@@ -80,7 +81,6 @@ prismOn(const TriangleMesh& mesh,
 {
   TriangleMesh prism;
   std::map<std::uint32_t, std::uint32_t> taken;
-  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (const std::size_t t : triangles) {
     Triangle own;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -92,9 +92,8 @@ prismOn(const TriangleMesh& mesh,
       own[k] = at->second;
     }
     prism.triangles.push_back(own);
-    for (std::size_t k = 0; k < 3; ++k)
-      edges.emplace(own[k], own[(k + 1) % 3]);
   }
+  const std::set<MeshEdge> rim = rimOf(prism.triangles);
   const auto n = static_cast<std::uint32_t>(prism.vertices.size());
   for (std::uint32_t v = 0; v < n; ++v) {
     const Eigen::Vector3d p = prism.vertices[v];
@@ -104,11 +103,10 @@ prismOn(const TriangleMesh& mesh,
     const Triangle own = prism.triangles[t];
     prism.triangles.push_back({own[0] + n, own[2] + n, own[1] + n});
   }
-  for (const auto& [a, b] : edges)
-    if (edges.count({b, a}) == 0) { // the rim
-      prism.triangles.push_back({b, a, a + n});
-      prism.triangles.push_back({b, a + n, b + n});
-    }
+  for (const auto& [a, b] : rim) {
+    prism.triangles.push_back({b, a, a + n});
+    prism.triangles.push_back({b, a + n, b + n});
+  }
   if (prism.signedVolume() < 0)
     prism.flip();
   return prism;

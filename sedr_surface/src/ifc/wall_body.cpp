@@ -9,12 +9,9 @@
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <iterator>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace pcl::sedr::ifc {
 namespace {

@@ -2,10 +2,7 @@
 #pragma once
 
 #include "../walls/plan_area.h"
-#include "ifc_shapes.h"
 #include "sedr_filters/src/walls/plan_walls.h"
-
-#include <pcl/sedr_filters/tilted_walls.h>
 
 #include <cmath>
 #include <cstddef>

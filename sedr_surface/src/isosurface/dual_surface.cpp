@@ -4,15 +4,12 @@
 #include "sedr_filters/src/base/parallel_for.h"
 #include "surface_planes.h"
 
-#include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <vector>
 
 namespace pcl::sedr {
 namespace {

@@ -3,11 +3,8 @@
 #include <pcl/sedr_surface/mesh_distance.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
-#include <utility>
 
 #include <unsupported/Eigen/BVH>
 

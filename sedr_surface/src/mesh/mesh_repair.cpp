@@ -8,9 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <set>
 #include <tuple>
-#include <vector>
 
 namespace pcl::sedr {
 namespace {
@@ -61,6 +59,19 @@ freePosition(const Eigen::Vector3d& from,
 }
 
 } // namespace
+
+std::set<MeshEdge>
+rimOf(const std::vector<Triangle>& triangles)
+{
+  std::set<MeshEdge> rim;
+  for (const Triangle& triangle : triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const MeshEdge edge(triangle[i], triangle[(i + 1) % 3]);
+      if (rim.erase({edge.second, edge.first}) == 0)
+        rim.insert(edge);
+    }
+  return rim;
+}
 
 std::size_t
 weldVertices(TriangleMesh& mesh)
@@ -113,8 +124,8 @@ keepLargestComponent(TriangleMesh& mesh)
   const auto component = labelComponents(mesh);
   std::vector<double> areas;
   for (std::size_t t = 0; t < component.size(); ++t) {
-    if (component[t] >= areas.size())
-      areas.resize(component[t] + 1u, 0.);
+    if (component[t] == areas.size())
+      areas.push_back(0);
     areas[component[t]] += mesh.scaledNormal(t).norm() / 2;
   }
   if (areas.size() <= 1)

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -25,6 +26,12 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>>
 findSelfIntersections(const TriangleMesh& mesh,
                       double tolerance = 1e-6,
                       std::size_t most = 1000);
+
+using MeshEdge = std::pair<std::uint32_t, std::uint32_t>; ///< directed
+
+/** @brief Returns the edges of triangles that none of them has in the opposite
+ * direction. O(n log n). */
+std::set<MeshEdge> rimOf(const std::vector<Triangle>& triangles);
 
 /** @brief Merges vertices at equal positions. Triangles may become degenerate. O(n log
  * n).

@@ -3,7 +3,6 @@
 #include <pcl/sedr_surface/mesh_topology.h>
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -141,9 +140,7 @@ countFans(const TriangleMesh& mesh,
 }
 
 std::vector<std::uint32_t>
-labelComponents(const TriangleMesh& mesh,
-                const std::vector<EdgeUse>& uses,
-                std::uint32_t& count)
+labelComponents(const TriangleMesh& mesh, const std::vector<EdgeUse>& uses)
 {
   DisjointSets<> sets(mesh.triangles.size());
   forEachEdge(uses, [&sets](auto first, auto last) {
@@ -151,7 +148,7 @@ labelComponents(const TriangleMesh& mesh,
       sets.join(first->triangle, use->triangle);
   });
   std::vector<std::uint32_t> component(mesh.triangles.size());
-  count = 0;
+  std::uint32_t count = 0;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const std::uint32_t root = sets.find(t); // the lowest, so it already has its number
     component[t] = root == t ? count++ : component[root];
@@ -164,20 +161,18 @@ measureComponents(const TriangleMesh& mesh,
                   const std::vector<EdgeUse>& uses,
                   MeshTopology& topology)
 {
-  std::uint32_t count = 0;
-  const auto component = labelComponents(mesh, uses, count);
-  topology.components.assign(count, {});
-  std::vector<Eigen::Vector3d> origins(count);
-  for (auto& c : topology.components)
-    c.closed = true;
+  const auto component = labelComponents(mesh, uses);
+  std::vector<Eigen::Vector3d> origins; // of the components
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (component[t] == origins.size()) {
+      origins.push_back(mesh.corner(t, 0));
+      topology.components.push_back({0, 0, 0, true});
+    }
     MeshComponent& c = topology.components[component[t]];
-    if (c.triangles++ == 0)
-      origins[component[t]] = mesh.corner(t, 0);
-    const Eigen::Vector3d& origin = origins[component[t]];
     const Eigen::Vector3d normal = mesh.scaledNormal(t);
+    ++c.triangles;
     c.area += normal.norm() / 2;
-    c.signed_volume += (mesh.corner(t, 0) - origin).dot(normal) / 6;
+    c.signed_volume += (mesh.corner(t, 0) - origins[component[t]]).dot(normal) / 6;
   }
   forEachEdge(uses, [&](auto first, auto last) {
     if (last - first == 1)
@@ -231,8 +226,7 @@ checkTopology(const TriangleMesh& mesh)
 std::vector<std::uint32_t>
 labelComponents(const TriangleMesh& mesh)
 {
-  std::uint32_t count = 0;
-  return labelComponents(mesh, collectEdges(mesh.triangles), count);
+  return labelComponents(mesh, collectEdges(mesh.triangles));
 }
 
 } // namespace pcl::sedr

@@ -3,10 +3,6 @@
 
 #include <pcl/sedr_surface/impl/room_samples.h>
 #include <pcl/sedr_surface/structural_poisson.h>
-#include <pcl/sedr_surface/triangle_mesh.h>
-
-#include <cstdint>
-#include <vector>
 
 namespace pcl::sedr {
 

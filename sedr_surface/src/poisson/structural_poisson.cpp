@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <mutex>
 #include <numeric>
 
 namespace pcl::sedr {
@@ -66,33 +65,18 @@ makeSurfaces(std::map<std::uint32_t, RoomSamples>& rooms,
     all.push_back(&room);
   }
   std::vector<RoomSurface> surfaces(all.size());
-  std::vector<char> is_made(all.size(), 0);
-  std::size_t next = 0;
-  const auto addMade = [&] { // frees each
-    for (; next < all.size() && is_made[next] != 0; ++next) {
-      mesh.append(surfaces[next].mesh);
-      reports.push_back(surfaces[next].report);
-      surfaces[next] = {};
-    }
-  };
-  std::mutex one_at_a_time;
-  forEachRoom(sizes, resolveThreads(parameters.threads),
-              [&](std::size_t k, unsigned threads) {
-                RoomPoissonParameters own = parameters;
-                own.threads = threads;
-                const RoomSamples room = std::move(*all[mine[k]]);
-                RoomSurface surface = surfaceOf(room, own);
-                const std::lock_guard<std::mutex> lock(one_at_a_time);
-                surfaces[mine[k]] = std::move(surface);
-                is_made[mine[k]] = 1;
-                if (!sharing.complete)
-                  addMade();
-              });
-  if (!sharing.complete)
-    return;
-  sharing.complete(surfaces);
-  is_made.assign(all.size(), 1);
-  addMade();
+  forEachRoom(
+      sizes, resolveThreads(parameters.threads), [&](std::size_t k, unsigned threads) {
+        const RoomSamples room = std::move(*all[mine[k]]); // freed with the call
+        surfaces[mine[k]] = surfaceOf(room, {parameters.depth, threads});
+      });
+  if (sharing.complete)
+    sharing.complete(surfaces);
+  for (RoomSurface& surface : surfaces) {
+    mesh.append(surface.mesh);
+    reports.push_back(std::move(surface.report));
+    surface = {}; // frees it
+  }
 }
 
 std::string

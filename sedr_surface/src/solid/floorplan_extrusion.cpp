@@ -7,7 +7,6 @@
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_surface/impl/floorplan_extrusion.hpp>
 
-#include <algorithm>
 #include <optional>
 #include <set>
 #include <utility>

@@ -7,7 +7,6 @@
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace pcl::sedr {

@@ -4,7 +4,6 @@
 #include <pcl/sedr_filters/plan_warning.h>
 
 #include "../triangulation/plan_grid.h"
-#include "plan_facets.h"
 #include "room_layers.h"
 
 #include <cstddef>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../mesh/mesh_repair.h"
 #include "opening_reveals.h"
 
 #include <pcl/sedr_surface/mesh_topology.h>
@@ -13,16 +14,8 @@ namespace pcl::sedr {
 
 namespace {
 
-using Edge = std::pair<std::uint32_t, std::uint32_t>; ///< directed
-
-/** @brief The face at which a reveal ends in the middle of its wall. */
-struct Cap {
-  std::vector<std::size_t> triangles;
-  std::set<Edge> rim;
-  std::set<std::uint32_t> corners;
-};
-
-/** @brief Joins pairs of caps of a mesh. */
+/** @brief Joins pairs of caps of a mesh: the faces at which reveals end in the middle
+ * of their wall. */
 class Joints {
 public:
   explicit Joints(TriangleMesh& mesh)
@@ -31,47 +24,42 @@ public:
       , is_kept_(mesh.triangles.size(), true)
   {
     std::iota(joined_.begin(), joined_.end(), 0u);
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      Cap& cap = caps_[mesh.elements[t]];
-      cap.triangles.push_back(t);
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Edge edge(mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]);
-        cap.corners.insert(edge.first);
-        if (cap.rim.erase({edge.second, edge.first}) == 0)
-          cap.rim.insert(edge);
-      }
-    }
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      faces_[mesh.elements[t]].push_back(t);
   }
 
-  bool has(std::uint32_t element) const { return caps_.count(element) > 0; }
+  bool has(std::uint32_t element) const { return faces_.count(element) > 0; }
 
   /** @brief Joins two caps if they have the same rim. */
   bool join(std::uint32_t element, std::uint32_t other)
   {
     if (!has(element) || !has(other))
       return false;
-    const Cap& a = caps_[element];
-    const Cap& b = caps_[other];
+    const std::set<MeshEdge> a = rimOfFace(element);
+    const std::set<MeshEdge> b = rimOfFace(other);
     std::map<std::uint32_t, std::uint32_t> mate; // of b's corners
     std::set<std::uint32_t> taken;
-    for (const std::uint32_t v : b.corners) {
-      const std::uint32_t nearest = *std::min_element(
-          a.corners.begin(), a.corners.end(), [&](std::uint32_t p, std::uint32_t q) {
-            return distance(p, v) < distance(q, v);
-          });
+    for (const MeshEdge& edge : b) {
+      const std::uint32_t v = edge.first;
+      const std::uint32_t nearest =
+          std::min_element(a.begin(), a.end(),
+                           [&](const MeshEdge& p, const MeshEdge& q) {
+                             return distance(p.first, v) < distance(q.first, v);
+                           })
+              ->first;
       if (distance(nearest, v) > near || !taken.insert(nearest).second)
         return false;
       mate[v] = nearest;
     }
-    if (a.rim.size() != b.rim.size() ||
-        std::any_of(b.rim.begin(), b.rim.end(), [&](const Edge& edge) {
-          return a.rim.count({mate[edge.second], mate[edge.first]}) == 0;
+    if (a.size() != b.size() ||
+        std::any_of(b.begin(), b.end(), [&](const MeshEdge& edge) {
+          return a.count({mate[edge.second], mate[edge.first]}) == 0;
         }))
       return false;
     for (const auto& [from, to] : mate)
       joined_[find(from)] = find(to);
-    for (const Cap* cap : {&a, &b})
-      for (const std::size_t t : cap->triangles)
+    for (const std::uint32_t face : {element, other})
+      for (const std::size_t t : faces_[face])
         is_kept_[t] = false;
     return true;
   }
@@ -93,6 +81,14 @@ private:
     return (mesh_.vertices[a] - mesh_.vertices[b]).norm();
   }
 
+  std::set<MeshEdge> rimOfFace(std::uint32_t element) const
+  {
+    std::vector<Triangle> face;
+    for (const std::size_t t : faces_.at(element))
+      face.push_back(mesh_.triangles[t]);
+    return rimOf(face);
+  }
+
   std::uint32_t find(std::uint32_t v) const
   {
     while (joined_[v] != v)
@@ -101,7 +97,7 @@ private:
   }
 
   TriangleMesh& mesh_;
-  std::map<std::uint32_t, Cap> caps_; ///< faces by element
+  std::map<std::uint32_t, std::vector<std::size_t>> faces_; ///< triangles by element
   std::vector<std::uint32_t> joined_; ///< vertex that each has become
   std::vector<bool> is_kept_;         ///< triangles
 };

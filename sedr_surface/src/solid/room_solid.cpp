@@ -6,20 +6,14 @@
 #include "tilted_solid.h"
 #include "vertex_levels.h"
 
-#include <pcl/sedr_filters/tilted_walls.h>
 #include <pcl/sedr_surface/room_solid.h>
-#include <pcl/sedr_surface/triangle_mesh.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <map>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace pcl::sedr {
 namespace {

@@ -2,7 +2,6 @@
 #include "slab_creases.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tilted_solid.h"
 
+#include "../mesh/mesh_repair.h"
 #include "../triangulation/constrained_triangulation.h"
 #include "../triangulation/plan_grid.h"
 #include "sedr_filters/src/plan/plan_arcs.h"
@@ -19,8 +20,6 @@
 
 namespace pcl::sedr {
 namespace {
-
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
 /** @brief A surface that a vertex lies on. */
 struct Surface {
@@ -148,31 +147,29 @@ private:
 
   bool triangulate(std::size_t element, bool faces_up)
   {
-    std::set<Edge> rim; // directed
+    std::vector<Triangle> old;
     for (std::size_t t = 0; t < solid_.triangles.size(); ++t)
-      for (std::size_t i = 0; solid_.elements[t] == element && i < 3; ++i) {
-        const Edge edge(solid_.triangles[t][i], solid_.triangles[t][(i + 1) % 3]);
-        if (rim.erase({edge.second, edge.first}) == 0)
-          rim.insert(edge);
-      }
+      if (solid_.elements[t] == element)
+        old.push_back(solid_.triangles[t]);
+    const std::set<MeshEdge> rim = rimOf(old);
     Eigen::AlignedBox2d box;
-    for (const Edge& edge : rim)
+    for (const MeshEdge& edge : rim)
       box.extend(solid_.vertices[edge.first].head<2>().eval());
     const PlanGrid grid(box);
     std::vector<GridPoint> points(solid_.vertices.size());
-    for (const Edge& edge : rim)
+    for (const MeshEdge& edge : rim)
       points[edge.first] = grid.toGrid(solid_.vertices[edge.first].head<2>());
     const auto faces = trianglesWithin(points, {rim.begin(), rim.end()});
-    std::size_t next = 0;
-    for (std::size_t t = 0; faces && t < solid_.triangles.size(); ++t)
+    if (!faces || faces->size() != old.size())
+      return false; // only if the rim crosses itself
+    auto face = faces->begin();
+    for (std::size_t t = 0; t < solid_.triangles.size(); ++t)
       if (solid_.elements[t] == element) {
-        if (next == faces->size())
-          return false; // only if the rim crosses itself
-        for (std::size_t i = 0; i < 3; ++i)
-          solid_.triangles[t][i] = (*faces)[next][faces_up ? i : 2 - i];
-        ++next;
+        solid_.triangles[t] = *face++;
+        if (!faces_up)
+          std::swap(solid_.triangles[t][0], solid_.triangles[t][2]);
       }
-    return faces && next == faces->size();
+    return true;
   }
 
   const RoomLayers& layers_;

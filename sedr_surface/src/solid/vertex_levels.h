@@ -3,7 +3,6 @@
 
 #include "plan_subdivision.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "band_grid.h"
 
-#include <algorithm>
 #include <cstring>
 
 namespace pcl::sedr {

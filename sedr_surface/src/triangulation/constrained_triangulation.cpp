@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "constrained_triangulation.h"
 
-#include "delaunay.h"
-
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <deque>
 #include <map>
 #include <set>
-#include <utility>
-#include <vector>
 
 namespace pcl::sedr {
 namespace {

@@ -83,11 +83,18 @@ public:
   }
 
   /** @brief Sets the voxel size of down-sampling, metres. Default 0.05. */
-  void setVoxelSize(float size);
+  void setVoxelSize(float size)
+  {
+    voxel_grid_.setLeafSize(size, size, size);
+    chain_.wall_growing.setDistanceThreshold(2 * getGridSize() + size);
+  }
   float getVoxelSize() const { return voxel_grid_.getLeafSize().x(); }
 
   /** @brief Sets the "tolerance of plane", metres. Default 0.07. */
-  void setPlaneTolerance(double tolerance);
+  void setPlaneTolerance(double tolerance)
+  {
+    chain_.plane_detection.setDistanceThreshold(tolerance);
+  }
   double getPlaneTolerance() const
   {
     return chain_.plane_detection.getDistanceThreshold();
@@ -95,12 +102,20 @@ public:
 
   /** @brief Sets the cell size of all stages, metres. Default 0.05. After a run with an
    * adaptive grid, the getter returns the size that was used. */
-  void setGridSize(double size);
+  void setGridSize(double size)
+  {
+    chain_.setGridSize(size);
+    chain_.wall_growing.setDistanceThreshold(2 * size + getVoxelSize());
+  }
   double getGridSize() const { return chain_.plane_detection.getGridSize(); }
 
   /** @brief Sets the angle (radians) and the number of neighbours of boundary
    * estimation. Default 60 degrees and 200. */
-  void setBoundaryEstimation(double angle, unsigned neighbours);
+  void setBoundaryEstimation(double angle, unsigned neighbours)
+  {
+    chain_.wall_growing.setAngleThreshold(static_cast<float>(angle));
+    chain_.wall_growing.setNumberOfNeighbors(neighbours);
+  }
   double getBoundaryAngle() const { return chain_.wall_growing.getAngleThreshold(); }
   unsigned getBoundaryNeighbors() const
   {
@@ -128,7 +143,11 @@ public:
   const sedr::Priors& getPriors() const { return chain_.getPriors(); }
 
   /** @brief Sets the seed of all random samples. Default 1. */
-  void setSeed(std::uint64_t seed);
+  void setSeed(std::uint64_t seed)
+  {
+    chain_.plane_detection.setSeed(seed);
+    chain_.floorplan_fitting.setSeed(seed);
+  }
   std::uint64_t getSeed() const { return chain_.plane_detection.getSeed(); }
 
   ParallelVoxelGrid<PointT>& getVoxelGrid() { return voxel_grid_; }

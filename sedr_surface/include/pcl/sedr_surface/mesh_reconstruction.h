@@ -22,8 +22,8 @@ public:
    * none. Its vertices are single precision; getMesh() has double precision. */
   void reconstruct(pcl::PolygonMesh& output) override;
 
-  /** @brief As above. If the point type has such fields, each point gets the room and
-   * the mean normal of its triangles. */
+  /** @brief As above. If the point type has such fields, each point gets the room, the
+   * label and the mean normal of its triangles. */
   void reconstruct(PointCloud& points, std::vector<pcl::Vertices>& polygons) override;
 
   /** @brief Returns the mesh of the last run in double precision, with the room of

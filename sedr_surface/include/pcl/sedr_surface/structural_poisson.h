@@ -94,7 +94,6 @@ class StructuralPoisson : public sedr::MeshReconstruction<PointNT> {
 public:
   using Ptr = pcl::shared_ptr<StructuralPoisson<PointNT>>;
   using ConstPtr = pcl::shared_ptr<const StructuralPoisson<PointNT>>;
-  using PointCloud = pcl::PointCloud<PointNT>;
 
   /** @brief Runs reconstruct() for getMesh() alone, without PCL's form of the mesh,
    * which is several times as large.
@@ -132,14 +131,9 @@ protected:
 
   using sedr::MeshReconstruction<PointNT>::mesh_;
   using sedr::MeshReconstruction<PointNT>::fail;
-  using sedr::MeshReconstruction<PointNT>::performReconstruction;
 
   /** @brief Reconstructs into mesh_. */
   bool run() override;
-
-  /** @brief Adds the label to the points. */
-  void performReconstruction(PointCloud& points,
-                             std::vector<pcl::Vertices>& polygons) override;
 
 private:
   std::string makeSurfaces();

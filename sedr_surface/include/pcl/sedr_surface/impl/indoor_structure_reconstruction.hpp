@@ -43,38 +43,6 @@ IndoorStructureReconstruction<PointT>::~IndoorStructureReconstruction() = defaul
 
 template <typename PointT>
 void
-IndoorStructureReconstruction<PointT>::setVoxelSize(float size)
-{
-  voxel_grid_.setLeafSize(size, size, size);
-  chain_.wall_growing.setDistanceThreshold(2 * getGridSize() + size);
-}
-
-template <typename PointT>
-void
-IndoorStructureReconstruction<PointT>::setPlaneTolerance(double tolerance)
-{
-  chain_.plane_detection.setDistanceThreshold(tolerance);
-}
-
-template <typename PointT>
-void
-IndoorStructureReconstruction<PointT>::setGridSize(double size)
-{
-  chain_.setGridSize(size);
-  chain_.wall_growing.setDistanceThreshold(2 * size + getVoxelSize());
-}
-
-template <typename PointT>
-void
-IndoorStructureReconstruction<PointT>::setBoundaryEstimation(double angle,
-                                                             unsigned neighbours)
-{
-  chain_.wall_growing.setAngleThreshold(static_cast<float>(angle));
-  chain_.wall_growing.setNumberOfNeighbors(neighbours);
-}
-
-template <typename PointT>
-void
 IndoorStructureReconstruction<PointT>::setNumberOfThreads(unsigned threads)
 {
   threads_ = threads;
@@ -87,14 +55,6 @@ IndoorStructureReconstruction<PointT>::setNumberOfThreads(unsigned threads)
   chain_.refinement.setNumberOfThreads(threads);
   chain_.hole_repair.setNumberOfThreads(threads);
   chain_.poisson.setNumberOfThreads(threads);
-}
-
-template <typename PointT>
-void
-IndoorStructureReconstruction<PointT>::setSeed(std::uint64_t seed)
-{
-  chain_.plane_detection.setSeed(seed);
-  chain_.floorplan_fitting.setSeed(seed);
 }
 
 template <typename PointT>

@@ -78,6 +78,8 @@ MeshReconstruction<PointT>::performReconstruction(PointCloud& points,
       normals[v] += mesh_.scaledNormal(t);
       if constexpr (pcl::traits::has_field<PointT, pcl::fields::room>::value)
         points[v].room = mesh_.rooms[t];
+      if constexpr (pcl::traits::has_field<PointT, pcl::fields::label>::value)
+        points[v].label = mesh_.labels.empty() ? 0 : mesh_.labels[t];
     }
   }
   for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {

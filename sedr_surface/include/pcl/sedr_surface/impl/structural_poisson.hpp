@@ -97,18 +97,6 @@ StructuralPoisson<PointNT>::makeSurfaces()
   return problem;
 }
 
-template <typename PointNT>
-void
-StructuralPoisson<PointNT>::performReconstruction(PointCloud& points,
-                                                  std::vector<pcl::Vertices>& polygons)
-{
-  sedr::MeshReconstruction<PointNT>::performReconstruction(points, polygons);
-  if constexpr (pcl::traits::has_field<PointNT, pcl::fields::label>::value)
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-      for (const auto v : mesh_.triangles[t])
-        points[v].label = mesh_.labels[t];
-}
-
 } // namespace pcl
 
 #define PCL_INSTANTIATE_StructuralPoisson(T)                                           \
