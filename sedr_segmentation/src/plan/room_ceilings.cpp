@@ -17,6 +17,7 @@ giveCeilings(std::vector<RoomSheet> sheets,
              unsigned threads,
              Floorplan& plan)
 {
+  const std::vector<PlanRoom> before = plan.rooms; // threads share those they change
   parallelBlocks(sheets.size(), 1, threads, [&](std::size_t k, std::size_t) {
     const auto room =
         std::find_if(plan.rooms.begin(), plan.rooms.end(),
@@ -25,7 +26,8 @@ giveCeilings(std::vector<RoomSheet> sheets,
       return;
     SheetParameters parameters;
     parameters.threads = threads;
-    const PlanLoop outline = outermostBoundary(*room);
+    const PlanLoop outline =
+        outermostBoundary(before[static_cast<std::size_t>(room - plan.rooms.begin())]);
     FacetSheet& sheet = sheets[k].sheet;
     if (sheet.facets.empty())
       sheet = surfaceWithin(outline, sheets[k].points, parameters);
