@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "picture_file.h"
-#include "progress.h"
 #include "rooms/labelled_rooms.h"
 #include "run_tool.h"
 #include "tool_error.h"

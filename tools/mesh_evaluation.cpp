@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bytes/whole_file.h"
-#include "progress.h"
 #include "run_tool.h"
 #include "scan_options.h"
 #include "tool_cloud.h"
@@ -32,7 +31,6 @@ struct Settings {
   std::string near;
   double near_distance = 0.05;
   std::string json;
-  ScanSettings reading; ///< of the cloud
 };
 
 std::shared_ptr<const TriangleMesh>
@@ -170,7 +168,7 @@ run(const Settings& settings, pcl::MeshEvaluation& evaluation)
     throw ToolError("--labels and --near choose points of a cloud, but there is no "
                     "--cloud");
   evaluation.setInputMesh(load(settings.model));
-  ScanSettings reading = settings.reading;
+  ScanSettings reading; // of the cloud
   reading.origin = originOfModel(settings.model);
   if (!settings.truth.empty())
     evaluation.setTruth(loadFrom(*reading.origin, settings.truth));

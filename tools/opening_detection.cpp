@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bytes/whole_file.h"
-#include "opening_picture.h"
 #include "picture_file.h"
 #include "plan_file.h"
-#include "progress.h"
 #include "run_tool.h"
+#include "stage_pictures.h"
 #include "tool_cloud.h"
 #include "tool_error.h"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "picture_file.h"
-#include "progress.h"
 #include "run_tool.h"
 #include "scan_file.h"
 #include "scan_options.h"

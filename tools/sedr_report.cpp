@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "progress.h"
 #include "report/report_page.h"
 #include "run_tool.h"
 #include "tool_error.h"

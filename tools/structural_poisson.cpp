@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bytes/whole_file.h"
 #include "model/solid_files.h"
-#include "progress.h"
 #include "run_tool.h"
 #include "scan_options.h"
 #include "tool_cloud.h"

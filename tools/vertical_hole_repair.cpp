@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "picture_file.h"
 #include "plan_file.h"
-#include "progress.h"
 #include "run_tool.h"
 #include "tool_error.h"
 

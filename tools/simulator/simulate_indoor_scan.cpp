@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bytes/whole_file.h"
-#include "progress.h"
 #include "run_tool.h"
 #include "simulator/scan/scan.h"
 #include "simulator/scene/scenes.h"

@@ -45,30 +45,16 @@ public:
     addWalls(room);
   }
 
-  /** @brief Draws the outline of a room, guesses in their own look. */
+  /** @brief Draws the outline of a room, guesses in their own look over it. */
   void addWalls(const PlanRoom& room)
   {
-    std::vector<SheetPath> runs;
-    PlanLayer last = PlanLayer::Note;
-    bool has_guess = false;
-    for (const PlanLine& line : drawing_.lines) {
-      if (line.room != room.id ||
-          (line.layer != PlanLayer::Wall && line.layer != PlanLayer::Guess))
-        continue;
-      const PlanElement element = frame_(line.element);
-      has_guess = has_guess || line.layer == PlanLayer::Guess;
-      const bool goes_on = line.layer == last &&
-                           runs.back().chains[0].elements.back().end == element.start;
-      if (!goes_on)
-        runs.push_back(SheetPath{styleOf(line.layer).line, {PlanLoop()}});
-      runs.back().chains[0].elements.push_back(element);
-      last = line.layer;
-    }
-    if (!has_guess)
-      addArea(styleOf(PlanLayer::Wall).line, wallLoops(room));
-    else
-      for (const SheetPath& run : runs)
-        sheet_.add(run);
+    const SheetLook& wall = styleOf(PlanLayer::Wall).line;
+    const SheetLook gap{no_colour, looks::room_colour, 1.2 * wall.width};
+    addArea(wall, wallLoops(room));
+    for (const SheetLook& look : {gap, styleOf(PlanLayer::Guess).line})
+      for (const PlanLine& line : drawing_.lines)
+        if (line.room == room.id && line.layer == PlanLayer::Guess)
+          sheet_.add(SheetPath{look, {{{frame_(line.element)}}}});
   }
 
   /** @brief Draws a gap in the walls, over both faces. */

@@ -68,9 +68,10 @@ public:
   }
 
   /** @brief Adds a line of the ceiling, except below a stair, which the plan cuts
-   * lower. */
+   * lower, and what little is left of it beside one. */
   void addOverhead(const PlanElement& element, PlanLayer layer, std::string note)
   {
+    constexpr double shortest = 0.6; // metres
     const auto isFree = [&](double s) {
       return std::none_of(stairs_.begin(), stairs_.end(),
                           [p = element.pointAt(s)](const PlanLoop& stair) {
@@ -78,7 +79,7 @@ public:
                           });
     };
     forEachPart(element, isFree, [&](const PlanElement& part, bool is_free) {
-      if (is_free)
+      if (is_free && part.length() > std::min(shortest, 0.99 * element.length()))
         add(part, layer, std::exchange(note, ""));
     });
   }

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace pcl::sedr {
 namespace {
@@ -134,15 +135,25 @@ heightRange(const PlanRoom& room)
   const RoomLookup lookup(room);
   std::pair<double, double> range(std::numeric_limits<double>::infinity(),
                                   -std::numeric_limits<double>::infinity());
+  constexpr std::size_t few = 50; // details below a 50th of the room do not count
+  const Lattice lattice(boundsOf(room.boundary));
+  std::map<int, std::size_t> samples; // by detail
+  std::size_t all = 0;
+  for (int y = 0; y < lattice.rows; ++y)
+    for (int x = 0; x < lattice.columns; ++x)
+      if (lookup.contains(lattice.at(x, y))) {
+        ++samples[lookup.detailAt(lattice.at(x, y))];
+        ++all;
+      }
   // The height at a place of what is above another one, nearby in the room.
   const auto add = [&](const Eigen::Vector2d& place, const Eigen::Vector2d& inside) {
-    if (!lookup.contains(inside))
+    const int detail = lookup.detailAt(inside);
+    if (!lookup.contains(inside) || few * samples[detail] < all)
       return;
-    const double height = room.ceilingSlab(lookup.detailAt(inside)).heightAt(place) -
-                          lookup.floorAt(inside);
+    const double height =
+        room.ceilingSlab(detail).heightAt(place) - lookup.floorAt(inside);
     range = {std::min(range.first, height), std::max(range.second, height)};
   };
-  const Lattice lattice(boundsOf(room.boundary));
   for (int y = 0; y < lattice.rows; ++y)
     for (int x = 0; x < lattice.columns; ++x)
       add(lattice.at(x, y), lattice.at(x, y));

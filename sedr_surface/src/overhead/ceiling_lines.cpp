@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -37,13 +38,12 @@ struct Sides {
   bool operator==(const Sides& o) const { return key() == o.key(); }
 };
 
-/** @brief The border of two parts of a ceiling, drawn as a whole or not at all. */
+/** @brief The border of two details. */
 struct Border {
   Sides sides;
   double length = 0;
   double different = 0; ///< length along which both sides differ
   double crease = 0;    ///< length along which they meet
-  bool is_drawn = false;
   std::vector<PlanElement> arcs{};
   std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> segments{};
 
@@ -66,15 +66,17 @@ public:
       for (const PlanLoop& hole : room_.details[d].holes)
         addLoop(d, hole);
     }
-    for (auto& [sides, border] : borders_) {
-      if (2 * border.different <= border.length)
+    findParts();
+    for (const auto& [sides, border] : borders_) {
+      if (partOf(sides.first) == partOf(sides.second))
         continue;
       for (const PlanElement& arc : border.arcs)
         add({{arc}}, border);
       for (const auto& line : chained(border.segments))
         addLine(border, line);
     }
-    found_.part = parts();
+    for (std::size_t& part : found_.part) // what has no line
+      part = drawn_.count(part) > 0 ? part : found_.part[0];
     return std::move(found_);
   }
 
@@ -126,7 +128,7 @@ private:
     }
   }
 
-  void addLine(Border& border, const std::vector<Eigen::Vector2d>& line)
+  void addLine(const Border& border, const std::vector<Eigen::Vector2d>& line)
   {
     std::vector<Eigen::Vector2d> places =
         simplifiedLine(line, std::max(finest_, beside));
@@ -140,7 +142,7 @@ private:
 
   /** @brief Adds a line unless it is tiny on paper. Of a crease the longest element has
    * its text. */
-  void add(const PlanLoop& line, Border& border)
+  void add(const PlanLoop& line, const Border& border)
   {
     Eigen::AlignedBox2d box = boundsOf(line);
     const PlanElement* longest = nullptr;
@@ -151,7 +153,7 @@ private:
     }
     if (!longest || box.diagonal().norm() < shortest * finest_)
       return;
-    border.is_drawn = true;
+    drawn_.insert({partOf(border.sides.left), partOf(border.sides.right)});
     for (const PlanElement& element : line.elements)
       found_.lines.push_back({element, border.isCrease(),
                               border.isCrease() && &element == longest
@@ -204,18 +206,22 @@ private:
            decimalText(slab.heightAt(middle) - room_.floorAt(middle), 2);
   }
 
-  /** @brief Returns the parts: between those of one no border is drawn. */
-  std::vector<std::size_t> parts() const
+  std::size_t partOf(int detail) const
+  {
+    return found_.part[static_cast<std::size_t>(detail + 1)];
+  }
+
+  /** @brief Finds the parts: details that do not differ along most of their border are
+   * of one, so that lines between parts end nowhere but at others and at walls. */
+  void findParts()
   {
     DisjointSets<std::size_t> sets(room_.details.size() + 1);
     for (const auto& [sides, border] : borders_)
-      if (!border.is_drawn)
+      if (2 * border.different <= border.length)
         sets.join(static_cast<std::size_t>(sides.first + 1),
                   static_cast<std::size_t>(sides.second + 1));
-    std::vector<std::size_t> part;
     for (std::size_t k = 0; k <= room_.details.size(); ++k)
-      part.push_back(sets.find(k));
-    return part;
+      found_.part.push_back(sets.find(k));
   }
 
   const PlanRoom& room_;
@@ -223,6 +229,7 @@ private:
   double finest_;
   CeilingLines found_;
   std::map<std::pair<int, int>, Border> borders_; ///< by both details, lower first
+  std::set<std::size_t> drawn_;                   ///< parts with a line
 };
 
 } // namespace

@@ -19,7 +19,7 @@ namespace pcl::sedr {
 std::vector<PlanElement> heightLines(const PlanRoom& room, double height);
 
 /** @brief Returns the minimum and maximum height of the ceiling above the floor,
- * metres: at eaves and ridge. */
+ * metres: at eaves and ridge. Details below a fiftieth of the room do not count. */
 std::pair<double, double> heightRange(const PlanRoom& room);
 
 /** @brief Returns "eaves 1.05" for a wall from which a sloping ceiling rises, if level
@@ -77,14 +77,14 @@ struct CeilingLine {
 /** @brief The lines of a ceiling, and the parts between them. */
 struct CeilingLines {
   std::vector<CeilingLine> lines;
-  /** Of the main ceiling, then of each detail: a number that those without a line
-   * between them have in common. */
+  /** Of the main ceiling, then of each detail: a number that those of one part have in
+   * common; that of the main ceiling for parts without a line. */
   std::vector<std::size_t> part;
 };
 
-/** @brief Returns the lines of a room's ceiling: along most of each border of two
- * parts, the main ceiling or details, they differ by a step of 3 cm or an angle of 6
- * degrees.
+/** @brief Returns the lines between the parts of a room's ceiling: along most of the
+ * border of two details, or of the main ceiling and one, they differ by a step of 3 cm
+ * or an angle of 6 degrees, else they are of one part.
  *
  * A line is where the upper one of both details in PlanRoom::details has its edge.
  * Segments are straightened; where two planes meet, the line is that of their

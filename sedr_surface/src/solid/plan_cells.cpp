@@ -75,7 +75,7 @@ public:
         const Eigen::Vector2d at = middleOf(part);
         warnings.push_back(
             warningOf(WarningKind::Contradiction,
-                      wordsOf(plan_.layers.elements[element]) +
+                      plan_.layers.wordsOf(element) +
                           textOf(" around (%.1f, %.1f), %.2f m2, is left out: ", at.x(),
                                  at.y(), part.area) +
                           problem,

@@ -191,10 +191,9 @@ subdivideRoom(const RoomLayers& layers,
       facetLoops(layers, parameters.chord_tolerance, parameters.snap_tolerance);
   for (std::size_t l = 0; l < chains.size(); ++l)
     if (chains[l].corners.empty())
-      warnings.push_back(
-          warningOf(WarningKind::Contradiction,
-                    wordsOf(layers.elements[layers.loops[l].first_element]) +
-                        " is too small and left out"));
+      warnings.push_back(warningOf(WarningKind::Contradiction,
+                                   layers.wordsOf(layers.loops[l].first_element) +
+                                       " is too small and left out"));
   PlanDivider divider(layers, parameters, chains);
   std::size_t corners_cut = 0;
   double widest = 0; // metres from a corner

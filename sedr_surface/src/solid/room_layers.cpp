@@ -5,7 +5,6 @@
 #include <utility>
 
 namespace pcl::sedr {
-
 namespace {
 
 constexpr PlanRegion main_region{0, 1};
@@ -24,29 +23,22 @@ labelOf(LoopRole role)
                                         : StructureLabel::Detail;
 }
 
-} // namespace
-
-std::string
-wordsOf(const SolidElement& element)
+const char*
+wordsFor(LoopRole role)
 {
-  constexpr std::pair<const char*, const char*> words[] = {
-      {"_floor_detail", "a part of its floor"},
-      {"_detail", "a part of its ceiling"},
-      {"_niche", "a niche"},
-      {"_column", "a column"},
-      {"_floor", "its floor"},
-      {"_ceiling", "its ceiling"}};
-  for (const auto& [name, text] : words)
-    if (element.name.find(name) != std::string::npos)
-      return text;
-  return "its outline";
+  constexpr const char* words[] = {"its outline", "a column", "a niche",
+                                   "a part of its ceiling", "a part of its floor"};
+  return words[static_cast<std::size_t>(role)];
 }
+
+} // namespace
 
 RoomLayers::RoomLayers(const PlanRoom& room)
     : room_(room.id)
 {
-  addSlab(room.floor, room.boundary, StructureLabel::Floor, "floor");
-  addSlab(room.ceiling, room.boundary, StructureLabel::Ceiling, "ceiling");
+  addSlab(room.floor, room.boundary, StructureLabel::Floor, "its floor", "floor");
+  addSlab(room.ceiling, room.boundary, StructureLabel::Ceiling, "its ceiling",
+          "ceiling");
   slabs.back().is_facet = room.hasFacets();
   addLoop(room.boundary, LoopRole::Wall, "wall");
   for (std::size_t c = 0; c < room.columns.size(); ++c)
@@ -58,10 +50,12 @@ RoomLayers::RoomLayers(const PlanRoom& room)
     const std::string name = numbered("niche", n);
     Part niche;
     niche.boundary = loops.size();
-    niche.region.floor = addSlab(room.niches[n].bottom, room.niches[n].boundary,
-                                 StructureLabel::Detail, name + "_bottom");
-    niche.region.ceiling = addSlab(room.niches[n].top, room.niches[n].boundary,
-                                   StructureLabel::Detail, name + "_top");
+    niche.region.floor =
+        addSlab(room.niches[n].bottom, room.niches[n].boundary, StructureLabel::Detail,
+                wordsFor(LoopRole::NicheSide), name + "_bottom");
+    niche.region.ceiling =
+        addSlab(room.niches[n].top, room.niches[n].boundary, StructureLabel::Detail,
+                wordsFor(LoopRole::NicheSide), name + "_top");
     addLoop(room.niches[n].boundary, LoopRole::NicheSide, name + "_side");
     niches_.push_back(niche);
   }
@@ -80,7 +74,7 @@ RoomLayers::addDetails(const std::vector<PlanDetail>& details,
     (is_floor ? part.region.floor : part.region.ceiling) =
         addSlab(details[d].slab, details[d].boundary,
                 details[d].is_facet ? StructureLabel::Ceiling : StructureLabel::Detail,
-                numbered(name, d));
+                wordsFor(role), numbered(name, d));
     slabs.back().is_facet = details[d].is_facet;
     addLoop(details[d].boundary, role, numbered(name, d) + "_edge");
     for (std::size_t h = 0; h < details[d].holes.size(); ++h)
@@ -90,14 +84,26 @@ RoomLayers::addDetails(const std::vector<PlanDetail>& details,
   }
 }
 
+void
+RoomLayers::addElement(StructureLabel label,
+                       LoopRole role,
+                       const char* words,
+                       const std::string& name)
+{
+  elements.push_back({room_, label, "room_" + std::to_string(room_) + "_" + name});
+  roles_.push_back(role);
+  words_.push_back(words);
+}
+
 int
 RoomLayers::addSlab(const PlanSlab& slab,
                     const PlanLoop& loop,
                     StructureLabel label,
+                    const char* words,
                     const std::string& name)
 {
   slabs.push_back({slab, elements.size(), &loop});
-  elements.push_back({room_, label, "room_" + std::to_string(room_) + "_" + name});
+  addElement(label, LoopRole::Wall, words, name);
   return static_cast<int>(slabs.size()) - 1;
 }
 
@@ -106,8 +112,7 @@ RoomLayers::addLoop(const PlanLoop& loop, LoopRole role, const std::string& name
 {
   loops.push_back({&loop, role, elements.size()});
   for (std::size_t i = 0; i < loop.elements.size(); ++i)
-    elements.push_back({room_, labelOf(role),
-                        "room_" + std::to_string(room_) + "_" + numbered(name, i)});
+    addElement(labelOf(role), role, wordsFor(role), numbered(name, i));
 }
 
 bool
@@ -151,17 +156,6 @@ RoomLayers::plainRegions(const PlanRegion& region) const
           {region.floor, main_region.ceiling},
           main_region,
           {}};
-}
-
-LoopRole
-RoomLayers::roleOf(std::size_t element) const
-{
-  LoopRole role = LoopRole::Wall;
-  for (const Loop& loop : loops)
-    if (element >= loop.first_element &&
-        element < loop.first_element + loop.loop->elements.size())
-      role = loop.role;
-  return role;
 }
 
 } // namespace pcl::sedr

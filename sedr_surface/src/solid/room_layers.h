@@ -32,9 +32,6 @@ struct PlanRegion {
   }
 };
 
-/** @brief Returns what an element belongs to, in words: "a part of its ceiling". */
-std::string wordsOf(const SolidElement& element);
-
 /** @brief The vertical surface above the elements of a loop. */
 enum class LoopRole { Wall, ColumnFace, NicheSide, CeilingRiser, FloorRiser };
 
@@ -76,7 +73,10 @@ struct RoomLayers {
   std::vector<PlanRegion> plainRegions(const PlanRegion& region) const;
 
   /** @brief Returns the role of an element's loop; Wall for a slab's element. */
-  LoopRole roleOf(std::size_t element) const;
+  LoopRole roleOf(std::size_t element) const { return roles_[element]; }
+
+  /** @brief Returns what an element belongs to: "a part of its ceiling". */
+  std::string wordsOf(std::size_t element) const { return words_[element]; }
 
 private:
   /** @brief A detail or niche. Its region has `nothing` for what it does not change. */
@@ -88,9 +88,15 @@ private:
     bool contains(const std::vector<int>& winding) const;
   };
 
+  void addElement(StructureLabel label,
+                  LoopRole role,
+                  const char* words,
+                  const std::string& name);
+
   int addSlab(const PlanSlab& slab,
               const PlanLoop& loop,
               StructureLabel label,
+              const char* words,
               const std::string& name);
 
   void addLoop(const PlanLoop& loop, LoopRole role, const std::string& name);
@@ -100,7 +106,9 @@ private:
                   const std::string& name);
 
   std::uint32_t room_ = 0;
-  std::vector<Part> details_; ///< of ceiling and floor, by increasing precedence
+  std::vector<LoopRole> roles_;    ///< of elements
+  std::vector<const char*> words_; ///< of elements
+  std::vector<Part> details_;      ///< of ceiling and floor, by increasing precedence
   std::vector<Part> niches_;
   int first_niche_slab_ = 0;
 };

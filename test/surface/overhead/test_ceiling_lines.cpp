@@ -63,6 +63,16 @@ TEST(CeilingLines, BordersAreDrawnWholeOrNotAtAll)
   }
 }
 
+TEST(CeilingLines, EndNowhereWithinAPart)
+{
+  // A step of 5 cm, x = 6, ends where a ramp leads from the main ceiling up beside it.
+  const PlanRoom room = roomWith({{rectangle(0, 2, 6, 4), slabAt(2.5, 0.05 / 6)},
+                                  {rectangle(6, 0, 8, 4), slabAt(2.55)}});
+  for (const CeilingLine& line : ceilingLines(room, at_1_50).lines)
+    ADD_FAILURE() << line.element.start.transpose() << " to "
+                  << line.element.end.transpose();
+}
+
 TEST(CeilingLines, OfAThingThatIsTinyOnPaperAreNone)
 {
   const PlanRoom room = roomWith({{rectangle(4, 1, 4.25, 1.25), slabAt(2.2)}});
@@ -173,6 +183,13 @@ TEST(CeilingHeights, OfARoofAreThoseOfEavesAndRidge)
   EXPECT_NEAR(heightRange(room).second, 2.4, 1e-6);
   for (const PlanElement& wall : room.boundary.elements)
     EXPECT_EQ(eavesText(room, wall), "eaves 1.00");
+}
+
+TEST(CeilingHeights, AreNotThoseOfAThing)
+{
+  PlanRoom room = hippedRoom(0.7);
+  room.details.push_back(detailOf(rectangle(3, 1.5, 3.4, 1.9), 0.5)); // of 32 m2
+  EXPECT_NEAR(heightRange(room).first, 1, 1e-6);
 }
 
 TEST(HeightLines, RunAroundARoof)

@@ -125,4 +125,18 @@ say(const std::string& line)
     std::cerr << line << std::endl;
 }
 
+Progress::Progress(const std::string& step)
+{
+  if (isatty(STDERR_FILENO) != 0)
+    std::cerr << step << " ..." << std::flush;
+}
+
+Progress::~Progress()
+{
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start_;
+  char text[40];
+  std::snprintf(text, sizeof text, " %.1f s", taken.count());
+  say(text);
+}
+
 } // namespace pcl::sedr::tools

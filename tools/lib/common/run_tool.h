@@ -3,7 +3,9 @@
 
 #include "options.h"
 
+#include <chrono>
 #include <functional>
+#include <string>
 
 namespace pcl::sedr::tools {
 
@@ -26,5 +28,21 @@ void tellOnce(const std::string& sentence);
 
 /** @brief Prints a line on stderr if that is a terminal. */
 void say(const std::string& line);
+
+/** @brief Names the current step on a terminal, and tells at its end how long it took.
+ * Silent if stderr is no terminal.
+ * @code
+ * const Progress progress("finding planes");
+ * @endcode */
+class Progress {
+public:
+  explicit Progress(const std::string& step);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
 
 } // namespace pcl::sedr::tools

@@ -6,7 +6,6 @@
 #include "joint_scan.h"
 #include "output_folder.h"
 #include "picture_file.h"
-#include "progress.h"
 #include "report.h"
 #include "report/report_page.h"
 #include "run_tool.h"

@@ -2,6 +2,7 @@
 #include "report.h"
 #include "wall_maps.h"
 
+#include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/json/floorplan_format.h"
 #include "sedr_surface/src/drawing/text_spot.h"
 
@@ -212,7 +213,6 @@ storeysOf(const Reconstruction& chain)
     storeys.push_back({{"number", storey.number},
                        {"name", storey.name},
                        {"floor", storey.floor},
-                       {"ceiling", storey.ceiling},
                        {"area", area},
                        {"rooms", storey.rooms}});
   }
@@ -353,26 +353,23 @@ summaryOf(const RunRecord& run, const Reconstruction& chain)
     area += room.area();
   for (const auto& stage : run.stages)
     seconds += stage.seconds;
-  std::size_t closed = 0;
-  for (const auto& report : chain.getChain().poisson.getReports())
-    closed += report.closed ? 1 : 0;
-  const std::size_t rooms = chain.getFloorplan()->rooms.size();
-  char text[160];
-  std::snprintf(text, sizeof text, "%zu %s, %.1f square metres, ", rooms,
-                rooms == 1 ? "room" : "rooms", area);
-  std::string summary = text;
-  const WallShares walls = wallShares(*chain.getFloorplan());
-  std::snprintf(text, sizeof text,
-                "walls %.0f %% measured, %.0f %% inferred, %.0f %% unseen, ",
-                100 * walls.measured, 100 * walls.inferred, 100 * walls.unseen);
-  if (walls.area > 0)
-    summary += text;
-  std::snprintf(text, sizeof text, "%zu closed %s, ", closed,
-                closed == 1 ? "mesh" : "meshes");
+  const auto counted = [](std::size_t number, const char* one, const char* more) {
+    return std::to_string(number) + " " + (number == 1 ? one : more) + ", ";
+  };
+  const auto percent = [](double share) { return decimalText(100 * share, 0) + " % "; };
+  std::string summary = counted(chain.getFloorplan()->rooms.size(), "room", "rooms") +
+                        decimalText(area, 1) + " square metres, ";
+  if (const WallShares walls = wallShares(*chain.getFloorplan()); walls.area > 0)
+    summary += "walls " + percent(walls.measured) + "measured, " +
+               percent(walls.inferred) + "inferred, " + percent(walls.unseen) +
+               "unseen, ";
+  const auto& meshes = chain.getChain().poisson.getReports();
+  const auto closed = std::count_if(meshes.begin(), meshes.end(),
+                                    [](const auto& mesh) { return mesh.closed; });
   if (run.figures)
-    summary += text;
-  std::snprintf(text, sizeof text, "%.1f s", seconds);
-  return summary + text;
+    summary +=
+        counted(static_cast<std::size_t>(closed), "closed mesh", "closed meshes");
+  return summary + decimalText(seconds, 1) + " s";
 }
 
 } // namespace pcl::sedr::tools

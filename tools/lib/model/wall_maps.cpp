@@ -65,14 +65,19 @@ wallMaps(const Floorplan& plan, const OpeningSearch& search)
     std::vector<std::size_t> walls = side.elements;
     for (std::size_t& wall : walls)
       ++wall;
-    Json openings = Json::array();
-    for (const FoundOpening& found : search.found)
-      if (found.side == k)
-        openings.push_back({{"kind", nameOf(found.opening.kind)},
-                            {"from", found.rectangle.from},
-                            {"to", found.rectangle.to},
-                            {"bottom", found.rectangle.bottom},
-                            {"top", found.rectangle.top}});
+    Json openings = Json::array(); // framed on this side or on the other one
+    for (const PlanOpening& opening : plan.openings)
+      for (const OpeningWall& in : opening.walls)
+        if (in.room == plan.rooms[side.room].id &&
+            std::count(side.elements.begin(), side.elements.end(), in.element) > 0) {
+          const auto [from, to] = std::minmax(
+              {side.line.project(opening.start), side.line.project(opening.end)});
+          openings.push_back({{"kind", nameOf(opening.kind)},
+                              {"from", from},
+                              {"to", to},
+                              {"bottom", opening.bottom},
+                              {"top", opening.top}});
+        }
     maps.push_back({{"room", plan.rooms[side.room].id},
                     {"walls", walls},
                     {"length", side.line.length()},

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 namespace pcl::sedr::tools {
 
@@ -88,5 +89,16 @@ colourOf(StructureLabel label)
                              colours::wall,  colours::detail,  colours::column};
   return list[label <= StructureLabel::Column ? static_cast<std::uint32_t>(label) : 0];
 }
+
+/** @brief Returns the colour of a distance from the model (paper, Figure 11): from blue
+ * at 0 through green, yellow and orange to red at `range` metres and more; grey for
+ * NaN. */
+Colour distanceColour(double distance, double range);
+
+/** @brief Formats a distance: "0.3 cm", "4 cm", "1.2 m". */
+std::string distanceText(double metres);
+
+/** @brief Formats a colour: "#f0901e". */
+std::string hexCode(Colour colour);
 
 } // namespace pcl::sedr::tools

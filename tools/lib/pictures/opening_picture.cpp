@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "opening_picture.h"
+#include "stage_pictures.h"
+
+#include "sedr_segmentation/src/openings/opening_search.h"
 
 #include <algorithm>
 #include <array>

@@ -12,7 +12,11 @@
 #include <unordered_map>
 #include <vector>
 
-namespace pcl::sedr::tools {
+namespace pcl::sedr {
+
+struct OpeningSearch;
+
+namespace tools {
 
 /** @brief Numbers of points in the cells of the plan, by label. */
 using LabelCounts = std::map<StructureLabel, std::unordered_map<CellKey, std::size_t>>;
@@ -38,4 +42,9 @@ Picture drawRooms(const Building& building);
  * fitted lines and arcs, corners and rooms. */
 Picture drawPlan(const Floorplan& plan, const std::vector<FittedBoundary>& boundaries);
 
-} // namespace pcl::sedr::tools
+/** @brief Draws the maps of the sides of walls on which OpeningDetection found
+ * openings, the longest first: what was seen of each cell, and the openings. */
+Picture drawOpenings(const Floorplan& plan, const OpeningSearch& search);
+
+} // namespace tools
+} // namespace pcl::sedr

@@ -15,10 +15,10 @@
   const isNumber = value => typeof value === 'number' && isFinite(value);
   const sum = (list, valueOf) => list.reduce((total, item) => total + (valueOf(item) || 0), 0);
 
-  // 1234567.5 becomes "1 234 567.5" with narrow spaces.
+  // 1234567.5 becomes "1 234 567.5" with narrow spaces, -0.001 becomes "0.00".
   function number(value, digits = 0) {
     if (!isNumber(value)) return '–';
-    const [whole, part] = value.toFixed(digits).split('.');
+    const [whole, part] = value.toFixed(digits).replace(/^-(?=[0.]+$)/, '').split('.');
     return whole.replace(/\B(?=(\d{3})+$)/g, '\u202f') + (part ? '.' + part : '');
   }
   const percent = share => !isNumber(share) ? '–'
@@ -69,7 +69,7 @@
     if (report.support) figures.push(['of the walls measured', percent(report.support.measured)],
       ['inferred', percent(report.support.inferred)], ['seen by nobody', percent(report.support.unseen)]);
     for (const noise of (report.noise || []).filter(storey => storey.stretches).sort((a, b) => b.measured - a.measured).slice(0, 1))
-      figures.push(['noise of walls', `${centimetres(noise.measured)} (correlation length ${number(100 * noise.correlation)}\u00a0cm)`]);
+      figures.push([`noise of walls, correlated over ${number(100 * noise.correlation)}\u00a0cm`, centimetres(noise.measured)]);
     if (distances && distances.count) figures.push(['half the points within', centimetres(distances.median)],
       ['within 5\u00a0cm', percent(distances.within_5cm)]);
     byId('figures').append(...figures.map(([name, value]) =>
@@ -154,12 +154,13 @@
     return true;
   }
 
+  const range = values => [...new Set([Math.min(...values), Math.max(...values)].map(value => number(value, 2)))].join(' to ');
   const roomsOf = storey => rooms.filter(room => storey.rooms.includes(room.id));
 
   function storeyTable(section) {
     section.querySelector('.wide').append(table([
       ['storey', storey => storey.name, 'text'], ['rooms', storey => roomsOf(storey).length],
-      ['floor, m', storey => number(storey.floor, 2)], ['ceiling, m', storey => number(storey.ceiling, 2)],
+      ['floor at z, m', storey => number(storey.floor, 2)], ['height, m', storey => range(roomsOf(storey).map(room => room.height))],
       ['area, m²', storey => number(sum(roomsOf(storey), room => room.area), 2)],
       ['volume, m³', storey => number(sum(roomsOf(storey), room => room.volume), 2)]], storeys));
     return storeys.length > 1;
@@ -177,6 +178,32 @@
     return canvas;
   }
 
+  // The texts of a sheet: x, y, half width and half height, as shares of the sheet.
+  function textsOf(svg) {
+    const root = new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement;
+    const [across, up] = ['width', 'height'].map(name => parseFloat(root.getAttribute(name)));
+    return [...root.getElementsByTagName('text')].map(text => {
+      const [x, y, font] = ['x', 'y', 'font-size'].map(name => +text.getAttribute(name)), half = 0.28 * font * text.textContent.length;
+      const turn = (/rotate\((-?[\d.]+)/.exec(text.getAttribute('transform')) || [0, 0])[1] * Math.PI / 180;
+      const [c, d] = [Math.abs(Math.cos(turn)), Math.abs(Math.sin(turn))];
+      return [x / across, y / up, (c * half + d * font / 2) / across, (d * half + c * font / 2) / up];
+    });
+  }
+
+  // The place nearest to one at which a mark lies on no text and no other mark.
+  function freePlace(taken, [x, y]) {
+    const [across, up] = [0.009, 0.013];
+    for (let ring = 0; ring < 16; ++ring)
+      for (let k = 0; k < (6 * ring || 1); ++k) {
+        const place = [x + across * ring * Math.cos(k / ring * Math.PI / 3 || 0), y + up * ring * Math.sin(k / ring * Math.PI / 3 || 0)];
+        if (taken.every(([u, v, a, b]) => Math.abs(place[0] - u) > a + across || Math.abs(place[1] - v) > b + up)) {
+          taken.push([...place, across, up]);
+          return place;
+        }
+      }
+    return [x, y];
+  }
+
   const onSheet = (drawing, at) => [drawing.x, drawing.y].map(([a, b, c]) => a * at[0] + b * at[1] + c);
 
   function drawings(section) {
@@ -188,20 +215,18 @@
       if (data.drawings.length > 1) section.querySelector('.plans').append(make('h3', {}, drawing.name));
       const sheet = make('div', { class: 'sheet' }, make('img', {
         alt: 'Plan: ' + drawing.name, src: 'data:image/svg+xml,' + encodeURIComponent(drawing.svg) }), slice(drawing, places));
-      const taken = new Map(); // marks of a place stand side by side
+      const taken = textsOf(drawing.svg);
       for (const { number, at, room, text } of marks)
         if (!room || drawing.rooms.includes(room)) {
-          const [x, y] = onSheet(drawing, at), before = taken.get(String(at)) || 0;
-          taken.set(String(at), before + 1);
-          sheet.append(make('span', { class: 'mark', title: text,
-            style: `left:calc(${100 * x}% + ${1.6 * before}em);top:${100 * y}%` }, String(number)));
+          const [x, y] = freePlace(taken, onSheet(drawing, at));
+          sheet.append(make('span', { class: 'mark', title: text, style: `left:${100 * x}%;top:${100 * y}%` }, String(number)));
         }
       section.querySelector('.plans').append(sheet);
     }
-    if ((plan.doorways || []).length)
-      section.querySelector('.doors').textContent = (plan.openings || []).length
-        ? 'Gaps: passages; a swing or a line across: doors, by whether the leaf was seen open; double lines: windows.'
-        : 'Gaps: doorways that were found; windows are closed.';
+    section.querySelector('.doors').textContent = (plan.openings || []).length
+      ? 'Gaps: passages; a swing or a line across: doors, by whether the leaf was seen open; double lines: windows.'
+      : (plan.doorways || []).length ? 'Gaps: doorways; what was shut, and windows, are drawn as wall.'
+        : 'No doors or windows were found; where there are some, a wall is drawn.';
     return data.drawings.length > 0;
   }
 
@@ -236,8 +261,8 @@
         ['walls', door => (door.walls || []).map(wall => wall.room + '.' + (wall.element + 1)).join(', ')],
         ['at x, y, m', door => [0, 1].map(k => number((door.start[k] + door.end[k]) / 2, 1)).join(', ')], ...size,
         ['bottom at z, m', door => number(door.bottom, 2)], ['depth, m', door => number(door.depth, 2)],
-        ['hinge', door => door.hinge, 'text'], ['state', door => door.state, 'text'],
-        ['confidence', door => percent(door.confidence)], ['edges, cm', door => number(100 * door.residual, 1)]], found));
+        ['leaf', door => door.kind === 'door' && door.state !== 'unknown' ? door.state : ''],
+        ['confidence', door => percent(door.confidence)], ['edges, ± cm', door => number(100 * door.residual, 1)]], found));
     else
       section.querySelector('.wide').append(table([between, ...size], doorways));
     return found.length + doorways.length > 0;
@@ -264,12 +289,13 @@
       for (const opening of map.openings)
         pen.strokeRect(x(opening.from), y(opening.top), x(opening.to) - x(opening.from), y(opening.bottom) - y(opening.top));
       const kinds = map.openings.map(opening => ', ' + opening.kind).join('');
-      return make('figure', {}, canvas, make('figcaption', {},
-        `wall ${map.walls.map(wall => map.room + '.' + wall).join(', ')}: ${number(map.length, 1)} m${kinds}`));
+      const name = map.walls.length ? 'wall ' + map.walls.map(wall => map.room + '.' + wall).join(', ') : 'a column';
+      return make('figure', {}, canvas, make('figcaption', {}, `${name}: ${number(map.length, 1)} m${kinds}`));
     };
     for (const room of [...new Set(maps.map(map => map.room))]) {
-      const own = maps.filter(map => map.room === room), count = sum(own, map => map.openings.length);
-      const box = make('details', {}, make('summary', {}, `room ${room}: ${counted(own.length, 'wall')}, ${counted(count, 'opening')}`));
+      const own = maps.filter(map => map.room === room), count = sum(own, map => map.openings.length), shown = sum(own, map => map.walls.length);
+      const all = countOf((rooms.find(other => other.id === room) || {}).walls), of = +all > shown ? `${shown} of ` : '';
+      const box = make('details', {}, make('summary', {}, `room ${room}: ${of}${counted(+all || shown, 'wall')}, ${counted(count, 'opening')}`));
       box.addEventListener('toggle', () => box.children.length > 1 || box.append(...own.map(drawn)), { once: true });
       place.append(box);
     }
@@ -302,37 +328,15 @@
     return Boolean(data.scan || shown);
   }
 
-  // Bars of the histogram as SVG, and one for all beyond its range.
+  // Bars of the histogram, and one for all beyond its range.
   function chart() {
-    const width = 700, height = 230, left = 48, bottom = 34, top = 18;
-    const space = 'http://www.w3.org/2000/svg', svg = document.createElementNS(space, 'svg');
-    const draw = (tag, attributes, text) => {
-      const element = document.createElementNS(space, tag);
-      Object.entries(attributes).forEach(([name, value]) => element.setAttribute(name, value));
-      if (text) element.textContent = text;
-      return element;
-    };
-    Object.entries({ viewBox: `0 0 ${width} ${height}`, role: 'img', 'aria-label': 'Histogram of distances' })
-      .forEach(([name, value]) => svg.setAttribute(name, value));
     const bins = [...distances.histogram, distances.beyond_histogram], step = distances.histogram_range / (bins.length - 1);
-    const most = Math.max(...bins) / distances.count || 1, wide = (width - left) / bins.length;
-    const y = share => height - bottom - share / most * (height - bottom - top);
-    for (let k = 0; k <= 4; ++k)
-      svg.append(draw('line', { class: 'grid', x1: left, x2: width, y1: y(k * most / 4), y2: y(k * most / 4) }),
-        draw('text', { class: 'axis', x: left - 6, y: y(k * most / 4) + 4, 'text-anchor': 'end' },
-          +(25 * k * most).toPrecision(2) + ' %'));
-    bins.forEach((bin, k) => {
-      const share = bin / distances.count, isLast = k === bins.length - 1;
-      const bar = draw('rect', { x: left + k * wide + 1, width: wide - 2, y: y(share), height: height - bottom - y(share),
-        fill: colourOfDistance((k + 0.5) * step) });
-      bar.append(draw('title', {}, (isLast ? `${distance(k * step)} or more` : `${distance(k * step)} to `
-        + distance((k + 1) * step)) + `: ${(100 * share).toFixed(2)} %`));
-      svg.append(bar);
-      if (k % 4 === 0 || isLast)
-        svg.append(draw('text', { class: 'axis', x: left + k * wide, y: height - 14,
-          'text-anchor': isLast ? 'middle' : 'start' }, isLast ? 'more' : distance(k * step)));
-    });
-    return svg;
+    const most = Math.max(...bins) || 1, last = bins.length - 1;
+    return bins.map((bin, k) => make('div', { title: `${distance(k * step)} ${k === last ? 'or more' : 'to ' + distance((k + 1) * step)}: `
+      + `${(100 * bin / distances.count).toFixed(2)} %` },
+    make('i', {}, bin === most ? percent(bin / distances.count) : ''),
+    make('b', { style: `height:${180 * bin / most}px;background:${colourOfDistance((k + 0.5) * step)}` }),
+    make('span', {}, k === last ? 'more' : k % 4 === 0 ? distance(k * step) : '')));
   }
 
   const colourOfDistance = metres => data.colours.distances[
@@ -342,7 +346,7 @@
     const has = distances && distances.count > 0, hasPicture = data.scan && data.scan.distances;
     section.querySelector('.figures').hidden = !has;
     if (has) {
-      section.querySelector('.chart').append(chart());
+      section.querySelector('.chart').append(...chart());
       section.querySelector('.wide').append(table([['points', d => number(d.count)], ['mean', d => centimetres(d.mean)],
         ['half within', d => centimetres(d.median)], ['95\u00a0% within', d => centimetres(d.p95)],
         ['99\u00a0% within', d => centimetres(d.p99)], ['farthest', d => centimetres(d.max)],
@@ -383,32 +387,10 @@
     return rows.length > 0;
   }
 
-  // What matters most of a stage: [name in the report, shown as, unit].
-  const stageParameters = {
-    reading: [['unit', 'unit', 'm']],
-    ParallelVoxelGrid: [['voxel_size', 'voxel', 'm']],
-    HorizontalPlaneDetection: [['plane_tolerance', 'tolerance', 'm'], ['maximum_tilt_degrees', 'tilt up to', 'degrees']],
-    GridRegionOutlierRemoval: [['grid_size', 'cell', 'm']],
-    RoomSegmentation: [['minimum_room_area', 'rooms from', 'm²'], ['widest_door', 'doors up to', 'm']],
-    GridSliceDetail: [['minimum_cells', 'details from', 'cells'], ['trials', 'trials', '']],
-    FloorProjectionRecovery: [['grid_size', 'cell', 'm']],
-    CeilingBoundaryWallGrowing: [['boundary_angle_degrees', 'angle', 'degrees'], ['boundary_neighbors', 'neighbours', ''],
-      ['wall_distance', 'distance', 'm']],
-    FloorplanFitting: [['boundary_tolerance', 'tolerance', 'm']],
-    StructureRefinement: [['refinement_distance', 'distance', 'm']],
-    VerticalHoleRepair: [['repair_grid_size', 'cell', 'm']],
-    FloorplanExtrusion: [['chord_tolerance', 'chord', 'm']],
-    StructuralPoisson: [['tree_depth', 'depth up to', 'levels']]
-  };
-
   function stages(section) {
-    const rows = report.stages || [], used = report.parameters || {};
-    const parameters = stage => (stageParameters[stage] || []).filter(([name]) => name in used).map(([name, text, unit]) =>
-      [text, isNumber(used[name]) ? +used[name].toPrecision(3) : used[name], unit].filter(part => part !== '').join('\u00a0'));
-    section.querySelector('.wide').append(table([['stage', row => row.stage, 'text'],
-      ['points in', row => isNumber(row.points_in) ? number(row.points_in) : ''],
-      ['points out', row => isNumber(row.points_out) ? number(row.points_out) : ''],
-      ['seconds', row => number(row.seconds, 2)], ['with', row => parameters(row.stage).join(', '), 'text']],
+    const rows = report.stages || [], points = count => isNumber(count) ? number(count) : '';
+    section.querySelector('.wide').append(table([['stage', row => row.stage, 'text'], ['points in', row => points(row.points_in)],
+      ['points out', row => points(row.points_out)], ['seconds', row => number(row.seconds, 2)]],
     [...rows, { stage: 'together', seconds: sum(rows, row => row.seconds) }]));
     return rows.length > 0;
   }

@@ -6,7 +6,7 @@
 #include "report/page_files.h"
 #include "report/page_models.h"
 #include "report/page_scan.h"
-#include "results/palette.h"
+#include "colour.h"
 #include "results/result_folder.h"
 
 #include <pcl/sedr_filters/plan_measures.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shapes.h"
 
-#include "progress.h"
+#include "run_tool.h"
 
 #include "sedr_filters/src/base/number_text.h"
 #include <pcl/sedr_filters/wall_shares.h>

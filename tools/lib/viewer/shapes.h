@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "results/palette.h"
+#include "colour.h"
 #include "viewed_result.h"
 
 #include <vtkPolyData.h>

@@ -2,8 +2,8 @@
 #include "viewed_result.h"
 
 #include "plan_file.h"
-#include "progress.h"
 #include "results/result_folder.h"
+#include "run_tool.h"
 #include "scan_file.h"
 #include "tool_error.h"
 

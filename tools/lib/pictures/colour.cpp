@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palette.h"
+#include "colour.h"
 
 #include <algorithm>
 #include <array>
