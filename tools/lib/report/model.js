@@ -64,21 +64,26 @@ function directions(azimuth, elevation) {
 // Light from above and from one side, both sides of a face alike.
 const brightness = n => Math.min(1, 0.72 + 0.16 * Math.abs(0.8 * n[0] + 0.6 * n[1]) + 0.28 * Math.abs(n[2]));
 
-// Calls see(part, corners, unit normal, whether it belongs to a ceiling) for each triangle. Ceilings, and details in
-// the upper half of their room, are what is taken off.
-function forEachTriangle(parts, see) {
+// Tells whether a part, or its part at a height, belongs to a ceiling. Ceilings, and details in the upper half of
+// their room, are what is taken off.
+function ceilingTest(parts) {
   const middles = {};
   for (const room of new Set(parts.map(part => part.room))) {
     const box = boxOf(parts.filter(part => part.room === room));
     middles[room] = (box.low[2] + box.high[2]) / 2;
   }
+  return (part, z) => part.label === 'ceiling' || (part.label === 'detail' && z > middles[part.room]);
+}
+
+// Calls see(part, corners, unit normal, whether it belongs to a ceiling) for each triangle.
+function forEachTriangle(parts, see) {
+  const isCeiling = ceilingTest(parts);
   for (const part of parts)
     for (let t = 0; t < part.triangles.length; t += 3) {
       const [a, b, c] = [0, 1, 2].map(k => [0, 1, 2].map(axis => part.corners[3 * part.triangles[t + k] + axis]));
       const normal = cross(b.map((value, k) => value - a[k]), c.map((value, k) => value - a[k]));
       const length = Math.hypot(...normal) || 1;
-      see(part, [a, b, c], normal.map(value => value / length), part.label === 'ceiling'
-        || (part.label === 'detail' && (a[2] + b[2] + c[2]) / 3 > middles[part.room]));
+      see(part, [a, b, c], normal.map(value => value / length), isCeiling(part, (a[2] + b[2] + c[2]) / 3));
     }
 }
 
@@ -93,6 +98,21 @@ function pointColours(data, scan, byDistance) {
     const share = Math.max(0, Math.min(1, (scan.corners[3 * i + 2] - data.bottom) / height));
     return low.map((value, k) => value + share * (high[k] - value));
   };
+}
+
+// Where a place of the plan is on the sheet of a drawing, as shares of it.
+const onSheet = (drawing, at) => [drawing.x, drawing.y].map(([a, b, c]) => a * at[0] + b * at[1] + c);
+
+// The points of the scan 1.0 to 1.5 m above a storey's floor, on the sheet of its plan.
+function slice(drawing, places) {
+  const canvas = Object.assign(document.createElement('canvas'), { width: 2000, height: 1414 }), pen = canvas.getContext('2d');
+  pen.fillStyle = '#e8590c';
+  for (let i = 0; i < places.length; i += 3)
+    if (places[i + 2] > drawing.floor + 1 && places[i + 2] < drawing.floor + 1.5) {
+      const [x, y] = onSheet(drawing, [places[i], places[i + 1]]);
+      pen.fillRect(canvas.width * x - 1.5, canvas.height * y - 1.5, 3, 3);
+    }
+  return canvas;
 }
 
 // ---- Pictures, painted from far to near: they need no WebGL, and are printed ----
@@ -190,8 +210,9 @@ function shapeMaker(data, models, scan, middle) {
     }));
     const shapes = { body: mesh(made.body), ceiling: mesh(made.ceiling) };
     if (isSolid) {
-      shapes.bodyEdges = edges(parts.filter(part => !isCeiling(part, parts)));
-      shapes.ceilingEdges = edges(parts.filter(part => isCeiling(part, parts)));
+      const isCeiling = ceilingTest(parts), isAbove = part => isCeiling(part, (boxOf([part]).low[2] + boxOf([part]).high[2]) / 2);
+      shapes.bodyEdges = edges(parts.filter(part => !isAbove(part)));
+      shapes.ceilingEdges = edges(parts.filter(isAbove));
     }
     return shapes;
   }
@@ -210,12 +231,6 @@ function shapeMaker(data, models, scan, middle) {
         if (edge) edge.forEach(i => positions.push(...moved(part.corners.subarray(3 * i, 3 * i + 3))));
     }
     return new THREE.LineSegments(geometryOf(positions), new THREE.LineBasicMaterial({ color: 0x222222 }));
-  }
-
-  function isCeiling(part, parts) {
-    const room = boxOf(parts.filter(other => other.room === part.room)), own = boxOf([part]);
-    return part.label === 'ceiling'
-      || (part.label === 'detail' && own.low[2] + own.high[2] > room.low[2] + room.high[2]);
   }
 
   function points(byDistance) {

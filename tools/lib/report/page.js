@@ -166,18 +166,6 @@
     return storeys.length > 1;
   }
 
-  // The points of the scan 1.0 to 1.5 m above a storey's floor, on the sheet of its plan.
-  function slice(drawing, places) {
-    const canvas = make('canvas', { width: 2000, height: 1414 }), pen = canvas.getContext('2d');
-    pen.fillStyle = '#e8590c';
-    for (let i = 0; i < places.length; i += 3)
-      if (places[i + 2] > drawing.floor + 1 && places[i + 2] < drawing.floor + 1.5) {
-        const [x, y] = onSheet(drawing, [places[i], places[i + 1]]);
-        pen.fillRect(canvas.width * x - 1.5, canvas.height * y - 1.5, 3, 3);
-      }
-    return canvas;
-  }
-
   // The texts of a sheet: x, y, half width and half height, as shares of the sheet.
   function textsOf(svg) {
     const root = new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement;
@@ -191,20 +179,13 @@
   }
 
   // The place nearest to one at which a mark lies on no text and no other mark.
+  const across = 0.009, up = 0.013, turns = Array.from({ length: 400 }, (_, k) => [Math.sqrt(k) / 2, 2.4 * k]);
   function freePlace(taken, [x, y]) {
-    const [across, up] = [0.009, 0.013];
-    for (let ring = 0; ring < 16; ++ring)
-      for (let k = 0; k < (6 * ring || 1); ++k) {
-        const place = [x + across * ring * Math.cos(k / ring * Math.PI / 3 || 0), y + up * ring * Math.sin(k / ring * Math.PI / 3 || 0)];
-        if (taken.every(([u, v, a, b]) => Math.abs(place[0] - u) > a + across || Math.abs(place[1] - v) > b + up)) {
-          taken.push([...place, across, up]);
-          return place;
-        }
-      }
-    return [x, y];
+    const place = turns.map(([off, turn]) => [x + across * off * Math.cos(turn), y + up * off * Math.sin(turn)]).find(([u, v]) =>
+      taken.every(([mx, my, a, b]) => Math.abs(u - mx) > a + across || Math.abs(v - my) > b + up)) || [x, y];
+    taken.push([...place, across, up]);
+    return place;
   }
-
-  const onSheet = (drawing, at) => [drawing.x, drawing.y].map(([a, b, c]) => a * at[0] + b * at[1] + c);
 
   function drawings(section) {
     const box = section.querySelector('input'), places = data.scan && data.scan.is_scan ? readScan(data.scan).corners : [];
