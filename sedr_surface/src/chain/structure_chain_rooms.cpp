@@ -207,8 +207,7 @@ ChainRun::giveUpRoomsWithoutPlan()
   shareOut();
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     const auto id = static_cast<std::uint32_t>(r + 1);
-    if (std::none_of(chain_.plan->rooms.begin(), chain_.plan->rooms.end(),
-                     [&](const PlanRoom& room) { return room.id == id; }))
+    if (!findRoom(*chain_.plan, id))
       for (const int i : shares_[id]) {
         const auto at = static_cast<std::size_t>(i);
         if (chain_.rooms[at] == id)
@@ -228,8 +227,7 @@ ChainRun::labelNiches()
       recessed[room.id - 1] = &room;
       surfaces[room.id - 1].emplace(room, reach);
     }
-  if (std::count(recessed.begin(), recessed.end(), nullptr) ==
-      static_cast<std::ptrdiff_t>(recessed.size()))
+  if (!std::any_of(recessed.begin(), recessed.end(), [](auto* room) { return room; }))
     return;
   const RoomTerritory niches = territory(nicheReach({chain_.priors_}));
   for (std::size_t at = 0; at < chain_.cloud->size(); ++at) {

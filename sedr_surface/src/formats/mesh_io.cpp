@@ -53,102 +53,50 @@ vertexValues(const TriangleMesh& mesh, const std::vector<std::uint32_t>& values)
   return result;
 }
 
-/** @brief The bytes of a PLY: little-endian, like all platforms of PCL. */
-class PlyContent {
-public:
-  PlyContent(const TriangleMesh& mesh, const std::vector<std::string>& comments)
-      : mesh_(mesh)
-      , needs_doubles_(std::any_of(
-            mesh.vertices.begin(),
-            mesh.vertices.end(),
-            [](const auto& v) { return v.cwiseAbs().maxCoeff() >= farthest_float; }))
-      , bytes_(header(comments))
-  {
-    bytes_.reserve(bytes_.size() + (needs_doubles_ ? 35 : 23) * mesh.vertices.size() +
-                   28 * mesh.triangles.size());
-    addVertices();
-    addFaces();
-  }
+/** @brief Beyond this, floats are off by 0.015 mm or more, metres. */
+constexpr double farthest_float = 256;
 
-  std::string take() { return std::move(bytes_); }
+std::string
+plyHeader(const TriangleMesh& mesh,
+          const std::vector<std::string>& comments,
+          bool needs_doubles)
+{
+  const char* const colour =
+      mesh.labels.empty()
+          ? ""
+          : "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  std::ostringstream text;
+  text << "ply\nformat binary_little_endian 1.0\ncomment metres, z up\n";
+  for (const std::string& comment : comments)
+    text << "comment " << comment << '\n';
+  text << "element vertex " << mesh.vertices.size() << '\n';
+  for (const char* axis : {"x", "y", "z"})
+    text << "property " << (needs_doubles ? "double " : "float ") << axis << '\n';
+  text << colour << (mesh.labels.empty() ? "" : "property uint label\n")
+       << (mesh.rooms.empty() ? "" : "property uint room\n") << "element face "
+       << mesh.triangles.size() << "\nproperty list uchar int vertex_indices\n"
+       << (mesh.labels.empty() ? "" : "property int label\n")
+       << (mesh.rooms.empty() ? "" : "property int room\n")
+       << (mesh.elements.empty() ? "" : "property int element\n") << colour
+       << "end_header\n";
+  return text.str();
+}
 
-private:
-  /** @brief Beyond this, floats are off by 0.015 mm or more, metres. */
-  static constexpr double farthest_float = 256;
+/** @brief Appends the bytes of a value: little-endian, like all platforms of PCL. */
+template <typename T>
+void
+add(std::string& bytes, T value)
+{
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
 
-  std::string header(const std::vector<std::string>& comments) const
-  {
-    const char* const colour =
-        mesh_.labels.empty()
-            ? ""
-            : "property uchar red\nproperty uchar green\nproperty uchar blue\n";
-    std::ostringstream text;
-    text << "ply\nformat binary_little_endian 1.0\ncomment metres, z up\n";
-    for (const std::string& comment : comments)
-      text << "comment " << comment << '\n';
-    text << "element vertex " << mesh_.vertices.size() << '\n';
-    for (const char* axis : {"x", "y", "z"})
-      text << "property " << (needs_doubles_ ? "double " : "float ") << axis << '\n';
-    text << colour << (mesh_.labels.empty() ? "" : "property uint label\n")
-         << (mesh_.rooms.empty() ? "" : "property uint room\n") << "element face "
-         << mesh_.triangles.size() << "\nproperty list uchar int vertex_indices\n"
-         << (mesh_.labels.empty() ? "" : "property int label\n")
-         << (mesh_.rooms.empty() ? "" : "property int room\n")
-         << (mesh_.elements.empty() ? "" : "property int element\n") << colour
-         << "end_header\n";
-    return text.str();
-  }
-
-  template <typename T>
-  void add(T value)
-  {
-    bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
-  }
-
-  void addColour(std::uint32_t label)
-  {
-    const LabelColour colour = colourOf(label);
-    for (const double channel : {colour.red, colour.green, colour.blue})
-      add(static_cast<std::uint8_t>(std::lround(255 * channel)));
-  }
-
-  void addVertices()
-  {
-    const auto labels = vertexValues(mesh_, mesh_.labels);
-    const auto rooms = vertexValues(mesh_, mesh_.rooms);
-    for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
-      for (int k = 0; k < 3; ++k)
-        if (needs_doubles_)
-          add(mesh_.vertices[v][k]);
-        else
-          add(static_cast<float>(mesh_.vertices[v][k]));
-      if (!mesh_.labels.empty()) {
-        addColour(labels[v]);
-        add(labels[v]);
-      }
-      if (!mesh_.rooms.empty())
-        add(rooms[v]);
-    }
-  }
-
-  void addFaces()
-  {
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-      add(std::uint8_t{3});
-      for (const auto v : mesh_.triangles[t])
-        add(v);
-      for (const auto* attribute : {&mesh_.labels, &mesh_.rooms, &mesh_.elements})
-        if (!attribute->empty())
-          add((*attribute)[t]);
-      if (!mesh_.labels.empty())
-        addColour(mesh_.labels[t]);
-    }
-  }
-
-  const TriangleMesh& mesh_;
-  bool needs_doubles_;
-  std::string bytes_;
-};
+void
+addColour(std::string& bytes, std::uint32_t label)
+{
+  const LabelColour colour = colourOf(label);
+  for (const double channel : {colour.red, colour.green, colour.blue})
+    add(bytes, static_cast<std::uint8_t>(std::lround(255 * channel)));
+}
 
 std::string
 inLine(std::size_t number)
@@ -236,7 +184,39 @@ loadMesh(const std::string& path, TriangleMesh& mesh)
 std::string
 meshToPly(const TriangleMesh& mesh, const std::vector<std::string>& comments)
 {
-  return PlyContent(mesh, comments).take();
+  const bool needs_doubles =
+      std::any_of(mesh.vertices.begin(), mesh.vertices.end(), [](const auto& v) {
+        return v.cwiseAbs().maxCoeff() >= farthest_float;
+      });
+  const auto labels = vertexValues(mesh, mesh.labels);
+  const auto rooms = vertexValues(mesh, mesh.rooms);
+  std::string bytes = plyHeader(mesh, comments, needs_doubles);
+  bytes.reserve(bytes.size() + (needs_doubles ? 35 : 23) * mesh.vertices.size() +
+                28 * mesh.triangles.size());
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    for (int k = 0; k < 3; ++k)
+      if (needs_doubles)
+        add(bytes, mesh.vertices[v][k]);
+      else
+        add(bytes, static_cast<float>(mesh.vertices[v][k]));
+    if (!mesh.labels.empty()) {
+      addColour(bytes, labels[v]);
+      add(bytes, labels[v]);
+    }
+    if (!mesh.rooms.empty())
+      add(bytes, rooms[v]);
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    add(bytes, std::uint8_t{3});
+    for (const std::uint32_t v : mesh.triangles[t])
+      add(bytes, v);
+    for (const auto* attribute : {&mesh.labels, &mesh.rooms, &mesh.elements})
+      if (!attribute->empty())
+        add(bytes, (*attribute)[t]);
+    if (!mesh.labels.empty())
+      addColour(bytes, mesh.labels[t]);
+  }
+  return bytes;
 }
 
 } // namespace pcl::sedr

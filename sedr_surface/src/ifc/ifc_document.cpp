@@ -11,29 +11,6 @@
 #include <map>
 
 namespace pcl::sedr::ifc {
-namespace {
-
-/** @brief Returns the GlobalId for a name: its UUID of version 5 (RFC 4122) in the 22
- * letters of IFC, two for the first byte and four for every three further bytes. */
-std::string
-guidOf(const std::string& name)
-{
-  constexpr const char* letters =
-      "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_$";
-  // The name space is SEDR's own, a random UUID.
-  static const boost::uuids::uuid space =
-      boost::uuids::string_generator()("6f1c2a54-3f0b-4c8e-9d27-5b6f0e7a9c31");
-  const boost::uuids::uuid uuid = boost::uuids::name_generator_sha1(space)(name);
-  std::string text{letters[uuid.data[0] >> 6], letters[uuid.data[0] & 63]};
-  for (int i = 1; i < 16; i += 3) {
-    const int three = uuid.data[i] << 16 | uuid.data[i + 1] << 8 | uuid.data[i + 2];
-    for (int shift = 18; shift >= 0; shift -= 6)
-      text += letters[three >> shift & 63];
-  }
-  return text;
-}
-
-} // namespace
 
 IfcDocument::IfcDocument(const Floorplan& of_plan,
                          const IfcSettings& with_settings,
@@ -46,10 +23,25 @@ IfcDocument::IfcDocument(const Floorplan& of_plan,
   addProject(origin);
 }
 
+/** @brief It is the UUID of version 5 (RFC 4122) in the 22 letters of IFC, two for the
+ * first byte and four for every three further bytes. */
 std::string
 IfcDocument::guid(const std::string& name) const
 {
-  return guidOf(settings.name + "/" + name);
+  constexpr const char* letters =
+      "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_$";
+  // The name space is SEDR's own, a random UUID.
+  static const boost::uuids::uuid space =
+      boost::uuids::string_generator()("6f1c2a54-3f0b-4c8e-9d27-5b6f0e7a9c31");
+  const boost::uuids::uuid uuid =
+      boost::uuids::name_generator_sha1(space)(settings.name + "/" + name);
+  std::string text{letters[uuid.data[0] >> 6], letters[uuid.data[0] & 63]};
+  for (int i = 1; i < 16; i += 3) {
+    const int three = uuid.data[i] << 16 | uuid.data[i + 1] << 8 | uuid.data[i + 2];
+    for (int shift = 18; shift >= 0; shift -= 6)
+      text += letters[three >> shift & 63];
+  }
+  return text;
 }
 
 void

@@ -160,9 +160,11 @@ private:
   void writeCeiling(std::size_t r)
   {
     const PlanRoom& room = *document_.rooms[r].room;
+    const bool has_recess =
+        std::any_of(room.details.begin(), room.details.end(),
+                    [&](const PlanDetail& d) { return sideOf(d, room.ceiling) > 0; });
     add(r, "ceiling_slab", room.ceiling, document_.settings.assumed_thickness, true,
-        !hasRaisedDetails(room) && !hasSlopingCeiling(room), ceilingParts(r), "ceiling",
-        "ROOF");
+        !has_recess && !hasSlopingCeiling(room), ceilingParts(r), "ceiling", "ROOF");
   }
 
   /** @brief Returns the parts of the ceiling with facets and recesses, without what

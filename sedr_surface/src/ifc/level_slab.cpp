@@ -66,14 +66,6 @@ sideOf(const PlanDetail& detail, const PlanSlab& slab)
   return above > same_height ? 1 : above < -same_height ? -1 : 0;
 }
 
-bool
-hasRaisedDetails(const PlanRoom& room)
-{
-  return std::any_of(
-      room.details.begin(), room.details.end(),
-      [&](const PlanDetail& detail) { return sideOf(detail, room.ceiling) > 0; });
-}
-
 TriangleMesh
 prismOn(const TriangleMesh& mesh,
         const std::vector<std::size_t>& triangles,

@@ -35,9 +35,6 @@ std::optional<double> levelOf(const PlanSlab& slab, const Eigen::AlignedBox2d& b
 /** @brief Returns whether a room's ceiling or a part of it is not level. */
 bool hasSlopingCeiling(const PlanRoom& room);
 
-/** @brief Returns whether parts of a ceiling lie above it: recesses, coffers. */
-bool hasRaisedDetails(const PlanRoom& room);
-
 /** @brief Compares the heights of a detail and a slab at the middle of the detail's
  * box.
  * @return 1 if the detail is above, -1 if below, 0 if at the same height */

@@ -25,20 +25,35 @@ public:
         around_[v].push_back(t);
   }
 
-  std::vector<std::uint32_t> collectBad() const
+  // Collapses edges up to a length, and removes the triangles that vanish.
+  void run(double longest)
   {
+    constexpr int strict_rounds = 8;
+    constexpr int max_rounds = 14;
     std::vector<std::uint32_t> bad;
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
       if (cost(t) > 0)
         bad.push_back(t);
-    return bad;
+    for (int round = 0; round < max_rounds && !bad.empty(); ++round) {
+      strict_ = round < strict_rounds;
+      std::vector<std::uint32_t> next;
+      for (const auto t : bad)
+        if (alive_[t] && cost(t) > 0 && !mend(t, longest, next))
+          next.push_back(t);
+      std::sort(next.begin(), next.end());
+      next.erase(std::unique(next.begin(), next.end()), next.end());
+      bad = std::move(next);
+    }
+    mesh_.keepTriangles(alive_);
   }
 
-  // Sets whether vertices must stay on their edge or face; otherwise they may move less
-  // than half a cell off it.
-  void setStrict(bool strict) { strict_ = strict; }
-
-  bool isBad(std::uint32_t t) const { return alive_[t] && cost(t) > 0; }
+private:
+  struct Step {
+    int gain = 0;
+    double length = 0;
+    std::uint32_t kept = 0;
+    std::uint32_t gone = 0;
+  };
 
   // Improves the surroundings of triangle t by the best collapse. Appends the triangles
   // that changed.
@@ -57,16 +72,6 @@ public:
     changed.insert(changed.end(), ring.begin(), ring.end());
     return true;
   }
-
-  const std::vector<bool>& alive() const { return alive_; }
-
-private:
-  struct Step {
-    int gain = 0;
-    double length = 0;
-    std::uint32_t kept = 0;
-    std::uint32_t gone = 0;
-  };
 
   bool uses(std::uint32_t t, std::uint32_t v) const
   {
@@ -182,6 +187,8 @@ private:
   double min_height_;
   std::vector<bool> alive_;
   std::vector<std::vector<std::uint32_t>> around_; // triangles, per vertex
+  // Vertices must stay on their edge or face; otherwise they may move less than half a
+  // cell off it.
   bool strict_ = true;
 };
 
@@ -193,21 +200,7 @@ mendSurface(TriangleMesh& mesh,
             double min_height,
             double longest)
 {
-  constexpr int strict_rounds = 8;
-  constexpr int max_rounds = 14;
-  Mender mender(mesh, vertices, min_height);
-  std::vector<std::uint32_t> bad = mender.collectBad();
-  for (int round = 0; round < max_rounds && !bad.empty(); ++round) {
-    mender.setStrict(round < strict_rounds);
-    std::vector<std::uint32_t> next;
-    for (const auto t : bad)
-      if (mender.isBad(t) && !mender.mend(t, longest, next))
-        next.push_back(t);
-    std::sort(next.begin(), next.end());
-    next.erase(std::unique(next.begin(), next.end()), next.end());
-    bad = std::move(next);
-  }
-  mesh.keepTriangles(mender.alive());
+  Mender(mesh, vertices, min_height).run(longest);
 }
 
 } // namespace pcl::sedr

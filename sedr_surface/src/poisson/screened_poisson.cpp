@@ -54,18 +54,6 @@ gridOrigin(const std::vector<OrientedPoint>& points,
   return origin;
 }
 
-std::vector<SurfaceSample>
-toCells(const std::vector<OrientedPoint>& points,
-        const Eigen::Vector3d& origin,
-        double cell)
-{
-  std::vector<SurfaceSample> samples;
-  samples.reserve(points.size());
-  for (const OrientedPoint& p : points)
-    samples.push_back({(p.position.cast<double>() - origin) / cell, p.normal, 1});
-  return samples;
-}
-
 // Returns true if the normals point away from the volume enclosed by the points.
 bool
 facesOutwards(const std::vector<SurfaceSample>& samples)
@@ -95,10 +83,13 @@ screenedPoisson(const std::vector<OrientedPoint>& points,
     box.extend(p.position.cast<double>());
   double& cell = parameters.cell;
   std::vector<SurfaceSample> samples;
+  samples.reserve(points.size());
   Eigen::Vector3d origin;
   for (;;) {
     origin = gridOrigin(points, box.min(), cell);
-    samples = toCells(points, origin, cell);
+    samples.clear();
+    for (const OrientedPoint& p : points) // in cells
+      samples.push_back({(p.position.cast<double>() - origin) / cell, p.normal, 1});
     setAreas(samples, parameters.spacing / cell);
     const double expected =
         band_blocks *

@@ -34,21 +34,19 @@ public:
   {
     // One by one, the narrowest first, since a merge widens the other part.
     for (;;) {
-      const std::vector<Part> parts = regions();
-      const Part* narrowest = nullptr;
-      double least = 0;
-      for (const Part& part : parts) {
-        const double width = widthOf(part);
-        if (part.is_outside || width >= part.tolerance)
-          continue;
-        if (narrowest != nullptr && width >= least)
-          continue;
-        narrowest = &part;
-        least = width;
-      }
-      if (narrowest == nullptr)
+      std::vector<Part> slivers = regions();
+      slivers.erase(std::remove_if(slivers.begin(), slivers.end(),
+                                   [](const Part& part) {
+                                     return part.is_outside ||
+                                            widthOf(part) >= part.tolerance;
+                                   }),
+                    slivers.end());
+      if (slivers.empty())
         return;
-      assign(*narrowest, heirOf(*narrowest));
+      const Part& narrowest = *std::min_element(
+          slivers.begin(), slivers.end(),
+          [](const Part& a, const Part& b) { return widthOf(a) < widthOf(b); });
+      assign(narrowest, heirOf(narrowest));
     }
   }
 

@@ -75,9 +75,7 @@ private:
 };
 
 /** @brief Divides a triangulated plan into regions, and replaces those that cannot be
- * built: slivers go to neighbours; details and niches, then other regions, that leave
- * no height between floor and ceiling or would touch a neighbour are removed, and so
- * are small pieces cut off by columns or crossing walls.
+ * built, see subdivideRoom().
  * @param[out] subdivision gets vertices, edges and creases
  * @param[out] warnings of larger pieces and of details that are removed */
 void findRegions(const TriangulatedPlan& plan,

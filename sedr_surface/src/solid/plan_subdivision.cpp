@@ -148,16 +148,6 @@ solidSeparation(const PlanGrid& grid)
   return std::max(separation, 4 * grid.unit());
 }
 
-void
-PlanSubdivision::dropEdges(const std::vector<bool>& is_dropped)
-{
-  std::size_t kept = 0;
-  for (std::size_t e = 0; e < edges.size(); ++e)
-    if (!is_dropped[e])
-      edges[kept++] = edges[e];
-  edges.resize(kept);
-}
-
 std::vector<std::vector<Spoke>>
 spokesOf(const PlanSubdivision& plan)
 {

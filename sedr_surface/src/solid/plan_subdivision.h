@@ -50,16 +50,6 @@ struct PlanSubdivision {
   {
     return grid.toPlan(vertices[vertex]);
   }
-
-  /** @brief Returns the vector between two vertices, grid units. */
-  Eigen::Vector2d wayFrom(std::uint32_t from, std::uint32_t to) const
-  {
-    return Eigen::Vector2d(vertices[to].x, vertices[to].y) -
-           Eigen::Vector2d(vertices[from].x, vertices[from].y);
-  }
-
-  /** @brief Removes the edges with `is_dropped[e]` true; one entry per edge. */
-  void dropEdges(const std::vector<bool>& is_dropped);
 };
 
 /** @brief An edge of a subdivision, seen from one of its vertices. */

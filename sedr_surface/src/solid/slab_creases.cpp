@@ -96,15 +96,15 @@ reliefCreases(const SlabCurve& curve, const Eigen::AlignedBox2d& bounds)
 {
   const Eigen::AlignedBox2d local = localBounds(curve, bounds);
   std::vector<Crease> creases;
-  for (std::size_t k = 0; k < std::max(curve.columns, curve.rows()); ++k) {
-    const double at = curve.spacing * static_cast<double>(k);
-    if (k < curve.columns && at > local.min().x() && at < local.max().x())
-      creases.emplace_back(Eigen::Vector2d(at, local.min().y()),
-                           Eigen::Vector2d(at, local.max().y()));
-    if (k < curve.rows() && at > local.min().y() && at < local.max().y())
-      creases.emplace_back(Eigen::Vector2d(local.min().x(), at),
-                           Eigen::Vector2d(local.max().x(), at));
-  }
+  for (std::size_t k = 0; k < std::max(curve.columns, curve.rows()); ++k)
+    for (const int axis : {0, 1}) {
+      const double at = curve.spacing * static_cast<double>(k);
+      if (k >= (axis == 0 ? curve.columns : curve.rows()) || at <= local.min()[axis] ||
+          at >= local.max()[axis])
+        continue;
+      Crease& crease = creases.emplace_back(local.min(), local.max());
+      crease.first[axis] = crease.second[axis] = at;
+    }
   return creases;
 }
 

@@ -46,10 +46,12 @@ dropNeedlessVertices(const FacetCorners& corners, PlanSubdivision& plan)
     const bool is_double =
         std::any_of(spokes[in.end].begin(), spokes[in.end].end(),
                     [&out](const Spoke& spoke) { return spoke.end == out.end; });
-    const double length = distance(plan.vertices[in.end], plan.vertices[out.end]);
-    const auto off = static_cast<double>(
-        turn(plan.vertices[in.end], plan.vertices[out.end], plan.vertices[v]));
-    const bool is_between = plan.wayFrom(v, in.end).dot(plan.wayFrom(v, out.end)) < 0;
+    const GridPoint& here = plan.vertices[v];
+    const GridPoint& before = plan.vertices[in.end];
+    const GridPoint& after = plan.vertices[out.end];
+    const double length = distance(before, after);
+    const auto off = static_cast<double>(turn(before, after, here));
+    const bool is_between = way(here, before).dot(way(here, after)) < 0;
     if (common.empty() || is_double || !is_between || std::abs(off) > straight * length)
       continue;
     // The first edge is extended to the end of the second and keeps its sides.
@@ -63,7 +65,11 @@ dropNeedlessVertices(const FacetCorners& corners, PlanSubdivision& plan)
           spoke.end = other;
         }
   }
-  plan.dropEdges(is_dropped);
+  std::vector<SubdivisionEdge> kept;
+  for (std::size_t e = 0; e < plan.edges.size(); ++e)
+    if (!is_dropped[e])
+      kept.push_back(plan.edges[e]);
+  plan.edges.swap(kept);
 }
 
 namespace {

@@ -100,18 +100,15 @@ struct SolidSpan {
   std::int64_t high = 0; ///< equal to low outside the room
 };
 
-/** @brief Returns the number of connected pieces of cells of one kind: cells above and
- * below a level, sector by sector around a line. */
+/** @brief Returns the number of connected pieces of cells of one kind.
+ * @param cells above a level, sector by sector around a line, then likewise below it */
 std::size_t
-piecesOf(const std::vector<bool>& above, const std::vector<bool>& below, bool kind)
+piecesOf(const std::vector<bool>& cells, bool kind)
 {
-  const auto n = static_cast<std::uint32_t>(above.size());
-  const auto isOfKind = [&](std::uint32_t cell) {
-    return (cell < n ? above[cell] : below[cell - n]) == kind;
-  };
-  DisjointSets<> sets(2 * above.size());
+  const auto n = static_cast<std::uint32_t>(cells.size() / 2);
+  DisjointSets<> sets(cells.size());
   const auto join = [&](std::uint32_t a, std::uint32_t b) {
-    if (isOfKind(a) && isOfKind(b))
+    if (cells[a] == kind && cells[b] == kind)
       sets.join(a, b);
   };
   for (std::uint32_t sector = 0; sector < n; ++sector) {
@@ -122,7 +119,7 @@ piecesOf(const std::vector<bool>& above, const std::vector<bool>& below, bool ki
   }
   std::size_t pieces = 0;
   for (std::uint32_t cell = 0; cell < 2 * n; ++cell)
-    pieces += isOfKind(cell) && sets.find(cell) == cell ? 1 : 0;
+    pieces += cells[cell] == kind && sets.find(cell) == cell ? 1 : 0;
   return pieces;
 }
 
@@ -130,15 +127,15 @@ piecesOf(const std::vector<bool>& above, const std::vector<bool>& below, bool ki
 bool
 touchesItself(const std::vector<SolidSpan>& sectors)
 {
-  std::vector<bool> above(sectors.size());
-  std::vector<bool> below(sectors.size());
+  const std::size_t n = sectors.size();
+  std::vector<bool> is_solid(2 * n); // above a level, then below it
   for (const SolidSpan& at : sectors)
     for (const std::int64_t level : {at.low, at.high}) {
-      for (std::size_t s = 0; s < sectors.size(); ++s) {
-        above[s] = sectors[s].low <= level && level < sectors[s].high;
-        below[s] = sectors[s].low < level && level <= sectors[s].high;
+      for (std::size_t s = 0; s < n; ++s) {
+        is_solid[s] = sectors[s].low <= level && level < sectors[s].high;
+        is_solid[n + s] = sectors[s].low < level && level <= sectors[s].high;
       }
-      if (piecesOf(above, below, true) > 1 || piecesOf(above, below, false) > 1)
+      if (piecesOf(is_solid, true) > 1 || piecesOf(is_solid, false) > 1)
         return true;
     }
   return false;

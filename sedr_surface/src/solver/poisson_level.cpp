@@ -89,8 +89,7 @@ PoissonLevel::addScreens(float weight)
 {
   // For each block, the samples in its cells and in those that end at its first nodes,
   // which come from the preceding blocks.
-  screen_starts_.assign(grid_.size() + 1, 0);
-  std::vector<std::vector<Screen>> lists(grid_.size());
+  screens_.resize(grid_.size());
   for (std::size_t s = 0; s < sorted_.grid.size(); ++s) {
     const std::size_t own = grid_.find(sorted_.grid.at(s));
     for (std::size_t i = sorted_.starts[s]; i < sorted_.starts[s + 1]; ++i) {
@@ -118,13 +117,9 @@ PoissonLevel::addScreens(float weight)
             BandGrid::haloIndex(place[0], place[1], place[2]));
         screen.area = n == 0 ? sample.area : 0;
         if (b < grid_.size())
-          lists[b].push_back(screen);
+          screens_[b].push_back(screen);
       }
     }
-  }
-  for (std::size_t b = 0; b < grid_.size(); ++b) {
-    screens_.insert(screens_.end(), lists[b].begin(), lists[b].end());
-    screen_starts_[b + 1] = screens_.size();
   }
 }
 
@@ -163,11 +158,10 @@ PoissonLevel::setDiagonal(unsigned threads)
     float sums[BandGrid::halo_nodes];
     float shares[8];
     std::fill(std::begin(sums), std::end(sums), 6.f);
-    for (std::size_t i = screen_starts_[b]; i < screen_starts_[b + 1]; ++i) {
-      cornerShares(screens_[i].share, shares);
+    for (const Screen& screen : screens_[b]) {
+      cornerShares(screen.share, shares);
       for (std::size_t c = 0; c < 8; ++c)
-        sums[screens_[i].corner + corners[c]] +=
-            screens_[i].weight * shares[c] * shares[c];
+        sums[screen.corner + corners[c]] += screen.weight * shares[c] * shares[c];
     }
     BandGrid::copyInner(sums, &diagonal_[b * BandGrid::nodes]);
   });
@@ -192,12 +186,11 @@ void
 PoissonLevel::apply(const float* halo, std::size_t b, float* result) const
 {
   float extra[BandGrid::halo_nodes];
-  const bool screened = screen_starts_[b] < screen_starts_[b + 1];
+  const bool screened = !screens_[b].empty();
   if (screened) {
     std::fill(std::begin(extra), std::end(extra), 0.f);
     float shares[8];
-    for (std::size_t i = screen_starts_[b]; i < screen_starts_[b + 1]; ++i) {
-      const Screen& screen = screens_[i];
+    for (const Screen& screen : screens_[b]) {
       const float value = screen.valueIn(halo) * screen.weight;
       cornerShares(screen.share, shares);
       for (std::size_t c = 0; c < 8; ++c)
@@ -295,11 +288,10 @@ PoissonLevel::meanAtSamples(unsigned threads) const
     return sumInOrder(grid_.size(), BandGrid::blocks_at_once, threads,
                       [&](std::size_t b, double& sum) {
                         float halo[BandGrid::halo_nodes];
-                        if (screen_starts_[b] < screen_starts_[b + 1])
+                        if (!screens_[b].empty())
                           grid_.gatherHalo(values, b, halo);
-                        for (std::size_t i = screen_starts_[b];
-                             i < screen_starts_[b + 1]; ++i)
-                          sum += static_cast<double>(add(screens_[i], halo));
+                        for (const Screen& screen : screens_[b])
+                          sum += static_cast<double>(add(screen, halo));
                       });
   };
   const double area =

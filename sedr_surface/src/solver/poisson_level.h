@@ -91,8 +91,7 @@ private:
 
   BandGrid grid_;
   SortedSamples sorted_;
-  std::vector<Screen> screens_;
-  std::vector<std::size_t> screen_starts_;
+  std::vector<std::vector<Screen>> screens_; ///< of each block
   std::vector<float> right_;
   std::vector<float> diagonal_;
 };

@@ -14,14 +14,7 @@ namespace {
 
 using Key = BandGrid::Key;
 
-struct KeyedSample {
-  Key key;
-  std::uint32_t index;
-  bool operator<(const KeyedSample& other) const
-  {
-    return key != other.key ? key < other.key : index < other.index;
-  }
-};
+using KeyedSample = std::pair<Key, std::size_t>; ///< cube, index
 
 Key
 keyAt(const Eigen::Vector3d& position, double size)
@@ -38,7 +31,7 @@ sortedKeys(const std::vector<SurfaceSample>& samples, double size)
 {
   std::vector<KeyedSample> order(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i)
-    order[i] = {keyAt(samples[i].position, size), static_cast<std::uint32_t>(i)};
+    order[i] = {keyAt(samples[i].position, size), i};
   std::sort(order.begin(), order.end());
   return order;
 }
@@ -165,13 +158,13 @@ sortSamples(const std::vector<SurfaceSample>& samples, double scale)
   const double size = scale * static_cast<double>(BandGrid::edge);
   SortedSamples sorted;
   std::vector<Key> keys;
-  for (const KeyedSample& entry : sortedKeys(samples, size)) {
-    if (keys.empty() || keys.back() != entry.key) {
-      keys.push_back(entry.key);
+  for (const auto& [key, index] : sortedKeys(samples, size)) {
+    if (keys.empty() || keys.back() != key) {
+      keys.push_back(key);
       sorted.starts.push_back(sorted.samples.size());
     }
-    const SurfaceSample& sample = samples[entry.index];
-    const BandGrid::Block block = BandGrid::blockOf(entry.key);
+    const SurfaceSample& sample = samples[index];
+    const BandGrid::Block block = BandGrid::blockOf(key);
     BlockSample local;
     for (int k = 0; k < 3; ++k) {
       const double start =
@@ -195,9 +188,9 @@ mergeSamples(const std::vector<SurfaceSample>& samples, double size)
   const auto order = sortedKeys(samples, size);
   for (std::size_t i = 0; i < order.size();) {
     SurfaceSample sum{Eigen::Vector3d::Zero(), Eigen::Vector3f::Zero(), 0};
-    const Key key = order[i].key;
-    for (; i < order.size() && order[i].key == key; ++i) {
-      const SurfaceSample& sample = samples[order[i].index];
+    const Key key = order[i].first;
+    for (; i < order.size() && order[i].first == key; ++i) {
+      const SurfaceSample& sample = samples[order[i].second];
       sum.position += static_cast<double>(sample.area) * sample.position;
       sum.normal += sample.normal;
       sum.area += sample.area;

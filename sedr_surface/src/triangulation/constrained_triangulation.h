@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "delaunay.h"
 #include "plan_grid.h"
 
 #include <array>
@@ -12,16 +11,23 @@
 
 namespace pcl::sedr {
 
+using PlanTriangles = std::vector<std::array<std::uint32_t, 3>>; ///< indices of points
 using PlanEdges = std::vector<std::pair<std::uint32_t, std::uint32_t>>; ///< of points
 
 /** @brief A triangulation of points in plan; triangles are counter-clockwise. */
 struct PlanTriangulation {
   static constexpr std::uint32_t none = 0xffffffff;
 
-  std::vector<std::array<std::uint32_t, 3>> triangles; ///< indices of points
+  PlanTriangles triangles;
   /** @brief Triangle across the edge from corner i to corner i + 1, or none. */
   std::vector<std::array<std::uint32_t, 3>> neighbours;
 };
+
+/** @brief Computes the Delaunay triangulation of points, all distinct: triangles of
+ * non-zero area, counter-clockwise, that fill their convex hull; none of points on a
+ * line. O(n log n).
+ * @return false if rounding has left gaps */
+bool delaunay(const std::vector<GridPoint>& points, PlanTriangles& triangles);
 
 /** @brief Triangulates the convex hull of `points` so that each of `edges` is a side of
  * triangles. Starts with Boost.Polygon's Delaunay triangulation. Sides that cross an

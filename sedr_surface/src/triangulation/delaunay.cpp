@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "delaunay.h"
+#include "constrained_triangulation.h"
 
 #include <boost/polygon/voronoi.hpp>
 
 #include <algorithm>
-#include <cstddef>
-#include <utility>
 
 namespace pcl::sedr {
 namespace {
@@ -53,15 +51,6 @@ hullArea(std::vector<GridPoint> points)
   return area;
 }
 
-bool
-fillsHull(const std::vector<GridPoint>& points, const PlanTriangles& triangles)
-{
-  std::int64_t area = 0;
-  for (const auto& t : triangles)
-    area += turn(points[t[0]], points[t[1]], points[t[2]]);
-  return area == hullArea(points);
-}
-
 } // namespace
 
 bool
@@ -84,7 +73,10 @@ delaunay(const std::vector<GridPoint>& points, PlanTriangles& triangles)
     if (!cutPolygon(points, std::move(polygon), triangles))
       return false;
   }
-  return fillsHull(points, triangles);
+  std::int64_t area = 0;
+  for (const auto& t : triangles)
+    area += turn(points[t[0]], points[t[1]], points[t[2]]);
+  return area == hullArea(points);
 }
 
 } // namespace pcl::sedr

@@ -32,6 +32,13 @@ turn(const GridPoint& a, const GridPoint& b, const GridPoint& c)
          difference(b.y, a.y) * difference(c.x, a.x);
 }
 
+/** @brief Returns the vector between two grid points, grid units. */
+inline Eigen::Vector2d
+way(const GridPoint& from, const GridPoint& to)
+{
+  return Eigen::Vector2d(to.x, to.y) - Eigen::Vector2d(from.x, from.y);
+}
+
 /** @brief Returns the distance of two grid points, grid units. */
 inline double
 distance(const GridPoint& a, const GridPoint& b)

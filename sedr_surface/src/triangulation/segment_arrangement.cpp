@@ -47,12 +47,6 @@ unfold(Pieces& pieces)
     }
 }
 
-Eigen::Vector2d
-way(const GridPoint& from, const GridPoint& to)
-{
-  return Eigen::Vector2d(to.x, to.y) - Eigen::Vector2d(from.x, from.y);
-}
-
 /** @brief Splits the pieces where they cross or touch; exactly, except for the rounding
  * of crossings to the grid. */
 void
