@@ -267,7 +267,8 @@ TEST_F(ScanFormats, ColumnsOfTextAreDividedByAnySign)
   for (const char* const bytes :
        {"1.5 2 3\n4 5 6\n", "# made by hand\n\n1.5\t2\t+3e0\r\n", "x,y,z\n1.5,2,3\n",
         "1.5;2;3; \n4;5;6;\n", "1.5, 2 ,\t3,,\n4, 5, 6,\n", "1.5 2 3 a door\n4 5 6\n",
-        "1.5,2,3 255\n4,5,6 255\n", "1.5 2 3\r4 5 6\r7 8 9", "1.5 2 3\r4 5 6\n7 8 9",
+        "1.5,2,3 255\n4,5,6 255\n", "1,5;2;3\n4;5,25;6\n", "1,5 2,0 +3\n4 5 6\n",
+        "1.5 2 3\r4 5 6\r7 8 9", "1.5 2 3\r4 5 6\n7 8 9",
         "\"X\",\"Y\",\"Z\"\n1.5,2,3\n",
         "\xEF\xBB\xBF"
         "1.5 2 3\n",
@@ -277,6 +278,7 @@ TEST_F(ScanFormats, ColumnsOfTextAreDividedByAnySign)
         "h,e,n\n3,1.5,2\n", "Height;Easting;Northing\n3;1.5;2\n",
         "# z x y\n# by hand\n\n3 1.5 2\n"})
     expectPoint(text(bytes), 0, 1.5, 2, 3);
+  expectPoint(text("1;2,5;3\n4;5,25;6\n"), 1, 4, 5.25, 6);
   expectPoint(text("a,b,c\n1.5,2,3\n", "x,y,z"), 0, 1.5, 2, 3);
   expectPoint(text("7 3 2 1.5\n", "_ z y x"), 0, 1.5, 2, 3);
   EXPECT_EQ(text("1 2 3\r4 5 6\r7 8 9").size(), 3u);

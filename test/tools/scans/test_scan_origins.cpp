@@ -293,6 +293,13 @@ TEST_F(JointScans, OfAFolderAreItsScansByName)
   EXPECT_EQ(scanFilesOf({folder_.path().string()}), all);
   EXPECT_NE(testing::internal::GetCapturedStderr().find("positions.txt"),
             std::string::npos);
+  write("1 2 3\n", "solid.ply");
+  write(R"({"format": "sedr-report", "files": ["report.json", "solid.ply", "../b"]})",
+        "report.json");
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(scanFilesOf({folder_.path().string()}), all) << "without results";
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("2 files that its report.json"),
+            std::string::npos);
   std::filesystem::create_directory(in("empty"));
   EXPECT_THROW(scanFilesOf({in("empty")}), ToolError);
   EXPECT_THROW(scanFilesOf({"-", all[0], "-"}), ToolError);

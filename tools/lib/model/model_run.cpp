@@ -254,7 +254,7 @@ makeModel(const ModelSettings& settings,
 {
   if (settings.no_mesh && settings.report)
     throw ToolError("--report shows the mesh, which --no-mesh leaves out");
-  OutputFolder folder(settings.folder, settings.inputs);
+  OutputFolder folder(settings.folder, scanFilesOf(settings.inputs));
   folder.check(outputNames(settings));
   loadFonts();
   RunRecord record;

@@ -3,8 +3,7 @@
 
 #include "run_tool.h"
 #include "tool_error.h"
-
-#include <nlohmann/json.hpp>
+#include "written_files.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -15,7 +14,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <utility>
 
 namespace pcl::sedr::tools {
@@ -156,35 +154,6 @@ OutputFolder::written() const
   return names;
 }
 
-/** @brief Checks whether a name, of a report that anybody may have written, is that of
- * a file within the folder. */
-bool
-OutputFolder::isWithin(const fs::path& name) const
-{
-  std::error_code error;
-  const fs::path folder = fs::weakly_canonical(path_, error);
-  const fs::path parent = fs::weakly_canonical((path_ / name).parent_path(), error);
-  const auto beyond =
-      std::mismatch(folder.begin(), folder.end(), parent.begin(), parent.end()).first;
-  return !error && name.is_relative() && name.has_filename() && beyond == folder.end();
-}
-
-/** @brief Returns the names of an earlier run's files within the folder. */
-std::vector<std::string>
-OutputFolder::namesInReport() const
-{
-  std::ifstream stream(path_ / "report.json", std::ios::binary);
-  const auto report = nlohmann::json::parse(stream, nullptr, false);
-  std::vector<std::string> names;
-  if (!report.is_object() || report.value("format", nlohmann::json()) != "sedr-report")
-    return names;
-  names.emplace_back("report.html"); // pcl_sedr_report may have made it
-  for (const auto& name : report.value("files", nlohmann::json::array()))
-    if (name.is_string() && isWithin(name.get<std::string>()))
-      names.push_back(fs::path(name.get<std::string>()).lexically_normal().string());
-  return names;
-}
-
 void
 OutputFolder::exchange()
 {
@@ -197,7 +166,7 @@ OutputFolder::exchange()
     fs::create_directories((path_ / name).parent_path(), error);
   }
   std::vector<std::string> old;
-  for (const auto& name : namesInReport())
+  for (const auto& name : writtenFiles(path_))
     if (!std::binary_search(names.begin(), names.end(), name) && !isInput(path_ / name))
       old.push_back(path_ / name);
   std::vector<std::string> emptied; // folders, of which those that are empty go

@@ -43,8 +43,6 @@ private:
   void clean() const;
   void endEarly() const;
   bool isInput(const std::filesystem::path& file) const;
-  bool isWithin(const std::filesystem::path& name) const;
-  std::vector<std::string> namesInReport() const;
 
   std::filesystem::path path_;
   std::filesystem::path part_; ///< the hidden folder

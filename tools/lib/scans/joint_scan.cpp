@@ -4,6 +4,7 @@
 #include "bytes/input_file.h"
 #include "run_tool.h"
 #include "tool_error.h"
+#include "written_files.h"
 
 #include <pcl/common/io.h>
 #include <pcl/point_types.h>
@@ -36,16 +37,24 @@ scansIn(const std::string& folder)
 {
   std::vector<std::string> paths;
   std::vector<std::string> others;
+  const std::vector<std::string> written = writtenFiles(folder);
+  std::size_t results = 0;
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error))
-    if (!fs::is_directory(entry->path(), error))
+    if (std::binary_search(written.begin(), written.end(), entry->path().filename()))
+      ++results;
+    else if (!fs::is_directory(entry->path(), error))
       (isScanName(entry->path()) ? paths : others).push_back(entry->path().string());
   if (error)
     throw ToolError("cannot read the folder '" + folder + "': " + error.message());
+  if (results > 0)
+    warnOnce("the folder '" + folder + "' has " + std::to_string(results) +
+             " files that its report.json lists as results, which are left out");
   if (paths.empty())
     throw ToolError("the folder '" + folder +
-                    "' has no .pcd, .ply, .e57, .las, .xyz or .pts file");
+                    "' has no .pcd, .ply, .e57, .las, .xyz or .pts file" +
+                    (results > 0 ? " but results" : ""));
   std::sort(paths.begin(), paths.end());
   std::sort(others.begin(), others.end());
   if (!others.empty())

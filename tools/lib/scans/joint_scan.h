@@ -10,8 +10,8 @@
 namespace pcl::sedr::tools {
 
 /** @brief Returns the files named by paths, in order. A folder stands for its .pcd,
- * .ply, .e57, .las, .xyz and .pts files sorted by name. Throws ToolError for a folder
- * without any. */
+ * .ply, .e57, .las, .xyz and .pts files sorted by name, without those that a
+ * report.json in it lists as results. Throws ToolError for a folder without any. */
 std::vector<std::string> scanFilesOf(const std::vector<std::string>& paths);
 
 /** @brief Several files as one scan: their rows in sequence, with all fields of a

@@ -105,10 +105,29 @@ namesCoordinates(const Names& names)
   });
 }
 
+/** @brief Returns whether commas are decimal marks in a line: semicolons, tabs or
+ * blanks part it into three cells or more, with one comma at most, within digits. */
+bool
+hasDecimalCommas(std::string_view line)
+{
+  std::vector<std::string> cells;
+  boost::split(cells, boost::trim_copy(std::string(line)), boost::is_any_of("; \t\r"),
+               boost::token_compress_on);
+  const auto isWithinDigits = [](const std::string& cell) {
+    const std::size_t comma = cell.find_first_of(",.");
+    return comma == cell.npos ||
+           (cell[comma] == ',' && comma > 0 && comma + 1 < cell.size() &&
+            cell.find_first_of(",.", comma + 1) == cell.npos);
+  };
+  return cells.size() >= 3 && line.find(',') != line.npos &&
+         std::all_of(cells.begin(), cells.end(), isWithinDigits);
+}
+
 /** @brief The first line with at least three numbers. */
 struct FirstLine {
   std::size_t begin = 0; ///< bytes
-  std::string text;
+  std::string text;      ///< with decimal points
+  bool has_decimal_commas = false;
   Names before; ///< the last lines before that are neither empty nor a count
 };
 
@@ -127,10 +146,12 @@ findFirstLine(const InputFile& file)
       return std::nullopt;
     if (mayHoldNumbers(line)) {
       ++others;
-      if (readColumns(line, max_columns, numbers.data()) >= 3) {
-        first.text = line;
+      first.text = line;
+      first.has_decimal_commas = hasDecimalCommas(line);
+      if (first.has_decimal_commas)
+        std::replace(first.text.begin(), first.text.end(), ',', '.');
+      if (readColumns(first.text, max_columns, numbers.data()) >= 3)
         return first;
-      }
     }
     if (wordsOf(line).empty() || isCount(line))
       continue;
@@ -281,6 +302,7 @@ TextColumns::find(const InputFile& file, const std::string& asked)
   const FirstLine first = findFirstLine(file).value_or(FirstLine());
   TextColumns columns;
   columns.begin = first.begin;
+  columns.has_decimal_commas = first.has_decimal_commas;
   Numbers numbers{};
   const std::size_t n =
       readColumns(first.text, max_columns, numbers.data(), &columns.is_exact);

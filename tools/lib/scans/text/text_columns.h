@@ -19,6 +19,7 @@ struct TextColumns {
   StoredRow row;                             ///< x, y and z are doubles
   std::vector<std::size_t> columns;          ///< of each value of the row
   std::size_t numbers = 0;                   ///< that are read of a line
+  bool has_decimal_commas = false;           ///< which separate no columns
   bool is_exact = false;                     ///< whether lines hold nothing else
   std::optional<std::uint64_t> points;       ///< number of points, if a header tells it
   bool are_last = true;                      ///< whether nothing follows these points

@@ -7,6 +7,8 @@
 #include "bytes/text_lines.h"
 #include "sedr_filters/src/base/parallel.h"
 
+#include <algorithm>
+
 namespace pcl::sedr::tools {
 
 TextReader::TextReader(std::shared_ptr<const InputFile> file,
@@ -68,6 +70,8 @@ TextReader::textOf(std::size_t block) const
   const std::size_t begin = blocks_[block].begin;
   std::string text(blocks_[block + 1].begin - begin, '\0');
   file_->read(begin, text.size(), text.data());
+  if (columns_.has_decimal_commas)
+    std::replace(text.begin(), text.end(), ',', '.');
   return text;
 }
 
