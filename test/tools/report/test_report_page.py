@@ -8,7 +8,9 @@ The tests in a browser are skipped where there is no Chromium, those of the mode
 (Debian's libjs-three) is missing.
 """
 
+import atexit
 import base64
+import functools
 import json
 import os
 import re
@@ -28,6 +30,7 @@ from plan_samples import rectangle, room, slab
 REPORT, EXTRUSION = sys.argv[1:3]
 THREE = "/usr/share/javascript/three"
 needs_three = unittest.skipUnless(os.path.exists(THREE + "/three.min.js"), "three.js is missing: Debian package libjs-three")
+WITHOUT_MODEL = ("--three", "/nowhere")  # opened at once
 NASTY = "<script>alert('1')</script>&\"scan\".pcd"
 
 
@@ -110,19 +113,31 @@ def volume_of(triangles):
                + a[2] * (b[0] * c[1] - b[1] * c[0]) for a, b, c in triangles) / 6
 
 
+@functools.lru_cache(maxsize=None)
+def sample_folder():
+    """A folder with the scan, and with the model's folder and its page, made once."""
+    root = tempfile.mkdtemp()
+    atexit.register(shutil.rmtree, root)
+    model, scan = os.path.join(root, "model"), os.path.join(root, "scan.pcd")
+    os.mkdir(model)
+    for name, content in (("floorplan.json", sample_plan()), ("report.json", sample_report())):
+        with open(os.path.join(model, name), "w") as file:
+            json.dump(content, file)
+    for name in ("solid.ply", "model.glb"):
+        subprocess.run([EXTRUSION, os.path.join(model, "floorplan.json"), os.path.join(model, name)], check=True)
+    shutil.copy(os.path.join(model, "solid.ply"), os.path.join(model, "mesh.ply"))
+    write_scan(scan)
+    subprocess.run([REPORT, model, "--scan", scan], check=True)
+    return root
+
+
 class ReportCase(unittest.TestCase):
     def setUp(self):
         self.root = tempfile.mkdtemp()
         self.addCleanup(shutil.rmtree, self.root)
+        shutil.copytree(sample_folder(), self.root, dirs_exist_ok=True)
         self.model = os.path.join(self.root, "model")
-        os.mkdir(self.model)
-        self.write("floorplan.json", sample_plan())
-        self.write("report.json", sample_report())
-        for name in ("solid.ply", "model.glb"):
-            subprocess.run([EXTRUSION, self.file("floorplan.json"), self.file(name)], check=True)
-        shutil.copy(self.file("solid.ply"), self.file("mesh.ply"))
         self.scan = os.path.join(self.root, "scan.pcd")
-        write_scan(self.scan)
 
     def file(self, name):
         return os.path.join(self.model, name)
@@ -229,16 +244,11 @@ class ReportPage(ReportCase):
         self.assertEqual(self.make("--scan", self.scan), self.make("--scan", self.scan))
 
 
-@unittest.skipUnless(chromium.program(), "there is no Chromium")
-class ReportInABrowser(ReportCase):
+class BrowserCase(ReportCase):
     @classmethod
     def setUpClass(cls):
         cls.browser = chromium.Browser()  # for all tests, as it takes a second to start
         cls.addClassCleanup(cls.browser.close)
-
-    def setUp(self):
-        super().setUp()
-        self.make("--scan", self.scan)
 
     opened = None  # the page as it was written, and its size, while nobody has touched it
 
@@ -269,6 +279,23 @@ class ReportInABrowser(ReportCase):
             time.sleep(0.1)
         self.fail("the model does not appear")
 
+    def row(self, browser, section, first):
+        """The texts of a table's row by its heads."""
+        return browser.run(f"""(() => {{
+          const texts = row => [...row.children].map(cell => cell.textContent);
+          const rows = [...document.querySelectorAll('#{section} tr')].map(texts);
+          const row = rows.find(r => r[0] === '{first}');
+          return row && Object.fromEntries(rows[0].map((head, k) => [head, row[k]]));
+        }})()""")
+
+    def words(self, browser, selector="body"):
+        return " ".join(browser.run(f"document.querySelector('{selector}').innerText").split())
+
+
+@unittest.skipUnless(chromium.program(), "there is no Chromium")
+class ReportInABrowser(BrowserCase):
+    """The sample."""
+
     def canvas(self, browser):
         """What the model's canvas shows: a list of RGB."""
         data = base64.b64decode(browser.run("""(() => {
@@ -282,18 +309,6 @@ class ReportInABrowser(ReportCase):
           return btoa(text);
         })()"""))
         return [data[i:i + 3] for i in range(0, len(data), 3)]
-
-    def row(self, browser, section, first):
-        """The texts of a table's row by its heads."""
-        return browser.run(f"""(() => {{
-          const texts = row => [...row.children].map(cell => cell.textContent);
-          const rows = [...document.querySelectorAll('#{section} tr')].map(texts);
-          const row = rows.find(r => r[0] === '{first}');
-          return row && Object.fromEntries(rows[0].map((head, k) => [head, row[k]]));
-        }})()""")
-
-    def words(self, browser, selector="body"):
-        return " ".join(browser.run(f"document.querySelector('{selector}').innerText").split())
 
     def test_rooms_and_stages_are_told_with_units(self):
         browser = self.open()
@@ -309,62 +324,6 @@ class ReportInABrowser(ReportCase):
         self.assertEqual(self.row(browser, "parameters", "plane_tolerance")["value"], "0.07")
         self.assertEqual(self.row(browser, "files", "model.glb")["what it is"], "sharp model for the web, glTF 2.0")
         self.assertIn("17.8 m²", self.words(browser, "#figures"), "floor area of all")
-
-    def test_storeys_and_what_was_left_out(self):
-        """The sample, and the same rooms 2.8 m higher as rooms 3 and 4."""
-        plan, report = sample_plan(), sample_report()
-        for low in sample_plan()["rooms"]:
-            plan["rooms"].append({**low, "id": low["id"] + 2, "floor": slab(2.8), "ceiling": slab(5.3), "details": []})
-        plan["storeys"] = [{"number": 1, "name": "ground floor", "rooms": [1, 2]}, {"number": 2, "name": "<attic>", "rooms": [3, 4]}]
-        plan["doorways"] = [{"rooms": [1, 2], "start": [4.1, 1], "end": [4.1, 1.9], "bottom": 0, "top": 2}]
-        report["rooms"] += [{**room, "id": room["id"] + 2} for room in report["rooms"]]
-        report["coverage"] = {"seen": 60.5, "modelled": 12.1, "share": 0.2, "left_out": [
-            {"reason": "room 3: <no> plan", "area": 48.4, "floor": -0.5, "ceiling": 2.5, "at": [10, -2.25], "counts": True}]}
-        self.write("floorplan.json", plan)
-        self.write("report.json", report)
-        self.make("--scan", self.scan)
-        browser = self.open()
-        attic = self.row(browser, "storeys", "<attic>")
-        self.assertEqual((attic["area, m²"], attic["height, m"]), ("17.75", "2.43 to 2.50"))
-        self.assertEqual(browser.run("document.querySelectorAll('.plans img').length"), 2)
-        self.assertEqual(browser.run("[...document.querySelectorAll('#rooms h3')].map(h => h.textContent)"),
-                         ["ground floor", "<attic>"])
-        door = self.row(browser, "openings", "room 1 and room 2")
-        self.assertEqual((door["width, m"], door["height, m"]), ("0.90", "2.00"))
-        gap = self.row(browser, "coverage", "room 3: <no> plan")
-        self.assertEqual((gap["area, m²"], gap["z, m"], gap["counts"]), ("48.4", "-0.5 to 2.5", "yes"))
-        self.assertIn("12.1 m² of 60.5 m² of floor that was seen are in the plan, 20 %", self.words(browser, "#coverage"))
-
-    def test_openings_tell_their_walls_and_their_place(self):
-        door = {"kind": "door", "rooms": [1, 2], "walls": [{"room": 1, "element": 1}, {"room": 2, "element": 3}],
-                "start": [4.1, 1], "end": [4.1, 2], "bottom": 0, "top": 2, "depth": 0.2, "hinge": "unknown", "state": "closed",
-                "confidence": 0.9, "residual": 0.01}
-        self.write("floorplan.json", {**sample_plan(), "openings": [door]})
-        self.make()
-        row = self.row(self.open(), "openings", "door")
-        self.assertEqual((row["walls"], row["at x, y, m"]), ("1.2, 2.4", "4.1, 1.5"))
-
-    def test_walls_show_what_was_seen_of_them(self):
-        wall = {"room": 1, "walls": [2, 3], "length": 4, "base": 0, "cell": 1, "columns": 4, "rows": 2, "cells": "4s2h1e1w",
-                "openings": [{"kind": "door", "from": 2, "to": 3, "bottom": 0, "top": 1}]}
-        self.write("report.json", {**sample_report(), "walls": [wall]})
-        self.make()
-        browser = self.open()
-        self.assertIn("room 1: 2 of 4 walls, 1 opening", self.words(browser, "#walls"))
-        browser.run("new Promise(done => { const box = document.querySelector('#walls details');"
-                    " box.addEventListener('toggle', () => setTimeout(done, 0)); box.open = true; })")
-        self.assertIn("wall 1.2, 1.3: 4.0 m, door", self.words(browser, "#walls"))
-        # Pixels of cells from the top left: three a cell.
-        pixel = "[...document.querySelector('#walls canvas').getContext('2d').getImageData({}, {}, 1, 1).data]"
-        self.assertEqual(browser.run(pixel.format(1, 1)), [155, 155, 155, 255], "seen")
-        self.assertEqual(browser.run(pixel.format(1, 4)), [150, 184, 225, 255], "hidden")
-
-    def test_a_malformed_section_leaves_the_others(self):
-        self.write("report.json", {**sample_report(), "coverage": 7})
-        self.make()
-        with self.assertRaisesRegex(AssertionError, "console"):
-            self.open()
-        self.assertIn("11.75", self.words(self.browser, "#rooms"))
 
     def test_text_of_others_is_shown_as_text(self):
         words = self.words(self.open())
@@ -399,33 +358,6 @@ class ReportInABrowser(ReportCase):
           return [seen(dx, dy), seen(dx, dy + %s)]; })()""" % (marks[0][2], marks[0][3], marks[0][3] - marks[1][3]))
         self.assertEqual(dots, [False, True])
 
-    def test_numbers_of_warnings_lie_beside_texts_and_each_other(self):
-        report = sample_report()
-        report["warnings"] = [{"kind": "sparse", "text": "thin", "room": 1, "at": [1 + k % 5 * 0.4, 1 + k // 5 * 0.4]} for k in range(20)]
-        self.write("report.json", report)
-        self.make()
-        meeting = self.open().run("""(() => {
-          const image = document.querySelector('.plans img'), sheet = image.getBoundingClientRect(), holder = document.createElement('div');
-          holder.innerHTML = decodeURIComponent(image.src.split(',').slice(1).join(','));
-          Object.assign(holder.style, { position: 'absolute', left: sheet.x + scrollX + 'px', top: sheet.y + scrollY + 'px' });
-          document.body.append(holder);
-          Object.assign(holder.firstElementChild.style, { width: sheet.width + 'px', height: sheet.height + 'px' });
-          const middle = box => [box.x + box.width / 2, box.y + box.height / 2];
-          const marks = [...document.querySelectorAll('#plan .mark')].map(mark => middle(mark.getBoundingClientRect()));
-          const texts = [...holder.querySelectorAll('text')].map(text => text.getBoundingClientRect());
-          const inside = ([x, y]) => texts.some(box => x > box.left && x < box.right && y > box.top && y < box.bottom);
-          const near = (a, b) => a !== b && Math.hypot(a[0] - b[0], a[1] - b[1]) < 8;
-          return [marks.length, texts.length > 5, marks.filter(inside).length, marks.filter(a => marks.some(b => near(a, b))).length]; })()""")
-        self.assertEqual(meeting, [20, True, 0, 0])
-
-    def test_nothing_amiss_is_told_too(self):
-        report = sample_report()
-        report["warnings"], report["unlikely"] = [], []
-        report["rooms"][0] = {**report["rooms"][1], "id": 1, "area": 11.75}
-        self.write("report.json", report)
-        self.make("--scan", self.scan)
-        self.assertIn("Nothing stands out", self.words(self.open(), "#check"))
-
     def test_histogram_has_a_bar_a_bin_and_one_beyond(self):
         bars = self.open().run("[...document.querySelectorAll('.chart div')].map(bar => "
                                "[bar.querySelector('b').getBoundingClientRect().height, bar.title])")
@@ -445,34 +377,6 @@ class ReportInABrowser(ReportCase):
             }})()""")
             self.assertGreater(share, 0.2, picture)
         self.assertTrue(browser.run("[...document.querySelectorAll('.plans img')].every(i => i.naturalWidth > 100)"))
-
-    def test_figures_of_another_plan_are_left_out_and_the_page_says_so(self):
-        report = sample_report()
-        report["rooms"][0]["area"] += 1
-        self.write("report.json", report)
-        self.make()
-        browser = self.open()
-        self.assertIn("is not the plan that report.json tells of", self.words(browser, "#check"))
-        self.assertNotIn(str(report["rooms"][0]["area"]), self.words(browser, "#rooms"))
-
-    def test_without_report_scan_and_models_the_plan_is_shown(self):
-        for name in ("solid.ply", "mesh.ply", "report.json", "model.glb"):
-            os.remove(self.file(name))
-        self.make()
-        browser = self.open(model=False)
-        self.assertEqual(self.row(browser, "rooms", "1")["columns"], "1")
-        ids = browser.run("[...document.querySelectorAll('section')].map(s => s.id)")
-        self.assertEqual(ids, ["check", "plan", "rooms", "files"])
-
-    def test_without_the_scan_the_page_says_so(self):
-        self.make()
-        self.assertIn("The scan was not found", self.words(self.open(), "#pictures"))
-
-    def test_without_three_the_page_says_so_and_has_pictures(self):
-        self.make("--scan", self.scan, "--three", os.path.join(self.root, "nowhere"))
-        browser = self.open()
-        self.assertIn("three.js was not found", self.words(browser, "#model"))
-        self.assertGreater(browser.run("document.querySelector('#model-picture canvas').height"), 200)
 
     def share(self, pixels, test):
         return sum(map(test, pixels[::7])) / len(pixels[::7])
@@ -547,6 +451,120 @@ class ReportInABrowser(ReportCase):
         widest = browser.run("Math.max(...[...document.querySelectorAll('body *')].filter(e => !e.closest('svg'))"
                              ".map(e => e.getBoundingClientRect().right))")
         self.assertLessEqual(widest, 700)
+
+
+@unittest.skipUnless(chromium.program(), "there is no Chromium")
+class OtherReportsInABrowser(BrowserCase):
+    def test_storeys_and_what_was_left_out(self):
+        """The sample, and the same rooms 2.8 m higher as rooms 3 and 4."""
+        plan, report = sample_plan(), sample_report()
+        for low in sample_plan()["rooms"]:
+            plan["rooms"].append({**low, "id": low["id"] + 2, "floor": slab(2.8), "ceiling": slab(5.3), "details": []})
+        plan["storeys"] = [{"number": 1, "name": "ground floor", "rooms": [1, 2]}, {"number": 2, "name": "<attic>", "rooms": [3, 4]}]
+        plan["doorways"] = [{"rooms": [1, 2], "start": [4.1, 1], "end": [4.1, 1.9], "bottom": 0, "top": 2}]
+        report["rooms"] += [{**room, "id": room["id"] + 2} for room in report["rooms"]]
+        report["coverage"] = {"seen": 60.5, "modelled": 12.1, "share": 0.2, "left_out": [
+            {"reason": "room 3: <no> plan", "area": 48.4, "floor": -0.5, "ceiling": 2.5, "at": [10, -2.25], "counts": True}]}
+        self.write("floorplan.json", plan)
+        self.write("report.json", report)
+        self.make("--scan", self.scan, *WITHOUT_MODEL)
+        browser = self.open()
+        attic = self.row(browser, "storeys", "<attic>")
+        self.assertEqual((attic["area, m²"], attic["height, m"]), ("17.75", "2.43 to 2.50"))
+        self.assertEqual(browser.run("document.querySelectorAll('.plans img').length"), 2)
+        self.assertEqual(browser.run("[...document.querySelectorAll('#rooms h3')].map(h => h.textContent)"),
+                         ["ground floor", "<attic>"])
+        door = self.row(browser, "openings", "room 1 and room 2")
+        self.assertEqual((door["width, m"], door["height, m"]), ("0.90", "2.00"))
+        gap = self.row(browser, "coverage", "room 3: <no> plan")
+        self.assertEqual((gap["area, m²"], gap["z, m"], gap["counts"]), ("48.4", "-0.5 to 2.5", "yes"))
+        self.assertIn("12.1 m² of 60.5 m² of floor that was seen are in the plan, 20 %", self.words(browser, "#coverage"))
+
+    def test_openings_tell_their_walls_and_their_place(self):
+        door = {"kind": "door", "rooms": [1, 2], "walls": [{"room": 1, "element": 1}, {"room": 2, "element": 3}],
+                "start": [4.1, 1], "end": [4.1, 2], "bottom": 0, "top": 2, "depth": 0.2, "hinge": "unknown", "state": "closed",
+                "confidence": 0.9, "residual": 0.01}
+        self.write("floorplan.json", {**sample_plan(), "openings": [door]})
+        self.make(*WITHOUT_MODEL)
+        row = self.row(self.open(), "openings", "door")
+        self.assertEqual((row["walls"], row["at x, y, m"]), ("1.2, 2.4", "4.1, 1.5"))
+
+    def test_walls_show_what_was_seen_of_them(self):
+        wall = {"room": 1, "walls": [2, 3], "length": 4, "base": 0, "cell": 1, "columns": 4, "rows": 2, "cells": "4s2h1e1w",
+                "openings": [{"kind": "door", "from": 2, "to": 3, "bottom": 0, "top": 1}]}
+        self.write("report.json", {**sample_report(), "walls": [wall]})
+        self.make(*WITHOUT_MODEL)
+        browser = self.open()
+        self.assertIn("room 1: 2 of 4 walls, 1 opening", self.words(browser, "#walls"))
+        browser.run("new Promise(done => { const box = document.querySelector('#walls details');"
+                    " box.addEventListener('toggle', () => setTimeout(done, 0)); box.open = true; })")
+        self.assertIn("wall 1.2, 1.3: 4.0 m, door", self.words(browser, "#walls"))
+        # Pixels of cells from the top left: three a cell.
+        pixel = "[...document.querySelector('#walls canvas').getContext('2d').getImageData({}, {}, 1, 1).data]"
+        self.assertEqual(browser.run(pixel.format(1, 1)), [155, 155, 155, 255], "seen")
+        self.assertEqual(browser.run(pixel.format(1, 4)), [150, 184, 225, 255], "hidden")
+
+    def test_a_malformed_section_leaves_the_others(self):
+        self.write("report.json", {**sample_report(), "coverage": 7})
+        self.make()
+        with self.assertRaisesRegex(AssertionError, "console"):
+            self.open()
+        self.assertIn("11.75", self.words(self.browser, "#rooms"))
+
+    def test_numbers_of_warnings_lie_beside_texts_and_each_other(self):
+        report = sample_report()
+        report["warnings"] = [{"kind": "sparse", "text": "thin", "room": 1, "at": [1 + k % 5 * 0.4, 1 + k // 5 * 0.4]} for k in range(20)]
+        self.write("report.json", report)
+        self.make(*WITHOUT_MODEL)
+        meeting = self.open().run("""(() => {
+          const image = document.querySelector('.plans img'), sheet = image.getBoundingClientRect(), holder = document.createElement('div');
+          holder.innerHTML = decodeURIComponent(image.src.split(',').slice(1).join(','));
+          Object.assign(holder.style, { position: 'absolute', left: sheet.x + scrollX + 'px', top: sheet.y + scrollY + 'px' });
+          document.body.append(holder);
+          Object.assign(holder.firstElementChild.style, { width: sheet.width + 'px', height: sheet.height + 'px' });
+          const middle = box => [box.x + box.width / 2, box.y + box.height / 2];
+          const marks = [...document.querySelectorAll('#plan .mark')].map(mark => middle(mark.getBoundingClientRect()));
+          const texts = [...holder.querySelectorAll('text')].map(text => text.getBoundingClientRect());
+          const inside = ([x, y]) => texts.some(box => x > box.left && x < box.right && y > box.top && y < box.bottom);
+          const near = (a, b) => a !== b && Math.hypot(a[0] - b[0], a[1] - b[1]) < 8;
+          return [marks.length, texts.length > 5, marks.filter(inside).length, marks.filter(a => marks.some(b => near(a, b))).length]; })()""")
+        self.assertEqual(meeting, [20, True, 0, 0])
+
+    def test_nothing_amiss_is_told_too(self):
+        report = sample_report()
+        report["warnings"], report["unlikely"] = [], []
+        report["rooms"][0] = {**report["rooms"][1], "id": 1, "area": 11.75}
+        self.write("report.json", report)
+        self.make("--scan", self.scan, *WITHOUT_MODEL)
+        self.assertIn("Nothing stands out", self.words(self.open(), "#check"))
+
+    def test_figures_of_another_plan_are_left_out_and_the_page_says_so(self):
+        report = sample_report()
+        report["rooms"][0]["area"] += 1
+        self.write("report.json", report)
+        self.make(*WITHOUT_MODEL)
+        browser = self.open()
+        self.assertIn("is not the plan that report.json tells of", self.words(browser, "#check"))
+        self.assertNotIn(str(report["rooms"][0]["area"]), self.words(browser, "#rooms"))
+
+    def test_without_report_scan_and_models_the_plan_is_shown(self):
+        for name in ("solid.ply", "mesh.ply", "report.json", "model.glb"):
+            os.remove(self.file(name))
+        self.make()
+        browser = self.open(model=False)
+        self.assertEqual(self.row(browser, "rooms", "1")["columns"], "1")
+        ids = browser.run("[...document.querySelectorAll('section')].map(s => s.id)")
+        self.assertEqual(ids, ["check", "plan", "rooms", "files"])
+
+    def test_without_the_scan_the_page_says_so(self):
+        self.make()
+        self.assertIn("The scan was not found", self.words(self.open(), "#pictures"))
+
+    def test_without_three_the_page_says_so_and_has_pictures(self):
+        self.make("--scan", self.scan, *WITHOUT_MODEL)
+        browser = self.open()
+        self.assertIn("three.js was not found", self.words(browser, "#model"))
+        self.assertGreater(browser.run("document.querySelector('#model-picture canvas').height"), 200)
 
     @needs_three
     def test_without_webgl_a_sentence_stands_there(self):
