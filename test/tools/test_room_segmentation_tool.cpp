@@ -32,10 +32,11 @@ twoStoreys()
   return scan;
 }
 
-TEST_F(RoomSegmentationTool, LabelsCeilingsAndFloorsByRoomAndKeepsAllFields)
+TEST_F(RoomSegmentationTool, WritesTheBuildingAndLabelsCeilingsAndFloorsByRoom)
 {
   const RoomScan scan = twoStoreys();
-  const ProgramRun result = runOn(ROOM_SEGMENTATION, scan.pcd(false), "output.pcd");
+  const ProgramRun result = runOn(ROOM_SEGMENTATION, scan.pcd(false), "output.pcd",
+                                  {"--building", in("building.json")});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.err, "");
   const ToolCloud cloud = loadCloud(in("output.pcd"));
@@ -54,13 +55,7 @@ TEST_F(RoomSegmentationTool, LabelsCeilingsAndFloorsByRoomAndKeepsAllFields)
                                                                                     : 0;
   }
   EXPECT_LT(elsewhere, labelled / 20) << "rooms by their storeys";
-}
 
-TEST_F(RoomSegmentationTool, WritesTheBuilding)
-{
-  const ProgramRun result = runOn(ROOM_SEGMENTATION, twoStoreys().pcd(false),
-                                  "output.pcd", {"--building", in("building.json")});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
   const auto json = nlohmann::json::parse(bytesOf(in("building.json")));
   EXPECT_EQ(json.at("format"), "sedr-building");
   ASSERT_EQ(json.at("storeys").size(), 2u);

@@ -142,18 +142,6 @@ TEST(RiserSpan, BetweenTwoDetailsThereIsOneAndItFacesTheHigher)
   }
 }
 
-TEST(SnapToRoom, WallPointsMoveInPlanOnlyAndKeepTheirHeight)
-{
-  const PlanRoom room = box();
-  const SurfacePoint p = snapped(room, {3.93, 1.2, 0.777}, Wall, 0.1);
-  EXPECT_NEAR((p.position - Vector3d(4, 1.2, 0.777)).norm(), 0, 1e-12);
-  EXPECT_NEAR((p.normal - Vector3d(-1, 0, 0)).norm(), 0, 1e-12);
-  EXPECT_EQ(p.label, Wall);
-  EXPECT_EQ(p.room, 7u);
-  const SurfacePoint outside = snapped(room, {2, -0.08, 1}, Wall, 0.1);
-  EXPECT_NEAR((outside.position - Vector3d(2, 0, 1)).norm(), 0, 1e-12);
-}
-
 TEST(SnapToRoom, SlabPointsMoveToThePlaneAndKeepTheirPlace)
 {
   PlanRoom room = box();

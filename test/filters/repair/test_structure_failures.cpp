@@ -83,6 +83,19 @@ TYPED_TEST(StructureStage, AFailedRunRemovesAllIndicesThatTheCloudHas)
   EXPECT_TRUE(this->output.empty());
 }
 
+TEST(StructureRefinement, LabelsAndRoomsThatAreSetStandForThoseOfThePoints)
+{
+  pcl::StructureRefinement<pcl::PointStructure> refinement;
+  refinement.setInputCloud(floorPoints());
+  refinement.setFloorplan(planOf(rectangle(0, 0, 4, 3)));
+  refinement.setLabels({2, 1, 2, 2}); // the second of the ceiling, far from it
+  refinement.setRooms({1, 1, 2, 1});  // the third of a room without a plan
+  Structure refined;
+  refinement.filter(refined);
+  ASSERT_EQ(refinement.getErrorMessage(), "");
+  EXPECT_EQ(refinement.getSourceIndices(), (pcl::Indices{0, 3}));
+}
+
 TEST(VerticalHoleRepair, TooManyCellsAreRefusedBeforeTheyAreMade)
 {
   pcl::VerticalHoleRepair<pcl::PointStructure> repair(true);

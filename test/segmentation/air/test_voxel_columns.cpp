@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <set>
 #include <tuple>
@@ -144,6 +145,17 @@ TEST(VoxelColumns, TakeMemoryForWhatIsKeptAndNotForTheBox)
   EXPECT_LT(columns.tiles(), 100u) << "of 2209";
   const Voxels all = voxelsOf(columns);
   EXPECT_TRUE(std::includes(all.begin(), all.end(), room.begin(), room.end()));
+}
+
+TEST(VoxelColumns, TakeNoPointsThatAreNotFinite)
+{
+  RoomPoints points;
+  points.point(0.05, 0.05, 0.01);
+  for (const double far : {std::nan(""), -double{INFINITY}, 1e30}) {
+    points.point(far, 0, 0);
+    points.point(0, 0, far);
+  }
+  EXPECT_EQ(voxelsOf(columnsOf(points)), (Voxels{{0, 0, 0}}));
 }
 
 TEST(VoxelColumns, AScanMayBeAsHighAsAMountain)

@@ -2,6 +2,7 @@
 #include "plan_loops.h"
 
 #include "sedr_segmentation/src/curves/loop_difference.h"
+#include "sedr_segmentation/src/curves/plan_curve.h"
 
 #include <gtest/gtest.h>
 
@@ -64,6 +65,20 @@ TEST(LoopDifference, AnIntersectionMayHaveSeveralParts)
   ASSERT_EQ(parts.size(), 2u);
   EXPECT_NEAR(parts[0].area(), 2, 1e-9);
   EXPECT_NEAR(parts[1].area(), 1, 1e-9);
+}
+
+TEST(Intersections, OfCurvesThatDoNotMeetAreNone)
+{
+  const auto circleAt = [](double x, double radius) {
+    PlanCurve curve;
+    curve.point = {x, 0};
+    curve.radius = radius;
+    return curve;
+  };
+  const PlanCurve circle = circleAt(0, 5);
+  for (const PlanCurve& other :
+       {lineThrough({0, 5.01}, {1, 5.01}), circleAt(11, 5), circleAt(1, 2), circle})
+    EXPECT_TRUE(intersections(circle, other).empty()) << other.point.transpose();
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace {
@@ -195,11 +196,6 @@ TEST(InchProblem, IsToldByTheHeightOfTheStoreysThatWereFound)
   EXPECT_EQ(inchProblem(PointView(), 0), "");
 }
 
-TEST(UpProblem, OfARoomThatStandsIsNone)
-{
-  EXPECT_EQ(upProblemOf(changed([](auto p) { return p; })), "");
-}
-
 TEST(UpProblem, NamesTheAxisThatSeemsToBeUp)
 {
   // Six metres between the walls that are now floor and ceiling.
@@ -240,6 +236,7 @@ TEST(UpProblem, IsAlsoLookedForWhereZGivesNoRooms)
   const std::string problem = upProblem(points.view(), points.all(), RoomsAlongZ::None);
   EXPECT_TRUE(mentions(problem, "y seems to be up")) << problem;
   const RoomPoints standing = changed([](auto p) { return p; });
+  EXPECT_EQ(upProblemOf(standing), "");
   EXPECT_EQ(upProblem(standing.view(), standing.all(), RoomsAlongZ::None), "");
 }
 
@@ -272,7 +269,29 @@ TEST(UpProblem, WallsOfACorridorOrOfARoomWithHardlyACeilingAreNoReason)
   EXPECT_EQ(upProblemOf(open, RoomsAlongZ::Found), "") << "a large floor";
 }
 
-TEST(UpProblem, AHighHallIsNoReason)
+TEST(UpProblem, NeedsTwoLargeWallsAsFarApartAsFloorsAndCeilings)
+{
+  for (const auto& [height, width, is_told] : // of a ceiling, 12 m: of all
+       {std::tuple(1.6, 12.0, false), std::tuple(1.9, 12.0, true),
+        std::tuple(4.4, 12.0, true), std::tuple(4.7, 12.0, false),
+        std::tuple(2.5, 0.1, false)}) {
+    const PlanLoop loop = rectangle(0, 0, 12, 9);
+    RoomPoints standing;
+    standing.slab(loop, 0);
+    for (int time = 0; time < (width < 1 ? 20 : 1); ++time) // a scanner near it
+      standing.slab(rectangle(0, 0, width, 9), height);
+    for (const PlanElement& wall : loop.elements)
+      standing.wall(wall, 0, height);
+    RoomPoints lying;
+    for (const int i : standing.all())
+      lying.point(standing[i].x(), standing[i].z(), standing[i].y());
+    EXPECT_EQ(mentions(upProblemOf(lying, RoomsAlongZ::None), "y seems to be up"),
+              is_told)
+        << height;
+  }
+}
+
+TEST(UpProblem, AHighHallAWallOrNothingIsNoReason)
 {
   RoomPoints points(0.1);
   points.room(rectangle(0, 0, 20, 15), 0, 8);
@@ -280,10 +299,6 @@ TEST(UpProblem, AHighHallIsNoReason)
   RoomPoints narrow;
   narrow.room(rectangle(0, 0, 4, 3), 0, 4.4); // walls larger than its floor
   EXPECT_EQ(upProblemOf(narrow), "");
-}
-
-TEST(UpProblem, OfNothingIsNone)
-{
   EXPECT_EQ(upProblem(PointView(), {}), "");
   RoomPoints wall;
   wall.wall(segment({0, 0}, {4, 0}), 0, 9);

@@ -56,13 +56,6 @@ detailsOf(const PlanRoom& truth,
   return is_floor ? room.floor_details : room.details;
 }
 
-TEST(LevelSurface, OfAPlainCeilingAreNone)
-{
-  const PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
-  EXPECT_TRUE(detailsOf(room).empty());
-  EXPECT_TRUE(detailsOf(room, true).empty());
-}
-
 TEST(LevelSurface, TheEdgesOfASoffitAreTheWallsAndItsRiser)
 {
   PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
@@ -78,11 +71,11 @@ TEST(LevelSurface, TheEdgesOfASoffitAreTheWallsAndItsRiser)
   }
 }
 
-TEST(LevelSurface, TheSidesOfARecessAreItsRisersAndTheWallsAboveTheCeiling)
+TEST(LevelSurface, ARecessHasRisersOrWallsAboveTheCeilingAndASoffitARiser)
 {
-  const auto countOf = [](const PlanLoop& part, Hidden hidden) {
-    PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.2);
-    room.details = {detailOf(part, 2.5)};
+  const auto countOf = [](const PlanLoop& part, Hidden hidden, double ceiling = 2.2) {
+    PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), ceiling);
+    room.details = {detailOf(part, 4.7 - ceiling)};
     return detailsOf(room, false, 0, hidden).size();
   };
   const PlanLoop step = rectangle(0.01, 2.81, 5.01, 4.01);
@@ -92,14 +85,8 @@ TEST(LevelSurface, TheSidesOfARecessAreItsRisersAndTheWallsAboveTheCeiling)
   EXPECT_EQ(countOf(step, Hidden::Risers), 1u) << "walls on three sides";
   EXPECT_EQ(countOf(coffer, Hidden::Risers), 0u) << "a missing tile";
   EXPECT_EQ(countOf(step, Hidden::RisersAndWalls), 0u) << "a reflection";
-}
-
-TEST(LevelSurface, ASoffitNeedsARiserWhateverWallsAreAboveIt)
-{
-  PlanRoom room = roomOf(rectangle(0.01, 0.01, 5.01, 4.01), 2.5);
-  room.details = {detailOf(rectangle(0.01, 2.81, 5.01, 4.01), 2.2)};
-  EXPECT_EQ(detailsOf(room, false, 0, Hidden::Nothing).size(), 1u);
-  EXPECT_EQ(detailsOf(room, false, 0, Hidden::Risers).size(), 0u) << "a shelf";
+  EXPECT_EQ(countOf(step, Hidden::Nothing, 2.5), 1u) << "a soffit";
+  EXPECT_EQ(countOf(step, Hidden::Risers, 2.5), 0u) << "a shelf, though below walls";
 }
 
 TEST(LevelSurface, AStepWithAHiddenRiserIsWhereTheLowerCeilingEnds)
