@@ -26,12 +26,6 @@ biweight(double share)
   return rest > 0 ? rest * rest : 0;
 }
 
-double
-weightedMedian(std::vector<Weighted> values)
-{
-  return weightedQuantile(std::move(values), 0.5);
-}
-
 /** @brief Returns the standard deviation of residuals, from the smallest quarter of
  * their magnitudes, as the others may be those of outliers. */
 double
@@ -119,7 +113,8 @@ SurfaceFit::start(std::size_t number)
     u.count = 0;
     return;
   }
-  u.noise = std::max(parameters_.accuracy, weightedMedian(std::move(deviations)));
+  u.noise =
+      std::max(parameters_.accuracy, weightedQuantile(std::move(deviations), 0.5));
   Eigen::Vector3d step = Eigen::Vector3d::Zero();
   std::vector<double> weights;
   const double least = u.noise + parameters_.outlier_sigmas * parameters_.accuracy;
@@ -232,8 +227,8 @@ SurfaceFit::refine(std::size_t number)
     shares.emplace_back(patch.mixed, vote);
     patches.push_back(patch);
   }
-  const double variance = weightedMedian(std::move(variances));
-  const double usual_mixed = weightedMedian(std::move(shares));
+  const double variance = weightedQuantile(std::move(variances), 0.5);
+  const double usual_mixed = weightedQuantile(std::move(shares), 0.5);
   std::vector<double> weights(patches.size(), 0);
   Eigen::Vector3d step = Eigen::Vector3d::Zero();
   for (int turn = 0; turn < turns; ++turn) {
@@ -311,8 +306,8 @@ SurfaceFit::estimateErrors()
     const auto count = static_cast<double>(inliers.size());
     waves.emplace_back(squares / (count - 3), count);
   }
-  errors_.noise = weightedMedian(std::move(noises));
-  errors_.waviness = std::sqrt(std::max(0.0, weightedMedian(std::move(waves))));
+  errors_.noise = weightedQuantile(std::move(noises), 0.5);
+  errors_.waviness = std::sqrt(std::max(0.0, weightedQuantile(std::move(waves), 0.5)));
   errors_.correlation = 0;
   if (shared > 0 && own > 0 && errors_.waviness > 0)
     errors_.correlation =

@@ -80,9 +80,9 @@ onSide(const std::vector<PlanElement>& parts, const PlanLoop& other, bool is_ins
   return kept;
 }
 
-/** @brief Joins parts end to start into closed loops. */
+/** @brief Joins parts end to start into closed loops, largest first. */
 std::vector<PlanLoop>
-chained(std::vector<PlanElement> parts)
+largestFirst(std::vector<PlanElement> parts)
 {
   constexpr double slack = 100 * same_point;
   std::vector<PlanLoop> loops;
@@ -107,14 +107,6 @@ chained(std::vector<PlanElement> parts)
     loop.elements.back().end = loop.elements.front().start;
     loops.push_back(std::move(loop));
   }
-  return loops;
-}
-
-/** @brief Joins parts into closed loops, largest first. */
-std::vector<PlanLoop>
-largestFirst(std::vector<PlanElement> parts)
-{
-  std::vector<PlanLoop> loops = chained(std::move(parts));
   std::stable_sort(
       loops.begin(), loops.end(),
       [](const PlanLoop& a, const PlanLoop& b) { return a.area() > b.area(); });
@@ -143,6 +135,21 @@ shifted(const PlanElement& e, double by)
   if (e.isArc())
     moved.radius += e.counter_clockwise ? by : -by;
   return moved;
+}
+
+/** @brief Returns the loops of what a loop has inside, or outside, of another one. */
+std::vector<PlanLoop>
+clipped(const PlanLoop& loop, const PlanLoop& other, bool is_inside)
+{
+  Cuts cuts_loop;
+  Cuts cuts_other;
+  findCuts(loop, other, cuts_loop, cuts_other);
+  std::vector<PlanElement> parts = onSide(partsOf(loop, cuts_loop), other, is_inside);
+  PlanLoop sides{withoutInliers(within(partsOf(other, cuts_other), loop))};
+  if (!is_inside)
+    sides = reversed(sides);
+  parts.insert(parts.end(), sides.elements.begin(), sides.elements.end());
+  return largestFirst(std::move(parts));
 }
 
 } // namespace
@@ -198,28 +205,13 @@ widened(const PlanLoop& loop, double by)
 std::vector<PlanLoop>
 difference(const PlanLoop& loop, const PlanLoop& cutter)
 {
-  Cuts cuts_loop;
-  Cuts cuts_cutter;
-  findCuts(loop, cutter, cuts_loop, cuts_cutter);
-  std::vector<PlanElement> parts = onSide(partsOf(loop, cuts_loop), cutter, false);
-  PlanLoop sides;
-  sides.elements = withoutInliers(within(partsOf(cutter, cuts_cutter), loop));
-  const std::vector<PlanElement> back = reversed(sides).elements;
-  parts.insert(parts.end(), back.begin(), back.end());
-  return largestFirst(std::move(parts));
+  return clipped(loop, cutter, false);
 }
 
 std::vector<PlanLoop>
 intersection(const PlanLoop& loop, const PlanLoop& other)
 {
-  Cuts cuts_loop;
-  Cuts cuts_other;
-  findCuts(loop, other, cuts_loop, cuts_other);
-  std::vector<PlanElement> parts = onSide(partsOf(loop, cuts_loop), other, true);
-  const std::vector<PlanElement> sides =
-      withoutInliers(within(partsOf(other, cuts_other), loop));
-  parts.insert(parts.end(), sides.begin(), sides.end());
-  return largestFirst(std::move(parts));
+  return clipped(loop, other, true);
 }
 
 } // namespace pcl::sedr

@@ -125,8 +125,9 @@ largestOf(std::vector<Recess> recesses)
       [](const Recess& a, const Recess& b) { return a.mouth() > b.mouth(); });
   std::vector<Recess> kept;
   for (const Recess& recess : recesses)
-    if (std::none_of(kept.begin(), kept.end(),
-                     [&](const Recess& k) { return k.sharesPlan(recess); }))
+    if (std::none_of(kept.begin(), kept.end(), [&](const Recess& k) {
+          return k.left < recess.right && recess.left < k.right;
+        }))
       kept.push_back(recess);
   std::sort(kept.begin(), kept.end(),
             [](const Recess& a, const Recess& b) { return a.left < b.left; });
@@ -169,6 +170,16 @@ nichesIn(const UnrolledWall& wall,
   return niches;
 }
 
+/** @brief Returns whether two regions in plan overlap. */
+bool
+overlap(const PlanLoop& a, const PlanLoop& b)
+{
+  if (!boundsOf(a).intersects(boundsOf(b)))
+    return false;
+  const auto [of_a, of_b] = partsInside(a, b);
+  return !of_a.empty() || !of_b.empty();
+}
+
 } // namespace
 
 std::vector<PlanNiche>
@@ -195,19 +206,6 @@ fitNiches(const PointView& points,
     niches.insert(niches.end(), own.begin(), own.end());
   return niches;
 }
-
-namespace {
-
-bool
-overlap(const PlanLoop& a, const PlanLoop& b)
-{
-  if (!boundsOf(a).intersects(boundsOf(b)))
-    return false;
-  const auto [of_a, of_b] = partsInside(a, b);
-  return !of_a.empty() || !of_b.empty();
-}
-
-} // namespace
 
 void
 dropSharedNiches(Floorplan& plan)

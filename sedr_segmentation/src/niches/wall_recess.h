@@ -45,12 +45,6 @@ struct Recess {
   bool has_bottom = false; ///< seen above the floor
 
   double mouth() const { return (right - left) * (high - low); }
-
-  /** @brief Whether one is above the other one. */
-  bool sharesPlan(const Recess& other) const
-  {
-    return left < other.right && other.left < right;
-  }
 };
 
 /** @brief The cells behind which something is seen while nothing is on the wall. */

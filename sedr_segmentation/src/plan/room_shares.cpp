@@ -16,30 +16,6 @@ namespace pcl::sedr {
 
 namespace {
 
-/** @brief Returns `roomOf(index)` for each index, -1 for none, computed in parallel. */
-template <typename RoomOf>
-std::vector<std::int32_t>
-roomsOf(const std::vector<int>& indices, unsigned threads, RoomOf roomOf)
-{
-  std::vector<std::int32_t> rooms(indices.size());
-  parallelFor(indices.size(), points_a_block, threads,
-              [&](std::size_t k) { rooms[k] = roomOf(indices[k]); });
-  return rooms;
-}
-
-/** @brief Returns the indices of each room. */
-std::vector<std::vector<int>>
-sharesOf(const std::vector<int>& indices,
-         const std::vector<std::int32_t>& room_of,
-         std::size_t rooms)
-{
-  std::vector<std::vector<int>> shares(rooms);
-  for (std::size_t k = 0; k < indices.size(); ++k)
-    if (room_of[k] >= 0)
-      shares[static_cast<std::size_t>(room_of[k])].push_back(indices[k]);
-  return shares;
-}
-
 /** @brief Returns the height range of each room, pits included; one without floor
  * points is as high as usual below the lowest of its ceiling.
  * @param pit least area of one, square metres */
@@ -151,8 +127,14 @@ shareOut(const PointView& points,
                : -1;
   };
   const auto shareBy = [&](const std::vector<int>& indices, const auto& roomOf) {
-    return sharesOf(indices, roomsOf(indices, parameters.threads, roomOf),
-                    numbers.size());
+    std::vector<std::int32_t> room_of(indices.size()); // -1: none
+    parallelFor(indices.size(), points_a_block, parameters.threads,
+                [&](std::size_t k) { room_of[k] = roomOf(indices[k]); });
+    std::vector<std::vector<int>> shares(numbers.size());
+    for (std::size_t k = 0; k < indices.size(); ++k)
+      if (room_of[k] >= 0)
+        shares[static_cast<std::size_t>(room_of[k])].push_back(indices[k]);
+    return shares;
   };
   auto ceilings = shareBy(evidence.ceiling, labelled);
   auto details = shareBy(evidence.details, labelled);

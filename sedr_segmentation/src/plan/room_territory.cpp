@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_territory.h"
 
-#include "box_clusters.h"
 #include "sedr_filters/src/base/exactness.h"
 #include "sedr_filters/src/base/parallel_for.h"
 #include "sedr_filters/src/grids/cell_count.h"
@@ -69,6 +68,28 @@ heightsFrom(double floor, std::vector<float> ceilings, const Priors& priors)
                                           static_cast<double>(ceilings.size() - 1));
   std::nth_element(ceilings.begin(), top, ceilings.end());
   return {floor, *top};
+}
+
+std::vector<CellBox>
+clusterBoxes(const std::vector<CellBox>& boxes, int margin)
+{
+  std::vector<CellBox> clusters;
+  for (const CellBox& box : boxes) {
+    if (box.count() == 0)
+      continue;
+    CellBox joined = grown(box, margin);
+    for (std::size_t i = 0; i < clusters.size();) {
+      if (overlapOf(joined, clusters[i]).count() == 0) {
+        ++i;
+        continue;
+      }
+      joined = around(joined, clusters[i]); // may overlap clusters tested before
+      clusters.erase(clusters.begin() + static_cast<std::ptrdiff_t>(i));
+      i = 0;
+    }
+    clusters.push_back(joined);
+  }
+  return clusters;
 }
 
 RoomTerritory::RoomTerritory(const CellGrid& grid,

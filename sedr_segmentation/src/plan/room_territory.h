@@ -26,6 +26,10 @@ wallReach(const Priors& priors = {})
   return priors.max_wall + priors.surface_band;
 }
 
+/** @brief Merges boxes, grown by `margin` cells, into disjoint boxes. Distant parts are
+ * thus processed separately, without a grid over the empty space between. O(n^2). */
+std::vector<CellBox> clusterBoxes(const std::vector<CellBox>& boxes, int margin);
+
 /** @brief Assigns positions to rooms. Rooms grow outwards from their ceiling cells
  * until they meet or reach the maximum distance of walls; within two cells of a ceiling
  * the nearest one decides. So each face of a thin partition lies in the room where its
@@ -52,8 +56,6 @@ public:
 
   /** @brief Returns roomAt() of every point. O(n); `threads` 0: all processors. */
   std::vector<std::int32_t> roomsAt(const PointView& points, unsigned threads) const;
-
-  const CellGrid& grid() const { return grid_; }
 
 private:
   /** @brief The grid of a group of nearby rooms. */

@@ -13,6 +13,7 @@ class Room:
         self.floor, self.ceiling = floor, ceiling
         self.facets = []  # of a ceiling that is not level: (outline, height, slope, towards, at)
         self.bulges = {}  # edge -> bulge
+        self.tilts = {}  # edge -> degrees into the room
         self.details, self.floor_details, self.ribs, self.voids = [], [], [], []
         self.floor_voids = []  # outlines of the holes in its floor
         self.columns, self.openings, self.furniture = [], [], []

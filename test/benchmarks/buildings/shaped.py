@@ -23,7 +23,6 @@ class ShapedRoom(Room):
     def __init__(self, name, outline, height):
         super().__init__(name, "room", outline, 0.0, height, 1)
         self.curves = []  # (facet of the scene file, z at a place or None beside it)
-        self.tilts = {}   # wall -> degrees into the room
 
     def ceiling_at(self, p):
         for _, z_at in reversed(self.curves):
@@ -144,6 +143,8 @@ def tilt_walls(rng, rooms, partition):
         if min(room.bulges.values()) < 0 or room.facets:
             return False
         degrees = round(rng.choice((-1, 1)) * rng.uniform(4, 12), 1)
+        if len(room.bulges) < len(room.edges):  # one that leans outwards would leave its neighbours
+            degrees = abs(degrees)
         for wall in room.bulges:
             tilt(room, wall, degrees)
         return True

@@ -262,7 +262,8 @@ def add_windows(rng, room, rooms, kind, thickness):
                 window["glazing"] = {}
                 room.openings.append(dressed(room, window, top))
     for i, bulge in room.bulges.items():
-        add_curved_windows(room, i, bulge, thickness)
+        if i not in room.tilts:
+            add_curved_windows(room, i, bulge, thickness)
 
 
 def add_curved_windows(room, wall, bulge, thickness):
@@ -273,7 +274,11 @@ def add_curved_windows(room, wall, bulge, thickness):
     size = turn * chord / (2 * math.sin(turn / 2))
     count = rng.randint(1, max(1, int(size / 2)))
     width = rng.uniform(0.8, min(1.8, size / count - 0.5))
-    sill, head = room.floor + rng.uniform(0.7, 1.0), min(room.floor + rng.uniform(1.9, 2.3), room.lowest_ceiling())
+    # A slope goes on down over the part of an arc beyond the outline.
+    fall = max([math.tan(math.radians(slope)) for _, _, slope, _, _ in room.facets] + [0.0]) * max(0.0, bulge) * chord / 2
+    sill, head = room.floor + rng.uniform(0.7, 1.0), min(room.floor + rng.uniform(1.9, 2.3), room.lowest_ceiling() - fall)
+    if head - sill < 0.4:
+        return
     for k in range(count):
         middle = (k + 0.5) * size / count
         window = opening((wall, 0, round(middle - width / 2, 3), round(middle + width / 2, 3), round(thickness, 3)), sill, head)

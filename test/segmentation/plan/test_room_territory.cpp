@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_points.h"
 
-#include "sedr_segmentation/src/plan/box_clusters.h"
 #include "sedr_segmentation/src/plan/room_territory.h"
 
 #include <gtest/gtest.h>
