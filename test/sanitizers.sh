@@ -8,7 +8,9 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-export LSAN_OPTIONS="suppressions=$PWD/test/fuzz/leaks.txt:print_suppressions=0" # of other libraries
+# What other libraries do is not told.
+export LSAN_OPTIONS="suppressions=$PWD/test/fuzz/leaks.txt:print_suppressions=0"
+export TSAN_OPTIONS="suppressions=$PWD/test/fuzz/races.txt:print_suppressions=0"
 jobs=${SEDR_JOBS:-$(nproc)}
 kinds=("$@")
 [ ${#kinds[@]} -gt 0 ] || kinds=(asan-ubsan tsan tidy)
