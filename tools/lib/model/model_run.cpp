@@ -26,6 +26,7 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <iostream>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -295,7 +296,7 @@ makeModel(const ModelSettings& settings,
   folder.exchange();
   for (const auto& line : summaryOf(chain.getChain().warnings))
     warn(line);
-  say(summaryOf(record, chain));
+  std::cout << summaryOf(record, chain) << std::endl;
   if (!problem.empty())
     throw ToolError(problem);
   return Done;
