@@ -234,6 +234,7 @@ TEST_F(SedrTool, GivesTheSameBytesForAnyNumberOfThreads)
   RoomScan scan = scanOf();
   BoxRoom other;
   other.x += other.width + 0.1;
+  other.has_soffit = true;
   scan.addRoom(other);
   const std::string bytes = scan.pcd(false);
   Strings results;

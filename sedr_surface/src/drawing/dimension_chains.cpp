@@ -67,8 +67,11 @@ public:
   /** @brief Returns the depth of what is visible before or after an end. */
   double depthBeside(std::size_t end, bool is_after) const
   {
-    const PlanElement* wall = sights[is_after ? end + 1 : end].wall;
-    return wall ? depthAt(*wall, ends[end] + (is_after ? hair : -hair)) : nowhere;
+    const Sight& sight = sights[is_after ? end + 1 : end];
+    if (!sight.wall)
+      return nowhere;
+    const double depth = depthAt(*sight.wall, ends[end] + (is_after ? hair : -hair));
+    return std::isfinite(depth) ? depth : sight.depth; // it may begin a hair farther on
   }
 
   std::vector<double> ends;      ///< along the side, increasing

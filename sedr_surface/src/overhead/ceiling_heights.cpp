@@ -135,20 +135,19 @@ heightRange(const PlanRoom& room)
   const RoomLookup lookup(room);
   std::pair<double, double> range(std::numeric_limits<double>::infinity(),
                                   -std::numeric_limits<double>::infinity());
-  constexpr std::size_t few = 50; // details below a 50th of the room do not count
+  // Parts below a 50th of the largest one do not count.
+  constexpr std::size_t few = 50;
   const Lattice lattice(boundsOf(room.boundary));
   std::map<int, std::size_t> samples; // by detail
-  std::size_t all = 0;
+  std::size_t most = 0;
   for (int y = 0; y < lattice.rows; ++y)
     for (int x = 0; x < lattice.columns; ++x)
-      if (lookup.contains(lattice.at(x, y))) {
-        ++samples[lookup.detailAt(lattice.at(x, y))];
-        ++all;
-      }
+      if (lookup.contains(lattice.at(x, y)))
+        most = std::max(most, ++samples[lookup.detailAt(lattice.at(x, y))]);
   // The height at a place of what is above another one, nearby in the room.
   const auto add = [&](const Eigen::Vector2d& place, const Eigen::Vector2d& inside) {
     const int detail = lookup.detailAt(inside);
-    if (!lookup.contains(inside) || few * samples[detail] < all)
+    if (!lookup.contains(inside) || few * samples[detail] < most)
       return;
     const double height =
         room.ceilingSlab(detail).heightAt(place) - lookup.floorAt(inside);

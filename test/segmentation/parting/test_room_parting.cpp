@@ -205,4 +205,14 @@ TEST(PartRooms, AStairwellPartsNothingOfTheStoreyAboveAndIsNoneOfTheOneBelow)
   });
 }
 
+TEST(PartRooms, ALoftOpenOnTwoSidesTakesNoFloorFromTheHallBelow)
+{
+  forBothTurns([](AirScene& scene) {
+    scene.room(0.05, 0.05, 6.05, 5.05, 0.01, 5.01);
+    scene.slabs(0.05, 0.05, 2.05, 2.05, 2.21, 2.41);
+    const Parted air(scene);
+    EXPECT_EQ(air.roomAt(1, 1, 1), air.roomAt(4, 3, 1)) << "below the loft";
+  });
+}
+
 } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_evidence.h"
+#include "sedr_segmentation/src/plan/room_ceilings.h"
 
 #include <cmath>
 
@@ -47,6 +48,29 @@ TEST(VaultedRoom, AVaultIsACurveThoughItsPointsWereFoundAsCeilingAndDetails)
   for (double x = 0.1; x < width - 0.05; x += 0.1)
     for (double y = 0.1; y < 3.95; y += 0.1)
       EXPECT_NEAR(room.ceilingAt({x, y}), vaultAt(x), 0.01) << x << ' ' << y;
+}
+
+/** Until the walls are adjusted a room has its ceiling as a relief. */
+TEST(GiveCeilings, FacetsThatAreLevelReplaceARelief)
+{
+  Floorplan plan;
+  plan.rooms.emplace_back();
+  plan.rooms[0].id = 1;
+  plan.rooms[0].boundary = rectangle(0, 0, 6, 4);
+  RoomPoints points(0.04, 0.003);
+  points.slab(rectangle(0, 0, 4, 4), 2.5);
+  points.slab(rectangle(4, 0, 6, 4), 2.2);
+  RoomSheet sheet;
+  sheet.room = 1;
+  for (std::size_t i = 0; i < points.view().size(); ++i)
+    sheet.points.push_back(points.view()[i].cast<double>());
+  sheet.sheet = surfaceWithin(plan.rooms[0].boundary, sheet.points);
+  plan.rooms[0].ceiling = reliefOf(sheet.sheet, 0.15);
+  giveCeilings({sheet}, points.view(), {}, 1, plan);
+  EXPECT_FALSE(plan.rooms[0].ceiling.curve);
+  EXPECT_NEAR(plan.rooms[0].ceilingAt({2, 2}), 2.5, 0.002);
+  EXPECT_NEAR(plan.rooms[0].ceilingAt({5, 2}), 2.2, 0.002);
+  EXPECT_EQ(plan.rooms[0].details.size(), 1u);
 }
 
 } // namespace

@@ -73,17 +73,17 @@ openingsOf(const Floorplan& plan)
 double
 openingsApart(const Thing& a, const Thing& b)
 {
-  constexpr double max_sine = 0.26; // between their walls: 15 degrees
-  constexpr double max_across =
-      0.5; // between the middles of walls that face each other
+  constexpr double max_sine = 0.26;  // between their walls: 15 degrees
+  constexpr double max_across = 0.5; // metres, between walls that face each other
+  constexpr double max_moved = 0.8;  // of a wall; the other side of a corridor is more
   const PlanOpening& o = *a.opening;
   const Eigen::Vector2d way = (o.end - o.start).normalized();
   const Eigen::Vector2d other = (b.opening->end - b.opening->start).normalized();
   const Eigen::Vector3d off = b.middle - a.middle;
   const bool share =
       std::abs(way.x() * other.y() - way.y() * other.x()) < max_sine &&
-      (way.dot(other) > 0 || // in a wall that has moved
-       std::abs(way.x() * off.y() - way.y() * off.x()) < max_across) &&
+      std::abs(way.x() * off.y() - way.y() * off.x()) <
+          (way.dot(other) > 0 ? max_moved : max_across) &&
       2 * std::abs(off.head<2>().dot(way)) < o.width() + b.opening->width() &&
       2 * std::abs(off.z()) < o.height() + b.opening->height();
   return share ? off.norm() : never;

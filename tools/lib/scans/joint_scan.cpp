@@ -42,7 +42,8 @@ scansIn(const std::string& folder)
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error))
-    if (std::binary_search(written.begin(), written.end(), entry->path().filename()))
+    if (std::binary_search(written.begin(), written.end(),
+                           entry->path().filename().string()))
       ++results;
     else if (!fs::is_directory(entry->path(), error))
       (isScanName(entry->path()) ? paths : others).push_back(entry->path().string());
