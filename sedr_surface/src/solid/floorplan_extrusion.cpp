@@ -69,6 +69,8 @@ extrudePlan(const Floorplan* plan, const SolidParameters& parameters, PlanSolids
       problem += (problem.empty() ? "" : "; ") + name + report.problem;
     for (PlanWarning warning : report.warnings) {
       warning.room = room.id;
+      if (cut)
+        warning.reason = cut->named(warning.reason);
       solids.warnings.push_back(warning);
     }
     solids.reports.push_back(report);
