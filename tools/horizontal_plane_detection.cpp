@@ -14,7 +14,6 @@
 using namespace pcl::sedr::tools;
 using pcl::sedr::LevelKind;
 using pcl::sedr::PointView;
-using pcl::sedr::RoomsAlongZ;
 using pcl::sedr::StructureLabel;
 
 namespace {
@@ -142,12 +141,9 @@ planesOfAll(const Settings& settings, Detection& detection, ToolCloud& cloud)
   std::map<LevelKind, double> areas;
   for (const auto& plane : planes)
     areas[plane.kind] += plane.area;
-  const double of_rooms = std::min(areas[LevelKind::Ceiling], areas[LevelKind::Floor]);
-  const std::string missing =
-      of_rooms > 0 ? "" : missingKind(planes, detection.getMinimumRoomHeight());
-  checkScan(cloud, settings.trust_up,
-            missing.empty() ? RoomsAlongZ::Found : RoomsAlongZ::None, of_rooms,
-            missing);
+  if (!(areas[LevelKind::Ceiling] > 0 && areas[LevelKind::Floor] > 0))
+    throw ToolError(missingKind(planes, detection.getMinimumRoomHeight()),
+                    NothingFound);
   std::fill(cloud.label.begin(), cloud.label.end(), 0);
   std::fill(cloud.room.begin(), cloud.room.end(), 0);
   for (const auto& plane : planes)

@@ -60,10 +60,9 @@ TEST_F(HorizontalPlaneDetectionTool, SaysWhatIsMissing)
 
 TEST_F(HorizontalPlaneDetectionTool, KnowsScansThatCannotBeRoomsInMetres)
 {
-  BoxRoom large;
-  large.width = 6;
-  large.depth = 5;
-  RoomScan scan = scanOf(large);
+  RoomScan scan = scanOf({0, 0, 6, 5});
+  for (const BoxRoom& room : {BoxRoom{0, 5.11, 4, 3}, BoxRoom{4.13, 5.11, 5, 4.27}})
+    scan.addRoom(room);
   const auto detect = [&](const Strings& options = {}) {
     return runOn(HORIZONTAL_PLANE_DETECTION, scan.pcd(false), "output.pcd", options);
   };

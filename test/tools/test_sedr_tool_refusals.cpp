@@ -110,10 +110,9 @@ TEST_F(SedrTool, ScansThatCannotBeRoomsAreToldSo)
                   p.z *= 0.1f;
                 })),
                 2, "too small");
-  BoxRoom large;
-  large.width = 6;
-  large.depth = 5;
-  RoomScan turned = scanOf(large);
+  RoomScan turned = scanOf({0, 0, 6, 5});
+  for (const BoxRoom& room : {BoxRoom{0, 5.11, 4, 3}, BoxRoom{4.13, 5.11, 5, 4.27}})
+    turned.addRoom(room);
   for (auto& p : turned.points)
     std::swap(p.y, p.z);
   expectFailure(onFile(turned.pcd(false)), 2, "y seems to be up");

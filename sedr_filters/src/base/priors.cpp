@@ -95,10 +95,6 @@ const std::vector<Prior> table = {
      "chosen on the proving ground"},
     {"share_most", &Priors::share_most, "shares", "", 0.3, 1,
      "chosen on the proving ground"},
-    {"vertical_ratio", &Priors::vertical_ratio, "shares", "", 1, 10,
-     "chosen on the proving ground"},
-    {"corridor_ratio", &Priors::corridor_ratio, "shares", "", 1, 50,
-     "a corridor of 1 m"},
     {"same_axis", &Priors::same_axis, "directions", "radians", 0.002, 0.2,
      "chosen on tilted scenes of the simulator"},
 };

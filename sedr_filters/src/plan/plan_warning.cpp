@@ -28,9 +28,7 @@ constexpr std::array<Words, 39> words{{
      "{0.0} of the {1.0} m2 of floor that was seen are in the model, {2.0} %; the "
      "largest part that is missing has {3.0} m2{at}, z {4.1} to {5.1} m: {reason}"},
     {"unit", "", "", "{reason}"},
-    {"upside_down", "", "",
-     "is the scan upside down? furniture stands on floors, but {0.0} % of the {1.0} m2 "
-     "of surfaces within the rooms are in their upper halves"},
+    {"up", "", "", "{reason}"},
     {"lost_points", "", "", "{0.0} % of the points are not finite: they were left out"},
     {"strays", "", "",
      "single points are scattered all over the air of the scan: voxels of fewer than "

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../planes/plane_pair.h"
-
 #include "scan_check.h"
 
 #include "sedr_filters/src/base/middle_value.h"
@@ -157,32 +155,6 @@ scanProblem(const PointView& points,
   for (const int i : indices)
     sample.add(points[static_cast<std::size_t>(i)]);
   return sample.problem(priors);
-}
-
-std::string
-upProblem(const PointView& points,
-          const std::vector<int>& indices,
-          RoomsAlongZ rooms,
-          double found_area,
-          const Priors& priors)
-{
-  const double times = priors.vertical_ratio;
-  const double times_of_rooms = priors.corridor_ratio;
-  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
-  if (rooms == RoomsAlongZ::Found &&
-      !bestSidePair(points, indices, z, times_of_rooms * found_area, priors).axis)
-    return {}; // the usual case, whatever lies along z
-  const PlanePair up = bestPair(points, indices, Eigen::Matrix3d::Identity(),
-                                priors.min_headroom, priors.max_room_height);
-  const bool is_usual = up.cells == 0 || up.distance <= priors.usual_room_height;
-  if (rooms == RoomsAlongZ::NotLookedFor && is_usual)
-    return {};
-  const double least = rooms == RoomsAlongZ::Found
-                           ? std::max(times_of_rooms * std::max(up.area(), found_area),
-                                      times * std::max(up.largestArea(), found_area))
-                           : times * up.area();
-  const SidePair side = bestSidePair(points, indices, z, least, priors);
-  return side.axis ? sideProblem(side, z, up, priors) : std::string();
 }
 
 namespace {

@@ -77,26 +77,6 @@ std::string scanProblem(const PointView& points,
                         const std::vector<int>& indices,
                         const Priors& priors = {});
 
-/** @brief Knowledge about rooms along z for upProblem(). */
-enum class RoomsAlongZ {
-  NotLookedFor,
-  None, ///< there is no floor with a ceiling above it
-  Found
-};
-
-/** @brief Returns a sentence with the required rotation if an axis other than z seems
- * to be up, else an empty one. The evidence is a pair of planes normal to another axis,
- * a room height apart. It must be 1.5 times as large as the pair along z, if z gives no
- * rooms or rooms higher than 4.5 m. If there are rooms along z, it must be four times
- * as large as the pair along z and 1.5 times as large as any level. For thinned points.
- * @param found_area area of the rooms found along z, the minimum of all floors and all
- * ceilings, square metres; they may be tilted */
-std::string upProblem(const PointView& points,
-                      const std::vector<int>& indices,
-                      RoomsAlongZ rooms = RoomsAlongZ::NotLookedFor,
-                      double found_area = 0,
-                      const Priors& priors = {});
-
 /** @brief Returns a sentence if the unit of a plan may be the foot, else an empty one.
  * Rooms with four fifths of the area must be 7 and more high. Doors and scanners,
  * which were carried through doors, tell the unit: doors of 5.9 to 8.5 and scanners

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../planes/plane_pair.h"
 #include "patch_normals.h"
 
 #include "scan_inclination.h"
@@ -7,9 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace pcl::sedr {
 
@@ -116,52 +113,6 @@ inclinationOf(const PointView& points,
   inclination.angle = std::acos(std::clamp(inclination.up.z(), -1.0, 1.0));
   inclination.area = level * patch_size * patch_size;
   return inclination;
-}
-
-std::string
-inclinationProblem(const PointView& points,
-                   const std::vector<int>& indices,
-                   unsigned threads,
-                   const Priors& priors)
-{
-  const ScanInclination inclination = inclinationOf(points, indices, threads, priors);
-  if (!(inclination.angle > 0))
-    return {};
-  // In a scan with y up, rotated about y, the tilted planes are walls. But the walls of
-  // a corridor are larger than its floor, too.
-  const double times = priors.vertical_ratio;
-  const double times_of_rooms = priors.corridor_ratio;
-  const Eigen::Matrix3d turn =
-      Eigen::Quaterniond::FromTwoVectors(inclination.up, Eigen::Vector3d::UnitZ())
-          .toRotationMatrix();
-  const PlanePair pair =
-      bestPair(points, indices, turn, priors.min_headroom, priors.max_room_height);
-  const SidePair side =
-      bestSidePair(points, indices, inclination.up, pair.area() / times, priors);
-  const Eigen::Vector3d axis =
-      inclination.up.cross(Eigen::Vector3d::UnitZ()).normalized();
-  const double degrees = inclination.angle * 180 / M_PI;
-  std::array<char, 120> vertical{};
-  std::snprintf(vertical.data(), vertical.size(), "%.4f,%.4f,0,%.4f", axis.x(),
-                axis.y(), inclination.angle);
-  std::array<char, 400> text{};
-  if (side.area() > times * pair.area()) {
-    std::string problem = sideProblem(side, inclination.up, pair);
-    std::snprintf(text.data(), text.size(),
-                  "; or, if z is up and tilted by %.1f degrees, %s", degrees,
-                  vertical.data());
-    return side.area() > times_of_rooms * pair.area() ? problem : problem + text.data();
-  }
-  std::snprintf(
-      text.data(), text.size(),
-      "the scan is inclined: its floors and ceilings, %.0f square metres of planes, "
-      "stand at %.1f degrees to z, and its walls with them; turn it, for "
-      "instance by pcl_transform_point_cloud IN OUT -axisangle %s",
-      inclination.area, degrees, vertical.data());
-  std::string problem = text.data();
-  if (side.axis)
-    problem += std::string("; or, if ") + side.axis + " is up, " + side.turn();
-  return problem;
 }
 
 } // namespace pcl::sedr

@@ -6,7 +6,6 @@
 
 #include <Eigen/Core>
 
-#include <string>
 #include <vector>
 
 namespace pcl::sedr {
@@ -27,15 +26,5 @@ ScanInclination inclinationOf(const PointView& points,
                               const std::vector<int>& indices,
                               unsigned threads = 1,
                               const Priors& priors = {});
-
-/** @brief Returns a sentence with numbers on how to correct a tilted scan; empty if it
- * is not tilted. If y or x is up, the tilted planes may be walls. The sentence then
- * reports that axis if it has a pair of planes, a room height apart, 1.5 times as large
- * as along the tilted direction. If the pairs are about equal, it names both rotations.
- * @param threads 0: all processors */
-std::string inclinationProblem(const PointView& points,
-                               const std::vector<int>& indices,
-                               unsigned threads = 1,
-                               const Priors& priors = {});
 
 } // namespace pcl::sedr

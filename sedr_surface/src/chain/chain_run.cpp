@@ -2,8 +2,6 @@
 #include "chain_run.h"
 
 #include "sedr_filters/src/rays/sight_lines.h"
-#include "sedr_segmentation/src/scan/scan_check.h"
-#include "sedr_segmentation/src/scan/scan_inclination.h"
 #include "sedr_segmentation/src/scan/scan_tilt.h"
 #include "sedr_segmentation/src/scan/unit_check.h"
 
@@ -74,14 +72,13 @@ ChainRun::checkScan()
     return fail(wrong);
   if (chain_.trust_up)
     return true;
-  const PointView points(*chain_.cloud);
-  const pcl::IndicesPtr all = allIndices(chain_.cloud->size());
-  const unsigned threads = chain_.room_segmentation.getNumberOfThreads();
-  std::string reason =
-      upProblem(points, *all, RoomsAlongZ::NotLookedFor, 0, chain_.priors_);
-  if (reason.empty())
-    reason = inclinationProblem(points, *all, threads, chain_.priors_);
-  return reason.empty() || fail(reason);
+  up_doubt_ = doubtOfUp(PointView(*chain_.cloud), *allIndices(chain_.cloud->size()),
+                        chain_.room_segmentation.getNumberOfThreads(), chain_.priors_);
+  if (up_doubt_.isCertain())
+    return fail(up_doubt_.reason);
+  if (up_doubt_.isDoubtful())
+    warn({WarningKind::Up, {}, 0, 0, up_doubt_.reason});
+  return true;
 }
 
 namespace {

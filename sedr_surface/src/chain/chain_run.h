@@ -5,6 +5,7 @@
 
 #include "sedr_filters/src/base/labels.h"
 #include "sedr_segmentation/src/plan/room_territory.h"
+#include "sedr_segmentation/src/scan/scan_up.h"
 
 #include <numeric>
 #include <vector>
@@ -34,11 +35,6 @@ allIndices(std::size_t n)
  * up 1 % of all surfaces of the room; and what lies 5 to 15 cm before them, if it makes
  * up 2 %. Openings and their reveals do not count. Things that reach up to the ceiling,
  * as walls do, and are none: one warning a room.
- *
- * Doors and things stand on floors, so most of what is in rooms, off their walls, lies
- * in their lower half; else a warning doubts that the scan is upside down. It needs
- * that no door was found, at least 2 m2 of surfaces, three quarters of them in the
- * upper half.
  *
  * O(points + columns of the building).
  * @param points thinned
@@ -161,6 +157,7 @@ private:
 
   StructureChain& chain_;
   std::shared_ptr<const SightLines> sight_; ///< rays, in the frame of the cloud
+  UpDoubt up_doubt_;                        ///< unless z is trusted
   std::vector<TiltedFace> faces_;           ///< if any wall is tilted
   Cloud::Ptr scanned_;                      ///< then the cloud as scanned
   std::vector<ChainRoom> regions_;

@@ -198,7 +198,6 @@ SeenSurfaces::SeenSurfaces(const Floorplan& plan,
   rooms_near_.finish();
   walls_near_.finish();
   for (const PlanOpening& opening : plan.openings) {
-    has_door_ = has_door_ || opening.kind == OpeningKind::Door;
     for (const OpeningWall& of : opening.walls)
       for (WallTiles& wall : walls_)
         if (wall.surface().room->id == of.room &&
@@ -224,8 +223,6 @@ SeenSurfaces::ownerOf(const Eigen::Vector3d& p) const
 void
 SeenSurfaces::add(const Eigen::Vector3d& p)
 {
-  constexpr double off_walls = 0.3; // metres
-  constexpr double inside = 0.15;   // off floor and ceiling, metres
   beside_.clear();
   bool is_on = false;
   double nearest = infinite; // of the walls
@@ -243,15 +240,13 @@ SeenSurfaces::add(const Eigen::Vector3d& p)
   if (owner < 0)
     return;
   const auto r = static_cast<std::size_t>(owner);
-  const double floor = rooms_[r].floorAt(p.head<2>());
-  const double ceiling = rooms_[r].ceilingAt(p.head<2>());
+  const std::array<double, 2> heights{rooms_[r].floorAt(p.head<2>()),
+                                      rooms_[r].ceilingAt(p.head<2>())};
   for (const std::size_t k : {0, 1})
-    if (std::abs(p.z() - (k == 0 ? floor : ceiling)) < off_slab)
+    if (std::abs(p.z() - heights[k]) < off_slab)
       on_slab_[2 * r + k].insert(keyOf(grid_.at(p.x(), p.y())));
   if (nearest >= WallTiles::relief)
     addStanding(p, r);
-  if (nearest >= off_walls && p.z() > floor + inside && p.z() < ceiling - inside)
-    ++halves_[p.z() > (floor + ceiling) / 2 ? 1 : 0];
 }
 
 void
@@ -341,36 +336,6 @@ SeenSurfaces::tell(std::vector<PlanWarning>& warnings) const
     }
   for (std::size_t r = 0; r < rooms_.size(); ++r)
     tellStanding(r, warnings);
-  tellUpsideDown(warnings);
-}
-
-/** @brief Whether a ceiling or floor slopes by 8 degrees or is curved. */
-bool
-isSlope(const PlanSlab& slab)
-{
-  return slab.curve || slab.plane.z() < 0.99;
-}
-
-void
-SeenSurfaces::tellUpsideDown(std::vector<PlanWarning>& warnings) const
-{
-  constexpr double min_area = 2;    // square metres
-  constexpr double doubtful = 0.75; // share in the upper half
-  const auto all = static_cast<double>(halves_[0] + halves_[1]);
-  const double area = all * grid_.size() * grid_.size(); // one point a cell
-  const double upper = static_cast<double>(halves_[1]) / std::max(all, 1.0);
-  // A door stands on the floor, and a roof or vault above a level floor tells as much.
-  const bool is_upright =
-      has_door_ ||
-      std::any_of(rooms_.begin(), rooms_.end(), [](const RoomLookup& lookup) {
-        const PlanRoom& room = lookup.room();
-        return !isSlope(room.floor) &&
-               (isSlope(room.ceiling) ||
-                std::any_of(room.details.begin(), room.details.end(),
-                            [](const PlanDetail& d) { return isSlope(d.slab); }));
-      });
-  if (!is_upright && area >= min_area && upper >= doubtful)
-    warnings.push_back({WarningKind::UpsideDown, {100 * upper, area}});
 }
 
 } // namespace pcl::sedr

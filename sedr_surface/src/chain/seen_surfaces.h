@@ -118,12 +118,8 @@ private:
   void addStanding(const Eigen::Vector3d& p, std::size_t room);
   void tellStanding(std::size_t room, std::vector<PlanWarning>& warnings) const;
 
-  void tellUpsideDown(std::vector<PlanWarning>& warnings) const;
-
   Priors priors_;
   CellGrid grid_;
-  bool has_door_ = false;
-  std::array<std::size_t, 2> halves_{}; ///< points in rooms, in lower and upper halves
   std::vector<std::unordered_set<CellKey>> on_slab_; ///< floor and ceiling of each room
   std::deque<RoomLookup> rooms_;
   PlaceTable rooms_near_;

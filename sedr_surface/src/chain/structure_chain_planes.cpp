@@ -10,7 +10,6 @@
 #include "sedr_filters/src/base/plane_fit.h"
 #include "sedr_segmentation/src/rooms/room_planes.h"
 #include "sedr_segmentation/src/scan/cell_fill.h"
-#include "sedr_segmentation/src/scan/scan_check.h"
 #include "sedr_segmentation/src/scan/unit_check.h"
 
 #include <algorithm>
@@ -21,43 +20,15 @@
 
 namespace pcl::sedr {
 
-namespace {
-
-/** @brief Returns the largest area of a storey, square metres. Rooms above each other
- * count once as evidence for the up direction. */
-double
-areaOfLargestStorey(const Building& building)
-{
-  std::map<std::uint32_t, double> areas;
-  double largest = 0;
-  for (const BuildingRoom& room : building.rooms)
-    largest = std::max(largest, areas[room.storey] += room.area);
-  return largest;
-}
-
-} // namespace
-
 bool
 ChainRun::partRooms(StageReport& report)
 {
   chain_.room_segmentation.setInputCloud(chain_.cloud);
   chain_.room_segmentation.setSeenThroughPanes(chain_.mirrored.behind);
   std::vector<pcl::PointIndices> unused;
-  const auto turned = [&](RoomsAlongZ known, double area) {
-    return chain_.trust_up
-               ? std::string()
-               : upProblem(PointView(*chain_.cloud), *allIndices(chain_.cloud->size()),
-                           known, area, chain_.priors_);
-  };
-  if (!chain_.room_segmentation.segment(unused)) {
-    const std::string hint = turned(RoomsAlongZ::None, 0);
+  if (!chain_.room_segmentation.segment(unused))
     return fail(chain_.room_segmentation.getErrorMessage() +
-                (hint.empty() ? "" : "; " + hint));
-  }
-  const std::string doubt =
-      turned(RoomsAlongZ::Found, areaOfLargestStorey(chain_.getBuilding()));
-  if (!doubt.empty())
-    return fail(doubt);
+                (up_doubt_.reason.empty() ? "" : "; " + up_doubt_.reason));
   if (!inchProblem(PointView(*chain_.cloud), chain_.getBuilding().storeys.size())
            .empty())
     return fail("the storeys that were found are too high for a building");

@@ -195,8 +195,7 @@ ChainRun::findOpenings(StageReport& report)
   for (PlanWarning& warning :
        unexplainedSurfaces(PointView(*chain_.cloud), chain_.getBuilding(), *chain_.plan,
                            chain_.priors_))
-    if (warning.kind != WarningKind::UpsideDown || !chain_.trust_up)
-      warn(std::move(warning));
+    warn(std::move(warning));
   report.points_out = chain_.plan->openings.size();
   return true;
 }

@@ -37,12 +37,6 @@ scanProblemOf(const RoomPoints& points)
   return scanProblem(points.view(), points.all());
 }
 
-std::string
-upProblemOf(const RoomPoints& points, RoomsAlongZ rooms = RoomsAlongZ::NotLookedFor)
-{
-  return upProblem(points.view(), points.all(), rooms);
-}
-
 bool
 mentions(const std::string& sentence, const std::string& part)
 {
@@ -194,115 +188,6 @@ TEST(InchProblem, IsToldByTheHeightOfTheStoreysThatWereFound)
   EXPECT_EQ(inchProblem(points.view(), 20), "") << "a tower";
   EXPECT_EQ(inchProblem(changed([](auto p) { return p; }).view(), 1), "");
   EXPECT_EQ(inchProblem(PointView(), 0), "");
-}
-
-TEST(UpProblem, NamesTheAxisThatSeemsToBeUp)
-{
-  // Six metres between the walls that are now floor and ceiling.
-  const std::string y = upProblemOf(changed([](auto p) -> Eigen::Vector3d {
-    return {p.y(), p.z(), p.x()};
-  }));
-  EXPECT_TRUE(mentions(y, "y seems to be up")) << y;
-  EXPECT_TRUE(mentions(y, "2.5 m")) << y;
-  const std::string x = upProblemOf(changed([](auto p) -> Eigen::Vector3d {
-    return {p.z(), p.y(), p.x()};
-  }));
-  EXPECT_TRUE(mentions(x, "x seems to be up")) << x;
-}
-
-TEST(UpProblem, WhereTheFloorThatWasFoundIsTiltedItsAreaCounts)
-{
-  // A corridor tilted along its length: its floor covers many levels of a decimetre.
-  RoomPoints corridor;
-  corridor.room(rectangle(0, 0, 30, 2), 0, 2.7);
-  RoomPoints points;
-  const Eigen::AngleAxisd tilt(2 * M_PI / 180, Eigen::Vector3d::UnitY());
-  for (const int i : corridor.all()) {
-    const Eigen::Vector3d p = tilt * corridor[i].cast<double>().eval();
-    points.point(p.x(), p.y(), p.z());
-  }
-  EXPECT_NE(upProblem(points.view(), points.all(), RoomsAlongZ::Found), "");
-  EXPECT_EQ(upProblem(points.view(), points.all(), RoomsAlongZ::Found, 60), "");
-}
-
-TEST(UpProblem, IsAlsoLookedForWhereZGivesNoRooms)
-{
-  // On its side, with 4 m between the walls that are now floor and ceiling: z may be
-  // up, unless no room was found along it.
-  const RoomPoints points = changed([](auto p) -> Eigen::Vector3d {
-    return {p.x(), p.z(), p.y()};
-  });
-  EXPECT_EQ(upProblemOf(points), "");
-  const std::string problem = upProblem(points.view(), points.all(), RoomsAlongZ::None);
-  EXPECT_TRUE(mentions(problem, "y seems to be up")) << problem;
-  const RoomPoints standing = changed([](auto p) { return p; });
-  EXPECT_EQ(upProblemOf(standing), "");
-  EXPECT_EQ(upProblem(standing.view(), standing.all(), RoomsAlongZ::None), "");
-}
-
-TEST(UpProblem, FourTimesTheAreaIsMoreThanTheHeightOfAnyRoomExplains)
-{
-  // A flat of 12 m x 10 m with a partition, on its side: two walls are 4 m apart.
-  RoomPoints flat;
-  flat.room(rectangle(0, 0, 12, 10), 0, 2.5);
-  flat.wall(segment({4, 0}, {4, 10}), 0, 2.5);
-  RoomPoints points;
-  for (const int i : flat.all())
-    points.point(flat[i].y(), flat[i].z(), flat[i].x());
-  EXPECT_EQ(upProblemOf(points), "") << "it may have rooms along z, 4 m high";
-  const std::string problem = upProblemOf(points, RoomsAlongZ::Found);
-  EXPECT_TRUE(mentions(problem, "y seems to be up")) << problem;
-  EXPECT_TRUE(mentions(problem, "-axisangle 1,0,0,1.5708")) << problem;
-}
-
-TEST(UpProblem, WallsOfACorridorOrOfARoomWithHardlyACeilingAreNoReason)
-{
-  RoomPoints corridor;
-  corridor.room(rectangle(0, 0, 20, 1.9), 0, 3.2);
-  EXPECT_EQ(upProblemOf(corridor, RoomsAlongZ::Found), "");
-  RoomPoints open;
-  const PlanLoop loop = rectangle(0, 0, 5, 4);
-  open.slab(loop, 0);
-  open.slab(rectangle(0, 0, 1, 1), 2.5);
-  for (const auto& wall : loop.elements)
-    open.wall(wall, 0, 2.5);
-  EXPECT_EQ(upProblemOf(open, RoomsAlongZ::Found), "") << "a large floor";
-}
-
-TEST(UpProblem, NeedsTwoLargeWallsAsFarApartAsFloorsAndCeilings)
-{
-  for (const auto& [height, width, is_told] : // of a ceiling, 12 m: of all
-       {std::tuple(1.6, 12.0, false), std::tuple(1.9, 12.0, true),
-        std::tuple(4.4, 12.0, true), std::tuple(4.7, 12.0, false),
-        std::tuple(2.5, 0.1, false)}) {
-    const PlanLoop loop = rectangle(0, 0, 12, 9);
-    RoomPoints standing;
-    standing.slab(loop, 0);
-    for (int time = 0; time < (width < 1 ? 20 : 1); ++time) // a scanner near it
-      standing.slab(rectangle(0, 0, width, 9), height);
-    for (const PlanElement& wall : loop.elements)
-      standing.wall(wall, 0, height);
-    RoomPoints lying;
-    for (const int i : standing.all())
-      lying.point(standing[i].x(), standing[i].z(), standing[i].y());
-    EXPECT_EQ(mentions(upProblemOf(lying, RoomsAlongZ::None), "y seems to be up"),
-              is_told)
-        << height;
-  }
-}
-
-TEST(UpProblem, AHighHallAWallOrNothingIsNoReason)
-{
-  RoomPoints points(0.1);
-  points.room(rectangle(0, 0, 20, 15), 0, 8);
-  EXPECT_EQ(upProblemOf(points), "");
-  RoomPoints narrow;
-  narrow.room(rectangle(0, 0, 4, 3), 0, 4.4); // walls larger than its floor
-  EXPECT_EQ(upProblemOf(narrow), "");
-  EXPECT_EQ(upProblem(PointView(), {}), "");
-  RoomPoints wall;
-  wall.wall(segment({0, 0}, {4, 0}), 0, 9);
-  EXPECT_EQ(upProblemOf(wall), "");
 }
 
 } // namespace

@@ -75,33 +75,4 @@ TEST(UnlikelyPlaces, EachKindAlone)
   EXPECT_EQ(kindsIn(plan), Kinds{WarningKind::FlatArc});
 }
 
-TEST(UpsideDownDoubt, IsOfTablesThatHangFromTheCeiling)
-{
-  const Floorplan with_door = plainRoom();
-  Floorplan plan = with_door;
-  plan.openings.clear();
-  Floorplan below_roof = plan;
-  below_roof.rooms[0].ceiling.plane = Eigen::Vector4d(0.3, 0, 1, -3.3) /
-                                      std::hypot(0.3, 1); // 2.4 to 3 m above the table
-  for (const double height : {0.7, 1.8}) {                // of a table of 2 m x 1.2 m
-    std::vector<Eigen::Vector3f> points;
-    for (float x = 1; x < 3; x += 0.05F)
-      for (float y = 1; y < 2.2F; y += 0.05F)
-        points.emplace_back(x, y, static_cast<float>(height));
-    const PointView view(points.data(), sizeof(Eigen::Vector3f), points.size());
-    const auto isDoubted = [&](double voxel, const Floorplan& of_plan) {
-      Building building;
-      building.grid = CellGrid(voxel);
-      const auto warnings = unexplainedSurfaces(view, building, of_plan);
-      return std::any_of(warnings.begin(), warnings.end(), [](const auto& warning) {
-        return warning.kind == WarningKind::UpsideDown;
-      });
-    };
-    EXPECT_EQ(isDoubted(0.05, plan), height > 1) << height;
-    EXPECT_FALSE(isDoubted(0.03, plan)) << "it is too small";
-    EXPECT_FALSE(isDoubted(0.05, with_door)) << "doors stand on floors";
-    EXPECT_FALSE(isDoubted(0.05, below_roof)) << "floors are level, roofs are not";
-  }
-}
-
 } // namespace

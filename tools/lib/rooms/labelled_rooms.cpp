@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "labelled_rooms.h"
 
+#include "run_tool.h"
 #include "tool_error.h"
 
-#include "sedr_segmentation/src/scan/scan_inclination.h"
+#include "sedr_segmentation/src/scan/scan_check.h"
+#include "sedr_segmentation/src/scan/scan_up.h"
 #include <pcl/sedr_filters/impl/floor_recovery.h>
 
 #include <algorithm>
@@ -126,29 +128,20 @@ floorOf(const LabelledRoom& room,
 }
 
 void
-checkScan(const ToolCloud& cloud,
-          bool trust_up,
-          RoomsAlongZ rooms,
-          double found_area,
-          const std::string& missing)
+checkScan(const ToolCloud& cloud, bool trust_up)
 {
   const PointView points(*cloud.points);
   pcl::Indices all(cloud.size());
   std::iota(all.begin(), all.end(), 0);
-  std::string doubt;
-  if (rooms == RoomsAlongZ::NotLookedFor)
-    doubt = scanProblem(points, all);
-  if (doubt.empty() && !trust_up) {
-    doubt = upProblem(points, all, rooms, found_area);
-    if (doubt.empty() && rooms != RoomsAlongZ::Found)
-      doubt = inclinationProblem(points, all, 0);
-    if (!doubt.empty())
-      doubt += ", or say --z-up if it is right as it is";
-  }
-  if (!missing.empty())
-    throw ToolError(missing + (doubt.empty() ? "" : "; " + doubt), NothingFound);
-  if (!doubt.empty())
-    throw ToolError("'" + cloud.path + "': " + doubt, NothingFound);
+  const std::string problem = scanProblem(points, all);
+  if (!problem.empty())
+    throw ToolError("'" + cloud.path + "': " + problem, NothingFound);
+  const UpDoubt doubt = trust_up ? UpDoubt() : doubtOfUp(points, all, 0);
+  const std::string sentence = "'" + cloud.path + "': " + doubt.reason;
+  if (doubt.isCertain())
+    throw ToolError(sentence, NothingFound);
+  if (doubt.isDoubtful())
+    warnOnce(sentence);
 }
 
 } // namespace pcl::sedr::tools

@@ -5,7 +5,6 @@
 
 #include "sedr_segmentation/src/plan/room_shares.h"
 #include "sedr_segmentation/src/rooms/room_planes.h"
-#include "sedr_segmentation/src/scan/scan_check.h"
 
 #include <cstdint>
 #include <string>
@@ -53,13 +52,8 @@ PlanSlab floorOf(const LabelledRoom& room,
                  const RoomPlaneParameters& parameters);
 
 /** @brief Throws ToolError unless the file is a scan of rooms in metres. If z is not
- * trusted, throws as well if another axis seems to be up, or the scan is inclined.
- * @param missing why no rooms were found along z; thrown in any case if not empty
- * @param found_area of the rooms found along z, square metres */
-void checkScan(const ToolCloud& cloud,
-               bool trust_up,
-               RoomsAlongZ rooms = RoomsAlongZ::NotLookedFor,
-               double found_area = 0,
-               const std::string& missing = {});
+ * trusted, throws as well if another direction is up, or the scan inclined, and warns
+ * if that may be. */
+void checkScan(const ToolCloud& cloud, bool trust_up);
 
 } // namespace pcl::sedr::tools

@@ -16,7 +16,7 @@ namespace pcl::sedr {
 enum class WarningKind {
   Coverage,      ///< modelled, seen m2, %; missing m2, z from, to; reason
   Unit,          ///< reason
-  UpsideDown,    ///< % of things in upper halves of rooms, m2 of their surfaces
+  Up,            ///< reason
   LostPoints,    ///< %
   Strays,        ///< points of a voxel that was kept
   Positions,     ///< of the scanner, untrue, all

@@ -82,8 +82,6 @@ struct Priors {
   double share_clear = 0.6;    ///< seen of a wall that certainly exists
   double share_closed = 0.7;   ///< seen of the back of a niche
   double share_most = 0.8;     ///< seen of what certainly exists
-  double vertical_ratio = 1.5; ///< ratio of areas that decides which axis is up
-  double corridor_ratio = 4;   ///< ratio of a corridor's wall area to its floor area
 
   // Directions: small angles, in radians or as sines.
   double same_axis = 0.026; ///< parallel or square to the scan's axes: 1.5 degrees

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "air_ends.h"
+
+#include "sedr_filters/src/base/exactness.h"
+#include "sedr_filters/src/base/middle_value.h"
+#include "sedr_filters/src/grids/disjoint_sets.h"
+#include <pcl/sedr_filters/priors.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace pcl::sedr {
+
+namespace {
+
+constexpr double cell_size = 0.1; // metres
+constexpr double cell_area = cell_size * cell_size;
+constexpr int bits = 21; // of a cell's coordinate in a key
+
+/** @brief Air between two occupied cells of a column; heights are means of points. */
+struct Gap {
+  std::uint64_t column;
+  float low;
+  float high;
+};
+
+/** @brief Indices of gaps side by side. */
+using Borders = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+/** @brief Returns the gaps by column. */
+std::vector<Gap>
+gapsAlong(const PointView& points,
+          const std::vector<int>& indices,
+          const Eigen::Matrix3d& axes)
+{
+  constexpr double origin = 1 << (bits - 1);
+  constexpr std::uint64_t least = 12; // cells
+  constexpr std::uint64_t most = 120;
+  std::vector<std::pair<std::uint64_t, float>> cells; // of each point, and its height
+  cells.reserve(indices.size());
+  for (const int i : indices) {
+    const Eigen::Vector3d p = axes * points[static_cast<std::size_t>(i)].cast<double>();
+    if (!p.allFinite() || p.cwiseAbs().maxCoeff() >= farthest_place)
+      continue;
+    std::uint64_t key = 0;
+    for (const double v : p)
+      key =
+          key << bits | static_cast<std::uint64_t>(std::floor(v / cell_size) + origin);
+    cells.emplace_back(key, static_cast<float>(p.z()));
+  }
+  std::sort(cells.begin(), cells.end());
+  std::vector<Gap> gaps;
+  std::uint64_t last = 0;
+  float height_of_last = 0;
+  for (std::size_t i = 0; i < cells.size();) {
+    const std::uint64_t key = cells[i].first;
+    double sum = 0;
+    const std::size_t first = i;
+    for (; i < cells.size() && cells[i].first == key; ++i)
+      sum += cells[i].second;
+    const auto height = static_cast<float>(sum / static_cast<double>(i - first));
+    if (key >> bits == last >> bits && key - last > least && key - last <= most + 1)
+      gaps.push_back({key >> bits, height_of_last, height});
+    last = key;
+    height_of_last = height;
+  }
+  return gaps;
+}
+
+/** @brief Returns each gap with the one beside it, along both axes, that it has most
+ * air in common with. */
+Borders
+bordersOf(const std::vector<Gap>& gaps)
+{
+  Borders borders;
+  for (const std::uint64_t step : {std::uint64_t{1}, std::uint64_t{1} << bits}) {
+    std::size_t beside = 0;
+    for (std::size_t i = 0; i < gaps.size(); ++i) {
+      const std::uint64_t column = gaps[i].column + step;
+      while (beside < gaps.size() && gaps[beside].column < column)
+        ++beside;
+      float most = 0;
+      std::size_t best = i;
+      for (std::size_t k = beside; k < gaps.size() && gaps[k].column == column; ++k) {
+        const float common =
+            std::min(gaps[i].high, gaps[k].high) - std::max(gaps[i].low, gaps[k].low);
+        if (common > most) {
+          most = common;
+          best = k;
+        }
+      }
+      if (best != i)
+        borders.emplace_back(i, best);
+    }
+  }
+  return borders;
+}
+
+/** @brief Returns the entropy of parts of a whole, nats. */
+double
+entropyOf(const std::vector<double>& parts)
+{
+  double sum = 0;
+  double logs = 0;
+  for (const double part : parts) {
+    sum += part;
+    logs += part * std::log(part);
+  }
+  return sum > 0 ? std::log(sum) - logs / sum : 0;
+}
+
+/** @brief Returns the entropy of heights in steps of a cell, from where they fit best.
+ */
+double
+entropyOfHeights(const std::vector<Gap>& gaps, float Gap::*end)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const double start : {0.0, 0.5}) {
+    std::map<double, double> levels;
+    for (const Gap& gap : gaps)
+      levels[std::floor(gap.*end / cell_size + start)] += 1;
+    std::vector<double> counts;
+    for (const auto& [level, count] : levels)
+      counts.push_back(count);
+    least = std::min(least, entropyOf(counts));
+  }
+  return least;
+}
+
+/** @brief The pieces of an end surface, each with the index of its first gap. */
+struct Pieces {
+  std::vector<std::uint32_t> of; ///< piece of each gap
+  std::vector<double> areas;     ///< square metres
+  std::vector<double> rises;     ///< sum of steps from the pieces beside into the air
+};
+
+Pieces
+piecesOf(const std::vector<Gap>& gaps, const Borders& borders, float Gap::*end)
+{
+  constexpr float least_step = 0.2F; // metres
+  const float into_air = end == &Gap::low ? 1 : -1;
+  DisjointSets<> sets(gaps.size());
+  for (const auto& [a, b] : borders)
+    if (std::abs(gaps[a].*end - gaps[b].*end) < least_step)
+      sets.join(a, b);
+  Pieces pieces;
+  pieces.areas.assign(gaps.size(), 0);
+  pieces.rises.assign(gaps.size(), 0);
+  for (std::uint32_t i = 0; i < gaps.size(); ++i) {
+    pieces.of.push_back(sets.find(i));
+    pieces.areas[pieces.of[i]] += cell_area;
+  }
+  for (const auto& [a, b] : borders)
+    if (pieces.of[a] != pieces.of[b]) {
+      const double step = into_air * (gaps[a].*end - gaps[b].*end);
+      pieces.rises[pieces.of[a]] += step;
+      pieces.rises[pieces.of[b]] -= step;
+    }
+  return pieces;
+}
+
+constexpr double large_area = 2; // square metres
+
+/** @brief Returns the share of steps within large pieces, off their rims. */
+double
+reliefOf(const std::vector<Gap>& gaps,
+         const Borders& borders,
+         const Pieces& pieces,
+         float Gap::*end)
+{
+  constexpr float least_step = 0.03F; // metres
+  std::vector<int> beside(gaps.size(), 0);
+  const auto isWithin = [&](const Borders::value_type& border) {
+    return pieces.of[border.first] == pieces.of[border.second] &&
+           pieces.areas[pieces.of[border.first]] >= large_area;
+  };
+  for (const auto& border : borders)
+    if (isWithin(border)) {
+      ++beside[border.first];
+      ++beside[border.second];
+    }
+  double all = 0;
+  double steps = 0;
+  for (const auto& border : borders) {
+    const auto [a, b] = border;
+    if (!isWithin(border) || beside[a] < 4 || beside[b] < 4)
+      continue;
+    all += 1;
+    steps += std::abs(gaps[a].*end - gaps[b].*end) >= least_step ? 1 : 0;
+  }
+  return steps / std::max(all, 1.0);
+}
+
+EndSurface
+surfaceOf(const std::vector<Gap>& gaps, const Borders& borders, float Gap::*end)
+{
+  const Pieces pieces = piecesOf(gaps, borders, end);
+  EndSurface surface;
+  std::vector<double> base;
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    const double area = pieces.areas[i];
+    const bool stands_out = pieces.rises[i] > 0;
+    if (stands_out && area < Priors().max_furniture_area)
+      surface.things += area;
+    if (area >= large_area) {
+      surface.large += area;
+      if (!stands_out)
+        base.push_back(area);
+    }
+  }
+  const double whole = cell_area * static_cast<double>(gaps.size());
+  surface.things /= whole;
+  surface.large /= whole;
+  surface.pieces = std::exp(entropyOf(base));
+  surface.relief = reliefOf(gaps, borders, pieces, end);
+  surface.levels = entropyOfHeights(gaps, end);
+  return surface;
+}
+
+} // namespace
+
+AirAlongAxis
+airAlong(const PointView& points,
+         const std::vector<int>& indices,
+         const Eigen::Matrix3d& axes)
+{
+  const std::vector<Gap> gaps = gapsAlong(points, indices, axes);
+  AirAlongAxis air;
+  if (gaps.empty())
+    return air;
+  std::vector<double> heights;
+  for (const Gap& gap : gaps)
+    heights.push_back(gap.high - gap.low);
+  const Borders borders = bordersOf(gaps);
+  air.area = cell_area * static_cast<double>(gaps.size());
+  air.height = middleValue(heights);
+  air.low = surfaceOf(gaps, borders, &Gap::low);
+  air.high = surfaceOf(gaps, borders, &Gap::high);
+  return air;
+}
+
+} // namespace pcl::sedr

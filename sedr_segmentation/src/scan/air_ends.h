@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/sedr_filters/point_view.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace pcl::sedr {
+
+/** @brief One of the two surfaces at which the air along an axis ends. Its pieces are
+ * connected without steps of 0.2 m; those that stand out into the air from what is
+ * beside them, up to the area of furniture, are things. */
+struct EndSurface {
+  double levels = 0; ///< entropy of its heights in steps of 0.1 m, nats
+  double large = 0;  ///< share of pieces of 2 square metres and more
+  double things = 0; ///< share of things
+  double relief = 0; ///< share of steps of 3 cm in 10 cm within large pieces
+  double pieces = 1; ///< number of large ones that do not stand out: exp(entropy)
+};
+
+/** @brief The air along an axis: the gaps of 1.2 to 12 m between occupied cells of 0.1
+ * m in columns along it. */
+struct AirAlongAxis {
+  double area = 0;   ///< of the gaps, square metres
+  double height = 0; ///< their median, metres
+  EndSurface low;
+  EndSurface high;
+};
+
+/** @brief Measures the air along the third row of `axes`, a rotation. O(n log n). */
+AirAlongAxis airAlong(const PointView& points,
+                      const std::vector<int>& indices,
+                      const Eigen::Matrix3d& axes);
+
+} // namespace pcl::sedr

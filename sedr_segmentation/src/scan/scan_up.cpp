@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan_up.h"
+#include "air_ends.h"
+#include "scan_inclination.h"
+
+#include "sedr_filters/src/base/parallel_for.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace pcl::sedr {
+
+namespace {
+
+/** @brief Returns a text for numbers as printf() makes it. */
+template <typename... Numbers>
+std::string
+text(const char* format, Numbers... numbers)
+{
+  std::array<char, 400> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), format, numbers...);
+  return buffer.data();
+}
+
+/** @brief Returns how likely an axis is vertical, nats. */
+double
+likelihoodOfAxis(const AirAlongAxis& air)
+{
+  constexpr double usual_height = 2.8; // metres
+  constexpr double scale = 0.25;       // of the logarithm of heights
+  constexpr double most = 2;           // nats: there are halls
+  constexpr double rare = 0.02;        // share
+  const auto logOdds = [](double share) {
+    return std::log((share + rare) / (1 - share + rare));
+  };
+  return logOdds(air.low.large) + logOdds(air.high.large) - air.low.levels -
+         air.high.levels -
+         std::min(most, std::abs(std::log(air.height / usual_height)) / scale);
+}
+
+/** @brief Returns the log-likelihood of the high end of the air as ceiling and the low
+ * one as floor, nats; that of the opposite is its negative. Weights fitted on
+ * buildings, real and simulated. */
+double
+evidenceOfCeiling(const AirAlongAxis& air)
+{
+  constexpr double rare = 0.04;       // share of things
+  constexpr double clear = 0.05;      // share of relief
+  constexpr double most_pieces = 1.5; // nats
+  const auto relief = [](const EndSurface& end) {
+    return std::clamp((end.relief - (1 - end.large)) / clear, 0.0, 1.0);
+  };
+  return std::log((air.low.things + rare) / (air.high.things + rare)) +
+         2 * (relief(air.high) - relief(air.low)) +
+         2.2 * std::clamp(std::log(air.high.pieces / air.low.pieces), -most_pieces,
+                          most_pieces);
+}
+
+/** @brief Returns the argument of pcl_transform_point_cloud that turns a direction to
+ * z: axis and angle. */
+std::string
+rotationFrom(const Eigen::Vector3d& up)
+{
+  Eigen::Vector3d axis = up.cross(Eigen::Vector3d::UnitZ());
+  axis = axis.norm() > 0.01 ? axis.normalized() : Eigen::Vector3d::UnitX().eval();
+  const auto rounded = [](double v) { return std::round(v * 1e5) / 1e5 + 0.0; };
+  return text("-axisangle %.5g,%.5g,%.5g,%.5g", rounded(axis.x()), rounded(axis.y()),
+              rounded(axis.z()), std::acos(std::clamp(up.z(), -1.0, 1.0)));
+}
+
+std::string
+nameOf(const Eigen::Vector3d& up, const Priors& priors)
+{
+  Eigen::Index axis = 0;
+  if (up.cwiseAbs().maxCoeff(&axis) < std::cos(priors.same_axis))
+    return text("the direction %.2f, %.2f, %.2f", up.x(), up.y(), up.z());
+  return std::string(up[axis] < 0 ? "-" : "") + "xyz"[axis];
+}
+
+/** @brief A direction along an axis of the scan, or of its inclination. */
+struct Direction {
+  std::size_t axis = 2;
+  int sign = 1;
+};
+
+/** @brief What the scan shows along three axes. */
+class AirAlongAxes {
+public:
+  AirAlongAxes(const PointView& points,
+               const std::vector<int>& indices,
+               const Eigen::Matrix3d& turn,
+               unsigned threads)
+  {
+    parallelFor(3, 1, threads, [&](std::size_t axis) {
+      Eigen::Matrix3d axes;
+      for (std::size_t k = 0; k < 3; ++k)
+        axes.row(static_cast<Eigen::Index>(k)) =
+            turn.row(static_cast<Eigen::Index>((axis + 1 + k) % 3));
+      air_[axis] = airAlong(points, indices, axes);
+    });
+  }
+
+  const AirAlongAxis& operator[](std::size_t axis) const { return air_[axis]; }
+
+  /** @brief Returns how likely a direction is up, nats. */
+  double likelihoodOf(const Direction& up) const
+  {
+    return likelihoodOfAxis(air_[up.axis]) + up.sign * evidenceOfCeiling(air_[up.axis]);
+  }
+
+  /** @brief Returns the direction that is by far the most likely, else z. */
+  Direction best(UpDoubt& doubt, double least_area) const
+  {
+    Direction best;
+    double most = UpDoubt::doubtful;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (const int sign : {1, -1})
+        if (const double nats = likelihoodOf({axis, sign}) - likelihoodOf({});
+            std::min(air_[axis].area, air_[2].area) >= least_area && nats > most) {
+          doubt.nats = most = nats;
+          best = {axis, sign};
+        }
+    return best;
+  }
+
+  /** @brief Returns a clause that another direction than z is up. */
+  std::string clauseOf(const Direction& up,
+                       const std::string& name,
+                       const std::string& name_of_z) const
+  {
+    const AirAlongAxis& z = air_[2];
+    if (up.axis == 2)
+      return text("the scan seems to be upside down: things cover %.0f %% of what are "
+                  "its floors then and %.0f %% of its ceilings, which are in %.0f and "
+                  "%.0f pieces",
+                  100 * z.high.things, 100 * z.low.things, z.high.pieces, z.low.pieces);
+    const auto described = [](const AirAlongAxis& air) {
+      return text("the air is %.1f m high between surfaces at %.0f and %.0f heights",
+                  air.height, std::exp(air.low.levels), std::exp(air.high.levels));
+    };
+    return name + " seems to be up, not z: along it " + described(air_[up.axis]) +
+           ", along " + name_of_z + " " + described(z);
+  }
+
+private:
+  std::array<AirAlongAxis, 3> air_;
+};
+
+} // namespace
+
+UpDoubt
+doubtOfUp(const PointView& points,
+          const std::vector<int>& indices,
+          unsigned threads,
+          const Priors& priors)
+{
+  const ScanInclination inclination = inclinationOf(points, indices, threads, priors);
+  const Eigen::Matrix3d turn =
+      Eigen::Quaterniond::FromTwoVectors(inclination.up, Eigen::Vector3d::UnitZ())
+          .toRotationMatrix();
+  const AirAlongAxes air(points, indices, turn, threads);
+  UpDoubt doubt;
+  const Direction best = air.best(doubt, 4 * priors.min_slab_area);
+  const Eigen::Vector3d up = best.sign * turn.row(static_cast<Eigen::Index>(best.axis));
+  if (doubt.isDoubtful())
+    doubt.reason =
+        air.clauseOf(best, nameOf(up, priors), nameOf(inclination.up, priors));
+  else if (inclination.angle > 0)
+    doubt.reason =
+        text("the scan is inclined: its floors and ceilings, %.0f square metres of "
+             "planes, stand at %.1f degrees to z, and its walls with them",
+             inclination.area, inclination.angle * 180 / M_PI);
+  else
+    return doubt;
+  doubt.reason +=
+      "; turn it, for instance by pcl_transform_point_cloud IN OUT " + rotationFrom(up);
+  if (best.axis != 2 &&
+      air.likelihoodOf(best) - air.likelihoodOf({best.axis, -best.sign}) <
+          UpDoubt::doubtful)
+    doubt.reason += text(" (or by %.5g if it is upside down then)",
+                         std::acos(std::clamp(up.z(), -1.0, 1.0)) - M_PI);
+  doubt.reason += ", or say --z-up if it is right as it is";
+  if (inclination.angle > 0)
+    doubt.nats = std::numeric_limits<double>::infinity();
+  return doubt;
+}
+
+} // namespace pcl::sedr

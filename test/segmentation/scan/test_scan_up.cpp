@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sedr_segmentation/src/scan/scan_up.h"
+
+#include "tools/box_room.h"
+#include "turned_room.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace pcl::sedr;
+using namespace sedr_test;
+
+UpDoubt
+doubtOf(const RoomPoints& points)
+{
+  return doubtOfUp(points.view(), points.all());
+}
+
+RoomPoints
+rotated(const RoomPoints& points, const Eigen::Matrix3d& turn)
+{
+  RoomPoints result;
+  for (const int i : points.all()) {
+    const Eigen::Vector3d p = turn * points[i].cast<double>().eval();
+    result.point(p.x(), p.y(), p.z());
+  }
+  return result;
+}
+
+/** Rooms, each with a table, a cupboard and a doorway. */
+RoomPoints
+flat()
+{
+  programs::RoomScan scan;
+  scan.addRoom({0, 0, 4, 3, 2.5});
+  scan.addRoom({4.13, 0, 5, 4.27, 2.5});
+  scan.addRoom({0, 3.11, 3.6, 3.5, 2.5});
+  scan.addRoom({3.71, 4.4, 4.5, 3.8, 2.5});
+  RoomPoints points;
+  for (const auto& p : scan.points)
+    points.point(p.x, p.y, p.z);
+  return points;
+}
+
+/** Returns the rotation that a sentence names. */
+Eigen::AngleAxisd
+namedTurn(const std::string& sentence)
+{
+  const std::string option = "-axisangle ";
+  const auto at = sentence.find(option);
+  double x = 0;
+  double y = 0;
+  double z = 0;
+  double angle = 0;
+  if (at == std::string::npos ||
+      std::sscanf(sentence.c_str() + at + option.size(), "%lf,%lf,%lf,%lf", &x, &y, &z,
+                  &angle) != 4)
+    return Eigen::AngleAxisd::Identity();
+  return Eigen::AngleAxisd(angle, Eigen::Vector3d(x, y, z).normalized());
+}
+
+TEST(ScanUp, OfAFlatIsToldInEachOfSixDirectionsWithTheTurnThatMendsIt)
+{
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  for (const double yaw : {0.0, 0.3})
+    for (const int axis : {0, 1, 2})
+      for (const int sign : {1, -1}) {
+        const Eigen::Vector3d up = sign * Eigen::Vector3d::Unit(axis);
+        const Eigen::Matrix3d turn =
+            Eigen::Quaterniond::FromTwoVectors(z, up).toRotationMatrix() *
+            Eigen::AngleAxisd(yaw, z).toRotationMatrix();
+        const UpDoubt doubt = doubtOf(rotated(flat(), turn));
+        if (up == z) {
+          EXPECT_EQ(doubt.reason, "") << doubt.nats;
+          continue;
+        }
+        EXPECT_TRUE(doubt.isDoubtful()) << doubt.nats;
+        EXPECT_EQ(doubt.isCertain(), axis < 2) << doubt.nats << doubt.reason;
+        EXPECT_GT((namedTurn(doubt.reason) * up).z(), 0.9999) << doubt.reason;
+      }
+}
+
+TEST(ScanUp, OfAVaultBelowAFloorIsDoubted)
+{
+  PlanRoom room = roomOf(rectangle(0, 0, 6, 4), 2.5);
+  RoomPoints vaulted;
+  for (double x = 0.025; x < 6; x += 0.05)
+    for (double y = 0.025; y < 4; y += 0.05) {
+      vaulted.point(x, y, 0);
+      vaulted.point(x, y, 2.2 + 0.2 * y * (4 - y));
+    }
+  for (const PlanElement& wall : room.boundary.elements)
+    vaulted.wall(wall, 0, 2.2);
+  EXPECT_FALSE(doubtOf(vaulted).isDoubtful());
+  const UpDoubt doubt =
+      doubtOf(rotated(vaulted, Eigen::Vector3d(1, -1, -1).asDiagonal()));
+  EXPECT_TRUE(doubt.isDoubtful()) << doubt.nats;
+  EXPECT_NE(doubt.reason.find("upside down"), std::string::npos) << doubt.reason;
+}
+
+TEST(ScanUp, OfEmptyRoomsCorridorsAndHallsIsNotDoubted)
+{
+  for (const Eigen::Vector3d& size :
+       {Eigen::Vector3d(6, 4, 2.5), Eigen::Vector3d(20, 1.9, 3.2),
+        Eigen::Vector3d(4, 3, 4.4), Eigen::Vector3d(20, 15, 8)}) {
+    RoomPoints room(0.05);
+    room.room(rectangle(0, 0, size.x(), size.y()), 0, size.z());
+    EXPECT_FALSE(doubtOf(room).isDoubtful()) << size.transpose();
+  }
+  RoomPoints open; // with hardly a ceiling
+  const PlanLoop loop = rectangle(0, 0, 5, 4);
+  open.slab(loop, 0);
+  open.slab(rectangle(0, 0, 1, 1), 2.5);
+  for (const auto& wall : loop.elements)
+    open.wall(wall, 0, 2.5);
+  EXPECT_FALSE(doubtOf(open).isDoubtful());
+  RoomPoints wall;
+  wall.wall(segment({0, 0}, {4, 0}), 0, 9);
+  EXPECT_EQ(doubtOf(wall).reason, "");
+  EXPECT_EQ(doubtOfUp(PointView(), {}).reason, "");
+}
+
+TEST(ScanUp, AnInclinedScanIsCertainAndToldFromOneWithTiltedWalls)
+{
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  for (const double degrees : {7.0, 25.0})
+    for (const Eigen::Vector3d& axis :
+         {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0),
+          Eigen::Vector3d(0.6, -0.8, 0)}) {
+      const Eigen::Matrix3d turn =
+          Eigen::AngleAxisd(degrees * M_PI / 180, axis).toRotationMatrix();
+      const UpDoubt inclined = doubtOf(rotated(flat(), turn));
+      EXPECT_TRUE(inclined.isCertain());
+      EXPECT_EQ(inclined.reason.rfind("the scan is inclined", 0), 0U)
+          << inclined.reason;
+      EXPECT_GT((namedTurn(inclined.reason) * turn * z).z(), 0.999) << inclined.reason;
+    }
+  for (const double degrees : {8.0, 40.0})
+    for (const char axis : {'y', 'x'}) {
+      const Eigen::Vector3d up = Eigen::Vector3d::Unit(axis - 'x');
+      const Eigen::Matrix3d turn =
+          Eigen::AngleAxisd(degrees * M_PI / 180, up).toRotationMatrix() *
+          Eigen::Quaterniond::FromTwoVectors(z, up).toRotationMatrix();
+      const UpDoubt doubt = doubtOf(rotated(flat(), turn));
+      EXPECT_TRUE(doubt.isCertain());
+      EXPECT_EQ(doubt.reason.rfind(std::string(1, axis) + " seems to be up", 0), 0U)
+          << doubt.reason;
+      EXPECT_GT((namedTurn(doubt.reason) * up).z(), 0.999) << doubt.reason;
+    }
+}
+
+} // namespace
