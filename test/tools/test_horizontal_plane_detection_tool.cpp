@@ -68,7 +68,7 @@ TEST_F(HorizontalPlaneDetectionTool, KnowsScansThatCannotBeRoomsInMetres)
   };
   for (auto& p : scan.points)
     std::swap(p.y, p.z);
-  expectNothingFound(detect(), "y seems to be up");
+  EXPECT_NE(detect().err.find("y seems to be up"), std::string::npos);
   EXPECT_EQ(detect({"--z-up"}).err.find("y seems to be up"), std::string::npos);
   std::filesystem::remove(in("output.pcd"));
 

@@ -47,7 +47,8 @@ TEST_F(SedrTool, MakesAClosedModelOfARoomAndItsDrawings)
   const RoomScan scan = scanOf();
   const ProgramRun result = onFile(scan.pcd(false), {});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(result.out + result.err, "") << "quiet when piped";
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(result.out.rfind("1 room, 12.0 square metres", 0), 0u) << result.out;
 
   const ToolCloud structure = loadCloud(in("model/structure.pcd"));
   EXPECT_TRUE(structure.has_label && structure.has_room);
@@ -135,7 +136,8 @@ TEST_F(SedrTool, WritesThePageOnDemandThatPclSedrReportWrites)
 {
   const ProgramRun result = onFile(scanOf().pcd(false), {"-report"}); // PCL's one dash
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(result.out + result.err, "") << "quiet when piped";
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(result.out.rfind("1 room, 12.0 square metres", 0), 0u) << result.out;
   const std::string page = bytesOf(in("model/report.html"));
   EXPECT_NE(page.find("{\"name\":\"model\",\"report\":{\"format\":\"sedr-report\""),
             std::string::npos);

@@ -115,7 +115,10 @@ TEST_F(SedrTool, ScansThatCannotBeRoomsAreToldSo)
     turned.addRoom(room);
   for (auto& p : turned.points)
     std::swap(p.y, p.z);
-  expectFailure(onFile(turned.pcd(false)), 2, "y seems to be up");
+  const ProgramRun doubted = onFile(turned.pcd(false)); // bare walls are like floors
+  EXPECT_EQ(doubted.exit_code, 0) << doubted.err;
+  EXPECT_NE(doubted.err.find("y seems to be up"), std::string::npos) << doubted.err;
+  std::filesystem::remove_all(in("model"));
   RoomScan few = scan;
   few.points.resize(900);
   expectFailure(onFile(few.pcd(false)), 2, "900");

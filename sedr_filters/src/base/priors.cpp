@@ -12,10 +12,6 @@ namespace {
 const std::vector<Prior> table = {
     {"min_headroom", &Priors::min_headroom, "rooms", "m", 1.2, 3,
      "building codes ask 2.0 to 2.4 m; less for cellars and attics"},
-    {"usual_room_height", &Priors::usual_room_height, "rooms", "m", 2.5, 20,
-     "building practice"},
-    {"max_room_height", &Priors::max_room_height, "rooms", "m", 10, 1000,
-     "the highest atria"},
     {"max_building_height", &Priors::max_building_height, "rooms", "m", 10, 2000,
      "building practice"},
     {"max_building_extent", &Priors::max_building_extent, "rooms", "m", 100, 100000,

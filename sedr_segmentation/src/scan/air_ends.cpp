@@ -72,31 +72,35 @@ gapsAlong(const PointView& points,
 }
 
 /** @brief Returns each gap with the one beside it, along both axes, that it has most
- * air in common with. */
+ * air in common with. Columns without any are passed over: a sparse scan shows surfaces
+ * in lines. */
 Borders
 bordersOf(const std::vector<Gap>& gaps)
 {
+  constexpr std::uint64_t reach = 4; // cells
+  const auto isBefore = [](const Gap& gap, std::uint64_t column) {
+    return gap.column < column;
+  };
   Borders borders;
-  for (const std::uint64_t step : {std::uint64_t{1}, std::uint64_t{1} << bits}) {
-    std::size_t beside = 0;
+  for (const std::uint64_t step : {std::uint64_t{1}, std::uint64_t{1} << bits})
     for (std::size_t i = 0; i < gaps.size(); ++i) {
-      const std::uint64_t column = gaps[i].column + step;
-      while (beside < gaps.size() && gaps[beside].column < column)
-        ++beside;
       float most = 0;
       std::size_t best = i;
-      for (std::size_t k = beside; k < gaps.size() && gaps[k].column == column; ++k) {
-        const float common =
-            std::min(gaps[i].high, gaps[k].high) - std::max(gaps[i].low, gaps[k].low);
-        if (common > most) {
-          most = common;
-          best = k;
+      for (std::uint64_t k = 1; k <= reach && most == 0; ++k) {
+        const std::uint64_t column = gaps[i].column + k * step;
+        for (auto gap = std::lower_bound(gaps.begin(), gaps.end(), column, isBefore);
+             gap != gaps.end() && gap->column == column; ++gap) {
+          const float common =
+              std::min(gaps[i].high, gap->high) - std::max(gaps[i].low, gap->low);
+          if (common > most) {
+            most = common;
+            best = static_cast<std::size_t>(gap - gaps.begin());
+          }
         }
       }
       if (best != i)
         borders.emplace_back(i, best);
     }
-  }
   return borders;
 }
 
@@ -113,20 +117,31 @@ entropyOf(const std::vector<double>& parts)
   return sum > 0 ? std::log(sum) - logs / sum : 0;
 }
 
-/** @brief Returns the entropy of heights in steps of a cell, from where they fit best.
- */
+/** @brief Returns the entropy of heights in steps of a cell, from where they fit best;
+ * the first gaps of all columns, the second ones, ... by themselves, as storeys are. */
 double
 entropyOfHeights(const std::vector<Gap>& gaps, float Gap::*end)
 {
   double least = std::numeric_limits<double>::infinity();
   for (const double start : {0.0, 0.5}) {
-    std::map<double, double> levels;
-    for (const Gap& gap : gaps)
-      levels[std::floor(gap.*end / cell_size + start)] += 1;
-    std::vector<double> counts;
-    for (const auto& [level, count] : levels)
-      counts.push_back(count);
-    least = std::min(least, entropyOf(counts));
+    std::vector<std::map<double, double>> levels; // by number of the gap in its column
+    std::size_t number = 0;
+    for (std::size_t i = 0; i < gaps.size(); ++i) {
+      number = i > 0 && gaps[i].column == gaps[i - 1].column ? number + 1 : 0;
+      levels.resize(std::max(levels.size(), number + 1));
+      levels[number][std::floor(gaps[i].*end / cell_size + start)] += 1;
+    }
+    double sum = 0;
+    for (const auto& of_storey : levels) {
+      std::vector<double> counts;
+      double all = 0;
+      for (const auto& [level, count] : of_storey) {
+        counts.push_back(count);
+        all += count;
+      }
+      sum += all * entropyOf(counts);
+    }
+    least = std::min(least, sum / static_cast<double>(gaps.size()));
   }
   return least;
 }

@@ -13,7 +13,8 @@ namespace pcl::sedr {
  * connected without steps of 0.2 m; those that stand out into the air from what is
  * beside them, up to the area of furniture, are things. */
 struct EndSurface {
-  double levels = 0; ///< entropy of its heights in steps of 0.1 m, nats
+  double levels = 0; ///< entropy of its heights in steps of 0.1 m, nats: the mean of
+                     ///< those of the first gaps of all columns, of the second ones, ...
   double large = 0;  ///< share of pieces of 2 square metres and more
   double things = 0; ///< share of things
   double relief = 0; ///< share of steps of 3 cm in 10 cm within large pieces

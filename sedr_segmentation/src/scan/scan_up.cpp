@@ -107,24 +107,34 @@ public:
 
   const AirAlongAxis& operator[](std::size_t axis) const { return air_[axis]; }
 
-  /** @brief Returns how likely a direction is up, nats. */
-  double likelihoodOf(const Direction& up) const
+  /** @brief Returns which end of an axis is more likely up: 1 or -1. */
+  int signOf(std::size_t axis) const
   {
-    return likelihoodOfAxis(air_[up.axis]) + up.sign * evidenceOfCeiling(air_[up.axis]);
+    return evidenceOfCeiling(air_[axis]) < 0 ? -1 : 1;
   }
 
-  /** @brief Returns the direction that is by far the most likely, else z. */
+  /** @brief Returns how much more likely up than the other end that is, nats. */
+  double signNats(std::size_t axis) const
+  {
+    return 2 * std::abs(evidenceOfCeiling(air_[axis]));
+  }
+
+  /** @brief Returns the direction that is by far the most likely, else z: first the
+   * axis, then its end. */
   Direction best(UpDoubt& doubt, double least_area) const
   {
     Direction best;
-    double most = UpDoubt::doubtful;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      for (const int sign : {1, -1})
-        if (const double nats = likelihoodOf({axis, sign}) - likelihoodOf({});
-            std::min(air_[axis].area, air_[2].area) >= least_area && nats > most) {
-          doubt.nats = most = nats;
-          best = {axis, sign};
-        }
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      if (const double nats = likelihoodOfAxis(air_[axis]) - likelihoodOfAxis(air_[2]);
+          std::min(air_[axis].area, air_[2].area) >= least_area &&
+          nats > std::max(doubt.nats, UpDoubt::doubtful)) {
+        doubt.nats = nats;
+        best = {axis, signOf(axis)};
+      }
+    if (best.axis == 2 && air_[2].area >= least_area && signOf(2) < 0) {
+      doubt.nats = signNats(2);
+      best.sign = doubt.isDoubtful() ? -1 : 1;
+    }
     return best;
   }
 
@@ -179,9 +189,7 @@ doubtOfUp(const PointView& points,
     return doubt;
   doubt.reason +=
       "; turn it, for instance by pcl_transform_point_cloud IN OUT " + rotationFrom(up);
-  if (best.axis != 2 &&
-      air.likelihoodOf(best) - air.likelihoodOf({best.axis, -best.sign}) <
-          UpDoubt::doubtful)
+  if (best.axis != 2 && air.signNats(best.axis) < UpDoubt::doubtful)
     doubt.reason += text(" (or by %.5g if it is upside down then)",
                          std::acos(std::clamp(up.z(), -1.0, 1.0)) - M_PI);
   doubt.reason += ", or say --z-up if it is right as it is";

@@ -17,7 +17,7 @@ struct UpDoubt {
   static constexpr double doubtful = 2; ///< nats; of right scans none reached it
   static constexpr double certain = 4;
 
-  double nats = 0;    ///< log-likelihood of that direction less that of z
+  double nats = 0;    ///< log-likelihood of that axis, or end of z, less that of z
   std::string reason; ///< a sentence with the rotation that mends it; empty if none
 
   bool isDoubtful() const { return nats > doubtful; }
@@ -25,16 +25,16 @@ struct UpDoubt {
 };
 
 /** @brief Returns which of six directions, along the axes of the scan or of its
- * inclination, is most likely up, if it is not z.
+ * inclination, is most likely up, if it is not z: first the axis, then its end.
  *
  * The air along an axis, 1.2 to 12 m of it in columns of 0.1 m, ends at two surfaces.
  * Those across the true axis lie at few heights (each nat of the entropy of heights
- * counts one), in large pieces without steps of 0.2 m (log-odds of the share of pieces
- * of at least 2 square metres), and about 2.8 m apart. Of the two, floors have things
- * on them: small pieces that stand out into the air. Floors go on through doors, while
- * walls and lintels part ceilings. Smooth relief that things do not explain, such as
- * slopes, vaults and ribs, is that of a ceiling. An inclined scan is certain, see
- * inclinationOf(). For thinned points; O(n log n).
+ * counts one, storey by storey), in large pieces without steps of 0.2 m (log-odds of
+ * the share of pieces of at least 2 square metres), and about 2.8 m apart. Of the two,
+ * floors have things on them: small pieces that stand out into the air. Floors go on
+ * through doors, while walls and lintels part ceilings. Smooth relief that things do
+ * not explain, such as slopes, vaults and ribs, is that of a ceiling. An inclined scan
+ * is certain, see inclinationOf(). For thinned points; O(n log n).
  * @param threads 0: all processors; the result does not depend on it */
 UpDoubt doubtOfUp(const PointView& points,
                   const std::vector<int>& indices,

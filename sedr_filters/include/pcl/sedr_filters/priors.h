@@ -26,8 +26,6 @@ namespace pcl::sedr {
 struct Priors {
   // Heights and sizes of rooms and buildings.
   double min_headroom = 1.8;          ///< minimum height of a room or doorway
-  double usual_room_height = 4.5;     ///< rooms above it are halls
-  double max_room_height = 100;       ///< higher spaces are not rooms
   double max_building_height = 200;   ///< scans above it are not in metres
   double max_building_extent = 20000; ///< likewise for the extent in plan
   double min_home_height = 2.1336;    ///< of rooms in homes and offices, seven feet
