@@ -105,8 +105,6 @@ public:
     });
   }
 
-  const AirAlongAxis& operator[](std::size_t axis) const { return air_[axis]; }
-
   /** @brief Returns which end of an axis is more likely up: 1 or -1. */
   int signOf(std::size_t axis) const
   {

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 namespace {
