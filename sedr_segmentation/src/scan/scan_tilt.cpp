@@ -28,50 +28,88 @@ fewestPatches(const Priors& priors)
                                   (priors.patch * priors.patch));
 }
 
-/** @brief Returns the direction perpendicular to the normals of vertical patches.
- * Returns z if they are too few or all have one direction in plan. */
-Eigen::Vector3d
-upOfWalls(const std::vector<Eigen::Vector3d>& normals, const Priors& priors)
+/** @brief A direction and the number of patches that have it. */
+struct Common {
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
+  std::size_t count = 0;                             ///< 0 if they are too few
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero(); ///< of their normals
+};
+
+/** @brief Returns the direction near `up` to which vertical patches are parallel. None
+ * if they are too few or all have one direction in plan. */
+Common
+upOfWalls(const std::vector<Eigen::Vector3d>& normals,
+          const Eigen::Vector3d& up,
+          const Priors& priors)
 {
   // Of the squared normals, perpendicular to the main direction.
   const double min_share = priors.share_unseen;
-  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  Common walls{up};
   for (const double limit : limits) {
-    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-    std::size_t count = 0;
+    walls.squares.setZero();
+    walls.count = 0;
     for (const auto& n : normals)
-      if (std::abs(n.dot(up)) < std::sin(limit)) {
-        squares.noalias() += n * n.transpose();
-        ++count;
+      if (std::abs(n.dot(walls.direction)) < std::sin(limit)) {
+        walls.squares.noalias() += n * n.transpose();
+        ++walls.count;
       }
-    const SymmetricEigen<3> eigen = symmetricEigen(squares);
-    if (count < fewestPatches(priors) ||
-        eigen.values[1] < min_share * static_cast<double>(count))
-      return Eigen::Vector3d::UnitZ();
-    up = eigen.vectors.col(0);
-    up *= up.z() < 0 ? -1 : 1;
+    const SymmetricEigen<3> eigen = symmetricEigen(walls.squares);
+    if (walls.count < fewestPatches(priors) ||
+        eigen.values[1] < min_share * static_cast<double>(walls.count))
+      return {};
+    walls.direction = eigen.vectors.col(0);
+    walls.direction *= walls.direction.z() < 0 ? -1 : 1;
   }
-  return up;
+  return walls;
 }
 
-/** @brief Returns the mean normal of level patches; z if there are too few. */
-Eigen::Vector3d
-upOfSlabs(const std::vector<Eigen::Vector3d>& normals, const Priors& priors)
+/** @brief Returns the mean normal of level patches near `up`; none if there are too
+ * few. */
+Common
+upOfSlabs(const std::vector<Eigen::Vector3d>& normals,
+          const Eigen::Vector3d& up,
+          const Priors& priors)
 {
-  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  Common slabs{up};
   for (const double limit : limits) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    std::size_t count = 0;
+    slabs.squares.setZero();
+    slabs.count = 0;
     for (const auto& n : normals)
-      if (n.dot(up) > std::cos(limit)) {
+      if (n.dot(slabs.direction) > std::cos(limit)) {
         sum += n;
-        ++count;
+        slabs.squares.noalias() += n * n.transpose();
+        ++slabs.count;
       }
-    if (count < fewestPatches(priors))
-      return Eigen::Vector3d::UnitZ();
-    up = sum.normalized();
+    if (slabs.count < fewestPatches(priors))
+      return {};
+    slabs.direction = sum.normalized();
   }
-  return up;
+  return slabs;
+}
+
+/** @brief Returns the commonest of some normals within 45 degrees of z; z if there is
+ * none. */
+Eigen::Vector3d
+commonestUp(const std::vector<Eigen::Vector3d>& normals)
+{
+  constexpr std::size_t max_tried = 400;
+  std::vector<Eigen::Vector3d> level;
+  for (const auto& n : normals)
+    if (n.z() > std::cos(45 * degree))
+      level.push_back(n);
+  Eigen::Vector3d best = Eigen::Vector3d::UnitZ();
+  std::ptrdiff_t most = 0;
+  for (std::size_t k = 0; k < level.size(); k += level.size() / max_tried + 1) {
+    const auto along = std::count_if(level.begin(), level.end(), [&](const auto& n) {
+      return n.dot(level[k]) > std::cos(limits[2]);
+    });
+    if (along > most) {
+      most = along;
+      best = level[k];
+    }
+  }
+  return best;
 }
 
 double
@@ -80,29 +118,21 @@ angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/** @brief Up directions from the patches of a rotated scan. */
-struct PatchView {
-  Eigen::Vector3d up_of_walls = Eigen::Vector3d::UnitZ();
-  Eigen::Vector3d up_of_slabs = Eigen::Vector3d::UnitZ();
-};
-
-/** @brief Returns the up directions from the patches of a rotated scan. A patch
- * boundary within the noise of a plane splits it obliquely into twice as many patches,
- * so the one of two grid offsets with fewer patches is used. */
-PatchView
-look(const PointView& points,
-     const std::vector<int>& indices,
-     const Eigen::Matrix3d& turn,
-     double patch,
-     unsigned threads,
-     const Priors& priors)
+/** @brief Returns the normals of the patches of a rotated scan. A patch boundary within
+ * the noise of a plane splits it obliquely into twice as many patches, so the one of
+ * two grid offsets with fewer patches is used. */
+std::vector<Eigen::Vector3d>
+patchNormals(const PointView& points,
+             const std::vector<int>& indices,
+             const Eigen::Matrix3d& turn,
+             double patch,
+             unsigned threads)
 {
   const std::vector<Eigen::Vector3d> here =
       normalsOf(points, indices, turn, patch, threads);
   const std::vector<Eigen::Vector3d> beside =
       normalsOf(points, indices, turn, patch, threads, 0.5);
-  const auto& normals = beside.size() < here.size() ? beside : here;
-  return {upOfWalls(normals, priors), upOfSlabs(normals, priors)};
+  return beside.size() < here.size() ? beside : here;
 }
 
 } // namespace
@@ -115,20 +145,31 @@ tiltOf(const PointView& points,
 {
   const double patch = priors.patch;
   const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
-  const PatchView scan =
-      look(points, indices, Eigen::Matrix3d::Identity(), patch, threads, priors);
-  const double angle = angleBetween(scan.up_of_walls, z);
-  // The walls must agree better with the slabs than with z.
-  if (angle < radians(priors.min_tilt) ||
-      2 * angleBetween(scan.up_of_walls, scan.up_of_slabs) > angle)
-    return {};
+  ScanTilt tilt;
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   // After levelling, larger patches give the remaining tilt, as thinning makes smaller
   // ones uneven.
-  const Eigen::Matrix3d turn =
-      Eigen::Quaterniond::FromTwoVectors(scan.up_of_walls, z).toRotationMatrix();
-  ScanTilt tilt;
-  tilt.up = turn.transpose() *
-            look(points, indices, turn, 2 * patch, threads, priors).up_of_walls;
+  for (const double size : {patch, patch, 2 * patch}) {
+    const auto normals = patchNormals(points, indices, turn, size, threads);
+    Common walls = upOfWalls(normals, z, priors);
+    if (const Common other = upOfWalls(normals, commonestUp(normals), priors);
+        other.count > walls.count)
+      walls = other;
+    const Common slabs = upOfSlabs(normals, walls.direction, priors);
+    if (walls.count == 0 || slabs.count == 0)
+      return {};
+    const double angle = angleBetween(walls.direction, turn * z);
+    // The walls must agree better with the slabs than with z.
+    if (angle < radians(priors.min_tilt) ||
+        2 * angleBetween(walls.direction, slabs.direction) > angle)
+      return {};
+    Eigen::Vector3d up =
+        symmetricEigen(Eigen::Matrix3d(walls.squares - slabs.squares)).vectors.col(0);
+    up *= up.z() < 0 ? -1 : 1;
+    turn = Eigen::Quaterniond::FromTwoVectors(up, z) * turn;
+    tilt.area = static_cast<double>(slabs.count) * size * size;
+  }
+  tilt.up = turn.transpose() * z;
   tilt.angle = angleBetween(tilt.up, z);
   return tilt;
 }

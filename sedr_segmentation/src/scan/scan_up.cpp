@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_up.h"
 #include "air_ends.h"
-#include "scan_inclination.h"
 
 #include "sedr_filters/src/base/parallel_for.h"
 
@@ -167,22 +166,23 @@ doubtOfUp(const PointView& points,
           unsigned threads,
           const Priors& priors)
 {
-  const ScanInclination inclination = inclinationOf(points, indices, threads, priors);
+  UpDoubt doubt;
+  doubt.tilt = tiltOf(points, indices, threads, priors);
+  const bool is_inclined = doubt.tilt.angle > radians(priors.max_slab_tilt);
+  const Eigen::Vector3d z = is_inclined ? doubt.tilt.up : Eigen::Vector3d::UnitZ();
   const Eigen::Matrix3d turn =
-      Eigen::Quaterniond::FromTwoVectors(inclination.up, Eigen::Vector3d::UnitZ())
+      Eigen::Quaterniond::FromTwoVectors(z, Eigen::Vector3d::UnitZ())
           .toRotationMatrix();
   const AirAlongAxes air(points, indices, turn, threads);
-  UpDoubt doubt;
   const Direction best = air.best(doubt, 4 * priors.min_slab_area);
   const Eigen::Vector3d up = best.sign * turn.row(static_cast<Eigen::Index>(best.axis));
   if (doubt.isDoubtful())
-    doubt.reason =
-        air.clauseOf(best, nameOf(up, priors), nameOf(inclination.up, priors));
-  else if (inclination.angle > 0)
+    doubt.reason = air.clauseOf(best, nameOf(up, priors), nameOf(z, priors));
+  else if (is_inclined)
     doubt.reason =
         text("the scan is inclined: its floors and ceilings, %.0f square metres of "
              "planes, stand at %.1f degrees to z, and its walls with them",
-             inclination.area, inclination.angle * 180 / M_PI);
+             doubt.tilt.area, doubt.tilt.angle * 180 / M_PI);
   else
     return doubt;
   doubt.reason +=
@@ -191,7 +191,7 @@ doubtOfUp(const PointView& points,
     doubt.reason += text(" (or by %.5g if it is upside down then)",
                          std::acos(std::clamp(up.z(), -1.0, 1.0)) - M_PI);
   doubt.reason += ", or say --z-up if it is right as it is";
-  if (inclination.angle > 0)
+  if (is_inclined)
     doubt.nats = std::numeric_limits<double>::infinity();
   return doubt;
 }

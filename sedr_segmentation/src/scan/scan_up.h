@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "scan_tilt.h"
 #include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_filters/priors.h>
 
@@ -19,6 +20,7 @@ struct UpDoubt {
 
   double nats = 0;    ///< log-likelihood of that axis, or end of z, less that of z
   std::string reason; ///< a sentence with the rotation that mends it; empty if none
+  ScanTilt tilt;      ///< of the scan, certain above 3 degrees
 
   bool isDoubtful() const { return nats > doubtful; }
   bool isCertain() const { return nats > certain; }
@@ -34,7 +36,7 @@ struct UpDoubt {
  * floors have things on them: small pieces that stand out into the air. Floors go on
  * through doors, while walls and lintels part ceilings. Smooth relief that things do
  * not explain, such as slopes, vaults and ribs, is that of a ceiling. An inclined scan
- * is certain, see inclinationOf(). For thinned points; O(n log n).
+ * is certain, see tiltOf(). For thinned points; O(n log n).
  * @param threads 0: all processors; the result does not depend on it */
 UpDoubt doubtOfUp(const PointView& points,
                   const std::vector<int>& indices,

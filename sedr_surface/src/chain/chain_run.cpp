@@ -2,7 +2,6 @@
 #include "chain_run.h"
 
 #include "sedr_filters/src/rays/sight_lines.h"
-#include "sedr_segmentation/src/scan/scan_tilt.h"
 #include "sedr_segmentation/src/scan/unit_check.h"
 
 #include <pcl/sedr_segmentation/tilted_faces.h>
@@ -99,14 +98,9 @@ middleOf(const StructureChain::Cloud& cloud)
 void
 ChainRun::levelScan()
 {
-  if (chain_.trust_up)
+  if (!(up_doubt_.tilt.angle > 0))
     return;
-  const ScanTilt tilt =
-      tiltOf(PointView(*chain_.cloud), *allIndices(chain_.cloud->size()),
-             chain_.room_segmentation.getNumberOfThreads(), chain_.priors_);
-  if (!(tilt.angle > 0))
-    return;
-  chain_.levelling = Levelling::of(tilt.up, middleOf(*chain_.cloud));
+  chain_.levelling = Levelling::of(up_doubt_.tilt.up, middleOf(*chain_.cloud));
   for (auto& p : *chain_.cloud)
     p.getVector3fMap() =
         chain_.levelling->level(p.getVector3fMap().cast<double>()).cast<float>();

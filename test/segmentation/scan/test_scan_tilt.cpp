@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace {
 
@@ -27,7 +29,7 @@ TEST(ScanTilt, IsThatOfTheWallsAndIsTakenOutByALevelling)
 {
   const PlanRoom plan = roomOf(rectangle(0, 0, 6, 4), 2.5);
   for (const double noise : {0.0, 0.01})
-    for (const double degrees : {0.4, 1.0, 2.0, 2.9})
+    for (const double degrees : {0.4, 1.0, 2.0, 2.9, 4.0, 8.0, 25.0})
       for (const Eigen::Vector3d& axis :
            {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0.3, -0.8, 0)}) {
         SCOPED_TRACE(testing::Message() << degrees << " degrees, noise " << noise);
@@ -35,6 +37,7 @@ TEST(ScanTilt, IsThatOfTheWallsAndIsTakenOutByALevelling)
         const RoomPoints points = turned(plan, turn, noise);
         const ScanTilt tilt = tiltOf(points.view(), points.all());
         EXPECT_NEAR(tilt.angle / degree, degrees, 0.1);
+        EXPECT_GT(tilt.area, 20) << "of 48 square metres of floor and ceiling";
         const Levelling levelling = Levelling::of(tilt.up, {30, -20, 5});
         // A corner of the room, 5 m up.
         const Eigen::Vector3d corner = Eigen::Vector3d(30, -20, 5) + turn.col(2) * 5;
@@ -49,7 +52,7 @@ TEST(ScanTilt, IsThatOfTheWallsAndIsTakenOutByALevelling)
 TEST(ScanTilt, SlopingSlabsBetweenVerticalWallsAreNone)
 {
   PlanRoom room = roomOf(rectangle(0, 0, 6, 4), 2.5);
-  for (const double degrees : {0.5, 1.5}) {
+  for (const double degrees : {0.5, 1.5, 6.0, 20.0}) {
     room.ceiling = slabAt(2.4, std::tan(degrees * degree));
     const RoomPoints sloping = turned(room, about({1, 0, 0}, 0), 0.005);
     EXPECT_EQ(tiltOf(sloping.view(), sloping.all()).angle, 0);
@@ -82,11 +85,35 @@ TEST(ScanTilt, ALevelScanHasNoneAndNorHasNothing)
 
 TEST(ScanTilt, IsTheSameForAnyNumberOfThreads)
 {
-  const RoomPoints points =
-      turned(roomOf(rectangle(0, 0, 6, 4), 2.5), about({1, 2, 0}, 1), 0.01);
+  // Every block has only a few points of each patch; the others are not finite.
+  const RoomPoints room =
+      turned(roomOf(rectangle(0, 0, 6, 4), 2.5), about({0.6, -0.8, 0}, 7), 0.01);
+  const auto size = static_cast<int>(room.size());
+  constexpr int apart = 40;
+  constexpr int stride = 7919; // prime
+  RoomPoints points;
+  for (int k = 0; k < size; ++k) {
+    const Eigen::Vector3d p =
+        room[static_cast<int>(std::int64_t{k} * stride % size)].cast<double>();
+    points.point(p.x(), p.y(), p.z());
+    for (int i = 1; i < apart; ++i)
+      points.point(std::numeric_limits<double>::quiet_NaN(), 0, 0);
+  }
   const ScanTilt one = tiltOf(points.view(), points.all(), 1);
-  EXPECT_GT(one.angle, 0);
-  EXPECT_EQ(one.up, tiltOf(points.view(), points.all(), 3).up);
+  const ScanTilt three = tiltOf(points.view(), points.all(), 3);
+  EXPECT_NEAR(one.angle * 180 / M_PI, 7, 0.2);
+  EXPECT_EQ(one.up, three.up);
+  EXPECT_EQ(one.angle, three.angle);
+  EXPECT_EQ(one.area, three.area);
+}
+
+TEST(ScanTilt, AWavyGroundHasNone)
+{
+  RoomPoints ground;
+  for (double x = 0; x < 20; x += 0.05)
+    for (double y = 0; y < 20; y += 0.05)
+      ground.point(x, y, 1.5 * std::sin(0.7 * x) * std::cos(0.5 * y));
+  EXPECT_EQ(tiltOf(ground.view(), ground.all()).angle, 0);
 }
 
 TEST(VerticalWalls, AFaceGoesToItsLineAtTheHeadAndNothingBetweenFacesIsTorn)
