@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <utility>
 
@@ -16,6 +15,8 @@ namespace pcl::sedr {
 namespace {
 
 using Place = Eigen::Vector2d;
+
+constexpr double misfits = 4; // of a point that is of the other facet
 
 } // namespace
 
@@ -50,37 +51,43 @@ BorderSteps::append(const std::vector<Place>& vertices,
   }
 }
 
-std::vector<bool>
-BorderSteps::risersAlong(const std::vector<Place>& places,
-                         const CrackChain& chain) const
+/** @brief What a point counts against a facet. */
+double
+BorderSteps::misfit(std::int32_t piece, const Eigen::Vector3d& p) const
 {
-  constexpr int reach = 2; // cells
-  constexpr std::size_t min_points = 10;
+  const double share = distanceOf(cracks_.facetOf(piece), p) / deviation_;
+  return std::min(share * share, misfits);
+}
+
+bool
+BorderSteps::mayMeet(const Place& place, const CrackChain& chain) const
+{
   const SheetGrid& grid = cracks_.sheet.grid;
-  std::map<std::size_t, std::vector<std::size_t>> near; // places about a cell
-  for (std::size_t k = 0; k < places.size(); ++k)
-    if (const std::size_t cell = grid.at(places[k]); cell < grid.count())
-      for (const std::size_t about : risers_.window(cell, reach))
-        near[about].push_back(k);
-  std::vector<std::size_t> counts(places.size(), 0);
-  for (const auto& [cell, about] : near)
-    for (const Eigen::Vector3d* p = risers_.begin(cell); p != risers_.end(cell); ++p) {
-      if (!isBetween(*p, chain))
-        continue;
-      ++counts[*std::min_element(about.begin(), about.end(),
-                                 [&](std::size_t a, std::size_t b) {
-                                   return (p->head<2>() - places[a]).squaredNorm() <
-                                          (p->head<2>() - places[b]).squaredNorm();
-                                 })];
+  const std::size_t middle = grid.at(place);
+  if (middle >= grid.count())
+    return true;
+  const PlanSlab& left = cracks_.facetOf(chain.left);
+  const PlanSlab& right = cracks_.facetOf(chain.right);
+  double own = 0;    // of points against the facets of their cells,
+  double lower = 0;  // against the lower one of both,
+  double higher = 0; // and against the higher one
+  for (const std::size_t cell : cells_.window(middle, 1)) {
+    const std::int32_t piece = cracks_.cracks.piece[cell];
+    if (piece != chain.left && piece != chain.right)
+      continue;
+    const double weight =
+        1.0 / static_cast<double>(cells_.end(cell) - cells_.begin(cell));
+    for (const Eigen::Vector3d* p = cells_.begin(cell); p != cells_.end(cell); ++p) {
+      const double of_left = weight * misfit(chain.left, *p);
+      const double of_right = weight * misfit(chain.right, *p);
+      const auto at = p->head<2>();
+      const bool is_left_lower = left.heightAt(at) < right.heightAt(at);
+      own += piece == chain.left ? of_left : of_right;
+      lower += is_left_lower ? of_left : of_right;
+      higher += is_left_lower ? of_right : of_left;
     }
-  std::vector<bool> has_riser;
-  for (std::size_t k = 0; k < counts.size(); ++k) {
-    std::size_t sum = counts[k];
-    sum += k > 0 ? counts[k - 1] : 0;
-    sum += k + 1 < counts.size() ? counts[k + 1] : 0;
-    has_riser.push_back(sum >= min_points);
   }
-  return has_riser;
+  return std::min(lower, higher) < own + misfits;
 }
 
 /** @brief Whether a point lies above one facet and below another, farther than the
@@ -133,10 +140,8 @@ struct BorderSteps::Profile {
 BorderSteps::Profile
 BorderSteps::profileAcross(const BorderPart& part,
                            double length,
-                           double deviation,
                            const CrackChain& chain) const
 {
-  constexpr double misfits = 4; // of a point that is of the other facet
   const SheetGrid& grid = cracks_.sheet.grid;
   Profile profile{-SheetCracks::riser_reach * grid.size};
   const auto bins = static_cast<std::size_t>(-2 * profile.rightmost / Profile::bin) + 1;
@@ -161,11 +166,8 @@ BorderSteps::profileAcross(const BorderPart& part,
   };
   forAllNear(cells_, SheetCracks::reach,
              [&](const Eigen::Vector3d& p, double, std::size_t at, double weight) {
-               const auto misfit = [&](std::int32_t piece) {
-                 const double share = distanceOf(cracks_.facetOf(piece), p) / deviation;
-                 return std::min(share * share, misfits);
-               };
-               profile.votes[at] += weight * (misfit(chain.right) - misfit(chain.left));
+               profile.votes[at] +=
+                   weight * (misfit(chain.right, p) - misfit(chain.left, p));
              });
   forAllNear(
       risers_, SheetCracks::riser_reach,
@@ -191,10 +193,9 @@ BorderSteps::bestShift(const BorderPart& part,
 {
   constexpr double to_edge = 0.0125; // metres: of a voxel that an edge cuts
   constexpr std::ptrdiff_t min_points = 30;
-  const double deviation = std::max(0.003, 2 * cracks_.sheet.noise);
-  Profile profile = profileAcross(part, length, deviation, chain);
+  Profile profile = profileAcross(part, length, chain);
   const std::size_t bins = profile.votes.size() - 1;
-  const auto width = static_cast<std::size_t>(2 * deviation / Profile::bin) + 1;
+  const auto width = static_cast<std::size_t>(2 * deviation_ / Profile::bin) + 1;
   const auto gainAt = [&](std::size_t k) {
     return profile.risers[std::min(bins, k + width)] -
            profile.risers[k > width ? k - width : 0] - 2 * profile.votes[k];
@@ -211,7 +212,7 @@ BorderSteps::bestShift(const BorderPart& part,
   const double middle = (low + high) / 2;
   const auto begin = profile.places.begin();
   const auto end = std::partition(begin, profile.places.end(), [&](double across) {
-    return std::abs(across - middle) < 2 * deviation;
+    return std::abs(across - middle) < 2 * deviation_;
   });
   if (end - begin >= min_points)
     return std::accumulate(begin, end, 0.0) / static_cast<double>(end - begin);
@@ -255,13 +256,13 @@ partsOf(const CrackChain& chain, const SheetCracks& cracks, const BorderSteps& s
       raw.push_back(cracks.placeOf(v));
       reach.push_back(cracks.reachAt(v));
     }
-  const std::vector<bool> has_riser = steps.risersAlong(raw, chain);
   BorderPart meeting;
   meeting.one = &cracks.facetOf(chain.left);
   meeting.other = &cracks.facetOf(chain.right);
   std::vector<std::optional<Place>> met;
   for (std::size_t k = 0; k < raw.size(); ++k)
-    met.push_back(has_riser[k] ? std::nullopt : meeting.project(raw[k], reach[k]));
+    met.push_back(steps.mayMeet(raw[k], chain) ? meeting.project(raw[k], reach[k])
+                                               : std::nullopt);
   const std::vector<bool> meets = smoothed(met);
   std::vector<BorderPart> parts;
   for (std::size_t first = 0; first < raw.size();) {

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <vector>
 
 namespace pcl::sedr {
@@ -26,6 +27,7 @@ public:
       , cells_(cells)
       , risers_(risers)
       , directions_(directions)
+      , deviation_(std::max(0.003, 2 * cracks.sheet.noise))
   {}
 
   /** @brief Adds the steps along some vertices of a chain to the chain's parts. */
@@ -33,20 +35,18 @@ public:
               const CrackChain& chain,
               std::vector<BorderPart>& parts) const;
 
-  /** @brief At which places along a chain points between the heights of its two facets
-   * show a riser: they do not meet there, though their surfaces would. A point counts
-   * for the place that it is nearest to, so that a riser round the corner does not. */
-  std::vector<bool> risersAlong(const std::vector<Eigen::Vector2d>& places,
-                                const CrackChain& chain) const;
+  /** @brief Whether the points about a place of a chain are as well explained by the
+   * lower one of its two facets everywhere, or by the higher one, as by that of their
+   * cells: else these step there, though their surfaces cross nearby. */
+  bool mayMeet(const Eigen::Vector2d& place, const CrackChain& chain) const;
 
 private:
+  double misfit(std::int32_t piece, const Eigen::Vector3d& p) const;
   bool isBetween(const Eigen::Vector3d& p, const CrackChain& chain) const;
   Eigen::Vector2d alongWalls(const Eigen::Vector2d& way) const;
   struct Profile;
-  Profile profileAcross(const BorderPart& part,
-                        double length,
-                        double deviation,
-                        const CrackChain& chain) const;
+  Profile
+  profileAcross(const BorderPart& part, double length, const CrackChain& chain) const;
   double
   bestShift(const BorderPart& part, double length, const CrackChain& chain) const;
 
@@ -54,6 +54,7 @@ private:
   const CellPoints& cells_;
   const CellPoints& risers_;
   const std::vector<double>& directions_;
+  double deviation_; ///< of points from their facet, metres
 };
 
 /** @brief The parts of a chain, as far as it is in the room: where its two facets meet,

@@ -9,6 +9,19 @@ constexpr double at_axis = 1e-9; // of the radius
 
 } // namespace
 
+const std::array<int, 7>&
+numbersOf(ShapeKind kind)
+{
+  static constexpr std::array<int, 7> numbers[] = {
+      {-1, -1, 0, -1, -1, -1, -1}, // ShapeKind::Level
+      {0, 1, 2, -1, -1, -1, -1},   // Plane
+      {-1, 0, 1, 2, -1, 3, 3},     // Cylinder
+      {0, 1, 2, -1, 3, 3, 3},      // Sphere
+      {-1, 0, 1, 2, -1, 3, 4},     // EllipticCylinder
+      {0, 1, 2, 3, 4, 5, 6}};      // Ellipsoid
+  return numbers[static_cast<std::size_t>(kind)];
+}
+
 std::vector<PointRow>
 rowsOf(const std::vector<Eigen::Vector3d>& points)
 {
@@ -128,33 +141,19 @@ ShapeDistance::of(const PointRow& points,
   }
   // The crown stays where it is.
   by_extent[2] -= by_place[2] / (inverse_.z() * inverse_.z());
-  switch (kind_) {
-  case ShapeKind::Cylinder:
-  case ShapeKind::EllipticCylinder:
-    growth[0] =
-        -by_place[1] * (axis_.x() * (x - about_.x()) + axis_.y() * (y - about_.y()));
-    growth[1] = -by_place[1];
-    growth[2] = -by_place[2];
-    if (kind_ == ShapeKind::Cylinder) {
-      growth[3] = by_extent[1] + by_extent[2];
-      break;
+  const std::array<ShapeValues, 7> all = {
+      -by_place[0], -by_place[1],
+      -by_place[2], by_place[0] * local[1] - by_place[1] * local[0],
+      by_extent[0], by_extent[1],
+      by_extent[2]};
+  int known = 0;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (const int number = numbersOf(kind_)[k]; number == known) {
+      growth[static_cast<std::size_t>(number)] = all[k];
+      ++known;
     }
-    growth[3] = by_extent[1];
-    growth[4] = by_extent[2];
-    break;
-  case ShapeKind::Sphere:
-  default:
-    growth[0] = -by_place[0] * axis_.x() - by_place[1] * aside_.x();
-    growth[1] = -by_place[0] * axis_.y() - by_place[1] * aside_.y();
-    growth[2] = -by_place[2];
-    if (kind_ == ShapeKind::Sphere) {
-      growth[3] = by_extent[0] + by_extent[1] + by_extent[2];
-      break;
-    }
-    growth[3] = by_place[0] * local[1] - by_place[1] * local[0];
-    for (std::size_t k = 0; k < 3; ++k)
-      growth[4 + k] = by_extent[k];
-  }
+    else if (number >= 0)
+      growth[static_cast<std::size_t>(number)] += all[k];
 }
 
 } // namespace pcl::sedr

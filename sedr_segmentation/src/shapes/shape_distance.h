@@ -29,11 +29,17 @@ std::vector<PointRow> rowsOf(const std::vector<Eigen::Vector3d>& points);
 /** @brief Distances of points from a slab, as distanceOf(). */
 void distancesOf(const PlanSlab& slab, const PointRow& points, ShapeValues& distance);
 
-/** @brief Distances of points from a shape, and how they grow with its numbers: those
- * of numbersOf() in shape_fit.cpp. */
+/** @brief Which of a shape's numbers each of seven quantities grows with; -1: none.
+ * Of a plane: its slopes along x and y, and its height. Of a curve: its centre along
+ * the axis and to the left of that, the height of its crown, on which a shallow vault's
+ * radius hardly depends, the direction of the axis, and the inverses of `along`,
+ * `across` and `up`. */
+const std::array<int, 7>& numbersOf(ShapeKind kind);
+
+/** @brief Distances of points from a shape, and how they grow with its numbers. */
 class ShapeDistance {
 public:
-  /** @param about the place that the numbers refer to, metres */
+  /** @param about the place that a plane's numbers refer to, metres */
   ShapeDistance(ShapeKind kind, const PlanSlab& slab, const Eigen::Vector3d& about);
 
   /** @brief As distanceOf(), of each point. */

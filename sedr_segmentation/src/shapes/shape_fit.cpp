@@ -20,85 +20,37 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 using Parameters = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 7, 1>;
 using Normal = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 7, 7>;
 
-/** @brief The numbers that say what a slab is, about a place of it, and back. */
-Parameters
-numbersOf(ShapeKind kind, const PlanSlab& slab, const Eigen::Vector3d& about)
-{
-  if (kind == ShapeKind::Level)
-    return Parameters::Constant(1, slab.heightAt(about.head<2>()) - about.z());
-  if (kind == ShapeKind::Plane) {
-    const Eigen::Vector3d n = slab.plane.head<3>();
-    return Eigen::Vector3d(-n.x() / n.z(), -n.y() / n.z(),
-                           slab.heightAt(about.head<2>()) - about.z());
-  }
-  const SlabCurve& c = *slab.curve;
-  const Eigen::Vector2d off = c.centre - about.head<2>();
-  Parameters numbers(parametersOf(kind));
-  switch (kind) {
-  case ShapeKind::Cylinder:
-  case ShapeKind::EllipticCylinder: {
-    const Eigen::Vector2d aside(-c.axis.y(), c.axis.x());
-    // By the height of the crown, on which a shallow vault's radius hardly depends.
-    numbers.head<4>() << c.direction(), off.dot(aside), c.base + c.up - about.z(),
-        1 / c.across;
-    if (kind == ShapeKind::EllipticCylinder)
-      numbers[4] = 1 / c.up;
-    break;
-  }
-  case ShapeKind::Sphere:
-    numbers << off.x(), off.y(), c.base + c.up - about.z(), 1 / c.up;
-    break;
-  default:
-    numbers << off.x(), off.y(), c.base + c.up - about.z(), c.direction(), 1 / c.along,
-        1 / c.across, 1 / c.up;
-  }
-  return numbers;
-}
-
-/** @return whether the numbers say a slab */
+/** @brief Changes the numbers of a slab by a step, see ShapeDistance.
+ * @return whether it is one then */
 bool
-takeNumbers(ShapeKind kind,
-            const Parameters& numbers,
-            const Eigen::Vector3d& about,
-            PlanSlab& slab)
+takeStep(ShapeKind kind,
+         const Parameters& step,
+         const Eigen::Vector3d& about,
+         PlanSlab& slab)
 {
-  if (!numbers.allFinite())
+  if (!step.allFinite())
     return false;
-  if (kind == ShapeKind::Level) {
-    slab.plane << 0, 0, 1, -(about.z() + numbers[0]);
-    return true;
-  }
-  if (kind == ShapeKind::Plane) {
-    slab.plane =
-        planeThrough(about + Eigen::Vector3d(0, 0, numbers[2]), numbers.head<2>())
-            .plane;
+  std::array<double, 7> by{};
+  for (std::size_t k = 0; k < by.size(); ++k)
+    if (const int number = numbersOf(kind)[k]; number >= 0)
+      by[k] = step[number];
+  if (isFlat(kind)) {
+    const Eigen::Vector3d n = slab.plane.head<3>();
+    const Eigen::Vector2d slope = Eigen::Vector2d(by[0], by[1]) - n.head<2>() / n.z();
+    const double height = slab.heightAt(about.head<2>()) + by[2];
+    slab.plane = planeThrough({about.x(), about.y(), height}, slope).plane;
     return true;
   }
   SlabCurve c = *slab.curve;
-  switch (kind) {
-  case ShapeKind::Cylinder:
-  case ShapeKind::EllipticCylinder:
-    c.setDirection(numbers[0]);
-    c.centre = about.head<2>() + numbers[1] * Eigen::Vector2d(-c.axis.y(), c.axis.x());
-    c.across = 1 / numbers[3];
-    c.up = kind == ShapeKind::Cylinder ? c.across : 1 / numbers[4];
-    break;
-  case ShapeKind::Sphere:
-    c.centre = about.head<2>() + numbers.head<2>();
-    c.along = c.across = c.up = 1 / numbers[3];
-    break;
-  default:
-    c.centre = about.head<2>() + numbers.head<2>();
-    c.setDirection(numbers[3]);
-    c.along = 1 / numbers[4];
-    c.across = 1 / numbers[5];
-    c.up = 1 / numbers[6];
-  }
-  c.base = about.z() + numbers[2] - c.up;
-  if (!c.isFinite())
-    return false;
+  c.centre += by[0] * c.axis + by[1] * Eigen::Vector2d(-c.axis.y(), c.axis.x());
+  const double crown = c.base + c.up + by[2];
+  c.setDirection(c.direction() + by[3]);
+  c.along /= 1 + by[4] * c.along;
+  c.across /= 1 + by[5] * c.across;
+  c.up /= 1 + by[6] * c.up;
+  c.base = crown - c.up;
   slab.curve = std::make_shared<const SlabCurve>(c);
-  return true;
+  return c.isFinite();
 }
 
 double
@@ -197,20 +149,8 @@ sumsOf(const std::vector<PointRow>& points,
 int
 parametersOf(ShapeKind kind)
 {
-  switch (kind) {
-  case ShapeKind::Level:
-    return 1;
-  case ShapeKind::Plane:
-    return 3;
-  case ShapeKind::Cylinder:
-  case ShapeKind::Sphere:
-    return 4;
-  case ShapeKind::EllipticCylinder:
-    return 5;
-  case ShapeKind::Ellipsoid:
-    return 7;
-  }
-  return 7;
+  const std::array<int, 7>& numbers = numbersOf(kind);
+  return *std::max_element(numbers.begin(), numbers.end()) + 1;
 }
 
 double
@@ -233,7 +173,11 @@ refineShape(ShapeKind kind,
   if (points.empty() || (!isFlat(kind) && !slab.curve))
     return infinity;
   const Eigen::Vector3d about = meanOf(points);
-  Parameters numbers = numbersOf(kind, slab, about);
+  if (slab.curve && slab.curve->kind == CurveKind::Cylinder) {
+    SlabCurve c = *slab.curve; // has its centre anywhere along its axis
+    c.centre += c.axis * c.axis.dot(about.head<2>() - c.centre);
+    slab.curve = std::make_shared<const SlabCurve>(c);
+  }
   const std::vector<PointRow> rows = rowsOf(points);
   double cost = costOf(rows, {kind, slab, about}, band, infinity);
   double damping = 1e-6;
@@ -245,9 +189,8 @@ refineShape(ShapeKind kind,
       Normal damped = sums.normal;
       damped.diagonal() *= 1 + damping;
       damped.diagonal().array() += 1e-12 * sums.normal.diagonal().maxCoeff();
-      const Parameters next = numbers + damped.ldlt().solve(sums.right);
       PlanSlab there = slab;
-      is_better = takeNumbers(kind, next, about, there);
+      is_better = takeStep(kind, damped.ldlt().solve(sums.right), about, there);
       const double cost_there =
           is_better ? costOf(rows, {kind, there, about}, band, cost) : infinity;
       is_better = cost_there < cost;
@@ -257,7 +200,6 @@ refineShape(ShapeKind kind,
       gain = cost - cost_there;
       cost = cost_there;
       slab = there;
-      numbers = next;
     }
     if (!is_better || gain < settled * cost)
       break;

@@ -26,13 +26,28 @@ int parametersOf(ShapeKind kind);
 /** @brief Distance of a point from a slab to first order, positive above it. */
 double distanceOf(const PlanSlab& slab, const Eigen::Vector3d& p);
 
-Eigen::Vector3d meanOf(const std::vector<Eigen::Vector3d>& points);
+template <int N>
+Eigen::Matrix<double, N, 1>
+meanOf(const std::vector<Eigen::Matrix<double, N, 1>>& points)
+{
+  Eigen::Matrix<double, N, 1> sum = Eigen::Matrix<double, N, 1>::Zero();
+  for (const auto& p : points)
+    sum += p;
+  return sum / static_cast<double>(points.size());
+}
 
 /** @brief The plane through a place that rises by `slope` along x and y. */
 PlanSlab planeThrough(const Eigen::Vector3d& place, const Eigen::Vector2d& slope);
 
 /** @brief The plane of least squares in z. At least three points. */
 PlanSlab fitPlane(const std::vector<Eigen::Vector3d>& points);
+
+/** @brief 1, x, y, xx, xy, yy: of a place, or what each counts in a height. */
+using QuadraticTerms = Eigen::Matrix<double, 6, 1>;
+QuadraticTerms quadraticTerms(const Eigen::Vector2d& p);
+
+/** @brief The surface of least squares in z that may tilt and bend. */
+QuadraticTerms fitQuadratic(const std::vector<Eigen::Vector3d>& points);
 
 /** @brief A shape through points that are all of it, roughly: a start for
  * refineShape().

@@ -23,33 +23,35 @@ slabFrom(SlabCurve curve, const PlanSlab& plane)
   return slab;
 }
 
-/** @brief The circle of least squares through places (v, z), by its algebraic equation:
- * centre and radius.
- * @return whether there is one, seen from within */
+/** @brief The circle or sphere of least squares through places, by its algebraic
+ * equation: centre and radius.
+ * @return whether there is one, seen from within: its centre lies below the places */
+template <int N>
 bool
-fitCircle(const std::vector<Eigen::Vector2d>& places,
-          Eigen::Vector2d& centre,
-          double& radius)
+roundThrough(const std::vector<Eigen::Matrix<double, N, 1>>& places,
+             Eigen::Matrix<double, N, 1>& centre,
+             double& radius)
 {
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  for (const Eigen::Vector2d& p : places)
-    mean += p / static_cast<double>(places.size());
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector2d& place : places) {
-    const Eigen::Vector2d p = place - mean;
-    const Eigen::Vector3d row(p.x(), p.y(), 1);
+  using Row = Eigen::Matrix<double, N + 1, 1>;
+  const Eigen::Matrix<double, N, 1> mean = meanOf(places);
+  Eigen::Matrix<double, N + 1, N + 1> normal;
+  normal.setZero();
+  Row right = Row::Zero();
+  for (const auto& place : places) {
+    const Eigen::Matrix<double, N, 1> p = place - mean;
+    Row row;
+    row << p, 1;
     normal += row * row.transpose();
     right += row * p.squaredNorm();
   }
-  const Eigen::Vector3d solution = normal.ldlt().solve(right);
-  const Eigen::Vector2d middle = solution.head<2>() / 2;
-  const double square = solution[2] + middle.squaredNorm();
+  const Row solution = normal.ldlt().solve(right);
+  const Eigen::Matrix<double, N, 1> middle = solution.template head<N>() / 2;
+  const double square = solution[N] + middle.squaredNorm();
   if (!solution.allFinite() || !(square > 0))
     return false;
   centre = mean + middle;
   radius = std::sqrt(square);
-  return middle.y() < 0; // the centre lies below the points
+  return middle[N - 1] < 0;
 }
 
 /** @brief The direction in which points curve least, by a parabola of two directions.
@@ -58,17 +60,10 @@ double
 directionOfAxis(const std::vector<Eigen::Vector3d>& points)
 {
   const Eigen::Vector3d mean = meanOf(points);
-  using Terms = Eigen::Matrix<double, 6, 1>;
-  Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
-  Terms right = Terms::Zero();
-  for (const Eigen::Vector3d& point : points) {
-    const Eigen::Vector3d p = point - mean;
-    Terms row;
-    row << 1, p.x(), p.y(), p.x() * p.x(), p.x() * p.y(), p.y() * p.y();
-    normal.noalias() += row * row.transpose();
-    right += p.z() * row;
-  }
-  const Terms c = normal.ldlt().solve(right);
+  std::vector<Eigen::Vector3d> centred;
+  for (const Eigen::Vector3d& point : points)
+    centred.emplace_back(point - mean);
+  const QuadraticTerms c = fitQuadratic(centred);
   Eigen::Matrix2d bend;
   bend << 2 * c[3], c[4], c[4], 2 * c[5];
   const SymmetricEigen<2> eigen = symmetricEigen(bend);
@@ -94,7 +89,7 @@ cylinderAlong(const std::vector<Eigen::Vector3d>& points,
   }
   Eigen::Vector2d centre;
   curve = SlabCurve();
-  if (!fitCircle(places, centre, curve.across))
+  if (!roundThrough(places, centre, curve.across))
     return false;
   curve.up = curve.across;
   curve.setDirection(direction);
@@ -106,38 +101,18 @@ cylinderAlong(const std::vector<Eigen::Vector3d>& points,
 bool
 sphereThrough(const std::vector<Eigen::Vector3d>& points, SlabCurve& curve)
 {
-  const Eigen::Vector3d mean = meanOf(points);
-  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
-  Eigen::Vector4d right = Eigen::Vector4d::Zero();
-  for (const Eigen::Vector3d& point : points) {
-    const Eigen::Vector3d p = point - mean;
-    const Eigen::Vector4d row(p.x(), p.y(), p.z(), 1);
-    normal += row * row.transpose();
-    right += row * p.squaredNorm();
-  }
-  const Eigen::Vector4d solution = normal.ldlt().solve(right);
-  const Eigen::Vector3d middle = solution.head<3>() / 2;
-  const double square = solution[3] + middle.squaredNorm();
-  if (!solution.allFinite() || !(square > 0) || middle.z() >= 0)
-    return false;
+  Eigen::Vector3d centre;
   curve = SlabCurve();
+  if (!roundThrough(points, centre, curve.up))
+    return false;
   curve.kind = CurveKind::Ellipsoid;
-  curve.centre = mean.head<2>() + middle.head<2>();
-  curve.base = mean.z() + middle.z();
-  curve.along = curve.across = curve.up = std::sqrt(square);
+  curve.centre = centre.head<2>();
+  curve.base = centre.z();
+  curve.along = curve.across = curve.up;
   return true;
 }
 
 } // namespace
-
-Eigen::Vector3d
-meanOf(const std::vector<Eigen::Vector3d>& points)
-{
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& p : points)
-    sum += p;
-  return sum / static_cast<double>(points.size());
-}
 
 PlanSlab
 planeThrough(const Eigen::Vector3d& place, const Eigen::Vector2d& slope)
@@ -162,6 +137,27 @@ fitPlane(const std::vector<Eigen::Vector3d>& points)
   }
   const Eigen::Vector2d slope = normal.ldlt().solve(right);
   return planeThrough(mean, slope.allFinite() ? slope : Eigen::Vector2d(0, 0));
+}
+
+QuadraticTerms
+quadraticTerms(const Eigen::Vector2d& p)
+{
+  QuadraticTerms terms;
+  terms << 1, p.x(), p.y(), p.x() * p.x(), p.x() * p.y(), p.y() * p.y();
+  return terms;
+}
+
+QuadraticTerms
+fitQuadratic(const std::vector<Eigen::Vector3d>& points)
+{
+  Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
+  QuadraticTerms right = QuadraticTerms::Zero();
+  for (const Eigen::Vector3d& p : points) {
+    const QuadraticTerms row = quadraticTerms(p.head<2>());
+    normal.noalias() += row * row.transpose();
+    right += p.z() * row;
+  }
+  return normal.ldlt().solve(right);
 }
 
 PlanSlab

@@ -233,18 +233,11 @@ private:
       choice.facets[k] = std::move(*better);
       choice.costs[k] = costsOf(choice.facets[k].slab, evidence_);
     });
-    std::vector<std::int32_t> number(choice.facets.size(), 0);
-    FacetChoice kept;
-    for (std::size_t k = 0; k < choice.facets.size(); ++k) {
-      if (own[k].empty())
-        continue;
-      number[k] = static_cast<std::int32_t>(kept.facets.size());
-      kept.facets.push_back(std::move(choice.facets[k]));
-      kept.costs.push_back(std::move(choice.costs[k]));
-    }
-    for (const std::int32_t label : choice.label)
-      kept.label.push_back(number[static_cast<std::size_t>(label)]);
-    choice = std::move(kept);
+    std::vector<std::size_t> kept;
+    for (std::size_t k = 0; k < own.size(); ++k)
+      if (!own[k].empty())
+        kept.push_back(k);
+    choice.keep(kept);
   }
 
   /** @brief Pairs of facets that share a border. */
@@ -291,6 +284,21 @@ private:
 };
 
 } // namespace
+
+void
+FacetChoice::keep(const std::vector<std::size_t>& order)
+{
+  FacetChoice kept;
+  std::vector<std::int32_t> number(facets.size(), 0);
+  for (const std::size_t k : order) {
+    number[k] = static_cast<std::int32_t>(kept.facets.size());
+    kept.facets.push_back(std::move(facets[k]));
+    kept.costs.push_back(std::move(costs[k]));
+  }
+  for (const std::int32_t l : label)
+    kept.label.push_back(l < 0 ? l : number[static_cast<std::size_t>(l)]);
+  *this = std::move(kept);
+}
 
 FacetChoice
 chooseFacets(const FacetEvidence& evidence, std::vector<FacetProposal> proposals)

@@ -13,6 +13,9 @@ struct FacetChoice {
   std::vector<FacetProposal> facets; ///< `cells` unused; a relief's kind says nothing
   std::vector<FacetCosts> costs;     ///< of each
   std::vector<std::int32_t> label;   ///< of each cell
+
+  /** @brief Numbers facets anew, without those that `order` leaves out. */
+  void keep(const std::vector<std::size_t>& order);
 };
 
 /** @brief Chooses those of some proposals that explain most for what they cost, labels

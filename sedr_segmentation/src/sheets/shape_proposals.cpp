@@ -4,8 +4,6 @@
 #include "../surface/cell_pieces.h"
 #include "sedr_filters/src/base/parallel.h"
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -210,27 +208,16 @@ bendOf(const PlanSlab& plane,
 {
   const auto points = evidence.cells.pointsOf(own, max_points);
   const Eigen::Vector3d mean = meanOf(points);
-  using Terms = Eigen::Matrix<double, 6, 1>;
-  const auto termsAt = [&](const Eigen::Vector2d& place) {
-    const Eigen::Vector2d p = place - mean.head<2>();
-    return (Terms() << 1, p.x(), p.y(), p.x() * p.x(), p.x() * p.y(), p.y() * p.y())
-        .finished();
-  };
-  Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
-  Terms right = Terms::Zero();
-  for (const Eigen::Vector3d& p : points) {
-    const double off = distanceOf(plane, p);
-    if (std::abs(off) > facet_band * evidence.deviation)
-      continue;
-    const Terms terms = termsAt(p.head<2>());
-    normal += terms * terms.transpose();
-    right += off * terms;
-  }
-  const Terms bent = normal.ldlt().solve(right);
+  std::vector<Eigen::Vector3d> offs; // from the plane, about the middle
+  for (const Eigen::Vector3d& p : points)
+    if (const double off = distanceOf(plane, p);
+        std::abs(off) <= facet_band * evidence.deviation)
+      offs.emplace_back(p.x() - mean.x(), p.y() - mean.y(), off);
+  const QuadraticTerms bent = fitQuadratic(offs);
   double most = bent.allFinite() ? 0 : std::numeric_limits<double>::infinity();
   for (const std::size_t cell : own)
-    most =
-        std::max(most, std::abs(bent.dot(termsAt(evidence.cells.grid().centre(cell)))));
+    most = std::max(most, std::abs(bent.dot(quadraticTerms(
+                              evidence.cells.grid().centre(cell) - mean.head<2>()))));
   return most;
 }
 

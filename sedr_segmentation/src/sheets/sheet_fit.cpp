@@ -49,19 +49,11 @@ sortBySize(FacetChoice& choice)
     if (label != FacetSheet::none)
       --sizes[static_cast<std::size_t>(label)].first;
   std::sort(sizes.begin(), sizes.end());
-  FacetChoice sorted;
-  std::vector<std::int32_t> number(sizes.size(), FacetSheet::none);
-  for (const auto& [size, k] : sizes) {
-    if (size == 0)
-      continue;
-    number[k] = static_cast<std::int32_t>(sorted.facets.size());
-    sorted.facets.push_back(std::move(choice.facets[k]));
-    sorted.costs.push_back(std::move(choice.costs[k]));
-  }
-  for (const std::int32_t label : choice.label)
-    sorted.label.push_back(
-        label == FacetSheet::none ? label : number[static_cast<std::size_t>(label)]);
-  choice = std::move(sorted);
+  std::vector<std::size_t> order;
+  for (const auto& [size, k] : sizes)
+    if (size < 0)
+      order.push_back(k);
+  choice.keep(order);
 }
 
 /** @brief The plane that stands for a curve: through its points, level if it would tilt

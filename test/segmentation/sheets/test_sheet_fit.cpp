@@ -313,6 +313,25 @@ TEST(FitSheet, ABeamNarrowerThanTheWindowsOfVaultsIsFound)
   EXPECT_LT(offBy(scene, room).beyond, 0.01);
 }
 
+TEST(FitSheet, ABeamBelowASlopeEndsAtItsSidesThoughTheSlopeMeetsItBeside)
+{
+  // The slope would meet the beam's lower face 9 to 17 cm beside it.
+  for (const double side : {0.1, 0.15, 0.2}) {
+    const auto roof = [](double y) { return 1 + tangent(50) * y; };
+    Scene scene = sceneOf(6, 4, [&](double, double y) {
+      return y > 1.5 && y < 1.8 ? roof(1.5) - side : roof(y);
+    });
+    for (const double y : {1.5, 1.8})
+      for (double x = 0.01; x < 6; x += 0.04)
+        for (double z = roof(1.5) - side; z < roof(y); z += 0.04)
+          scene.risers.emplace_back(x, y + 0.005 * std::sin(97 * x + 31 * z), z);
+    const PlanRoom room = fittedRoom(scene);
+    EXPECT_LT(offBy(scene, room).beyond, 0.01) << side;
+    scene.risers.clear();
+    EXPECT_LT(offBy(scene, fittedRoom(scene)).beyond, 0.01) << side;
+  }
+}
+
 TEST(FitSheet, ADormerMeetsTheRoofUpToItsCheeks)
 {
   // Near its upper corners its cheeks are low, and beside the line where it meets the
