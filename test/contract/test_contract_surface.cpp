@@ -32,7 +32,6 @@ public:
   ExtrusionAdaptor()
   {
     parameter([this](double v) { stage_.setChordTolerance(v); }, 0.0005, {-1, 5, nan});
-    parameter([this](double v) { stage_.setSnapTolerance(v); }, 0, {-1, 5, nan});
   }
 
   void setInput(const Cloud::ConstPtr& cloud)

@@ -15,15 +15,6 @@ namespace pcl::sedr {
 
 namespace {
 
-std::string
-toleranceProblem(double value, double low, double high, const std::string& name)
-{
-  return value >= low && value <= high
-             ? ""
-             : "the " + name + " tolerance must lie from " + numberText(low) + " to " +
-                   numberText(high) + " m, it is " + numberText(value) + " m";
-}
-
 /** @brief Adds a warning for each pair of rooms that overlap. Rooms without a wall
  * between them, as of one that was split, lie back to back. */
 void
@@ -51,11 +42,11 @@ extrudePlan(const Floorplan* plan, const SolidParameters& parameters, PlanSolids
     return "no floor plan is set";
   if (plan->rooms.empty())
     return "the floor plan has 0 rooms";
-  std::string problem = toleranceProblem(parameters.chord_tolerance, 1e-6, 1, "chord");
-  if (problem.empty())
-    problem = toleranceProblem(parameters.snap_tolerance, 0, 0.5, "snap");
-  if (!problem.empty())
-    return problem;
+  const double tolerance = parameters.chord_tolerance;
+  if (!(tolerance >= 1e-6 && tolerance <= 1))
+    return "the chord tolerance must lie from 1e-06 to 1 m, it is " +
+           numberText(tolerance) + " m";
+  std::string problem;
   std::optional<RevealedPlan> cut;
   if (parameters.cut_openings)
     cut.emplace(*plan);

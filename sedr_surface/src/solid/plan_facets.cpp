@@ -27,14 +27,14 @@ struct Corner {
 };
 
 std::vector<Corner>
-cornersOf(const RoomLayers::Loop& loop, double chord_tolerance, double snap_tolerance)
+cornersOf(const RoomLayers::Loop& loop, double chord_tolerance)
 {
   std::vector<Corner> corners;
   const auto& elements = loop.loop->elements;
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    const double own = snapTolerance(elements[i], snap_tolerance);
-    const double before = snapTolerance(
-        elements[(i + elements.size() - 1) % elements.size()], snap_tolerance);
+    const double own = snapTolerance(elements[i]);
+    const double before =
+        snapTolerance(elements[(i + elements.size() - 1) % elements.size()]);
     const auto places = PlanLoop{{elements[i]}}.polygon(chord_tolerance);
     for (std::size_t k = 0; k < places.size(); ++k)
       corners.push_back({places[k], loop.first_element + i,
@@ -56,11 +56,6 @@ nearestOn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vecto
 /** @brief Fits loops one by one to the previous ones. */
 class LoopFitter {
 public:
-  /** @param farthest maximum tolerance of an element, metres */
-  explicit LoopFitter(double farthest)
-      : farthest_(farthest)
-  {}
-
   std::vector<Corner> fit(std::vector<Corner> corners)
   {
     for (Corner& corner : corners)
@@ -85,7 +80,7 @@ private:
   Eigen::AlignedBox2d boxAround(const Eigen::Vector2d& a,
                                 const Eigen::Vector2d& b) const
   {
-    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(farthest_);
+    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(max_snap);
     return {a.cwiseMin(b) - margin, a.cwiseMax(b) + margin};
   }
 
@@ -173,27 +168,25 @@ private:
       corners.clear();
   }
 
-  double farthest_;
   std::vector<Facet> facets_;
 };
 
 } // namespace
 
 double
-snapTolerance(const PlanElement& element, double fixed)
+snapTolerance(const PlanElement& element)
 {
-  return fixed > 0 ? fixed : std::clamp(2 * element.residual, min_snap, max_snap);
+  return std::clamp(2 * element.residual, min_snap, max_snap);
 }
 
 std::vector<FacetChain>
-facetLoops(const RoomLayers& layers, double chord_tolerance, double snap_tolerance)
+facetLoops(const RoomLayers& layers, double chord_tolerance)
 {
   std::vector<FacetChain> chains;
-  LoopFitter fitter(snap_tolerance > 0 ? snap_tolerance : max_snap);
+  LoopFitter fitter;
   for (const auto& loop : layers.loops) {
     FacetChain chain;
-    for (const Corner& corner :
-         fitter.fit(cornersOf(loop, chord_tolerance, snap_tolerance))) {
+    for (const Corner& corner : fitter.fit(cornersOf(loop, chord_tolerance))) {
       chain.corners.push_back(corner.place);
       chain.elements.push_back(corner.element);
     }

@@ -16,9 +16,9 @@ struct FacetChain {
   std::vector<std::size_t> elements;    ///< SolidElement of the facet after each corner
 };
 
-/** @brief Returns the snap distance, metres, see setSnapTolerance(): `fixed` if above
- * 0, else twice the residual of the plan's element, 2 mm to 5 cm. */
-double snapTolerance(const PlanElement& element, double fixed);
+/** @brief Returns the snap distance, metres: twice the residual of the plan's element,
+ * 2 mm to 5 cm. */
+double snapTolerance(const PlanElement& element);
 
 /** @brief Converts the loops of a room to facets, one chain per loop, arcs within
  * `chord_tolerance` metres.
@@ -28,7 +28,6 @@ double snapTolerance(const PlanElement& element, double fixed);
  * tolerance, else to an edge; an edge is led through corners beside it. The tolerance
  * is the larger one of the two elements. A chain that shrinks below three corners
  * becomes empty. O(n^2) in the facets, a box each unless near. */
-std::vector<FacetChain>
-facetLoops(const RoomLayers& layers, double chord_tolerance, double snap_tolerance);
+std::vector<FacetChain> facetLoops(const RoomLayers& layers, double chord_tolerance);
 
 } // namespace pcl::sedr

@@ -33,12 +33,12 @@ gridOf(const std::vector<FacetChain>& chains)
 }
 
 std::vector<double>
-tolerancesOf(const RoomLayers& layers, double fixed)
+tolerancesOf(const RoomLayers& layers)
 {
   std::vector<double> tolerances(layers.elements.size(), 0);
   for (const auto& loop : layers.loops)
     for (std::size_t i = 0; i < loop.loop->elements.size(); ++i)
-      tolerances[loop.first_element + i] = snapTolerance(loop.loop->elements[i], fixed);
+      tolerances[loop.first_element + i] = snapTolerance(loop.loop->elements[i]);
   return tolerances;
 }
 
@@ -49,7 +49,7 @@ public:
   PlanDivider(const RoomLayers& layers,
               const SolidParameters& parameters,
               const std::vector<FacetChain>& chains)
-      : plan_{layers, gridOf(chains), tolerancesOf(layers, parameters.snap_tolerance)}
+      : plan_{layers, gridOf(chains), tolerancesOf(layers)}
   {
     for (std::size_t l = 0; l < chains.size(); ++l) {
       const auto& corners = chains[l].corners;
@@ -177,8 +177,7 @@ subdivideRoom(const RoomLayers& layers,
               PlanSubdivision& subdivision,
               std::vector<PlanWarning>& warnings)
 {
-  const auto chains =
-      facetLoops(layers, parameters.chord_tolerance, parameters.snap_tolerance);
+  const auto chains = facetLoops(layers, parameters.chord_tolerance);
   for (std::size_t l = 0; l < chains.size(); ++l)
     if (chains[l].corners.empty())
       warnings.push_back(warningOf(WarningKind::Contradiction,

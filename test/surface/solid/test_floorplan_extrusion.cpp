@@ -118,7 +118,6 @@ TEST(FloorplanExtrusion, WhatIsMissingOrOutOfRangeIsTold)
   EXPECT_TRUE(extrusion.getMesh().empty());
   EXPECT_FALSE(extrusion.isClosed());
   extrusion.setChordTolerance(0.001);
-  extrusion.setSnapTolerance(0);
   extrusion.reconstruct(output);
   EXPECT_EQ(extrusion.getErrorMessage(), "");
   EXPECT_FALSE(output.polygons.empty());

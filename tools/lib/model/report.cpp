@@ -86,7 +86,6 @@ parametersOf(const RunRecord& run, const Reconstruction& chain)
           {"refinement_distance", c.refinement.getMaximumDistance()},
           {"repair_grid_size", c.hole_repair.getGridSize()},
           {"chord_tolerance", c.extrusion.getChordTolerance()},
-          {"snap_tolerance", c.extrusion.getSnapTolerance()},
           {"tree_depth", c.poisson.getDepth()}};
 }
 

@@ -60,12 +60,6 @@ public:
   void setChordTolerance(double tolerance) { parameters_.chord_tolerance = tolerance; }
   double getChordTolerance() const { return parameters_.chord_tolerance; }
 
-  /** @brief Sets the distance within which edges and corners of different loops are
-   * merged, metres, 0 to 0.5. Default 0: twice the residual of the elements, 2 mm to 5
-   * cm. */
-  void setSnapTolerance(double tolerance) { parameters_.snap_tolerance = tolerance; }
-  double getSnapTolerance() const { return parameters_.snap_tolerance; }
-
   /** @brief Sets whether the plan's openings are cut through the walls, with reveals.
    * Default false: walls are closed, as in the paper. A door then joins the solids of
    * two rooms to one closed manifold; an opening to the outside ends at the outer face

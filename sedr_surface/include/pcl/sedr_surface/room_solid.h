@@ -17,7 +17,6 @@ namespace pcl::sedr {
 /** @brief Parameters of extrudeRoom(). */
 struct SolidParameters {
   double chord_tolerance = 0.0005; ///< distance of facets from their arc, metres
-  double snap_tolerance = 0;       ///< metres; 0: from residuals, see snapTolerance()
   bool cut_openings = false;       ///< of a plan: see FloorplanExtrusion
 };
 
