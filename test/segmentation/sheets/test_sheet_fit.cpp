@@ -48,6 +48,13 @@ segmental(double, double y)
   return std::sqrt(16 - (y - 2) * (y - 2));
 }
 
+/** Height of an elliptic vault, 2 m wide to each side and 0.8 m high. */
+double
+elliptic(double, double y)
+{
+  return 2 + 0.8 * std::sqrt(std::max(0.0, 1 - std::pow((y - 2) / 2, 2)));
+}
+
 /** Height of a dome of 2 m radius, whose rim is level with the ceiling around. */
 double
 domed(double x, double y)
@@ -153,6 +160,17 @@ TEST(FitSheet, ASegmentalVaultIsOneCylinder)
   ASSERT_EQ(sheet.facets.size(), 1U);
   ASSERT_TRUE(sheet.facets[0].curve);
   EXPECT_NEAR(sheet.facets[0].curve->across, 4, 0.04);
+  EXPECT_LT(offBy(scene, fittedRoom(scene)).mean, 0.0005);
+}
+
+TEST(FitSheet, AnEllipticVaultIsOneSurface)
+{
+  const Scene scene = sceneOf(6, 4, elliptic);
+  const FacetSheet sheet = fitted(scene);
+  ASSERT_EQ(sheet.facets.size(), 1U);
+  ASSERT_TRUE(sheet.facets[0].curve);
+  EXPECT_NEAR(sheet.facets[0].curve->across, 2, 0.01);
+  EXPECT_NEAR(sheet.facets[0].curve->up, 0.8, 0.01);
   EXPECT_LT(offBy(scene, fittedRoom(scene)).mean, 0.0005);
 }
 
