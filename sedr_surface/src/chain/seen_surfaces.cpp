@@ -11,7 +11,6 @@ namespace pcl::sedr {
 
 namespace {
 
-constexpr double wall_tile = 0.1; // metres
 // Told shares of all surfaces of a room: what is close before walls may be furniture.
 constexpr double told_behind = 0.01;
 constexpr double told_before = 0.02;
@@ -77,7 +76,8 @@ Patches::Patches(std::vector<CellKey> keys,
 
 WallTiles::WallTiles(const VerticalSurface& surface)
     : surface_(surface)
-    , tolerance_(std::max(off_wall, sigmas * surface.element->residual))
+    , edge_(std::max(off_edge, sigmas * surface.element->residual))
+    , tolerance_(std::max(off_wall, edge_))
 {
   double high = -infinite;
   low_ = infinite;
@@ -131,7 +131,7 @@ WallTiles::add(const Eigen::Vector3d& p, double offset)
 {
   const auto column = static_cast<std::size_t>(surface_.project(p) / wall_tile);
   const bool is_at_ceiling = p.z() > spans_[column].high - off_wall;
-  const bool is_behind = offset < -tolerance_;
+  const bool is_behind = offset < -(is_at_ceiling ? edge_ : tolerance_);
   if (is_at_ceiling && !is_behind)
     return;
   const std::size_t row = is_at_ceiling
@@ -146,15 +146,18 @@ WallTiles::add(const Eigen::Vector3d& p, double offset)
     tile.before = std::min(tile.before, offset);
 }
 
-double
-WallTiles::areaPassedUnder() const
+Patches
+WallTiles::passedUnder() const
 {
-  double area = 0;
+  std::vector<CellKey> keys;
+  std::vector<double> offsets;
   for (std::size_t column = 0; rows_ > 0 && column < spans_.size(); ++column)
     if (const Tile& ceiling = tiles_[rows_ * spans_.size() + column];
-        !ceiling.is_on && ceiling.behind > -infinite)
-      area += wall_tile * (spans_[column].high - spans_[column].low);
-  return area;
+        !ceiling.is_on && ceiling.behind > -infinite) {
+      keys.push_back(keyOf({static_cast<std::int32_t>(column), 0}));
+      offsets.push_back(100 * ceiling.behind);
+    }
+  return {std::move(keys), offsets, wall_tile, min_strip * wall_tile};
 }
 
 Patches
@@ -278,7 +281,6 @@ SeenSurfaces::tellStanding(std::size_t room, std::vector<PlanWarning>& warnings)
   constexpr unsigned first = 1;
   constexpr unsigned last = 5;
   constexpr unsigned least = 4;
-  constexpr double shortest = 0.5; // metres of a cell's width
   std::vector<CellKey> keys;
   std::vector<double> steps;
   for (const auto& [key, standing] : standing_[room]) {
@@ -290,7 +292,7 @@ SeenSurfaces::tellStanding(std::size_t room, std::vector<PlanWarning>& warnings)
     keys.push_back(key);
     steps.push_back(__builtin_popcountll(standing.heights));
   }
-  const Patches found(std::move(keys), steps, wall_tile, shortest * wall_tile);
+  const Patches found(std::move(keys), steps, wall_tile, min_strip * wall_tile);
   const double area = found.mean * found.area; // of the steps
   const PlanRoom& plan = rooms_[room].room();
   if (area > min_patch && area >= told_behind * surfacesOf(plan))
@@ -304,13 +306,20 @@ SeenSurfaces::tell(std::vector<PlanWarning>& warnings) const
   std::vector<double> behind(rooms_.size(), 0);
   std::vector<std::pair<std::size_t, Patches>> patches;
   for (std::size_t w = 0; w < walls_.size(); ++w)
-    for (const bool is_behind : {true, false})
-      if (Patches found = walls_[w].patches(is_behind);
-          found.count > 0 && walls_[w].surface().label != StructureLabel::Detail) {
-        (is_behind ? behind : before)[room_of_[w]] +=
-            std::max(found.area, is_behind ? walls_[w].areaPassedUnder() : 0);
-        patches.emplace_back(w, std::move(found));
+    for (const bool is_behind : {true, false}) {
+      Patches found = walls_[w].patches(is_behind);
+      double area = found.area;
+      if (is_behind) {
+        const Patches under = walls_[w].passedUnder();
+        area = std::max(area, under.area / wall_tile * walls_[w].height());
+        if (found.count == 0)
+          found = under;
       }
+      if (found.count == 0 || walls_[w].surface().label == StructureLabel::Detail)
+        continue;
+      (is_behind ? behind : before)[room_of_[w]] += area;
+      patches.emplace_back(w, std::move(found));
+    }
   const auto tellOf = [&](std::uint32_t room, std::size_t wall,
                           const Eigen::Vector2d& at, double area, double off) {
     warnings.push_back({WarningKind::WallOff, {area, off}, room, wall, {}, at});

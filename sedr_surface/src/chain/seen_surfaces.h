@@ -22,7 +22,10 @@ namespace pcl::sedr {
 
 constexpr double min_patch = 0.25; ///< of what is told, square metres
 constexpr double off_wall = 0.05;  ///< metres from the model
+constexpr double off_edge = 0.02;  ///< of a ceiling beyond a wall, metres
 constexpr double off_slab = 0.1;   ///< metres; columns of air end on voxels
+constexpr double wall_tile = 0.1;  ///< metres
+constexpr double min_strip = 0.5;  ///< of what is told, metres of tiles
 constexpr double sigmas = 3;       ///< of noise, off a surface
 
 /** @brief Connected cells, of `least` square metres and more. */
@@ -65,9 +68,11 @@ public:
    * before them, or only with something behind, as a ceiling that goes on there. */
   Patches patches(bool is_behind) const;
 
-  /** @brief Returns the area of the parts of the wall behind which the ceiling goes on,
-   * from floor to ceiling: no wall can be there. */
-  double areaPassedUnder() const;
+  /** @brief Returns the columns of tiles behind which the ceiling goes on, half a metre
+   * of them or more: no wall can be there. */
+  Patches passedUnder() const;
+
+  double height() const { return wall_tile * static_cast<double>(rows_); }
 
   static constexpr double reach = 0.9;   ///< before and behind a wall, metres
   static constexpr double relief = 0.15; ///< metres; furniture is deeper
@@ -82,6 +87,7 @@ private:
   double middleOf(std::size_t row) const;
 
   VerticalSurface surface_;
+  double edge_; ///< a ceiling that goes on farther behind the wall passes it
   double tolerance_;
   std::vector<VerticalSpan> spans_; ///< of each column of tiles
   double low_ = 0;

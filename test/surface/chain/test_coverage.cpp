@@ -246,15 +246,16 @@ TEST(UnexplainedSurfaces, AreCeilingsThatGoOnBehindAWall)
 TEST(UnexplainedSurfaces, AreCeilingsOfWhichAGapAboveCupboardsShowsLittle)
 {
   const Floorplan plan{{planned(1, 0, 4)}};
-  for (const float length : {3.0F, 0.4F}) {
-    Cloud cloud = recessedRoom(0);
-    addRectangle({-0.08F, 0, 2.48F}, {0.08F, 0, 0}, {0, length, 0}, cloud);
-    const auto found = unexplained(cloud, plan);
-    ASSERT_EQ(found.size(), length > 1 ? 1u : 0u);
-    if (!found.empty()) {
-      EXPECT_EQ(found[0].wall, 4u) << "it is none, all the way down";
+  for (const float depth : {0.08F, 0.05F})
+    for (const float length : {3.0F, 0.8F, 0.4F}) {
+      Cloud cloud = recessedRoom(0);
+      addRectangle({-depth, 0, 2.48F}, {depth, 0, 0}, {0, length, 0}, cloud);
+      const auto found = unexplained(cloud, plan);
+      ASSERT_EQ(found.size(), length > 0.5F ? 1u : 0u) << depth << ' ' << length;
+      if (!found.empty()) {
+        EXPECT_EQ(found[0].wall, 4u) << "it is none, all the way down";
+      }
     }
-  }
 }
 
 TEST(UnexplainedSurfaces, AreThingsThatReachUpToTheCeiling)
