@@ -23,4 +23,11 @@ isLevel(const PlanSlab& slab)
   return !slab.curve && slab.plane[2] >= std::cos(level_tilt);
 }
 
+/** @brief Returns whether a slab is a free form. */
+inline bool
+isRelief(const PlanSlab& slab)
+{
+  return slab.curve && slab.curve->kind == CurveKind::Relief;
+}
+
 } // namespace pcl::sedr

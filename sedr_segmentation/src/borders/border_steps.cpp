@@ -4,6 +4,7 @@
 #include "../shapes/shape_fit.h"
 
 #include "../curves/contour.h"
+#include "sedr_filters/src/plan/level_planes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,6 +69,8 @@ BorderSteps::mayMeet(const Place& place, const CrackChain& chain) const
     return true;
   const PlanSlab& left = cracks_.facetOf(chain.left);
   const PlanSlab& right = cracks_.facetOf(chain.right);
+  if (isRelief(left) || isRelief(right))
+    return false;    // a free form meets nothing in a line
   double own = 0;    // of points against the facets of their cells,
   double lower = 0;  // against the lower one of both,
   double higher = 0; // and against the higher one

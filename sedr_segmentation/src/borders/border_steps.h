@@ -37,7 +37,8 @@ public:
 
   /** @brief Whether the points about a place of a chain are as well explained by the
    * lower one of its two facets everywhere, or by the higher one, as by that of their
-   * cells: else these step there, though their surfaces cross nearby. */
+   * cells: else these step there, though their surfaces cross nearby. No free form's.
+   */
   bool mayMeet(const Eigen::Vector2d& place, const CrackChain& chain) const;
 
 private:

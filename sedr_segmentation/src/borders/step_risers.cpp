@@ -49,17 +49,11 @@ pointsOfRisers(const FacetSheet& sheet,
   for (std::size_t cell = 0; cell < heights.size(); ++cell)
     heights[cell] = heightsAbout(sheet, cell);
   std::vector<Eigen::Vector3d> points;
-  const std::size_t size = indices.empty() ? scan.size() : indices.size();
-  for (std::size_t k = 0; k < size; ++k) {
-    const std::size_t i = indices.empty() ? k : static_cast<std::size_t>(indices[k]);
-    if (!scan.isFinite(i))
-      continue;
-    const Eigen::Vector3d p = scan[i].cast<double>();
-    const std::size_t cell = sheet.grid.at(p.head<2>());
-    if (cell < heights.size() && p.z() > heights[cell].first &&
-        p.z() < heights[cell].second)
-      points.push_back(p);
-  }
+  forAllOver(sheet.grid, scan, indices,
+             [&](std::size_t cell, const Eigen::Vector3d& p) {
+               if (p.z() > heights[cell].first && p.z() < heights[cell].second)
+                 points.push_back(p);
+             });
   return points;
 }
 

@@ -33,6 +33,9 @@ struct FacetEvidence {
 
   /** @brief What a cell with points costs that no facet explains. */
   float outlier() const { return static_cast<float>(weight() * parameters.outlier); }
+
+  /** @brief Whether a facet that costs so much in a cell with points explains them. */
+  bool isExplained(float cost) const { return cost < 0.7F * outlier(); }
 };
 
 } // namespace pcl::sedr

@@ -94,17 +94,6 @@ seenPoints(const PointView& points,
   return seen;
 }
 
-std::vector<Eigen::Vector3d>
-placesOf(const PointView& points, const std::vector<int>& indices)
-{
-  std::vector<Eigen::Vector3d> places;
-  places.reserve(indices.size());
-  for (const int i : indices)
-    if (points.isFinite(static_cast<std::size_t>(i)))
-      places.emplace_back(points[static_cast<std::size_t>(i)].cast<double>());
-  return places;
-}
-
 RoomShares
 shareOut(const PointView& points,
          const PlanEvidence& evidence,

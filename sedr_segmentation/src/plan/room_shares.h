@@ -59,8 +59,4 @@ std::vector<int> seenPoints(const PointView& points,
                             const std::vector<int>& indices,
                             bool is_floor);
 
-/** @brief Returns the finite ones of some points. */
-std::vector<Eigen::Vector3d> placesOf(const PointView& points,
-                                      const std::vector<int>& indices);
-
 } // namespace pcl::sedr

@@ -3,6 +3,7 @@
 
 #include "../curves/loop_difference.h"
 #include "../curves/plan_segment.h"
+#include "sedr_filters/src/plan/level_planes.h"
 #include "sedr_filters/src/plan/plan_bounds.h"
 #include <pcl/sedr_filters/plan_measures.h>
 
@@ -53,7 +54,7 @@ appendFloors(const PlanRoom& room, double gap, std::vector<Floor>& floors)
 void
 lowerRelief(const std::vector<Floor>& floors, const PlanLoop& region, PlanSlab& ceiling)
 {
-  if (floors.empty() || !ceiling.curve || ceiling.curve->kind != CurveKind::Relief)
+  if (floors.empty() || !isRelief(ceiling))
     return;
   SlabCurve relief = *ceiling.curve;
   const double reach = M_SQRT2 * relief.spacing; // to the corners of a cell

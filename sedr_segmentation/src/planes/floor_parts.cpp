@@ -15,16 +15,6 @@ namespace pcl::sedr {
 
 namespace {
 
-std::vector<Eigen::Vector3d>
-placesAt(const PointView& points, const std::vector<int>& indices)
-{
-  std::vector<Eigen::Vector3d> places;
-  for (const int i : indices)
-    if (points.isFinite(static_cast<std::size_t>(i)))
-      places.push_back(points[static_cast<std::size_t>(i)].cast<double>());
-  return places;
-}
-
 /** @brief A grid over some points, and its cells at most 20 cm from one. */
 SheetGrid
 gridOver(const std::vector<Eigen::Vector3d>& places,
@@ -206,13 +196,13 @@ floorPoints(const PointView& points,
   std::vector<int> floor;
   std::copy_if(ends.begin(), ends.end(), std::back_inserter(floor),
                [&](int i) { return isOn(i, main); });
-  const std::vector<Eigen::Vector3d> places = placesAt(points, ends);
+  const std::vector<Eigen::Vector3d> places = placesOf(points, ends);
   if (places.size() == floor.size())
     return floor;
   const SheetParameters parameters = SheetParameters::of(priors, true);
   std::vector<std::uint8_t> domain;
   const SheetGrid grid = gridOver(places, parameters, domain);
-  const std::vector<Eigen::Vector3d> all = placesAt(points, around);
+  const std::vector<Eigen::Vector3d> all = placesOf(points, around);
   const FacetSheet surface = fitSheet(places, grid, domain, {}, parameters, all);
   if (surface.facets.empty())
     return floor;

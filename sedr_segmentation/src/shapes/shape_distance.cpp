@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shape_distance.h"
 
+#include "sedr_filters/src/plan/level_planes.h"
+
 namespace pcl::sedr {
 
 namespace {
@@ -44,7 +46,7 @@ rowsOf(const std::vector<Eigen::Vector3d>& points)
 void
 distancesOf(const PlanSlab& slab, const PointRow& points, ShapeValues& distance)
 {
-  if (!slab.curve || slab.curve->kind != CurveKind::Relief) {
+  if (!isRelief(slab)) {
     const bool is_flat = !slab.curve;
     ShapeDistance(is_flat ? ShapeKind::Plane : ShapeKind::Ellipsoid, slab,
                   Eigen::Vector3d::Zero())

@@ -300,6 +300,23 @@ FacetChoice::keep(const std::vector<std::size_t>& order)
   *this = std::move(kept);
 }
 
+void
+FacetChoice::sortBySize()
+{
+  std::vector<std::pair<std::int64_t, std::size_t>> sizes;
+  for (std::size_t k = 0; k < facets.size(); ++k)
+    sizes.emplace_back(0, k);
+  for (const std::int32_t l : label)
+    if (l >= 0)
+      --sizes[static_cast<std::size_t>(l)].first;
+  std::sort(sizes.begin(), sizes.end());
+  std::vector<std::size_t> order;
+  for (const auto& [size, k] : sizes)
+    if (size < 0)
+      order.push_back(k);
+  keep(order);
+}
+
 FacetChoice
 chooseFacets(const FacetEvidence& evidence, std::vector<FacetProposal> proposals)
 {

@@ -16,6 +16,10 @@ struct FacetChoice {
 
   /** @brief Numbers facets anew, without those that `order` leaves out. */
   void keep(const std::vector<std::size_t>& order);
+
+  /** @brief Numbers them by their cells, the largest first, without those that have
+   * none. */
+  void sortBySize();
 };
 
 /** @brief Chooses those of some proposals that explain most for what they cost, labels

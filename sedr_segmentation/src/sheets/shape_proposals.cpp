@@ -149,11 +149,8 @@ isBuilt(const FacetProposal& facet, const SheetParameters& parameters)
 {
   constexpr double min_radius = 0.3; // of a cove, metres
   constexpr double max_rise = 1.5;   // of a vault, in half spans
-  if (isFlat(facet.kind)) {
-    // A rafter's slope is measured to a degree.
-    const double steepest = std::cos(parameters.steepest + M_PI / 180);
-    return facet.slab.plane.allFinite() && facet.slab.plane[2] >= steepest;
-  }
+  if (isFlat(facet.kind))
+    return facet.slab.plane.allFinite() && facet.slab.plane[2] >= min_upward;
   if (!facet.slab.curve || !facet.slab.curve->isFinite())
     return false;
   const SlabCurve& c = *facet.slab.curve;

@@ -13,7 +13,6 @@ namespace pcl::sedr {
 
 namespace {
 
-constexpr float unexplained = 0.7F;    ///< of what an outlier costs
 constexpr double coarsest_cell = 0.15; ///< metres: in larger ones much is beside a step
 
 /** @brief Gives cells without a label that of the nearest one with, by steps. */
@@ -37,41 +36,6 @@ fillNearest(const SheetGrid& grid, std::vector<std::int32_t>& label)
   }
 }
 
-/** @brief Numbers facets by their cells, the largest first, without those that have
- * none. */
-void
-sortBySize(FacetChoice& choice)
-{
-  std::vector<std::pair<std::int64_t, std::size_t>> sizes;
-  for (std::size_t k = 0; k < choice.facets.size(); ++k)
-    sizes.emplace_back(0, k);
-  for (const std::int32_t label : choice.label)
-    if (label != FacetSheet::none)
-      --sizes[static_cast<std::size_t>(label)].first;
-  std::sort(sizes.begin(), sizes.end());
-  std::vector<std::size_t> order;
-  for (const auto& [size, k] : sizes)
-    if (size < 0)
-      order.push_back(k);
-  choice.keep(order);
-}
-
-/** @brief The plane that stands for a curve: through its points, level if it would tilt
- * by more than planes may. */
-Eigen::Vector4d
-planeNear(const std::vector<Eigen::Vector3d>& points)
-{
-  const Eigen::Vector4d plane = points.size() < 3
-                                    ? Eigen::Vector4d::Zero()
-                                    : Eigen::Vector4d(fitPlane(points).plane);
-  if (plane.allFinite() && plane[2] >= std::cos(SheetParameters().steepest))
-    return plane;
-  double height = 0;
-  for (const Eigen::Vector3d& p : points)
-    height += p.z() / static_cast<double>(points.size());
-  return {0, 0, 1, -height};
-}
-
 /** @brief Gives a sheet its facets, fitted to all points, and what is known of them:
  * the points that they explain, and the planes that stand for curves. */
 void
@@ -88,15 +52,18 @@ takeFacets(const CellPoints& cells,
       own[static_cast<std::size_t>(sheet.label[cell])].push_back(cell);
   for (std::size_t k = 0; k < choice.facets.size(); ++k) {
     PlanSlab& slab = choice.facets[k].slab;
-    if (!slab.curve || slab.curve->kind != CurveKind::Relief) {
+    const auto points = cells.pointsOf(own[k], max_points);
+    if (!isRelief(slab)) {
       FacetProposal refined = choice.facets[k];
-      refineShape(refined.kind, cells.pointsOf(own[k], max_points), deviation,
-                  refined.slab);
+      refineShape(refined.kind, points, deviation, refined.slab);
       if (isBuilt(refined, parameters))
         slab = refined.slab;
     }
-    if (slab.curve)
-      slab.plane = planeNear(cells.pointsOf(own[k], max_points));
+    if (slab.curve && !points.empty()) {
+      slab.plane = fitPlane(points).plane;
+      if (!(slab.plane[2] >= min_upward))
+        slab.plane = planeThrough(meanOf(points), Eigen::Vector2d::Zero()).plane;
+    }
     double sum = 0;
     for (const std::size_t cell : own[k])
       for (const Eigen::Vector3d* p = cells.begin(cell); p != cells.end(cell); ++p) {
@@ -124,6 +91,17 @@ FacetSheet::heightAt(const Eigen::Vector2d& p) const
   const int y = std::min(static_cast<int>(place.y()), grid.rows - 1);
   return facets[static_cast<std::size_t>(label[grid.indexOf(x, y)])].heightAt(
       grid.placeOf(place.x(), place.y()));
+}
+
+std::vector<Eigen::Vector3d>
+placesOf(const PointView& points, const std::vector<int>& indices)
+{
+  std::vector<Eigen::Vector3d> places;
+  places.reserve(indices.size());
+  for (const int i : indices)
+    if (points.isFinite(static_cast<std::size_t>(i)))
+      places.emplace_back(points[static_cast<std::size_t>(i)].cast<double>());
+  return places;
 }
 
 FacetSheet
@@ -162,7 +140,7 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
   for (std::size_t cell = 0; cell < choice.label.size(); ++cell)
     if (!domain[cell])
       choice.label[cell] = FacetSheet::none;
-  sortBySize(choice);
+  choice.sortBySize();
   if (choice.facets.empty())
     return sheet;
   sheet.label = choice.label;
@@ -173,8 +151,7 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
     if (!domain[cell] || cells.isEmpty(cell))
       continue;
     const auto facet = static_cast<std::size_t>(sheet.label[cell]);
-    sheet.is_seen[cell] =
-        choice.costs[facet].cost[cell] < unexplained * evidence.outlier() ? 1 : 0;
+    sheet.is_seen[cell] = evidence.isExplained(choice.costs[facet].cost[cell]) ? 1 : 0;
   }
   takeFacets(CellPoints(sheet.grid, sheet.is_inside, points), std::move(choice),
              deviation, parameters, sheet);
@@ -196,9 +173,8 @@ bool
 hasSlope(const FacetSheet& sheet)
 {
   return std::any_of(
-      sheet.facets.begin(), sheet.facets.end(), [](const PlanSlab& facet) {
-        return facet.curve ? facet.curve->kind != CurveKind::Relief : !isLevel(facet);
-      });
+      sheet.facets.begin(), sheet.facets.end(),
+      [](const PlanSlab& facet) { return !isRelief(facet) && !isLevel(facet); });
 }
 
 PlanSlab

@@ -29,6 +29,10 @@ struct FacetSheet {
   double heightAt(const Eigen::Vector2d& p) const;
 };
 
+/** @brief Returns the finite ones of some points. */
+std::vector<Eigen::Vector3d> placesOf(const PointView& points,
+                                      const std::vector<int>& indices);
+
 /** @brief Describes the points of a ceiling by facets: planes of any tilt, cylinders
  * that lie, caps of spheres and ellipsoids, else heights on a grid.
  *
@@ -70,6 +74,25 @@ void refitToScan(FacetSheet& sheet,
                  const PointView& scan,
                  const std::vector<int>& indices,
                  const SheetParameters& parameters = {});
+
+/** @brief Calls `use(cell, point)` for the points of a scan over a grid.
+ * @param indices those that count; empty: all */
+template <typename Use>
+void
+forAllOver(const SheetGrid& grid,
+           const PointView& scan,
+           const std::vector<int>& indices,
+           Use use)
+{
+  const std::size_t size = indices.empty() ? scan.size() : indices.size();
+  for (std::size_t k = 0; k < size; ++k) {
+    const std::size_t i = indices.empty() ? k : static_cast<std::size_t>(indices[k]);
+    const Eigen::Vector3d p = scan[i].cast<double>();
+    if (const std::size_t cell = grid.at(p.head<2>());
+        cell < grid.count() && scan.isFinite(i))
+      use(cell, p);
+  }
+}
 
 /** @brief The heights of a sheet as a slab, of `spacing` metres or more. */
 PlanSlab reliefOf(const FacetSheet& sheet, double spacing);

@@ -32,6 +32,8 @@ struct Piece {
 };
 
 class Pieces {
+  using Cells = std::vector<std::size_t>;
+
 public:
   Pieces(const FacetEvidence& evidence, FacetChoice& choice)
       : evidence_(evidence)
@@ -73,53 +75,74 @@ private:
     return choice_.costs[static_cast<std::size_t>(facet)].height[cell];
   }
 
-  /** @brief Gives the cells of level facets the first label of those that are less than
-   * a step apart, by more than plaster strays over their patches, by number of cells:
-   * the largest one's, or that of one beside them. */
+  /** @brief Joins level facets that are less than a step apart, the smaller one with
+   * the larger, if that is the largest or lies beside it; and those of a floor that
+   * sags: with no step along their border, and no height two steps above another. */
   void joinEven()
   {
-    std::vector<std::vector<std::size_t>> cells(choice_.facets.size());
+    choice_.sortBySize();
+    std::vector<Cells> cells(choice_.facets.size());
+    std::vector<Eigen::AlignedBox1d> heights(choice_.facets.size());
     for (std::size_t cell = 0; cell < label_.size(); ++cell)
-      if (label_[cell] != FacetSheet::none)
-        cells[static_cast<std::size_t>(label_[cell])].push_back(cell);
-    std::vector<std::int32_t> order;
-    for (std::size_t k = 0; k < cells.size(); ++k)
-      if (!cells[k].empty() && isLevelFacet(choice_, static_cast<std::int32_t>(k)))
-        order.push_back(static_cast<std::int32_t>(k));
-    std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
-      return cells[static_cast<std::size_t>(a)].size() >
-             cells[static_cast<std::size_t>(b)].size();
-    });
-    std::vector<std::int32_t> kept;
-    for (const std::int32_t k : order) {
-      const auto& own = cells[static_cast<std::size_t>(k)];
-      const auto same = std::find_if(kept.begin(), kept.end(), [&](std::int32_t other) {
-        if (other != kept.front() && !isBeside(own, other))
-          return false;
-        double off = 0;
-        for (const std::size_t cell : own)
-          off += heightOf(other, cell) - heightOf(k, cell);
-        const auto count = static_cast<double>(own.size());
-        const double error =
-            parameters_.unevenness / std::sqrt(evidence_.weight() * count);
-        return std::abs(off) < (parameters_.min_step - error) * count;
+      if (const std::int32_t k = label_[cell]; k != FacetSheet::none) {
+        cells[static_cast<std::size_t>(k)].push_back(cell);
+        heights[static_cast<std::size_t>(k)].extend(
+            Eigen::Matrix<double, 1, 1>(heightOf(k, cell)));
+      }
+    std::vector<std::size_t> kept;
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      if (!isLevelFacet(choice_, static_cast<std::int32_t>(k)))
+        continue;
+      bool sags = false;
+      const auto same = std::find_if(kept.begin(), kept.end(), [&](std::size_t other) {
+        const Cells rim = cellsBeside(cells[k], other);
+        sags = isStep(k, other, cells[k], cells[k].size());
+        return (other == kept.front() || !rim.empty()) &&
+               (!sags || (!isStep(k, other, rim, cells[k].size()) &&
+                          heights[other].merged(heights[k]).sizes()[0] <
+                              2 * parameters_.min_step));
       });
-      if (same == kept.end())
+      if (same == kept.end()) {
         kept.push_back(k);
-      else
-        for (const std::size_t cell : own)
-          label_[cell] = *same;
+        continue;
+      }
+      for (const std::size_t cell : cells[k])
+        label_[cell] = static_cast<std::int32_t>(*same);
+      if (!sags)
+        continue;
+      Cells& both = cells[*same];
+      both.insert(both.end(), cells[k].begin(), cells[k].end());
+      std::sort(both.begin(), both.end());
+      heights[*same].extend(heights[k]);
+      choice_.facets[*same] = fitFacet(choice_.facets[*same].kind, evidence_, both);
+      choice_.costs[*same] = costsOf(choice_.facets[*same].slab, evidence_);
     }
   }
 
-  bool isBeside(const std::vector<std::size_t>& cells, std::int32_t other) const
+  /** @brief Whether one facet lies a step from another in some cells, or less by no
+   * more than plaster strays over the patches of `count` cells. */
+  bool
+  isStep(std::size_t k, std::size_t other, const Cells& at, std::size_t count) const
   {
-    bool is_beside = false;
+    double off = 0;
+    for (const std::size_t cell : at)
+      off += choice_.costs[other].height[cell] - choice_.costs[k].height[cell];
+    const double error = parameters_.unevenness /
+                         std::sqrt(evidence_.weight() * static_cast<double>(count));
+    return std::abs(off) >=
+           (parameters_.min_step - error) * static_cast<double>(at.size());
+  }
+
+  /** @brief The cells of some that share a side with those of a facet. */
+  Cells cellsBeside(const Cells& cells, std::size_t facet) const
+  {
+    Cells beside;
     for (const std::size_t cell : cells)
       grid_.forAllSides(cell, [&](std::size_t next) {
-        is_beside = is_beside || label_[next] == other;
+        if (label_[next] == static_cast<std::int32_t>(facet))
+          beside.push_back(cell);
       });
-    return is_beside;
+    return beside;
   }
 
   /** @brief Whether risers close the step between two heights at the border of two

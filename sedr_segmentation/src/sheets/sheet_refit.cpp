@@ -53,19 +53,13 @@ forAllNear(const FacetSheet& sheet,
            Use use)
 {
   const double band = std::max(0.03, 5 * sheet.noise);
-  const std::size_t size = indices.empty() ? scan.size() : indices.size();
-  for (std::size_t k = 0; k < size; ++k) {
-    const std::size_t i = indices.empty() ? k : static_cast<std::size_t>(indices[k]);
-    if (!scan.isFinite(i))
-      continue;
-    const Eigen::Vector3d p = scan[i].cast<double>();
-    const std::size_t cell = sheet.grid.at(p.head<2>());
-    if (cell >= sheet.grid.count() || !is_within[cell])
-      continue;
-    const PlanSlab& facet = sheet.facets[static_cast<std::size_t>(sheet.label[cell])];
-    if (std::abs(distanceOf(facet, p)) < band)
-      use(cell, p);
-  }
+  forAllOver(sheet.grid, scan, indices,
+             [&](std::size_t cell, const Eigen::Vector3d& p) {
+               const PlanSlab& facet =
+                   sheet.facets[static_cast<std::size_t>(sheet.label[cell])];
+               if (is_within[cell] && std::abs(distanceOf(facet, p)) < band)
+                 use(cell, p);
+             });
 }
 
 } // namespace
@@ -90,8 +84,7 @@ refitToScan(FacetSheet& sheet,
              });
   for (std::size_t f = 0; f < sheet.facets.size(); ++f) {
     PlanSlab& facet = sheet.facets[f];
-    if (points[f].size() < min_points ||
-        (facet.curve && facet.curve->kind == CurveKind::Relief))
+    if (points[f].size() < min_points || isRelief(facet))
       continue;
     std::vector<double> off;
     for (const Eigen::Vector3d& p : points[f])

@@ -94,7 +94,6 @@ reliefOf(const std::vector<Eigen::Vector3d>& points, double spacing)
 void
 addReliefs(const FacetEvidence& evidence, FacetChoice& choice)
 {
-  constexpr float unexplained = 0.7F; // of what an outlier costs
   constexpr std::size_t max_points = 200000;
   const CellPoints& cells = evidence.cells;
   const SheetGrid& grid = cells.grid();
@@ -104,8 +103,8 @@ addReliefs(const FacetEvidence& evidence, FacetChoice& choice)
     is_left[cell] =
         cells.isInside(cell) && !cells.isEmpty(cell) &&
         (choice.facets.empty() ||
-         choice.costs[static_cast<std::size_t>(choice.label[cell])].cost[cell] >
-             unexplained * outlier);
+         !evidence.isExplained(
+             choice.costs[static_cast<std::size_t>(choice.label[cell])].cost[cell]));
   const auto least = static_cast<std::size_t>(evidence.parameters.min_relief /
                                               (grid.size * grid.size));
   choice.label.resize(grid.count(), 0);

@@ -34,8 +34,6 @@ struct SheetParameters {
   double min_closed_area = 0.25; ///< of one with risers around it
   double min_relief = 1;         ///< of a free form, square metres
   double relief_spacing = 0.25;  ///< between its heights, metres
-  double steepest = M_PI / 3;    ///< of a plane, radians
-  double level = level_tilt;     ///< greatest tilt of a level ceiling, radians
   double largest_radius = 40;    ///< of a vault; flatter ones are planes, metres
   double min_step = 0.03;        ///< metres: less is unevenness of a level ceiling
   double min_clear_step = 0.06;  ///< metres: lower ones may be panels or rugs

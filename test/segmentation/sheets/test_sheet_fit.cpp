@@ -93,6 +93,17 @@ TEST(FitSheet, AFloorOfPointsAtAnyHeightHasNoFacet)
   EXPECT_TRUE(sheet.label.empty());
 }
 
+TEST(FitSheet, AFloorThatSagsIsOnePlaneAndAGentleRampIsNone)
+{
+  const SheetParameters floor = SheetParameters::of({}, true);
+  const Scene sagging = sceneOf(
+      6, 4, [](double x, double) { return 0.02 * std::abs(x - 2.5); }, 0.002);
+  EXPECT_EQ(fitted(sagging, floor).facets.size(), 1U);
+  const Scene ramp = sceneOf(
+      8, 4, [](double x, double) { return 0.06 * std::clamp(x - 2, 0.0, 3.0); }, 0.002);
+  EXPECT_EQ(fitted(ramp, floor).facets.size(), 3U);
+}
+
 TEST(FitSheet, AShedRoofIsOnePlane)
 {
   const Scene scene =
