@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "patch_points.h"
 
+#include "../scan/scan_excerpt.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/plan/plan_bounds.h"
 
@@ -268,8 +269,7 @@ PatchPoints::gather(const PointView& raw, const std::vector<int>& indices)
 {
   constexpr std::size_t block = std::size_t{1} << 16;
   const std::size_t all = indices.empty() ? raw.size() : indices.size();
-  const std::size_t most = std::max<std::size_t>(1, parameters_.max_points);
-  const std::size_t step = all > most ? (all + most - 1) / most : 1;
+  const std::size_t step = rawStep(all, parameters_.max_points);
   const std::size_t size = (all + step - 1) / step;
   std::vector<std::vector<Hit>> hits((size + block - 1) / block);
   parallelBlocks(

@@ -146,7 +146,6 @@ adjustPlan(Floorplan& plan,
         unknowns.all[u] = given[u];
   }
   unknowns.write();
-  report.ties = ties.size();
   for (const Unknown& u : unknowns.all)
     if (u.isSeen())
       ++(u.kind == UnknownKind::Plane ? report.slabs : report.walls);

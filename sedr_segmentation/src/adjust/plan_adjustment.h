@@ -60,7 +60,6 @@ struct AdjustmentParameters {
 struct AdjustmentReport {
   std::size_t walls = 0;  ///< lines and circles that were seen
   std::size_t slabs = 0;  ///< planes of floors, ceilings and details that were seen
-  std::size_t ties = 0;   ///< relations that were accepted
   double noise = 0;       ///< standard deviation of a point, median of all surfaces
   double waviness = 0;    ///< standard deviation of the errors that patches share
   double correlation = 0; ///< length over which these errors fall to 1 / e

@@ -11,13 +11,6 @@ namespace pcl::sedr {
 
 namespace {
 
-/** @brief Returns an angle reduced to half a `period` on either side of 0. */
-double
-reduced(double angle, double period)
-{
-  return angle - period * std::round(angle / period);
-}
-
 double
 angleOf(const Unknown& line)
 {
@@ -61,30 +54,6 @@ tangent(const PlanTie& tie, const Unknown& a, const Unknown& b)
            {3 * tie.b + 2, of_b}}};
 }
 
-/** @brief Returns the values and the covariance of a tie's equations. */
-void
-momentsOf(const PlanTie& tie,
-          const std::vector<Unknown>& unknowns,
-          Eigen::VectorXd& value,
-          Eigen::MatrixXd& covariance)
-{
-  const std::vector<PlanTieEquation> equations = equationsOf(tie, unknowns);
-  const auto size = static_cast<Eigen::Index>(equations.size());
-  value.resize(size);
-  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(size, 6);
-  for (Eigen::Index r = 0; r < size; ++r) {
-    const PlanTieEquation& equation = equations[static_cast<std::size_t>(r)];
-    value[r] = equation.value;
-    for (const auto& [column, slope] : equation.slopes)
-      slopes(r, static_cast<Eigen::Index>(column % 3 + (column / 3 == tie.a ? 0 : 3))) =
-          slope;
-  }
-  Eigen::MatrixXd both = Eigen::MatrixXd::Zero(6, 6);
-  both.topLeftCorner<3, 3>() = unknowns[tie.a].information.inverse();
-  both.bottomRightCorner<3, 3>() = unknowns[tie.b].information.inverse();
-  covariance = slopes * both * slopes.transpose();
-}
-
 } // namespace
 
 std::vector<PlanTieEquation>
@@ -94,7 +63,7 @@ equationsOf(const PlanTie& tie, const std::vector<Unknown>& unknowns)
   const Unknown& b = unknowns[tie.b];
   switch (tie.kind) {
   case PlanTieKind::Direction:
-    return {{reduced(angleOf(a) - angleOf(b), M_PI / 2),
+    return {{std::remainder(angleOf(a) - angleOf(b), M_PI / 2),
              {{3 * tie.a + 1, 1}, {3 * tie.b + 1, -1}}}};
   case PlanTieKind::OnLine:
     return {onLine(tie, a, b)};
@@ -115,22 +84,26 @@ equationsOf(const PlanTie& tie, const std::vector<Unknown>& unknowns)
   return {};
 }
 
-double
-contradictionOf(const PlanTie& tie, const std::vector<Unknown>& unknowns)
+TieOdds
+oddsOf(const PlanTie& tie, const std::vector<Unknown>& unknowns)
 {
-  Eigen::VectorXd value;
-  Eigen::MatrixXd covariance;
-  momentsOf(tie, unknowns, value, covariance);
-  return value.dot(covariance.ldlt().solve(value)) / 2;
-}
-
-double
-sharpnessOf(const PlanTie& tie, const std::vector<Unknown>& unknowns)
-{
-  Eigen::VectorXd value;
-  Eigen::MatrixXd covariance;
-  momentsOf(tie, unknowns, value, covariance);
-  return -std::log((2 * M_PI * covariance).determinant()) / 2;
+  const std::vector<PlanTieEquation> equations = equationsOf(tie, unknowns);
+  const auto size = static_cast<Eigen::Index>(equations.size());
+  Eigen::VectorXd value(size);
+  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(size, 6);
+  for (Eigen::Index r = 0; r < size; ++r) {
+    const PlanTieEquation& equation = equations[static_cast<std::size_t>(r)];
+    value[r] = equation.value;
+    for (const auto& [column, slope] : equation.slopes)
+      slopes(r, static_cast<Eigen::Index>(column % 3 + (column / 3 == tie.a ? 0 : 3))) =
+          slope;
+  }
+  Eigen::MatrixXd both = Eigen::MatrixXd::Zero(6, 6);
+  both.topLeftCorner<3, 3>() = unknowns[tie.a].information.inverse();
+  both.bottomRightCorner<3, 3>() = unknowns[tie.b].information.inverse();
+  const Eigen::MatrixXd covariance = slopes * both * slopes.transpose();
+  return {value.dot(covariance.ldlt().solve(value)) / 2,
+          -std::log((2 * M_PI * covariance).determinant()) / 2};
 }
 
 std::vector<double>

@@ -40,13 +40,14 @@ struct PlanTieEquation {
 std::vector<PlanTieEquation> equationsOf(const PlanTie& tie,
                                          const std::vector<Unknown>& unknowns);
 
-/** @brief Returns half of the squared contradiction of a tie by its unknowns, in
- * standard deviations: nats. */
-double contradictionOf(const PlanTie& tie, const std::vector<Unknown>& unknowns);
+/** @brief What speaks against a tie and for it, nats. */
+struct TieOdds {
+  double
+      contradiction; ///< half of that of its unknowns in standard deviations, squared
+  double sharpness;  ///< -1/2 ln det (2 pi C) of the covariance C of its equations
+};
 
-/** @brief Returns -1/2 ln det (2 pi C) of the covariance C of a tie's equations, nats.
- */
-double sharpnessOf(const PlanTie& tie, const std::vector<Unknown>& unknowns);
+TieOdds oddsOf(const PlanTie& tie, const std::vector<Unknown>& unknowns);
 
 /** @brief Moves the unknowns by the least amount, weighted by their information, that
  * fulfils all ties: Gauss-Newton with one sparse Cholesky factorisation a round, of the

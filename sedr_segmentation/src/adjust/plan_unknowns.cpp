@@ -114,7 +114,6 @@ PlanUnknowns::addLoop(PlanLoop& loop, std::size_t room, std::size_t first, bool 
 {
   UnknownLoop added;
   added.loop = &loop;
-  added.is_boundary = is_wall;
   added.room = room;
   for (const PlanElement& e : loop.elements) {
     added.of_element.push_back(unknownOf(e, first));

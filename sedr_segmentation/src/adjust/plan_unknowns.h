@@ -76,7 +76,6 @@ struct Unknown {
 /** @brief A loop of the plan and the unknown of each of its elements. */
 struct UnknownLoop {
   PlanLoop* loop = nullptr;
-  bool is_boundary = false;
   bool may_tilt = false; ///< its segments are walls that need not be vertical
   std::size_t room = 0;  ///< index in the plan
   std::vector<std::size_t> of_element;

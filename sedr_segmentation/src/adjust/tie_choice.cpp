@@ -29,7 +29,7 @@ public:
     shareDirections();
     putOnLines();
     findTangents();
-    share(UnknownKind::Circle, PlanTieKind::EqualRadius);
+    shareRadii();
     for (std::size_t u = 0; u < plan_.all.size(); ++u)
       if (plan_.all[u].may_tilt)
         accept({PlanTieKind::Vertical, u, u}, std::log(parameters_.free_tilt));
@@ -42,9 +42,10 @@ private:
    * @param interval logarithm of the interval of the free values */
   bool accept(PlanTie tie, double interval)
   {
-    tie.cost = interval + sharpnessOf(tie, plan_.all);
+    const TieOdds odds = oddsOf(tie, plan_.all);
+    tie.cost = interval + odds.sharpness;
     if (plan_.all[tie.a].is_kept || plan_.all[tie.b].is_kept ||
-        !(contradictionOf(tie, plan_.all) < tie.cost))
+        !(odds.contradiction < tie.cost))
       return false;
     ties_.push_back(tie);
     return true;
@@ -107,13 +108,13 @@ private:
     }
   }
 
-  void share(UnknownKind kind, PlanTieKind tie)
+  void shareRadii()
   {
     std::vector<std::size_t> seen;
-    for (const std::size_t u : ordered(kind, 2))
+    for (const std::size_t u : ordered(UnknownKind::Circle, 2))
       if (plan_.all[u].isSeen())
         seen.push_back(u);
-    shareValues(seen, 2, parameters_.free_radius, 0, tie,
+    shareValues(seen, 2, parameters_.free_radius, 0, PlanTieKind::EqualRadius,
                 [](const Unknown& u) { return u.radius; });
   }
 
@@ -181,12 +182,11 @@ private:
       double most = 0;
       for (auto it = from;
            it != others.end() && it->first <= place.first + parameters_.reach; ++it) {
-        const PlanTie tie{PlanTieKind::OnLine, it->second, u};
         if (!mayBeOneLine(it->second, u))
           continue;
-        const double gain = std::log(parameters_.free_offset) +
-                            sharpnessOf(tie, plan_.all) -
-                            contradictionOf(tie, plan_.all);
+        const TieOdds odds = oddsOf({PlanTieKind::OnLine, it->second, u}, plan_.all);
+        const double gain =
+            std::log(parameters_.free_offset) + odds.sharpness - odds.contradiction;
         if (gain <= most)
           continue;
         most = gain;

@@ -160,8 +160,8 @@ signedArea(const std::vector<Eigen::Vector2d>& polygon)
   return area;
 }
 
-bool
-crossesItself(const std::vector<Eigen::Vector2d>& polygon)
+std::pair<std::size_t, std::size_t>
+crossingEdges(const std::vector<Eigen::Vector2d>& polygon)
 {
   const std::size_t n = polygon.size();
   struct Edge {
@@ -178,17 +178,17 @@ crossesItself(const std::vector<Eigen::Vector2d>& polygon)
   // Sweep from left to right: only edges that begin before another ends can meet it.
   std::sort(edges.begin(), edges.end(),
             [](const Edge& a, const Edge& b) { return a.low.x() < b.low.x(); });
+  std::pair<std::size_t, std::size_t> first(n, n);
   for (auto a = edges.begin(); a != edges.end(); ++a)
     for (auto b = a + 1; b != edges.end() && b->low.x() <= a->high.x(); ++b) {
-      const std::size_t i = std::min(a->index, b->index);
-      const std::size_t j = std::max(a->index, b->index);
+      const auto [i, j] = std::minmax(a->index, b->index);
       if (j < i + 2 || (i == 0 && j + 1 == n) || b->low.y() > a->high.y() ||
           a->low.y() > b->high.y())
         continue;
       if (edgesMeet(polygon[i], polygon[i + 1], polygon[j], polygon[(j + 1) % n]))
-        return true;
+        first = std::min(first, {i, j});
     }
-  return false;
+  return first;
 }
 
 std::vector<Eigen::Vector2d>

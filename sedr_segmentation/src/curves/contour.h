@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace pcl::sedr {
@@ -21,8 +23,17 @@ std::vector<Contour> traceContours(const CellMask& mask, double cell_size);
  */
 double signedArea(const std::vector<Eigen::Vector2d>& polygon);
 
-/** @brief Returns whether non-adjacent edges of a polygon cross or touch. O(n^2). */
-bool crossesItself(const std::vector<Eigen::Vector2d>& polygon);
+/** @brief Returns the first two edges of a polygon that cross or touch and are not
+ * adjacent, in order; equal numbers if there are none. O(n^2). */
+std::pair<std::size_t, std::size_t>
+crossingEdges(const std::vector<Eigen::Vector2d>& polygon);
+
+inline bool
+crossesItself(const std::vector<Eigen::Vector2d>& polygon)
+{
+  const auto [first, second] = crossingEdges(polygon);
+  return first != second;
+}
 
 /** @brief Simplifies a closed polygon such that no removed corner is farther than
  * `tolerance` from it (Douglas and Peucker 1973). */

@@ -3,7 +3,7 @@
 
 #include "sedr_filters/src/base/exactness.h"
 
-#include "plan_segment.h"
+#include "sedr_filters/src/plan/plan_segment.h"
 
 #include "plan_curve.h"
 

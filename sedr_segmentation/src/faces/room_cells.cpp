@@ -16,6 +16,9 @@ namespace {
 
 constexpr float no_height = std::numeric_limits<float>::infinity();
 
+/** @brief Metres below the ceiling where the frame of a pane ends. */
+constexpr double frame = 0.2;
+
 double
 medianHeight(const PointView& points, const std::vector<int>& indices, double otherwise)
 {
@@ -83,7 +86,6 @@ gatherCeiling(const PointView& points,
               RoomCells& cells)
 {
   constexpr double above_floor = 0.3; // metres: what is lower is no ceiling
-  constexpr double usual_height = 2.4;
   cells.ceiling = medianHeight(points, room.ceiling, 0);
   cells.floor = medianHeight(points, room.floor, cells.ceiling - usual_height);
   std::vector<int> high;
@@ -279,7 +281,6 @@ markGlass(const CellHits& hits,
           RoomCells& room)
 {
   constexpr double usual = 0.8; // of the walls near: this quantile of their hits
-  constexpr double frame = 0.2; // metres below the ceiling: where a pane's frame ends
   const double size = grid.size();
   const std::vector<float> of_wall = boxSums(room.seen, 2, hits.wall);
   std::vector<float> open(hits.ceiling.size());
@@ -350,7 +351,6 @@ findGlass(const PointView& scan,
           unsigned threads,
           std::vector<RoomCells>& rooms)
 {
-  constexpr double frame = 0.2;       // metres below the ceiling
   constexpr double on_ceiling = 0.15; // metres
   std::vector<CellHits> hits(rooms.size());
   PlaceTable rooms_near(2); // metres

@@ -11,6 +11,9 @@
 
 namespace pcl::sedr {
 
+/** @brief Metres above the floor of a ceiling whose floor was not seen. */
+constexpr double usual_height = 2.4;
+
 /** @brief The points of a room, as indices. */
 struct RoomPoints {
   std::vector<int> ceiling; ///< of ceilings and what hangs from them, all heights
@@ -44,7 +47,6 @@ struct RoomCells {
 /** @brief Limits of the evidence of walls, metres. */
 struct RoomCellsParameters {
   double margin = 1.5;    ///< of the box around the seen ceiling
-  double reach = 0.5;     ///< unlabelled points belong to a ceiling this near
   double band = 0.5;      ///< below the ceiling: walls are looked for in this band
   double rim = 0.06;      ///< nearest to the ceiling, where its noise is
   double bin = 0.07;      ///< height of a bin of the band, above the voxel size

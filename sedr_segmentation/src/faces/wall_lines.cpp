@@ -2,6 +2,7 @@
 #include "wall_lines.h"
 
 #include "../curves/plan_points.h"
+#include "sedr_filters/src/base/densest_window.h"
 #include <pcl/sedr_filters/priors.h>
 
 #include <algorithm>
@@ -166,21 +167,12 @@ snap(const LineSearch& search,
   if (offsets.empty())
     return;
   std::sort(offsets.begin(), offsets.end());
-  std::size_t best = 0; // the window of the most offsets
-  std::size_t first = 0;
-  std::size_t most = 0;
-  for (std::size_t k = 0; k < offsets.size(); ++k) {
-    while (offsets[k] - offsets[first] > 2 * p.tolerance)
-      ++first;
-    if (k - first + 1 > most) {
-      most = k - first + 1;
-      best = (k + first) / 2;
-    }
-  }
+  const auto [first, last] = densestWindow(offsets, 2 * p.tolerance);
   constexpr double most_agree = 0.7;
-  if (static_cast<double>(most) > most_agree * static_cast<double>(offsets.size()) ||
+  if (static_cast<double>(last - first + 1) >
+          most_agree * static_cast<double>(offsets.size()) ||
       std::abs(turn) > radians(p.same_direction))
-    line = {v, offsets[best]};
+    line = {v, offsets[(first + last) / 2]};
 }
 
 using Part = std::pair<std::size_t, std::size_t>; ///< [first, last) of cells

@@ -6,10 +6,9 @@
 
 namespace pcl::sedr {
 
-/** @brief Makes the loop of a contour from its labels: corners where curves meet. Runs
- * that would go backwards along their curve are blocked and solved again; where a loop
- * crosses itself, its larger part is kept.
+/** @brief Makes the loop of a contour from its labels: corners where curves meet. Where
+ * it crosses itself, its larger part is kept.
  * @return empty if no such loop closes */
-PlanLoop assembleLoop(LoopSolver& solver, std::size_t contour);
+PlanLoop assembleLoop(const LoopSolver& solver, std::size_t contour);
 
 } // namespace pcl::sedr

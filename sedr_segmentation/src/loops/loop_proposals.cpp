@@ -2,6 +2,8 @@
 #include "loop_proposals.h"
 
 #include "loop_curve.h"
+#include "sedr_filters/src/base/densest_window.h"
+#include "sedr_filters/src/base/middle_value.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,14 +47,10 @@ public:
     std::vector<LoopCandidate> candidates;
     for (const SeededCurve& curve : curves_)
       candidates.push_back(maker_.candidate(curve));
-    for (LoopCandidate& line : maker_.distinct(std::move(unseen_), unseen_spacing))
-      candidates.push_back(std::move(line));
     return maker_.distinct(std::move(candidates), maker_.sigma() / 4);
   }
 
 private:
-  static constexpr double unseen_spacing = 0.025; // metres, of lines that nobody saw
-
   /** @brief Forgets what is explained: circles do not compete with lines. */
   void startAgain()
   {
@@ -127,14 +125,6 @@ private:
             takeThrough(window.anchors, is_circle);
         }
       }
-    if (!is_circle)
-      return;
-    for (std::size_t c = 0; c < contours_.size(); ++c)
-      if (contours_[c].is_hole) {
-        const Window whole = windowAt(c, 0, contours_[c].samples.size());
-        if (whole.anchors.size() > 6)
-          takeThrough(whole.anchors, true);
-      }
   }
 
   /** @brief Returns whether enough of a window is not explained yet. */
@@ -151,23 +141,11 @@ private:
     SeededCurve path;
     path.seed = places[places.size() / 2];
     path.curve = fitCurve(is_circle, places, maker_.sigma());
-    if (is_circle && (!maker_.isPossible(path.curve) || isStraight(places)))
+    if (!maker_.isPossible(path.curve))
       return;
     path = maker_.grown(path);
     if (maker_.isPossible(path.curve))
       take(path, is_circle ? 3 * maker_.parameter() : maker_.parameter());
-  }
-
-  bool isStraight(const std::vector<Eigen::Vector2d>& places) const
-  {
-    const PlanCurve line = fitCurve(false, places, maker_.sigma());
-    double low = 0;
-    double high = 0;
-    for (const Eigen::Vector2d& p : places) {
-      low = std::min(low, line.signedDistance(p));
-      high = std::max(high, line.signedDistance(p));
-    }
-    return high - low <= 3 * maker_.sigma();
   }
 
   /** @brief Returns the main directions of the lines taken, by the squares of what
@@ -190,7 +168,6 @@ private:
   void addFaces(std::size_t c)
   {
     constexpr std::size_t window = 8; // samples
-    constexpr std::size_t fewest = 4; // points
     const LoopContour& contour = contours_[c];
     const std::size_t n = contour.samples.size();
     for (std::size_t s = 0; s < n; s += window / 2) {
@@ -206,36 +183,29 @@ private:
       }
       for (const double axis : maker_.directions())
         for (const double turn : {axis, axis + M_PI / 2})
-          addFace(left, {std::cos(turn), std::sin(turn)}, fewest);
+          addFace(left, {std::cos(turn), std::sin(turn)});
     }
   }
 
   /** @brief Adds the line square to `v` with the most of some points, a third of them
    * at least. */
-  void addFace(const std::vector<Eigen::Vector2d>& points,
-               const Eigen::Vector2d& v,
-               std::size_t fewest)
+  void addFace(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d& v)
   {
-    std::vector<std::pair<double, std::size_t>> offsets;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      offsets.push_back({v.dot(points[i]), i});
+    std::vector<double> offsets;
+    for (const Eigen::Vector2d& p : points)
+      offsets.push_back(v.dot(p));
     std::sort(offsets.begin(), offsets.end());
-    std::size_t first = 0;
-    std::size_t best = 0;
-    std::size_t most = 0;
-    for (std::size_t k = 0; k < offsets.size(); ++k) {
-      while (offsets[k].first - offsets[first].first > 3 * maker_.sigma())
-        ++first;
-      if (k + 1 - first > most) {
-        most = k + 1 - first;
-        best = (first + k) / 2;
-      }
-    }
-    if (most < std::max(fewest, points.size() / 3))
-      return;
+    const auto [first, last] = densestWindow(offsets, 3 * maker_.sigma());
+    if (points.size() > 3 && 3 * (last - first + 1) >= points.size())
+      addSquareTo(v, offsets[(first + last) / 2], points[points.size() / 2]);
+  }
+
+  /** @brief Adds the line square to `v` at an offset along it, from a place on. */
+  void addSquareTo(const Eigen::Vector2d& v, double offset, const Eigen::Vector2d& near)
+  {
     PlanCurve line;
     line.direction = leftOf(v);
-    line.point = points[offsets[best].second];
+    line.point = near + (offset - v.dot(near)) * v;
     curves_.push_back({line, line.point});
   }
 
@@ -251,8 +221,8 @@ private:
         addAligned(c, first, length);
   }
 
-  /** @brief Adds lines in the main directions through an unseen stretch: through its
-   * middle, and where it reaches farthest. */
+  /** @brief Adds lines in the main directions through the middle of an unseen stretch.
+   */
   void addAligned(std::size_t c, std::size_t first, std::size_t length)
   {
     const std::vector<LoopSample>& samples = contours_[c].samples;
@@ -265,21 +235,11 @@ private:
         Eigen::Vector2d v(std::cos(turn), std::sin(turn));
         if (std::abs(v.dot(out)) <= 0.5 * out.norm())
           continue;
-        if (v.dot(out) < 0)
-          v = -v;
         std::vector<double> offsets;
         for (std::size_t k = 0; k < length; ++k)
           offsets.push_back(v.dot(samples[(first + k) % n].place));
-        std::sort(offsets.begin(), offsets.end());
-        const Eigen::Vector2d middle = samples[(first + length / 2) % n].place;
-        for (const double quantile : {0.5, 0.9}) {
-          PlanCurve line;
-          line.direction = {v.y(), -v.x()};
-          const double offset = offsets[static_cast<std::size_t>(
-              quantile * static_cast<double>(offsets.size() - 1))];
-          line.point = middle + (offset - v.dot(middle)) * v;
-          unseen_.push_back(maker_.candidate(SeededCurve{line, middle}));
-        }
+        addSquareTo(v, middleValue(std::move(offsets)),
+                    samples[(first + length / 2) % n].place);
       }
   }
 
@@ -288,7 +248,6 @@ private:
   const StoreySamples& samples_;
   std::vector<double> left_; ///< nats of each sample that nothing explains yet
   std::vector<SeededCurve> curves_;
-  std::vector<LoopCandidate> unseen_; ///< lines where nothing was seen
 };
 
 } // namespace

@@ -89,7 +89,7 @@ LoopSolver::setAllowed(std::size_t c, const Span& span, std::size_t label, bool 
   for (std::size_t k = 0; k < span.length; ++k) {
     const std::size_t i = (span.first + k) % n;
     for (std::size_t a = table.cycle.first[i]; a < table.cycle.first[i + 1]; ++a)
-      if (table.list[a] == label && blocked_[c].count({i, label}) == 0)
+      if (table.list[a] == label)
         table.cycle.own[a] = is ? table.cost[a] : impossible;
   }
 }

@@ -155,12 +155,6 @@ most(const LoopSample& sample)
   return *std::max_element(sample.weight.begin(), sample.weight.end());
 }
 
-double
-medianOr(double otherwise, std::vector<double> values)
-{
-  return values.empty() ? otherwise : middleValue(std::move(values));
-}
-
 /** @brief Sets the share of each surface that does not count: what stands before it,
  * and what it lacks itself. Those behind do not matter. */
 void
@@ -246,39 +240,18 @@ findSurfaces(std::vector<LoopContour>& contours,
              const LoopEnergy& energy,
              double spacing)
 {
-  constexpr double min_width = 0.01;
-  constexpr double max_width = 0.02;
+  constexpr double width = 0.01; // metres: scatter of the points of a surface
   const double outlier = energy.outlier * spacing / energy.max_correlation * 2;
   const AreaTable table;
-  double width = min_width;
-  for (int round = 0; round < 3; ++round) {
-    std::vector<double> scatter;
-    for (LoopContour& contour : contours)
-      for (std::size_t i = 0; i < contour.samples.size(); ++i) {
-        LoopSample& sample = contour.samples[i];
-        findPeaks(contour, i, width, sample);
-        const auto top = static_cast<std::size_t>(
-            std::max_element(sample.weight.begin(), sample.weight.end()) -
-            sample.weight.begin());
-        constexpr double near = 0.05;
-        for (std::size_t k = contour.first[i];
-             sample.weight[top] > 0 && k < contour.first[i + 1]; ++k) {
-          const double d =
-              std::abs((contour.points[k] - sample.place).dot(sample.normal) -
-                       sample.offset[top]);
-          if (d < near)
-            scatter.push_back(d);
-        }
-      }
-    width = std::clamp(1.4826 * medianOr(min_width, std::move(scatter)), min_width,
-                       max_width);
-  }
+  for (LoopContour& contour : contours)
+    for (std::size_t i = 0; i < contour.samples.size(); ++i)
+      findPeaks(contour, i, width, contour.samples[i]);
   std::vector<double> counts;
   for (const LoopContour& contour : contours)
     for (const LoopSample& sample : contour.samples)
       if (most(sample) > 0)
         counts.push_back(most(sample));
-  const double usual = medianOr(1, std::move(counts));
+  const double usual = counts.empty() ? 1 : middleValue(std::move(counts));
   for (LoopContour& contour : contours)
     for (std::size_t i = 0; i < contour.samples.size(); ++i) {
       LoopSample& sample = contour.samples[i];

@@ -24,7 +24,6 @@ LoopSolver::LoopSolver(const std::vector<LoopContour>& contours,
     , corner_(std::log(energy.wall / spacing))
     , tables_(contours.size())
     , labels_(contours.size())
-    , blocked_(contours.size())
 {}
 
 LoopJoint
@@ -218,19 +217,6 @@ LoopSolver::solve()
       break;
     energy = less;
   }
-}
-
-void
-LoopSolver::block(std::size_t contour,
-                  const std::vector<std::pair<std::size_t, std::size_t>>& places)
-{
-  blocked_[contour].insert(places.begin(), places.end());
-  allow(contour);
-  for (std::size_t i = 0; i < labels_[contour].size(); ++i)
-    setEntries(contour, i);
-  useLabels(contour, -1);
-  tables_[contour].places = cheapestCycle(tables_[contour].cycle);
-  readLabels(contour, {0, labels_[contour].size()});
 }
 
 } // namespace pcl::sedr

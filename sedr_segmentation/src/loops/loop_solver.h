@@ -7,7 +7,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -40,10 +39,6 @@ public:
 
   /** @brief Minimises the energy. */
   void solve();
-
-  /** @brief Forbids a curve at samples of a contour, and solves it again. */
-  void block(std::size_t contour,
-             const std::vector<std::pair<std::size_t, std::size_t>>& places);
 
   const LoopContour& contour(std::size_t c) const { return contours_[c]; }
 
@@ -79,7 +74,6 @@ private:
   void prepare();
   void prepareContour(std::size_t c,
                       const std::vector<std::vector<std::pair<std::size_t, float>>>&);
-  void allow(std::size_t c);
   void setEntries(std::size_t c, std::size_t i);
   void use(std::size_t label, int count);
   void useLabels(std::size_t c, int count);
@@ -109,7 +103,6 @@ private:
   std::vector<std::vector<std::size_t>> labels_;
   std::vector<std::size_t> use_; ///< samples that use each candidate
   double models_ = 0;            ///< cost of the candidates that are used
-  std::vector<std::set<std::pair<std::size_t, std::size_t>>> blocked_;
 };
 
 } // namespace pcl::sedr

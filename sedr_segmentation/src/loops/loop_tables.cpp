@@ -61,8 +61,7 @@ LoopSolver::prepareContour(
     table.cycle.pairs.push_back(table.cycle.change.size());
   }
   table.cycle.entry.resize(table.list.size());
-  blocked_[c].clear();
-  allow(c);
+  table.cycle.own = table.cost;
   setPlaces(c);
 }
 
@@ -87,18 +86,6 @@ LoopSolver::prepare()
         near[c][(k + 1) % n] = near[c][k % n];
     prepareContour(c, near[c]);
   });
-}
-
-/** @brief Makes the candidates that are blocked impossible. */
-void
-LoopSolver::allow(std::size_t c)
-{
-  Table& table = tables_[c];
-  table.cycle.own = table.cost;
-  for (const auto& [i, label] : blocked_[c])
-    for (std::size_t a = table.cycle.first[i]; a < table.cycle.first[i + 1]; ++a)
-      if (table.list[a] == label)
-        table.cycle.own[a] = impossible;
 }
 
 /** @brief Sets what it costs to begin a run at a sample. A curve that no loop uses yet

@@ -4,13 +4,13 @@
 #include "niche_fit.h"
 
 #include "../curves/loop_difference.h"
-#include "../curves/plan_segment.h"
 #include "sedr_filters/src/base/parallel.h"
 #include "sedr_filters/src/base/plane_fit.h"
 #include "sedr_filters/src/grids/cell_count.h"
 #include "sedr_filters/src/grids/cell_mask.h"
 #include "sedr_filters/src/grids/place_table.h"
 #include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_filters/src/plan/plan_segment.h"
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wall_recess.h"
 
+#include "sedr_filters/src/base/densest_window.h"
 #include "sedr_filters/src/base/middle_value.h"
 #include "sedr_filters/src/grids/cell_count.h"
 
@@ -26,18 +27,11 @@ depthOfBack(const std::vector<WallPoint>& region, double tolerance)
   for (const WallPoint& p : region)
     if (p.behind > tolerance)
       depths.push_back(p.behind);
+  if (depths.empty())
+    return 0;
   std::sort(depths.begin(), depths.end());
-  double best = 0;
-  std::size_t most = 0;
-  for (std::size_t first = 0, last = 0; last < depths.size(); ++last) {
-    while (depths[last] - depths[first] > 2 * tolerance)
-      ++first;
-    if (last - first + 1 <= most)
-      continue;
-    most = last - first + 1;
-    best = depths[(first + last) / 2];
-  }
-  return best;
+  const auto [first, last] = densestWindow(depths, 2 * tolerance);
+  return depths[(first + last) / 2];
 }
 
 /** @brief Moves the edges of a recess onto the points of its sides. */

@@ -188,8 +188,8 @@ fitPlanByEnergy(const PointView& points,
   warnings.clear();
   const CellGrid grid(parameters.cell_size);
   const std::vector<std::uint32_t> numbers = roomNumbers(evidence);
-  const RoomShares shares = shareOut(points, evidence, numbers, parameters, problem);
-  const std::vector<RoomEvidence>& parts = shares.rooms;
+  const std::vector<RoomEvidence> parts =
+      shareOut(points, evidence, numbers, parameters, problem);
   if (!problem.empty())
     return plan;
   const RoomCellsParameters of_cells;
@@ -220,7 +220,7 @@ fitPlanByEnergy(const PointView& points,
     const std::vector<Eigen::Vector3d> around = placesOf(points, parts[r].around);
     for (const bool is_floor : {false, true}) {
       const std::vector<int> indices =
-          is_floor ? seenPoints(points, grid, parts[r].floor, true) : shares.sheets[r];
+          is_floor ? seenPoints(points, grid, parts[r].floor, true) : parts[r].sheets;
       RoomSheet sheet = fitSurface(points, indices, is_floor, around, parameters, room);
       if (!sheet.sheet.facets.empty())
         of_rooms[r].push_back(std::move(sheet));
@@ -234,23 +234,16 @@ fitPlanByEnergy(const PointView& points,
     room.niches = fitNiches(points, beside, room, of_niches);
   });
   for (std::size_t r = 0; r < rooms.size(); ++r) {
+    const auto warn = [&](const std::string& why) {
+      warnings.push_back({WarningKind::NoPlan, {}, numbers[r], 0, why});
+    };
     if (parts[r].ceiling.size() < 3 || parts[r].floor.size() < 3)
-      warnings.push_back({WarningKind::NoPlan,
-                          {},
-                          numbers[r],
-                          0,
-                          std::to_string(parts[r].ceiling.size()) +
-                              " ceiling points and " +
-                              std::to_string(parts[r].floor.size()) +
-                              " floor points are too few, 3 are needed of each"});
+      warn(std::to_string(parts[r].ceiling.size()) + " ceiling points and " +
+           std::to_string(parts[r].floor.size()) +
+           " floor points are too few, 3 are needed of each");
     else if (rooms[r].boundary.elements.empty())
-      warnings.push_back({WarningKind::NoPlan,
-                          {},
-                          numbers[r],
-                          0,
-                          "no closed outline could be fitted to " +
-                              std::to_string(cells[r].seen.count()) +
-                              " ceiling cells"});
+      warn("no closed outline could be fitted to " +
+           std::to_string(cells[r].seen.count()) + " ceiling cells");
     else {
       if (regions[r].lost >= parameters.minimum_detail_area)
         warnings.push_back({WarningKind::CeilingApart, {regions[r].lost}, numbers[r]});

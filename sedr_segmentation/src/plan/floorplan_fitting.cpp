@@ -9,6 +9,8 @@
 #include "rooms_above.h"
 #include <pcl/sedr_segmentation/tilted_faces.h>
 
+#include "sedr_filters/src/base/exactness.h"
+#include "sedr_filters/src/base/parallel_for.h"
 #include "sedr_filters/src/walls/plan_evidence.h"
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/sedr_filters/point_types.h>
@@ -83,37 +85,6 @@ orNone(const pcl::IndicesConstPtr& indices)
   return indices ? *indices : pcl::Indices();
 }
 
-/** @brief Joins walls that follow each other on one line or circle. */
-void
-joinWalls(Floorplan& plan)
-{
-  for (PlanRoom& room : plan.rooms) {
-    joinNeighbours(room.boundary);
-    for (PlanLoop& column : room.columns)
-      joinNeighbours(column);
-  }
-}
-
-/** @brief Drops parts of floors that are less than a step off them, since both were
- * moved to their final heights. */
-void
-dropEvenParts(Floorplan& plan, double min_step)
-{
-  constexpr double moved = 0.01; // metres, at most: a step may lose as much
-  for (PlanRoom& room : plan.rooms) {
-    const auto isEven = [&](const PlanDetail& part) {
-      const auto& rim = part.boundary.elements;
-      return !part.slab.curve && !room.floor.curve &&
-             std::all_of(rim.begin(), rim.end(), [&](const PlanElement& e) {
-               return std::abs(part.slab.heightAt(e.start) -
-                               room.floor.heightAt(e.start)) < min_step - moved;
-             });
-    };
-    auto& parts = room.floor_details;
-    parts.erase(std::remove_if(parts.begin(), parts.end(), isEven), parts.end());
-  }
-}
-
 /** @brief Tilts the walls of a plan of withVerticalWalls() points; the ceilings of
  * their rooms will be fitted again, where they were scanned: below vertical walls, a
  * slope is none. */
@@ -167,9 +138,9 @@ fitFloorplan(const PlanInput& input,
   PointView vertical_raw = has_raw ? input.raw : PointView();
   std::shared_ptr<const std::vector<Eigen::Vector3f>> moved;
   if (has_raw && !input.faces.empty()) {
-    moved = movedPoints(input.raw, input.raw_indices, [&](const Eigen::Vector3d& p) {
-      return withVerticalWalls(input.faces, p);
-    });
+    moved = movedPoints(
+        input.raw, input.raw_indices, parameters.threads,
+        [&](const Eigen::Vector3d& p) { return withVerticalWalls(input.faces, p); });
     vertical_raw = PointView(moved->data(), sizeof(Eigen::Vector3f), moved->size());
   }
   plan =
@@ -177,7 +148,6 @@ fitFloorplan(const PlanInput& input,
                       parameters, problem, warnings, boundaries, noise, sheets);
   if (!problem.empty())
     return problem;
-  joinWalls(plan); // an element without length has no direction to keep
   const PointView scanned = input.faces.empty() ? input.points : input.scanned;
   const PointView scan = has_raw ? input.raw : scanned;
   const pcl::Indices& of_scan = has_raw ? raw_indices : input.indices;
@@ -189,10 +159,13 @@ fitFloorplan(const PlanInput& input,
   problem = adjustPlan(plan, scan, of_scan, adjustment).problem;
   if (!problem.empty())
     warnings.push_back({WarningKind::NotAdjusted, {}, 0, 0, problem});
-  joinWalls(plan);
+  for (PlanRoom& room : plan.rooms) {
+    joinNeighbours(room.boundary);
+    for (PlanLoop& column : room.columns)
+      joinNeighbours(column);
+  }
   dropSharedNiches(plan);
   giveCeilings(std::move(sheets), scan, of_scan, parameters.threads, plan);
-  dropEvenParts(plan, priors.min_floor_step);
   endBelowRoomsAbove(plan, priors);
   measureEvidence(plan, scanned, input.indices, priors.wall_band, parameters.threads);
   for (const PlanRoom& room : plan.rooms)
@@ -205,17 +178,19 @@ fitFloorplan(const PlanInput& input,
 std::shared_ptr<const std::vector<Eigen::Vector3f>>
 movedPoints(const PointView& raw,
             const pcl::IndicesConstPtr& indices,
+            unsigned threads,
             const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& map)
 {
   const std::size_t size = indices ? indices->size() : raw.size();
   const std::size_t step = rawStep(size, AdjustmentParameters().max_points);
-  const auto moved = std::make_shared<std::vector<Eigen::Vector3f>>();
-  moved->reserve(size / step + 1);
-  for (std::size_t k = 0; k < size; k += step) {
-    const std::size_t i = indices ? static_cast<std::size_t>((*indices)[k]) : k;
+  const auto moved = std::make_shared<std::vector<Eigen::Vector3f>>(
+      (size + step - 1) / step, Eigen::Vector3f::Constant(std::nanf("")));
+  parallelFor(moved->size(), points_a_block, threads, [&](std::size_t k) {
+    const std::size_t i =
+        indices ? static_cast<std::size_t>((*indices)[k * step]) : k * step;
     if (i < raw.size())
-      moved->push_back(map(raw[i].cast<double>()).cast<float>());
-  }
+      (*moved)[k] = map(raw[i].cast<double>()).cast<float>();
+  });
   return moved;
 }
 

@@ -2,6 +2,7 @@
 #include "room_shares.h"
 
 #include "../air/height_counts.h"
+#include "../faces/room_cells.h"
 #include "../niches/niche_fit.h"
 #include "room_territory.h"
 #include "sedr_filters/src/base/exactness.h"
@@ -27,7 +28,6 @@ heightsOfRooms(const PointView& points,
                const std::vector<std::vector<int>>& ceilings,
                const std::vector<std::vector<int>>& details)
 {
-  constexpr double usual_height = 2.4; // metres
   std::vector<RoomHeights> heights;
   for (std::size_t r = 0; r < floors.size(); ++r) {
     std::vector<float> above;
@@ -94,7 +94,7 @@ seenPoints(const PointView& points,
   return seen;
 }
 
-RoomShares
+std::vector<RoomEvidence>
 shareOut(const PointView& points,
          const PlanEvidence& evidence,
          const std::vector<std::uint32_t>& numbers,
@@ -165,13 +165,12 @@ shareOut(const PointView& points,
   });
   auto walls = evidence.walls.empty() ? around : shareBy(evidence.walls, nearest);
 
-  RoomShares shares;
+  std::vector<RoomEvidence> rooms;
   for (std::size_t r = 0; r < numbers.size(); ++r)
-    shares.rooms.push_back({std::move(around[r]), std::move(ceilings[r]),
-                            std::move(details[r]), std::move(floors[r]),
-                            std::move(walls[r]), std::move(behind[r])});
-  shares.sheets = std::move(of_sheets);
-  return shares;
+    rooms.push_back({std::move(around[r]), std::move(ceilings[r]),
+                     std::move(details[r]), std::move(floors[r]), std::move(walls[r]),
+                     std::move(behind[r]), std::move(of_sheets[r])});
+  return rooms;
 }
 
 } // namespace pcl::sedr

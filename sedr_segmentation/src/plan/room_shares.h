@@ -32,12 +32,7 @@ struct RoomEvidence {
   std::vector<int> floor;
   std::vector<int> walls;
   std::vector<int> behind; ///< points beyond `around`, for the backs of deep niches
-};
-
-/** @brief The points of each room, in the order of their numbers. */
-struct RoomShares {
-  std::vector<RoomEvidence> rooms;
-  std::vector<std::vector<int>> sheets; ///< points of ceilings as seen from below
+  std::vector<int> sheets; ///< of the ceiling as it is seen from below
 };
 
 /** @brief Returns the room numbers, increasing, without 0. */
@@ -45,12 +40,13 @@ std::vector<std::uint32_t> roomNumbers(const PlanEvidence& evidence);
 
 /** @brief Shares the points out to the rooms: ceilings and details by their labels, all
  * else to the room with the nearest ceiling in plan.
+ * @return the points of each room, in the order of the numbers
  * @param[out] problem why that is impossible, a sentence; else empty */
-RoomShares shareOut(const PointView& points,
-                    const PlanEvidence& evidence,
-                    const std::vector<std::uint32_t>& numbers,
-                    const RoomFitParameters& parameters,
-                    std::string& problem);
+std::vector<RoomEvidence> shareOut(const PointView& points,
+                                   const PlanEvidence& evidence,
+                                   const std::vector<std::uint32_t>& numbers,
+                                   const RoomFitParameters& parameters,
+                                   std::string& problem);
 
 /** @brief Returns those of the points of a ceiling, or of a floor, that nothing of them
  * hides from inside the room, without vertical faces. */

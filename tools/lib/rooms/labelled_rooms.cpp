@@ -87,12 +87,12 @@ labelledRooms(const ToolCloud& cloud, double grid_size)
   RoomFitParameters parameters;
   parameters.cell_size = grid_size;
   std::string problem;
-  RoomShares shares =
+  std::vector<RoomEvidence> shares =
       shareOut(PointView(*cloud.points), evidence, numbers, parameters, problem);
   throwProblem(problem);
   std::vector<LabelledRoom> rooms;
-  for (std::size_t r = 0; r < shares.rooms.size(); ++r) {
-    RoomEvidence& share = shares.rooms[r];
+  for (std::size_t r = 0; r < shares.size(); ++r) {
+    RoomEvidence& share = shares[r];
     for (const int i : share.around) // details without a number are of the room there
       if (const auto at = static_cast<std::size_t>(i);
           has_rooms && cloud.room[at] == 0 &&

@@ -39,6 +39,7 @@ std::string fitFloorplan(const PlanInput& input,
 std::shared_ptr<const std::vector<Eigen::Vector3f>>
 movedPoints(const PointView& raw,
             const pcl::IndicesConstPtr& indices,
+            unsigned threads,
             const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& map);
 
 } // namespace sedr
@@ -49,7 +50,7 @@ FloorplanFitting<PointT>::moveRawPoints(
     const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& map)
 {
   if (raw_)
-    setRawPoints(sedr::movedPoints(raw_(), raw_indices_, map));
+    setRawPoints(sedr::movedPoints(raw_(), raw_indices_, parameters_.threads, map));
 }
 
 template <typename PointT>
