@@ -148,7 +148,7 @@ tiltOf(const PointView& points,
   ScanTilt tilt;
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   // After levelling, larger patches give the remaining tilt, as thinning makes smaller
-  // ones uneven.
+  // ones uneven; small rooms have too few of them.
   for (const double size : {patch, patch, 2 * patch}) {
     const auto normals = patchNormals(points, indices, turn, size, threads);
     Common walls = upOfWalls(normals, z, priors);
@@ -156,21 +156,19 @@ tiltOf(const PointView& points,
         other.count > walls.count)
       walls = other;
     const Common slabs = upOfSlabs(normals, walls.direction, priors);
-    if (walls.count == 0 || slabs.count == 0)
-      return {};
     const double angle = angleBetween(walls.direction, turn * z);
     // The walls must agree better with the slabs than with z.
-    if (angle < radians(priors.min_tilt) ||
+    if (walls.count == 0 || slabs.count == 0 || angle < radians(priors.min_tilt) ||
         2 * angleBetween(walls.direction, slabs.direction) > angle)
-      return {};
+      break;
     Eigen::Vector3d up =
         symmetricEigen(Eigen::Matrix3d(walls.squares - slabs.squares)).vectors.col(0);
     up *= up.z() < 0 ? -1 : 1;
     turn = Eigen::Quaterniond::FromTwoVectors(up, z) * turn;
+    tilt.up = turn.transpose() * z;
+    tilt.angle = angleBetween(tilt.up, z);
     tilt.area = static_cast<double>(slabs.count) * size * size;
   }
-  tilt.up = turn.transpose() * z;
-  tilt.angle = angleBetween(tilt.up, z);
   return tilt;
 }
 

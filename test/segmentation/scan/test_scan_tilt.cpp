@@ -49,6 +49,15 @@ TEST(ScanTilt, IsThatOfTheWallsAndIsTakenOutByALevelling)
       }
 }
 
+TEST(ScanTilt, IsThatOfASmallRoomToo)
+{
+  const PlanRoom plan = roomOf(rectangle(0, 0, 2.5, 2), 2.5);
+  for (const double degrees : {1.0, 2.0, 5.0, 10.0}) {
+    const RoomPoints points = turned(plan, about({0.6, -0.8, 0}, degrees), 0.005);
+    EXPECT_NEAR(tiltOf(points.view(), points.all()).angle / degree, degrees, 0.3);
+  }
+}
+
 TEST(ScanTilt, SlopingSlabsBetweenVerticalWallsAreNone)
 {
   PlanRoom room = roomOf(rectangle(0, 0, 6, 4), 2.5);
