@@ -59,11 +59,6 @@ public:
           const AirParameters& parameters,
           const VoxelColumns* fine = nullptr);
 
-  /** @brief The same where no holes were closed. */
-  AirGaps(const VoxelColumns& columns, const AirParameters& parameters)
-      : AirGaps(columns, columns, parameters)
-  {}
-
   const VoxelColumns& columns() const { return columns_; }
   const AirParameters& parameters() const { return parameters_; }
 

@@ -249,12 +249,6 @@ VoxelColumns::cellOf(std::uint32_t column) const
   return {tile.corner.x * edge + at % edge, tile.corner.y * edge + at / edge};
 }
 
-bool
-VoxelColumns::isOccupied(std::uint32_t column, std::int32_t voxel) const
-{
-  return countBetween(column, voxel, voxel + 1) > 0;
-}
-
 int
 VoxelColumns::countBetween(std::uint32_t column,
                            std::int32_t begin,

@@ -78,7 +78,10 @@ public:
   /** @brief Lower end of a voxel, metres. */
   double heightOf(std::int32_t voxel) const { return voxel * voxel_height_; }
 
-  bool isOccupied(std::uint32_t column, std::int32_t voxel) const;
+  bool isOccupied(std::uint32_t column, std::int32_t voxel) const
+  {
+    return countBetween(column, voxel, voxel + 1) > 0;
+  }
 
   /** @brief Number of occupied voxels of a column from `begin` to before `end`. */
   int countBetween(std::uint32_t column, std::int32_t begin, std::int32_t end) const;
@@ -113,14 +116,11 @@ public:
    * surfaces do not make a sparse scan dense. O(columns). */
   int usualCompany(unsigned threads) const;
 
-  /** @brief Empties the voxels that have fewer than `company` occupied ones among the
-   * 26 around them, 15 at most: points in mid-air. O(columns). */
-  void dropStrays(int company, unsigned threads);
-
-  /** @brief Empties the voxels that are of no surface: those that have fewer than
-   * `company` occupied ones around them, and none in their layer beside them that has
-   * as many. Unlike dropStrays() it keeps the edges of surfaces. O(columns). */
-  void keepSurfaces(int company, unsigned threads);
+  /** @brief Empties the voxels that are of no surface: points in mid-air. Those stay
+   * that have half of the company usual in 64 layers of their tile, and of what is left
+   * more, or beside them in their layer one that has: edges of surfaces, and sparsely
+   * seen walls beside a dense hall, stay. O(columns). */
+  void keepSurfaces(unsigned threads);
 
   /** @brief Closes what is narrower than `reach` columns along x or y: a morphological
    * closing of every layer of voxels by a square, so that what a sparse scan shows in
@@ -204,6 +204,12 @@ private:
    * each of its voxels, up to 15, as four words of binary digits. */
   template <typename Visitor>
   void forEachCompany(std::size_t tile, Visitor visit) const;
+
+  /** @brief How many voxels have at least 0, 1, ... 15 neighbours. */
+  using CompanyCounts = std::array<std::size_t, 16>;
+
+  /** @brief The same of each word of a tile's columns. */
+  std::vector<CompanyCounts> companyIn(std::size_t tile) const;
 
   CellGrid grid_;
   double voxel_height_;

@@ -82,49 +82,70 @@ atLeast(const std::array<std::uint64_t, 4>& digits, unsigned n)
   return more | equal;
 }
 
-} // namespace
-
+/** @brief The company that two thirds of those counted have. */
 int
-VoxelColumns::usualCompany(unsigned threads) const
+usualOf(const std::array<std::size_t, 16>& counts)
 {
-  // How many voxels have at least so many neighbours.
-  std::vector<std::array<std::size_t, 16>> of_tile(tiles_.size());
-  parallelBlocks(tiles_.size(), 1, threads, [&](std::size_t t, std::size_t) {
-    of_tile[t].fill(0);
-    forEachCompany(t, [&](std::size_t, std::uint64_t own, const auto& digits) {
-      for (unsigned n = 0; n < 16; ++n)
-        of_tile[t][n] +=
-            static_cast<std::size_t>(__builtin_popcountll(own & atLeast(digits, n)));
-    });
-  });
-  std::array<std::size_t, 16> all{};
-  for (const auto& counts : of_tile)
-    for (std::size_t n = 0; n < 16; ++n)
-      all[n] += counts[n];
-  unsigned usual = 0;
-  while (usual < 15 && 3 * all[usual + 1] >= 2 * all[0] && all[0] > 0)
+  std::size_t usual = 0;
+  while (usual < 15 && 3 * counts[usual + 1] >= 2 * counts[0] && counts[0] > 0)
     ++usual;
   return static_cast<int>(usual);
 }
 
-void
-VoxelColumns::dropStrays(int company, unsigned threads)
+} // namespace
+
+std::vector<VoxelColumns::CompanyCounts>
+VoxelColumns::companyIn(std::size_t t) const
 {
-  std::vector<std::uint64_t> kept(bits_.size(), 0);
-  const auto least = static_cast<unsigned>(std::clamp(company, 0, 15));
-  parallelBlocks(tiles_.size(), 1, threads, [&](std::size_t t, std::size_t) {
-    forEachCompany(t, [&](std::size_t at, std::uint64_t own, const auto& digits) {
-      kept[at] = own & atLeast(digits, least);
-    });
+  const Tile& tile = tiles_[t];
+  std::vector<CompanyCounts> counts(static_cast<std::size_t>(tile.words));
+  forEachCompany(t, [&](std::size_t at, std::uint64_t own, const auto& digits) {
+    CompanyCounts& of_word = counts[(at - tile.first) % counts.size()];
+    for (unsigned n = 0; n < of_word.size(); ++n)
+      of_word[n] +=
+          static_cast<std::size_t>(__builtin_popcountll(own & atLeast(digits, n)));
   });
-  bits_ = std::move(kept);
+  return counts;
+}
+
+int
+VoxelColumns::usualCompany(unsigned threads) const
+{
+  std::vector<std::vector<CompanyCounts>> of_tile(tiles_.size());
+  parallelBlocks(tiles_.size(), 1, threads,
+                 [&](std::size_t t, std::size_t) { of_tile[t] = companyIn(t); });
+  CompanyCounts all{};
+  for (const auto& words : of_tile)
+    for (const CompanyCounts& counts : words)
+      for (std::size_t n = 0; n < all.size(); ++n)
+        all[n] += counts[n];
+  return usualOf(all);
 }
 
 void
-VoxelColumns::keepSurfaces(int company, unsigned threads)
+VoxelColumns::keepSurfaces(unsigned threads)
 {
+  constexpr int most = 4; // neighbours: a surface's edge has five
+  std::vector<std::vector<unsigned>> least(tiles_.size()); // by words, as below
+  parallelBlocks(tiles_.size(), 1, threads, [&](std::size_t t, std::size_t) {
+    for (const CompanyCounts& counts : companyIn(t))
+      least[t].push_back(
+          static_cast<unsigned>(std::clamp((usualOf(counts) + 1) / 2, 1, most)));
+  });
+  const auto keepWithCompany = [&](unsigned more) {
+    std::vector<std::uint64_t> kept(bits_.size(), 0);
+    parallelBlocks(tiles_.size(), 1, threads, [&](std::size_t t, std::size_t) {
+      forEachCompany(t, [&](std::size_t at, std::uint64_t own, const auto& digits) {
+        kept[at] =
+            own &
+            atLeast(digits, more + least[t][(at - tiles_[t].first) % least[t].size()]);
+      });
+    });
+    bits_ = std::move(kept);
+  };
+  keepWithCompany(0);
   const std::vector<std::uint64_t> all = bits_;
-  dropStrays(company, threads);
+  keepWithCompany(1);
   for (const int axis : {0, 1})
     bits_ = spreadAlong(axis, 1, true, threads);
   for (std::size_t k = 0; k < bits_.size(); ++k)

@@ -63,13 +63,6 @@ stepsBetween(const AirGaps& air, RoomLabels& labels, Next next)
 } // namespace
 
 std::map<RoomPair, std::vector<Crossing>>
-crossingsOf(const AirGaps& air, RoomLabels& labels)
-{
-  return stepsBetween(air, labels,
-                      [&](std::uint32_t g, int d) { return air.link(g, d); });
-}
-
-std::map<RoomPair, std::vector<Crossing>>
 waysBetween(const AirGaps& air, RoomLabels& labels)
 {
   return stepsBetween(air, labels, [&](std::uint32_t g, int d) {
@@ -87,7 +80,8 @@ RoomBorders::RoomBorders(const AirGaps& air,
     , rooms_(labels.sizes().size())
 {
   measureRooms(air);
-  for (auto& [pair, crossings] : crossingsOf(air, labels))
+  const auto link = [&](std::uint32_t g, int d) { return air.link(g, d); };
+  for (auto& [pair, crossings] : stepsBetween(air, labels, link))
     borders_[pair].crossings = std::move(crossings);
   countWalls(air, static_cast<int>(std::lround(2 * parameters.lintel_reach /
                                                air.columns().cellSize())));

@@ -25,10 +25,6 @@ struct RoomBorder {
   std::size_t walls = 0; ///< ends of air that face the other room's across a wall
 };
 
-/** @brief The links from one room to another, by pairs of rooms. O(links). */
-std::map<RoomPair, std::vector<Crossing>> crossingsOf(const AirGaps& air,
-                                                      RoomLabels& labels);
-
 /** @brief The ways from one room to another, by pairs of rooms: their links, but for
  * those over the edge of a gallery, and where one climbs through a slab, see
  * AirGaps::isDrop() and AirGaps::climb(). O(links). */

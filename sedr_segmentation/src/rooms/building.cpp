@@ -37,22 +37,7 @@ halfOfThoseFilled(VoxelColumns columns, unsigned threads)
   }
 }
 
-/** @brief Columns without what floats in the air. What is of no surface goes before
- * holes are closed, else it would be closed to one. */
-VoxelColumns
-withoutStrays(VoxelColumns columns, bool is_dense, unsigned threads)
-{
-  constexpr double min_share = 0.5; // of the usual neighbours, for what is no stray
-  constexpr int most = 4;           // neighbours: a surface's edge has five
-  const int usual = columns.usualCompany(threads);
-  columns.dropStrays(
-      std::clamp(static_cast<int>(std::lround(min_share * usual)), 1, most), threads);
-  if (is_dense)
-    columns.keepSurfaces(most + 1, threads);
-  return columns;
-}
-
-/** @brief The same with surfaces where a sparse scan shows dots. */
+/** @brief Columns with surfaces where a sparse scan shows dots. */
 VoxelColumns
 withHolesClosed(VoxelColumns columns, unsigned threads)
 {
@@ -295,13 +280,12 @@ findBuilding(const PointView& points,
   const VoxelColumns fine(points, indices, parameters.cell_size, voxel_height,
                           parameters.threads);
   const VoxelColumns half = halfOfThoseFilled(fine, parameters.threads);
-  const bool is_dense = half.cellSize() == fine.cellSize();
   PartingParameters of_parting;
   of_parting.widest_door = parameters.widest_door;
   of_parting.widest_passage = parameters.widest_passage;
   of_parting.smallest_room = parameters.minimum_area;
-  const VoxelColumns seen =
-      withoutStrays(half.halved(parameters.threads), is_dense, parameters.threads);
+  VoxelColumns seen = half.halved(parameters.threads);
+  seen.keepSurfaces(parameters.threads); // before holes are closed to strays
   const VoxelColumns columns = withHolesClosed(seen, parameters.threads);
   const AirGaps air(columns, seen, airParameters(parameters), &half);
   Building building =

@@ -138,7 +138,7 @@ struct SceneAir {
   explicit SceneAir(const AirScene& of, unsigned threads = 1)
       : scene(of)
       , columns(of.points.view(), {}, 0.1, 0.05, threads)
-      , gaps(columns, parametersFor(threads))
+      , gaps(columns, columns, parametersFor(threads))
   {}
 
   static pcl::sedr::AirParameters parametersFor(unsigned threads)

@@ -254,7 +254,7 @@ TEST(AirGaps, ReachASlopeUpToTheWallThoughWhatIsNarrowIsClosed)
   VoxelColumns closed = seen;
   closed.closeDots(2, 1);
   const AirParameters parameters;
-  const AirGaps lower(closed, parameters);
+  const AirGaps lower(closed, closed, parameters);
   const AirGaps gaps(closed, seen, parameters);
   ASSERT_EQ(gaps.size(), lower.size());
   int raised = 0;

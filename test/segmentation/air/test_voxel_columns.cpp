@@ -83,28 +83,38 @@ TEST(VoxelColumns, HalvedTheyHoldWhatOneOfFourHeld)
             (Voxels{{0, 0, 500}, {32, 0, -500}, {0, 63, 3}, {-1, -65, 0}}));
 }
 
-TEST(VoxelColumns, DropThoseWithFewAround)
+TEST(VoxelColumns, LoseStraysAndKeepTheEdgesOfSurfaces)
 {
-  const Voxels voxels = cloudOfVoxels(500);
-  const auto companyOf = [&](const Voxel& v) {
-    int company = -1;
-    for (int dx = -1; dx <= 1; ++dx)
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dk = -1; dk <= 1; ++dk)
-          company += voxels.count(
-              {std::get<0>(v) + dx, std::get<1>(v) + dy, std::get<2>(v) + dk});
-    return company;
+  RoomPoints points(0.05);
+  points.slab(rectangle(-2, -2, 2, 2), 0.01);
+  const Voxels plane = voxelsOf(columnsOf(points));
+  for (const double x : {-1.45, -1.35, -1.25, 1.25, 1.75})
+    points.point(x, x, 1.01);
+  VoxelColumns columns = columnsOf(points);
+  columns.keepSurfaces(3);
+  const Voxels kept = voxelsOf(columns);
+  EXPECT_TRUE(std::includes(plane.begin(), plane.end(), kept.begin(), kept.end()));
+  EXPECT_EQ(kept.size() + 4, plane.size()) << "without its corners";
+}
+
+TEST(VoxelColumns, KeepAWallSeenSparselyBesideADenseHall)
+{
+  RoomPoints points(0.05);
+  for (const double z : {0.01, 2.51})
+    points.slab(rectangle(-12, 0, -1, 6), z);
+  points.wall(segment({1, 0.02}, {5, 0.02}), 0.01, 2.51, [](double s, double z) {
+    return (std::lround(s / 0.1 - 0.4) + std::lround(z / 0.05)) % 2 ==
+           0; // a draughtboard
+  });
+  VoxelColumns columns = columnsOf(points);
+  const Voxels before = voxelsOf(columns);
+  columns.keepSurfaces(1);
+  const Voxels after = voxelsOf(columns);
+  const auto ofWall = [](const Voxels& voxels) {
+    return std::count_if(voxels.begin(), voxels.end(),
+                         [](const Voxel& v) { return std::get<0>(v) >= 0; });
   };
-  for (const int least : {0, 1, 4, 7, 8, 11, 15})
-    for (const unsigned threads : {1u, 3u}) {
-      Voxels expected;
-      for (const Voxel& v : voxels)
-        if (companyOf(v) >= least)
-          expected.insert(v);
-      VoxelColumns columns = columnsOf(pointsIn(voxels));
-      columns.dropStrays(least, threads);
-      EXPECT_EQ(voxelsOf(columns), expected) << least;
-    }
+  EXPECT_GT(ofWall(after), 0.9 * static_cast<double>(ofWall(before)));
 }
 
 TEST(VoxelColumns, TellWhetherAScanFillsThem)
