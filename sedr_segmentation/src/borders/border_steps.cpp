@@ -167,7 +167,7 @@ BorderSteps::profileAcross(const BorderPart& part,
               1.0 / static_cast<double>(cells.end(cell) - cells.begin(cell)));
       }
   };
-  forAllNear(cells_, SheetCracks::reach,
+  forAllNear(cells_, SheetCracks::riser_reach,
              [&](const Eigen::Vector3d& p, double, std::size_t at, double weight) {
                profile.votes[at] +=
                    weight * (misfit(chain.right, p) - misfit(chain.left, p));

@@ -26,13 +26,34 @@ struct SheetCracks {
     return sheet.grid.placeOf(v.x, v.y);
   }
 
-  const PlanSlab& facetOf(std::int32_t piece) const;
+  const PlanSlab& facetOf(std::int32_t piece) const
+  {
+    const std::size_t cell = cracks.first_cell[static_cast<std::size_t>(piece)];
+    return sheet.facets[static_cast<std::size_t>(sheet.label[cell])];
+  }
 
   /** @brief Whether a cell at the vertex is of the room. */
-  bool isInside(const CrackVertex& v) const;
+  bool isInside(const CrackVertex& v) const { return anyMarked(sheet.is_inside, v, 1); }
 
   /** @brief How far from the vertex the border may lie, metres. */
-  double reachAt(const CrackVertex& v) const;
+  double reachAt(const CrackVertex& v) const
+  {
+    constexpr double unseen_reach = 10; // cells
+    return cellSize() * (anyMarked(sheet.is_seen, v, 2) ? reach : unseen_reach);
+  }
+
+private:
+  /** @brief Whether any of the cells up to `around` from a vertex is marked. */
+  bool anyMarked(const std::vector<std::uint8_t>& marks,
+                 const CrackVertex& v,
+                 int around) const
+  {
+    for (int y = v.y - around; y < v.y + around; ++y)
+      for (int x = v.x - around; x < v.x + around; ++x)
+        if (sheet.grid.holds(x, y) && marks[sheet.grid.indexOf(x, y)] != 0)
+          return true;
+    return false;
+  }
 };
 
 } // namespace pcl::sedr
