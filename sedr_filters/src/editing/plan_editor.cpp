@@ -19,6 +19,16 @@
 namespace pcl::sedr {
 namespace {
 
+/** @brief What was set by hand was not measured: it counts as inferred in a plan that
+ * tells what was. */
+void
+setByHand(bool is_measured_plan, PlanElement& wall)
+{
+  wall.inliers = 0;
+  wall.residual = 0;
+  wall.evidence = {0, is_measured_plan ? 1.0 : 0.0, 0};
+}
+
 /** @brief A stretch of a straight wall between two rooms. */
 struct SharedWall {
   std::size_t element = 0; ///< of the first room
@@ -205,6 +215,7 @@ PlanEditor::split(std::uint32_t room,
         part.push_back(all[i]);
       part.push_back(all[last].part(0, t));
       part.push_back(segment(part.back().end, part.front().start));
+      setByHand(all[e].evidence.isKnown(), part.back());
     }
     const bool is_first_left = cross(to - from, loops[0].elements[0].end - from) > 0;
     PlanRoom second = first;
@@ -326,6 +337,7 @@ PlanEditor::moveWall(std::uint32_t room, std::size_t wall, double distance)
     const Eigen::Vector2d off = -distance * line.normalAt(0);
     const Eigen::Affine2d away(Eigen::Translation2d{off});
     move(line, away);
+    setByHand(line.evidence.isKnown(), line);
     for (PlanOpening& opening : plan.openings)
       for (const OpeningWall& in : opening.walls)
         if (in.room == room && in.element + 1 == wall) {

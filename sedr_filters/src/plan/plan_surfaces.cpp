@@ -203,9 +203,9 @@ RoomSurfaces::RoomSurfaces(const PlanRoom& room, double farthest)
     , farthest_(farthest)
     , near_(std::max(0.25, farthest))
 {
+  const double reach = 2 * farthest + tiltReach(room);
   for (std::size_t i = 0; i < verticals_.size(); ++i)
-    near_.addAlong(*verticals_[i].element, 2 * farthest + tiltReach(room),
-                   static_cast<std::uint32_t>(i));
+    near_.addAlong(*verticals_[i].element, reach, static_cast<std::uint32_t>(i));
   near_.finish();
 }
 

@@ -153,11 +153,13 @@ outermostBoundary(PlanRoom room)
 double
 tiltReach(const PlanRoom& room)
 {
+  if (!isTilted(room))
+    return 0;
   double reach = 0;
+  const double head = headOf(room);
   for (const PlanElement& wall : room.boundary.elements)
-    if (wall.tilt != 0)
-      reach = std::max(
-          reach, std::abs(std::tan(wall.tilt) * (headOf(room) - footOf(room, wall))));
+    reach =
+        std::max(reach, std::abs(std::tan(wall.tilt) * (head - footOf(room, wall))));
   return reach;
 }
 

@@ -139,6 +139,8 @@ withoutCrossings(PlanLoop loop)
           std::remove_if(part->elements.begin(), part->elements.end(),
                          [](const PlanElement& e) { return e.start == e.end; }),
           part->elements.end());
+    if (inner.elements.empty() || outer.elements.empty())
+      break; // elements that run along each other: nothing to cut
     loop = std::abs(inner.area()) > std::abs(outer.area()) ? inner : outer;
   }
   return loop;

@@ -5,7 +5,6 @@
 #include "sedr_filters/src/base/middle_value.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl::sedr {
 

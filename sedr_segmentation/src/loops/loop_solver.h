@@ -6,7 +6,6 @@
 #include "loop_candidates.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 #include <vector>
 

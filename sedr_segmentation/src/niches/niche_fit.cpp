@@ -14,7 +14,6 @@
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <utility>
 

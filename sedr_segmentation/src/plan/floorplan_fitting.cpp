@@ -16,7 +16,6 @@
 #include <pcl/sedr_filters/point_types.h>
 #include <pcl/sedr_segmentation/impl/floorplan_fitting.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

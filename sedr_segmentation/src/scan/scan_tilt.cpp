@@ -152,8 +152,11 @@ tiltOf(const PointView& points,
   for (const double size : {patch, patch, 2 * patch}) {
     const auto normals = patchNormals(points, indices, turn, size, threads);
     Common walls = upOfWalls(normals, z, priors);
-    if (const Common other = upOfWalls(normals, commonestUp(normals), priors);
-        other.count > walls.count)
+    const Common other = upOfWalls(normals, commonestUp(normals), priors);
+    // A slope and the gables beside it are no tilted floor and its walls where there is
+    // a level floor.
+    if (other.count > walls.count && upOfSlabs(normals, other.direction, priors).count >
+                                         2 * upOfSlabs(normals, z, priors).count)
       walls = other;
     const Common slabs = upOfSlabs(normals, walls.direction, priors);
     const double angle = angleBetween(walls.direction, turn * z);

@@ -98,9 +98,10 @@ private:
         const Cells rim = cellsBeside(cells[k], other);
         sags = isStep(k, other, cells[k], cells[k].size());
         return (other == kept.front() || !rim.empty()) &&
-               (!sags || (!isStep(k, other, rim, cells[k].size()) &&
-                          heights[other].merged(heights[k]).sizes()[0] <
-                              2 * parameters_.min_step));
+               (!sags ||
+                (parameters_.is_floor && !isStep(k, other, rim, cells[k].size()) &&
+                 heights[other].merged(heights[k]).sizes()[0] <
+                     2 * parameters_.min_step));
       });
       if (same == kept.end()) {
         kept.push_back(k);

@@ -55,9 +55,11 @@ forAllNear(const FacetSheet& sheet,
   const double band = std::max(0.03, 5 * sheet.noise);
   forAllOver(sheet.grid, scan, indices,
              [&](std::size_t cell, const Eigen::Vector3d& p) {
+               if (!is_within[cell])
+                 return;
                const PlanSlab& facet =
                    sheet.facets[static_cast<std::size_t>(sheet.label[cell])];
-               if (is_within[cell] && std::abs(distanceOf(facet, p)) < band)
+               if (std::abs(distanceOf(facet, p)) < band)
                  use(cell, p);
              });
 }

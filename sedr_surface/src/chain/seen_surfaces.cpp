@@ -183,6 +183,7 @@ SeenSurfaces::SeenSurfaces(const Floorplan& plan,
     : priors_(priors)
     , grid_(grid)
     , on_slab_(2 * plan.rooms.size())
+    , beyond_(2 * plan.rooms.size())
     , rooms_near_(0.5)
     , walls_near_(0.5)
     , standing_(plan.rooms.size())
@@ -190,8 +191,9 @@ SeenSurfaces::SeenSurfaces(const Floorplan& plan,
   for (const PlanRoom& room : plan.rooms) {
     rooms_near_.addIn(boundsOf(outermostBoundary(room)),
                       static_cast<std::uint32_t>(rooms_.size()));
+    const double reach = WallTiles::reach + tiltReach(room);
     for (const VerticalSurface& surface : verticalSurfaces(room)) {
-      walls_near_.addAlong(*surface.element, WallTiles::reach + tiltReach(room),
+      walls_near_.addAlong(*surface.element, reach,
                            static_cast<std::uint32_t>(walls_.size()));
       walls_.emplace_back(surface);
       room_of_.push_back(rooms_.size());
@@ -238,8 +240,11 @@ SeenSurfaces::add(const Eigen::Vector3d& p)
     }
   const int owner = is_on ? -1 : ownerOf(p);
   for (const auto& [w, offset] : beside_)
-    if (is_on ? walls_[w].isOn(offset) : offset > 0 || owner < 0)
+    if (is_on ? walls_[w].isOn(offset) && (offset > 0 || -offset <= nearest)
+              : offset > 0 || owner < 0)
       walls_[w].add(p, offset);
+  if (owner < 0 && !is_on)
+    addBeyond(p);
   if (owner < 0)
     return;
   const auto r = static_cast<std::size_t>(owner);
@@ -250,6 +255,49 @@ SeenSurfaces::add(const Eigen::Vector3d& p)
       on_slab_[2 * r + k].insert(keyOf(grid_.at(p.x(), p.y())));
   if (nearest >= WallTiles::relief)
     addStanding(p, r);
+}
+
+void
+SeenSurfaces::addBeyond(const Eigen::Vector3d& p)
+{
+  const Eigen::Vector2d place = p.head<2>();
+  for (const std::uint32_t r : rooms_near_.at(place)) {
+    if (!rooms_[r].isWithinBoundary(place))
+      continue;
+    const double below = rooms_[r].floorAt(place) - p.z();
+    const double above = p.z() - rooms_[r].ceilingAt(place);
+    const double off = std::max(below, above);
+    if (off > off_slab && off < WallTiles::reach)
+      beyond_[2 * r + (below > above ? 0 : 1)].try_emplace(
+          keyOf(grid_.at(p.x(), p.y())), static_cast<float>(p.z()));
+  }
+}
+
+void
+SeenSurfaces::tellDoubled(std::size_t room, std::vector<PlanWarning>& warnings) const
+{
+  constexpr double told = 0.25; // of a room
+  const PlanRoom& plan = rooms_[room].room();
+  const double floor = plan.floorAt(plan.boundary.elements.front().start);
+  std::vector<PlanWarning> doubled;
+  for (const std::size_t k : {0, 1}) {
+    std::vector<CellKey> keys;
+    std::vector<double> heights;
+    for (const auto& [key, height] : beyond_[2 * room + k]) {
+      keys.push_back(key);
+      heights.push_back(height - floor);
+    }
+    const Patches found(std::move(keys), heights, grid_.size());
+    if (found.area > told * plan.area())
+      doubled.push_back({k == 0 ? WarningKind::FloorOff : WarningKind::CeilingOff,
+                         {found.area, found.low, found.high},
+                         plan.id,
+                         0,
+                         {},
+                         found.middle});
+  }
+  if (doubled.size() == 2)
+    warnings.insert(warnings.end(), doubled.begin(), doubled.end());
 }
 
 void
@@ -343,8 +391,10 @@ SeenSurfaces::tell(std::vector<PlanWarning>& warnings) const
                mouth.length() * (niche.top.heightAt(at) - niche.bottom.heightAt(at)),
                -100 * niche.boundary.elements.front().length());
     }
-  for (std::size_t r = 0; r < rooms_.size(); ++r)
+  for (std::size_t r = 0; r < rooms_.size(); ++r) {
     tellStanding(r, warnings);
+    tellDoubled(r, warnings);
+  }
 }
 
 } // namespace pcl::sedr

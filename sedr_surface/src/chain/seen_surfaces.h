@@ -122,11 +122,19 @@ private:
   int ownerOf(const Eigen::Vector3d& p) const;
 
   void addStanding(const Eigen::Vector3d& p, std::size_t room);
+
+  /** @brief Counts a point of no room below a floor or above a ceiling. */
+  void addBeyond(const Eigen::Vector3d& p);
+
+  /** @brief Warns of a floor and a ceiling that both were seen twice, as in two scans
+   * that do not fit. */
+  void tellDoubled(std::size_t room, std::vector<PlanWarning>& warnings) const;
   void tellStanding(std::size_t room, std::vector<PlanWarning>& warnings) const;
 
   Priors priors_;
   CellGrid grid_;
   std::vector<std::unordered_set<CellKey>> on_slab_; ///< floor and ceiling of each room
+  std::vector<std::map<CellKey, float>> beyond_;     ///< heights seen beyond them
   std::deque<RoomLookup> rooms_;
   PlaceTable rooms_near_;
   std::vector<WallTiles> walls_;

@@ -3,6 +3,7 @@
 
 #include <pcl/sedr_filters/floorplan_io.h>
 #include <pcl/sedr_filters/plan_editor.h>
+#include <pcl/sedr_filters/wall_shares.h>
 
 #include <gtest/gtest.h>
 
@@ -120,6 +121,24 @@ TEST(PlanEditor, AMovedWallTakesItsCornersAndHalfOfTheDoorAlong)
   EXPECT_EQ(editor.getErrorMessage(), "wall 1 would vanish");
   EXPECT_FALSE(editor.moveWall(1, 9, 1));
   EXPECT_NEAR(editor.getFloorplan().rooms[0].area(), 4.05 * 3, 1e-9);
+}
+
+TEST(PlanEditor, WhatIsSetByHandWasNotMeasured)
+{
+  Floorplan measured = twoRooms();
+  for (PlanElement& wall : measured.rooms[0].boundary.elements)
+    wall.evidence.seen = 1;
+  PlanEditor moved(measured);
+  ASSERT_TRUE(moved.moveWall(1, 4, 0.05));
+  EXPECT_EQ(wallShares(moved.getFloorplan(), moved.getFloorplan().rooms[0], 3).inferred,
+            1);
+  PlanEditor parted(measured);
+  ASSERT_TRUE(parted.split(1, {1, -1}, {1, 4}));
+  for (const std::size_t r : {0, 2}) {
+    const PlanRoom& room = parted.getFloorplan().rooms[r];
+    const std::size_t wall = room.boundary.nearest({1, 1.5});
+    EXPECT_EQ(wallShares(parted.getFloorplan(), room, wall).inferred, 1);
+  }
 }
 
 TEST(PlanEditor, AWallMovesAlongTheArcBesideIt)

@@ -72,6 +72,23 @@ TEST(ScanTilt, SlopingSlabsBetweenVerticalWallsAreNone)
   }
 }
 
+TEST(ScanTilt, ARoofDownToTheFloorIsNone)
+{
+  // Slopes of 43 degrees, square to each other but for 4 degrees, and to the gables.
+  const double rise = std::tan(43 * degree);
+  RoomPoints attic;
+  for (double x = 0.025; x < 6; x += 0.05)
+    for (double y = 0.025; y < 4; y += 0.05) {
+      attic.point(x, y, 0);
+      attic.point(x, y, rise * std::min(y, 4 - y));
+    }
+  for (double y = 0.025; y < 4; y += 0.05)
+    for (double z = 0.025; z < rise * std::min(y, 4 - y); z += 0.05)
+      for (const double x : {0.0, 6.0})
+        attic.point(x, y, z);
+  EXPECT_EQ(tiltOf(attic.view(), attic.all()).angle, 0);
+}
+
 TEST(ScanTilt, WallsOutOfPlumbBetweenLevelSlabsAreNone)
 {
   // All walls are tilted by 1.5 degrees in the same direction: the room is sheared.

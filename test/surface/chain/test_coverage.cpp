@@ -258,6 +258,33 @@ TEST(UnexplainedSurfaces, AreCeilingsOfWhichAGapAboveCupboardsShowsLittle)
     }
 }
 
+TEST(UnexplainedSurfaces, AreNotTheOtherFaceOfAThinPartitionAndTheCeilingBehindIt)
+{
+  const Floorplan plan{{planned(1, 0, 4), planned(2, 4.045, 7)}};
+  Cloud cloud = recessedRoom(0);
+  addRectangle({4.045F, 0, 0}, {0, 3, 0}, {0, 0, 2.5F}, cloud);
+  addRectangle({4.02F, 0, 2.5F}, {2.9F, 0, 0}, {0, 3, 0}, cloud);
+  EXPECT_TRUE(unexplained(cloud, plan).empty());
+}
+
+TEST(UnexplainedSurfaces, AreFloorAndCeilingOfASecondScanThatDoesNotFit)
+{
+  const Floorplan plan{{planned(1, 0, 4)}};
+  Cloud cloud = recessedRoom(0);
+  addRectangle({0, 0, 2.7F}, {4, 0, 0}, {0, 3, 0}, cloud);
+  EXPECT_TRUE(unexplained(cloud, plan).empty()) << "a void above a ceiling";
+  addRectangle({0, 0, -0.2F}, {4, 0, 0}, {0, 3, 0}, cloud);
+  const auto found = unexplained(cloud, plan);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].kind, WarningKind::FloorOff);
+  EXPECT_EQ(found[1].kind, WarningKind::CeilingOff);
+  for (const PlanWarning& warning : found) {
+    EXPECT_NEAR(warning.values[0], 12, 1.5);
+    EXPECT_NEAR(warning.values[1], warning.kind == WarningKind::FloorOff ? -0.2 : 2.7,
+                1e-3);
+  }
+}
+
 TEST(UnexplainedSurfaces, AreThingsThatReachUpToTheCeiling)
 {
   const Floorplan plan{{planned(1, 0, 4)}};

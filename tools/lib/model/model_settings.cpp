@@ -39,7 +39,7 @@ addModelOptions(Options& options, ModelSettings& s, Reconstruction& chain)
 {
   options.parameter("voxel-size", chain, &Reconstruction::getVoxelSize,
                     &Reconstruction::setVoxelSize, "m",
-                    "edge of a voxel in down-sampling", Range::between(0.005, 1));
+                    "edge of a voxel in down-sampling", Range::between(0.005, 0.05));
   options.parameter("plane-tolerance", chain, &Reconstruction::getPlaneTolerance,
                     &Reconstruction::setPlaneTolerance, "m",
                     "tolerance of the planes of ceiling and floor",
