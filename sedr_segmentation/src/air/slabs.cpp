@@ -113,15 +113,18 @@ private:
   }
 
   /** @brief Visits each region of which nothing of a slab was seen (`is_through`), or
-   * one face, with the slabs that have both faces along its rim. */
+   * one face, with the slabs that have both faces along its rim. A region too deep
+   * behind these is no slab of which a face is hidden, but has none. */
   template <typename Visitor>
   void forEachRegion(bool is_through, Visitor visit)
   {
+    constexpr double deepest = 2; // metres: area over length of rim
     for (const std::uint32_t g : places_)
       if (!hasBothFaces(g) && isThrough(g) == is_through && is_met_[g] == 0) {
         std::vector<Slab> rim;
         const std::vector<std::uint32_t> region = regionFrom(g, rim);
-        if (!rim.empty())
+        if (static_cast<double>(region.size()) * air_.columns().cellSize() <
+            deepest * static_cast<double>(rim.size()))
           visit(region, rim);
       }
   }

@@ -100,12 +100,13 @@ rectangleAround(const BuildingRoom& part, const CellGrid& grid)
 }
 
 /** @brief What each part of the air is.
- * @param is_view 1 for parts that were seen only through panes */
+ * @param behind 1 for points that were seen only through panes */
 std::vector<Verdict>
 judge(const AirGaps& air,
       const PartedAir& parted,
       const std::vector<BuildingRoom>& parts,
-      const std::vector<std::uint8_t>& is_view,
+      const PointView& points,
+      const std::vector<std::uint8_t>& behind,
       const BuildingParameters& parameters,
       const PartingParameters& of_parting)
 {
@@ -113,7 +114,9 @@ judge(const AirGaps& air,
   std::vector<double> floors;
   for (const BuildingRoom& part : parts)
     floors.push_back(part.floor);
-  const std::vector<std::uint8_t> is_image = mirrorImages(air, parted, floors);
+  const std::vector<std::uint8_t> is_image = mirrorImages(air, parted, points, floors);
+  const std::vector<std::uint8_t> is_view =
+      viewsThroughPanes(air, parted, points, behind);
   const std::vector<Access> access = accessTo(parted, of_parting);
   std::vector<Verdict> verdicts(parts.size());
   std::vector<double> levels; // floors of rooms that are large enough to make one
@@ -247,8 +250,7 @@ describe(const AirGaps& air,
   const PartedAir parted = partIntoRooms(air, of_parting);
   std::vector<BuildingRoom> parts = describeRooms(air, parted);
   const std::vector<Verdict> verdicts =
-      judge(air, parted, parts, viewsThroughPanes(air, parted, points, behind),
-            parameters, of_parting);
+      judge(air, parted, parts, points, behind, parameters, of_parting);
   const std::vector<std::uint32_t> number =
       keepRooms(std::move(parts), verdicts, building);
   building.storeys = findStoreys(building.rooms, parameters.storey_step);

@@ -11,11 +11,13 @@
 namespace pcl::sedr {
 
 /** @brief Which parts of the air are what a floor mirrors of the room above it: below
- * most of their columns, as high as the air above, and no slab between. O(gaps).
+ * most of their columns, as high as the air above, and no slab between: at half their
+ * height, by the points at their ends, is the floor. O(n) for n points.
  * @param floors main floor of each part, metres
  * @return 1 for each such part */
 std::vector<std::uint8_t> mirrorImages(const AirGaps& air,
                                        const PartedAir& parted,
+                                       const PointView& points,
                                        const std::vector<double>& floors);
 
 /** @brief Which parts of the air were seen only through panes of glass or in mirrors:

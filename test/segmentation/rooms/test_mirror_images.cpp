@@ -13,8 +13,9 @@ using namespace sedr_test;
 TEST(MirrorImages, AreAsHighAsTheRoomAboveAndBelowASingleSurface)
 {
   for (const auto& [low, high, rooms] :
-       {std::tuple(-2.49, 0.01, 1u), std::tuple(-2.69, -0.19, 2u), // below a slab
-        std::tuple(-2.79, 0.01, 2u)}) {                            // higher
+       {std::tuple(-2.49, 0.01, 1u), std::tuple(-2.51, -0.01, 1u),
+        std::tuple(-2.57, -0.07, 2u), std::tuple(-2.69, -0.19, 2u), // below a slab
+        std::tuple(-2.79, 0.01, 2u)}) {                             // higher
     AirScene scene;
     scene.room(0.05, 0.05, 4.05, 3.05, 0.01, 2.51);
     scene.room(0.05, 0.05, 4.05, 3.05, low, high);
@@ -36,6 +37,7 @@ TEST(MirrorImages, MayHaveTheirFurnitureUpsideDown)
     scene.slab(0.05, 0.05, 4.05, 3.05, z);
   for (const double z : {-0.69, 0.71})
     scene.slab(0.05, 0.05, 1.05, 2.05, z);
+  scene.slab(3.05, 0.05, 3.45, 0.45, 0.17); // a carton, its image too sparse
   scene.sides(0.05, 0.05, 4.05, 3.05, -2.49, 2.51);
   const Found found(scene);
   ASSERT_EQ(found.building.rooms.size(), 1u);
