@@ -85,6 +85,7 @@ nameOf(const Eigen::Vector3d& up, const Priors& priors)
 struct Direction {
   std::size_t axis = 2;
   int sign = 1;
+  std::size_t rival = 2; ///< another axis than z that is about as likely; 2 for none
 };
 
 /** @brief What the scan shows along three axes. */
@@ -117,19 +118,27 @@ public:
   }
 
   /** @brief Returns the direction that is by far the most likely, else z: first the
-   * axis, then its end. */
+   * axis, then its end. While another axis may be up, its end is not certain. */
   Direction best(UpDoubt& doubt, double least_area) const
   {
     Direction best;
+    std::array<double, 3> nats{}; // that an axis is more likely than z
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      nats[axis] = std::min(air_[axis].area, air_[2].area) < least_area
+                       ? -std::numeric_limits<double>::infinity()
+                       : likelihoodOfAxis(air_[axis]) - likelihoodOfAxis(air_[2]);
+      if (nats[axis] > std::max(nats[best.axis], UpDoubt::doubtful))
+        best.axis = axis;
+    }
     for (std::size_t axis = 0; axis < 2; ++axis)
-      if (const double nats = likelihoodOfAxis(air_[axis]) - likelihoodOfAxis(air_[2]);
-          std::min(air_[axis].area, air_[2].area) >= least_area &&
-          nats > std::max(doubt.nats, UpDoubt::doubtful)) {
-        doubt.nats = nats;
-        best = {axis, signOf(axis)};
-      }
-    if (best.axis == 2 && air_[2].area >= least_area && signOf(2) < 0) {
-      doubt.nats = signNats(2);
+      if (axis != best.axis && nats[axis] > nats[best.axis] - UpDoubt::doubtful / 2)
+        best.rival = axis;
+    doubt.nats = nats[best.axis];
+    if (best.axis != 2)
+      best.sign = signOf(best.axis);
+    else if (air_[2].area >= least_area && signOf(2) < 0) {
+      doubt.nats =
+          best.rival == 2 ? signNats(2) : std::min(signNats(2), UpDoubt::certain);
       best.sign = doubt.isDoubtful() ? -1 : 1;
     }
     return best;
@@ -168,14 +177,17 @@ doubtOfUp(const PointView& points,
 {
   UpDoubt doubt;
   doubt.tilt = tiltOf(points, indices, threads, priors);
-  const bool is_inclined = doubt.tilt.angle > radians(priors.max_slab_tilt);
+  const bool is_inclined = doubt.tilt.angle > UpDoubt::max_tilt;
   const Eigen::Vector3d z = is_inclined ? doubt.tilt.up : Eigen::Vector3d::UnitZ();
   const Eigen::Matrix3d turn =
       Eigen::Quaterniond::FromTwoVectors(z, Eigen::Vector3d::UnitZ())
           .toRotationMatrix();
   const AirAlongAxes air(points, indices, turn, threads);
+  const auto upOf = [&](std::size_t axis, int sign) -> Eigen::Vector3d {
+    return sign * turn.row(static_cast<Eigen::Index>(axis));
+  };
   const Direction best = air.best(doubt, 4 * priors.min_slab_area);
-  const Eigen::Vector3d up = best.sign * turn.row(static_cast<Eigen::Index>(best.axis));
+  const Eigen::Vector3d up = upOf(best.axis, best.sign);
   if (doubt.isDoubtful())
     doubt.reason = air.clauseOf(best, nameOf(up, priors), nameOf(z, priors));
   else if (is_inclined)
@@ -190,6 +202,11 @@ doubtOfUp(const PointView& points,
   if (best.axis != 2 && air.signNats(best.axis) < UpDoubt::doubtful)
     doubt.reason += text(" (or by %.5g if it is upside down then)",
                          std::acos(std::clamp(up.z(), -1.0, 1.0)) - M_PI);
+  if (best.rival != 2) {
+    const Eigen::Vector3d rival = upOf(best.rival, air.signOf(best.rival));
+    doubt.reason += " (or, as likely, by " + rotationFrom(rival) + " if " +
+                    nameOf(rival, priors) + " is up)";
+  }
   doubt.reason += ", or say --z-up if it is right as it is";
   if (is_inclined)
     doubt.nats = std::numeric_limits<double>::infinity();

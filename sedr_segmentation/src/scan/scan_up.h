@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -17,10 +18,11 @@ namespace pcl::sedr {
 struct UpDoubt {
   static constexpr double doubtful = 2; ///< nats; of right scans none reached it
   static constexpr double certain = 4;
+  static constexpr double max_tilt = 3 * M_PI / 180; ///< of a level scan, radians
 
   double nats = 0;    ///< log-likelihood of that axis, or end of z, less that of z
   std::string reason; ///< a sentence with the rotation that mends it; empty if none
-  ScanTilt tilt;      ///< of the scan, certain above 3 degrees
+  ScanTilt tilt;      ///< of the scan; certain above `max_tilt`
 
   bool isDoubtful() const { return nats > doubtful; }
   bool isCertain() const { return nats > certain; }

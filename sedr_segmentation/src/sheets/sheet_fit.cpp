@@ -134,6 +134,9 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
     if (!domain[cell])
       choice.label[cell] = FacetSheet::none;
   dropPieces(evidence, choice);
+  choice.sortBySize();
+  if (choice.facets.empty())
+    return sheet;
   fillNearest(grid, choice.label);
   if (!parameters.is_floor)
     extendBeams(evidence, choice);
@@ -141,8 +144,6 @@ fitSheet(const std::vector<Eigen::Vector3d>& points,
     if (!domain[cell])
       choice.label[cell] = FacetSheet::none;
   choice.sortBySize();
-  if (choice.facets.empty())
-    return sheet;
   sheet.label = choice.label;
   fillNearest(grid, sheet.label);
 

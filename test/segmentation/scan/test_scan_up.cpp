@@ -108,6 +108,17 @@ TEST(ScanUp, OfAVaultBelowAFloorIsDoubted)
   EXPECT_NE(doubt.reason.find("upside down"), std::string::npos) << doubt.reason;
 }
 
+TEST(ScanUp, OfARoomAsWideAsHighNamesBothAxesThatMayBeUp)
+{
+  RoomPoints room(0.05);
+  room.room(rectangle(0, 0, 3, 2.8), 0, 10);
+  room.slab(rectangle(0, 0, 1.5, 2.8), 9);
+  const UpDoubt doubt = doubtOf(room);
+  EXPECT_TRUE(doubt.isDoubtful()) << doubt.nats;
+  EXPECT_NE(doubt.reason.find("y seems to be up, not z"), std::string::npos);
+  EXPECT_NE(doubt.reason.find("x is up)"), std::string::npos) << doubt.reason;
+}
+
 TEST(ScanUp, OfEmptyRoomsCorridorsAndHallsIsNotDoubted)
 {
   for (const Eigen::Vector3d& size :

@@ -388,8 +388,10 @@ TEST(PointsOfRisers, AreNoneOfTheWalls)
   EXPECT_TRUE(pointsOfRisers(sheet, PointView(wall), {}).empty());
 }
 
-TEST(FitSheet, TooFewPointsMakeNoSheet)
+TEST(FitSheet, TooFewPointsOrTooSmallAnAreaMakeNoSheet)
 {
+  EXPECT_TRUE(
+      fitted(sceneOf(0.4, 0.4, [](double, double) { return 3; })).facets.empty());
   Scene scene = sceneOf(6, 4, gable);
   scene.points.resize(20);
   EXPECT_TRUE(fitted(scene).facets.empty());
