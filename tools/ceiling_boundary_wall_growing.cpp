@@ -7,7 +7,6 @@
 #include <pcl/sedr_segmentation/ceiling_boundary_wall_growing.h>
 
 #include <algorithm>
-#include <limits>
 
 using namespace pcl::sedr::tools;
 using pcl::sedr::StructureLabel;

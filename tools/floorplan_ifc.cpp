@@ -6,8 +6,6 @@
 
 #include <pcl/sedr_surface/floorplan_ifc.h>
 
-#include <string>
-
 using namespace pcl::sedr::tools;
 
 namespace {

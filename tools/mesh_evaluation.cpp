@@ -6,13 +6,11 @@
 #include "tool_error.h"
 
 #include <pcl/common/point_tests.h>
-#include <pcl/sedr_surface/mesh_distance.h>
 #include <pcl/sedr_surface/mesh_evaluation.h>
 #include <pcl/sedr_surface/mesh_io.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <iostream>
 #include <sstream>
 
 using namespace pcl::sedr::tools;

@@ -11,7 +11,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <vector>
 
 using namespace pcl::sedr::tools;
 using pcl::sedr::Building;

@@ -7,7 +7,6 @@
 #include <boost/algorithm/string/join.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <sstream>

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <sys/resource.h>
 #include <sys/types.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -25,7 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace programs;
-using pcl::sedr::tools::InterruptGuard;
 using pcl::sedr::tools::OutputFolder;
 using pcl::sedr::tools::ToolError;
 using Strings = std::vector<std::string>;
@@ -54,23 +52,6 @@ protected:
     return names;
   }
 };
-
-TEST(InterruptGuard, WithoutAFreeDescriptorInterruptsEndTheProcess)
-{
-  const pid_t child = fork();
-  if (child == 0) {
-    const rlimit none{0, 0};
-    setrlimit(RLIMIT_NOFILE, &none);
-    alarm(10); // if it hangs
-    InterruptGuard guard;
-    guard.watch([] { _exit(1); });
-    raise(SIGTERM);
-    _exit(2);
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
-  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGTERM) << status;
-}
 
 TEST_F(ResultSet, ReplacesTheOneOfAnEarlierRunAndNothingElse)
 {

@@ -119,27 +119,39 @@ agreement(const Positions& points, const PlanSlab& slab, double tolerance)
   return sum;
 }
 
+Eigen::Vector3d
+meanOf(const Positions& points)
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const auto& p : points)
+    sum += p.cast<double>();
+  return sum / static_cast<double>(points.size());
+}
+
+/** @brief Returns the horizontal slab of least squares, without its residual. */
+PlanSlab
+bestLevel(const Positions& points)
+{
+  PlanSlab slab = horizontalSlab(meanOf(points).z());
+  slab.inliers = points.size();
+  return slab;
+}
+
 /** @brief Returns the least-squares slab, without its residual. */
 PlanSlab
 bestSlab(const Positions& points)
 {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const auto& p : points)
-    mean += p.cast<double>();
-  if (!points.empty())
-    mean /= static_cast<double>(points.size());
-
+  const Eigen::Vector3d mean = meanOf(points);
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
   for (const auto& p : points) {
     const Eigen::Vector3d d = p.cast<double>() - mean;
     scatter += d * d.transpose();
   }
-  PlanSlab slab = horizontalSlab(mean.z());
-  slab.inliers = points.size();
+  PlanSlab slab = bestLevel(points);
   const SymmetricEigen<3> eigen = symmetricEigen(scatter);
   const Eigen::Vector3d normal = eigen.vectors.col(0);
   const bool is_flat = eigen.values[1] > 1e-6 * eigen.values[2];
-  if (points.size() >= 3 && is_flat && std::abs(normal.z()) > 0.5) {
+  if (is_flat && std::abs(normal.z()) > 0.5) {
     const Eigen::Vector3d up = normal.z() < 0 ? Eigen::Vector3d(-normal) : normal;
     slab.plane << up, -up.dot(mean);
   }
@@ -158,8 +170,14 @@ positionsOf(const PointView& points, const std::vector<int>& indices)
   return positions;
 }
 
+namespace {
+
+/** @brief Fits a slab by `best`, of the points in a band, as fitSlabRobustly() does. */
 PlanSlab
-fitSlabRobustly(const Positions& points, const PlanSlab& start, double band)
+fitRobustly(const Positions& points,
+            const PlanSlab& start,
+            double band,
+            PlanSlab (*best)(const Positions&))
 {
   PlanSlab slab = start;
   const double widest = band;
@@ -169,7 +187,7 @@ fitSlabRobustly(const Positions& points, const PlanSlab& start, double band)
     keepWithinBand(points, slab, band, inside);
     if (inside.size() < 3 || inside == fitted) // the same points give the same fit
       break;
-    slab = bestSlab(inside);
+    slab = best(inside);
     std::vector<double> distances;
     slab.residual = residualOf(inside, slab, distances);
     band = shrunk(robustDeviation(std::move(distances)), widest);
@@ -178,43 +196,13 @@ fitSlabRobustly(const Positions& points, const PlanSlab& start, double band)
   return slab;
 }
 
-namespace {
-
-/** @brief Fits a plane as fitSlabRobustly(), with the normal of `direction`. */
-PlanSlab
-fitParallel(const Positions& points,
-            const PlanSlab& direction,
-            const PlanSlab& start,
-            double band)
-{
-  PlanSlab slab = start;
-  slab.plane.head<3>() = direction.plane.head<3>();
-  Positions inside;
-  keepWithinBand(points, start, band, inside);
-  // Rotated about the points, not about the origin, which may be far away.
-  std::vector<double> offsets;
-  for (const auto& p : inside)
-    offsets.push_back(distanceAbove(slab, p));
-  if (!offsets.empty())
-    slab.plane[3] -= middleValue(std::move(offsets));
-  const double widest = band;
-  for (int round = 0; round < 6; ++round) {
-    keepWithinBand(points, slab, band, inside);
-    if (inside.empty())
-      break;
-    double sum = 0;
-    for (const auto& p : inside)
-      sum += distanceAbove(slab, p);
-    slab.plane[3] -= sum / static_cast<double>(inside.size());
-    slab.inliers = inside.size();
-    std::vector<double> distances;
-    slab.residual = residualOf(inside, slab, distances);
-    band = shrunk(robustDeviation(std::move(distances)), widest);
-  }
-  return slab;
-}
-
 } // namespace
+
+PlanSlab
+fitSlabRobustly(const Positions& points, const PlanSlab& start, double band)
+{
+  return fitRobustly(points, start, band, bestSlab);
+}
 
 PlanSlab
 findSlab(const Positions& points,
@@ -254,7 +242,7 @@ findSlab(const Positions& points,
       fitSlabRobustly(points, slabs[static_cast<std::size_t>(best)], tolerance);
   return refined.plane[2] >= minimum_cosine
              ? refined
-             : fitParallel(points, level, level, tolerance);
+             : fitRobustly(points, level, tolerance, bestLevel);
 }
 
 namespace {

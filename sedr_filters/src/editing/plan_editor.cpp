@@ -3,7 +3,6 @@
 #include "plan_outlines.h"
 #include "room_references.h"
 
-#include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_filters/plan_editor.h>
 #include <pcl/sedr_filters/plan_measures.h>
 
@@ -11,9 +10,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace pcl::sedr {

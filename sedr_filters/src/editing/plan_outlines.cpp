@@ -18,7 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <utility>
-#include <vector>
 
 namespace pcl::sedr {
 namespace {

@@ -2,8 +2,6 @@
 #include "disjoint_sets.h"
 #include <pcl/sedr_filters/cell_grid.h>
 
-#include <algorithm>
-#include <cassert>
 #include <functional>
 #include <iterator>
 #include <numeric>

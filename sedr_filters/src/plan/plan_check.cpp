@@ -8,7 +8,6 @@
 #include <cmath>
 #include <set>
 #include <stdexcept>
-#include <string>
 
 namespace pcl::sedr {
 

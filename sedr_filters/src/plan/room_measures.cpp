@@ -61,9 +61,7 @@ clearHeight(const PlanRoom& room)
 {
   constexpr double usual_step = 0.05;
   constexpr double max_samples = 1e6;
-  Eigen::AlignedBox2d box;
-  for (const auto& corner : room.boundary.polygon(0.01))
-    box.extend(corner);
+  const Eigen::AlignedBox2d box = boundsOf(room.boundary);
   ClearHeight found;
   if (box.isEmpty())
     return found;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../grids/disjoint_sets.h"
+#include "plan_bounds.h"
 
 #include <pcl/sedr_filters/plan_measures.h>
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -116,12 +115,7 @@ namedStoreys(const Floorplan& plan, const std::vector<RoomHeights>& heights)
 RoomHeights
 heightsOf(const PlanRoom& room)
 {
-  Eigen::AlignedBox2d box;
-  for (const PlanElement& e : room.boundary.elements) {
-    box.extend(e.start);
-    if (e.isArc())
-      box.extend(e.pointAt(e.length() / 2));
-  }
+  const Eigen::AlignedBox2d box = boundsOf(room.boundary);
   const Eigen::Vector2d middle =
       box.isEmpty() ? Eigen::Vector2d(0, 0) : Eigen::Vector2d(box.center());
   // A vault ends at its side lines: beside it is another facet.

@@ -9,7 +9,6 @@
 #include <pcl/search/kdtree.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../base/number_text.h"
 #include "../base/parallel_for.h"
+#include "../plan/plan_bounds.h"
 #include "../plan/plan_surfaces.h"
 #include "../plan/room_lookup.h"
 #include "../rays/cube_points.h"
@@ -8,14 +9,10 @@
 #include <pcl/sedr_filters/impl/refinement.h>
 #include <pcl/sedr_filters/tilted_walls.h>
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <map>
-#include <vector>
 
 namespace pcl::sedr {
 namespace {
@@ -51,16 +48,6 @@ partsOf(const Eigen::Vector3d& normal)
 /** @brief Lower risers are not steps but two fits of the same height, metres. */
 constexpr double min_riser = 0.01;
 
-/** @brief Returns the bounding box of a loop's polygon. */
-Eigen::AlignedBox2d
-boxOf(const PlanLoop& loop, double tolerance)
-{
-  Eigen::AlignedBox2d box;
-  for (const auto& corner : loop.polygon(tolerance))
-    box.extend(corner);
-  return box;
-}
-
 /** @brief Estimates the number of cells of a room; in plan, of the box around it. */
 double
 estimatedCells(const PlanRoom& room, double size)
@@ -72,7 +59,7 @@ estimatedCells(const PlanRoom& room, double size)
     cells += (length / size + 1) * (std::max(0.0, span.high - span.low) / size + 1);
   }
   const auto addSheets = [&](const PlanLoop& loop) {
-    cells += 2 * boxOf(loop, size / 10).sizes().prod() / (size * size);
+    cells += 2 * boundsOf(loop).sizes().prod() / (size * size);
   };
   if (!room.boundary.elements.empty())
     addSheets(room.boundary);
@@ -189,7 +176,7 @@ private:
   template <typename PointAt>
   void addSheet(const PlanLoop& loop, PointAt pointAt)
   {
-    const Eigen::AlignedBox2d box = boxOf(loop, size_ / 10);
+    const Eigen::AlignedBox2d box = boundsOf(loop);
     if (box.isEmpty())
       return;
     const Eigen::Vector2d extent = box.sizes() / size_;

@@ -2,19 +2,14 @@
 #include "../base/field_access.h"
 #include "../voxels/voxel_sums.h"
 
-#include <pcl/PCLPointField.h>
-#include <pcl/sedr_filters/point_view.h>
 #include <pcl/sedr_filters/stage_error.h>
 #include <pcl/sedr_filters/voxel_grid_settings.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <sstream>
-#include <utility>
-#include <vector>
 
 namespace pcl::sedr {
 namespace {

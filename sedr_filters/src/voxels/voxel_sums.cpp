@@ -8,13 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <mutex>
 #include <numeric>
 #include <tuple>
-#include <vector>
 
 namespace pcl::sedr {
 namespace {

@@ -6,8 +6,6 @@
 #include "../base/parallel.h"
 #include "../plan/plan_surfaces.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <map>

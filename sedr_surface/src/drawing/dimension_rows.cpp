@@ -7,7 +7,6 @@
 #include <pcl/sedr_filters/wall_shares.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace pcl::sedr {

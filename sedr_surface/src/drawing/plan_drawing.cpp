@@ -8,7 +8,6 @@
 #include <pcl/sedr_filters/plan_measures.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace pcl::sedr {

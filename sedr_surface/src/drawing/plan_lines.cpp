@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_lines.h"
 
-#include "../overhead/ceiling_lines.h"
 #include "sedr_filters/src/base/number_text.h"
 #include "sedr_filters/src/walls/plan_walls.h"
 
@@ -11,7 +10,6 @@
 #include <pcl/sedr_filters/wall_shares.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace pcl::sedr {

@@ -12,7 +12,6 @@
 #include <iterator>
 #include <sstream>
 #include <tuple>
-#include <utility>
 
 namespace pcl::sedr {
 

@@ -11,29 +11,6 @@ namespace {
 constexpr double overshoot = 0.1; ///< of an opening beyond both faces, metres
 constexpr double beside = 0.15;   ///< of a wall, where a doorway in it may lie, metres
 
-/** @brief Returns the extent of a wall behind its face (negative y) and in front of it,
- * in its frame. The chord of a curved wall is on the x axis. */
-Eigen::AlignedBox2d
-boxOfWall(const Floorplan& plan, const WrittenWall& written)
-{
-  const PlanWall& wall = written.wall;
-  Eigen::AlignedBox2d box;
-  const PlanElement& element = elementOf(plan, wall.face);
-  if (!element.isArc()) {
-    for (const Eigen::Vector2d& corner : wall.outline)
-      box.extend(corner);
-    return box;
-  }
-  constexpr int samples = 16;
-  for (int i = 0; i <= samples; ++i) {
-    const auto [place, inward] =
-        faceAt(element, wall.stretch.from + wall.stretch.length() * i / samples);
-    box.extend(written.frame.toLocal(place));
-    box.extend(written.frame.toLocal(place - wall.thickness * inward));
-  }
-  return box;
-}
-
 /** @brief Returns the box of a doorway across a wall; no_area if it is not in this
  * wall. */
 bool
@@ -54,7 +31,7 @@ boxIn(const Floorplan& plan,
   if (behind < -reach || behind > written.wall.thickness + reach ||
       std::abs(way.dot(inward)) > std::sqrt(1 - cosine * cosine))
     return false;
-  const Eigen::AlignedBox2d wall = boxOfWall(plan, written);
+  const Eigen::AlignedBox2d& wall = written.box;
   const Eigen::Vector2d a = frame.toLocal(doorway.start);
   const Eigen::Vector2d b = frame.toLocal(doorway.end);
   const double from = std::min(a.x(), b.x());

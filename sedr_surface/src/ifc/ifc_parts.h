@@ -45,8 +45,9 @@ struct WrittenWall {
   StepRef placement{}; ///< of the frame, z from the wall's bottom
   double bottom = 0;   ///< metres
   double top = 0;
-  WallRuns runs{};    ///< of a tilted wall
-  PlanArea profile{}; ///< in the frame
+  WallRuns runs{};           ///< of a tilted wall
+  PlanArea profile{};        ///< in the frame
+  Eigen::AlignedBox2d box{}; ///< from face to face, in the frame
 };
 
 /** @brief Adds a space with quantities for each room. */

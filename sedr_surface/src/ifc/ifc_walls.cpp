@@ -171,6 +171,7 @@ writeWalls(IfcDocument& document)
     added.top = heights.highest();
     added.runs = runsOf(plan, wall);
     added.profile = profileOf(site);
+    added.box = boundsOf(site.band.boundary);
     endAtBodies(document, site, added);
     if (isWhollyOpen(plan, added, gaps))
       continue;

@@ -9,12 +9,9 @@
 #include "sedr_filters/src/plan/room_lookup.h"
 #include "sedr_segmentation/src/curves/contour.h"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 #include <tuple>
-#include <utility>
 
 namespace pcl::sedr {
 namespace {

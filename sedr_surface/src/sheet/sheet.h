@@ -5,7 +5,6 @@
 
 #include <Eigen/Geometry>
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <utility>

@@ -3,74 +3,42 @@
 
 #include "sheet.h"
 
-#include <boost/geometry/strategies/cartesian/box_in_box.hpp>
+#include <boost/geometry.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl::sedr {
 
-namespace index = boost::geometry::index;
+namespace geometry = boost::geometry;
+namespace index = geometry::index;
 
-namespace {
-
-Eigen::Vector2d
-left(const Eigen::Vector2d& way)
+/** @brief Returns the corners, a hair inside: boxes that touch do not meet. */
+TextBox::Outline
+TextBox::outline() const
 {
-  return {-way.y(), way.x()};
-}
-
-/** @brief Returns whether a straight line separates two boxes. */
-bool
-isParted(const TextBox& a, const TextBox& b)
-{
-  const Eigen::Vector2d way = a.way();
-  const Eigen::Vector2d other = b.way();
-  const Eigen::Vector2d between = b.middle - a.middle;
-  const auto reach = [&](const Eigen::Vector2d& axis) {
-    return b.half_size.x() * std::abs(other.dot(axis)) +
-           b.half_size.y() * std::abs(left(other).dot(axis));
-  };
-  return std::abs(between.dot(way)) >= a.half_size.x() + reach(way) ||
-         std::abs(between.dot(left(way))) >= a.half_size.y() + reach(left(way));
-}
-
-} // namespace
-
-Eigen::Vector2d
-TextBox::way() const
-{
-  const double turn = degrees * M_PI / 180;
-  return {std::cos(turn), std::sin(turn)};
+  constexpr double hair = 1e-9;
+  const Eigen::Rotation2Dd turn(degrees * M_PI / 180);
+  Outline outline;
+  for (const auto& [x, y] : {std::pair(-1, -1), {-1, 1}, {1, 1}, {1, -1}, {-1, -1}}) {
+    const Eigen::Vector2d half = half_size - Eigen::Vector2d::Constant(hair);
+    const Eigen::Vector2d corner =
+        middle + turn * half.cwiseProduct(Eigen::Vector2d(x, y));
+    outline.emplace_back(corner.x(), corner.y());
+  }
+  return outline;
 }
 
 bool
 TextBox::meets(const TextBox& other) const
 {
-  return !isParted(*this, other) && !isParted(other, *this);
+  return geometry::intersects(outline(), other.outline());
 }
 
 bool
 TextBox::meets(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const
 {
-  // Clips the line to each pair of sides.
-  double first = 0;
-  double last = 1;
-  for (int k = 0; k < 2; ++k) {
-    const Eigen::Vector2d axis = k == 0 ? way() : left(way());
-    const double start = (from - middle).dot(axis);
-    const double step = (to - from).dot(axis);
-    if (step == 0) {
-      if (std::abs(start) >= half_size[k])
-        return false;
-      continue;
-    }
-    const double a = (-half_size[k] - start) / step;
-    const double b = (half_size[k] - start) / step;
-    first = std::max(first, std::min(a, b));
-    last = std::min(last, std::max(a, b));
-  }
-  return first < last;
+  const geometry::model::segment<Corner> line({from.x(), from.y()}, {to.x(), to.y()});
+  return geometry::intersects(line, outline());
 }
 
 Eigen::Vector2d
@@ -99,12 +67,7 @@ readableAngle(const Eigen::Vector2d& way)
 TextPlaces::Bounds
 TextPlaces::boundsOf(const TextBox& box)
 {
-  const Eigen::Vector2d way = box.way().cwiseAbs();
-  const Eigen::Vector2d reach(box.half_size.dot(way),
-                              box.half_size.dot(Eigen::Vector2d(way.y(), way.x())));
-  const Eigen::Vector2d low = box.middle - reach;
-  const Eigen::Vector2d high = box.middle + reach;
-  return {{low.x(), low.y()}, {high.x(), high.y()}};
+  return geometry::return_envelope<Bounds>(box.outline());
 }
 
 void
@@ -137,7 +100,7 @@ TextPlaces::meetsAny(const TextBox& box, const Tree<Line>& lines)
 bool
 TextPlaces::isFree(const TextBox& box) const
 {
-  return boost::geometry::covered_by(boundsOf(box), page_) &&
+  return geometry::covered_by(boundsOf(box), page_) &&
          std::none_of(taken_.qbegin(index::intersects(boundsOf(box))), taken_.qend(),
                       [&](const auto& other) { return box.meets(other.second); }) &&
          !meetsAny(box, lines_);

@@ -6,9 +6,9 @@
 #include <Eigen/Core>
 
 #define BOOST_ALLOW_DEPRECATED_HEADERS // Boost.Geometry includes one
-#include <boost/geometry/algorithms/covered_by.hpp>
 #include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/ring.hpp>
 #include <boost/geometry/index/rtree.hpp>
 
 #include <cmath>
@@ -21,11 +21,14 @@ namespace pcl::sedr {
 
 /** @brief The rectangle that a text occupies on paper, rotated with it; millimetres. */
 struct TextBox {
+  using Corner = boost::geometry::model::d2::point_xy<double>;
+  using Outline = boost::geometry::model::ring<Corner>;
+
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   Eigen::Vector2d half_size = Eigen::Vector2d::Zero();
   double degrees = 0; ///< counter-clockwise
 
-  Eigen::Vector2d way() const;
+  Outline outline() const;
   bool meets(const TextBox& other) const;
   bool meets(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
 };
@@ -65,9 +68,7 @@ public:
   std::optional<TextBox> takeFirst(const std::vector<TextBox>& boxes);
 
 private:
-  using Corner =
-      boost::geometry::model::point<double, 2, boost::geometry::cs::cartesian>;
-  using Bounds = boost::geometry::model::box<Corner>;
+  using Bounds = boost::geometry::model::box<TextBox::Corner>;
   template <typename ShapeT>
   using Tree = boost::geometry::index::rtree<std::pair<Bounds, ShapeT>,
                                              boost::geometry::index::quadratic<16>>;

@@ -2,7 +2,6 @@
 #include "room_layers.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace pcl::sedr {
 namespace {

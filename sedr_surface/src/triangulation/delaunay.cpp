@@ -3,8 +3,6 @@
 
 #include <boost/polygon/voronoi.hpp>
 
-#include <algorithm>
-
 namespace pcl::sedr {
 namespace {
 
@@ -30,27 +28,6 @@ cutPolygon(const std::vector<GridPoint>& points,
   return true;
 }
 
-/** @brief Returns twice the area of the convex hull of two or more points. */
-std::int64_t
-hullArea(std::vector<GridPoint> points)
-{
-  std::sort(points.begin(), points.end());
-  std::int64_t area = 0;
-  for (int side = 0; side < 2; ++side) {
-    std::vector<GridPoint> chain;
-    for (const GridPoint& p : points) {
-      while (chain.size() >= 2 && turn(chain[chain.size() - 2], chain.back(), p) <= 0)
-        chain.pop_back();
-      chain.push_back(p);
-    }
-    // A fan from the chain's first point; both chains share their end points.
-    for (std::size_t i = 2; i < chain.size(); ++i)
-      area += turn(chain[0], chain[i - 1], chain[i]);
-    std::reverse(points.begin(), points.end());
-  }
-  return area;
-}
-
 } // namespace
 
 bool
@@ -73,10 +50,7 @@ delaunay(const std::vector<GridPoint>& points, PlanTriangles& triangles)
     if (!cutPolygon(points, std::move(polygon), triangles))
       return false;
   }
-  std::int64_t area = 0;
-  for (const auto& t : triangles)
-    area += turn(points[t[0]], points[t[1]], points[t[2]]);
-  return area == hullArea(points);
+  return true;
 }
 
 } // namespace pcl::sedr

@@ -6,7 +6,6 @@
 #include <boost/algorithm/string/join.hpp>
 #include <boost/program_options.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>

@@ -11,7 +11,6 @@
 #include "formats/scan_formats.h"
 
 #include <filesystem>
-#include <optional>
 #include <utility>
 
 namespace pcl::sedr::tools {

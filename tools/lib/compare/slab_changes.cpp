@@ -3,10 +3,9 @@
 #include "element_changes.h"
 
 #include "sedr_filters/src/base/middle_value.h"
+#include "sedr_filters/src/plan/plan_bounds.h"
 #include <pcl/sedr_filters/cell_grid.h>
 #include <pcl/sedr_filters/plan_measures.h>
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -35,9 +34,7 @@ void
 addSpots(const PlanRoom& room, bool is_floor, Spots& all)
 {
   const CellGrid grid(cell_size);
-  Eigen::AlignedBox2d box;
-  for (const auto& corner : room.boundary.polygon(0.01))
-    box.extend(corner);
+  const Eigen::AlignedBox2d box = boundsOf(room.boundary);
   if (box.isEmpty())
     return;
   const RoomHeights heights = heightsOf(room);

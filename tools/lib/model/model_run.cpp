@@ -25,10 +25,8 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <functional>
 #include <iostream>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace pcl::sedr::tools {

@@ -22,6 +22,24 @@ namespace fs = std::filesystem;
 
 namespace {
 
+const int end_of_run = SIGRTMIN; ///< sent to the thread that awaits interrupts
+
+/** @brief Returns interrupts, except those that the process ignores, as under nohup. */
+sigset_t
+awaitedSignals()
+{
+  sigset_t awaited;
+  sigemptyset(&awaited);
+  sigaddset(&awaited, end_of_run);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction action {};
+    sigaction(number, nullptr, &action);
+    if (action.sa_handler != SIG_IGN)
+      sigaddset(&awaited, number);
+  }
+  return awaited;
+}
+
 [[noreturn]] void
 refuse(const fs::path& folder, const std::string& reason)
 {
@@ -37,6 +55,9 @@ OutputFolder::OutputFolder(const std::string& path, std::vector<std::string> inp
     , part_(path_ / ".pcl_sedr.part")
     , inputs_(std::move(inputs))
 {
+  // Threads that are started later leave interrupts to the one that awaits them.
+  const sigset_t awaited = awaitedSignals();
+  pthread_sigmask(SIG_BLOCK, &awaited, &blocked_before_);
   std::error_code error;
   for (fs::path folder = path_;
        !fs::exists(fs::symlink_status(folder, error)) && folder != folder.root_path();
@@ -49,17 +70,21 @@ OutputFolder::OutputFolder(const std::string& path, std::vector<std::string> inp
     lock();
     for (const auto& entry : fs::directory_iterator(part_)) // of a run that was killed
       fs::remove_all(entry, error);
-    guard_.watch([this] { endEarly(); });
+    interrupts_ = std::thread([this, awaited] { awaitInterrupt(awaited); });
   }
   catch (...) {
     clean();
+    pthread_sigmask(SIG_SETMASK, &blocked_before_, nullptr);
     throw;
   }
 }
 
 OutputFolder::~OutputFolder()
 {
+  pthread_kill(interrupts_.native_handle(), end_of_run);
+  interrupts_.join(); // or an interrupt ends the process
   clean();
+  pthread_sigmask(SIG_SETMASK, &blocked_before_, nullptr);
 }
 
 /** @brief Creates the hidden folder and locks it. */
@@ -94,17 +119,26 @@ OutputFolder::clean() const
     fs::remove(folder, error); // only if it is empty
 }
 
-/** @brief Removes the hidden folder while other threads may still write into it. */
+/** @brief Removes the hidden folder at an interrupt, while other threads may still
+ * write into it, then lets the interrupt end the process. */
 void
-OutputFolder::endEarly() const
+OutputFolder::awaitInterrupt(sigset_t awaited)
 {
+  int number = 0;
+  if (sigwait(&awaited, &number) != 0 || number == end_of_run)
+    return;
+  const std::lock_guard<std::mutex> lock(moving_);
   constexpr int most_tries = 1000;
   std::error_code error;
   for (int k = 0; k < most_tries && fs::exists(part_, error); ++k)
     fs::remove_all(part_, error);
   for (const auto& folder : missing_)
-    fs::remove(folder, error);
-  say("interrupted: nothing was written");
+    fs::remove(folder, error); // only if it is empty
+  if (!is_moved_)
+    say("interrupted: nothing was written");
+  std::signal(number, SIG_DFL);
+  pthread_sigmask(SIG_SETMASK, &blocked_before_, nullptr);
+  raise(number);
 }
 
 bool
@@ -173,7 +207,8 @@ OutputFolder::exchange()
   for (const auto& file : old)
     if (const fs::path folder = fs::path(file).parent_path(); folder != path_)
       emptied.push_back(folder);
-  guard_.stop(); // the set becomes whole, which takes no time
+  const std::lock_guard<std::mutex> lock(moving_); // interrupts wait
+  is_moved_ = true;
   int problem = 0;
   for (const auto& [from, to] : moves)
     if (problem == 0 && rename(from.c_str(), to.c_str()) != 0)

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "interrupt_guard.h"
-
+#include <csignal>
 #include <filesystem>
+#include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace pcl::sedr::tools {
@@ -41,7 +42,7 @@ public:
 private:
   void lock();
   void clean() const;
-  void endEarly() const;
+  void awaitInterrupt(sigset_t awaited);
   bool isInput(const std::filesystem::path& file) const;
 
   std::filesystem::path path_;
@@ -49,7 +50,10 @@ private:
   std::vector<std::string> inputs_;
   std::vector<std::filesystem::path> missing_; ///< folders created, innermost first
   int lock_ = -1;
-  InterruptGuard guard_;
+  sigset_t blocked_before_{};
+  std::mutex moving_; ///< held while files are moved, or removed
+  bool is_moved_ = false;
+  std::thread interrupts_;
 };
 
 } // namespace pcl::sedr::tools

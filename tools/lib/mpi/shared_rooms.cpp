@@ -7,7 +7,6 @@
 #include <boost/serialization/string.hpp>
 
 #include <sstream>
-#include <type_traits>
 #include <utility>
 #include <vector>
 

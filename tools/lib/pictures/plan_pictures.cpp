@@ -5,7 +5,6 @@
 #include "sedr_filters/src/plan/plan_bounds.h"
 #include "sedr_surface/src/drawing/text_spot.h"
 
-#include <algorithm>
 #include <array>
 #include <iterator>
 

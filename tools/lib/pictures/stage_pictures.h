@@ -8,7 +8,6 @@
 #include <pcl/sedr_segmentation/floorplan_fitting.h>
 
 #include <map>
-#include <string>
 #include <unordered_map>
 #include <vector>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_rules.h"
 
+#include "sedr_filters/src/plan/plan_bounds.h"
+
 #include <algorithm>
 
 namespace pcl::sedr::tools {
@@ -24,9 +26,7 @@ PlanRules::PlanRules(const Floorplan& plan)
 void
 PlanRules::addRoom(const PlanRoom& room, Ceilings& ceilings)
 {
-  Eigen::AlignedBox2d box;
-  for (const auto& corner : room.boundary.polygon(0.01))
-    box.extend(corner);
+  const Eigen::AlignedBox2d box = boundsOf(room.boundary);
   if (box.isEmpty())
     return;
   const RoomHeights heights = heightsOf(room);

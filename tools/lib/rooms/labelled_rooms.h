@@ -7,7 +7,6 @@
 #include "sedr_segmentation/src/rooms/room_planes.h"
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace pcl::sedr::tools {

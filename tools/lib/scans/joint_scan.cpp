@@ -2,6 +2,7 @@
 #include "joint_scan.h"
 
 #include "bytes/input_file.h"
+#include "bytes/whole_file.h"
 #include "run_tool.h"
 #include "tool_error.h"
 #include "written_files.h"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 
@@ -26,10 +26,9 @@ isScanName(const fs::path& path)
 {
   constexpr std::array<const char*, 6> known{".pcd", ".ply", ".e57",
                                              ".las", ".xyz", ".pts"};
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  return std::find(known.begin(), known.end(), extension) != known.end();
+  return std::any_of(known.begin(), known.end(), [&](const char* extension) {
+    return hasExtension(path.string(), extension);
+  });
 }
 
 std::vector<std::string>

@@ -8,6 +8,7 @@
 #include <pcl/sedr_surface/mesh_distance.h>
 
 #include <vtkCellArray.h>
+#include <vtkCleanPolyData.h>
 #include <vtkFeatureEdges.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -268,23 +269,10 @@ Shapes::of(const std::string& layer, const ViewState& state) const
 vtkSmartPointer<vtkPolyData>
 Shapes::solidEdges(const ViewState& state) const
 {
-  const TriangleMesh& solid = result_.mesh("solid");
-  vtkNew<vtkPoints> points;
-  for (const Eigen::Vector3d& vertex : solid.vertices)
-    points->InsertNextPoint(vertex.data());
-  vtkNew<vtkCellArray> triangles;
-  for (std::size_t t = 0; t < solid.triangles.size(); ++t)
-    if (shows(labelOf(solid, t), solid.rooms.empty() ? 0 : solid.rooms[t],
-              centreOf(solid, t), state)) {
-      triangles->InsertNextCell(3);
-      for (const auto v : solid.triangles[t])
-        triangles->InsertCellPoint(v);
-    }
-  vtkNew<vtkPolyData> surface;
-  surface->SetPoints(points);
-  surface->SetPolys(triangles);
+  vtkNew<vtkCleanPolyData> joined; // its triangles have points of their own
+  joined->SetInputData(of("solid", state));
   vtkNew<vtkFeatureEdges> edges;
-  edges->SetInputData(surface);
+  edges->SetInputConnection(joined->GetOutputPort());
   edges->SetFeatureAngle(15); // chords of arcs bend by less
   edges->ColoringOff();
   edges->Update();

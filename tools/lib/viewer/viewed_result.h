@@ -7,7 +7,6 @@
 #include <pcl/sedr_filters/floorplan.h>
 #include <pcl/sedr_surface/triangle_mesh.h>
 
-#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>

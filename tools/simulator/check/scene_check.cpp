@@ -155,7 +155,7 @@ prismsOf(const Object& object)
   for (const Box& box : object.boxes) {
     const double rise = 0.5 * box.size.z();
     prisms.push_back(
-        {polygonLoop(cornersOf(box)), box.center.z() - rise, box.center.z() + rise});
+        {loopOf(cornersOf(box)), box.center.z() - rise, box.center.z() + rise});
   }
   for (const Cylinder& cylinder : object.cylinders)
     prisms.push_back({circleLoop(plan(cylinder.base), cylinder.radius),

@@ -2,7 +2,6 @@
 #include "room_mesher.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <sstream>
 #include <stdexcept>

@@ -4,7 +4,6 @@
 #include <embree3/rtcore.h>
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace pcl::sedr::sim {

@@ -3,7 +3,6 @@
 
 #include "simulator/mesh/scene_mesh.h"
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>

@@ -35,7 +35,7 @@ clipped(const Polygon& polygon, const Vec2& normal, double limit)
 SlabDetail
 facetOver(const Polygon& corners, const Slab& slab)
 {
-  SlabDetail facet(polygonLoop(corners), slab);
+  SlabDetail facet(loopOf(corners), slab);
   facet.is_facet = true;
   return facet;
 }
@@ -150,7 +150,7 @@ ribsOf(const Room& room, const RibFamily& family)
       continue;
     const double high = low + family.width;
     ribs.emplace_back(
-        polygonLoop({at(start, low), at(end, low), at(end, high), at(start, high)}),
+        loopOf({at(start, low), at(end, low), at(end, high), at(start, high)}),
         underside);
   }
   return ribs;

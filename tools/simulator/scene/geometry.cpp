@@ -22,19 +22,9 @@ elementBetween(const Vec2& start, const Vec2& end, double bulge)
 }
 
 Loop
-polygonLoop(const std::vector<Vec2>& corners)
-{
-  Loop loop;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    loop.elements.push_back(
-        elementBetween(corners[i], corners[(i + 1) % corners.size()]));
-  return loop;
-}
-
-Loop
 rectangleLoop(const Vec2& min, const Vec2& max)
 {
-  return polygonLoop({min, {max.x(), min.y()}, max, {min.x(), max.y()}});
+  return loopOf({min, {max.x(), min.y()}, max, {min.x(), max.y()}});
 }
 
 Loop

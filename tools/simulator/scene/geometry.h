@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "sedr_filters/src/plan/plan_arcs.h"
 #include "sedr_filters/src/plan/plan_bounds.h"
+#include "sedr_filters/src/plan/plan_segment.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -29,13 +31,6 @@ constexpr double kCurveTolerance = 1e-4;
 
 /** @brief Points of the plan closer than this are the same, metres. */
 constexpr double kSamePoint = 1e-6;
-
-/** @brief Returns the z of the cross product: positive if @p b is left of @p a. */
-inline double
-cross(const Vec2& a, const Vec2& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 /** @brief Returns @p a rotated by 90 degrees counter-clockwise. */
 inline Vec2
@@ -75,9 +70,6 @@ lifted(const Vec2& p, double z)
 /** @brief Returns the arc from @p start to @p end; a segment if @p bulge is 0.
  * @param bulge tan(included angle / 4), positive if the arc turns left */
 Element elementBetween(const Vec2& start, const Vec2& end, double bulge = 0.0);
-
-/** @brief Returns the loop of segments between the corners. */
-Loop polygonLoop(const std::vector<Vec2>& corners);
 
 Loop rectangleLoop(const Vec2& min, const Vec2& max);
 

@@ -3,7 +3,6 @@
 
 #include "scene.h"
 
-#include <cstddef>
 #include <optional>
 #include <vector>
 

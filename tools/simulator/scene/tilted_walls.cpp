@@ -168,7 +168,7 @@ private:
   {
     const double slope = 1.0 / face.run;
     // The origin is at the foot, where the plane meets the floor exactly.
-    SlabDetail part(polygonLoop({face.foot.start, face.foot.end, next.head, face.head}),
+    SlabDetail part(loopOf({face.foot.start, face.foot.end, next.head, face.head}),
                     {floor_, slope * face.inwards, face.foot.start});
     part.is_wall = true;
     return part;

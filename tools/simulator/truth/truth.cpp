@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <map>
 #include <ostream>
-#include <stdexcept>
 
 namespace pcl::sedr::sim {
 
